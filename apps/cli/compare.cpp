@@ -1,0 +1,74 @@
+// physim compare: one shot on every rung of the ladder of fidelity, error against cost.
+#include <CLI/CLI.hpp>
+
+#include "commands.hpp"
+#include "flown.hpp"
+#include "ladder.hpp"
+#include "output_ladder.hpp"
+#include "output_paths.hpp"
+#include "plot_ladder.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+namespace {
+
+struct CompareOptions {
+  ScenarioInput input;
+  OutputPaths outputs;
+  std::string shot;
+};
+
+// The shot that was asked for, the first where none was.
+Result<const ScenarioShot*> find_shot(const Scenario& scenario, const std::string& wanted) {
+  std::string names;
+  for (const ScenarioShot& shot : scenario.shots) {
+    const std::string& name = shot.projectile.name;
+    if (wanted.empty() || name == wanted) return &shot;
+    names += (names.empty() ? "\"" : ", \"") + name + "\"";
+  }
+  return Error{
+      .message = "there is no shot \"" + wanted + "\"", .place = scenario.file, .hint = "its shots are " + names};
+}
+
+Status compare(const CompareOptions& options) {
+  if (Status bad = check(options.outputs)) return bad;
+  const Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
+  if (!scenario) return scenario.error();
+  const Result<const ScenarioShot*> shot = find_shot(*scenario, options.shot);
+  if (!shot) return shot.error();
+  const Result<Ladder> ladder = climb(*scenario, **shot);
+  if (!ladder) return ladder.error();
+
+  const OutputMakers makers{.csv = [&] { return ladder_csv(*ladder); },
+                            .json = [&] { return ladder_json(*scenario, *ladder); },
+                            .plot = [&] { return ladder_picture(title_of(*scenario), *ladder); }};
+  if (Status bad = write(options.outputs, makers)) return bad;
+  return options.outputs.use_stdout() ? Status() : print(ladder_text(*scenario, *ladder, Style(stdout)));
+}
+
+int exit_code_of(const CompareOptions& options) {
+  const Status bad = compare(options);
+  if (bad) print_error(*bad);
+  return bad ? kExitBadInput : kExitOk;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("compare", "Fly one shot on every rung of the ladder: error and cost of each");
+  auto options = std::make_shared<CompareOptions>();
+  add_scenario_options(*command, options->input);
+  command->add_option("--shot", options->shot, "Which shot; without it the first")->type_name("NAME");
+  add_output_options(*command, options->outputs, "Write the table as CSV; - is the standard output",
+                     "Write the table as JSON; - as above", "Draw error over cost");
+  command->footer(
+      "Every rung starts with the velocity of the reference (dop853, tolerance 1e-13) and flies until the scenario's "
+      "end.\n"
+      "The error is the distance between the two ends; the cost is the median time of one fly().\n\n"
+      "Examples:\n"
+      "  physim compare scenarios/308_168gr_g7.toml --plot out/ladder.png\n"
+      "  physim compare scenarios/308_168gr_g7.toml --csv - | sort\n");
+  command->callback([options, &exit_code] { exit_code = exit_code_of(*options); });
+}
+
+}  // namespace physim::cli

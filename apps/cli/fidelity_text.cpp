@@ -1,0 +1,51 @@
+#include "fidelity_text.hpp"
+
+#include <optional>
+
+#include "physim/names.hpp"
+
+namespace physim::cli {
+
+std::vector<FidelityField> fidelity_fields(const Fidelity& f) {
+  const auto truth = [](bool value) -> std::string_view { return value ? "true" : "false"; };
+  return {{"motion", name(f.motion)},
+          {"integrator", name(f.integrator)},
+          {"gravity", name(f.gravity)},
+          {"drag", name(f.drag)},
+          {"air", name(f.air)},
+          {"wind", name(f.wind)},
+          {"earth", name(f.earth)},
+          {"rotation", name(f.rotation)},
+          {"precision", name(f.precision)},
+          {"interpolation", name(f.interpolation)},
+          {"planar", truth(f.planar)},
+          {"original_one_shot_forces", truth(f.original_one_shot_forces)}};
+}
+
+std::string preset_name(const Fidelity& fidelity) {
+  for (const std::string_view preset : fidelity_presets())
+    if (fidelity_preset(preset) == fidelity) return std::string(preset);
+  return "custom";
+}
+
+std::string in_words(const Fidelity& fidelity) {
+  std::string out;
+  for (const auto& [effect, rung] : fidelity_fields(fidelity)) {
+    if (rung == "false") continue;  // a switch that is off
+    out += (out.empty() ? "" : ", ") + std::string(effect) + (rung == "true" ? "" : " " + std::string(rung));
+  }
+  return out;
+}
+
+std::string physics_left_out(const Fidelity& full, const Fidelity& fidelity) {
+  std::string out;
+  const auto all = fidelity_fields(full), some = fidelity_fields(fidelity);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool is_numerics = all[i].effect == "integrator" || all[i].effect == "precision";
+    if (is_numerics || all[i].rung == some[i].rung) continue;
+    out += (out.empty() ? "" : "; ") + std::string(some[i].effect) + " " + std::string(some[i].rung);
+  }
+  return out;
+}
+
+}  // namespace physim::cli

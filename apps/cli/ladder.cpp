@@ -1,0 +1,180 @@
+#include "ladder.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+#include "fidelity_text.hpp"
+#include "flown.hpp"
+#include "physim/names.hpp"
+#include "progress.hpp"
+
+namespace physim::cli {
+namespace {
+
+constexpr Tolerance kTruth{.relative = 1e-13, .absolute = 1e-12};
+
+// ------------------------------------------------------------------------------------------------------ the rungs
+void add_presets(const Scenario& scenario, std::vector<Rung>& rungs) {
+  const auto preset = [&](const char* name, double step) {
+    Tolerance tolerance = scenario.tolerance;
+    if (tolerance.step == 0) tolerance.step = step;
+    rungs.push_back({Family::preset, name, "", *fidelity_preset(name), tolerance});
+  };
+  preset("arcade", 1.0 / 60);
+  preset("game", 1.0 / 60);
+  preset("sport_ball", 0);  // a pilot flight finds the step
+  for (const char* name : {"small_arms", "artillery", "simulation"}) preset(name, 0);
+}
+
+void add_integrators(const Scenario& scenario, std::vector<Rung>& rungs) {
+  const auto add = [&](Integrator integrator, const char* detail, Tolerance tolerance) {
+    Fidelity fidelity = Fidelity::simulation();
+    fidelity.integrator = integrator;
+    rungs.push_back({Family::integrator, std::string(name(integrator)), detail, fidelity, tolerance});
+  };
+  struct Setting {
+    const char* text;
+    double value;
+  };
+  for (const Integrator integrator :
+       {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4})
+    for (const auto& [text, step] : {Setting{"1/60 s", 1.0 / 60}, {"10 ms", 0.01}, {"1 ms", 0.001}}) {
+      Tolerance tolerance = scenario.tolerance;
+      tolerance.step = step;
+      add(integrator, text, tolerance);
+    }
+  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853})
+    for (const auto& [text, error] : {Setting{"1e-3", 1e-3}, {"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}}) {
+      Tolerance tolerance = scenario.tolerance;
+      tolerance.relative = tolerance.absolute = error;
+      add(integrator, text, tolerance);
+    }
+}
+
+void add_effects(const Scenario& scenario, std::vector<Rung>& rungs) {
+  const auto without = [&](const char* name, const std::function<void(Fidelity&)>& change) {
+    Fidelity fidelity = Fidelity::simulation();
+    change(fidelity);
+    rungs.push_back({Family::effect, name, "", fidelity, scenario.tolerance});
+  };
+  without("no drag", [](Fidelity& f) { f.drag = DragModel::off; });
+  without("constant air", [](Fidelity& f) { f.air = AirModel::constant; });
+  without("no wind", [](Fidelity& f) { f.wind = WindModel::off; });
+  without("no spin drift", [](Fidelity& f) { f.rotation = RotationModel::none; });
+  without("no Coriolis", [](Fidelity& f) { f.earth = EarthModel::flat; });
+  without("constant gravity", [](Fidelity& f) { f.gravity = GravityModel::constant; });
+  without("linear drag curve", [](Fidelity& f) { f.interpolation = Interpolation::linear; });
+  without("pchip drag curve", [](Fidelity& f) { f.interpolation = Interpolation::pchip; });
+  without("float32", [](Fidelity& f) { f.precision = Precision::float32; });
+  // A tolerance below the rounding of a float cannot be kept.
+  Tolerance& coarse = rungs.back().tolerance;
+  coarse.relative = coarse.absolute = std::max(coarse.relative, 1e-5);
+}
+
+std::vector<Rung> all_rungs(const Scenario& scenario) {
+  std::vector<Rung> rungs;
+  add_presets(scenario, rungs);
+  add_integrators(scenario, rungs);
+  add_effects(scenario, rungs);
+  return rungs;
+}
+
+// ---------------------------------------------------------------------------------------------- flying and timing
+class Climber {
+ public:
+  Climber(const Scenario& scenario, const ScenarioShot& shot) : scenario_(scenario), shot_(shot) {}
+
+  [[nodiscard]] Flight fly_rung(const Fidelity& fidelity, const Tolerance& tolerance) const {
+    return fly(shot_.projectile, shot_.launch, scenario_.environment, fidelity, tolerance, scenario_.until);
+  }
+
+  /// From here on the launch is what a flight started with: the bore's elevation is known and no longer looked for.
+  void start_as(const Flight& flight) {
+    shot_.launch.velocity = flight.at(0).velocity;
+    shot_.launch.speed = shot_.launch.elevation = shot_.launch.azimuth = 0;
+    shot_.launch.sight.zero_range = 0;
+  }
+
+  /// Median time of one fly() [s]: of at least five samples, each long enough for the clock.
+  [[nodiscard]] double cost_of(const Fidelity& fidelity, const Tolerance& tolerance) const {
+    using Clock = std::chrono::steady_clock;
+    constexpr double kSample = 100e-6, kBudget = 20e-3;  // [s]
+    const auto time_of = [&](int flights) {
+      const auto start = Clock::now();
+      for (int i = 0; i < flights; ++i) static_cast<void>(fly_rung(fidelity, tolerance));
+      return std::chrono::duration<double>(Clock::now() - start).count() / flights;
+    };
+    const double first = std::max(time_of(1), 1e-8);
+    const int flights = std::clamp(static_cast<int>(kSample / first), 1, 1000);
+    const int samples = std::clamp(static_cast<int>(kBudget / (first * flights)), 5, 101);
+    std::vector<double> times;
+    for (int i = 0; i < samples; ++i) times.push_back(time_of(flights));
+    std::ranges::nth_element(times, times.begin() + samples / 2);
+    return times[static_cast<std::size_t>(samples / 2)];
+  }
+
+ private:
+  const Scenario& scenario_;
+  ScenarioShot shot_;
+};
+
+RungResult result_of(const Climber& climber, const Flight& reference, Rung rung, Flight flight) {
+  if (flight.step() > 0) rung.tolerance.step = flight.step();  // the cost is that of the flight, without its pilot
+  const double cost = climber.cost_of(rung.fidelity, rung.tolerance);
+  const double error = length(flight.end().position - reference.end().position);
+  const double time_error = std::abs(flight.duration() - reference.duration());
+  std::string leaves_out = physics_left_out(reference.fidelity_in_use().fidelity, flight.fidelity_in_use().fidelity);
+  return {std::move(rung), std::move(flight), std::move(leaves_out), error, time_error, cost};
+}
+
+// Why a flight has no place in the table; empty where it has one.
+std::string reason_to_leave_out(const Rung& rung, const Flight& flight, const Flight& simulation) {
+  switch (flight.outcome()) {
+    case Outcome::refused:
+      return flight.error() ? flight.error()->message : "refused";
+    case Outcome::landed:
+    case Outcome::reached_range:
+    case Outcome::event:
+    case Outcome::time_limit:
+      break;
+    default:
+      return "its flight ended with " + std::string(name(flight.outcome()));
+  }
+  const bool changes_nothing = flight.fidelity_in_use().fidelity == simulation.fidelity_in_use().fidelity;
+  return rung.family == Family::effect && changes_nothing ? "this shot has no such effect" : "";
+}
+
+}  // namespace
+
+std::string_view family_name(Family family) {
+  constexpr std::string_view names[] = {"presets", "integrators", "effects"};
+  return names[static_cast<int>(family)];
+}
+
+Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot) {
+  Climber climber(scenario, shot);
+  Flight reference = climber.fly_rung(Fidelity::reference(), kTruth);
+  if (reference.outcome() == Outcome::refused) return refusal(scenario, shot, reference);
+  climber.start_as(reference);
+  reference = climber.fly_rung(Fidelity::reference(), kTruth);
+  const Flight simulation = climber.fly_rung(Fidelity::simulation(), scenario.tolerance);
+
+  Ladder ladder{.shot = shot.projectile.name};
+  const std::vector<Rung> rungs = all_rungs(scenario);
+  Progress progress("comparing", rungs.size() + 1);
+  for (const Rung& rung : rungs) {
+    Flight flight = climber.fly_rung(rung.fidelity, rung.tolerance);
+    if (std::string reason = reason_to_leave_out(rung, flight, simulation); !reason.empty())
+      ladder.left_out.push_back({rung.name(), std::move(reason)});
+    else
+      ladder.rungs.push_back(result_of(climber, reference, rung, std::move(flight)));
+    progress.advance();
+  }
+  const Rung truth{Family::preset, "reference", "", Fidelity::reference(), kTruth};
+  ladder.rungs.push_back(result_of(climber, reference, truth, reference));
+  return ladder;
+}
+
+}  // namespace physim::cli

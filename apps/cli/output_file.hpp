@@ -1,0 +1,29 @@
+// Files that are written whole or not at all: to a temporary name beside the target, then renamed.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "physim/result.hpp"
+
+namespace physim::cli {
+
+/// Writes a file, or the standard output where the path is "-". What stood there before stays until the new is
+/// complete.
+[[nodiscard]] Status write_output(const std::string& path, std::string_view content);
+
+/// An error where a file of this path could not be written: a folder, or a place in no folder.
+[[nodiscard]] Status check_writable(const std::string& path);
+
+/// Makes a folder and those above it.
+[[nodiscard]] Status make_folder(const std::string& path);
+
+/// The first error of several steps; later steps are not taken.
+template <class... Steps>
+[[nodiscard]] Status in_turn(Steps&&... steps) {
+  Status status;
+  static_cast<void>((... || (status = steps()).has_value()));
+  return status;
+}
+
+}  // namespace physim::cli

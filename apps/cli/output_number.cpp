@@ -1,0 +1,39 @@
+#include "output_number.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace physim::cli {
+namespace {
+
+// Room for 309 digits before the point and all decimals that are ever asked for.
+constexpr int kRoom = 400;
+
+template <class... Format>
+std::string to_text(double value, Format... format) {
+  if (std::isnan(value)) return "nan";
+  char text[kRoom];
+  const auto end = std::to_chars(text, text + kRoom, value, format...).ptr;
+  return {text, end};
+}
+
+}  // namespace
+
+std::string shortest(double value) { return to_text(value); }
+
+std::string fixed(double value, int decimals) {
+  std::string text = to_text(value, std::chars_format::fixed, decimals);
+  const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+  return is_zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+std::string significant(double value, int digits) { return to_text(value, std::chars_format::general, digits); }
+
+std::string readable(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return fixed(value, 0);
+  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  return fixed(value, std::clamp(digits - 1 - magnitude, 0, 12));
+}
+
+}  // namespace physim::cli

@@ -1,0 +1,17 @@
+// Numbers as text, the same on every machine and in every locale.
+#pragma once
+
+#include <string>
+
+namespace physim::cli {
+
+/// The shortest text that reads back to the same double: for files.
+[[nodiscard]] std::string shortest(double value);
+/// Fixed decimals, "-3.100"; never "-0.000".
+[[nodiscard]] std::string fixed(double value, int decimals);
+/// So many significant digits, with an exponent where the number is very large or small.
+[[nodiscard]] std::string significant(double value, int digits);
+/// As many decimals as give so many significant digits, without an exponent: "1234", "12.3", "0.0123".
+[[nodiscard]] std::string readable(double value, int digits);
+
+}  // namespace physim::cli

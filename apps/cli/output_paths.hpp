@@ -1,0 +1,36 @@
+// The files that `run` and `compare` are asked to write.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "physim/result.hpp"
+#include "plot.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace physim::cli {
+
+/// Empty: not asked for. "-" is the standard output.
+struct OutputPaths {
+  std::string csv, json, plot;
+  [[nodiscard]] bool use_stdout() const { return csv == "-" || json == "-"; }
+};
+
+/// What goes into the files; made only when asked for.
+struct OutputMakers {
+  std::function<std::string()> csv, json;
+  std::function<Picture()> plot;
+};
+
+/// --csv, --json and --plot, each with its help.
+void add_output_options(CLI::App& command, OutputPaths& paths, const char* csv, const char* json, const char* plot);
+
+/// What can be told before there is anything to write.
+[[nodiscard]] Status check(const OutputPaths& paths);
+
+[[nodiscard]] Status write(const OutputPaths& paths, const OutputMakers& makers);
+
+}  // namespace physim::cli

@@ -1,0 +1,138 @@
+#include "output_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fidelity_text.hpp"
+#include "output_number.hpp"
+#include "output_table.hpp"
+#include "physim/names.hpp"
+
+namespace physim::cli {
+namespace {
+
+constexpr int kIndent = 2;
+constexpr double kDegree = std::numbers::pi / 180;
+
+// A line of the summary: its subject in a column of its own.
+std::string line(const std::string& subject, const std::string& text) {
+  constexpr std::size_t kSubject = 15;
+  return "  " + subject + std::string(kSubject - std::min(kSubject - 1, display_width(subject)), ' ') + text + "\n";
+}
+
+// The correction that brings the shot back to the line of sight [mil = mrad].
+std::string hold(double offset, double range) { return range > 0 ? fixed(-std::atan2(offset, range) * 1e3, 2) : "-"; }
+
+std::string range_card(const FlownShot& flown, const std::vector<double>& ranges) {
+  const bool with_holds = flown.shot->launch.sight.zero_range > 0;
+  std::vector<Column> columns = {{"range [m]"}, {"drop [m]"}, {"windage [m]"}};
+  if (with_holds) columns.insert(columns.end(), {{"hold up [mil]"}, {"hold right [mil]"}});
+  columns.insert(columns.end(), {{"time [s]"}, {"speed [m/s]"}, {"mach [-]"}, {"energy [J]"}});
+  Table table(columns);
+  for (const double range : ranges) {
+    const Result<Sample> found = flown.flight.at_range(range);
+    if (!found) {
+      table.add_row({shortest(range), "not reached"});
+      continue;
+    }
+    const Sample& s = *found;
+    std::vector<std::string> row = {shortest(range), fixed(s.drop, 3), fixed(s.windage, 3)};
+    if (with_holds) row.insert(row.end(), {hold(s.drop, range), hold(s.windage, range)});
+    row.insert(row.end(), {fixed(s.time, 4), fixed(s.speed, 2), fixed(s.mach, 3), readable(s.energy, 4)});
+    table.add_row(std::move(row));
+  }
+  return table.empty() ? "" : "\n" + table.text(kIndent) + "\n";
+}
+
+std::string state_text(const Sample& s) {
+  const double horizontal = std::hypot(s.velocity.x, s.velocity.z);
+  const double angle = std::atan2(s.velocity.y, horizontal) / kDegree;
+  std::string text = fixed(s.time, 4) + " s: " + readable(s.range, 6) + " m downrange, height " +
+                     readable(s.position.y, 5) + " m, windage " + readable(s.windage, 4) + " m; " +
+                     readable(s.speed, 5) + " m/s";
+  if (s.mach > 0) text += " (Mach " + fixed(s.mach, 3) + ")";
+  return text + ", " + readable(s.energy, 4) + " J, " + fixed(std::abs(angle), 2) + " deg " +
+         (angle < 0 ? "down" : "up");
+}
+
+std::string apex_text(const Event& apex) {
+  return fixed(apex.time, 4) + " s: " + readable(apex.position.x, 6) + " m downrange, height " +
+         readable(apex.position.y, 5) + " m";
+}
+
+std::string cost_text(const Flight& flight) {
+  const FlightCost& cost = flight.cost();
+  std::string text = std::to_string(cost.steps) + " steps";
+  if (flight.step() > 0) text += " of " + significant(flight.step(), 4) + " s";
+  if (cost.rejected > 0) text += " (" + std::to_string(cost.rejected) + " more rejected)";
+  return text + ", " + std::to_string(cost.evaluations) + " evaluations of the acceleration";
+}
+
+std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_ranges, const Style& style) {
+  const Flight& flight = flown.flight;
+  const FidelityInUse& in_use = flight.fidelity_in_use();
+  const Sample end = flight.end();
+  std::string out = style.bold(flown.name) + "\n";
+  out += line("fidelity", preset_name(flown.shot->projectile.fidelity));
+  out += line("granted", in_words(in_use.fidelity));
+  for (const FidelityNote& note : in_use.notes)
+    out += line(style.warn("note"),
+                note.effect + " " + note.granted + " where " + note.asked + " was asked: " + note.reason);
+  out += range_card(flown, asked_ranges.empty() ? default_ranges(end.range) : asked_ranges);
+  out += line(std::string(name(flight.outcome())), "at " + state_text(end));
+  for (const Event& event : flight.events())
+    if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(event));
+  out += line("elevation", fixed(flight.elevation() / kDegree, 4) + " deg");
+  out += line("cost", cost_text(flight));
+  return out;
+}
+
+std::string checks_text(const std::vector<Check>& checks, const Style& style) {
+  Table table({{"verdict", Align::left},
+               {"shot", Align::left},
+               {"at", Align::left},
+               {"quantity", Align::left},
+               {"value"},
+               {"expected"},
+               {"within"},
+               {"unit", Align::left},
+               {"source", Align::left}});
+  std::size_t missed = 0;
+  for (const Check& check : checks) {
+    const Expectation& expectation = *check.expectation;
+    missed += check.met ? 0 : 1;
+    table.add_row({check.met ? style.good("ok") : style.bad("MISSED"), check.shot, place_text(expectation),
+                   expectation.quantity, check.value ? significant(*check.value, 7) : "none",
+                   shortest(expectation.equals), shortest(expectation.within),
+                   std::string(unit_of(expectation.quantity)), expectation.source});
+  }
+  std::string out = style.bold("checks") + "\n" + table.text(kIndent);
+  for (const Check& check : checks)
+    if (!check.value) out += line("none", check.expectation->place + ": " + check.value.error().message);
+  const std::string verdict = std::to_string(checks.size() - missed) + " of " + std::to_string(checks.size()) + " met";
+  return out + "  " + (missed == 0 ? style.good(verdict) : style.bad(verdict)) + "\n";
+}
+
+}  // namespace
+
+std::vector<double> default_ranges(double end_range) {
+  std::vector<double> ranges;
+  if (!(end_range > 0) || !std::isfinite(end_range)) return ranges;
+  const double power = std::pow(10.0, std::floor(std::log10(end_range)));
+  double step = power;
+  for (const double part : {0.5, 0.2, 0.1})
+    if (end_range / step < 5) step = part * power;
+  for (int k = 1; k * step <= end_range && k <= 10; ++k) ranges.push_back(k * step);
+  return ranges;
+}
+
+std::string summary_text(const FlownScenario& flown, const Style& style) {
+  const Scenario& scenario = flown.scenario;
+  std::string out = style.bold(title_of(scenario)) + "\n";
+  for (const FlownShot& shot : flown.shots) out += "\n" + shot_text(shot, scenario.ranges, style);
+  if (!flown.checks.empty()) out += "\n" + checks_text(flown.checks, style);
+  return out;
+}
+
+}  // namespace physim::cli

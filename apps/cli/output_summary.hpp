@@ -1,0 +1,17 @@
+// What `physim run` prints: for each shot its fidelity, range card, end, apex and cost; then the checks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flown.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+
+[[nodiscard]] std::string summary_text(const FlownScenario& flown, const Style& style);
+
+/// Round ranges [m] for a range card of a flight that ends at this range [m].
+[[nodiscard]] std::vector<double> default_ranges(double end_range);
+
+}  // namespace physim::cli

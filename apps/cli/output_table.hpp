@@ -1,0 +1,37 @@
+// A table of aligned text columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace physim::cli {
+
+enum class Align { left, right };
+
+struct Column {
+  std::string header;
+  Align align = Align::right;
+};
+
+class Table {
+ public:
+  explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+
+  /// One cell for each column; fewer leave the rest empty.
+  void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  [[nodiscard]] bool empty() const { return rows_.empty(); }
+
+  /// Header and rows, each line indented, two spaces between columns.
+  [[nodiscard]] std::string text(int indent = 0) const;
+  /// The same as a Markdown table.
+  [[nodiscard]] std::string markdown() const;
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// Characters of a UTF-8 text as a terminal counts them.
+[[nodiscard]] std::size_t display_width(const std::string& text);
+
+}  // namespace physim::cli

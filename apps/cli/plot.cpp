@@ -1,0 +1,133 @@
+#include "plot.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "output_file.hpp"
+#include "output_number.hpp"
+
+extern char** environ;
+
+namespace physim::cli {
+namespace {
+
+enum class Format { unknown, png, svg };
+
+Format format_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".png" ? Format::png : ending == ".svg" ? Format::svg : Format::unknown;
+}
+
+std::string terminal(Format format, const Picture& picture) {
+  const std::string size = std::to_string(picture.width) + "," + std::to_string(picture.height);
+  const std::string common = " size " + size + " font 'DejaVu Sans,14' noenhanced";
+  return "set encoding utf8\nset terminal " +
+         (format == Format::png ? "pngcairo" + common + " background rgb 'white'"
+                                : "svg" + common + " background rgb 'white'") +
+         "\n";
+}
+
+using TemporaryFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+TemporaryFile temporary_file() { return {std::tmpfile(), &std::fclose}; }
+
+std::string content_of(std::FILE* file) {
+  std::string content;
+  char block[1 << 16];
+  std::rewind(file);
+  while (const std::size_t count = std::fread(block, 1, sizeof block, file)) content.append(block, count);
+  return content;
+}
+
+Error missing_gnuplot() {
+  return {.message = "gnuplot is needed for plots and was not found",
+          .hint = "on Debian: apt-get install gnuplot-nox fonts-dejavu-core"};
+}
+
+// Starts gnuplot on three files and waits; 0 for success, the number of the error, or -1 where gnuplot itself failed.
+int run_gnuplot(std::FILE* in, std::FILE* out, std::FILE* err) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, fileno(in), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(out), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(err), STDERR_FILENO);
+  char program[] = "gnuplot", default_session[] = "--default-settings", from_stdin[] = "-";
+  char* arguments[] = {program, default_session, from_stdin, nullptr};
+  pid_t child = 0;
+  const int error_number = posix_spawnp(&child, program, &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error_number != 0) return error_number;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return errno;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
+}
+
+Result<std::string> render(Format format, const Picture& picture) {
+  const TemporaryFile in = temporary_file(), out = temporary_file(), err = temporary_file();
+  if (!in || !out || !err)
+    return Error{.message = std::string("cannot make a temporary file: ") + std::strerror(errno)};
+  const std::string script = terminal(format, picture) + picture.script;
+  std::fwrite(script.data(), 1, script.size(), in.get());
+  if (std::fflush(in.get()) != 0) return Error{.message = "cannot write a temporary file: disk full?"};
+  std::rewind(in.get());
+  const int error_number = run_gnuplot(in.get(), out.get(), err.get());
+  if (error_number == ENOENT) return missing_gnuplot();
+  if (error_number > 0) return Error{.message = std::string("cannot run gnuplot: ") + std::strerror(error_number)};
+  std::string content = content_of(out.get());
+  if (error_number != 0 || content.empty()) return Error{.message = "gnuplot failed: " + content_of(err.get())};
+  return content;
+}
+
+}  // namespace
+
+Status check_plot(const std::string& path) {
+  if (format_of(path) == Format::unknown)
+    return Error{.message = "cannot tell the picture's format from the file name",
+                 .place = path,
+                 .hint = "end it with .png or .svg"};
+  return check_writable(path);
+}
+
+Status draw(const std::string& path, const Picture& picture) {
+  if (Status bad = check_plot(path)) return bad;
+  const Result<std::string> content = render(format_of(path), picture);
+  return content ? write_output(path, *content) : Status(content.error());
+}
+
+std::string literal(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) {
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    out += c == '\'' ? std::string("’") : std::string(1, is_control ? ' ' : c);
+  }
+  return out + "'";
+}
+
+std::string axes_style() {
+  const std::string quiet = " rgb " + literal(kQuiet), grid = " rgb " + literal(kGridInk);
+  return "set border 3 lw 1 lc" + quiet + "\nset tics nomirror out scale 0.6 font ',12' textcolor rgb " +
+         literal(kInk) + "\nset grid back lt 1 lw 1 lc" + grid + "\nunset key\n";
+}
+
+std::string text_at(double x, double y, std::string_view text, int font_size, std::string_view colour, bool bold) {
+  return "set label " + literal(text) + " at screen " + shortest(x) + "," + shortest(y) + " left font " +
+         literal("DejaVu Sans" + std::string(bold ? " Bold" : "") + "," + std::to_string(font_size)) +
+         " textcolor rgb " + literal(colour) + " front\n";
+}
+
+std::string panel_at(double left, double right, double bottom, double top) {
+  return "set lmargin at screen " + shortest(left) + "\nset rmargin at screen " + shortest(right) +
+         "\nset bmargin at screen " + shortest(bottom) + "\nset tmargin at screen " + shortest(top) + "\n";
+}
+
+}  // namespace physim::cli

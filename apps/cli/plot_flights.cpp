@@ -1,0 +1,207 @@
+#include "plot_flights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fidelity_text.hpp"
+#include "output_number.hpp"
+#include "output_trajectory.hpp"
+#include "physim/names.hpp"
+
+namespace physim::cli {
+namespace {
+
+constexpr int kWidth = 1600, kHeight = 1300;  // [px]
+constexpr int kPoints = 400;                  // of each curve
+
+// Columns of a datablock, counted from 1 as gnuplot does: those of a sample row, and then these.
+constexpr int kTime = 1, kPosition = 2, kVelocity = 5, kAcceleration = 8, kSpeed = 11;
+constexpr int kRange = 13, kHeightColumn = 14;
+constexpr int kColumns = 14;
+
+struct Extent {
+  double low = 0, high = 0;
+  [[nodiscard]] double span() const { return high - low; }
+};
+
+struct Curve {
+  std::string name;
+  std::string block;  // of gnuplot: "$shot0"
+  std::vector<std::array<double, kColumns>> rows;
+};
+
+Curve curve_of(const FlownShot& shot, std::size_t index) {
+  Curve curve{shot.name, "$shot" + std::to_string(index), {}};
+  const double duration = shot.flight.duration();
+  for (int k = 0; k <= kPoints; ++k) {
+    const Sample sample = shot.flight.at(duration * k / kPoints);
+    std::array<double, kColumns> row{};
+    std::ranges::copy(row_of(sample), row.begin());
+    row[kRange - 1] = std::hypot(sample.position.x, sample.position.z);
+    row[kHeightColumn - 1] = sample.position.y;
+    curve.rows.push_back(row);
+  }
+  return curve;
+}
+
+std::string datablock(const Curve& curve) {
+  std::string out = curve.block + " << EndOfData\n";
+  for (const auto& row : curve.rows) {
+    for (const double value : row) out += (std::isfinite(value) ? significant(value, 9) : "NaN") + " ";
+    out += "\n";
+  }
+  return out + "EndOfData\n";
+}
+
+Extent extent_of(const std::vector<Curve>& curves, int column) {
+  Extent extent{INFINITY, -INFINITY};
+  for (const Curve& curve : curves)
+    for (const auto& row : curve.rows) {
+      const double value = row[static_cast<std::size_t>(column - 1)];
+      if (!std::isfinite(value)) continue;
+      extent = {std::min(extent.low, value), std::max(extent.high, value)};
+    }
+  return extent.low <= extent.high ? extent : Extent{0, 0};
+}
+
+// Room around the data; a constant is shown in the middle of a range of its own size, rounding errors as a constant.
+Extent padded(Extent extent) {
+  const double size = std::max(std::abs(extent.low), std::abs(extent.high));
+  if (extent.span() <= std::max(1e-9, 1e-9 * size)) {
+    const double middle = std::abs(extent.low) < 1e-9 ? 0 : (extent.low + extent.high) / 2;
+    const double room = middle == 0 ? 1 : std::abs(middle) / 2;
+    return {middle - room, middle + room};
+  }
+  return {extent.low - 0.07 * extent.span(), extent.high + 0.07 * extent.span()};
+}
+
+std::string range_of(const char* axis, Extent extent) {
+  return std::string("set ") + axis + "range [" + significant(extent.low, 9) + ":" + significant(extent.high, 9) +
+         "]\n";
+}
+
+std::string line_style(std::size_t index, std::string_view colour) {
+  const bool is_second_round = index >= kPalette.size();
+  return " lw 2.5 dt " + std::string(is_second_round ? "(14,6)" : "1") + " lc rgb " + literal(colour);
+}
+
+class FlightsPicture {
+ public:
+  FlightsPicture(const std::string& title, std::span<const FlownShot> shots)
+      : title_(title), shots_(shots.first(std::min(shots.size(), kMaxDrawnShots))), all_(shots.size()) {
+    for (std::size_t i = 0; i < shots_.size(); ++i) curves_.push_back(curve_of(shots_[i], i));
+  }
+
+  [[nodiscard]] std::string script() const {
+    std::string out = axes_style();
+    for (const Curve& curve : curves_) out += datablock(curve);
+    out += "set multiplot\n" + path_panel() + "unset key\n" + speed_panel();
+    const std::array<std::string_view, 3> axes = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string name(axes[static_cast<std::size_t>(axis)]);
+      out += axis_panel(axis, 0, kPosition + axis, name + " [m]");
+      out += axis_panel(axis, 1, kVelocity + axis, "v" + name + " [m/s]");
+      out += axis_panel(axis, 2, kAcceleration + axis, "a" + name + " [m/s²]");
+    }
+    return out + "unset multiplot\n";
+  }
+
+ private:
+  static constexpr double kLeft = 0.055, kRight = 0.985, kPanelGap = 0.062;  // parts of the width
+  static constexpr double kTopLow = 0.665, kTopHigh = 0.875;                 // parts of the height
+  static constexpr double kRowLow = 0.055, kRowHeight = 0.141, kRowGap = 0.047;
+  static constexpr double kPanelWidth = (kRight - kLeft - 2 * kPanelGap) / 3;
+
+  static double column_left(int column) { return kLeft + column * (kPanelWidth + kPanelGap); }
+
+  [[nodiscard]] std::string header() const {
+    std::string out = text_at(0.02, 0.968, title_, 22, kInk, true);
+    if (shots_.size() == 1) {
+      const Fidelity& asked = shots_[0].shot->projectile.fidelity;
+      out += text_at(0.02, 0.938, shots_[0].name + ", fidelity " + preset_name(asked), 15, kQuiet);
+      return out;
+    }
+    const std::string count =
+        all_ == shots_.size() ? std::to_string(all_) + " shots"
+                              : "the first " + std::to_string(shots_.size()) + " of " + std::to_string(all_) + " shots";
+    out += text_at(0.02, 0.938, count, 15, kQuiet);
+    return out + "set key at screen 0.985,0.99 right top horizontal Left reverse samplen 2 maxrows 4 font ',13'\n";
+  }
+
+  [[nodiscard]] std::string colour_of(std::size_t shot, int row) const {
+    return std::string(kPalette[shots_.size() == 1 ? static_cast<std::size_t>(row) : shot % kPalette.size()]);
+  }
+
+  // plot ...: one curve for each shot. `row` colours a single shot.
+  [[nodiscard]] std::string curves(int x, int y, int row) const {
+    std::string out = "plot ";
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      out += (i == 0 ? "" : ", ") + curves_[i].block + " using " + std::to_string(x) + ":" + std::to_string(y) +
+             " with lines" + line_style(i, colour_of(i, row)) + " title " + literal(curves_[i].name);
+    return out + "\n";
+  }
+
+  // What a panel shows, above its vertical axis, where it takes no width.
+  static std::string panel_title(const std::string& text) {
+    return "unset label\nset label " + literal(text) + " at graph 0,1 left offset 0,0.75 font ',14' textcolor rgb " +
+           literal(kInk) + "\n";
+  }
+
+  // Height over distance: to scale where the curve keeps a visible shape, else stretched, and the picture says so.
+  [[nodiscard]] std::string path_panel() const {
+    const double right = column_left(1) + kPanelWidth;
+    Extent x = padded(extent_of(curves_, kRange)), y = padded(extent_of(curves_, kHeightColumn));
+    const double panel_width = (right - kLeft) * kWidth, panel_height = (kTopHigh - kTopLow) * kHeight;
+    const double metres_per_pixel = std::max(x.span() / panel_width, y.span() / panel_height);
+    const double part_x = x.span() / (metres_per_pixel * panel_width);
+    const double part_y = y.span() / (metres_per_pixel * panel_height);
+    std::string note = "to scale";
+    if (part_x > 0.25 && part_y > 0.25) {
+      x.high = x.low + metres_per_pixel * panel_width;
+      y.high = y.low + metres_per_pixel * panel_height;
+    } else {
+      const double stretch = (y.span() / panel_height) / (x.span() / panel_width);
+      note = stretch < 1 ? "heights stretched " + significant(1 / stretch, 2) + " times"
+                         : "distances stretched " + significant(stretch, 2) + " times";
+    }
+    return panel_at(kLeft, right, kTopLow, kTopHigh) + range_of("x", x) + range_of("y", y) +
+           "set xlabel 'distance [m]' offset 0,0.5\n" + panel_title("height [m] over distance, " + note) + header() +
+           curves(kRange, kHeightColumn, 0);
+  }
+
+  [[nodiscard]] std::string time_panel(double left, double low, double high, int column, const std::string& label,
+                                       int row) const {
+    return panel_at(left, left + kPanelWidth, low, high) + range_of("x", time_extent()) +
+           range_of("y", padded(extent_of(curves_, column))) + panel_title(label) + curves(kTime, column, row);
+  }
+
+  [[nodiscard]] std::string speed_panel() const {
+    return "set xlabel 't [s]' offset 0,0.5\n" +
+           time_panel(column_left(2), kTopLow, kTopHigh, kSpeed, "speed [m/s]", 3);
+  }
+
+  [[nodiscard]] std::string axis_panel(int column, int row, int data_column, const std::string& label) const {
+    const double low = kRowLow + (2 - row) * (kRowHeight + kRowGap);
+    const std::string below =  // the three panels of a column share their time axis
+        row == 2 ? "set xlabel 't [s]' offset 0,0.5\nset format x '%g'\n" : "unset xlabel\nset format x ''\n";
+    return below + time_panel(column_left(column), low, low + kRowHeight, data_column, label, row);
+  }
+
+  [[nodiscard]] Extent time_extent() const {
+    const Extent extent = extent_of(curves_, kTime);
+    return extent.high > 0 ? Extent{0, extent.high} : Extent{0, 1};
+  }
+
+  std::string title_;
+  std::span<const FlownShot> shots_;
+  std::size_t all_;
+  std::vector<Curve> curves_;
+};
+
+}  // namespace
+
+Picture flights_picture(const std::string& title, std::span<const FlownShot> shots) {
+  return {kWidth, kHeight, FlightsPicture(title, shots).script()};
+}
+
+}  // namespace physim::cli

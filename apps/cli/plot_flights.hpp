@@ -1,0 +1,17 @@
+// The picture of flights: path and speed, then position, velocity and acceleration over time, axis by axis.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "flown.hpp"
+#include "plot.hpp"
+
+namespace physim::cli {
+
+/// At most this many shots are drawn into one picture; more could not be told apart.
+inline constexpr std::size_t kMaxDrawnShots = 14;
+
+[[nodiscard]] Picture flights_picture(const std::string& title, std::span<const FlownShot> shots);
+
+}  // namespace physim::cli

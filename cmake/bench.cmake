@@ -1,0 +1,13 @@
+# physim_bench: speed at equal achieved error, against the solvers that people use (odeint, ARKODE, CVODE).
+find_package(benchmark REQUIRED)
+find_package(Boost REQUIRED)
+find_path(SUNDIALS_INCLUDE_DIR cvode/cvode.h REQUIRED)
+physim_add_executable(physim_bench ${bench_sources})
+target_include_directories(physim_bench SYSTEM PRIVATE ${SUNDIALS_INCLUDE_DIR})
+target_link_libraries(physim_bench PRIVATE benchmark::benchmark Boost::headers)
+foreach(part IN ITEMS arkode cvode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolnewton)
+  find_library(SUNDIALS_${part} sundials_${part})
+  if(SUNDIALS_${part})
+    target_link_libraries(physim_bench PRIVATE ${SUNDIALS_${part}})
+  endif()
+endforeach()

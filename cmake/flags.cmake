@@ -1,0 +1,22 @@
+# Our flags, per target: a project that adds PhySim as a subfolder keeps its own.
+#
+# Determinism rests on three of them: -ffp-contract=off (no fused multiply-add behind our back) and never -ffast-math.
+# -fno-math-errno and -fno-trapping-math change no bit of a result; they let the compilers vectorise sqrt and select.
+
+# Wide vectors in signatures make g++ note an ABI change (psabi); designated initialisers leave fields out on purpose.
+set(PHYSIM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
+    -Wvla -Wundef -Wno-psabi -Wno-missing-field-initializers)
+
+function(physim_flags target)
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} -ffp-contract=off -fno-math-errno -fno-trapping-math)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      target_compile_options(${target} PRIVATE -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
+    endif()
+    if(PHYSIM_WERROR)
+      target_compile_options(${target} PRIVATE -Werror)
+    endif()
+  endif()
+endfunction()

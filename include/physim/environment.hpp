@@ -1,0 +1,70 @@
+// Environment: where a projectile flies. It says what is there; Fidelity says how much of it is modelled,
+// and the lower of the two is granted: an environment with constant gravity has no inverse-square law to offer.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "physim/fidelity.hpp"
+#include "physim/vec3.hpp"
+
+namespace physim {
+
+/// The gravity field.
+struct Gravity {
+  GravityModel model = GravityModel::inverse_square;  ///< the field there is [-]
+  double acceleration = 9.80665;                      ///< at mean sea level, downwards [m/s^2]
+  double radius = 6356766;  ///< distance of sea level from the Earth's centre; default of US Standard 1976 [m]
+};
+
+/// The air. Where temperature, pressure or humidity is given, density at the station follows CIPM-2007 and the standard
+/// profile is shifted to it; where none is given the air is exactly the US Standard Atmosphere 1976.
+struct Atmosphere {
+  AirModel model = AirModel::isa;          ///< the profile there is [-]
+  std::optional<double> temperature;       ///< at the station [K]
+  std::optional<double> pressure;          ///< at the station, not reduced to sea level [Pa]
+  std::optional<double> humidity;          ///< relative, 0 to 1, at the station [-]
+  std::optional<double> station_altitude;  ///< of the station above sea level; default: the origin's [m]
+  std::optional<double> density;      ///< at the origin, overrides all else for constant and exponential air [kg/m^3]
+  std::optional<double> sound_speed;  ///< at the origin, overrides all else for constant and exponential air [m/s]
+  double scale_height = 8500;         ///< of exponential air [m]
+};
+
+/// What a wind profile is read by.
+enum class WindAxis { height, range };
+/// How a wind profile is read between its points.
+enum class WindInterpolation {
+  linear,
+  step,  ///< each point holds from its place on
+};
+
+struct WindPoint {
+  double at = 0;   ///< height above the origin, or downrange distance x [m]
+  Vec3d velocity;  ///< of the air [m/s]
+};
+
+/// Wind is the velocity of the air in the world frame: (0, 0, -4) blows from the right.
+struct Wind {
+  Vec3d velocity;                                                ///< without a profile, everywhere [m/s]
+  std::vector<WindPoint> profile;                                ///< at rising places; held outside; at most 32 [m]
+  WindAxis by = WindAxis::height;                                ///< what the profile is read by [-]
+  WindInterpolation interpolation = WindInterpolation::linear;   ///< between points of the profile [-]
+};
+
+/// How the Earth turns under the flight.
+struct Earth {
+  double latitude = 0;                ///< north positive [rad]
+  double azimuth = 0;                 ///< compass direction of the x axis, clockwise from north [rad]
+  double rotation_rate = 7.292115e-5;  ///< [rad/s]
+};
+
+/// Where a projectile flies.
+struct Environment {
+  double altitude = 0;    ///< of the origin of the world frame above sea level [m]
+  Gravity gravity;        ///< [-]
+  Atmosphere atmosphere;  ///< [-]
+  Wind wind;              ///< [-]
+  Earth earth;            ///< [-]
+};
+
+}  // namespace physim

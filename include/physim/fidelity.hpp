@@ -1,0 +1,114 @@
+// Fidelity: which model each effect uses. Raising it never changes the data of a projectile or its environment.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace physim {
+
+/// How the equations of motion are treated.
+enum class Motion {
+  closed_form,  ///< exact formulas: vacuum, or drag linear in velocity
+  velocity,     ///< constants act directly on the velocity: constant gravity and damping, no forces
+  force,        ///< the resultant of all forces, divided by mass
+};
+
+/// How the equations of motion are stepped through time.
+enum class Integrator {
+  classic,              ///< the original PhySim frame loop: position, then velocity, then damping
+  explicit_euler,       ///< order 1
+  semi_implicit_euler,  ///< order 1, symplectic; what most game engines do
+  heun,                 ///< order 2
+  rk4,                  ///< order 4, fixed step
+  tsit5,                ///< order 5, adaptive (Tsitouras 2011), dense output of order 4
+  dop853,               ///< order 8, adaptive (Dormand and Prince 8(5,3)), dense output of order 7
+};
+
+enum class GravityModel {
+  off,
+  constant,        ///< the same everywhere
+  inverse_square,  ///< Newton's law: falls with the square of the distance from the Earth's centre
+};
+
+enum class DragModel {
+  off,
+  damping,           ///< velocity *= damping^dt
+  linear_quadratic,  ///< F = -(k1 + k2 |v|) v
+  equation,          ///< F = -1/2 rho |v| v Cd A, with Cd constant, by Reynolds number or by Mach number
+};
+
+enum class AirModel {
+  vacuum,
+  constant,     ///< the air at the origin, everywhere
+  exponential,  ///< density falls by e per scale height; sound speed constant
+  isa,          ///< US Standard Atmosphere 1976, shifted to the station's temperature, pressure and humidity
+};
+
+enum class WindModel {
+  off,
+  constant,
+  profile,  ///< by height or by range
+};
+
+enum class EarthModel {
+  flat,
+  flat_coriolis,  ///< flat, with the Coriolis acceleration -2 Omega x v
+  sphere,         ///< round, not rotating; heights are above the sphere and gravity points to its centre
+};
+
+enum class RotationModel {
+  none,
+  spin_drift,  ///< Litz's empirical spin drift with Miller's stability factor; added to the flown path
+};
+
+/// How a drag curve is read between its points.
+enum class Interpolation {
+  linear,  ///< straight lines; adaptive integrators stop at every point of the curve
+  pchip,   ///< monotone cubic (Fritsch and Butland): smooth slope, no overshoot
+  cubic,   ///< natural cubic spline: smooth curvature, best for high-order integrators
+};
+
+enum class Precision { float32, float64 };
+
+/// The rung of the ladder that each effect stands on.
+struct Fidelity {
+  Motion motion = Motion::force;                       ///< equations of motion [-]
+  Integrator integrator = Integrator::tsit5;           ///< time stepping [-]
+  GravityModel gravity = GravityModel::constant;       ///< gravity [-]
+  DragModel drag = DragModel::equation;                ///< drag [-]
+  AirModel air = AirModel::isa;                        ///< air density and sound speed [-]
+  WindModel wind = WindModel::profile;                 ///< wind [-]
+  EarthModel earth = EarthModel::flat;                 ///< shape and rotation of the Earth [-]
+  RotationModel rotation = RotationModel::none;        ///< effects of the projectile's spin [-]
+  Precision precision = Precision::float64;            ///< number type of the computation [-]
+  Interpolation interpolation = Interpolation::pchip;  ///< of drag curves [-]
+  bool planar = false;                                 ///< confine the flight to the vertical plane of fire [-]
+  bool original_one_shot_forces = false;  ///< classic only: applied forces act for one frame and never stop [-]
+
+  bool operator==(const Fidelity&) const = default;
+
+  static Fidelity arcade();      ///< closed form, vacuum, float32
+  static Fidelity game();        ///< semi-implicit Euler, k1 k2 drag, constant air and wind, float32
+  static Fidelity sport_ball();  ///< RK4, drag equation in constant air and wind
+  static Fidelity small_arms();  ///< Tsit5, drag curves in the standard atmosphere, wind, spin drift
+  static Fidelity artillery();   ///< as small arms, with Newton's gravity and Coriolis
+  static Fidelity simulation();  ///< every effect that the library has, smooth drag curves
+  static Fidelity reference();   ///< simulation with the 8th-order integrator
+  static Fidelity classic();     ///< the original PhySim loop, float32
+};
+
+/// One answer of fidelity_in_use(): what was asked for, what was granted, and why they differ.
+struct FidelityNote {
+  std::string effect;   ///< field of Fidelity, "drag" [-]
+  std::string asked;    ///< "equation" [-]
+  std::string granted;  ///< "off" [-]
+  std::string reason;   ///< one sentence [-]
+};
+
+/// What a flight really used.
+struct FidelityInUse {
+  Fidelity fidelity;                ///< as granted [-]
+  std::vector<FidelityNote> notes;  ///< one for each field that differs from what was asked [-]
+};
+
+}  // namespace physim

@@ -1,0 +1,207 @@
+// Flight: a whole trajectory that can be asked at any time or range. fly(): computes one. fly_batch(): computes many.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physim/environment.hpp"
+#include "physim/fidelity.hpp"
+#include "physim/projectile.hpp"
+#include "physim/result.hpp"
+#include "physim/vec3.hpp"
+
+namespace physim {
+
+/// The numerical error allowed.
+struct Tolerance {
+  double relative = 1e-9;        ///< adaptive integrators: error per step, relative to |position| and |velocity| [-]
+  double absolute = 1e-9;        ///< adaptive integrators: error per step, added to the relative part [m, m/s]
+  double step = 0;               ///< fixed-step integrators; 0: found by a pilot flight; classic: 1/60 s [s]
+  double position_error = 1e-3;  ///< what the pilot flight aims for at the end of the flight [m]
+  double max_step = std::numeric_limits<double>::infinity();  ///< adaptive integrators never step further [s]
+  std::int64_t max_steps = 1'000'000;                         ///< then the flight ends with Outcome::step_limit [-]
+};
+
+/// What an event watches.
+enum class EventKind {
+  ground,  ///< height above the ground
+  apex,    ///< vertical velocity through zero
+  range,   ///< distance along the line of sight (horizontal when the look angle is 0) [m]
+  height,  ///< above the origin of the world frame [m]
+  mach,    ///< Mach number [-]
+  speed,   ///< through the air's frame W [m/s]
+  time,    ///< since launch [s]
+};
+
+/// Which crossings count.
+enum class Crossing { any, rising, falling };
+
+/// An event to look for.
+struct EventSpec {
+  EventKind kind = EventKind::height;  ///< [-]
+  double value = 0;                    ///< that is crossed; unit of the kind
+  Crossing direction = Crossing::any;  ///< [-]
+  bool terminal = false;               ///< ends the flight [-]
+};
+
+/// When a flight ends. Ground and time always guard it; the earliest terminal event ends it.
+struct Until {
+  std::optional<double> ground = 0.0;  ///< height of the ground above the origin; none: no ground [m]
+  double time = 3600;                  ///< after launch [s]
+  std::optional<double> range;         ///< along the line of sight [m]
+  std::vector<EventSpec> events;       ///< further events, at most 24 [-]
+};
+
+/// How a flight ended.
+enum class Outcome {
+  landed,         ///< reached the ground
+  reached_range,  ///< reached Until::range
+  event,          ///< reached a terminal event of Until::events
+  time_limit,     ///< reached Until::time
+  step_limit,     ///< took Tolerance::max_steps steps
+  left_domain,    ///< went below -5 km in the standard atmosphere
+  non_finite,     ///< a number became infinite or NaN
+  stalled,        ///< the step became too small to advance time
+  refused,        ///< bad input; see Flight::error()
+};
+
+/// The state at one time.
+struct Sample {
+  double time = 0;     ///< since launch [s]
+  Vec3d position;      ///< in W [m]
+  Vec3d velocity;      ///< in W [m/s]
+  Vec3d acceleration;  ///< in W [m/s^2]
+  double speed = 0;    ///< |velocity| [m/s]
+  double mach = 0;     ///< air speed over sound speed; 0 without a sound speed [-]
+  double energy = 0;   ///< kinetic [J]
+  double range = 0;    ///< along the line of sight [m]
+  double drop = 0;     ///< above the line of sight, perpendicular to it, up positive [m]
+  double windage = 0;  ///< right of the line of sight [m]
+};
+
+/// Acceleration by effect.
+struct Accelerations {
+  Vec3d gravity;   ///< [m/s^2]
+  Vec3d drag;      ///< [m/s^2]
+  Vec3d coriolis;  ///< [m/s^2]
+  Vec3d applied;   ///< by ProjectileDef::force [m/s^2]
+  Vec3d total;     ///< [m/s^2]
+};
+
+/// An event that happened.
+struct Event {
+  EventKind kind = EventKind::ground;      ///< [-]
+  double value = 0;                        ///< that was crossed; unit of the kind
+  Crossing direction = Crossing::falling;  ///< of this crossing [-]
+  double time = 0;                         ///< since launch [s]
+  Vec3d position;                          ///< [m]
+  Vec3d velocity;                          ///< [m/s]
+};
+
+/// Work done.
+struct FlightCost {
+  std::int64_t steps = 0;        ///< accepted [-]
+  std::int64_t rejected = 0;     ///< tried and not accepted [-]
+  std::int64_t evaluations = 0;  ///< of the acceleration [-]
+};
+
+struct FlightRecord;
+
+/// A computed trajectory. Cheap to copy. Every question is answered from the dense output, without flying again.
+class Flight {
+ public:
+  explicit Flight(std::shared_ptr<const FlightRecord> record) : record_(std::move(record)) {}
+
+  [[nodiscard]] Outcome outcome() const;
+  /// Why a flight was refused; nothing otherwise.
+  [[nodiscard]] const std::optional<Error>& error() const;
+
+  [[nodiscard]] double duration() const;  ///< time of flight [s]
+  /// State at a time [s]; times outside 0..duration() give the nearer end.
+  [[nodiscard]] Sample at(double time) const;
+  /// State where the flight first crosses a range [m] along the line of sight; an error where it never does.
+  [[nodiscard]] Result<Sample> at_range(double range) const;
+  /// State where the flight first rises (or falls) through a height [m].
+  [[nodiscard]] Result<Sample> at_height(double height, Crossing direction = Crossing::any) const;
+  [[nodiscard]] Sample end() const { return at(duration()); }
+  /// Acceleration by effect at a time [s].
+  [[nodiscard]] Accelerations accelerations(double time) const;
+
+  /// Everything that happened, in order of time.
+  [[nodiscard]] std::span<const Event> events() const;
+  /// Times of the steps taken, first 0, last duration() [s].
+  [[nodiscard]] std::vector<double> step_times() const;
+  [[nodiscard]] const FidelityInUse& fidelity_in_use() const;
+  [[nodiscard]] const FlightCost& cost() const;
+  /// Bore elevation above the horizon, as given or as found for the zero range [rad].
+  [[nodiscard]] double elevation() const;
+  /// Fixed step in use, 0 for adaptive integrators [s].
+  [[nodiscard]] double step() const;
+
+ private:
+  std::shared_ptr<const FlightRecord> record_;
+};
+
+/// Computes one flight. Bad input gives a flight with Outcome::refused and an error; nothing throws.
+[[nodiscard]] Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                         const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
+/// The same at the projectile's own fidelity.
+[[nodiscard]] Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment = {});
+
+/// One shot of a batch.
+struct Shot {
+  ProjectileDef projectile;  ///< [-]
+  Launch launch;             ///< [-]
+};
+
+/// How one shot of a batch ended.
+struct ShotResult {
+  Outcome outcome = Outcome::refused;  ///< [-]
+  double time = 0;                     ///< of flight [s]
+  Vec3d position;                      ///< at the end [m]
+  Vec3d velocity;                      ///< at the end [m/s]
+  FlightCost cost;                     ///< [-]
+};
+
+/// An event of one shot of a batch.
+struct ShotEvent {
+  std::uint32_t shot = 0;  ///< index of the shot [-]
+  Event event;             ///< [-]
+};
+
+struct BatchResult {
+  std::vector<ShotResult> shots;  ///< in the order given [-]
+  std::vector<ShotEvent> events;  ///< by shot, then by time [-]
+  std::string kernel;             ///< instruction set that flew the batch: "base", "avx2" or "avx512" [-]
+  FidelityInUse fidelity_in_use;  ///< of the first shot that was not refused [-]
+  std::optional<Error> error;     ///< the first error among refused shots [-]
+};
+
+/// Flies many shots at once, in packs of lanes that are refilled as shots end. The numbers are those of fly(), bit for
+/// bit. All shots share one fidelity, tolerance and set of events; an automatic step (Tolerance::step = 0) is found by
+/// pilot flights of a few of the shots.
+[[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
+                                    const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
+
+/// The bore elevation above the horizon [rad] with which the projectile hits the line of sight at a range [m].
+[[nodiscard]] Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& launch,
+                                            const Environment& environment, const Fidelity& fidelity, double range);
+
+/// Step [s] of a fixed-step integrator that keeps the position error at the end of the flight below
+/// tolerance.position_error, found by flying the shot at several steps against a reference.
+[[nodiscard]] Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch,
+                                        const Environment& environment, const Fidelity& fidelity,
+                                        const Tolerance& tolerance, const Until& until);
+
+/// Instruction sets this build and machine can fly batches with, best first.
+[[nodiscard]] std::vector<std::string> kernels();
+/// Chooses the instruction set for all later batches; "" chooses the best. The environment variable PHYSIM_KERNEL does
+/// the same at start. False where the machine or the build does not have it.
+bool use_kernel(const std::string& name);
+
+}  // namespace physim

@@ -1,0 +1,58 @@
+// The one spelling of every name that people type or read: enumerators as text and back.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "physim/environment.hpp"
+#include "physim/flight.hpp"
+
+namespace physim {
+
+/// All names of an enumeration, in the order of its values.
+template <class Enum>
+[[nodiscard]] std::span<const std::string_view> names_of();
+
+/// The name of a value: name(DragTable::g7) == "g7".
+template <class Enum>
+[[nodiscard]] std::string_view name(Enum value) {
+  return names_of<Enum>()[static_cast<std::size_t>(value)];
+}
+
+/// The value of a name, if it is one.
+template <class Enum>
+[[nodiscard]] std::optional<Enum> value_of(std::string_view text) {
+  const auto names = names_of<Enum>();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == text) return static_cast<Enum>(i);
+  return std::nullopt;
+}
+
+#define PHYSIM_NAMED_ENUM(Enum) \
+  template <>                   \
+  std::span<const std::string_view> names_of<Enum>();
+PHYSIM_NAMED_ENUM(Motion)
+PHYSIM_NAMED_ENUM(Integrator)
+PHYSIM_NAMED_ENUM(GravityModel)
+PHYSIM_NAMED_ENUM(DragModel)
+PHYSIM_NAMED_ENUM(AirModel)
+PHYSIM_NAMED_ENUM(WindModel)
+PHYSIM_NAMED_ENUM(EarthModel)
+PHYSIM_NAMED_ENUM(RotationModel)
+PHYSIM_NAMED_ENUM(Interpolation)
+PHYSIM_NAMED_ENUM(Precision)
+PHYSIM_NAMED_ENUM(DragTable)
+PHYSIM_NAMED_ENUM(WindAxis)
+PHYSIM_NAMED_ENUM(WindInterpolation)
+PHYSIM_NAMED_ENUM(EventKind)
+PHYSIM_NAMED_ENUM(Crossing)
+PHYSIM_NAMED_ENUM(Outcome)
+#undef PHYSIM_NAMED_ENUM
+
+/// The preset of a name ("small_arms"), if it is one.
+[[nodiscard]] std::optional<Fidelity> fidelity_preset(std::string_view text);
+/// Names of all presets, from cheap to true.
+[[nodiscard]] std::span<const std::string_view> fidelity_presets();
+
+}  // namespace physim

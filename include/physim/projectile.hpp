@@ -1,0 +1,87 @@
+// ProjectileDef: what a projectile is. Launch: where, how fast and in which direction it starts.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physim/fidelity.hpp"
+#include "physim/vec3.hpp"
+
+namespace physim {
+
+/// Where the drag coefficient of the drag equation comes from.
+enum class DragTable {
+  constant,  ///< DragDef::coefficient at every speed
+  g1,        ///< the standard drag functions, Cd by Mach number
+  g2,
+  g5,
+  g6,
+  g7,
+  g8,
+  gi,
+  gs,
+  ra4,
+  sphere,  ///< smooth sphere, Cd by Reynolds number (Morrison 2013)
+  custom,  ///< DragDef::curve
+};
+
+/// One point of a drag curve.
+struct DragPoint {
+  double mach = 0;         ///< Mach number [-]
+  double coefficient = 0;  ///< drag coefficient Cd [-]
+};
+
+/// The ballistic coefficient from a speed upwards.
+struct BallisticBand {
+  double above = 0;                  ///< air speed from which the band holds [m/s]
+  double ballistic_coefficient = 0;  ///< BC = m / (i d^2) [kg/m^2]
+};
+
+/// Data of all drag models; each rung reads its own part.
+struct DragDef {
+  DragTable table = DragTable::constant;  ///< source of Cd [-]
+  double coefficient = 0.5;               ///< Cd of DragTable::constant [-]
+  std::vector<DragPoint> curve;           ///< of DragTable::custom; Mach strictly rising, held constant outside [-]
+  double ballistic_coefficient = 0;       ///< BC = m / (i d^2); 0: from mass, diameter and form_factor [kg/m^2]
+  std::vector<BallisticBand> bands;       ///< BC by speed instead of one value, at most 8 [kg/m^2]
+  double form_factor = 1;                 ///< i: Cd of the projectile over Cd of the table [-]
+  double damping = 1;                     ///< part of the velocity kept after one second, 0 < d <= 1 [-]
+  double k1 = 0;                          ///< linear drag: F = -(k1 + k2 |v|) v [kg/s]
+  double k2 = 0;                          ///< quadratic drag; 0 with k1 = 0: from the drag equation at launch [kg/m]
+};
+
+/// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
+struct ProjectileDef {
+  std::string name;         ///< for tables and plots [-]
+  double mass = 1;          ///< [kg]
+  double diameter = 0.1;    ///< reference diameter: the reference area is pi d^2 / 4 [m]
+  double length = 0;        ///< for the stability factor; 0: not known [m]
+  double twist = 0;         ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
+  DragDef drag;             ///< data of the drag models [-]
+  Vec3d force;              ///< a constant force on the projectile, such as thrust [N]
+  double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
+  Fidelity fidelity;        ///< used where a call gives none [-]
+};
+
+/// The line of sight of the launcher. Range, drop and windage are measured along, above and right of it.
+struct Sight {
+  double height = 0;              ///< of the sight above the bore at the muzzle [m]
+  double look_angle = 0;          ///< of the line of sight above the horizon [rad]
+  double cant = 0;                ///< roll of launcher and sight, clockwise seen from behind [rad]
+  double zero_range = 0;          ///< > 0: the bore is elevated to hit the line of sight at this range [m]
+  bool zero_in_calm_air = false;  ///< the zero was shot without wind [-]
+};
+
+/// Where, how fast and in which direction a projectile starts.
+struct Launch {
+  Vec3d position;                 ///< of the muzzle in the world frame W: x downrange, y up, z right [m]
+  double speed = 0;               ///< [m/s]
+  double elevation = 0;           ///< of the bore above the horizon; with a zero range it must stay 0 [rad]
+  double azimuth = 0;             ///< of the plane of fire, from x towards z (to the right) [rad]
+  std::optional<Vec3d> velocity;  ///< instead of speed, elevation and azimuth [m/s]
+  Sight sight;                    ///< line of sight [-]
+};
+
+}  // namespace physim

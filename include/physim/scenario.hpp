@@ -1,0 +1,114 @@
+// Scenarios: shots, environment and expectations read from a TOML file. Part of the library physim_scenario.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "physim/environment.hpp"
+#include "physim/flight.hpp"
+#include "physim/projectile.hpp"
+#include "physim/result.hpp"
+
+namespace physim {
+
+/// One [[shot]] of a scenario. Its fidelity is projectile.fidelity, its name projectile.name.
+struct ScenarioShot {
+  ProjectileDef projectile;  ///< [-]
+  Launch launch;             ///< [-]
+};
+
+/// Where on a flight an expectation looks.
+enum class ExpectAt {
+  end,
+  apex,    ///< the first
+  time,    ///< since launch
+  range,   ///< first crossing, along the line of sight
+  height,  ///< first crossing, above the origin
+};
+
+/// One [[expect]] of a scenario: a figure that should come out, and why.
+struct Expectation {
+  std::string shot;             ///< name; empty: every shot [-]
+  ExpectAt at = ExpectAt::end;  ///< [-]
+  double at_value = 0;          ///< time [s], range [m] or height [m]
+  std::string quantity;         ///< "drop", "windage", "range", "speed", "time", "x", "vy", "mach", "energy", ... [-]
+  double equals = 0;            ///< expected value [SI unit of the quantity]
+  double within = 0;            ///< allowed distance [SI unit of the quantity]
+  std::string source;           ///< why it should be true [-]
+  std::string place;            ///< file:line:col [-]
+};
+
+/// A whole scenario.
+struct Scenario {
+  std::string file;                 ///< path it was read from [-]
+  std::string title;                ///< [-]
+  std::string source;               ///< where its figures come from [-]
+  Environment environment;          ///< [-]
+  Tolerance tolerance;              ///< [-]
+  Until until;                      ///< [-]
+  std::vector<double> ranges;       ///< of the range card [m]
+  std::vector<ScenarioShot> shots;  ///< [-]
+  std::vector<Expectation> expect;  ///< [-]
+};
+
+/// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",
+/// "shot.mass=170 gr" for every shot, "shot.NAME.mass=170 gr" for one. Overrides replace what the file says before it
+/// is checked; later ones win. Errors carry file:line:col, or "--set path=value".
+[[nodiscard]] Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides = {});
+/// The same from text; `file` only names it in errors.
+[[nodiscard]] Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
+                                              std::span<const std::string> overrides = {});
+
+/// The value of an expectation on a flown shot [SI unit of the quantity], or why there is none.
+[[nodiscard]] Result<double> measure(const Flight& flight, const Expectation& expectation);
+
+/// What a setting measures; decides the units that are accepted at the door.
+enum class Quantity {
+  number,
+  length,
+  mass,
+  time,
+  speed,
+  angle,
+  acceleration,
+  force,
+  pressure,
+  temperature,
+  density,
+  ballistic_coefficient,
+  linear_drag,
+  quadratic_drag,
+  angular_rate,
+  energy,
+};
+
+/// The units that are accepted for a quantity, the SI unit first; "%" for plain numbers.
+[[nodiscard]] std::vector<std::string> units_of(Quantity quantity);
+
+/// Parses "168 gr", "2600 ft/s", "0.218 lb/in^2", "15 degC", "-3.10 m" or a plain number (SI) into SI.
+/// May be infinite ("inf"), never NaN.
+[[nodiscard]] Result<double> parse_quantity(std::string_view text, Quantity quantity);
+
+/// One public setting, declared once. Files, overrides, docs, panels and error messages are made from this list.
+struct Setting {
+  std::string path;                      ///< "shot.drag.ballistic_coefficient" [-]
+  std::string type;                      ///< quantity, integer, boolean, text, choice, vector, points or list [-]
+  Quantity quantity = Quantity::number;  ///< of quantities, vectors and lists of numbers [-]
+  std::string unit;                      ///< SI unit, "" for none, "of the kind" where another setting decides [-]
+  std::string default_value;             ///< as typed in an override; "" where there is none [-]
+  std::string range;                     ///< "> 0", "0 .. 1", "off | constant | ..."; of lists: their length [-]
+  std::string doc;                       ///< one line [-]
+};
+
+/// The list of all settings of scenario files, in the order in which they are read. Settings of list elements have the
+/// path of the list before them: "until.events.kind".
+[[nodiscard]] std::span<const Setting> settings();
+
+/// Every setting of a scenario with the value it has, as path and text in SI: ("shot.308.mass", "0.010886 kg"). Given
+/// back as overrides ("path=text") to a scenario with shots of the same names, they reproduce it bit for bit.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> effective_settings(const Scenario& scenario);
+
+}  // namespace physim

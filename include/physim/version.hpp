@@ -1,0 +1,8 @@
+// The version of the library.
+#pragma once
+
+namespace physim {
+
+inline constexpr const char* kVersion = "0.1.0";
+
+}  // namespace physim

@@ -1,0 +1,172 @@
+// fly_batch(): sorts shots into cohorts, flies each cohort with the batch kernel, and gathers what comes back.
+#include <algorithm>
+#include <deque>
+
+#include "flight/flight_record.hpp"
+#include "flight/kernels.hpp"
+
+namespace physim {
+namespace {
+
+/// Shots whose granted rungs are equal, but for rotation, which is added afterwards.
+struct ShotGroup {
+  Cohort cohort;
+  double step = 0;
+  std::vector<std::uint32_t> shots;
+  std::vector<Body<double>> bodies;
+  std::vector<SpinDrift> drifts;
+  std::vector<Vec3d> right;
+};
+
+Fidelity without_rotation(Fidelity f) {
+  f.rotation = RotationModel::none;
+  return f;
+}
+
+class Batch {
+ public:
+  Batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
+        const Tolerance& tolerance, const Until& until)
+      : shots_(shots), environment_(environment), fidelity_(fidelity), tolerance_(tolerance), until_(until) {}
+
+  BatchResult run() {
+    result_.kernel = batch_kernel().name;
+    result_.shots.resize(shots_.size());
+    for (const Status& status : {check(environment_), check(tolerance_, fidelity_), check(until_)})
+      if (status) return refuse_all(*status);
+    watch_ = prepare_watch(until_, false);
+    for (std::uint32_t i = 0; i < shots_.size(); ++i) prepare(i);
+    for (ShotGroup& group : groups_) fly(group);
+    std::stable_sort(result_.events.begin(), result_.events.end(), [](const ShotEvent& a, const ShotEvent& b) {
+      return a.shot < b.shot;
+    });
+    return std::move(result_);
+  }
+
+ private:
+  BatchResult refuse_all(const Error& error) {
+    result_.error = error;
+    return std::move(result_);
+  }
+
+  void refuse(const Error& error) {
+    if (!result_.error) result_.error = error;
+  }
+
+  void prepare(std::uint32_t i) {
+    const auto& [projectile, launch] = shots_[i];
+    if (const auto status = check(projectile)) return refuse(*status);
+    if (const auto status = check(launch)) return refuse(*status);
+    const auto elevation = elevation_of(projectile, launch, environment_, fidelity_);
+    if (!elevation) return refuse(elevation.error());
+    const FidelityInUse in_use = grant(fidelity_, projectile, environment_);
+    ShotGroup* group = group_of(in_use);
+    Cohort& cohort = group->cohort;
+    const auto body = prepare_body(projectile, launch, *elevation, cohort.pool, cohort.conditions);
+    if (lands_at_once(cohort.conditions, body, until_)) return land_at_once(i, body);
+    group->shots.push_back(i);
+    group->bodies.push_back(body);
+    const bool drifts = in_use.fidelity.rotation != RotationModel::none;
+    group->drifts.push_back(drifts ? prepare_spin_drift(projectile, length(body.launch.v), environment_, in_use.fidelity)
+                                   : SpinDrift{});
+    group->right.push_back(body.plane);
+  }
+
+  ShotGroup* group_of(const FidelityInUse& in_use) {
+    for (ShotGroup& group : groups_)
+      if (without_rotation(group.cohort.in_use.fidelity) == without_rotation(in_use.fidelity)) return &group;
+    groups_.emplace_back();
+    groups_.back().cohort.in_use = in_use;
+    groups_.back().cohort.conditions = prepare_conditions(environment_, in_use.fidelity);
+    groups_.back().bodies.reserve(shots_.size());
+    if (result_.fidelity_in_use.notes.empty() && groups_.size() == 1) result_.fidelity_in_use = in_use;
+    return &groups_.back();
+  }
+
+  void land_at_once(std::uint32_t i, const Body<double>& body) {
+    result_.shots[i] = {Outcome::landed, 0, body.launch.x, body.launch.v, {}};
+    result_.events.push_back(
+        {i, {EventKind::ground, *until_.ground, Crossing::falling, 0, body.launch.x, body.launch.v}});
+  }
+
+  /// The fixed step of a group: the smallest that pilot flights of its first, middle and last shot ask for.
+  Result<double> step_for(const ShotGroup& group) {
+    const auto& list = group.shots;
+    double smallest = 0;
+    for (const std::uint32_t i : {list.front(), list[list.size() / 2], list.back()}) {
+      const auto step = step_of(shots_[i].projectile, shots_[i].launch, environment_, group.cohort.in_use.fidelity,
+                                tolerance_, until_);
+      if (!step) return step;
+      smallest = smallest == 0 ? *step : std::min(smallest, *step);
+      if (*step == 0 || tolerance_.step > 0) break;
+    }
+    return smallest;
+  }
+
+  void fly(ShotGroup& group) {
+    if (group.shots.empty()) return;
+    const auto step = step_for(group);
+    if (!step) return refuse(step.error());
+    group.step = *step;
+    group.cohort.finish();
+    if (group.cohort.in_use.fidelity.precision == Precision::float32) {
+      std::vector<Body<float>> bodies(group.bodies.size());
+      cast_fields(reinterpret_cast<const double*>(group.bodies.data()), reinterpret_cast<float*>(bodies.data()),
+                  static_cast<unsigned>(bodies.size()) * kBodyFields<float>);
+      fly_bodies<float>(group, bodies, batch_kernel().fly_float);
+    } else {
+      fly_bodies<double>(group, group.bodies, batch_kernel().fly_double);
+    }
+  }
+
+  template <class S>
+  void fly_bodies(ShotGroup& group, const std::vector<Body<S>>& bodies, void (*kernel)(const BatchJob<S>&)) {
+    const Course<S> course = group.cohort.course<S>(tolerance_, group.step, watch_);
+    std::vector<RawEnd> ends(bodies.size());
+    struct Sink {
+      Batch* batch;
+      ShotGroup* group;
+    } sink{this, &group};
+    const auto emit = [](void* to, const RawEvent& event) {
+      auto* s = static_cast<Sink*>(to);
+      s->batch->keep(*s->group, event);
+    };
+    result_.events.reserve(result_.events.size() + bodies.size());
+    kernel({&course, bodies.data(), bodies.size(), ends.data(), emit, &sink});
+    for (std::size_t i = 0; i < ends.size(); ++i) keep(group, i, ends[i]);
+  }
+
+  void keep(const ShotGroup& group, const RawEvent& e) {
+    const State<double> s = with_drift(e.state, group.drifts[e.shot], group.right[e.shot], e.time);
+    const EventSpec& spec = watch_.item[e.index].spec;
+    const Crossing direction = e.rising ? Crossing::rising : Crossing::falling;
+    result_.events.push_back({group.shots[e.shot], {spec.kind, spec.value, direction, e.time, s.x, s.v}});
+  }
+
+  void keep(const ShotGroup& group, std::size_t i, const RawEnd& end) {
+    const State<double> s = with_drift(end.state, group.drifts[i], group.right[i], end.time);
+    const auto steps = static_cast<std::int64_t>(end.steps);
+    const auto tries = static_cast<std::int64_t>(end.tries);
+    const Fidelity& f = group.cohort.in_use.fidelity;
+    const std::int64_t per_try = f.motion == Motion::closed_form ? 1 : end_slope(f.integrator);
+    result_.shots[group.shots[i]] = {end.outcome, end.time, s.x, s.v, {steps, tries - steps, 1 + tries * per_try}};
+  }
+
+  std::span<const Shot> shots_;
+  const Environment& environment_;
+  const Fidelity& fidelity_;
+  const Tolerance& tolerance_;
+  const Until& until_;
+  WatchList watch_{};
+  std::deque<ShotGroup> groups_;
+  BatchResult result_;
+};
+
+}  // namespace
+
+BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
+                      const Tolerance& tolerance, const Until& until) {
+  return Batch(shots, environment, fidelity, tolerance, until).run();
+}
+
+}  // namespace physim

@@ -1,0 +1,129 @@
+// The batch loop: all lanes step together, each at its own time; a lane whose flight ends takes the next shot.
+#pragma once
+
+#include "flight/batch_job.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than one.
+template <class R, class S>
+class ReadyShots {
+ public:
+  explicit ReadyShots(const BatchJob<S>& job) : job_(job) {}
+
+  /// Puts the next shot into a lane; false where none is left.
+  bool take(Lanes<R>& into, int lane, std::size_t& shot) {
+    if (used_ == filled_ && !refill()) return false;
+    copy_lane(into, lane);
+    shot = next_ - static_cast<std::size_t>(filled_ - used_);
+    ++used_;
+    return true;
+  }
+
+  /// Fills all lanes at the start.
+  std::size_t take_all(Lanes<R>& into, std::size_t* shots) {
+    refill();
+    into = ready_;
+    for (int lane = 0; lane < filled_; ++lane) shots[lane] = static_cast<std::size_t>(lane);
+    used_ = filled_;
+    return static_cast<std::size_t>(filled_);
+  }
+
+ private:
+  bool refill() {
+    const std::size_t left = job_.count - next_;
+    if (left == 0) return false;
+    filled_ = left < std::size_t(kLanes<R>) ? static_cast<int>(left) : kLanes<R>;
+    // Unused lanes repeat the last shot, so that they hold sound numbers.
+    for (int lane = 0; lane < kLanes<R>; ++lane)
+      put_lane(ready_.body, lane, job_.bodies[next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1)]);
+    begin(*job_.course, ready_);
+    next_ += static_cast<std::size_t>(filled_);
+    used_ = 0;
+    return true;
+  }
+
+  /// Copies what begin() has set; slopes beyond the first are written before they are read.
+  void copy_lane(Lanes<R>& into, int lane) {
+    copy_fields(ready_.body, used_, into.body, lane);
+    copy_fields(ready_.step.start, used_, into.step.start, lane);
+    copy_fields(ready_.step.slope[0], used_, into.step.slope[0], lane);
+    copy_fields(ready_.control, used_, into.control, lane);
+    copy_fields(ready_.regime, used_, into.regime, lane);
+    set_lane(into.step.t, lane, S(0));
+    set_lane(into.count, lane, S(0));
+    set_lane(into.tries, lane, S(0));
+    set_lane(into.cut, lane, S(0));
+  }
+  template <template <class> class Struct>
+  static void copy_fields(const Struct<R>& from, int from_lane, Struct<R>& into, int lane) {
+    const auto* source = reinterpret_cast<const char*>(&from) + sizeof(S) * static_cast<unsigned>(from_lane);
+    auto* to = reinterpret_cast<char*>(&into) + sizeof(S) * static_cast<unsigned>(lane);
+    for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i)
+      std::memcpy(to + i * sizeof(R), source + i * sizeof(R), sizeof(S));
+  }
+
+  const BatchJob<S>& job_;
+  Lanes<R> ready_;
+  std::size_t next_ = 0;  // first shot not yet prepared
+  int filled_ = 0;
+  int used_ = 0;
+};
+
+/// Reports what happened in one lane's last step; true when its flight has ended.
+template <class R, class S>
+bool settle_lane(const BatchJob<S>& job, const Lanes<R>& l, int lane, bool accepted, std::size_t shot) {
+  LaneStep<S> at{};
+  Found found[2 * kMaxWatched];
+  const Verdict verdict = judge(*job.course, l, lane, accepted, at, found);
+  const double h = at.n1.t - at.n0.t;
+  State<double> end{};
+  for (int i = 0; i < verdict.found; ++i) {
+    const State<double> state = at(found[i].theta);
+    job.emit(job.sink, {shot, found[i].index, found[i].rising, at.n0.t + found[i].theta * h, state});
+    end = state;
+  }
+  if (!verdict.ended) return false;
+  RawEnd& out = job.ends[shot];
+  const bool sound_step = accepted && verdict.outcome != Outcome::non_finite;
+  const bool at_event = sound_step && verdict.found > 0 && verdict.theta == found[verdict.found - 1].theta;
+  State<S> start;
+  get_lane(l.step.start, lane, start);
+  if (!sound_step) end = {vec_cast<double>(start.x), vec_cast<double>(start.v)};
+  if (sound_step && !at_event) end = at.n1.y;
+  const double t = static_cast<double>(lane_of(l.step.t, lane));
+  out = {verdict.outcome, sound_step ? at.n0.t + verdict.theta * h : t, end,
+         static_cast<double>(lane_of(l.count, lane)) + (sound_step ? 1 : 0), static_cast<double>(lane_of(l.tries, lane))};
+  return true;
+}
+
+template <class R, class S>
+void fly_lanes(const BatchJob<S>& job) {
+  if (job.count == 0) return;
+  ReadyShots<R, S> ready(job);
+  Lanes<R> lanes{};
+  std::size_t shot[kLanes<R>] = {};
+  std::size_t flying = ready.take_all(lanes, shot);
+  R flies(S(0));  // 1 in lanes that have a shot
+  for (int lane = 0; lane < static_cast<int>(flying); ++lane) set_lane(flies, lane, S(1));
+  while (flying > 0) {
+    const MaskOf<R> accepted = try_step(*job.course, lanes);
+    const MaskOf<R> special = needs_attention(*job.course, lanes, accepted) & (flies > R(S(0)));
+    if (!any(special)) {
+      accept(*job.course, lanes, accepted);
+      continue;
+    }
+    bool ended[kLanes<R>];
+    for (int lane = 0; lane < kLanes<R>; ++lane)
+      ended[lane] =
+          lane_of(special, lane) && settle_lane(job, lanes, lane, lane_of(accepted, lane), shot[lane]);
+    accept(*job.course, lanes, accepted);
+    for (int lane = 0; lane < kLanes<R>; ++lane) {
+      if (!ended[lane] || ready.take(lanes, lane, shot[lane])) continue;
+      set_lane(flies, lane, S(0));
+      --flying;
+    }
+  }
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,38 @@
+// What the batch kernels are given and what they give back: plain data, the same for every instruction set.
+#pragma once
+
+#include <cstddef>
+
+#include "flight/lanes.hpp"
+
+namespace physim {
+
+/// How a shot ended, before spin drift is added.
+struct RawEnd {
+  Outcome outcome;
+  double time;
+  State<double> state;
+  double steps;
+  double tries;
+};
+
+struct RawEvent {
+  std::size_t shot;
+  int index;  // in the watch list
+  bool rising;
+  double time;
+  State<double> state;
+};
+
+/// Shots to fly. Events go through a function, so that kernels hold no container code.
+template <class S>
+struct BatchJob {
+  const Course<S>* course;
+  const Body<S>* bodies;
+  std::size_t count;
+  RawEnd* ends;
+  void (*emit)(void* sink, const RawEvent& event);
+  void* sink;
+};
+
+}  // namespace physim

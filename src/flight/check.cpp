@@ -1,0 +1,160 @@
+// Refuses bad input before a flight starts.
+#include <cmath>
+#include <string>
+
+#include "flight/cohort.hpp"
+
+namespace physim {
+namespace {
+
+bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Runs its checks in order and keeps the first that fails.
+class Checker {
+ public:
+  Checker& require(bool good, const std::string& place, const std::string& message, const std::string& hint) {
+    if (!good && !status_) status_ = Error{message, place, hint};
+    return *this;
+  }
+  Checker& positive(double x, const std::string& place, const std::string& hint) {
+    return require(std::isfinite(x) && x > 0, place, "must be a positive number, not " + text(x), hint);
+  }
+  Checker& not_negative(double x, const std::string& place, const std::string& hint) {
+    return require(std::isfinite(x) && x >= 0, place, "must be zero or positive, not " + text(x), hint);
+  }
+  Checker& is_number(double x, const std::string& place) {
+    return require(std::isfinite(x), place, "must be a finite number, not " + text(x), "");
+  }
+  Checker& is_vector(const Vec3d& v, const std::string& place) {
+    return require(finite(v), place, "must have three finite components", "");
+  }
+  [[nodiscard]] Status status() const { return status_; }
+
+ private:
+  static std::string text(double x) {
+    std::string s = std::to_string(x);
+    return s;
+  }
+  Status status_;
+};
+
+void check_curve(Checker& c, const std::vector<DragPoint>& curve) {
+  c.require(!curve.empty(), "projectile.drag.curve", "is empty", "give at least one point (Mach, Cd)");
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const std::string place = "projectile.drag.curve[" + std::to_string(i) + "]";
+    c.not_negative(curve[i].mach, place, "Mach numbers start at 0");
+    c.not_negative(curve[i].coefficient, place, "drag coefficients are not negative");
+    if (i > 0)
+      c.require(curve[i].mach > curve[i - 1].mach, place, "Mach numbers must rise", "sort the points by Mach number");
+  }
+}
+
+void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
+  c.require(bands.size() <= std::size_t(kMaxBands), "projectile.drag.bands", "has too many bands", "at most 8");
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const std::string place = "projectile.drag.bands[" + std::to_string(i) + "]";
+    c.not_negative(bands[i].above, place, "bands start at a speed").positive(bands[i].ballistic_coefficient, place, "");
+  }
+}
+
+}  // namespace
+
+Status check(const ProjectileDef& p) {
+  Checker c;
+  c.positive(p.mass, "projectile.mass", "in kg");
+  c.positive(p.diameter, "projectile.diameter", "in m");
+  c.not_negative(p.length, "projectile.length", "0 where it is not known").is_number(p.twist, "projectile.twist");
+  const DragDef& d = p.drag;
+  c.not_negative(d.coefficient, "projectile.drag.coefficient", "");
+  c.not_negative(d.ballistic_coefficient, "projectile.drag.ballistic_coefficient", "0: from mass and diameter");
+  c.positive(d.form_factor, "projectile.drag.form_factor", "");
+  c.require(d.damping > 0 && d.damping <= 1, "projectile.drag.damping", "must lie above 0 and not above 1",
+            "1 means no drag");
+  c.not_negative(d.k1, "projectile.drag.k1", "").not_negative(d.k2, "projectile.drag.k2", "");
+  if (d.table == DragTable::custom) check_curve(c, d.curve);
+  check_bands(c, d.bands);
+  c.is_vector(p.force, "projectile.force");
+  c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
+  return c.status();
+}
+
+Status check(const Launch& l) {
+  Checker c;
+  constexpr double kRightAngle = 1.5707963267948968;
+  c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
+  c.is_number(l.elevation, "launch.elevation").is_number(l.azimuth, "launch.azimuth");
+  if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
+  c.is_number(l.sight.height, "launch.sight.height").is_number(l.sight.cant, "launch.sight.cant");
+  c.require(std::abs(l.sight.look_angle) <= kRightAngle, "launch.sight.look_angle",
+            "must lie between -90 and 90 degrees", "angles are in radians");
+  c.not_negative(l.sight.zero_range, "launch.sight.zero_range", "0: no zero");
+  c.require(!(l.sight.zero_range > 0 && l.elevation != 0), "launch.elevation",
+            "cannot be given together with a zero range", "the zero range decides the elevation");
+  c.require(!(l.sight.zero_range > 0 && l.velocity), "launch.velocity",
+            "cannot be given together with a zero range", "give a speed");
+  c.require(!(l.velocity && l.speed != 0), "launch.velocity", "cannot be given together with a speed", "");
+  return c.status();
+}
+
+Status check(const Environment& e) {
+  Checker c;
+  c.require(e.altitude >= -5000 && e.altitude <= 1e9, "environment.altitude", "must lie above -5000 m", "");
+  c.is_number(e.gravity.acceleration, "environment.gravity.acceleration");
+  c.positive(e.gravity.radius, "environment.gravity.radius", "in m");
+  const Atmosphere& a = e.atmosphere;
+  if (a.temperature)
+    c.require(*a.temperature >= 150 && *a.temperature <= 350, "environment.atmosphere.temperature",
+              "must lie between 150 K and 350 K", "temperatures are in kelvin");
+  if (a.pressure)
+    c.require(*a.pressure >= 100 && *a.pressure <= 120000, "environment.atmosphere.pressure",
+              "must lie between 100 Pa and 120000 Pa", "pressures are in pascal");
+  if (a.humidity)
+    c.require(*a.humidity >= 0 && *a.humidity <= 1, "environment.atmosphere.humidity", "must lie between 0 and 1",
+              "60 % is 0.6");
+  if (a.station_altitude)
+    c.require(*a.station_altitude >= -5000 && *a.station_altitude <= 80000, "environment.atmosphere.station_altitude",
+              "must lie between -5000 m and 80000 m", "");
+  if (a.density) c.not_negative(*a.density, "environment.atmosphere.density", "");
+  if (a.sound_speed) c.positive(*a.sound_speed, "environment.atmosphere.sound_speed", "");
+  c.positive(a.scale_height, "environment.atmosphere.scale_height", "");
+  c.is_vector(e.wind.velocity, "environment.wind.velocity");
+  const auto& profile = e.wind.profile;
+  c.require(profile.size() <= std::size_t(kMaxWindPoints), "environment.wind.profile", "has too many points",
+            "at most 32");
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const std::string place = "environment.wind.profile[" + std::to_string(i) + "]";
+    c.is_number(profile[i].at, place).is_vector(profile[i].velocity, place);
+    if (i > 0) c.require(profile[i].at > profile[i - 1].at, place, "places must rise", "sort the points");
+  }
+  c.is_number(e.earth.latitude, "environment.earth.latitude").is_number(e.earth.azimuth, "environment.earth.azimuth");
+  c.is_number(e.earth.rotation_rate, "environment.earth.rotation_rate");
+  return c.status();
+}
+
+Status check(const Tolerance& t, const Fidelity& f) {
+  Checker c;
+  // An adaptive integrator cannot reach an error below a few roundings: it would only shrink its step for ever.
+  const double rounding = f.precision == Precision::float32 ? 1.1920929e-7 : 2.220446049250313e-16;
+  c.not_negative(t.relative, "tolerance.relative", "").not_negative(t.absolute, "tolerance.absolute", "");
+  const bool adaptive = is_adaptive(f.integrator) && f.motion != Motion::closed_form;
+  c.require(!adaptive || t.relative >= 4 * rounding, "tolerance.relative", "lies below rounding",
+            f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best");
+  c.not_negative(t.step, "tolerance.step", "0: found by a pilot flight");
+  c.positive(t.position_error, "tolerance.position_error", "in m");
+  c.require(t.max_step > 0, "tolerance.max_step", "must be positive", "");
+  c.require(t.max_steps > 0 && t.max_steps <= 1'000'000'000, "tolerance.max_steps", "must lie between 1 and 1e9", "");
+  return c.status();
+}
+
+Status check(const Until& u) {
+  Checker c;
+  if (u.ground) c.is_number(*u.ground, "until.ground");
+  if (u.range) c.positive(*u.range, "until.range", "in m");
+  c.positive(u.time, "until.time", "a flight needs an end");
+  c.require(u.events.size() <= 24, "until.events", "has too many events", "at most 24");
+  for (std::size_t i = 0; i < u.events.size(); ++i)
+    c.is_number(u.events[i].value, "until.events[" + std::to_string(i) + "].value");
+  return c.status();
+}
+
+}  // namespace physim

@@ -1,0 +1,207 @@
+// Turns what a user gives into what the models compute with.
+#include "flight/cohort.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/elementary.hpp"
+#include "model/standard_atmosphere.hpp"
+#include "physim/drag_curve.hpp"
+
+namespace physim {
+namespace {
+
+WindField<double> prepare_wind(const Wind& wind, WindModel model) {
+  WindField<double> field{};
+  field.points = 1;
+  field.by_range = wind.by == WindAxis::range;
+  field.stepped = wind.interpolation == WindInterpolation::step;
+  if (model == WindModel::off) return field;
+  field.velocity[0] = wind.velocity;
+  if (model == WindModel::constant || wind.profile.empty()) {
+    // A low rung has one wind: the profile's first point stands for it where no other is given.
+    if (!wind.profile.empty() && wind.velocity == Vec3d{}) field.velocity[0] = wind.profile.front().velocity;
+    return field;
+  }
+  field.points = static_cast<int>(wind.profile.size());
+  for (int i = 0; i < field.points; ++i) {
+    const WindPoint& p = wind.profile[static_cast<std::size_t>(i)];
+    field.at[i] = p.at;
+    field.velocity[i] = p.velocity;
+    if (i > 0) field.slope[i - 1] = (p.velocity - field.velocity[i - 1]) * (1 / (p.at - field.at[i - 1]));
+  }
+  return field;
+}
+
+/// Earth's rotation in W; see model/earth.hpp.
+Vec3d prepare_omega(const Earth& earth) {
+  const double horizontal = earth.rotation_rate * cos(earth.latitude);
+  return {horizontal * cos(earth.azimuth), earth.rotation_rate * sin(earth.latitude),
+          -horizontal * sin(earth.azimuth)};
+}
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// i A / (2 m): from the ballistic coefficient, or from mass, diameter and form factor.
+double half_area_per_mass(const ProjectileDef& p) {
+  if (p.drag.ballistic_coefficient > 0) return kPi / (8 * p.drag.ballistic_coefficient);
+  return p.drag.form_factor * kPi * p.diameter * p.diameter / (8 * p.mass);
+}
+
+void prepare_bands(const std::vector<BallisticBand>& given, Body<double>& b) {
+  auto bands = given;
+  std::sort(bands.begin(), bands.end(), [](const auto& x, const auto& y) { return x.above < y.above; });
+  for (int i = 0; i < kMaxBands; ++i) {
+    const bool used = i < static_cast<int>(bands.size());
+    b.band_above[i] = used ? bands[static_cast<std::size_t>(i)].above : std::numeric_limits<double>::infinity();
+    b.band_half_area_per_mass[i] =
+        used ? kPi / (8 * bands[static_cast<std::size_t>(i)].ballistic_coefficient) : b.half_area_per_mass;
+  }
+  if (!bands.empty()) b.half_area_per_mass = kPi / (8 * bands.front().ballistic_coefficient);
+}
+
+/// k2 / m that equals the drag equation at launch.
+double equivalent_k2_per_mass(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c) {
+  const double mach = length(b.launch.v) / c.air.sound_speed;
+  const double cd = p.drag.table == DragTable::sphere ? 0.47 : drag_coefficient(p.drag, c.fidelity.interpolation, mach);
+  return c.air.density * cd * b.half_area_per_mass;
+}
+
+}  // namespace
+
+Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted) {
+  Conditions<double> c{};
+  c.fidelity = granted;
+  c.gravity = environment.gravity.acceleration;
+  c.radius = environment.gravity.radius;
+  c.altitude = environment.altitude;
+  c.omega = prepare_omega(environment.earth);
+  c.air = prepare_air(environment, granted.air);
+  c.wind = prepare_wind(environment.wind, granted.wind);
+  return c;
+}
+
+Conditions<float> to_float(const Conditions<double>& c) {
+  Conditions<float> f{};
+  f.fidelity = c.fidelity;
+  f.gravity = static_cast<float>(c.gravity);
+  f.radius = static_cast<float>(c.radius);
+  f.altitude = static_cast<float>(c.altitude);
+  f.omega = vec_cast<float>(c.omega);
+  const auto copy = [](const double* from, float* to, int count) {
+    for (int i = 0; i < count; ++i) to[i] = static_cast<float>(from[i]);
+  };
+  f.air.density = static_cast<float>(c.air.density);
+  f.air.sound_speed = static_cast<float>(c.air.sound_speed);
+  f.air.temperature = static_cast<float>(c.air.temperature);
+  f.air.per_scale_height = static_cast<float>(c.air.per_scale_height);
+  f.air.layers = c.air.layers;
+  copy(c.air.base, f.air.base, kAirLayers);
+  copy(c.air.lapse, f.air.lapse, kAirLayers);
+  copy(c.air.power, f.air.power, kAirLayers);
+  copy(c.air.decay, f.air.decay, kAirLayers);
+  copy(c.air.base_density, f.air.base_density, kAirLayers);
+  copy(c.air.base_sound_speed, f.air.base_sound_speed, kAirLayers);
+  copy(c.air.base_temperature, f.air.base_temperature, kAirLayers);
+  f.wind.points = c.wind.points;
+  f.wind.by_range = c.wind.by_range;
+  f.wind.stepped = c.wind.stepped;
+  copy(c.wind.at, f.wind.at, kMaxWindPoints);
+  for (int i = 0; i < kMaxWindPoints; ++i) {
+    f.wind.velocity[i] = vec_cast<float>(c.wind.velocity[i]);
+    f.wind.slope[i] = vec_cast<float>(c.wind.slope[i]);
+  }
+  f.searched_curves = c.searched_curves;
+  f.has_searched_curves = c.has_searched_curves;
+  f.has_spheres = c.has_spheres;
+  f.has_bands = c.has_bands;
+  f.has_applied = c.has_applied;
+  return f;
+}
+
+WatchList prepare_watch(const Until& until, bool with_apex) {
+  WatchList watch{};
+  const auto add = [&](const EventSpec& spec, Outcome outcome) { watch.item[watch.count++] = {spec, outcome}; };
+  if (until.ground) add({EventKind::ground, *until.ground, Crossing::falling, true}, Outcome::landed);
+  if (until.range) add({EventKind::range, *until.range, Crossing::rising, true}, Outcome::reached_range);
+  add({EventKind::time, until.time, Crossing::rising, true}, Outcome::time_limit);
+  if (with_apex) add({EventKind::apex, 0, Crossing::falling, false}, Outcome::event);
+  for (const EventSpec& spec : until.events) add(spec, Outcome::event);
+  return watch;
+}
+
+Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double elevation, CurvePool& pool,
+                          Conditions<double>& c) {
+  Body<double> b{};
+  const SightFrame sight = sight_frame(launch);
+  b.launch = {launch.position, launch_velocity(launch, elevation)};
+  b.sight = sight.forward;
+  b.plane = sight.right;
+  if (c.fidelity.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
+  b.half_area_per_mass = half_area_per_mass(p);
+  prepare_bands(p.drag.bands, b);
+  if (c.fidelity.drag == DragModel::equation) {
+    const CurvePlace place = pool.add(p.drag, c.fidelity.interpolation);
+    b.curve_row = place.row;
+    b.curve_start = place.start;
+    b.curve_cells = place.cells;
+    b.curve_last = place.last;
+    b.reynolds_length = p.drag.table == DragTable::sphere ? p.diameter : 0;
+    c.has_spheres = c.has_spheres || p.drag.table == DragTable::sphere;
+    c.has_bands = c.has_bands || !p.drag.bands.empty();
+    c.has_searched_curves = c.has_searched_curves || place.row < 0;
+  }
+  b.k1_per_mass = p.drag.k1 / p.mass;
+  b.k2_per_mass = p.drag.k2 / p.mass;
+  if (c.fidelity.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
+    b.k2_per_mass = equivalent_k2_per_mass(p, b, c);
+  const bool linear = c.fidelity.drag == DragModel::linear_quadratic;
+  b.damping_rate = linear ? b.k1_per_mass : -log(p.drag.damping);
+  b.applied = p.force * (1 / p.mass);
+  b.applied_until = p.force == Vec3d{} ? 0 : p.force_duration;
+  const bool feels_forces = c.fidelity.motion == Motion::force;
+  c.has_applied = c.has_applied || (feels_forces && p.force != Vec3d{});
+  return b;
+}
+
+SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const Environment& environment,
+                             const Fidelity& granted) {
+  if (granted.rotation != RotationModel::spin_drift) return {};
+  const auto air = air_at(environment, std::clamp(environment.altitude, -5000.0, 86000.0));
+  if (!air) return {};
+  return litz_spin_drift(miller_stability(p, launch_speed, air->temperature, air->pressure), p.twist);
+}
+
+template <class S>
+StepPlan<S> prepare_plan(const Tolerance& tolerance, const Fidelity& granted, double step) {
+  const bool adaptive = steps_itself(granted);
+  const double most = sizeof(S) == 4 ? 16e6 : 9e15;  // whole numbers that S counts exactly
+  return {static_cast<S>(tolerance.relative), static_cast<S>(tolerance.absolute), static_cast<S>(adaptive ? 0 : step),
+          static_cast<S>(std::min(tolerance.max_step, 1e30)),
+          static_cast<S>(std::min(static_cast<double>(tolerance.max_steps), most))};
+}
+template StepPlan<float> prepare_plan<float>(const Tolerance&, const Fidelity&, double);
+template StepPlan<double> prepare_plan<double>(const Tolerance&, const Fidelity&, double);
+
+void Cohort::finish() {
+  conditions.fidelity = in_use.fidelity;
+  conditions.curve_rows = pool.rows().data();
+  conditions.searched_curves = pool.searched().data();
+  if (in_use.fidelity.precision == Precision::float64) return;
+  rows_float.assign(pool.rows().size(), 0.0f);
+  for (std::size_t i = 0; i < rows_float.size(); ++i) rows_float[i] = static_cast<float>(pool.rows()[i]);
+  conditions_float = to_float(conditions);
+  conditions_float.curve_rows = rows_float.data();
+}
+
+bool Cohort::corners_matter() const {
+  const Fidelity& f = in_use.fidelity;
+  return f.motion != Motion::closed_form && steps_itself(f) && has_corners(conditions);
+}
+
+bool lands_at_once(const Conditions<double>& conditions, const Body<double>& body, const Until& until) {
+  return until.ground && height(conditions, body.launch.x) <= *until.ground && climb_rate(conditions, body.launch) < 0;
+}
+
+}  // namespace physim

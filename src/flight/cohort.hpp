@@ -1,0 +1,82 @@
+// Cohort: everything that flights of equal fidelity and environment share, checked, granted and ready to compute.
+#pragma once
+
+#include <memory>
+
+#include "flight/lanes.hpp"
+#include "model/drag_curves.hpp"
+#include "model/sight.hpp"
+#include "model/spin_drift.hpp"
+#include "physim/air.hpp"
+#include "physim/flight.hpp"
+
+namespace physim {
+
+/// Refuses bad input with a place and a hint; nothing where all is well.
+[[nodiscard]] Status check(const ProjectileDef& projectile);
+[[nodiscard]] Status check(const Launch& launch);
+[[nodiscard]] Status check(const Environment& environment);
+[[nodiscard]] Status check(const Tolerance& tolerance, const Fidelity& fidelity);
+[[nodiscard]] Status check(const Until& until);
+
+/// What of the asked fidelity this projectile in this environment can have.
+[[nodiscard]] FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile,
+                                  const Environment& environment);
+
+/// Environment and granted rungs, ready to compute. Curves and flags come with the projectiles.
+[[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
+[[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions);
+
+/// The events of a flight: those asked for, and ground, range and time as terminal ones.
+[[nodiscard]] WatchList prepare_watch(const Until& until, bool with_apex);
+
+/// A projectile ready to compute; adds its drag curve to the pool and its flags to the conditions.
+[[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
+                                        CurvePool& pool, Conditions<double>& conditions);
+[[nodiscard]] SpinDrift prepare_spin_drift(const ProjectileDef& projectile, double launch_speed,
+                                           const Environment& environment, const Fidelity& granted);
+
+template <class S>
+[[nodiscard]] StepPlan<S> prepare_plan(const Tolerance& tolerance, const Fidelity& granted, double step);
+
+/// Bodies with the data they point to, in the cohort's precision.
+struct Cohort {
+  FidelityInUse in_use;
+  CurvePool pool;
+  Conditions<double> conditions;
+  std::vector<float> rows_float;
+  Conditions<float> conditions_float;
+
+  /// Points the conditions to the finished pool; call after the last prepare_body() and after every move.
+  void finish();
+
+  template <class S>
+  [[nodiscard]] const Conditions<S>& conditions_in() const {
+    if constexpr (sizeof(S) == 4) return conditions_float;
+    if constexpr (sizeof(S) == 8) return conditions;
+  }
+  template <class S>
+  [[nodiscard]] Course<S> course(const Tolerance& tolerance, double step, const WatchList& watch) const {
+    return {&conditions_in<S>(), &conditions, prepare_plan<S>(tolerance, in_use.fidelity, step), watch,
+            corners_matter()};
+  }
+  [[nodiscard]] bool corners_matter() const;
+};
+
+/// Closed forms and adaptive integrators choose their steps; the others need one given.
+[[nodiscard]] inline bool steps_itself(const Fidelity& granted) {
+  return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
+}
+
+/// The bore elevation that a launch asks for: its own, or that of its zero range.
+[[nodiscard]] Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch,
+                                          const Environment& environment, const Fidelity& fidelity);
+/// The fixed step to use, 0 for adaptive integrators and closed forms; runs a pilot flight where none is given.
+[[nodiscard]] Result<double> step_of(const ProjectileDef& projectile, const Launch& launch,
+                                     const Environment& environment, const Fidelity& granted,
+                                     const Tolerance& tolerance, const Until& until);
+
+/// Where a flight that starts on or below the ground and descends ends at once.
+[[nodiscard]] bool lands_at_once(const Conditions<double>& conditions, const Body<double>& body, const Until& until);
+
+}  // namespace physim

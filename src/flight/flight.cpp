@@ -1,0 +1,138 @@
+// Flight: answers questions about a computed trajectory.
+#include <algorithm>
+#include <string>
+
+#include "flight/flight_record.hpp"
+
+namespace physim {
+
+State<double> with_drift(const State<double>& s, const SpinDrift& drift, const Vec3d& right, double time) {
+  if (drift.coefficient == 0) return s;
+  return {s.x + right * drift.drift(time), s.v + right * drift.drift_rate(time)};
+}
+
+State<double> FlightRecord::state(double time) const {
+  const Fidelity& f = cohort.in_use.fidelity;
+  if (f.motion == Motion::closed_form) {
+    if (f.precision == Precision::float64) return closed_form(cohort.conditions, body, time);
+    const State<float> s = closed_form(cohort.conditions_float, body_float, static_cast<float>(time));
+    return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
+  }
+  if (nodes.size() < 2) return nodes.empty() ? body.launch : nodes.front().y;
+  const auto later = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, time,
+                                      [](double t, const Node& node) { return t < node.t; });
+  const Node& n1 = *later;
+  const Node& n0 = *(later - 1);
+  const auto index = static_cast<std::size_t>(later - nodes.begin()) - 1;
+  const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
+  const State<double>* c = count > 0 ? coefficients.data() + index * count : nullptr;
+  return dense_state(f.integrator, n0, n1, c, (time - n0.t) / (n1.t - n0.t));
+}
+
+State<double> FlightRecord::shown(double time) const {
+  return with_drift(state(time), drift, sight.right, time);
+}
+
+Outcome Flight::outcome() const { return record_->outcome; }
+const std::optional<Error>& Flight::error() const { return record_->error; }
+double Flight::duration() const { return record_->duration; }
+std::span<const Event> Flight::events() const { return record_->events; }
+const FidelityInUse& Flight::fidelity_in_use() const { return record_->cohort.in_use; }
+const FlightCost& Flight::cost() const { return record_->cost; }
+double Flight::elevation() const { return record_->elevation; }
+double Flight::step() const { return record_->step; }
+
+Accelerations Flight::accelerations(double time) const {
+  const FlightRecord& r = *record_;
+  Accelerations a;
+  if (r.outcome == Outcome::refused) return a;
+  time = std::clamp(time, 0.0, r.duration);
+  const State<double> s = r.state(time);
+  const Conditions<double>& c = r.cohort.conditions;
+  a.gravity = gravity(c, s.x);
+  if (c.fidelity.drag != DragModel::off) a.drag = drag(c, r.body, s);
+  if (c.fidelity.earth == EarthModel::flat_coriolis) a.coriolis = coriolis(c, s.v);
+  if (c.has_applied) a.applied = applied(c, r.body, time);
+  a.total = acceleration(c, r.body, time, s);
+  return a;
+}
+
+Sample Flight::at(double time) const {
+  const FlightRecord& r = *record_;
+  Sample out;
+  if (r.outcome == Outcome::refused) return out;
+  time = std::clamp(time, 0.0, r.duration);
+  const State<double> s = r.shown(time);
+  const Conditions<double>& c = r.cohort.conditions;
+  out.time = time;
+  out.position = s.x;
+  out.velocity = s.v;
+  out.acceleration = acceleration(c, r.body, time, r.state(time));
+  out.speed = length(s.v);
+  const bool has_air = c.fidelity.air != AirModel::vacuum;
+  out.mach = has_air ? length(air_velocity(c, s)) / air_state(c, s.x).sound_speed : 0;
+  out.energy = 0.5 * r.mass * out.speed * out.speed;
+  out.range = dot(s.x - r.sight.muzzle, r.sight.forward);
+  out.drop = dot(s.x - r.sight.start, r.sight.up);
+  out.windage = dot(s.x - r.sight.start, r.sight.right);
+  return out;
+}
+
+namespace {
+
+/// Times between which a height is crossed at most once: the ends of the steps and the apexes.
+std::vector<double> borders(const FlightRecord& r) {
+  std::vector<double> times;
+  if (r.cohort.in_use.fidelity.motion == Motion::closed_form) times.push_back(0);
+  for (const Node& node : r.nodes) times.push_back(std::min(node.t, r.duration));
+  for (const Event& e : r.events)
+    if (e.kind == EventKind::apex) times.push_back(e.time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// First time at which value(time) crosses zero in a direction; nothing where it never does.
+template <class F>
+std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, const F& value) {
+  const auto times = borders(r);
+  double from = value(times.front());
+  if (from == 0) return times.front();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double to = value(times[i]);
+    if (crosses(direction, from, to)) return find_root(value, times[i - 1], from, times[i], to, 0);
+    from = to;
+  }
+  return std::nullopt;
+}
+
+Error never(const std::string& what, const FlightRecord& r) {
+  if (r.error) return *r.error;
+  return Error{"the flight never reaches " + what, "", "it lasts " + std::to_string(r.duration) + " s"};
+}
+
+}  // namespace
+
+Result<Sample> Flight::at_range(double range) const {
+  const FlightRecord& r = *record_;
+  const auto past = [&](double t) { return dot(r.state(t).x - r.sight.muzzle, r.sight.forward) - range; };
+  if (r.outcome == Outcome::refused) return never("anything", r);
+  if (const auto time = first_crossing(r, Crossing::any, past)) return at(*time);
+  return never("a range of " + std::to_string(range) + " m", r);
+}
+
+Result<Sample> Flight::at_height(double level, Crossing direction) const {
+  const FlightRecord& r = *record_;
+  const auto above = [&](double t) { return height(r.cohort.conditions, r.state(t).x) - level; };
+  if (r.outcome == Outcome::refused) return never("anything", r);
+  if (const auto time = first_crossing(r, direction, above)) return at(*time);
+  return never("a height of " + std::to_string(level) + " m", r);
+}
+
+std::vector<double> Flight::step_times() const {
+  std::vector<double> times;
+  for (const Node& node : record_->nodes) times.push_back(std::min(node.t, record_->duration));
+  return times;
+}
+
+}  // namespace physim

@@ -1,0 +1,34 @@
+// FlightRecord: a computed trajectory with everything needed to answer questions about it.
+#pragma once
+
+#include "flight/cohort.hpp"
+
+namespace physim {
+
+struct FlightRecord {
+  Outcome outcome = Outcome::refused;
+  std::optional<Error> error;
+  Cohort cohort;
+  Body<double> body;
+  Body<float> body_float;
+  SightFrame sight;
+  SpinDrift drift;
+  double mass = 1;
+  double elevation = 0;
+  double step = 0;
+  double duration = 0;
+  std::vector<Node> nodes;                    // at both ends of every step; the last may lie beyond the end
+  std::vector<State<double>> coefficients;    // of the dense output, step by step
+  std::vector<Event> events;
+  FlightCost cost;
+
+  /// State on the flown path, without spin drift, 0 <= time <= duration.
+  [[nodiscard]] State<double> state(double time) const;
+  /// With spin drift.
+  [[nodiscard]] State<double> shown(double time) const;
+};
+
+/// Adds spin drift to a state of the flown path.
+[[nodiscard]] State<double> with_drift(const State<double>& s, const SpinDrift& drift, const Vec3d& right, double time);
+
+}  // namespace physim

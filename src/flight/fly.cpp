@@ -1,0 +1,121 @@
+// fly(): computes one flight and keeps its dense output.
+#include "flight/flight_record.hpp"
+
+namespace physim {
+namespace {
+
+void keep_step(FlightRecord& record, const LaneStep<double>& at) {
+  record.nodes.push_back(at.n1);
+  const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
+  if (record.cohort.in_use.fidelity.motion == Motion::closed_form) return;
+  record.coefficients.insert(record.coefficients.end(), at.coefficient, at.coefficient + count);
+}
+void keep_step(FlightRecord& record, const LaneStep<float>& at) {
+  LaneStep<double> same;
+  same.n1 = at.n1;
+  std::copy(at.coefficient, at.coefficient + kMaxDenseCoefficients, same.coefficient);
+  keep_step(record, same);
+}
+
+void keep_event(FlightRecord& record, const Watched& watched, bool rising, double time, const State<double>& flown) {
+  const State<double> s = with_drift(flown, record.drift, record.sight.right, time);
+  record.events.push_back(
+      {watched.spec.kind, watched.spec.value, rising ? Crossing::rising : Crossing::falling, time, s.x, s.v});
+}
+
+std::int64_t evaluations_per_try(const Fidelity& f) {
+  return f.motion == Motion::closed_form ? 1 : end_slope(f.integrator);
+}
+
+/// Flies a single lane to its end; the loop is that of the batch kernels (flight/batch_driver.hpp) with a record kept.
+template <class S>
+void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body) {
+  Lanes<S> lane{};
+  lane.body = body;
+  begin(course, lane);
+  LaneStep<S> at{};
+  lane_step(course, lane, 0, at);
+  record.nodes.push_back(at.n0);
+  Found found[2 * kMaxWatched];
+  for (bool ended = false; !ended;) {
+    const bool accepted = try_step(course, lane);
+    const bool special = needs_attention(course, lane, accepted);
+    Verdict verdict{false, Outcome::step_limit, 1, 0};
+    if (special) verdict = judge(course, lane, 0, accepted, at, found);
+    const bool sound = accepted && verdict.outcome != Outcome::non_finite;
+    if (sound) {
+      if (!special) lane_step(course, lane, 0, at);
+      keep_step(record, at);
+    }
+    const double h = at.n1.t - at.n0.t;
+    for (int i = 0; i < verdict.found; ++i)
+      keep_event(record, course.watch.item[found[i].index], found[i].rising, at.n0.t + found[i].theta * h,
+                 at(found[i].theta));
+    ended = verdict.ended;
+    if (ended) {
+      record.outcome = verdict.outcome;
+      record.duration = sound ? at.n0.t + verdict.theta * h : record.nodes.back().t;
+      if (sound) lane.count += S(1);
+    } else {
+      accept(course, lane, accepted);
+    }
+  }
+  const auto tries = static_cast<std::int64_t>(lane.tries);
+  record.cost.steps = static_cast<std::int64_t>(lane.count);
+  record.cost.rejected = tries - record.cost.steps;
+  record.cost.evaluations = 1 + tries * evaluations_per_try(course.conditions->fidelity);
+}
+
+void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
+  const WatchList watch = prepare_watch(until, true);
+  cast_fields(reinterpret_cast<const double*>(&record.body), reinterpret_cast<float*>(&record.body_float),
+              kBodyFields<double>);
+  if (lands_at_once(record.cohort.conditions, record.body, until)) {
+    record.outcome = Outcome::landed;
+    const Vec3d a = acceleration(record.cohort.conditions, record.body, 0.0, record.body.launch);
+    record.nodes.push_back({0, record.body.launch, a});
+    keep_event(record, watch.item[0], false, 0, record.body.launch);
+    return;
+  }
+  if (record.cohort.in_use.fidelity.precision == Precision::float32)
+    fly_lane(record, record.cohort.course<float>(tolerance, record.step, watch), record.body_float);
+  else
+    fly_lane(record, record.cohort.course<double>(tolerance, record.step, watch), record.body);
+}
+
+}  // namespace
+
+Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
+  auto record = std::make_shared<FlightRecord>();
+  const auto refuse = [&](const Error& error) {
+    record->error = error;
+    return Flight(record);
+  };
+  for (const Status& status : {check(projectile), check(launch), check(environment), check(tolerance, fidelity),
+                               check(until)})
+    if (status) return refuse(*status);
+  const auto elevation = elevation_of(projectile, launch, environment, fidelity);
+  if (!elevation) return refuse(elevation.error());
+  record->elevation = *elevation;
+  record->cohort.in_use = grant(fidelity, projectile, environment);
+  const Fidelity& granted = record->cohort.in_use.fidelity;
+  const auto step = step_of(projectile, launch, environment, granted, tolerance, until);
+  if (!step) return refuse(step.error());
+  record->step = *step;
+  record->cohort.conditions = prepare_conditions(environment, granted);
+  record->body =
+      prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
+  record->cohort.finish();
+  record->sight = sight_frame(launch);
+  record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);
+  record->mass = projectile.mass;
+  fly_record(*record, tolerance, until);
+  return Flight(record);
+}
+
+Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment) {
+  return fly(projectile, launch, environment, projectile.fidelity);
+}
+
+}  // namespace physim

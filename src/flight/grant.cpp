@@ -1,0 +1,97 @@
+// Decides what of an asked fidelity can be had, and says why where it is less.
+#include <algorithm>
+
+#include "flight/cohort.hpp"
+#include "physim/names.hpp"
+
+namespace physim {
+namespace {
+
+class Granting {
+ public:
+  Granting(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment)
+      : f_(asked), projectile_(projectile), environment_(environment) {}
+
+  FidelityInUse run() {
+    by_environment();
+    by_motion();
+    by_integrator();
+    by_projectile();
+    return {f_, notes_};
+  }
+
+ private:
+  template <class Enum>
+  void set(const char* effect, Enum& field, Enum granted, const char* reason) {
+    if (field == granted) return;
+    notes_.push_back({effect, std::string(name(field)), std::string(name(granted)), reason});
+    field = granted;
+  }
+
+  void by_environment() {
+    set("gravity", f_.gravity, std::min(f_.gravity, environment_.gravity.model),
+        "the environment's gravity field is simpler");
+    set("air", f_.air, std::min(f_.air, environment_.atmosphere.model), "the environment's air is simpler");
+    const Wind& wind = environment_.wind;
+    if (wind.profile.empty()) {
+      set("wind", f_.wind, std::min(f_.wind, WindModel::constant), "the environment has no wind profile");
+      if (wind.velocity == Vec3d{}) set("wind", f_.wind, WindModel::off, "the environment has no wind");
+    }
+    if (f_.air == AirModel::vacuum && f_.drag == DragModel::equation)
+      set("drag", f_.drag, DragModel::off, "there is no air");
+  }
+
+  void by_motion() {
+    if (f_.motion == Motion::closed_form) {
+      const bool linear = f_.drag == DragModel::linear_quadratic && projectile_.drag.k2 == 0 && projectile_.drag.k1 > 0;
+      if (f_.drag > DragModel::damping && !linear)
+        set("drag", f_.drag, projectile_.drag.damping < 1 ? DragModel::damping : DragModel::off,
+            "a closed form exists only in vacuum or with drag linear in velocity");
+      limit_to_constants("the closed form knows only constant gravity over a flat Earth");
+      set("wind", f_.wind, std::min(f_.wind, WindModel::constant), "the closed form knows only constant wind");
+    }
+    if (f_.motion == Motion::velocity) {
+      set("drag", f_.drag, std::min(f_.drag, DragModel::damping), "motion 'velocity' knows no drag force");
+      limit_to_constants("motion 'velocity' knows only constant gravity over a flat Earth");
+    }
+  }
+
+  void by_integrator() {
+    const bool classic = f_.motion != Motion::closed_form && f_.integrator == Integrator::classic;
+    if (classic) limit_to_constants("the original loop knows only constant gravity over a flat Earth");
+    if (f_.original_one_shot_forces && !classic) {
+      notes_.push_back({"original_one_shot_forces", "true", "false", "only the original loop has one-shot forces"});
+      f_.original_one_shot_forces = false;
+    }
+  }
+
+  void by_projectile() {
+    const ProjectileDef& p = projectile_;
+    if (f_.rotation == RotationModel::spin_drift) {
+      if (p.twist == 0) set("rotation", f_.rotation, RotationModel::none, "the projectile has no twist");
+      else if (p.length <= 0)
+        set("rotation", f_.rotation, RotationModel::none, "the stability factor needs the projectile's length");
+    }
+    if (f_.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
+      notes_.push_back({"drag", "linear_quadratic", "linear_quadratic",
+                        "k1 and k2 are zero: k2 is taken from the drag equation at launch"});
+  }
+
+  void limit_to_constants(const char* reason) {
+    set("gravity", f_.gravity, std::min(f_.gravity, GravityModel::constant), reason);
+    set("earth", f_.earth, EarthModel::flat, reason);
+  }
+
+  Fidelity f_;
+  const ProjectileDef& projectile_;
+  const Environment& environment_;
+  std::vector<FidelityNote> notes_;
+};
+
+}  // namespace
+
+FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment) {
+  return Granting(asked, projectile, environment).run();
+}
+
+}  // namespace physim

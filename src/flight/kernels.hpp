@@ -1,0 +1,17 @@
+// The batch kernels of this build and machine, and the choice among them.
+#pragma once
+
+#include "flight/batch_job.hpp"
+
+namespace physim {
+
+struct BatchKernel {
+  const char* name;
+  void (*fly_float)(const BatchJob<float>& job);
+  void (*fly_double)(const BatchJob<double>& job);
+};
+
+/// The kernel in use.
+[[nodiscard]] const BatchKernel& batch_kernel();
+
+}  // namespace physim

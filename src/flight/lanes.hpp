@@ -1,0 +1,230 @@
+// Lanes: flights under way, one per lane, each with its own time and step. R is a number (one flight) or a pack.
+//
+// fly() runs one lane, fly_batch() runs packs; both through these functions, so a shot's numbers are the same.
+#pragma once
+
+#include "flight/watch.hpp"
+#include "solve/step_control.hpp"
+
+namespace physim {
+
+/// How a cohort steps through time.
+template <class S>
+struct StepPlan {
+  S relative;   // error per step [-]
+  S absolute;   // [m], [m/s]
+  S step;       // fixed step [s]; 0: adaptive or closed form
+  S max_step;   // [s]
+  S max_tries;  // steps tried before Outcome::step_limit
+};
+
+/// Everything that the flights of a batch share.
+template <class S>
+struct Course {
+  const Conditions<S>* conditions;
+  const Conditions<double>* conditions_double;  // for dense output and events
+  StepPlan<S> plan;
+  WatchList watch;
+  bool corners;  // steps must end at corners of piecewise data
+};
+
+template <class R>
+struct Lanes {
+  Body<R> body;
+  Step<R> step;
+  StepControl<R> control;
+  Regime<R> regime;  // at the start of the step
+  R count;           // steps accepted
+  R tries;           // steps tried
+  R cut;             // 1: this step was cut to end behind a corner
+};
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
+
+/// Closed forms need steps only to look for events in; a few cover a flight.
+template <class R, class S>
+PHYSIM_INLINE R closed_form_step(const Conditions<S>& c, const Body<R>& b) {
+  return clamp((length(b.launch.v) + S(1)) / max(R(c.gravity), R(S(1e-3))) * S(0.5), R(S(1e-3)), R(S(60)));
+}
+
+/// Prepares lanes whose `body` is set for their first step.
+template <class R, class S>
+PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
+  const Conditions<S>& c = *course.conditions;
+  const R zero(S(0));
+  l.step.t = zero;
+  l.step.start = l.body.launch;
+  Vec3<R> a;
+  evaluate(c, l.body, zero, l.step.start, a);
+  const bool classic = c.fidelity.motion != Motion::closed_form && c.fidelity.integrator == Integrator::classic;
+  if (classic) a = {zero, zero, zero};
+  l.step.slope[0] = {l.step.start.v, a};
+  l.control.log_previous = zero;
+  if (course.plan.step > S(0)) {
+    l.control.h = R(course.plan.step);
+  } else if (c.fidelity.motion == Motion::closed_form) {
+    l.control.h = closed_form_step(c, l.body);
+  } else {
+    l.control.h = min(first_step(c.fidelity.integrator, l.step.start, a, course.plan.relative, course.plan.absolute),
+                      R(course.plan.max_step));
+  }
+  if (course.corners) l.regime = regime(c, l.body, zero, l.step.start);
+  l.count = l.tries = l.cut = zero;
+}
+
+template <class To, class From>
+PHYSIM_INLINE void cast_fields(const From* from, To* to, unsigned count) {
+  for (unsigned i = 0; i < count; ++i) to[i] = static_cast<To>(from[i]);
+}
+
+/// The dense output of one lane's last step.
+template <class S>
+struct LaneStep {
+  const Conditions<S>* conditions;
+  Body<S> body;
+  Body<double> body_double;
+  Node n0;
+  Node n1;
+  State<double> coefficient[kMaxDenseCoefficients];
+
+  State<double> operator()(double theta) const {
+    const Fidelity& f = conditions->fidelity;
+    if (f.motion == Motion::closed_form) {
+      const State<S> s = closed_form(*conditions, body, static_cast<S>(n0.t + theta * (n1.t - n0.t)));
+      return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
+    }
+    return dense_state(f.integrator, n0, n1, coefficient, theta);
+  }
+};
+
+template <class R, class S>
+void lane_step(const Course<S>& course, const Lanes<R>& l, int lane, LaneStep<S>& out) {
+  const Conditions<S>& c = *course.conditions;
+  Step<S> s;
+  Step<double> d;
+  get_lane(l.step, lane, s);
+  get_lane(l.body, lane, out.body);
+  constexpr unsigned kStepFields = sizeof(Step<S>) / sizeof(S);
+  cast_fields(reinterpret_cast<const S*>(&s), reinterpret_cast<double*>(&d), kStepFields);
+  cast_fields(reinterpret_cast<const S*>(&out.body), reinterpret_cast<double*>(&out.body_double), kBodyFields<S>);
+  const bool closed = c.fidelity.motion == Motion::closed_form;
+  const int last = closed ? 1 : end_slope(c.fidelity.integrator);
+  out.conditions = &c;
+  out.n0 = {d.t, d.start, d.slope[0].v};
+  out.n1 = {d.t + d.h, d.end, d.slope[last].v};
+  if (closed) return;
+  const auto f = [&](double t, const State<double>& y) {
+    return acceleration(*course.conditions_double, out.body_double, t, y);
+  };
+  dense_coefficients(c.fidelity.integrator, d, f, out.coefficient);
+}
+
+/// Cuts the steps of lanes that would cross a corner; returns lanes whose step stands.
+template <class R, class S>
+MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
+  const R one(S(1));
+  const R zero(S(0));
+  const Regime<R> next = regime(*course.conditions, l.body, l.step.t + l.step.h, l.step.end);
+  const MaskOf<R> crossing = accepted & (l.cut == zero) & differ(l.regime, next);
+  R cut = zero;
+  if (any(crossing)) {
+    for (int lane = 0; lane < kLanes<R>; ++lane) {
+      if (!lane_of(crossing, lane)) continue;
+      LaneStep<S> at;
+      lane_step(course, l, lane, at);
+      const double h = at.n1.t - at.n0.t;
+      const double part = first_corner(*course.conditions_double, at.body_double, at.n0.t, h, at);
+      if (part >= 1) continue;
+      set_lane(l.control.h, lane, static_cast<S>(part * h));
+      set_lane(cut, lane, S(1));
+    }
+  }
+  const MaskOf<R> stands = accepted & (cut == zero);
+  l.cut = select(stands, zero, select(cut == one, one, l.cut));
+  l.regime = select(stands, next, l.regime);
+  return stands;
+}
+
+/// Tries one step in every lane; returns the lanes in which it was accepted. control.h is then the next step to try.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> try_step(const Course<S>& course, Lanes<R>& l) {
+  const Conditions<S>& c = *course.conditions;
+  const R one(S(1));
+  l.step.h = l.control.h;
+  take_step(c, l.body, course.plan.relative, course.plan.absolute, l.step);
+  l.tries += one;
+  if (c.fidelity.motion == Motion::closed_form || !is_adaptive(c.fidelity.integrator)) return l.tries > R(S(0));
+  const MaskOf<R> accepted = l.step.error <= one;
+  l.control.h = min(next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, l.control), R(course.plan.max_step));
+  return course.corners ? respect_corners(course, l, accepted) : accepted;
+}
+
+/// Moves accepted lanes to the end of their step.
+template <class R, class S>
+PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
+  const Fidelity& f = course.conditions->fidelity;
+  const bool closed = f.motion == Motion::closed_form;
+  const int last = closed ? 1 : end_slope(f.integrator);
+  const bool adaptive = !closed && is_adaptive(f.integrator);
+  l.count = select(accepted, l.count + R(S(1)), l.count);
+  // Fixed steps count, so that time does not gather rounding errors.
+  l.step.t = adaptive ? select(accepted, l.step.t + l.step.h, l.step.t) : l.count * l.control.h;
+  l.step.start = select(accepted, l.step.end, l.step.start);
+  l.step.slope[0] = select(accepted, l.step.slope[last], l.step.slope[0]);
+}
+
+template <class R>
+PHYSIM_INLINE MaskOf<R> is_finite(const State<R>& s) {
+  return is_finite(((s.x.x + s.x.y) + (s.x.z + s.v.x)) + (s.v.y + s.v.z));
+}
+
+/// Accepted lanes that cannot just go on: an event, a bad number, the border of the air; and lanes out of steps.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
+  const Conditions<S>& c = *course.conditions;
+  MaskOf<R> special = detect(c, l.body, course.watch, l.step) | !is_finite(l.step.end);
+  if (c.fidelity.air == AirModel::isa && c.fidelity.drag == DragModel::equation)
+    special = special | (altitude(c, l.step.end.x) < R(S(-5000)));
+  return (special & accepted) | (l.tries >= R(course.plan.max_tries)) | (l.step.t + l.step.h <= l.step.t) |
+         !(l.step.h > R(S(0)));
+}
+
+/// What a lane's last step means for its flight.
+struct Verdict {
+  bool ended;
+  Outcome outcome;
+  double theta;  // place in the last step where the flight ends
+  int found;     // crossings to report
+};
+
+/// Judges one lane after a step that needed attention. Fills `at` where the step was accepted and finite.
+template <class R, class S>
+Verdict judge(const Course<S>& course, const Lanes<R>& l, int lane, bool accepted, LaneStep<S>& at, Found* found) {
+  const Conditions<double>& c = *course.conditions_double;
+  State<S> end;
+  get_lane(l.step.end, lane, end);
+  const S t = lane_of(l.step.t, lane);
+  const S h = lane_of(l.step.h, lane);
+  const bool out_of_tries = lane_of(l.tries, lane) >= course.plan.max_tries;
+  if (accepted && !is_finite(end)) return {true, Outcome::non_finite, 0, 0};
+  if (accepted) {
+    lane_step(course, l, lane, at);
+    const int count = find_crossings(c, at.body_double, course.watch, at.n0.t, at.n1.t - at.n0.t, at, found);
+    if (count > 0) {
+      const Watched& last = course.watch.item[found[count - 1].index];
+      if (last.spec.terminal) return {true, last.outcome, found[count - 1].theta, count};
+    }
+    const bool domain = c.fidelity.air == AirModel::isa && c.fidelity.drag == DragModel::equation;
+    if (domain && altitude(c, at.n1.y.x) < -5000) return {true, Outcome::left_domain, 1, count};
+    if (out_of_tries) return {true, Outcome::step_limit, 1, count};
+    if (!(t + h > t)) return {true, Outcome::stalled, 1, count};
+    return {false, Outcome::step_limit, 1, count};
+  }
+  if (!(h > S(0)) || !(t + h > t))
+    return {true, is_finite(lane_of(l.step.error, lane)) ? Outcome::stalled : Outcome::non_finite, 0, 0};
+  return {out_of_tries, Outcome::step_limit, 0, 0};
+}
+
+PHYSIM_ISA_END

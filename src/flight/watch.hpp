@@ -1,0 +1,128 @@
+// Watching for events: detecting that a step crosses one, and finding where.
+//
+// Detection runs on packs, once per accepted step; finding runs on one lane in double, on the step's dense output. Both
+// doors, fly() and fly_batch(), use the same two functions, so that their events agree bit for bit.
+#pragma once
+
+#include "math/root.hpp"
+#include "physim/flight.hpp"
+#include "solve/regime.hpp"
+
+namespace physim {
+
+inline constexpr int kMaxWatched = 32;
+
+/// An event to look for, with what it means when it ends the flight.
+struct Watched {
+  EventSpec spec;
+  Outcome outcome;  // of terminal events
+};
+
+/// The events of a cohort.
+struct WatchList {
+  Watched item[kMaxWatched];
+  int count;
+};
+
+/// A crossing inside a step.
+struct Found {
+  double theta;  // place in the step, 0..1
+  int index;     // in the watch list
+  bool rising;
+};
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
+
+/// The quantity that an event watches, less the value it waits for.
+template <class R, class S>
+PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t, const State<R>& s) {
+  const R value = constant<R>(spec.value);
+  switch (spec.kind) {
+    case EventKind::ground:
+    case EventKind::height:
+      return height(c, s.x) - value;
+    case EventKind::apex:
+      return climb_rate(c, s);
+    case EventKind::range:
+      return dot(s.x - b.launch.x, b.sight) - value;
+    case EventKind::mach:
+      return length(air_velocity(c, s)) / air_state(c, s.x).sound_speed - value;
+    case EventKind::speed:
+      return length(s.v) - value;
+    case EventKind::time:
+      break;
+  }
+  return t - value;
+}
+
+template <class R>
+PHYSIM_INLINE MaskOf<R> crosses(Crossing direction, const R& from, const R& to) {
+  using S = ScalarOf<R>;
+  const R zero(S(0));
+  const auto rising = (from < zero) & (to >= zero);
+  const auto falling = (from > zero) & (to <= zero);
+  if (direction == Crossing::rising) return rising;
+  if (direction == Crossing::falling) return falling;
+  return rising | falling;
+}
+
+PHYSIM_INLINE bool watches_height(const EventSpec& spec) {
+  return spec.kind == EventKind::ground || spec.kind == EventKind::height;
+}
+
+/// Lanes in which a step crosses something watched. A step that goes over the apex may cross a height twice and end
+/// on the side it began on, so every such lane counts too.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s) {
+  const R end_time = s.t + s.h;
+  MaskOf<R> found = R(S(0)) != R(S(0));
+  bool over_apex_matters = false;
+  for (int i = 0; i < watch.count; ++i) {
+    const EventSpec& spec = watch.item[i].spec;
+    over_apex_matters = over_apex_matters || watches_height(spec);
+    found = found | crosses(spec.direction, watched_value(c, b, spec, s.t, s.start),
+                            watched_value(c, b, spec, end_time, s.end));
+  }
+  if (over_apex_matters) found = found | crosses(Crossing::falling, climb_rate(c, s.start), climb_rate(c, s.end));
+  return found;
+}
+
+/// Finds every crossing in a step, in order of time, up to and with the first terminal one; returns how many.
+/// `at(theta)` is the dense output.
+template <class F>
+int find_crossings(const Conditions<double>& c, const Body<double>& b, const WatchList& watch, double t, double h,
+                   const F& at, Found* found) {
+  const auto climb = [&](double theta) { return climb_rate(c, at(theta)); };
+  const double climb_start = climb(0);
+  const double climb_end = climb(1);
+  const bool over_apex = climb_start > 0 && climb_end < 0;
+  const double apex = over_apex ? find_root(climb, 0, climb_start, 1, climb_end, 0) : 1;
+  int count = 0;
+  for (int i = 0; i < watch.count; ++i) {
+    const EventSpec& spec = watch.item[i].spec;
+    const auto value = [&](double theta) { return watched_value(c, b, spec, t + theta * h, at(theta)); };
+    const double border[3] = {0, over_apex && watches_height(spec) ? apex : 1, 1};
+    double from = value(0);
+    for (int part = 0; part < 2 && border[part] < 1; ++part) {
+      const double to = value(border[part + 1]);
+      if (crosses(spec.direction, from, to)) {
+        const double theta = find_root(value, border[part], from, border[part + 1], to, 0);
+        if (count < 2 * kMaxWatched) found[count++] = {theta, i, from < 0};
+      }
+      from = to;
+    }
+  }
+  for (int i = 1; i < count; ++i)  // insertion sort: few, nearly sorted, and stable
+    for (int j = i; j > 0 && found[j].theta < found[j - 1].theta; --j) {
+      const Found swap = found[j];
+      found[j] = found[j - 1];
+      found[j - 1] = swap;
+    }
+  for (int i = 0; i < count; ++i)
+    if (watch.item[found[i].index].spec.terminal) return i + 1;
+  return count;
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,130 @@
+// Answers that take several flights: the elevation of a zero, and the step of a fixed-step integrator.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "flight/cohort.hpp"
+#include "math/elementary.hpp"
+
+namespace physim {
+namespace {
+
+/// Height over the line of sight at a range for a bore elevation; a shot that never gets there counts as far below.
+class ZeroFlights {
+ public:
+  ZeroFlights(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+              const Fidelity& fidelity, double range)
+      : projectile_(projectile), launch_(launch), environment_(environment), fidelity_(fidelity), range_(range) {
+    launch_.sight.zero_range = 0;
+    launch_.sight.cant = 0;  // a zero is shot upright; cant is what happens afterwards
+    if (launch_.sight.zero_in_calm_air) environment_.wind = Wind{};
+    fidelity_.precision = Precision::float64;
+    fidelity_.rotation = RotationModel::none;
+    if (fidelity_.motion != Motion::closed_form) fidelity_.integrator = Integrator::tsit5;
+    until_.ground.reset();
+    until_.range = range;
+    until_.time = 600;
+  }
+
+  double above_sight(double elevation) {
+    launch_.elevation = elevation;
+    const Flight flight = fly(projectile_, launch_, environment_, fidelity_, {}, until_);
+    if (flight.error()) error_ = flight.error();
+    return flight.outcome() == Outcome::reached_range ? flight.end().drop : -range_;
+  }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+ private:
+  ProjectileDef projectile_;
+  Launch launch_;
+  Environment environment_;
+  Fidelity fidelity_;
+  double range_;
+  Until until_;
+  std::optional<Error> error_;
+};
+
+Error out_of_reach(double range) {
+  return Error{"no elevation up to 45 degrees hits the line of sight at " + std::to_string(range) + " m",
+               "launch.sight.zero_range", "shorten the zero range or raise the speed"};
+}
+
+}  // namespace
+
+Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                              const Fidelity& fidelity, double range) {
+  if (!(std::isfinite(range) && range > 0))
+    return Error{"a zero range must be a positive number", "launch.sight.zero_range", "in m"};
+  ZeroFlights flights(projectile, launch, environment, fidelity, range);
+  const double look = launch.sight.look_angle;
+  const auto drop = [&](double elevation) { return flights.above_sight(elevation); };
+  double low = look;
+  double at_low = drop(low);
+  // Away from the line of sight, up where the shot lies low and down where it lies high, in growing steps.
+  const double side = at_low <= 0 ? 1 : -1;
+  for (double angle = 0.002; angle < 0.8; angle *= 2) {
+    if (flights.error()) return *flights.error();
+    const double high = look + side * angle;
+    const double at_high = drop(high);
+    if ((at_high > 0) != (at_low > 0)) return find_root(drop, low, at_low, high, at_high, 1e-13);
+    low = high;
+    at_low = at_high;
+  }
+  return flights.error() ? *flights.error() : out_of_reach(range);
+}
+
+Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                            const Fidelity& fidelity) {
+  if (launch.sight.zero_range <= 0) return launch.elevation;
+  return zero_elevation(projectile, launch, environment, fidelity, launch.sight.zero_range);
+}
+
+namespace {
+
+int order_of_fixed(Integrator integrator) {
+  if (integrator == Integrator::rk4) return 4;
+  return integrator == Integrator::heun ? 2 : 1;
+}
+
+}  // namespace
+
+Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                          const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
+  Fidelity exact = fidelity;
+  exact.integrator = Integrator::dop853;
+  exact.precision = Precision::float64;
+  Tolerance tight = tolerance;
+  tight.relative = tight.absolute = 1e-12;
+  const Flight reference = fly(projectile, launch, environment, exact, tight, until);
+  if (reference.error()) return *reference.error();
+  const double order = order_of_fixed(fidelity.integrator);
+  Fidelity coarse = fidelity;
+  coarse.precision = Precision::float64;
+  const auto error_at = [&](double step) {
+    Tolerance fixed = tolerance;
+    fixed.step = step;
+    const Flight flight = fly(projectile, launch, environment, coarse, fixed, until);
+    const double miss = length(flight.end().position - reference.end().position);
+    return std::isfinite(miss) ? miss : 1e9;
+  };
+  double step = std::max(reference.duration() / 4, 1e-6);
+  for (int i = 0; i < 40 && step > 1e-7; ++i) {
+    // Two steps are tried, so that an error which happens to pass through zero is not taken for a small one.
+    const double error = std::max(error_at(step), error_at(0.8 * step));
+    if (error <= tolerance.position_error) return step;
+    const double factor = 0.95 * pow(tolerance.position_error / error, 1 / order);
+    step *= std::clamp(factor, 0.1, 0.9);
+  }
+  return Error{"no step above 1e-7 s keeps the position error below " + std::to_string(tolerance.position_error) + " m",
+               "tolerance.position_error", "allow a larger error, or use an adaptive integrator"};
+}
+
+Result<double> step_of(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                       const Fidelity& granted, const Tolerance& tolerance, const Until& until) {
+  if (steps_itself(granted)) return 0.0;
+  if (tolerance.step > 0) return tolerance.step;
+  if (granted.integrator == Integrator::classic) return 1.0 / 60;
+  return pilot_step(projectile, launch, environment, granted, tolerance, until);
+}
+
+}  // namespace physim

@@ -1,0 +1,37 @@
+// Names of enumerators: exactly as they are spelled in the headers, in the order of their values.
+#include "physim/names.hpp"
+
+#include <iterator>
+
+namespace physim {
+
+// The count of names is checked against the last enumerator, so that a new one cannot be forgotten at the end.
+#define PHYSIM_NAMES(Enum, last, ...)                                                                 \
+  template <>                                                                                         \
+  std::span<const std::string_view> names_of<Enum>() {                                                \
+    static constexpr std::string_view names[] = {__VA_ARGS__};                                        \
+    static_assert(std::size(names) == static_cast<std::size_t>(Enum::last) + 1, "a name is missing"); \
+    return names;                                                                                     \
+  }
+
+PHYSIM_NAMES(Motion, force, "closed_form", "velocity", "force")
+PHYSIM_NAMES(Integrator, dop853, "classic", "explicit_euler", "semi_implicit_euler", "heun", "rk4", "tsit5", "dop853")
+PHYSIM_NAMES(GravityModel, inverse_square, "off", "constant", "inverse_square")
+PHYSIM_NAMES(DragModel, equation, "off", "damping", "linear_quadratic", "equation")
+PHYSIM_NAMES(AirModel, isa, "vacuum", "constant", "exponential", "isa")
+PHYSIM_NAMES(WindModel, profile, "off", "constant", "profile")
+PHYSIM_NAMES(EarthModel, sphere, "flat", "flat_coriolis", "sphere")
+PHYSIM_NAMES(RotationModel, spin_drift, "none", "spin_drift")
+PHYSIM_NAMES(Interpolation, cubic, "linear", "pchip", "cubic")
+PHYSIM_NAMES(Precision, float64, "float32", "float64")
+PHYSIM_NAMES(DragTable, custom, "constant", "g1", "g2", "g5", "g6", "g7", "g8", "gi", "gs", "ra4", "sphere", "custom")
+PHYSIM_NAMES(WindAxis, range, "height", "range")
+PHYSIM_NAMES(WindInterpolation, step, "linear", "step")
+PHYSIM_NAMES(EventKind, time, "ground", "apex", "range", "height", "mach", "speed", "time")
+PHYSIM_NAMES(Crossing, falling, "any", "rising", "falling")
+PHYSIM_NAMES(Outcome, refused, "landed", "reached_range", "event", "time_limit", "step_limit", "left_domain",
+             "non_finite", "stalled", "refused")
+
+#undef PHYSIM_NAMES
+
+}  // namespace physim

@@ -1,0 +1,371 @@
+// Pack<T, N>: N numbers that are computed with as if they were one. Each lane is another projectile.
+//
+// A pack is a short array of hardware registers, written with the compilers' vector extensions (g++, clang, and through
+// them x86-64, arm64 and WebAssembly). A function template over the number type R works on float, double and packs
+// alike; the vocabulary that the three share is below: sqrt, abs, min, max, select, any, all, and the traits
+// scalar_of, mask_of, kLanes. Every operation is one IEEE operation per lane, so a lane's bits never depend on N.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "math/isa.hpp"
+
+PHYSIM_ISA_BEGIN
+
+#if defined(__AVX512F__)
+inline constexpr int kNativeBytes = 64;
+#elif defined(__AVX__)
+inline constexpr int kNativeBytes = 32;
+#else
+inline constexpr int kNativeBytes = 16;
+#endif
+
+/// The signed and unsigned integers as wide as T.
+template <class T>
+using SignedOf = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
+template <class T>
+using UnsignedOf = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+
+template <class T, int N>
+struct Pack {
+  static constexpr int kBytes = N * int(sizeof(T)) < kNativeBytes ? N * int(sizeof(T)) : kNativeBytes;
+  static constexpr int kPerRegister = kBytes / int(sizeof(T));
+  static constexpr int kRegisters = N / kPerRegister;
+  static_assert(kRegisters * kPerRegister == N, "a pack fills whole registers");
+  typedef T Register __attribute__((vector_size(kBytes)));
+
+  Register r[kRegisters];
+
+  Pack() = default;
+  /// Every lane gets the same value.
+  PHYSIM_INLINE Pack(T value) {  // NOLINT: a number is a pack of equal numbers
+    for (int i = 0; i < kRegisters; ++i) r[i] = value - Register{};
+  }
+  PHYSIM_INLINE T operator[](int lane) const { return r[lane / kPerRegister][lane % kPerRegister]; }
+  PHYSIM_INLINE void set(int lane, T value) { r[lane / kPerRegister][lane % kPerRegister] = value; }
+
+  PHYSIM_INLINE static Pack load(const T* from) {
+    Pack p;
+    std::memcpy(&p, from, sizeof p);
+    return p;
+  }
+  PHYSIM_INLINE void store(T* to) const { std::memcpy(to, this, sizeof *this); }
+};
+
+/// The result of a comparison: all bits of a lane set, or none.
+template <class T, int N>
+struct PackMask {
+  using I = SignedOf<T>;
+  typedef I Register __attribute__((vector_size(Pack<T, N>::kBytes)));
+  static constexpr int kRegisters = Pack<T, N>::kRegisters;
+  Register r[kRegisters];
+
+  PHYSIM_INLINE bool operator[](int lane) const {
+    return r[lane / Pack<T, N>::kPerRegister][lane % Pack<T, N>::kPerRegister] != 0;
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------- arithmetic
+#define PHYSIM_PACK_BINARY(op)                                                        \
+  template <class T, int N>                                                           \
+  PHYSIM_INLINE Pack<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {    \
+    Pack<T, N> c;                                                                     \
+    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op b.r[i];       \
+    return c;                                                                         \
+  }                                                                                   \
+  template <class T, int N>                                                           \
+  PHYSIM_INLINE Pack<T, N> operator op(const Pack<T, N>& a, std::type_identity_t<T> b) { \
+    return a op Pack<T, N>(b);                                                        \
+  }                                                                                   \
+  template <class T, int N>                                                           \
+  PHYSIM_INLINE Pack<T, N> operator op(std::type_identity_t<T> a, const Pack<T, N>& b) { \
+    return Pack<T, N>(a) op b;                                                        \
+  }                                                                                   \
+  template <class T, int N>                                                           \
+  PHYSIM_INLINE Pack<T, N>& operator op##=(Pack<T, N>& a, const Pack<T, N>& b) {      \
+    return a = a op b;                                                                \
+  }
+PHYSIM_PACK_BINARY(+)
+PHYSIM_PACK_BINARY(-)
+PHYSIM_PACK_BINARY(*)
+PHYSIM_PACK_BINARY(/)
+#undef PHYSIM_PACK_BINARY
+
+// Integers only: bits of the lanes.
+#define PHYSIM_PACK_BITS(op)                                                       \
+  template <class T, int N>                                                        \
+    requires std::is_integral_v<T>                                                 \
+  PHYSIM_INLINE Pack<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) { \
+    Pack<T, N> c;                                                                  \
+    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op b.r[i];    \
+    return c;                                                                      \
+  }
+PHYSIM_PACK_BITS(&)
+PHYSIM_PACK_BITS(|)
+PHYSIM_PACK_BITS(^)
+#undef PHYSIM_PACK_BITS
+
+template <class T, int N>
+  requires std::is_integral_v<T>
+PHYSIM_INLINE Pack<T, N> operator<<(const Pack<T, N>& a, int bits) {
+  Pack<T, N> c;
+  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] << bits;
+  return c;
+}
+template <class T, int N>
+  requires std::is_integral_v<T>
+PHYSIM_INLINE Pack<T, N> operator>>(const Pack<T, N>& a, int bits) {
+  Pack<T, N> c;
+  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] >> bits;
+  return c;
+}
+
+template <class T, int N>
+PHYSIM_INLINE Pack<T, N> operator-(const Pack<T, N>& a) {
+  Pack<T, N> c;
+  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = -a.r[i];
+  return c;
+}
+
+// --------------------------------------------------------------------------------------------------- comparisons
+#define PHYSIM_PACK_COMPARE(op)                                                            \
+  template <class T, int N>                                                                \
+  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {     \
+    PackMask<T, N> m;                                                                      \
+    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) m.r[i] = (typename PackMask<T, N>::Register)(a.r[i] op b.r[i]); \
+    return m;                                                                              \
+  }                                                                                        \
+  template <class T, int N>                                                                \
+  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, std::type_identity_t<T> b) { \
+    return a op Pack<T, N>(b);                                                             \
+  }
+PHYSIM_PACK_COMPARE(<)
+PHYSIM_PACK_COMPARE(<=)
+PHYSIM_PACK_COMPARE(>)
+PHYSIM_PACK_COMPARE(>=)
+PHYSIM_PACK_COMPARE(==)
+PHYSIM_PACK_COMPARE(!=)
+#undef PHYSIM_PACK_COMPARE
+
+template <class T, int N>
+PHYSIM_INLINE PackMask<T, N> operator&(const PackMask<T, N>& a, const PackMask<T, N>& b) {
+  PackMask<T, N> m;
+  for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) m.r[i] = a.r[i] & b.r[i];
+  return m;
+}
+template <class T, int N>
+PHYSIM_INLINE PackMask<T, N> operator|(const PackMask<T, N>& a, const PackMask<T, N>& b) {
+  PackMask<T, N> m;
+  for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) m.r[i] = a.r[i] | b.r[i];
+  return m;
+}
+template <class T, int N>
+PHYSIM_INLINE PackMask<T, N> operator!(const PackMask<T, N>& a) {
+  PackMask<T, N> m;
+  for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) m.r[i] = ~a.r[i];
+  return m;
+}
+
+// ------------------------------------------------------------------------------- what numbers and packs have in common
+template <class R>
+struct NumberTraits {
+  using Scalar = R;
+  using Mask = bool;
+  using Unsigned = UnsignedOf<R>;
+  static constexpr int kLanes = 1;
+};
+template <class T, int N>
+struct NumberTraits<Pack<T, N>> {
+  using Scalar = T;
+  using Mask = PackMask<T, N>;
+  using Unsigned = Pack<UnsignedOf<T>, N>;
+  static constexpr int kLanes = N;
+};
+/// The number of one lane: float or double.
+template <class R>
+using ScalarOf = typename NumberTraits<R>::Scalar;
+/// What a comparison gives: bool, or a mask of lanes.
+template <class R>
+using MaskOf = typename NumberTraits<R>::Mask;
+/// Unsigned integers as wide as the lanes.
+template <class R>
+using BitsOf = typename NumberTraits<R>::Unsigned;
+template <class R>
+inline constexpr int kLanes = NumberTraits<R>::kLanes;
+
+/// A constant written in double, rounded to the lane's type.
+template <class R>
+PHYSIM_INLINE R constant(double value) {
+  return R(static_cast<ScalarOf<R>>(value));
+}
+
+/// Lane by lane: mask ? a : b. Both sides are computed.
+template <class T>
+  requires std::is_arithmetic_v<T>
+PHYSIM_INLINE T select(bool mask, T a, T b) {
+  return mask ? a : b;
+}
+template <class T, int N>
+PHYSIM_INLINE Pack<T, N> select(const PackMask<T, N>& mask, const Pack<T, N>& a, const Pack<T, N>& b) {
+  Pack<T, N> c;
+  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = mask.r[i] ? a.r[i] : b.r[i];
+  return c;
+}
+
+PHYSIM_INLINE bool any(bool mask) { return mask; }
+PHYSIM_INLINE bool all(bool mask) { return mask; }
+template <class T, int N>
+PHYSIM_INLINE bool any(const PackMask<T, N>& mask) {
+  auto bits = mask.r[0];
+  for (int i = 1; i < PackMask<T, N>::kRegisters; ++i) bits |= mask.r[i];
+#if defined(__AVX512F__)
+  if constexpr (sizeof bits == 64) return _mm512_test_epi64_mask((__m512i)bits, (__m512i)bits) != 0;
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof bits == 32) return !_mm256_testz_si256((__m256i)bits, (__m256i)bits);
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof bits == 16) return _mm_movemask_epi8((__m128i)bits) != 0;
+#endif
+  SignedOf<T> sum = 0;
+  for (int lane = 0; lane < Pack<T, N>::kPerRegister; ++lane) sum |= bits[lane];
+  return sum != 0;
+}
+template <class T, int N>
+PHYSIM_INLINE bool all(const PackMask<T, N>& mask) {
+  return !any(!mask);
+}
+/// One lane of a mask, also for a plain bool.
+PHYSIM_INLINE bool lane_of(bool mask, int) { return mask; }
+template <class T, int N>
+PHYSIM_INLINE bool lane_of(const PackMask<T, N>& mask, int lane) {
+  return mask[lane];
+}
+PHYSIM_INLINE double lane_of(double x, int) { return x; }
+PHYSIM_INLINE float lane_of(float x, int) { return x; }
+template <class T, int N>
+PHYSIM_INLINE T lane_of(const Pack<T, N>& x, int lane) {
+  return x[lane];
+}
+PHYSIM_INLINE void set_lane(double& x, int, double value) { x = value; }
+PHYSIM_INLINE void set_lane(float& x, int, float value) { x = value; }
+template <class T, int N>
+PHYSIM_INLINE void set_lane(Pack<T, N>& x, int lane, T value) {
+  x.set(lane, value);
+}
+
+/// The bits of the lanes as unsigned integers, and back.
+template <class R>
+PHYSIM_INLINE BitsOf<R> to_bits(const R& x) {
+  BitsOf<R> bits;
+  static_assert(sizeof bits == sizeof x);
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+template <class R>
+PHYSIM_INLINE R from_bits(const BitsOf<R>& bits) {
+  R x;
+  static_assert(sizeof bits == sizeof x);
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+// --------------------------------------------------------------------------------------------------- square root
+// Correctly rounded by IEEE 754 everywhere, so it is taken from the hardware.
+PHYSIM_INLINE double sqrt(double x) { return __builtin_sqrt(x); }
+PHYSIM_INLINE float sqrt(float x) { return __builtin_sqrtf(x); }
+template <class T, int N>
+PHYSIM_INLINE Pack<T, N> sqrt(const Pack<T, N>& a) {
+  using Register = typename Pack<T, N>::Register;
+  Pack<T, N> c;
+  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Register) == 64 && sizeof(T) == 8) {
+      c.r[i] = (Register)_mm512_maskz_sqrt_pd(0xff, (__m512d)a.r[i]);
+      continue;
+    } else if constexpr (sizeof(Register) == 64) {
+      c.r[i] = (Register)_mm512_maskz_sqrt_ps(0xffff, (__m512)a.r[i]);
+      continue;
+    }
+#endif
+#if defined(__AVX__)
+    if constexpr (sizeof(Register) == 32 && sizeof(T) == 8) {
+      c.r[i] = (Register)_mm256_sqrt_pd((__m256d)a.r[i]);
+      continue;
+    } else if constexpr (sizeof(Register) == 32) {
+      c.r[i] = (Register)_mm256_sqrt_ps((__m256)a.r[i]);
+      continue;
+    }
+#endif
+#if defined(__SSE2__)
+    if constexpr (sizeof(Register) == 16 && sizeof(T) == 8) {
+      c.r[i] = (Register)_mm_sqrt_pd((__m128d)a.r[i]);
+      continue;
+    } else if constexpr (sizeof(Register) == 16) {
+      c.r[i] = (Register)_mm_sqrt_ps((__m128)a.r[i]);
+      continue;
+    }
+#endif
+    for (int lane = 0; lane < Pack<T, N>::kPerRegister; ++lane) c.r[i][lane] = sqrt(a.r[i][lane]);
+  }
+  return c;
+}
+
+// ------------------------------------------------------------------------------------------- abs, min, max, round
+template <class R>
+PHYSIM_INLINE R abs(const R& x) {
+  constexpr auto kSign = BitsOf<ScalarOf<R>>(1) << (8 * sizeof(ScalarOf<R>) - 1);
+  return from_bits<R>(to_bits(x) & BitsOf<R>(BitsOf<ScalarOf<R>>(kSign - 1)));
+}
+/// The smaller; b where either is not a number.
+template <class R>
+PHYSIM_INLINE R min(const R& a, const std::type_identity_t<R>& b) {
+  return select(a < b, a, b);
+}
+/// The larger; b where either is not a number.
+template <class R>
+PHYSIM_INLINE R max(const R& a, const std::type_identity_t<R>& b) {
+  return select(a > b, a, b);
+}
+template <class R>
+PHYSIM_INLINE R clamp(const R& x, const std::type_identity_t<R>& low, const std::type_identity_t<R>& high) {
+  return min(max(x, low), high);
+}
+/// The magnitude of a with the sign of b.
+template <class R>
+PHYSIM_INLINE R copysign(const R& a, const std::type_identity_t<R>& b) {
+  using U = BitsOf<ScalarOf<R>>;
+  constexpr U kSign = U(1) << (8 * sizeof(U) - 1);
+  return from_bits<R>((to_bits(a) & BitsOf<R>(U(kSign - 1))) | (to_bits(b) & BitsOf<R>(kSign)));
+}
+/// Lanes that are neither infinite nor NaN.
+template <class R>
+PHYSIM_INLINE MaskOf<R> is_finite(const R& x) {
+  return x - x == R(ScalarOf<R>(0));
+}
+/// The number whose addition pushes the fraction of |x| < 2^(digits-2) out of the mantissa: 1.5 * 2^52 or 1.5 * 2^23.
+template <class R>
+PHYSIM_INLINE R rounding_magic() {
+  return constant<R>(sizeof(ScalarOf<R>) == 8 ? 6755399441055744.0 : 12582912.0);
+}
+/// Nearest integer, ties to even, for |x| < 2^51 (double) or 2^22 (float).
+template <class R>
+PHYSIM_INLINE R round_to_int(const R& x) {
+  const R magic = rounding_magic<R>();
+  return (x + magic) - magic;
+}
+/// Largest integer not above x, in the same range.
+template <class R>
+PHYSIM_INLINE R floor_small(const R& x) {
+  const R n = round_to_int(x);
+  return select(n > x, n - R(ScalarOf<R>(1)), n);
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,29 @@
+// Quaternions from angles, in double for every number type.
+#include "physim/quat.hpp"
+
+#include "math/elementary.hpp"
+
+namespace physim {
+
+template <class T>
+Quat<T> quat_from_axis_angle(const Vec3<T>& axis, T angle) {
+  const Vec3d direction = normalized(vec_cast<double>(axis));
+  if (direction == Vec3d{}) return {};
+  const SinCos<double> half = sincos(0.5 * static_cast<double>(angle));
+  return {static_cast<T>(half.cos), static_cast<T>(direction.x * half.sin), static_cast<T>(direction.y * half.sin),
+          static_cast<T>(direction.z * half.sin)};
+}
+
+template <class T>
+Quat<T> quat_from_yaw_pitch_roll(T yaw, T pitch, T roll) {
+  const Quatd q = quat_from_axis_angle<double>({0, -1, 0}, yaw) * quat_from_axis_angle<double>({0, 0, 1}, pitch) *
+                  quat_from_axis_angle<double>({1, 0, 0}, roll);
+  return {static_cast<T>(q.w), static_cast<T>(q.x), static_cast<T>(q.y), static_cast<T>(q.z)};
+}
+
+template Quat<float> quat_from_axis_angle(const Vec3<float>&, float);
+template Quat<double> quat_from_axis_angle(const Vec3<double>&, double);
+template Quat<float> quat_from_yaw_pitch_roll(float, float, float);
+template Quat<double> quat_from_yaw_pitch_roll(double, double, double);
+
+}  // namespace physim

@@ -1,0 +1,34 @@
+// The acceleration of a projectile: the sum of all effects, each on its granted rung.
+//
+// What it models: D'Alembert's principle for a point mass: the resultant of gravity, drag, Coriolis and applied forces,
+//   divided by the mass.
+// Symbols: t time [s]; x position, v velocity in W; a acceleration [m/s^2].
+// Equation: a = gravity(x) + drag(x, v) - 2 Omega x v + F / m.
+// Source: R. L. McCoy, Modern Exterior Ballistics (1999), eq. 8.27 (point mass with Coriolis).
+#pragma once
+
+#include "model/drag.hpp"
+#include "model/gravity.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// Constant applied acceleration until its time is over.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> applied(const Conditions<S>&, const Body<R>& b, const R& t) {
+  const R zero(S(0));
+  const auto on = t < b.applied_until;
+  return {select(on, b.applied.x, zero), select(on, b.applied.y, zero), select(on, b.applied.z, zero)};
+}
+
+/// The switches are uniform over all lanes: one predictable branch per effect for a whole pack.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  Vec3<R> a = gravity(c, s.x);
+  if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
+  if (c.fidelity.earth == EarthModel::flat_coriolis) a += coriolis(c, s.v);
+  if (c.has_applied) a += applied(c, b, t);
+  if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
+  return a;
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,78 @@
+// Density, temperature and sound speed of the air.
+//
+// What it models: `constant` air; `exponential` air; `isa`: the US Standard Atmosphere 1976, seven layers of constant
+//   temperature gradient up to 86 km, shifted so that it goes through given station conditions (model/air.cpp).
+// When to use it: constant for flat fire within a few hundred metres of height; exponential for games with aircraft and
+//   mountains; isa for everything that should be right.
+// When it is wrong: real days differ from the standard lapse rate; humidity is measured at the station and its effect is
+//   kept at all heights; above 86 km the last layer goes on isothermally (density there is below 1e-5 of sea level's);
+//   below -5 km a flight ends with Outcome::left_domain.
+// Symbols: Z geometric altitude, H geopotential altitude, r0 = 6356766 m; T temperature [K]; L lapse rate [K/m];
+//   rho density [kg/m^3]; a sound speed [m/s]; index b: at the base of the layer.
+// Equations: H = r0 Z / (r0 + Z);  T = T_b + L (H - H_b);
+//   L != 0: rho = rho_b (T / T_b)^-(1 + g0 M / (R* L));  L = 0: rho = rho_b exp(-g0 M (H - H_b) / (R* T_b));
+//   a = a_b sqrt(T / T_b);  viscosity mu = 1.458e-6 T^1.5 / (T + 110.4).
+//   Both laws are written as one, rho = rho_b exp(power ln(T/T_b) + decay (H - H_b)), so that lanes in different layers
+//   run the same instructions.
+// Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), eq. 18, 23, 33a, 33b, 42, 50, 51.
+#pragma once
+
+#include "math/elementary.hpp"
+#include "model/earth.hpp"
+
+PHYSIM_ISA_BEGIN
+
+template <class R>
+struct AirState {
+  R density;      // [kg/m^3]
+  R sound_speed;  // [m/s]
+  R temperature;  // [K]
+};
+
+/// Standard atmosphere at a geometric altitude [m].
+template <class R, class S>
+PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const R& z) {
+  const S r0 = static_cast<S>(kGeopotentialRadius);
+  const R h = r0 * z / (r0 + z);
+  R base(air.base[0]), lapse(air.lapse[0]), power(air.power[0]), decay(air.decay[0]);
+  R density(air.base_density[0]), sound(air.base_sound_speed[0]), temperature(air.base_temperature[0]);
+  for (int i = 1; i < air.layers; ++i) {
+    const auto above = h >= R(air.base[i]);
+    if (!any(above)) break;
+    base = select(above, R(air.base[i]), base);
+    lapse = select(above, R(air.lapse[i]), lapse);
+    power = select(above, R(air.power[i]), power);
+    decay = select(above, R(air.decay[i]), decay);
+    density = select(above, R(air.base_density[i]), density);
+    sound = select(above, R(air.base_sound_speed[i]), sound);
+    temperature = select(above, R(air.base_temperature[i]), temperature);
+  }
+  const R rise = h - base;
+  const R ratio = S(1) + lapse * rise;  // T / T_b
+  return {density * exp(power * log(ratio) + decay * rise), sound * sqrt(ratio), temperature * ratio};
+}
+
+template <class R, class S>
+PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const Vec3<R>& x) {
+  const Air<S>& air = c.air;
+  switch (c.fidelity.air) {
+    case AirModel::isa:
+      return standard_air<R>(air, altitude(c, x));
+    case AirModel::exponential:
+      return {air.density * exp(-(height(c, x) * air.per_scale_height)), R(air.sound_speed), R(air.temperature)};
+    case AirModel::constant:
+      return {R(air.density), R(air.sound_speed), R(air.temperature)};
+    case AirModel::vacuum:
+      break;
+  }
+  return {R(S(0)), R(air.sound_speed), R(air.temperature)};
+}
+
+/// Sutherland's dynamic viscosity [Pa s].
+template <class R>
+PHYSIM_INLINE R viscosity(const R& temperature) {
+  using S = ScalarOf<R>;
+  return S(1.458e-6) * (temperature * sqrt(temperature)) / (temperature + S(110.4));
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,64 @@
+// Body: the numbers of one projectile (or one lane of them) that the models read during a flight.
+//
+// Symbols as in the model files. Source: none of its own; each field names the model that reads it.
+#pragma once
+
+#include "math/pack.hpp"
+#include "physim/vec3.hpp"
+
+namespace physim {
+
+inline constexpr int kMaxBands = 8;
+
+/// Position and velocity in W.
+template <class R>
+struct State {
+  Vec3<R> x;  // [m]
+  Vec3<R> v;  // [m/s]
+};
+
+/// Every member is an R, so that a lane can be copied in and out field by field.
+template <class R>
+struct Body {
+  State<R> launch;        // state at time 0; closed forms start from it
+  R damping_rate;         // k = -ln(d) [1/s]
+  R k1_per_mass;          // [1/s]
+  R k2_per_mass;          // [1/m]
+  R half_area_per_mass;   // i A / (2 m) = pi / (8 BC) [m^2/kg]
+  R curve_row;            // first row of the Cd curve in Conditions::curve_rows; below 0: searched curve -1 - row
+  R curve_start;          // Mach number of the curve's first point [-]
+  R curve_cells;          // cells per Mach number [-]
+  R curve_last;           // index of the last cell [-]
+  R reynolds_length;      // diameter of a smooth sphere [m]; 0 for curves by Mach number
+  Vec3<R> applied;        // applied force over mass [m/s^2]
+  R applied_until;        // [s]
+  Vec3<R> plane;          // unit normal of the plane of fire, horizontal [-]
+  Vec3<R> sight;          // unit vector along the line of sight [-]
+  R band_above[kMaxBands];  // air speed from which band i holds [m/s]; unused bands are infinite
+  R band_half_area_per_mass[kMaxBands];  // [m^2/kg]
+};
+
+template <class R>
+inline constexpr int kBodyFields = sizeof(Body<R>) / sizeof(R);
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
+
+/// Copies lane `lane` of any structure of R's from an equal structure of scalars, or to it.
+template <template <class> class Struct, class R>
+PHYSIM_INLINE void put_lane(Struct<R>& into, int lane, const Struct<ScalarOf<R>>& from) {
+  using S = ScalarOf<R>;
+  auto* to = reinterpret_cast<char*>(&into) + sizeof(S) * static_cast<unsigned>(lane);
+  const auto* source = reinterpret_cast<const char*>(&from);
+  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i) std::memcpy(to + i * sizeof(R), source + i * sizeof(S), sizeof(S));
+}
+template <template <class> class Struct, class R>
+PHYSIM_INLINE void get_lane(const Struct<R>& from, int lane, Struct<ScalarOf<R>>& into) {
+  using S = ScalarOf<R>;
+  const auto* source = reinterpret_cast<const char*>(&from) + sizeof(S) * static_cast<unsigned>(lane);
+  auto* to = reinterpret_cast<char*>(&into);
+  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i) std::memcpy(to + i * sizeof(S), source + i * sizeof(R), sizeof(S));
+}
+
+PHYSIM_ISA_END

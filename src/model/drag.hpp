@@ -1,0 +1,84 @@
+// Drag.
+//
+// What it models: `damping`: the velocity through the air decays by a fixed factor per second; `linear_quadratic`: a
+//   force linear and quadratic in speed; `equation`: the drag equation with Cd constant, by Mach number or by Reynolds
+//   number, the projectile given by its area and mass or by a ballistic coefficient (one, or one per band of speed).
+// When to use it: damping for sparks and debris; linear_quadratic where k1 and k2 were tuned by hand; the equation else.
+// When it is wrong: drag is taken along the path: no lift, no yaw. A ballistic coefficient holds for the drag function
+//   it was measured against, in the range of speeds it was measured in.
+// Symbols: u = v - w velocity through the air [m/s]; d part of the velocity kept per second [-], k = -ln d [1/s];
+//   k1 [kg/s], k2 [kg/m]; rho density [kg/m^3]; a sound speed [m/s]; M = |u| / a; Cd drag coefficient [-];
+//   A = pi D^2 / 4 reference area [m^2]; m mass [kg]; i form factor [-]; BC = m / (i D^2) [kg/m^2].
+// Equations: a = -k u;   a = -(k1 + k2 |u|) u / m;   a = -1/2 rho |u| u Cd(M) i A / m = -rho |u| u Cd(M) pi / (8 BC).
+// Source: R. L. McCoy, Modern Exterior Ballistics (1999), eq. 5.1-5.3 and 6.31 (ballistic coefficient); I. Millington,
+//   Game Physics Engine Development (2010), sec. 3.5 and 5.2.2 (damping, k1 and k2).
+#pragma once
+
+#include "math/row_table.hpp"
+#include "model/air.hpp"
+#include "model/sphere_drag.hpp"
+#include "model/wind.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// Cd of curves whose points lie on no equal cells, one lane after the other.
+template <class R, class S>
+R searched_cd(const Conditions<S>& c, const Body<R>& b, const R& mach, R cd) {
+  for (int lane = 0; lane < kLanes<R>; ++lane) {
+    const S row = lane_of(b.curve_row, lane);
+    if (row < S(0)) set_lane(cd, lane, static_cast<S>(c.searched_curves[static_cast<int>(S(-1) - row)](double(lane_of(mach, lane)))));
+  }
+  return cd;
+}
+
+/// Place of a Mach number on the lane's curve: whole cells from its start, held at both ends.
+template <class R>
+PHYSIM_INLINE R curve_position(const Body<R>& b, const R& mach) {
+  using S = ScalarOf<R>;
+  return clamp((mach - b.curve_start) * b.curve_cells, R(S(0)), b.curve_last + S(1));
+}
+
+/// Cd by Mach number.
+template <class R, class S>
+PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& mach) {
+  const R inside = curve_position(b, mach);
+  const R cell = min(floor_small(inside), b.curve_last);
+  const R row = c.has_searched_curves ? max(b.curve_row, R(S(0))) : b.curve_row;
+  const R cd = row_cubic(c.curve_rows, row + cell, inside - cell);
+  return c.has_searched_curves ? searched_cd(c, b, mach, cd) : cd;
+}
+
+/// The drag equation for a velocity through the air u in air of a given state.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air, const Vec3<R>& u) {
+  const R speed = length(u);
+  R cd = curve_cd(c, b, speed / air.sound_speed);
+  if (c.has_spheres) {
+    const R reynolds = air.density * speed * b.reynolds_length / viscosity(air.temperature);
+    cd = select(b.reynolds_length > R(S(0)), sphere_cd(reynolds), cd);
+  }
+  R half_area_per_mass = b.half_area_per_mass;
+  if (c.has_bands)
+    for (int i = 0; i < kMaxBands; ++i)
+      half_area_per_mass = select(speed >= b.band_above[i], b.band_half_area_per_mass[i], half_area_per_mass);
+  return u * -(air.density * speed * (cd * half_area_per_mass));
+}
+
+/// Acceleration by drag [m/s^2].
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> drag(const Conditions<S>& c, const Body<R>& b, const State<R>& s) {
+  const Vec3<R> u = c.fidelity.wind == WindModel::off ? s.v : s.v - wind(c, s.x);
+  switch (c.fidelity.drag) {
+    case DragModel::damping:
+      return u * -b.damping_rate;
+    case DragModel::linear_quadratic:
+      return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
+    case DragModel::equation:
+      return drag_equation(c, b, air_state(c, s.x), u);
+    case DragModel::off:
+      break;
+  }
+  return {R(S(0)), R(S(0)), R(S(0))};
+}
+
+PHYSIM_ISA_END

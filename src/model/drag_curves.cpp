@@ -1,0 +1,73 @@
+// Source: model/drag_curves.hpp.
+#include "model/drag_curves.hpp"
+
+#include <algorithm>
+
+#include "model/sphere_drag.hpp"
+#include "physim/drag_curve.hpp"
+
+namespace physim {
+namespace {
+
+constexpr int kMaxCells = 16384;  // half a megabyte of rows at most for one curve
+
+PiecewiseCubic through(std::span<const DragPoint> points, Interpolation interpolation) {
+  std::vector<double> mach, cd;
+  for (const DragPoint& p : points) {
+    mach.push_back(p.mach);
+    cd.push_back(p.coefficient);
+  }
+  return interpolate(mach, cd, interpolation);
+}
+
+std::span<const DragPoint> points_of(const DragDef& drag) {
+  return drag.table == DragTable::custom ? std::span<const DragPoint>(drag.curve) : drag_points(drag.table);
+}
+
+PiecewiseCubic curve_of(const DragDef& drag, Interpolation interpolation) {
+  const auto points = points_of(drag);
+  if (!points.empty()) return through(points, interpolation);
+  const DragPoint constant{0, drag.coefficient};
+  return through({&constant, 1}, interpolation);
+}
+
+bool same_points(const std::vector<DragPoint>& a, const std::vector<DragPoint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DragPoint& p, const DragPoint& q) {
+    return p.mach == q.mach && p.coefficient == q.coefficient;
+  });
+}
+
+}  // namespace
+
+CurvePlace CurvePool::add(const DragDef& drag, Interpolation interpolation) {
+  const bool constant = points_of(drag).empty();
+  for (const Entry& e : entries_) {
+    if (e.table != drag.table || (constant && e.coefficient != drag.coefficient)) continue;
+    if (drag.table == DragTable::custom && !same_points(e.curve, drag.curve)) continue;
+    return e.place;
+  }
+  const auto own_points = drag.table == DragTable::custom ? drag.curve : std::vector<DragPoint>{};
+  entries_.push_back({drag.table, drag.coefficient, own_points, place_of(curve_of(drag, interpolation))});
+  return entries_.back().place;
+}
+
+CurvePlace CurvePool::place_of(const PiecewiseCubic& curve) {
+  const auto uniform = on_uniform_cells(curve, kMaxCells);
+  if (!uniform) {
+    searched_.push_back(curve);
+    if (rows_.empty()) rows_.assign(4, 0);  // lanes with searched curves still read some row
+    return {-static_cast<double>(searched_.size()), 0, 1, 0};
+  }
+  const CurvePlace place{static_cast<double>(rows_.size() / 4), uniform->start, 1 / uniform->cell,
+                         static_cast<double>(uniform->rows.size() - 1)};
+  for (const auto& row : uniform->rows) rows_.insert(rows_.end(), row.begin(), row.end());
+  return place;
+}
+
+double drag_coefficient(const DragDef& drag, Interpolation interpolation, double mach) {
+  return curve_of(drag, interpolation)(mach);
+}
+
+double sphere_drag_coefficient(double reynolds) { return sphere_cd(reynolds); }
+
+}  // namespace physim

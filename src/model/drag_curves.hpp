@@ -1,0 +1,45 @@
+// The drag curves of a cohort, as rows of cubic coefficients side by side in one pool.
+//
+// What it models: Cd by Mach number for every projectile of a cohort: a constant is a curve of one cell; the standard
+//   functions and curves whose points fit equal cells become rows; other curves are searched (exact, but slower).
+// Source: math/interpolation.hpp for the interpolation; model/standard_drag_functions.cpp for the figures.
+#pragma once
+
+#include <vector>
+
+#include "math/interpolation.hpp"
+#include "physim/projectile.hpp"
+
+namespace physim {
+
+/// Where a curve lies in the pool; fields as in Body.
+struct CurvePlace {
+  double row = 0;
+  double start = 0;
+  double cells = 1;
+  double last = 0;
+};
+
+class CurvePool {
+ public:
+  /// Adds a curve, or finds it when an equal one is there.
+  CurvePlace add(const DragDef& drag, Interpolation interpolation);
+
+  [[nodiscard]] const std::vector<double>& rows() const { return rows_; }
+  [[nodiscard]] const std::vector<PiecewiseCubic>& searched() const { return searched_; }
+
+ private:
+  struct Entry {
+    DragTable table;
+    double coefficient;
+    std::vector<DragPoint> curve;
+    CurvePlace place;
+  };
+  CurvePlace place_of(const PiecewiseCubic& curve);
+
+  std::vector<double> rows_;
+  std::vector<PiecewiseCubic> searched_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace physim

@@ -1,0 +1,19 @@
+// Prepares the air of an environment for computing: the layers of the US Standard Atmosphere 1976 through a station.
+//
+// What it models: the standard temperature profile moved by T_station - T_standard(H_station) at all heights, pressure in
+//   hydrostatic equilibrium through the station's pressure, and the density of the station's moist air by CIPM-2007.
+// When it is wrong: the standard lapse rate need not be the day's; see model/air.hpp.
+// Symbols: as in model/air.hpp; f = rho_station R* T / (p M), density over that of the standard's dry ideal gas [-].
+// Equations: p = p_b (T / T_b)^-(f g0 M / (R* L)) or p_b exp(-f g0 M (H - H_b) / (R* T_b)); rho = f p M / (R* T).
+//   Without station data f = 1 and this is the standard atmosphere itself.
+// Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), table 4 and eq. 33a, 33b, 42, 50.
+#pragma once
+
+#include "model/conditions.hpp"
+
+namespace physim {
+
+/// The air of an environment; `model` is the granted rung.
+[[nodiscard]] Air<double> prepare_air(const Environment& environment, AirModel model);
+
+}  // namespace physim

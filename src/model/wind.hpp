@@ -1,0 +1,38 @@
+// Wind: the velocity of the air.
+//
+// What it models: `constant`: one vector everywhere; `profile`: vectors by height above the origin or by downrange
+//   distance, straight lines between them or steps; all three components, so that updraughts are included.
+// When it is wrong: no turbulence, no change in time; horizontal changes only through a profile by range.
+// Symbols: w velocity of the air in W [m/s]; u height or downrange distance [m]; u_i places of the profile's points.
+// Equation: w(u) = w_0 + sum_i slope_i clamp(u - u_i, 0, u_{i+1} - u_i): straight lines without a search, equal for all
+//   lanes.
+// Source: linear interpolation; the convention of signs is that of R. L. McCoy, Modern Exterior Ballistics (1999), ch. 7.
+#pragma once
+
+#include "model/earth.hpp"
+
+PHYSIM_ISA_BEGIN
+
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> wind(const Conditions<S>& c, const Vec3<R>& x) {
+  const WindField<S>& field = c.wind;
+  Vec3<R> w{R(field.velocity[0].x), R(field.velocity[0].y), R(field.velocity[0].z)};
+  if (c.fidelity.wind != WindModel::profile || field.points < 2) return w;
+  const R u = field.by_range ? x.x : height(c, x);
+  for (int i = 0; i + 1 < field.points; ++i) {
+    if (field.stepped) {
+      const auto past = u >= R(field.at[i + 1]);
+      w.x = select(past, R(field.velocity[i + 1].x), w.x);
+      w.y = select(past, R(field.velocity[i + 1].y), w.y);
+      w.z = select(past, R(field.velocity[i + 1].z), w.z);
+    } else {
+      const R inside = clamp(u - R(field.at[i]), R(S(0)), R(field.at[i + 1] - field.at[i]));
+      w.x += field.slope[i].x * inside;
+      w.y += field.slope[i].y * inside;
+      w.z += field.slope[i].z * inside;
+    }
+  }
+  return w;
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,136 @@
+// Checks that need more than one setting.
+#include "scenario/checks.hpp"
+
+#include <map>
+
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+
+namespace physim {
+namespace {
+
+/// Where a setting of a table stands; where it is not given, where the table stands.
+std::string place_of(const Value& table, std::initializer_list<std::string_view> path) {
+  const Value* value = &table;
+  for (const std::string_view key : path)
+    if (const Value* next = value->find(key)) value = next;
+  return value->place.text();
+}
+
+const Value& element(const Value& document, std::string_view list, std::size_t index) {
+  return (*document.find(list)->get<Array>())[index];
+}
+
+// ----------------------------------------------------------------------------------------------------------------
+// shots
+Status check_direction(const Launch& launch, const Value& shot) {
+  if (launch.velocity) {
+    for (const auto& [key, value] : {std::pair<std::string_view, double>{"speed", launch.speed},
+                                     {"elevation", launch.elevation},
+                                     {"azimuth", launch.azimuth}})
+      if (value != 0)
+        return Error{"shot." + std::string(key) + ": given together with velocity", place_of(shot, {key}),
+                     "give either velocity, or speed with elevation and azimuth"};
+    if (launch.sight.zero_range > 0)
+      return Error{"shot.sight.zero_range: given together with velocity", place_of(shot, {"sight", "zero_range"}),
+                   "give speed instead; the zero range finds the elevation"};
+  }
+  if (launch.elevation != 0 && launch.sight.zero_range > 0)
+    return Error{"shot.elevation: given together with sight.zero_range", place_of(shot, {"elevation"}),
+                 "the zero range finds the elevation; give one of them"};
+  return std::nullopt;
+}
+
+Status check_bands(const DragDef& drag, const Value& shot) {
+  if (drag.bands.empty()) return std::nullopt;
+  if (drag.ballistic_coefficient > 0)
+    return Error{"shot.drag.bands: given together with ballistic_coefficient", place_of(shot, {"drag", "bands"}),
+                 "give one of them"};
+  const Array* array = shot.find("drag")->find("bands")->get<Array>();
+  for (std::size_t i = 0; i < drag.bands.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (drag.bands[i].above == drag.bands[j].above)
+        return Error{"shot.drag.bands: two bands from " + quantity_text(drag.bands[i].above, Quantity::speed),
+                     place_of((*array)[i], {"above"}), "each band needs its own speed"};
+  return std::nullopt;
+}
+
+Status check_drag(const DragDef& drag, const Value& shot) {
+  if (drag.table == DragTable::custom && drag.curve.empty())
+    return Error{"shot.drag.curve: table = \"custom\" without points", place_of(shot, {"drag", "curve"}),
+                 "write curve = [[Mach number, drag coefficient], ...]"};
+  const Value* table = shot.find("drag");
+  if (!drag.curve.empty() && table->find("table") == nullptr)
+    return Error{"shot.drag.curve: not used by the default table = \"constant\"", place_of(shot, {"drag", "curve"}),
+                 "write table = \"custom\""};
+  return check_bands(drag, shot);
+}
+
+/// Names go into overrides ("shot.NAME.mass=...") and into columns of files.
+Status check_name(const std::string& name, const Value& shot) {
+  for (const char c : name)
+    if (static_cast<unsigned char>(c) < 0x20 || c == '=' || c == '"')
+      return Error{"shot.name: " + in_quotes(name) + " has a character that names may not have",
+                   place_of(shot, {"name"}), "leave out =, \" and control characters"};
+  if (trimmed(name) != name)
+    return Error{"shot.name: " + in_quotes(name) + " begins or ends with a space", place_of(shot, {"name"}), ""};
+  return std::nullopt;
+}
+
+using NamesSeen = std::map<std::string_view, std::string>;  // name, place
+
+Status check_shots(const Scenario& scenario, const Value& document, NamesSeen& seen) {
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+    const ScenarioShot& shot = scenario.shots[i];
+    const Value& table = element(document, "shot", i);
+    if (Status bad = check_name(shot.projectile.name, table)) return bad;
+    const auto [first, is_new] = seen.emplace(shot.projectile.name, place_of(table, {"name"}));
+    if (!is_new)
+      return Error{"shot.name: two shots are named " + in_quotes(shot.projectile.name), place_of(table, {"name"}),
+                   "the first is at " + first->second};
+    if (Status bad = check_direction(shot.launch, table)) return bad;
+    if (Status bad = check_drag(shot.projectile.drag, table)) return bad;
+  }
+  return std::nullopt;
+}
+
+// ------------------------------------------------------------------------------------------------------------ the rest
+Status check_wind(const Wind& wind, const Value& document) {
+  for (std::size_t i = 1; i < wind.profile.size(); ++i) {
+    if (wind.profile[i].at > wind.profile[i - 1].at) continue;
+    const Value& list = *document.find("environment")->find("wind")->find("profile");
+    return Error{"environment.wind.profile: " + quantity_text(wind.profile[i].at, Quantity::length) + " after " +
+                     quantity_text(wind.profile[i - 1].at, Quantity::length),
+                 place_of((*list.get<Array>())[i], {"at"}), "places must rise"};
+  }
+  return std::nullopt;
+}
+
+Status check_expectations(const Scenario& scenario, const Value& document, const NamesSeen& seen) {
+  for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
+    const Value& table = element(document, "expect", i);
+    const Expectation& expect = scenario.expect[i];
+    if (!expect.shot.empty() && !seen.contains(expect.shot)) {
+      std::vector<std::string_view> names;
+      for (const auto& [name, place] : seen) names.push_back(name);
+      return Error{"expect.shot: no shot is named " + in_quotes(expect.shot), place_of(table, {"shot"}),
+                   suggestion(expect.shot, names, "shots")};
+    }
+    const Value* at = table.find("at");
+    if (const Table* places = at ? at->get<Table>() : nullptr; places && places->size() != 1)
+      return Error{"expect.at: " + std::to_string(places->size()) + " places", at->place.text(),
+                   "give one of time, range, height or a moment"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Status check_scenario(const Scenario& scenario, const Value& document) {
+  NamesSeen seen;
+  if (Status bad = check_shots(scenario, document, seen)) return bad;
+  if (Status bad = check_wind(scenario.environment.wind, document)) return bad;
+  return check_expectations(scenario, document, seen);
+}
+
+}  // namespace physim

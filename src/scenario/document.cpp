@@ -1,0 +1,162 @@
+// toml++ in, a tree with places out. The only file that knows toml++.
+#include "scenario/document.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+
+// toml++ 3.3 asserts (or, with NDEBUG, lets the compiler assume) that a file holds no "[[[", and other things that only
+// hold for good files. Behind these checks it reports an ordinary error, so they are turned off, in debug builds too.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(expression) static_assert(true)
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
+
+namespace physim {
+namespace {
+
+using Source = std::shared_ptr<const std::string>;
+
+Place place_of(const toml::source_region& region, const Source& source) {
+  return {source, region.begin.line, region.begin.column};
+}
+
+Value converted(const toml::node& node, const Source& source);
+
+Table converted_table(const toml::table& table, const Source& source) {
+  Table out;
+  for (const auto& [key, node] : table)
+    out.push_back({std::string(key.str()), place_of(key.source(), source), converted(node, source)});
+  // toml++ sorts by name; the first error of a file should be the first in the file.
+  std::sort(out.begin(), out.end(), [](const Member& a, const Member& b) {
+    return std::tie(a.key_place.line, a.key_place.column, a.key) <
+           std::tie(b.key_place.line, b.key_place.column, b.key);
+  });
+  return out;
+}
+
+Array converted_array(const toml::array& array, const Source& source) {
+  Array out;
+  for (const toml::node& node : array) out.push_back(converted(node, source));
+  return out;
+}
+
+Value converted(const toml::node& node, const Source& source) {
+  Value out;
+  out.place = place_of(node.source(), source);
+  if (const auto* table = node.as_table())
+    out.content = converted_table(*table, source);
+  else if (const auto* array = node.as_array())
+    out.content = converted_array(*array, source);
+  else if (const auto* text = node.as_string())
+    out.content = text->get();
+  else if (const auto* flag = node.as_boolean())
+    out.content = flag->get();
+  else if (const auto* integer = node.as_integer())
+    out.content = integer->get();
+  else if (const auto* real = node.as_floating_point())
+    out.content = real->get();
+  else
+    out.content = Date{};
+  return out;
+}
+
+/// toml++ parses "a.b.c = 1" without a limit of depth, but walks and frees the tree by recursion. Refusing absurd
+/// depth beforehand keeps a hostile file from overflowing the stack. Finds the offset of the offence, if any.
+std::size_t too_deep_at(std::string_view text) {
+  constexpr int kMostDots = 500;
+  int dots = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (std::string_view("=,[]{}#\n").find(text[i]) != std::string_view::npos) dots = 0;
+    if (text[i] == '.' && ++dots > kMostDots) return i;
+  }
+  return std::string_view::npos;
+}
+
+Place place_at(std::string_view text, std::size_t offset, const Source& source) {
+  const std::string_view before = text.substr(0, offset);
+  const auto lines = static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n'));
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  return {source, lines + 1, static_cast<std::uint32_t>(offset - line_start + 1)};
+}
+
+/// "Error while parsing string: encountered end-of-file" becomes "not valid TOML (string): encountered end-of-file".
+Error syntax_error(const toml::parse_error& failure, const Source& source) {
+  constexpr std::string_view kPrefix = "Error while parsing ";
+  std::string_view what = failure.description();
+  std::string message = "not valid TOML";
+  if (const std::size_t colon = what.find(": "); what.starts_with(kPrefix) && colon != what.npos) {
+    message += " (" + std::string(what.substr(kPrefix.size(), colon - kPrefix.size())) + ")";
+    what.remove_prefix(colon + 2);
+  }
+  const bool twice = what.starts_with("cannot redefine");
+  return {message + ": " + std::string(what), place_of(failure.source(), source).text(),
+          twice ? "a name may stand only once in a table" : ""};
+}
+
+}  // namespace
+
+std::string Place::text() const {
+  const std::string name = source ? *source : std::string{};
+  return line == 0 ? name : name + ":" + std::to_string(line) + ":" + std::to_string(column);
+}
+
+const Value* Value::find(std::string_view key) const {
+  if (const Table* table = get<Table>())
+    for (const Member& member : *table)
+      if (member.key == key) return &member.value;
+  return nullptr;
+}
+
+Value* Value::find(std::string_view key) { return const_cast<Value*>(std::as_const(*this).find(key)); }
+
+std::string_view kind_of(const Value& value) {
+  static constexpr std::string_view kKinds[] = {"a boolean", "a number", "a number", "a text",
+                                                "a date",    "an array", "a table"};
+  return kKinds[value.content.index()];
+}
+
+std::string shown(const Value& value) {
+  if (const auto* text = value.get<std::string>()) return in_quotes(*text);
+  if (const auto* flag = value.get<bool>()) return *flag ? "true" : "false";
+  if (const auto* integer = value.get<std::int64_t>()) return std::to_string(*integer);
+  if (const auto* real = value.get<double>()) return number_text(*real);
+  return std::string(kind_of(value));
+}
+
+Result<Value> parse_document(std::string_view text, const std::string& file) {
+  const auto source = std::make_shared<const std::string>(file);
+  if (const std::size_t offset = too_deep_at(text); offset != std::string_view::npos)
+    return Error{"a key of more than 500 parts", place_at(text, offset, source).text(), ""};
+  const toml::parse_result parsed = toml::parse(text, std::string_view(file));
+  if (!parsed) return syntax_error(parsed.error(), source);
+  return converted(parsed.table(), source);
+}
+
+Value parse_override_value(std::string_view text, const Place& place) {
+  Value out;
+  const Result<Value> parsed = parse_document("value = " + std::string(text), "");
+  if (parsed && parsed->get<Table>()->size() == 1) {
+    out = parsed->get<Table>()->front().value;
+    // Places inside an override's text help nobody: the whole of it is named.
+    const auto set_place = [&place](auto& self, Value& value) -> void {
+      value.place = place;
+      if (Array* array = value.get<Array>())
+        for (Value& element : *array) self(self, element);
+      if (Table* table = value.get<Table>())
+        for (Member& member : *table) member.key_place = place, self(self, member.value);
+    };
+    set_place(set_place, out);
+  } else {
+    out.content = std::string(text);
+  }
+  out.place = place;
+  out.raw = text;
+  return out;
+}
+
+}  // namespace physim

@@ -1,0 +1,68 @@
+// A parsed TOML document as a tree that knows where every key and value stands, with overrides put in.
+// It keeps toml++ (slow to compile, not copyable with places) out of all other files.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "physim/result.hpp"
+
+namespace physim {
+
+/// Where a key or value stands; line 0: the source as a whole, such as an override of the command line.
+struct Place {
+  std::shared_ptr<const std::string> source;
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+
+  [[nodiscard]] std::string text() const;  // "file:line:column"
+};
+
+struct Value;
+struct Member;
+using Array = std::vector<Value>;
+using Table = std::vector<Member>;  // in the order of the file
+
+/// A date or time: legal TOML that no setting takes.
+struct Date {};
+
+struct Value {
+  std::variant<bool, std::int64_t, double, std::string, Date, Array, Table> content;
+  Place place;
+  std::string raw;  // of an override: the text as typed, for settings that take any text
+
+  template <class T>
+  [[nodiscard]] const T* get() const {
+    return std::get_if<T>(&content);
+  }
+  template <class T>
+  [[nodiscard]] T* get() {
+    return std::get_if<T>(&content);
+  }
+  /// The value of a key; null where this is no table or has no such key.
+  [[nodiscard]] const Value* find(std::string_view key) const;
+  [[nodiscard]] Value* find(std::string_view key);
+};
+
+struct Member {
+  std::string key;
+  Place key_place;
+  Value value;
+};
+
+/// "a number", "a table", ...
+[[nodiscard]] std::string_view kind_of(const Value& value);
+/// A value as messages show it.
+[[nodiscard]] std::string shown(const Value& value);
+
+/// Parses TOML; the result is a table. `file` only names it in errors.
+[[nodiscard]] Result<Value> parse_document(std::string_view text, const std::string& file);
+/// Parses what stands right of "=" in an override: TOML where it is TOML, otherwise plain text.
+[[nodiscard]] Value parse_override_value(std::string_view text, const Place& place);
+
+}  // namespace physim

@@ -1,0 +1,65 @@
+// What a flight says about an expectation.
+#include <cmath>
+
+#include "scenario/expectation.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+
+namespace physim {
+namespace {
+
+/// The time of the first apex: between two steps the vertical velocity goes from up to down; halve until it is found.
+std::optional<double> apex_time(const Flight& flight) {
+  const std::vector<double> times = flight.step_times();
+  const auto rises = [&flight](double time) { return flight.at(time).velocity.y > 0; };
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (!rises(times[i - 1]) || rises(times[i])) continue;
+    double low = times[i - 1], high = times[i];
+    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+      (rises(middle) ? low : high) = middle;
+    return high;
+  }
+  return std::nullopt;
+}
+
+Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
+  switch (expectation.at) {
+    case ExpectAt::end:
+      return flight.end();
+    case ExpectAt::apex:
+      if (const std::optional<double> time = apex_time(flight)) return flight.at(*time);
+      return Error{"the flight has no apex", "", ""};
+    case ExpectAt::time:
+      if (expectation.at_value <= flight.duration()) return flight.at(expectation.at_value);
+      return Error{"the flight ends after " + quantity_text(flight.duration(), Quantity::time), "", ""};
+    case ExpectAt::range:
+      return flight.at_range(expectation.at_value);
+    case ExpectAt::height:
+      return flight.at_height(expectation.at_value);
+  }
+  return Error{"an expectation at no known place", "", ""};
+}
+
+Result<double> measure_anywhere(const Flight& flight, const Expectation& expectation) {
+  if (flight.error()) return *flight.error();
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure == nullptr)
+    return Error{"unknown quantity " + in_quotes(expectation.quantity), "",
+                 suggestion(expectation.quantity, figure_names(), "known quantities")};
+  if (figure->value == nullptr) return flight.elevation();
+  const Result<Sample> sample = sample_at(flight, expectation);
+  if (!sample) return sample.error();
+  return figure->value(*sample);
+}
+
+}  // namespace
+
+Result<double> measure(const Flight& flight, const Expectation& expectation) {
+  Result<double> value = measure_anywhere(flight, expectation);
+  if (value) return value;
+  Error error = value.error();
+  error.place = expectation.place;  // the line of the file that asked
+  return error;
+}
+
+}  // namespace physim

@@ -1,0 +1,343 @@
+// Values of settings from a document: types, units, ranges and unknown keys are checked here, for all settings alike.
+#include "scenario/reader.hpp"
+
+#include <cmath>
+
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+
+namespace physim {
+namespace {
+
+constexpr std::size_t kMostRanges = 100'000;  // values in output.ranges
+
+/// What a number must be, and how its setting is called in messages.
+struct Wanted {
+  std::string_view path;
+  Quantity quantity;
+  Range range;
+};
+
+Error fault(std::string_view path, const Value& value, const std::string& message, const std::string& hint) {
+  return {std::string(path) + ": " + message, value.place.text(), hint};
+}
+
+Error wrong_kind(std::string_view path, const Value& value, const std::string& wanted) {
+  return fault(path, value, "found " + std::string(kind_of(value)), "expected " + wanted);
+}
+
+// ------------------------------------------------------------------------------------------------------------- numbers
+Error out_of_range(const Wanted& wanted, const Value& value, double number) {
+  if (!std::isfinite(number))
+    return fault(wanted.path, value, shown(value) + " is not a finite number", expected(wanted.quantity));
+  const std::string unit(si_unit(wanted.quantity));
+  std::string hint = "must be " + wanted.range.text();
+  if (wanted.range.words.empty() && !unit.empty()) hint += " " + unit;
+  if (value.get<std::string>() == nullptr && !unit.empty()) hint += "; a bare number is in " + unit;
+  return fault(wanted.path, value, shown(value) + " is out of range", hint);
+}
+
+Result<double> read_number(const Wanted& wanted, const Value& value) {
+  double number = 0;
+  if (const auto* integer = value.get<std::int64_t>()) {
+    number = static_cast<double>(*integer);
+  } else if (const auto* real = value.get<double>()) {
+    number = *real;
+  } else if (const auto* text = value.get<std::string>()) {
+    const Result<double> parsed = parse_quantity(*text, wanted.quantity);
+    if (!parsed) return fault(wanted.path, value, parsed.error().message, parsed.error().hint);
+    number = *parsed;
+  } else {
+    const QuantityInfo& quantity = info(wanted.quantity);
+    return wrong_kind(wanted.path, value,
+                      std::string(quantity.with_article) + " such as " + in_quotes(quantity.example));
+  }
+  if (!wanted.range.contains(number)) return out_of_range(wanted, value, number);
+  return number;
+}
+
+Result<Vec3d> read_vector(const Wanted& wanted, const Value& value) {
+  const Array* array = value.get<Array>();
+  if (array == nullptr) return wrong_kind(wanted.path, value, "three components [x, y, z]");
+  if (array->size() != 3)
+    return fault(wanted.path, value, "found " + std::to_string(array->size()) + " components",
+                 "expected three components [x, y, z]");
+  double v[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Result<double> component = read_number(wanted, (*array)[i]);
+    if (!component) return component.error();
+    v[i] = *component;
+  }
+  return Vec3d{v[0], v[1], v[2]};
+}
+
+Status read_integer(const Entry& entry, const Value& value, std::int64_t& target) {
+  constexpr double kExact = 9007199254740992.0;  // 2^53: doubles up to here are exact integers
+  if (const auto* integer = value.get<std::int64_t>()) {
+    target = *integer;
+  } else if (const auto* real = value.get<double>(); real && std::floor(*real) == *real && std::abs(*real) <= kExact) {
+    target = static_cast<std::int64_t>(*real);
+  } else {
+    return fault(entry.path, value, shown(value) + " is not a whole number", "expected a whole number such as 1000");
+  }
+  const auto number = static_cast<double>(target);
+  if (!entry.range.contains(number)) return out_of_range({entry.path, Quantity::number, entry.range}, value, number);
+  return std::nullopt;
+}
+
+// --------------------------------------------------------------------------------------------------------------- texts
+/// UTF-8 without overlong forms, surrogates and values beyond Unicode. Files are checked by their parser, overrides
+/// here.
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto first = static_cast<unsigned char>(text[i++]);
+    if (first < 0x80) continue;
+    const int more = first >= 0xC2 && first <= 0xDF   ? 1
+                     : (first & 0xF0) == 0xE0         ? 2
+                     : first >= 0xF0 && first <= 0xF4 ? 3
+                                                      : 0;
+    if (more == 0 || text.size() - i < static_cast<std::size_t>(more)) return false;
+    std::uint32_t code = first & (0x3FU >> more);
+    for (int k = 0; k < more; ++k) {
+      const auto next = static_cast<unsigned char>(text[i++]);
+      if ((next & 0xC0) != 0x80) return false;
+      code = code << 6 | (next & 0x3FU);
+    }
+    constexpr std::uint32_t kLeast[] = {0, 0x80, 0x800, 0x10000};
+    if (code < kLeast[more] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return false;
+  }
+  return true;
+}
+
+Status read_text(const Entry& entry, const Value& value, std::string& target) {
+  if (const auto* text = value.get<std::string>())
+    target = *text;
+  else if (!value.raw.empty())
+    target = value.raw;  // --set title=2024
+  else
+    return fault(entry.path, value, "found " + std::string(kind_of(value)), "expected a text in quotes");
+  if (!is_utf8(target)) return fault(entry.path, value, "the text is not UTF-8", "");
+  return std::nullopt;
+}
+
+Status read_choice(const Entry& entry, const Value& value, const Choice& choice) {
+  const auto* text = value.get<std::string>();
+  if (text != nullptr)
+    for (std::size_t i = 0; i < choice.names.size(); ++i)
+      if (choice.names[i] == *text) return choice.set(i), std::nullopt;
+  return fault(entry.path, value, "unknown value " + shown(value),
+               suggestion(text ? *text : std::string{}, choice.names, "known values"));
+}
+
+// --------------------------------------------------------------------------------------------------------------- lists
+Status check_length(std::string_view path, const Value& value, std::size_t length, const Range& range) {
+  if (range.contains(static_cast<double>(length))) return std::nullopt;
+  return fault(
+      path, value,
+      std::to_string(length) + " entries are " + (static_cast<double>(length) < range.low ? "too few" : "too many"),
+      "allowed are " + range.text());
+}
+
+/// [[Mach number, drag coefficient], ...] with rising Mach numbers.
+Status read_curve(const Entry& entry, const Value& value, std::vector<DragPoint>& curve) {
+  const std::string wanted = "points [[Mach number, drag coefficient], ...]";
+  const Array* array = value.get<Array>();
+  if (array == nullptr) return wrong_kind(entry.path, value, wanted);
+  if (Status bad = check_length(entry.path, value, array->size(), entry.range)) return bad;
+  const Wanted number{entry.path, Quantity::number, {.low = 0}};
+  curve.clear();
+  for (const Value& point : *array) {
+    const Array* pair = point.get<Array>();
+    if (pair == nullptr || pair->size() != 2) return fault(entry.path, point, "this is no point", "expected " + wanted);
+    const Result<double> mach = read_number(number, (*pair)[0]);
+    if (!mach) return mach.error();
+    const Result<double> coefficient = read_number(number, (*pair)[1]);
+    if (!coefficient) return coefficient.error();
+    if (!curve.empty() && *mach <= curve.back().mach)
+      return fault(entry.path, (*pair)[0],
+                   "Mach number " + number_text(*mach) + " after " + number_text(curve.back().mach), "they must rise");
+    curve.push_back({*mach, *coefficient});
+  }
+  return std::nullopt;
+}
+
+/// from, from + step, ... up to and including `to`.
+Status fill_steps(const Wanted& wanted, const Value& value, double from, double to, double step,
+                  std::vector<double>& list) {
+  constexpr double kSlack = 1e-9;  // of a step, so that 0.1 .. 1 step 0.1 reaches 1
+  if (!(step > 0) || to < from) return fault(wanted.path, value, "the steps lead nowhere", "from <= to and step > 0");
+  const double count = std::floor((to - from) / step + kSlack) + 1;
+  if (!(count <= static_cast<double>(kMostRanges)))
+    return fault(wanted.path, value, "too many steps", "at most " + std::to_string(kMostRanges));
+  for (int i = 0; i < static_cast<int>(count); ++i) list.push_back(from + i * step);
+  return std::nullopt;
+}
+
+/// { from = "100 m", to = "1000 m", step = "100 m" }
+Status read_steps_table(const Wanted& wanted, const Value& value, std::vector<double>& list) {
+  static constexpr std::string_view kKeys[] = {"from", "to", "step"};
+  double numbers[3];
+  for (const Member& member : *value.get<Table>())
+    if (std::find(std::begin(kKeys), std::end(kKeys), member.key) == std::end(kKeys))
+      return Error{"unknown key " + in_quotes(member.key) + " in [ranges]", member.key_place.text(),
+                   suggestion(member.key, kKeys, "known keys")};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Value* number = value.find(kKeys[i]);
+    if (number == nullptr)
+      return fault(wanted.path, value, "missing key " + in_quotes(kKeys[i]), "expected { from, to, step }");
+    const Result<double> read = read_number(wanted, *number);
+    if (!read) return read.error();
+    numbers[i] = *read;
+  }
+  return fill_steps(wanted, value, numbers[0], numbers[1], numbers[2], list);
+}
+
+/// "100 m .. 1000 m step 100 m", or one value.
+Status read_steps_text(const Wanted& wanted, const Value& value, std::vector<double>& list) {
+  constexpr std::string_view kTo = "..", kStep = "step";
+  const std::string& text = *value.get<std::string>();
+  const std::size_t to = text.find(kTo), step = text.find(kStep);
+  std::vector<std::string> parts = {text};
+  if (to != text.npos && step != text.npos && to < step)
+    parts = {text.substr(0, to), text.substr(to + kTo.size(), step - to - kTo.size()),
+             text.substr(step + kStep.size())};
+  else if (to != text.npos)
+    return fault(wanted.path, value, in_quotes(text) + " has no step", "expected \"100 m .. 1000 m step 100 m\"");
+  std::vector<double> numbers;
+  for (const std::string& part : parts) {
+    Value piece = value;
+    piece.content = part;
+    const Result<double> number = read_number(wanted, piece);
+    if (!number) return number.error();
+    numbers.push_back(*number);
+  }
+  if (numbers.size() == 3) return fill_steps(wanted, value, numbers[0], numbers[1], numbers[2], list);
+  list = numbers;
+  return std::nullopt;
+}
+
+Status read_numbers(const Wanted& wanted, const Value& value, std::vector<double>& list) {
+  list.clear();
+  if (value.get<Table>()) return read_steps_table(wanted, value, list);
+  if (value.get<std::string>()) return read_steps_text(wanted, value, list);
+  const Array* array = value.get<Array>();
+  if (array == nullptr) return wrong_kind(wanted.path, value, "a list such as [\"100 m\", \"200 m\"]");
+  if (Status bad = check_length(wanted.path, value, array->size(), {.low = 0, .high = double{kMostRanges}})) return bad;
+  for (const Value& element : *array) {
+    const Result<double> number = read_number(wanted, element);
+    if (!number) return number.error();
+    list.push_back(*number);
+  }
+  return std::nullopt;
+}
+
+Status read_records(const Node& node, const Records& records, const Value& value) {
+  const Array* array = value.get<Array>();
+  if (array == nullptr) return wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]");
+  if (Status bad = check_length(node.path, value, array->size(), node.entry->range)) return bad;
+  records.resize(0);  // old elements go, so that new ones start from defaults
+  records.resize(array->size());
+  for (std::size_t i = 0; i < array->size(); ++i)
+    if (Status bad = read_table(node, records.element(i), (*array)[i])) return bad;
+  return std::nullopt;
+}
+
+// ------------------------------------------------------------------------------------------------------------ settings
+template <class T>
+Status store(const Result<T>& read, T& target) {
+  if (!read) return read.error();
+  target = *read;
+  return std::nullopt;
+}
+
+bool is_none(const Entry& entry, const Value& value) {
+  const auto* text = value.get<std::string>();
+  return text != nullptr && *text == entry.none;
+}
+
+Status read_setting(const Node& node, const Scope& scope, const Value& value) {
+  const Entry& entry = *node.entry;
+  const Wanted wanted{entry.path, entry.quantity_in(scope), entry.range};
+  return std::visit(Overloaded{
+                        [&](double* target) { return store(read_number(wanted, value), *target); },
+                        [&](const OptionalNumber& target) -> Status {
+                          if (is_none(entry, value)) return target.set(std::nullopt), std::nullopt;
+                          const Result<double> number = read_number(wanted, value);
+                          if (!number) return number.error();
+                          return target.set(*number), std::nullopt;
+                        },
+                        [&](Vec3d* target) { return store(read_vector(wanted, value), *target); },
+                        [&](std::optional<Vec3d>* target) -> Status {
+                          if (is_none(entry, value)) return target->reset(), std::nullopt;
+                          return store(read_vector(wanted, value), target->emplace());
+                        },
+                        [&](std::int64_t* target) { return read_integer(entry, value, *target); },
+                        [&](bool* target) -> Status {
+                          if (value.get<bool>() == nullptr) return wrong_kind(entry.path, value, "true or false");
+                          return *target = *value.get<bool>(), std::nullopt;
+                        },
+                        [&](std::string* target) { return read_text(entry, value, *target); },
+                        [&](const Choice& choice) { return read_choice(entry, value, choice); },
+                        [&](std::vector<DragPoint>* curve) { return read_curve(entry, value, *curve); },
+                        [&](std::vector<double>* list) { return read_numbers(wanted, value, *list); },
+                        [&](const Records& records) { return read_records(node, records, value); },
+                    },
+                    entry.slot(scope));
+}
+
+// -------------------------------------------------------------------------------------------------------------- tables
+std::string table_name(const Node& node) { return node.name.empty() ? "the file" : "[" + node.name + "]"; }
+
+/// The path of the table that has such a key, for keys that stand in the wrong place.
+const Node* parent_of_key(const Node& node, std::string_view key) {
+  if (node.find(key) != nullptr) return &node;
+  for (const Node& child : node.children)
+    if (const Node* found = parent_of_key(child, key)) return found;
+  return nullptr;
+}
+
+Error unknown_key(const Node& node, const Member& member) {
+  std::vector<std::string_view> names;
+  for (const Node& child : node.children) names.push_back(child.name);
+  std::string hint = suggestion(member.key, names, "known keys");
+  if (nearest(member.key, names).empty())
+    if (const Node* owner = parent_of_key(schema(), member.key))
+      hint = in_quotes(member.key) + " belongs " +
+             (owner->name.empty() ? "above the first table" : "into [" + owner->path + "]");
+  return {"unknown key " + in_quotes(member.key) + " in " + table_name(node), member.key_place.text(), hint};
+}
+
+Status read_child(const Node& child, const Scope& scope, const Value& value) {
+  if (child.entry != nullptr) return read_setting(child, scope, value);
+  if (value.get<Table>() == nullptr && !child.shorthand.empty())
+    return read_setting(*child.find(child.shorthand), scope, value);
+  return read_table(child, scope, value);
+}
+
+}  // namespace
+
+Error not_a_table(const Node& node, const Value& value) {
+  std::string keys;
+  for (const Node& child : node.children) keys += (keys.empty() ? "" : ", ") + child.name;
+  return wrong_kind(node.path, value, "a table with keys out of: " + keys);
+}
+
+Status read_table(const Node& node, const Scope& scope, const Value& value) {
+  const Table* table = value.get<Table>();
+  if (table == nullptr) return not_a_table(node, value);
+  for (const Member& member : *table)
+    if (node.find(member.key) == nullptr) return unknown_key(node, member);
+  // In the order of the list: presets come before what changes them, kinds before their values.
+  for (const Node& child : node.children) {
+    const Value* found = value.find(child.name);
+    if (found == nullptr) {
+      if (child.entry == nullptr || !child.entry->required) continue;
+      return Error{"missing key " + in_quotes(child.name) + " in " + table_name(node), value.place.text(),
+                   std::string(child.entry->doc)};
+    }
+    if (Status bad = read_child(child, scope, *found)) return bad;
+  }
+  return std::nullopt;
+}
+
+}  // namespace physim

@@ -1,0 +1,15 @@
+// Values of settings from a document.
+#pragma once
+
+#include "scenario/document.hpp"
+#include "scenario/schema.hpp"
+
+namespace physim {
+
+/// Reads all settings of a table into the objects of a scope. Unknown keys are errors.
+[[nodiscard]] Status read_table(const Node& node, const Scope& scope, const Value& value);
+
+/// Error of a value that should be a table.
+[[nodiscard]] Error not_a_table(const Node& node, const Value& value);
+
+}  // namespace physim

@@ -1,0 +1,125 @@
+// The tree of tables and keys, and the public face of the list of settings: both made from entries().
+#include "scenario/schema.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenario/units.hpp"
+#include "scenario/writer.hpp"
+
+namespace physim {
+namespace {
+
+/// Puts an entry into the tree, making the tables above it where they are not there yet.
+void plant(Node& root, const Entry& entry) {
+  Node* node = &root;
+  std::string_view rest = entry.path;
+  while (!rest.empty()) {
+    const std::string_view name = rest.substr(0, rest.find('.'));
+    rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+    if (entry.shorthand && rest.empty()) node->shorthand = name;
+    const Node* child = node->find(name);
+    if (child == nullptr) {
+      const std::string path = node->path.empty() ? std::string(name) : node->path + "." + std::string(name);
+      node->children.push_back(
+          {.name = std::string(name), .path = path, .entry = nullptr, .children = {}, .shorthand = {}});
+      child = &node->children.back();
+    }
+    node = const_cast<Node*>(child);  // of our own tree
+  }
+  node->entry = &entry;
+}
+
+std::string type_of(const Slot& slot) {
+  return std::visit(Overloaded{[](double*) { return "quantity"; }, [](const OptionalNumber&) { return "quantity"; },
+                               [](Vec3d*) { return "vector"; }, [](std::optional<Vec3d>*) { return "vector"; },
+                               [](std::int64_t*) { return "integer"; }, [](bool*) { return "boolean"; },
+                               [](std::string*) { return "text"; }, [](const Choice&) { return "choice"; },
+                               [](std::vector<DragPoint>*) { return "points"; },
+                               [](std::vector<double>*) { return "list"; }, [](const Records&) { return "list"; }},
+                    slot);
+}
+
+std::string range_of(const Entry& entry, const Slot& slot) {
+  const Choice* choice = std::get_if<Choice>(&slot);
+  if (choice == nullptr) return entry.range.text();
+  std::string out;
+  for (const std::string_view name : choice->names) out += (out.empty() ? "" : " | ") + std::string(name);
+  return out;
+}
+
+Setting public_setting(const Entry& entry) {
+  Defaults defaults;
+  const Slot slot = entry.slot(defaults.scope());
+  return {.path = std::string(entry.path),
+          .type = type_of(slot),
+          .quantity = entry.quantity,
+          .unit = std::string(entry.quantity_by ? entry.unit_by : si_unit(entry.quantity)),
+          .default_value = entry.required ? "" : written(entry, defaults.scope()).value_or(""),
+          .range = range_of(entry, slot),
+          .doc = std::string(entry.doc)};
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  if (std::isinf(value) && !infinite) return false;
+  return (low_open ? value > low : value >= low) && value <= high;  // false for NaN
+}
+
+std::string Range::text() const {
+  if (!words.empty()) return std::string(words);
+  const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
+  if (has_low && low == high) return number_text(low);
+  if (has_low && has_high && !low_open) return number_text(low) + " .. " + number_text(high);
+  std::string out;
+  if (has_low) out = (low_open ? "> " : ">= ") + number_text(low);
+  if (has_high) out += (out.empty() ? "<= " : ", <= ") + number_text(high);
+  return out;
+}
+
+const Node* Node::find(std::string_view child) const {
+  for (const Node& node : children)
+    if (node.name == child) return &node;
+  return nullptr;
+}
+
+const Node& schema() {
+  static const Node root = [] {
+    Node node;
+    for (const Entry& entry : entries()) plant(node, entry);
+    return node;
+  }();
+  return root;
+}
+
+const Node* find_node(std::string_view path) {
+  const Node* node = &schema();
+  std::size_t begin = 0;
+  while (node != nullptr && begin <= path.size()) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    node = node->find(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return node;
+}
+
+const std::vector<std::string_view>& setting_paths() {
+  static const std::vector<std::string_view> paths = [] {
+    std::vector<std::string_view> list;
+    for (const Entry& entry : entries()) list.push_back(entry.path);
+    return list;
+  }();
+  return paths;
+}
+
+std::span<const Setting> settings() {
+  static const std::vector<Setting> list = [] {
+    std::vector<Setting> all;
+    for (const Entry& entry : entries()) all.push_back(public_setting(entry));
+    return all;
+  }();
+  return list;
+}
+
+}  // namespace physim

@@ -1,0 +1,127 @@
+// The declared list of settings, and the tree of tables and keys that it spans.
+//
+// A setting is one Entry in settings.cpp: its path, where it lives in a Scenario, its quantity, range and one line of
+// documentation. Its type and default are read from the field itself. Everything else is made from the list.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "physim/names.hpp"
+#include "physim/scenario.hpp"
+
+namespace physim {
+
+/// The things that settings live in. Settings of list elements read the pointer of their element.
+struct Scope {
+  std::int64_t* format = nullptr;
+  Scenario* scenario = nullptr;
+  ScenarioShot* shot = nullptr;
+  Expectation* expect = nullptr;
+  EventSpec* event = nullptr;
+  WindPoint* wind_point = nullptr;
+  BallisticBand* band = nullptr;
+};
+
+/// A number that may be absent.
+struct OptionalNumber {
+  std::function<std::optional<double>()> get;
+  std::function<void(std::optional<double>)> set;
+};
+
+/// One of several names. Nothing: no name fits what is there (a fidelity that is no preset).
+struct Choice {
+  std::span<const std::string_view> names;
+  std::function<std::optional<std::size_t>()> get;
+  std::function<void(std::size_t)> set;
+};
+
+/// A list of tables.
+struct Records {
+  std::function<std::size_t()> size;
+  std::function<void(std::size_t)> resize;
+  std::function<Scope(std::size_t)> element;
+};
+
+/// Where a setting's value is, and of which type it is.
+using Slot = std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, bool*, std::string*,
+                          Choice, std::vector<DragPoint>*, std::vector<double>*, Records>;
+
+/// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;   // low itself is out of range
+  bool infinite = false;   // infinity is in range
+  std::string_view words;  // instead of the text made from the numbers
+
+  [[nodiscard]] bool contains(double value) const;
+  [[nodiscard]] std::string text() const;  // "> 0", "0 .. 1", ""
+};
+
+/// One setting.
+struct Entry {
+  std::string_view path;
+  Slot (*slot)(const Scope&) = nullptr;
+  std::string_view doc;
+  Quantity quantity = Quantity::number;
+  Range range;
+  std::string_view none = "none";                   // how the absence of an optional value is written
+  bool required = false;                            // no default
+  bool shorthand = false;                           // its table may be written as this value alone
+  Quantity (*quantity_by)(const Scope&) = nullptr;  // where another setting decides the quantity
+  std::string_view unit_by = {};                    // by which: "of the kind"
+
+  [[nodiscard]] Quantity quantity_in(const Scope& scope) const { return quantity_by ? quantity_by(scope) : quantity; }
+};
+
+/// The list, in the order in which settings are read and shown.
+[[nodiscard]] std::span<const Entry> entries();
+
+/// A table or key of the file: "shot.drag" has the children "table", "coefficient", ... and no entry.
+struct Node {
+  std::string name;  // last part of the path
+  std::string path;
+  const Entry* entry = nullptr;  // of keys and of lists of tables
+  std::vector<Node> children;    // of tables and of lists of tables
+  std::string shorthand;         // name of the child that may stand for the table
+
+  [[nodiscard]] const Node* find(std::string_view child) const;
+  [[nodiscard]] bool is_list_of_tables() const { return entry != nullptr && !children.empty(); }
+};
+
+/// The root of the tree; its name and path are empty.
+[[nodiscard]] const Node& schema();
+/// The node of a path; null where there is none.
+[[nodiscard]] const Node* find_node(std::string_view path);
+/// The paths of all settings.
+[[nodiscard]] const std::vector<std::string_view>& setting_paths();
+
+/// An object of each kind with nothing but defaults, to read defaults and types from.
+struct Defaults {
+  std::int64_t format = 1;
+  Scenario scenario;
+  ScenarioShot shot;
+  Expectation expect;
+  EventSpec event;
+  WindPoint wind_point;
+  BallisticBand band;
+
+  [[nodiscard]] Scope scope() { return {&format, &scenario, &shot, &expect, &event, &wind_point, &band}; }
+};
+
+/// For std::visit.
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+}  // namespace physim

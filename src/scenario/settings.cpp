@@ -1,0 +1,503 @@
+// The list of all settings of scenario files: one entry each. Adding a setting is adding an entry here.
+#include "scenario/expectation.hpp"
+#include "scenario/schema.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRightAngle = 1.5707963267948966;
+
+// -------------------------------------------------------------------------------------------------------------- ranges
+constexpr Range above(double low) { return {.low = low, .low_open = true}; }
+constexpr Range at_least(double low) { return {.low = low}; }
+constexpr Range at_most(double high) { return {.low = 0, .high = high}; }
+constexpr Range between(double low, double high) { return {.low = low, .high = high}; }
+constexpr Range or_infinite(Range range) {
+  range.infinite = true;
+  return range;
+}
+constexpr Range kHalfTurn = {.low = -kRightAngle, .high = kRightAngle, .words = "-90 deg .. 90 deg"};
+constexpr Range kTurn = {.low = -4 * kRightAngle, .high = 4 * kRightAngle, .words = "-360 deg .. 360 deg"};
+constexpr Range kAltitude = {.low = -5000, .high = 1e9};
+
+// --------------------------------------------------------------------------------------------- slots from field types
+template <class T>
+Slot slot_of(T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    return Choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
+                  [&value](std::size_t i) { value = static_cast<T>(i); }};
+  } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+    return OptionalNumber{[&value] { return value; }, [&value](std::optional<double> v) { value = v; }};
+  } else {
+    return &value;
+  }
+}
+
+/// A list of tables; in the scope of an element, the pointer for its kind points to it.
+template <class T>
+Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
+  return Records{[&list] { return list.size(); }, [&list](std::size_t size) { list.resize(size); },
+                 [&list, outer, pointer](std::size_t i) {
+                   Scope inner = outer;
+                   inner.*pointer = &list[i];
+                   return inner;
+                 }};
+}
+
+Slot preset_slot(const Scope& scope) {
+  Fidelity& fidelity = scope.shot->projectile.fidelity;
+  return Choice{fidelity_presets(), [] { return std::optional<std::size_t>(); },  // its fields say all that it says
+                [&fidelity](std::size_t i) { fidelity = *fidelity_preset(fidelity_presets()[i]); }};
+}
+
+Slot figure_slot(const Scope& scope) {
+  std::string& quantity = scope.expect->quantity;
+  return Choice{figure_names(),
+                [&quantity] {
+                  const Figure* figure = find_figure(quantity);
+                  return figure ? std::optional<std::size_t>(figure - figures().data()) : std::nullopt;
+                },
+                [&quantity](std::size_t i) { quantity = figure_names()[i]; }};
+}
+
+/// expect.at.time and the like: present when the expectation looks there.
+template <ExpectAt at>
+Slot at_slot(const Scope& scope) {
+  Expectation& expect = *scope.expect;
+  return OptionalNumber{[&expect] { return expect.at == at ? std::optional(expect.at_value) : std::nullopt; },
+                        [&expect](std::optional<double> value) {
+                          if (value) expect.at = at, expect.at_value = *value;
+                        }};
+}
+
+Slot moment_slot(const Scope& scope) {
+  static constexpr std::string_view kMoments[] = {"end", "apex"};
+  Expectation& expect = *scope.expect;
+  return Choice{kMoments,
+                [&expect]() -> std::optional<std::size_t> {
+                  if (expect.at == ExpectAt::end || expect.at == ExpectAt::apex)
+                    return expect.at == ExpectAt::end ? 0U : 1U;
+                  return std::nullopt;
+                },
+                [&expect](std::size_t i) { expect.at = i == 0 ? ExpectAt::end : ExpectAt::apex, expect.at_value = 0; }};
+}
+
+// ------------------------------------------------------------------------------------ quantities that others decide
+Quantity quantity_of_event(const Scope& scope) {
+  switch (scope.event->kind) {
+    case EventKind::ground:
+    case EventKind::range:
+    case EventKind::height:
+      return Quantity::length;
+    case EventKind::speed:
+      return Quantity::speed;
+    case EventKind::time:
+      return Quantity::time;
+    case EventKind::apex:
+    case EventKind::mach:
+      break;
+  }
+  return Quantity::number;
+}
+
+Quantity quantity_of_expectation(const Scope& scope) {
+  const Figure* figure = find_figure(scope.expect->quantity);
+  return figure ? figure->quantity : Quantity::number;
+}
+
+// ------------------------------------------------------------------------------------------------------------ the list
+#define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s.__VA_ARGS__); }
+#define PHYSIM_RECORDS(list, pointer) [](const Scope& s) { return records(s, s.list, &Scope::pointer); }
+
+constexpr Entry kFileSettings[] = {
+    {.path = "physim", .slot = PHYSIM_FIELD(format[0]), .doc = "format version of the file", .range = between(1, 1)},
+    {.path = "title", .slot = PHYSIM_FIELD(scenario->title), .doc = "what the scenario shows"},
+    {.path = "source", .slot = PHYSIM_FIELD(scenario->source), .doc = "where its figures come from"},
+};
+
+constexpr Entry kEnvironmentSettings[] = {
+    {.path = "environment.altitude",
+     .slot = PHYSIM_FIELD(scenario->environment.altitude),
+     .doc = "altitude of the origin of the world frame above sea level",
+     .quantity = Quantity::length,
+     .range = kAltitude},
+    {.path = "environment.gravity.model",
+     .slot = PHYSIM_FIELD(scenario->environment.gravity.model),
+     .doc = "gravity field that is there",
+     .shorthand = true},
+    {.path = "environment.gravity.acceleration",
+     .slot = PHYSIM_FIELD(scenario->environment.gravity.acceleration),
+     .doc = "gravity at sea level, downwards",
+     .quantity = Quantity::acceleration},
+    {.path = "environment.gravity.radius",
+     .slot = PHYSIM_FIELD(scenario->environment.gravity.radius),
+     .doc = "distance of sea level from the Earth's centre",
+     .quantity = Quantity::length,
+     .range = above(0)},
+    {.path = "environment.atmosphere.model",
+     .slot = PHYSIM_FIELD(scenario->environment.atmosphere.model),
+     .doc = "air that is there",
+     .shorthand = true},
+    {.path = "environment.atmosphere.temperature",
+     .slot = PHYSIM_FIELD(scenario->environment.atmosphere.temperature),
+     .doc = "at the station; none: standard",
+     .quantity = Quantity::temperature,
+     .range = between(150, 350)},
+    {.path = "environment.atmosphere.pressure",
+     .slot = PHYSIM_FIELD(scenario->environment.atmosphere.pressure),
+     .doc = "at the station, not reduced to sea level; none: standard",
+     .quantity = Quantity::pressure,
+     .range = between(100, 120000)},
+    {.path = "environment.atmosphere.humidity",
+     .slot = PHYSIM_FIELD(scenario->environment.atmosphere.humidity),
+     .doc = "relative humidity at the station; none: dry",
+     .range = between(0, 1)},
+    {.path = "environment.atmosphere.station_altitude",
+     .slot = PHYSIM_FIELD(scenario->environment.atmosphere.station_altitude),
+     .doc = "altitude of the station above sea level; none: that of the origin",
+     .quantity = Quantity::length,
+     .range = between(-5000, 80000)},
+    {.path = "environment.atmosphere.density",
+     .slot = PHYSIM_FIELD(scenario->environment.atmosphere.density),
+     .doc = "at the origin, overrides all else for constant and exponential air",
+     .quantity = Quantity::density,
+     .range = at_least(0)},
+    {.path = "environment.atmosphere.sound_speed",
+     .slot = PHYSIM_FIELD(scenario->environment.atmosphere.sound_speed),
+     .doc = "at the origin, overrides all else for constant and exponential air",
+     .quantity = Quantity::speed,
+     .range = above(0)},
+    {.path = "environment.atmosphere.scale_height",
+     .slot = PHYSIM_FIELD(scenario->environment.atmosphere.scale_height),
+     .doc = "of exponential air",
+     .quantity = Quantity::length,
+     .range = above(0)},
+    {.path = "environment.wind.velocity",
+     .slot = PHYSIM_FIELD(scenario->environment.wind.velocity),
+     .doc = "velocity of the air; (0, 0, -4) blows from the right",
+     .quantity = Quantity::speed},
+    {.path = "environment.wind.profile",
+     .slot = PHYSIM_RECORDS(scenario->environment.wind.profile, wind_point),
+     .doc = "wind by height or range, at rising places, held outside",
+     .range = at_most(32)},
+    {.path = "environment.wind.profile.at",
+     .slot = PHYSIM_FIELD(wind_point->at),
+     .doc = "height above the origin, or distance downrange",
+     .quantity = Quantity::length},
+    {.path = "environment.wind.profile.velocity",
+     .slot = PHYSIM_FIELD(wind_point->velocity),
+     .doc = "velocity of the air there",
+     .quantity = Quantity::speed},
+    {.path = "environment.wind.by",
+     .slot = PHYSIM_FIELD(scenario->environment.wind.by),
+     .doc = "what the profile is read by"},
+    {.path = "environment.wind.interpolation",
+     .slot = PHYSIM_FIELD(scenario->environment.wind.interpolation),
+     .doc = "how the profile is read between its points"},
+    {.path = "environment.earth.latitude",
+     .slot = PHYSIM_FIELD(scenario->environment.earth.latitude),
+     .doc = "of the origin, north positive",
+     .quantity = Quantity::angle,
+     .range = kHalfTurn},
+    {.path = "environment.earth.azimuth",
+     .slot = PHYSIM_FIELD(scenario->environment.earth.azimuth),
+     .doc = "compass direction of the x axis, clockwise from north",
+     .quantity = Quantity::angle,
+     .range = kTurn},
+    {.path = "environment.earth.rotation_rate",
+     .slot = PHYSIM_FIELD(scenario->environment.earth.rotation_rate),
+     .doc = "of the Earth",
+     .quantity = Quantity::angular_rate},
+};
+
+constexpr Entry kShotSettings[] = {
+    {.path = "shot",
+     .slot = PHYSIM_RECORDS(scenario->shots, shot),
+     .doc = "the projectiles and their launches",
+     .range = between(1, 100000)},
+    {.path = "shot.name",
+     .slot = PHYSIM_FIELD(shot->projectile.name),
+     .doc = "in tables and overrides, different for each shot; default: shot-1, shot-2, ..."},
+    {.path = "shot.mass",
+     .slot = PHYSIM_FIELD(shot->projectile.mass),
+     .doc = "of the projectile",
+     .quantity = Quantity::mass,
+     .range = above(0)},
+    {.path = "shot.diameter",
+     .slot = PHYSIM_FIELD(shot->projectile.diameter),
+     .doc = "reference diameter: the reference area is pi d^2 / 4",
+     .quantity = Quantity::length,
+     .range = above(0)},
+    {.path = "shot.length",
+     .slot = PHYSIM_FIELD(shot->projectile.length),
+     .doc = "of the projectile, for its stability; 0: not known",
+     .quantity = Quantity::length,
+     .range = at_least(0)},
+    {.path = "shot.twist",
+     .slot = PHYSIM_FIELD(shot->projectile.twist),
+     .doc = "rifling, length of one turn, right-handed positive; 0: no spin",
+     .quantity = Quantity::length},
+    {.path = "shot.drag.table",
+     .slot = PHYSIM_FIELD(shot->projectile.drag.table),
+     .doc = "source of the drag coefficient"},
+    {.path = "shot.drag.coefficient",
+     .slot = PHYSIM_FIELD(shot->projectile.drag.coefficient),
+     .doc = "drag coefficient of table = \"constant\"",
+     .range = at_least(0)},
+    {.path = "shot.drag.curve",
+     .slot = PHYSIM_FIELD(shot->projectile.drag.curve),
+     .doc = "[Mach number, drag coefficient] of table = \"custom\", Mach numbers rising",
+     .range = at_most(100000)},
+    {.path = "shot.drag.ballistic_coefficient",
+     .slot = PHYSIM_FIELD(shot->projectile.drag.ballistic_coefficient),
+     .doc = "m / (i d^2); 0: from mass, diameter and form factor",
+     .quantity = Quantity::ballistic_coefficient,
+     .range = at_least(0)},
+    {.path = "shot.drag.bands",
+     .slot = PHYSIM_RECORDS(shot->projectile.drag.bands, band),
+     .doc = "ballistic coefficients by speed, instead of one",
+     .range = at_most(8)},
+    {.path = "shot.drag.bands.above",
+     .slot = PHYSIM_FIELD(band->above),
+     .doc = "air speed from which the band holds",
+     .quantity = Quantity::speed,
+     .range = at_least(0)},
+    {.path = "shot.drag.bands.ballistic_coefficient",
+     .slot = PHYSIM_FIELD(band->ballistic_coefficient),
+     .doc = "m / (i d^2) of the band",
+     .quantity = Quantity::ballistic_coefficient,
+     .range = above(0),
+     .required = true},
+    {.path = "shot.drag.form_factor",
+     .slot = PHYSIM_FIELD(shot->projectile.drag.form_factor),
+     .doc = "drag coefficient of the projectile over that of the table",
+     .range = above(0)},
+    {.path = "shot.drag.damping",
+     .slot = PHYSIM_FIELD(shot->projectile.drag.damping),
+     .doc = "part of the velocity kept after one second",
+     .range = {.low = 0, .high = 1, .low_open = true}},
+    {.path = "shot.drag.k1",
+     .slot = PHYSIM_FIELD(shot->projectile.drag.k1),
+     .doc = "linear drag: force -(k1 + k2 |v|) v",
+     .quantity = Quantity::linear_drag,
+     .range = at_least(0)},
+    {.path = "shot.drag.k2",
+     .slot = PHYSIM_FIELD(shot->projectile.drag.k2),
+     .doc = "quadratic drag; 0 with k1 = 0: from the drag equation at launch",
+     .quantity = Quantity::quadratic_drag,
+     .range = at_least(0)},
+    {.path = "shot.force",
+     .slot = PHYSIM_FIELD(shot->projectile.force),
+     .doc = "a constant force on the projectile, such as thrust",
+     .quantity = Quantity::force},
+    {.path = "shot.force_duration",
+     .slot = PHYSIM_FIELD(shot->projectile.force_duration),
+     .doc = "how long the force acts, from launch",
+     .quantity = Quantity::time,
+     .range = or_infinite(at_least(0))},
+    {.path = "shot.position",
+     .slot = PHYSIM_FIELD(shot->launch.position),
+     .doc = "of the muzzle: x downrange, y up, z right",
+     .quantity = Quantity::length},
+    {.path = "shot.speed",
+     .slot = PHYSIM_FIELD(shot->launch.speed),
+     .doc = "at the muzzle",
+     .quantity = Quantity::speed,
+     .range = at_least(0)},
+    {.path = "shot.elevation",
+     .slot = PHYSIM_FIELD(shot->launch.elevation),
+     .doc = "of the bore above the horizon; with a zero range it must stay 0",
+     .quantity = Quantity::angle,
+     .range = kHalfTurn},
+    {.path = "shot.azimuth",
+     .slot = PHYSIM_FIELD(shot->launch.azimuth),
+     .doc = "of the plane of fire, from x to the right",
+     .quantity = Quantity::angle,
+     .range = kTurn},
+    {.path = "shot.velocity",
+     .slot = PHYSIM_FIELD(shot->launch.velocity),
+     .doc = "instead of speed, elevation and azimuth",
+     .quantity = Quantity::speed},
+    {.path = "shot.sight.height",
+     .slot = PHYSIM_FIELD(shot->launch.sight.height),
+     .doc = "of the sight above the bore, at the muzzle",
+     .quantity = Quantity::length},
+    {.path = "shot.sight.look_angle",
+     .slot = PHYSIM_FIELD(shot->launch.sight.look_angle),
+     .doc = "of the line of sight above the horizon",
+     .quantity = Quantity::angle,
+     .range = kHalfTurn},
+    {.path = "shot.sight.cant",
+     .slot = PHYSIM_FIELD(shot->launch.sight.cant),
+     .doc = "roll of launcher and sight, clockwise seen from behind",
+     .quantity = Quantity::angle,
+     .range = kTurn},
+    {.path = "shot.sight.zero_range",
+     .slot = PHYSIM_FIELD(shot->launch.sight.zero_range),
+     .doc = "the bore is elevated to hit the line of sight there; 0: it is not",
+     .quantity = Quantity::length,
+     .range = at_least(0)},
+    {.path = "shot.sight.zero_in_calm_air",
+     .slot = PHYSIM_FIELD(shot->launch.sight.zero_in_calm_air),
+     .doc = "the zero was shot without wind"},
+};
+
+constexpr Entry kFidelitySettings[] = {
+    {.path = "shot.fidelity.preset",
+     .slot = preset_slot,
+     .doc = "a preset to start from; further keys change it",
+     .shorthand = true},
+    {.path = "shot.fidelity.motion",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.motion),
+     .doc = "how the equations of motion are treated"},
+    {.path = "shot.fidelity.integrator",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.integrator),
+     .doc = "how they are stepped through time"},
+    {.path = "shot.fidelity.gravity",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.gravity),
+     .doc = "model of gravity"},
+    {.path = "shot.fidelity.drag", .slot = PHYSIM_FIELD(shot->projectile.fidelity.drag), .doc = "model of drag"},
+    {.path = "shot.fidelity.air",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.air),
+     .doc = "model of air density and sound speed"},
+    {.path = "shot.fidelity.wind", .slot = PHYSIM_FIELD(shot->projectile.fidelity.wind), .doc = "model of wind"},
+    {.path = "shot.fidelity.earth",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.earth),
+     .doc = "shape and rotation of the Earth"},
+    {.path = "shot.fidelity.rotation",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.rotation),
+     .doc = "effects of the projectile's spin"},
+    {.path = "shot.fidelity.precision",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.precision),
+     .doc = "number type of the computation"},
+    {.path = "shot.fidelity.interpolation",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.interpolation),
+     .doc = "how a drag curve is read between its points"},
+    {.path = "shot.fidelity.planar",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.planar),
+     .doc = "confine the flight to the vertical plane of fire"},
+    {.path = "shot.fidelity.original_one_shot_forces",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.original_one_shot_forces),
+     .doc = "classic only: forces act for one frame and never stop, as in the original"},
+};
+
+constexpr Entry kRunSettings[] = {
+    {.path = "tolerance.relative",
+     .slot = PHYSIM_FIELD(scenario->tolerance.relative),
+     .doc = "adaptive integrators: error per step relative to position and velocity",
+     .range = at_least(0)},
+    {.path = "tolerance.absolute",
+     .slot = PHYSIM_FIELD(scenario->tolerance.absolute),
+     .doc = "adaptive integrators: error per step added to it, in m and m/s",
+     .range = at_least(0)},
+    {.path = "tolerance.step",
+     .slot = PHYSIM_FIELD(scenario->tolerance.step),
+     .doc = "of fixed-step integrators; 0: found by a pilot flight; classic: 1/60 s",
+     .quantity = Quantity::time,
+     .range = at_least(0)},
+    {.path = "tolerance.position_error",
+     .slot = PHYSIM_FIELD(scenario->tolerance.position_error),
+     .doc = "what the pilot flight aims for at the end of the flight",
+     .quantity = Quantity::length,
+     .range = above(0)},
+    {.path = "tolerance.max_step",
+     .slot = PHYSIM_FIELD(scenario->tolerance.max_step),
+     .doc = "adaptive integrators never step further",
+     .quantity = Quantity::time,
+     .range = or_infinite(above(0))},
+    {.path = "tolerance.max_steps",
+     .slot = PHYSIM_FIELD(scenario->tolerance.max_steps),
+     .doc = "then the flight ends",
+     .range = between(1, 1e9)},
+    {.path = "until.ground",
+     .slot = PHYSIM_FIELD(scenario->until.ground),
+     .doc = "height of the ground above the origin; off: no ground",
+     .quantity = Quantity::length,
+     .none = "off"},
+    {.path = "until.time",
+     .slot = PHYSIM_FIELD(scenario->until.time),
+     .doc = "the flight ends after this time",
+     .quantity = Quantity::time,
+     .range = above(0)},
+    {.path = "until.range",
+     .slot = PHYSIM_FIELD(scenario->until.range),
+     .doc = "the flight ends at this range along the line of sight",
+     .quantity = Quantity::length,
+     .range = above(0)},
+    {.path = "until.events",
+     .slot = PHYSIM_RECORDS(scenario->until.events, event),
+     .doc = "further events to look for",
+     .range = at_most(24)},
+    {.path = "until.events.kind", .slot = PHYSIM_FIELD(event->kind), .doc = "what is watched", .required = true},
+    {.path = "until.events.value",
+     .slot = PHYSIM_FIELD(event->value),
+     .doc = "that is crossed",
+     .quantity_by = quantity_of_event,
+     .unit_by = "of the kind"},
+    {.path = "until.events.direction", .slot = PHYSIM_FIELD(event->direction), .doc = "which crossings count"},
+    {.path = "until.events.terminal", .slot = PHYSIM_FIELD(event->terminal), .doc = "the event ends the flight"},
+    {.path = "output.ranges",
+     .slot = PHYSIM_FIELD(scenario->ranges),
+     .doc = "of the range card; also \"100 m .. 1000 m step 100 m\" or { from, to, step }",
+     .quantity = Quantity::length,
+     .range = at_least(0)},
+};
+
+constexpr Entry kExpectSettings[] = {
+    {.path = "expect",
+     .slot = PHYSIM_RECORDS(scenario->expect, expect),
+     .doc = "figures that should come out",
+     .range = at_most(100000)},
+    {.path = "expect.shot", .slot = PHYSIM_FIELD(expect->shot), .doc = "name of the shot; empty: every shot"},
+    {.path = "expect.at.moment", .slot = moment_slot, .doc = "where to look: a moment", .shorthand = true},
+    {.path = "expect.at.time",
+     .slot = at_slot<ExpectAt::time>,
+     .doc = "where to look: time since launch",
+     .quantity = Quantity::time,
+     .range = at_least(0)},
+    {.path = "expect.at.range",
+     .slot = at_slot<ExpectAt::range>,
+     .doc = "where to look: first crossing of a range along the line of sight",
+     .quantity = Quantity::length,
+     .range = at_least(0)},
+    {.path = "expect.at.height",
+     .slot = at_slot<ExpectAt::height>,
+     .doc = "where to look: first crossing of a height",
+     .quantity = Quantity::length},
+    {.path = "expect.quantity", .slot = figure_slot, .doc = "figure to look at", .required = true},
+    {.path = "expect.equals",
+     .slot = PHYSIM_FIELD(expect->equals),
+     .doc = "value expected",
+     .required = true,
+     .quantity_by = quantity_of_expectation,
+     .unit_by = "of the quantity"},
+    {.path = "expect.within",
+     .slot = PHYSIM_FIELD(expect->within),
+     .doc = "distance allowed",
+     .range = at_least(0),
+     .required = true,
+     .quantity_by = quantity_of_expectation,
+     .unit_by = "of the quantity"},
+    {.path = "expect.source", .slot = PHYSIM_FIELD(expect->source), .doc = "why it should be true"},
+};
+
+#undef PHYSIM_FIELD
+#undef PHYSIM_RECORDS
+
+}  // namespace
+
+std::span<const Entry> entries() {
+  static const std::vector<Entry> all = [] {
+    std::vector<Entry> list;
+    for (const std::span<const Entry> part :
+         {std::span<const Entry>(kFileSettings), std::span<const Entry>(kEnvironmentSettings),
+          std::span<const Entry>(kShotSettings), std::span<const Entry>(kFidelitySettings),
+          std::span<const Entry>(kRunSettings), std::span<const Entry>(kExpectSettings)})
+      list.insert(list.end(), part.begin(), part.end());
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace physim

@@ -1,0 +1,178 @@
+// Units with their values in SI. Exact by definition unless a comment says otherwise: the international yard and pound
+// agreement (1959), the grain as 1/7000 lb, BIPM SI Brochure (9th ed.), NIST SP 811 (2008) for the rest.
+#include "scenario/units.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "scenario/suggest.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kPound = 0.45359237;                      // [kg]
+constexpr double kInch = 0.0254;                           // [m]
+constexpr double kStandardGravity = 9.80665;               // [m/s^2]
+constexpr double kPoundForce = kPound * kStandardGravity;  // [N]
+
+constexpr Unit kNumber[] = {{""}, {"%", 1, 0, 100}};
+constexpr Unit kLength[] = {{"m"},         {"um", 1e-6},   {"mm", 1e-3},   {"cm", 1e-2},     {"km", 1e3},
+                            {"in", kInch}, {"ft", 0.3048}, {"yd", 0.9144}, {"mi", 1609.344}, {"nmi", 1852}};
+constexpr Unit kMass[] = {{"kg"},
+                          {"g", 1e-3},
+                          {"mg", 1e-6},
+                          {"gr", 6.479891e-5},
+                          {"lb", kPound},
+                          {"oz", 0.028349523125},
+                          {"slug", kPoundForce / 0.3048},
+                          {"t", 1000}};
+constexpr Unit kTime[] = {{"s"}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}};
+constexpr Unit kSpeed[] = {
+    {"m/s"},       {"km/h", 1.0 / 3.6},        {"ft/s", 0.3048}, {"mph", 0.44704}, {"kn", 1852.0 / 3600.0},
+    {"km/s", 1e3}, {"fps", 0.3048, 0, 1, true}};
+constexpr Unit kAngle[] = {{"rad"},
+                           {"deg", kPi / 180},
+                           {"mrad", 1e-3},
+                           {"mil", 1e-3},  // the milliradian of rifle scopes, not the 6400th of a turn
+                           {"moa", kPi / 10800},
+                           {"MOA", kPi / 10800, 0, 1, true}};
+constexpr Unit kAcceleration[] = {
+    {"m/s^2"}, {"ft/s^2", 0.3048}, {"g0", kStandardGravity}, {"g", kStandardGravity, 0, 1, true}};
+constexpr Unit kForce[] = {{"N"}, {"kN", 1e3}, {"lbf", kPoundForce}, {"kgf", kStandardGravity}};
+constexpr Unit kPressure[] = {{"Pa"},
+                              {"hPa", 100},
+                              {"kPa", 1000},
+                              {"MPa", 1e6},
+                              {"bar", 1e5},
+                              {"mbar", 100},
+                              {"atm", 101325},
+                              {"inHg", 3386.389},       // at 0 degC, NIST SP 811
+                              {"mmHg", 133.322387415},  // at 0 degC
+                              {"psi", kPoundForce / (kInch * kInch)}};
+constexpr Unit kTemperature[] = {{"K"}, {"degC", 1, 273.15}, {"degF", 5, 459.67, 9}, {"degR", 5, 0, 9}};
+constexpr Unit kDensity[] = {{"kg/m^3"}, {"g/cm^3", 1000}, {"lb/ft^3", kPound / (0.3048 * 0.3048 * 0.3048)}};
+constexpr Unit kBallisticCoefficient[] = {{"kg/m^2"}, {"lb/in^2", kPound / (kInch * kInch)}};
+constexpr Unit kLinearDrag[] = {{"kg/s"}, {"N s/m", 1, 0, 1, true}};
+constexpr Unit kQuadraticDrag[] = {{"kg/m"}};
+constexpr Unit kAngularRate[] = {{"rad/s"}, {"deg/s", kPi / 180}, {"rpm", kPi / 30}};
+constexpr Unit kEnergy[] = {
+    {"J"}, {"kJ", 1e3}, {"ft lbf", 0.3048 * kPoundForce}, {"ft-lbf", 0.3048 * kPoundForce, 0, 1, true}};
+
+constexpr std::array kQuantities = {
+    QuantityInfo{Quantity::number, "a plain number", "0.5", kNumber},
+    QuantityInfo{Quantity::length, "a length", "7.82 mm", kLength},
+    QuantityInfo{Quantity::mass, "a mass", "168 gr", kMass},
+    QuantityInfo{Quantity::time, "a time", "2.5 s", kTime},
+    QuantityInfo{Quantity::speed, "a speed", "800 m/s", kSpeed},
+    QuantityInfo{Quantity::angle, "an angle", "2 deg", kAngle},
+    QuantityInfo{Quantity::acceleration, "an acceleration", "9.80665 m/s^2", kAcceleration},
+    QuantityInfo{Quantity::force, "a force", "10 N", kForce},
+    QuantityInfo{Quantity::pressure, "a pressure", "1013.25 hPa", kPressure},
+    QuantityInfo{Quantity::temperature, "a temperature", "15 degC", kTemperature},
+    QuantityInfo{Quantity::density, "a density", "1.225 kg/m^3", kDensity},
+    QuantityInfo{Quantity::ballistic_coefficient, "a ballistic coefficient", "0.243 lb/in^2", kBallisticCoefficient},
+    QuantityInfo{Quantity::linear_drag, "a linear drag factor", "0.1 kg/s", kLinearDrag},
+    QuantityInfo{Quantity::quadratic_drag, "a quadratic drag factor", "0.001 kg/m", kQuadraticDrag},
+    QuantityInfo{Quantity::angular_rate, "an angular rate", "7.292115e-5 rad/s", kAngularRate},
+    QuantityInfo{Quantity::energy, "an energy", "3500 J", kEnergy},
+};
+
+constexpr bool in_order_of_values() {
+  for (std::size_t i = 0; i < kQuantities.size(); ++i)
+    if (kQuantities[i].quantity != static_cast<Quantity>(i)) return false;
+  return kQuantities.size() == static_cast<std::size_t>(Quantity::energy) + 1;
+}
+static_assert(in_order_of_values(), "info() reads this table by the value of the quantity");
+
+/// One spelling of a unit for comparing: "lb/in²", "lb/in2" and "lb/in^2" are the same.
+std::string normalized_unit(std::string_view text) {
+  static constexpr std::pair<std::string_view, std::string_view> kReplaced[] = {
+      {"^", ""}, {"²", "2"}, {"³", "3"}, {"°", "deg"}, {"µ", "u"}};
+  std::string out;
+  while (!text.empty()) {
+    std::string_view from = text.substr(0, 1), to = from;
+    for (const auto& [old_text, new_text] : kReplaced)
+      if (text.starts_with(old_text)) from = old_text, to = new_text;
+    out += to;
+    text.remove_prefix(from.size());
+  }
+  return out;
+}
+
+const Unit* find_unit(const QuantityInfo& quantity, const std::string& normalized) {
+  for (const Unit& unit : quantity.units)
+    if (normalized_unit(unit.name) == normalized) return &unit;
+  return nullptr;
+}
+
+/// Why a unit is not one of the quantity's: it belongs to another, or to none.
+Error wrong_unit(std::string_view text, std::string_view unit, const QuantityInfo& wanted) {
+  const std::string normalized = normalized_unit(unit);
+  for (const QuantityInfo& other : kQuantities)
+    if (find_unit(other, normalized) != nullptr)
+      return {in_quotes(text) + " is " + std::string(other.with_article), "", expected(wanted.quantity)};
+  if (unit.front() == ',') return {in_quotes(text) + " has a comma", "", "write a decimal point"};
+  const std::vector<std::string> names = units_of(wanted.quantity);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  return {"unknown unit " + in_quotes(unit) + " in " + in_quotes(text), "", suggestion(unit, views, "known units")};
+}
+
+}  // namespace
+
+const QuantityInfo& info(Quantity quantity) { return kQuantities[static_cast<std::size_t>(quantity)]; }
+
+std::string expected(Quantity quantity) {
+  return "expected " + std::string(info(quantity).with_article) + " such as " + in_quotes(info(quantity).example);
+}
+
+std::vector<std::string> units_of(Quantity quantity) {
+  std::vector<std::string> names;
+  for (const Unit& unit : info(quantity).units)
+    if (!unit.alias && !unit.name.empty()) names.emplace_back(unit.name);
+  return names;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kSpace);
+  return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+Result<double> parse_quantity(std::string_view text, Quantity quantity) {
+  const QuantityInfo& wanted = info(quantity);
+  const std::string_view whole = trimmed(text);
+  std::string_view digits = whole;
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+  double number = 0;
+  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (failure == std::errc::result_out_of_range)
+    return Error{in_quotes(whole) + " is too large or too small for a double", "", expected(quantity)};
+  if (failure != std::errc{} || std::isnan(number))
+    return Error{in_quotes(whole) + " is not a number", "", expected(quantity)};
+  const std::string_view unit_text = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
+  if (unit_text.empty()) return number;  // SI
+  const Unit* unit = find_unit(wanted, normalized_unit(unit_text));
+  if (unit == nullptr) return wrong_unit(whole, unit_text, wanted);
+  const double shifted = unit->zero == 0 ? number : number + unit->zero;  // -0 + 0 would lose the sign
+  return shifted * unit->factor / unit->divisor;
+}
+
+std::string number_text(double value) {
+  char buffer[64];
+  const double size = std::abs(value);
+  const bool readable = value == 0 || (size >= 1e-3 && size < 1e9);  // without an exponent
+  const auto done = readable ? std::to_chars(buffer, std::end(buffer), value, std::chars_format::fixed)
+                             : std::to_chars(buffer, std::end(buffer), value);
+  return {buffer, done.ptr};
+}
+
+std::string quantity_text(double value, Quantity quantity) {
+  const std::string_view unit = si_unit(quantity);
+  return unit.empty() ? number_text(value) : number_text(value) + " " + std::string(unit);
+}
+
+}  // namespace physim

@@ -1,0 +1,154 @@
+// Values of settings as text that reads back as the same value, bit for bit.
+#include "scenario/writer.hpp"
+
+#include "scenario/units.hpp"
+
+namespace physim {
+namespace {
+
+/// Plain: as typed in an override. Toml: inside an inline table or array.
+enum class Style { plain, toml };
+
+std::string toml_string(std::string_view text) {
+  static constexpr char kHex[] = "0123456789ABCDEF";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      out += '\\', out += c;
+    else if (code < 0x20 || code == 0x7F)
+      out += "\\u00", out += kHex[code / 16], out += kHex[code % 16];
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+/// Plain text that would not read back as itself is quoted.
+std::string text_value(const std::string& text, Style style) {
+  bool plain = style == Style::plain && !text.empty() && trimmed(text) == text && text[0] != '"' && text[0] != '\'';
+  for (const char c : text) plain = plain && static_cast<unsigned char>(c) >= 0x20;
+  return plain ? text : toml_string(text);
+}
+
+std::string word(std::string_view text, Style style) {
+  return style == Style::plain ? std::string(text) : toml_string(text);
+}
+
+/// Numbers without a unit need no quotes.
+std::string number_value(double value, Quantity quantity, Style style) {
+  const std::string text = quantity_text(value, quantity);
+  return si_unit(quantity).empty() ? text : word(text, style);
+}
+
+template <class List, class Write>
+std::string array_value(const List& list, const Write& write) {
+  std::string out;
+  for (const auto& element : list) out += (out.empty() ? "" : ", ") + write(element);
+  return "[" + out + "]";
+}
+
+std::string vector_value(const Vec3d& v, Quantity quantity) {
+  return array_value(std::initializer_list<double>{v.x, v.y, v.z},
+                     [quantity](double x) { return number_value(x, quantity, Style::toml); });
+}
+
+std::string curve_value(const std::vector<DragPoint>& curve) {
+  return array_value(curve, [](const DragPoint& point) {
+    return "[" + number_text(point.mach) + ", " + number_text(point.coefficient) + "]";
+  });
+}
+
+std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style);
+
+/// A table within an array; values that are absent are left out.
+std::string inline_table(const Node& node, const Scope& scope) {
+  std::string out;
+  for (const Node& child : node.children) {
+    const std::optional<std::string> value =
+        child.entry ? value_text(*child.entry, scope, Style::toml) : inline_table(child, scope);
+    if (value) out += (out.empty() ? "" : ", ") + child.name + " = " + *value;
+  }
+  return "{ " + out + " }";
+}
+
+std::string records_value(const Entry& entry, const Records& records) {
+  const Node& node = *find_node(entry.path);
+  std::string out;
+  for (std::size_t i = 0; i < records.size(); ++i) out += (i == 0 ? "" : ", ") + inline_table(node, records.element(i));
+  return "[" + out + "]";
+}
+
+std::optional<std::string> absent(const Entry& entry, Style style) {
+  if (style == Style::toml) return std::nullopt;
+  return std::string(entry.none);
+}
+
+std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style) {
+  using Text = std::optional<std::string>;
+  const Quantity quantity = entry.quantity_in(scope);
+  return std::visit(Overloaded{
+                        [&](const double* value) -> Text { return number_value(*value, quantity, style); },
+                        [&](const OptionalNumber& number) -> Text {
+                          const std::optional<double> value = number.get();
+                          return value ? number_value(*value, quantity, style) : absent(entry, style);
+                        },
+                        [&](const Vec3d* value) -> Text { return vector_value(*value, quantity); },
+                        [&](const std::optional<Vec3d>* value) -> Text {
+                          return *value ? vector_value(**value, quantity) : absent(entry, style);
+                        },
+                        [&](const std::int64_t* value) -> Text { return std::to_string(*value); },
+                        [&](const bool* value) -> Text { return *value ? "true" : "false"; },
+                        [&](const std::string* value) -> Text { return text_value(*value, style); },
+                        [&](const Choice& choice) -> Text {
+                          const std::optional<std::size_t> index = choice.get();
+                          return index ? Text(word(choice.names[*index], style)) : std::nullopt;
+                        },
+                        [&](const std::vector<DragPoint>* curve) -> Text { return curve_value(*curve); },
+                        [&](const std::vector<double>* list) -> Text {
+                          return array_value(*list,
+                                             [quantity](double x) { return number_value(x, quantity, Style::toml); });
+                        },
+                        [&](const Records& records) -> Text { return records_value(entry, records); },
+                    },
+                    entry.slot(scope));
+}
+
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+/// All settings of a table. Shots are named one by one; other lists are one value.
+void write_table(const Node& node, const Scope& scope, const std::string& prefix, Lines& lines) {
+  for (const Node& child : node.children) {
+    const std::string path = prefix + child.name;
+    if (child.path == "shot") {
+      const Records shots = std::get<Records>(child.entry->slot(scope));
+      for (std::size_t i = 0; i < shots.size(); ++i) {
+        const Scope inner = shots.element(i);
+        write_table(child, inner, path + "." + inner.shot->projectile.name + ".", lines);
+      }
+    } else if (child.entry == nullptr) {
+      write_table(child, scope, path + ".", lines);
+    } else if (const std::optional<std::string> value = value_text(*child.entry, scope, Style::plain)) {
+      lines.emplace_back(path, *value);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> written(const Entry& entry, const Scope& scope) {
+  return value_text(entry, scope, Style::plain);
+}
+
+std::vector<std::pair<std::string, std::string>> effective_settings(const Scenario& scenario) {
+  Scenario copy = scenario;  // slots are for reading and writing
+  std::int64_t format = 1;
+  Scope scope;
+  scope.format = &format;
+  scope.scenario = &copy;
+  Lines lines;
+  write_table(schema(), scope, "", lines);
+  return lines;
+}
+
+}  // namespace physim

@@ -1,0 +1,91 @@
+// Dense output: the state anywhere inside a step, from what the step left behind.
+//
+// Fixed-step integrators: the quintic through position, velocity and acceleration at both ends, and the cubic through
+// velocity and acceleration: no less accurate than the methods themselves. Tsit5 and DOP853: their own interpolants.
+// Computed in double at every precision, so that fly() and fly_batch() share it.
+//
+// Sources: see solve/explicit_runge_kutta.hpp; the form of DOP853's is Hairer, Norsett and Wanner (1993), sec. II.6.
+#pragma once
+
+#include "solve/take_step.hpp"
+
+PHYSIM_ISA_BEGIN
+
+inline constexpr int kMaxDenseCoefficients = 7;
+
+/// How many states a step's interpolant needs beside both ends.
+PHYSIM_INLINE int dense_coefficient_count(Integrator integrator) {
+  return integrator == Integrator::tsit5 ? 4 : integrator == Integrator::dop853 ? 7 : 0;
+}
+
+/// A state and its acceleration at a time: what lies at both ends of a step.
+struct Node {
+  double t;
+  State<double> y;
+  Vec3<double> a;
+};
+
+template <int Power>
+struct Tsit5DenseWeights {
+  static constexpr double at(int j) { return Tsit5::kDense[j][Power]; }
+};
+template <int Row>
+struct Dop853DenseWeights {
+  static constexpr double at(int j) { return Dop853::kDense[Row][j]; }
+};
+
+inline void tsit5_dense(const Step<double>& s, State<double>* out) {
+  static_for<4>([&](auto power) { out[power] = weighted_sum<Tsit5DenseWeights<power>, 7>(s.slope) * s.h; });
+}
+
+/// Three more slopes, then differences; `f` is the acceleration.
+template <class F>
+void dop853_dense(Step<double>& s, const F& f, State<double>* out) {
+  static_for<3>([&](auto i) {
+    constexpr int stage = 13 + i;
+    const State<double> y = advanced(s.start, weighted_sum<StageWeights<Dop853, stage>, stage>(s.slope), s.h);
+    s.slope[stage] = {y.v, f(s.t + s.h * Dop853::c[stage], y)};
+  });
+  const State<double> change = s.end - s.start;
+  out[0] = change;
+  out[1] = s.slope[0] * s.h - change;
+  out[2] = change - s.slope[12] * s.h - out[1];
+  static_for<4>([&](auto row) { out[3 + row] = weighted_sum<Dop853DenseWeights<row>, 16>(s.slope) * s.h; });
+}
+
+/// Fills the interpolant's coefficients of a finished step.
+template <class F>
+void dense_coefficients(Integrator integrator, Step<double>& s, const F& f, State<double>* out) {
+  if (integrator == Integrator::tsit5) tsit5_dense(s, out);
+  if (integrator == Integrator::dop853) dop853_dense(s, f, out);
+}
+
+/// Quintic Hermite interpolation of positions, cubic of velocities.
+inline State<double> hermite(const Node& n0, const Node& n1, double theta) {
+  const double h = n1.t - n0.t;
+  const double u = 1 - theta;
+  const double t2 = theta * theta;
+  const double t3 = t2 * theta;
+  const double u2 = u * u;
+  const double u3 = u2 * u;
+  const Vec3<double> rise = n1.y.x - n0.y.x;
+  State<double> y;
+  // x0 + rise * t^3 (1 + 3u + 6u^2) + h v0 t u^3 (1 + 3t) - h v1 t^3 u (1 + 3u) + h^2/2 (a0 t^2 u^3 + a1 t^3 u^2)
+  y.x = n0.y.x + rise * (t3 * (1 + 3 * u + 6 * u2)) + n0.y.v * (h * theta * u3 * (1 + 3 * theta)) -
+        n1.y.v * (h * t3 * u * (1 + 3 * u)) + (n0.a * (t2 * u3) + n1.a * (t3 * u2)) * (0.5 * h * h);
+  y.v = n0.y.v + (n1.y.v - n0.y.v) * (t2 * (3 - 2 * theta)) + n0.a * (h * theta * u2) - n1.a * (h * t2 * u);
+  return y;
+}
+
+/// The state at t = n0.t + theta h, 0 <= theta <= 1.
+inline State<double> dense_state(Integrator integrator, const Node& n0, const Node& n1, const State<double>* c,
+                                 double theta) {
+  if (integrator == Integrator::tsit5) return n0.y + (c[0] + (c[1] + (c[2] + c[3] * theta) * theta) * theta) * theta;
+  if (integrator == Integrator::dop853) {
+    const double u = 1 - theta;
+    return n0.y + (c[0] + (c[1] + (c[2] + (c[3] + (c[4] + (c[5] + c[6] * theta) * u) * theta) * u) * theta) * u) * theta;
+  }
+  return hermite(n0, n1, theta);
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,120 @@
+// Regimes: where on its piecewise data a flight is. An adaptive integrator must not step across a corner of a linear
+// drag curve, an edge of a band, a layer of the atmosphere, a point of the wind profile or the end of a burn: its error
+// estimate assumes smooth derivatives. Steps that would are cut to end just behind the corner.
+#pragma once
+
+#include "solve/dense.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// Index of the piece in each kind of data; whole numbers.
+template <class R>
+struct Regime {
+  R curve_cell;
+  R band;
+  R air_layer;
+  R wind_piece;
+  R force;
+};
+
+/// How many of the borders lie at or below u.
+template <class R, class S>
+PHYSIM_INLINE R borders_passed(const S* borders, int count, const R& u) {
+  R passed(S(0));
+  for (int i = 0; i < count; ++i) {
+    const auto above = u >= R(borders[i]);
+    if (!any(above)) break;
+    passed += select(above, R(S(1)), R(S(0)));
+  }
+  return passed;
+}
+
+template <class S>
+PHYSIM_INLINE bool drag_has_corners(const Conditions<S>& c) {
+  return c.fidelity.drag == DragModel::equation &&
+         (c.has_bands || (c.fidelity.interpolation == Interpolation::linear && c.fidelity.air != AirModel::vacuum));
+}
+
+template <class S>
+PHYSIM_INLINE bool has_layers(const Conditions<S>& c) {
+  return c.fidelity.drag == DragModel::equation && c.fidelity.air == AirModel::isa;
+}
+
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> air_velocity(const Conditions<S>& c, const State<R>& s) {
+  return c.fidelity.wind == WindModel::off ? s.v : s.v - wind(c, s.x);
+}
+
+template <class R, class S>
+PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const R& mach) {
+  R cell = floor_small(curve_position(b, mach));
+  if (c.has_searched_curves) {
+    for (int lane = 0; lane < kLanes<R>; ++lane) {
+      const S row = lane_of(b.curve_row, lane);
+      if (row < S(0)) {
+        const auto& knots = c.searched_curves[static_cast<int>(S(-1) - row)].knots;
+        int index = 0;
+        while (index < static_cast<int>(knots.size()) && static_cast<double>(lane_of(mach, lane)) >= knots[static_cast<unsigned>(index)]) ++index;
+        set_lane(cell, lane, static_cast<S>(index));
+      }
+    }
+  }
+  return cell;
+}
+
+template <class R, class S>
+PHYSIM_INLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  const R zero(S(0));
+  Regime<R> r{zero, zero, zero, zero, zero};
+  if (drag_has_corners(c)) {
+    const R speed = length(air_velocity(c, s));
+    if (c.fidelity.interpolation == Interpolation::linear)
+      r.curve_cell = curve_cell_index(c, b, speed / air_state(c, s.x).sound_speed);
+    if (c.has_bands)
+      for (int i = 0; i < kMaxBands; ++i) r.band += select(speed >= b.band_above[i], R(S(1)), zero);
+  }
+  if (has_layers(c)) {
+    const R z = altitude(c, s.x);
+    const S r0 = static_cast<S>(kGeopotentialRadius);
+    r.air_layer = borders_passed(c.air.base + 1, c.air.layers - 1, r0 * z / (r0 + z));
+  }
+  if (c.fidelity.wind == WindModel::profile)
+    r.wind_piece = borders_passed(c.wind.at, c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x));
+  if (c.has_applied) r.force = select(t >= b.applied_until, R(S(1)), zero);
+  return r;
+}
+
+template <class R>
+PHYSIM_INLINE MaskOf<R> differ(const Regime<R>& a, const Regime<R>& b) {
+  return (a.curve_cell != b.curve_cell) | (a.band != b.band) | (a.air_layer != b.air_layer) |
+         (a.wind_piece != b.wind_piece) | (a.force != b.force);
+}
+
+template <class R, class Mask>
+PHYSIM_INLINE Regime<R> select(const Mask& m, const Regime<R>& a, const Regime<R>& b) {
+  return {select(m, a.curve_cell, b.curve_cell), select(m, a.band, b.band), select(m, a.air_layer, b.air_layer),
+          select(m, a.wind_piece, b.wind_piece), select(m, a.force, b.force)};
+}
+
+/// Whether any piecewise data is in use, so that smooth flights do not pay.
+template <class S>
+PHYSIM_INLINE bool has_corners(const Conditions<S>& c) {
+  return drag_has_corners(c) || has_layers(c) || c.fidelity.wind == WindModel::profile || c.has_applied;
+}
+
+/// The part of a finished step after which the first corner lies just behind, or 1 where there is none to respect.
+/// `at(theta)` is the dense output. A corner in the first millionth of a step is the one the last step was cut at.
+template <class F>
+double first_corner(const Conditions<double>& c, const Body<double>& b, double t, double h, const F& at) {
+  double before = 1e-6;
+  double behind = 1;
+  const Regime<double> here = regime(c, b, t + before * h, at(before));
+  if (!differ(here, regime(c, b, t + h, at(1.0)))) return 1;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (before + behind);
+    (differ(here, regime(c, b, t + middle * h, at(middle))) ? behind : before) = middle;
+  }
+  return behind;
+}
+
+PHYSIM_ISA_END

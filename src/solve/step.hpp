@@ -1,0 +1,48 @@
+// One step of a flight: what an integrator is given, what it leaves, and what its dense output needs.
+#pragma once
+
+#include "math/pack.hpp"
+#include "model/body.hpp"
+
+namespace physim {
+
+/// Slopes that a step may keep: the stages of DOP853, the slope at its end, and three for its dense output.
+inline constexpr int kMaxSlopes = 16;
+
+/// A step from time t over h. The derivative of a state (x, v) is a state (v, a).
+template <class R>
+struct Step {
+  R t;             // start [s]
+  R h;             // length [s]
+  State<R> start;  // state at t
+  State<R> end;    // state at t + h
+  State<R> slope[kMaxSlopes];  // slope[0] at the start; the last stage (see end_slope) at the end
+  R error;         // estimated error over tolerance [-]; adaptive integrators accept up to 1
+};
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
+
+template <class R>
+PHYSIM_INLINE State<R> operator+(const State<R>& a, const State<R>& b) {
+  return {a.x + b.x, a.v + b.v};
+}
+template <class R>
+PHYSIM_INLINE State<R> operator-(const State<R>& a, const State<R>& b) {
+  return {a.x - b.x, a.v - b.v};
+}
+template <class R>
+PHYSIM_INLINE State<R> operator*(const State<R>& a, const R& s) {
+  return {a.x * s, a.v * s};
+}
+template <class R, class Mask>
+PHYSIM_INLINE Vec3<R> select(const Mask& mask, const Vec3<R>& a, const Vec3<R>& b) {
+  return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+template <class R, class Mask>
+PHYSIM_INLINE State<R> select(const Mask& mask, const State<R>& a, const State<R>& b) {
+  return {select(mask, a.x, b.x), select(mask, a.v, b.v)};
+}
+
+PHYSIM_ISA_END

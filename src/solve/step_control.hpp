@@ -1,0 +1,51 @@
+// Step control of adaptive integrators.
+//
+// Proportional-integral control: h_new = h * safety * e^-alpha * e_previous^beta with e the error over tolerance,
+// alpha = 0.7 / q and beta = 0.4 / q for an integrator of order q; after a rejected step h_new = h * safety * e^(-1/q).
+// The integral part keeps the step from oscillating where the drag curve bends.
+//
+// Sources: K. Gustafsson, "Control theoretic techniques for stepsize selection in explicit Runge-Kutta methods", ACM
+// Trans. Math. Softw. 17 (1991) 533-554; E. Hairer, G. Wanner, Solving ODEs II (1996), sec. IV.2, eq. 2.43c.
+#pragma once
+
+#include "math/elementary.hpp"
+#include "solve/explicit_runge_kutta.hpp"
+
+PHYSIM_ISA_BEGIN
+
+template <class R>
+struct StepControl {
+  R log_previous;  // ln of the last accepted error, squared
+  R h;             // next step to try [s]
+};
+
+PHYSIM_INLINE double order_of(Integrator integrator) { return integrator == Integrator::dop853 ? 8 : 5; }
+
+/// The step to try after one of length h with error squared `error`; `accepted` lanes use the integral part too.
+template <class R>
+PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, const MaskOf<R>& accepted,
+                          StepControl<R>& control) {
+  using S = ScalarOf<R>;
+  const double q = order_of(integrator);
+  // Errors are squared, hence the factor 1/2. An error that is not a number counts as huge.
+  const R huge = constant<R>(1e16);
+  const R e = log(clamp(select(error < huge, error, huge), constant<R>(1e-16), huge));
+  const R with_memory = constant<R>(-0.35 / q) * e + constant<R>(0.2 / q) * control.log_previous;
+  const R after_rejection = constant<R>(-0.5 / q) * e;
+  const R factor = constant<R>(0.9) * exp(select(accepted, with_memory, after_rejection));
+  control.log_previous = select(accepted, e, control.log_previous);
+  return h * clamp(factor, R(S(0.1)), R(S(5)));
+}
+
+/// First step: the time in which the velocity would change by a few times the fifth (eighth) root of the tolerance.
+template <class R, class S>
+PHYSIM_INLINE R first_step(Integrator integrator, const State<R>& start, const Vec3<R>& a, S relative, S absolute) {
+  const R tiny = constant<R>(1e-30);
+  const R speed = length(start.v);
+  const R tolerance = relative + absolute / max(speed, constant<R>(1e-3));
+  const R reach = exp(log(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / order_of(integrator)));
+  const R h = reach * max(speed, constant<R>(1e-3)) / max(length(a), tiny);
+  return min(max(h, constant<R>(1e-6)), R(S(1)));
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,354 @@
+// `physim run`, `compare` and `list`, as a user runs them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+#ifdef PHYSIM_CLI
+
+namespace physim::testing_cli {
+namespace {
+
+constexpr const char* kBall = R"(physim = 1
+title = "A ball, it's {x} \"thrown\""
+[[shot]]
+name = "ball"
+mass = "0.5 kg"
+diameter = "0.1 m"
+drag = { table = "constant", coefficient = 0.4 }
+speed = "40 m/s"
+elevation = "30 deg"
+fidelity = "sport_ball"
+[output]
+ranges = ["20 m", "50 m", "900 m"]
+)";
+
+Ran physim(const std::vector<std::string>& arguments) { return run_program(PHYSIM_CLI, arguments); }
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<double> numbers_of(const std::string& csv_line) {
+  std::vector<double> numbers;
+  std::istringstream in(csv_line.substr(csv_line.find(',') + 1));
+  for (std::string cell; std::getline(in, cell, ',');) numbers.push_back(std::stod(cell));
+  return numbers;
+}
+
+// A complaint: exit code 2, one line on stderr that says this, nothing on stdout.
+void expect_complaint(const Ran& ran, const std::string& part) {
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_TRUE(has(ran.err, "error: ")) << ran.err;
+  EXPECT_TRUE(has(ran.err, part)) << ran.err;
+  EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+}
+
+// ------------------------------------------------------------------------------------------------------ the program
+TEST(Cli, TellsItsVersionAndHelp) {
+  EXPECT_EQ(physim({"--version"}).code, 0);
+  EXPECT_TRUE(has(physim({"--version"}).out, "physim 0."));
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"--help"}, {"run", "--help"}, {"compare", "--help"}, {"list", "--help"}, {"validate", "--help"}}) {
+    const Ran ran = physim(command);
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_TRUE(has(ran.out, "Examples:")) << command.front();
+  }
+}
+
+TEST(Cli, NamesWhatItDoesNotKnow) {
+  expect_complaint(physim({}), "a subcommand is required");
+  expect_complaint(physim({"fly"}), "there is no command \"fly\"");
+  expect_complaint(physim({"run"}), "FILE is required");
+  expect_complaint(physim({"run", "a.toml", "--velocty", "3"}), "--velocty");
+  expect_complaint(physim({"run", "a.toml", "b.toml"}), "b.toml");
+  expect_complaint(physim({"list", "settings", "--frobnicate"}), "--frobnicate");
+}
+
+TEST(Cli, WritesNoColourIntoAPipe) {
+  const Folder folder;
+  EXPECT_FALSE(has(physim({"run", folder.write("ball.toml", kBall)}).out, "\033"));
+}
+
+// -------------------------------------------------------------------------------------------------------------- run
+TEST(CliRun, PrintsARangeCard) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("ball.toml", kBall)});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  for (const char* part : {"A ball, it's {x} \"thrown\"", "sport_ball", "range [m]", "drop [m]  windage [m]  time [s]",
+                           "not reached", "landed", "apex", "cost"})
+    EXPECT_TRUE(has(ran.out, part)) << part << "\n" << ran.out;
+}
+
+TEST(CliRun, CsvHoldsTheFlightAndNothingElse) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--csv", "-"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const std::vector<std::string> lines = lines_of(ran.out);
+  ASSERT_GE(lines.size(), 201U);
+  ASSERT_LE(lines.size(), 503U);
+  EXPECT_EQ(lines[0],
+            "shot, t [s], x [m], y [m], z [m], vx [m/s], vy [m/s], vz [m/s], ax [m/s^2], ay [m/s^2], az [m/s^2], "
+            "speed [m/s], mach [-]");
+  EXPECT_TRUE(lines[1].starts_with("ball, 0, 0, 0, 0, ")) << lines[1];
+  double last_time = -1;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<double> row = numbers_of(lines[i]);
+    ASSERT_EQ(row.size(), 12U) << lines[i];
+    EXPECT_GT(row[0], last_time);
+    EXPECT_NEAR(row[10], std::hypot(row[4], row[5], row[6]), 1e-9);
+    last_time = row[0];
+  }
+  const std::vector<double> first = numbers_of(lines[1]), last = numbers_of(lines.back());
+  EXPECT_NEAR(first[10], 40, 1e-12);
+  EXPECT_NEAR(last[2], 0, 1e-6);  // on the ground
+}
+
+TEST(CliRun, IntervalIsKept) {
+  const Folder folder;
+  const std::vector<std::string> lines =
+      lines_of(physim({"run", folder.write("ball.toml", kBall), "--csv", "-", "--interval", "100 ms"}).out);
+  ASSERT_GT(lines.size(), 5U);
+  EXPECT_TRUE(lines[2].starts_with("ball, 0.1, ")) << lines[2];
+  EXPECT_TRUE(lines[4].starts_with("ball, 0.3, ")) << lines[4];
+}
+
+TEST(CliRun, IntervalsThatCannotBeAreRefused) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  const auto with = [&](const char* interval) { return physim({"run", file, "--csv", "-", "--interval", interval}); };
+  expect_complaint(with("0 s"), "positive");
+  expect_complaint(with("-1 s"), "positive");
+  expect_complaint(with("nan"), "--interval");
+  expect_complaint(with("inf"), "--interval");
+  expect_complaint(with("3 kg"), "--interval");
+  expect_complaint(with("1e-9 s"), "1000000 are allowed");
+  expect_complaint(with("1e-300 s"), "1000000 are allowed");
+}
+
+TEST(CliRun, JsonHoldsResultAndProvenance) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--json", "-", "--set", "shot.mass=0.4 kg"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(json.at("program"), "physim");
+  EXPECT_TRUE(json.at("version").is_string());
+  EXPECT_EQ(json.at("settings").at("shot.ball.mass"), "0.4 kg");
+  const auto& shot = json.at("shots").at(0);
+  EXPECT_EQ(shot.at("name"), "ball");
+  EXPECT_EQ(shot.at("outcome"), "landed");
+  EXPECT_EQ(shot.at("fidelity_asked").at("integrator"), "rk4");
+  EXPECT_EQ(shot.at("fidelity_granted").at("precision"), "float64");
+  EXPECT_GT(shot.at("cost").at("evaluations"), 0);
+  EXPECT_EQ(shot.at("range_card").size(), 2U);
+  EXPECT_EQ(shot.at("events").back().at("kind"), "ground");
+  const auto& trajectory = shot.at("trajectory");
+  EXPECT_EQ(trajectory.size(), 12U);
+  EXPECT_EQ(trajectory.at("t [s]").size(), trajectory.at("mach [-]").size());
+  EXPECT_EQ(trajectory.at("t [s]").back(), shot.at("duration [s]"));
+}
+
+TEST(CliRun, NamesWithCommasSurvive) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--csv", "-", "--set", "shot.name=a, b"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(lines_of(ran.out)[1].starts_with("\"a, b\", 0, ")) << lines_of(ran.out)[1];
+}
+
+TEST(CliRun, ExpectationsDecideTheExitCode) {
+  const Folder folder;
+  const auto expecting = [](const char* equals) {
+    return std::string(kBall) + "[[expect]]\nat = \"end\"\nquantity = \"y\"\nequals = \"" + equals +
+           "\"\nwithin = \"1 mm\"\nsource = \"the ground\"\n";
+  };
+  const Ran met = physim({"run", folder.write("met.toml", expecting("0 m"))});
+  EXPECT_EQ(met.code, 0) << met.err;
+  EXPECT_TRUE(has(met.out, "1 of 1 met")) << met.out;
+  const std::string file = folder.write("missed.toml", expecting("5 m"));
+  const Ran missed = physim({"run", file});
+  EXPECT_EQ(missed.code, 1) << missed.err;
+  EXPECT_TRUE(has(missed.out, "MISSED")) << missed.out;
+  EXPECT_TRUE(has(missed.out, "the ground")) << missed.out;
+  const Ran quiet = physim({"run", file, "--csv", "-"});
+  EXPECT_EQ(quiet.code, 1);
+  EXPECT_TRUE(has(quiet.err, "1 of 1 checks were missed")) << quiet.err;
+}
+
+TEST(CliRun, BadScenariosAreNamedWithTheirPlace) {
+  const Folder folder;
+  expect_complaint(physim({"run", folder / "none.toml"}), "none.toml: error: ");
+  expect_complaint(physim({"run", folder / "."}), "error: ");
+  expect_complaint(physim({"run", folder.write("bad.toml", "physim = 1\n[[shot]]\nsped = 3\n")}),
+                   "bad.toml:3:1: error: ");
+  expect_complaint(physim({"run", folder.write("ball.toml", kBall), "--set", "shot.mass=-1 kg"}), "mass");
+  expect_complaint(physim({"run", folder / "ball.toml", "--set", "shot.mas=1 kg"}), "mas");
+  expect_complaint(physim({"run", folder / "ball.toml", "--set", "nonsense"}), "nonsense");
+}
+
+// ------------------------------------------------------------------------------------------------------------ files
+TEST(CliFiles, AreWholeAndLeaveNothingBehind) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  const Ran ran = physim({"run", file, "--csv", folder / "a.csv", "--json", folder / "a.json"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "landed"));
+  EXPECT_TRUE(read(folder / "a.csv").ends_with("\n"));
+  EXPECT_TRUE(nlohmann::json::accept(read(folder / "a.json")));
+  EXPECT_EQ(folder.names().size(), 3U);
+}
+
+TEST(CliFiles, ThatCannotBeWrittenAreNamed) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  expect_complaint(physim({"run", file, "--csv", folder / "no/a.csv"}), "no such directory");
+  expect_complaint(physim({"run", file, "--json", folder / "."}), "it is a directory");
+  expect_complaint(physim({"run", file, "--csv", "/dev/full"}), "No space left");
+  expect_complaint(physim({"run", file, "--csv", "-", "--json", "-"}), "cannot both");
+  expect_complaint(physim({"run", file, "--plot", folder / "a.pdf"}), "end it with .png or .svg");
+  expect_complaint(physim({"run", file, "--plot", "-"}), "end it with .png or .svg");
+  expect_complaint(physim({"run", file, "--out", file}), "error: ");
+  EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(CliFiles, AFullStandardOutputIsAnError) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", file}, {"run", file, "--csv", "-"}, {"list", "settings"}}) {
+    const Ran ran = run_program(PHYSIM_CLI, arguments, "/dev/full");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_TRUE(has(ran.err, "No space left")) << ran.err;
+  }
+}
+
+TEST(CliFiles, ADeviceIsWrittenToAndNotReplaced) {
+  const Folder folder;
+  EXPECT_EQ(physim({"run", folder.write("ball.toml", kBall), "--csv", "/dev/null"}).code, 0);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+// ------------------------------------------------------------------------------------------------------------ plots
+TEST(CliPlot, IsDrawnInBothFormats) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  const Ran ran = physim({"run", file, "--plot", folder / "a.svg"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::string svg = read(folder / "a.svg");
+  EXPECT_TRUE(has(svg, "<svg"));
+  for (const char* part : {"A ball, it", "{x}", "speed [m/s]", "vx [m/s]", "ay [m/s", "t [s]", "height [m]"})
+    EXPECT_TRUE(has(svg, part)) << part;
+  EXPECT_EQ(physim({"run", file, "--plot", folder / "A.PNG"}).code, 0);
+  EXPECT_TRUE(read(folder / "A.PNG").starts_with("\x89PNG"));
+}
+
+TEST(CliPlot, TitlesAreTextAndNeverCommands) {
+  const Folder folder;
+  const std::string trap = folder / "trap";
+  for (const std::string& name :
+       std::vector<std::string>{"'; system('touch " + trap + "') #", "`touch " + trap + "`", "\\n @x ^_{~a b}"}) {
+    const Ran ran =
+        physim({"run", folder.write("ball.toml", kBall), "--set", "shot.name=" + name, "--plot", folder / "a.svg"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(trap)) << name;
+  }
+}
+
+TEST(CliPlot, AMissingGnuplotIsNamedWithItsPackage) {
+  const Folder folder;
+  const std::vector<std::string> arguments = {"run", folder.write("ball.toml", kBall), "--plot", folder / "a.png"};
+  const Ran ran = run_program(PHYSIM_CLI, arguments, "", {"PATH=/nonexistent"});
+  expect_complaint(ran, "apt-get install gnuplot-nox");
+  EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(CliPlot, AFolderGetsEverything) {
+  const Folder folder;
+  const std::string second = "[[shot]]\nname = \"an/other\"\nspeed = \"30 m/s\"\nelevation = \"50 deg\"\n";
+  const std::string two = std::string(kBall) + second;
+  const Ran ran = physim({"run", folder.write("two.toml", two), "--out", folder / "deep/out"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (const char* name : {"two.csv", "two.json", "two.png", "two_ball.png", "two_an_other.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "deep/out/" + name)) << name;
+}
+
+// ---------------------------------------------------------------------------------------------------------- compare
+TEST(CliCompare, ListsRungsFromPresetsToTheReference) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  const Ran ran = physim({"compare", file, "--csv", "-", "--plot", folder / "ladder.svg"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::vector<std::string> lines = lines_of(ran.out);
+  ASSERT_GT(lines.size(), 20U);
+  EXPECT_EQ(
+      lines[0],
+      "shot, family, rung, error [m], time error [s], steps [-], evaluations [-], cost [us], outcome, leaves out");
+  EXPECT_TRUE(lines[1].starts_with("ball, presets, arcade, ")) << lines[1];
+  EXPECT_TRUE(lines.back().starts_with("ball, reference, reference, 0, 0, ")) << lines.back();
+  for (const char* part : {"rk4 10 ms", "tsit5 1e-9", "dop853 1e-12", "no drag", "float32"})
+    EXPECT_TRUE(has(ran.out, part)) << part;
+  EXPECT_TRUE(has(read(folder / "ladder.svg"), "semi_implicit_euler"));
+}
+
+TEST(CliCompare, ErrorsShrinkWithTheStep) {
+  const Folder folder;
+  const Ran ran = physim({"compare", folder.write("ball.toml", kBall), "--json", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  const auto error_of = [&](const std::string& wanted) {
+    for (const auto& rung : json.at("rungs"))
+      if (rung.at("rung") == wanted) return rung.at("error [m]").get<double>();
+    ADD_FAILURE() << wanted;
+    return 0.0;
+  };
+  EXPECT_LT(error_of("explicit_euler 1 ms"), error_of("explicit_euler 1/60 s"));
+  EXPECT_LT(error_of("heun 1 ms"), error_of("explicit_euler 1 ms"));
+  EXPECT_LT(error_of("rk4 10 ms"), 1e-5);
+  EXPECT_LT(error_of("dop853 1e-12"), 1e-8);
+  EXPECT_GT(error_of("no drag"), 1);
+}
+
+TEST(CliCompare, NamesTheShotsThereAre) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  expect_complaint(physim({"compare", file, "--shot", "bal"}), "its shots are \"ball\"");
+  expect_complaint(physim({"compare", folder / "none.toml"}), "none.toml");
+  expect_complaint(physim({"compare", file, "--plot", folder / "x.gif"}), ".png or .svg");
+}
+
+// ------------------------------------------------------------------------------------------------------------- list
+TEST(CliList, EverythingThatHasAName) {
+  const auto list = [](const std::string& what) {
+    const Ran ran = physim({"list", what});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.out;
+  };
+  EXPECT_TRUE(has(list("settings"), "shot.drag.ballistic_coefficient"));
+  EXPECT_TRUE(has(list("presets"), "small_arms"));
+  EXPECT_TRUE(has(list("drag_tables"), "ra4"));
+  EXPECT_TRUE(has(list("kernels"), "base"));
+  EXPECT_TRUE(has(list("units"), "lb/in^2"));
+  EXPECT_TRUE(has(list("models"), "inverse_square"));
+  EXPECT_FALSE(has(list("models"), "(no text)"));  // a new rung needs its line in rungs.cpp
+}
+
+TEST(CliList, SettingsAsMarkdown) {
+  const Ran ran = physim({"list", "settings", "--markdown"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_TRUE(has(ran.out, "# Settings"));
+  EXPECT_TRUE(has(ran.out, "| `shot.mass` |"));
+}
+
+}  // namespace
+}  // namespace physim::testing_cli
+
+#endif  // PHYSIM_CLI

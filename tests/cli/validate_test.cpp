@@ -1,0 +1,205 @@
+// `physim validate`, as a user runs it.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#ifdef PHYSIM_CLI
+
+namespace {
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string text;  // stdout, then stderr
+};
+
+/// Runs `physim validate ARGUMENTS`.
+Outcome validate(const std::string& arguments) {
+  const std::string errors = testing::TempDir() + "/validate_stderr_" + std::to_string(getpid());
+  const std::string command = std::string("\"") + PHYSIM_CLI + "\" validate " + arguments + " 2>\"" + errors + "\"";
+  Outcome outcome;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return outcome;
+  std::array<char, 4096> buffer;
+  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    outcome.text.append(buffer.data(), n);
+  outcome.code = WEXITSTATUS(pclose(pipe));
+  std::stringstream text;
+  text << std::ifstream(errors).rdbuf();
+  outcome.text += text.str();
+  fs::remove(errors);
+  return outcome;
+}
+
+/// A folder with one file, gone at the end of the test.
+class Folder {
+ public:
+  Folder(const std::string& file, const std::string& content)
+      : path_(fs::path(testing::TempDir()) / ("validate_" + std::to_string(getpid()))) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+    add(file, content);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  void add(const std::string& file, const std::string& content) const { std::ofstream(path_ / file) << content; }
+  [[nodiscard]] std::string option() const { return "--data \"" + path_.string() + "\""; }
+  [[nodiscard]] fs::path operator/(const std::string& file) const { return path_ / file; }
+
+ private:
+  fs::path path_;
+};
+
+bool contains(const Outcome& outcome, const std::string& part) { return outcome.text.find(part) != std::string::npos; }
+
+const std::string kParabola = "# g=9.80665\nv0_m_s,elev_deg,range_m\n";
+
+TEST(Validate, EverySuitePassesAtItsGates) {
+  for (const char* suite : {"classic", "analytic", "us76", "ballistics"}) {
+    const Outcome outcome = validate(suite);
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_TRUE(contains(outcome, "all pass")) << outcome.text;
+  }
+}
+
+TEST(Validate, JsonHoldsEveryFigureAndASummary) {
+  const Outcome outcome = validate("us76 classic --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
+  const auto json = nlohmann::json::parse(outcome.text);
+  const auto& results = json.at("results");
+  ASSERT_FALSE(results.empty());
+  for (const auto& row : results) {
+    EXPECT_TRUE(row.at("pass"));
+    EXPECT_LE(row.at("error").get<double>(), row.at("gate").get<double>());
+    for (const char* key : {"suite", "case", "figure", "expected", "actual"}) EXPECT_TRUE(row.contains(key)) << key;
+  }
+  EXPECT_EQ(json.at("summary").at("figures"), results.size());
+  EXPECT_EQ(json.at("summary").at("missed"), 0);
+  EXPECT_EQ(json.at("summary").at("suites").size(), 2u);
+}
+
+TEST(Validate, AMissedGateIsExitCode1) {
+  const Folder folder("vacuum_parabola.csv", kParabola + "10,45,10.198\n");
+  const Outcome outcome = validate("analytic " + folder.option());
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(contains(outcome, "MISSED")) << outcome.text;
+  const auto json = nlohmann::json::parse(validate("analytic --json " + folder.option()).text);
+  EXPECT_EQ(json.at("summary").at("pass"), false);
+}
+
+TEST(Validate, DataMayBeTheSuiteFolderOrItsParent) {
+  const Folder folder("vacuum_parabola.csv", kParabola + "10,45,10.197162129779282426\n");
+  EXPECT_EQ(validate("analytic " + folder.option()).code, 0);
+  EXPECT_EQ(validate(folder.option()).code, 0);  // the suites that are there
+  fs::create_directories(folder / "analytic");
+  fs::rename(folder / "vacuum_parabola.csv", folder / "analytic/vacuum_parabola.csv");
+  EXPECT_EQ(validate("analytic " + folder.option()).code, 0);
+  EXPECT_EQ(validate("us76 " + folder.option()).code, 2);
+}
+
+TEST(Validate, UnknownColumnsEmptyFieldsAndLaterFeaturesAreSkipped) {
+  const Folder folder("vacuum_parabola.csv",
+                      "# words\nextra,range_m,elev_deg,v0_m_s,apex_m\nx,10.197162129779282426,45,10,\n");
+  folder.add("torque_free_brick.csv", "t_s,p_deg_s\n0,10\n");
+  const Outcome outcome = validate("analytic " + folder.option());
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_TRUE(contains(outcome, "skipped: torque_free_brick.csv: needs rigid-body rotation")) << outcome.text;
+}
+
+TEST(Validate, MalformedTablesNameFileAndLine) {
+  const struct {
+    const char* content;
+    const char* message;
+  } bad[] = {
+      {"v0_m_s,elev_deg,range_m\n10,45,10.2\n10,4x5,10\n",
+       "vacuum_parabola.csv:3: error: \"4x5\" in column \"elev_deg\""},
+      {"v0_m_s,elev_deg\n10,45,10.2\n", "vacuum_parabola.csv:2: error: 3 fields; the header has 2 columns"},
+      {"# nothing\nv0_m_s,range_m\n10,10.2\n", "vacuum_parabola.csv:2: error: no column \"elev_deg\""},
+      {"v0_m_s,elev_deg\n,45\n", "vacuum_parabola.csv:2: error: column \"v0_m_s\" needs a number"},
+      {"", "vacuum_parabola.csv:1: error: no header line"},
+  };
+  for (const auto& [content, message] : bad) {
+    const Folder folder("vacuum_parabola.csv", content);
+    const Outcome outcome = validate("analytic " + folder.option());
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_TRUE(contains(outcome, message)) << outcome.text;
+  }
+}
+
+TEST(Validate, MalformedCasesNameFileLineAndCase) {
+  const struct {
+    const char* content;
+    const char* message;
+  } bad[] = {
+      {"[\n {\"id\": \"a\",}\n]", "air.json:2: error: not JSON"},
+      {"{}", "air.json:1: error: a list of cases was expected"},
+      {"[\n {\n  \"id\": \"a\"}\n]", "air.json:3: error: case \"a\": \"expected_density_kg_m3\" is missing"},
+      {"[{\"id\": \"a\", \"expected_density_kg_m3\": \"x\"}]", "\"expected_density_kg_m3\" is not a number"},
+  };
+  for (const auto& [content, message] : bad) {
+    const Folder folder("air.json", content);
+    const Outcome outcome = validate("ballistics " + folder.option());
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_TRUE(contains(outcome, message)) << outcome.text;
+  }
+}
+
+TEST(Validate, BadArgumentsAreExitCode2) {
+  EXPECT_EQ(validate("clasic").code, 2);
+  EXPECT_TRUE(contains(validate("clasic"), "there are: classic, analytic, us76, ballistics"));
+  EXPECT_EQ(validate("--data /no/such/folder").code, 2);
+  EXPECT_EQ(validate("--report /no/such/folder/report.md").code, 2);
+}
+
+TEST(Validate, NotesOfMisprintsAreHeeded) {
+  const Folder folder("tables.csv",
+                      "test,printed_t_s,frame,x,y,z,vx,vy,vz,note\n"
+                      "2,0.1,7,0,1.4585,4.061904,0,-0.099388,34.572421,y misprinted (replay 1.49585)\n"
+                      "5,0.8,49,0,3.024244,31.328224,0,13.495668,37,signs lost in print; vz rounded\n"
+                      "9,0,1,0,0,0,0,0,0,\n");
+  const Outcome outcome = validate("classic " + folder.option());
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_TRUE(contains(outcome, "skipped: test 9")) << outcome.text;
+}
+
+TEST(Validate, BallisticCasesAreReadLiberally) {
+  const std::string air = R"("atmosphere": {"temperature_K": 288.15, "pressure_Pa": 101325, "relative_humidity": 0})";
+  const std::string gate = R"("gate": {"drop": {"abs_m": 1e-3}, "velocity": {"rel": 1e-6}})";
+  const auto one = [&](const std::string& drag) {
+    return "{" + drag + R"(, "muzzle_velocity_m_s": 800, "elevation_rad": 0.002, "sight_height_m": null, )" + air +
+           ", " + gate + R"(, "rows": [{"range_m": 300, "drop_m": null, "velocity_m_s": 630}]})";
+  };
+  const Folder folder("trajectories.json",
+                      "[" + one(R"("id": "one", "drag_table": "g7", "bc_lb_in2": 0.25)") + "," +
+                          one(R"("id": "pairs", "drag_table": "G7", "bc_bands": [[700, 0.25], [0, 0.25]])") + "," +
+                          one(R"("id": "objects", "drag_table": "G7",
+                                 "bc_bands": [{"min_speed_m_s": 700, "bc_lb_in2": 0.25},
+                                              {"max_speed_m_s": 700, "bc_lb_in2": 0.25}])") +
+                          "]");
+  const auto results = nlohmann::json::parse(validate("ballistics --json " + folder.option()).text).at("results");
+  ASSERT_EQ(results.size(), 3u);  // the drop is null
+  for (const auto& row : results) EXPECT_NEAR(row.at("actual"), results[0].at("actual"), 1e-4) << row;
+}
+
+TEST(Validate, ReportIsWrittenAndSaysHowItWasMade) {
+  const Folder folder("vacuum_parabola.csv", kParabola + "10,45,10.197162129779282426\n");
+  const std::string report = (folder / "report.md").string();
+  ASSERT_EQ(validate("analytic " + folder.option() + " --report \"" + report + "\"").code, 0);
+  std::stringstream text;
+  text << std::ifstream(report).rdbuf();
+  EXPECT_NE(text.str().find("Made by `physim validate analytic --data "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("| vacuum_parabola closed_form |"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("- `vacuum_parabola.csv`: g=9.80665"), std::string::npos) << text.str();
+}
+
+}  // namespace
+
+#endif  // PHYSIM_CLI

@@ -1,0 +1,303 @@
+// Bad scenarios: every one gets a place, a reason and, where there is one, a way out.
+#include <gtest/gtest.h>
+
+#include "physim/scenario.hpp"
+
+namespace physim {
+namespace {
+
+struct Bad {
+  std::string text;
+  std::string error;
+  friend std::ostream& operator<<(std::ostream& out, const Bad& bad) { return out << bad.error; }
+};
+
+std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const Result<Scenario> scenario = parse_scenario(text, "f.toml", overrides);
+  return scenario.ok() ? "no error" : scenario.error().text();
+}
+
+class BadFileTest : public testing::TestWithParam<Bad> {};
+TEST_P(BadFileTest, SaysWhereAndWhy) { EXPECT_EQ(error_of(GetParam().text), GetParam().error) << GetParam().text; }
+
+INSTANTIATE_TEST_SUITE_P(
+    Toml, BadFileTest,
+    testing::Values(
+        Bad{"", "f.toml:1:1: error: the format version is missing; write physim = 1 at the top"},
+        Bad{"physim = 2", "f.toml:1:10: error: physim: unknown format version 2; this program reads version 1"},
+        Bad{"physim = \"1\"", "f.toml:1:10: error: physim: unknown format version \"1\"; this program reads version 1"},
+        Bad{"physim = 1", "f.toml:1:1: error: the scenario has no shot; add a [[shot]]"},
+        Bad{"physim = 1\nshot = []", "f.toml:2:8: error: the scenario has no shot; add a [[shot]]"},
+        Bad{"physim = 1\nphysim = 1",
+            "f.toml:2:10: error: not valid TOML (key-value pair): cannot redefine existing integer 'physim'; a name "
+            "may stand only once in a table"},
+        Bad{"physim = 1\n[[shot]]\n[until]\n[until]",
+            "f.toml:4:1: error: not valid TOML (table header): cannot redefine existing table 'until'; a name may "
+            "stand only once in a table"},
+        Bad{"physim = 1\n[[shot]]\nname = \"half",
+            "f.toml:3:13: error: not valid TOML (string): encountered end-of-file"},
+        Bad{"physim = 1\n[[shot", "f.toml:2:7: error: not valid TOML (table header): encountered end-of-file"},
+        Bad{"physim = 1\n[[shot]]\nname = \"\xC3\x28\"",
+            "f.toml:3:8: error: not valid TOML: Encountered invalid utf-8 sequence"},
+        Bad{"[[[[[[",
+            "f.toml:1:3: error: not valid TOML (key): expected bare key starting character or string delimiter, saw "
+            "'['"},
+        Bad{"physim = " + std::string(10000, '['),
+            "f.toml:1:266: error: not valid TOML (value): exceeded maximum nested value depth of 256 "
+            "(TOML_MAX_NESTED_VALUES)"},
+        Bad{std::string(1, 'a') +
+                [] {
+                  std::string s;
+                  for (int i = 0; i < 100000; ++i) s += ".a";
+                  return s;
+                }() +
+                " = 1",
+            "f.toml:1:1002: error: a key of more than 500 parts"}));
+
+// The head is one line, so the text begins on line 2.
+class BadKeyTest : public testing::TestWithParam<Bad> {};
+TEST_P(BadKeyTest, SaysWhereAndWhy) {
+  EXPECT_EQ(error_of("physim = 1\n" + GetParam().text), GetParam().error) << GetParam().text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, BadKeyTest,
+    testing::Values(
+        Bad{"[[shot]]\n[environment.wind]\nvelocty = [0, 0, 0]",
+            "f.toml:4:1: error: unknown key \"velocty\" in [wind]; did you mean \"velocity\"?"},
+        Bad{"[[shot]]\n[enviroment]\n",
+            "f.toml:3:2: error: unknown key \"enviroment\" in the file; did you mean \"environment\"?"},
+        Bad{"[[shot]]\nMass = 1", "f.toml:3:1: error: unknown key \"Mass\" in [shot]; did you mean \"mass\"?"},
+        Bad{"[[shot]]\nfrobnicate = 1\n[shot.drag]\nwidth = 1",
+            "f.toml:3:1: error: unknown key \"frobnicate\" in [shot]; known keys: name, mass, diameter, length, twist, "
+            "drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, fidelity"},
+        Bad{"[[shot]]\nzero_range = 100",
+            "f.toml:3:1: error: unknown key \"zero_range\" in [shot]; \"zero_range\" belongs into [shot.sight]"},
+        Bad{"[[shot]]\n[until]\nevents = [{ kind = \"mach\", terminals = true }]",
+            "f.toml:4:28: error: unknown key \"terminals\" in [events]; did you mean \"terminal\"?"},
+        Bad{"[[shot]]\n[shot.fidelity]\nintegrater = \"rk4\"",
+            "f.toml:4:1: error: unknown key \"integrater\" in [fidelity]; did you mean \"integrator\"?"},
+        Bad{"[[shot]]\n[[expect]]\nequals = 1\nwithin = 1",
+            "f.toml:3:1: error: missing key \"quantity\" in [expect]; figure to look at"},
+        Bad{"[[shot]]\n[[expect]]\nquantity = \"drop\"\nequals = 1",
+            "f.toml:3:1: error: missing key \"within\" in [expect]; distance allowed"},
+        Bad{"[[shot]]\n[until]\nevents = [{ value = 1 }]",
+            "f.toml:4:11: error: missing key \"kind\" in [events]; what is watched"},
+        Bad{"[[shot]]\n[output]\nranges = { from = 0, to = 100, stop = 10 }",
+            "f.toml:4:32: error: unknown key \"stop\" in [ranges]; did you mean \"step\"?"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, BadKeyTest,
+    testing::Values(
+        Bad{"[shot]", "f.toml:2:1: error: shot: found a table; expected a list of tables; write [[shot]]"},
+        Bad{"shot = 5", "f.toml:2:8: error: shot: found a number; expected a list of tables; write [[shot]]"},
+        Bad{"shot = [5]",
+            "f.toml:2:9: error: shot: found a number; expected a table with keys out of: name, mass, diameter, length, "
+            "twist, drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, fidelity"},
+        Bad{"[[shot]]\nmass = true",
+            "f.toml:3:8: error: shot.mass: found a boolean; expected a mass such as \"168 gr\""},
+        Bad{"[[shot]]\nmass = 2024-01-01",
+            "f.toml:3:8: error: shot.mass: found a date; expected a mass such as \"168 gr\""},
+        Bad{"[[shot]]\nname = 308", "f.toml:3:8: error: shot.name: found a number; expected a text in quotes"},
+        Bad{"[[shot]]\ndrag = \"g7\"",
+            "f.toml:3:8: error: shot.drag: found a text; expected a table with keys out of: table, coefficient, curve, "
+            "ballistic_coefficient, bands, form_factor, damping, k1, k2"},
+        Bad{"[[shot]]\nposition = 5",
+            "f.toml:3:12: error: shot.position: found a number; expected three components [x, y, z]"},
+        Bad{"[[shot]]\nposition = [1, 2]",
+            "f.toml:3:12: error: shot.position: found 2 components; expected three components [x, y, z]"},
+        Bad{"[[shot]]\nposition = [1, 2, \"3 s\"]",
+            "f.toml:3:19: error: shot.position: \"3 s\" is a time; expected a length such as \"7.82 mm\""},
+        Bad{"[[shot]]\n[shot.sight]\nzero_in_calm_air = \"yes\"",
+            "f.toml:4:20: error: shot.sight.zero_in_calm_air: found a text; expected true or false"},
+        Bad{"[[shot]]\n[tolerance]\nmax_steps = 1.5",
+            "f.toml:4:13: error: tolerance.max_steps: 1.5 is not a whole number; expected a whole number such as 1000"},
+        Bad{"[[shot]]\n[shot.drag]\ntable = \"G7\"",
+            "f.toml:4:9: error: shot.drag.table: unknown value \"G7\"; did you mean \"g7\"?"},
+        Bad{"[[shot]]\n[shot.drag]\ntable = \"g9\"",
+            "f.toml:4:9: error: shot.drag.table: unknown value \"g9\"; known values: constant, g1, g2, g5, g6, g7, g8, "
+            "gi, gs, ra4, sphere, custom"},
+        Bad{"[[shot]]\nfidelity = \"simulaton\"",
+            "f.toml:3:12: error: shot.fidelity.preset: unknown value \"simulaton\"; did you mean \"simulation\"?"},
+        Bad{"environment.gravity = 9.81\n[[shot]]",
+            "f.toml:2:23: error: environment.gravity.model: unknown value 9.81; known values: off, constant, "
+            "inverse_square"},
+        Bad{"[[shot]]\n[[expect]]\nquantity = \"hight\"\nequals = 1\nwithin = 1",
+            "f.toml:4:12: error: expect.quantity: unknown value \"hight\"; known values: drop, windage, range, speed, "
+            "time, x, y, z, vx, vy, vz, mach, energy, elevation"},
+        Bad{"[[shot]]\n[[expect]]\nquantity = \"drop\"\nequals = \"1 m/s\"\nwithin = 1",
+            "f.toml:5:10: error: expect.equals: \"1 m/s\" is a speed; expected a length such as \"7.82 mm\""},
+        Bad{"[[shot]]\n[until]\nevents = [{ kind = \"speed\", value = \"3 m\" }]",
+            "f.toml:4:37: error: until.events.value: \"3 m\" is a length; expected a speed such as \"800 m/s\""},
+        Bad{"[[shot]]\n[output]\nranges = \"100 m .. 200 m\"",
+            "f.toml:4:10: error: output.ranges: \"100 m .. 200 m\" has no step; expected \"100 m .. 1000 m step 100 "
+            "m\""},
+        Bad{"[[shot]]\n[output]\nranges = { from = 0, to = 100 }",
+            "f.toml:4:10: error: output.ranges: missing key \"step\"; expected { from, to, step }"},
+        Bad{"[[shot]]\n[shot.drag]\ncurve = [[0, 1], [1]]",
+            "f.toml:4:18: error: shot.drag.curve: this is no point; expected points [[Mach number, drag coefficient], "
+            "...]"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, BadKeyTest,
+    testing::Values(
+        Bad{"[[shot]]\nmass = \"168 ft\"",
+            "f.toml:3:8: error: shot.mass: \"168 ft\" is a length; expected a mass such as \"168 gr\""},
+        Bad{"[[shot]]\nmass = \"168 grains\"",
+            "f.toml:3:8: error: shot.mass: unknown unit \"grains\" in \"168 grains\"; known units: kg, g, mg, gr, lb, "
+            "oz, slug, t"},
+        Bad{"[[shot]]\nmass = \"heavy\"",
+            "f.toml:3:8: error: shot.mass: \"heavy\" is not a number; expected a mass such as \"168 gr\""},
+        Bad{"[[shot]]\nmass = nan",
+            "f.toml:3:8: error: shot.mass: nan is not a finite number; expected a mass such as \"168 gr\""},
+        Bad{"[[shot]]\nmass = inf",
+            "f.toml:3:8: error: shot.mass: inf is not a finite number; expected a mass such as \"168 gr\""},
+        Bad{"[[shot]]\nmass = \"inf kg\"",
+            "f.toml:3:8: error: shot.mass: \"inf kg\" is not a finite number; expected a mass such as \"168 gr\""},
+        Bad{"[[shot]]\nposition = [0, nan, 0]",
+            "f.toml:3:16: error: shot.position: nan is not a finite number; expected a length such as \"7.82 mm\""},
+        Bad{"[[shot]]\nmass = \"-1 kg\"", "f.toml:3:8: error: shot.mass: \"-1 kg\" is out of range; must be > 0 kg"},
+        Bad{"[[shot]]\ndiameter = 0",
+            "f.toml:3:12: error: shot.diameter: 0 is out of range; must be > 0 m; a bare number is in m"},
+        Bad{"[[shot]]\nelevation = 2",
+            "f.toml:3:13: error: shot.elevation: 2 is out of range; must be -90 deg .. 90 deg; a bare number is in "
+            "rad"},
+        Bad{"environment.atmosphere.humidity = \"140 %\"\n[[shot]]",
+            "f.toml:2:35: error: environment.atmosphere.humidity: \"140 %\" is out of range; must be 0 .. 1"},
+        Bad{"[[shot]]\n[shot.drag]\ndamping = 0",
+            "f.toml:4:11: error: shot.drag.damping: 0 is out of range; must be > 0, <= 1"},
+        Bad{"[[shot]]\n[shot.drag]\ndamping = 1.1",
+            "f.toml:4:11: error: shot.drag.damping: 1.1 is out of range; must be > 0, <= 1"},
+        Bad{"[[shot]]\n[tolerance]\nmax_steps = 0",
+            "f.toml:4:13: error: tolerance.max_steps: 0 is out of range; must be 1 .. 1e+09"},
+        Bad{"[[shot]]\n[until]\ntime = inf",
+            "f.toml:4:8: error: until.time: inf is not a finite number; expected a time such as \"2.5 s\""},
+        Bad{"[[shot]]\n[shot.drag]\ntable = \"custom\"\ncurve = []",
+            "f.toml:5:9: error: shot.drag.curve: table = \"custom\" without points; write curve = [[Mach number, drag "
+            "coefficient], ...]"},
+        Bad{"[[shot]]\n[shot.drag]\ntable = \"custom\"",
+            "f.toml:3:1: error: shot.drag.curve: table = \"custom\" without points; write curve = [[Mach number, drag "
+            "coefficient], ...]"},
+        Bad{"[[shot]]\n[shot.drag]\ncurve = [[0, 0.1], [2, 0.3], [1, 0.2]]",
+            "f.toml:4:31: error: shot.drag.curve: Mach number 1 after 2; they must rise"},
+        Bad{"[[shot]]\n[shot.drag]\ncurve = [[0, 0.1], [0, 0.3]]",
+            "f.toml:4:21: error: shot.drag.curve: Mach number 0 after 0; they must rise"},
+        Bad{"[[shot]]\n[shot.drag]\ncurve = [[0, -0.1]]",
+            "f.toml:4:14: error: shot.drag.curve: -0.1 is out of range; must be >= 0"},
+        Bad{"[[shot]]\n[output]\nranges = \"0 m .. 1000 km step 1 mm\"",
+            "f.toml:4:10: error: output.ranges: too many steps; at most 100000"},
+        Bad{"[[shot]]\n[output]\nranges = \"0 m .. 100 m step 0 m\"",
+            "f.toml:4:10: error: output.ranges: the steps lead nowhere; from <= to and step > 0"},
+        Bad{"[[shot]]\n[output]\nranges = [-5]",
+            "f.toml:4:11: error: output.ranges: -5 is out of range; must be >= 0 m; a bare number is in m"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Contradictions, BadKeyTest,
+    testing::Values(
+        Bad{"[[shot]]\nname = \"a\"\n[[shot]]\nname = \"a\"",
+            "f.toml:5:8: error: shot.name: two shots are named \"a\"; the first is at f.toml:3:8"},
+        Bad{"[[shot]]\nname = \"a=b\"",
+            "f.toml:3:8: error: shot.name: \"a=b\" has a character that names may not have; leave out =, \" and "
+            "control "
+            "characters"},
+        Bad{"[[shot]]\nname = \" a\"", "f.toml:3:8: error: shot.name: \" a\" begins or ends with a space"},
+        Bad{"[[shot]]\nelevation = \"2 deg\"\nsight = { zero_range = \"100 m\" }",
+            "f.toml:3:13: error: shot.elevation: given together with sight.zero_range; the zero range finds the "
+            "elevation; give one of them"},
+        Bad{"[[shot]]\nvelocity = [1, 2, 3]\nspeed = 5",
+            "f.toml:4:9: error: shot.speed: given together with velocity; give either velocity, or speed with "
+            "elevation "
+            "and azimuth"},
+        Bad{"[[shot]]\nvelocity = [1, 2, 3]\nsight.zero_range = 100",
+            "f.toml:4:20: error: shot.sight.zero_range: given together with velocity; give speed instead; the zero "
+            "range "
+            "finds the elevation"},
+        Bad{"[[shot]]\ndrag = { curve = [[0, 0.1], [1, 0.3]] }",
+            "f.toml:3:18: error: shot.drag.curve: not used by the default table = \"constant\"; write table = "
+            "\"custom\""},
+        Bad{"[[shot]]\n[shot.drag]\ntable = \"g1\"\nballistic_coefficient = 100\nbands = [{ ballistic_coefficient = 90 "
+            "}]",
+            "f.toml:6:9: error: shot.drag.bands: given together with ballistic_coefficient; give one of them"},
+        Bad{"[[shot]]\n[shot.drag]\ntable = \"g1\"\nbands = [{ above = 5, ballistic_coefficient = 90 },\n { above = 5, "
+            "ballistic_coefficient = 90 }]",
+            "f.toml:6:12: error: shot.drag.bands: two bands from 5 m/s; each band needs its own speed"},
+        Bad{"[environment.wind]\nprofile = [{ at = 10, velocity = [0,0,0] },\n { at = 5, velocity = [0,0,0] "
+            "}]\n[[shot]]",
+            "f.toml:4:9: error: environment.wind.profile: 5 m after 10 m; places must rise"},
+        Bad{"[[shot]]\nname = \"one\"\n[[expect]]\nshot = \"ome\"\nquantity = \"drop\"\nequals = 1\nwithin = 1",
+            "f.toml:5:8: error: expect.shot: no shot is named \"ome\"; did you mean \"one\"?"},
+        Bad{"[[shot]]\n[[expect]]\nat = { time = 1, range = 2 }\nquantity = \"drop\"\nequals = 1\nwithin = 1",
+            "f.toml:4:6: error: expect.at: 2 places; give one of time, range, height or a moment"}));
+
+// ---------------------------------------------------------------------------------------------------------------
+// limits
+std::string list_of(std::size_t count, const std::string& element) {
+  std::string out;
+  for (std::size_t i = 0; i < count; ++i) out += (i ? "," : "") + element;
+  return "[" + out + "]";
+}
+
+TEST(BadLists, HaveLimits) {
+  const std::string head = "physim = 1\n[[shot]]\n";
+  EXPECT_EQ(error_of(head + "[shot.drag]\nbands = " + list_of(9, "{ ballistic_coefficient = 1 }")),
+            "f.toml:4:9: error: shot.drag.bands: 9 entries are too many; allowed are 0 .. 8");
+  EXPECT_EQ(error_of(head + "[environment.wind]\nprofile = " + list_of(33, "{}")),
+            "f.toml:4:11: error: environment.wind.profile: 33 entries are too many; allowed are 0 .. 32");
+  EXPECT_EQ(error_of(head + "[until]\nevents = " + list_of(25, "{ kind = \"apex\" }")),
+            "f.toml:4:10: error: until.events: 25 entries are too many; allowed are 0 .. 24");
+  EXPECT_EQ(error_of("physim = 1\nshot = " + list_of(100001, "{}")),
+            "f.toml:2:8: error: shot: 100001 entries are too many; allowed are 1 .. 100000");
+  EXPECT_EQ(error_of("physim = 1\nshot = " + list_of(100000, "{}")), "no error");
+}
+
+// ------------------------------------------------------------------------------------------------------------
+// overrides
+class BadOverrideTest : public testing::TestWithParam<Bad> {};
+TEST_P(BadOverrideTest, SaysWhereAndWhy) {
+  const std::string file = "physim = 1\n[[shot]]\nname = \"308\"\n[[shot]]\nname = \"22 LR\"\n";
+  EXPECT_EQ(error_of(file, {GetParam().text}), GetParam().error) << GetParam().text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Overrides, BadOverrideTest,
+    testing::Values(
+        Bad{"shot.mass=168 ft",
+            "--set shot.mass=168 ft: error: shot.mass: \"168 ft\" is a length; expected a mass such as \"168 gr\""},
+        Bad{"shot.mass=-1",
+            "--set shot.mass=-1: error: shot.mass: -1 is out of range; must be > 0 kg; a bare number is in kg"},
+        Bad{"shot.mas=1", "--set shot.mas=1: error: unknown setting \"shot.mas\"; did you mean \"shot.mass\"?"},
+        Bad{"envronment.gravity.model=off",
+            "--set envronment.gravity.model=off: error: unknown setting \"envronment.gravity.model\"; did you mean "
+            "\"environment.gravity.model\"?"},
+        Bad{"gibberish=1", "--set gibberish=1: error: unknown setting \"gibberish\"; physim list settings shows all"},
+        Bad{"=1", "--set =1: error: unknown setting \"\"; physim list settings shows all"},
+        Bad{"shot.mass.=1", "--set shot.mass.=1: error: unknown setting \"shot.mass.\"; did you mean \"shot.mass\"?"},
+        Bad{"shot.309.mass=1", "--set shot.309.mass=1: error: no shot is named \"309\"; did you mean \"308\"?"},
+        Bad{"shot.300.winmag.mass=1",
+            "--set shot.300.winmag.mass=1: error: no shot is named \"300.winmag\"; shots: 308, 22 LR"},
+        Bad{"shot.308.mas=1",
+            "--set shot.308.mas=1: error: unknown setting \"shot.mas\" of shot \"308\"; did you mean \"shot.mass\"?"},
+        Bad{"shot.mass",
+            "--set shot.mass: error: an override without \"=\"; write path=value, such as shot.mass=\"168 gr\""},
+        Bad{"shot.mass=",
+            "--set shot.mass=: error: an override without a value; write path=value, such as shot.mass=\"168 gr\""},
+        Bad{"environment.wind.profile.at=3",
+            "--set environment.wind.profile.at=3: error: there is no [[environment.wind.profile]] to change; set the "
+            "list as a whole"},
+        Bad{"environment.wind.velocity=[0,0]",
+            "--set environment.wind.velocity=[0,0]: error: environment.wind.velocity: found 2 components; expected "
+            "three "
+            "components [x, y, z]"},
+        Bad{"environment.wind={velocty=[0,0,1]}",
+            "--set environment.wind={velocty=[0,0,1]}: error: unknown key \"velocty\" in [wind]; did you mean "
+            "\"velocity\"?"},
+        Bad{"shot.drag=g7",
+            "--set shot.drag=g7: error: shot.drag: found a text; expected a table with keys out of: table, "
+            "coefficient, "
+            "curve, ballistic_coefficient, bands, form_factor, damping, k1, k2"},
+        Bad{"shot.name=x",
+            "--set shot.name=x: error: shot.name: two shots are named \"x\"; the first is at --set shot.name=x"},
+        Bad{"title=\xFF", "--set title=\xFF: error: title: the text is not UTF-8"}));
+
+}  // namespace
+}  // namespace physim

@@ -1,0 +1,298 @@
+// The list of settings: complete, consistent, and the same through every door.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "physim/scenario.hpp"
+#include "scenario/schema.hpp"
+#include "scenario/suggest.hpp"
+
+namespace physim {
+namespace {
+
+/// One of every list, so that settings of list elements can be reached.
+const std::string kOneOfEach = R"(physim = 1
+[environment.wind]
+profile = [{ at = 0 }]
+[[shot]]
+drag = { bands = [{ ballistic_coefficient = 100 }] }
+[until]
+events = [{ kind = "height" }]
+[[expect]]
+quantity = "drop"
+equals = 0
+within = 0
+)";
+
+Result<Scenario> with_override(const std::string& path, const std::string& value) {
+  const std::vector<std::string> overrides = {path + "=" + value};
+  return parse_scenario(kOneOfEach, "f.toml", overrides);
+}
+
+TEST(Settings, AreDescribed) {
+  std::set<std::string> paths;
+  for (const Setting& setting : settings()) {
+    EXPECT_TRUE(paths.insert(setting.path).second) << setting.path << " is listed twice";
+    EXPECT_FALSE(setting.type.empty()) << setting.path;
+    EXPECT_FALSE(setting.doc.empty()) << setting.path;
+    EXPECT_NE(setting.type == "choice", setting.range.find('|') == std::string::npos) << setting.path;
+    EXPECT_NE(find_node(setting.path), nullptr) << setting.path;
+  }
+  EXPECT_GT(paths.size(), 80U);
+}
+
+TEST(Settings, HaveTheDefaultsOfTheLibrary) {
+  std::map<std::string, Setting> by_path;
+  for (const Setting& setting : settings()) by_path.emplace(setting.path, setting);
+  EXPECT_EQ(by_path.at("shot.mass").default_value, "1 kg");
+  EXPECT_EQ(by_path.at("shot.mass").unit, "kg");
+  EXPECT_EQ(by_path.at("shot.mass").range, "> 0");
+  EXPECT_EQ(by_path.at("shot.mass").type, "quantity");
+  EXPECT_EQ(by_path.at("shot.drag.table").default_value, "constant");
+  EXPECT_EQ(by_path.at("shot.drag.table").type, "choice");
+  EXPECT_EQ(by_path.at("shot.force_duration").default_value, "inf s");
+  EXPECT_EQ(by_path.at("shot.velocity").default_value, "none");
+  EXPECT_EQ(by_path.at("environment.gravity.radius").default_value, "6356766 m");
+  EXPECT_EQ(by_path.at("environment.atmosphere.humidity").range, "0 .. 1");
+  EXPECT_EQ(by_path.at("environment.wind.velocity").default_value, R"(["0 m/s", "0 m/s", "0 m/s"])");
+  EXPECT_EQ(by_path.at("environment.wind.profile").range, "0 .. 32");
+  EXPECT_EQ(by_path.at("until.ground").default_value, "0 m");
+  EXPECT_EQ(by_path.at("until.events.value").unit, "of the kind");
+  EXPECT_EQ(by_path.at("shot.fidelity.preset").default_value, "");
+  EXPECT_EQ(by_path.at("shot.fidelity.integrator").default_value, "tsit5");
+  EXPECT_EQ(by_path.at("shot.sight.zero_in_calm_air").type, "boolean");
+  EXPECT_EQ(by_path.at("tolerance.max_steps").default_value, "1000000");
+  EXPECT_EQ(by_path.at("shot.drag.curve").type, "points");
+}
+
+/// Settings with a default of their own; "" are required or say nothing by themselves.
+std::vector<Setting> with_default() {
+  std::vector<Setting> list;
+  for (const Setting& setting : settings())
+    if (!setting.default_value.empty() && setting.path != "shot") list.push_back(setting);
+  return list;
+}
+
+// Also proves that every default is in its own range.
+TEST(Settings, AcceptTheirOwnDefault) {
+  for (const Setting& setting : with_default()) {
+    const Result<Scenario> scenario = with_override(setting.path, setting.default_value);
+    EXPECT_TRUE(scenario.ok()) << setting.path << "=" << setting.default_value << "\n" << scenario.error().text();
+  }
+}
+
+TEST(Settings, AreAllReachableByAnOverride) {
+  for (const Setting& setting : settings()) {
+    const Result<Scenario> scenario = with_override(setting.path, "{ no_such_key = 1 }");
+    if (setting.type == "text") continue;  // takes any text
+    ASSERT_FALSE(scenario.ok()) << setting.path;
+    EXPECT_EQ(scenario.error().place, "--set " + setting.path + "={ no_such_key = 1 }") << setting.path;
+  }
+}
+
+TEST(Settings, RefuseWhatIsOutOfRange) {
+  int checked = 0;
+  for (const Setting& setting : settings()) {
+    if (setting.type != "quantity") continue;
+    EXPECT_FALSE(with_override(setting.path, "nan").ok()) << setting.path;
+    const bool takes_infinity = setting.path == "shot.force_duration" || setting.path == "tolerance.max_step";
+    EXPECT_EQ(with_override(setting.path, "inf").ok(), takes_infinity) << setting.path;
+    if (setting.range.empty()) continue;
+    EXPECT_FALSE(with_override(setting.path, "-1e7").ok()) << setting.path << " " << setting.range;
+    ++checked;
+  }
+  EXPECT_GT(checked, 30);
+}
+
+// --------------------------------------------------------------------------------------------------- effective
+// settings
+const std::string kEverything = R"(physim = 1
+title = "with \"quotes\", a \\ and\na line break"
+source = "7"
+[environment]
+altitude = "1234.567 ft"
+gravity = { model = "constant", acceleration = 9.8123456789 }
+earth = { latitude = "-33.3 deg", azimuth = "123.4 deg", rotation_rate = 1e-4 }
+[environment.atmosphere]
+model = "exponential"
+temperature = "15.3 degC"
+pressure = "29.53 inHg"
+humidity = "37 %"
+density = 1.1
+sound_speed = 333
+station_altitude = 12
+scale_height = 7000
+[environment.wind]
+velocity = ["1 mph", 2e-9, "-0.1 kn"]
+by = "range"
+interpolation = "step"
+profile = [{ at = 0.1, velocity = [0.1, 0, 1e-17] }, { at = "100 yd", velocity = [1, 2, 3] }]
+[[shot]]
+name = ".308 168 gr"
+mass = "168 gr"
+diameter = "0.308 in"
+length = "1.2 in"
+twist = "-11.25 in"
+force = [0.1, -0.0, 3]
+force_duration = 1.5
+position = ["1 in", "1 ft", "1 yd"]
+sight = { height = "2.5 in", look_angle = "1 moa", cant = "3 deg", zero_range = "100 yd", zero_in_calm_air = true }
+speed = "2650 ft/s"
+azimuth = "-0.7 deg"
+fidelity = { preset = "artillery", integrator = "rk4", planar = true, original_one_shot_forces = true }
+[shot.drag]
+table = "custom"
+coefficient = 0.3
+curve = [[0, 0.1], [0.7, 0.123456789012345678], [3, 1e-5]]
+form_factor = 0.98
+damping = 0.995
+k1 = 1e-12
+k2 = 0.3
+ballistic_coefficient = "0.218 lb/in^2"
+[[shot]]
+name = "b"
+velocity = [1e9, 1e-9, 0.1]
+drag = { table = "g1", bands = [{ above = "2800 ft/s", ballistic_coefficient = "0.447 lb/in^2" },
+                                { ballistic_coefficient = 300 }] }
+fidelity = "classic"
+[tolerance]
+relative = 1e-13
+absolute = 3e-9
+step = "1.7 ms"
+position_error = "1 um"
+max_step = 0.3
+max_steps = 123456789
+[until]
+ground = "off"
+time = "1 h"
+range = "1 mi"
+events = [{ kind = "mach", value = 1.2, direction = "falling" },
+          { kind = "ground", value = "3 ft", terminal = true }, { kind = "apex" }]
+[output]
+ranges = "100 yd .. 1000 yd step 100 yd"
+[[expect]]
+shot = "b"
+at = { range = "500 yd" }
+quantity = "drop"
+equals = "-57.1 in"
+within = "0.3 in"
+source = "a book = good"
+[[expect]]
+at = "apex"
+quantity = "energy"
+equals = "2000 ft lbf"
+within = 10
+)";
+
+Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const Result<Scenario> scenario = parse_scenario(text, "f.toml", overrides);
+  EXPECT_TRUE(scenario.ok()) << scenario.error().text();
+  return scenario.ok() ? *scenario : Scenario{};
+}
+
+std::vector<std::string> as_overrides(const Scenario& scenario) {
+  std::vector<std::string> overrides;
+  for (const auto& [path, value] : effective_settings(scenario)) overrides.push_back(path + "=" + value);
+  return overrides;
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+TEST(EffectiveSettings, ReproduceTheScenarioBitForBit) {
+  const Scenario a = parsed(kEverything);
+  const Scenario b = parsed(
+      "physim = 1\n[[shot]]\nname = \".308 168 gr\"\n[[shot]]\nname = \"b\"\nfidelity = \"game\"\n", as_overrides(a));
+  EXPECT_EQ(effective_settings(a), effective_settings(b));  // texts are bit for bit, see Quantities
+  EXPECT_EQ(b.title, a.title);
+  EXPECT_EQ(b.source, "7");
+  EXPECT_TRUE(same_bits(a.tolerance.step, b.tolerance.step));
+  EXPECT_TRUE(same_bits(a.environment.earth, b.environment.earth));
+  EXPECT_TRUE(same_bits(a.environment.wind.velocity, b.environment.wind.velocity));
+  EXPECT_TRUE(same_bits(a.environment.wind.profile.at(1), b.environment.wind.profile.at(1)));
+  EXPECT_EQ(a.environment.atmosphere.pressure, b.environment.atmosphere.pressure);
+  EXPECT_EQ(a.ranges, b.ranges);
+  EXPECT_EQ(b.until.ground, std::nullopt);
+  ASSERT_EQ(b.shots.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ScenarioShot &one = a.shots[i], &two = b.shots[i];
+    EXPECT_EQ(one.projectile.fidelity, two.projectile.fidelity);
+    EXPECT_TRUE(same_bits(one.projectile.mass, two.projectile.mass));
+    EXPECT_TRUE(same_bits(one.projectile.force, two.projectile.force)) << "the sign of zero counts too";
+    EXPECT_TRUE(same_bits(one.launch.position, two.launch.position));
+    EXPECT_EQ(one.launch.velocity, two.launch.velocity);
+    EXPECT_TRUE(same_bits(one.launch.sight.look_angle, two.launch.sight.look_angle));
+  }
+  EXPECT_TRUE(same_bits(a.shots[0].projectile.drag.curve.at(1), b.shots[0].projectile.drag.curve.at(1)));
+  EXPECT_TRUE(same_bits(a.shots[1].projectile.drag.bands.at(0), b.shots[1].projectile.drag.bands.at(0)));
+  ASSERT_EQ(b.expect.size(), 2U);
+  EXPECT_EQ(b.expect[0].at, ExpectAt::range);
+  EXPECT_EQ(b.expect[0].source, "a book = good");
+  EXPECT_TRUE(same_bits(a.expect[0].equals, b.expect[0].equals));
+  EXPECT_EQ(b.expect[1].at, ExpectAt::apex);
+}
+
+TEST(EffectiveSettings, OfDefaultsReproduceThemToo) {
+  const Scenario a = parsed("physim = 1\n[[shot]]\n");
+  EXPECT_EQ(effective_settings(parsed(kOneOfEach.substr(0, 10) + "\n[[shot]]\n", as_overrides(a))),
+            effective_settings(a));
+}
+
+TEST(EffectiveSettings, NameEveryShotAndSetting) {
+  const Scenario scenario = parsed(kEverything);
+  std::map<std::string, std::string> lines;
+  for (const auto& [path, value] : effective_settings(scenario)) EXPECT_TRUE(lines.emplace(path, value).second) << path;
+  EXPECT_EQ(lines.at("physim"), "1");
+  EXPECT_EQ(lines.at("shot..308 168 gr.drag.table"), "custom");
+  EXPECT_EQ(lines.at("shot.b.drag.bands"),
+            R"([{ above = "853.44 m/s", ballistic_coefficient = "314.27210209870424 kg/m^2" }, )"
+            R"({ above = "0 m/s", ballistic_coefficient = "300 kg/m^2" }])");
+  EXPECT_EQ(lines.at("until.ground"), "off");
+  EXPECT_EQ(lines.at("shot.b.fidelity.integrator"), "classic");
+  EXPECT_EQ(lines.at("source"), "7");
+  EXPECT_EQ(lines.at("title"), R"("with \"quotes\", a \\ and\u000Aa line break")");
+  for (const Setting& setting : settings()) {
+    const bool in_list = setting.path.find("profile.") != std::string::npos || setting.path.starts_with("expect.") ||
+                         setting.path.find("bands.") != std::string::npos || setting.path.starts_with("until.events.");
+    if (in_list || setting.path == "shot" || setting.path == "shot.fidelity.preset") continue;
+    std::string path = setting.path;
+    if (path.starts_with("shot.")) path.insert(5, "b.");
+    EXPECT_TRUE(lines.contains(path)) << path;
+  }
+}
+
+// ----------------------------------------------------------------------------------------------------------
+// suggestions
+TEST(Suggestions, CountEdits) {
+  EXPECT_EQ(edit_distance("", ""), 0U);
+  EXPECT_EQ(edit_distance("", "abc"), 3U);
+  EXPECT_EQ(edit_distance("velocty", "velocity"), 1U);    // insert
+  EXPECT_EQ(edit_distance("velocityy", "velocity"), 1U);  // delete
+  EXPECT_EQ(edit_distance("velosity", "velocity"), 1U);   // replace
+  EXPECT_EQ(edit_distance("veloctiy", "velocity"), 1U);   // swap
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
+}
+
+TEST(Suggestions, AreNearOrNone) {
+  const std::string_view words[] = {"mass", "diameter", "g7", "speed"};
+  EXPECT_EQ(nearest("msas", words), "mass");
+  EXPECT_EQ(nearest("MASS", words), "mass");
+  EXPECT_EQ(nearest("diametre", words), "diameter");
+  EXPECT_EQ(nearest("weight", words), "");
+  EXPECT_EQ(nearest("g8", words), "");
+  EXPECT_EQ(nearest(std::string(1000000, 'x'), words), "");
+  EXPECT_EQ(suggestion("x", words, "known keys"), "known keys: mass, diameter, g7, speed");
+}
+
+TEST(Suggestions, ShortenLongQuotes) {
+  EXPECT_EQ(in_quotes("a\nb"), "\"a b\"");
+  const std::string shortened = in_quotes(std::string(59, 'x') + "é" + std::string(100, 'y'));
+  EXPECT_EQ(shortened, "\"" + std::string(59, 'x') + "...\"") << "no half characters";
+}
+
+}  // namespace
+}  // namespace physim

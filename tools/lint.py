@@ -1,0 +1,263 @@
+#!/usr/bin/env python3
+"""The house rules that a machine can check: `./dev lint`. With --format it applies clang-format instead.
+
+Every finding prints `file:line: what is wrong; what to do`, and the exit status is 1.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+LAYERS = ["math", "model", "solve", "flight", "world", "collide", "emit", "scenario", "capi"]  # ground first
+MAX_LINES, MAX_COLUMNS, MAX_BYTES = 600, 120, 1_000_000
+CPP = (".hpp", ".cpp", ".h")
+
+findings = []
+
+
+def find(path, line, message):
+    findings.append(f"{path}:{line}: {message}")
+
+
+def repository_files():
+    """Paths relative to the root: tracked, and new but not ignored."""
+    try:
+        out = subprocess.run(
+            ["git", "-c", f"safe.directory={ROOT}", "ls-files", "-co", "--exclude-standard", "-z"],
+            cwd=ROOT, check=True, capture_output=True, text=True).stdout
+        names = out.split("\0")
+    except (OSError, subprocess.CalledProcessError):  # a source archive
+        names = [str(p.relative_to(ROOT)) for p in ROOT.rglob("*")]
+        names = [n for n in names if not n.startswith(("build/", "out/", ".git/"))]
+    return sorted(n for n in set(names) if n and (ROOT / n).is_file())
+
+
+def read(name):
+    return (ROOT / name).read_text(encoding="utf-8", errors="replace")
+
+
+# ----------------------------------------------------------------------------------------------------------- includes
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+INTRINSICS = {"immintrin.h", "emmintrin.h", "arm_neon.h", "wasm_simd128.h"}
+C_HEADERS = {"stdint.h", "stddef.h", "stdbool.h"}
+FILE_HEADERS = {"fstream", "iostream", "filesystem"}
+
+
+def check_includes(name, lines):
+    """A layer sees the public headers, itself, and the layers above it; the core has no dependency."""
+    parts = name.split("/")
+    public = name.startswith("include/physim/")
+    if not public and not (parts[0] == "src" and len(parts) > 2):
+        return
+    layer = None if public else parts[1]
+    if layer is not None and layer not in LAYERS:
+        find(name, 1, f"src/{layer} is no known layer; add it to LAYERS in tools/lint.py, in its place")
+        return
+    allowed = [] if public else LAYERS[: LAYERS.index(layer) + 1]
+    knows_files = layer in ("scenario", "capi")
+    for number, line in enumerate(lines, 1):
+        match = INCLUDE.match(line)
+        if not match:
+            continue
+        quote, target = match.groups()
+        top = target.split("/")[0] if "/" in target else ""
+        if top == "physim":
+            continue
+        if quote == '"':
+            if public:
+                find(name, number, f'public header includes "{target}"; only physim/ and the C++ library may be here')
+            elif top in LAYERS and top not in allowed:
+                find(name, number, f'src/{layer} may not include "{target}"; move the code up to where both can see it')
+            elif top not in LAYERS:
+                find(name, number, f'"{target}" is in no layer; name it from src/, as "math/pack.hpp"')
+        elif not knows_files:
+            if ("/" in target or target.endswith((".h", ".hpp"))) and target not in INTRINSICS | C_HEADERS:
+                find(name, number, f"<{target}> is not in the C++ standard library; the core has no dependency")
+            elif target in FILE_HEADERS:
+                find(name, number, f"<{target}>: only src/scenario and the apps know files; move it there")
+
+
+# -------------------------------------------------------------------------------------------------------------- units
+COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Za-z_])\'(?:\\.|[^\'\\\n])+\'', re.S)
+UNIT = re.compile(r"\[[^\[\]\n]+\]")
+NOT_A_FIELD = re.compile(
+    r"^(using|typedef|static|friend|template|enum|struct|class|union|constexpr|inline|static_assert|extern|explicit|"
+    r"virtual|operator)\b")
+
+
+def blank(match):
+    """Comments and strings become spaces, so that only code is parsed; line breaks stay."""
+    return re.sub(r"[^\n]", " ", match.group())
+
+
+def public_fields(code):
+    """(first line, last line, name) of each data member that users of a struct or class see."""
+    stack, start, access_of = [], 0, []  # stack: kind of each open brace; start: of the current statement
+    depth = 0  # of ( and [
+    line_of = lambda at: code.count("\n", 0, at) + 1
+    at = 0
+    while at < len(code):
+        c = code[at]
+        if c in "([":
+            depth += 1
+        elif c in ")]":
+            depth -= 1
+        elif c == "{" and depth == 0:
+            head = code[start:at].strip()
+            in_type = bool(stack) and stack[-1] in ("struct", "class")
+            if re.search(r"\b(namespace|extern)\b[^;=()]*$", head):
+                kind = "namespace"
+            elif re.search(r"\benum\b", head):
+                kind = "enum"
+            elif re.search(r"\b(struct|union|class)\b[^;=()]*$", head):
+                kind = "class" if re.search(r"\bclass\s+\w+[^<>]*$", head) and "struct" not in head else "struct"
+            elif in_type and "(" not in re.sub(r"alignas\s*\([^)]*\)", "", head) or re.search(r"=\s*$", head):
+                kind = "initializer"
+            else:
+                kind = "body"
+            stack.append(kind)
+            access_of.append("private" if kind == "class" else "public")
+            if kind != "initializer":
+                start = at + 1
+        elif c == "}" and depth == 0 and stack:
+            kind = stack.pop()
+            access_of.pop()
+            if kind in ("namespace", "body"):
+                start = at + 1
+            elif kind in ("struct", "class", "enum"):
+                start = at + 1  # `} name;` leaves `name`, which is no field with a type
+        elif c == ":" and depth == 0 and stack and stack[-1] in ("struct", "class"):
+            word = code[start:at].strip()
+            if word in ("public", "private", "protected"):
+                access_of[-1] = word
+                start = at + 1
+        elif c == ";" and depth == 0:
+            text = code[start:at]
+            statement = re.sub(r"\[\[[^\]]*\]\]|alignas\s*\([^)]*\)", " ", text).strip()
+            member = bool(stack) and stack[-1] in ("struct", "class") and "body" not in stack
+            visible = all(a == "public" for a in access_of)
+            if member and visible and statement and not NOT_A_FIELD.match(statement):
+                declarator = re.split(r"[={]", statement)[0]
+                words = re.sub(r"<[^;]*>", " ", declarator)
+                if "(" not in words and "operator" not in words and len(re.findall(r"\w+", declarator)) > 1:
+                    first = start + len(text) - len(text.lstrip())
+                    yield line_of(first), line_of(at), re.findall(r"\w+", re.sub(r"\[.*", "", declarator))[-1]
+            start = at + 1
+        elif c == "#" and code[:at].rpartition("\n")[2].strip() == "":  # a preprocessor line, with its continuations
+            end = at
+            while (end := code.find("\n", end)) != -1 and code[end - 1] == "\\":
+                end += 1
+            at = len(code) if end == -1 else end
+            if code[start:at].strip().startswith("#"):
+                start = at
+            continue
+        at += 1
+
+
+def check_units(name, text, lines):
+    if not re.fullmatch(r"include/physim/[^/]*\.(hpp|h)", name):
+        return
+    code = COMMENT_OR_STRING.sub(blank, text)
+    code_lines = code.split("\n")
+    for first, last, field in public_fields(code):
+        # The comment: behind the declaration, or in the lines of comment right above it.
+        candidates = [lines[n][len(code_lines[n].rstrip()):] for n in range(first - 1, last)]
+        above = first - 2
+        while above >= 0 and lines[above].strip() and not code_lines[above].strip():
+            candidates.append(lines[above])
+            above -= 1
+        below = last  # a trailing comment may go on, under itself
+        while below < len(lines) and re.match(r"\s*///<", lines[below]):
+            candidates.append(lines[below])
+            below += 1
+        if not any(UNIT.search(c) for c in candidates):
+            find(name, first, f"public field `{field}` has no unit; end its comment with one, [m/s], or [-] for none")
+
+
+# ------------------------------------------------------------------------------------------------------ simpler rules
+def check_source_named(name, lines):
+    if re.match(r"src/model/.*\.(hpp|cpp)$", name):
+        if not any(re.match(r"\s*(//|/?\*).*\bSources?:", line) for line in lines[:60]):
+            find(name, 1, "a model names its source; add `// Source: author, title, equation` to the head comment")
+
+
+def check_size(name, lines):
+    if name.startswith(("src/", "include/", "apps/", "tests/")):
+        if len(lines) > MAX_LINES:
+            find(name, MAX_LINES + 1, f"{len(lines)} lines, the house has {MAX_LINES}; split the file by purpose")
+        for number, line in enumerate(lines, 1):
+            if len(line) > MAX_COLUMNS:
+                find(name, number, f"{len(line)} columns, the house has {MAX_COLUMNS}; break the line")
+
+
+def check_kernel_symbols():
+    """A weak symbol outside its own namespace may be shared by the linker with code for older processors."""
+    nm = shutil.which("nm")
+    pattern = "CMakeFiles/physim_kernels_*.dir/src/*/*_kernel.cpp.o"
+    objects = [o for preset in ("release", "clang") for o in sorted((ROOT / "build" / preset).glob(pattern))]
+    checked = 0
+    for path in objects:
+        isa = re.search(r"physim_kernels_(\w+)\.dir", str(path)).group(1)
+        source = re.search(r"\.dir/(src/.*\.cpp)\.o$", str(path)).group(1)
+        if isa == "base" or not nm or not (ROOT / source).exists():
+            continue
+        checked += 1
+        out = subprocess.run([nm, "-C", "--defined-only", str(path)], capture_output=True, text=True, check=True).stdout
+        for line in out.splitlines():
+            match = re.match(r"[0-9a-fA-F]*\s+([WVu])\s+(.*)", line)
+            if match and f"::{isa}::" not in match.group(2) and not match.group(2).startswith("DW.ref."):
+                find(source, 1, f"the {isa} object defines `{match.group(2)}`, shared with other code; "
+                                "force it inline (PHYSIM_INLINE) or put it between PHYSIM_ISA_BEGIN and PHYSIM_ISA_END")
+    return f"{checked} kernel objects" if checked else "no kernel objects (build first to check them)"
+
+
+def clang_format(sources, apply):
+    program = shutil.which("clang-format-14") or shutil.which("clang-format")
+    if not program:
+        sys.exit("lint: clang-format is missing")
+    if not sources:
+        return
+    if apply:
+        subprocess.run([program, "-i", *sources], cwd=ROOT, check=True)
+        return
+    result = subprocess.run([program, "--dry-run", "-Werror", *sources], cwd=ROOT, capture_output=True, text=True)
+    places = re.findall(r"^(\S+?):(\d+):\d+: (?:error|warning): code should be clang-formatted", result.stderr, re.M)
+    for name in dict.fromkeys(name for name, _ in places):
+        find(name, next(n for p, n in places if p == name), "not in the house format; run ./dev format")
+    if result.returncode != 0 and not places:
+        find("clang-format", 1, result.stderr.strip() or "failed")
+
+
+def main():
+    files = repository_files()
+    cpp = [n for n in files if n.endswith(CPP)]
+    if "--format" in sys.argv[1:]:
+        clang_format(cpp, apply=True)
+        print(f"format: {len(cpp)} files")
+        return 0
+    clang_format(cpp, apply=False)
+    for name in files:
+        size = os.path.getsize(ROOT / name)
+        if size > MAX_BYTES:
+            find(name, 1, f"{size / 1e6:.1f} MB; a file here has at most 1 MB: make it smaller or generate it")
+    for name in cpp:
+        text = read(name)
+        lines = text.splitlines()
+        check_includes(name, lines)
+        check_units(name, text, lines)
+        check_source_named(name, lines)
+        check_size(name, lines)
+    kernels = check_kernel_symbols()
+    for finding in findings:
+        print(finding)
+    print(f"lint: {len(cpp)} source files, {kernels}: {len(findings)} findings" if findings else
+          f"lint: {len(cpp)} source files, {kernels}: clean")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
