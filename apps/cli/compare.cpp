@@ -62,8 +62,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   add_output_options(*command, options->outputs, "Write the table as CSV; - is the standard output",
                      "Write the table as JSON; - as above", "Draw error over cost");
   command->footer(
-      "Every rung starts with the velocity of the reference (dop853, tolerance 1e-13) and flies until the scenario's "
-      "end.\n"
+      "Every rung starts with the velocity of the reference (dop853, as exact as doubles allow) and flies until the "
+      "scenario's end.\n"
       "The error is the distance between the two ends; the cost is the median time of one fly().\n\n"
       "Examples:\n"
       "  physim compare scenarios/308_168gr_g7.toml --plot out/ladder.png\n"

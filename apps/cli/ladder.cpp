@@ -13,8 +13,6 @@
 namespace physim::cli {
 namespace {
 
-constexpr Tolerance kTruth{.relative = 1e-13, .absolute = 1e-12};
-
 // ------------------------------------------------------------------------------------------------------ the rungs
 void add_presets(const Scenario& scenario, std::vector<Rung>& rungs) {
   const auto preset = [&](const char* name, double step) {
@@ -97,7 +95,7 @@ class Climber {
     shot_.launch.sight.zero_range = 0;
   }
 
-  /// Median time of one fly() [s]: of at least five samples, each long enough for the clock.
+  /// Median time of one fly() [s]: of at least three samples, each long enough for the clock.
   [[nodiscard]] double cost_of(const Fidelity& fidelity, const Tolerance& tolerance) const {
     using Clock = std::chrono::steady_clock;
     constexpr double kSample = 100e-6, kBudget = 20e-3;  // [s]
@@ -108,7 +106,7 @@ class Climber {
     };
     const double first = std::max(time_of(1), 1e-8);
     const int flights = std::clamp(static_cast<int>(kSample / first), 1, 1000);
-    const int samples = std::clamp(static_cast<int>(kBudget / (first * flights)), 5, 101);
+    const int samples = std::clamp(static_cast<int>(kBudget / (first * flights)), 3, 101);
     std::vector<double> times;
     for (int i = 0; i < samples; ++i) times.push_back(time_of(flights));
     std::ranges::nth_element(times, times.begin() + samples / 2);
@@ -129,21 +127,26 @@ RungResult result_of(const Climber& climber, const Flight& reference, Rung rung,
   return {std::move(rung), std::move(flight), std::move(leaves_out), error, time_error, cost};
 }
 
-// Why a flight has no place in the table; empty where it has one.
-std::string reason_to_leave_out(const Rung& rung, const Flight& flight, const Flight& simulation) {
+bool ends_as_planned(const Flight& flight) {
   switch (flight.outcome()) {
-    case Outcome::refused:
-      return flight.error() ? flight.error()->message : "refused";
     case Outcome::landed:
     case Outcome::reached_range:
     case Outcome::event:
     case Outcome::time_limit:
-      break;
+      return true;
     default:
-      return "its flight ended with " + std::string(name(flight.outcome()));
+      return false;
   }
-  const bool changes_nothing = flight.fidelity_in_use().fidelity == simulation.fidelity_in_use().fidelity;
-  return rung.family == Family::effect && changes_nothing ? "this shot has no such effect" : "";
+}
+
+// Why a flight has no place in the table; empty where it has one.
+std::string reason_to_leave_out(const Rung& rung, const Flight& flight, const Flight& simulation) {
+  if (flight.error()) return flight.error()->message;
+  if (!ends_as_planned(flight)) return "its flight ended with " + std::string(name(flight.outcome()));
+  const bool is_the_same =
+      flight.fidelity_in_use().fidelity == simulation.fidelity_in_use().fidelity ||
+      (flight.end().position == simulation.end().position && flight.duration() == simulation.duration());
+  return rung.family == Family::effect && is_the_same ? "it changes nothing on this shot" : "";
 }
 
 }  // namespace
@@ -155,10 +158,14 @@ std::string_view family_name(Family family) {
 
 Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot) {
   Climber climber(scenario, shot);
-  Flight reference = climber.fly_rung(Fidelity::reference(), kTruth);
+  Flight reference = climber.fly_rung(Fidelity::reference(), kReferenceTolerance);
   if (reference.outcome() == Outcome::refused) return refusal(scenario, shot, reference);
+  if (!ends_as_planned(reference))
+    return Error{.message = "the reference flight ended with " + std::string(name(reference.outcome())),
+                 .place = scenario.file,
+                 .hint = "give it an end that it reaches, as until.ground, until.range or until.time"};
   climber.start_as(reference);
-  reference = climber.fly_rung(Fidelity::reference(), kTruth);
+  reference = climber.fly_rung(Fidelity::reference(), kReferenceTolerance);
   const Flight simulation = climber.fly_rung(Fidelity::simulation(), scenario.tolerance);
 
   Ladder ladder{.shot = shot.projectile.name};
@@ -172,7 +179,7 @@ Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot) {
       ladder.rungs.push_back(result_of(climber, reference, rung, std::move(flight)));
     progress.advance();
   }
-  const Rung truth{Family::preset, "reference", "", Fidelity::reference(), kTruth};
+  const Rung truth{Family::preset, "reference", "", Fidelity::reference(), kReferenceTolerance};
   ladder.rungs.push_back(result_of(climber, reference, truth, reference));
   return ladder;
 }

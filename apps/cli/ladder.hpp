@@ -14,6 +14,9 @@ enum class Family { preset, integrator, effect };
 inline constexpr int kFamilies = 3;
 [[nodiscard]] std::string_view family_name(Family family);
 
+/// What the reference is flown with: the tightest tolerance that double precision can keep.
+inline constexpr Tolerance kReferenceTolerance{.relative = 1e-15, .absolute = 1e-15};
+
 /// One way to fly the shot.
 struct Rung {
   Family family = Family::preset;

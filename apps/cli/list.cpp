@@ -21,12 +21,12 @@ Table settings_table(bool in_code_marks) {
                {"type", Align::left},
                {"unit", Align::left},
                {"default", Align::left},
-               {"range", Align::left},
-               {"what it is", Align::left}});
+               {"what it is", Align::left},
+               {"range", Align::left}});
   const auto or_dash = [](const std::string& text) { return text.empty() ? std::string("-") : text; };
   for (const Setting& setting : settings())
     table.add_row({in_code_marks ? "`" + setting.path + "`" : setting.path, setting.type, or_dash(setting.unit),
-                   or_dash(setting.default_value), or_dash(setting.range), setting.doc});
+                   or_dash(setting.default_value), setting.doc, or_dash(setting.range)});
   return table;
 }
 

@@ -33,7 +33,8 @@ std::string significant(double value, int digits) { return to_text(value, std::c
 std::string readable(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return fixed(value, 0);
   const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return fixed(value, std::clamp(digits - 1 - magnitude, 0, 12));
+  constexpr int kMostDecimals = 6;
+  return magnitude < -kMostDecimals ? "0" : fixed(value, std::clamp(digits - 1 - magnitude, 0, kMostDecimals));
 }
 
 }  // namespace physim::cli

@@ -11,7 +11,7 @@ namespace physim::cli {
 [[nodiscard]] std::string fixed(double value, int decimals);
 /// So many significant digits, with an exponent where the number is very large or small.
 [[nodiscard]] std::string significant(double value, int digits);
-/// As many decimals as give so many significant digits, without an exponent: "1234", "12.3", "0.0123".
+/// As many decimals as give so many significant digits, without an exponent: "1234", "12.3", "0.0123"; six at most.
 [[nodiscard]] std::string readable(double value, int digits);
 
 }  // namespace physim::cli

@@ -13,8 +13,8 @@ void add_output_options(CLI::App& command, OutputPaths& paths, const char* csv, 
 }
 
 Status check(const OutputPaths& paths) {
-  if (paths.csv == "-" && paths.json == "-")
-    return Error{.message = "--csv - and --json - cannot both go to the standard output"};
+  if (!paths.csv.empty() && paths.csv == paths.json)
+    return Error{.message = "--csv and --json cannot both go to " + paths.csv};
   return in_turn([&] { return paths.csv.empty() ? std::nullopt : check_writable(paths.csv); },
                  [&] { return paths.json.empty() ? std::nullopt : check_writable(paths.json); },
                  [&] { return paths.plot.empty() ? std::nullopt : check_plot(paths.plot); });

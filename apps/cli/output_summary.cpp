@@ -24,6 +24,13 @@ std::string line(const std::string& subject, const std::string& text) {
 // The correction that brings the shot back to the line of sight [mil = mrad].
 std::string hold(double offset, double range) { return range > 0 ? fixed(-std::atan2(offset, range) * 1e3, 2) : "-"; }
 
+// A time [s] of a flight; four decimals, more for a flight that lasts no longer than those show.
+std::string time_text(double time, const Flight& flight) {
+  const double duration = flight.duration();
+  const int needed = duration > 0 ? 4 - static_cast<int>(std::floor(std::log10(duration))) : 0;
+  return fixed(time, std::clamp(needed, 4, 12));
+}
+
 std::string range_card(const FlownShot& flown, const std::vector<double>& ranges) {
   const bool with_holds = flown.shot->launch.sight.zero_range > 0;
   std::vector<Column> columns = {{"range [m]"}, {"drop [m]"}, {"windage [m]"}};
@@ -39,16 +46,18 @@ std::string range_card(const FlownShot& flown, const std::vector<double>& ranges
     const Sample& s = *found;
     std::vector<std::string> row = {shortest(range), fixed(s.drop, 3), fixed(s.windage, 3)};
     if (with_holds) row.insert(row.end(), {hold(s.drop, range), hold(s.windage, range)});
-    row.insert(row.end(), {fixed(s.time, 4), fixed(s.speed, 2), fixed(s.mach, 3), readable(s.energy, 4)});
+    row.insert(row.end(),
+               {time_text(s.time, flown.flight), fixed(s.speed, 2), fixed(s.mach, 3), readable(s.energy, 4)});
     table.add_row(std::move(row));
   }
   return table.empty() ? "" : "\n" + table.text(kIndent) + "\n";
 }
 
-std::string state_text(const Sample& s) {
+std::string end_text(const Flight& flight) {
+  const Sample s = flight.end();
   const double horizontal = std::hypot(s.velocity.x, s.velocity.z);
   const double angle = std::atan2(s.velocity.y, horizontal) / kDegree;
-  std::string text = fixed(s.time, 4) + " s: " + readable(s.range, 6) + " m downrange, height " +
+  std::string text = time_text(s.time, flight) + " s: " + readable(s.range, 6) + " m downrange, height " +
                      readable(s.position.y, 5) + " m, windage " + readable(s.windage, 4) + " m; " +
                      readable(s.speed, 5) + " m/s";
   if (s.mach > 0) text += " (Mach " + fixed(s.mach, 3) + ")";
@@ -56,8 +65,8 @@ std::string state_text(const Sample& s) {
          (angle < 0 ? "down" : "up");
 }
 
-std::string apex_text(const Event& apex) {
-  return fixed(apex.time, 4) + " s: " + readable(apex.position.x, 6) + " m downrange, height " +
+std::string apex_text(const Flight& flight, const Event& apex) {
+  return time_text(apex.time, flight) + " s: " + readable(apex.position.x, 6) + " m downrange, height " +
          readable(apex.position.y, 5) + " m";
 }
 
@@ -72,17 +81,16 @@ std::string cost_text(const Flight& flight) {
 std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_ranges, const Style& style) {
   const Flight& flight = flown.flight;
   const FidelityInUse& in_use = flight.fidelity_in_use();
-  const Sample end = flight.end();
   std::string out = style.bold(flown.name) + "\n";
   out += line("fidelity", preset_name(flown.shot->projectile.fidelity));
   out += line("granted", in_words(in_use.fidelity));
   for (const FidelityNote& note : in_use.notes)
     out += line(style.warn("note"),
                 note.effect + " " + note.granted + " where " + note.asked + " was asked: " + note.reason);
-  out += range_card(flown, asked_ranges.empty() ? default_ranges(end.range) : asked_ranges);
-  out += line(std::string(name(flight.outcome())), "at " + state_text(end));
+  out += range_card(flown, asked_ranges.empty() ? default_ranges(flight.end().range) : asked_ranges);
+  out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
   for (const Event& event : flight.events())
-    if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(event));
+    if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(flight, event));
   out += line("elevation", fixed(flight.elevation() / kDegree, 4) + " deg");
   out += line("cost", cost_text(flight));
   return out;
@@ -118,7 +126,8 @@ std::string checks_text(const std::vector<Check>& checks, const Style& style) {
 
 std::vector<double> default_ranges(double end_range) {
   std::vector<double> ranges;
-  if (!(end_range > 0) || !std::isfinite(end_range)) return ranges;
+  constexpr double kShortest = 1e-3;  // [m]; straight up and down there is no range
+  if (!(end_range > kShortest) || !std::isfinite(end_range)) return ranges;
   const double power = std::pow(10.0, std::floor(std::log10(end_range)));
   double step = power;
   for (const double part : {0.5, 0.2, 0.1})

@@ -64,10 +64,15 @@ Extent extent_of(const std::vector<Curve>& curves, int column) {
   return extent.low <= extent.high ? extent : Extent{0, 0};
 }
 
-// Room around the data; a constant is shown in the middle of a range of its own size, rounding errors as a constant.
-Extent padded(Extent extent) {
+// A value that does not change but for rounding errors.
+bool is_constant(Extent extent) {
   const double size = std::max(std::abs(extent.low), std::abs(extent.high));
-  if (extent.span() <= std::max(1e-9, 1e-9 * size)) {
+  return extent.span() <= std::max(1e-9, 1e-9 * size);
+}
+
+// Room around the data; a constant is shown in the middle of a range of its own size.
+Extent padded(Extent extent) {
+  if (is_constant(extent)) {
     const double middle = std::abs(extent.low) < 1e-9 ? 0 : (extent.low + extent.high) / 2;
     const double room = middle == 0 ? 1 : std::abs(middle) / 2;
     return {middle - room, middle + room};
@@ -155,17 +160,17 @@ class FlightsPicture {
     const double metres_per_pixel = std::max(x.span() / panel_width, y.span() / panel_height);
     const double part_x = x.span() / (metres_per_pixel * panel_width);
     const double part_y = y.span() / (metres_per_pixel * panel_height);
-    std::string note = "to scale";
+    std::string note = ", to scale";
     if (part_x > 0.25 && part_y > 0.25) {
       x.high = x.low + metres_per_pixel * panel_width;
       y.high = y.low + metres_per_pixel * panel_height;
     } else {
-      const double stretch = (y.span() / panel_height) / (x.span() / panel_width);
-      note = stretch < 1 ? "heights stretched " + significant(1 / stretch, 2) + " times"
-                         : "distances stretched " + significant(stretch, 2) + " times";
+      const std::string times = " stretched " + readable(std::max(part_x / part_y, part_y / part_x), 2) + " times";
+      const bool is_line = is_constant(extent_of(curves_, kRange)) || is_constant(extent_of(curves_, kHeightColumn));
+      note = is_line ? "" : part_y < part_x ? ", heights" + times : ", distances" + times;
     }
     return panel_at(kLeft, right, kTopLow, kTopHigh) + range_of("x", x) + range_of("y", y) +
-           "set xlabel 'distance [m]' offset 0,0.5\n" + panel_title("height [m] over distance, " + note) + header() +
+           "set xlabel 'distance [m]' offset 0,0.5\n" + panel_title("height [m] over distance" + note) + header() +
            curves(kRange, kHeightColumn, 0);
   }
 

@@ -137,9 +137,8 @@ class LadderPicture {
   [[nodiscard]] std::string header() const {
     std::string out = text_at(0.02, 0.967, title_, 22, kInk, true);
     out += text_at(0.02, 0.932,
-                   shot_ +
-                       ": distance from the reference flight (dop853, tolerance 1e-13) over the time that one fly() "
-                       "takes here",
+                   shot_ + ": distance from the reference flight (dop853, tolerance " +
+                       significant(kReferenceTolerance.relative, 1) + ") over the time that one fly() takes here",
                    14, kQuiet);
     out += text_at(0.02, 0.868, "error at the end of the flight", 14, kInk);
     double x = 0.02;

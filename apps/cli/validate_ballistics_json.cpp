@@ -41,6 +41,8 @@ JsonCases::JsonCases(const std::filesystem::path& path) : path_(path) {
     std::string words = error.what();
     if (const auto at = words.find(": ", words.find("column")); at != std::string::npos) words = words.substr(at + 2);
     throw DataError{{.message = "not JSON: " + words, .place = place(std::min(error.byte, text_.size()))}};
+  } catch (const json::exception& error) {  // a number beyond all doubles
+    throw DataError{{.message = std::string("not JSON: ") + error.what(), .place = path.string()}};
   }
   if (!cases_.is_array()) throw DataError{{.message = "a list of cases was expected", .place = place(0)}};
   for (std::size_t i = 0; i < cases_.size(); ++i)

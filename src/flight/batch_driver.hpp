@@ -76,24 +76,20 @@ bool settle_lane(const BatchJob<S>& job, const Lanes<R>& l, int lane, bool accep
   LaneStep<S> at{};
   Found found[2 * kMaxWatched];
   const Verdict verdict = judge(*job.course, l, lane, accepted, at, found);
-  const double h = at.n1.t - at.n0.t;
-  State<double> end{};
   for (int i = 0; i < verdict.found; ++i) {
-    const State<double> state = at(found[i].theta);
-    job.emit(job.sink, {shot, found[i].index, found[i].rising, at.n0.t + found[i].theta * h, state});
-    end = state;
+    const double time = at.time(found[i].theta);
+    job.emit(job.sink, {shot, found[i].index, found[i].rising, time, at.at_time(time)});
   }
   if (!verdict.ended) return false;
-  RawEnd& out = job.ends[shot];
-  const bool sound_step = accepted && verdict.outcome != Outcome::non_finite;
-  const bool at_event = sound_step && verdict.found > 0 && verdict.theta == found[verdict.found - 1].theta;
+  // A step that was not accepted, or went to infinity, leaves the flight where it was.
+  const bool sound = accepted && verdict.outcome != Outcome::non_finite;
   State<S> start;
   get_lane(l.step.start, lane, start);
-  if (!sound_step) end = {vec_cast<double>(start.x), vec_cast<double>(start.v)};
-  if (sound_step && !at_event) end = at.n1.y;
-  const double t = static_cast<double>(lane_of(l.step.t, lane));
-  out = {verdict.outcome, sound_step ? at.n0.t + verdict.theta * h : t, end,
-         static_cast<double>(lane_of(l.count, lane)) + (sound_step ? 1 : 0), static_cast<double>(lane_of(l.tries, lane))};
+  const State<double> left{vec_cast<double>(start.x), vec_cast<double>(start.v)};
+  const double time = sound ? at.time(verdict.theta) : static_cast<double>(lane_of(l.step.t, lane));
+  const double steps = static_cast<double>(lane_of(l.count, lane)) + (sound ? 1 : 0);
+  job.ends[shot] = {verdict.outcome, time, sound ? at.at_time(time) : left, steps,
+                    static_cast<double>(lane_of(l.tries, lane))};
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Refuses bad input before a flight starts.
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "flight/cohort.hpp"
 
@@ -9,32 +10,33 @@ namespace {
 
 bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Runs its checks in order and keeps the first that fails.
+/// Runs its checks in order and keeps the first that fails. Texts are put together only then: checks run for every shot
+/// of a batch.
 class Checker {
  public:
-  Checker& require(bool good, const std::string& place, const std::string& message, const std::string& hint) {
-    if (!good && !status_) status_ = Error{message, place, hint};
+  using Text = std::string_view;
+
+  Checker& require(bool good, Text place, Text message, Text hint) {
+    if (!good && !status_) status_ = Error{std::string(message), std::string(place), std::string(hint)};
     return *this;
   }
-  Checker& positive(double x, const std::string& place, const std::string& hint) {
-    return require(std::isfinite(x) && x > 0, place, "must be a positive number, not " + text(x), hint);
+  Checker& positive(double x, Text place, Text hint) {
+    const bool good = std::isfinite(x) && x > 0;
+    return good ? *this : require(false, place, "must be a positive number, not " + std::to_string(x), hint);
   }
-  Checker& not_negative(double x, const std::string& place, const std::string& hint) {
-    return require(std::isfinite(x) && x >= 0, place, "must be zero or positive, not " + text(x), hint);
+  Checker& not_negative(double x, Text place, Text hint) {
+    const bool good = std::isfinite(x) && x >= 0;
+    return good ? *this : require(false, place, "must be zero or positive, not " + std::to_string(x), hint);
   }
-  Checker& is_number(double x, const std::string& place) {
-    return require(std::isfinite(x), place, "must be a finite number, not " + text(x), "");
+  Checker& is_number(double x, Text place) {
+    return std::isfinite(x) ? *this : require(false, place, "must be a finite number, not " + std::to_string(x), "");
   }
-  Checker& is_vector(const Vec3d& v, const std::string& place) {
+  Checker& is_vector(const Vec3d& v, Text place) {
     return require(finite(v), place, "must have three finite components", "");
   }
   [[nodiscard]] Status status() const { return status_; }
 
  private:
-  static std::string text(double x) {
-    std::string s = std::to_string(x);
-    return s;
-  }
   Status status_;
 };
 

@@ -5,6 +5,7 @@ namespace physim {
 namespace {
 
 void keep_step(FlightRecord& record, const LaneStep<double>& at) {
+  record.nodes.back().t = at.n0.t;  // fixed steps count their time, which may differ from start + step by a rounding
   record.nodes.push_back(at.n1);
   const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
   if (record.cohort.in_use.fidelity.motion == Motion::closed_form) return;
@@ -12,6 +13,7 @@ void keep_step(FlightRecord& record, const LaneStep<double>& at) {
 }
 void keep_step(FlightRecord& record, const LaneStep<float>& at) {
   LaneStep<double> same;
+  same.n0 = at.n0;
   same.n1 = at.n1;
   std::copy(at.coefficient, at.coefficient + kMaxDenseCoefficients, same.coefficient);
   keep_step(record, same);
@@ -47,14 +49,14 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
       if (!special) lane_step(course, lane, 0, at);
       keep_step(record, at);
     }
-    const double h = at.n1.t - at.n0.t;
-    for (int i = 0; i < verdict.found; ++i)
-      keep_event(record, course.watch.item[found[i].index], found[i].rising, at.n0.t + found[i].theta * h,
-                 at(found[i].theta));
+    for (int i = 0; i < verdict.found; ++i) {
+      const double time = at.time(found[i].theta);
+      keep_event(record, course.watch.item[found[i].index], found[i].rising, time, at.at_time(time));
+    }
     ended = verdict.ended;
     if (ended) {
       record.outcome = verdict.outcome;
-      record.duration = sound ? at.n0.t + verdict.theta * h : record.nodes.back().t;
+      record.duration = sound ? at.time(verdict.theta) : record.nodes.back().t;
       if (sound) lane.count += S(1);
     } else {
       accept(course, lane, accepted);

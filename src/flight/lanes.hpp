@@ -97,6 +97,9 @@ struct LaneStep {
     }
     return dense_state(f.integrator, n0, n1, coefficient, theta);
   }
+  [[nodiscard]] double time(double theta) const { return n0.t + theta * (n1.t - n0.t); }
+  /// Flight::at() knows a time only: going through it gives events and ends the bits that it gives.
+  [[nodiscard]] State<double> at_time(double t) const { return (*this)((t - n0.t) / (n1.t - n0.t)); }
 };
 
 template <class R, class S>

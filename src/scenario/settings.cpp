@@ -5,7 +5,6 @@
 namespace physim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRightAngle = 1.5707963267948966;
 
 // -------------------------------------------------------------------------------------------------------------- ranges

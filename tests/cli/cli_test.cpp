@@ -90,6 +90,24 @@ TEST(CliRun, PrintsARangeCard) {
     EXPECT_TRUE(has(ran.out, part)) << part << "\n" << ran.out;
 }
 
+TEST(CliRun, OddFlightsAreShownToo) {
+  const Folder folder;
+  const auto with = [&](const std::vector<std::string>& settings) {
+    std::vector<std::string> arguments = {"run", folder.write("ball.toml", kBall), "--plot", folder / "a.png"};
+    for (const std::string& setting : settings) arguments.insert(arguments.end(), {"--set", setting});
+    return physim(arguments);
+  };
+  const Ran up = with({"shot.elevation=90 deg", "output.ranges=[]"});
+  EXPECT_EQ(up.code, 0) << up.err;
+  EXPECT_FALSE(has(up.out, "range [m]")) << up.out;  // there is no range
+  EXPECT_EQ(with({"shot.elevation=-10 deg"}).code, 0);
+  const Ran fast = with({"shot.speed=299792458 m/s", "shot.fidelity=arcade", "until.range=1 m"});
+  EXPECT_TRUE(has(fast.out, "reached_range  at 0.000000003")) << fast.out << fast.err;
+  const Ran lost = with({"shot.speed=0 m/s", "until.ground=off", "shot.fidelity=small_arms"});
+  EXPECT_EQ(lost.code, 0);
+  EXPECT_TRUE(has(lost.err, "warning: shot \"ball\" ended early: left_domain")) << lost.err;
+}
+
 TEST(CliRun, CsvHoldsTheFlightAndNothingElse) {
   const Folder folder;
   const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--csv", "-"});
@@ -322,6 +340,7 @@ TEST(CliCompare, NamesTheShotsThereAre) {
   const std::string file = folder.write("ball.toml", kBall);
   expect_complaint(physim({"compare", file, "--shot", "bal"}), "its shots are \"ball\"");
   expect_complaint(physim({"compare", folder / "none.toml"}), "none.toml");
+  expect_complaint(physim({"compare", file, "--set", "until.ground=off", "--set", "shot.speed=0 m/s"}), "left_domain");
   expect_complaint(physim({"compare", file, "--plot", folder / "x.gif"}), ".png or .svg");
 }
 

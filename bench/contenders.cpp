@@ -1,0 +1,106 @@
+#include "contenders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace physim::bench {
+namespace {
+
+Tolerance tolerance_of(const Contender& contender, double setting) {
+  Tolerance tolerance;
+  if (contender.calibrated)
+    tolerance.relative = tolerance.absolute = setting;
+  else
+    tolerance.position_error = setting;
+  return tolerance;
+}
+
+}  // namespace
+
+Contender peer(std::string name, void (*fly)(PeerTask&), const PeerModel& model) {
+  Contender contender{std::move(name), "native"};
+  contender.fly = [fly, &model](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
+    std::vector<PeerEnd> flown(count);
+    PeerTask task{&model, kRange, setting, std::span(set.peer_shots).first(count), flown.data(), 0};
+    fly(task);
+    if (ends)
+      for (std::size_t i = 0; i < count; ++i)
+        ends[i] = {flown[i].position[0], flown[i].position[1], flown[i].position[2]};
+    return Work{task.steps, task.steps};
+  };
+  return contender;
+}
+
+Contender batch(std::string name, std::string kernel, const Fidelity& fidelity) {
+  Contender contender{std::move(name), std::move(kernel)};
+  contender.calibrated = fidelity.integrator == Integrator::tsit5 || fidelity.integrator == Integrator::dop853;
+  if (fidelity.precision == Precision::float32) contender.tightest = 5e-7;
+  const Contender kind = contender;
+  contender.fly = [kind, fidelity](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
+    use_kernel(kind.kernel);
+    const BatchResult result = fly_batch(std::span(set.shots).first(count), bench_environment(), fidelity,
+                                         tolerance_of(kind, setting), bench_until());
+    Work work;
+    for (std::size_t i = 0; i < count; ++i) {
+      work.steps += result.shots[i].cost.steps;
+      work.tries += result.shots[i].cost.steps + result.shots[i].cost.rejected;
+      if (ends) ends[i] = result.shots[i].position;
+    }
+    use_kernel("");
+    return work;
+  };
+  return contender;
+}
+
+Contender single_flights(std::string name, const Fidelity& fidelity) {
+  Contender contender{std::move(name), "scalar"};
+  const Contender kind = contender;
+  contender.fly = [kind, fidelity](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
+    Work work;
+    const Environment environment = bench_environment();
+    const Until until = bench_until();
+    const Tolerance tolerance = tolerance_of(kind, setting);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Flight flight =
+          fly(set.shots[i].projectile, set.shots[i].launch, environment, fidelity, tolerance, until);
+      work.steps += flight.cost().steps;
+      work.tries += flight.cost().steps + flight.cost().rejected;
+      if (ends) ends[i] = flight.end().position;
+    }
+    return work;
+  };
+  return contender;
+}
+
+Miss miss(const Contender& contender, const ShotSet& set, std::size_t count, double setting) {
+  std::vector<Vec3d> ends(count);
+  contender.fly(set, count, setting, ends.data());
+  Miss all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double error = length(ends[i] - set.reference[i]);
+    all.worst = std::isfinite(error) ? std::max(all.worst, error) : INFINITY;
+    all.rms += error * error / static_cast<double>(count);
+  }
+  all.rms = std::sqrt(all.rms);
+  return all;
+}
+
+Calibration calibrate(const Contender& contender, const ShotSet& probes, double target, int per_decade) {
+  const auto error_at = [&](double setting) { return miss(contender, probes, probes.shots.size(), setting).worst; };
+  if (!contender.calibrated) {
+    const double error = error_at(target);
+    return {target, error, error <= target};
+  }
+  Calibration best;
+  // From the tight end to the loose one, up to the first that misses.
+  for (int i = 0;; ++i) {
+    const double setting = contender.tightest * std::pow(10.0, static_cast<double>(i) / per_decade);
+    if (setting > 0.1) return best;
+    const double error = error_at(setting);
+    if (error > target) return best.reached ? best : Calibration{setting, error, false};
+    best = {setting, error, true};
+  }
+}
+
+}  // namespace physim::bench

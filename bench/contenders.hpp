@@ -1,0 +1,48 @@
+// The contenders of the benchmark, and the calibration that brings them to the same achieved error.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "shots.hpp"
+
+namespace physim::bench {
+
+/// Steps that all flights of a run took together.
+struct Work {
+  std::int64_t steps = 0;  // accepted
+  std::int64_t tries = 0;  // with the rejected ones; peers: as steps
+};
+
+struct Contender {
+  std::string name;
+  std::string kernel;      // instruction set, or "native" for the peers
+  bool calibrated = true;  // the setting is a tolerance found on probe shots; else the error that a pilot flight aims at
+  double tightest = 1e-12;
+  /// Flies the first `count` shots with a setting; `ends` gets their places at the range line unless it is null.
+  std::function<Work(const ShotSet& set, std::size_t count, double setting, Vec3d* ends)> fly;
+};
+
+[[nodiscard]] Contender peer(std::string name, void (*fly)(PeerTask&), const PeerModel& model);
+/// fly_batch() with one kernel.
+[[nodiscard]] Contender batch(std::string name, std::string kernel, const Fidelity& fidelity);
+/// fly() for each shot, with dense output and the place asked from it.
+[[nodiscard]] Contender single_flights(std::string name, const Fidelity& fidelity);
+
+/// Worst and mean distance from the reference [m].
+struct Miss {
+  double worst = 0;
+  double rms = 0;
+};
+[[nodiscard]] Miss miss(const Contender& contender, const ShotSet& set, std::size_t count, double setting);
+
+struct Calibration {
+  double setting = 0;
+  double probe_error = 0;  // worst of the probes [m]
+  bool reached = false;
+};
+/// The loosest tolerance of a grid such that it and every tighter one keeps all probes within the target: errors are
+/// not monotone in the tolerance, and a lucky zero crossing is not an achievement.
+[[nodiscard]] Calibration calibrate(const Contender& contender, const ShotSet& probes, double target, int per_decade);
+
+}  // namespace physim::bench

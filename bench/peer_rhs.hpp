@@ -1,0 +1,50 @@
+// The right-hand side that the peers integrate: the equations of src/model written as one scalar function.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "peers.hpp"
+
+namespace physim::bench {
+namespace {
+
+/// y = (x, y, z, vx, vy, vz)
+[[gnu::always_inline]] inline void peer_rhs(const PeerModel& m, const double* y, double* slope) {
+  const double z = m.altitude + y[1];
+  const double h = m.geopotential_radius * z / (m.geopotential_radius + z);
+  int layer = 0;
+  while (layer + 1 < m.layers && h >= m.base[layer + 1]) ++layer;
+  const double rise = h - m.base[layer];
+  const double ratio = 1 + m.lapse[layer] * rise;
+  const double density = m.base_density[layer] * std::exp(m.power[layer] * std::log(ratio) + m.decay[layer] * rise);
+  const double sound_speed = m.base_sound_speed[layer] * std::sqrt(ratio);
+
+  const double speed = std::sqrt(y[3] * y[3] + y[4] * y[4] + y[5] * y[5]);
+  const double place = std::max((speed / sound_speed - m.curve_start) * m.cells_per_mach, 0.0);
+  const int cell = std::min(static_cast<int>(place), m.last_cell);
+  const double t = std::min(place - cell, 1.0);
+  const double* r = m.rows + 4 * cell;
+  const double cd = r[0] + t * (r[1] + t * (r[2] + t * r[3]));
+  const double k = -(density * speed * (cd * m.half_area_per_mass));
+
+  slope[0] = y[3];
+  slope[1] = y[4];
+  slope[2] = y[5];
+  slope[3] = k * y[3];
+  slope[4] = k * y[4] - m.gravity;
+  slope[5] = k * y[5];
+}
+
+/// The state at the muzzle.
+inline void peer_launch(const PeerShot& shot, double* y) {
+  y[0] = y[1] = y[2] = y[5] = 0;
+  y[3] = shot.speed * std::cos(shot.elevation);
+  y[4] = shot.speed * std::sin(shot.elevation);
+}
+
+/// First step for the solvers that want one: the same for all shots, near what they settle at.
+inline double peer_first_step(double tolerance) { return std::min(0.2, 2.0 * std::pow(tolerance, 0.2)); }
+
+}  // namespace
+}  // namespace physim::bench

@@ -1,0 +1,58 @@
+// The solvers that PhySim is measured against, behind plain functions: they are compiled with every instruction of this
+// machine and fused multiply-add allowed, so nothing of the library may be instantiated in their files.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace physim::bench {
+
+inline constexpr int kPeerLayers = 8;
+
+/// Gravity, standard atmosphere and drag curve: the very numbers that PhySim computes with.
+struct PeerModel {
+  double gravity;  // [m/s^2]
+  double altitude;  // of the origin [m]
+  double geopotential_radius;  // [m]
+  int layers;
+  double base[kPeerLayers];              // [m]
+  double lapse[kPeerLayers];             // [1/m]
+  double power[kPeerLayers];             // [-]
+  double decay[kPeerLayers];             // [1/m]
+  double base_density[kPeerLayers];      // [kg/m^3]
+  double base_sound_speed[kPeerLayers];  // [m/s]
+  const double* rows;                    // four coefficients a cell
+  double curve_start;                    // Mach number of the first cell [-]
+  double cells_per_mach;                 // [-]
+  int last_cell;
+  double half_area_per_mass;             // [m^2/kg]
+};
+
+struct PeerShot {
+  double speed;      // [m/s]
+  double elevation;  // [rad]
+};
+
+struct PeerEnd {
+  double time;         // [s]
+  double position[3];  // [m]
+};
+
+struct PeerTask {
+  const PeerModel* model;
+  double range;      // where flights end [m]
+  double tolerance;  // relative and absolute
+  std::span<const PeerShot> shots;
+  PeerEnd* ends;
+  std::int64_t steps;  // taken by all flights together
+};
+
+/// Boost.odeint: runge_kutta_dopri5, controlled, with dense output.
+void fly_odeint_dopri5(PeerTask& task);
+/// SUNDIALS CVODE with root finding: Adams with fixed-point iteration, BDF with Newton's method and a dense Jacobian.
+void fly_cvode_adams(PeerTask& task);
+void fly_cvode_bdf(PeerTask& task);
+/// SUNDIALS ARKODE ERKStep: Dormand-Prince 5(4) with root finding.
+void fly_arkode_dopri5(PeerTask& task);
+
+}  // namespace physim::bench

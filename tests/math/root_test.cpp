@@ -1,0 +1,91 @@
+// The bracketing root finder on functions that trouble others.
+#include "math/root.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace physim {
+namespace {
+
+struct Counted {
+  double root;
+  int calls;
+};
+
+Counted root(const std::function<double(double)>& f, double a, double b, double tolerance = 0) {
+  int calls = 0;
+  const auto counted = [&](double x) {
+    ++calls;
+    return f(x);
+  };
+  const double x = find_root(counted, a, f(a), b, f(b), tolerance);
+  return {x, calls};
+}
+
+struct Case {
+  const char* name;
+  std::function<double(double)> f;
+  double a, b, expected, within;
+  int most_calls;
+};
+
+TEST(FindRoot, finds_the_roots_of_nasty_functions) {
+  const Case cases[] = {
+      {"line", [](double x) { return 3 * x - 1; }, 0, 1, 1.0 / 3, 1e-15, 10},
+      {"cosine", [](double x) { return std::cos(x) - x; }, 0, 1, 0.7390851332151607, 1e-15, 15},
+      {"flat cubic", [](double x) { return (x - 0.3) * (x - 0.3) * (x - 0.3); }, 0, 1, 0.3, 1e-5, 150},
+      {"ninth power", [](double x) { return std::pow(x - 0.7, 9); }, 0, 1, 0.7, 1e-2, 200},
+      {"wall", [](double x) { return std::exp(50 * x) - 1e10; }, 0, 1, 0.4605170185988091, 1e-15, 60},
+      {"step", [](double x) { return x < 0.625 ? -1.0 : 1.0; }, 0, 1, 0.625, 1e-15, 120},
+      {"pole", [](double x) { return 1 / (x - 0.2); }, 0, 1, 0.2, 1e-14, 200},
+      {"tiny values", [](double x) { return 1e-300 * (x - 0.9); }, 0, 1, 0.9, 1e-14, 120},
+      {"parabola near its top", [](double x) { return 1e-12 - (x - 0.5) * (x - 0.5); }, 0.5, 1, 0.500001, 1e-15, 60},
+      {"root next to an end", [](double x) { return x - 1e-13; }, 0, 1, 1e-13, 1e-27, 60},
+      {"wide bracket", [](double x) { return std::atan(x - 1e-3); }, -1e9, 1e9, 1e-3, 1e-15, 120},
+  };
+  for (const Case& c : cases) {
+    const Counted found = root(c.f, c.a, c.b);
+    EXPECT_NEAR(found.root, c.expected, c.within) << c.name;
+    EXPECT_LE(found.calls, c.most_calls) << c.name;
+  }
+}
+
+TEST(FindRoot, needs_few_calls_on_smooth_functions) {
+  EXPECT_LE(root([](double x) { return x * x * x - 2 * x - 5; }, 2, 3).calls, 12);
+}
+
+TEST(FindRoot, stops_at_the_tolerance) {
+  const Counted loose = root([](double x) { return std::exp(x) - 2; }, 0, 4, 1e-3);
+  EXPECT_NEAR(loose.root, std::log(2.0), 1e-3);
+  EXPECT_LT(loose.calls, root([](double x) { return std::exp(x) - 2; }, 0, 4).calls);
+}
+
+TEST(FindRoot, takes_an_end_that_is_a_root) {
+  const auto never = [](double) -> double { return std::numeric_limits<double>::quiet_NaN(); };
+  EXPECT_EQ(find_root(never, 2, 0, 3, 1, 0), 2);
+  EXPECT_EQ(find_root(never, 2, -1, 3, 0, 0), 3);
+}
+
+TEST(FindRoot, takes_the_better_end_where_there_is_no_change_of_sign) {
+  const auto never = [](double) -> double { return std::numeric_limits<double>::quiet_NaN(); };
+  EXPECT_EQ(find_root(never, 2, 5, 3, 1, 0), 3);
+  EXPECT_EQ(find_root(never, 2, -0.5, 3, -1, 0), 2);
+}
+
+TEST(FindRoot, ends_where_the_function_is_not_a_number) {
+  const auto nan = [](double) { return std::numeric_limits<double>::quiet_NaN(); };
+  const double x = find_root(nan, 0, -1, 1, 1, 0);
+  EXPECT_GE(x, 0);
+  EXPECT_LE(x, 1);
+}
+
+TEST(FindRoot, works_from_either_end) {
+  const auto f = [](double x) { return std::cos(x) - x; };
+  EXPECT_NEAR(find_root(f, 1, f(1), 0, f(0), 0), 0.7390851332151607, 1e-15);
+}
+
+}  // namespace
+}  // namespace physim
