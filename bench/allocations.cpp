@@ -10,18 +10,17 @@ std::atomic<std::int64_t> count{0};
 
 void* allocate(std::size_t size, std::size_t alignment) {
   count.fetch_add(1, std::memory_order_relaxed);
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded);
+  if (size == 0) size = 1;
+  const bool usual = alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__;
+  void* memory = usual ? std::malloc(size) : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
 
-constexpr std::size_t kUsual = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
-
 }  // namespace
 
 // The other forms of new and delete call these.
-void* operator new(std::size_t size) { return allocate(size, kUsual); }
+void* operator new(std::size_t size) { return allocate(size, 1); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, static_cast<std::size_t>(alignment));
 }

@@ -1,5 +1,6 @@
 // fly_batch(): sorts shots into cohorts, flies each cohort with the batch kernel, and gathers what comes back.
 #include <algorithm>
+#include <array>
 #include <deque>
 
 #include "flight/flight_record.hpp"
@@ -8,7 +9,7 @@
 namespace physim {
 namespace {
 
-/// Shots whose granted rungs are equal, but for rotation, which is added afterwards.
+/// Shots whose granted rungs are equal.
 struct ShotGroup {
   Cohort cohort;
   double step = 0;
@@ -18,9 +19,16 @@ struct ShotGroup {
   std::vector<Vec3d> right;
 };
 
-Fidelity without_rotation(Fidelity f) {
-  f.rotation = RotationModel::none;
-  return f;
+/// Orders events by shot; those of one shot already are in order of time. Counting places needs one pass, not a sort.
+std::vector<ShotEvent> by_shot(std::vector<ShotEvent> events, std::size_t shots) {
+  const auto earlier = [](const ShotEvent& a, const ShotEvent& b) { return a.shot < b.shot; };
+  if (std::is_sorted(events.begin(), events.end(), earlier)) return events;
+  std::vector<std::size_t> place(shots + 1);
+  for (const ShotEvent& e : events) ++place[e.shot + 1];
+  for (std::size_t i = 0; i < shots; ++i) place[i + 1] += place[i];
+  std::vector<ShotEvent> sorted(events.size());
+  for (const ShotEvent& e : events) sorted[place[e.shot]++] = e;
+  return sorted;
 }
 
 class Batch {
@@ -37,9 +45,7 @@ class Batch {
     watch_ = prepare_watch(until_, false);
     for (std::uint32_t i = 0; i < shots_.size(); ++i) prepare(i);
     for (ShotGroup& group : groups_) fly(group);
-    std::stable_sort(result_.events.begin(), result_.events.end(), [](const ShotEvent& a, const ShotEvent& b) {
-      return a.shot < b.shot;
-    });
+    result_.events = by_shot(std::move(result_.events), shots_.size());
     return std::move(result_);
   }
 
@@ -59,28 +65,36 @@ class Batch {
     if (const auto status = check(launch)) return refuse(*status);
     const auto elevation = elevation_of(projectile, launch, environment_, fidelity_);
     if (!elevation) return refuse(elevation.error());
-    const FidelityInUse in_use = grant(fidelity_, projectile, environment_);
-    ShotGroup* group = group_of(in_use);
+    ShotGroup* group = group_of(projectile);
     Cohort& cohort = group->cohort;
     const auto body = prepare_body(projectile, launch, *elevation, cohort.pool, cohort.conditions);
     if (lands_at_once(cohort.conditions, body, until_)) return land_at_once(i, body);
     group->shots.push_back(i);
     group->bodies.push_back(body);
-    const bool drifts = in_use.fidelity.rotation != RotationModel::none;
-    group->drifts.push_back(drifts ? prepare_spin_drift(projectile, length(body.launch.v), environment_, in_use.fidelity)
-                                   : SpinDrift{});
+    group->drifts.push_back(
+        prepare_spin_drift(projectile, length(body.launch.v), environment_, cohort.in_use.fidelity));
     group->right.push_back(body.plane);
   }
 
-  ShotGroup* group_of(const FidelityInUse& in_use) {
+  /// grant() looks at these of a projectile, so shots that agree in them are granted the same.
+  static unsigned grant_key(const ProjectileDef& p) {
+    const DragDef& d = p.drag;
+    return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
+           (d.damping < 1 ? 16u : 0);
+  }
+
+  ShotGroup* group_of(const ProjectileDef& projectile) {
+    ShotGroup*& known = group_by_key_[grant_key(projectile)];
+    if (known) return known;
+    const FidelityInUse in_use = grant(fidelity_, projectile, environment_);
     for (ShotGroup& group : groups_)
-      if (without_rotation(group.cohort.in_use.fidelity) == without_rotation(in_use.fidelity)) return &group;
-    groups_.emplace_back();
-    groups_.back().cohort.in_use = in_use;
-    groups_.back().cohort.conditions = prepare_conditions(environment_, in_use.fidelity);
-    groups_.back().bodies.reserve(shots_.size());
-    if (result_.fidelity_in_use.notes.empty() && groups_.size() == 1) result_.fidelity_in_use = in_use;
-    return &groups_.back();
+      if (group.cohort.in_use.fidelity == in_use.fidelity) return known = &group;
+    known = &groups_.emplace_back();
+    known->cohort.in_use = in_use;
+    known->cohort.conditions = prepare_conditions(environment_, in_use.fidelity);
+    known->bodies.reserve(shots_.size());
+    if (groups_.size() == 1) result_.fidelity_in_use = in_use;
+    return known;
   }
 
   void land_at_once(std::uint32_t i, const Body<double>& body) {
@@ -159,6 +173,7 @@ class Batch {
   const Until& until_;
   WatchList watch_{};
   std::deque<ShotGroup> groups_;
+  std::array<ShotGroup*, 32> group_by_key_{};
   BatchResult result_;
 };
 

@@ -45,22 +45,26 @@ class ReadyShots {
 
   /// Copies what begin() has set; slopes beyond the first are written before they are read.
   void copy_lane(Lanes<R>& into, int lane) {
-    copy_fields(ready_.body, used_, into.body, lane);
+    copy_fields(ready_.body, used_, into.body, lane, body_fields());
     copy_fields(ready_.step.start, used_, into.step.start, lane);
     copy_fields(ready_.step.slope[0], used_, into.step.slope[0], lane);
     copy_fields(ready_.control, used_, into.control, lane);
-    copy_fields(ready_.regime, used_, into.regime, lane);
+    if (job_.course->corners) copy_fields(ready_.regime, used_, into.regime, lane);
     set_lane(into.step.t, lane, S(0));
     set_lane(into.count, lane, S(0));
     set_lane(into.tries, lane, S(0));
     set_lane(into.cut, lane, S(0));
   }
   template <template <class> class Struct>
-  static void copy_fields(const Struct<R>& from, int from_lane, Struct<R>& into, int lane) {
-    const auto* source = reinterpret_cast<const char*>(&from) + sizeof(S) * static_cast<unsigned>(from_lane);
-    auto* to = reinterpret_cast<char*>(&into) + sizeof(S) * static_cast<unsigned>(lane);
-    for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i)
-      std::memcpy(to + i * sizeof(R), source + i * sizeof(R), sizeof(S));
+  PHYSIM_INLINE static void copy_fields(const Struct<R>& from, int from_lane, Struct<R>& into, int lane,
+                                        unsigned count = sizeof(Struct<R>) / sizeof(R)) {
+    const auto* source = reinterpret_cast<const S*>(&from) + from_lane;
+    auto* to = reinterpret_cast<S*>(&into) + lane;
+    for (unsigned i = 0; i < count * unsigned(kLanes<R>); i += unsigned(kLanes<R>)) to[i] = source[i];
+  }
+  /// Bands come last in a body, and few cohorts have them.
+  [[nodiscard]] unsigned body_fields() const {
+    return job_.course->conditions->has_bands ? unsigned(kBodyFields<R>) : unsigned(kBodyFields<R>) - 2 * kMaxBands;
   }
 
   const BatchJob<S>& job_;

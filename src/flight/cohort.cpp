@@ -50,6 +50,10 @@ double half_area_per_mass(const ProjectileDef& p) {
 }
 
 void prepare_bands(const std::vector<BallisticBand>& given, Body<double>& b) {
+  if (given.empty()) {
+    for (double& above : b.band_above) above = std::numeric_limits<double>::infinity();
+    return;
+  }
   auto bands = given;
   std::sort(bands.begin(), bands.end(), [](const auto& x, const auto& y) { return x.above < y.above; });
   for (int i = 0; i < kMaxBands; ++i) {
@@ -58,7 +62,7 @@ void prepare_bands(const std::vector<BallisticBand>& given, Body<double>& b) {
     b.band_half_area_per_mass[i] =
         used ? kPi / (8 * bands[static_cast<std::size_t>(i)].ballistic_coefficient) : b.half_area_per_mass;
   }
-  if (!bands.empty()) b.half_area_per_mass = kPi / (8 * bands.front().ballistic_coefficient);
+  b.half_area_per_mass = kPi / (8 * bands.front().ballistic_coefficient);
 }
 
 /// k2 / m that equals the drag equation at launch.
@@ -135,7 +139,7 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
                           Conditions<double>& c) {
   Body<double> b{};
   const SightFrame sight = sight_frame(launch);
-  b.launch = {launch.position, launch_velocity(launch, elevation)};
+  b.launch = {launch.position, launch_velocity(launch, sight, elevation)};
   b.sight = sight.forward;
   b.plane = sight.right;
   if (c.fidelity.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
@@ -157,7 +161,7 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   if (c.fidelity.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
     b.k2_per_mass = equivalent_k2_per_mass(p, b, c);
   const bool linear = c.fidelity.drag == DragModel::linear_quadratic;
-  b.damping_rate = linear ? b.k1_per_mass : -log(p.drag.damping);
+  b.damping_rate = linear ? b.k1_per_mass : p.drag.damping == 1 ? 0 : -log(p.drag.damping);
   b.applied = p.force * (1 / p.mass);
   b.applied_until = p.force == Vec3d{} ? 0 : p.force_duration;
   const bool feels_forces = c.fidelity.motion == Motion::force;

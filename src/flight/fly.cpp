@@ -4,21 +4,14 @@
 namespace physim {
 namespace {
 
-void keep_step(FlightRecord& record, const LaneStep<double>& at) {
+template <class S>
+void keep_step(FlightRecord& record, const LaneStep<S>& at) {
   record.nodes.back().t = at.n0.t;  // fixed steps count their time, which may differ from start + step by a rounding
   record.nodes.push_back(at.n1);
   const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
   if (record.cohort.in_use.fidelity.motion == Motion::closed_form) return;
   record.coefficients.insert(record.coefficients.end(), at.coefficient, at.coefficient + count);
 }
-void keep_step(FlightRecord& record, const LaneStep<float>& at) {
-  LaneStep<double> same;
-  same.n0 = at.n0;
-  same.n1 = at.n1;
-  std::copy(at.coefficient, at.coefficient + kMaxDenseCoefficients, same.coefficient);
-  keep_step(record, same);
-}
-
 void keep_event(FlightRecord& record, const Watched& watched, bool rising, double time, const State<double>& flown) {
   const State<double> s = with_drift(flown, record.drift, record.sight.right, time);
   record.events.push_back(

@@ -79,49 +79,63 @@ PHYSIM_INLINE void cast_fields(const From* from, To* to, unsigned count) {
   for (unsigned i = 0; i < count; ++i) to[i] = static_cast<To>(from[i]);
 }
 
-/// The dense output of one lane's last step.
+/// The dense output of one lane's last step, in double.
 template <class S>
 struct LaneStep {
   const Conditions<S>* conditions;
-  Body<S> body;
-  Body<double> body_double;
+  Body<double> body;
   Node n0;
   Node n1;
   State<double> coefficient[kMaxDenseCoefficients];
 
   State<double> operator()(double theta) const {
     const Fidelity& f = conditions->fidelity;
-    if (f.motion == Motion::closed_form) {
-      const State<S> s = closed_form(*conditions, body, static_cast<S>(n0.t + theta * (n1.t - n0.t)));
-      return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
-    }
-    return dense_state(f.integrator, n0, n1, coefficient, theta);
+    if (f.motion != Motion::closed_form) return dense_state(f.integrator, n0, n1, coefficient, theta);
+    return closed_form_state(time(theta));
   }
   [[nodiscard]] double time(double theta) const { return n0.t + theta * (n1.t - n0.t); }
   /// Flight::at() knows a time only: going through it gives events and ends the bits that it gives.
   [[nodiscard]] State<double> at_time(double t) const { return (*this)((t - n0.t) / (n1.t - n0.t)); }
+
+ private:
+  /// In the flight's own precision, as the steps were.
+  [[nodiscard]] State<double> closed_form_state(double t) const {
+    Body<S> own;
+    cast_fields(reinterpret_cast<const double*>(&body), reinterpret_cast<S*>(&own), kBodyFields<S>);
+    const State<S> s = closed_form(*conditions, own, static_cast<S>(t));
+    return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
+  }
 };
+
+/// Reads lane `lane` of a structure of R's as doubles.
+template <template <class> class Struct, class R>
+PHYSIM_INLINE void get_lane_as_double(const Struct<R>& from, int lane, Struct<double>& into) {
+  using S = ScalarOf<R>;
+  const auto* source = reinterpret_cast<const S*>(&from) + lane;
+  auto* to = reinterpret_cast<double*>(&into);
+  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i) to[i] = static_cast<double>(source[i * unsigned(kLanes<R>)]);
+}
 
 template <class R, class S>
 void lane_step(const Course<S>& course, const Lanes<R>& l, int lane, LaneStep<S>& out) {
-  const Conditions<S>& c = *course.conditions;
-  Step<S> s;
-  Step<double> d;
-  get_lane(l.step, lane, s);
-  get_lane(l.body, lane, out.body);
-  constexpr unsigned kStepFields = sizeof(Step<S>) / sizeof(S);
-  cast_fields(reinterpret_cast<const S*>(&s), reinterpret_cast<double*>(&d), kStepFields);
-  cast_fields(reinterpret_cast<const S*>(&out.body), reinterpret_cast<double*>(&out.body_double), kBodyFields<S>);
-  const bool closed = c.fidelity.motion == Motion::closed_form;
-  const int last = closed ? 1 : end_slope(c.fidelity.integrator);
-  out.conditions = &c;
-  out.n0 = {d.t, d.start, d.slope[0].v};
-  out.n1 = {d.t + d.h, d.end, d.slope[last].v};
+  const Fidelity& fidelity = course.conditions->fidelity;
+  const bool closed = fidelity.motion == Motion::closed_form;
+  const int last = closed ? 1 : end_slope(fidelity.integrator);
+  Step<double> s;
+  s.t = static_cast<double>(lane_of(l.step.t, lane));
+  s.h = static_cast<double>(lane_of(l.step.h, lane));
+  get_lane_as_double(l.step.start, lane, s.start);
+  get_lane_as_double(l.step.end, lane, s.end);
+  for (int i = 0; i <= last; ++i) get_lane_as_double(l.step.slope[i], lane, s.slope[i]);
+  get_lane_as_double(l.body, lane, out.body);
+  out.conditions = course.conditions;
+  out.n0 = {s.t, s.start, s.slope[0].v};
+  out.n1 = {s.t + s.h, s.end, s.slope[last].v};
   if (closed) return;
   const auto f = [&](double t, const State<double>& y) {
-    return acceleration(*course.conditions_double, out.body_double, t, y);
+    return acceleration(*course.conditions_double, out.body, t, y);
   };
-  dense_coefficients(c.fidelity.integrator, d, f, out.coefficient);
+  dense_coefficients(fidelity.integrator, s, f, out.coefficient);
 }
 
 /// Cuts the steps of lanes that would cross a corner; returns lanes whose step stands.
@@ -138,7 +152,7 @@ MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
       LaneStep<S> at;
       lane_step(course, l, lane, at);
       const double h = at.n1.t - at.n0.t;
-      const double part = first_corner(*course.conditions_double, at.body_double, at.n0.t, h, at);
+      const double part = first_corner(*course.conditions_double, at.body, at.n0.t, h, at);
       if (part >= 1) continue;
       set_lane(l.control.h, lane, static_cast<S>(part * h));
       set_lane(cut, lane, S(1));
@@ -214,7 +228,7 @@ Verdict judge(const Course<S>& course, const Lanes<R>& l, int lane, bool accepte
   if (accepted && !is_finite(end)) return {true, Outcome::non_finite, 0, 0};
   if (accepted) {
     lane_step(course, l, lane, at);
-    const int count = find_crossings(c, at.body_double, course.watch, at.n0.t, at.n1.t - at.n0.t, at, found);
+    const int count = find_crossings(c, at.body, course.watch, at, found);
     if (count > 0) {
       const Watched& last = course.watch.item[found[count - 1].index];
       if (last.spec.terminal) return {true, last.outcome, found[count - 1].theta, count};

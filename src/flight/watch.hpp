@@ -90,28 +90,32 @@ PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const W
 }
 
 /// Finds every crossing in a step, in order of time, up to and with the first terminal one; returns how many.
-/// `at(theta)` is the dense output.
+/// `at` is the dense output, with the nodes n0 and n1 at its ends.
 template <class F>
-int find_crossings(const Conditions<double>& c, const Body<double>& b, const WatchList& watch, double t, double h,
-                   const F& at, Found* found) {
-  const auto climb = [&](double theta) { return climb_rate(c, at(theta)); };
-  const double climb_start = climb(0);
-  const double climb_end = climb(1);
-  const bool over_apex = climb_start > 0 && climb_end < 0;
-  const double apex = over_apex ? find_root(climb, 0, climb_start, 1, climb_end, 0) : 1;
+int find_crossings(const Conditions<double>& c, const Body<double>& b, const WatchList& watch, const F& at, Found* found) {
+  const double t = at.n0.t;
+  const double h = at.n1.t - t;
+  const double climb_start = climb_rate(c, at.n0.y);
+  const double climb_end = climb_rate(c, at.n1.y);
+  double apex = 1;
+  if (climb_start > 0 && climb_end < 0)
+    apex = find_root([&](double theta) { return climb_rate(c, at(theta)); }, 0, climb_start, 1, climb_end, 0);
   int count = 0;
   for (int i = 0; i < watch.count; ++i) {
     const EventSpec& spec = watch.item[i].spec;
     const auto value = [&](double theta) { return watched_value(c, b, spec, t + theta * h, at(theta)); };
-    const double border[3] = {0, over_apex && watches_height(spec) ? apex : 1, 1};
-    double from = value(0);
-    for (int part = 0; part < 2 && border[part] < 1; ++part) {
-      const double to = value(border[part + 1]);
-      if (crosses(spec.direction, from, to)) {
-        const double theta = find_root(value, border[part], from, border[part + 1], to, 0);
-        if (count < 2 * kMaxWatched) found[count++] = {theta, i, from < 0};
-      }
-      from = to;
+    const auto look_between = [&](double from, double at_from, double to, double at_to) {
+      if (!crosses(spec.direction, at_from, at_to) || count == 2 * kMaxWatched) return;
+      found[count++] = {find_root(value, from, at_from, to, at_to, 0), i, at_from < 0};
+    };
+    const double at_start = watched_value(c, b, spec, t, at.n0.y);
+    const double at_end = watched_value(c, b, spec, t + h, at.n1.y);
+    if (apex < 1 && watches_height(spec)) {
+      const double at_apex = value(apex);
+      look_between(0, at_start, apex, at_apex);
+      look_between(apex, at_apex, 1, at_end);
+    } else {
+      look_between(0, at_start, 1, at_end);
     }
   }
   for (int i = 1; i < count; ++i)  // insertion sort: few, nearly sorted, and stable

@@ -144,6 +144,17 @@ PHYSIM_INLINE R exp(const R& x) {
   return exp_of_sum(x, R(ScalarOf<R>(0)));
 }
 
+/// e^x for |x| < 700 to about two units in the last place, without the care that exp() takes at the ends of the number
+/// range; beyond, |x| counts as 700 (float: 80). For kernels whose arguments are bounded by physics.
+template <class R>
+PHYSIM_INLINE R exp_bounded(const R& x) {
+  const R limit = constant<R>(700, 80);
+  const ExpReduction<R> e = reduce_exp(min(max(x, -limit), limit));
+  const R r = e.hi - e.lo;
+  const R y = R(ScalarOf<R>(1)) + (r + exp_tail(r));
+  return from_bits<R>(to_bits(y) + (e.n_bits << kMantissaBits<R>));
+}
+
 /// e^x - 1, accurate near zero.
 template <class R>
 PHYSIM_INLINE R expm1(const R& x) {
@@ -215,6 +226,20 @@ template <class R>
 PHYSIM_INLINE R log(const R& x) {
   const ExponentMantissa<R> e = split_exponent(x);
   return log_special_cases(x, log_of_parts(e.k, e.m - constant<R>(1), constant<R>(0)));
+}
+
+/// log(1 + x) for -0.3 < x < 0.42, where no power of two need be split off; to about two units in the last place.
+/// Outside, it stays finite for x > -2 and loses accuracy.
+template <class R>
+PHYSIM_INLINE R log1p_near_zero(const R& x) {
+  const R s = x / (constant<R>(2) + x);
+  const R z = s * s;
+  const R half_square = constant<R>(0.5) * x * x;
+  if constexpr (kIsDouble<R>) {
+    return x - (half_square - s * (half_square + z * polynomial(z, kLogDouble)));
+  } else {
+    return x - (half_square - s * (half_square + z * polynomial(z, kLogFloat)));
+  }
 }
 
 /// log(1 + x), accurate near zero.

@@ -19,7 +19,7 @@ double find_root(const F& f, double a, double fa, double b, double fb, double to
   if ((fa < 0) == (fb < 0)) return abs(fa) < abs(fb) ? a : b;
   double c = a;
   double fc = fa;
-  double step = 0.5;
+  double step = clamp(fa / (fa - fb), 0.01, 0.99);  // most functions here are nearly straight
   for (int i = 0; i < 200; ++i) {
     const double x = a + step * (b - a);
     const double fx = f(x);

@@ -32,12 +32,12 @@ struct FourRows {
   typedef S Sixteen __attribute__((vector_size(16 * sizeof(S))));
 
   /// Column c of the four rows at r[0..3], for c = 0..3.
-  PHYSIM_INLINE static void transpose(const S* rows, const std::int32_t* index, Row* column) {
+  PHYSIM_INLINE static void transpose(const S* rows, const UnsignedOf<S>* offset, Row* column) {
     Row a, b, c, d;
-    std::memcpy(&a, rows + 4 * std::int64_t(index[0]), sizeof a);
-    std::memcpy(&b, rows + 4 * std::int64_t(index[1]), sizeof b);
-    std::memcpy(&c, rows + 4 * std::int64_t(index[2]), sizeof c);
-    std::memcpy(&d, rows + 4 * std::int64_t(index[3]), sizeof d);
+    std::memcpy(&a, rows + offset[0], sizeof a);
+    std::memcpy(&b, rows + offset[1], sizeof b);
+    std::memcpy(&c, rows + offset[2], sizeof c);
+    std::memcpy(&d, rows + offset[3], sizeof d);
     const Row ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);
     const Row ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
     const Row cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
@@ -57,11 +57,14 @@ struct FourRows {
 template <class S, int N>
 PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const Pack<S, N>& t) {
   // Adding the rounding number leaves the integer in the low bits of the mantissa.
+  using U = UnsignedOf<S>;
   const auto bits = to_bits(index + rounding_magic<Pack<S, N>>());
-  UnsignedOf<S> raw[N];
-  bits.store(raw);
-  std::int32_t row[N];
-  for (int lane = 0; lane < N; ++lane) row[lane] = static_cast<std::int32_t>(raw[lane] & 0x3fffff);
+  U offset[N];
+  ((bits & Pack<U, N>(U(0x3fffff))) << 2).store(offset);
+#if defined(__GNUC__)
+  // Reading the offsets back from memory costs one load a lane; taking them out of a register costs three instructions.
+  asm("" : "+m"(offset));
+#endif
 
 #ifdef PHYSIM_HAS_SHUFFLE
   constexpr int kPer = Pack<S, N>::kPerRegister;
@@ -70,7 +73,7 @@ PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const
     typename Four::Row c[kPer / 4][4];
     Pack<S, N> r0, r1, r2, r3;
     for (int i = 0; i < Pack<S, N>::kRegisters; ++i) {
-      for (int block = 0; block < kPer / 4; ++block) Four::transpose(rows, row + i * kPer + 4 * block, c[block]);
+      for (int block = 0; block < kPer / 4; ++block) Four::transpose(rows, offset + i * kPer + 4 * block, c[block]);
       if constexpr (kPer == 4) {
         r0.r[i] = c[0][0], r1.r[i] = c[0][1], r2.r[i] = c[0][2], r3.r[i] = c[0][3];
       } else if constexpr (kPer == 8) {
@@ -88,7 +91,7 @@ PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const
 #endif
   S column[4][N];
   for (int lane = 0; lane < N; ++lane)
-    for (int k = 0; k < 4; ++k) column[k][lane] = rows[4 * std::int64_t(row[lane]) + k];
+    for (int k = 0; k < 4; ++k) column[k][lane] = rows[offset[lane] + static_cast<unsigned>(k)];
   using P = Pack<S, N>;
   return P::load(column[0]) + t * (P::load(column[1]) + t * (P::load(column[2]) + t * P::load(column[3])));
 }

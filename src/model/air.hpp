@@ -48,8 +48,9 @@ PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const R& z) {
     temperature = select(above, R(air.base_temperature[i]), temperature);
   }
   const R rise = h - base;
-  const R ratio = S(1) + lapse * rise;  // T / T_b
-  return {density * exp(power * log(ratio) + decay * rise), sound * sqrt(ratio), temperature * ratio};
+  const R excess = lapse * rise;  // T / T_b - 1, between -0.3 and 0.3 in every layer
+  const R ratio = S(1) + excess;
+  return {density * exp_bounded(power * log1p_near_zero(excess) + decay * rise), sound * sqrt(ratio), temperature * ratio};
 }
 
 template <class R, class S>
@@ -59,7 +60,7 @@ PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const Vec3<R>& x) {
     case AirModel::isa:
       return standard_air<R>(air, altitude(c, x));
     case AirModel::exponential:
-      return {air.density * exp(-(height(c, x) * air.per_scale_height)), R(air.sound_speed), R(air.temperature)};
+      return {air.density * exp_bounded(-(height(c, x) * air.per_scale_height)), R(air.sound_speed), R(air.temperature)};
     case AirModel::constant:
       return {R(air.density), R(air.sound_speed), R(air.temperature)};
     case AirModel::vacuum:

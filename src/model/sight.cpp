@@ -6,9 +6,6 @@
 namespace physim {
 namespace {
 
-/// The sight's own up, rolled by the cant.
-Vec3d canted_up(const SightFrame& s, double cant) { return s.up * cos(cant) + s.right * sin(cant); }
-
 /// The azimuth of the plane of fire: as given, or that of a given velocity.
 double azimuth_of(const Launch& launch) {
   if (!launch.velocity) return launch.azimuth;
@@ -19,22 +16,23 @@ double azimuth_of(const Launch& launch) {
 }  // namespace
 
 SightFrame sight_frame(const Launch& launch) {
-  const double azimuth = azimuth_of(launch);
-  const double look = launch.sight.look_angle;
+  const auto azimuth = sincos(azimuth_of(launch));
+  const auto look = sincos(launch.sight.look_angle);
+  const auto cant = sincos(launch.sight.cant);
   SightFrame s;
   s.muzzle = launch.position;
-  s.forward = {cos(look) * cos(azimuth), sin(look), cos(look) * sin(azimuth)};
-  s.right = {-sin(azimuth), 0.0, cos(azimuth)};
+  s.forward = {look.cos * azimuth.cos, look.sin, look.cos * azimuth.sin};
+  s.right = {-azimuth.sin, 0.0, azimuth.cos};
   s.up = cross(s.right, s.forward);
-  s.start = s.muzzle + canted_up(s, launch.sight.cant) * launch.sight.height;
+  s.canted = s.up * cant.cos + s.right * cant.sin;
+  s.start = s.muzzle + s.canted * launch.sight.height;
   return s;
 }
 
-Vec3d launch_velocity(const Launch& launch, double elevation) {
+Vec3d launch_velocity(const Launch& launch, const SightFrame& sight, double elevation) {
   if (launch.velocity) return *launch.velocity;
-  const SightFrame s = sight_frame(launch);
-  const double above = elevation - launch.sight.look_angle;
-  return (s.forward * cos(above) + canted_up(s, launch.sight.cant) * sin(above)) * launch.speed;
+  const auto above = sincos(elevation - launch.sight.look_angle);
+  return (sight.forward * above.cos + sight.canted * above.sin) * launch.speed;
 }
 
 }  // namespace physim

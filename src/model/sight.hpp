@@ -19,11 +19,12 @@ struct SightFrame {
   Vec3d forward;  // f
   Vec3d up;       // u
   Vec3d right;    // r
+  Vec3d canted;   // n
 };
 
 [[nodiscard]] SightFrame sight_frame(const Launch& launch);
 
-/// Velocity at the muzzle for a bore elevation above the horizon [rad].
-[[nodiscard]] Vec3d launch_velocity(const Launch& launch, double elevation);
+/// Velocity at the muzzle for a bore elevation above the horizon [rad]; `sight` is the launch's frame.
+[[nodiscard]] Vec3d launch_velocity(const Launch& launch, const SightFrame& sight, double elevation);
 
 }  // namespace physim

@@ -108,6 +108,17 @@ TEST(CliRun, OddFlightsAreShownToo) {
   EXPECT_TRUE(has(lost.err, "warning: shot \"ball\" ended early: left_domain")) << lost.err;
 }
 
+TEST(CliRun, TheRangeThatEndsAFlightIsOnItsCard) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  for (int range = 11; range < 60; range += 3) {
+    const std::string text = std::to_string(range) + " m";
+    const Ran ran = physim({"run", file, "--set", "until.range=" + text, "--set", "output.ranges=[\"" + text + "\"]"});
+    EXPECT_TRUE(has(ran.out, "reached_range")) << ran.out << ran.err;
+    EXPECT_FALSE(has(ran.out, "not reached")) << ran.out;
+  }
+}
+
 TEST(CliRun, CsvHoldsTheFlightAndNothingElse) {
   const Folder folder;
   const Ran ran = physim({"run", folder.write("ball.toml", kBall), "--csv", "-"});

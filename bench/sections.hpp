@@ -1,0 +1,26 @@
+// The sections of the benchmark's report.
+#pragma once
+
+#include "contenders.hpp"
+#include "report.hpp"
+#include "timing.hpp"
+
+namespace physim::bench {
+
+struct Options {
+  bool quick = false;
+  Clock clock = Clock::wall;
+  std::size_t flights = 20000;  // of a batch
+  int rounds = 21;
+  double slice = 0.02;  // a peer's turn [s]
+  int per_decade = 16;  // tolerances tried in calibration
+};
+
+/// All contenders on the .308 shot at one achieved error. `tolerance` gets what the Tsit5 packs were calibrated to.
+[[nodiscard]] Section equal_error_section(const Options& options, double target, double* tolerance);
+/// Mixed projectiles against equal ones, at the tolerance of the uniform shot.
+[[nodiscard]] Section mixed_section(const Options& options, double tolerance);
+[[nodiscard]] Section allocation_section(const Options& options);
+[[nodiscard]] Section micro_section(const Options& options);
+
+}  // namespace physim::bench

@@ -1,0 +1,118 @@
+// Wind: constant, and profiles by height and by range.
+#include "model/wind.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+using test::near;
+
+Wind profile(WindAxis by, WindInterpolation interpolation) {
+  return {.profile = {{-10, {1, 0, 0}}, {0, {2, 1, -3}}, {50, {12, 1, 3}}, {200, {0, -2, 8}}},
+          .by = by,
+          .interpolation = interpolation};
+}
+
+Vec3d wind_at(const Wind& wind, const Vec3d& x, WindModel model = WindModel::profile,
+              EarthModel earth = EarthModel::flat) {
+  Environment e;
+  e.wind = wind;
+  Fidelity f;
+  f.wind = model;
+  f.earth = earth;
+  return physim::wind(prepare_conditions(e, f), x);
+}
+
+TEST(Wind, linear_profile_by_height) {
+  const Wind w = profile(WindAxis::height, WindInterpolation::linear);
+  EXPECT_TRUE(near(wind_at(w, {999, 0, 5}), {2, 1, -3}, 1e-15));
+  EXPECT_TRUE(near(wind_at(w, {999, 25, 5}), {7, 1, 0}, 1e-14));
+  EXPECT_TRUE(near(wind_at(w, {0, 125, 0}), {6, -0.5, 5.5}, 1e-14));
+  EXPECT_TRUE(near(wind_at(w, {0, -5, 0}), {1.5, 0.5, -1.5}, 1e-14));
+  EXPECT_TRUE(near(wind_at(w, {0, -100, 0}), {1, 0, 0}, 1e-15)) << "held below";
+  EXPECT_TRUE(near(wind_at(w, {0, 1e6, 0}), {0, -2, 8}, 1e-13)) << "held above";
+}
+
+TEST(Wind, linear_profile_by_range) {
+  const Wind w = profile(WindAxis::range, WindInterpolation::linear);
+  EXPECT_TRUE(near(wind_at(w, {25, 999, 5}), {7, 1, 0}, 1e-14));
+  EXPECT_TRUE(near(wind_at(w, {1e6, 0, 5}), {0, -2, 8}, 1e-13));
+}
+
+TEST(Wind, steps_hold_from_their_place_on) {
+  const Wind w = profile(WindAxis::range, WindInterpolation::step);
+  EXPECT_EQ(wind_at(w, {-11, 0, 0}), (Vec3d{1, 0, 0}));
+  EXPECT_EQ(wind_at(w, {-0.001, 0, 0}), (Vec3d{1, 0, 0}));
+  EXPECT_EQ(wind_at(w, {0, 0, 0}), (Vec3d{2, 1, -3}));
+  EXPECT_EQ(wind_at(w, {49.999, 0, 0}), (Vec3d{2, 1, -3}));
+  EXPECT_EQ(wind_at(w, {50, 0, 0}), (Vec3d{12, 1, 3}));
+  EXPECT_EQ(wind_at(w, {1e9, 0, 0}), (Vec3d{0, -2, 8}));
+}
+
+TEST(Wind, height_over_a_sphere_is_above_the_sphere) {
+  const Wind w = profile(WindAxis::height, WindInterpolation::linear);
+  const double x = 20000;  // the ground lies x^2 / 2R = 31.463 m lower there
+  const double drop = std::hypot(x, 6356766.0) - 6356766.0;
+  EXPECT_TRUE(near(wind_at(w, {x, 25 - drop, 0}, WindModel::profile, EarthModel::sphere), {7, 1, 0}, 1e-6));
+}
+
+TEST(Wind, a_low_rung_has_one_wind) {
+  Wind w = profile(WindAxis::height, WindInterpolation::linear);
+  EXPECT_EQ(wind_at(w, {0, 100, 0}, WindModel::constant), (Vec3d{1, 0, 0})) << "the profile's first point";
+  w.velocity = {0, 0, -4};
+  EXPECT_EQ(wind_at(w, {0, 100, 0}, WindModel::constant), (Vec3d{0, 0, -4}));
+  EXPECT_EQ(wind_at(w, {0, 100, 0}, WindModel::off), (Vec3d{0, 0, 0}));
+}
+
+TEST(Wind, an_updraught_carries_a_falling_ball) {
+  // At its terminal speed of 20 m/s in an updraught of 20 m/s a ball hovers.
+  ProjectileDef p;
+  p.drag.k2 = 9.80665 / 400;
+  Environment e = test::constant_gravity();
+  e.wind.velocity = {0, 20, 0};
+  Fidelity f = test::vacuum();
+  f.drag = DragModel::linear_quadratic;
+  f.wind = WindModel::constant;
+  const Flight flight = fly(p, {.position = {0, 100, 0}}, e, f, {1e-12, 1e-12}, {.ground = {}, .time = 60});
+  EXPECT_TRUE(near(flight.end().position, {0, 100, 0}, 1e-12));
+}
+
+// Wind drift of flat fire: the lag rule, z = w (t - x / v0), is exact where drag grows with the square of the speed and
+// the crosswind is small (R. L. McCoy, Modern Exterior Ballistics (1999), sec. 7.2).
+TEST(Wind, crosswind_drift_follows_the_lag_rule) {
+  ProjectileDef p;
+  p.drag.coefficient = 0.3;
+  p.drag.ballistic_coefficient = 150;
+  Environment e = test::constant_gravity();
+  e.gravity.acceleration = 0;
+  e.atmosphere = {.model = AirModel::constant, .density = 1.2, .sound_speed = 340};
+  e.wind.velocity = {0, 0, 0.001};
+  Fidelity f = test::vacuum();
+  f.drag = DragModel::equation;
+  f.air = AirModel::constant;
+  f.wind = WindModel::constant;
+  const Flight flight = fly(p, {.speed = 800}, e, f, {1e-13, 1e-13}, {.ground = {}, .range = 500});
+  EXPECT_TRUE(near(flight.end().windage, 0.001 * (flight.duration() - 500.0 / 800), 1e-6));
+}
+
+TEST(Wind, adaptive_steps_end_at_the_points_of_a_profile) {
+  Environment e = test::constant_gravity();
+  e.wind = profile(WindAxis::range, WindInterpolation::step);
+  Fidelity f;
+  f.gravity = GravityModel::constant;
+  const Flight flight =
+      fly(test::bullet_308(), {.position = {-20, 1, 0}, .speed = 800}, e, f, {}, {.ground = {}, .time = 1});
+  for (const double place : {-10.0, 0.0, 50.0, 200.0}) {
+    double closest = 1e9;
+    for (const double t : flight.step_times()) closest = std::min(closest, std::abs(flight.at(t).position.x - place));
+    EXPECT_LT(closest, 1e-4) << place;
+  }
+}
+
+}  // namespace
+}  // namespace physim

@@ -1,0 +1,188 @@
+// Step control: the controller itself, and what it makes of whole flights; corners of piecewise data.
+#include "solve/step_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "physim/air.hpp"
+#include "physim/drag_curve.hpp"
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+constexpr Integrator kAdaptive[] = {Integrator::tsit5, Integrator::dop853};
+
+double next(double error_squared, bool accepted, double log_previous = 0, Integrator integrator = Integrator::tsit5) {
+  StepControl<double> control{log_previous, 1};
+  return next_step(integrator, 1.0, error_squared, accepted, control);
+}
+
+TEST(StepControl, keeps_a_step_whose_error_is_as_allowed_but_for_safety) {
+  EXPECT_NEAR(next(1, true), 0.9, 1e-15);
+  EXPECT_NEAR(next(1, false), 0.9, 1e-15);
+}
+
+TEST(StepControl, changes_with_the_fitting_root_of_the_error) {
+  // h e^(-1/5) after a rejection; h e^(-0.7/5) and the memory e_previous^(0.4/5) after acceptance.
+  EXPECT_NEAR(next(16 * 16, false), 0.9 * std::pow(16.0, -0.2), 1e-14);
+  EXPECT_NEAR(next(0.25 * 0.25, true), 0.9 * std::pow(0.25, -0.14), 1e-14);
+  EXPECT_NEAR(next(0.25 * 0.25, true, 2 * std::log(0.5)), 0.9 * std::pow(0.25, -0.14) * std::pow(0.5, 0.08), 1e-14);
+  EXPECT_NEAR(next(16 * 16, false, 0, Integrator::dop853), 0.9 * std::pow(16.0, -0.125), 1e-14);
+}
+
+TEST(StepControl, is_limited_and_survives_bad_numbers) {
+  EXPECT_LE(next(0, true), 5);
+  EXPECT_GT(next(0, true), 1.5);
+  EXPECT_NEAR(next(1e300, false), 0.1, 1e-15);
+  EXPECT_NEAR(next(kNan, false), 0.1, 1e-15);
+  EXPECT_NEAR(next(kInfinity, false), 0.1, 1e-15);
+}
+
+TEST(StepControl, remembers_accepted_steps_only) {
+  StepControl<double> control{-1, 1};
+  next_step(Integrator::tsit5, 1.0, 4.0, false, control);
+  EXPECT_EQ(control.log_previous, -1);
+  next_step(Integrator::tsit5, 1.0, 0.5, true, control);
+  EXPECT_NEAR(control.log_previous, std::log(0.5), 1e-15);
+}
+
+/// A bullet through the speed of sound in the standard atmosphere.
+Flight transonic(Integrator integrator, double tolerance, Interpolation interpolation = Interpolation::cubic) {
+  Fidelity f = Fidelity::simulation();
+  f.integrator = integrator;
+  f.interpolation = interpolation;
+  f.rotation = RotationModel::none;
+  return fly(bullet_308(), {.speed = 800, .elevation = 0.02}, {}, f, {tolerance, tolerance}, {.ground = -200, .time = 3});
+}
+
+double miss(const Flight& a, const Flight& b) { return length(a.end().position - b.end().position); }
+
+TEST(AdaptiveFlight, error_follows_the_tolerance) {
+  for (const Integrator integrator : kAdaptive) {
+    const Flight exact = transonic(Integrator::dop853, 1e-14);
+    const double coarse = miss(transonic(integrator, 1e-5), exact);
+    const double middle = miss(transonic(integrator, 1e-7), exact);
+    const double fine = miss(transonic(integrator, 1e-9), exact);
+    // Error per step is controlled: 100 times the tolerance means 100 ^ (p / (p + 1)) to 100 times the error.
+    EXPECT_GT(coarse / fine, 1000) << text(integrator) << ' ' << coarse << ' ' << middle << ' ' << fine;
+    EXPECT_LT(coarse / fine, 100000) << text(integrator) << ' ' << coarse << ' ' << middle << ' ' << fine;
+    // 1300 m far; some tens of steps add up.
+    EXPECT_LT(middle, 100 * 1e-7 * 1500) << text(integrator);
+    EXPECT_LT(fine, 100 * 1e-9 * 1500) << text(integrator);
+  }
+}
+
+TEST(AdaptiveFlight, rejects_steps_that_are_too_long) {
+  for (const Integrator integrator : kAdaptive) {
+    const Flight flight = transonic(integrator, 1e-8);
+    EXPECT_GT(flight.cost().rejected, 0) << text(integrator);
+    EXPECT_LT(flight.cost().rejected, flight.cost().steps / 2) << text(integrator);
+    EXPECT_EQ(flight.cost().evaluations,
+              1 + (flight.cost().steps + flight.cost().rejected) * (integrator == Integrator::tsit5 ? 6 : 12));
+    EXPECT_EQ(static_cast<std::int64_t>(flight.step_times().size()), flight.cost().steps + 1);
+  }
+}
+
+TEST(AdaptiveFlight, higher_order_takes_fewer_steps) {
+  EXPECT_LT(transonic(Integrator::dop853, 1e-10).cost().steps, transonic(Integrator::tsit5, 1e-10).cost().steps);
+}
+
+TEST(AdaptiveFlight, never_steps_further_than_max_step) {
+  for (const Integrator integrator : kAdaptive) {
+    const Flight flight =
+        fly({}, {.speed = 100, .elevation = 1}, constant_gravity(), vacuum(integrator), {.max_step = 0.125});
+    const auto times = flight.step_times();
+    for (std::size_t i = 1; i < times.size(); ++i) EXPECT_LE(times[i] - times[i - 1], 0.125 + 1e-12);
+    EXPECT_GE(flight.cost().steps, static_cast<std::int64_t>(flight.duration() / 0.125));
+  }
+}
+
+TEST(AdaptiveFlight, turning_the_axes_changes_nothing) {
+  // Errors are measured by lengths: the same shot in another direction takes the same steps.
+  const auto shoot = [](double azimuth) {
+    return fly(bullet_308(), {.speed = 800, .elevation = 0.1, .azimuth = azimuth}, {}, {}, {1e-8, 1e-8});
+  };
+  const Flight a = shoot(0), b = shoot(2.1);
+  EXPECT_EQ(a.cost().steps, b.cost().steps);
+  EXPECT_NEAR(a.end().range, b.end().range, 1e-6);
+}
+
+/// Distance of the nearest end of a step to a Mach number [-].
+double nearest(const Flight& flight, double mach) {
+  double closest = 1e9;
+  for (const double t : flight.step_times()) closest = std::min(closest, std::abs(flight.at(t).mach - mach));
+  return closest;
+}
+
+TEST(Corners, steps_end_at_every_point_of_a_linear_drag_curve) {
+  for (const Integrator integrator : kAdaptive) {
+    const Flight flight = transonic(integrator, 1e-10, Interpolation::linear);
+    const double from = flight.at(0).mach, to = flight.end().mach;
+    ASSERT_GT(from, 2.2);
+    ASSERT_LT(to, 0.95);
+    int met = 0;
+    for (const DragPoint& p : drag_points(DragTable::g7)) {
+      if (p.mach >= from || p.mach <= to) continue;
+      EXPECT_LT(nearest(flight, p.mach), 1e-9) << text(integrator) << ' ' << p.mach;
+      ++met;
+    }
+    EXPECT_GT(met, 20);
+  }
+}
+
+TEST(Corners, linear_curves_are_as_accurate_as_smooth_ones) {
+  for (const Integrator integrator : kAdaptive) {
+    const double smooth = miss(transonic(integrator, 1e-10), transonic(Integrator::dop853, 1e-14));
+    const double linear = miss(transonic(integrator, 1e-10, Interpolation::linear),
+                               transonic(Integrator::dop853, 1e-13, Interpolation::linear));
+    EXPECT_LT(linear, std::max(3 * smooth, 1e-8)) << text(integrator) << ' ' << smooth;
+  }
+}
+
+TEST(Corners, custom_curves_on_odd_points_count_too) {
+  ProjectileDef p = bullet_308();
+  p.drag.table = DragTable::custom;
+  p.drag.curve = {{0.1, 0.12}, {0.8718281, 0.14}, {1.0314159, 0.4}, {1.6180339, 0.33}, {3.3, 0.24}};
+  Fidelity f;
+  f.interpolation = Interpolation::linear;
+  const auto shoot = [&](Integrator integrator, double tolerance) {
+    f.integrator = integrator;
+    return fly(p, {.speed = 800}, {}, f, {tolerance, tolerance}, {.ground = {}, .time = 3});
+  };
+  const Flight flight = shoot(Integrator::tsit5, 1e-10);
+  for (const double mach : {1.0314159, 1.6180339}) EXPECT_LT(nearest(flight, mach), 1e-9) << mach;
+  EXPECT_LT(miss(flight, shoot(Integrator::dop853, 1e-13)), 1e-6);
+}
+
+TEST(Corners, layers_of_the_atmosphere_and_edges_of_bands_are_met) {
+  ProjectileDef p = bullet_308();
+  p.drag.bands = {{0, 120}, {250, 140}, {500, 160}};
+  const Flight flight =
+      fly(p, {.position = {0, 12000, 0}, .speed = 800, .elevation = -0.6}, {}, {}, {1e-10, 1e-10}, {.ground = 9000});
+  double layer = 1e9, band = 1e9;
+  for (const double t : flight.step_times()) {
+    layer = std::min(layer, std::abs(flight.at(t).position.y - 11019.067832000108));
+    band = std::min(band, std::abs(flight.at(t).speed - 500));
+  }
+  EXPECT_LT(layer, 1e-6);
+  EXPECT_LT(band, 1e-6);
+}
+
+TEST(Corners, the_end_of_a_burn_is_met_exactly) {
+  ProjectileDef p;
+  p.force = {0, 30, 0};
+  p.force_duration = 1.2345;
+  for (const Integrator integrator : kAdaptive) {
+    const Flight flight = fly(p, {}, constant_gravity(), vacuum(integrator), {1e-12, 1e-12});
+    double closest = 1e9;
+    for (const double t : flight.step_times()) closest = std::min(closest, std::abs(t - 1.2345));
+    EXPECT_LT(closest, 1e-11) << text(integrator);
+  }
+}
+
+}  // namespace
+}  // namespace physim
