@@ -21,7 +21,7 @@ namespace physim {
 struct Tolerance {
   double relative = 1e-9;        ///< adaptive integrators: error per step, relative to |position| and |velocity| [-]
   double absolute = 1e-9;        ///< adaptive integrators: error per step, added to the relative part [m, m/s]
-  double step = 0;               ///< fixed-step integrators; 0: found by a pilot flight; classic: 1/60 s [s]
+  double step = 0;               ///< fixed-step integrators; 0: heun and rk4 by a pilot flight, others 1/60 s [s]
   double position_error = 1e-3;  ///< what the pilot flight aims for at the end of the flight [m]
   double max_step = std::numeric_limits<double>::infinity();  ///< adaptive integrators never step further [s]
   std::int64_t max_steps = 1'000'000;                         ///< then the flight ends with Outcome::step_limit [-]
@@ -64,7 +64,7 @@ enum class Outcome {
   event,          ///< reached a terminal event of Until::events
   time_limit,     ///< reached Until::time
   step_limit,     ///< took Tolerance::max_steps steps
-  left_domain,    ///< went below -5 km in the standard atmosphere
+  left_domain,    ///< reached -5 km, the lower end of the standard atmosphere
   non_finite,     ///< a number became infinite or NaN
   stalled,        ///< the step became too small to advance time
   refused,        ///< bad input; see Flight::error()

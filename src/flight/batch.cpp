@@ -9,14 +9,26 @@
 namespace physim {
 namespace {
 
-/// Shots whose granted rungs are equal.
+/// Shots that fly together at a time: few enough to stay in the cache between preparing, flying and gathering.
+constexpr std::size_t kChunk = 2048;
+
+/// Shots whose granted rungs are equal, gathered until there is a chunk of them.
 struct ShotGroup {
   Cohort cohort;
-  double step = 0;
+  std::optional<double> step;
   std::vector<std::uint32_t> shots;
   std::vector<Body<double>> bodies;
+  std::vector<Body<float>> bodies_float;
   std::vector<SpinDrift> drifts;
   std::vector<Vec3d> right;
+  std::vector<RawEnd> ends;
+
+  void clear() {
+    shots.clear();
+    bodies.clear();
+    drifts.clear();
+    right.clear();
+  }
 };
 
 /// Orders events by shot; those of one shot already are in order of time. Counting places needs one pass, not a sort.
@@ -42,7 +54,7 @@ class Batch {
     result_.shots.resize(shots_.size());
     for (const Status& status : {check(environment_), check(tolerance_, fidelity_), check(until_)})
       if (status) return refuse_all(*status);
-    watch_ = prepare_watch(until_, false);
+    result_.events.reserve(shots_.size());
     for (std::uint32_t i = 0; i < shots_.size(); ++i) prepare(i);
     for (ShotGroup& group : groups_) fly(group);
     result_.events = by_shot(std::move(result_.events), shots_.size());
@@ -68,12 +80,13 @@ class Batch {
     ShotGroup* group = group_of(projectile);
     Cohort& cohort = group->cohort;
     const auto body = prepare_body(projectile, launch, *elevation, cohort.pool, cohort.conditions);
-    if (lands_at_once(cohort.conditions, body, until_)) return land_at_once(i, body);
+    if (const auto outcome = ends_at_once(cohort.conditions, body, until_)) return end_at_once(i, body, *outcome);
     group->shots.push_back(i);
     group->bodies.push_back(body);
     group->drifts.push_back(
         prepare_spin_drift(projectile, length(body.launch.v), environment_, cohort.in_use.fidelity));
     group->right.push_back(body.plane);
+    if (group->shots.size() == kChunk) fly(*group);
   }
 
   /// grant() looks at these of a projectile, so shots that agree in them are granted the same.
@@ -92,51 +105,60 @@ class Batch {
     known = &groups_.emplace_back();
     known->cohort.in_use = in_use;
     known->cohort.conditions = prepare_conditions(environment_, in_use.fidelity);
-    known->bodies.reserve(shots_.size());
     if (groups_.size() == 1) result_.fidelity_in_use = in_use;
     return known;
   }
 
-  void land_at_once(std::uint32_t i, const Body<double>& body) {
-    result_.shots[i] = {Outcome::landed, 0, body.launch.x, body.launch.v, {}};
+  void end_at_once(std::uint32_t i, const Body<double>& body, Outcome outcome) {
+    result_.shots[i] = {outcome, 0, body.launch.x, body.launch.v, {}};
+    if (outcome != Outcome::landed) return;
     result_.events.push_back(
         {i, {EventKind::ground, *until_.ground, Crossing::falling, 0, body.launch.x, body.launch.v}});
   }
 
-  /// The fixed step of a group: the smallest that pilot flights of its first, middle and last shot ask for.
-  Result<double> step_for(const ShotGroup& group) {
-    const auto& list = group.shots;
+  /// The fixed step of a group: the smallest that pilot flights of its first shot and of the batch's middle and last
+  /// shots ask for, where these belong to the group too.
+  Status choose_step(ShotGroup& group) {
     double smallest = 0;
-    for (const std::uint32_t i : {list.front(), list[list.size() / 2], list.back()}) {
-      const auto step = step_of(shots_[i].projectile, shots_[i].launch, environment_, group.cohort.in_use.fidelity,
-                                tolerance_, until_);
-      if (!step) return step;
+    const std::size_t count = shots_.size();
+    for (const std::size_t i : {std::size_t(group.shots.front()), count / 2, count - 1}) {
+      const auto& [projectile, launch] = shots_[i];
+      if (i != group.shots.front() && (check(projectile) || check(launch) || group_of(projectile) != &group)) continue;
+      const auto step = step_of(projectile, launch, environment_, group.cohort.in_use.fidelity, tolerance_, until_);
+      if (!step) return step.error();
       smallest = smallest == 0 ? *step : std::min(smallest, *step);
-      if (*step == 0 || tolerance_.step > 0) break;
+      if (steps_itself(group.cohort.in_use.fidelity) || tolerance_.step > 0) break;
     }
-    return smallest;
+    group.step = smallest;
+    return std::nullopt;
   }
 
   void fly(ShotGroup& group) {
     if (group.shots.empty()) return;
-    const auto step = step_for(group);
-    if (!step) return refuse(step.error());
-    group.step = *step;
+    if (!group.step) {
+      if (const auto status = choose_step(group)) {
+        refuse(*status);
+        return group.clear();
+      }
+    }
     group.cohort.finish();
     if (group.cohort.in_use.fidelity.precision == Precision::float32) {
-      std::vector<Body<float>> bodies(group.bodies.size());
-      cast_fields(reinterpret_cast<const double*>(group.bodies.data()), reinterpret_cast<float*>(bodies.data()),
-                  static_cast<unsigned>(bodies.size()) * kBodyFields<float>);
-      fly_bodies<float>(group, bodies, batch_kernel().fly_float);
+      group.bodies_float.resize(group.bodies.size());
+      cast_fields(reinterpret_cast<const double*>(group.bodies.data()),
+                  reinterpret_cast<float*>(group.bodies_float.data()),
+                  static_cast<unsigned>(group.bodies.size()) * kBodyFields<float>);
+      fly_bodies<float>(group, group.bodies_float, batch_kernel().fly_float);
     } else {
       fly_bodies<double>(group, group.bodies, batch_kernel().fly_double);
     }
+    group.clear();
   }
 
   template <class S>
   void fly_bodies(ShotGroup& group, const std::vector<Body<S>>& bodies, void (*kernel)(const BatchJob<S>&)) {
-    const Course<S> course = group.cohort.course<S>(tolerance_, group.step, watch_);
-    std::vector<RawEnd> ends(bodies.size());
+    watch_ = prepare_watch(until_, group.cohort.conditions, false);
+    const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
+    group.ends.resize(bodies.size());
     struct Sink {
       Batch* batch;
       ShotGroup* group;
@@ -145,9 +167,8 @@ class Batch {
       auto* s = static_cast<Sink*>(to);
       s->batch->keep(*s->group, event);
     };
-    result_.events.reserve(result_.events.size() + bodies.size());
-    kernel({&course, bodies.data(), bodies.size(), ends.data(), emit, &sink});
-    for (std::size_t i = 0; i < ends.size(); ++i) keep(group, i, ends[i]);
+    kernel({&course, bodies.data(), bodies.size(), group.ends.data(), emit, &sink});
+    for (std::size_t i = 0; i < bodies.size(); ++i) keep(group, i, group.ends[i]);
   }
 
   void keep(const ShotGroup& group, const RawEvent& e) {

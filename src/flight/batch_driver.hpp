@@ -74,26 +74,31 @@ class ReadyShots {
   int used_ = 0;
 };
 
-/// Reports what happened in one lane's last step; true when its flight has ended.
+/// Reports what happened in one lane's last step; true when its flight has ended. `at` is working space.
 template <class R, class S>
-bool settle_lane(const BatchJob<S>& job, const Lanes<R>& l, int lane, bool accepted, std::size_t shot) {
-  LaneStep<S> at{};
+bool settle_lane(const BatchJob<S>& job, const Lanes<R>& l, int lane, bool accepted, std::size_t shot, LaneStep<S>& at) {
   Found found[2 * kMaxWatched];
   const Verdict verdict = judge(*job.course, l, lane, accepted, at, found);
+  State<double> last{};
   for (int i = 0; i < verdict.found; ++i) {
     const double time = at.time(found[i].theta);
-    job.emit(job.sink, {shot, found[i].index, found[i].rising, time, at.at_time(time)});
+    last = at.at_time(time);
+    job.emit(job.sink, {shot, found[i].index, found[i].rising, time, last});
   }
   if (!verdict.ended) return false;
-  // A step that was not accepted, or went to infinity, leaves the flight where it was.
-  const bool sound = accepted && verdict.outcome != Outcome::non_finite;
-  State<S> start;
-  get_lane(l.step.start, lane, start);
-  const State<double> left{vec_cast<double>(start.x), vec_cast<double>(start.v)};
-  const double time = sound ? at.time(verdict.theta) : static_cast<double>(lane_of(l.step.t, lane));
-  const double steps = static_cast<double>(lane_of(l.count, lane)) + (sound ? 1 : 0);
-  job.ends[shot] = {verdict.outcome, time, sound ? at.at_time(time) : left, steps,
-                    static_cast<double>(lane_of(l.tries, lane))};
+  RawEnd& end = job.ends[shot];
+  end.outcome = verdict.outcome;
+  end.steps = static_cast<double>(lane_of(l.count, lane));
+  end.tries = static_cast<double>(lane_of(l.tries, lane));
+  if (!accepted || verdict.outcome == Outcome::non_finite) {  // the flight stays where this step began
+    end.time = static_cast<double>(lane_of(l.step.t, lane));
+    get_lane_as_double(l.step.start, lane, end.state);
+    return true;
+  }
+  end.steps += 1;
+  end.time = at.time(verdict.theta);
+  const bool at_event = verdict.found > 0 && verdict.theta == found[verdict.found - 1].theta;
+  end.state = at_event ? last : at.at_time(end.time);
   return true;
 }
 
@@ -102,26 +107,26 @@ void fly_lanes(const BatchJob<S>& job) {
   if (job.count == 0) return;
   ReadyShots<R, S> ready(job);
   Lanes<R> lanes{};
+  LaneStep<S> at{};
   std::size_t shot[kLanes<R>] = {};
-  std::size_t flying = ready.take_all(lanes, shot);
-  R flies(S(0));  // 1 in lanes that have a shot
-  for (int lane = 0; lane < static_cast<int>(flying); ++lane) set_lane(flies, lane, S(1));
-  while (flying > 0) {
+  const std::size_t first = ready.take_all(lanes, shot);
+  unsigned flying = static_cast<unsigned>((std::size_t(1) << first) - 1);  // bit i: lane i has a shot
+  while (flying != 0) {
     const MaskOf<R> accepted = try_step(*job.course, lanes);
-    const MaskOf<R> special = needs_attention(*job.course, lanes, accepted) & (flies > R(S(0)));
-    if (!any(special)) {
-      accept(*job.course, lanes, accepted);
-      continue;
+    const MaskOf<R> special = needs_attention(*job.course, lanes, accepted);
+    unsigned ended = 0;
+    if (any(special)) {
+      const unsigned accepted_bits = lane_bits(accepted);
+      for (unsigned left = lane_bits(special) & flying; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        const bool lane_accepted = (accepted_bits >> lane & 1u) != 0;
+        if (settle_lane(job, lanes, lane, lane_accepted, shot[lane], at)) ended |= 1u << lane;
+      }
     }
-    bool ended[kLanes<R>];
-    for (int lane = 0; lane < kLanes<R>; ++lane)
-      ended[lane] =
-          lane_of(special, lane) && settle_lane(job, lanes, lane, lane_of(accepted, lane), shot[lane]);
     accept(*job.course, lanes, accepted);
-    for (int lane = 0; lane < kLanes<R>; ++lane) {
-      if (!ended[lane] || ready.take(lanes, lane, shot[lane])) continue;
-      set_lane(flies, lane, S(0));
-      --flying;
+    for (; ended != 0; ended &= ended - 1) {
+      const int lane = __builtin_ctz(ended);
+      if (!ready.take(lanes, lane, shot[lane])) flying &= ~(1u << lane);
     }
   }
 }

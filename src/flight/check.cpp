@@ -1,42 +1,50 @@
 // Refuses bad input before a flight starts.
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 
 #include "flight/cohort.hpp"
+#include "math/text.hpp"
 
 namespace physim {
 namespace {
 
 bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Runs its checks in order and keeps the first that fails. Texts are put together only then: checks run for every shot
-/// of a batch.
+/// Runs its checks in order and keeps the first that fails. Texts are put together only then, out of line: checks run for
+/// every shot of a batch.
 class Checker {
  public:
   using Text = std::string_view;
 
-  Checker& require(bool good, Text place, Text message, Text hint) {
-    if (!good && !status_) status_ = Error{std::string(message), std::string(place), std::string(hint)};
+  PHYSIM_INLINE Checker& require(bool good, Text place, Text message, Text hint) {
+    if (!good) fail(place, std::string(message), hint);
     return *this;
   }
-  Checker& positive(double x, Text place, Text hint) {
-    const bool good = std::isfinite(x) && x > 0;
-    return good ? *this : require(false, place, "must be a positive number, not " + std::to_string(x), hint);
+  PHYSIM_INLINE Checker& positive(double x, Text place, Text hint) {
+    if (!(x > 0 && x < kInfinity)) fail(place, "must be a positive number, not " + short_text(x), hint);
+    return *this;
   }
-  Checker& not_negative(double x, Text place, Text hint) {
-    const bool good = std::isfinite(x) && x >= 0;
-    return good ? *this : require(false, place, "must be zero or positive, not " + std::to_string(x), hint);
+  PHYSIM_INLINE Checker& not_negative(double x, Text place, Text hint) {
+    if (!(x >= 0 && x < kInfinity)) fail(place, "must be zero or positive, not " + short_text(x), hint);
+    return *this;
   }
-  Checker& is_number(double x, Text place) {
-    return std::isfinite(x) ? *this : require(false, place, "must be a finite number, not " + std::to_string(x), "");
+  PHYSIM_INLINE Checker& is_number(double x, Text place) {
+    if (!std::isfinite(x)) fail(place, "must be a finite number, not " + short_text(x), "");
+    return *this;
   }
-  Checker& is_vector(const Vec3d& v, Text place) {
+  PHYSIM_INLINE Checker& is_vector(const Vec3d& v, Text place) {
     return require(finite(v), place, "must have three finite components", "");
   }
-  [[nodiscard]] Status status() const { return status_; }
+  [[nodiscard]] Status status() { return std::move(status_); }
 
  private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  [[gnu::noinline]] void fail(Text place, const std::string& message, Text hint) {
+    if (!status_) status_ = Error{message, std::string(place), std::string(hint)};
+  }
   Status status_;
 };
 
@@ -74,7 +82,7 @@ Status check(const ProjectileDef& p) {
             "1 means no drag");
   c.not_negative(d.k1, "projectile.drag.k1", "").not_negative(d.k2, "projectile.drag.k2", "");
   if (d.table == DragTable::custom) check_curve(c, d.curve);
-  check_bands(c, d.bands);
+  if (!d.bands.empty()) check_bands(c, d.bands);
   c.is_vector(p.force, "projectile.force");
   c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
   return c.status();

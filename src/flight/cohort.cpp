@@ -124,12 +124,22 @@ Conditions<float> to_float(const Conditions<double>& c) {
   return f;
 }
 
-WatchList prepare_watch(const Until& until, bool with_apex) {
+namespace {
+
+constexpr double kLowestAltitude = -5000;  // of the standard atmosphere [m]
+
+bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f.drag == DragModel::equation; }
+
+}  // namespace
+
+WatchList prepare_watch(const Until& until, const Conditions<double>& c, bool with_apex) {
   WatchList watch{};
   const auto add = [&](const EventSpec& spec, Outcome outcome) { watch.item[watch.count++] = {spec, outcome}; };
   if (until.ground) add({EventKind::ground, *until.ground, Crossing::falling, true}, Outcome::landed);
   if (until.range) add({EventKind::range, *until.range, Crossing::rising, true}, Outcome::reached_range);
   add({EventKind::time, until.time, Crossing::rising, true}, Outcome::time_limit);
+  if (has_lowest_altitude(c.fidelity))
+    add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
   if (with_apex) add({EventKind::apex, 0, Crossing::falling, false}, Outcome::event);
   for (const EventSpec& spec : until.events) add(spec, Outcome::event);
   return watch;
@@ -204,8 +214,10 @@ bool Cohort::corners_matter() const {
   return f.motion != Motion::closed_form && steps_itself(f) && has_corners(conditions);
 }
 
-bool lands_at_once(const Conditions<double>& conditions, const Body<double>& body, const Until& until) {
-  return until.ground && height(conditions, body.launch.x) <= *until.ground && climb_rate(conditions, body.launch) < 0;
+std::optional<Outcome> ends_at_once(const Conditions<double>& c, const Body<double>& b, const Until& until) {
+  if (has_lowest_altitude(c.fidelity) && altitude(c, b.launch.x) <= kLowestAltitude) return Outcome::left_domain;
+  if (until.ground && height(c, b.launch.x) <= *until.ground && climb_rate(c, b.launch) < 0) return Outcome::landed;
+  return std::nullopt;
 }
 
 }  // namespace physim

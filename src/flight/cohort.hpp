@@ -27,8 +27,8 @@ namespace physim {
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
 [[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions);
 
-/// The events of a flight: those asked for, and ground, range and time as terminal ones.
-[[nodiscard]] WatchList prepare_watch(const Until& until, bool with_apex);
+/// The events of a flight: those asked for; ground, range, time and the lower end of the air as terminal ones.
+[[nodiscard]] WatchList prepare_watch(const Until& until, const Conditions<double>& conditions, bool with_apex);
 
 /// A projectile ready to compute; adds its drag curve to the pool and its flags to the conditions.
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
@@ -76,7 +76,8 @@ struct Cohort {
                                      const Environment& environment, const Fidelity& granted,
                                      const Tolerance& tolerance, const Until& until);
 
-/// Where a flight that starts on or below the ground and descends ends at once.
-[[nodiscard]] bool lands_at_once(const Conditions<double>& conditions, const Body<double>& body, const Until& until);
+/// How a flight ends that is over before it begins: it starts on or below the ground and descends, or below the air.
+[[nodiscard]] std::optional<Outcome> ends_at_once(const Conditions<double>& conditions, const Body<double>& body,
+                                                  const Until& until);
 
 }  // namespace physim

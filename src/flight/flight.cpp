@@ -1,8 +1,8 @@
 // Flight: answers questions about a computed trajectory.
 #include <algorithm>
-#include <string>
 
 #include "flight/flight_record.hpp"
+#include "math/text.hpp"
 
 namespace physim {
 
@@ -92,23 +92,28 @@ std::vector<double> borders(const FlightRecord& r) {
   return times;
 }
 
-/// First time at which value(time) crosses zero in a direction; nothing where it never does.
+/// First time at which value(time) crosses zero in a direction; nothing where it never does. A flight that was ended by
+/// this very crossing may lie a rounding before it, so its own events are asked at last.
 template <class F>
-std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, const F& value) {
+std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, const EventSpec& asked, const F& value) {
   const auto times = borders(r);
   double from = value(times.front());
   if (from == 0) return times.front();
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double to = value(times[i]);
-    if (crosses(direction, from, to)) return find_root(value, times[i - 1], from, times[i], to, 0);
+    if (crosses(direction, from, to)) return find_root(value, times[i - 1], from, times[i], to, kThetaTolerance * (times[i] - times[i - 1]));
     from = to;
+  }
+  for (const Event& e : r.events) {
+    const bool same_kind = e.kind == asked.kind || (e.kind == EventKind::ground && asked.kind == EventKind::height);
+    if (same_kind && e.value == asked.value && (direction == Crossing::any || direction == e.direction)) return e.time;
   }
   return std::nullopt;
 }
 
 Error never(const std::string& what, const FlightRecord& r) {
   if (r.error) return *r.error;
-  return Error{"the flight never reaches " + what, "", "it lasts " + std::to_string(r.duration) + " s"};
+  return Error{"the flight never reaches " + what, "", "it lasts " + short_text(r.duration) + " s"};
 }
 
 }  // namespace
@@ -117,16 +122,16 @@ Result<Sample> Flight::at_range(double range) const {
   const FlightRecord& r = *record_;
   const auto past = [&](double t) { return dot(r.state(t).x - r.sight.muzzle, r.sight.forward) - range; };
   if (r.outcome == Outcome::refused) return never("anything", r);
-  if (const auto time = first_crossing(r, Crossing::any, past)) return at(*time);
-  return never("a range of " + std::to_string(range) + " m", r);
+  if (const auto time = first_crossing(r, Crossing::any, {.kind = EventKind::range, .value = range}, past)) return at(*time);
+  return never("a range of " + short_text(range) + " m", r);
 }
 
 Result<Sample> Flight::at_height(double level, Crossing direction) const {
   const FlightRecord& r = *record_;
   const auto above = [&](double t) { return height(r.cohort.conditions, r.state(t).x) - level; };
   if (r.outcome == Outcome::refused) return never("anything", r);
-  if (const auto time = first_crossing(r, direction, above)) return at(*time);
-  return never("a height of " + std::to_string(level) + " m", r);
+  if (const auto time = first_crossing(r, direction, {.kind = EventKind::height, .value = level}, above)) return at(*time);
+  return never("a height of " + short_text(level) + " m", r);
 }
 
 std::vector<double> Flight::step_times() const {

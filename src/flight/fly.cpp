@@ -62,14 +62,14 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
 }
 
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
-  const WatchList watch = prepare_watch(until, true);
+  const WatchList watch = prepare_watch(until, record.cohort.conditions, true);
   cast_fields(reinterpret_cast<const double*>(&record.body), reinterpret_cast<float*>(&record.body_float),
               kBodyFields<double>);
-  if (lands_at_once(record.cohort.conditions, record.body, until)) {
-    record.outcome = Outcome::landed;
+  if (const auto outcome = ends_at_once(record.cohort.conditions, record.body, until)) {
+    record.outcome = *outcome;
     const Vec3d a = acceleration(record.cohort.conditions, record.body, 0.0, record.body.launch);
     record.nodes.push_back({0, record.body.launch, a});
-    keep_event(record, watch.item[0], false, 0, record.body.launch);
+    if (outcome == Outcome::landed) keep_event(record, watch.item[0], false, 0, record.body.launch);
     return;
   }
   if (record.cohort.in_use.fidelity.precision == Precision::float32)

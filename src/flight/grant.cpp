@@ -33,10 +33,8 @@ class Granting {
         "the environment's gravity field is simpler");
     set("air", f_.air, std::min(f_.air, environment_.atmosphere.model), "the environment's air is simpler");
     const Wind& wind = environment_.wind;
-    if (wind.profile.empty()) {
-      set("wind", f_.wind, std::min(f_.wind, WindModel::constant), "the environment has no wind profile");
-      if (wind.velocity == Vec3d{}) set("wind", f_.wind, WindModel::off, "the environment has no wind");
-    }
+    if (wind.profile.empty()) f_.wind = std::min(f_.wind, WindModel::constant);  // nothing is lost: no note
+    if (wind.profile.empty() && wind.velocity == Vec3d{}) f_.wind = WindModel::off;
     if (f_.air == AirModel::vacuum && f_.drag == DragModel::equation)
       set("drag", f_.drag, DragModel::off, "there is no air");
   }
@@ -68,7 +66,8 @@ class Granting {
   void by_projectile() {
     const ProjectileDef& p = projectile_;
     if (f_.rotation == RotationModel::spin_drift) {
-      if (p.twist == 0) set("rotation", f_.rotation, RotationModel::none, "the projectile has no twist");
+      if (p.twist == 0)
+        f_.rotation = RotationModel::none;  // it does not spin: nothing is lost
       else if (p.length <= 0)
         set("rotation", f_.rotation, RotationModel::none, "the stability factor needs the projectile's length");
     }

@@ -197,13 +197,10 @@ PHYSIM_INLINE MaskOf<R> is_finite(const State<R>& s) {
   return is_finite(((s.x.x + s.x.y) + (s.x.z + s.v.x)) + (s.v.y + s.v.z));
 }
 
-/// Accepted lanes that cannot just go on: an event, a bad number, the border of the air; and lanes out of steps.
+/// Accepted lanes that cannot just go on because of an event or a bad number; and lanes out of steps.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
-  const Conditions<S>& c = *course.conditions;
-  MaskOf<R> special = detect(c, l.body, course.watch, l.step) | !is_finite(l.step.end);
-  if (c.fidelity.air == AirModel::isa && c.fidelity.drag == DragModel::equation)
-    special = special | (altitude(c, l.step.end.x) < R(S(-5000)));
+  const MaskOf<R> special = detect(*course.conditions, l.body, course.watch, l.step) | !is_finite(l.step.end);
   return (special & accepted) | (l.tries >= R(course.plan.max_tries)) | (l.step.t + l.step.h <= l.step.t) |
          !(l.step.h > R(S(0)));
 }
@@ -233,8 +230,6 @@ Verdict judge(const Course<S>& course, const Lanes<R>& l, int lane, bool accepte
       const Watched& last = course.watch.item[found[count - 1].index];
       if (last.spec.terminal) return {true, last.outcome, found[count - 1].theta, count};
     }
-    const bool domain = c.fidelity.air == AirModel::isa && c.fidelity.drag == DragModel::equation;
-    if (domain && altitude(c, at.n1.y.x) < -5000) return {true, Outcome::left_domain, 1, count};
     if (out_of_tries) return {true, Outcome::step_limit, 1, count};
     if (!(t + h > t)) return {true, Outcome::stalled, 1, count};
     return {false, Outcome::step_limit, 1, count};

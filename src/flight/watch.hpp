@@ -12,6 +12,9 @@ namespace physim {
 
 inline constexpr int kMaxWatched = 32;
 
+/// How closely the place of an event in its step is found [-]: a few roundings.
+inline constexpr double kThetaTolerance = 1e-15;
+
 /// An event to look for, with what it means when it ends the flight.
 struct Watched {
   EventSpec spec;
@@ -72,20 +75,22 @@ PHYSIM_INLINE bool watches_height(const EventSpec& spec) {
   return spec.kind == EventKind::ground || spec.kind == EventKind::height;
 }
 
-/// Lanes in which a step crosses something watched. A step that goes over the apex may cross a height twice and end
-/// on the side it began on, so every such lane counts too.
+/// Lanes in which a step crosses something watched. A step that goes over the apex and has a height above both its ends
+/// may cross it twice, up and down; such lanes count too.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s) {
+  const R zero(S(0));
   const R end_time = s.t + s.h;
-  MaskOf<R> found = R(S(0)) != R(S(0));
-  bool over_apex_matters = false;
+  MaskOf<R> found = zero != zero;
+  MaskOf<R> below = found;  // lanes with a watched height at or above both ends
   for (int i = 0; i < watch.count; ++i) {
     const EventSpec& spec = watch.item[i].spec;
-    over_apex_matters = over_apex_matters || watches_height(spec);
-    found = found | crosses(spec.direction, watched_value(c, b, spec, s.t, s.start),
-                            watched_value(c, b, spec, end_time, s.end));
+    const R from = watched_value(c, b, spec, s.t, s.start);
+    const R to = watched_value(c, b, spec, end_time, s.end);
+    found = found | crosses(spec.direction, from, to);
+    if (watches_height(spec)) below = below | ((from <= zero) & (to <= zero));
   }
-  if (over_apex_matters) found = found | crosses(Crossing::falling, climb_rate(c, s.start), climb_rate(c, s.end));
+  if (any(below)) found = found | (below & crosses(Crossing::falling, climb_rate(c, s.start), climb_rate(c, s.end)));
   return found;
 }
 
@@ -99,14 +104,15 @@ int find_crossings(const Conditions<double>& c, const Body<double>& b, const Wat
   const double climb_end = climb_rate(c, at.n1.y);
   double apex = 1;
   if (climb_start > 0 && climb_end < 0)
-    apex = find_root([&](double theta) { return climb_rate(c, at(theta)); }, 0, climb_start, 1, climb_end, 0);
+    apex = find_root([&](double theta) { return climb_rate(c, at(theta)); }, 0, climb_start, 1, climb_end, kThetaTolerance);
   int count = 0;
   for (int i = 0; i < watch.count; ++i) {
     const EventSpec& spec = watch.item[i].spec;
     const auto value = [&](double theta) { return watched_value(c, b, spec, t + theta * h, at(theta)); };
     const auto look_between = [&](double from, double at_from, double to, double at_to) {
       if (!crosses(spec.direction, at_from, at_to) || count == 2 * kMaxWatched) return;
-      found[count++] = {find_root(value, from, at_from, to, at_to, 0), i, at_from < 0};
+      const double noise = 2.220446049250313e-16 * (abs(spec.value) + max(abs(at_from), abs(at_to)));
+      found[count++] = {find_root(value, from, at_from, to, at_to, kThetaTolerance, noise), i, at_from < 0};
     };
     const double at_start = watched_value(c, b, spec, t, at.n0.y);
     const double at_end = watched_value(c, b, spec, t + h, at.n1.y);

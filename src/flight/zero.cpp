@@ -1,9 +1,9 @@
 // Answers that take several flights: the elevation of a zero, and the step of a fixed-step integrator.
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "flight/cohort.hpp"
+#include "math/text.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
@@ -45,7 +45,7 @@ class ZeroFlights {
 };
 
 Error out_of_reach(double range) {
-  return Error{"no elevation up to 45 degrees hits the line of sight at " + std::to_string(range) + " m",
+  return Error{"no elevation up to 45 degrees hits the line of sight at " + short_text(range) + " m",
                "launch.sight.zero_range", "shorten the zero range or raise the speed"};
 }
 
@@ -115,7 +115,7 @@ Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch,
     const double factor = 0.95 * pow(tolerance.position_error / error, 1 / order);
     step *= std::clamp(factor, 0.1, 0.9);
   }
-  return Error{"no step above 1e-7 s keeps the position error below " + std::to_string(tolerance.position_error) + " m",
+  return Error{"no step above 1e-7 s keeps the position error below " + short_text(tolerance.position_error) + " m",
                "tolerance.position_error", "allow a larger error, or use an adaptive integrator"};
 }
 
@@ -123,7 +123,7 @@ Result<double> step_of(const ProjectileDef& projectile, const Launch& launch, co
                        const Fidelity& granted, const Tolerance& tolerance, const Until& until) {
   if (steps_itself(granted)) return 0.0;
   if (tolerance.step > 0) return tolerance.step;
-  if (granted.integrator == Integrator::classic) return 1.0 / 60;
+  if (granted.integrator < Integrator::heun) return 1.0 / 60;  // a game's frame; accuracy is not what these are for
   return pilot_step(projectile, launch, environment, granted, tolerance, until);
 }
 

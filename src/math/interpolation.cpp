@@ -103,7 +103,7 @@ namespace {
 bool every_knot_on_grid(const std::vector<double>& knots, double cell) {
   return std::all_of(knots.begin(), knots.end(), [&](double x) {
     const double u = (x - knots.front()) / cell;
-    return std::abs(u - std::round(u)) < 1e-6;
+    return std::abs(u - std::round(u)) < 1e-9;
   });
 }
 

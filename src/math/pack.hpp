@@ -242,6 +242,28 @@ template <class T, int N>
 PHYSIM_INLINE bool all(const PackMask<T, N>& mask) {
   return !any(!mask);
 }
+/// Bit i of the result is lane i of the mask.
+PHYSIM_INLINE unsigned lane_bits(bool mask) { return mask ? 1u : 0u; }
+template <class T, int N>
+PHYSIM_INLINE unsigned lane_bits(const PackMask<T, N>& mask) {
+  static_assert(N <= 32);
+  constexpr int kPer = Pack<T, N>::kPerRegister;
+  unsigned bits = 0;
+  for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) {
+    unsigned part = 0;
+#if defined(__AVX512DQ__)
+    if constexpr (sizeof mask.r[0] == 64) {
+      part = sizeof(T) == 8 ? unsigned(_mm512_movepi64_mask((__m512i)mask.r[i]))
+                            : unsigned(_mm512_movepi32_mask((__m512i)mask.r[i]));
+      bits |= part << (i * kPer);
+      continue;
+    }
+#endif
+    for (int lane = 0; lane < kPer; ++lane) part |= (mask.r[i][lane] != 0 ? 1u : 0u) << lane;
+    bits |= part << (i * kPer);
+  }
+  return bits;
+}
 /// One lane of a mask, also for a plain bool.
 PHYSIM_INLINE bool lane_of(bool mask, int) { return mask; }
 template <class T, int N>

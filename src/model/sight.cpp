@@ -6,6 +6,9 @@
 namespace physim {
 namespace {
 
+/// Most launches look straight ahead: the sine and cosine of zero need no computing.
+SinCos<double> sincos_of(double angle) { return angle == 0 ? SinCos<double>{0, 1} : sincos(angle); }
+
 /// The azimuth of the plane of fire: as given, or that of a given velocity.
 double azimuth_of(const Launch& launch) {
   if (!launch.velocity) return launch.azimuth;
@@ -16,9 +19,9 @@ double azimuth_of(const Launch& launch) {
 }  // namespace
 
 SightFrame sight_frame(const Launch& launch) {
-  const auto azimuth = sincos(azimuth_of(launch));
-  const auto look = sincos(launch.sight.look_angle);
-  const auto cant = sincos(launch.sight.cant);
+  const auto azimuth = sincos_of(azimuth_of(launch));
+  const auto look = sincos_of(launch.sight.look_angle);
+  const auto cant = sincos_of(launch.sight.cant);
   SightFrame s;
   s.muzzle = launch.position;
   s.forward = {look.cos * azimuth.cos, look.sin, look.cos * azimuth.sin};
@@ -31,7 +34,7 @@ SightFrame sight_frame(const Launch& launch) {
 
 Vec3d launch_velocity(const Launch& launch, const SightFrame& sight, double elevation) {
   if (launch.velocity) return *launch.velocity;
-  const auto above = sincos(elevation - launch.sight.look_angle);
+  const auto above = sincos_of(elevation - launch.sight.look_angle);
   return (sight.forward * above.cos + sight.canted * above.sin) * launch.speed;
 }
 

@@ -1,10 +1,10 @@
 // Equations, symbols and Source: model/standard_atmosphere.hpp.
 #include "model/standard_atmosphere.hpp"
 
-#include <string>
 
 #include "math/elementary.hpp"
 #include "model/air.hpp"
+#include "math/text.hpp"
 #include "model/humid_air.hpp"
 
 namespace physim {
@@ -128,7 +128,7 @@ Air<double> prepare_air(const Environment& environment, AirModel model) {
 
 Result<AirSample> air_at(const Environment& environment, double altitude) {
   if (!(altitude >= -5000 && altitude <= 86000))
-    return Error{"altitude " + std::to_string(altitude) + " m lies outside the standard atmosphere", "altitude",
+    return Error{"altitude " + short_text(altitude) + " m lies outside the standard atmosphere", "altitude",
                  "give a height from -5000 m to 86000 m"};
   const AirModel model = environment.atmosphere.model;
   const Air<double> air = prepare_air(environment, model);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "math/elementary.hpp"
+#include "physim/fidelity.hpp"
 #include "solve/explicit_runge_kutta.hpp"
 
 PHYSIM_ISA_BEGIN

@@ -66,7 +66,8 @@ TEST(DragCurves, every_standard_function_hits_its_points_with_every_interpolatio
       const DragDef drag{.table = static_cast<DragTable>(table)};
       for (const DragPoint& p : drag_points(drag.table)) {
         EXPECT_NEAR(drag_coefficient(drag, how, p.mach), p.coefficient, 1e-15) << table << ' ' << p.mach;
-        if (p.mach > 0) EXPECT_NEAR(felt_cd(drag, how, p.mach), p.coefficient, 1e-12) << table << ' ' << p.mach;
+        if (p.mach == 0) continue;
+        EXPECT_NEAR(felt_cd(drag, how, p.mach), p.coefficient, 1e-12) << table << ' ' << p.mach;
       }
     }
 }

@@ -33,9 +33,9 @@ TEST(Coriolis, is_minus_two_omega_cross_v) {
   const Vec3d omega{w * c, w * s, 0};
   EXPECT_TRUE(near(coriolis(p.conditions(), v), cross(omega, v) * -2.0, 1e-15));
   // In words: going north drifts right (east), going east lifts, going up drifts west.
-  EXPECT_GT(coriolis(p.conditions(), {1, 0, 0}).z, 0);
-  EXPECT_GT(coriolis(p.conditions(), {0, 0, 1}).y, 0);
-  EXPECT_LT(coriolis(p.conditions(), {0, 1, 0}).z, 0);
+  EXPECT_GT(coriolis(p.conditions(), Vec3d{1, 0, 0}).z, 0);
+  EXPECT_GT(coriolis(p.conditions(), Vec3d{0, 0, 1}).y, 0);
+  EXPECT_LT(coriolis(p.conditions(), Vec3d{0, 1, 0}).z, 0);
 }
 
 TEST(Coriolis, turns_with_the_azimuth_of_fire) {
@@ -44,7 +44,7 @@ TEST(Coriolis, turns_with_the_azimuth_of_fire) {
   const Prepared east({}, {}, turning(52, 90), coriolis_only());
   const Vec3d v_north_up_east{300, 40, 70};
   const Vec3d a = coriolis(north.conditions(), v_north_up_east);
-  const Vec3d b = coriolis(east.conditions(), {70, 40, -300});
+  const Vec3d b = coriolis(east.conditions(), Vec3d{70, 40, -300});
   EXPECT_TRUE(near(b, {a.z, a.y, -a.x}, 1e-14));
 }
 
@@ -95,7 +95,7 @@ TEST(Earth, climb_rate_over_a_sphere_is_that_of_the_height) {
 
 TEST(Acceleration, is_the_sum_of_all_effects) {
   ProjectileDef p = test::bullet_308();
-  p.force = {0.1, 0.2, -0.3};
+  p.force = {1e-3, 2e-3, -3e-3};
   Environment e = turning(40, 120);
   e.gravity.model = GravityModel::inverse_square;
   e.wind.velocity = {3, 0, -4};

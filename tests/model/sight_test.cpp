@@ -11,6 +11,10 @@ namespace {
 using test::kDegree;
 using test::near;
 
+Vec3d launch_velocity(const Launch& launch, double elevation) {
+  return physim::launch_velocity(launch, sight_frame(launch), elevation);
+}
+
 TEST(Sight, frame_is_orthonormal_and_right_handed) {
   for (const double azimuth : {-2.0, 0.0, 0.4, 3.0})
     for (const double look : {-0.6, 0.0, 1.2})

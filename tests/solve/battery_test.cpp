@@ -143,12 +143,16 @@ TYPED_TEST(Battery, interpolants_have_their_own_order) {
 TYPED_TEST(Battery, velocity_of_the_dense_output_follows_its_position) {
   const Prepared p = prepare_kepler(this->kIntegrator == Integrator::classic ? Integrator::rk4 : this->kIntegrator, 0.7);
   const int n = this->kPromise.steps_orbit;
+  // Both come within the method's error of the solution; slopes inside a step are an order less accurate.
   const double gate = 10 * dense_error(p, 4, n, [](double t) { return kepler(0.7 + t); }) * n;
+  double worst = 0;
   steps(p, 4, n, [&](const DenseStep& s) {
-    const double h = s.n1.t - s.n0.t;
-    const Vec3d slope = (s.at(0.5 + 1e-4).x - s.at(0.5 - 1e-4).x) * (1 / (2e-4 * h));
-    EXPECT_LT(length(slope - s.at(0.5).v), gate + 1e-9);
+    const double h = s.n1.t - s.n0.t, d = 1e-2;
+    const Vec3d slope = ((s.at(0.5 + d).x - s.at(0.5 - d).x) * 8.0 - (s.at(0.5 + 2 * d).x - s.at(0.5 - 2 * d).x)) *
+                        (1 / (12 * d * h));
+    worst = std::max(worst, length(slope - s.at(0.5).v));
   });
+  EXPECT_LT(worst, gate);
 }
 
 TYPED_TEST(Battery, a_step_there_and_back_returns) {

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Draws the pictures of the documentation into docs/pictures: `./dev docs`, or PHYSIM=path/to/physim docs/make_plots.sh.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+physim=${PHYSIM:-build/release/bin/physim}
+pictures=docs/pictures
+mkdir -p "$pictures"
+
+# draw SCENARIO: all its shots in one picture. draw_shot SCENARIO SHOT: one of them.
+draw() { "$physim" run "scenarios/$1.toml" --plot "$pictures/$1.png" >/dev/null; }
+draw_shot() {
+  local folder
+  folder=$(mktemp -d)
+  "$physim" run "scenarios/$1.toml" --out "$folder" >/dev/null
+  mv "$folder/$1_$2.png" "$pictures/"
+  rm -r "$folder"
+}
+
+"$physim" compare scenarios/308_168gr_g7.toml --plot "$pictures/ladder.png" >/dev/null
+draw 308_168gr_g7
+draw cannonball_galileo
+draw_shot lob_16km shell
+draw original_artillery
+draw original_test_3
+draw original_test_6

@@ -1,0 +1,171 @@
+// Documentation that cannot rot: quoted code is in the examples, quoted output is what the program prints, links lead
+// somewhere, and every scenario that ships loads, flies and meets its expectations.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <regex>
+#include <sstream>
+
+#include "physim/scenario.hpp"
+
+namespace physim {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = PHYSIM_SOURCE_DIR;
+
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  EXPECT_TRUE(file) << path << " cannot be read";
+  std::ostringstream out;
+  out << file.rdbuf();
+  return out.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<fs::path> files_with(const char* ending, const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.path().extension() == ending) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<fs::path> pages() {
+  std::vector<fs::path> all = files_with(".md", kRoot / "docs");
+  for (const char* page : {"README.md", "CHANGELOG.md"}) all.push_back(kRoot / page);
+  return all;
+}
+
+/// A fenced block with the comment that stands before it: "from examples/batch.cpp", "output of run scenarios/...".
+struct Block {
+  std::string language, comment, text;
+  std::size_t line = 0;
+};
+
+std::vector<Block> blocks_of(const std::string& page) {
+  std::vector<Block> blocks;
+  std::string comment;
+  bool inside = false;
+  const auto lines = lines_of(page);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string& line = lines[i];
+    if (line.starts_with("```")) {
+      inside = !inside;
+      if (inside) blocks.push_back({line.substr(3), comment, "", i + 1});
+      comment.clear();
+    } else if (inside) {
+      blocks.back().text += line + "\n";
+    } else if (line.starts_with("<!-- ") && line.ends_with(" -->")) {
+      comment = line.substr(5, line.size() - 9);
+    } else if (!line.empty()) {
+      comment.clear();
+    }
+  }
+  return blocks;
+}
+
+std::string without_blocks(const std::string& page) {
+  static const std::regex kBlock("```[^`]*```|`[^`\n]*`");
+  return std::regex_replace(page, kBlock, "");
+}
+
+TEST(Docs, QuotedCodeIsInTheFilesItIsQuotedFrom) {
+  for (const fs::path& page : pages())
+    for (const Block& block : blocks_of(content_of(page))) {
+      const std::string where = page.filename().string() + ":" + std::to_string(block.line);
+      const bool from_file = block.comment.starts_with("from ");
+      EXPECT_TRUE(from_file || block.language != "cpp") << where << ": C++ without <!-- from FILE -->";
+      if (!from_file) continue;
+      const fs::path source = kRoot / block.comment.substr(5);
+      ASSERT_TRUE(fs::exists(source)) << where << ": " << source;
+      EXPECT_NE(content_of(source).find(block.text), std::string::npos) << where << ": not verbatim in " << source;
+    }
+}
+
+#ifdef PHYSIM_CLI
+std::string output_of(const std::string& arguments) {
+  const std::string command = "cd '" + kRoot.string() + "' && NO_COLOR=1 '" PHYSIM_CLI "' " + arguments + " 2>&1";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+  std::string out;
+  char part[4096];
+  while (pipe && std::fgets(part, sizeof part, pipe.get())) out += part;
+  return out;
+}
+
+TEST(Docs, QuotedOutputIsWhatTheProgramPrints) {
+  for (const fs::path& page : pages())
+    for (const Block& block : blocks_of(content_of(page))) {
+      if (!block.comment.starts_with("output of physim ")) continue;
+      const auto printed = lines_of(output_of(block.comment.substr(17)));
+      for (const std::string& line : lines_of(block.text)) {
+        const bool is_printed = line == "..." || std::find(printed.begin(), printed.end(), line) != printed.end();
+        EXPECT_TRUE(is_printed) << page.filename() << ":" << block.line << ": not printed: " << line;
+      }
+    }
+}
+#endif
+
+TEST(Docs, LinksAndPicturesExist) {
+  static const std::regex kLink(R"re(\]\(([^)\s]+)\)|src="([^"]+)")re");
+  for (const fs::path& page : pages()) {
+    const std::string text = without_blocks(content_of(page));
+    for (std::sregex_iterator match(text.begin(), text.end(), kLink), end; match != end; ++match) {
+      std::string target = (*match)[1].matched ? (*match)[1] : (*match)[2];
+      if (target.find("://") != std::string::npos || target.starts_with("#") || target.starts_with("mailto:")) continue;
+      target = target.substr(0, target.find('#'));
+      EXPECT_TRUE(fs::exists(page.parent_path() / target)) << page << " links to " << target;
+    }
+  }
+}
+
+TEST(Docs, PicturesAreLight) {
+  std::uintmax_t total = 0;
+  const fs::path folder = kRoot / "docs" / "pictures";
+  if (!fs::exists(folder)) GTEST_SKIP() << "no pictures";
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    EXPECT_LT(entry.file_size(), 200'000u) << entry.path();
+    total += entry.file_size();
+  }
+  EXPECT_LT(total, 1'500'000u);
+}
+
+TEST(Scenarios, AllMeetTheirExpectations) {
+  const auto files = files_with(".toml", kRoot / "scenarios");
+  ASSERT_FALSE(files.empty());
+  for (const fs::path& file : files) {
+    const auto scenario = load_scenario(file.string());
+    ASSERT_TRUE(scenario.ok()) << scenario.error().text();
+    EXPECT_FALSE(scenario->title.empty()) << file;
+    EXPECT_FALSE(scenario->source.empty()) << file;
+    EXPECT_FALSE(scenario->expect.empty()) << file << " expects nothing";
+    for (const ScenarioShot& shot : scenario->shots) {
+      const ProjectileDef& p = shot.projectile;
+      const Flight flight =
+          fly(p, shot.launch, scenario->environment, p.fidelity, scenario->tolerance, scenario->until);
+      ASSERT_FALSE(flight.error()) << file << ": " << p.name << ": " << flight.error()->text();
+      for (const Expectation& expect : scenario->expect) {
+        if (!expect.shot.empty() && expect.shot != p.name) continue;
+        EXPECT_FALSE(expect.source.empty()) << expect.place << ": no source";
+        const Result<double> value = measure(flight, expect);
+        ASSERT_TRUE(value.ok()) << value.error().text();
+        EXPECT_NEAR(*value, expect.equals, expect.within) << expect.place << ": " << p.name << ": " << expect.quantity;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace physim

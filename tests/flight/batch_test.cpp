@@ -1,0 +1,241 @@
+// fly_batch() gives the numbers of fly(), bit for bit: every integrator, precision and instruction set.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "random_shots.hpp"
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+/// Lets a test choose kernels and puts the best one back.
+class BatchTest : public testing::Test {
+ protected:
+  ~BatchTest() override { use_kernel(""); }
+};
+
+bool same_event(const Event& a, const Event& b) {
+  return a.kind == b.kind && same_bits(a.value, b.value) && a.direction == b.direction && same_bits(a.time, b.time) &&
+         same_bits(a.position, b.position) && same_bits(a.velocity, b.velocity);
+}
+
+/// The events that a batch reports too: fly() also reports every apex, which nobody asked for.
+std::vector<Event> asked_for(const Flight& flight, const Until& until) {
+  bool apex = false;
+  for (const EventSpec& e : until.events) apex = apex || e.kind == EventKind::apex;
+  std::vector<Event> events;
+  for (const Event& e : flight.events())
+    if (apex || e.kind != EventKind::apex) events.push_back(e);
+  return events;
+}
+
+void expect_same(const Flight& flight, const BatchResult& batch, std::uint32_t i, const Until& until,
+                 const std::string& what) {
+  const ShotResult& shot = batch.shots[i];
+  const Sample end = flight.end();
+  EXPECT_EQ(shot.outcome, flight.outcome()) << what;
+  EXPECT_TRUE(same_bits(shot.time, flight.duration())) << what << ": " << shot.time << ' ' << flight.duration();
+  EXPECT_TRUE(same_bits(shot.position, end.position))
+      << what << ": " << shot.position.x << ' ' << end.position.x << " after " << flight.cost().steps;
+  EXPECT_TRUE(same_bits(shot.velocity, end.velocity)) << what;
+  EXPECT_EQ(shot.cost.steps, flight.cost().steps) << what;
+  EXPECT_EQ(shot.cost.rejected, flight.cost().rejected) << what;
+  EXPECT_EQ(shot.cost.evaluations, flight.cost().evaluations) << what;
+  bool apex_asked = false;
+  for (const EventSpec& e : until.events) apex_asked = apex_asked || e.kind == EventKind::apex;
+  if (apex_asked) return;  // fly() then has its own apex beside those asked for; the next test looks at them
+  std::vector<Event> events;
+  for (const ShotEvent& e : batch.events)
+    if (e.shot == i) events.push_back(e.event);
+  const std::vector<Event> expected = asked_for(flight, until);
+  ASSERT_EQ(events.size(), expected.size()) << what;
+  for (std::size_t k = 0; k < events.size(); ++k) EXPECT_TRUE(same_event(events[k], expected[k])) << what << " event " << k;
+}
+
+/// One environment, rungs and ends for a number of random shots.
+struct Course {
+  Environment environment;
+  Fidelity fidelity;
+  Until until;
+  Tolerance tolerance;
+  std::vector<Shot> shots;
+};
+
+Course random_course(std::uint64_t seed, Integrator integrator, Precision precision, int shots) {
+  Random r(seed);
+  Course c{random_environment(r), random_fidelity(r), random_until(r), {}, {}};
+  c.fidelity.integrator = integrator;
+  c.fidelity.precision = precision;
+  const double relative = precision == Precision::float32 ? 1e-5 : 1e-8;
+  c.tolerance = {relative, relative, r.in(0.004, 0.05)};
+  if (integrator == Integrator::classic && r.one_in(2)) c.tolerance.step = 0;
+  if (r.one_in(5)) c.tolerance.max_steps = 20;
+  c.shots = random_shots(r, shots);
+  return c;
+}
+
+using Combination = std::tuple<Integrator, Precision>;
+class BatchEquality : public testing::TestWithParam<Combination> {
+ protected:
+  ~BatchEquality() override { use_kernel(""); }
+};
+
+TEST_P(BatchEquality, random_shots_fly_as_one_by_one) {
+  const auto [integrator, precision] = GetParam();
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Course c = random_course(seed, integrator, precision, 30);
+    std::vector<Flight> flights;
+    for (const Shot& shot : c.shots)
+      flights.push_back(fly(shot.projectile, shot.launch, c.environment, c.fidelity, c.tolerance, c.until));
+    for (const std::string& kernel : kernels()) {
+      ASSERT_TRUE(use_kernel(kernel));
+      const BatchResult batch = fly_batch(c.shots, c.environment, c.fidelity, c.tolerance, c.until);
+      ASSERT_EQ(batch.kernel, kernel);
+      ASSERT_FALSE(batch.error) << batch.error->text();
+      ASSERT_EQ(batch.shots.size(), c.shots.size());
+      for (std::uint32_t i = 0; i < c.shots.size(); ++i) {
+        expect_same(flights[i], batch, i, c.until, kernel + " seed " + std::to_string(seed) + " shot " + std::to_string(i));
+        if (HasFailure()) return;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BatchEquality,
+    testing::Combine(testing::Values(Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler,
+                                     Integrator::heun, Integrator::rk4, Integrator::tsit5, Integrator::dop853),
+                     testing::Values(Precision::float32, Precision::float64)),
+    [](const testing::TestParamInfo<Combination>& info) {
+      return text(std::get<0>(info.param)) + "_" + std::string(name(std::get<1>(info.param)));
+    });
+
+TEST_F(BatchTest, kernels_are_listed_best_first_and_can_be_chosen) {
+  const auto list = kernels();
+  ASSERT_GE(list.size(), 2u);
+  EXPECT_EQ(list[list.size() - 2], "base");
+  EXPECT_EQ(list.back(), "scalar");
+  for (const std::string& kernel : list) {
+    EXPECT_TRUE(use_kernel(kernel));
+    EXPECT_EQ(fly_batch({}, {}, {}).kernel, kernel);
+  }
+  EXPECT_FALSE(use_kernel("sse9"));
+  EXPECT_EQ(fly_batch({}, {}, {}).kernel, list.back()) << "a wrong name changes nothing";
+  EXPECT_TRUE(use_kernel(""));
+  EXPECT_EQ(fly_batch({}, {}, {}).kernel, list.front());
+}
+
+TEST_F(BatchTest, empty_batch) {
+  const BatchResult batch = fly_batch({}, {}, Fidelity::simulation());
+  EXPECT_TRUE(batch.shots.empty());
+  EXPECT_TRUE(batch.events.empty());
+  EXPECT_FALSE(batch.error);
+}
+
+TEST_F(BatchTest, lanes_are_refilled_whatever_the_durations) {
+  // Flights of 0.01 s to 40 s, in an order that leaves long ones in lanes between short ones, and none of a pack's size.
+  for (const int count : {1, 2, 7, 33, 101}) {
+    std::vector<Shot> shots;
+    for (int i = 0; i < count; ++i) {
+      Shot shot{bullet_308(), {.position = {0, 0.001 * (i + 1), 0}, .speed = 400}};
+      if (i % 5 == 3) shot.launch.elevation = 1.2;
+      if (i % 17 == 16) shot.launch.position.y = 3000;
+      shots.push_back(shot);
+    }
+    for (const Integrator integrator : {Integrator::tsit5, Integrator::rk4})
+      for (const Precision precision : {Precision::float32, Precision::float64}) {
+        Fidelity f;
+        f.integrator = integrator;
+        f.precision = precision;
+        const Tolerance tolerance{1e-6, 1e-6, 0.01};
+        for (const std::string& kernel : kernels()) {
+          use_kernel(kernel);
+          const BatchResult batch = fly_batch(shots, {}, f, tolerance);
+          for (std::uint32_t i = 0; i < shots.size(); i += 1 + i / 7)
+            expect_same(fly(shots[i].projectile, shots[i].launch, {}, f, tolerance), batch, i, {}, kernel + std::to_string(i));
+        }
+      }
+  }
+}
+
+TEST_F(BatchTest, refused_shots_are_left_out_and_the_others_fly) {
+  std::vector<Shot> shots(20, Shot{bullet_308(), {.speed = 300, .elevation = 0.1}});
+  shots[3].projectile.mass = -1;
+  shots[9].launch.speed = kNan;
+  shots[19].launch.sight.zero_range = 1e6;
+  shots[19].launch.elevation = 0;
+  const BatchResult batch = fly_batch(shots, {}, {});
+  ASSERT_TRUE(batch.error);
+  EXPECT_EQ(batch.error->place, "projectile.mass") << "the first one";
+  for (std::size_t i = 0; i < shots.size(); ++i)
+    EXPECT_EQ(batch.shots[i].outcome, i == 3 || i == 9 || i == 19 ? Outcome::refused : Outcome::landed) << i;
+  EXPECT_TRUE(same_bits(batch.shots[0].position, fly(shots[0].projectile, shots[0].launch, {}, {}).end().position));
+}
+
+TEST_F(BatchTest, bad_common_input_refuses_all) {
+  const std::vector<Shot> shots(3, Shot{bullet_308(), {.speed = 300}});
+  Environment bad;
+  bad.atmosphere.humidity = 7;
+  for (const BatchResult& batch : {fly_batch(shots, bad, {}), fly_batch(shots, {}, {}, {.relative = 1e-20}),
+                                   fly_batch(shots, {}, {}, {}, {.time = kNan})}) {
+    ASSERT_TRUE(batch.error);
+    EXPECT_FALSE(batch.error->place.empty());
+    ASSERT_EQ(batch.shots.size(), 3u);
+    for (const ShotResult& shot : batch.shots) EXPECT_EQ(shot.outcome, Outcome::refused);
+  }
+}
+
+TEST_F(BatchTest, shots_below_the_ground_land_at_once) {
+  std::vector<Shot> shots(9, Shot{bullet_308(), {.position = {0, 1, 0}, .speed = 300}});
+  shots[4].launch = {.position = {1, -2, 3}, .speed = 300, .elevation = -0.5};
+  const BatchResult batch = fly_batch(shots, {}, {});
+  EXPECT_EQ(batch.shots[4].outcome, Outcome::landed);
+  EXPECT_EQ(batch.shots[4].time, 0);
+  EXPECT_EQ(batch.shots[4].position, (Vec3d{1, -2, 3}));
+  expect_same(fly(shots[4].projectile, shots[4].launch, {}, {}), batch, 4, {}, "landed");
+  EXPECT_GT(batch.shots[5].time, 0.1);
+}
+
+TEST_F(BatchTest, events_come_by_shot_then_by_time) {
+  std::vector<Shot> shots;
+  for (int i = 0; i < 40; ++i) shots.push_back({bullet_308(), {.speed = 100.0 + 7 * (i * 13 % 40), .elevation = 0.8}});
+  Until until;
+  for (const double h : {10.0, 50.0, 100.0}) until.events.push_back({EventKind::height, h});
+  until.events.push_back({EventKind::apex, 0});
+  const BatchResult batch = fly_batch(shots, {}, {}, {}, until);
+  ASSERT_EQ(batch.events.size(), 40u * 8);
+  for (std::size_t i = 1; i < batch.events.size(); ++i) {
+    const ShotEvent& a = batch.events[i - 1];
+    const ShotEvent& b = batch.events[i];
+    EXPECT_TRUE(a.shot < b.shot || (a.shot == b.shot && a.event.time <= b.event.time)) << i;
+  }
+}
+
+TEST_F(BatchTest, an_automatic_step_is_small_enough_for_all_shots) {
+  std::vector<Shot> shots;
+  for (int i = 0; i < 15; ++i) shots.push_back({bullet_308(), {.speed = 800.0 - 10 * i, .elevation = 0.01}});
+  Fidelity f;
+  f.integrator = Integrator::rk4;
+  const Until until{.ground = {}, .range = 800};
+  const BatchResult batch = fly_batch(shots, {}, f, {.position_error = 1e-3}, until);
+  f.integrator = Integrator::dop853;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const Flight exact = fly(shots[i].projectile, shots[i].launch, {}, f, {1e-12, 1e-12}, until);
+    EXPECT_LT(length(batch.shots[i].position - exact.end().position), 2e-3) << i;
+  }
+}
+
+TEST_F(BatchTest, what_was_granted_is_told) {
+  const std::vector<Shot> shots(3, Shot{bullet_308(), {.speed = 300}});
+  Fidelity f;
+  f.motion = Motion::velocity;
+  const BatchResult batch = fly_batch(shots, {}, f);
+  EXPECT_EQ(batch.fidelity_in_use.fidelity.drag, DragModel::damping);
+  EXPECT_FALSE(batch.fidelity_in_use.notes.empty());
+}
+
+}  // namespace
+}  // namespace physim

@@ -1,0 +1,157 @@
+// How flights end: every outcome is reached by some input, and nothing runs for ever.
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+constexpr Integrator kAll[] = {Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler,
+                               Integrator::heun,    Integrator::rk4,            Integrator::tsit5,
+                               Integrator::dop853};
+
+TEST(Outcome, landed) {
+  for (const Integrator integrator : kAll)
+    EXPECT_EQ(fly({}, {.speed = 10, .elevation = 1}, constant_gravity(), vacuum(integrator), {.step = 0.01}).outcome(),
+              Outcome::landed);
+}
+
+TEST(Outcome, reached_range) {
+  for (const Integrator integrator : kAll)
+    EXPECT_EQ(fly({}, {.speed = 10, .elevation = 1}, constant_gravity(), vacuum(integrator), {.step = 0.01}, {.range = 5})
+                  .outcome(),
+              Outcome::reached_range);
+}
+
+TEST(Outcome, event) {
+  for (const Integrator integrator : kAll)
+    EXPECT_EQ(fly({}, {.speed = 10, .elevation = 1}, constant_gravity(), vacuum(integrator), {.step = 0.01},
+                  {.events = {{EventKind::height, 2, Crossing::any, true}}})
+                  .outcome(),
+              Outcome::event);
+}
+
+TEST(Outcome, time_limit) {
+  for (const Integrator integrator : kAll) {
+    const Flight flight =
+        fly({}, {.speed = 10, .elevation = 1}, constant_gravity(), vacuum(integrator), {.step = 0.01}, {.time = 0.7});
+    EXPECT_EQ(flight.outcome(), Outcome::time_limit);
+    EXPECT_NEAR(flight.duration(), 0.7, 1e-14);
+  }
+}
+
+TEST(Outcome, step_limit) {
+  for (const Integrator integrator : kAll) {
+    const Flight flight = fly(bullet_308(), {.speed = 700, .elevation = 1}, {}, {.integrator = integrator},
+                              {1e-9, 1e-9, 0.001, .max_steps = 50});
+    EXPECT_EQ(flight.outcome(), Outcome::step_limit) << text(integrator);
+    EXPECT_EQ(flight.cost().steps + flight.cost().rejected, 50) << text(integrator);
+    EXPECT_GT(flight.duration(), 0) << text(integrator);
+  }
+}
+
+TEST(Outcome, left_domain) {
+  for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+    const Flight flight = fly(bullet_308(), {.speed = 700, .elevation = -1}, {}, {.integrator = integrator},
+                              {1e-9, 1e-9, 0.05}, {.ground = {}});
+    EXPECT_EQ(flight.outcome(), Outcome::left_domain) << text(integrator);
+    EXPECT_NEAR(flight.end().position.y, -5000, 1e-6);
+  }
+}
+
+TEST(Outcome, non_finite) {
+  // A huge push overflows; whatever the integrator, the flight ends where it last was sound.
+  ProjectileDef p;
+  p.mass = 1e-300;
+  p.force = {1e300, 0, 0};
+  for (const Integrator integrator : kAll)
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      Fidelity f = vacuum(integrator);
+      f.precision = precision;
+      const Flight flight = fly(p, {.speed = 1}, constant_gravity(), f, {1e-5, 1e-5, 0.1}, {.ground = {}, .time = 10});
+      EXPECT_EQ(flight.outcome(), Outcome::non_finite) << text(integrator) << ' ' << name(precision);
+      const Sample end = flight.end();
+      EXPECT_TRUE(std::isfinite(end.position.x + end.velocity.x)) << text(integrator);
+    }
+}
+
+TEST(Outcome, non_finite_by_an_unstable_step) {
+  // Quadratic drag blows up explicitly when a step is far too long.
+  ProjectileDef p;
+  p.drag.k2 = 10;
+  Fidelity f = vacuum(Integrator::explicit_euler);
+  f.drag = DragModel::linear_quadratic;
+  const Flight flight = fly(p, {.speed = 1000}, constant_gravity(), f, {.step = 1}, {.ground = {}});
+  EXPECT_EQ(flight.outcome(), Outcome::non_finite);
+}
+
+TEST(Outcome, stalled) {
+  // So stiff that no step which advances the clock is short enough.
+  ProjectileDef p;
+  p.drag.k1 = 1e22;
+  Fidelity f = vacuum(Integrator::tsit5);
+  f.drag = DragModel::linear_quadratic;
+  Environment e = constant_gravity();
+  e.gravity.acceleration = 1e12;
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    f.precision = precision;
+    const Flight flight = fly(p, {.speed = 10}, e, f, {1e-6, 1e-6, .max_steps = 1000000}, {.ground = {}, .time = 1e6});
+    EXPECT_TRUE(flight.outcome() == Outcome::stalled || flight.outcome() == Outcome::step_limit) << name(flight.outcome());
+  }
+  // A clock in float32 that has run so far that a fixed step does not move it any more.
+  f = vacuum(Integrator::rk4);
+  f.precision = Precision::float32;
+  const Flight late = fly({}, {}, constant_gravity(), f, {.step = 1e-30, .max_steps = 100}, {.ground = {}});
+  EXPECT_NE(late.outcome(), Outcome::landed);
+}
+
+TEST(Outcome, refused) {
+  EXPECT_EQ(fly({.mass = -1}, {}, {}).outcome(), Outcome::refused);
+  EXPECT_TRUE(fly({.mass = -1}, {}, {}).error());
+}
+
+TEST(Outcome, nothing_that_never_lands_runs_for_ever) {
+  const auto start = std::chrono::steady_clock::now();
+  Fidelity f = vacuum();
+  f.gravity = GravityModel::off;
+  EXPECT_EQ(fly({}, {.speed = 1, .elevation = 1}, {}, f).outcome(), Outcome::time_limit) << "no gravity";
+  f = vacuum();
+  f.gravity = GravityModel::inverse_square;
+  f.earth = EarthModel::sphere;
+  EXPECT_EQ(fly({}, {.position = {0, 400e3, 0}, .speed = 7700}, {}, f).outcome(), Outcome::time_limit) << "an orbit";
+  EXPECT_EQ(fly({}, {.speed = 20000, .elevation = 1.5}, {}, f).outcome(), Outcome::time_limit) << "escape";
+  f = {};
+  EXPECT_NE(fly(bullet_308(), {.speed = 20000, .elevation = 1.5}, {}, f).outcome(), Outcome::refused);
+  const auto seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_LT(seconds, 20);
+}
+
+TEST(Outcome, at_rest_in_still_air) {
+  for (const Integrator integrator : kAll) {
+    Fidelity f{.integrator = integrator};
+    f.gravity = GravityModel::off;
+    const Flight flight = fly({}, {.position = {0, 1, 0}}, {}, f, {.step = 0.01}, {.time = 1});
+    EXPECT_EQ(flight.outcome(), Outcome::time_limit) << text(integrator);
+    EXPECT_EQ(flight.end().position, (Vec3d{0, 1, 0}));
+  }
+}
+
+TEST(Outcome, huge_steps_end) {
+  for (const Integrator integrator : {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun,
+                                      Integrator::rk4, Integrator::classic})
+    for (const double step : {1e6, 1e30, 1e300})
+      for (const Precision precision : {Precision::float32, Precision::float64}) {
+        Fidelity f{.integrator = integrator};
+        f.precision = precision;
+        const Flight flight = fly(bullet_308(), {.speed = 800, .elevation = 1}, {}, f, {.step = step});
+        EXPECT_NE(flight.outcome(), Outcome::refused) << text(integrator) << step;
+        EXPECT_LE(flight.cost().steps, 10000) << text(integrator) << step;
+      }
+}
+
+}  // namespace
+}  // namespace physim

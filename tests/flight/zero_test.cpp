@@ -1,0 +1,125 @@
+// Zeroing, and the step that a pilot flight finds.
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+double drop_at(const ProjectileDef& p, Launch launch, const Environment& e, const Fidelity& f, double elevation, double range) {
+  launch.sight.zero_range = 0;
+  launch.elevation = elevation;
+  return fly(p, launch, e, f, {1e-12, 1e-12}, {.ground = {}, .range = range}).end().drop;
+}
+
+TEST(Zero, in_vacuum_is_the_lower_solution_of_the_range_equation) {
+  // sin 2e = g R / v^2.
+  const auto e = zero_elevation({}, {.speed = 300}, constant_gravity(), vacuum(), 2000);
+  ASSERT_TRUE(e);
+  EXPECT_NEAR(*e, 0.5 * std::asin(9.80665 * 2000 / 90000), 1e-11);
+}
+
+TEST(Zero, the_shot_crosses_the_line_of_sight_at_the_range) {
+  for (const double look : {0.0, 0.35, -0.5})
+    for (const double range : {25.0, 100.0, 300.0, 900.0}) {
+      const Launch launch{.speed = 800, .azimuth = 0.7, .sight = {.height = 0.05, .look_angle = look}};
+      const auto elevation = zero_elevation(bullet_308(), launch, {}, {}, range);
+      ASSERT_TRUE(elevation) << look << ' ' << range;
+      EXPECT_NEAR(drop_at(bullet_308(), launch, {}, {}, *elevation, range), 0, 1e-7) << look << ' ' << range;
+      EXPECT_GT(*elevation, look - 0.01);
+      EXPECT_LT(*elevation, look + 0.05);
+    }
+}
+
+TEST(Zero, fly_uses_the_zero_range) {
+  const Launch launch{.speed = 800, .sight = {.height = 0.04, .zero_range = 200}};
+  const Flight flight = fly(bullet_308(), launch, {}, {}, {1e-11, 1e-11}, {.ground = {}, .range = 500});
+  EXPECT_NEAR(flight.at_range(200)->drop, 0, 1e-7);
+  EXPECT_NEAR(flight.elevation(), *zero_elevation(bullet_308(), launch, {}, {}, 200), 1e-15);
+  EXPECT_NEAR(flight.at(0).drop, -0.04, 1e-15);
+}
+
+TEST(Zero, from_a_tower_may_lie_below_the_horizon) {
+  // A sight a metre above the bore at a very short range: the bore has to point up steeply, one below the bore, down.
+  const auto up = zero_elevation({}, {.speed = 300, .sight = {.height = 1}}, constant_gravity(), vacuum(), 10);
+  const auto down = zero_elevation({}, {.speed = 300, .sight = {.height = -1}}, constant_gravity(), vacuum(), 10);
+  ASSERT_TRUE(up);
+  ASSERT_TRUE(down);
+  EXPECT_NEAR(std::tan(*up) * 10 - 0.5 * 9.80665 * std::pow(10 / (300 * std::cos(*up)), 2), 1, 1e-9);
+  EXPECT_NEAR(std::tan(*down) * 10 - 0.5 * 9.80665 * std::pow(10 / (300 * std::cos(*down)), 2), -1, 1e-9);
+}
+
+TEST(Zero, is_shot_upright_and_cant_comes_afterwards) {
+  Launch launch{.speed = 800, .sight = {.height = 0.05, .zero_range = 300}};
+  const Flight upright = fly(bullet_308(), launch, {}, {}, {}, {.ground = {}, .range = 300});
+  launch.sight.cant = 10 * kDegree;
+  const Flight canted = fly(bullet_308(), launch, {}, {}, {}, {.ground = {}, .range = 300});
+  EXPECT_EQ(canted.elevation(), upright.elevation());
+  EXPECT_GT(canted.end().windage, 0.02) << "a clockwise cant shoots right";
+  EXPECT_LT(canted.end().drop, upright.end().drop) << "and low";
+}
+
+TEST(Zero, in_calm_air_or_in_the_wind_as_asked) {
+  Environment headwind;
+  headwind.wind.velocity = {-20, 0, 0};
+  Launch launch{.speed = 400, .sight = {.zero_range = 300, .zero_in_calm_air = true}};
+  const double calm = fly(bullet_308(), launch, headwind, {}).elevation();
+  launch.sight.zero_in_calm_air = false;
+  const double windy = fly(bullet_308(), launch, headwind, {}).elevation();
+  EXPECT_NEAR(calm, *zero_elevation(bullet_308(), {.speed = 400}, {}, {}, 300), 1e-12);
+  EXPECT_GT(windy, calm);
+}
+
+TEST(Zero, out_of_reach_is_an_error) {
+  for (const double range : {1e4, 1e6}) {
+    const auto e = zero_elevation(bullet_308(), {.speed = 100}, {}, {}, range);
+    ASSERT_FALSE(e);
+    EXPECT_EQ(e.error().place, "launch.sight.zero_range");
+  }
+  for (const double range : {0.0, -5.0, kNan, kInfinity})
+    EXPECT_FALSE(zero_elevation(bullet_308(), {.speed = 800}, {}, {}, range)) << range;
+}
+
+TEST(Zero, every_motion_and_precision_is_zeroed_by_its_own_physics) {
+  Fidelity f = Fidelity::arcade();
+  const auto e = zero_elevation({}, {.speed = 300}, constant_gravity(), f, 2000);
+  ASSERT_TRUE(e);
+  EXPECT_NEAR(*e, 0.5 * std::asin(9.80665 * 2000 / 90000), 1e-11);
+}
+
+TEST(PilotStep, keeps_the_position_error) {
+  const Launch launch{.speed = 800, .elevation = 0.01};
+  const Until until{.ground = {}, .range = 800};
+  Fidelity f;
+  f.integrator = Integrator::dop853;
+  const Vec3d exact = fly(bullet_308(), launch, {}, f, {1e-13, 1e-13}, until).end().position;
+  for (const auto& [integrator, error] : {std::pair{Integrator::semi_implicit_euler, 0.1}, {Integrator::heun, 1e-3},
+                                          {Integrator::heun, 1e-5}, {Integrator::rk4, 1e-3}, {Integrator::rk4, 1e-6}}) {
+    f.integrator = integrator;
+    Tolerance tolerance{.position_error = error};
+    const auto step = pilot_step(bullet_308(), launch, {}, f, tolerance, until);
+    ASSERT_TRUE(step) << text(integrator) << ' ' << error;
+    const Flight flight = fly(bullet_308(), launch, {}, f, tolerance, until);
+    EXPECT_EQ(flight.step(), *step);
+    EXPECT_LE(length(flight.end().position - exact), 1.001 * error) << text(integrator) << ' ' << error;
+    // And no smaller than it has to be: three times the step misses the goal.
+    tolerance.step = 3 * *step;
+    EXPECT_GT(length(fly(bullet_308(), launch, {}, f, tolerance, until).end().position - exact), error) << text(integrator);
+  }
+}
+
+TEST(PilotStep, is_not_flown_where_a_step_is_given_or_none_is_needed) {
+  Fidelity f;
+  EXPECT_EQ(fly(bullet_308(), {.speed = 800}, {}, f).step(), 0);
+  f.integrator = Integrator::rk4;
+  EXPECT_EQ(fly(bullet_308(), {.position = {0, 1, 0}, .speed = 800}, {}, f, {.step = 0.0125}).step(), 0.0125);
+  f.integrator = Integrator::classic;
+  EXPECT_EQ(fly(bullet_308(), {.position = {0, 1, 0}, .speed = 800}, {}, f).step(), 1.0 / 60);
+  f.motion = Motion::closed_form;
+  EXPECT_EQ(fly(bullet_308(), {.position = {0, 1, 0}, .speed = 800}, {}, f).step(), 0);
+}
+
+}  // namespace
+}  // namespace physim

@@ -1,0 +1,200 @@
+// Prints one hash over elementary functions and flights. Every compiler, optimisation and instruction set must print
+// the same: `./dev determinism` builds and runs this with all of them.
+#include <cinttypes>
+#include <cstdio>
+#include <string>
+
+#include "math/elementary.hpp"
+#include "physim/air.hpp"
+#include "physim/physim.hpp"
+#include "random_shots.hpp"
+
+namespace physim::test {
+namespace {
+
+/// What this version of the library must print. A change of the physics or the numerics changes it: say so in the commit.
+constexpr std::uint64_t kExpected = 0;
+
+/// FNV-1a over the bits of numbers; all NaNs count as one, since their bits are nobody's promise.
+class Hash {
+ public:
+  void add_bits(std::uint64_t bits) {
+    for (int i = 0; i < 8; ++i) value_ = (value_ ^ ((bits >> (8 * i)) & 0xff)) * 0x100000001b3u;
+  }
+  void add(double x) { add_bits(x != x ? 0x7ff8000000000000u : to_bits(x)); }
+  void add(const Vec3d& v) { add(v.x), add(v.y), add(v.z); }
+  void add(const Event& e) {
+    add_bits(static_cast<std::uint64_t>(e.kind) * 8 + static_cast<std::uint64_t>(e.direction));
+    add(e.value), add(e.time), add(e.position), add(e.velocity);
+  }
+  void add(const FlightCost& c) {
+    add_bits(static_cast<std::uint64_t>(c.steps));
+    add_bits(static_cast<std::uint64_t>(c.rejected));
+  }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+// ---------------------------------------------------------------------------------------------- elementary functions
+/// All functions of a number or a pack, each lane added to a hash of its own.
+template <class R>
+void add_functions(Hash* lanes, const R& x, const R& y) {
+  const R results[] = {exp(x), expm1(x), log(abs(x)), log1p(x), pow(abs(x), y), sin(x),  cos(x),
+                       tan(x), asin(x),  acos(x),     atan(x),  atan2(x, y),    sqrt(x), floor_small(x)};
+  for (const R& result : results)
+    for (int lane = 0; lane < kLanes<R>; ++lane) lanes[lane].add(static_cast<double>(lane_of(result, lane)));
+}
+
+/// Values of every size, both signs, dense around the ordinary ones.
+template <class S>
+S grid_value(Random& r) {
+  const double u = r.in(-1, 1);
+  switch (r.below(4)) {
+    case 0:
+      return static_cast<S>(u);
+    case 1:
+      return static_cast<S>(u * 20);
+    case 2:
+      return static_cast<S>(u * 1000);
+    default:
+      return static_cast<S>(u * u * u * u * u * u * u * u * 1e-3);
+  }
+}
+
+template <class R>
+bool add_elementary(Hash& hash, int count) {
+  using S = ScalarOf<R>;
+  Random r(7);
+  Hash scalar, pack[kLanes<R>], expected[kLanes<R>];
+  for (int i = 0; i < count; ++i) {
+    R x(S(0)), y(S(0));
+    for (int lane = 0; lane < kLanes<R>; ++lane) {
+      const S a = grid_value<S>(r), b = grid_value<S>(r);
+      set_lane(x, lane, a);
+      set_lane(y, lane, b);
+      add_functions(&expected[lane], a, b);
+    }
+    add_functions(pack, x, y);
+  }
+  bool same = true;
+  for (int lane = 0; lane < kLanes<R>; ++lane) {
+    same = same && pack[lane].value() == expected[lane].value();
+    hash.add_bits(pack[lane].value());
+  }
+  if (!same) std::fprintf(stderr, "golden: packs and numbers give different elementary functions\n");
+  return same;
+}
+
+// ----------------------------------------------------------------------------------------------------------- flights
+struct Course {
+  Environment environment;
+  Fidelity fidelity;
+  Until until;
+  Tolerance tolerance;
+  std::vector<Shot> shots;
+};
+
+Course course(std::uint64_t seed, Integrator integrator, Precision precision) {
+  Random r(seed);
+  Course c{random_environment(r), random_fidelity(r), random_until(r), {}, {}};
+  c.fidelity.integrator = integrator;
+  c.fidelity.precision = precision;
+  const double relative = precision == Precision::float32 ? 1e-4 : 1e-7;
+  c.tolerance = {relative, relative, r.in(0.05, 0.2), .max_steps = 2000};
+  c.shots = random_shots(r, 6);
+  return c;
+}
+
+void add_flight(Hash& hash, const Flight& flight) {
+  hash.add_bits(static_cast<std::uint64_t>(flight.outcome()));
+  hash.add(flight.duration());
+  hash.add(flight.cost());
+  for (const Event& e : flight.events()) hash.add(e);
+  for (const double part : {0.0, 0.3, 0.7, 1.0}) {
+    const Sample s = flight.at(part * flight.duration());
+    for (const Vec3d& v : {s.position, s.velocity, s.acceleration}) hash.add(v);
+    for (const double x : {s.mach, s.energy, s.range, s.drop, s.windage}) hash.add(x);
+  }
+}
+
+void add_batch(Hash& hash, const BatchResult& batch) {
+  for (const ShotResult& s : batch.shots) {
+    hash.add_bits(static_cast<std::uint64_t>(s.outcome));
+    hash.add(s.time), hash.add(s.position), hash.add(s.velocity), hash.add(s.cost);
+  }
+  for (const ShotEvent& e : batch.events) {
+    hash.add_bits(e.shot);
+    hash.add(e.event);
+  }
+}
+
+std::vector<Course> courses() {
+  std::vector<Course> list;
+  std::uint64_t seed = 100;
+  for (int integrator = 0; integrator <= static_cast<int>(Integrator::dop853); ++integrator)
+    for (const Precision precision : {Precision::float32, Precision::float64})
+      for (int i = 0; i < 4; ++i) list.push_back(course(++seed, static_cast<Integrator>(integrator), precision));
+  return list;
+}
+
+/// A zero, a pilot step and the air of a station: whatever prepares flights.
+void add_preparations(Hash& hash) {
+  Random r(3);
+  for (int i = 0; i < 4; ++i) {
+    Environment e = random_environment(r);
+    e.atmosphere.model = AirModel::isa;
+    for (const double z : {0.0, 9000.0, 15000.0, 50000.0}) {
+      const auto air = air_at(e, z);
+      for (const double x : {air->temperature, air->pressure, air->density, air->sound_speed, air->viscosity}) hash.add(x);
+    }
+    ProjectileDef p = random_projectile(r);
+    const Launch launch{.speed = r.in(200, 900), .sight = {.height = 0.05, .look_angle = r.in(-0.3, 0.3), .zero_range = 150}};
+    Fidelity f = Fidelity::small_arms();
+    const Flight zeroed = fly(p, launch, e, f, {1e-8, 1e-8}, {.ground = {}, .time = 1});
+    hash.add(zeroed.elevation());
+    add_flight(hash, zeroed);
+    f.integrator = Integrator::rk4;
+    hash.add(fly(p, {.speed = 300, .elevation = 0.1}, e, f, {}, {.ground = {}, .time = 1}).step());
+  }
+}
+
+bool add_flights(Hash& hash) {
+  const std::vector<Course> all = courses();
+  for (const Course& c : all)
+    for (const Shot& shot : c.shots)
+      add_flight(hash, fly(shot.projectile, shot.launch, c.environment, c.fidelity, c.tolerance, c.until));
+  bool same = true;
+  std::uint64_t first = 0;
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    Hash batches;
+    for (const Course& c : all) add_batch(batches, fly_batch(c.shots, c.environment, c.fidelity, c.tolerance, c.until));
+    if (first == 0) hash.add_bits(batches.value());
+    if (first == 0) first = batches.value();
+    if (batches.value() == first) continue;
+    std::fprintf(stderr, "golden: kernel %s gives other bits than the first\n", kernel.c_str());
+    same = false;
+  }
+  return same;
+}
+
+int run() {
+  Hash hash;
+  bool good = add_elementary<Pack<double, 8>>(hash, 250);
+  good = add_elementary<Pack<float, 16>>(hash, 125) && good;
+  add_preparations(hash);
+  good = add_flights(hash) && good;
+  std::printf("%016" PRIx64 "\n", hash.value());
+  if (hash.value() != kExpected) {
+    std::fprintf(stderr, "golden: %016" PRIx64 " was expected\n", kExpected);
+    good = false;
+  }
+  return good ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace physim::test
+
+int main() { return physim::test::run(); }
