@@ -12,7 +12,8 @@ void* allocate(std::size_t size, std::size_t alignment) {
   count.fetch_add(1, std::memory_order_relaxed);
   if (size == 0) size = 1;
   const bool usual = alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__;
-  void* memory = usual ? std::malloc(size) : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  void* memory =
+      usual ? std::malloc(size) : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }

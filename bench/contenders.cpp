@@ -9,10 +9,10 @@ namespace {
 
 Tolerance tolerance_of(const Contender& contender, double setting) {
   Tolerance tolerance;
-  if (contender.calibrated)
-    tolerance.relative = tolerance.absolute = setting;
-  else
+  if (contender.by_pilot)
     tolerance.position_error = setting;
+  else
+    tolerance.relative = tolerance.absolute = setting;
   return tolerance;
 }
 
@@ -22,19 +22,19 @@ Contender peer(std::string name, void (*fly)(PeerTask&), const PeerModel& model)
   Contender contender{std::move(name), "native"};
   contender.fly = [fly, &model](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
     std::vector<PeerEnd> flown(count);
-    PeerTask task{&model, kRange, setting, std::span(set.peer_shots).first(count), flown.data(), 0};
+    PeerTask task{&model, kRange, setting, std::span(set.peer_shots).first(count), flown.data(), 0, 0};
     fly(task);
     if (ends)
       for (std::size_t i = 0; i < count; ++i)
         ends[i] = {flown[i].position[0], flown[i].position[1], flown[i].position[2]};
-    return Work{task.steps, task.steps};
+    return Work{task.steps, task.steps, task.evaluations};
   };
   return contender;
 }
 
 Contender batch(std::string name, std::string kernel, const Fidelity& fidelity) {
   Contender contender{std::move(name), std::move(kernel)};
-  contender.calibrated = fidelity.integrator == Integrator::tsit5 || fidelity.integrator == Integrator::dop853;
+  contender.by_pilot = fidelity.integrator == Integrator::rk4;
   if (fidelity.precision == Precision::float32) contender.tightest = 5e-7;
   const Contender kind = contender;
   contender.fly = [kind, fidelity](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
@@ -45,6 +45,7 @@ Contender batch(std::string name, std::string kernel, const Fidelity& fidelity) 
     for (std::size_t i = 0; i < count; ++i) {
       work.steps += result.shots[i].cost.steps;
       work.tries += result.shots[i].cost.steps + result.shots[i].cost.rejected;
+      work.evaluations += result.shots[i].cost.evaluations;
       if (ends) ends[i] = result.shots[i].position;
     }
     use_kernel("");
@@ -62,10 +63,10 @@ Contender single_flights(std::string name, const Fidelity& fidelity) {
     const Until until = bench_until();
     const Tolerance tolerance = tolerance_of(kind, setting);
     for (std::size_t i = 0; i < count; ++i) {
-      const Flight flight =
-          fly(set.shots[i].projectile, set.shots[i].launch, environment, fidelity, tolerance, until);
+      const Flight flight = fly(set.shots[i].projectile, set.shots[i].launch, environment, fidelity, tolerance, until);
       work.steps += flight.cost().steps;
       work.tries += flight.cost().steps + flight.cost().rejected;
+      work.evaluations += flight.cost().evaluations;
       if (ends) ends[i] = flight.end().position;
     }
     return work;
@@ -88,14 +89,11 @@ Miss miss(const Contender& contender, const ShotSet& set, std::size_t count, dou
 
 Calibration calibrate(const Contender& contender, const ShotSet& probes, double target, int per_decade) {
   const auto error_at = [&](double setting) { return miss(contender, probes, probes.shots.size(), setting).worst; };
-  if (!contender.calibrated) {
-    const double error = error_at(target);
-    return {target, error, error <= target};
-  }
+  const double start = contender.by_pilot ? 0.03 * target : std::max(contender.tightest, 1e-8 * target);
   Calibration best;
   // From the tight end to the loose one, up to the first that misses.
   for (int i = 0;; ++i) {
-    const double setting = contender.tightest * std::pow(10.0, static_cast<double>(i) / per_decade);
+    const double setting = start * std::pow(10.0, static_cast<double>(i) / per_decade);
     if (setting > 0.1) return best;
     const double error = error_at(setting);
     if (error > target) return best.reached ? best : Calibration{setting, error, false};

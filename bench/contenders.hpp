@@ -10,15 +10,16 @@ namespace physim::bench {
 
 /// Steps that all flights of a run took together.
 struct Work {
-  std::int64_t steps = 0;  // accepted
-  std::int64_t tries = 0;  // with the rejected ones; peers: as steps
+  std::int64_t steps = 0;        // accepted
+  std::int64_t tries = 0;        // with the rejected ones; peers: as steps
+  std::int64_t evaluations = 0;  // of the acceleration
 };
 
 struct Contender {
   std::string name;
-  std::string kernel;      // instruction set, or "native" for the peers
-  bool calibrated = true;  // the setting is a tolerance found on probe shots; else the error that a pilot flight aims at
-  double tightest = 1e-12;
+  std::string kernel;       // instruction set, or "native" for the peers
+  bool by_pilot = false;    // the setting is the error that a pilot flight aims at; else it is a tolerance
+  double tightest = 1e-12;  // setting to start calibration from
   /// Flies the first `count` shots with a setting; `ends` gets their places at the range line unless it is null.
   std::function<Work(const ShotSet& set, std::size_t count, double setting, Vec3d* ends)> fly;
 };
@@ -41,8 +42,8 @@ struct Calibration {
   double probe_error = 0;  // worst of the probes [m]
   bool reached = false;
 };
-/// The loosest tolerance of a grid such that it and every tighter one keeps all probes within the target: errors are
-/// not monotone in the tolerance, and a lucky zero crossing is not an achievement.
+/// The loosest setting of a grid such that it and every tighter one keeps all probes within the target: errors are not
+/// monotone in the tolerance, and a lucky zero crossing is not an achievement.
 [[nodiscard]] Calibration calibrate(const Contender& contender, const ShotSet& probes, double target, int per_decade);
 
 }  // namespace physim::bench

@@ -52,7 +52,7 @@ struct Bench {
   Cohort cohort;
   std::vector<Body<double>> bodies;
   std::vector<Body<float>> bodies_float;
-  WatchList watch = prepare_watch(bench_until(), false);
+  WatchList watch{};
 
   explicit Bench(Precision precision) {
     const ShotSet set = uniform_shots(kMostLanes);
@@ -63,6 +63,7 @@ struct Bench {
       bodies.push_back(
           prepare_body(shot.projectile, shot.launch, shot.launch.elevation, cohort.pool, cohort.conditions));
     cohort.finish();
+    watch = prepare_watch(bench_until(), cohort.conditions, false);
     bodies_float.resize(bodies.size());
     cast_fields(reinterpret_cast<const double*>(bodies.data()), reinterpret_cast<float*>(bodies_float.data()),
                 static_cast<unsigned>(bodies.size()) * kBodyFields<float>);
@@ -91,9 +92,17 @@ double cost(const Options& options, Part part, std::size_t (*micro)(Part, const 
 }  // namespace
 
 const char* name(Part part) {
-  constexpr const char* kNames[kParts] = {"exp",           "log",           "Cd look-up",      "standard atmosphere",
-                                          "acceleration (RHS)", "RK4 step", "Tsit5 step tried", "DOP853 step tried",
-                                          "watch for events", "accept a step", "prepare a lane"};
+  constexpr const char* kNames[kParts] = {"exp",
+                                          "log",
+                                          "Cd look-up",
+                                          "standard atmosphere",
+                                          "acceleration (RHS)",
+                                          "RK4 step",
+                                          "Tsit5 step tried",
+                                          "DOP853 step tried",
+                                          "watch for events",
+                                          "accept a step",
+                                          "prepare a lane"};
   return kNames[static_cast<int>(part)];
 }
 
@@ -110,8 +119,10 @@ Section micro_section(const Options& options) {
   for (int i = 0; i < kParts; ++i) {
     const Part part = static_cast<Part>(i);
     std::vector<Cell> row{name(part)};
-    for (const MicroKernel& kernel : list) row.push_back(fixed(cost<double>(options, part, kernel.of_double, in_double), 2));
-    for (const MicroKernel& kernel : list) row.push_back(fixed(cost<float>(options, part, kernel.of_float, in_float), 2));
+    for (const MicroKernel& kernel : list)
+      row.push_back(fixed(cost<double>(options, part, kernel.of_double, in_double), 2));
+    for (const MicroKernel& kernel : list)
+      row.push_back(fixed(cost<float>(options, part, kernel.of_float, in_float), 2));
     s.rows.push_back(row);
   }
   return s;

@@ -60,7 +60,7 @@ std::size_t run(Part part, const MicroJob<S>& job) {
       return repeat(job, y, [&] {
         touch(x);
         const AirState<R> air = standard_air<R>(c.air, x);
-        y = air.density + air.sound_speed;
+        y = air.density + air.per_sound_speed;
       });
     case Part::rhs: {
       Vec3<R> a;

@@ -61,14 +61,15 @@ Section mixed_section(const Options& options, double tolerance) {
       "10 000 projectiles to the same range line at the same tolerance (" + power(tolerance).text +
       "): equal ones, then a mixed company (4.5 to 155 mm, 0.15 to 1.0 lb/in^2, 300 to 1000 m/s, 0 to 5 degrees, nine "
       "standard drag functions and four own curves).";
-  s.columns = {"company",         "kernel",     "flights/s", "of uniform", "steps a flight", "steps/s",
-               "of uniform's steps/s", "ns a step", "rejected",  "worst error"};
+  s.columns = {"company",   "kernel",   "flights/s",  "of uniform", "steps a flight", "steps/s", "of uniform's steps/s",
+               "ns a step", "rejected", "worst error"};
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::size_t base = i / 3 * 3;
     s.rows.push_back(row_of(entries[i], taken[i], entries[base], taken[base]));
   }
   s.notes = {
-      "Flights a second compare whole flights, which differ: slow projectiles cross Mach 1 and need more steps. Steps a "
+      "Flights a second compare whole flights, which differ: slow projectiles cross Mach 1 and need more steps. Steps "
+      "a "
       "second (tried ones, rejected included) compare the machinery: divergence, refill, curves of many kinds.",
       "The scalar rows say what the mixture costs without packs: divergence is what the packs lose beyond that."};
   return s;
@@ -90,7 +91,8 @@ Section allocation_section(const Options& options) {
       const std::int64_t made = allocations() - start;
       Cell more = "";
       if (steps_before > 0)
-        more = fixed(static_cast<double>(made - allocations_before) / static_cast<double>(work.steps - steps_before), 3);
+        more =
+            fixed(static_cast<double>(made - allocations_before) / static_cast<double>(work.steps - steps_before), 3);
       s.rows.push_back({fixed(static_cast<double>(count), 0), power(tolerance),
                         fixed(static_cast<double>(work.steps), 0), fixed(static_cast<double>(made), 0), more});
       steps_before = work.steps;

@@ -9,7 +9,11 @@ void fly_odeint_dopri5(PeerTask& task) {
   namespace odeint = boost::numeric::odeint;
   using State = std::array<double, 6>;
   const PeerModel& model = *task.model;
-  const auto rhs = [&model](const State& y, State& slope, double) { peer_rhs(model, y.data(), slope.data()); };
+  std::int64_t evaluations = 0;
+  const auto rhs = [&](const State& y, State& slope, double) {
+    peer_rhs(model, y.data(), slope.data());
+    ++evaluations;
+  };
   auto stepper = odeint::make_dense_output(task.tolerance, task.tolerance, odeint::runge_kutta_dopri5<State>());
   const double first = peer_first_step(task.tolerance);
   for (std::size_t i = 0; i < task.shots.size(); ++i) {
@@ -32,6 +36,7 @@ void fly_odeint_dopri5(PeerTask& task) {
     }
     task.ends[i] = {t, {y[0], y[1], y[2]}};
   }
+  task.evaluations += evaluations;
 }
 
 }  // namespace physim::bench

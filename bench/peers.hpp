@@ -11,8 +11,8 @@ inline constexpr int kPeerLayers = 8;
 
 /// Gravity, standard atmosphere and drag curve: the very numbers that PhySim computes with.
 struct PeerModel {
-  double gravity;  // [m/s^2]
-  double altitude;  // of the origin [m]
+  double gravity;              // [m/s^2]
+  double altitude;             // of the origin [m]
   double geopotential_radius;  // [m]
   int layers;
   double base[kPeerLayers];              // [m]
@@ -25,7 +25,7 @@ struct PeerModel {
   double curve_start;                    // Mach number of the first cell [-]
   double cells_per_mach;                 // [-]
   int last_cell;
-  double half_area_per_mass;             // [m^2/kg]
+  double half_area_per_mass;  // [m^2/kg]
 };
 
 struct PeerShot {
@@ -44,7 +44,8 @@ struct PeerTask {
   double tolerance;  // relative and absolute
   std::span<const PeerShot> shots;
   PeerEnd* ends;
-  std::int64_t steps;  // taken by all flights together
+  std::int64_t steps;        // taken by all flights together
+  std::int64_t evaluations;  // of the right-hand side
 };
 
 /// Boost.odeint: runge_kutta_dopri5, controlled, with dense output.

@@ -13,9 +13,7 @@ std::string print(const char* format, double value) {
   return text;
 }
 
-std::string three_digits(double value) {
-  return print(value >= 100 ? "%.0f" : value >= 10 ? "%.1f" : "%.2f", value);
-}
+std::string three_digits(double value) { return print(value >= 100 ? "%.0f" : value >= 10 ? "%.1f" : "%.2f", value); }
 
 std::string quoted(const std::string& text) {
   std::string out = "\"";
@@ -84,8 +82,7 @@ Cell metres(double value) {
 Cell power(double value) { return {print("%.1e", value), value}; }
 
 std::size_t shown_width(const std::string& utf8) {
-  return static_cast<std::size_t>(
-      std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
 std::string as_text(const Section& s) {
@@ -133,7 +130,8 @@ std::string as_json(const Report& report) {
       for (std::size_t j = 0; j < s.rows[i].size(); ++j) {
         const Cell& cell = s.rows[i][j];
         const bool number = cell.value && std::isfinite(*cell.value);
-        out += (j ? ", " : "") + quoted(s.columns[j]) + ": " + (number ? print("%.9g", *cell.value) : quoted(cell.text));
+        out +=
+            (j ? ", " : "") + quoted(s.columns[j]) + ": " + (number ? print("%.9g", *cell.value) : quoted(cell.text));
       }
       out += "}";
     }

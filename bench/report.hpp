@@ -12,8 +12,8 @@ struct Cell {
   std::string text;
   std::optional<double> value;
 
-  Cell(std::string words) : text(std::move(words)) {}       // NOLINT: a text is a cell
-  Cell(const char* words) : text(words) {}                  // NOLINT
+  Cell(std::string words) : text(std::move(words)) {}  // NOLINT: a text is a cell
+  Cell(const char* words) : text(words) {}             // NOLINT
   Cell(std::string words, double number) : text(std::move(words)), value(number) {}
 };
 
@@ -30,12 +30,12 @@ struct Report {
   std::vector<Section> sections;
 };
 
-[[nodiscard]] Cell fixed(double value, int digits);        ///< 12.3
-[[nodiscard]] Cell times(double value);                    ///< 12.3x
-[[nodiscard]] Cell percent(double part);                   ///< 63 %
-[[nodiscard]] Cell rate(double per_second);                ///< 2.24 M, 244 k
-[[nodiscard]] Cell metres(double value);                   ///< 0.98 mm, 0.91 um
-[[nodiscard]] Cell power(double value);                    ///< 1.8e-07
+[[nodiscard]] Cell fixed(double value, int digits);  ///< 12.3
+[[nodiscard]] Cell times(double value);              ///< 12.3x
+[[nodiscard]] Cell percent(double part);             ///< 63 %
+[[nodiscard]] Cell rate(double per_second);          ///< 2.24 M, 244 k
+[[nodiscard]] Cell metres(double value);             ///< 0.98 mm, 0.91 um
+[[nodiscard]] Cell power(double value);              ///< 1.8e-07
 
 [[nodiscard]] std::string as_text(const Section& section);
 [[nodiscard]] std::string as_text(const Report& report);

@@ -42,7 +42,7 @@ std::vector<DragPoint> own_curve(std::mt19937_64& random, bool searched) {
   const double level = 0.1 + 0.15 * unit(random);
   const double rise = 0.15 + 0.2 * unit(random);
   std::vector<DragPoint> curve;
-  for (double mach = 0; mach < 3.6; mach += mach > 0.8 && mach < 1.2 ? 0.05 : 0.2) {
+  for (double mach = 0; mach<3.6; mach += mach> 0.8 && mach < 1.2 ? 0.05 : 0.2) {
     const double odd = searched && mach > 0 ? 0.02 * unit(random) : 0;
     const double at = std::round((mach + odd) * 1e6) * 1e-6;
     curve.push_back({at, level + rise * (0.5 + 0.5 * std::tanh((at - 1) * 8)) * (at < 1 ? 1 : std::pow(at, -0.5))});
@@ -77,7 +77,7 @@ Fidelity bench_fidelity(Integrator integrator, Precision precision) {
 
 ShotSet probe_shots() {
   ShotSet set;
-  for (int i = 0; i < 16; ++i) add_308(set, 700 + 200.0 / 15 * i, 1_deg / 15 * ((7 * i) % 16));
+  for (int i = 0; i < 64; ++i) add_308(set, 700 + 200.0 / 63 * i, 1_deg / 63 * ((19 * i) % 64));
   add_reference(set);
   return set;
 }

@@ -14,8 +14,8 @@ inline constexpr double kRange = 1000;  // where all flights end, and where thei
 /// Shots with the exact place where each crosses the range line.
 struct ShotSet {
   std::vector<Shot> shots;
-  std::vector<PeerShot> peer_shots;   // of .308 sets only
-  std::vector<Vec3d> reference;       // dop853 at 1e-13 [m]
+  std::vector<PeerShot> peer_shots;  // of .308 sets only
+  std::vector<Vec3d> reference;      // dop853 at 1e-13 [m]
 };
 
 /// Gravity and air are those of all benchmarks: constant, US Standard Atmosphere 1976, no wind.
@@ -25,8 +25,8 @@ struct ShotSet {
 /// Constant gravity, drag curves by natural cubic splines.
 [[nodiscard]] Fidelity bench_fidelity(Integrator integrator, Precision precision = Precision::float64);
 
-[[nodiscard]] ShotSet probe_shots();                       ///< 16 shots, 700 to 900 m/s, 0 to 1 degree
-[[nodiscard]] ShotSet uniform_shots(std::size_t count);    ///< 823 +- 15 m/s, 0.7 +- 0.3 degrees
+[[nodiscard]] ShotSet probe_shots();                     ///< 64 shots, 700 to 900 m/s, 0 to 1 degree
+[[nodiscard]] ShotSet uniform_shots(std::size_t count);  ///< 823 +- 15 m/s, 0.7 +- 0.3 degrees
 /// Calibres 4.5 to 155 mm, 300 to 1000 m/s, 0 to 5 degrees, ballistic coefficients 0.15 to 1.0 lb/in^2, the nine
 /// standard drag functions and four curves of our own. With `searched`, those have points at odd Mach numbers.
 [[nodiscard]] ShotSet mixed_shots(std::size_t count, bool searched = false);

@@ -67,7 +67,7 @@ void prepare_bands(const std::vector<BallisticBand>& given, Body<double>& b) {
 
 /// k2 / m that equals the drag equation at launch.
 double equivalent_k2_per_mass(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c) {
-  const double mach = length(b.launch.v) / c.air.sound_speed;
+  const double mach = length(b.launch.v) * c.air.per_sound_speed;
   const double cd = p.drag.table == DragTable::sphere ? 0.47 : drag_coefficient(p.drag, c.fidelity.interpolation, mach);
   return c.air.density * cd * b.half_area_per_mass;
 }
@@ -97,7 +97,13 @@ Conditions<float> to_float(const Conditions<double>& c) {
     for (int i = 0; i < count; ++i) to[i] = static_cast<float>(from[i]);
   };
   f.air.density = static_cast<float>(c.air.density);
-  f.air.sound_speed = static_cast<float>(c.air.sound_speed);
+  f.air.per_sound_speed = static_cast<float>(c.air.per_sound_speed);
+  f.air.kelvin_per_sound = static_cast<float>(c.air.kelvin_per_sound);
+  f.air.low_middle = static_cast<float>(c.air.low_middle);
+  f.air.low_scale = static_cast<float>(c.air.low_scale);
+  f.air.low_top = static_cast<float>(c.air.low_top);
+  copy(c.air.low_density, f.air.low_density, kDensityTerms);
+  copy(c.air.low_per_sound, f.air.low_per_sound, kPerSoundTerms);
   f.air.temperature = static_cast<float>(c.air.temperature);
   f.air.per_scale_height = static_cast<float>(c.air.per_scale_height);
   f.air.layers = c.air.layers;
@@ -106,8 +112,7 @@ Conditions<float> to_float(const Conditions<double>& c) {
   copy(c.air.power, f.air.power, kAirLayers);
   copy(c.air.decay, f.air.decay, kAirLayers);
   copy(c.air.base_density, f.air.base_density, kAirLayers);
-  copy(c.air.base_sound_speed, f.air.base_sound_speed, kAirLayers);
-  copy(c.air.base_temperature, f.air.base_temperature, kAirLayers);
+  copy(c.air.base_per_sound, f.air.base_per_sound, kAirLayers);
   f.wind.points = c.wind.points;
   f.wind.by_range = c.wind.by_range;
   f.wind.stepped = c.wind.stepped;

@@ -26,7 +26,7 @@ State<double> FlightRecord::state(double time) const {
   const auto index = static_cast<std::size_t>(later - nodes.begin()) - 1;
   const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
   const State<double>* c = count > 0 ? coefficients.data() + index * count : nullptr;
-  return dense_state(f.integrator, n0, n1, c, (time - n0.t) / (n1.t - n0.t));
+  return dense_state(f.integrator, n0, n1, c, place_between(n0, n1, time));
 }
 
 State<double> FlightRecord::shown(double time) const {
@@ -70,7 +70,7 @@ Sample Flight::at(double time) const {
   out.acceleration = acceleration(c, r.body, time, r.state(time));
   out.speed = length(s.v);
   const bool has_air = c.fidelity.air != AirModel::vacuum;
-  out.mach = has_air ? length(air_velocity(c, s)) / air_state(c, s.x).sound_speed : 0;
+  out.mach = has_air ? length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed : 0;
   out.energy = 0.5 * r.mass * out.speed * out.speed;
   out.range = dot(s.x - r.sight.muzzle, r.sight.forward);
   out.drop = dot(s.x - r.sight.start, r.sight.up);

@@ -70,6 +70,8 @@ class Granting {
         f_.rotation = RotationModel::none;  // it does not spin: nothing is lost
       else if (p.length <= 0)
         set("rotation", f_.rotation, RotationModel::none, "the stability factor needs the projectile's length");
+      else if (f_.planar)
+        set("rotation", f_.rotation, RotationModel::none, "a planar flight does not leave its plane");
     }
     if (f_.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
       notes_.push_back({"drag", "linear_quadratic", "linear_quadratic",

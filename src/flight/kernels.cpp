@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "flight/batch_driver.hpp"
-
 #ifndef PHYSIM_HAVE_AVX2
 #define PHYSIM_HAVE_AVX2 0
 #endif
@@ -20,11 +18,15 @@ namespace physim {
 namespace base {
 void fly_bodies(const BatchJob<float>& job);
 void fly_bodies(const BatchJob<double>& job);
+void fly_bodies_singly(const BatchJob<float>& job);
+void fly_bodies_singly(const BatchJob<double>& job);
 }  // namespace base
 #if PHYSIM_HAVE_AVX2
 namespace avx2 {
 void fly_bodies(const BatchJob<float>& job);
 void fly_bodies(const BatchJob<double>& job);
+void fly_bodies_singly(const BatchJob<float>& job);
+void fly_bodies_singly(const BatchJob<double>& job);
 }  // namespace avx2
 #endif
 #if PHYSIM_HAVE_AVX512
@@ -39,17 +41,20 @@ namespace {
 const std::vector<BatchKernel>& available() {
   static const std::vector<BatchKernel> list = [] {
     std::vector<BatchKernel> found;
+    BatchKernel singly{"scalar", base::fly_bodies_singly, base::fly_bodies_singly};
 #if PHYSIM_HAVE_AVX512
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd"))
       found.push_back({"avx512", avx512::fly_bodies, avx512::fly_bodies});
 #endif
 #if PHYSIM_HAVE_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
       found.push_back({"avx2", avx2::fly_bodies, avx2::fly_bodies});
+      singly = {"scalar", avx2::fly_bodies_singly, avx2::fly_bodies_singly};
+    }
 #endif
     found.push_back({"base", base::fly_bodies, base::fly_bodies});
-    found.push_back({"scalar", fly_lanes<float, float>, fly_lanes<double, double>});
+    found.push_back(singly);
     return found;
   }();
   return list;

@@ -3,6 +3,8 @@
 // fly() runs one lane, fly_batch() runs packs; both through these functions, so a shot's numbers are the same.
 #pragma once
 
+#include <limits>
+
 #include "flight/watch.hpp"
 #include "solve/step_control.hpp"
 
@@ -94,15 +96,28 @@ struct LaneStep {
     return closed_form_state(time(theta));
   }
   [[nodiscard]] double time(double theta) const { return n0.t + theta * (n1.t - n0.t); }
+  /// A watched value at an end of the step in the flight's own precision: the end of one step is the start of the next
+  /// one to the bit, so that no crossing falls between them.
+  [[nodiscard]] double watched_at(const EventSpec& spec, const Node& n) const {
+    const State<S> s{vec_cast<S>(n.y.x), vec_cast<S>(n.y.v)};
+    if constexpr (sizeof(S) == sizeof(double)) {
+      return watched_value(*conditions, body, spec, n.t, s);
+    } else {
+      return watched_value(*conditions, own_body(), spec, static_cast<S>(n.t), s);
+    }
+  }
   /// Flight::at() knows a time only: going through it gives events and ends the bits that it gives.
-  [[nodiscard]] State<double> at_time(double t) const { return (*this)((t - n0.t) / (n1.t - n0.t)); }
+  [[nodiscard]] State<double> at_time(double t) const { return (*this)(place_between(n0, n1, t)); }
 
  private:
   /// In the flight's own precision, as the steps were.
-  [[nodiscard]] State<double> closed_form_state(double t) const {
+  [[nodiscard]] Body<S> own_body() const {
     Body<S> own;
     cast_fields(reinterpret_cast<const double*>(&body), reinterpret_cast<S*>(&own), kBodyFields<S>);
-    const State<S> s = closed_form(*conditions, own, static_cast<S>(t));
+    return own;
+  }
+  [[nodiscard]] State<double> closed_form_state(double t) const {
+    const State<S> s = closed_form(*conditions, own_body(), static_cast<S>(t));
     return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
   }
 };
@@ -130,7 +145,7 @@ void lane_step(const Course<S>& course, const Lanes<R>& l, int lane, LaneStep<S>
   get_lane_as_double(l.body, lane, out.body);
   out.conditions = course.conditions;
   out.n0 = {s.t, s.start, s.slope[0].v};
-  out.n1 = {s.t + s.h, s.end, s.slope[last].v};
+  out.n1 = {static_cast<double>(lane_of(l.step.t_end, lane)), s.end, s.slope[last].v};
   if (closed) return;
   const auto f = [&](double t, const State<double>& y) {
     return acceleration(*course.conditions_double, out.body, t, y);
@@ -138,12 +153,21 @@ void lane_step(const Course<S>& course, const Lanes<R>& l, int lane, LaneStep<S>
   dense_coefficients(fidelity.integrator, s, f, out.coefficient);
 }
 
+/// The common case: layers of the air are the only corners, and no lane leaves the first one.
+template <class R, class S>
+PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>& l) {
+  if (drag_has_corners(c) || c.fidelity.wind == WindModel::profile || c.has_applied) return false;
+  // Geopotential height is never above geometric height.
+  return all((altitude(c, l.step.end.x) < R(c.air.base[1])) & (l.regime.air_layer == R(S(0))) & (l.cut == R(S(0))));
+}
+
 /// Cuts the steps of lanes that would cross a corner; returns lanes whose step stands.
 template <class R, class S>
 MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
   const R one(S(1));
   const R zero(S(0));
-  const Regime<R> next = regime(*course.conditions, l.body, l.step.t + l.step.h, l.step.end);
+  if (only_below_first_layer(*course.conditions, l)) return accepted;
+  const Regime<R> next = regime(*course.conditions, l.body, l.step.t_end, l.step.end);
   const MaskOf<R> crossing = accepted & (l.cut == zero) & differ(l.regime, next);
   R cut = zero;
   if (any(crossing)) {
@@ -153,7 +177,8 @@ MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
       lane_step(course, l, lane, at);
       const double h = at.n1.t - at.n0.t;
       const double part = first_corner(*course.conditions_double, at.body, at.n0.t, h, at);
-      if (part >= 1) continue;
+      // A corner within some roundings of the clock is as good as passed: a cut to it would stand still.
+      if (part >= 1 || part * h <= 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t) continue;
       set_lane(l.control.h, lane, static_cast<S>(part * h));
       set_lane(cut, lane, S(1));
     }
@@ -170,9 +195,12 @@ PHYSIM_INLINE MaskOf<R> try_step(const Course<S>& course, Lanes<R>& l) {
   const Conditions<S>& c = *course.conditions;
   const R one(S(1));
   l.step.h = l.control.h;
+  // Fixed steps count, so that time does not gather rounding errors.
+  const bool chooses_steps = c.fidelity.motion != Motion::closed_form && is_adaptive(c.fidelity.integrator);
+  l.step.t_end = chooses_steps ? l.step.t + l.step.h : (l.count + one) * l.step.h;
   take_step(c, l.body, course.plan.relative, course.plan.absolute, l.step);
   l.tries += one;
-  if (c.fidelity.motion == Motion::closed_form || !is_adaptive(c.fidelity.integrator)) return l.tries > R(S(0));
+  if (!chooses_steps) return l.tries > R(S(0));
   const MaskOf<R> accepted = l.step.error <= one;
   l.control.h = min(next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, l.control), R(course.plan.max_step));
   return course.corners ? respect_corners(course, l, accepted) : accepted;
@@ -184,10 +212,8 @@ PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
   const Fidelity& f = course.conditions->fidelity;
   const bool closed = f.motion == Motion::closed_form;
   const int last = closed ? 1 : end_slope(f.integrator);
-  const bool adaptive = !closed && is_adaptive(f.integrator);
   l.count = select(accepted, l.count + R(S(1)), l.count);
-  // Fixed steps count, so that time does not gather rounding errors.
-  l.step.t = adaptive ? select(accepted, l.step.t + l.step.h, l.step.t) : l.count * l.control.h;
+  l.step.t = select(accepted, l.step.t_end, l.step.t);
   l.step.start = select(accepted, l.step.end, l.step.start);
   l.step.slope[0] = select(accepted, l.step.slope[last], l.step.slope[0]);
 }
@@ -201,7 +227,7 @@ PHYSIM_INLINE MaskOf<R> is_finite(const State<R>& s) {
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
   const MaskOf<R> special = detect(*course.conditions, l.body, course.watch, l.step) | !is_finite(l.step.end);
-  return (special & accepted) | (l.tries >= R(course.plan.max_tries)) | (l.step.t + l.step.h <= l.step.t) |
+  return (special & accepted) | (l.tries >= R(course.plan.max_tries)) | (l.step.t_end <= l.step.t) |
          !(l.step.h > R(S(0)));
 }
 
@@ -219,8 +245,7 @@ Verdict judge(const Course<S>& course, const Lanes<R>& l, int lane, bool accepte
   const Conditions<double>& c = *course.conditions_double;
   State<S> end;
   get_lane(l.step.end, lane, end);
-  const S t = lane_of(l.step.t, lane);
-  const S h = lane_of(l.step.h, lane);
+  const bool stands_still = !(lane_of(l.step.h, lane) > S(0)) || lane_of(l.step.t_end, lane) <= lane_of(l.step.t, lane);
   const bool out_of_tries = lane_of(l.tries, lane) >= course.plan.max_tries;
   if (accepted && !is_finite(end)) return {true, Outcome::non_finite, 0, 0};
   if (accepted) {
@@ -231,10 +256,10 @@ Verdict judge(const Course<S>& course, const Lanes<R>& l, int lane, bool accepte
       if (last.spec.terminal) return {true, last.outcome, found[count - 1].theta, count};
     }
     if (out_of_tries) return {true, Outcome::step_limit, 1, count};
-    if (!(t + h > t)) return {true, Outcome::stalled, 1, count};
+    if (stands_still) return {true, Outcome::stalled, 1, count};
     return {false, Outcome::step_limit, 1, count};
   }
-  if (!(h > S(0)) || !(t + h > t))
+  if (stands_still)
     return {true, is_finite(lane_of(l.step.error, lane)) ? Outcome::stalled : Outcome::non_finite, 0, 0};
   return {out_of_tries, Outcome::step_limit, 0, 0};
 }

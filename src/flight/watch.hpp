@@ -51,7 +51,7 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
     case EventKind::range:
       return dot(s.x - b.launch.x, b.sight) - value;
     case EventKind::mach:
-      return length(air_velocity(c, s)) / air_state(c, s.x).sound_speed - value;
+      return length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed - value;
     case EventKind::speed:
       return length(s.v) - value;
     case EventKind::time:
@@ -80,13 +80,12 @@ PHYSIM_INLINE bool watches_height(const EventSpec& spec) {
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s) {
   const R zero(S(0));
-  const R end_time = s.t + s.h;
   MaskOf<R> found = zero != zero;
   MaskOf<R> below = found;  // lanes with a watched height at or above both ends
   for (int i = 0; i < watch.count; ++i) {
     const EventSpec& spec = watch.item[i].spec;
     const R from = watched_value(c, b, spec, s.t, s.start);
-    const R to = watched_value(c, b, spec, end_time, s.end);
+    const R to = watched_value(c, b, spec, s.t_end, s.end);
     found = found | crosses(spec.direction, from, to);
     if (watches_height(spec)) below = below | ((from <= zero) & (to <= zero));
   }
@@ -95,7 +94,8 @@ PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const W
 }
 
 /// Finds every crossing in a step, in order of time, up to and with the first terminal one; returns how many.
-/// `at` is the dense output, with the nodes n0 and n1 at its ends.
+/// `at` is the dense output, with the nodes n0 and n1 at its ends; whether something is crossed is decided as detect()
+/// does, by its watched_at().
 template <class F>
 int find_crossings(const Conditions<double>& c, const Body<double>& b, const WatchList& watch, const F& at, Found* found) {
   const double t = at.n0.t;
@@ -111,11 +111,12 @@ int find_crossings(const Conditions<double>& c, const Body<double>& b, const Wat
     const auto value = [&](double theta) { return watched_value(c, b, spec, t + theta * h, at(theta)); };
     const auto look_between = [&](double from, double at_from, double to, double at_to) {
       if (!crosses(spec.direction, at_from, at_to) || count == 2 * kMaxWatched) return;
-      const double noise = 2.220446049250313e-16 * (abs(spec.value) + max(abs(at_from), abs(at_to)));
+      // Near the root the quantity is as large as the value waited for; what it was elsewhere in the step says nothing.
+      const double noise = 2.220446049250313e-16 * (abs(spec.value) + min(abs(at_from), abs(at_to)));
       found[count++] = {find_root(value, from, at_from, to, at_to, kThetaTolerance, noise), i, at_from < 0};
     };
-    const double at_start = watched_value(c, b, spec, t, at.n0.y);
-    const double at_end = watched_value(c, b, spec, t + h, at.n1.y);
+    const double at_start = at.watched_at(spec, at.n0);
+    const double at_end = at.watched_at(spec, at.n1);
     if (apex < 1 && watches_height(spec)) {
       const double at_apex = value(apex);
       look_between(0, at_start, apex, at_apex);

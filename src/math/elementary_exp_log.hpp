@@ -183,18 +183,23 @@ struct ExponentMantissa {
   R k;
   R m;
 };
+/// The same for a normal x; `bias` is that of the exponent field.
 template <class R>
-PHYSIM_INLINE ExponentMantissa<R> split_exponent(const R& x) {
+PHYSIM_INLINE ExponentMantissa<R> split_normal(const R& x, const R& bias) {
   constexpr int kBits = kMantissaBits<R>;
   const R power = constant<R>(4503599627370496.0, 8388608.0);  // 2^kBits: where the last digit of the mantissa is 1
-  const MaskOf<R> subnormal = x < R(std::numeric_limits<ScalarOf<R>>::min());
-  const R normal = select(subnormal, x * constant<R>(18014398509481984.0, 33554432.0), x);  // 2^54, 2^25
-  const R bias = select(subnormal, power + constant<R>(1023 + 54, 127 + 25), power + constant<R>(1023, 127));
   // Moving sqrt(1/2) to 1 makes the exponent field change at sqrt(2) 2^k.
   const BitsOf<R> sqrt_half = bits_constant<R>(0x3fe6a09e667f3bcdu, 0x3f3504f3u);
-  const BitsOf<R> moved = to_bits(normal) + (to_bits(constant<R>(1)) - sqrt_half);
+  const BitsOf<R> moved = to_bits(x) + (to_bits(constant<R>(1)) - sqrt_half);
   const BitsOf<R> mantissa_mask = bits_constant<R>(0x000fffffffffffffu, 0x007fffffu);
-  return {from_bits<R>((moved >> kBits) | to_bits(power)) - bias, from_bits<R>((moved & mantissa_mask) + sqrt_half)};
+  return {from_bits<R>((moved >> kBits) | to_bits(power)) - (power + bias),
+          from_bits<R>((moved & mantissa_mask) + sqrt_half)};
+}
+template <class R>
+PHYSIM_INLINE ExponentMantissa<R> split_exponent(const R& x) {
+  const MaskOf<R> subnormal = x < R(std::numeric_limits<ScalarOf<R>>::min());
+  const R normal = select(subnormal, x * constant<R>(18014398509481984.0, 33554432.0), x);  // 2^54, 2^25
+  return split_normal(normal, select(subnormal, constant<R>(1023 + 54, 127 + 25), constant<R>(1023, 127)));
 }
 /// k ln2 + log(1 + f) + c for |c| << 1.
 template <class R>
@@ -219,6 +224,13 @@ PHYSIM_INLINE R log_special_cases(const R& x, const R& y) {
   const R zero = R(ScalarOf<R>(0));
   const R below = select(x < zero, not_a_number<R>(), -infinity<R>());
   return select(x <= zero, below, select(x < infinity<R>(), y, x));
+}
+
+/// Natural logarithm of a normal positive number, without the care that log() takes for all others.
+template <class R>
+PHYSIM_INLINE R log_of_normal(const R& x) {
+  const ExponentMantissa<R> e = split_normal(x, constant<R>(1023, 127));
+  return log_of_parts(e.k, e.m - constant<R>(1), constant<R>(0));
 }
 
 /// Natural logarithm.

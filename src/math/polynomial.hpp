@@ -12,10 +12,10 @@ PHYSIM_ISA_BEGIN
 constexpr int estrin_level(int n) { return n <= 2 ? 0 : 1 + estrin_level((n + 1) / 2); }
 
 /// The part with the coefficients [kFrom, kFrom + kCount), divided by x^kFrom. `powers` holds x, x^2, x^4, x^8, ...
-template <int kFrom, int kCount, class R, int N>
-PHYSIM_INLINE R polynomial_part(const R* powers, const double (&c)[N]) {
+template <int kFrom, int kCount, class R, class C, int N>
+PHYSIM_INLINE R polynomial_part(const R* powers, const C (&c)[N]) {
   if constexpr (kCount == 1) {
-    return constant<R>(c[kFrom]);
+    return R(static_cast<ScalarOf<R>>(c[kFrom]));
   } else {
     constexpr int kLevel = estrin_level(kCount);
     constexpr int kHalf = 1 << kLevel;
@@ -25,16 +25,17 @@ PHYSIM_INLINE R polynomial_part(const R* powers, const double (&c)[N]) {
   }
 }
 
-/// c[0] + c[1] x + ... + c[N-1] x^(N-1).
-template <class R, int N>
-PHYSIM_INLINE R polynomial(const R& x, const double (&c)[N]) {
-  static_assert(N <= 32);
+/// c[0] + c[1] x + ... + c[kTerms-1] x^(kTerms-1); all of c unless told otherwise.
+template <int kTermsGiven = 0, class R, class C, int N>
+PHYSIM_INLINE R polynomial(const R& x, const C (&c)[N]) {
+  constexpr int kTerms = kTermsGiven == 0 ? N : kTermsGiven;
+  static_assert(kTerms <= 32 && kTerms <= N);
   R powers[5] = {x};
-  if constexpr (N > 2) powers[1] = x * x;
-  if constexpr (N > 4) powers[2] = powers[1] * powers[1];
-  if constexpr (N > 8) powers[3] = powers[2] * powers[2];
-  if constexpr (N > 16) powers[4] = powers[3] * powers[3];
-  return polynomial_part<0, N, R>(powers, c);
+  if constexpr (kTerms > 2) powers[1] = x * x;
+  if constexpr (kTerms > 4) powers[2] = powers[1] * powers[1];
+  if constexpr (kTerms > 8) powers[3] = powers[2] * powers[2];
+  if constexpr (kTerms > 16) powers[4] = powers[3] * powers[3];
+  return polynomial_part<0, kTerms, R>(powers, c);
 }
 
 PHYSIM_ISA_END

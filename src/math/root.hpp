@@ -29,16 +29,18 @@ struct Bracket {
 
 /// Secant steps while they stay inside the bracket; true when one has found the root `x`.
 template <class F>
-PHYSIM_INLINE bool secant_phase(const F& f, Bracket& bracket, double tolerance, double negligible, double& x) {
+PHYSIM_INLINE bool secant_phase(const F& f, Bracket& bracket, double tolerance, double noise, double& x) {
   double before = bracket.a, f_before = bracket.fa;
   double last = bracket.b, f_last = bracket.fb;
+  const double small = 1e-3 * min(abs(bracket.fa), abs(bracket.fb));
   for (int i = 0; i < 5; ++i) {
     x = last - f_last * ((last - before) / (f_last - f_before));
     const bool inside = (x > bracket.a && x < bracket.b) || (x < bracket.a && x > bracket.b);
     if (!inside) return false;
-    if (i > 0 && abs(x - last) <= tolerance) return true;
+    // A small step may also mean a lopsided bracket; only far below both of its ends is it a sign of the root.
+    if (abs(x - last) <= tolerance && abs(f_last) <= small) return true;
     const double fx = f(x);
-    if (abs(fx) <= negligible) return true;
+    if (abs(fx) <= noise) return true;
     bracket.narrow(x, fx);
     before = last, f_before = f_last;
     last = x, f_last = fx;
@@ -54,10 +56,9 @@ double find_root(const F& f, double a, double fa, double b, double fb, double to
   if (fa == 0) return a;
   if (fb == 0) return b;
   if ((fa < 0) == (fb < 0)) return abs(fa) < abs(fb) ? a : b;
-  const double negligible = max(1.1102230246251565e-16 * abs(fb - fa), noise);
   Bracket k{a, fa, b, fb};
   double x = a;
-  if (secant_phase(f, k, tolerance, negligible, x)) return x;
+  if (secant_phase(f, k, tolerance, noise, x)) return x;
   // Chandrupatla: a is the newest point, b brackets the root with it, c is the point that was given up.
   double c = k.a;
   double fc = k.fa;
@@ -65,7 +66,7 @@ double find_root(const F& f, double a, double fa, double b, double fb, double to
   for (int i = 0; i < 200; ++i) {
     x = k.a + step * (k.b - k.a);
     const double fx = f(x);
-    if (abs(fx) <= negligible) return x;
+    if (abs(fx) <= noise) return x;
     if ((fx < 0) == (k.fa < 0)) {
       c = k.a, fc = k.fa;
     } else {

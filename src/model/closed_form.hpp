@@ -49,7 +49,8 @@ PHYSIM_INLINE State<R> closed_form(const Conditions<S>& c, const Body<R>& b, con
   const R decayed = t * (S(1) - z * e2);  // t E1
   const bool windy = c.fidelity.wind != WindModel::off;
   const Vec3<S> w = windy ? c.wind.velocity[0] : Vec3<S>{};
-  const Vec3<R> air{R(w.x), R(w.y), R(w.z)};
+  Vec3<R> air{R(w.x), R(w.y), R(w.z)};
+  if (c.fidelity.planar) air -= b.plane * dot(b.plane, air);
   const Vec3<R> relative = start.v - air;
   s.x = start.x + air * t + relative * decayed;
   s.x.y += g * t * t * e2;

@@ -14,13 +14,24 @@ inline constexpr int kMaxWindPoints = 32;
 /// Radius of the Earth that defines geopotential height in US Standard Atmosphere 1976 [m].
 inline constexpr double kGeopotentialRadius = 6356766.0;
 
+/// Terms of the polynomials that stand for density and 1 / sound speed in the lowest layer, in double.
+inline constexpr int kDensityTerms = 14;
+inline constexpr int kPerSoundTerms = 16;
+
 /// Air ready to compute; see model/air.hpp.
 template <class S>
 struct Air {
   S density;       // constant and exponential air: at the origin [kg/m^3]
-  S sound_speed;   // [m/s]
-  S temperature;   // [K]
+  S per_sound_speed;   // 1 / sound speed [s/m]
+  S temperature;       // at the origin [K]
   S per_scale_height;  // exponential air [1/m]
+  S kelvin_per_sound;  // temperature over the square of the sound speed [K s^2/m^2]
+  // Of the lowest layer, in powers of u = (Z - low_middle) low_scale, -1 <= u <= 1:
+  S low_middle;                         // [m]
+  S low_scale;                          // [1/m]
+  S low_top;                            // geometric altitude up to which they hold [m]
+  S low_density[kDensityTerms];         // [kg/m^3]
+  S low_per_sound[kPerSoundTerms];      // [s/m]
   int layers;          // of the standard atmosphere
   // Of layer i from its base at geopotential height base[i]:
   S base[kAirLayers];              // H_b [m]
@@ -28,8 +39,7 @@ struct Air {
   S power[kAirLayers];             // density ~ (T/T_b)^power [-]
   S decay[kAirLayers];             // density ~ exp(decay (H - H_b)) where the layer is isothermal [1/m]
   S base_density[kAirLayers];      // [kg/m^3]
-  S base_sound_speed[kAirLayers];  // [m/s]
-  S base_temperature[kAirLayers];  // [K]
+  S base_per_sound[kAirLayers];    // [s/m]
 };
 
 /// Wind ready to compute; see model/wind.hpp.

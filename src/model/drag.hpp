@@ -42,7 +42,8 @@ PHYSIM_INLINE R curve_position(const Body<R>& b, const R& mach) {
 template <class R, class S>
 PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& mach) {
   const R inside = curve_position(b, mach);
-  const R cell = min(floor_small(inside), b.curve_last);
+  // Rounding u - 1/2 is one operation less than the floor of u; on a border either cell gives the same value.
+  const R cell = min(round_to_int(inside - constant<R>(0.5)), b.curve_last);
   const R row = c.has_searched_curves ? max(b.curve_row, R(S(0))) : b.curve_row;
   const R cd = row_cubic(c.curve_rows, row + cell, inside - cell);
   return c.has_searched_curves ? searched_cd(c, b, mach, cd) : cd;
@@ -52,9 +53,9 @@ PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& mach
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air, const Vec3<R>& u) {
   const R speed = length(u);
-  R cd = curve_cd(c, b, speed / air.sound_speed);
+  R cd = curve_cd(c, b, speed * air.per_sound_speed);
   if (c.has_spheres) {
-    const R reynolds = air.density * speed * b.reynolds_length / viscosity(air.temperature);
+    const R reynolds = air.density * speed * b.reynolds_length / viscosity(temperature(c, air));
     cd = select(b.reynolds_length > R(S(0)), sphere_cd(reynolds), cd);
   }
   R half_area_per_mass = b.half_area_per_mass;

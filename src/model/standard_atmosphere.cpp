@@ -2,6 +2,10 @@
 #include "model/standard_atmosphere.hpp"
 
 
+#include <algorithm>
+#include <vector>
+
+#include "math/chebyshev.hpp"
 #include "math/elementary.hpp"
 #include "model/air.hpp"
 #include "math/text.hpp"
@@ -48,6 +52,7 @@ struct Profile {
     if (kLapse[i] == 0) return exp(-density_factor * kHydrostatic * (to - from) / t_from);
     return pow(t_to / t_from, -density_factor * kHydrostatic / kLapse[i]);
   }
+  [[nodiscard]] double density(double p, double t) const { return density_factor * p * kMolarMass / (kGasConstant * t); }
   [[nodiscard]] double pressure_at(double h) const {
     const int i = layer_of(h);
     return pressure[i] * pressure_ratio(i, kBase[i], h);
@@ -75,6 +80,8 @@ struct Station {
   double sound_factor;  // sound speed over that of the standard's dry air
 };
 
+double dry_sound_speed(double t) { return sqrt(kHeatRatio * kGasConstant * t / kMolarMass); }
+
 Station station_of(const Environment& environment) {
   const Atmosphere& given = environment.atmosphere;
   const Profile standard = profile_through(0, kSeaLevelPressure, 0, 1);
@@ -84,23 +91,29 @@ Station station_of(const Environment& environment) {
   const double p = given.pressure.value_or(standard.pressure_at(h));
   const double humidity = given.humidity.value_or(0);
   const double factor = moist_air_density(t, p, humidity) * kGasConstant * t / (p * kMolarMass);
-  const double dry_sound = sqrt(kHeatRatio * kGasConstant * t / kMolarMass);
   return {profile_through(h, p, t - standard.temperature_at(h), factor),
-          moist_air_sound_speed(t, p, humidity) / dry_sound};
-}
-
-double density_of(const Profile& profile, double pressure, double temperature) {
-  return profile.density_factor * pressure * kMolarMass / (kGasConstant * temperature);
+          moist_air_sound_speed(t, p, humidity) / dry_sound_speed(t)};
 }
 
 }  // namespace
 
-Air<double> prepare_air(const Environment& environment, AirModel model) {
-  const auto [profile, sound_factor] = station_of(environment);
-  const auto sound = [&, factor = sound_factor](double t) {
-    return factor * sqrt(kHeatRatio * kGasConstant * t / kMolarMass);
-  };
-  Air<double> air{};
+namespace {
+
+/// Fits f over the lowest layer of the air.
+template <int N, class F>
+void fit_low(const Air<double>& air, const F& f, double (&out)[N]) {
+  static const ChebyshevFit fit(N);
+  std::vector<double> values;
+  for (const double u : fit.points()) values.push_back(f(air.low_middle + u / air.low_scale));
+  const auto powers = fit.powers(values);
+  std::copy(powers.begin(), powers.end(), out);
+}
+
+constexpr double kLowestAltitude = -5000;  // the standard's own lower end [m]
+
+void prepare_layers(const Station& station, Air<double>& air) {
+  const Profile& profile = station.profile;
+  const auto per_sound = [&](double t) { return 1 / (station.sound_factor * dry_sound_speed(t)); };
   air.layers = kAirLayers;
   for (int i = 0; i < kAirLayers; ++i) {
     const double t = profile.temperature[i];
@@ -109,35 +122,57 @@ Air<double> prepare_air(const Environment& environment, AirModel model) {
     air.lapse[i] = kLapse[i] / t;
     air.power[i] = kLapse[i] == 0 ? 0 : -hydrostatic / kLapse[i] - 1;
     air.decay[i] = kLapse[i] == 0 ? -hydrostatic / t : 0;
-    air.base_density[i] = density_of(profile, profile.pressure[i], t);
-    air.base_sound_speed[i] = sound(t);
-    air.base_temperature[i] = t;
+    air.base_density[i] = profile.density(profile.pressure[i], t);
+    air.base_per_sound[i] = per_sound(t);
   }
+  air.low_top = kGeopotentialRadius * kBase[1] / (kGeopotentialRadius - kBase[1]);
+  air.low_middle = 0.5 * (kLowestAltitude + air.low_top);
+  air.low_scale = 2 / (air.low_top - kLowestAltitude);
+  const auto density_at = [&](double z) {
+    const double h = geopotential(z);
+    const double t = profile.temperature[0] + kLapse[0] * h;
+    return profile.density(profile.pressure[0] * profile.pressure_ratio(0, 0, h), t);
+  };
+  fit_low(air, density_at, air.low_density);
+  fit_low(air, [&](double z) { return per_sound(profile.temperature[0] + kLapse[0] * geopotential(z)); },
+          air.low_per_sound);
+}
+
+}  // namespace
+
+Air<double> prepare_air(const Environment& environment, AirModel model) {
+  const Station station = station_of(environment);
+  const Profile& profile = station.profile;
   const double h = geopotential(environment.altitude);
+  Air<double> air{};
   air.temperature = profile.temperature_at(h);
-  air.density = density_of(profile, profile.pressure_at(h), air.temperature);
-  air.sound_speed = sound(air.temperature);
+  air.density = profile.density(profile.pressure_at(h), air.temperature);
+  air.per_sound_speed = 1 / (station.sound_factor * dry_sound_speed(air.temperature));
+  air.kelvin_per_sound = air.temperature * air.per_sound_speed * air.per_sound_speed;
   air.per_scale_height = 1 / environment.atmosphere.scale_height;
-  if (model != AirModel::isa) {
-    air.density = environment.atmosphere.density.value_or(air.density);
-    air.sound_speed = environment.atmosphere.sound_speed.value_or(air.sound_speed);
+  const Atmosphere& given = environment.atmosphere;
+  if (model == AirModel::isa) {
+    prepare_layers(station, air);
+  } else {
+    air.density = model == AirModel::vacuum ? 0 : given.density.value_or(air.density);
+    if (given.sound_speed) air.per_sound_speed = 1 / *given.sound_speed;
   }
-  if (model == AirModel::vacuum) air.density = 0;
   return air;
 }
 
 Result<AirSample> air_at(const Environment& environment, double altitude) {
-  if (!(altitude >= -5000 && altitude <= 86000))
+  if (!(altitude >= kLowestAltitude && altitude <= 86000))
     return Error{"altitude " + short_text(altitude) + " m lies outside the standard atmosphere", "altitude",
                  "give a height from -5000 m to 86000 m"};
-  const AirModel model = environment.atmosphere.model;
-  const Air<double> air = prepare_air(environment, model);
-  AirState<double> state{air.density, air.sound_speed, air.temperature};
-  if (model == AirModel::isa) state = standard_air(air, altitude);
-  if (model == AirModel::exponential) state.density *= exp(-(altitude - environment.altitude) * air.per_scale_height);
+  Conditions<double> c{};
+  c.fidelity.air = environment.atmosphere.model;
+  c.altitude = environment.altitude;
+  c.air = prepare_air(environment, c.fidelity.air);
+  const AirState<double> state = air_state(c, Vec3d{0, altitude - c.altitude, 0});
+  const double kelvin = temperature(c, state);
   const double factor = station_of(environment).profile.density_factor;
-  const double pressure = state.density * kGasConstant * state.temperature / (kMolarMass * factor);
-  return AirSample{state.temperature, pressure, state.density, state.sound_speed, viscosity(state.temperature)};
+  const double pressure = state.density * kGasConstant * kelvin / (kMolarMass * factor);
+  return AirSample{kelvin, pressure, state.density, 1 / state.per_sound_speed, viscosity(kelvin)};
 }
 
 }  // namespace physim

@@ -25,6 +25,11 @@ struct Node {
   Vec3<double> a;
 };
 
+/// Where a time lies between two nodes, 0..1; a step that stands still counts as taken.
+inline double place_between(const Node& n0, const Node& n1, double t) {
+  return n1.t > n0.t ? (t - n0.t) / (n1.t - n0.t) : 1;
+}
+
 template <int Power>
 struct Tsit5DenseWeights {
   static constexpr double at(int j) { return Tsit5::kDense[j][Power]; }
@@ -77,9 +82,11 @@ inline State<double> hermite(const Node& n0, const Node& n1, double theta) {
   return y;
 }
 
-/// The state at t = n0.t + theta h, 0 <= theta <= 1.
+/// The state at t = n0.t + theta h, 0 <= theta <= 1; at both ends the nodes themselves, to the bit.
 inline State<double> dense_state(Integrator integrator, const Node& n0, const Node& n1, const State<double>* c,
                                  double theta) {
+  if (theta == 0) return n0.y;
+  if (theta == 1) return n1.y;
   if (integrator == Integrator::tsit5) return n0.y + (c[0] + (c[1] + (c[2] + c[3] * theta) * theta) * theta) * theta;
   if (integrator == Integrator::dop853) {
     const double u = 1 - theta;

@@ -176,7 +176,7 @@ PHYSIM_INLINE void runge_kutta_step(Step<R>& s, const F& f) {
     s.slope[stage] = {y.v, f(s.t + s.h * constant<R>(Tableau::c[stage]), y)};
   });
   s.end = advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), s.h);
-  s.slope[Tableau::kStages] = {s.end.v, f(s.t + s.h, s.end)};
+  s.slope[Tableau::kStages] = {s.end.v, f(s.t_end, s.end)};
 }
 
 PHYSIM_ISA_END

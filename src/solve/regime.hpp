@@ -69,7 +69,7 @@ PHYSIM_INLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const R
   if (drag_has_corners(c)) {
     const R speed = length(air_velocity(c, s));
     if (c.fidelity.interpolation == Interpolation::linear)
-      r.curve_cell = curve_cell_index(c, b, speed / air_state(c, s.x).sound_speed);
+      r.curve_cell = curve_cell_index(c, b, speed * air_state(c, s.x).per_sound_speed);
     if (c.has_bands)
       for (int i = 0; i < kMaxBands; ++i) r.band += select(speed >= b.band_above[i], R(S(1)), zero);
   }

@@ -47,6 +47,7 @@ PHYSIM_INLINE void classic_frame(const Conditions<S>& c, const Body<R>& b, Step<
     if (c.fidelity.drag == DragModel::linear_quadratic || c.fidelity.drag == DragModel::equation) a += drag(c, b, felt);
     if (c.has_applied) a += c.fidelity.original_one_shot_forces ? b.applied : applied(c, b, s.t);
   }
+  if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
   s.slope[1] = {s.end.v, a};
 }
 
@@ -92,7 +93,7 @@ PHYSIM_INLINE R dop853_error_squared(const Step<R>& s, S relative, S absolute) {
   return max(position, velocity);
 }
 
-/// Takes the step s.h from s.start at s.t; s.slope[0] is given. Adaptive integrators also leave s.error, squared.
+/// Takes the step s.h from s.start at s.t to s.t_end; s.slope[0] is given. Adaptive integrators also leave s.error, squared.
 template <class R, class S>
 PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relative, S absolute, Step<R>& s) {
   const auto f = [&](const R& t, const State<R>& y) {
@@ -100,10 +101,9 @@ PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relativ
     evaluate(c, b, t, y, a);
     return a;
   };
-  const R end_time = s.t + s.h;
   if (c.fidelity.motion == Motion::closed_form) {
-    s.end = closed_form(c, b, end_time);
-    s.slope[1] = {s.end.v, f(end_time, s.end)};
+    s.end = closed_form(c, b, s.t_end);
+    s.slope[1] = {s.end.v, f(s.t_end, s.end)};
     return;
   }
   switch (c.fidelity.integrator) {
@@ -112,12 +112,12 @@ PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relativ
       break;
     case Integrator::explicit_euler:
       s.end = advanced(s.start, s.slope[0], s.h);
-      s.slope[1] = {s.end.v, f(end_time, s.end)};
+      s.slope[1] = {s.end.v, f(s.t_end, s.end)};
       break;
     case Integrator::semi_implicit_euler:
       s.end.v = s.start.v + s.slope[0].v * s.h;
       s.end.x = s.start.x + s.end.v * s.h;
-      s.slope[1] = {s.end.v, f(end_time, s.end)};
+      s.slope[1] = {s.end.v, f(s.t_end, s.end)};
       break;
     case Integrator::heun:
       runge_kutta_step<Heun>(s, f);

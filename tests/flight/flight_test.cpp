@@ -8,12 +8,13 @@ namespace {
 
 using namespace test;
 
-constexpr Integrator kAll[] = {Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler,
-                               Integrator::heun,    Integrator::rk4,            Integrator::tsit5,
-                               Integrator::dop853};
+constexpr Integrator kAll[] = {
+    Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4,
+    Integrator::tsit5,   Integrator::dop853};
 
 Flight shot(const Fidelity& f, const Until& until = {}) {
-  return fly(bullet_308(), {.position = {0, 1.5, 0}, .speed = 800, .elevation = 0.01}, {}, f, {1e-10, 1e-10, 1e-3}, until);
+  return fly(bullet_308(), {.position = {0, 1.5, 0}, .speed = 800, .elevation = 0.01}, {}, f, {1e-10, 1e-10, 1e-3},
+             until);
 }
 
 TEST(Flight, times_outside_give_the_nearer_end) {
@@ -56,7 +57,8 @@ TEST(Flight, samples_agree_with_themselves) {
 
 TEST(Flight, at_range_hits_the_range_along_the_line_of_sight) {
   for (const double look : {0.0, 0.3, -0.2}) {
-    const Launch launch{.speed = 800, .elevation = look + 0.01, .azimuth = 0.4, .sight = {.height = 0.05, .look_angle = look}};
+    const Launch launch{
+        .speed = 800, .elevation = look + 0.01, .azimuth = 0.4, .sight = {.height = 0.05, .look_angle = look}};
     const Flight flight = fly(bullet_308(), launch, {}, {}, {}, {.ground = {}, .range = 900});
     for (double range = 0; range < 900; range += 37) {
       const auto s = flight.at_range(range);
@@ -158,8 +160,8 @@ TEST(Flight, a_planar_one_never_leaves_the_vertical_plane_of_fire) {
           f.motion = motion;
           f.drag = drag;
           f.planar = true;
-          const Launch launch{.position = {0, 2, 0}, .speed = 400, .elevation = 0.1, .azimuth = azimuth,
-                              .sight = {.cant = 0.3}};
+          const Launch launch{
+              .position = {0, 2, 0}, .speed = 400, .elevation = 0.1, .azimuth = azimuth, .sight = {.cant = 0.3}};
           const Flight flight = fly(p, launch, e, f, {1e-8, 1e-8, 0.01}, {.time = 2});
           ASSERT_FALSE(flight.error());
           for (const double part : {0.3, 0.7, 1.0}) {
@@ -207,9 +209,12 @@ TEST(Flight, integrators_agree_with_each_other_and_with_closed_forms) {
   const Launch launch{.position = {0, 3, 0}, .speed = 60, .elevation = 0.7};
   const Flight exact = fly(p, launch, e, f);
   f.motion = Motion::force;
-  for (const auto& [integrator, gate] :
-       {std::pair{Integrator::explicit_euler, 0.1}, {Integrator::semi_implicit_euler, 0.1}, {Integrator::heun, 1e-4},
-        {Integrator::rk4, 1e-9}, {Integrator::tsit5, 1e-8}, {Integrator::dop853, 1e-8}}) {
+  for (const auto& [integrator, gate] : {std::pair{Integrator::explicit_euler, 0.1},
+                                         {Integrator::semi_implicit_euler, 0.1},
+                                         {Integrator::heun, 1e-4},
+                                         {Integrator::rk4, 1e-9},
+                                         {Integrator::tsit5, 1e-8},
+                                         {Integrator::dop853, 1e-8}}) {
     f.integrator = integrator;
     const Flight flight = fly(p, launch, e, f, {1e-11, 1e-11, 1e-3});
     EXPECT_LT(length(flight.end().position - exact.end().position), gate) << text(integrator);

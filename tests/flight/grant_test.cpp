@@ -87,7 +87,8 @@ TEST(Grant, closed_forms_know_constants_only) {
   EXPECT_EQ(in_use.fidelity.gravity, GravityModel::constant);
   EXPECT_EQ(in_use.fidelity.earth, EarthModel::flat);
   EXPECT_EQ(in_use.fidelity.wind, WindModel::constant);
-  for (const char* effect : {"drag", "gravity", "earth", "wind"}) EXPECT_FALSE(note_of(in_use, effect).reason.empty()) << effect;
+  for (const char* effect : {"drag", "gravity", "earth", "wind"})
+    EXPECT_FALSE(note_of(in_use, effect).reason.empty()) << effect;
   asked.projectile.drag.damping = 0.9;
   EXPECT_EQ(granted(asked).fidelity.drag, DragModel::damping) << "the drag that a closed form can have";
   asked.fidelity.drag = DragModel::linear_quadratic;

@@ -38,10 +38,10 @@ TEST(DragCurves, standard_functions_have_the_published_points) {
     DragTable table;
     std::size_t points;
     double mach, cd, product;
-  } sums[] = {{DragTable::g1, 79, 143.925, 37.0571, 74.8406675},  {DragTable::g2, 85, 158.775, 22.3643, 39.8265675},
-              {DragTable::g5, 76, 141.125, 22.6479, 43.8116325},  {DragTable::g6, 79, 144.65, 23.4477, 39.9214075},
-              {DragTable::g7, 84, 156.875, 20.0187, 38.62066},    {DragTable::g8, 78, 143.075, 22.0896, 38.52441},
-              {DragTable::gi, 81, 146.6, 37.4735, 73.9993575},    {DragTable::gs, 81, 162, 69.8967, 152.525085},
+  } sums[] = {{DragTable::g1, 79, 143.925, 37.0571, 74.8406675}, {DragTable::g2, 85, 158.775, 22.3643, 39.8265675},
+              {DragTable::g5, 76, 141.125, 22.6479, 43.8116325}, {DragTable::g6, 79, 144.65, 23.4477, 39.9214075},
+              {DragTable::g7, 84, 156.875, 20.0187, 38.62066},   {DragTable::g8, 78, 143.075, 22.0896, 38.52441},
+              {DragTable::gi, 81, 146.6, 37.4735, 73.9993575},   {DragTable::gs, 81, 162, 69.8967, 152.525085},
               {DragTable::ra4, 87, 137.775, 38.8415, 68.526145}};
   for (const auto& sum : sums) {
     double mach = 0, cd = 0, product = 0;
@@ -124,10 +124,18 @@ TEST(DragCurves, the_pool_keeps_equal_curves_once_and_different_ones_apart) {
 
 // Morrison 2013, figures of ../shared/reference/sphere_drag/sphere_cd.csv (8 digits).
 TEST(SphereDrag, has_the_values_of_morrisons_formula) {
-  const double rows[][2] = {{0.01, 2400.1526},     {0.1, 240.22116},       {1, 24.672932},
-                            {10, 3.9675833},       {100, 1.0381866},       {1000, 0.48405631},
-                            {10000, 0.39356443},   {100000, 0.42467662},   {251188.6431509580, 0.29694093},
-                            {316227.7660168379, 0.14025731}, {398107.1705534973, 0.087672295}, {1e6, 0.14145576}};
+  const double rows[][2] = {{0.01, 2400.1526},
+                            {0.1, 240.22116},
+                            {1, 24.672932},
+                            {10, 3.9675833},
+                            {100, 1.0381866},
+                            {1000, 0.48405631},
+                            {10000, 0.39356443},
+                            {100000, 0.42467662},
+                            {251188.6431509580, 0.29694093},
+                            {316227.7660168379, 0.14025731},
+                            {398107.1705534973, 0.087672295},
+                            {1e6, 0.14145576}};
   for (const auto& [re, cd] : rows) EXPECT_TRUE(near(sphere_drag_coefficient(re), cd, 2e-7)) << re;
 }
 

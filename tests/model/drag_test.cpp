@@ -185,14 +185,15 @@ TEST(Drag, falls_approach_the_terminal_speed_as_they_should) {
   }
 }
 
-// Plane flight with quadratic drag (../shared/reference/analytic/quadratic_2d_constant_density.csv), from the hodograph.
+// Plane flight with quadratic drag (../shared/reference/analytic/quadratic_2d_constant_density.csv), from the
+// hodograph.
 TEST(Drag, flights_with_quadratic_drag_in_a_plane) {
   const struct {
     double v, elevation, k, t_apex, x_apex, y_apex, time, range, vx, vy;
   } rows[] = {{50, 45, 0.005, 2.7673478941346159315, 76.339862174362432015, 43.741784964251103826, 5.944800844407399675,
                136.29160608551371698, 15.273047571849172792, -25.53459830103255473},
-              {800, 35, 0.0003, 16.428026633543170421, 4464.1264333793521677, 2244.292579234092935, 41.405428649676385366,
-               6742.1516686403359291, 51.33461682347928699, -150.02471824039181729}};
+              {800, 35, 0.0003, 16.428026633543170421, 4464.1264333793521677, 2244.292579234092935,
+               41.405428649676385366, 6742.1516686403359291, 51.33461682347928699, -150.02471824039181729}};
   for (const auto& row : rows) {
     ProjectileDef p;
     p.drag.coefficient = 1;

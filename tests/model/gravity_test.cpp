@@ -55,7 +55,8 @@ TEST(Gravity, inverse_square_is_that_of_the_standard_atmosphere) {
               {86000, 9.5465930282917391516}};
   for (const auto& row : rows) {
     EXPECT_TRUE(near(pull(GravityModel::inverse_square, EarthModel::flat, {5, row.z, 7}), {0, -row.g, 0}, 1e-15));
-    EXPECT_TRUE(near(pull(GravityModel::inverse_square, EarthModel::flat, {5, row.z - 3000, 7}, 3000), {0, -row.g, 0}, 1e-15))
+    EXPECT_TRUE(
+        near(pull(GravityModel::inverse_square, EarthModel::flat, {5, row.z - 3000, 7}, 3000), {0, -row.g, 0}, 1e-15))
         << "the origin's altitude counts";
     EXPECT_TRUE(near(pull(GravityModel::inverse_square, EarthModel::sphere, {0, row.z, 0}), {0, -row.g, 0}, 1e-15));
   }
@@ -89,11 +90,16 @@ constexpr double kGm = 9.80665 * 6356766 * 6356766;
 
 TEST(Gravity, conserves_energy) {
   constexpr double kR = 6356766;
-  EXPECT_LT(energy_error(with(GravityModel::constant, EarthModel::flat), [](const Vec3d& x) { return 9.80665 * x.y; }), 1e-11);
+  EXPECT_LT(energy_error(with(GravityModel::constant, EarthModel::flat), [](const Vec3d& x) { return 9.80665 * x.y; }),
+            1e-11);
   EXPECT_LT(energy_error(with(GravityModel::inverse_square, EarthModel::flat),
-                         [](const Vec3d& x) { return kGm / kR - kGm / (kR + x.y); }), 1e-9);
+                         [](const Vec3d& x) { return kGm / kR - kGm / (kR + x.y); }),
+            1e-9);
   EXPECT_LT(energy_error(with(GravityModel::inverse_square, EarthModel::sphere),
-                         [](const Vec3d& x) { return kGm / kR - kGm / length(Vec3d{x.x, x.y + kR, x.z}); }), 1e-9);
+                         [](const Vec3d& x) {
+                           return kGm / kR - kGm / length(Vec3d{x.x, x.y + kR, x.z});
+                         }),
+            1e-9);
 }
 
 // Exact ellipses (../shared/reference/analytic/newton_gravity_range.csv): GM 3.986004418e14, R 6371000 m.

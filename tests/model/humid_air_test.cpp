@@ -53,8 +53,8 @@ TEST(HumidAir, sound_speed_of_dry_air_is_the_standards) {
   EXPECT_TRUE(near(moist_air_sound_speed(288.15, 101325, 0), 340.29410778693532873, 1e-13));
 }
 
-// O. Cramer, "The variation of the specific heat ratio and the speed of sound in air with temperature, pressure, humidity,
-// and CO2 concentration", J. Acoust. Soc. Am. 93 (1993) 2510-2516, eq. 15, with 314 ppm CO2.
+// O. Cramer, "The variation of the specific heat ratio and the speed of sound in air with temperature, pressure,
+// humidity, and CO2 concentration", J. Acoust. Soc. Am. 93 (1993) 2510-2516, eq. 15, with 314 ppm CO2.
 double cramer(double t, double p, double x_w) {
   const double x_c = 0.000314;
   return 331.5024 + 0.603055 * t - 0.000528 * t * t + (51.471935 + 0.1495874 * t - 0.000782 * t * t) * x_w +

@@ -78,7 +78,10 @@ TEST(Sight, a_given_velocity_sets_the_plane_of_fire) {
 }
 
 TEST(Sight, range_drop_and_windage_are_coordinates_along_the_sight) {
-  const Launch launch{.position = {5, 2, -1}, .speed = 200, .elevation = 0.5, .azimuth = 0.3,
+  const Launch launch{.position = {5, 2, -1},
+                      .speed = 200,
+                      .elevation = 0.5,
+                      .azimuth = 0.3,
                       .sight = {.height = 0.06, .look_angle = 0.35, .cant = 0.2}};
   Environment e = test::constant_gravity();
   const Flight flight = fly({}, launch, e, test::vacuum());

@@ -10,8 +10,8 @@ namespace {
 
 using test::near;
 
-/// The example of D. Miller (2005): .308 bullet of 168 gr, 1.226 in long, twist 12 in, at 2800 ft/s, 59 degF, 29.92 inHg:
-/// Sg = 30 * 168 / ((12/.308)^2 .308^3 (3.9805) (1 + 3.9805^2)) = 1.7398.
+/// The example of D. Miller (2005): .308 bullet of 168 gr, 1.226 in long, twist 12 in, at 2800 ft/s, 59 degF, 29.92
+/// inHg: Sg = 30 * 168 / ((12/.308)^2 .308^3 (3.9805) (1 + 3.9805^2)) = 1.7398.
 ProjectileDef millers_bullet() {
   ProjectileDef p;
   p.mass = 168 * 6.479891e-5;

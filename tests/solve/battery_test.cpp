@@ -20,16 +20,27 @@ struct Promise {
 constexpr Promise promise_of(Integrator integrator) {
   switch (integrator) {
     case Integrator::heun:
-      return {2, 0, 200, 800, 200};
+      return {2, 0, 64, 64, 64};
     case Integrator::rk4:
-      return {4, 0, 60, 200, 60};
+      return {4, 0, 16, 32, 32};
     case Integrator::tsit5:
-      return {5, 4, 30, 80, 30};
+      return {5, 4, 32, 64, 64};
     case Integrator::dop853:
-      return {8, 7, 10, 24, 10};
+      return {8, 7, 4, 8, 8};
     default:
-      return {1, 0, 2000, 20000, 2000};
+      return {1, 0, 256, 512, 256};
   }
+}
+
+/// The observed order over n and 2n steps. With e(h) = A h^p + B h^(p+1) + ..., 2^(p+1) e(h/2) - e(h) is rid of the
+/// second term, which hides the first one until rounding does: Tsit5's A is very small.
+double order_of(const Prepared& p, double duration, int n, const State<double>& exact, int nominal) {
+  const auto error = [&](int steps_taken) { return steps(p, duration, steps_taken) - exact; };
+  const auto leading = [&](int m) {
+    const State<double> e = error(2 * m) * std::pow(2.0, nominal + 1) - error(m);
+    return length(e.x) + length(e.v);
+  };
+  return observed_order(leading(n), leading(2 * n), 2);
 }
 
 template <class T>
@@ -54,55 +65,53 @@ struct Names {
 TYPED_TEST_SUITE(Battery, Integrators, Names);
 
 TYPED_TEST(Battery, order_on_a_fall_with_quadratic_drag) {
-  const Prepared p = prepare_tanh_fall(this->kIntegrator);
-  const auto error = [&](int n) { return distance(steps(p, 2, n), tanh_fall(2)); };
-  const int n = this->kPromise.steps_fall;
-  EXPECT_NEAR(observed_order(error(n), error(2 * n), 2), this->kPromise.order, 0.1)
-      << error(n) << ' ' << error(2 * n);
+  const int order = this->kPromise.order;
+  EXPECT_NEAR(order_of(prepare_tanh_fall(this->kIntegrator), 2, this->kPromise.steps_fall, tanh_fall(2), order), order,
+              0.1);
 }
 
 TYPED_TEST(Battery, order_on_an_orbit) {
   if (this->kClassic) GTEST_SKIP() << "the original loop knows only constant gravity";
+  const int order = this->kPromise.order;
   const Prepared p = prepare_kepler(this->kIntegrator, 0.7);
-  const auto error = [&](int n) { return distance(steps(p, 4, n), kepler(4.7)); };
-  const int n = this->kPromise.steps_orbit;
-  EXPECT_NEAR(observed_order(error(n), error(2 * n), 2), this->kPromise.order, 0.1)
-      << error(n) << ' ' << error(2 * n);
+  EXPECT_NEAR(order_of(p, 4, this->kPromise.steps_orbit, kepler(4.7), order), order, 0.1);
 }
 
 /// A smooth ball with Cd by Reynolds number in the standard atmosphere, a wind that changes with height and a turning
 /// Earth: whatever were held fixed over a step instead of being evaluated in every stage would spoil the order.
-Prepared prepare_air_flight(Integrator integrator) {
+Prepared prepare_air_flight(Integrator integrator, double diameter, double mass) {
   ProjectileDef ball;
-  ball.mass = 0.01;
-  ball.diameter = 0.04;
+  ball.mass = mass;
+  ball.diameter = diameter;
   ball.drag.table = DragTable::sphere;
   Environment e;
-  e.wind.profile = {{-1000, {-30, 3, -10}}, {3000, {60, -3, 50}}};
-  e.earth = {.latitude = 0.8, .azimuth = 1, .rotation_rate = 0.02};
+  e.wind.profile = {{-1000, {-30, 3, -10}}, {3000, {10, -3, 20}}};
+  e.earth = {.latitude = 0.8, .azimuth = 1, .rotation_rate = 0.05};
   Fidelity f = Fidelity::simulation();
   f.integrator = integrator;
   f.rotation = RotationModel::none;
   Launch launch;
-  launch.velocity = Vec3d{25, 30, -5};
+  launch.velocity = Vec3d{30, 60, -5};
   return Prepared(ball, launch, e, f);
 }
 
 TYPED_TEST(Battery, order_with_every_effect_at_work) {
   if (this->kClassic) GTEST_SKIP() << "the original loop knows only constant gravity over a flat Earth";
-  const State<double> exact = steps(prepare_air_flight(Integrator::dop853), 3, 400);
-  const Prepared p = prepare_air_flight(this->kIntegrator);
-  const auto error = [&](int n) { return distance(steps(p, 3, n), exact); };
-  const int n = this->kPromise.steps_air;
-  EXPECT_NEAR(observed_order(error(n), error(2 * n), 2), this->kPromise.order, 0.1)
-      << error(n) << ' ' << error(2 * n);
+  // The large ball flies at the foot of the drag crisis, which is too steep for order 8 to show before rounding does.
+  const bool small = this->kIntegrator == Integrator::dop853;
+  const auto prepared = [&](Integrator i) { return prepare_air_flight(i, small ? 0.01 : 0.04, small ? 0.001 : 0.01); };
+  const double duration = small ? 2 : 1;
+  const State<double> exact = steps(prepared(Integrator::dop853), duration, 150);
+  const Prepared p = prepared(this->kIntegrator);
+  const int order = this->kPromise.order;
+  EXPECT_NEAR(order_of(p, duration, this->kPromise.steps_air, exact, order), order, 0.1);
 }
 
 TYPED_TEST(Battery, dense_output_meets_both_ends) {
   const Prepared p = prepare_tanh_fall(this->kIntegrator);
   steps(p, 2, 10, [&](const DenseStep& s) {
     EXPECT_LT(distance(s.at(0), s.n0.y), 1e-15);
-    EXPECT_LT(distance(s.at(1), s.n1.y), 2e-15);
+    EXPECT_LT(distance(s.at(1), s.n1.y), 1e-14);
   });
 }
 
@@ -119,13 +128,13 @@ double dense_error(const Prepared& p, double duration, int n, const Exact& exact
 
 TYPED_TEST(Battery, dense_output_is_no_less_accurate_than_the_steps) {
   const Prepared fall = prepare_tanh_fall(this->kIntegrator);
-  int n = this->kPromise.steps_fall;
+  int n = 2 * this->kPromise.steps_fall;
   EXPECT_GE(observed_order(dense_error(fall, 2, n, tanh_fall), dense_error(fall, 2, 2 * n, tanh_fall), 2),
             this->kPromise.order - 0.1);
   if (this->kClassic) return;
   const Prepared orbit = prepare_kepler(this->kIntegrator, 0.7);
   const auto exact = [](double t) { return kepler(0.7 + t); };
-  n = this->kPromise.steps_orbit;
+  n = 4 * this->kPromise.steps_orbit;
   EXPECT_GE(observed_order(dense_error(orbit, 4, n, exact), dense_error(orbit, 4, 2 * n, exact), 2),
             this->kPromise.order - 0.1);
 }
@@ -141,15 +150,16 @@ TYPED_TEST(Battery, interpolants_have_their_own_order) {
 }
 
 TYPED_TEST(Battery, velocity_of_the_dense_output_follows_its_position) {
-  const Prepared p = prepare_kepler(this->kIntegrator == Integrator::classic ? Integrator::rk4 : this->kIntegrator, 0.7);
+  const Prepared p =
+      prepare_kepler(this->kIntegrator == Integrator::classic ? Integrator::rk4 : this->kIntegrator, 0.7);
   const int n = this->kPromise.steps_orbit;
   // Both come within the method's error of the solution; slopes inside a step are an order less accurate.
   const double gate = 10 * dense_error(p, 4, n, [](double t) { return kepler(0.7 + t); }) * n;
   double worst = 0;
   steps(p, 4, n, [&](const DenseStep& s) {
     const double h = s.n1.t - s.n0.t, d = 1e-2;
-    const Vec3d slope = ((s.at(0.5 + d).x - s.at(0.5 - d).x) * 8.0 - (s.at(0.5 + 2 * d).x - s.at(0.5 - 2 * d).x)) *
-                        (1 / (12 * d * h));
+    const Vec3d slope =
+        ((s.at(0.5 + d).x - s.at(0.5 - d).x) * 8.0 - (s.at(0.5 + 2 * d).x - s.at(0.5 - 2 * d).x)) * (1 / (12 * d * h));
     worst = std::max(worst, length(slope - s.at(0.5).v));
   });
   EXPECT_LT(worst, gate);
@@ -172,7 +182,7 @@ TYPED_TEST(Battery, a_step_there_and_back_returns) {
     step_once(p, back);
     return distance(back.end, s.start);
   };
-  const double h = this->kIntegrator == Integrator::dop853 ? 0.6 : this->kPromise.order >= 4 ? 0.1 : 0.01;
+  const double h = this->kIntegrator == Integrator::dop853 ? 0.6 : this->kPromise.order >= 4 ? 0.05 : 0.01;
   EXPECT_GE(observed_order(miss(h), miss(h / 2), 2), this->kPromise.order + 1 - 0.1) << miss(h) << ' ' << miss(h / 2);
 }
 
@@ -212,12 +222,13 @@ TYPED_TEST(Battery, events_are_located_to_the_accuracy_of_the_dense_output) {
   EXPECT_LT(coarse.residual, 1e-15);
 }
 
-// ../shared/reference/analytic/vacuum_parabola.csv: methods of order 2 and above are exact in vacuum, whatever the step.
+// ../shared/reference/analytic/vacuum_parabola.csv: methods of order 2 and above are exact in vacuum, whatever the
+// step.
 TYPED_TEST(Battery, parabolas_are_exact_from_order_2_on) {
   if (this->kPromise.order < 2) GTEST_SKIP() << "order 1";
   for (const double step : {0.001, 0.7, 20.0, 1000.0}) {
-    const Flight flight = fly({}, {.speed = 100, .elevation = 75 * kDegree}, constant_gravity(), vacuum(this->kIntegrator),
-                              {.step = step, .max_step = step});
+    const Flight flight = fly({}, {.speed = 100, .elevation = 75 * kDegree}, constant_gravity(),
+                              vacuum(this->kIntegrator), {.step = step, .max_step = step});
     EXPECT_TRUE(near(flight.duration(), 19.699404512021297523, 1e-12)) << step;
     EXPECT_TRUE(near(flight.end().position, {509.85810648896412129, 0, 0}, 1e-12)) << step;
     ASSERT_EQ(flight.events().size(), 2u) << step;
@@ -272,7 +283,8 @@ TEST(Classic, frame_is_position_then_velocity_then_damping_then_next_acceleratio
   const double dt = 1.0 / 60;
   Fidelity f = Fidelity::classic();
   f.precision = Precision::float64;
-  const Flight flight = fly(p, {.speed = 40, .elevation = 0.6}, constant_gravity(), f, {.step = dt}, {.ground = {}, .time = 2});
+  const Flight flight =
+      fly(p, {.speed = 40, .elevation = 0.6}, constant_gravity(), f, {.step = dt}, {.ground = {}, .time = 2});
   Vec3d x{}, v{40 * std::cos(0.6), 40 * std::sin(0.6), 0}, a{};
   for (int i = 0; i < 100; ++i) {
     EXPECT_TRUE(near(flight.at(i * dt).position, x, 1e-13, 1e-13)) << i;

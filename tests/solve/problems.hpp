@@ -55,9 +55,7 @@ struct DenseStep {
   Node n0, n1;
   State<double> coefficient[kMaxDenseCoefficients];
 
-  [[nodiscard]] State<double> at(double theta) const {
-    return dense_state(integrator, n0, n1, coefficient, theta);
-  }
+  [[nodiscard]] State<double> at(double theta) const { return dense_state(integrator, n0, n1, coefficient, theta); }
 };
 
 inline Step<double> first_step_of(const Prepared& p) {
@@ -72,10 +70,11 @@ inline Step<double> first_step_of(const Prepared& p) {
 /// Takes s.h from s.start.
 inline DenseStep step_once(const Prepared& p, Step<double>& s) {
   const Integrator integrator = p.conditions().fidelity.integrator;
+  s.t_end = s.t + s.h;
   take_step(p.conditions(), p.body, 1e-9, 1e-9, s);
-  DenseStep out{integrator, {s.t, s.start, s.slope[0].v}, {s.t + s.h, s.end, s.slope[end_slope(integrator)].v}, {}};
-  dense_coefficients(integrator, s, [&](double t, const State<double>& y) { return p.acceleration(t, y); },
-                     out.coefficient);
+  DenseStep out{integrator, {s.t, s.start, s.slope[0].v}, {s.t_end, s.end, s.slope[end_slope(integrator)].v}, {}};
+  dense_coefficients(
+      integrator, s, [&](double t, const State<double>& y) { return p.acceleration(t, y); }, out.coefficient);
   return out;
 }
 
@@ -97,6 +96,8 @@ inline State<double> steps(const Prepared& p, double duration, int n,
 inline double distance(const State<double>& a, const State<double>& b) { return length(a.x - b.x) + length(a.v - b.v); }
 
 /// The exponent of an error that behaves like h^order, from errors at n and at n * factor steps.
-inline double observed_order(double coarse, double fine, double factor) { return std::log(coarse / fine) / std::log(factor); }
+inline double observed_order(double coarse, double fine, double factor) {
+  return std::log(coarse / fine) / std::log(factor);
+}
 
 }  // namespace physim::test

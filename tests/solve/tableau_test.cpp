@@ -37,7 +37,9 @@ TYPED_TEST(TableauTest, stages_depend_on_earlier_ones_only) {
 
 TYPED_TEST(TableauTest, quadrature_conditions) {
   for (int k = 1; k <= TypeParam::kOrder; ++k)
-    EXPECT_NEAR(this->sum([&](int i) { return TypeParam::b[i] * std::pow(TypeParam::c[i], k - 1); }), 1.0 / k, kRounding) << k;
+    EXPECT_NEAR(this->sum([&](int i) { return TypeParam::b[i] * std::pow(TypeParam::c[i], k - 1); }), 1.0 / k,
+                kRounding)
+        << k;
 }
 
 /// sum_ij b_i c_i^l a_ij c_j^m = 1 / ((m + 1) (l + m + 2)) for l + m + 2 <= order.
@@ -107,7 +109,8 @@ TEST(Tableau, dense_output_of_tsit5_ends_with_the_step) {
 
 TEST(Tableau, rows_of_dop853_for_the_end_and_the_dense_output) {
   for (int j = 0; j < 12; ++j) EXPECT_EQ(Dop853::a[12][j], Dop853::b[j]);
-  for (int i = 13; i < 16; ++i) EXPECT_NEAR(std::accumulate(Dop853::a[i], Dop853::a[i] + i, 0.0), Dop853::c[i], kRounding);
+  for (int i = 13; i < 16; ++i)
+    EXPECT_NEAR(std::accumulate(Dop853::a[i], Dop853::a[i] + i, 0.0), Dop853::c[i], kRounding);
   for (int row = 0; row < 4; ++row)
     EXPECT_NEAR(std::accumulate(Dop853::kDense[row], Dop853::kDense[row] + 16, 0.0), 0, 1e-12) << row;
 }
