@@ -9,24 +9,57 @@
 namespace physim::bench {
 namespace {
 
-/// y = (x, y, z, vx, vy, vz)
-[[gnu::always_inline]] inline void peer_rhs(const PeerModel& m, const double* y, double* slope) {
-  const double z = m.altitude + y[1];
+/// c[0] + c[1] x + ...: halves that do not wait for each other.
+template <int N>
+[[gnu::always_inline]] inline double peer_polynomial(const double* c, double x, double x2, double x4, double x8) {
+  if constexpr (N == 1) return c[0];
+  if constexpr (N == 2) return c[0] + c[1] * x;
+  if constexpr (N > 2 && N <= 4)
+    return peer_polynomial<2>(c, x, x2, x4, x8) + x2 * peer_polynomial<N - 2>(c + 2, x, x2, x4, x8);
+  if constexpr (N > 4 && N <= 8)
+    return peer_polynomial<4>(c, x, x2, x4, x8) + x4 * peer_polynomial<N - 4>(c + 4, x, x2, x4, x8);
+  if constexpr (N > 8) return peer_polynomial<8>(c, x, x2, x4, x8) + x8 * peer_polynomial<N - 8>(c + 8, x, x2, x4, x8);
+}
+
+struct PeerAir {
+  double density;
+  double per_sound_speed;
+};
+
+inline PeerAir peer_layered_air(const PeerModel& m, double z) {
   const double h = m.geopotential_radius * z / (m.geopotential_radius + z);
   int layer = 0;
   while (layer + 1 < m.layers && h >= m.base[layer + 1]) ++layer;
   const double rise = h - m.base[layer];
   const double ratio = 1 + m.lapse[layer] * rise;
-  const double density = m.base_density[layer] * std::exp(m.power[layer] * std::log(ratio) + m.decay[layer] * rise);
-  const double sound_speed = m.base_sound_speed[layer] * std::sqrt(ratio);
+  return {m.base_density[layer] * std::exp(m.power[layer] * std::log(ratio) + m.decay[layer] * rise),
+          m.base_per_sound_speed[layer] / std::sqrt(ratio)};
+}
 
+[[gnu::always_inline]] inline PeerAir peer_air(const PeerModel& m, double z) {
+#ifndef PEER_LAYERED
+  if (z <= m.top) {
+    const double u = (z - m.middle) * m.scale;
+    const double u2 = u * u;
+    const double u4 = u2 * u2;
+    const double u8 = u4 * u4;
+    return {peer_polynomial<kPeerDensityTerms>(m.density, u, u2, u4, u8),
+            peer_polynomial<kPeerSoundTerms>(m.per_sound_speed, u, u2, u4, u8)};
+  }
+#endif
+  return peer_layered_air(m, z);
+}
+
+/// y = (x, y, z, vx, vy, vz)
+[[gnu::always_inline]] inline void peer_rhs(const PeerModel& m, const double* y, double* slope) {
+  const PeerAir air = peer_air(m, m.altitude + y[1]);
   const double speed = std::sqrt(y[3] * y[3] + y[4] * y[4] + y[5] * y[5]);
-  const double place = std::max((speed / sound_speed - m.curve_start) * m.cells_per_mach, 0.0);
+  const double place = std::max((speed * air.per_sound_speed - m.curve_start) * m.cells_per_mach, 0.0);
   const int cell = std::min(static_cast<int>(place), m.last_cell);
   const double t = std::min(place - cell, 1.0);
   const double* r = m.rows + 4 * cell;
   const double cd = r[0] + t * (r[1] + t * (r[2] + t * r[3]));
-  const double k = -(density * speed * (cd * m.half_area_per_mass));
+  const double k = -(air.density * speed * (cd * m.half_area_per_mass));
 
   slope[0] = y[3];
   slope[1] = y[4];

@@ -9,21 +9,31 @@ namespace physim::bench {
 
 inline constexpr int kPeerLayers = 8;
 
+inline constexpr int kPeerDensityTerms = 14;
+inline constexpr int kPeerSoundTerms = 16;
+
 /// Gravity, standard atmosphere and drag curve: the very numbers that PhySim computes with.
 struct PeerModel {
   double gravity;              // [m/s^2]
   double altitude;             // of the origin [m]
   double geopotential_radius;  // [m]
+  // The lowest layer as polynomials of u = (Z - middle) scale, up to the geometric altitude `top`.
+  double middle;                            // [m]
+  double scale;                             // [1/m]
+  double top;                               // [m]
+  double density[kPeerDensityTerms];        // [kg/m^3]
+  double per_sound_speed[kPeerSoundTerms];  // [s/m]
+  // Other layers by their law.
   int layers;
-  double base[kPeerLayers];              // [m]
-  double lapse[kPeerLayers];             // [1/m]
-  double power[kPeerLayers];             // [-]
-  double decay[kPeerLayers];             // [1/m]
-  double base_density[kPeerLayers];      // [kg/m^3]
-  double base_sound_speed[kPeerLayers];  // [m/s]
-  const double* rows;                    // four coefficients a cell
-  double curve_start;                    // Mach number of the first cell [-]
-  double cells_per_mach;                 // [-]
+  double base[kPeerLayers];                  // [m]
+  double lapse[kPeerLayers];                 // [1/m]
+  double power[kPeerLayers];                 // [-]
+  double decay[kPeerLayers];                 // [1/m]
+  double base_density[kPeerLayers];          // [kg/m^3]
+  double base_per_sound_speed[kPeerLayers];  // [s/m]
+  const double* rows;                        // four coefficients a cell
+  double curve_start;                        // Mach number of the first cell [-]
+  double cells_per_mach;                     // [-]
   int last_cell;
   double half_area_per_mass;  // [m^2/kg]
 };

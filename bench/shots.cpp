@@ -1,6 +1,8 @@
 #include "shots.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include "physim/units.hpp"
@@ -119,6 +121,8 @@ ShotSet mixed_shots(std::size_t count, bool searched) {
   return set;
 }
 
+static_assert(kPeerLayers == kAirLayers && kPeerDensityTerms == kDensityTerms && kPeerSoundTerms == kPerSoundTerms);
+
 std::unique_ptr<PeerData> peer_data() {
   auto data = std::make_unique<PeerData>();
   Cohort& cohort = data->cohort;
@@ -141,8 +145,13 @@ std::unique_ptr<PeerData> peer_data() {
     m.power[i] = c.air.power[i];
     m.decay[i] = c.air.decay[i];
     m.base_density[i] = c.air.base_density[i];
-    m.base_sound_speed[i] = c.air.base_sound_speed[i];
+    m.base_per_sound_speed[i] = c.air.base_per_sound[i];
   }
+  m.middle = c.air.low_middle;
+  m.scale = c.air.low_scale;
+  m.top = c.air.low_top;
+  std::copy(std::begin(c.air.low_density), std::end(c.air.low_density), m.density);
+  std::copy(std::begin(c.air.low_per_sound), std::end(c.air.low_per_sound), m.per_sound_speed);
   m.rows = c.curve_rows + 4 * static_cast<std::size_t>(body.curve_row);
   m.curve_start = body.curve_start;
   m.cells_per_mach = body.curve_cells;

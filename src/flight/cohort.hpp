@@ -63,11 +63,6 @@ struct Cohort {
   [[nodiscard]] bool corners_matter() const;
 };
 
-/// Closed forms and adaptive integrators choose their steps; the others need one given.
-[[nodiscard]] inline bool steps_itself(const Fidelity& granted) {
-  return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
-}
-
 /// The bore elevation that a launch asks for: its own, or that of its zero range.
 [[nodiscard]] Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch,
                                           const Environment& environment, const Fidelity& fidelity);

@@ -11,6 +11,23 @@ State<double> with_drift(const State<double>& s, const SpinDrift& drift, const V
   return {s.x + right * drift.drift(time), s.v + right * drift.drift_rate(time)};
 }
 
+namespace {
+
+/// The node that ends the step which a time lies in.
+std::vector<Node>::const_iterator later_node(const std::vector<Node>& nodes, double time) {
+  return std::upper_bound(nodes.begin() + 1, nodes.end() - 1, time,
+                          [](double t, const Node& node) { return t < node.t; });
+}
+
+}  // namespace
+
+Vec3d FlightRecord::acceleration_at(double time) const {
+  const Fidelity& f = cohort.in_use.fidelity;
+  if (f.motion != Motion::closed_form && f.integrator == Integrator::classic && nodes.size() > 1)
+    return (later_node(nodes, time) - 1)->a;
+  return acceleration(cohort.conditions, body, time, state(time));
+}
+
 State<double> FlightRecord::state(double time) const {
   const Fidelity& f = cohort.in_use.fidelity;
   if (f.motion == Motion::closed_form) {
@@ -19,8 +36,7 @@ State<double> FlightRecord::state(double time) const {
     return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
   }
   if (nodes.size() < 2) return nodes.empty() ? body.launch : nodes.front().y;
-  const auto later = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, time,
-                                      [](double t, const Node& node) { return t < node.t; });
+  const auto later = later_node(nodes, time);
   const Node& n1 = *later;
   const Node& n0 = *(later - 1);
   const auto index = static_cast<std::size_t>(later - nodes.begin()) - 1;
@@ -53,7 +69,7 @@ Accelerations Flight::accelerations(double time) const {
   if (c.fidelity.drag != DragModel::off) a.drag = drag(c, r.body, s);
   if (c.fidelity.earth == EarthModel::flat_coriolis) a.coriolis = coriolis(c, s.v);
   if (c.has_applied) a.applied = applied(c, r.body, time);
-  a.total = acceleration(c, r.body, time, s);
+  a.total = r.acceleration_at(time);
   return a;
 }
 
@@ -67,7 +83,7 @@ Sample Flight::at(double time) const {
   out.time = time;
   out.position = s.x;
   out.velocity = s.v;
-  out.acceleration = acceleration(c, r.body, time, r.state(time));
+  out.acceleration = r.acceleration_at(time);
   out.speed = length(s.v);
   const bool has_air = c.fidelity.air != AirModel::vacuum;
   out.mach = has_air ? length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed : 0;

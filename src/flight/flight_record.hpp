@@ -24,6 +24,8 @@ struct FlightRecord {
 
   /// State on the flown path, without spin drift, 0 <= time <= duration.
   [[nodiscard]] State<double> state(double time) const;
+  /// By the models; the classic loop has a register for it, which one-shot forces make differ from the models.
+  [[nodiscard]] Vec3d acceleration_at(double time) const;
   /// With spin drift.
   [[nodiscard]] State<double> shown(double time) const;
 };

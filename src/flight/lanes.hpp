@@ -45,10 +45,13 @@ struct Lanes {
 
 PHYSIM_ISA_BEGIN
 
-/// Closed forms need steps only to look for events in; a few cover a flight.
+/// Closed forms need steps only to look for events in: the first a part of the time to the apex, each twice the last, so
+/// that a few cover flights of any length.
 template <class R, class S>
 PHYSIM_INLINE R closed_form_step(const Conditions<S>& c, const Body<R>& b) {
-  return clamp((length(b.launch.v) + S(1)) / max(R(c.gravity), R(S(1e-3))) * S(0.5), R(S(1e-3)), R(S(60)));
+  const R speed = length(b.launch.v);
+  const R rise = speed / max(R(c.gravity), R(S(1e-3)));  // time to the apex of a shot straight up
+  return select(speed > R(S(0)), clamp(rise * S(0.5), R(S(1e-12)), R(S(10))), R(S(1e-3)));
 }
 
 /// Prepares lanes whose `body` is set for their first step.
@@ -196,11 +199,10 @@ PHYSIM_INLINE MaskOf<R> try_step(const Course<S>& course, Lanes<R>& l) {
   const R one(S(1));
   l.step.h = l.control.h;
   // Fixed steps count, so that time does not gather rounding errors.
-  const bool chooses_steps = c.fidelity.motion != Motion::closed_form && is_adaptive(c.fidelity.integrator);
-  l.step.t_end = chooses_steps ? l.step.t + l.step.h : (l.count + one) * l.step.h;
+  l.step.t_end = steps_itself(c.fidelity) ? l.step.t + l.step.h : (l.count + one) * l.step.h;
   take_step(c, l.body, course.plan.relative, course.plan.absolute, l.step);
   l.tries += one;
-  if (!chooses_steps) return l.tries > R(S(0));
+  if (c.fidelity.motion == Motion::closed_form || !is_adaptive(c.fidelity.integrator)) return l.tries > R(S(0));
   const MaskOf<R> accepted = l.step.error <= one;
   l.control.h = min(next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, l.control), R(course.plan.max_step));
   return course.corners ? respect_corners(course, l, accepted) : accepted;
@@ -216,6 +218,7 @@ PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
   l.step.t = select(accepted, l.step.t_end, l.step.t);
   l.step.start = select(accepted, l.step.end, l.step.start);
   l.step.slope[0] = select(accepted, l.step.slope[last], l.step.slope[0]);
+  if (closed) l.control.h = min(l.control.h * S(2), R(S(60)));
 }
 
 template <class R>

@@ -27,6 +27,11 @@ PHYSIM_INLINE bool is_adaptive(Integrator integrator) {
   return integrator == Integrator::tsit5 || integrator == Integrator::dop853;
 }
 
+/// Closed forms and adaptive integrators choose their steps; the others need one given.
+PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
+  return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
+}
+
 /// The acceleration behind one call, so that twelve stages do not become twelve copies of all models.
 template <class R, class S>
 [[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
