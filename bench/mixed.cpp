@@ -30,6 +30,7 @@ std::vector<Cell> row_of(const Entry& e, const std::vector<double>& taken, const
           percent(part * tries / base_tries),
           fixed(1e9 * median(taken) / tries, 1),
           percent(static_cast<double>(e.work.tries - e.work.steps) / tries),
+          metres(e.miss.rms),
           metres(e.miss.worst)};
 }
 
@@ -61,8 +62,8 @@ Section mixed_section(const Options& options, double tolerance) {
       "10 000 projectiles to the same range line at the same tolerance (" + power(tolerance).text +
       "): equal ones, then a mixed company (4.5 to 155 mm, 0.15 to 1.0 lb/in^2, 300 to 1000 m/s, 0 to 5 degrees, nine "
       "standard drag functions and four own curves).";
-  s.columns = {"company",   "kernel",   "flights/s",  "of uniform", "steps a flight", "steps/s", "of uniform's steps/s",
-               "ns a step", "rejected", "worst error"};
+  s.columns = {"company",   "kernel",   "flights/s", "of uniform", "steps a flight", "steps/s", "of uniform's steps/s",
+               "ns a step", "rejected", "rms error", "worst error"};
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::size_t base = i / 3 * 3;
     s.rows.push_back(row_of(entries[i], taken[i], entries[base], taken[base]));

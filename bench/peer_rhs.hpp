@@ -77,7 +77,7 @@ inline void peer_launch(const PeerShot& shot, double* y) {
 }
 
 /// First step for the solvers that want one: the same for all shots, near what they settle at.
-inline double peer_first_step(double tolerance) { return std::min(0.2, 2.0 * std::pow(tolerance, 0.2)); }
+inline double peer_first_step(double tolerance) { return std::pow(tolerance, 0.2); }
 
 }  // namespace
 }  // namespace physim::bench
