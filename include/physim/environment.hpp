@@ -45,16 +45,16 @@ struct WindPoint {
 
 /// Wind is the velocity of the air in the world frame: (0, 0, -4) blows from the right.
 struct Wind {
-  Vec3d velocity;                                                ///< without a profile, everywhere [m/s]
-  std::vector<WindPoint> profile;                                ///< at rising places; held outside; at most 32 [m]
-  WindAxis by = WindAxis::height;                                ///< what the profile is read by [-]
-  WindInterpolation interpolation = WindInterpolation::linear;   ///< between points of the profile [-]
+  Vec3d velocity;                                               ///< without a profile, everywhere [m/s]
+  std::vector<WindPoint> profile;                               ///< at rising places; held outside; at most 32 [m]
+  WindAxis by = WindAxis::height;                               ///< what the profile is read by [-]
+  WindInterpolation interpolation = WindInterpolation::linear;  ///< between points of the profile [-]
 };
 
 /// How the Earth turns under the flight.
 struct Earth {
-  double latitude = 0;                ///< north positive [rad]
-  double azimuth = 0;                 ///< compass direction of the x axis, clockwise from north [rad]
+  double latitude = 0;                 ///< north positive [rad]
+  double azimuth = 0;                  ///< compass direction of the x axis, clockwise from north [rad]
   double rotation_rate = 7.292115e-5;  ///< [rad/s]
 };
 

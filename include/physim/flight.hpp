@@ -44,7 +44,7 @@ enum class Crossing { any, rising, falling };
 /// An event to look for.
 struct EventSpec {
   EventKind kind = EventKind::height;  ///< [-]
-  double value = 0;                    ///< that is crossed; unit of the kind
+  double value = 0;                    ///< that is crossed [unit of the kind]
   Crossing direction = Crossing::any;  ///< [-]
   bool terminal = false;               ///< ends the flight [-]
 };
@@ -96,7 +96,7 @@ struct Accelerations {
 /// An event that happened.
 struct Event {
   EventKind kind = EventKind::ground;      ///< [-]
-  double value = 0;                        ///< that was crossed; unit of the kind
+  double value = 0;                        ///< that was crossed [unit of the kind]
   Crossing direction = Crossing::falling;  ///< of this crossing [-]
   double time = 0;                         ///< since launch [s]
   Vec3d position;                          ///< [m]

@@ -54,15 +54,15 @@ struct DragDef {
 
 /// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
 struct ProjectileDef {
-  std::string name;         ///< for tables and plots [-]
-  double mass = 1;          ///< [kg]
-  double diameter = 0.1;    ///< reference diameter: the reference area is pi d^2 / 4 [m]
-  double length = 0;        ///< for the stability factor; 0: not known [m]
-  double twist = 0;         ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
-  DragDef drag;             ///< data of the drag models [-]
-  Vec3d force;              ///< a constant force on the projectile, such as thrust [N]
+  std::string name;       ///< for tables and plots [-]
+  double mass = 1;        ///< [kg]
+  double diameter = 0.1;  ///< reference diameter: the reference area is pi d^2 / 4 [m]
+  double length = 0;      ///< for the stability factor; 0: not known [m]
+  double twist = 0;       ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
+  DragDef drag;           ///< data of the drag models [-]
+  Vec3d force;            ///< a constant force on the projectile, such as thrust [N]
   double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
-  Fidelity fidelity;        ///< used where a call gives none [-]
+  Fidelity fidelity;                                                ///< used where a call gives none [-]
 };
 
 /// The line of sight of the launcher. Range, drop and windage are measured along, above and right of it.

@@ -7,7 +7,9 @@ constexpr double operator""_kg(long double v) { return static_cast<double>(v) * 
 constexpr double operator""_kg(unsigned long long v) { return static_cast<double>(v) * (1.0); }
 constexpr double operator""_g(long double v) { return static_cast<double>(v) * (1e-3); }
 constexpr double operator""_g(unsigned long long v) { return static_cast<double>(v) * (1e-3); }
-constexpr double operator""_gr(long double v) { return static_cast<double>(v) * (6.479891e-5); }  // grain, exact: 64.79891 mg
+constexpr double operator""_gr(long double v) {
+  return static_cast<double>(v) * (6.479891e-5);
+}  // grain, exact: 64.79891 mg
 constexpr double operator""_gr(unsigned long long v) { return static_cast<double>(v) * (6.479891e-5); }
 constexpr double operator""_lb(long double v) { return static_cast<double>(v) * (0.45359237); }  // pound, exact
 constexpr double operator""_lb(unsigned long long v) { return static_cast<double>(v) * (0.45359237); }
@@ -42,11 +44,17 @@ constexpr double operator""_kn(unsigned long long v) { return static_cast<double
 constexpr double operator""_rad(long double v) { return static_cast<double>(v) * (1.0); }  // angle [rad]
 constexpr double operator""_rad(unsigned long long v) { return static_cast<double>(v) * (1.0); }
 constexpr double operator""_deg(long double v) { return static_cast<double>(v) * (3.14159265358979323846 / 180.0); }
-constexpr double operator""_deg(unsigned long long v) { return static_cast<double>(v) * (3.14159265358979323846 / 180.0); }
+constexpr double operator""_deg(unsigned long long v) {
+  return static_cast<double>(v) * (3.14159265358979323846 / 180.0);
+}
 constexpr double operator""_mrad(long double v) { return static_cast<double>(v) * (1e-3); }
 constexpr double operator""_mrad(unsigned long long v) { return static_cast<double>(v) * (1e-3); }
-constexpr double operator""_moa(long double v) { return static_cast<double>(v) * (3.14159265358979323846 / 10800.0); }  // minute of angle
-constexpr double operator""_moa(unsigned long long v) { return static_cast<double>(v) * (3.14159265358979323846 / 10800.0); }
+constexpr double operator""_moa(long double v) {
+  return static_cast<double>(v) * (3.14159265358979323846 / 10800.0);
+}  // minute of angle
+constexpr double operator""_moa(unsigned long long v) {
+  return static_cast<double>(v) * (3.14159265358979323846 / 10800.0);
+}
 constexpr double operator""_s(long double v) { return static_cast<double>(v) * (1.0); }  // time [s]
 constexpr double operator""_s(unsigned long long v) { return static_cast<double>(v) * (1.0); }
 constexpr double operator""_ms(long double v) { return static_cast<double>(v) * (1e-3); }
@@ -59,14 +67,20 @@ constexpr double operator""_hPa(long double v) { return static_cast<double>(v) *
 constexpr double operator""_hPa(unsigned long long v) { return static_cast<double>(v) * (100.0); }
 constexpr double operator""_kPa(long double v) { return static_cast<double>(v) * (1000.0); }
 constexpr double operator""_kPa(unsigned long long v) { return static_cast<double>(v) * (1000.0); }
-constexpr double operator""_inHg(long double v) { return static_cast<double>(v) * (3386.389); }  // inch of mercury at 0 degC
+constexpr double operator""_inHg(long double v) {
+  return static_cast<double>(v) * (3386.389);
+}  // inch of mercury at 0 degC
 constexpr double operator""_inHg(unsigned long long v) { return static_cast<double>(v) * (3386.389); }
 constexpr double operator""_K(long double v) { return static_cast<double>(v) * (1.0); }  // temperature [K]
 constexpr double operator""_K(unsigned long long v) { return static_cast<double>(v) * (1.0); }
-constexpr double operator""_kg_m2(long double v) { return static_cast<double>(v) * (1.0); }  // ballistic coefficient [kg/m^2]
+constexpr double operator""_kg_m2(long double v) {
+  return static_cast<double>(v) * (1.0);
+}  // ballistic coefficient [kg/m^2]
 constexpr double operator""_kg_m2(unsigned long long v) { return static_cast<double>(v) * (1.0); }
 constexpr double operator""_lb_in2(long double v) { return static_cast<double>(v) * (0.45359237 / (0.0254 * 0.0254)); }
-constexpr double operator""_lb_in2(unsigned long long v) { return static_cast<double>(v) * (0.45359237 / (0.0254 * 0.0254)); }
+constexpr double operator""_lb_in2(unsigned long long v) {
+  return static_cast<double>(v) * (0.45359237 / (0.0254 * 0.0254));
+}
 constexpr double operator""_kg_m3(long double v) { return static_cast<double>(v) * (1.0); }  // density [kg/m^3]
 constexpr double operator""_kg_m3(unsigned long long v) { return static_cast<double>(v) * (1.0); }
 constexpr double operator""_N(long double v) { return static_cast<double>(v) * (1.0); }  // force [N]

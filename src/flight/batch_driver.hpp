@@ -5,7 +5,8 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than one.
+/// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than
+/// one.
 template <class R, class S>
 class ReadyShots {
  public:
@@ -76,7 +77,8 @@ class ReadyShots {
 
 /// Reports what happened in one lane's last step; true when its flight has ended. `at` is working space.
 template <class R, class S>
-bool settle_lane(const BatchJob<S>& job, const Lanes<R>& l, int lane, bool accepted, std::size_t shot, LaneStep<S>& at) {
+bool settle_lane(const BatchJob<S>& job, const Lanes<R>& l, int lane, bool accepted, std::size_t shot,
+                 LaneStep<S>& at) {
   Found found[2 * kMaxWatched];
   const Verdict verdict = judge(*job.course, l, lane, accepted, at, found);
   State<double> last{};

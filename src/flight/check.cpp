@@ -12,8 +12,8 @@ namespace {
 
 bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Runs its checks in order and keeps the first that fails. Texts are put together only then, out of line: checks run for
-/// every shot of a batch.
+/// Runs its checks in order and keeps the first that fails. Texts are put together only then, out of line: checks run
+/// for every shot of a batch.
 class Checker {
  public:
   using Text = std::string_view;
@@ -100,8 +100,8 @@ Status check(const Launch& l) {
   c.not_negative(l.sight.zero_range, "launch.sight.zero_range", "0: no zero");
   c.require(!(l.sight.zero_range > 0 && l.elevation != 0), "launch.elevation",
             "cannot be given together with a zero range", "the zero range decides the elevation");
-  c.require(!(l.sight.zero_range > 0 && l.velocity), "launch.velocity",
-            "cannot be given together with a zero range", "give a speed");
+  c.require(!(l.sight.zero_range > 0 && l.velocity), "launch.velocity", "cannot be given together with a zero range",
+            "give a speed");
   c.require(!(l.velocity && l.speed != 0), "launch.velocity", "cannot be given together with a speed", "");
   return c.status();
 }

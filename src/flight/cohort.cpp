@@ -37,8 +37,7 @@ WindField<double> prepare_wind(const Wind& wind, WindModel model) {
 /// Earth's rotation in W; see model/earth.hpp.
 Vec3d prepare_omega(const Earth& earth) {
   const double horizontal = earth.rotation_rate * cos(earth.latitude);
-  return {horizontal * cos(earth.azimuth), earth.rotation_rate * sin(earth.latitude),
-          -horizontal * sin(earth.azimuth)};
+  return {horizontal * cos(earth.azimuth), earth.rotation_rate * sin(earth.latitude), -horizontal * sin(earth.azimuth)};
 }
 
 constexpr double kPi = 3.14159265358979323846;

@@ -45,9 +45,7 @@ State<double> FlightRecord::state(double time) const {
   return dense_state(f.integrator, n0, n1, c, place_between(n0, n1, time));
 }
 
-State<double> FlightRecord::shown(double time) const {
-  return with_drift(state(time), drift, sight.right, time);
-}
+State<double> FlightRecord::shown(double time) const { return with_drift(state(time), drift, sight.right, time); }
 
 Outcome Flight::outcome() const { return record_->outcome; }
 const std::optional<Error>& Flight::error() const { return record_->error; }
@@ -111,13 +109,15 @@ std::vector<double> borders(const FlightRecord& r) {
 /// First time at which value(time) crosses zero in a direction; nothing where it never does. A flight that was ended by
 /// this very crossing may lie a rounding before it, so its own events are asked at last.
 template <class F>
-std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, const EventSpec& asked, const F& value) {
+std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, const EventSpec& asked,
+                                     const F& value) {
   const auto times = borders(r);
   double from = value(times.front());
   if (from == 0) return times.front();
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double to = value(times[i]);
-    if (crosses(direction, from, to)) return find_root(value, times[i - 1], from, times[i], to, kThetaTolerance * (times[i] - times[i - 1]));
+    if (crosses(direction, from, to))
+      return find_root(value, times[i - 1], from, times[i], to, kThetaTolerance * (times[i] - times[i - 1]));
     from = to;
   }
   for (const Event& e : r.events) {
@@ -138,7 +138,8 @@ Result<Sample> Flight::at_range(double range) const {
   const FlightRecord& r = *record_;
   const auto past = [&](double t) { return dot(r.state(t).x - r.sight.muzzle, r.sight.forward) - range; };
   if (r.outcome == Outcome::refused) return never("anything", r);
-  if (const auto time = first_crossing(r, Crossing::any, {.kind = EventKind::range, .value = range}, past)) return at(*time);
+  if (const auto time = first_crossing(r, Crossing::any, {.kind = EventKind::range, .value = range}, past))
+    return at(*time);
   return never("a range of " + short_text(range) + " m", r);
 }
 
@@ -146,7 +147,8 @@ Result<Sample> Flight::at_height(double level, Crossing direction) const {
   const FlightRecord& r = *record_;
   const auto above = [&](double t) { return height(r.cohort.conditions, r.state(t).x) - level; };
   if (r.outcome == Outcome::refused) return never("anything", r);
-  if (const auto time = first_crossing(r, direction, {.kind = EventKind::height, .value = level}, above)) return at(*time);
+  if (const auto time = first_crossing(r, direction, {.kind = EventKind::height, .value = level}, above))
+    return at(*time);
   return never("a height of " + short_text(level) + " m", r);
 }
 

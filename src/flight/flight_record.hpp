@@ -17,8 +17,8 @@ struct FlightRecord {
   double elevation = 0;
   double step = 0;
   double duration = 0;
-  std::vector<Node> nodes;                    // at both ends of every step; the last may lie beyond the end
-  std::vector<State<double>> coefficients;    // of the dense output, step by step
+  std::vector<Node> nodes;                  // at both ends of every step; the last may lie beyond the end
+  std::vector<State<double>> coefficients;  // of the dense output, step by step
   std::vector<Event> events;
   FlightCost cost;
 

@@ -87,8 +87,8 @@ Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environm
     record->error = error;
     return Flight(record);
   };
-  for (const Status& status : {check(projectile), check(launch), check(environment), check(tolerance, fidelity),
-                               check(until)})
+  for (const Status& status :
+       {check(projectile), check(launch), check(environment), check(tolerance, fidelity), check(until)})
     if (status) return refuse(*status);
   const auto elevation = elevation_of(projectile, launch, environment, fidelity);
   if (!elevation) return refuse(elevation.error());
@@ -99,8 +99,7 @@ Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environm
   if (!step) return refuse(step.error());
   record->step = *step;
   record->cohort.conditions = prepare_conditions(environment, granted);
-  record->body =
-      prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
+  record->body = prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
   record->cohort.finish();
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);

@@ -45,8 +45,8 @@ struct Lanes {
 
 PHYSIM_ISA_BEGIN
 
-/// Closed forms need steps only to look for events in: the first a part of the time to the apex, each twice the last, so
-/// that a few cover flights of any length.
+/// Closed forms need steps only to look for events in: the first a part of the time to the apex, each twice the last,
+/// so that a few cover flights of any length.
 template <class R, class S>
 PHYSIM_INLINE R closed_form_step(const Conditions<S>& c, const Body<R>& b) {
   const R speed = length(b.launch.v);
@@ -131,7 +131,8 @@ PHYSIM_INLINE void get_lane_as_double(const Struct<R>& from, int lane, Struct<do
   using S = ScalarOf<R>;
   const auto* source = reinterpret_cast<const S*>(&from) + lane;
   auto* to = reinterpret_cast<double*>(&into);
-  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i) to[i] = static_cast<double>(source[i * unsigned(kLanes<R>)]);
+  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i)
+    to[i] = static_cast<double>(source[i * unsigned(kLanes<R>)]);
 }
 
 template <class R, class S>
@@ -204,7 +205,8 @@ PHYSIM_INLINE MaskOf<R> try_step(const Course<S>& course, Lanes<R>& l) {
   l.tries += one;
   if (c.fidelity.motion == Motion::closed_form || !is_adaptive(c.fidelity.integrator)) return l.tries > R(S(0));
   const MaskOf<R> accepted = l.step.error <= one;
-  l.control.h = min(next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, l.control), R(course.plan.max_step));
+  l.control.h =
+      min(next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, l.control), R(course.plan.max_step));
   return course.corners ? respect_corners(course, l, accepted) : accepted;
 }
 

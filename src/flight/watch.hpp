@@ -40,7 +40,8 @@ PHYSIM_ISA_BEGIN
 
 /// The quantity that an event watches, less the value it waits for.
 template <class R, class S>
-PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t, const State<R>& s) {
+PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t,
+                              const State<R>& s) {
   const R value = constant<R>(spec.value);
   switch (spec.kind) {
     case EventKind::ground:
@@ -97,14 +98,16 @@ PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const W
 /// `at` is the dense output, with the nodes n0 and n1 at its ends; whether something is crossed is decided as detect()
 /// does, by its watched_at().
 template <class F>
-int find_crossings(const Conditions<double>& c, const Body<double>& b, const WatchList& watch, const F& at, Found* found) {
+int find_crossings(const Conditions<double>& c, const Body<double>& b, const WatchList& watch, const F& at,
+                   Found* found) {
   const double t = at.n0.t;
   const double h = at.n1.t - t;
   const double climb_start = climb_rate(c, at.n0.y);
   const double climb_end = climb_rate(c, at.n1.y);
   double apex = 1;
   if (climb_start > 0 && climb_end < 0)
-    apex = find_root([&](double theta) { return climb_rate(c, at(theta)); }, 0, climb_start, 1, climb_end, kThetaTolerance);
+    apex = find_root([&](double theta) { return climb_rate(c, at(theta)); }, 0, climb_start, 1, climb_end,
+                     kThetaTolerance);
   int count = 0;
   for (int i = 0; i < watch.count; ++i) {
     const EventSpec& spec = watch.item[i].spec;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "flight/cohort.hpp"
-#include "math/text.hpp"
 #include "math/elementary.hpp"
+#include "math/text.hpp"
 
 namespace physim {
 namespace {

@@ -73,24 +73,24 @@ struct PackMask {
 };
 
 // ---------------------------------------------------------------------------------------------------- arithmetic
-#define PHYSIM_PACK_BINARY(op)                                                        \
-  template <class T, int N>                                                           \
-  PHYSIM_INLINE Pack<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {    \
-    Pack<T, N> c;                                                                     \
-    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op b.r[i];       \
-    return c;                                                                         \
-  }                                                                                   \
-  template <class T, int N>                                                           \
+#define PHYSIM_PACK_BINARY(op)                                                           \
+  template <class T, int N>                                                              \
+  PHYSIM_INLINE Pack<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {       \
+    Pack<T, N> c;                                                                        \
+    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op b.r[i];          \
+    return c;                                                                            \
+  }                                                                                      \
+  template <class T, int N>                                                              \
   PHYSIM_INLINE Pack<T, N> operator op(const Pack<T, N>& a, std::type_identity_t<T> b) { \
-    return a op Pack<T, N>(b);                                                        \
-  }                                                                                   \
-  template <class T, int N>                                                           \
+    return a op Pack<T, N>(b);                                                           \
+  }                                                                                      \
+  template <class T, int N>                                                              \
   PHYSIM_INLINE Pack<T, N> operator op(std::type_identity_t<T> a, const Pack<T, N>& b) { \
-    return Pack<T, N>(a) op b;                                                        \
-  }                                                                                   \
-  template <class T, int N>                                                           \
-  PHYSIM_INLINE Pack<T, N>& operator op##=(Pack<T, N>& a, const Pack<T, N>& b) {      \
-    return a = a op b;                                                                \
+    return Pack<T, N>(a) op b;                                                           \
+  }                                                                                      \
+  template <class T, int N>                                                              \
+  PHYSIM_INLINE Pack<T, N>& operator op##=(Pack<T, N>& a, const Pack<T, N>& b) {         \
+    return a = a op b;                                                                   \
   }
 PHYSIM_PACK_BINARY(+)
 PHYSIM_PACK_BINARY(-)
@@ -99,13 +99,13 @@ PHYSIM_PACK_BINARY(/)
 #undef PHYSIM_PACK_BINARY
 
 // Integers only: bits of the lanes.
-#define PHYSIM_PACK_BITS(op)                                                       \
-  template <class T, int N>                                                        \
-    requires std::is_integral_v<T>                                                 \
-  PHYSIM_INLINE Pack<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) { \
-    Pack<T, N> c;                                                                  \
-    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op b.r[i];    \
-    return c;                                                                      \
+#define PHYSIM_PACK_BITS(op)                                                    \
+  template <class T, int N>                                                     \
+  requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>                       \
+  operator op(const Pack<T, N>& a, const Pack<T, N>& b) {                       \
+    Pack<T, N> c;                                                               \
+    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op b.r[i]; \
+    return c;                                                                   \
   }
 PHYSIM_PACK_BITS(&)
 PHYSIM_PACK_BITS(|)
@@ -113,15 +113,15 @@ PHYSIM_PACK_BITS(^)
 #undef PHYSIM_PACK_BITS
 
 template <class T, int N>
-  requires std::is_integral_v<T>
-PHYSIM_INLINE Pack<T, N> operator<<(const Pack<T, N>& a, int bits) {
+requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>
+operator<<(const Pack<T, N>& a, int bits) {
   Pack<T, N> c;
   for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] << bits;
   return c;
 }
 template <class T, int N>
-  requires std::is_integral_v<T>
-PHYSIM_INLINE Pack<T, N> operator>>(const Pack<T, N>& a, int bits) {
+requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>
+operator>>(const Pack<T, N>& a, int bits) {
   Pack<T, N> c;
   for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] >> bits;
   return c;
@@ -135,16 +135,16 @@ PHYSIM_INLINE Pack<T, N> operator-(const Pack<T, N>& a) {
 }
 
 // --------------------------------------------------------------------------------------------------- comparisons
-#define PHYSIM_PACK_COMPARE(op)                                                            \
-  template <class T, int N>                                                                \
-  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {     \
-    PackMask<T, N> m;                                                                      \
+#define PHYSIM_PACK_COMPARE(op)                                                                                      \
+  template <class T, int N>                                                                                          \
+  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {                               \
+    PackMask<T, N> m;                                                                                                \
     for (int i = 0; i < Pack<T, N>::kRegisters; ++i) m.r[i] = (typename PackMask<T, N>::Register)(a.r[i] op b.r[i]); \
-    return m;                                                                              \
-  }                                                                                        \
-  template <class T, int N>                                                                \
-  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, std::type_identity_t<T> b) { \
-    return a op Pack<T, N>(b);                                                             \
+    return m;                                                                                                        \
+  }                                                                                                                  \
+  template <class T, int N>                                                                                          \
+  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, std::type_identity_t<T> b) {                         \
+    return a op Pack<T, N>(b);                                                                                       \
   }
 PHYSIM_PACK_COMPARE(<)
 PHYSIM_PACK_COMPARE(<=)
@@ -208,10 +208,7 @@ PHYSIM_INLINE R constant(double value) {
 
 /// Lane by lane: mask ? a : b. Both sides are computed.
 template <class T>
-  requires std::is_arithmetic_v<T>
-PHYSIM_INLINE T select(bool mask, T a, T b) {
-  return mask ? a : b;
-}
+requires std::is_arithmetic_v<T> PHYSIM_INLINE T select(bool mask, T a, T b) { return mask ? a : b; }
 template <class T, int N>
 PHYSIM_INLINE Pack<T, N> select(const PackMask<T, N>& mask, const Pack<T, N>& a, const Pack<T, N>& b) {
   Pack<T, N> c;

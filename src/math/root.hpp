@@ -81,8 +81,8 @@ double find_root(const F& f, double a, double fa, double b, double fb, double to
     const double phi = (k.fa - k.fb) / (fc - k.fb);
     step = 0.5;
     if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
-      step = k.fa / (k.fb - k.fa) * fc / (k.fb - fc) +
-             (c - k.a) / (k.b - k.a) * k.fa / (fc - k.fa) * k.fb / (fc - k.fb);
+      step =
+          k.fa / (k.fb - k.fa) * fc / (k.fb - fc) + (c - k.a) / (k.b - k.a) * k.fa / (fc - k.fa) * k.fb / (fc - k.fb);
     step = clamp(step, limit, 1 - limit);
   }
   return abs(k.fa) < abs(k.fb) ? k.a : k.b;

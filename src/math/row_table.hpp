@@ -12,8 +12,7 @@ PHYSIM_ISA_BEGIN
 
 /// r0 + t (r1 + t (r2 + t r3)) with r = rows[4 * index ..]; index is a whole number, 0 <= index < 2^22.
 template <class S>
-  requires std::is_floating_point_v<S>
-PHYSIM_INLINE S row_cubic(const S* rows, S index, S t) {
+requires std::is_floating_point_v<S> PHYSIM_INLINE S row_cubic(const S* rows, S index, S t) {
   const S* r = rows + 4 * static_cast<std::int64_t>(index);
   return r[0] + t * (r[1] + t * (r[2] + t * r[3]));
 }

@@ -4,7 +4,8 @@
 //   temperature gradient up to 86 km, shifted so that it goes through given station conditions (model/air.cpp).
 // When to use it: constant for flat fire within a few hundred metres of height; exponential for games with aircraft and
 //   mountains; isa for everything that should be right.
-// When it is wrong: real days differ from the standard lapse rate; humidity is measured at the station and its effect is
+// When it is wrong: real days differ from the standard lapse rate; humidity is measured at the station and its effect
+// is
 //   kept at all heights; above 86 km the last layer goes on isothermally (density there is below 1e-5 of sea level's);
 //   below -5 km a flight ends with Outcome::left_domain.
 // Symbols: Z geometric altitude, H geopotential altitude, r0 = 6356766 m; T temperature [K]; L lapse rate [K/m];
@@ -12,10 +13,10 @@
 // Equations: H = r0 Z / (r0 + Z);  T = T_b + L (H - H_b);
 //   L != 0: rho = rho_b (T / T_b)^-(1 + g0 M / (R* L));  L = 0: rho = rho_b exp(-g0 M (H - H_b) / (R* T_b));
 //   a = a_b sqrt(T / T_b);  viscosity mu = 1.458e-6 T^1.5 / (T + 110.4).
-//   Below 11 km, where most shots fly, density and 1/a are polynomials in Z fitted to these laws when the conditions are
-//   prepared (relative error below 1e-14): a third of the work, and no waiting for logarithm, exponential and divisions.
-//   Above, both laws are written as one, rho = rho_b exp(power ln(T/T_b) + decay (H - H_b)), so that lanes in different layers
-//   run the same instructions.
+//   Below 11 km, where most shots fly, density and 1/a are polynomials in Z fitted to these laws when the conditions
+//   are prepared (relative error below 1e-14): a third of the work, and no waiting for logarithm, exponential and
+//   divisions. Above, both laws are written as one, rho = rho_b exp(power ln(T/T_b) + decay (H - H_b)), so that lanes
+//   in different layers run the same instructions.
 // Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), eq. 18, 23, 33a, 33b, 42, 50, 51.
 #pragma once
 
@@ -57,8 +58,8 @@ template <class R, class S>
 PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const R& z) {
   constexpr bool kDouble = sizeof(S) == 8;
   const R u = (z - air.low_middle) * air.low_scale;
-  const AirState<R> low{polynomial<kDouble ? kDensityTerms : 8>(u, air.low_density),
-                        polynomial<kDouble ? kPerSoundTerms : 10>(u, air.low_per_sound)};
+  const AirState<R> low{polynomial < kDouble ? kDensityTerms : 8 > (u, air.low_density),
+                        polynomial < kDouble ? kPerSoundTerms : 10 > (u, air.low_per_sound)};
   const auto high = z > R(air.low_top);
   if (!any(high)) return low;
   const AirState<R> layered = layered_air(air, z);

@@ -20,20 +20,20 @@ struct State {
 /// Every member is an R, so that a lane can be copied in and out field by field.
 template <class R>
 struct Body {
-  State<R> launch;        // state at time 0; closed forms start from it
-  R damping_rate;         // k = -ln(d) [1/s]
-  R k1_per_mass;          // [1/s]
-  R k2_per_mass;          // [1/m]
-  R half_area_per_mass;   // i A / (2 m) = pi / (8 BC) [m^2/kg]
-  R curve_row;            // first row of the Cd curve in Conditions::curve_rows; below 0: searched curve -1 - row
-  R curve_start;          // Mach number of the curve's first point [-]
-  R curve_cells;          // cells per Mach number [-]
-  R curve_last;           // index of the last cell [-]
-  R reynolds_length;      // diameter of a smooth sphere [m]; 0 for curves by Mach number
-  Vec3<R> applied;        // applied force over mass [m/s^2]
-  R applied_until;        // [s]
-  Vec3<R> plane;          // unit normal of the plane of fire, horizontal [-]
-  Vec3<R> sight;          // unit vector along the line of sight [-]
+  State<R> launch;          // state at time 0; closed forms start from it
+  R damping_rate;           // k = -ln(d) [1/s]
+  R k1_per_mass;            // [1/s]
+  R k2_per_mass;            // [1/m]
+  R half_area_per_mass;     // i A / (2 m) = pi / (8 BC) [m^2/kg]
+  R curve_row;              // first row of the Cd curve in Conditions::curve_rows; below 0: searched curve -1 - row
+  R curve_start;            // Mach number of the curve's first point [-]
+  R curve_cells;            // cells per Mach number [-]
+  R curve_last;             // index of the last cell [-]
+  R reynolds_length;        // diameter of a smooth sphere [m]; 0 for curves by Mach number
+  Vec3<R> applied;          // applied force over mass [m/s^2]
+  R applied_until;          // [s]
+  Vec3<R> plane;            // unit normal of the plane of fire, horizontal [-]
+  Vec3<R> sight;            // unit vector along the line of sight [-]
   R band_above[kMaxBands];  // air speed from which band i holds [m/s]; unused bands are infinite
   R band_half_area_per_mass[kMaxBands];  // [m^2/kg]
 };
@@ -51,14 +51,16 @@ PHYSIM_INLINE void put_lane(Struct<R>& into, int lane, const Struct<ScalarOf<R>>
   using S = ScalarOf<R>;
   auto* to = reinterpret_cast<char*>(&into) + sizeof(S) * static_cast<unsigned>(lane);
   const auto* source = reinterpret_cast<const char*>(&from);
-  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i) std::memcpy(to + i * sizeof(R), source + i * sizeof(S), sizeof(S));
+  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i)
+    std::memcpy(to + i * sizeof(R), source + i * sizeof(S), sizeof(S));
 }
 template <template <class> class Struct, class R>
 PHYSIM_INLINE void get_lane(const Struct<R>& from, int lane, Struct<ScalarOf<R>>& into) {
   using S = ScalarOf<R>;
   const auto* source = reinterpret_cast<const char*>(&from) + sizeof(S) * static_cast<unsigned>(lane);
   auto* to = reinterpret_cast<char*>(&into);
-  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i) std::memcpy(to + i * sizeof(S), source + i * sizeof(R), sizeof(S));
+  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i)
+    std::memcpy(to + i * sizeof(S), source + i * sizeof(R), sizeof(S));
 }
 
 PHYSIM_ISA_END

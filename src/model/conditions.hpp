@@ -1,4 +1,5 @@
-// Conditions: all numbers that the projectiles of one cohort share: environment data and granted rungs, ready to compute.
+// Conditions: all numbers that the projectiles of one cohort share: environment data and granted rungs, ready to
+// compute.
 //
 // Source: none of its own; the model files say what the numbers mean.
 #pragma once
@@ -21,53 +22,53 @@ inline constexpr int kPerSoundTerms = 16;
 /// Air ready to compute; see model/air.hpp.
 template <class S>
 struct Air {
-  S density;       // constant and exponential air: at the origin [kg/m^3]
+  S density;           // constant and exponential air: at the origin [kg/m^3]
   S per_sound_speed;   // 1 / sound speed [s/m]
   S temperature;       // at the origin [K]
   S per_scale_height;  // exponential air [1/m]
   S kelvin_per_sound;  // temperature over the square of the sound speed [K s^2/m^2]
   // Of the lowest layer, in powers of u = (Z - low_middle) low_scale, -1 <= u <= 1:
-  S low_middle;                         // [m]
-  S low_scale;                          // [1/m]
-  S low_top;                            // geometric altitude up to which they hold [m]
-  S low_density[kDensityTerms];         // [kg/m^3]
-  S low_per_sound[kPerSoundTerms];      // [s/m]
-  int layers;          // of the standard atmosphere
+  S low_middle;                     // [m]
+  S low_scale;                      // [1/m]
+  S low_top;                        // geometric altitude up to which they hold [m]
+  S low_density[kDensityTerms];     // [kg/m^3]
+  S low_per_sound[kPerSoundTerms];  // [s/m]
+  int layers;                       // of the standard atmosphere
   // Of layer i from its base at geopotential height base[i]:
-  S base[kAirLayers];              // H_b [m]
-  S lapse[kAirLayers];             // L_b / T_b [1/m]
-  S power[kAirLayers];             // density ~ (T/T_b)^power [-]
-  S decay[kAirLayers];             // density ~ exp(decay (H - H_b)) where the layer is isothermal [1/m]
-  S base_density[kAirLayers];      // [kg/m^3]
-  S base_per_sound[kAirLayers];    // [s/m]
+  S base[kAirLayers];            // H_b [m]
+  S lapse[kAirLayers];           // L_b / T_b [1/m]
+  S power[kAirLayers];           // density ~ (T/T_b)^power [-]
+  S decay[kAirLayers];           // density ~ exp(decay (H - H_b)) where the layer is isothermal [1/m]
+  S base_density[kAirLayers];    // [kg/m^3]
+  S base_per_sound[kAirLayers];  // [s/m]
 };
 
 /// Wind ready to compute; see model/wind.hpp.
 template <class S>
 struct WindField {
-  int points;                    // 1: the same everywhere
-  bool by_range;                 // else by height
-  bool stepped;                  // else straight lines
-  S at[kMaxWindPoints];          // [m]
+  int points;                        // 1: the same everywhere
+  bool by_range;                     // else by height
+  bool stepped;                      // else straight lines
+  S at[kMaxWindPoints];              // [m]
   Vec3<S> velocity[kMaxWindPoints];  // [m/s]
   Vec3<S> slope[kMaxWindPoints];     // from point i to i + 1 [1/s]
 };
 
 template <class S>
 struct Conditions {
-  Fidelity fidelity;      // as granted
-  S gravity;              // at sea level [m/s^2]
-  S radius;               // of sea level from the Earth's centre [m]
-  S altitude;             // of the origin above sea level [m]
-  Vec3<S> omega;          // Earth's rotation in W [rad/s]
+  Fidelity fidelity;  // as granted
+  S gravity;          // at sea level [m/s^2]
+  S radius;           // of sea level from the Earth's centre [m]
+  S altitude;         // of the origin above sea level [m]
+  Vec3<S> omega;      // Earth's rotation in W [rad/s]
   Air<S> air;
   WindField<S> wind;
-  const S* curve_rows;    // pool of cubic rows of all drag curves in use
+  const S* curve_rows;                    // pool of cubic rows of all drag curves in use
   const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
   bool has_searched_curves;
-  bool has_spheres;       // some projectile has Cd by Reynolds number
-  bool has_bands;         // some projectile has banded ballistic coefficients
-  bool has_applied;       // some projectile carries an applied force
+  bool has_spheres;  // some projectile has Cd by Reynolds number
+  bool has_bands;    // some projectile has banded ballistic coefficients
+  bool has_applied;  // some projectile carries an applied force
 };
 
 }  // namespace physim

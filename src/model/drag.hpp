@@ -3,8 +3,9 @@
 // What it models: `damping`: the velocity through the air decays by a fixed factor per second; `linear_quadratic`: a
 //   force linear and quadratic in speed; `equation`: the drag equation with Cd constant, by Mach number or by Reynolds
 //   number, the projectile given by its area and mass or by a ballistic coefficient (one, or one per band of speed).
-// When to use it: damping for sparks and debris; linear_quadratic where k1 and k2 were tuned by hand; the equation else.
-// When it is wrong: drag is taken along the path: no lift, no yaw. A ballistic coefficient holds for the drag function
+// When to use it: damping for sparks and debris; linear_quadratic where k1 and k2 were tuned by hand; the equation
+// else. When it is wrong: drag is taken along the path: no lift, no yaw. A ballistic coefficient holds for the drag
+// function
 //   it was measured against, in the range of speeds it was measured in.
 // Symbols: u = v - w velocity through the air [m/s]; d part of the velocity kept per second [-], k = -ln d [1/s];
 //   k1 [kg/s], k2 [kg/m]; rho density [kg/m^3]; a sound speed [m/s]; M = |u| / a; Cd drag coefficient [-];
@@ -26,7 +27,8 @@ template <class R, class S>
 R searched_cd(const Conditions<S>& c, const Body<R>& b, const R& mach, R cd) {
   for (int lane = 0; lane < kLanes<R>; ++lane) {
     const S row = lane_of(b.curve_row, lane);
-    if (row < S(0)) set_lane(cd, lane, static_cast<S>(c.searched_curves[static_cast<int>(S(-1) - row)](double(lane_of(mach, lane)))));
+    if (row < S(0))
+      set_lane(cd, lane, static_cast<S>(c.searched_curves[static_cast<int>(S(-1) - row)](double(lane_of(mach, lane)))));
   }
   return cd;
 }
@@ -51,7 +53,8 @@ PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& mach
 
 /// The drag equation for a velocity through the air u in air of a given state.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air, const Vec3<R>& u) {
+PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air,
+                                    const Vec3<R>& u) {
   const R speed = length(u);
   R cd = curve_cd(c, b, speed * air.per_sound_speed);
   if (c.has_spheres) {

@@ -7,7 +7,8 @@
 //   lowers the ground by x^2 / 2R: 8 m at 10 km. sphere leaves out rotation and flattening.
 // Symbols: R radius of sea level [m]; h0 altitude of the origin [m]; r vector from the Earth's centre [m];
 //   Omega angular velocity of the Earth in W [rad/s]; v velocity [m/s]; phi latitude, A compass azimuth of x [rad].
-// Equations: a = -2 Omega x v, Omega = |Omega| (cos phi cos A, sin phi, -cos phi sin A) in W (x downrange, y up, z right).
+// Equations: a = -2 Omega x v, Omega = |Omega| (cos phi cos A, sin phi, -cos phi sin A) in W (x downrange, y up, z
+// right).
 //   Height above the sphere: h = (|r|^2 - R^2) / (|r| + R), with the difference expanded so that nothing cancels.
 // Source: R. L. McCoy, Modern Exterior Ballistics (1999), ch. 8, eq. 8.28-8.30 (Coriolis); the rest is geometry.
 #pragma once

@@ -6,10 +6,10 @@
 namespace physim {
 namespace {
 
-constexpr double kMolarGasConstant = 8.314472;    // the value of CIPM-2007 [J/(mol K)]
-constexpr double kDryMolarMass = 28.96546e-3;     // M_a with 400 ppm CO2 [kg/mol]
-constexpr double kWaterMolarMass = 18.01528e-3;   // M_v [kg/mol]
-constexpr double kStandardGasConstant = 8.31432;  // of US Standard Atmosphere 1976 [J/(mol K)]
+constexpr double kMolarGasConstant = 8.314472;     // the value of CIPM-2007 [J/(mol K)]
+constexpr double kDryMolarMass = 28.96546e-3;      // M_a with 400 ppm CO2 [kg/mol]
+constexpr double kWaterMolarMass = 18.01528e-3;    // M_v [kg/mol]
+constexpr double kStandardGasConstant = 8.31432;   // of US Standard Atmosphere 1976 [J/(mol K)]
 constexpr double kStandardMolarMass = 28.9644e-3;  // [kg/mol]
 
 double compressibility(double kelvin, double pressure, double x_v) {
@@ -33,7 +33,8 @@ double vapour_fraction(double temperature, double pressure, double humidity) {
 double moist_air_density(double temperature, double pressure, double humidity) {
   const double x_v = vapour_fraction(temperature, pressure, humidity);
   const double z = compressibility(temperature, pressure, x_v);
-  return pressure * kDryMolarMass / (z * kMolarGasConstant * temperature) * (1 - x_v * (1 - kWaterMolarMass / kDryMolarMass));
+  return pressure * kDryMolarMass / (z * kMolarGasConstant * temperature) *
+         (1 - x_v * (1 - kWaterMolarMass / kDryMolarMass));
 }
 
 double moist_air_sound_speed(double temperature, double pressure, double humidity) {

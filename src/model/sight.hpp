@@ -1,12 +1,15 @@
 // The line of sight: where a launcher points and what range, drop and windage are measured against.
 //
 // What it models: a sight above the bore, its line inclined by the look angle, launcher and sight rolled by the cant.
-// Symbols: f unit vector along the line of sight, r horizontal to its right, u perpendicular to both, upwards; A azimuth,
-//   L look angle, c cant (clockwise from behind), e elevation of the bore above the line of sight [rad]; h sight height [m].
+// Symbols: f unit vector along the line of sight, r horizontal to its right, u perpendicular to both, upwards; A
+// azimuth,
+//   L look angle, c cant (clockwise from behind), e elevation of the bore above the line of sight [rad]; h sight height
+//   [m].
 // Equations: f = (cos L cos A, sin L, cos L sin A), r = (-sin A, 0, cos A), u = r x f; canted up n = u cos c + r sin c;
 //   bore = f cos e + n sin e; the line of sight starts at muzzle + h n.
 //   range = (x - muzzle) . f, drop = (x - start) . u, windage = (x - start) . r.
-// Source: R. L. McCoy, Modern Exterior Ballistics (1999), sec. 3.4-3.6 (flat fire over inclined lines of sight); geometry.
+// Source: R. L. McCoy, Modern Exterior Ballistics (1999), sec. 3.4-3.6 (flat fire over inclined lines of sight);
+// geometry.
 #pragma once
 
 #include "physim/projectile.hpp"

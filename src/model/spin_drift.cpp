@@ -16,9 +16,7 @@ constexpr double kPower = 1.83;
 
 double SpinDrift::drift(double time) const { return time > 0 ? coefficient * pow(time, kPower) : 0; }
 
-double SpinDrift::drift_rate(double time) const {
-  return time > 0 ? coefficient * kPower * pow(time, kPower - 1) : 0;
-}
+double SpinDrift::drift_rate(double time) const { return time > 0 ? coefficient * kPower * pow(time, kPower - 1) : 0; }
 
 double miller_stability(const ProjectileDef& p, double speed, double temperature, double pressure) {
   const double d = p.diameter / kInch;

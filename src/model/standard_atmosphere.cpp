@@ -1,31 +1,30 @@
 // Equations, symbols and Source: model/standard_atmosphere.hpp.
 #include "model/standard_atmosphere.hpp"
 
-
 #include <algorithm>
 #include <vector>
 
 #include "math/chebyshev.hpp"
 #include "math/elementary.hpp"
-#include "model/air.hpp"
 #include "math/text.hpp"
+#include "model/air.hpp"
 #include "model/humid_air.hpp"
 
 namespace physim {
 namespace {
 
-constexpr double kGravity = 9.80665;           // g0 [m/s^2]
-constexpr double kGasConstant = 8314.32;       // R* [J/(kmol K)]
-constexpr double kMolarMass = 28.9644;         // M [kg/kmol]
-constexpr double kHeatRatio = 1.4;             // gamma [-]
-constexpr double kSeaLevelPressure = 101325;   // [Pa]
+constexpr double kGravity = 9.80665;                                   // g0 [m/s^2]
+constexpr double kGasConstant = 8314.32;                               // R* [J/(kmol K)]
+constexpr double kMolarMass = 28.9644;                                 // M [kg/kmol]
+constexpr double kHeatRatio = 1.4;                                     // gamma [-]
+constexpr double kSeaLevelPressure = 101325;                           // [Pa]
 constexpr double kHydrostatic = kGravity * kMolarMass / kGasConstant;  // g0 M / R* [K/m]
 
 // Table 4 of the standard: base height [m] and lapse rate [K/m]. The eighth layer goes on isothermally above 86 km; its
 // base is at 84852.046 m, which the table rounds to a metre.
 constexpr double kTop = 86000;  // geometric [m]
-constexpr double kBase[kAirLayers] = {
-    0, 11000, 20000, 32000, 47000, 51000, 71000, kGeopotentialRadius * kTop / (kGeopotentialRadius + kTop)};
+constexpr double kBase[kAirLayers] = {0,     11000, 20000, 32000,
+                                      47000, 51000, 71000, kGeopotentialRadius* kTop / (kGeopotentialRadius + kTop)};
 constexpr double kLapse[kAirLayers] = {-0.0065, 0, 0.001, 0.0028, 0, -0.0028, -0.002, 0};
 
 double geopotential(double z) { return kGeopotentialRadius * z / (kGeopotentialRadius + z); }
@@ -52,7 +51,9 @@ struct Profile {
     if (kLapse[i] == 0) return exp(-density_factor * kHydrostatic * (to - from) / t_from);
     return pow(t_to / t_from, -density_factor * kHydrostatic / kLapse[i]);
   }
-  [[nodiscard]] double density(double p, double t) const { return density_factor * p * kMolarMass / (kGasConstant * t); }
+  [[nodiscard]] double density(double p, double t) const {
+    return density_factor * p * kMolarMass / (kGasConstant * t);
+  }
   [[nodiscard]] double pressure_at(double h) const {
     const int i = layer_of(h);
     return pressure[i] * pressure_ratio(i, kBase[i], h);
@@ -134,8 +135,9 @@ void prepare_layers(const Station& station, Air<double>& air) {
     return profile.density(profile.pressure[0] * profile.pressure_ratio(0, 0, h), t);
   };
   fit_low(air, density_at, air.low_density);
-  fit_low(air, [&](double z) { return per_sound(profile.temperature[0] + kLapse[0] * geopotential(z)); },
-          air.low_per_sound);
+  fit_low(
+      air, [&](double z) { return per_sound(profile.temperature[0] + kLapse[0] * geopotential(z)); },
+      air.low_per_sound);
 }
 
 }  // namespace

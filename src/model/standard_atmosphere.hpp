@@ -1,6 +1,7 @@
 // Prepares the air of an environment for computing: the layers of the US Standard Atmosphere 1976 through a station.
 //
-// What it models: the standard temperature profile moved by T_station - T_standard(H_station) at all heights, pressure in
+// What it models: the standard temperature profile moved by T_station - T_standard(H_station) at all heights, pressure
+// in
 //   hydrostatic equilibrium through the station's pressure, and the density of the station's moist air by CIPM-2007.
 // When it is wrong: the standard lapse rate need not be the day's; see model/air.hpp.
 // Symbols: as in model/air.hpp; f = rho_station R* T / (p M), density over that of the standard's dry ideal gas [-].

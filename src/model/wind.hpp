@@ -6,7 +6,8 @@
 // Symbols: w velocity of the air in W [m/s]; u height or downrange distance [m]; u_i places of the profile's points.
 // Equation: w(u) = w_0 + sum_i slope_i clamp(u - u_i, 0, u_{i+1} - u_i): straight lines without a search, equal for all
 //   lanes.
-// Source: linear interpolation; the convention of signs is that of R. L. McCoy, Modern Exterior Ballistics (1999), ch. 7.
+// Source: linear interpolation; the convention of signs is that of R. L. McCoy, Modern Exterior Ballistics (1999),
+// ch. 7.
 #pragma once
 
 #include "model/earth.hpp"

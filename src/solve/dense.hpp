@@ -1,8 +1,9 @@
 // Dense output: the state anywhere inside a step, from what the step left behind.
 //
-// The classic loop: straight lines. Other fixed-step integrators: the quintic through position, velocity and acceleration at both ends, and the cubic through
-// velocity and acceleration: no less accurate than the methods themselves. Tsit5 and DOP853: their own interpolants.
-// Computed in double at every precision, so that fly() and fly_batch() share it.
+// The classic loop: straight lines. Other fixed-step integrators: the quintic through position, velocity and
+// acceleration at both ends, and the cubic through velocity and acceleration: no less accurate than the methods
+// themselves. Tsit5 and DOP853: their own interpolants. Computed in double at every precision, so that fly() and
+// fly_batch() share it.
 //
 // Sources: see solve/explicit_runge_kutta.hpp; the form of DOP853's is Hairer, Norsett and Wanner (1993), sec. II.6.
 #pragma once
@@ -90,7 +91,8 @@ inline State<double> dense_state(Integrator integrator, const Node& n0, const No
   if (integrator == Integrator::tsit5) return n0.y + (c[0] + (c[1] + (c[2] + c[3] * theta) * theta) * theta) * theta;
   if (integrator == Integrator::dop853) {
     const double u = 1 - theta;
-    return n0.y + (c[0] + (c[1] + (c[2] + (c[3] + (c[4] + (c[5] + c[6] * theta) * u) * theta) * u) * theta) * u) * theta;
+    return n0.y +
+           (c[0] + (c[1] + (c[2] + (c[3] + (c[4] + (c[5] + c[6] * theta) * u) * theta) * u) * theta) * u) * theta;
   }
   // The original knew frames only, and its damping is no slope: straight lines between them.
   if (integrator == Integrator::classic) return n0.y + (n1.y - n0.y) * theta;

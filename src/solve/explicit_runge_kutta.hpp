@@ -1,14 +1,14 @@
 // Explicit Runge-Kutta methods from their tableaus, and the one loop that runs them all.
 //
-// A tableau is a[i][j] (stage i from slope j), b (the step), c (stage times); the loops are unrolled at compile time and
-// zeros cost nothing. Every effect is evaluated in every stage: freezing density or Cd over a step would make any of
-// these methods first order.
+// A tableau is a[i][j] (stage i from slope j), b (the step), c (stage times); the loops are unrolled at compile time
+// and zeros cost nothing. Every effect is evaluated in every stage: freezing density or Cd over a step would make any
+// of these methods first order.
 //
 // Sources: J. C. Butcher, Numerical Methods for Ordinary Differential Equations (2008), sec. 23 (Heun, RK4);
-//   C. Tsitouras, "Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption", Computers &
-//   Mathematics with Applications 62 (2011) 770-775, table 1 and sec. 4 (dense output);
-//   E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I (1993), sec. II.5, II.6 and the
-//   coefficients of their code DOP853 (8(5,3) pair of Dormand and Prince, dense output of order 7).
+//   C. Tsitouras, "Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption", Computers
+//   & Mathematics with Applications 62 (2011) 770-775, table 1 and sec. 4 (dense output); E. Hairer, S. P. Norsett, G.
+//   Wanner, Solving Ordinary Differential Equations I (1993), sec. II.5, II.6 and the coefficients of their code DOP853
+//   (8(5,3) pair of Dormand and Prince, dense output of order 7).
 #pragma once
 
 #include <utility>
@@ -43,22 +43,25 @@ struct Tsit5 {
       {2.8971530571054935, -6.359448489975075, 4.3622954328695815},
       {5.325864828439257, -11.748883564062828, 7.4955393428898365, -0.09249506636175525},
       {5.86145544294642, -12.92096931784711, 8.159367898576159, -0.071584973281401, -0.028269050394068383}};
-  static constexpr double b[6] = {0.09646076681806523, 0.01,          0.4798896504144996, 1.379008574103742,
-                                  -3.290069515436081,  2.324710524099774};
+  static constexpr double b[6] = {0.09646076681806523, 0.01, 0.4798896504144996, 1.379008574103742, -3.290069515436081,
+                                  2.324710524099774};
   static constexpr double c[6] = {0, 0.161, 0.327, 0.9, 0.9800255409045097, 1};
   /// Order 4 minus order 5, on the six stages and the slope at the end.
-  static constexpr double kError[7] = {-0.00178001105222577714, -0.0008164344596567469, 0.007880878010261995,
-                                       -0.1447110071732629,     0.5823571654525552,     -0.45808210592918697,
+  static constexpr double kError[7] = {-0.00178001105222577714,
+                                       -0.0008164344596567469,
+                                       0.007880878010261995,
+                                       -0.1447110071732629,
+                                       0.5823571654525552,
+                                       -0.45808210592918697,
                                        1.0 / 66};
   /// Dense output: weight of slope i is theta (p[i][0] + theta (p[i][1] + theta (p[i][2] + theta p[i][3]))).
-  static constexpr double kDense[7][4] = {
-      {1, -2.763706197274826, 2.9132554618219126, -1.0530884977290216},
-      {0, 0.13169999999999998, -0.2234, 0.1017},
-      {0, 3.9302962368947516, -5.941033872131505, 2.490627285651253},
-      {0, -12.411077166933676, 30.33818863028232, -16.548102889244902},
-      {0, 37.50931341651104, -88.1789048947664, 47.37952196281928},
-      {0, -27.896526289197286, 65.09189467479366, -34.87065786149661},
-      {0, 1.5, -4, 2.5}};
+  static constexpr double kDense[7][4] = {{1, -2.763706197274826, 2.9132554618219126, -1.0530884977290216},
+                                          {0, 0.13169999999999998, -0.2234, 0.1017},
+                                          {0, 3.9302962368947516, -5.941033872131505, 2.490627285651253},
+                                          {0, -12.411077166933676, 30.33818863028232, -16.548102889244902},
+                                          {0, 37.50931341651104, -88.1789048947664, 47.37952196281928},
+                                          {0, -27.896526289197286, 65.09189467479366, -34.87065786149661},
+                                          {0, 1.5, -4, 2.5}};
 };
 
 // clang-format off

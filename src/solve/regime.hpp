@@ -54,7 +54,9 @@ PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const
       if (row < S(0)) {
         const auto& knots = c.searched_curves[static_cast<int>(S(-1) - row)].knots;
         int index = 0;
-        while (index < static_cast<int>(knots.size()) && static_cast<double>(lane_of(mach, lane)) >= knots[static_cast<unsigned>(index)]) ++index;
+        while (index < static_cast<int>(knots.size()) &&
+               static_cast<double>(lane_of(mach, lane)) >= knots[static_cast<unsigned>(index)])
+          ++index;
         set_lane(cell, lane, static_cast<S>(index));
       }
     }

@@ -12,13 +12,13 @@ inline constexpr int kMaxSlopes = 16;
 /// A step from time t over h to t_end. The derivative of a state (x, v) is a state (v, a).
 template <class R>
 struct Step {
-  R t;             // start [s]
-  R h;             // length [s]
-  R t_end;         // start of the next step: t + h but for rounding, since fixed steps are counted [s]
-  State<R> start;  // state at t
-  State<R> end;    // state at t + h
+  R t;                         // start [s]
+  R h;                         // length [s]
+  R t_end;                     // start of the next step: t + h but for rounding, since fixed steps are counted [s]
+  State<R> start;              // state at t
+  State<R> end;                // state at t + h
   State<R> slope[kMaxSlopes];  // slope[0] at the start; the last stage (see end_slope) at the end
-  R error;         // estimated error over tolerance [-]; adaptive integrators accept up to 1
+  R error;                     // estimated error over tolerance [-]; adaptive integrators accept up to 1
 };
 
 }  // namespace physim

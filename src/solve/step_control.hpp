@@ -44,7 +44,8 @@ PHYSIM_INLINE R first_step(Integrator integrator, const State<R>& start, const V
   const R tiny = constant<R>(1e-30);
   const R speed = length(start.v);
   const R tolerance = relative + absolute / max(speed, constant<R>(1e-3));
-  const R reach = exp_bounded(log_of_normal(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / order_of(integrator)));
+  const R reach =
+      exp_bounded(log_of_normal(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / order_of(integrator)));
   const R h = reach * max(speed, constant<R>(1e-3)) / max(length(a), tiny);
   return min(max(h, constant<R>(1e-6)), R(S(1)));
 }

@@ -98,7 +98,8 @@ PHYSIM_INLINE R dop853_error_squared(const Step<R>& s, S relative, S absolute) {
   return max(position, velocity);
 }
 
-/// Takes the step s.h from s.start at s.t to s.t_end; s.slope[0] is given. Adaptive integrators also leave s.error, squared.
+/// Takes the step s.h from s.start at s.t to s.t_end; s.slope[0] is given. Adaptive integrators also leave s.error,
+/// squared.
 template <class R, class S>
 PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relative, S absolute, Step<R>& s) {
   const auto f = [&](const R& t, const State<R>& y) {
