@@ -184,7 +184,7 @@ struct BatchResult {
 
 /// Flies many shots at once, in packs of lanes that are refilled as shots end. The numbers are those of fly(), bit for
 /// bit. All shots share one fidelity, tolerance and set of events; an automatic step (Tolerance::step = 0) is found by
-/// pilot flights of a few of the shots.
+/// pilot flights of a few of the shots, which makes it shorter than the step that fly() would find for one of them.
 [[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
                                     const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <limits>
 
 #include "flight/flight_record.hpp"
 #include "flight/kernels.hpp"
@@ -116,21 +117,36 @@ class Batch {
         {i, {EventKind::ground, *until_.ground, Crossing::falling, 0, body.launch.x, body.launch.v}});
   }
 
-  /// The fixed step of a group: the smallest that pilot flights of its first shot and of the batch's middle and last
-  /// shots ask for, where these belong to the group too.
+  /// The fixed step of a group: what pilot flights of its first shot and of the batch's middle, last, slowest and
+  /// fastest shots ask for, where these belong to the group too. They aim for less than half of the error allowed,
+  /// since some shot of the batch will be worse than they are.
   Status choose_step(ShotGroup& group) {
-    double smallest = 0;
-    const std::size_t count = shots_.size();
-    for (const std::size_t i : {std::size_t(group.shots.front()), count / 2, count - 1}) {
+    const Fidelity& granted = group.cohort.in_use.fidelity;
+    group.step = step_without_pilot(granted, tolerance_);
+    if (group.step) return std::nullopt;
+    double step = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : pilots(group)) {
       const auto& [projectile, launch] = shots_[i];
-      if (i != group.shots.front() && (check(projectile) || check(launch) || group_of(projectile) != &group)) continue;
-      const auto step = step_of(projectile, launch, environment_, group.cohort.in_use.fidelity, tolerance_, until_);
-      if (!step) return step.error();
-      smallest = smallest == 0 ? *step : std::min(smallest, *step);
-      if (steps_itself(group.cohort.in_use.fidelity) || tolerance_.step > 0) break;
+      const auto found = step_within(projectile, launch, environment_, granted, tolerance_, until_,
+                                     0.4 * tolerance_.position_error, step);
+      if (!found) return found.error();
+      step = std::min(step, *found);
     }
-    group.step = smallest;
+    group.step = step;
     return std::nullopt;
+  }
+
+  std::vector<std::size_t> pilots(const ShotGroup& group) {
+    const auto slower = [](const Shot& a, const Shot& b) { return a.launch.speed < b.launch.speed; };
+    const auto [slowest, fastest] = std::minmax_element(shots_.begin(), shots_.end(), slower);
+    std::vector<std::size_t> list{group.shots.front()};
+    for (const std::size_t i : {shots_.size() / 2, shots_.size() - 1, std::size_t(slowest - shots_.begin()),
+                                std::size_t(fastest - shots_.begin())}) {
+      const auto& [projectile, launch] = shots_[i];
+      const bool known = std::find(list.begin(), list.end(), i) != list.end();
+      if (!known && !check(projectile) && !check(launch) && group_of(projectile) == &group) list.push_back(i);
+    }
+    return list;
   }
 
   void fly(ShotGroup& group) {

@@ -66,10 +66,13 @@ struct Cohort {
 /// The bore elevation that a launch asks for: its own, or that of its zero range.
 [[nodiscard]] Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch,
                                           const Environment& environment, const Fidelity& fidelity);
-/// The fixed step to use, 0 for adaptive integrators and closed forms; runs a pilot flight where none is given.
-[[nodiscard]] Result<double> step_of(const ProjectileDef& projectile, const Launch& launch,
-                                     const Environment& environment, const Fidelity& granted,
-                                     const Tolerance& tolerance, const Until& until);
+/// The fixed step to use, 0 for adaptive integrators and closed forms; nothing where a pilot flight must find it.
+[[nodiscard]] std::optional<double> step_without_pilot(const Fidelity& granted, const Tolerance& tolerance);
+/// The step, at most `longest` [s], with which a shot ends within `error_allowed` [m] of a reference flight.
+[[nodiscard]] Result<double> step_within(const ProjectileDef& projectile, const Launch& launch,
+                                         const Environment& environment, const Fidelity& granted,
+                                         const Tolerance& tolerance, const Until& until, double error_allowed,
+                                         double longest);
 
 /// How a flight ends that is over before it begins: it starts on or below the ground and descends, or below the air.
 [[nodiscard]] std::optional<Outcome> ends_at_once(const Conditions<double>& conditions, const Body<double>& body,

@@ -95,9 +95,13 @@ Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environm
   record->elevation = *elevation;
   record->cohort.in_use = grant(fidelity, projectile, environment);
   const Fidelity& granted = record->cohort.in_use.fidelity;
-  const auto step = step_of(projectile, launch, environment, granted, tolerance, until);
-  if (!step) return refuse(step.error());
-  record->step = *step;
+  if (const auto step = step_without_pilot(granted, tolerance)) {
+    record->step = *step;
+  } else {
+    const auto found = pilot_step(projectile, launch, environment, granted, tolerance, until);
+    if (!found) return refuse(found.error());
+    record->step = *found;
+  }
   record->cohort.conditions = prepare_conditions(environment, granted);
   record->body = prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
   record->cohort.finish();

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <vector>
 
 #include "scenario/checks.hpp"
 #include "scenario/overrides.hpp"
@@ -44,10 +44,15 @@ Result<std::string> read_file(const std::string& file) {
   if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(file, failure) > kMostBytes)
     return Error{"larger than 256 MiB", file, "this cannot be a scenario file"};
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+  std::string text;
+  std::vector<char> block(1 << 16);
+  while (in.good() && text.size() <= kMostBytes) {  // a device or a pipe may have no end
+    in.read(block.data(), static_cast<std::streamsize>(block.size()));
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad() || !in.is_open()) return Error{"the file cannot be read", file, ""};
-  return std::move(text).str();
+  if (text.size() > kMostBytes) return Error{"larger than 256 MiB", file, "this cannot be a scenario file"};
+  return text;
 }
 
 }  // namespace
