@@ -31,7 +31,7 @@ Result<const ScenarioShot*> find_shot(const Scenario& scenario, const std::strin
 }
 
 Status compare(const CompareOptions& options) {
-  if (Status bad = check(options.outputs)) return bad;
+  if (Status bad = check(options.outputs, options.input.file)) return bad;
   const Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
   const Result<const ScenarioShot*> shot = find_shot(*scenario, options.shot);
@@ -58,7 +58,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("compare", "Fly one shot on every rung of the ladder: error and cost of each");
   auto options = std::make_shared<CompareOptions>();
   add_scenario_options(*command, options->input);
-  command->add_option("--shot", options->shot, "Which shot; without it the first")->type_name("NAME");
+  refuse_empty(*command->add_option("--shot", options->shot, "Which shot; without it the first")->type_name("NAME"));
   add_output_options(*command, options->outputs, "Write the table as CSV; - is the standard output",
                      "Write the table as JSON; - as above", "Draw error over cost");
   command->footer(

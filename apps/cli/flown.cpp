@@ -61,7 +61,7 @@ Status fly_all(FlownScenario& flown) {
 }
 
 std::string place_text(const Expectation& expectation) {
-  const std::string value = shortest(expectation.at_value);
+  const std::string value = as_typed(expectation.at_value);
   switch (expectation.at) {
     case ExpectAt::end:
       return "end";

@@ -95,22 +95,29 @@ class Climber {
     shot_.launch.sight.zero_range = 0;
   }
 
-  /// Median time of one fly() [s]: of at least three samples, each long enough for the clock.
+  /// Median time of one fly() [s]: of samples that are each long enough for the clock, at least three of them unless
+  /// the flight itself is a long one.
   [[nodiscard]] double cost_of(const Fidelity& fidelity, const Tolerance& tolerance) const {
     using Clock = std::chrono::steady_clock;
-    constexpr double kSample = 100e-6, kBudget = 20e-3;  // [s]
+    constexpr double kSample = 100e-6, kBudget = 20e-3, kPatience = 100e-3;  // [s]
+    constexpr std::size_t kFewest = 3, kMost = 101;
+    double spent = 0;
     const auto time_of = [&](int flights) {
       const auto start = Clock::now();
       for (int i = 0; i < flights; ++i) static_cast<void>(fly_rung(fidelity, tolerance));
-      return std::chrono::duration<double>(Clock::now() - start).count() / flights;
+      const double time = std::chrono::duration<double>(Clock::now() - start).count();
+      spent += time;
+      return time / flights;
     };
-    const double first = std::max(time_of(1), 1e-8);
+    const double first = std::max(time_of(1), 1e-8);  // warms the caches up
+    if (spent >= kPatience) return first;
     const int flights = std::clamp(static_cast<int>(kSample / first), 1, 1000);
-    const int samples = std::clamp(static_cast<int>(kBudget / (first * flights)), 3, 101);
     std::vector<double> times;
-    for (int i = 0; i < samples; ++i) times.push_back(time_of(flights));
-    std::ranges::nth_element(times, times.begin() + samples / 2);
-    return times[static_cast<std::size_t>(samples / 2)];
+    while (times.size() < kMost && spent < (times.size() < kFewest ? kPatience : kBudget))
+      times.push_back(time_of(flights));
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::ranges::nth_element(times, middle);
+    return *middle;
   }
 
  private:

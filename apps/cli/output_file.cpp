@@ -45,6 +45,12 @@ std::string target_of(const std::string& path) {
   return target.empty() ? path : target.string();
 }
 
+// May we write into this file or folder? As far as can be told beforehand.
+Status check_permission(const std::string& path, const std::string& file_or_folder) {
+  if (::access(file_or_folder.c_str(), W_OK) == 0) return std::nullopt;
+  return cannot_write(path, errno);
+}
+
 // A device or a pipe is written to; it must never be replaced by a file.
 bool is_special(const std::string& path) {
   std::error_code ignored;
@@ -62,7 +68,8 @@ Status check_writable(const std::string& path) {
   if (!folder.empty() && !fs::is_directory(folder, ignored))
     return Error{
         .message = "cannot write: no such directory", .place = path, .hint = "make " + folder.string() + " first"};
-  return std::nullopt;
+  if (fs::exists(path, ignored)) return check_permission(path, path);
+  return check_permission(path, folder.empty() ? "." : folder.string());
 }
 
 Status write_output(const std::string& path, std::string_view content) {
@@ -84,9 +91,10 @@ Status write_output(const std::string& path, std::string_view content) {
 Status make_folder(const std::string& path) {
   std::error_code error;
   if (path.empty()) return Error{.message = "the name of the output directory is empty"};
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+    return Error{.message = "it is a file, not a directory", .place = path};
   fs::create_directories(path, error);
   if (error) return Error{.message = "cannot make the directory: " + error.message(), .place = path};
-  if (!fs::is_directory(path)) return Error{.message = "it is a file, not a directory", .place = path};
   return std::nullopt;
 }
 

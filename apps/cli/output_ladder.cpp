@@ -34,7 +34,7 @@ std::vector<std::string> row(const RungResult& result) {
 }  // namespace
 
 std::string ladder_text(const Scenario& scenario, const Ladder& ladder, const Style& style) {
-  std::string out = style.bold(title_of(scenario)) + ": " + ladder.shot + "\n";
+  std::string out = style.bold(one_line(title_of(scenario))) + ": " + one_line(ladder.shot) + "\n";
   const RungResult& reference = ladder.rungs.back();
   const Sample end = reference.flight.end();
   out += "The reference " + std::string(name(reference.flight.outcome())) + " at " + fixed(end.time, 6) + " s, " +

@@ -30,6 +30,11 @@ std::string fixed(double value, int decimals) {
 
 std::string significant(double value, int digits) { return to_text(value, std::chars_format::general, digits); }
 
+std::string as_typed(double value) {
+  constexpr int kDigits = 12;
+  return significant(value, kDigits);
+}
+
 std::string readable(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return fixed(value, 0);
   const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));

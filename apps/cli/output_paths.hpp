@@ -9,7 +9,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace physim::cli {
 
@@ -25,11 +26,15 @@ struct OutputMakers {
   std::function<Picture()> plot;
 };
 
+/// Refuses an option's empty value, as from a shell variable that is not set.
+void refuse_empty(CLI::Option& option);
+
 /// --csv, --json and --plot, each with its help.
 void add_output_options(CLI::App& command, OutputPaths& paths, const char* csv, const char* json, const char* plot);
 
-/// What can be told before there is anything to write.
-[[nodiscard]] Status check(const OutputPaths& paths);
+/// What can be told before there is anything to write: places that cannot be written, the same place asked for twice,
+/// and the scenario itself.
+[[nodiscard]] Status check(const OutputPaths& paths, const std::string& scenario_file);
 
 [[nodiscard]] Status write(const OutputPaths& paths, const OutputMakers& makers);
 

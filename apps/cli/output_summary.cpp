@@ -40,11 +40,11 @@ std::string range_card(const FlownShot& flown, const std::vector<double>& ranges
   for (const double range : ranges) {
     const Result<Sample> found = flown.flight.at_range(range);
     if (!found) {
-      table.add_row({shortest(range), "not reached"});
+      table.add_row({as_typed(range), "not reached"});
       continue;
     }
     const Sample& s = *found;
-    std::vector<std::string> row = {shortest(range), fixed(s.drop, 3), fixed(s.windage, 3)};
+    std::vector<std::string> row = {as_typed(range), fixed(s.drop, 3), fixed(s.windage, 3)};
     if (with_holds) row.insert(row.end(), {hold(s.drop, range), hold(s.windage, range)});
     row.insert(row.end(),
                {time_text(s.time, flown.flight), fixed(s.speed, 2), fixed(s.mach, 3), readable(s.energy, 4)});
@@ -81,7 +81,7 @@ std::string cost_text(const Flight& flight) {
 std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_ranges, const Style& style) {
   const Flight& flight = flown.flight;
   const FidelityInUse& in_use = flight.fidelity_in_use();
-  std::string out = style.bold(flown.name) + "\n";
+  std::string out = style.bold(one_line(flown.name)) + "\n";
   out += line("fidelity", preset_name(flown.shot->projectile.fidelity));
   out += line("granted", in_words(in_use.fidelity));
   for (const FidelityNote& note : in_use.notes)
@@ -110,10 +110,10 @@ std::string checks_text(const std::vector<Check>& checks, const Style& style) {
   for (const Check& check : checks) {
     const Expectation& expectation = *check.expectation;
     missed += check.met ? 0 : 1;
-    table.add_row({check.met ? style.good("ok") : style.bad("MISSED"), check.shot, place_text(expectation),
+    table.add_row({check.met ? style.good("ok") : style.bad("MISSED"), one_line(check.shot), place_text(expectation),
                    expectation.quantity, check.value ? significant(*check.value, 7) : "none",
-                   shortest(expectation.equals), shortest(expectation.within),
-                   std::string(unit_of(expectation.quantity)), expectation.source});
+                   as_typed(expectation.equals), as_typed(expectation.within),
+                   std::string(unit_of(expectation.quantity)), one_line(expectation.source)});
   }
   std::string out = style.bold("checks") + "\n" + table.text(kIndent);
   for (const Check& check : checks)
@@ -138,7 +138,7 @@ std::vector<double> default_ranges(double end_range) {
 
 std::string summary_text(const FlownScenario& flown, const Style& style) {
   const Scenario& scenario = flown.scenario;
-  std::string out = style.bold(title_of(scenario)) + "\n";
+  std::string out = style.bold(one_line(title_of(scenario))) + "\n";
   for (const FlownShot& shot : flown.shots) out += "\n" + shot_text(shot, scenario.ranges, style);
   if (!flown.checks.empty()) out += "\n" + checks_text(flown.checks, style);
   return out;

@@ -35,6 +35,32 @@ std::size_t display_width(const std::string& text) {
   return width;
 }
 
+std::string one_line(const std::string& text) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;  // of a run of spaces and control characters
+    while (end < text.size() && (text[end] == ' ' || is_control(text[end]))) ++end;
+    const bool has_control = std::any_of(text.begin() + static_cast<std::ptrdiff_t>(i),
+                                         text.begin() + static_cast<std::ptrdiff_t>(end), is_control);
+    const bool is_inside = !out.empty() && end < text.size();
+    if (is_inside) out.append(has_control ? 1 : end - i, ' ');
+    i = end;
+    if (i < text.size()) out += text[i++];
+  }
+  return out;
+}
+
+std::string shortened(const std::string& text, std::size_t characters) {
+  if (display_width(text) <= characters) return text;
+  std::size_t width = 0, end = 0;
+  for (; end < text.size(); ++end) {
+    const bool starts = (static_cast<unsigned char>(text[end]) & 0xC0) != 0x80;
+    if (starts && ++width >= characters) break;
+  }
+  return text.substr(0, end) + "…";
+}
+
 std::string Table::text(int indent) const {
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -34,4 +34,11 @@ class Table {
 /// Characters of a UTF-8 text as a terminal counts them.
 [[nodiscard]] std::size_t display_width(const std::string& text);
 
+/// A text of someone else's as a single line: control characters, with the spaces around them, become one space. None
+/// at its ends.
+[[nodiscard]] std::string one_line(const std::string& text);
+
+/// The first characters of a UTF-8 text and "…" where it is longer than so many.
+[[nodiscard]] std::string shortened(const std::string& text, std::size_t characters);
+
 }  // namespace physim::cli

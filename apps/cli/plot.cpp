@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "output_file.hpp"
 #include "output_number.hpp"
+#include "output_table.hpp"
 
 extern char** environ;
 
@@ -84,18 +87,28 @@ Result<std::string> render(Format format, const Picture& picture) {
   if (error_number == ENOENT) return missing_gnuplot();
   if (error_number > 0) return Error{.message = std::string("cannot run gnuplot: ") + std::strerror(error_number)};
   std::string content = content_of(out.get());
-  if (error_number != 0 || content.empty()) return Error{.message = "gnuplot failed: " + content_of(err.get())};
+  if (error_number != 0 || content.empty())
+    return Error{.message = "gnuplot failed: " + one_line(content_of(err.get()))};
   return content;
 }
 
 }  // namespace
+
+Status check_gnuplot() {
+  const char* folders = std::getenv("PATH");
+  if (folders == nullptr) return std::nullopt;  // the system has its own idea then
+  std::istringstream in(folders);
+  for (std::string folder; std::getline(in, folder, ':');)
+    if (::access(((folder.empty() ? "." : folder) + "/gnuplot").c_str(), X_OK) == 0) return std::nullopt;
+  return missing_gnuplot();
+}
 
 Status check_plot(const std::string& path) {
   if (format_of(path) == Format::unknown)
     return Error{.message = "cannot tell the picture's format from the file name",
                  .place = path,
                  .hint = "end it with .png or .svg"};
-  return check_writable(path);
+  return in_turn([&] { return check_writable(path); }, check_gnuplot);
 }
 
 Status draw(const std::string& path, const Picture& picture) {
@@ -123,6 +136,16 @@ std::string text_at(double x, double y, std::string_view text, int font_size, st
   return "set label " + literal(text) + " at screen " + shortest(x) + "," + shortest(y) + " left font " +
          literal("DejaVu Sans" + std::string(bold ? " Bold" : "") + "," + std::to_string(font_size)) +
          " textcolor rgb " + literal(colour) + " front\n";
+}
+
+std::string title_at(double x, double y, const std::string& title, int picture_width) {
+  constexpr double kCharacterWidth = 0.77;  // of bold text, a part of the font size
+  constexpr int kLargest = 22, kSmallest = 15;
+  const std::string text = one_line(title);
+  const double room = picture_width * (1 - 2 * x) / kCharacterWidth;
+  const double fitting = room / static_cast<double>(std::max<std::size_t>(display_width(text), 1));
+  const int font_size = static_cast<int>(std::clamp<double>(fitting, kSmallest, kLargest));
+  return text_at(x, y, shortened(text, static_cast<std::size_t>(room / font_size)), font_size, kInk, true);
 }
 
 std::string panel_at(double left, double right, double bottom, double top) {

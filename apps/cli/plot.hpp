@@ -19,7 +19,10 @@ struct Picture {
 /// Draws a picture into a .png or .svg file.
 [[nodiscard]] Status draw(const std::string& path, const Picture& picture);
 
-/// An error where a picture could not be drawn to this path: a file name without .png or .svg, an unwritable place.
+/// An error where no picture could be drawn at all, because gnuplot is missing.
+[[nodiscard]] Status check_gnuplot();
+/// An error where a picture could not be drawn to this path: a file name without .png or .svg, an unwritable place, no
+/// gnuplot.
 [[nodiscard]] Status check_plot(const std::string& path);
 
 // ------------------------------------------------------------------------------------------- parts of scripts
@@ -38,6 +41,8 @@ inline constexpr std::string_view kGridInk = "#E4E4E4";  // grid lines
 /// Text on the whole picture, from (0, 0) bottom left to (1, 1) top right, its left end at x and centred on y.
 [[nodiscard]] std::string text_at(double x, double y, std::string_view text, int font_size, std::string_view colour,
                                   bool bold = false);
+/// The picture's title at its top left: smaller where it is long, shortened where it would be too small.
+[[nodiscard]] std::string title_at(double x, double y, const std::string& title, int picture_width);
 /// The place of the next panel on the whole picture.
 [[nodiscard]] std::string panel_at(double left, double right, double bottom, double top);
 

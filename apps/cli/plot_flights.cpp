@@ -5,6 +5,7 @@
 
 #include "fidelity_text.hpp"
 #include "output_number.hpp"
+#include "output_table.hpp"
 #include "output_trajectory.hpp"
 #include "physim/names.hpp"
 
@@ -100,7 +101,7 @@ class FlightsPicture {
   [[nodiscard]] std::string script() const {
     std::string out = axes_style();
     for (const Curve& curve : curves_) out += datablock(curve);
-    out += "set multiplot\n" + path_panel() + "unset key\n" + speed_panel();
+    out += "set multiplot\n" + path_panel() + "unset arrow\n" + speed_panel();
     const std::array<std::string_view, 3> axes = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
       const std::string name(axes[static_cast<std::size_t>(axis)]);
@@ -117,20 +118,60 @@ class FlightsPicture {
   static constexpr double kRowLow = 0.055, kRowHeight = 0.141, kRowGap = 0.047;
   static constexpr double kPanelWidth = (kRight - kLeft - 2 * kPanelGap) / 3;
 
+  static constexpr double kHeaderLeft = 0.02, kLegendTop = 0.938, kLegendRow = 0.0215;      // parts of the picture
+  static constexpr double kLegendLine = 40, kLegendGap = 26, kLegendCharacter = 13 * 0.72;  // [px]
+
   static double column_left(int column) { return kLeft + column * (kPanelWidth + kPanelGap); }
 
   [[nodiscard]] std::string header() const {
-    std::string out = text_at(0.02, 0.968, title_, 22, kInk, true);
+    std::string out = title_at(kHeaderLeft, 0.968, title_, kWidth);
     if (shots_.size() == 1) {
       const Fidelity& asked = shots_[0].shot->projectile.fidelity;
-      out += text_at(0.02, 0.938, shots_[0].name + ", fidelity " + preset_name(asked), 15, kQuiet);
+      out +=
+          text_at(kHeaderLeft, kLegendTop, one_line(shots_[0].name) + ", fidelity " + preset_name(asked), 15, kQuiet);
       return out;
     }
     const std::string count =
         all_ == shots_.size() ? std::to_string(all_) + " shots"
                               : "the first " + std::to_string(shots_.size()) + " of " + std::to_string(all_) + " shots";
-    out += text_at(0.02, 0.938, count, 15, kQuiet);
-    return out + "set key at screen 0.985,0.99 right top horizontal Left reverse samplen 2 maxrows 4 font ',13'\n";
+    return out + text_at(kHeaderLeft, kLegendTop, count, 15, kQuiet) + legend(static_cast<double>(count.size()) * 10);
+  }
+
+  struct LegendItem {
+    std::string name;
+    double x = 0;  // [px]
+    int row = 0;
+  };
+
+  // The names of the shots in rows, from `indent` px on; none longer than so many characters.
+  [[nodiscard]] std::vector<LegendItem> legend_items(double indent, std::size_t characters) const {
+    std::vector<LegendItem> items;
+    double x = kHeaderLeft * kWidth + indent + kLegendGap;
+    int row = 0;
+    for (const Curve& curve : curves_) {
+      const std::string name = shortened(one_line(curve.name), characters);
+      const double width = kLegendLine + static_cast<double>(display_width(name)) * kLegendCharacter;
+      if (x + width > (1 - kHeaderLeft) * kWidth && !items.empty()) x = kHeaderLeft * kWidth, ++row;
+      items.push_back({name, x, row});
+      x += width + kLegendGap;
+    }
+    return items;
+  }
+
+  // Below the title, so that neither is ever in the other's way; names are shortened until they fit into two rows.
+  [[nodiscard]] std::string legend(double indent) const {
+    std::size_t characters = 60;
+    while (characters > 4 && legend_items(indent, characters).back().row > 1) --characters;
+    const std::vector<LegendItem> items = legend_items(indent, characters);
+    std::string out;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const double y = kLegendTop - items[i].row * kLegendRow;
+      const double left = items[i].x / kWidth, right = (items[i].x + kLegendLine - 8) / kWidth;
+      out += "set arrow from screen " + shortest(left) + "," + shortest(y) + " to screen " + shortest(right) + "," +
+             shortest(y) + " nohead" + line_style(i, colour_of(i, 0)) + "\n";
+      out += text_at((items[i].x + kLegendLine) / kWidth, y, items[i].name, 13, kInk);
+    }
+    return out;
   }
 
   [[nodiscard]] std::string colour_of(std::size_t shot, int row) const {
@@ -142,7 +183,7 @@ class FlightsPicture {
     std::string out = "plot ";
     for (std::size_t i = 0; i < curves_.size(); ++i)
       out += (i == 0 ? "" : ", ") + curves_[i].block + " using " + std::to_string(x) + ":" + std::to_string(y) +
-             " with lines" + line_style(i, colour_of(i, row)) + " title " + literal(curves_[i].name);
+             " with lines" + line_style(i, colour_of(i, row)) + " notitle";
     return out + "\n";
   }
 

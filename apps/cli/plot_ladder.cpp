@@ -135,7 +135,7 @@ class LadderPicture {
   }
 
   [[nodiscard]] std::string header() const {
-    std::string out = text_at(0.02, 0.967, title_, 22, kInk, true);
+    std::string out = title_at(0.02, 0.967, title_, kWidth);
     out += text_at(0.02, 0.932,
                    shot_ + ": distance from the reference flight (dop853, tolerance " +
                        significant(kReferenceTolerance.relative, 1) + ") over the time that one fly() takes here",

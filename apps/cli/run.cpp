@@ -11,6 +11,7 @@
 #include "output_file.hpp"
 #include "output_paths.hpp"
 #include "output_summary.hpp"
+#include "output_table.hpp"
 #include "output_trajectory.hpp"
 #include "physim/names.hpp"
 #include "plot_flights.hpp"
@@ -60,8 +61,8 @@ Status write_folder(const RunOptions& options, const FlownScenario& flown, const
   const std::string stem = file_part(std::filesystem::path(flown.scenario.file).stem().string());
   const auto path = [&](const std::string& name) { return (folder / name).string(); };
   const OutputPaths paths{path(stem + ".csv"), path(stem + ".json"), path(stem + ".png")};
-  Status status =
-      in_turn([&] { return make_folder(options.folder); }, [&] { return write(paths, makers_of(flown, times)); });
+  Status status = in_turn([&] { return make_folder(options.folder); }, [&] { return check(paths, options.input.file); },
+                          [&] { return write(paths, makers_of(flown, times)); });
   if (status || flown.shots.size() == 1) return status;
   const std::size_t count = std::min(flown.shots.size(), kMostShotPlots);
   if (count < flown.shots.size())
@@ -77,13 +78,33 @@ Status write_folder(const RunOptions& options, const FlownScenario& flown, const
   return status;
 }
 
+// Why a flight ended before its time, in words; empty where it did not.
+std::string_view odd_end(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::step_limit:
+      return ", it took tolerance.max_steps steps";
+    case Outcome::left_domain:
+      return ", it went where a model does not hold";
+    case Outcome::non_finite:
+      return ", its numbers grew beyond all bounds";
+    case Outcome::stalled:
+      return ", its steps became too small to go on";
+    default:
+      return {};
+  }
+}
+
 void warn_of_odd_ends(const std::vector<FlownShot>& shots) {
+  constexpr std::size_t kMostWarnings = 5;
+  std::size_t count = 0;
   for (const FlownShot& shot : shots) {
     const Outcome outcome = shot.flight.outcome();
-    const bool is_odd = outcome == Outcome::step_limit || outcome == Outcome::left_domain ||
-                        outcome == Outcome::non_finite || outcome == Outcome::stalled;
-    if (is_odd) print_warning("shot \"" + shot.name + "\" ended early: " + std::string(name(outcome)));
+    const std::string_view reason = odd_end(outcome);
+    if (reason.empty() || ++count > kMostWarnings) continue;
+    print_warning("shot \"" + one_line(shot.name) + "\" ended early: " + std::string(name(outcome)) +
+                  std::string(reason));
   }
+  if (count > kMostWarnings) print_warning(std::to_string(count - kMostWarnings) + " more shots ended early");
 }
 
 void warn_of_missed(const std::vector<Check>& checks) {
@@ -94,7 +115,9 @@ void warn_of_missed(const std::vector<Check>& checks) {
 
 // Everything but the exit code of the checks.
 Status run(const RunOptions& options, FlownScenario& flown) {
-  if (Status bad = check(options.outputs)) return bad;
+  if (Status bad = check(options.outputs, options.input.file)) return bad;
+  if (!options.folder.empty())
+    if (Status bad = check_gnuplot()) return bad;
   const auto interval = interval_of(options);
   if (!interval) return interval.error();
   Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
@@ -140,12 +163,13 @@ void add_run_command(CLI::App& app, int& exit_code) {
   add_output_options(*command, options->outputs, "Write the trajectories as CSV; - is the standard output",
                      "Write trajectories, events and all settings as JSON; - as above",
                      "Draw path, speed, and each axis over time");
-  command->add_option("--out", options->folder, "Write all of these into a directory, with a plot for each shot")
-      ->type_name("DIR");
-  command
-      ->add_option("--interval", options->interval,
-                   "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot")
-      ->type_name("TIME");
+  refuse_empty(
+      *command->add_option("--out", options->folder, "Write all of these into a directory, with a plot for each shot")
+           ->type_name("DIR"));
+  refuse_empty(*command
+                    ->add_option("--interval", options->interval,
+                                 "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot")
+                    ->type_name("TIME"));
   command->footer(
       "Exit code 0; 1 where an [[expect]] of the scenario is missed; 2 for bad input.\n\n"
       "Examples:\n"

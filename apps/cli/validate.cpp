@@ -76,7 +76,10 @@ void add_job(const fs::path& data, const Suite& suite, bool is_wanted, std::vect
 std::vector<Job> find_jobs(const Options& options) {
   const fs::path data = options.data.empty() ? own_data() : fs::path(options.data);
   std::error_code ignored;
-  if (!fs::is_directory(data, ignored)) throw DataError{{.message = "no such folder", .place = data.string()}};
+  if (!fs::is_directory(data, ignored)) {
+    const bool is_file = fs::exists(data, ignored);
+    throw DataError{{.message = is_file ? "it is a file, not a folder" : "no such folder", .place = data.string()}};
+  }
   std::vector<Job> jobs;
   for (const std::string& name : options.suites) {
     const Suite* suite = find_suite(name);

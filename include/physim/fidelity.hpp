@@ -32,7 +32,7 @@ enum class GravityModel {
 
 enum class DragModel {
   off,
-  damping,           ///< velocity *= damping^dt
+  damping,           ///< velocity through the air decays to the part `damping` per second: a = ln(damping) v
   linear_quadratic,  ///< F = -(k1 + k2 |v|) v
   equation,          ///< F = -1/2 rho |v| v Cd A, with Cd constant, by Reynolds number or by Mach number
 };
@@ -92,7 +92,7 @@ struct Fidelity {
   static Fidelity sport_ball();  ///< RK4, drag equation in constant air and wind
   static Fidelity small_arms();  ///< Tsit5, drag curves in the standard atmosphere, wind, spin drift
   static Fidelity artillery();   ///< as small arms, with Newton's gravity and Coriolis
-  static Fidelity simulation();  ///< every effect that the library has, smooth drag curves
+  static Fidelity simulation();  ///< every effect over a flat Earth, smooth drag curves
   static Fidelity reference();   ///< simulation with the 8th-order integrator
   static Fidelity classic();     ///< the original PhySim loop, float32
 };

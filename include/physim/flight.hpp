@@ -34,7 +34,7 @@ enum class EventKind {
   range,   ///< distance along the line of sight (horizontal when the look angle is 0) [m]
   height,  ///< above the origin of the world frame [m]
   mach,    ///< Mach number [-]
-  speed,   ///< through the air's frame W [m/s]
+  speed,   ///< |velocity| in W [m/s]
   time,    ///< since launch [s]
 };
 
@@ -107,7 +107,7 @@ struct Event {
 struct FlightCost {
   std::int64_t steps = 0;        ///< accepted [-]
   std::int64_t rejected = 0;     ///< tried and not accepted [-]
-  std::int64_t evaluations = 0;  ///< of the acceleration [-]
+  std::int64_t evaluations = 0;  ///< of the acceleration by the integrator, dense output aside [-]
 };
 
 struct FlightRecord;
@@ -177,18 +177,21 @@ struct ShotEvent {
 struct BatchResult {
   std::vector<ShotResult> shots;  ///< in the order given [-]
   std::vector<ShotEvent> events;  ///< by shot, then by time [-]
-  std::string kernel;             ///< instruction set that flew the batch: "base", "avx2" or "avx512" [-]
+  std::string kernel;             ///< that flew the batch: "base", "avx2", "avx512" or "scalar" [-]
   FidelityInUse fidelity_in_use;  ///< of the first shot that was not refused [-]
   std::optional<Error> error;     ///< the first error among refused shots [-]
 };
 
 /// Flies many shots at once, in packs of lanes that are refilled as shots end. The numbers are those of fly(), bit for
-/// bit. All shots share one fidelity, tolerance and set of events; an automatic step (Tolerance::step = 0) is found by
-/// pilot flights of a few of the shots, which makes it shorter than the step that fly() would find for one of them.
+/// bit; only apexes are events of a batch where Until asks for them. All shots share one fidelity, tolerance and set of
+/// events; an automatic step (Tolerance::step = 0) is found by pilot flights of a few of the shots, which makes it
+/// shorter than the step that fly() would find for one of them.
 [[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
                                     const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
 
-/// The bore elevation above the horizon [rad] with which the projectile hits the line of sight at a range [m].
+/// The bore elevation above the horizon [rad] with which the projectile hits the line of sight at a range [m]. It is
+/// found with the models of `fidelity`, an adaptive integrator and float64, upright, without spin drift, and in calm
+/// air where the sight says so; an error where no elevation within 45 degrees of the line of sight gets there.
 [[nodiscard]] Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& launch,
                                             const Environment& environment, const Fidelity& fidelity, double range);
 

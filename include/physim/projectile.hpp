@@ -78,7 +78,7 @@ struct Sight {
 struct Launch {
   Vec3d position;                 ///< of the muzzle in the world frame W: x downrange, y up, z right [m]
   double speed = 0;               ///< [m/s]
-  double elevation = 0;           ///< of the bore above the horizon; with a zero range it must stay 0 [rad]
+  double elevation = 0;           ///< of the bore above the horizon, before cant; 0 with a zero range [rad]
   double azimuth = 0;             ///< of the plane of fire, from x towards z (to the right) [rad]
   std::optional<Vec3d> velocity;  ///< instead of speed, elevation and azimuth [m/s]
   Sight sight;                    ///< line of sight [-]

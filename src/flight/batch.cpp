@@ -91,10 +91,11 @@ class Batch {
   }
 
   /// grant() looks at these of a projectile, so shots that agree in them are granted the same.
-  static unsigned grant_key(const ProjectileDef& p) {
+  [[nodiscard]] unsigned grant_key(const ProjectileDef& p) const {
     const DragDef& d = p.drag;
     return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
-           (d.damping < 1 ? 16u : 0);
+           (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
+           (fidelity_.interpolation == Interpolation::cubic && spline_overshoots(d) ? 64u : 0);
   }
 
   ShotGroup* group_of(const ProjectileDef& projectile) {
@@ -210,7 +211,7 @@ class Batch {
   const Until& until_;
   WatchList watch_{};
   std::deque<ShotGroup> groups_;
-  std::array<ShotGroup*, 32> group_by_key_{};
+  std::array<ShotGroup*, 128> group_by_key_{};
   BatchResult result_;
 };
 

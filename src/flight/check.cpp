@@ -6,6 +6,7 @@
 
 #include "flight/cohort.hpp"
 #include "math/text.hpp"
+#include "model/humid_air.hpp"
 
 namespace physim {
 namespace {
@@ -37,6 +38,7 @@ class Checker {
   PHYSIM_INLINE Checker& is_vector(const Vec3d& v, Text place) {
     return require(finite(v), place, "must have three finite components", "");
   }
+  [[nodiscard]] const Status& status_so_far() const { return status_; }
   [[nodiscard]] Status status() { return std::move(status_); }
 
  private:
@@ -108,7 +110,7 @@ Status check(const Launch& l) {
 
 Status check(const Environment& e) {
   Checker c;
-  c.require(e.altitude >= -5000 && e.altitude <= 1e9, "environment.altitude", "must lie above -5000 m", "");
+  c.require(e.altitude >= -5000 && e.altitude <= 1e9, "environment.altitude", "must lie between -5000 m and 1e9 m", "");
   c.is_number(e.gravity.acceleration, "environment.gravity.acceleration");
   c.positive(e.gravity.radius, "environment.gravity.radius", "in m");
   const Atmosphere& a = e.atmosphere;
@@ -121,6 +123,13 @@ Status check(const Environment& e) {
   if (a.humidity)
     c.require(*a.humidity >= 0 && *a.humidity <= 1, "environment.atmosphere.humidity", "must lie between 0 and 1",
               "60 % is 0.6");
+  if (a.humidity && *a.humidity > 0 && !c.status_so_far()) {
+    const double t = a.temperature.value_or(288.15);
+    const double p = a.pressure.value_or(101325);
+    c.require(vapour_fraction(t, p, *a.humidity) < 0.5, "environment.atmosphere.humidity",
+              "is more vapour than air of this temperature and pressure can be made of",
+              "lower it, or raise the pressure");
+  }
   if (a.station_altitude)
     c.require(*a.station_altitude >= -5000 && *a.station_altitude <= 80000, "environment.atmosphere.station_altitude",
               "must lie between -5000 m and 80000 m", "");

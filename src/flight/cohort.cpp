@@ -7,7 +7,6 @@
 
 #include "math/elementary.hpp"
 #include "model/standard_atmosphere.hpp"
-#include "physim/drag_curve.hpp"
 
 namespace physim {
 namespace {
@@ -42,13 +41,18 @@ Vec3d prepare_omega(const Earth& earth) {
 
 constexpr double kPi = 3.14159265358979323846;
 
+/// A constant Cd goes into the area, so that all such projectiles share one curve, Cd = 1.
+double constant_cd(const DragDef& drag) { return drag.table == DragTable::constant ? drag.coefficient : 1; }
+
 /// i A / (2 m): from the ballistic coefficient, or from mass, diameter and form factor.
 double half_area_per_mass(const ProjectileDef& p) {
-  if (p.drag.ballistic_coefficient > 0) return kPi / (8 * p.drag.ballistic_coefficient);
-  return p.drag.form_factor * kPi * p.diameter * p.diameter / (8 * p.mass);
+  if (p.drag.ballistic_coefficient > 0) return constant_cd(p.drag) * kPi / (8 * p.drag.ballistic_coefficient);
+  return constant_cd(p.drag) * p.drag.form_factor * kPi * p.diameter * p.diameter / (8 * p.mass);
 }
 
-void prepare_bands(const std::vector<BallisticBand>& given, Body<double>& b) {
+void prepare_bands(const DragDef& drag, Body<double>& b) {
+  const auto& given = drag.bands;
+  const double factor = constant_cd(drag) * kPi / 8;
   if (given.empty()) {
     for (double& above : b.band_above) above = std::numeric_limits<double>::infinity();
     return;
@@ -59,16 +63,37 @@ void prepare_bands(const std::vector<BallisticBand>& given, Body<double>& b) {
     const bool used = i < static_cast<int>(bands.size());
     b.band_above[i] = used ? bands[static_cast<std::size_t>(i)].above : std::numeric_limits<double>::infinity();
     b.band_half_area_per_mass[i] =
-        used ? kPi / (8 * bands[static_cast<std::size_t>(i)].ballistic_coefficient) : b.half_area_per_mass;
+        used ? factor / bands[static_cast<std::size_t>(i)].ballistic_coefficient : b.half_area_per_mass;
   }
-  b.half_area_per_mass = kPi / (8 * bands.front().ballistic_coefficient);
+  b.half_area_per_mass = factor / bands.front().ballistic_coefficient;
 }
 
-/// k2 / m that equals the drag equation at launch.
+/// Adds the projectile's drag curve to the pool and its flags to the conditions.
+void prepare_curve(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c, Body<double>& b) {
+  const CurvePlace place = pool.add(p.drag, c.fidelity.interpolation);
+  b.curve_row = place.row;
+  b.curve_start = place.start;
+  b.curve_cells = place.cells;
+  b.curve_last = place.last;
+  b.reynolds_length = p.drag.table == DragTable::sphere ? p.diameter : 0;
+  c.has_spheres = c.has_spheres || p.drag.table == DragTable::sphere;
+  c.has_bands = c.has_bands || !p.drag.bands.empty();
+  c.has_searched_curves = c.has_searched_curves || place.row < 0;
+}
+
+/// k2 / m that equals the drag equation at launch: its wind, bands, air and curve included.
 double equivalent_k2_per_mass(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c) {
-  const double mach = length(b.launch.v) * c.air.per_sound_speed;
-  const double cd = p.drag.table == DragTable::sphere ? 0.47 : drag_coefficient(p.drag, c.fidelity.interpolation, mach);
-  return c.air.density * cd * b.half_area_per_mass;
+  CurvePool pool;
+  Conditions<double> full = c;
+  full.fidelity.drag = DragModel::equation;
+  Body<double> body = b;
+  prepare_curve(p, pool, full, body);
+  full.curve_rows = pool.rows().data();
+  full.searched_curves = pool.searched().data();
+  const Vec3d u = air_velocity(full, b.launch);
+  const double speed = length(u);
+  if (speed == 0) return 0;
+  return length(drag_equation(full, body, air_state(full, b.launch.x), u)) / (speed * speed);
 }
 
 }  // namespace
@@ -145,7 +170,10 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, bool wi
   if (has_lowest_altitude(c.fidelity))
     add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
   if (with_apex) add({EventKind::apex, 0, Crossing::falling, false}, Outcome::event);
-  for (const EventSpec& spec : until.events) add(spec, Outcome::event);
+  for (EventSpec spec : until.events) {
+    if (spec.kind == EventKind::apex) spec.value = 0;  // an apex waits for no value
+    add(spec, Outcome::event);
+  }
   return watch;
 }
 
@@ -158,17 +186,9 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   b.plane = sight.right;
   if (c.fidelity.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
   b.half_area_per_mass = half_area_per_mass(p);
-  prepare_bands(p.drag.bands, b);
+  prepare_bands(p.drag, b);
   if (c.fidelity.drag == DragModel::equation) {
-    const CurvePlace place = pool.add(p.drag, c.fidelity.interpolation);
-    b.curve_row = place.row;
-    b.curve_start = place.start;
-    b.curve_cells = place.cells;
-    b.curve_last = place.last;
-    b.reynolds_length = p.drag.table == DragTable::sphere ? p.diameter : 0;
-    c.has_spheres = c.has_spheres || p.drag.table == DragTable::sphere;
-    c.has_bands = c.has_bands || !p.drag.bands.empty();
-    c.has_searched_curves = c.has_searched_curves || place.row < 0;
+    prepare_curve(p, pool, c, b);
   }
   b.k1_per_mass = p.drag.k1 / p.mass;
   b.k2_per_mass = p.drag.k2 / p.mass;
@@ -188,7 +208,8 @@ SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const 
   if (granted.rotation != RotationModel::spin_drift) return {};
   const auto air = air_at(environment, std::clamp(environment.altitude, -5000.0, 86000.0));
   if (!air) return {};
-  return litz_spin_drift(miller_stability(p, launch_speed, air->temperature, air->pressure), p.twist);
+  const double stability = miller_stability(p, launch_speed, air->temperature, air->pressure);
+  return stability < kMostStable ? litz_spin_drift(stability, p.twist) : SpinDrift{};
 }
 
 template <class S>
@@ -220,7 +241,12 @@ bool Cohort::corners_matter() const {
 
 std::optional<Outcome> ends_at_once(const Conditions<double>& c, const Body<double>& b, const Until& until) {
   if (has_lowest_altitude(c.fidelity) && altitude(c, b.launch.x) <= kLowestAltitude) return Outcome::left_domain;
-  if (until.ground && height(c, b.launch.x) <= *until.ground && climb_rate(c, b.launch) < 0) return Outcome::landed;
+  if (!until.ground || height(c, b.launch.x) > *until.ground) return std::nullopt;
+  const double climb = climb_rate(c, b.launch);
+  // Level at the start: weight against thrust decides.
+  const Vec3d push = c.has_applied ? applied(c, b, 0.0) : Vec3d{};
+  const double climb_later = climb_rate(c, State<double>{b.launch.x, gravity(c, b.launch.x) + push});
+  if (climb < 0 || (climb == 0 && climb_later < 0)) return Outcome::landed;
   return std::nullopt;
 }
 

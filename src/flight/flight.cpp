@@ -63,10 +63,13 @@ Accelerations Flight::accelerations(double time) const {
   time = std::clamp(time, 0.0, r.duration);
   const State<double> s = r.state(time);
   const Conditions<double>& c = r.cohort.conditions;
-  a.gravity = gravity(c, s.x);
-  if (c.fidelity.drag != DragModel::off) a.drag = drag(c, r.body, s);
-  if (c.fidelity.earth == EarthModel::flat_coriolis) a.coriolis = coriolis(c, s.v);
-  if (c.has_applied) a.applied = applied(c, r.body, time);
+  const auto in_plane = [&](const Vec3d& effect) {
+    return c.fidelity.planar ? effect - r.body.plane * dot(r.body.plane, effect) : effect;
+  };
+  a.gravity = in_plane(gravity(c, s.x));
+  if (c.fidelity.drag != DragModel::off) a.drag = in_plane(drag(c, r.body, s));
+  if (c.fidelity.earth == EarthModel::flat_coriolis) a.coriolis = in_plane(coriolis(c, s.v));
+  if (c.has_applied) a.applied = in_plane(applied(c, r.body, time));
   a.total = r.acceleration_at(time);
   return a;
 }
@@ -113,7 +116,7 @@ std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, 
                                      const F& value) {
   const auto times = borders(r);
   double from = value(times.front());
-  if (from == 0) return times.front();
+  if (from == 0 && direction == Crossing::any) return times.front();
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double to = value(times[i]);
     if (crosses(direction, from, to))

@@ -98,7 +98,10 @@ Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environm
   if (const auto step = step_without_pilot(granted, tolerance)) {
     record->step = *step;
   } else {
-    const auto found = pilot_step(projectile, launch, environment, granted, tolerance, until);
+    Launch zeroed = launch;  // the zero is found already
+    zeroed.elevation = record->elevation;
+    zeroed.sight.zero_range = 0;
+    const auto found = pilot_step(projectile, zeroed, environment, granted, tolerance, until);
     if (!found) return refuse(found.error());
     record->step = *found;
   }

@@ -35,6 +35,11 @@ class Granting {
     const Wind& wind = environment_.wind;
     if (wind.profile.empty()) f_.wind = std::min(f_.wind, WindModel::constant);  // nothing is lost: no note
     if (wind.profile.empty() && wind.velocity == Vec3d{}) f_.wind = WindModel::off;
+    const Atmosphere& air = environment_.atmosphere;
+    if (f_.air == AirModel::isa && (air.density || air.sound_speed))
+      notes_.push_back({"air", "isa", "isa", "density and sound_speed are for constant and exponential air"});
+    const bool empty = f_.air == AirModel::vacuum || (f_.air != AirModel::isa && air.density == 0.0);
+    if (empty) set("rotation", f_.rotation, RotationModel::none, "there is no air");
     if (f_.air == AirModel::vacuum && f_.drag == DragModel::equation)
       set("drag", f_.drag, DragModel::off, "there is no air");
   }
@@ -52,11 +57,16 @@ class Granting {
       set("drag", f_.drag, std::min(f_.drag, DragModel::damping), "motion 'velocity' knows no drag force");
       limit_to_constants("motion 'velocity' knows only constant gravity over a flat Earth");
     }
+    if (f_.motion != Motion::force && projectile_.force != Vec3d{})
+      notes_.push_back({"motion", std::string(name(f_.motion)), std::string(name(f_.motion)),
+                        "the applied force is left out: only motion 'force' knows forces"});
   }
 
   void by_integrator() {
     const bool classic = f_.motion != Motion::closed_form && f_.integrator == Integrator::classic;
     if (classic) limit_to_constants("the original loop knows only constant gravity over a flat Earth");
+    if (classic && f_.drag == DragModel::damping)
+      set("wind", f_.wind, WindModel::off, "the original's damping is against still air");
     if (f_.original_one_shot_forces && !classic) {
       notes_.push_back({"original_one_shot_forces", "true", "false", "only the original loop has one-shot forces"});
       f_.original_one_shot_forces = false;
@@ -73,6 +83,8 @@ class Granting {
       else if (f_.planar)
         set("rotation", f_.rotation, RotationModel::none, "a planar flight does not leave its plane");
     }
+    if (f_.drag == DragModel::equation && f_.interpolation == Interpolation::cubic && spline_overshoots(p.drag))
+      set("interpolation", f_.interpolation, Interpolation::pchip, "a spline through so few points would overshoot");
     if (f_.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
       notes_.push_back({"drag", "linear_quadratic", "linear_quadratic",
                         "k1 and k2 are zero: k2 is taken from the drag equation at launch"});

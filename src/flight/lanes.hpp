@@ -46,12 +46,18 @@ struct Lanes {
 PHYSIM_ISA_BEGIN
 
 /// Closed forms need steps only to look for events in: the first a part of the time to the apex, each twice the last,
-/// so that a few cover flights of any length.
+/// so that a few cover flights of any length; with drag short enough that nothing turns twice in one.
+template <class R, class S>
+PHYSIM_INLINE R longest_closed_form_step(const Conditions<S>& c, const Body<R>& b) {
+  const R sixty(S(60));
+  return c.fidelity.drag == DragModel::off ? sixty : min(S(0.5) / max(b.damping_rate, R(S(1e-6))), sixty);
+}
 template <class R, class S>
 PHYSIM_INLINE R closed_form_step(const Conditions<S>& c, const Body<R>& b) {
   const R speed = length(b.launch.v);
   const R rise = speed / max(R(c.gravity), R(S(1e-3)));  // time to the apex of a shot straight up
-  return select(speed > R(S(0)), clamp(rise * S(0.5), R(S(1e-12)), R(S(10))), R(S(1e-3)));
+  const R first = select(speed > R(S(0)), clamp(rise * S(0.5), R(S(1e-12)), R(S(10))), R(S(1e-3)));
+  return min(first, longest_closed_form_step(c, b));
 }
 
 /// Prepares lanes whose `body` is set for their first step.
@@ -220,7 +226,7 @@ PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
   l.step.t = select(accepted, l.step.t_end, l.step.t);
   l.step.start = select(accepted, l.step.end, l.step.start);
   l.step.slope[0] = select(accepted, l.step.slope[last], l.step.slope[0]);
-  if (closed) l.control.h = min(l.control.h * S(2), R(S(60)));
+  if (closed) l.control.h = min(l.control.h * S(2), longest_closed_form_step(*course.conditions, l.body));
 }
 
 template <class R>
@@ -231,7 +237,10 @@ PHYSIM_INLINE MaskOf<R> is_finite(const State<R>& s) {
 /// Accepted lanes that cannot just go on because of an event or a bad number; and lanes out of steps.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
-  const MaskOf<R> special = detect(*course.conditions, l.body, course.watch, l.step) | !is_finite(l.step.end);
+  const Conditions<S>& c = *course.conditions;
+  const int last = c.fidelity.motion == Motion::closed_form ? 1 : end_slope(c.fidelity.integrator);
+  const MaskOf<R> special =
+      detect(c, l.body, course.watch, l.step, l.step.slope[0].v, l.step.slope[last].v) | !is_finite(l.step.end);
   return (special & accepted) | (l.tries >= R(course.plan.max_tries)) | (l.step.t_end <= l.step.t) |
          !(l.step.h > R(S(0)));
 }

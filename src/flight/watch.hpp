@@ -72,26 +72,98 @@ PHYSIM_INLINE MaskOf<R> crosses(Crossing direction, const R& from, const R& to) 
   return rising | falling;
 }
 
-PHYSIM_INLINE bool watches_height(const EventSpec& spec) {
-  return spec.kind == EventKind::ground || spec.kind == EventKind::height;
+/// The sign of this is the sign of the rate at which the watched quantity changes; zero for quantities whose turning
+/// points are not looked for (Mach number) or that have none (time).
+template <class R, class S>
+PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const State<R>& s,
+                             const Vec3<R>& a) {
+  switch (spec.kind) {
+    case EventKind::ground:
+    case EventKind::height:
+      return climb_rate(c, s);
+    case EventKind::range:
+      return dot(s.v, b.sight);
+    case EventKind::speed:
+      return dot(s.v, a);
+    default:
+      return R(S(0));
+  }
 }
 
-/// Lanes in which a step crosses something watched. A step that goes over the apex and has a height above both its ends
-/// may cross it twice, up and down; such lanes count too.
-template <class R, class S>
-PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s) {
+/// A step in which the quantity turns on the far side of the value: it may cross it twice and end where it began.
+template <class R>
+PHYSIM_INLINE MaskOf<R> may_cross_twice(const R& from, const R& to, const R& rate_from, const R& rate_to) {
+  using S = ScalarOf<R>;
   const R zero(S(0));
-  MaskOf<R> found = zero != zero;
-  MaskOf<R> below = found;  // lanes with a watched height at or above both ends
+  const auto peak = (from <= zero) & (to <= zero) & (rate_from > zero) & (rate_to <= zero);
+  const auto dip = (from >= zero) & (to >= zero) & (rate_from < zero) & (rate_to >= zero);
+  return peak | dip;
+}
+
+/// Lanes in which a step crosses something watched, or may cross it twice. `a_start` and `a_end` are the accelerations
+/// at its ends.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s,
+                               const Vec3<R>& a_start, const Vec3<R>& a_end) {
+  MaskOf<R> found = R(S(0)) != R(S(0));
   for (int i = 0; i < watch.count; ++i) {
     const EventSpec& spec = watch.item[i].spec;
     const R from = watched_value(c, b, spec, s.t, s.start);
     const R to = watched_value(c, b, spec, s.t_end, s.end);
-    found = found | crosses(spec.direction, from, to);
-    if (watches_height(spec)) below = below | ((from <= zero) & (to <= zero));
+    found =
+        found | crosses(spec.direction, from, to) |
+        may_cross_twice(from, to, watched_rate(c, b, spec, s.start, a_start), watched_rate(c, b, spec, s.end, a_end));
   }
-  if (any(below)) found = found | (below & crosses(Crossing::falling, climb_rate(c, s.start), climb_rate(c, s.end)));
   return found;
+}
+
+/// Collects the crossings of one step.
+struct CrossingList {
+  Found* found;
+  int count = 0;
+
+  PHYSIM_INLINE void add(double theta, int index, bool rising) {
+    if (count < 2 * kMaxWatched) found[count++] = {theta, index, rising};
+  }
+  /// Insertion sort: few, nearly sorted, and stable.
+  void sort() {
+    for (int i = 1; i < count; ++i)
+      for (int j = i; j > 0 && found[j].theta < found[j - 1].theta; --j) {
+        const Found swap = found[j];
+        found[j] = found[j - 1];
+        found[j - 1] = swap;
+      }
+  }
+};
+
+/// Finds the crossings of one watched quantity in a step.
+template <class F>
+void find_crossings_of(const Conditions<double>& c, const Body<double>& b, const EventSpec& spec, int index,
+                       const F& at, CrossingList& list) {
+  const double t = at.n0.t;
+  const double h = at.n1.t - t;
+  const auto value = [&](double theta) { return watched_value(c, b, spec, t + theta * h, at(theta)); };
+  const auto look_between = [&](double from, double at_from, double to, double at_to) {
+    if (!crosses(spec.direction, at_from, at_to)) return;
+    // Near the root the quantity is as large as the value waited for; what it was elsewhere in the step says nothing.
+    const double noise = 2.220446049250313e-16 * (abs(spec.value) + min(abs(at_from), abs(at_to)));
+    list.add(find_root(value, from, at_from, to, at_to, kThetaTolerance, noise), index, at_from < 0);
+  };
+  const double at_start = at.watched_at(spec, at.n0);
+  const double at_end = at.watched_at(spec, at.n1);
+  const double rate_start = watched_rate(c, b, spec, at.n0.y, at.n0.a);
+  const double rate_end = watched_rate(c, b, spec, at.n1.y, at.n1.a);
+  if (!may_cross_twice(at_start, at_end, rate_start, rate_end)) return look_between(0, at_start, 1, at_end);
+  const auto rate = [&](double theta) {
+    const State<double> s = at(theta);
+    return watched_rate(c, b, spec, s, acceleration(c, b, t + theta * h, s));
+  };
+  const double turn = find_root(rate, 0, rate_start, 1, rate_end, kThetaTolerance);
+  const double at_turn = value(turn);
+  // A shot from below the ground that never comes out of it has landed when it sinks.
+  if (spec.kind == EventKind::ground && rate_start > 0 && at_turn <= 0) return list.add(turn, index, false);
+  look_between(0, at_start, turn, at_turn);
+  look_between(turn, at_turn, 1, at_end);
 }
 
 /// Finds every crossing in a step, in order of time, up to and with the first terminal one; returns how many.
@@ -100,43 +172,12 @@ PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const W
 template <class F>
 int find_crossings(const Conditions<double>& c, const Body<double>& b, const WatchList& watch, const F& at,
                    Found* found) {
-  const double t = at.n0.t;
-  const double h = at.n1.t - t;
-  const double climb_start = climb_rate(c, at.n0.y);
-  const double climb_end = climb_rate(c, at.n1.y);
-  double apex = 1;
-  if (climb_start > 0 && climb_end < 0)
-    apex = find_root([&](double theta) { return climb_rate(c, at(theta)); }, 0, climb_start, 1, climb_end,
-                     kThetaTolerance);
-  int count = 0;
-  for (int i = 0; i < watch.count; ++i) {
-    const EventSpec& spec = watch.item[i].spec;
-    const auto value = [&](double theta) { return watched_value(c, b, spec, t + theta * h, at(theta)); };
-    const auto look_between = [&](double from, double at_from, double to, double at_to) {
-      if (!crosses(spec.direction, at_from, at_to) || count == 2 * kMaxWatched) return;
-      // Near the root the quantity is as large as the value waited for; what it was elsewhere in the step says nothing.
-      const double noise = 2.220446049250313e-16 * (abs(spec.value) + min(abs(at_from), abs(at_to)));
-      found[count++] = {find_root(value, from, at_from, to, at_to, kThetaTolerance, noise), i, at_from < 0};
-    };
-    const double at_start = at.watched_at(spec, at.n0);
-    const double at_end = at.watched_at(spec, at.n1);
-    if (apex < 1 && watches_height(spec)) {
-      const double at_apex = value(apex);
-      look_between(0, at_start, apex, at_apex);
-      look_between(apex, at_apex, 1, at_end);
-    } else {
-      look_between(0, at_start, 1, at_end);
-    }
-  }
-  for (int i = 1; i < count; ++i)  // insertion sort: few, nearly sorted, and stable
-    for (int j = i; j > 0 && found[j].theta < found[j - 1].theta; --j) {
-      const Found swap = found[j];
-      found[j] = found[j - 1];
-      found[j - 1] = swap;
-    }
-  for (int i = 0; i < count; ++i)
+  CrossingList list{found};
+  for (int i = 0; i < watch.count; ++i) find_crossings_of(c, b, watch.item[i].spec, i, at, list);
+  list.sort();
+  for (int i = 0; i < list.count; ++i)
     if (watch.item[found[i].index].spec.terminal) return i + 1;
-  return count;
+  return list.count;
 }
 
 PHYSIM_ISA_END

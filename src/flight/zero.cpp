@@ -6,6 +6,7 @@
 #include "flight/cohort.hpp"
 #include "math/elementary.hpp"
 #include "math/text.hpp"
+#include "physim/names.hpp"
 
 namespace physim {
 namespace {
@@ -63,11 +64,16 @@ Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& lau
   double at_low = drop(low);
   // Away from the line of sight, up where the shot lies low and down where it lies high, in growing steps.
   const double side = at_low <= 0 ? 1 : -1;
-  for (double angle = 0.002; angle < 0.8; angle *= 2) {
+  constexpr double kSteepest = 0.7853981633974483;  // 45 degrees
+  for (double angle = 0.002; angle < 2 * kSteepest; angle *= 2) {
     if (flights.error()) return *flights.error();
-    const double high = look + side * angle;
+    const double high = look + side * min(angle, kSteepest);
     const double at_high = drop(high);
-    if ((at_high > 0) != (at_low > 0)) return find_root(drop, low, at_low, high, at_high, 1e-13);
+    if ((at_high > 0) != (at_low > 0)) {
+      const double elevation = find_root(drop, low, at_low, high, at_high, 1e-13);
+      // Where the range is just out of reach the height jumps, and the end of a jump is no zero.
+      return abs(drop(elevation)) < 1e-6 * range + 1e-6 ? Result<double>(elevation) : out_of_reach(range);
+    }
     low = high;
     at_low = at_high;
   }
@@ -99,6 +105,9 @@ Result<double> step_within(const ProjectileDef& projectile, const Launch& launch
   tight.relative = tight.absolute = clamp(1e-6 * error_allowed, 1e-13, 1e-9);
   const Flight reference = fly(projectile, launch, environment, exact, tight, until);
   if (reference.error()) return *reference.error();
+  if (reference.outcome() > Outcome::time_limit)
+    return Error{"the pilot flight ended as " + std::string(name(reference.outcome())), "tolerance.max_steps",
+                 "give a step, or allow more steps"};
   const double order = order_of_fixed(fidelity.integrator);
   Fidelity coarse = fidelity;
   coarse.precision = Precision::float64;

@@ -49,7 +49,7 @@ PHYSIM_INLINE AirState<R> layered_air(const Air<S>& air, const R& z) {
     per_sound = select(above, R(air.base_per_sound[i]), per_sound);
   }
   const R rise = h - base;
-  const R excess = lapse * rise;  // T / T_b - 1, between -0.3 and 0.3 in every layer
+  const R excess = lapse * rise;  // T / T_b - 1, between -0.3 and 0.3 in the standard's layers
   return {density * exp_bounded(power * log1p_near_zero(excess) + decay * rise), per_sound / sqrt(S(1) + excess)};
 }
 

@@ -27,8 +27,20 @@ std::span<const DragPoint> points_of(const DragDef& drag) {
 PiecewiseCubic curve_of(const DragDef& drag, Interpolation interpolation) {
   const auto points = points_of(drag);
   if (!points.empty()) return through(points, interpolation);
-  const DragPoint constant{0, drag.coefficient};
-  return through({&constant, 1}, interpolation);
+  const DragPoint unit{0, 1};  // a constant Cd is part of the area; see half_area_per_mass()
+  return through({&unit, 1}, interpolation);
+}
+
+/// Whether a curve leaves the span of its neighbouring points by a quarter of them, or goes below zero.
+bool overshoots(const PiecewiseCubic& curve, std::span<const DragPoint> points) {
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto [low, high] = std::minmax(points[i].coefficient, points[i + 1].coefficient);
+    for (int part = 1; part < 16; ++part) {
+      const double cd = curve(points[i].mach + (points[i + 1].mach - points[i].mach) * part / 16);
+      if (cd < 0 || cd < 0.75 * low || cd > 1.25 * high) return true;
+    }
+  }
+  return false;
 }
 
 bool same_points(const std::vector<DragPoint>& a, const std::vector<DragPoint>& b) {
@@ -40,14 +52,13 @@ bool same_points(const std::vector<DragPoint>& a, const std::vector<DragPoint>& 
 }  // namespace
 
 CurvePlace CurvePool::add(const DragDef& drag, Interpolation interpolation) {
-  const bool constant = points_of(drag).empty();
   for (const Entry& e : entries_) {
-    if (e.table != drag.table || (constant && e.coefficient != drag.coefficient)) continue;
+    if (e.table != drag.table) continue;
     if (drag.table == DragTable::custom && !same_points(e.curve, drag.curve)) continue;
     return e.place;
   }
   const auto own_points = drag.table == DragTable::custom ? drag.curve : std::vector<DragPoint>{};
-  entries_.push_back({drag.table, drag.coefficient, own_points, place_of(curve_of(drag, interpolation))});
+  entries_.push_back({drag.table, own_points, place_of(curve_of(drag, interpolation))});
   return entries_.back().place;
 }
 
@@ -65,7 +76,11 @@ CurvePlace CurvePool::place_of(const PiecewiseCubic& curve) {
 }
 
 double drag_coefficient(const DragDef& drag, Interpolation interpolation, double mach) {
-  return curve_of(drag, interpolation)(mach);
+  return drag.table == DragTable::constant ? drag.coefficient : curve_of(drag, interpolation)(mach);
+}
+
+bool spline_overshoots(const DragDef& drag) {
+  return drag.table == DragTable::custom && overshoots(through(drag.curve, Interpolation::cubic), drag.curve);
 }
 
 double sphere_drag_coefficient(double reynolds) { return sphere_cd(reynolds); }

@@ -1,6 +1,7 @@
 // The drag curves of a cohort, as rows of cubic coefficients side by side in one pool.
 //
-// What it models: Cd by Mach number for every projectile of a cohort: a constant is a curve of one cell; the standard
+// What it models: Cd by Mach number for every projectile of a cohort: a constant is a curve of one cell, Cd = 1; the
+// standard
 //   functions and curves whose points fit equal cells become rows; other curves are searched (exact, but slower).
 // Source: math/interpolation.hpp for the interpolation; model/standard_drag_functions.cpp for the figures.
 #pragma once
@@ -31,7 +32,6 @@ class CurvePool {
  private:
   struct Entry {
     DragTable table;
-    double coefficient;
     std::vector<DragPoint> curve;
     CurvePlace place;
   };
@@ -41,5 +41,8 @@ class CurvePool {
   std::vector<PiecewiseCubic> searched_;
   std::vector<Entry> entries_;
 };
+
+/// Whether a cubic spline through a custom curve would swing out between its points: sparse points around Mach 1 do it.
+[[nodiscard]] bool spline_overshoots(const DragDef& drag);
 
 }  // namespace physim

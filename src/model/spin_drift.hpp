@@ -17,6 +17,9 @@
 
 namespace physim {
 
+/// Beyond this stability factor (thin air, slow heavy rounds) the formula has no meaning and gives no drift.
+inline constexpr double kMostStable = 10;
+
 struct SpinDrift {
   double coefficient = 0;  // drift = coefficient tof^1.83, right positive [m/s^1.83]
 

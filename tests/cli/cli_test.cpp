@@ -72,6 +72,26 @@ TEST(Cli, NamesWhatItDoesNotKnow) {
   expect_complaint(physim({"run", "a.toml", "--velocty", "3"}), "--velocty");
   expect_complaint(physim({"run", "a.toml", "b.toml"}), "b.toml");
   expect_complaint(physim({"list", "settings", "--frobnicate"}), "--frobnicate");
+  expect_complaint(physim({"list", "setings"}), "there is no command \"list setings\"; did you mean \"settings\"?");
+  expect_complaint(physim({"comapre", "a.toml"}), "did you mean \"compare\"? see physim --help");
+  expect_complaint(physim({"run", "a.toml", "--plott", "3"}), "unknown option \"--plott\"; did you mean \"--plot\"?");
+  expect_complaint(physim({"run", "a.toml", "--plott=3"}), "did you mean \"--plot\"? see physim run --help");
+}
+
+TEST(Cli, RefusesEmptyValues) {
+  for (const char* option : {"--csv", "--json", "--plot", "--out", "--interval"})
+    expect_complaint(physim({"run", "a.toml", option, ""}), std::string(option) + ": the value is empty");
+  expect_complaint(physim({"compare", "a.toml", "--shot", ""}), "--shot: the value is empty");
+}
+
+TEST(Cli, NamesTheKernelsThereAre) {
+  const auto with_kernel = [](const std::string& kernel) {
+    return run_program(PHYSIM_CLI, {"list", "kernels"}, "", {"PHYSIM_KERNEL=" + kernel});
+  };
+  expect_complaint(with_kernel("avx9"), "PHYSIM_KERNEL: error: unknown kernel \"avx9\"; ");
+  expect_complaint(with_kernel("avx9"), "base, scalar");
+  EXPECT_EQ(with_kernel("base").code, 0);
+  EXPECT_EQ(with_kernel("").code, 0);
 }
 
 TEST(Cli, WritesNoColourIntoAPipe) {
@@ -213,10 +233,40 @@ TEST(CliRun, ExpectationsDecideTheExitCode) {
   EXPECT_TRUE(has(quiet.err, "1 of 1 checks were missed")) << quiet.err;
 }
 
+TEST(CliRun, ChecksAreShownAsTypedOneLineEach) {
+  const Folder folder;
+  const std::string expect =
+      "[[expect]]\nat = \"end\"\nquantity = \"y\"\nequals = \"0 m\"\nwithin = \"26 mm\"\n"
+      "source = \"\"\"\n  first line \n\n\tand second\\u001b[31m\n\"\"\"\n"
+      "[[expect]]\nat = { range = \"10 yd\" }\nquantity = \"range\"\nequals = \"30 ft\"\nwithin = \"2.6 cm\"\n";
+  const Ran ran = physim({"run", folder.write("ball.toml", kBall + expect)});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const std::vector<std::string> lines = lines_of(ran.out);
+  ASSERT_GT(lines.size(), 4U);
+  EXPECT_EQ(lines[lines.size() - 1], "  2 of 2 met");
+  EXPECT_TRUE(lines[lines.size() - 3].ends_with(" 0.026  m     first line and second [31m")) << ran.out;
+  EXPECT_TRUE(has(lines[lines.size() - 2], "  range 9.144 m  ")) << ran.out;
+  EXPECT_TRUE(has(lines[lines.size() - 2], "  9.144   0.026  m")) << ran.out;
+}
+
+TEST(CliRun, ManyOddEndsAreCounted) {
+  const Folder folder;
+  std::string many = kBall;
+  for (int i = 0; i < 9; ++i) many += "[[shot]]\nname = \"s" + std::to_string(i) + "\"\nspeed = 30\nelevation = 1\n";
+  const Ran ran = physim(
+      {"run", folder.write("many.toml", many), "--set", "tolerance.max_steps=1", "--set", "tolerance.step=1 ms"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const std::vector<std::string> lines = lines_of(ran.err);
+  ASSERT_EQ(lines.size(), 6U) << ran.err;
+  EXPECT_EQ(lines[0], "warning: shot \"ball\" ended early: step_limit, it took tolerance.max_steps steps");
+  EXPECT_EQ(lines[5], "warning: 5 more shots ended early");
+}
+
 TEST(CliRun, BadScenariosAreNamedWithTheirPlace) {
   const Folder folder;
   expect_complaint(physim({"run", folder / "none.toml"}), "none.toml: error: ");
   expect_complaint(physim({"run", folder / "."}), "error: ");
+  expect_complaint(physim({"run", "/dev/zero"}), "/dev/zero: error: larger than 256 MiB");
   expect_complaint(physim({"run", folder.write("bad.toml", "physim = 1\n[[shot]]\nsped = 3\n")}),
                    "bad.toml:3:1: error: ");
   expect_complaint(physim({"run", folder.write("ball.toml", kBall), "--set", "shot.mass=-1 kg"}), "mass");
@@ -245,8 +295,21 @@ TEST(CliFiles, ThatCannotBeWrittenAreNamed) {
   expect_complaint(physim({"run", file, "--csv", "-", "--json", "-"}), "cannot both");
   expect_complaint(physim({"run", file, "--plot", folder / "a.pdf"}), "end it with .png or .svg");
   expect_complaint(physim({"run", file, "--plot", "-"}), "end it with .png or .svg");
-  expect_complaint(physim({"run", file, "--out", file}), "error: ");
+  expect_complaint(physim({"run", file, "--out", file}), "it is a file, not a directory");
   EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(CliFiles, AreNeverWrittenOverEachOther) {
+  const Folder folder;
+  const std::string file = folder.write("ball.toml", kBall);
+  const std::string other = folder / "./a.csv", dots = folder / "./ball.toml";
+  expect_complaint(physim({"run", file, "--csv", dots}), "cannot write: it is the scenario itself");
+  expect_complaint(physim({"compare", file, "--json", file}), "cannot write: it is the scenario itself");
+  expect_complaint(physim({"run", file, "--csv", folder / "a.csv", "--json", other}), "--csv and --json cannot both");
+  expect_complaint(physim({"run", file, "--csv", folder / "a.png", "--plot", folder / "a.png"}), "--csv and --plot");
+  EXPECT_EQ(read(file), kBall);
+  EXPECT_EQ(folder.names().size(), 1U);
+  EXPECT_EQ(physim({"run", file, "--csv", "/dev/null", "--json", "/dev/null"}).code, 0);
 }
 
 TEST(CliFiles, AFullStandardOutputIsAnError) {
@@ -292,12 +355,38 @@ TEST(CliPlot, TitlesAreTextAndNeverCommands) {
   }
 }
 
+// Where the label of a text stands in a picture of gnuplot's: pixels from its top.
+double height_of(const std::string& svg, const std::string& text) {
+  const std::size_t at = svg.find(">" + text), place = svg.rfind("translate(", at);
+  if (at == std::string::npos || place == std::string::npos) return NAN;
+  return std::stod(svg.substr(svg.find(',', place) + 1));
+}
+
+TEST(CliPlot, TheLegendStaysOutOfTheTitle) {
+  const Folder folder;
+  const std::string title = "A title that is so long that it reaches from one end of the picture to the other end";
+  std::string four = kBall;
+  for (const char* name : {"second", "third", "fourth"})
+    four += "[[shot]]\nname = \"" + std::string(name) + "\"\nspeed = \"30 m/s\"\nelevation = \"50 deg\"\n";
+  const Ran ran =
+      physim({"run", folder.write("four.toml", four), "--set", "title=" + title, "--plot", folder / "a.svg"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::string svg = read(folder / "a.svg");
+  for (const char* name : {"ball", "second", "third", "fourth"}) {
+    EXPECT_GT(height_of(svg, name), height_of(svg, title) + 25) << name;
+    EXPECT_LT(height_of(svg, name), height_of(svg, "height [m] over distance") - 20) << name;
+  }
+}
+
 TEST(CliPlot, AMissingGnuplotIsNamedWithItsPackage) {
   const Folder folder;
-  const std::vector<std::string> arguments = {"run", folder.write("ball.toml", kBall), "--plot", folder / "a.png"};
-  const Ran ran = run_program(PHYSIM_CLI, arguments, "", {"PATH=/nonexistent"});
-  expect_complaint(ran, "apt-get install gnuplot-nox");
-  EXPECT_EQ(folder.names().size(), 1U);
+  const std::string file = folder.write("ball.toml", kBall);
+  for (const std::vector<std::string>& output :
+       std::vector<std::vector<std::string>>{{"--plot", folder / "a.png"}, {"--out", folder / "out"}}) {
+    const Ran ran = run_program(PHYSIM_CLI, {"run", file, output[0], output[1]}, "", {"PATH=/nonexistent"});
+    expect_complaint(ran, "apt-get install gnuplot-nox");
+    EXPECT_EQ(folder.names().size(), 1U);
+  }
 }
 
 TEST(CliPlot, AFolderGetsEverything) {

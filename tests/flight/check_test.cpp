@@ -100,7 +100,7 @@ const BadInput kBad[] = {
      [](Input& i) { i.launch.sight.zero_range = -1; }},
     {"look angle in degrees", "launch.sight.look_angle", "between", [](Input& i) { i.launch.sight.look_angle = 30; }},
     {"cant NaN", "launch.sight.cant", "finite", [](Input& i) { i.launch.sight.cant = kNan; }},
-    {"altitude too low", "environment.altitude", "above", [](Input& i) { i.environment.altitude = -6000; }},
+    {"altitude too low", "environment.altitude", "between", [](Input& i) { i.environment.altitude = -6000; }},
     {"gravity NaN", "environment.gravity.acceleration", "finite",
      [](Input& i) { i.environment.gravity.acceleration = kNan; }},
     {"radius zero", "environment.gravity.radius", "positive", [](Input& i) { i.environment.gravity.radius = 0; }},

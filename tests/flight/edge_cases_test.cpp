@@ -1,0 +1,169 @@
+// Shots that once went wrong: on and under the ground, across a value twice, in air that is hardly there.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "physim/physim.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kG = 9.80665;
+
+Environment still(double density) {
+  Environment e;
+  e.gravity.model = GravityModel::constant;
+  e.atmosphere = {.model = AirModel::constant, .density = density, .sound_speed = 340};
+  return e;
+}
+
+TEST(EdgeCases, a_level_shot_from_the_ground_has_landed) {
+  for (const auto preset : fidelity_presets()) {
+    const Fidelity f = *fidelity_preset(preset);
+    for (const double speed : {0.0, 100.0}) {
+      const Shot shot{{}, {.speed = speed}};
+      EXPECT_EQ(fly(shot.projectile, shot.launch, {}, f).outcome(), Outcome::landed) << preset;
+      EXPECT_EQ(fly(shot.projectile, shot.launch, {}, f).duration(), 0) << preset;
+      EXPECT_EQ(fly_batch({&shot, 1}, {}, f).shots[0].outcome, Outcome::landed) << preset;
+    }
+  }
+}
+
+TEST(EdgeCases, a_shot_that_never_leaves_the_underground_lands_at_its_apex) {
+  for (const auto preset : {"arcade", "sport_ball", "simulation", "reference"}) {
+    const Shot shot{{}, {.position = {0, -100, 0}, .speed = 10, .elevation = 1.5707963267948966}};
+    const Flight flight = fly(shot.projectile, shot.launch, {}, *fidelity_preset(preset));
+    EXPECT_EQ(flight.outcome(), Outcome::landed) << preset;
+    EXPECT_NEAR(flight.duration(), 10 / kG, 0.02) << preset;
+    const BatchResult batch = fly_batch({&shot, 1}, {}, *fidelity_preset(preset));
+    EXPECT_EQ(batch.shots[0].time, flight.duration()) << preset;
+  }
+}
+
+TEST(EdgeCases, thrust_lifts_a_level_shot_off_the_ground) {
+  ProjectileDef rocket;
+  rocket.force = {0, 2 * kG, 0};
+  rocket.force_duration = 1;
+  const Flight flight = fly(rocket, {.speed = 10}, still(0), Fidelity::sport_ball());
+  EXPECT_EQ(flight.outcome(), Outcome::landed);
+  // Up with g for 1 s, then a lob from g/2 with speed g: t = 1 + (1 + sqrt(2)).
+  EXPECT_NEAR(flight.duration(), 2 + std::sqrt(2.0), 2e-3);
+}
+
+TEST(EdgeCases, a_range_crossed_out_and_back_in_one_step_is_seen) {
+  ProjectileDef grain;
+  grain.drag.k1 = 0.5;
+  Environment e = still(1.2);
+  e.wind.velocity = {-60, 0, 0};
+  Fidelity f = Fidelity::arcade();
+  f.precision = Precision::float64;
+  f.drag = DragModel::linear_quadratic;
+  f.wind = WindModel::constant;
+  Until until;
+  until.ground.reset();
+  until.time = 60;
+  until.range = 50;
+  const Flight flight = fly(grain, {.speed = 100, .elevation = 0.7}, e, f, {}, until);
+  ASSERT_EQ(flight.outcome(), Outcome::reached_range);
+  EXPECT_NEAR(flight.end().range, 50, 1e-9);
+  EXPECT_GT(flight.end().velocity.x, 0);
+}
+
+TEST(EdgeCases, a_speed_passed_twice_in_one_step_is_seen_twice) {
+  const double slowest = 100 * std::cos(0.5235987755982988);
+  Until until;
+  until.events = {{EventKind::speed, slowest + 0.1}};
+  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853}) {
+    Fidelity f = Fidelity::simulation();
+    f.integrator = integrator;
+    f.drag = DragModel::off;
+    const Flight flight = fly({}, {.speed = 100, .elevation = 0.5235987755982988}, still(0), f, {}, until);
+    int passed = 0;
+    for (const Event& e : flight.events()) passed += e.kind == EventKind::speed;
+    EXPECT_EQ(passed, 2);
+  }
+}
+
+TEST(EdgeCases, the_start_counts_as_a_crossing_of_its_height_only_for_any_direction) {
+  const Flight lob = fly({}, {.speed = 50, .elevation = 1}, still(0), Fidelity::arcade());
+  EXPECT_EQ(lob.at_height(0)->time, 0);
+  EXPECT_NEAR(lob.at_height(0, Crossing::falling)->time, lob.duration(), 1e-5);
+}
+
+TEST(EdgeCases, a_zero_beyond_thirty_degrees_is_found) {
+  Fidelity f = Fidelity::sport_ball();
+  f.drag = DragModel::off;
+  const auto elevation = zero_elevation({}, {.speed = 100}, still(0), f, 950);
+  ASSERT_TRUE(elevation) << elevation.error().text();
+  EXPECT_NEAR(*elevation, 0.5 * std::asin(950 * kG / 1e4), 1e-7);
+  EXPECT_FALSE(zero_elevation({}, {.speed = 100}, still(0), f, 1030));
+}
+
+TEST(EdgeCases, a_spline_that_would_overshoot_is_not_granted) {
+  ProjectileDef p;
+  p.drag = {.table = DragTable::custom, .curve = {{0, .12}, {.8, .12}, {1, .4}, {1.2, .35}, {2, .25}, {3, .2}}};
+  const Flight flight = fly(p, {.speed = 900, .elevation = 1}, {}, Fidelity::simulation());
+  EXPECT_EQ(flight.fidelity_in_use().fidelity.interpolation, Interpolation::pchip);
+  ASSERT_EQ(flight.fidelity_in_use().notes.size(), 1u);
+  EXPECT_EQ(flight.fidelity_in_use().notes[0].effect, "interpolation");
+}
+
+TEST(EdgeCases, spin_drift_needs_air_and_a_stability_that_means_something) {
+  ProjectileDef bullet;
+  bullet.mass = 0.0109, bullet.diameter = 0.00782, bullet.length = 0.031, bullet.twist = 0.3;
+  Environment e = still(0);
+  for (const AirModel model : {AirModel::vacuum, AirModel::constant}) {
+    e.atmosphere.model = model;
+    const Flight flight = fly(bullet, {.speed = 800, .elevation = 0.1}, e, Fidelity::small_arms());
+    EXPECT_EQ(flight.fidelity_in_use().fidelity.rotation, RotationModel::none);
+    EXPECT_EQ(flight.end().windage, 0);
+  }
+  Environment high;
+  high.altitude = 80000;
+  EXPECT_EQ(fly(bullet, {.speed = 800, .elevation = 0.1}, high, Fidelity::small_arms()).end().windage, 0);
+}
+
+TEST(EdgeCases, more_vapour_than_air_is_refused) {
+  Environment e;
+  e.atmosphere.temperature = 350;
+  e.atmosphere.pressure = 200;
+  e.atmosphere.humidity = 1;
+  const Flight flight = fly({}, {.speed = 100, .elevation = 0.5}, e, Fidelity::simulation());
+  ASSERT_TRUE(flight.error());
+  EXPECT_EQ(flight.error()->place, "environment.atmosphere.humidity");
+}
+
+TEST(EdgeCases, derived_k2_equals_the_drag_equation_at_launch_with_wind_and_bands) {
+  ProjectileDef p;
+  p.drag = {.table = DragTable::g7, .bands = {{0, 100}, {600, 200}}};
+  Environment e = still(1.2);
+  e.wind.velocity = {-20, 0, 5};
+  Fidelity exact = Fidelity::sport_ball();
+  Fidelity cheap = Fidelity::game();
+  cheap.precision = exact.precision;
+  const Launch launch{.speed = 800, .elevation = 0.3};
+  const Vec3d want = fly(p, launch, e, exact, {.step = 0.01}).accelerations(0).drag;
+  const Vec3d got = fly(p, launch, e, cheap, {.step = 0.01}).accelerations(0).drag;
+  EXPECT_NEAR(length(got - want), 0, 1e-9 * length(want));
+}
+
+TEST(EdgeCases, planar_effects_add_up) {
+  Environment e;
+  e.wind.velocity = {0, 0, 10};
+  Fidelity f = Fidelity::artillery();
+  f.planar = true;
+  const Accelerations a = fly({}, {.speed = 300, .elevation = 0.7}, e, f).accelerations(3);
+  EXPECT_LT(length(a.gravity + a.drag + a.coriolis + a.applied - a.total), 1e-13);
+}
+
+TEST(EdgeCases, what_is_left_out_is_said) {
+  ProjectileDef pushed;
+  pushed.force = {1, 0, 0};
+  const Flight flight = fly(pushed, {.speed = 10, .elevation = 1}, {}, Fidelity::arcade());
+  bool said = false;
+  for (const FidelityNote& note : flight.fidelity_in_use().notes) said = said || note.effect == "motion";
+  EXPECT_TRUE(said);
+}
+
+}  // namespace
+}  // namespace physim
