@@ -31,6 +31,8 @@ enum class DragTable {
 struct DragPoint {
   double mach = 0;         ///< Mach number [-]
   double coefficient = 0;  ///< drag coefficient Cd [-]
+
+  bool operator==(const DragPoint&) const = default;
 };
 
 /// The ballistic coefficient from a speed upwards.

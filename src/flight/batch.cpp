@@ -90,12 +90,21 @@ class Batch {
     if (group->shots.size() == kChunk) fly(*group);
   }
 
+  /// Fitting a spline costs more than a flight, so each custom curve is judged once.
+  bool overshoots(const DragDef& drag) {
+    if (drag.table != DragTable::custom) return false;
+    for (const auto& [curve, verdict] : judged_curves_)
+      if (curve == drag.curve) return verdict;
+    if (judged_curves_.size() == kMostJudgedCurves) judged_curves_.clear();
+    return judged_curves_.emplace_back(drag.curve, spline_overshoots(drag)).second;
+  }
+
   /// grant() looks at these of a projectile, so shots that agree in them are granted the same.
-  [[nodiscard]] unsigned grant_key(const ProjectileDef& p) const {
+  [[nodiscard]] unsigned grant_key(const ProjectileDef& p) {
     const DragDef& d = p.drag;
     return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
            (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
-           (fidelity_.interpolation == Interpolation::cubic && spline_overshoots(d) ? 64u : 0);
+           (fidelity_.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0);
   }
 
   ShotGroup* group_of(const ProjectileDef& projectile) {
@@ -211,6 +220,8 @@ class Batch {
   const Until& until_;
   WatchList watch_{};
   std::deque<ShotGroup> groups_;
+  static constexpr std::size_t kMostJudgedCurves = 64;
+  std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
   std::array<ShotGroup*, 128> group_by_key_{};
   BatchResult result_;
 };

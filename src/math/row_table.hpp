@@ -10,11 +10,12 @@
 
 PHYSIM_ISA_BEGIN
 
-/// r0 + t (r1 + t (r2 + t r3)) with r = rows[4 * index ..]; index is a whole number, 0 <= index < 2^22.
+/// r0 + r1 t + r2 t^2 + r3 t^3, as (r0 + t r1) + t^2 (r2 + t r3), with r = rows[4 * index ..]; index is a whole number,
+/// 0 <= index < 2^22.
 template <class S>
 requires std::is_floating_point_v<S> PHYSIM_INLINE S row_cubic(const S* rows, S index, S t) {
   const S* r = rows + 4 * static_cast<std::int64_t>(index);
-  return r[0] + t * (r[1] + t * (r[2] + t * r[3]));
+  return (r[0] + t * r[1]) + (t * t) * (r[2] + t * r[3]);
 }
 
 #if defined(__has_builtin)
@@ -85,14 +86,14 @@ PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const
         r3.r[i] = Four::join8(Four::join4(c[0][3], c[1][3]), Four::join4(c[2][3], c[3][3]));
       }
     }
-    return r0 + t * (r1 + t * (r2 + t * r3));
+    return (r0 + t * r1) + (t * t) * (r2 + t * r3);
   }
 #endif
   S column[4][N];
   for (int lane = 0; lane < N; ++lane)
     for (int k = 0; k < 4; ++k) column[k][lane] = rows[offset[lane] + static_cast<unsigned>(k)];
   using P = Pack<S, N>;
-  return P::load(column[0]) + t * (P::load(column[1]) + t * (P::load(column[2]) + t * P::load(column[3])));
+  return (P::load(column[0]) + t * P::load(column[1])) + (t * t) * (P::load(column[2]) + t * P::load(column[3]));
 }
 
 PHYSIM_ISA_END

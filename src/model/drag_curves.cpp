@@ -43,18 +43,12 @@ bool overshoots(const PiecewiseCubic& curve, std::span<const DragPoint> points) 
   return false;
 }
 
-bool same_points(const std::vector<DragPoint>& a, const std::vector<DragPoint>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DragPoint& p, const DragPoint& q) {
-    return p.mach == q.mach && p.coefficient == q.coefficient;
-  });
-}
-
 }  // namespace
 
 CurvePlace CurvePool::add(const DragDef& drag, Interpolation interpolation) {
   for (const Entry& e : entries_) {
     if (e.table != drag.table) continue;
-    if (drag.table == DragTable::custom && !same_points(e.curve, drag.curve)) continue;
+    if (drag.table == DragTable::custom && e.curve != drag.curve) continue;
     return e.place;
   }
   const auto own_points = drag.table == DragTable::custom ? drag.curve : std::vector<DragPoint>{};
