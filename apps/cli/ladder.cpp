@@ -68,7 +68,7 @@ void add_effects(const Scenario& scenario, std::vector<Rung>& rungs) {
   without("float32", [](Fidelity& f) { f.precision = Precision::float32; });
   // A tolerance below the rounding of a float cannot be kept.
   Tolerance& coarse = rungs.back().tolerance;
-  coarse.relative = coarse.absolute = std::max(coarse.relative, 1e-5);
+  coarse.relative = coarse.absolute = std::max(coarse.relative.value_or(0), 1e-5);
 }
 
 std::vector<Rung> all_rungs(const Scenario& scenario) {

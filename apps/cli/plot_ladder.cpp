@@ -138,7 +138,8 @@ class LadderPicture {
     std::string out = title_at(0.02, 0.967, title_, kWidth);
     out += text_at(0.02, 0.932,
                    shot_ + ": distance from the reference flight (dop853, tolerance " +
-                       significant(kReferenceTolerance.relative, 1) + ") over the time that one fly() takes here",
+                       significant(kReferenceTolerance.relative.value_or(0), 1) +
+                       ") over the time that one fly() takes here",
                    14, kQuiet);
     out += text_at(0.02, 0.868, "error at the end of the flight", 14, kInk);
     double x = 0.02;

@@ -154,9 +154,9 @@ Status check(const Tolerance& t, const Fidelity& f) {
   Checker c;
   // An adaptive integrator cannot reach an error below a few roundings: it would only shrink its step for ever.
   const double rounding = f.precision == Precision::float32 ? 1.1920929e-7 : 2.220446049250313e-16;
-  c.not_negative(t.relative, "tolerance.relative", "").not_negative(t.absolute, "tolerance.absolute", "");
+  c.not_negative(t.relative.value_or(0), "tolerance.relative", "").not_negative(t.absolute, "tolerance.absolute", "");
   const bool adaptive = is_adaptive(f.integrator) && f.motion != Motion::closed_form;
-  c.require(!adaptive || t.relative >= 4 * rounding, "tolerance.relative", "lies below rounding",
+  c.require(!adaptive || !t.relative || *t.relative >= 4 * rounding, "tolerance.relative", "lies below rounding",
             f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best");
   c.not_negative(t.step, "tolerance.step", "0: found by a pilot flight");
   c.positive(t.position_error, "tolerance.position_error", "in m");

@@ -156,6 +156,19 @@ TEST(EdgeCases, planar_effects_add_up) {
   EXPECT_LT(length(a.gravity + a.drag + a.coriolis + a.applied - a.total), 1e-13);
 }
 
+TEST(EdgeCases, precision_alone_may_be_lowered) {
+  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853, Integrator::rk4}) {
+    Fidelity f = Fidelity::simulation();
+    f.integrator = integrator;
+    const Launch launch{.speed = 300, .elevation = 0.5};
+    const Flight exact = fly({}, launch, {}, f);
+    f.precision = Precision::float32;
+    const Flight rough = fly({}, launch, {}, f);
+    ASSERT_FALSE(rough.error()) << rough.error()->text();
+    EXPECT_NEAR(rough.end().range, exact.end().range, 1e-4 * exact.end().range);
+  }
+}
+
 TEST(EdgeCases, what_is_left_out_is_said) {
   ProjectileDef pushed;
   pushed.force = {1, 0, 0};
