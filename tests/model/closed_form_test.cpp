@@ -20,7 +20,7 @@ Fidelity closed(DragModel drag, WindModel wind = WindModel::constant) {
   return f;
 }
 
-// ../shared/reference/analytic/vacuum_parabola.csv
+// the closed forms of analytic/vacuum_parabola.csv
 TEST(ClosedForm, parabola) {
   const struct {
     double v, elevation, time, range, apex;
@@ -37,7 +37,7 @@ TEST(ClosedForm, parabola) {
   }
 }
 
-// ../shared/reference/analytic/linear_drag.csv (Lambert W)
+// the closed forms of analytic/linear_drag.csv (Lambert W)
 TEST(ClosedForm, linear_drag_with_wind) {
   const struct {
     double v, elevation, k, wind, time, range, t_apex, apex, x_half, y_half, vx, vy;

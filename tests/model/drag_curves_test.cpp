@@ -31,7 +31,7 @@ double felt_cd(const DragDef& drag, Interpolation interpolation, double mach) {
   return -prepared.acceleration(0, {{}, {mach, 0, 0}}).x / (mach * mach);
 }
 
-// Sums over all points of a standard function, of ../shared/reference/drag_tables (tabulated by the US Army BRL):
+// Sums over all points of a standard function, of drag_tables (tabulated by the US Army BRL):
 // a wrong, missing or doubled digit shows.
 TEST(DragCurves, standard_functions_have_the_published_points) {
   const struct {
@@ -125,7 +125,7 @@ TEST(DragCurves, the_pool_keeps_equal_curves_once_and_different_ones_apart) {
   EXPECT_NE(pool.add(custom, Interpolation::pchip).row, first.row);
 }
 
-// Morrison 2013, figures of ../shared/reference/sphere_drag/sphere_cd.csv (8 digits).
+// Morrison 2013, figures of sphere_drag/sphere_cd.csv (8 digits).
 TEST(SphereDrag, has_the_values_of_morrisons_formula) {
   const double rows[][2] = {{0.01, 2400.1526},
                             {0.1, 240.22116},

@@ -166,7 +166,7 @@ TEST(Drag, damping_keeps_the_given_part_of_the_velocity_per_second) {
   EXPECT_TRUE(near(flight.at(3).velocity.x, 34.3, 1e-8));
 }
 
-// Vertical fall and ascent with quadratic drag (../shared/reference/analytic/quadratic_vertical.csv).
+// Vertical fall and ascent with quadratic drag (the closed forms of analytic/quadratic_vertical.csv).
 TEST(Drag, falls_approach_the_terminal_speed_as_they_should) {
   const struct {
     double vt, t, speed, fallen;
@@ -185,7 +185,7 @@ TEST(Drag, falls_approach_the_terminal_speed_as_they_should) {
   }
 }
 
-// Plane flight with quadratic drag (../shared/reference/analytic/quadratic_2d_constant_density.csv), from the
+// Plane flight with quadratic drag (the closed forms of analytic/quadratic_2d_constant_density.csv), from the
 // hodograph.
 TEST(Drag, flights_with_quadratic_drag_in_a_plane) {
   const struct {
@@ -216,7 +216,7 @@ TEST(Drag, flights_with_quadratic_drag_in_a_plane) {
   }
 }
 
-// Fall through exponential air (../shared/reference/analytic/fall_exponential_atmosphere.csv).
+// Fall through exponential air (the closed forms of analytic/fall_exponential_atmosphere.csv).
 TEST(Drag, falls_through_exponential_air) {
   const struct {
     double k0, scale, start, z, speed;

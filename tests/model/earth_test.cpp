@@ -48,7 +48,7 @@ TEST(Coriolis, turns_with_the_azimuth_of_fire) {
   EXPECT_TRUE(near(b, {a.z, a.y, -a.x}, 1e-14));
 }
 
-// Exact solutions (../shared/reference/analytic/coriolis_uniform_g.csv): v' = g - 2 w x v, in east, north, up.
+// Exact solutions (the closed forms of analytic/coriolis_uniform_g.csv): v' = g - 2 w x v, in east, north, up.
 TEST(Coriolis, flights_follow_the_exact_solution) {
   const struct {
     double latitude, height, speed, elevation, azimuth, time, east, north, up;

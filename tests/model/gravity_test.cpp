@@ -44,7 +44,7 @@ TEST(Gravity, constant_points_to_the_centre_of_a_sphere) {
   EXPECT_LT(dot(a, r), 0);
 }
 
-// U.S. Standard Atmosphere, 1976: gravity at geometric altitudes (../shared/reference/atmosphere/us76_exact.csv).
+// U.S. Standard Atmosphere, 1976: gravity at geometric altitudes (the exact figures of us76_exact.csv).
 TEST(Gravity, inverse_square_is_that_of_the_standard_atmosphere) {
   const struct {
     double z, g;
@@ -102,7 +102,7 @@ TEST(Gravity, conserves_energy) {
             1e-9);
 }
 
-// Exact ellipses (../shared/reference/analytic/newton_gravity_range.csv): GM 3.986004418e14, R 6371000 m.
+// Exact ellipses (the closed forms of analytic/newton_gravity_range.csv): GM 3.986004418e14, R 6371000 m.
 TEST(Gravity, flights_over_a_round_earth_are_ellipses) {
   const struct {
     double speed, elevation, range, apex, time;
@@ -131,7 +131,7 @@ TEST(Gravity, flights_over_a_round_earth_are_ellipses) {
   }
 }
 
-// Radial fall from rest (../shared/reference/analytic/radial_fall_newton.csv), on both kinds of Earth.
+// Radial fall from rest (the closed forms of analytic/radial_fall_newton.csv), on both kinds of Earth.
 TEST(Gravity, radial_fall) {
   const struct {
     double h, t, v;

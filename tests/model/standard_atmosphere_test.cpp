@@ -14,7 +14,7 @@ namespace {
 using test::near;
 
 // U.S. Standard Atmosphere 1976 from its defining equations to 40 digits
-// (../shared/reference/atmosphere/us76_exact.csv): geometric altitude, molecular temperature, pressure, density, sound
+// (the exact figures of us76_exact.csv): geometric altitude, molecular temperature, pressure, density, sound
 // speed, viscosity.
 constexpr double kExact[][6] = {
     {-4000, 314.1663708217806228, 159598.14239931133859, 1.7697256191981742029, 355.32434567529594128,
@@ -91,7 +91,7 @@ std::vector<Environment> stations() {
   return list;
 }
 
-// Z of the layers' bases (../shared/reference/atmosphere/us76_layers.csv).
+// Z of the layers' bases (the exact figures of us76_layers.csv).
 constexpr double kBases[] = {11019.067832000108419, 20063.123681701359968, 32161.903222980897633,
                              47350.092222120439966, 51412.479625790110194, 71801.97067469581273};
 

@@ -222,7 +222,7 @@ TYPED_TEST(Battery, events_are_located_to_the_accuracy_of_the_dense_output) {
   EXPECT_LT(coarse.residual, 1e-15);
 }
 
-// ../shared/reference/analytic/vacuum_parabola.csv: methods of order 2 and above are exact in vacuum, whatever the
+// the closed forms of analytic/vacuum_parabola.csv: methods of order 2 and above are exact in vacuum, whatever the
 // step.
 TYPED_TEST(Battery, parabolas_are_exact_from_order_2_on) {
   if (this->kPromise.order < 2) GTEST_SKIP() << "order 1";
