@@ -105,9 +105,11 @@ Result<double> step_within(const ProjectileDef& projectile, const Launch& launch
   tight.relative = tight.absolute = clamp(1e-6 * error_allowed, 1e-13, 1e-9);
   const Flight reference = fly(projectile, launch, environment, exact, tight, until);
   if (reference.error()) return *reference.error();
+  if (reference.outcome() == Outcome::step_limit)
+    return Error{"the pilot flight took all steps allowed", "tolerance.max_steps", "allow more, or give a step"};
   if (reference.outcome() > Outcome::time_limit)
-    return Error{"the pilot flight ended as " + std::string(name(reference.outcome())), "tolerance.max_steps",
-                 "give a step, or allow more steps"};
+    return Error{"the pilot flight ended as " + std::string(name(reference.outcome())), "launch",
+                 "check the figures of projectile and launch, or give a step"};
   const double order = order_of_fixed(fidelity.integrator);
   Fidelity coarse = fidelity;
   coarse.precision = Precision::float64;
