@@ -208,9 +208,8 @@ class Batch {
     const State<double> s = with_drift(end.state, group.drifts[i], group.right[i], end.time);
     const auto steps = static_cast<std::int64_t>(end.steps);
     const auto tries = static_cast<std::int64_t>(end.tries);
-    const Fidelity& f = group.cohort.in_use.fidelity;
-    const std::int64_t per_try = f.motion == Motion::closed_form ? 1 : end_slope(f.integrator);
-    result_.shots[group.shots[i]] = {end.outcome, end.time, s.x, s.v, {steps, tries - steps, 1 + tries * per_try}};
+    result_.shots[group.shots[i]] = {
+        end.outcome, end.time, s.x, s.v, {steps, tries - steps, evaluations(group.cohort.in_use.fidelity, tries)}};
   }
 
   std::span<const Shot> shots_;

@@ -7,6 +7,7 @@
 #include "flight/cohort.hpp"
 #include "math/text.hpp"
 #include "model/humid_air.hpp"
+#include "model/standard_atmosphere.hpp"
 
 namespace physim {
 namespace {
@@ -110,7 +111,8 @@ Status check(const Launch& l) {
 
 Status check(const Environment& e) {
   Checker c;
-  c.require(e.altitude >= -5000 && e.altitude <= 1e9, "environment.altitude", "must lie between -5000 m and 1e9 m", "");
+  c.require(e.altitude >= kLowestAltitude && e.altitude <= 1e9, "environment.altitude",
+            "must lie between -5000 m and 1e9 m", "");
   c.is_number(e.gravity.acceleration, "environment.gravity.acceleration");
   c.positive(e.gravity.radius, "environment.gravity.radius", "in m");
   const Atmosphere& a = e.atmosphere;
@@ -131,8 +133,8 @@ Status check(const Environment& e) {
               "lower it, or raise the pressure");
   }
   if (a.station_altitude)
-    c.require(*a.station_altitude >= -5000 && *a.station_altitude <= 80000, "environment.atmosphere.station_altitude",
-              "must lie between -5000 m and 80000 m", "");
+    c.require(*a.station_altitude >= kLowestAltitude && *a.station_altitude <= 80000,
+              "environment.atmosphere.station_altitude", "must lie between -5000 m and 80000 m", "");
   if (a.density) c.not_negative(*a.density, "environment.atmosphere.density", "");
   if (a.sound_speed) c.positive(*a.sound_speed, "environment.atmosphere.sound_speed", "");
   c.positive(a.scale_height, "environment.atmosphere.scale_height", "");

@@ -155,8 +155,6 @@ Conditions<float> to_float(const Conditions<double>& c) {
 
 namespace {
 
-constexpr double kLowestAltitude = -5000;  // of the standard atmosphere [m]
-
 bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f.drag == DragModel::equation; }
 
 }  // namespace
@@ -206,7 +204,7 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
 SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const Environment& environment,
                              const Fidelity& granted) {
   if (granted.rotation != RotationModel::spin_drift) return {};
-  const auto air = air_at(environment, std::clamp(environment.altitude, -5000.0, 86000.0));
+  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
   if (!air) return {};
   const double stability = miller_stability(p, launch_speed, air->temperature, air->pressure);
   return stability < kMostStable ? litz_spin_drift(stability, p.twist) : SpinDrift{};

@@ -18,10 +18,6 @@ void keep_event(FlightRecord& record, const Watched& watched, bool rising, doubl
       {watched.spec.kind, watched.spec.value, rising ? Crossing::rising : Crossing::falling, time, s.x, s.v});
 }
 
-std::int64_t evaluations_per_try(const Fidelity& f) {
-  return f.motion == Motion::closed_form ? 1 : end_slope(f.integrator);
-}
-
 /// Flies a single lane to its end; the loop is that of the batch kernels (flight/batch_driver.hpp) with a record kept.
 template <class S>
 void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body) {
@@ -58,7 +54,7 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
   const auto tries = static_cast<std::int64_t>(lane.tries);
   record.cost.steps = static_cast<std::int64_t>(lane.count);
   record.cost.rejected = tries - record.cost.steps;
-  record.cost.evaluations = 1 + tries * evaluations_per_try(course.conditions->fidelity);
+  record.cost.evaluations = evaluations(course.conditions->fidelity, tries);
 }
 
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {

@@ -110,8 +110,6 @@ void fit_low(const Air<double>& air, const F& f, double (&out)[N]) {
   std::copy(powers.begin(), powers.end(), out);
 }
 
-constexpr double kLowestAltitude = -5000;  // the standard's own lower end [m]
-
 void prepare_layers(const Station& station, Air<double>& air) {
   const Profile& profile = station.profile;
   const auto per_sound = [&](double t) { return 1 / (station.sound_factor * dry_sound_speed(t)); };
@@ -163,7 +161,7 @@ Air<double> prepare_air(const Environment& environment, AirModel model) {
 }
 
 Result<AirSample> air_at(const Environment& environment, double altitude) {
-  if (!(altitude >= kLowestAltitude && altitude <= 86000))
+  if (!(altitude >= kLowestAltitude && altitude <= kHighestAltitude))
     return Error{"altitude " + short_text(altitude) + " m lies outside the standard atmosphere", "altitude",
                  "give a height from -5000 m to 86000 m"};
   Conditions<double> c{};

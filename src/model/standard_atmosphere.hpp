@@ -14,6 +14,10 @@
 
 namespace physim {
 
+/// Geometric altitudes between which the standard is defined [m].
+inline constexpr double kLowestAltitude = -5000;
+inline constexpr double kHighestAltitude = 86000;
+
 /// The air of an environment; `model` is the granted rung.
 [[nodiscard]] Air<double> prepare_air(const Environment& environment, AirModel model);
 

@@ -8,17 +8,10 @@
 namespace physim {
 namespace {
 
-/// The time of the first apex: between two steps the vertical velocity goes from up to down; halve until it is found.
+/// The time of the first apex: fly() always records apexes.
 std::optional<double> apex_time(const Flight& flight) {
-  const std::vector<double> times = flight.step_times();
-  const auto rises = [&flight](double time) { return flight.at(time).velocity.y > 0; };
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (!rises(times[i - 1]) || rises(times[i])) continue;
-    double low = times[i - 1], high = times[i];
-    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-      (rises(middle) ? low : high) = middle;
-    return high;
-  }
+  for (const Event& event : flight.events())
+    if (event.kind == EventKind::apex) return event.time;
   return std::nullopt;
 }
 
