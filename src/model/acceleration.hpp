@@ -23,11 +23,12 @@ PHYSIM_INLINE Vec3<R> applied(const Conditions<S>&, const Body<R>& b, const R& t
 /// The switches are uniform over all lanes: one predictable branch per effect for a whole pack.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  Vec3<R> a = gravity(c, s.x);
+  Vec3<R> a = weight_per_mass(c, b, s.x);
   if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
   if (c.fidelity.earth == EarthModel::flat_coriolis) a += coriolis(c, s.v);
   if (c.has_applied) a += applied(c, b, t);
   if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
+  if (c.has_frozen) a = component_product(a, b.free);
   return a;
 }
 

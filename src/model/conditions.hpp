@@ -66,9 +66,11 @@ struct Conditions {
   const S* curve_rows;                    // pool of cubic rows of all drag curves in use
   const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
   bool has_searched_curves;
-  bool has_spheres;  // some projectile has Cd by Reynolds number
-  bool has_bands;    // some projectile has banded ballistic coefficients
-  bool has_applied;  // some projectile carries an applied force
+  bool has_spheres;        // some projectile has Cd by Reynolds number
+  bool has_bands;          // some projectile has banded ballistic coefficients
+  bool has_applied;        // some projectile carries an applied force
+  bool has_gravity_scale;  // some projectile has its own part of gravity
+  bool has_frozen;         // some projectile does not move along some axis
 };
 
 }  // namespace physim
