@@ -75,6 +75,10 @@ struct AutoFidelity {
 [[nodiscard]] Flight fly_chosen(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                                 const AutoFidelity& chosen, const Until& until = {});
 
+/// Chooses for this one flight, and flies it. Refused where nothing can be chosen.
+[[nodiscard]] Flight fly_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                                const Purpose& purpose, const Until& until = {});
+
 /// The launches that stand for all that are like one: the corners of a box of speeds (an eighth of an octave) and
 /// elevations (a sixteenth of a radian) that it lies in, with azimuth and place rounded.
 [[nodiscard]] std::vector<Launch> launch_class(const Launch& launch, std::optional<double> ground);

@@ -292,7 +292,7 @@ Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, const Laun
 Tolerance AutoFidelity::tolerance() const { return tolerance_for(purpose, step); }
 
 std::string AutoFidelity::explanation() const {
-  const std::string promise = "within " + length_text(purpose.error) + " over " + short_text(purpose.time) + " s";
+  const std::string promise = "within " + length_text(purpose.error) + " over " + rounded_text(time) + " s";
   const std::string found = ": measured " + length_text(error);
   if (cost >= truth_cost) return "nothing cheaper than the reference stays " + promise + found;
   return "the cheapest " + promise + found + ", " + rounded_text(truth_cost / cost) +
@@ -312,6 +312,15 @@ Flight fly_chosen(const ProjectileDef& projectile, const Launch& launch, const E
   auto record = record_flight(projectile, launch, environment, chosen.fidelity, chosen.tolerance(), until);
   record->cohort.in_use.notes.push_back(chosen.note());
   return Flight(record);
+}
+
+Flight fly_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                  const Purpose& purpose, const Until& until) {
+  const auto chosen = cheapest_within(projectile, launch, environment, purpose);
+  if (chosen) return fly_chosen(projectile, launch, environment, *chosen, until);
+  auto refused = std::make_shared<FlightRecord>();
+  refused->error = chosen.error();
+  return Flight(refused);
 }
 
 }  // namespace physim

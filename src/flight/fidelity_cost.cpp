@@ -6,7 +6,7 @@ namespace physim {
 namespace {
 
 // Counted in src/model and src/solve: additions, products, comparisons and selections as 1, quotients and square roots
-// as 4, loads of a table's row as 8. Only ratios matter; the benchmarks agree with them within a third.
+// as 4, loads of a table's row as 8. Only ratios matter; those of the benchmarks agree within 40 %.
 constexpr double kAdvance = 12;  // y + h y'
 constexpr double kReciprocal = 4, kExp = 20, kPow = 60;
 

@@ -25,7 +25,7 @@ std::string length_text(double x) {
   };
   constexpr Unit kUnits[] = {{1e3, " km"}, {1, " m"}, {1e-2, " cm"}, {1e-3, " mm"}, {1e-6, " um"}, {1e-9, " nm"}};
   for (const Unit& unit : kUnits)
-    if (x >= 0.995 * unit.size) return rounded_text(x / unit.size) + unit.name;
+    if (x >= 0.995 * unit.size && x < 1e300) return rounded_text(x / unit.size) + unit.name;
   return rounded_text(x) + " m";
 }
 

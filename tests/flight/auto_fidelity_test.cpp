@@ -202,6 +202,42 @@ TEST(AutoFidelity, AThrustThatMattersIsKept) {
   EXPECT_EQ(choice->fidelity.motion, Motion::force) << "the other motions know no forces";
 }
 
+// The table of docs/auto_fidelity.md, and the sentence quoted there.
+TEST(AutoFidelity, ItsPageTellsTheTruth) {
+  using namespace units;
+  const ProjectileDef bullet{.mass = 168_gr,
+                             .diameter = 0.308_in,
+                             .length = 1.226_in,
+                             .twist = 12_in,
+                             .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218_lb_in2}};
+  Environment environment;
+  environment.wind.velocity = {0, 0, -2};
+  const auto at = [&](double error) {
+    const Launch launch{.speed = 2700_fps, .elevation = 0.2_deg};
+    return cheapest_within(bullet, launch, environment, {.error = error, .time = 1});
+  };
+  const auto words = [&](double error) {
+    const auto choice = at(error);
+    if (!choice) return choice.error().message;
+    const Fidelity& f = choice->fidelity;
+    std::string text(f.motion == Motion::closed_form ? name(f.motion) : name(f.integrator));
+    for (const std::string_view rung : {name(f.drag), name(f.air), name(f.wind), name(f.rotation), name(f.precision)})
+      text += " " + std::string(rung);
+    return text;
+  };
+  EXPECT_EQ(words(300), "closed_form off vacuum off none float32");
+  EXPECT_EQ(words(100), "semi_implicit_euler linear_quadratic constant off none float32");
+  EXPECT_EQ(words(10), "semi_implicit_euler equation constant off none float32");
+  EXPECT_EQ(words(1), "heun equation constant off none float32");
+  EXPECT_EQ(words(1e-2), "rk4 equation constant constant spin_drift float32");
+  EXPECT_EQ(words(1e-4), "rk4 equation isa constant spin_drift float32");
+  EXPECT_EQ(words(1e-5), "rk4 equation isa constant spin_drift float64");
+  EXPECT_EQ(words(1e-7), "dop853 equation isa constant spin_drift float64");
+  EXPECT_EQ(words(1e-8).find("the truth itself is known to"), 0U) << words(1e-8);
+  EXPECT_EQ(at(1e-2)->explanation(),
+            "the cheapest within 1 cm over 1 s: measured 2.4 mm, 17 times cheaper than the reference");
+}
+
 TEST(AutoFidelity, SeveralLaunchesCountByTheirWorst) {
   const Case c = cases()[0];
   const Launch launches[] = {{.speed = 100, .elevation = 0.1}, {.speed = 800, .elevation = 0.1}};
