@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "model/force_laws.hpp"
-#include "support.hpp"
+#include "../support.hpp"
 #include "world/kind_drag.hpp"
 
 namespace physim {
