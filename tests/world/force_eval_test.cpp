@@ -7,8 +7,8 @@
 #include <map>
 #include <numeric>
 
-#include "model/force_laws.hpp"
 #include "../support.hpp"
+#include "model/force_laws.hpp"
 #include "world/kind_drag.hpp"
 
 namespace physim {
