@@ -8,6 +8,7 @@
 #include "physim/air.hpp"
 #include "physim/physim.hpp"
 #include "random_shots.hpp"
+#include "world.hpp"
 
 namespace physim::test {
 namespace {
@@ -189,6 +190,9 @@ int run() {
   good = add_elementary<Pack<float, 16>>(hash, 125) && good;
   add_preparations(hash);
   good = add_flights(hash) && good;
+  std::uint64_t worlds = 0;
+  good = add_worlds(worlds) && good;
+  hash.add_bits(worlds);
   std::printf("%016" PRIx64 "\n", hash.value());
   if (hash.value() != kExpected) {
     std::fprintf(stderr, "golden: %016" PRIx64 " was expected\n", kExpected);
