@@ -107,6 +107,9 @@ Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environm
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);
   record->mass = projectile.mass;
+  record->environment.altitude = environment.altitude;
+  record->environment.gravity = environment.gravity;
+  record->environment.earth = environment.earth;
   fly_record(*record, tolerance, until);
   return Flight(record);
 }
