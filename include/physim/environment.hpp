@@ -18,6 +18,8 @@ struct Gravity {
   GravityModel model = GravityModel::wgs84;  ///< the field there is [-]
   double acceleration = 9.80665;             ///< at mean sea level, downwards [m/s^2]
   double radius = 6356766;                   ///< distance of sea level from the Earth's centre [m]
+
+  bool operator==(const Gravity&) const = default;
 };
 
 /// The air. Where temperature, pressure or humidity is given, density at the station follows CIPM-2007 and the standard
@@ -31,6 +33,8 @@ struct Atmosphere {
   std::optional<double> density;      ///< at the origin, overrides all else for constant and exponential air [kg/m^3]
   std::optional<double> sound_speed;  ///< at the origin, overrides all else for constant and exponential air [m/s]
   double scale_height = 8500;         ///< of exponential air [m]
+
+  bool operator==(const Atmosphere&) const = default;
 };
 
 /// What a wind profile is read by.
@@ -44,6 +48,8 @@ enum class WindInterpolation {
 struct WindPoint {
   double at = 0;   ///< height above the origin, or downrange distance x [m]
   Vec3d velocity;  ///< of the air [m/s]
+
+  bool operator==(const WindPoint&) const = default;
 };
 
 /// Wind is the velocity of the air in the world frame: (0, 0, -4) blows from the right.
@@ -52,6 +58,8 @@ struct Wind {
   std::vector<WindPoint> profile;                               ///< at rising places; held outside; at most 32 [m]
   WindAxis by = WindAxis::height;                               ///< what the profile is read by [-]
   WindInterpolation interpolation = WindInterpolation::linear;  ///< between points of the profile [-]
+
+  bool operator==(const Wind&) const = default;
 };
 
 /// Where on the Earth the origin of the world frame lies, how its x axis points, and how the Earth turns. A launch by
@@ -62,6 +70,8 @@ struct Earth {
   double longitude = 0;                ///< of the origin, east positive [rad]
   double azimuth = 0;                  ///< compass direction of the x axis, clockwise from north [rad]
   double rotation_rate = 7.292115e-5;  ///< [rad/s]
+
+  bool operator==(const Earth&) const = default;
 };
 
 /// Where a projectile flies.
@@ -71,6 +81,8 @@ struct Environment {
   Atmosphere atmosphere;  ///< [-]
   Wind wind;              ///< [-]
   Earth earth;            ///< [-]
+
+  bool operator==(const Environment&) const = default;
 };
 
 }  // namespace physim

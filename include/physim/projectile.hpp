@@ -39,6 +39,8 @@ struct DragPoint {
 struct BallisticBand {
   double above = 0;                  ///< air speed from which the band holds [m/s]
   double ballistic_coefficient = 0;  ///< BC = m / (i d^2) [kg/m^2]
+
+  bool operator==(const BallisticBand&) const = default;
 };
 
 /// Data of all drag models; each rung reads its own part.
@@ -52,6 +54,8 @@ struct DragDef {
   double damping = 1;                     ///< part of the velocity kept after one second, 0 < d <= 1 [-]
   double k1 = 0;                          ///< linear drag: F = -(k1 + k2 |v|) v [kg/s]
   double k2 = 0;                          ///< quadratic drag; 0 with k1 = 0: from the drag equation at launch [kg/m]
+
+  bool operator==(const DragDef&) const = default;
 };
 
 /// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
@@ -65,6 +69,8 @@ struct ProjectileDef {
   Vec3d force;            ///< a constant force on the projectile, such as thrust [N]
   double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
   Fidelity fidelity;                                                ///< used where a call gives none [-]
+
+  bool operator==(const ProjectileDef&) const = default;
 };
 
 /// The line of sight of the launcher. Range, drop and windage are measured along, above and right of it.

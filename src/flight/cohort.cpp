@@ -75,22 +75,22 @@ void prepare_curve(const ProjectileDef& p, CurvePool& pool, Conditions<double>& 
   c.has_searched_curves = c.has_searched_curves || place.row < 0;
 }
 
-/// k2 / m that equals the drag equation at launch: its wind, bands, air and curve included.
-double equivalent_k2_per_mass(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c) {
-  CurvePool pool;
-  Conditions<double> full = c;
-  full.fidelity.drag = DragModel::equation;
-  Body<double> body = b;
-  prepare_curve(p, pool, full, body);
-  full.curve_rows = pool.rows().data();
-  full.searched_curves = pool.searched().data();
-  const Vec3d u = air_velocity(full, b.launch);
-  const double speed = length(u);
-  if (speed == 0) return 0;
-  return length(drag_equation(full, body, air_state(full, b.launch.x), u)) / (speed * speed);
+}  // namespace
+
+EquivalentDrag::EquivalentDrag(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c)
+    : body_(b), conditions_(c) {
+  conditions_.fidelity.drag = DragModel::equation;
+  prepare_curve(p, pool_, conditions_, body_);
 }
 
-}  // namespace
+double EquivalentDrag::k2_per_mass(const State<double>& s) {
+  conditions_.curve_rows = pool_.rows().data();
+  conditions_.searched_curves = pool_.searched().data();
+  const Vec3d u = air_velocity(conditions_, s);
+  const double speed = length(u);
+  if (speed == 0) return 0;
+  return length(drag_equation(conditions_, body_, air_state(conditions_, s.x), u)) / (speed * speed);
+}
 
 Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted) {
   Conditions<double> c{};
@@ -142,14 +142,12 @@ Conditions<float> to_float(const Conditions<double>& c) {
   f.has_spheres = c.has_spheres;
   f.has_bands = c.has_bands;
   f.has_applied = c.has_applied;
+  f.has_gravity_scale = c.has_gravity_scale;
+  f.has_frozen = c.has_frozen;
   return f;
 }
 
-namespace {
-
 bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f.drag == DragModel::equation; }
-
-}  // namespace
 
 WatchList prepare_watch(const Until& until, const Conditions<double>& c, bool with_apex) {
   WatchList watch{};
@@ -183,13 +181,15 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   b.k1_per_mass = p.drag.k1 / p.mass;
   b.k2_per_mass = p.drag.k2 / p.mass;
   if (c.fidelity.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
-    b.k2_per_mass = equivalent_k2_per_mass(p, b, c);
+    b.k2_per_mass = EquivalentDrag(p, b, c).k2_per_mass(b.launch);
   const bool linear = c.fidelity.drag == DragModel::linear_quadratic;
   b.damping_rate = linear ? b.k1_per_mass : p.drag.damping == 1 ? 0 : -log(p.drag.damping);
   b.applied = p.force * (1 / p.mass);
   b.applied_until = p.force == Vec3d{} ? 0 : p.force_duration;
   const bool feels_forces = c.fidelity.motion == Motion::force;
   c.has_applied = c.has_applied || (feels_forces && p.force != Vec3d{});
+  b.gravity_scale = 1;
+  b.free = {1, 1, 1};
   return b;
 }
 
@@ -236,7 +236,7 @@ std::optional<Outcome> ends_at_once(const Conditions<double>& c, const Body<doub
   const double climb = climb_rate(c, b.launch);
   // Level at the start: weight against thrust decides.
   const Vec3d push = c.has_applied ? applied(c, b, 0.0) : Vec3d{};
-  const Vec3d swing = c.globe.throws_out ? centrifugal(c, b.launch.x) : Vec3d{};
+  const Vec3d swing = throws_out(c.fidelity) ? centrifugal(c, b.launch.x) : Vec3d{};
   const double climb_later = climb_rate(c, State<double>{b.launch.x, gravity(c, b.launch.x) + swing + push});
   if (climb < 0 || (climb == 0 && climb_later < 0)) return Outcome::landed;
   return std::nullopt;

@@ -27,12 +27,29 @@ namespace physim {
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
 [[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions);
 
+/// Whether a flight ends at the lower end of the standard atmosphere.
+[[nodiscard]] bool has_lowest_altitude(const Fidelity& granted);
+
 /// The events of a flight: those asked for; ground, range, time and the lower end of the air as terminal ones.
 [[nodiscard]] WatchList prepare_watch(const Until& until, const Conditions<double>& conditions, bool with_apex);
 
 /// A projectile ready to compute; adds its drag curve to the pool and its flags to the conditions.
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                         CurvePool& pool, Conditions<double>& conditions);
+
+/// The quadratic drag that equals the drag equation where a projectile is: its wind, bands, air and curve included. It
+/// stands in where k1 and k2 are asked for and not given.
+class EquivalentDrag {
+ public:
+  EquivalentDrag(const ProjectileDef& projectile, const Body<double>& body, const Conditions<double>& conditions);
+  [[nodiscard]] double k2_per_mass(const State<double>& s);  // [1/m]
+
+ private:
+  Body<double> body_;
+  Conditions<double> conditions_;
+  CurvePool pool_;
+};
+
 [[nodiscard]] SpinDrift prepare_spin_drift(const ProjectileDef& projectile, double launch_speed,
                                            const Environment& environment, const Fidelity& granted);
 

@@ -71,8 +71,8 @@ Accelerations Flight::accelerations(double time) const {
   };
   a.gravity = in_plane(gravity(c, s.x));
   if (c.fidelity.drag != DragModel::off) a.drag = in_plane(drag(c, r.body, s));
-  if (c.globe.turning) a.coriolis = in_plane(coriolis(c, s.v));
-  if (c.globe.throws_out) a.centrifugal = in_plane(centrifugal(c, s.x));
+  if (is_turning(c.fidelity.earth)) a.coriolis = in_plane(coriolis(c, s.v));
+  if (throws_out(c.fidelity)) a.centrifugal = in_plane(centrifugal(c, s.x));
   if (c.has_applied) a.applied = in_plane(applied(c, r.body, time));
   a.total = r.acceleration_at(time);
   return a;

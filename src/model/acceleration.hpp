@@ -1,7 +1,6 @@
 // The acceleration of a projectile: the sum of all effects, each on its granted rung.
 //
-// What it models: D'Alembert's principle for a point mass: the resultant of gravity, drag and applied forces, and of
-// the
+// What it models: D'Alembert's principle for a point mass: the resultant of gravity, drag and applied forces, and the
 //   Coriolis and centrifugal forces of a frame that turns with the Earth, divided by the mass.
 // Symbols: t time [s]; x position, v velocity in W; r from the Earth's centre; a acceleration [m/s^2].
 // Equation: a = gravity(x) + drag(x, v) - 2 Omega x v - Omega x (Omega x r) + F / m.
@@ -24,14 +23,13 @@ PHYSIM_INLINE Vec3<R> applied(const Conditions<S>&, const Body<R>& b, const R& t
 /// The switches are uniform over all lanes: one predictable branch per effect for a whole pack.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  Vec3<R> a = gravity(c, s.x);
+  Vec3<R> a = weight_per_mass(c, b, s.x);
   if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
-  if (c.globe.turning) {
-    a += coriolis(c, s.v);
-    if (c.globe.throws_out) a += centrifugal(c, s.x);
-  }
+  if (is_turning(c.fidelity.earth)) a += coriolis(c, s.v);
+  if (throws_out(c.fidelity)) a += centrifugal(c, s.x);
   if (c.has_applied) a += applied(c, b, t);
   if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
+  if (c.has_frozen) a = component_product(a, b.free);
   return a;
 }
 

@@ -34,6 +34,8 @@ struct Body {
   R applied_until;          // [s]
   Vec3<R> plane;            // unit normal of the plane of fire, horizontal [-]
   Vec3<R> sight;            // unit vector along the line of sight [-]
+  R gravity_scale;          // times gravity [-]; read where some projectile's is not 1
+  Vec3<R> free;             // 1 along axes of W that it moves along, 0 along frozen ones [-]
   R band_above[kMaxBands];  // air speed from which band i holds [m/s]; unused bands are infinite
   R band_half_area_per_mass[kMaxBands];  // [m^2/kg]
 };

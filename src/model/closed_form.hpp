@@ -34,9 +34,10 @@ PHYSIM_INLINE R second_decay_integral(const R& z) {
 }
 
 template <class R, class S>
-PHYSIM_INLINE State<R> closed_form(const Conditions<S>& c, const Body<R>& b, const R& t) {
+PHYSIM_INLINE State<R> closed_form_of_free(const Conditions<S>& c, const Body<R>& b, const R& t) {
   const State<R>& start = b.launch;
-  const R g(c.fidelity.gravity == GravityModel::off ? S(0) : -c.gravity);
+  R g(c.fidelity.gravity == GravityModel::off ? S(0) : -c.gravity);
+  if (c.has_gravity_scale) g *= b.gravity_scale;
   const R half = constant<R>(0.5);
   State<R> s;
   if (c.fidelity.drag == DragModel::off) {
@@ -58,6 +59,17 @@ PHYSIM_INLINE State<R> closed_form(const Conditions<S>& c, const Body<R>& b, con
   s.x.y += g * t * t * e2;
   s.v = air + relative * exp(-z);
   s.v.y += g * decayed;
+  return s;
+}
+
+/// The state at time t after launch. Frozen axes stay as they were: the axes do not mix.
+template <class R, class S>
+PHYSIM_INLINE State<R> closed_form(const Conditions<S>& c, const Body<R>& b, const R& t) {
+  State<R> s = closed_form_of_free(c, b, t);
+  if (c.has_frozen) {
+    s.x = b.launch.x + component_product(s.x - b.launch.x, b.free);
+    s.v = component_product(s.v, b.free);
+  }
   return s;
 }
 

@@ -57,11 +57,9 @@ struct WindField {
 /// The round Earth ready to compute; see model/earth.hpp, model/geodesy.hpp and model/gravity.hpp.
 template <class S>
 struct Globe {
-  bool turning;     // W turns with the Earth: Coriolis acceleration
-  bool throws_out;  // and the centrifugal acceleration is no part of gravity
-  S gm;             // of a point mass under the ellipsoid [m^3/s^2]
-  Vec3<S> origin;   // of W from the Earth's centre, in W [m]
-  Vec3<S> axis;     // unit vector towards the north pole, in W [-]
+  S gm;            // of a point mass under the ellipsoid [m^3/s^2]
+  Vec3<S> origin;  // of W from the Earth's centre, in W [m]
+  Vec3<S> axis;    // unit vector towards the north pole, in W [-]
   // Of the ellipsoid at the origin:
   S to_axis;            // N + h0: along the vertical down to the axis [m]
   S axis_offset;        // kappa of the origin [m]
@@ -82,9 +80,11 @@ struct Conditions {
   const S* curve_rows;                    // pool of cubic rows of all drag curves in use
   const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
   bool has_searched_curves;
-  bool has_spheres;  // some projectile has Cd by Reynolds number
-  bool has_bands;    // some projectile has banded ballistic coefficients
-  bool has_applied;  // some projectile carries an applied force
+  bool has_spheres;        // some projectile has Cd by Reynolds number
+  bool has_bands;          // some projectile has banded ballistic coefficients
+  bool has_applied;        // some projectile carries an applied force
+  bool has_gravity_scale;  // some projectile has its own part of gravity
+  bool has_frozen;         // some projectile does not move along some axis
 };
 
 }  // namespace physim

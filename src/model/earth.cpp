@@ -66,9 +66,7 @@ void prepare_earth(const Environment& environment, const Fidelity& granted, Cond
   c.radius = environment.gravity.radius;
   c.altitude = environment.altitude;
   Globe<double>& g = c.globe;
-  g.turning = is_turning(earth);
-  g.throws_out = g.turning && is_round(earth) && granted.gravity != GravityModel::constant;
-  if (g.turning) c.omega = rotation_in_W(environment.earth);
+  if (is_turning(earth)) c.omega = rotation_in_W(environment.earth);
   if (earth == EarthModel::ellipsoid) prepare_ellipsoid(environment, own, g);
   if (earth == EarthModel::sphere_rotating && !own) {
     c.radius = wgs84::kMeanRadius;
@@ -83,8 +81,6 @@ void prepare_earth(const Environment& environment, const Fidelity& granted, Cond
 
 Globe<float> to_float(const Globe<double>& g) {
   Globe<float> f{};
-  f.turning = g.turning;
-  f.throws_out = g.throws_out;
   f.gm = static_cast<float>(g.gm);
   f.origin = vec_cast<float>(g.origin);
   f.axis = vec_cast<float>(g.axis);

@@ -3,17 +3,15 @@
 // What it models: `flat`: height is y. `flat_coriolis`: also the Coriolis acceleration of the turning Earth.
 //   `sphere`: heights are above a sphere whose centre lies (R + h0) below the origin; it does not rotate.
 //   `sphere_rotating`: the same, and W turns with it. `ellipsoid`: heights are above WGS-84, and W turns with it.
-// When to use it: flat below 5 km of range, flat_coriolis to some 50 km, ellipsoid beyond; the spheres where the
-// figures
-//   of others are to be met.
+// When to use it: flat below 5 km of range, flat_coriolis to some 50 km, ellipsoid beyond; the spheres to meet the
+//   figures of others.
 // When it is wrong: flat_coriolis leaves out the centrifugal acceleration (it is part of g) and the curvature, which
 //   lowers the ground by x^2 / 2R: 8 m at 10 km. The spheres leave out the flattening: 21 km from equator to pole.
 // Frames: W is the tangent frame at the origin. On a rotating Earth it is Earth-fixed: still air is air that turns with
 //   the Earth, and velocities are those seen from the ground. On one that does not rotate W is inertial.
 // Symbols: R radius of sea level [m]; h0 altitude of the origin [m]; r vector from the Earth's centre [m]; k unit
-// vector
-//   of its axis; Omega = |Omega| k angular velocity of the Earth in W [rad/s]; v velocity [m/s]; phi latitude, A
-//   compass azimuth of x [rad]; u unit vertical at the projectile, y at the origin; w wind at the origin [m/s].
+//   vector of its axis; Omega = |Omega| k angular velocity of the Earth in W [rad/s]; v velocity [m/s]; phi latitude,
+//   A compass azimuth of x [rad]; u unit vertical at the projectile, y at the origin; w wind at the origin [m/s].
 // Equations: a = -2 Omega x v - Omega x (Omega x r), k = (cos phi cos A, sin phi, -cos phi sin A) in W (x downrange, y
 //   up, z right); the second term only where gravity does not contain it: `constant` gravity is weight and does.
 //   Height above the sphere: h = (|r|^2 - R^2) / (|r| + R), with the difference expanded so that nothing cancels; above
@@ -36,6 +34,11 @@ PHYSIM_INLINE constexpr bool is_sphere(EarthModel earth) {
 /// W turns with the Earth.
 PHYSIM_INLINE constexpr bool is_turning(EarthModel earth) {
   return earth != EarthModel::flat && earth != EarthModel::sphere;
+}
+
+/// W turns, and the centrifugal acceleration is no part of gravity.
+PHYSIM_INLINE constexpr bool throws_out(const Fidelity& f) {
+  return is_turning(f.earth) && is_round(f.earth) && f.gravity != GravityModel::constant;
 }
 
 /// The environment gives a gravity of its own, which only `constant` and `inverse_square` can have.

@@ -2,23 +2,20 @@
 //
 // What it models: heights above an ellipsoid of revolution and the direction of its vertical, for numbers and packs,
 //   without sines, cosines or angles: poles, equator and axis are places like others.
-// When to use it: whenever heights above a round Earth matter to better than its flattening, 21 km from pole to
-// equator. When it is wrong: heights are above the ellipsoid, not above mean sea level: the geoid lies up to 100 m off
-// it. Deeper
-//   than some 5000 km below ground the normal is not unique.
+// When to use it: whenever heights matter to better than the flattening of the Earth, 21 km from pole to equator.
+// When it is wrong: heights are above the ellipsoid, not above mean sea level: the geoid lies up to 100 m off it.
+//   Deeper than some 5000 km below ground the iteration does not settle.
 // Symbols: a equatorial radius, f flattening, e^2 = f (2 - f); r place from the centre, z along the axis k [m]; u unit
-//   normal (0 at the origin of W); N radius of curvature in the prime vertical [m]; h height [m]; kappa = e^2 N
-//   sin(phi): how far below the centre the normal meets the axis [m], so that r + kappa k = (N + h) u; x place in W
-//   [m].
+//   normal (0 at the origin of W); N radius of curvature in the prime vertical [m]; h height [m]; x place in W [m];
+//   kappa = e^2 N sin(phi): how far below the centre the normal meets the axis [m], so that r + kappa k = (N + h) u.
 // Equations: kappa = e^2 a m / sqrt(|r|^2 - z^2 + (1 - e^2) m^2) with m = z + kappa: repeated, its error falls by e^2
 //   each time; the start m = z / (1 - e^2) is exact on the ellipsoid.
 //   h = u.r - s(u), s(u) = a |l(u)|, l(v) = v - f k (k.v): the distance of two planes normal to u, one through the
 //   place and one touching the ellipsoid. It is largest for the true u, so an error of u enters squared only.
 //   From the origin, with d = u - u0 and Lagrange's identity, so that nothing cancels:
 //   h - h0 = u.x - a |l(d) x l(u0)|^2 / (|l(u0)|^2 (q + |l(u)|)) - h0 |d|^2 / 2, q = l(u).l(u0) / |l(u0)|.
-// Source: W. A. Heiskanen, H. Moritz, Physical Geodesy (1967), sec. 5-3 (N, kappa, iteration); the support function s
-// of
-//   an ellipsoid is geometry; NIMA TR8350.2, Department of Defense World Geodetic System 1984 (2000), table 3.1.
+// Source: W. A. Heiskanen, H. Moritz, Physical Geodesy (1967), sec. 5-3 (N, kappa, iteration); NIMA TR8350.2, World
+//   Geodetic System 1984 (2000), table 3.1; the support function s of an ellipsoid is geometry.
 #pragma once
 
 #include "math/pack.hpp"

@@ -59,4 +59,11 @@ PHYSIM_INLINE Vec3<R> gravity(const Conditions<S>& c, const Vec3<R>& x) {
   return {zero, -(c.gravity * (ratio * ratio)), zero};
 }
 
+/// As a projectile feels it: games give some of them a part of gravity, or more than all of it.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> weight_per_mass(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& x) {
+  const Vec3<R> g = gravity(c, x);
+  return c.has_gravity_scale ? g * b.gravity_scale : g;
+}
+
 PHYSIM_ISA_END

@@ -170,16 +170,15 @@ struct EndWeights {
   static constexpr double at(int j) { return Tableau::b[j]; }
 };
 
-/// Runs the stages; slope[0] is given. `f(t, state)` is the acceleration.
+/// Runs the stages and goes to the end; slope[0] is given. `f(t, state)` is the acceleration.
 template <class Tableau, class R, class F>
-PHYSIM_INLINE void runge_kutta_step(Step<R>& s, const F& f) {
+PHYSIM_INLINE void runge_kutta_end(Step<R>& s, const F& f) {
   static_for<Tableau::kStages - 1>([&](auto i) {
     constexpr int stage = i + 1;
     const State<R> y = advanced(s.start, weighted_sum<StageWeights<Tableau, stage>, stage>(s.slope), s.h);
     s.slope[stage] = {y.v, f(s.t + s.h * constant<R>(Tableau::c[stage]), y)};
   });
   s.end = advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), s.h);
-  s.slope[Tableau::kStages] = {s.end.v, f(s.t_end, s.end)};
 }
 
 PHYSIM_ISA_END

@@ -46,13 +46,14 @@ PHYSIM_INLINE void classic_frame(const Conditions<S>& c, const Body<R>& b, Step<
   s.end.x = s.start.x + s.start.v * s.h;
   s.end.v = s.start.v + s.slope[0].v * s.h;
   if (c.fidelity.drag == DragModel::damping) s.end.v *= exp(-(b.damping_rate * s.h));
-  Vec3<R> a = gravity(c, s.start.x);
+  Vec3<R> a = weight_per_mass(c, b, s.start.x);
   if (c.fidelity.motion == Motion::force) {
     const State<R>& felt = c.fidelity.original_one_shot_forces ? b.launch : s.start;
     if (c.fidelity.drag == DragModel::linear_quadratic || c.fidelity.drag == DragModel::equation) a += drag(c, b, felt);
     if (c.has_applied) a += c.fidelity.original_one_shot_forces ? b.applied : applied(c, b, s.t);
   }
   if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
+  if (c.has_frozen) a = component_product(a, b.free);
   s.slope[1] = {s.end.v, a};
 }
 
@@ -98,48 +99,59 @@ PHYSIM_INLINE R dop853_error_squared(const Step<R>& s, S relative, S absolute) {
   return max(position, velocity);
 }
 
-/// Takes the step s.h from s.start at s.t to s.t_end; s.slope[0] is given. Adaptive integrators also leave s.error,
-/// squared.
-template <class R, class S>
-PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relative, S absolute, Step<R>& s) {
-  const auto f = [&](const R& t, const State<R>& y) {
-    Vec3<R> a;
-    evaluate(c, b, t, y, a);
-    return a;
-  };
+/// Goes from s.start at s.t to s.end at s.t_end = s.t + s.h, without the slope there; s.slope[0] is given. `f` is the
+/// acceleration.
+template <class R, class S, class F>
+PHYSIM_INLINE void reach_end(const Conditions<S>& c, const Body<R>& b, const F& f, Step<R>& s) {
   if (c.fidelity.motion == Motion::closed_form) {
     s.end = closed_form(c, b, s.t_end);
-    s.slope[1] = {s.end.v, f(s.t_end, s.end)};
     return;
   }
   switch (c.fidelity.integrator) {
     case Integrator::classic:
-      classic_frame(c, b, s);
-      break;
+      return classic_frame(c, b, s);
     case Integrator::explicit_euler:
       s.end = advanced(s.start, s.slope[0], s.h);
-      s.slope[1] = {s.end.v, f(s.t_end, s.end)};
-      break;
+      return;
     case Integrator::semi_implicit_euler:
       s.end.v = s.start.v + s.slope[0].v * s.h;
       s.end.x = s.start.x + s.end.v * s.h;
-      s.slope[1] = {s.end.v, f(s.t_end, s.end)};
-      break;
+      return;
     case Integrator::heun:
-      runge_kutta_step<Heun>(s, f);
-      break;
+      return runge_kutta_end<Heun>(s, f);
     case Integrator::rk4:
-      runge_kutta_step<Rk4>(s, f);
-      break;
+      return runge_kutta_end<Rk4>(s, f);
     case Integrator::tsit5:
-      runge_kutta_step<Tsit5>(s, f);
-      s.error = tsit5_error_squared(s, relative, absolute);
-      break;
+      return runge_kutta_end<Tsit5>(s, f);
     case Integrator::dop853:
-      runge_kutta_step<Dop853>(s, f);
-      s.error = dop853_error_squared(s, relative, absolute);
-      break;
+      return runge_kutta_end<Dop853>(s, f);
   }
+}
+
+/// The acceleration as a function of time and state.
+template <class R, class S>
+struct AccelerationOf {
+  const Conditions<S>& c;
+  const Body<R>& b;
+  PHYSIM_INLINE Vec3<R> operator()(const R& t, const State<R>& y) const {
+    Vec3<R> a;
+    evaluate(c, b, t, y, a);
+    return a;
+  }
+};
+
+/// Takes the step s.h from s.start at s.t to s.t_end; s.slope[0] is given. Leaves the slope at the end, and of adaptive
+/// integrators s.error, squared.
+template <class R, class S>
+PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relative, S absolute, Step<R>& s) {
+  const AccelerationOf<R, S> f{c, b};
+  reach_end(c, b, f, s);
+  const bool closed = c.fidelity.motion == Motion::closed_form;
+  if (!closed && c.fidelity.integrator == Integrator::classic) return;  // the frame left its own
+  s.slope[closed ? 1 : end_slope(c.fidelity.integrator)] = {s.end.v, f(s.t_end, s.end)};
+  if (closed) return;
+  if (c.fidelity.integrator == Integrator::tsit5) s.error = tsit5_error_squared(s, relative, absolute);
+  if (c.fidelity.integrator == Integrator::dop853) s.error = dop853_error_squared(s, relative, absolute);
 }
 
 PHYSIM_ISA_END

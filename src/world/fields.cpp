@@ -1,0 +1,63 @@
+#include "world/fields.hpp"
+
+namespace physim {
+namespace {
+
+class FieldList {
+ public:
+  template <class Member>
+  void add(Member Body<double>::*member) {
+    for (unsigned part = 0; part < sizeof(Member) / sizeof(double); ++part) list_.push_back(body_field(member, part));
+  }
+  [[nodiscard]] std::vector<std::uint8_t> take() { return std::move(list_); }
+
+ private:
+  std::vector<std::uint8_t> list_;
+};
+
+void add_drag_fields(DragModel drag, const Features& features, FieldList& list) {
+  if (drag == DragModel::damping) list.add(&Body<double>::damping_rate);
+  if (drag == DragModel::linear_quadratic) {
+    list.add(&Body<double>::k1_per_mass);
+    list.add(&Body<double>::k2_per_mass);
+  }
+  if (drag != DragModel::equation) return;
+  list.add(&Body<double>::half_area_per_mass);
+  list.add(&Body<double>::curve_row);
+  list.add(&Body<double>::curve_start);
+  list.add(&Body<double>::curve_cells);
+  list.add(&Body<double>::curve_last);
+  if (features.spheres) list.add(&Body<double>::reynolds_length);
+  if (features.bands) {
+    list.add(&Body<double>::band_above);
+    list.add(&Body<double>::band_half_area_per_mass);
+  }
+}
+
+}  // namespace
+
+RowLayout layout_of(const Fidelity& granted, const Features& features) {
+  const bool closed = granted.motion == Motion::closed_form;
+  FieldList list;
+  if (closed || granted.original_one_shot_forces) list.add(&Body<double>::launch);
+  if (closed && granted.drag != DragModel::off)
+    list.add(&Body<double>::damping_rate);
+  else
+    add_drag_fields(granted.drag, features, list);
+  if (features.applied) {
+    list.add(&Body<double>::applied);
+    list.add(&Body<double>::applied_until);
+  }
+  if (granted.planar) list.add(&Body<double>::plane);
+  if (features.gravity_scale) list.add(&Body<double>::gravity_scale);
+  if (features.frozen) list.add(&Body<double>::free);
+  RowLayout layout;
+  layout.float32 = granted.precision == Precision::float32;
+  layout.clocked = closed || features.applied;
+  layout.carried = !closed && granted.integrator == Integrator::classic;
+  layout.launched = features.launch_place;
+  layout.fields = list.take();
+  return layout;
+}
+
+}  // namespace physim

@@ -1,0 +1,135 @@
+// One function per law; the law is the same for a whole batch, so it is chosen once.
+#include "world/force_eval.hpp"
+
+#include "model/force_laws.hpp"
+
+namespace physim {
+namespace {
+
+using Members = std::span<const std::uint32_t>;
+
+/// Rows without a gap need no gathering.
+bool side_by_side(Members members) {
+  for (std::size_t i = 1; i < members.size(); ++i)
+    if (members[i] != members[0] + i) return false;
+  return true;
+}
+
+/// The members' values of a column: in place, or gathered into the scratch.
+template <class T>
+std::span<const T> gather(std::span<const T> column, Members members, bool in_place, std::vector<T>& scratch) {
+  if (in_place) return column.subspan(members[0], members.size());
+  scratch.clear();
+  for (const std::uint32_t row : members) scratch.push_back(column[row]);
+  return scratch;
+}
+
+class Evaluation {
+ public:
+  Evaluation(const ForceClock& clock, Members members, const Surroundings& surroundings, ForceStage& stage,
+             ForceScratch& scratch)
+      : clock_(clock), members_(members), surroundings_(surroundings), stage_(stage), scratch_(scratch) {}
+
+  bool operator()(const ConstantForce& law) const {
+    return each([&](std::uint32_t) { return law.force; });
+  }
+  bool operator()(const ConstantAcceleration& law) const {
+    return each([&](std::uint32_t row) { return law.acceleration * stage_.mass[row]; });
+  }
+  bool operator()(const GravityForce& law) const {
+    return each([&](std::uint32_t row) { return law.gravity * stage_.mass[row]; });
+  }
+  bool operator()(const LinearQuadraticDragForce& law) const {
+    return each([&](std::uint32_t row) { return drag_force(law, stage_.velocity[row]); });
+  }
+  bool operator()(const AnchoredSpring& law) const {
+    return each(
+        [&](std::uint32_t row) { return spring_force(law, stage_.position[row] - law.anchor, stage_.velocity[row]); });
+  }
+  bool operator()(const Spring& law) const {
+    return between(law.other, [&](const Vec3d& d, const Vec3d& v_rel) { return spring_force(law, d, v_rel); });
+  }
+  bool operator()(const Bungee& law) const {
+    if (law.other)
+      return between(law.other, [&](const Vec3d& d, const Vec3d& v_rel) { return bungee_force(law, d, v_rel); });
+    return each(
+        [&](std::uint32_t row) { return bungee_force(law, stage_.position[row] - law.anchor, stage_.velocity[row]); });
+  }
+  bool operator()(const Buoyancy& law) const {
+    return each([&](std::uint32_t row) { return buoyancy_force(law, stage_.def[row]->diameter, state(row)); });
+  }
+  bool operator()(const PointAttractor& law) const {
+    return each([&](std::uint32_t row) { return attractor_force(law, stage_.mass[row], stage_.position[row]); });
+  }
+  bool operator()(const WindZone& zone) const {
+    return each([&](std::uint32_t row) {
+      if (stage_.in_zone[row] != 0 || !is_inside(zone, stage_.position[row])) return Vec3d{};
+      // The zone's air takes the place of the air around it, so the own drag is taken back, once.
+      stage_.in_zone[row] = 1;
+      const Vec3d u = stage_.velocity[row] - zone.velocity;
+      return surroundings_.drag_equation(row, zone.density, u) - surroundings_.own_drag(row);
+    });
+  }
+  bool operator()(const Explosion& law) const {
+    return each([&](std::uint32_t row) { return explosion_force(law, stage_.position[row]); });
+  }
+  bool operator()(const Thrust& law) const {
+    const double common = clock_.from_launch ? 0 : thrust_at(law.curve, clock_.since_start);
+    return each([&](std::uint32_t row) {
+      const double thrust = clock_.from_launch ? thrust_at(law.curve, stage_.age[row]) : common;
+      return thrust_direction(law, stage_.velocity[row]) * thrust;
+    });
+  }
+  bool operator()(const CustomForce& law) const {
+    if (!law.function || members_.empty()) return true;
+    const bool in_place = side_by_side(members_);
+    // The function may add or assign: it finds zeros.
+    scratch_.force.assign(members_.size(), Vec3d{});
+    law.function({stage_.time, gather(stage_.id, members_, in_place, scratch_.id),
+                  gather(stage_.position, members_, in_place, scratch_.position),
+                  gather(stage_.velocity, members_, in_place, scratch_.velocity),
+                  gather(stage_.mass, members_, in_place, scratch_.mass), scratch_.force});
+    for (std::size_t i = 0; i < members_.size(); ++i) stage_.force[members_[i]] += scratch_.force[i];
+    return true;
+  }
+
+ private:
+  [[nodiscard]] State<double> state(std::uint32_t row) const { return {stage_.position[row], stage_.velocity[row]}; }
+
+  template <class Law>
+  bool each(const Law& force_on) const {
+    for (const std::uint32_t row : members_) stage_.force[row] += force_on(row);
+    return true;
+  }
+
+  /// A pull between each member and a partner, by distance and relative velocity.
+  template <class Law>
+  bool between(ProjectileId other, const Law& pull) const {
+    const Partner partner = surroundings_.partner(other);
+    if (!partner.alive) return false;
+    const bool feels = partner.row != kNotInStage;
+    const State<double> end = feels ? state(partner.row) : partner.state;
+    for (const std::uint32_t row : members_) {
+      if (stage_.id[row] == other) continue;  // it has no spring to itself
+      const Vec3d force = pull(stage_.position[row] - end.x, stage_.velocity[row] - end.v);
+      stage_.force[row] += force;
+      if (feels) stage_.force[partner.row] -= force;
+    }
+    return true;
+  }
+
+  const ForceClock& clock_;
+  Members members_;
+  const Surroundings& surroundings_;
+  ForceStage& stage_;
+  ForceScratch& scratch_;
+};
+
+}  // namespace
+
+bool add_force(const ForceLaw& law, const ForceClock& clock, std::span<const std::uint32_t> members,
+               const Surroundings& surroundings, ForceStage& stage, ForceScratch& scratch) {
+  return std::visit(Evaluation(clock, members, surroundings, stage, scratch), law);
+}
+
+}  // namespace physim

@@ -1,0 +1,18 @@
+// The world's kernel of the instruction set in use (see use_kernel()).
+#pragma once
+
+#include "world/world_job.hpp"
+
+namespace physim {
+
+struct WorldKernel {
+  bool (*step_float)(const WorldJob<float>& job);
+  bool (*step_double)(const WorldJob<double>& job);
+};
+
+[[nodiscard]] WorldKernel world_kernel();
+
+inline bool step_rows_with(const WorldKernel& kernel, const WorldJob<float>& job) { return kernel.step_float(job); }
+inline bool step_rows_with(const WorldKernel& kernel, const WorldJob<double>& job) { return kernel.step_double(job); }
+
+}  // namespace physim

@@ -1,0 +1,33 @@
+#include "world/kind_drag.hpp"
+
+namespace physim {
+namespace {
+
+Fidelity drag_alone() {
+  return {.integrator = Integrator::rk4,
+          .gravity = GravityModel::off,
+          .drag = DragModel::equation,
+          .air = AirModel::constant,
+          .wind = WindModel::off};
+}
+
+}  // namespace
+
+KindDrag::KindDrag() : conditions_(prepare_conditions({}, drag_alone())) {}
+
+std::uint32_t KindDrag::add(const ProjectileDef& projectile, double scale) {
+  Body<double> body = prepare_body(projectile, {}, 0, pool_, conditions_);
+  body.half_area_per_mass *= scale;
+  for (double& band : body.band_half_area_per_mass) band *= scale;
+  bodies_.push_back(body);
+  conditions_.curve_rows = pool_.rows().data();
+  conditions_.searched_curves = pool_.searched().data();
+  return static_cast<std::uint32_t>(bodies_.size() - 1);
+}
+
+Vec3d KindDrag::force(std::uint32_t index, double mass, double density, const Vec3d& u) const {
+  const AirState<double> air{density, conditions_.air.per_sound_speed};
+  return drag_equation(conditions_, bodies_[index], air, u) * mass;
+}
+
+}  // namespace physim

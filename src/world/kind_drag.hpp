@@ -1,0 +1,31 @@
+// The drag equation of every kind towards air of any density, whatever rung the kind flies on: for zones of wind.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "flight/cohort.hpp"
+
+namespace physim {
+
+/// Cd is taken by the Mach number in air of 15 degrees Celsius (a zone has no temperature of its own), with the
+/// projectile's table, area, form factor, ballistic coefficient or bands: the model is that of every flight.
+class KindDrag {
+ public:
+  KindDrag();
+  // The conditions point into the pool: it may move, but not be copied.
+  KindDrag(KindDrag&&) noexcept = default;
+  KindDrag& operator=(KindDrag&&) noexcept = default;
+
+  /// A projectile that passed its check; its index. Every drag is multiplied by `scale`.
+  std::uint32_t add(const ProjectileDef& projectile, double scale = 1);
+  /// On a projectile of a mass, at a velocity u through air of a density [N].
+  [[nodiscard]] Vec3d force(std::uint32_t index, double mass, double density, const Vec3d& u) const;
+
+ private:
+  CurvePool pool_;
+  Conditions<double> conditions_;
+  std::vector<Body<double>> bodies_;
+};
+
+}  // namespace physim

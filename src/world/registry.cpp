@@ -1,0 +1,183 @@
+#include "world/registry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "model/standard_atmosphere.hpp"
+
+namespace physim {
+namespace {
+
+std::size_t hash_of(const ProjectileDef& p, const BodyDef& b) {
+  std::size_t h = std::hash<std::string>()(p.name) ^ std::hash<std::string>()(b.label);
+  for (const double x : {p.mass, p.diameter, p.twist, p.drag.coefficient, p.drag.ballistic_coefficient, p.drag.damping,
+                         p.drag.k1, p.drag.k2, p.force.y, b.gravity_scale, b.restitution, b.despawn.older})
+    h = h * 1000003 ^ std::hash<double>()(x);
+  return h * 31 + static_cast<std::size_t>(p.fidelity.integrator) + 8 * b.colour;
+}
+
+Features features_of(const Conditions<double>& c, const BodyDef& body) {
+  Features f;
+  f.applied = c.has_applied;
+  f.spheres = c.has_spheres;
+  f.bands = c.has_bands;
+  f.searched = c.has_searched_curves;
+  f.launch_place = std::isfinite(body.despawn.farther);
+  return f;
+}
+
+void scale_drag(Body<double>& b, double scale) {
+  for (double* x : {&b.damping_rate, &b.k1_per_mass, &b.k2_per_mass, &b.half_area_per_mass}) *x *= scale;
+  for (double& x : b.band_half_area_per_mass) x *= scale;
+}
+
+void set_flags(Conditions<double>& c, const Features& f) {
+  c.has_applied = f.applied;
+  c.has_spheres = f.spheres;
+  c.has_bands = f.bands;
+  c.has_searched_curves = f.searched;
+  c.has_gravity_scale = f.gravity_scale;
+  c.has_frozen = f.frozen;
+}
+
+/// The events that are looked for inside a step.
+WatchList watch_of(const WorldDef& def, const Conditions<double>& c) {
+  WatchList watch{};
+  const auto add = [&](const EventSpec& spec, Outcome outcome) { watch.item[watch.count++] = {spec, outcome}; };
+  if (def.ground.mode != GroundMode::none)
+    add({EventKind::ground, def.ground.height, Crossing::falling, true}, Outcome::landed);
+  if (has_lowest_altitude(c.fidelity))
+    add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
+  if (def.apex_events) add({EventKind::apex, 0, Crossing::falling, false}, Outcome::event);
+  return watch;
+}
+
+}  // namespace
+
+Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
+  const std::size_t hash = hash_of(projectile, body);
+  const auto [from, to] = kind_by_hash_.equal_range(hash);
+  for (auto at = from; at != to; ++at) {
+    const Kind& known = kind(at->second);
+    if (known.projectile == projectile && known.body == body) return KindId{at->second};
+  }
+  if (const Status status = check(projectile)) return *status;
+  if (const Status status = check(body, def_, environments_.size())) return *status;
+  if (kinds_.size() >= kMostKinds) return Error{"there are too many kinds of projectiles", "world", "reuse kinds"};
+  Kind& added = kinds_.emplace_back();
+  added.projectile = projectile;
+  added.body = body;
+  const auto index = static_cast<std::uint32_t>(kinds_.size());
+  kind_by_hash_.emplace(hash, index);
+  rung(index, projectile.fidelity);
+  return KindId{index};
+}
+
+std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity& asked) {
+  Kind& k = kind(index);
+  for (std::size_t i = 0; i < k.rungs.size(); ++i)
+    if (k.rungs[i].asked == asked) return static_cast<std::uint16_t>(i);
+  if (k.rungs.size() >= kMostRungs) return std::nullopt;
+  Prepared& added = k.rungs.emplace_back();
+  added.asked = asked;
+  prepare(k, added);
+  return static_cast<std::uint16_t>(k.rungs.size() - 1);
+}
+
+void Registry::prepare(Kind& k, Prepared& r) {
+  const Environment& environment = environments_[k.body.environment];
+  r.in_use = grant(r.asked, k.projectile, environment);
+  const Fidelity& granted = r.in_use.fidelity;
+  Conditions<double> probe = prepare_conditions(environment, granted);
+  CurvePool& pool = curves(granted.interpolation).pool;
+  const std::size_t rows_before = pool.rows().size() + pool.searched().size();
+  r.body = prepare_body(k.projectile, Launch{}, 0, pool, probe);
+  if (pool.rows().size() + pool.searched().size() != rows_before)
+    for (WorldCohort& cohort : cohorts_) point_to_curves(cohort);
+  const bool equivalent =
+      granted.drag == DragModel::linear_quadratic && k.projectile.drag.k1 == 0 && k.projectile.drag.k2 == 0;
+  r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.projectile, r.body, probe) : nullptr;
+  r.features = features_of(probe, k.body);
+  scale_drag(r.body, k.body.drag_scale);
+  std::fill(std::begin(r.cohort), std::end(r.cohort), kNoCohort);
+}
+
+std::uint16_t Registry::cohort(std::uint32_t index, std::uint16_t rung, const Variant& variant) {
+  const Kind& k = kind(index);
+  Prepared& r = kind(index).rungs[rung];
+  std::uint16_t& known = r.cohort[variant.index()];
+  if (known != kNoCohort) return known;
+  CohortKey key;
+  key.environment = k.body.environment;
+  key.fidelity = r.in_use.fidelity;
+  key.features = r.features;
+  key.features.gravity_scale = variant.scaled;
+  key.features.frozen = variant.frozen;
+  key.rules.despawn = k.body.despawn;
+  if (k.body.can_sleep && !variant.sleepless) {
+    key.rules.sleep_speed = k.body.sleep_speed;
+    key.rules.sleep_time = k.body.sleep_time;
+  }
+  key.forced = variant.forced;
+  key.still = variant.still;
+  return known = find_or_add(key);
+}
+
+std::uint16_t Registry::find_or_add(const CohortKey& key) {
+  for (std::size_t i = 0; i < cohorts_.size(); ++i)
+    if (cohorts_[i].key == key) return static_cast<std::uint16_t>(i);
+  if (cohorts_.size() >= kMostCohorts) return kNoCohort;
+  WorldCohort& added = cohorts_.emplace_back();
+  added.key = key;
+  added.layout = layout_of(key.fidelity, key.features);
+  prepare(added);
+  return static_cast<std::uint16_t>(cohorts_.size() - 1);
+}
+
+void Registry::prepare(WorldCohort& cohort) {
+  const CohortKey& key = cohort.key;
+  cohort.conditions = prepare_conditions(environments_[key.environment], key.fidelity);
+  set_flags(cohort.conditions, key.features);
+  cohort.conditions.has_applied = cohort.conditions.has_applied || key.forced;
+  cohort.conditions_float = to_float(cohort.conditions);
+  const WatchList watch = watch_of(def_, cohort.conditions);
+  cohort.course_float = {&cohort.conditions_float, &cohort.conditions,
+                         prepare_plan<float>(def_.tolerance, key.fidelity, 0), watch, false};
+  cohort.course_double = {&cohort.conditions, &cohort.conditions, prepare_plan<double>(def_.tolerance, key.fidelity, 0),
+                          watch, false};
+  point_to_curves(cohort);
+}
+
+void Registry::point_to_curves(WorldCohort& cohort) {
+  Curves& c = curves(cohort.key.fidelity.interpolation);
+  if (c.rows_float.size() != c.pool.rows().size()) {
+    c.rows_float.resize(c.pool.rows().size());
+    std::transform(c.pool.rows().begin(), c.pool.rows().end(), c.rows_float.begin(),
+                   [](double x) { return static_cast<float>(x); });
+  }
+  cohort.conditions.curve_rows = c.pool.rows().data();
+  cohort.conditions_float.curve_rows = c.rows_float.data();
+  cohort.conditions.searched_curves = cohort.conditions_float.searched_curves = c.pool.searched().data();
+}
+
+Result<std::uint32_t> Registry::add_environment(const Environment& environment) {
+  if (const Status status = check(environment)) return *status;
+  if (environments_.size() >= 4096) return Error{"there are too many environments", "world", "at most 4096"};
+  environments_.push_back(environment);
+  return static_cast<std::uint32_t>(environments_.size() - 1);
+}
+
+Status Registry::set_environment(std::uint32_t index, const Environment& environment) {
+  if (index >= environments_.size()) return Error{"there is no such environment", "environment", "add it first"};
+  if (Status status = check(environment)) return status;
+  environments_[index] = environment;
+  for (WorldCohort& cohort : cohorts_)
+    if (cohort.key.environment == index) prepare(cohort);
+  for (Kind& k : kinds_)
+    if (k.body.environment == index)
+      for (Prepared& r : k.rungs) prepare(k, r);
+  return std::nullopt;
+}
+
+}  // namespace physim

@@ -1,0 +1,134 @@
+// What a world knows and never forgets: its environments, its kinds of projectiles on the rungs they were asked for,
+// and the cohorts that they belong to. It only grows, so that snapshots need not hold it.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+
+#include "flight/cohort.hpp"
+#include "physim/world_def.hpp"
+#include "world/fields.hpp"
+
+namespace physim {
+
+inline constexpr std::size_t kMostCohorts = 65535;
+inline constexpr std::size_t kMostKinds = 1u << 20;
+inline constexpr std::size_t kMostRungs = 4096;  // of one kind
+
+/// Rules that a whole cohort shares.
+struct CohortRules {
+  DespawnRules despawn;
+  double sleep_speed = 0;  // 0: never sleeps [m/s]
+  double sleep_time = 0;   // [s]
+
+  bool operator==(const CohortRules&) const = default;
+};
+
+struct CohortKey {
+  std::uint32_t environment = 0;
+  Fidelity fidelity;
+  Features features;
+  CohortRules rules;
+  bool forced = false;  // generators act on it
+  bool still = false;   // asleep, kinematic, pending or stuck: not stepped
+
+  bool operator==(const CohortKey&) const = default;
+};
+
+/// What may differ between projectiles of one kind and rung: which of its cohorts they are in.
+struct Variant {
+  bool forced = false;
+  bool still = false;
+  bool scaled = false;  // its own part of gravity
+  bool frozen = false;  // some axis is frozen
+  bool sleepless = false;
+
+  [[nodiscard]] unsigned index() const {
+    return (forced ? 1u : 0) | (still ? 2u : 0) | (scaled ? 4u : 0) | (frozen ? 8u : 0) | (sleepless ? 16u : 0);
+  }
+};
+inline constexpr unsigned kVariants = 32;
+inline constexpr std::uint16_t kNoCohort = 0xffff;
+
+/// A kind on one rung.
+struct Prepared {
+  Fidelity asked;
+  FidelityInUse in_use;
+  Features features;
+  Body<double> body;                                // of everything but the launch
+  std::unique_ptr<EquivalentDrag> equivalent_drag;  // where k2 is that of the drag equation at launch
+  std::uint16_t cohort[kVariants];
+};
+
+struct Kind {
+  ProjectileDef projectile;
+  BodyDef body;
+  std::deque<Prepared> rungs;  // the first is its own
+};
+
+/// Equal rungs, environment and rules: stepped together.
+struct WorldCohort {
+  CohortKey key;
+  Conditions<double> conditions;
+  Conditions<float> conditions_float;
+  RowLayout layout;
+  Course<float> course_float;
+  Course<double> course_double;
+
+  template <class S>
+  [[nodiscard]] const Course<S>& course() const {
+    if constexpr (sizeof(S) == 4) return course_float;
+    if constexpr (sizeof(S) == 8) return course_double;
+  }
+};
+
+class Registry {
+ public:
+  explicit Registry(const WorldDef& def) : def_(def), environments_{def.environment} {}
+
+  Result<KindId> add_kind(const ProjectileDef& projectile, const BodyDef& body);
+  [[nodiscard]] Kind& kind(std::uint32_t index) { return kinds_[index - 1]; }
+  [[nodiscard]] const Kind& kind(std::uint32_t index) const { return kinds_[index - 1]; }
+  [[nodiscard]] bool has_kind(KindId id) const { return id.index > 0 && id.index <= kinds_.size(); }
+
+  /// The kind on a rung; nothing where there are too many already.
+  std::optional<std::uint16_t> rung(std::uint32_t kind, const Fidelity& asked);
+  /// The cohort of a kind on a rung; kNoCohort where there are too many.
+  std::uint16_t cohort(std::uint32_t kind, std::uint16_t rung, const Variant& variant);
+
+  [[nodiscard]] std::size_t cohorts() const { return cohorts_.size(); }
+  [[nodiscard]] const WorldCohort& cohort(std::uint16_t index) const { return cohorts_[index]; }
+
+  Result<std::uint32_t> add_environment(const Environment& environment);
+  Status set_environment(std::uint32_t index, const Environment& environment);
+  [[nodiscard]] const std::vector<Environment>& environments() const { return environments_; }
+
+ private:
+  std::uint16_t find_or_add(const CohortKey& key);
+  void prepare(Kind& kind, Prepared& rung);
+  void prepare(WorldCohort& cohort);
+  void point_to_curves(WorldCohort& cohort);
+
+  /// Drag curves of one interpolation, shared by all cohorts.
+  struct Curves {
+    CurvePool pool;
+    std::vector<float> rows_float;
+  };
+  [[nodiscard]] Curves& curves(Interpolation i) { return curves_[static_cast<unsigned>(i)]; }
+
+  WorldDef def_;
+  std::vector<Environment> environments_;
+  std::deque<Kind> kinds_;
+  std::unordered_multimap<std::size_t, std::uint32_t> kind_by_hash_;
+  std::deque<WorldCohort> cohorts_;
+  Curves curves_[3];
+};
+
+[[nodiscard]] Status check(const WorldDef& def);
+[[nodiscard]] Status check(const BodyDef& body, const WorldDef& def, std::size_t environments);
+[[nodiscard]] Status check(const Ground& ground);
+[[nodiscard]] Status check(const DetailRule& rule);
+
+}  // namespace physim

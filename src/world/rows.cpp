@@ -1,0 +1,116 @@
+#include "world/rows.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace physim {
+namespace {
+
+unsigned count_columns(const RowLayout& l) {
+  return 9 + (l.carried ? 3u : 0) + (l.launched ? 3u : 0) + (l.clocked ? 2u : 0) +
+         static_cast<unsigned>(l.fields.size());
+}
+
+}  // namespace
+
+Rows::Rows(RowLayout layout) : layout_(std::move(layout)), numbers_(count_columns(layout_)) {}
+
+Rows::Rows(const Rows& o)
+    : layout_(o.layout_),
+      numbers_(o.numbers_),
+      lines_(o.lines_),
+      stride_(o.stride_),
+      capacity_(o.capacity_),
+      size_(o.size_),
+      swapped_(o.swapped_) {
+  find_columns();
+}
+
+Rows& Rows::operator=(const Rows& o) {
+  if (this == &o) return *this;
+  layout_ = o.layout_;
+  numbers_ = o.numbers_;
+  lines_ = o.lines_;
+  stride_ = o.stride_;
+  capacity_ = o.capacity_;
+  size_ = o.size_;
+  swapped_ = o.swapped_;
+  find_columns();
+  return *this;
+}
+
+void Rows::reserve(std::size_t rows) {
+  if (rows <= capacity_) return;
+  const std::size_t capacity = (rows + kRowsPerWord - 1) / kRowsPerWord * kRowsPerWord;
+  // Columns that begin at equal places of a page would all fall into the same few sets of the cache.
+  const std::size_t stride = (capacity * number_size() + 63) / 64 * 64 + 3 * 64;
+  std::vector<Line> lines((stride * (numbers_ + 1)) / 64);
+  auto* to = reinterpret_cast<std::byte*>(lines.data());
+  for (unsigned k = 0; k <= numbers_ && size_ > 0; ++k)
+    std::memcpy(to + k * stride, column(k), size_ * (k == numbers_ ? sizeof(std::uint32_t) : number_size()));
+  lines_ = std::move(lines);
+  stride_ = stride;
+  capacity_ = static_cast<std::uint32_t>(capacity);
+  find_columns();
+}
+
+std::uint32_t Rows::push(std::uint32_t slot) {
+  if (size_ == capacity_) reserve(std::max<std::size_t>(64, std::size_t(capacity_) * 3 / 2));
+  reinterpret_cast<std::uint32_t*>(column(numbers_))[size_] = slot;
+  return size_++;
+}
+
+std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
+  const std::uint32_t at = push(from.slot(row));
+  const std::size_t bytes = number_size();
+  const bool turned = from.swapped_ != swapped_;  // positions and previous ones lie the other way round
+  for (unsigned k = 0; k < numbers_; ++k) {
+    const unsigned source = turned && k < 6 ? (k + 3) % 6 : k;
+    std::memcpy(column(k) + at * bytes, from.column(source) + row * bytes, bytes);
+  }
+  return at;
+}
+
+std::uint32_t Rows::swap_remove(std::uint32_t row) {
+  const std::uint32_t last = --size_;
+  if (row == last) return 0;
+  const std::size_t bytes = number_size();
+  for (unsigned k = 0; k < numbers_; ++k) std::memcpy(column(k) + row * bytes, column(k) + last * bytes, bytes);
+  auto* slots = reinterpret_cast<std::uint32_t*>(column(numbers_));
+  slots[row] = slots[last];
+  return slots[row];
+}
+
+void Rows::swap_positions() {
+  swapped_ = !swapped_;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::swap(float_.position[axis], float_.previous[axis]);
+    std::swap(double_.position[axis], double_.previous[axis]);
+  }
+}
+
+template <class S>
+void Rows::find_columns(RowColumns<S>& c) const {
+  c = {};
+  unsigned k = 0;
+  const auto next = [&] { return reinterpret_cast<S*>(column(k++)); };
+  for (S*& p : swapped_ ? c.previous : c.position) p = next();
+  for (S*& p : swapped_ ? c.position : c.previous) p = next();
+  for (S*& p : c.velocity) p = next();
+  if (layout_.carried)
+    for (S*& p : c.carried) p = next();
+  if (layout_.launched)
+    for (S*& p : c.launch) p = next();
+  if (layout_.clocked) c.offset = next(), c.born = next();
+  for (const std::uint8_t field : layout_.fields) c.field[field] = next();
+}
+
+void Rows::find_columns() {
+  if (layout_.float32)
+    find_columns(float_);
+  else
+    find_columns(double_);
+}
+
+}  // namespace physim

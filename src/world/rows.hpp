@@ -1,0 +1,117 @@
+// Rows: the projectiles of one cohort, a column for each of their numbers, so that packs load them side by side.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "model/body.hpp"
+
+namespace physim {
+
+/// Rows are stored in multiples of the widest pack, so that packs never read past a column's end.
+inline constexpr std::size_t kRowsPerWord = 32;
+
+/// Which columns the projectiles of a cohort have.
+struct RowLayout {
+  bool float32 = false;
+  bool clocked = false;              // time since launch: closed forms, forces that end
+  bool carried = false;              // the original loop's acceleration register
+  bool launched = false;             // the place of launch
+  std::vector<std::uint8_t> fields;  // members of Body that the models read, as indices of its numbers
+
+  bool operator==(const RowLayout&) const = default;
+};
+
+/// The columns of a cohort, each an array of float or double. Current and previous positions change places in every
+/// step, which saves copying them.
+template <class S>
+struct RowColumns {
+  S* position[3];
+  S* previous[3];
+  S* velocity[3];
+  S* carried[3];
+  S* launch[3];
+  S* offset;  // of the clock: time since launch = offset + (now - born) h
+  S* born;    // step at which the clock started
+  S* field[kBodyFields<S>];
+};
+
+class Rows {
+ public:
+  explicit Rows(RowLayout layout);
+  Rows(const Rows& other);
+  Rows& operator=(const Rows& other);
+  Rows(Rows&&) noexcept = default;
+  Rows& operator=(Rows&&) noexcept = default;
+  ~Rows() = default;
+
+  [[nodiscard]] const RowLayout& layout() const { return layout_; }
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+  [[nodiscard]] std::size_t bytes() const { return lines_.size() * sizeof(Line); }
+  void reserve(std::size_t rows);
+  /// One more row; its numbers are left over from before or zero.
+  std::uint32_t push(std::uint32_t slot);
+  /// Takes a row out; the last one takes its place. Returns the slot of the row that moved, or of none: 0.
+  std::uint32_t swap_remove(std::uint32_t row);
+  /// Copies a row of equal layout here, as a new last row.
+  std::uint32_t push_copy(const Rows& from, std::uint32_t row);
+  void clear() { size_ = 0; }
+
+  [[nodiscard]] std::uint32_t slot(std::uint32_t row) const { return slots()[row]; }
+  [[nodiscard]] const std::uint32_t* slots() const { return reinterpret_cast<const std::uint32_t*>(column(numbers_)); }
+  template <class S>
+  [[nodiscard]] const RowColumns<S>& columns() const {
+    if constexpr (sizeof(S) == 4) return float_;
+    if constexpr (sizeof(S) == 8) return double_;
+  }
+  /// After a step: what was written as the next position is the current one.
+  void swap_positions();
+
+  /// Calls f with the columns, of float or of double.
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    return layout_.float32 ? f(float_) : f(double_);
+  }
+  [[nodiscard]] Vec3d position(std::uint32_t row) const {
+    return visit([row](const auto& c) { return at(c.position, row); });
+  }
+  [[nodiscard]] Vec3d previous(std::uint32_t row) const {
+    return visit([row](const auto& c) { return at(c.previous, row); });
+  }
+  [[nodiscard]] Vec3d velocity(std::uint32_t row) const {
+    return visit([row](const auto& c) { return at(c.velocity, row); });
+  }
+  template <class S>
+  [[nodiscard]] static Vec3d at(S* const (&column)[3], std::uint32_t row) {
+    return {double(column[0][row]), double(column[1][row]), double(column[2][row])};
+  }
+  template <class S>
+  static void put(S* const (&column)[3], std::uint32_t row, const Vec3d& v) {
+    column[0][row] = static_cast<S>(v.x), column[1][row] = static_cast<S>(v.y), column[2][row] = static_cast<S>(v.z);
+  }
+
+ private:
+  struct alignas(64) Line {
+    std::byte bytes[64];
+  };
+  [[nodiscard]] std::byte* column(unsigned k) const {
+    return const_cast<std::byte*>(reinterpret_cast<const std::byte*>(lines_.data())) + k * stride_;
+  }
+  [[nodiscard]] std::size_t number_size() const { return layout_.float32 ? sizeof(float) : sizeof(double); }
+  template <class S>
+  void find_columns(RowColumns<S>& c) const;
+  void find_columns();
+
+  RowLayout layout_;
+  unsigned numbers_;  // columns of numbers; one of slots follows
+  std::vector<Line> lines_;
+  std::size_t stride_ = 0;  // from column to column [bytes]
+  std::uint32_t capacity_ = 0;
+  std::uint32_t size_ = 0;
+  bool swapped_ = false;
+  RowColumns<float> float_{};  // one of them is in use
+  RowColumns<double> double_{};
+};
+
+}  // namespace physim

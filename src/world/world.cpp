@@ -1,0 +1,286 @@
+// Making worlds; projectiles coming and going.
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "model/sight.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+
+World::Impl::Impl(const WorldDef& definition) : def(definition), registry(definition) {
+  if (def.pools.empty()) def.pools.emplace_back();
+  state.owner = this;
+  state.pools.resize(def.pools.size());
+  state.clock.dt = def.step;
+  state.clock.time_scale = def.time_scale;
+  state.detail = def.detail;
+}
+
+World::World() : World(WorldDef{}) {}
+World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(const WorldDef& def) {
+  if (const Status status = check(def)) return *status;
+  return World(def);
+}
+
+bool World::Impl::refuse(Error why) {
+  error = std::move(why);
+  return false;
+}
+
+// ------------------------------------------------------------------------------------------- kinds and environments
+KindId World::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
+  auto added = impl_->registry.add_kind(projectile, body);
+  if (added) return *added;
+  impl_->refuse(added.error());
+  return {};
+}
+
+Result<std::uint32_t> World::add_environment(const Environment& environment) {
+  return impl_->registry.add_environment(environment);
+}
+
+Status World::set_environment(std::uint32_t index, const Environment& environment) {
+  Impl& w = *impl_;
+  if (Status status = w.registry.set_environment(index, environment)) return status;
+  for (std::uint32_t slot = 1; slot < w.state.slots.size(); ++slot)
+    if (w.state.slots[slot].is(kAlive) && w.kind_of(w.state.slots[slot]).body.environment == index) w.relocate(slot);
+  return std::nullopt;
+}
+
+// ------------------------------------------------------------------------------------------- slots
+const Own& World::Impl::own_of(std::uint32_t slot) const {
+  static const Own none{};
+  const auto found = state.own.find(slot);
+  return found == state.own.end() ? none : found->second;
+}
+
+Own& World::Impl::own(std::uint32_t slot) {
+  const auto [at, added] = state.own.try_emplace(slot);
+  if (added) {
+    const BodyDef& body = kind_of(state.slots[slot]).body;
+    at->second = {body.use_gravity ? body.gravity_scale : 0.0, body.frozen, body.frozen_rotation};
+  }
+  return at->second;
+}
+
+Tags& World::Impl::tags(std::uint32_t slot) {
+  const auto [at, added] = state.tags.try_emplace(slot);
+  if (added) {
+    const BodyDef& body = kind_of(state.slots[slot]).body;
+    at->second = {0, body.layers, body.colour, body.label};
+  }
+  return at->second;
+}
+
+std::uint32_t World::Impl::take_slot() {
+  if (state.first_free != 0) {
+    const std::uint32_t slot = state.first_free;
+    state.first_free = state.slots[slot].row;
+    if (state.first_free == 0) state.last_free = 0;
+    return slot;
+  }
+  state.slots.emplace_back();
+  state.birth.push_back(0);
+  state.rest.emplace_back();
+  if (!state.links.empty()) state.links.emplace_back();
+  return static_cast<std::uint32_t>(state.slots.size() - 1);
+}
+
+/// Slots are used again in the order they became free, so that what became of a projectile is known for long.
+void World::Impl::free_slot(std::uint32_t slot) {
+  state.slots[slot].row = 0;
+  if (state.last_free != 0)
+    state.slots[state.last_free].row = slot;
+  else
+    state.first_free = slot;
+  state.last_free = slot;
+}
+
+// ------------------------------------------------------------------------------------------- pools
+void World::Impl::link_to_pool(std::uint32_t slot, std::uint32_t index) {
+  Pool& pool = state.pools[index];
+  ++pool.count;
+  if (def.pools[index].when_full != WhenFull::replace_oldest) return;
+  state.links.resize(state.slots.size());
+  state.links[slot] = {pool.newest, 0};
+  if (pool.newest != 0) state.links[pool.newest].newer = slot;
+  pool.newest = slot;
+  if (pool.oldest == 0) pool.oldest = slot;
+}
+
+void World::Impl::unlink_from_pool(std::uint32_t slot, std::uint32_t index) {
+  Pool& pool = state.pools[index];
+  --pool.count;
+  if (def.pools[index].when_full != WhenFull::replace_oldest) return;
+  const PoolLink link = state.links[slot];
+  (link.older != 0 ? state.links[link.older].newer : pool.oldest) = link.newer;
+  (link.newer != 0 ? state.links[link.newer].older : pool.newest) = link.older;
+}
+
+bool World::Impl::make_room(std::uint32_t index) {
+  const PoolDef& pool = def.pools[index];
+  if (state.pools[index].count >= pool.maximum) {
+    if (pool.when_full == WhenFull::refuse)
+      return refuse(
+          {"the pool '" + pool.name + "' is full", "body.pool", "raise its maximum, or let it replace the oldest"});
+    remove(state.pools[index].oldest, LifeStatus::retired, WorldEventKind::retired, Reason::replaced);
+  }
+  if (state.alive >= def.max_projectiles)
+    return refuse({"the world is full", "world.max_projectiles", "raise it, or despawn some"});
+  return true;
+}
+
+// ------------------------------------------------------------------------------------------- coming
+void World::Impl::push_due(std::vector<Due>& heap, double time, std::uint32_t slot) {
+  heap.push_back({time, id_of(slot)});
+  std::push_heap(heap.begin(), heap.end(), is_later);
+}
+
+ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, double delay) {
+  const Kind& kind = registry.kind(kind_index);
+  Status status = check(launch);
+  if (!status && !(delay >= 0 && delay < 1e15)) status = Error{"must be zero or positive", "delay", "in s"};
+  if (status) return refuse(*status), ProjectileId{};
+  BodyState at{launch.position, {}};
+  if (launch.velocity) {
+    at.velocity = *launch.velocity;
+  } else {
+    const Environment& environment = registry.environments()[kind.body.environment];
+    const auto elevation = elevation_of(kind.projectile, launch, environment, kind.projectile.fidelity);
+    if (!elevation) return refuse(elevation.error()), ProjectileId{};
+    at.velocity = launch_velocity(launch, sight_frame(launch), *elevation);
+  }
+  if (!make_room(kind.body.pool)) return {};
+  const std::uint32_t index = take_slot();
+  Slot& slot = state.slots[index];
+  ++slot.generation;
+  slot.kind = kind_index;
+  slot.rung = 0;
+  const BodyDef& body = kind.body;
+  slot.flags = kAlive | (body.kinematic ? kKinematic : 0u) | (body.infinite_mass ? kInfiniteMass : 0u) |
+               (delay > 0 ? kPending : 0u) | (body.can_sleep ? 0u : kSleepless) |
+               (body.gravity_scale != 1 || !body.use_gravity ? kScaled : 0u) |
+               (body.frozen != Axes::none ? kFrozen : 0u);
+  slot.set_smoothing(body.smoothing);
+  slot.set_status(delay > 0 ? LifeStatus::pending : LifeStatus::in_flight);
+  if (slot.is(kScaled | kFrozen)) own(index);
+  if (feels_forces(index)) slot.flags |= kForced;
+  const std::uint16_t cohort = cohort_for(slot);
+  if (cohort == kNoCohort) {
+    slot.flags = 0;
+    free_slot(index);
+    return refuse({"there are too many different rungs and rules", "world", "at most 65535"}), ProjectileId{};
+  }
+  slot.cohort = cohort;
+  const double now = state.clock.time();
+  state.birth[index] = now + delay;
+  state.rest[index] = {};
+  ++state.alive;
+  link_to_pool(index, body.pool);
+  place(index, at, launch);
+  if (body.angular_velocity != Vec3d{}) {
+    slot.flags |= kTurning;
+    state.turning[index] = {Quatd{}, body.angular_velocity};
+  }
+  if (std::isfinite(body.despawn.older)) push_due(state.old_age, now + delay + body.despawn.older, index);
+  if (delay > 0)
+    push_due(state.pending, now + delay, index);
+  else
+    tell(WorldEventKind::spawned, index);
+  return id_of(index);
+}
+
+ProjectileId World::spawn(KindId kind, const Launch& launch, double delay) {
+  ProjectileId id;
+  Impl& w = *impl_;
+  if (!w.registry.has_kind(kind)) {
+    w.refuse({"there is no such kind", "kind", "add_kind() makes one"});
+  } else {
+    try {
+      id = w.spawn(kind.index, launch, delay);
+    } catch (const std::bad_alloc&) {
+      w.refuse({"no memory for another projectile", "world", "lower max_projectiles"});
+    }
+  }
+  if (!id) ++w.state.counters.refused;
+  return id;
+}
+
+ProjectileId World::spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body, double delay) {
+  const KindId kind = add_kind(projectile, body);
+  if (kind) return spawn(kind, launch, delay);
+  ++impl_->state.counters.refused;
+  return {};
+}
+
+std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::span<ProjectileId> ids) {
+  std::size_t spawned = 0;
+  for (std::size_t i = 0; i < launches.size(); ++i) {
+    const ProjectileId id = spawn(kind, launches[i]);
+    if (i < ids.size()) ids[i] = id;
+    if (id) ++spawned;
+  }
+  return spawned;
+}
+
+void World::reserve(KindId kind, std::size_t count) {
+  Impl& w = *impl_;
+  if (!w.registry.has_kind(kind)) return;
+  try {
+    const std::size_t slots = w.state.slots.size() + count;
+    w.state.slots.reserve(slots);
+    w.state.birth.reserve(slots);
+    w.state.rest.reserve(slots);
+    Slot slot;
+    slot.kind = kind.index;
+    const BodyDef& body = w.registry.kind(kind.index).body;
+    slot.set(kSleepless, !body.can_sleep);
+    slot.set(kScaled, body.gravity_scale != 1 || !body.use_gravity);
+    slot.set(kFrozen, body.frozen != Axes::none);
+    const std::uint16_t cohort = w.cohort_for(slot);
+    if (cohort != kNoCohort) w.state.rows[cohort].reserve(w.state.rows[cohort].size() + count);
+  } catch (const std::bad_alloc&) {
+    w.refuse({"no memory for so many projectiles", "world.reserve", "reserve fewer"});
+  }
+}
+
+// ------------------------------------------------------------------------------------------- going
+void World::Impl::remove(std::uint32_t index, LifeStatus status, WorldEventKind event, Reason reason) {
+  Slot& slot = state.slots[index];
+  if (event == WorldEventKind::expired || event == WorldEventKind::retired) tell(event, index, reason);
+  if (reason == Reason::non_finite) ++state.counters.retired;
+  take_out(slot);
+  unlink_from_pool(index, kind_of(slot).body.pool);
+  state.own.erase(index);
+  state.tags.erase(index);
+  if (slot.is(kTurning)) state.turning.erase(index);
+  slot.flags = 0;
+  slot.set_status(status);
+  --state.alive;
+  free_slot(index);
+}
+
+bool World::despawn(ProjectileId id) {
+  if (!impl_->find(id)) return impl_->refuse({"it is gone already", "id", ""});
+  impl_->remove(id.index, LifeStatus::retired, WorldEventKind::retired, Reason::despawned);
+  return true;
+}
+
+std::size_t World::despawn(std::span<const ProjectileId> ids) {
+  return static_cast<std::size_t>(
+      std::count_if(ids.begin(), ids.end(), [this](ProjectileId id) { return despawn(id); }));
+}
+
+void World::clear() {
+  for (std::uint32_t slot = 1; slot < impl_->state.slots.size(); ++slot)
+    if (impl_->state.slots[slot].is(kAlive))
+      impl_->remove(slot, LifeStatus::retired, WorldEventKind::retired, Reason::despawned);
+}
+
+}  // namespace physim

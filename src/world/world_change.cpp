@@ -1,0 +1,198 @@
+// Changes to projectiles between steps: state, switches, sleep, fidelity, things carried along.
+#include <cmath>
+
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+Error gone() { return {"it is gone", "id", "is_alive() tells"}; }
+Error not_finite(const char* place) { return {"must have three finite components", place, ""}; }
+
+}  // namespace
+
+void World::Impl::tell(WorldEventKind kind, std::uint32_t slot, Reason reason) {
+  const BodyState at = state_of(state.slots[slot]);
+  state.events.push_back({kind, reason, id_of(slot), state.clock.time(), at.position, at.velocity});
+}
+
+// ------------------------------------------------------------------------------------------- sleep
+bool World::Impl::put_to_sleep(std::uint32_t index) {
+  Slot& slot = state.slots[index];
+  if (slot.is(kStill)) return false;
+  slot.set(kAsleep, true);
+  relocate(index);
+  set_row_state(index, {state_of(slot).position, {}});
+  tell(WorldEventKind::slept, index);
+  return true;
+}
+
+bool World::Impl::wake(std::uint32_t index) {
+  Slot& slot = state.slots[index];
+  state.rest[index] = {};
+  if (!slot.is(kAsleep | kStuck)) return false;
+  slot.set(kAsleep | kStuck, false);
+  slot.set_status(LifeStatus::in_flight);
+  relocate(index);
+  tell(WorldEventKind::woke, index);
+  return true;
+}
+
+bool World::sleep(ProjectileId id) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  return impl_->put_to_sleep(id.index);
+}
+bool World::wake(ProjectileId id) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  return impl_->wake(id.index);
+}
+bool World::is_asleep(ProjectileId id) const {
+  const Slot* slot = impl_->find(id);
+  return slot && slot->is(kAsleep);
+}
+
+// ------------------------------------------------------------------------------------------- state
+bool World::Impl::change_state(ProjectileId id, const BodyState& to) {
+  if (!find(id)) return refuse(gone());
+  if (!finite(to.position)) return refuse(not_finite("position"));
+  if (!finite(to.velocity)) return refuse(not_finite("velocity"));
+  wake(id.index);
+  set_row_state(id.index, to);
+  return true;
+}
+
+bool World::set_position(ProjectileId id, const Vec3d& position) {
+  const Slot* slot = impl_->find(id);
+  return impl_->change_state(id, {position, slot ? impl_->state_of(*slot).velocity : Vec3d{}});
+}
+bool World::set_velocity(ProjectileId id, const Vec3d& velocity) {
+  const Slot* slot = impl_->find(id);
+  return impl_->change_state(id, {slot ? impl_->state_of(*slot).position : Vec3d{}, velocity});
+}
+bool World::set_state(ProjectileId id, const BodyState& state) { return impl_->change_state(id, state); }
+
+bool World::apply_impulse(ProjectileId id, const Vec3d& impulse) {
+  const Slot* slot = impl_->find(id);
+  if (!slot) return impl_->refuse(gone());
+  if (!finite(impulse)) return impl_->refuse(not_finite("impulse"));
+  if (slot->is(kKinematic | kInfiniteMass | kPending))
+    return impl_->refuse({"nothing pushes it", "id", "it is kinematic, pending or of infinite mass"});
+  const BodyState at = impl_->state_of(*slot);
+  return impl_->change_state(id, {at.position, at.velocity + impulse * inverse_mass(id)});
+}
+
+bool World::set_angular_velocity(ProjectileId id, const Vec3d& omega) {
+  Slot* slot = impl_->find(id);
+  if (!slot) return impl_->refuse(gone());
+  if (!finite(omega)) return impl_->refuse(not_finite("omega"));
+  slot->set(kTurning, true);
+  impl_->state.turning[id.index].angular_velocity = omega;
+  return true;
+}
+
+// ------------------------------------------------------------------------------------------- switches
+bool World::Impl::set_flag(ProjectileId id, std::uint32_t flag, bool on) {
+  Slot* slot = find(id);
+  if (!slot) return refuse(gone());
+  wake(id.index);
+  slot->set(flag, on);
+  return relocate(id.index);
+}
+
+bool World::set_gravity_scale(ProjectileId id, double scale) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  if (!std::isfinite(scale)) return impl_->refuse({"must be a finite number", "scale", "1 is all of gravity"});
+  impl_->own(id.index).gravity_scale = scale;
+  if (!impl_->set_flag(id, kScaled, scale != 1)) return false;
+  const Slot& slot = *impl_->find(id);
+  impl_->write_row(id.index, impl_->state_of(slot), impl_->rows_of(slot).previous(slot.row));
+  return true;
+}
+bool World::set_use_gravity(ProjectileId id, bool use) {
+  const Slot* slot = impl_->find(id);
+  if (!slot) return impl_->refuse(gone());
+  const double scale = impl_->kind_of(*slot).body.gravity_scale;
+  return set_gravity_scale(id, use ? (scale == 0 ? 1 : scale) : 0);
+}
+bool World::set_kinematic(ProjectileId id, bool kinematic) { return impl_->set_flag(id, kKinematic, kinematic); }
+bool World::is_kinematic(ProjectileId id) const {
+  const Slot* slot = impl_->find(id);
+  return slot && slot->is(kKinematic);
+}
+bool World::set_frozen(ProjectileId id, Axes position_axes, Axes rotation_axes) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  Own& own = impl_->own(id.index);
+  own.frozen = position_axes;
+  own.frozen_rotation = rotation_axes;
+  if (!impl_->set_flag(id, kFrozen, position_axes != Axes::none)) return false;
+  const Slot& slot = *impl_->find(id);
+  impl_->write_row(id.index, impl_->state_of(slot), impl_->rows_of(slot).previous(slot.row));
+  return true;
+}
+bool World::set_can_sleep(ProjectileId id, bool can) { return impl_->set_flag(id, kSleepless, !can); }
+
+bool World::set_smoothing(ProjectileId id, Smoothing smoothing) {
+  Slot* slot = impl_->find(id);
+  if (!slot) return impl_->refuse(gone());
+  slot->set_smoothing(smoothing);
+  return true;
+}
+bool World::set_user_data(ProjectileId id, std::uint64_t data) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  impl_->tags(id.index).user_data = data;
+  return true;
+}
+bool World::set_layers(ProjectileId id, std::uint32_t layers) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  impl_->tags(id.index).layers = layers;
+  impl_->update_forced(id.index);
+  return true;
+}
+bool World::set_colour(ProjectileId id, std::uint32_t rgba) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  impl_->tags(id.index).colour = rgba;
+  return true;
+}
+bool World::set_label(ProjectileId id, const std::string& label) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  impl_->tags(id.index).label = label;
+  return true;
+}
+
+// ------------------------------------------------------------------------------------------- fidelity
+bool World::Impl::change_fidelity(std::uint32_t index, const Fidelity& asked) {
+  Slot& slot = state.slots[index];
+  const auto rung = registry.rung(slot.kind, asked);
+  if (!rung) return refuse({"there are too many rungs of this kind", "fidelity", "at most 4096"});
+  if (*rung == slot.rung) return true;
+  const std::uint16_t before = slot.rung;
+  slot.rung = *rung;
+  if (!relocate(index)) return slot.rung = before, false;
+  tell(WorldEventKind::fidelity_changed, index);
+  return true;
+}
+
+bool World::set_fidelity(ProjectileId id, const Fidelity& fidelity) {
+  if (!impl_->find(id)) return impl_->refuse(gone());
+  return impl_->change_fidelity(id.index, fidelity);
+}
+
+std::size_t World::set_fidelity(std::span<const ProjectileId> ids, const Fidelity& fidelity) {
+  std::size_t changed = 0;
+  for (const ProjectileId id : ids)
+    if (impl_->find(id) && impl_->change_fidelity(id.index, fidelity)) ++changed;
+  return changed;
+}
+
+FidelityInUse World::fidelity_in_use(ProjectileId id) const {
+  const Slot* slot = impl_->find(id);
+  if (!slot) return {};
+  return impl_->kind_of(*slot).rungs[slot->rung].in_use;
+}
+
+void World::set_observer(const Vec3d& position) {
+  if (finite(position)) impl_->state.observer = position;
+}
+
+}  // namespace physim

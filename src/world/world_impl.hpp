@@ -1,0 +1,99 @@
+// World::Impl: the parts of a world and what its files share.
+#pragma once
+
+#include "physim/world.hpp"
+#include "world/settle.hpp"
+#include "world/state.hpp"
+
+namespace physim {
+
+struct World::Impl {
+  explicit Impl(const WorldDef& definition);
+
+  WorldDef def;
+  Registry registry;
+  WorldState state;
+  std::optional<Error> error;
+  TaskRunner* lent = nullptr;
+  std::unique_ptr<TaskRunner> own_threads;
+  StepScratch scratch;
+
+  // ------------------------------------------------------------------------------------------- slots
+  /// The slot of a projectile that is alive; null otherwise.
+  [[nodiscard]] const Slot* find(ProjectileId id) const {
+    if (id.index >= state.slots.size()) return nullptr;
+    const Slot& slot = state.slots[id.index];
+    return slot.generation == id.generation && slot.is(kAlive) ? &slot : nullptr;
+  }
+  [[nodiscard]] Slot* find(ProjectileId id) { return const_cast<Slot*>(std::as_const(*this).find(id)); }
+  [[nodiscard]] ProjectileId id_of(std::uint32_t slot) const { return {slot, state.slots[slot].generation}; }
+  [[nodiscard]] Rows& rows_of(const Slot& slot) { return state.rows[slot.cohort]; }
+  [[nodiscard]] const Rows& rows_of(const Slot& slot) const { return state.rows[slot.cohort]; }
+  [[nodiscard]] const Kind& kind_of(const Slot& slot) const { return registry.kind(slot.kind); }
+  [[nodiscard]] BodyState state_of(const Slot& slot) const {
+    const Rows& rows = rows_of(slot);
+    return {rows.position(slot.row), rows.velocity(slot.row)};
+  }
+  [[nodiscard]] const Own& own_of(std::uint32_t slot) const;
+  Own& own(std::uint32_t slot);
+  Tags& tags(std::uint32_t slot);
+
+  // ------------------------------------------------------------------------------------------- coming and going
+  ProjectileId spawn(std::uint32_t kind, const Launch& launch, double delay);
+  void push_due(std::vector<Due>& heap, double time, std::uint32_t slot);
+  std::uint32_t take_slot();
+  void free_slot(std::uint32_t slot);
+  /// Takes a projectile out of the world.
+  void remove(std::uint32_t slot, LifeStatus status, WorldEventKind event, Reason reason);
+  bool make_room(std::uint32_t pool);
+  void link_to_pool(std::uint32_t slot, std::uint32_t pool);
+  void unlink_from_pool(std::uint32_t slot, std::uint32_t pool);
+  bool refuse(Error why);
+
+  // ------------------------------------------------------------------------------------------- rows
+  std::uint16_t cohort_for(const Slot& slot);
+  /// Puts a projectile that has no row yet into its cohort.
+  void place(std::uint32_t slot, const BodyState& at, const Launch& launch);
+  /// Moves a projectile to where it belongs after its flags or rung changed.
+  bool relocate(std::uint32_t slot);
+  void take_out(Slot& slot);
+  /// Fills a row anew: the models start from here. `launch` gives the plane of fire, else the velocity does.
+  void write_row(std::uint32_t slot, const BodyState& at, const Vec3d& previous, const Launch* launch = nullptr);
+  /// Puts a state into its row; closed forms start anew from it.
+  void set_row_state(std::uint32_t slot, const BodyState& at);
+  /// The numbers that the models read of one projectile, and its time since launch as they count it.
+  [[nodiscard]] Body<double> body_of(const Slot& slot) const;
+  [[nodiscard]] double clock_of(const Slot& slot) const;
+  void rebase(double new_dt);
+
+  // ------------------------------------------------------------------------------------------- changes
+  void tell(WorldEventKind kind, std::uint32_t slot, Reason reason = Reason::none);
+  bool put_to_sleep(std::uint32_t slot);
+  bool wake(std::uint32_t slot);
+  bool change_state(ProjectileId id, const BodyState& to);
+  bool set_flag(ProjectileId id, std::uint32_t flag, bool on);
+  bool change_fidelity(std::uint32_t slot, const Fidelity& asked);
+  bool uses_detail() const { return !state.detail.rungs.empty(); }
+  void apply_detail();
+
+  // ------------------------------------------------------------------------------------------- forces
+  [[nodiscard]] bool feels_forces(std::uint32_t slot) const;
+  void update_forced(std::uint32_t slot);
+  void update_all_forced();
+  void end_generators();
+  void end_generator(std::uint32_t index);
+  /// Accelerations by the generators on one projectile now.
+  [[nodiscard]] Vec3d generator_force(std::uint32_t slot) const;
+
+  // ------------------------------------------------------------------------------------------- stepping
+  void step(double dt);
+  void launch_pending();
+  void expire_old();
+  void step_free(double dt);
+  void step_forced(double dt);
+  void turn(double dt);
+  void finish_step();
+  [[nodiscard]] TaskRunner& runner(std::size_t rows);
+};
+
+}  // namespace physim

@@ -1,0 +1,39 @@
+// What the world's kernels are given: plain data, the same for every instruction set.
+#pragma once
+
+#include "flight/lanes.hpp"
+#include "world/rows.hpp"
+
+namespace physim {
+
+/// What makes a row worth a second look after a step. Everything is the same for a whole cohort.
+template <class S>
+struct Watchdog {
+  S floor;      // height at or below which the ground, a rule or the end of the air may be [m]; -infinity: none
+  S slowest;    // speed [m/s]: of a rule, or of rest
+  S farthest;   // distance from the launch [m]
+  Vec3<S> low;  // corners of the box [m]
+  Vec3<S> high;
+  bool apex;  // the highest point is told
+  bool box;
+  bool simple;  // nothing but floor and slowest is watched
+};
+
+/// Rows to step once.
+template <class S>
+struct WorldJob {
+  const Course<S>* course;
+  RowColumns<S> columns;
+  const std::uint8_t* fields;
+  unsigned field_count;
+  bool clocked;
+  bool launched;
+  S now;  // number of this step
+  S h;    // [s]
+  Watchdog<S> watchdog;
+  std::uint32_t first;  // row, a multiple of 32
+  std::uint32_t last;
+  std::uint32_t* attention;  // bit i of word w: row 32 w + i was left where it was, and needs a closer look
+};
+
+}  // namespace physim

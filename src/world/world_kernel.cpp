@@ -1,0 +1,9 @@
+// Compiled once per instruction set, in a namespace of its name; the widest pack that pays is two registers.
+#include "world/step_rows.hpp"
+
+PHYSIM_ISA_BEGIN
+
+bool step_rows(const WorldJob<float>& job) { return step_packs_of<Pack<float, 2 * kNativeBytes / 4>>(job); }
+bool step_rows(const WorldJob<double>& job) { return step_packs_of<Pack<double, 2 * kNativeBytes / 8>>(job); }
+
+PHYSIM_ISA_END

@@ -1,0 +1,174 @@
+// Where projectiles lie: their rows in cohorts, and moves between them.
+#include "model/sight.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+Vec3d free_axes(Axes frozen) {
+  return {has(frozen, Axes::x) ? 0.0 : 1.0, has(frozen, Axes::y) ? 0.0 : 1.0, has(frozen, Axes::z) ? 0.0 : 1.0};
+}
+
+/// Horizontal unit normal of the plane of fire, to its right.
+Vec3d plane_of(const Vec3d& velocity, const Launch* launch) {
+  if (launch) return sight_frame(*launch).right;
+  Launch now;
+  now.velocity = velocity;
+  return sight_frame(now).right;
+}
+
+}  // namespace
+
+std::uint16_t World::Impl::cohort_for(const Slot& slot) {
+  const std::uint16_t index = registry.cohort(slot.kind, slot.rung, slot.variant());
+  if (index == kNoCohort) return index;
+  while (state.rows.size() < registry.cohorts())
+    state.rows.emplace_back(registry.cohort(static_cast<std::uint16_t>(state.rows.size())).layout);
+  return index;
+}
+
+void World::Impl::place(std::uint32_t index, const BodyState& at, const Launch& launch) {
+  Slot& slot = state.slots[index];
+  slot.row = rows_of(slot).push(index);
+  write_row(index, at, at.position, &launch);
+}
+
+void World::Impl::write_row(std::uint32_t index, const BodyState& given, const Vec3d& previous, const Launch* launch) {
+  const Slot& slot = state.slots[index];
+  Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
+  Rows& rows = rows_of(slot);
+  BodyState at = given;
+  Body<double> special = {};
+  const Body<double>* body = &rung.body;
+  const RowLayout& layout = rows.layout();
+  const Fidelity& granted = rung.in_use.fidelity;
+  if (slot.is(kFrozen | kScaled) || granted.planar || layout.clocked || rung.equivalent_drag) {
+    special = rung.body;
+    body = &special;
+    const Own& mine = own_of(index);
+    if (slot.is(kFrozen)) special.free = free_axes(mine.frozen);
+    if (slot.is(kScaled)) special.gravity_scale = mine.gravity_scale;
+    if (granted.planar) special.plane = plane_of(at.velocity, launch);
+    if (granted.planar) at.velocity -= special.plane * dot(special.plane, at.velocity);
+    if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, special.free);
+    special.launch = {at.position, at.velocity};
+    if (rung.equivalent_drag)
+      special.k2_per_mass = rung.equivalent_drag->k2_per_mass(special.launch) * kind_of(slot).body.drag_scale;
+  }
+  rows.visit([&]<class S>(const RowColumns<S>& c) {
+    Rows::put(c.position, slot.row, at.position);
+    Rows::put(c.previous, slot.row, previous);
+    Rows::put(c.velocity, slot.row, at.velocity);
+    if (layout.carried) Rows::put(c.carried, slot.row, {});
+    if (layout.launched) Rows::put(c.launch, slot.row, at.position);
+    const auto* number = reinterpret_cast<const double*>(body);
+    for (const std::uint8_t field : layout.fields) c.field[field][slot.row] = static_cast<S>(number[field]);
+    if (layout.clocked) {
+      c.offset[slot.row] = S(0);
+      c.born[slot.row] = static_cast<S>(state.clock.now());
+    }
+  });
+}
+
+void World::Impl::set_row_state(std::uint32_t index, const BodyState& given) {
+  const Slot& slot = state.slots[index];
+  BodyState at = given;
+  if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, free_axes(own_of(index).frozen));
+  const bool closed = registry.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
+  if (closed) return write_row(index, at, at.position);  // the clock starts anew
+  rows_of(slot).visit([&](const auto& c) {
+    Rows::put(c.position, slot.row, at.position);
+    Rows::put(c.velocity, slot.row, at.velocity);
+  });
+}
+
+void World::Impl::take_out(Slot& slot) {
+  const std::uint32_t moved = rows_of(slot).swap_remove(slot.row);
+  if (moved != 0) state.slots[moved].row = slot.row;
+}
+
+bool World::Impl::relocate(std::uint32_t index) {
+  Slot& slot = state.slots[index];
+  const std::uint16_t to = cohort_for(slot);
+  if (to == kNoCohort) return refuse({"there are too many different rungs and rules", "world", "at most 65535"});
+  if (to == slot.cohort) return true;
+  const std::uint16_t from = slot.cohort;
+  const std::uint32_t old_row = slot.row;
+  Rows& source = state.rows[from];
+  if (source.layout() == state.rows[to].layout()) {
+    const std::uint32_t row = state.rows[to].push_copy(source, old_row);
+    take_out(slot);
+    slot.cohort = to;
+    slot.row = row;
+    return true;
+  }
+  const BodyState at{source.position(old_row), source.velocity(old_row)};
+  const Vec3d previous = source.previous(old_row);
+  const double age = clock_of(slot);
+  Vec3d launch{};
+  if (source.layout().launched) launch = source.visit([&](const auto& c) { return Rows::at(c.launch, old_row); });
+  take_out(slot);
+  slot.cohort = to;
+  slot.row = state.rows[to].push(index);
+  write_row(index, at, previous);
+  const RowLayout& layout = state.rows[to].layout();
+  const bool closed = registry.cohort(to).key.fidelity.motion == Motion::closed_form;
+  state.rows[to].visit([&]<class S>(const RowColumns<S>& c) {
+    if (layout.launched) Rows::put(c.launch, slot.row, launch);
+    if (layout.clocked && !closed) c.offset[slot.row] = static_cast<S>(age);
+  });
+  return true;
+}
+
+Body<double> World::Impl::body_of(const Slot& slot) const {
+  Body<double> body = kind_of(slot).rungs[slot.rung].body;
+  const Rows& rows = rows_of(slot);
+  rows.visit([&](const auto& c) {
+    auto* number = reinterpret_cast<double*>(&body);
+    for (const std::uint8_t field : rows.layout().fields) number[field] = static_cast<double>(c.field[field][slot.row]);
+  });
+  return body;
+}
+
+double World::Impl::clock_of(const Slot& slot) const {
+  const Rows& rows = rows_of(slot);
+  if (!rows.layout().clocked) {
+    const auto index = static_cast<std::size_t>(&slot - state.slots.data());
+    return state.clock.time() - state.birth[index];
+  }
+  return rows.visit([&]<class S>(const RowColumns<S>& c) {
+    const S steps = static_cast<S>(state.clock.now()) - c.born[slot.row];
+    return static_cast<double>(c.offset[slot.row] + steps * static_cast<S>(state.clock.dt));
+  });
+}
+
+/// Rows count steps of one length, as whole numbers that a float holds: when the length changes, or the numbers grow
+/// too large, they count from now on.
+void World::Impl::rebase(double new_dt) {
+  Clock& clock = state.clock;
+  const bool new_length = new_dt != clock.dt;
+  constexpr std::uint64_t kMostSteps = 1u << 22;
+  const std::uint64_t shift = clock.steps - clock.epoch;
+  if (!new_length && shift < kMostSteps) return;
+  for (Rows& rows : state.rows) {
+    if (!rows.layout().clocked) continue;
+    rows.visit([&]<class S>(const RowColumns<S>& c) {
+      const S now = static_cast<S>(shift);
+      for (std::uint32_t row = 0; row < rows.size(); ++row) {
+        if (new_length) {
+          c.offset[row] += (now - c.born[row]) * static_cast<S>(clock.dt);
+          c.born[row] = S(0);
+        } else {
+          c.born[row] -= now;
+        }
+      }
+    });
+  }
+  clock.epoch = clock.steps;
+  if (!new_length) return;
+  clock.run_start = clock.time();
+  clock.run_steps = 0;
+  clock.dt = new_dt;
+}
+
+}  // namespace physim

@@ -1,0 +1,261 @@
+// A step of the world: free rows by kernels in chunks, forced rows stage by stage, then what follows from both.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "world/kernels.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+/// Rows that one thread takes at a time: some microseconds of work that stay in its cache.
+constexpr std::uint32_t kChunkRows = 4096;
+
+template <class S>
+Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
+  const DespawnRules& d = cohort.key.rules.despawn;
+  const WatchList& watch = cohort.course_double.watch;
+  double floor = d.below;
+  for (int i = 0; i < watch.count; ++i)
+    if (watch.item[i].spec.kind != EventKind::apex) floor = std::max(floor, watch.item[i].spec.value);
+  Watchdog<S> w{};
+  w.floor = static_cast<S>(floor);
+  // Rounded towards the safe side: a closer look costs little, a missed one a landing.
+  if (std::isfinite(floor)) w.floor = std::nextafter(w.floor, std::numeric_limits<S>::infinity());
+  w.slowest = static_cast<S>(std::max(d.slower, cohort.key.rules.sleep_speed));
+  w.farthest = static_cast<S>(d.farther);
+  w.low = vec_cast<S>(d.box_low);
+  w.high = vec_cast<S>(d.box_high);
+  w.apex = def.apex_events;
+  w.box = d.outside_box;
+  const bool flat_fall = cohort.key.fidelity.earth == EarthModel::flat;
+  w.simple = flat_fall && !w.apex && !w.box && !cohort.layout.launched &&
+             (def.ground.mode == GroundMode::none || !cohort.key.forced);
+  return w;
+}
+
+/// What the threads of one step share.
+struct StepWork {
+  SettleContext context;
+  WorldKernel kernel;
+  std::uint32_t* attention;
+  const std::size_t* words_before;
+  Chunk* chunks;
+};
+
+template <class S>
+void step_chunk(const StepWork& work, Chunk& chunk) {
+  const WorldCohort& cohort = work.context.registry->cohort(chunk.cohort);
+  const Rows& rows = work.context.state->rows[chunk.cohort];
+  WorldJob<S> job{};
+  job.course = &cohort.course<S>();
+  job.columns = rows.columns<S>();
+  job.fields = rows.layout().fields.data();
+  job.field_count = static_cast<unsigned>(rows.layout().fields.size());
+  job.clocked = rows.layout().clocked;
+  job.launched = rows.layout().launched;
+  job.now = static_cast<S>(work.context.now);
+  job.h = static_cast<S>(work.context.dt);
+  job.watchdog = watchdog_of<S>(*work.context.def, cohort);
+  job.first = chunk.first;
+  job.last = chunk.last;
+  job.attention = work.attention + work.words_before[chunk.cohort];
+  if (!step_rows_with(work.kernel, job)) return;
+  for (std::uint32_t word = chunk.first / kRowsPerWord; word * kRowsPerWord < chunk.last; ++word)
+    for (std::uint32_t bits = job.attention[word]; bits != 0; bits &= bits - 1)
+      settle_row(work.context, chunk,
+                 word * static_cast<std::uint32_t>(kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+}
+
+void run_chunk(void* shared, std::size_t i) {
+  const auto& work = *static_cast<const StepWork*>(shared);
+  Chunk& chunk = work.chunks[i];
+  if (work.context.state->rows[chunk.cohort].layout().float32)
+    step_chunk<float>(work, chunk);
+  else
+    step_chunk<double>(work, chunk);
+}
+
+/// Does everything in the caller's thread.
+class NoThreads final : public TaskRunner {
+ public:
+  void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
+    for (std::size_t i = 0; i < count; ++i) task(context, i);
+  }
+  [[nodiscard]] unsigned threads() const override { return 1; }
+};
+
+}  // namespace
+
+TaskRunner& World::Impl::runner(std::size_t rows) {
+  static NoThreads none;
+  const std::size_t wanted = rows / std::max<std::size_t>(def.threading.rows_per_thread, 1);
+  if (wanted <= 1 || def.threading.threads == 1) return none;
+  if (lent) return *lent;
+  if (!own_threads) own_threads = make_thread_pool(def.threading.threads);
+  return *own_threads;
+}
+
+void World::Impl::launch_pending() {
+  const double now = state.clock.time();
+  auto& heap = state.pending;
+  while (!heap.empty() && heap.front().time <= now) {
+    const ProjectileId id = heap.front().id;
+    std::pop_heap(heap.begin(), heap.end(), is_later);
+    heap.pop_back();
+    Slot* slot = find(id);
+    if (!slot || !slot->is(kPending)) continue;
+    slot->set(kPending, false);
+    slot->set_status(LifeStatus::in_flight);
+    const BodyState at = state_of(*slot);
+    relocate(id.index);
+    write_row(id.index, at, at.position);  // its clock starts now
+    tell(WorldEventKind::spawned, id.index);
+  }
+}
+
+void World::Impl::expire_old() {
+  const double now = state.clock.time();
+  auto& heap = state.old_age;
+  while (!heap.empty() && heap.front().time <= now) {
+    const ProjectileId id = heap.front().id;
+    std::pop_heap(heap.begin(), heap.end(), is_later);
+    heap.pop_back();
+    if (find(id)) remove(id.index, LifeStatus::expired, WorldEventKind::expired, Reason::older);
+  }
+}
+
+void World::Impl::step_free(double dt) {
+  scratch.chunk_count = 0;
+  scratch.words_before.assign(state.rows.size(), 0);
+  std::size_t words = 0;
+  std::size_t moving = 0;
+  for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
+    const CohortKey& key = registry.cohort(c).key;
+    scratch.words_before[c] = words;
+    if (key.still || key.forced) continue;
+    const std::uint32_t size = state.rows[c].size();
+    moving += size;
+    words += (size + kRowsPerWord - 1) / kRowsPerWord;
+    for (std::uint32_t first = 0; first < size; first += kChunkRows) {
+      if (scratch.chunk_count == scratch.chunks.size()) scratch.chunks.emplace_back();
+      Chunk& chunk = scratch.chunks[scratch.chunk_count++];
+      chunk.cohort = c;
+      chunk.first = first;
+      chunk.last = std::min(size, first + kChunkRows);
+      chunk.events.clear();
+      chunk.changes.clear();
+    }
+  }
+  if (scratch.attention.size() < words) scratch.attention.resize(words);
+  StepWork work{{&def, &registry, &state, dt, state.clock.now(), state.clock.time()},
+                world_kernel(),
+                scratch.attention.data(),
+                scratch.words_before.data(),
+                scratch.chunks.data()};
+  runner(moving).run(scratch.chunk_count, run_chunk, &work);
+  for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
+    const CohortKey& key = registry.cohort(c).key;
+    if (!key.still && !key.forced) state.rows[c].swap_positions();
+  }
+  state.counters.projectile_steps += moving;
+}
+
+/// Does what settling decided, in order of slots, so that neither threads nor the order of rows matter.
+void World::Impl::finish_step() {
+  scratch.changes.clear();
+  for (std::size_t i = 0; i < scratch.chunk_count; ++i) {
+    const Chunk& chunk = scratch.chunks[i];
+    scratch.changes.insert(scratch.changes.end(), chunk.changes.begin(), chunk.changes.end());
+    state.events.insert(state.events.end(), chunk.events.begin(), chunk.events.end());
+  }
+  std::sort(scratch.changes.begin(), scratch.changes.end(),
+            [](const Change& a, const Change& b) { return a.slot < b.slot; });
+  for (const Change& change : scratch.changes) {
+    Slot& slot = state.slots[change.slot];
+    if (!slot.is(kAlive)) continue;
+    switch (change.kind) {
+      case Change::Kind::remove:
+        remove(change.slot, change.status, WorldEventKind::landed, change.reason);
+        break;
+      case Change::Kind::stick:
+        set_row_state(change.slot, {state_of(slot).position, {}});
+        slot.set(kStuck, true);
+        slot.set_status(LifeStatus::landed);
+        relocate(change.slot);
+        break;
+      case Change::Kind::sleep:
+        put_to_sleep(change.slot);
+        break;
+    }
+  }
+}
+
+void World::Impl::step(double dt) {
+  rebase(dt);
+  launch_pending();
+  end_generators();
+  apply_detail();
+  step_free(dt);
+  step_forced(dt);
+  turn(dt);
+  ++state.clock.steps;
+  ++state.clock.run_steps;
+  ++state.counters.steps;
+  finish_step();
+  expire_old();
+  std::sort(state.events.begin(), state.events.end(), [](const WorldEvent& a, const WorldEvent& b) {
+    if (a.time != b.time) return a.time < b.time;
+    if (a.id.index != b.id.index) return a.id.index < b.id.index;
+    return a.kind < b.kind;
+  });
+}
+
+// --------------------------------------------------------------------------------------------------- time
+bool World::step(double dt) {
+  if (!(dt > 0 && dt < 1e6)) return impl_->refuse({"a step must be a positive time", "dt", "in s"});
+  impl_->state.events.clear();
+  impl_->step(dt);
+  return true;
+}
+
+int World::advance(double real_dt) {
+  Impl& w = *impl_;
+  Clock& clock = w.state.clock;
+  w.state.events.clear();
+  if (!(real_dt >= 0 && real_dt < 1e9)) return w.refuse({"time passes forwards", "real_dt", "in s, not negative"}), 0;
+  if (clock.paused) return 0;
+  clock.left_over += real_dt * clock.time_scale;
+  int steps = 0;
+  while (clock.left_over >= w.def.step && static_cast<std::uint32_t>(steps) < w.def.max_steps) {
+    w.step(w.def.step);
+    clock.left_over -= w.def.step;
+    ++steps;
+  }
+  if (clock.left_over >= w.def.step) {  // too slow to keep up: time is dropped rather than owed
+    const double kept = std::fmod(clock.left_over, w.def.step);
+    w.state.counters.dropped_time += clock.left_over - kept;
+    clock.left_over = kept;
+  }
+  return steps;
+}
+
+bool World::single_step() {
+  impl_->state.events.clear();
+  impl_->step(impl_->def.step);
+  return true;
+}
+
+void World::set_paused(bool paused) { impl_->state.clock.paused = paused; }
+bool World::is_paused() const { return impl_->state.clock.paused; }
+bool World::set_time_scale(double scale) {
+  if (!(scale >= 0 && scale <= 1000)) return impl_->refuse({"must lie between 0 and 1000", "time_scale", ""});
+  impl_->state.clock.time_scale = scale;
+  return true;
+}
+double World::time_scale() const { return impl_->state.clock.time_scale; }
+double World::time() const { return impl_->state.clock.time(); }
+double World::fraction() const { return impl_->state.clock.left_over / impl_->def.step; }
+
+}  // namespace physim
