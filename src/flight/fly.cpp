@@ -108,6 +108,9 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);
   record->mass = projectile.mass;
+  record->environment.altitude = environment.altitude;
+  record->environment.gravity = environment.gravity;
+  record->environment.earth = environment.earth;
   fly_record(*record, tolerance, until);
   return record;
 }

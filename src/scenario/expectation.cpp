@@ -20,6 +20,9 @@ constexpr Figure kFigures[] = {
     {"vz", Quantity::speed, [](const Sample& s) { return s.velocity.z; }},
     {"mach", Quantity::number, [](const Sample& s) { return s.mach; }},
     {"energy", Quantity::energy, [](const Sample& s) { return s.energy; }},
+    {"latitude", Quantity::angle, nullptr, &Geodetic::latitude},
+    {"longitude", Quantity::angle, nullptr, &Geodetic::longitude},
+    {"altitude", Quantity::length, nullptr, &Geodetic::height},
     {"elevation", Quantity::angle, nullptr},
 };
 

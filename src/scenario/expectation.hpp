@@ -8,11 +8,12 @@
 
 namespace physim {
 
-/// A figure of a flight at one time.
+/// A figure of a flight at one time: by its sample, or by its place on the Earth. Neither: of the flight as a whole.
 struct Figure {
   std::string_view name;
   Quantity quantity;
-  double (*value)(const Sample&);  // null: of the flight as a whole
+  double (*value)(const Sample&);
+  double Geodetic::*place = nullptr;
 };
 
 [[nodiscard]] std::span<const Figure> figures();

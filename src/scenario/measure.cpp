@@ -39,9 +39,10 @@ Result<double> measure_anywhere(const Flight& flight, const Expectation& expecta
   if (figure == nullptr)
     return Error{"unknown quantity " + in_quotes(expectation.quantity), "",
                  suggestion(expectation.quantity, figure_names(), "known quantities")};
-  if (figure->value == nullptr) return flight.elevation();
+  if (figure->value == nullptr && figure->place == nullptr) return flight.elevation();
   const Result<Sample> sample = sample_at(flight, expectation);
   if (!sample) return sample.error();
+  if (figure->place != nullptr) return flight.earth_frames().geodetic(sample->position).*(figure->place);
   return figure->value(*sample);
 }
 

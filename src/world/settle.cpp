@@ -12,8 +12,7 @@ namespace {
 constexpr int kMostBounces = 16;
 
 Vec3d normal_at(const Conditions<double>& c, const Vec3d& x) {
-  if (c.fidelity.earth != EarthModel::sphere) return {0, 1, 0};
-  return normalized(from_centre(c, x));
+  return is_round(c.fidelity.earth) ? vertical_at(c, x) : Vec3d{0, 1, 0};
 }
 
 /// One row on its way through a step. S is the cohort's number type.
