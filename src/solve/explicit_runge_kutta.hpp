@@ -170,16 +170,25 @@ struct EndWeights {
   static constexpr double at(int j) { return Tableau::b[j]; }
 };
 
-/// Runs the stages; slope[0] is given. `f(t, state)` is the acceleration.
+/// Runs the stages of some steps side by side; slope[0] of each is given. `f(i, t, y)` is step i's acceleration.
+///
+/// A stage waits for the one before: for a square root, a table look-up, and a chain of sums. The steps do not wait for
+/// each other, so the processor fills one's waiting with the other's work.
 template <class Tableau, class R, class F>
-PHYSIM_INLINE void runge_kutta_step(Step<R>& s, const F& f) {
-  static_for<Tableau::kStages - 1>([&](auto i) {
-    constexpr int stage = i + 1;
-    const State<R> y = advanced(s.start, weighted_sum<StageWeights<Tableau, stage>, stage>(s.slope), s.h);
-    s.slope[stage] = {y.v, f(s.t + s.h * constant<R>(Tableau::c[stage]), y)};
+PHYSIM_INLINE void runge_kutta_steps(Step<R>* const* steps, int count, const F& f) {
+  static_for<Tableau::kStages - 1>([&](auto before) {
+    constexpr int stage = before + 1;
+    for (int i = 0; i < count; ++i) {
+      Step<R>& s = *steps[i];
+      const State<R> y = advanced(s.start, weighted_sum<StageWeights<Tableau, stage>, stage>(s.slope), s.h);
+      s.slope[stage] = {y.v, f(i, s.t + s.h * constant<R>(Tableau::c[stage]), y)};
+    }
   });
-  s.end = advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), s.h);
-  s.slope[Tableau::kStages] = {s.end.v, f(s.t_end, s.end)};
+  for (int i = 0; i < count; ++i) {
+    Step<R>& s = *steps[i];
+    s.end = advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), s.h);
+    s.slope[Tableau::kStages] = {s.end.v, f(i, s.t_end, s.end)};
+  }
 }
 
 PHYSIM_ISA_END

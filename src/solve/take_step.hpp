@@ -32,9 +32,12 @@ PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
 }
 
+#ifndef EVALATTR
+#define EVALATTR [[gnu::noinline]]
+#endif
 /// The acceleration behind one call, so that twelve stages do not become twelve copies of all models.
 template <class R, class S>
-[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
+EVALATTR void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
   a = acceleration(c, b, t, s);
 }
 
@@ -98,48 +101,56 @@ PHYSIM_INLINE R dop853_error_squared(const Step<R>& s, S relative, S absolute) {
   return max(position, velocity);
 }
 
-/// Takes the step s.h from s.start at s.t to s.t_end; s.slope[0] is given. Adaptive integrators also leave s.error,
-/// squared.
+/// A step of the integrators that are no Runge-Kutta methods, and of closed forms.
 template <class R, class S>
-PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relative, S absolute, Step<R>& s) {
-  const auto f = [&](const R& t, const State<R>& y) {
-    Vec3<R> a;
-    evaluate(c, b, t, y, a);
-    return a;
-  };
+PHYSIM_INLINE void take_simple_step(const Conditions<S>& c, const Body<R>& b, Step<R>& s) {
+  const Integrator integrator = c.fidelity.integrator;
   if (c.fidelity.motion == Motion::closed_form) {
     s.end = closed_form(c, b, s.t_end);
-    s.slope[1] = {s.end.v, f(s.t_end, s.end)};
-    return;
+  } else if (integrator == Integrator::classic) {
+    return classic_frame(c, b, s);
+  } else if (integrator == Integrator::explicit_euler) {
+    s.end = advanced(s.start, s.slope[0], s.h);
+  } else {
+    s.end.v = s.start.v + s.slope[0].v * s.h;
+    s.end.x = s.start.x + s.end.v * s.h;
   }
-  switch (c.fidelity.integrator) {
-    case Integrator::classic:
-      classic_frame(c, b, s);
-      break;
-    case Integrator::explicit_euler:
-      s.end = advanced(s.start, s.slope[0], s.h);
-      s.slope[1] = {s.end.v, f(s.t_end, s.end)};
-      break;
-    case Integrator::semi_implicit_euler:
-      s.end.v = s.start.v + s.slope[0].v * s.h;
-      s.end.x = s.start.x + s.end.v * s.h;
-      s.slope[1] = {s.end.v, f(s.t_end, s.end)};
-      break;
-    case Integrator::heun:
-      runge_kutta_step<Heun>(s, f);
-      break;
-    case Integrator::rk4:
-      runge_kutta_step<Rk4>(s, f);
-      break;
-    case Integrator::tsit5:
-      runge_kutta_step<Tsit5>(s, f);
-      s.error = tsit5_error_squared(s, relative, absolute);
-      break;
-    case Integrator::dop853:
-      runge_kutta_step<Dop853>(s, f);
-      s.error = dop853_error_squared(s, relative, absolute);
-      break;
+  s.slope[1].x = s.end.v;
+  evaluate(c, b, s.t_end, s.end, s.slope[1].v);
+}
+
+/// Takes some steps of a cohort side by side: each over its h from its start at t to t_end; slope[0] is given.
+/// Adaptive integrators also leave the error, squared.
+template <class R, class S>
+PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Body<R>* const* bodies, S relative, S absolute,
+                              Step<R>* const* steps, int count) {
+  const auto f = [&](int i, const R& t, const State<R>& y) {
+    Vec3<R> a;
+    evaluate(c, *bodies[i], t, y, a);
+    return a;
+  };
+  const Integrator integrator = c.fidelity.integrator;
+  if (c.fidelity.motion == Motion::closed_form || integrator < Integrator::heun) {
+    for (int i = 0; i < count; ++i) take_simple_step(c, *bodies[i], *steps[i]);
+  } else if (integrator == Integrator::heun) {
+    runge_kutta_steps<Heun>(steps, count, f);
+  } else if (integrator == Integrator::rk4) {
+    runge_kutta_steps<Rk4>(steps, count, f);
+  } else if (integrator == Integrator::tsit5) {
+    runge_kutta_steps<Tsit5>(steps, count, f);
+    for (int i = 0; i < count; ++i) steps[i]->error = tsit5_error_squared(*steps[i], relative, absolute);
+  } else {
+    runge_kutta_steps<Dop853>(steps, count, f);
+    for (int i = 0; i < count; ++i) steps[i]->error = dop853_error_squared(*steps[i], relative, absolute);
   }
+}
+
+/// Takes one step; see take_steps().
+template <class R, class S>
+PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relative, S absolute, Step<R>& s) {
+  const Body<R>* body = &b;
+  Step<R>* step = &s;
+  take_steps(c, &body, relative, absolute, &step, 1);
 }
 
 PHYSIM_ISA_END
