@@ -35,8 +35,8 @@ void add_output_options(CLI::App& command, OutputPaths& paths, const char* csv, 
 }
 
 Status check(const OutputPaths& paths, const std::string& scenario_file) {
-  const std::array<std::pair<const char*, const std::string&>, 3> all = {
-      {{"--csv", paths.csv}, {"--json", paths.json}, {"--plot", paths.plot}}};
+  const std::array<std::pair<const char*, const std::string&>, 4> all = {
+      {{"--csv", paths.csv}, {"--json", paths.json}, {"--plot", paths.plot}, {"--events", paths.events}}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [option, path] = all[i];
     if (is_same_file(path, scenario_file))
@@ -47,13 +47,15 @@ Status check(const OutputPaths& paths, const std::string& scenario_file) {
   }
   return in_turn([&] { return paths.csv.empty() ? std::nullopt : check_writable(paths.csv); },
                  [&] { return paths.json.empty() ? std::nullopt : check_writable(paths.json); },
+                 [&] { return paths.events.empty() ? std::nullopt : check_writable(paths.events); },
                  [&] { return paths.plot.empty() ? std::nullopt : check_plot(paths.plot); });
 }
 
 Status write(const OutputPaths& paths, const OutputMakers& makers) {
   return in_turn([&] { return paths.plot.empty() ? std::nullopt : draw(paths.plot, makers.plot()); },
                  [&] { return paths.csv.empty() ? std::nullopt : write_output(paths.csv, makers.csv()); },
-                 [&] { return paths.json.empty() ? std::nullopt : write_output(paths.json, makers.json()); });
+                 [&] { return paths.json.empty() ? std::nullopt : write_output(paths.json, makers.json()); },
+                 [&] { return paths.events.empty() ? std::nullopt : write_output(paths.events, makers.events()); });
 }
 
 }  // namespace physim::cli

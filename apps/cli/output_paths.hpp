@@ -17,13 +17,15 @@ namespace physim::cli {
 /// Empty: not asked for. "-" is the standard output.
 struct OutputPaths {
   std::string csv, json, plot;
-  [[nodiscard]] bool use_stdout() const { return csv == "-" || json == "-"; }
+  std::string events;  // of worlds
+  [[nodiscard]] bool use_stdout() const { return csv == "-" || json == "-" || events == "-"; }
 };
 
 /// What goes into the files; made only when asked for.
 struct OutputMakers {
   std::function<std::string()> csv, json;
   std::function<Picture()> plot;
+  std::function<std::string()> events = {};
 };
 
 /// Refuses an option's empty value, as from a shell variable that is not set.

@@ -8,6 +8,7 @@
 #include "physim/flight.hpp"
 #include "physim/forces.hpp"
 #include "physim/names.hpp"
+#include "physim/presets.hpp"
 #include "physim/projectile.hpp"
 #include "physim/quat.hpp"
 #include "physim/result.hpp"

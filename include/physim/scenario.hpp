@@ -11,6 +11,7 @@
 #include "physim/flight.hpp"
 #include "physim/projectile.hpp"
 #include "physim/result.hpp"
+#include "physim/scenario_world.hpp"
 
 namespace physim {
 
@@ -18,6 +19,8 @@ namespace physim {
 struct ScenarioShot {
   ProjectileDef projectile;  ///< [-]
   Launch launch;             ///< [-]
+  BodyDef body;              ///< how a world treats it [-]
+  std::string pool;          ///< name of its pool in the world; empty: the first [-]
 };
 
 /// Where on a flight an expectation looks.
@@ -51,6 +54,9 @@ struct Scenario {
   Until until;                      ///< [-]
   std::vector<double> ranges;       ///< of the range card [m]
   std::vector<ScenarioShot> shots;  ///< [-]
+  ScenarioWorld world;              ///< [-]
+  std::vector<Volley> volleys;      ///< [-]
+  std::vector<ScenarioForce> forces;  ///< [-]
   std::vector<Expectation> expect;  ///< [-]
 };
 
@@ -83,7 +89,12 @@ enum class Quantity {
   quadratic_drag,
   angular_rate,
   energy,
+  frequency,
+  stiffness,
+  volume,
+  attraction,
 };
+inline constexpr Quantity kLastQuantity = Quantity::attraction;
 
 /// The units that are accepted for a quantity, the SI unit first; "%" for plain numbers.
 [[nodiscard]] std::vector<std::string> units_of(Quantity quantity);
