@@ -78,6 +78,11 @@ Tags& World::Impl::tags(std::uint32_t slot) {
   return at->second;
 }
 
+std::uint32_t World::Impl::layers_of(std::uint32_t slot) const {
+  const auto found = state.tags.find(slot);
+  return found == state.tags.end() ? kind_of(state.slots[slot]).body.layers : found->second.layers;
+}
+
 std::uint32_t World::Impl::take_slot() {
   if (state.first_free != 0) {
     const std::uint32_t slot = state.first_free;

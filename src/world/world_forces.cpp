@@ -8,6 +8,5 @@ void World::Impl::update_forced(std::uint32_t) {}
 void World::Impl::end_generators() {}
 Vec3d World::Impl::generator_force(std::uint32_t) const { return {}; }
 void World::Impl::step_forced(double) {}
-void World::Impl::apply_detail() {}
 
 }  // namespace physim

@@ -37,6 +37,7 @@ struct World::Impl {
   [[nodiscard]] const Own& own_of(std::uint32_t slot) const;
   Own& own(std::uint32_t slot);
   Tags& tags(std::uint32_t slot);
+  [[nodiscard]] std::uint32_t layers_of(std::uint32_t slot) const;
 
   // ------------------------------------------------------------------------------------------- coming and going
   ProjectileId spawn(std::uint32_t kind, const Launch& launch, double delay);
