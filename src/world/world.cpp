@@ -264,6 +264,7 @@ void World::Impl::remove(std::uint32_t index, LifeStatus status, WorldEventKind 
   unlink_from_pool(index, kind_of(slot).body.pool);
   state.own.erase(index);
   state.tags.erase(index);
+  if (!state.forces_on.empty()) state.forces_on.erase(index);
   if (slot.is(kTurning)) state.turning.erase(index);
   slot.flags = 0;
   slot.set_status(status);

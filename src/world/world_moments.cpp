@@ -25,6 +25,39 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
+void add_ids(Hash& h, const std::vector<ProjectileId>& ids) {
+  for (const ProjectileId id : ids) h.add((std::uint64_t{id.generation} << 32) | id.index);
+}
+
+/// The numbers of a law; of a user's function there are none to see.
+struct AddLaw {
+  Hash& h;
+
+  template <class Law>
+  void operator()(const Law& law) const {
+    static_assert(std::is_trivially_copyable_v<Law> && sizeof(Law) % sizeof(std::uint64_t) == 0);
+    std::uint64_t words[sizeof(Law) / sizeof(std::uint64_t)];
+    std::memcpy(words, &law, sizeof words);
+    for (const std::uint64_t word : words) h.add(word);
+  }
+  void operator()(const Thrust& law) const {
+    for (const Thrust::Point& point : law.curve) h.add(point.time), h.add(point.force);
+    h.add(law.direction);
+  }
+  void operator()(const CustomForce&) const {}
+};
+
+void add_generator(Hash& h, std::uint32_t index, const Generator& g) {
+  h.add((std::uint64_t{g.generation} << 32) | index);
+  h.add((std::uint64_t{g.def.law.index()} << 1) | std::uint64_t{g.begun});
+  std::visit(AddLaw{h}, g.def.law);
+  h.add(g.start);
+  h.add(g.end);
+  add_ids(h, g.def.target.ids);
+  add_ids(h, g.except);
+  h.add((std::uint64_t{g.def.target.layers} << 32) | g.def.target.kind.index);
+}
+
 }  // namespace
 
 double Snapshot::time() const { return state_ ? state_->clock.time() : 0; }
@@ -75,7 +108,7 @@ std::uint64_t World::hash() const {
     h.add(turning.orientation.w);
     h.add(Vec3d{turning.orientation.x, turning.orientation.y, turning.orientation.z});
   }
-  for (const Generator& g : s.generators) h.add((std::uint64_t{g.generation} << 32) | std::uint64_t{g.active});
+  for (const std::uint32_t index : s.force_order) add_generator(h, index, s.generators[index]);
   return h.value();
 }
 
