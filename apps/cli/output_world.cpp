@@ -101,7 +101,7 @@ std::string fidelities(const WorldLog& log, const Style& style) {
     if (log.groups[i].spawned == 0 || std::ranges::count(told, shot) > 0) continue;
     told.push_back(shot);
     const ProjectileDef& projectile = log.scenario.shots[shot].projectile;
-    out += "\n  " + style.bold(one_line(projectile.name)) + " " + preset_name(projectile.fidelity) + ": " +
+    out += std::string(told.size() == 1 ? "\n" : "") + "  " + style.bold(one_line(projectile.name)) + " " + preset_name(projectile.fidelity) + ": " +
            in_words(log.in_use[i].fidelity) + "\n";
     for (const FidelityNote& note : log.in_use[i].notes)
       out += "    " + style.warn("note") + " " + note.effect + " " + note.granted + " where " + note.asked +

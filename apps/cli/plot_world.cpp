@@ -49,7 +49,7 @@ class WorldPicture {
     std::string out = axes_style() + datablocks() + "set multiplot\n";
     const double split = has_hits_ ? 0.62 : kRight;
     out += panel({kX, kY}, {kLeft, kRight}, {0.535, 0.875}, "from the side: height over distance", header());
-    out += panel({kX, kZ}, {kLeft, split}, {0.07, 0.44}, "from above: to the right, downwards", "");
+    out += panel({kX, kZ}, {kLeft, split}, {0.07, 0.44}, "from above (to the right is down)", "");
     if (has_hits_) out += wall_panel({split + 0.075, kRight}, {0.07, 0.44});
     return out + "unset multiplot\n";
   }
@@ -110,11 +110,16 @@ class WorldPicture {
     std::snprintf(text, sizeof text, "#%06x", own >> 8);
     return text;
   }
+  // The second round of the palette is dashed.
+  [[nodiscard]] std::string dash(std::size_t group) const {
+    const bool is_second = std::ranges::find(shown_, group) - shown_.begin() >= static_cast<long>(kPalette.size());
+    return is_second ? " dt (14,6)" : " dt 1";
+  }
   // Many paths let each other shine through.
   [[nodiscard]] std::string path_style(std::size_t group) const {
     const auto count = std::ranges::count(log_.paths, group, &LoggedPath::group);
     const char* veil = count > 100 ? "#A0" : count > 20 ? "#70" : count > 5 ? "#30" : "#00";
-    return std::string(" lw ") + (count > 20 ? "1" : "1.8") + " lc rgb " + literal(veil + colour(group).substr(1));
+    return std::string(" lw ") + (count > 20 ? "1" : "1.8") + dash(group) + " lc rgb " + literal(veil + colour(group).substr(1));
   }
   [[nodiscard]] std::string mark_style(std::size_t group, std::size_t count) const {
     const char* size = count > 2000 ? "0.25" : count > 200 ? "0.45" : "0.8";
@@ -133,7 +138,7 @@ class WorldPicture {
         break;
       }
       out += "set arrow from screen " + shortest(x / kWidth) + ",0.93 to screen " + shortest((x + kLine - 8) / kWidth) +
-             ",0.93 nohead lw 2.5 lc rgb " + literal(colour(g)) + "\n" +
+             ",0.93 nohead lw 2.5" + dash(g) + " lc rgb " + literal(colour(g)) + "\n" +
              text_at((x + kLine) / kWidth, 0.93, name, 13, kInk);
       x += width + kGap;
     }
@@ -142,14 +147,15 @@ class WorldPicture {
 
   // ------------------------------------------------------------------------------------------------------------ panels
   // To scale where both axes keep a visible part of the panel; else stretched, and the panel says so.
-  static std::string to_scale(Extent& across, Extent& up, double width, double height) {
+  static std::string to_scale(Extent& across, Extent& up, bool is_centred, double width, double height) {
     const double metres_per_pixel = std::max(across.span() / width, up.span() / height);
     const double part_across = across.span() / (metres_per_pixel * width), part_up = up.span() / (metres_per_pixel * height);
-    if (part_across > 0.2 && part_up > 0.2) {
-      const double room_across = (metres_per_pixel * width - across.span()) / 2;
-      const double room_up = (metres_per_pixel * height - up.span()) / 2;
-      across = {across.low - room_across, across.high + room_across};
-      up = {up.low - room_up, up.high + room_up};
+    if (part_across > 0.25 && part_up > 0.25) {
+      const double room_across = metres_per_pixel * width - across.span();
+      const double room_up = metres_per_pixel * height - up.span();
+      const double part_below = is_centred ? 0.5 : 0;
+      across = {across.low - part_below * room_across, across.high + (1 - part_below) * room_across};
+      up = {up.low - part_below * room_up, up.high + (1 - part_below) * room_up};
       return ", to scale";
     }
     const bool is_tall = part_up < part_across;
@@ -208,14 +214,15 @@ class WorldPicture {
   [[nodiscard]] std::string panel(const Axes& axes, Extent x, Extent y, const std::string& title,
                                   const std::string& extra) const {
     Extent across = padded(extent_of(axes.across.axis)), up = padded(extent_of(axes.up.axis));
-    const std::string note = to_scale(across, up, x.span() * kWidth, y.span() * kHeight);
+    const bool is_from_above = axes.up.axis == &Vec3d::z;
+    const std::string note = to_scale(across, up, is_from_above, x.span() * kWidth, y.span() * kHeight);
     return frame(axes, x, y, across, up) + guides(axes) + panel_title(title + note) + extra + curves(axes, true, true);
   }
 
   [[nodiscard]] std::string wall_panel(Extent x, Extent y) const {
     const Axes axes{kZ, kY};
     Extent across = padded(hit_extent(&Vec3d::z)), up = padded(hit_extent(&Vec3d::y));
-    const std::string note = to_scale(across, up, x.span() * kWidth, y.span() * kHeight);
+    const std::string note = to_scale(across, up, true, x.span() * kWidth, y.span() * kHeight);
     return frame(axes, x, y, across, up) + guides(axes) + panel_title("hits on the wall" + note) +
            curves(axes, false, false);
   }

@@ -6,6 +6,7 @@
 
 #include "flight/cohort.hpp"
 #include "model/sight.hpp"
+#include "physim/auto_fidelity.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/volley.hpp"
 
@@ -71,6 +72,7 @@ struct WorldRun::Impl {
 
   Status load();
   Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
+  Status choose_fidelity(ScenarioShot& shot);
   Status add_force(const ScenarioForce& force);
   void fire();
   void fire(Magazine& magazine);
@@ -106,6 +108,8 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   WorldGroup group;
   group.name = name;
   group.shot = index;
+  if (shot.cheapest_within)
+    if (Status bad = choose_fidelity(shot)) return with_place(*bad, place);
   group.kind = world.add_kind(shot.projectile, shot.body);
   if (!group.kind) return with_place(*world.error(), place);
   Magazine magazine{groups.size(), 0, volley, shot.launch};
@@ -119,6 +123,23 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   }
   groups.push_back(std::move(group));
   magazines.push_back(std::move(magazine));
+  return std::nullopt;
+}
+
+/// The cheapest rungs for this shot over the whole run; with `force` motion where forces may act on it.
+Status WorldRun::Impl::choose_fidelity(ScenarioShot& shot) {
+  const ScenarioWorld& w = scenario.world;
+  Purpose purpose{.error = *shot.cheapest_within,
+                  .time = w.duration,
+                  .step = w.def.step,
+                  .truth = shot.projectile.fidelity,
+                  .tolerance = scenario.tolerance};
+  if (w.def.ground.mode != GroundMode::none) purpose.ground = w.def.ground.height;
+  if (!scenario.forces.empty()) purpose.least_motion = Motion::force;
+  const auto chosen = cheapest_within(shot.projectile, shot.launch, scenario.environment, purpose);
+  if (!chosen) return chosen.error();
+  shot.projectile.fidelity = chosen->fidelity;
+  shot.cheapest_within.reset();  // several volleys may fire it
   return std::nullopt;
 }
 

@@ -90,7 +90,7 @@ ProjectilePreset grenade() {
   ProjectilePreset p;
   p.projectile = {.name = "grenade", .mass = 14_oz, .diameter = 2.5_in, .drag = {.table = DragTable::sphere}};
   p.body.restitution = 0.3;
-  p.body.friction = 0.6;
+  p.body.friction = 0.3;
   p.body.rolling_resistance = 0.1;
   p.body.despawn.older = 4.5;
   p.speed = 18.5;
@@ -113,7 +113,7 @@ ProjectilePreset tennis_ball() {
   ProjectilePreset p;
   p.projectile = {.name = "tennis_ball", .mass = 57.7_g, .diameter = 66.1_mm, .drag = {.coefficient = 0.507}};
   p.body.restitution = 0.745;
-  p.body.friction = 0.6;
+  p.body.friction = 0.2;  // less than of a ball that slides: it soon rolls, which a point mass does not know
   p.speed = 120_mph;
   p.doc = "tennis ball, served";
   p.source = "Cd: Cross and Lindsey (2014); mass, size and bounce (141 cm from 254 cm): middle of the rules of tennis";
