@@ -6,11 +6,6 @@
 namespace physim {
 namespace {
 
-std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::uint32_t slot) {
-  const auto tags = state.tags.find(slot);
-  return tags == state.tags.end() ? registry.kind(state.slots[slot].kind).body.layers : tags->second.layers;
-}
-
 /// The rows of one partner are summed in their order, and a user function sees it: it must not be that of the rows.
 bool order_matters(const ForceLaw& law) { return std::holds_alternative<CustomForce>(law) || other_end(law); }
 
@@ -24,6 +19,11 @@ bool acts(const Generator& g, double time, double dt, double place) {
 }
 
 }  // namespace
+
+std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::uint32_t slot) {
+  const auto tags = state.tags.find(slot);
+  return tags == state.tags.end() ? registry.kind(state.slots[slot].kind).body.layers : tags->second.layers;
+}
 
 ProjectileId other_end(const ForceLaw& law) {
   if (const auto* spring = std::get_if<Spring>(&law)) return spring->other;

@@ -7,6 +7,8 @@
 
 namespace physim {
 
+/// The layer bits of a projectile, of its own or of its kind.
+[[nodiscard]] std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::uint32_t slot);
 /// Whether a generator's kind or layers hold a projectile.
 [[nodiscard]] bool is_in_group(const Generator& generator, const Registry& registry, const WorldState& state,
                                std::uint32_t slot);

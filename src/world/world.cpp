@@ -78,10 +78,7 @@ Tags& World::Impl::tags(std::uint32_t slot) {
   return at->second;
 }
 
-std::uint32_t World::Impl::layers_of(std::uint32_t slot) const {
-  const auto found = state.tags.find(slot);
-  return found == state.tags.end() ? kind_of(state.slots[slot]).body.layers : found->second.layers;
-}
+std::uint32_t World::Impl::layers_of(std::uint32_t slot) const { return physim::layers_of(registry, state, slot); }
 
 std::uint32_t World::Impl::take_slot() {
   if (state.first_free != 0) {

@@ -6,9 +6,8 @@
 
 #include <cmath>
 
-#include "math/elementary.hpp"
 #include "solve/take_step.hpp"
-#include "support.hpp"
+#include "world/force_support.hpp"
 
 namespace physim {
 namespace {
@@ -16,65 +15,6 @@ namespace {
 using test::kInfinity;
 using test::kNan;
 using test::near;
-
-constexpr Integrator kAll[] = {
-    Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4,
-    Integrator::tsit5,   Integrator::dop853};
-
-Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
-  Fidelity f = test::vacuum(integrator);
-  f.precision = precision;
-  return f;
-}
-
-ProjectileDef ball(const Fidelity& fidelity, double mass = 1) {
-  ProjectileDef p;
-  p.mass = mass;
-  p.diameter = 0.1;
-  p.fidelity = fidelity;
-  return p;
-}
-
-/// Nothing but what the test brings along.
-WorldDef empty_space(bool gravity = false) {
-  WorldDef def;
-  def.environment.gravity.model = gravity ? GravityModel::constant : GravityModel::off;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  def.ground.mode = GroundMode::none;
-  return def;
-}
-
-World make(const WorldDef& def) { return std::move(World::create(def).value()); }
-
-Launch at(const Vec3d& position, const Vec3d& velocity = {}) {
-  Launch l;
-  l.position = position;
-  l.velocity = velocity;
-  return l;
-}
-
-ForceDef force(ForceLaw law, ForceTarget target) {
-  ForceDef f;
-  f.law = std::move(law);
-  f.target = std::move(target);
-  return f;
-}
-
-AnchoredSpring spring_to_origin(double stiffness) {
-  AnchoredSpring s;
-  s.stiffness = stiffness;
-  return s;
-}
-
-void steps(World& world, int count, double dt) {
-  for (int i = 0; i < count; ++i) ASSERT_TRUE(world.step(dt));
-}
-
-std::vector<WorldEventKind> kinds(const World& world) {
-  std::vector<WorldEventKind> list;
-  for (const WorldEvent& e : world.events()) list.push_back(e.kind);
-  return list;
-}
 
 // --------------------------------------------------------------------------------------------------- order
 /// Distance from the exact place of a mass on a spring after a second.
@@ -500,7 +440,6 @@ TEST(WorldForces, neither_threads_nor_the_order_of_coming_matter) {
 }
 
 TEST(WorldForces, have_the_same_bits_with_every_kernel) {
-  const std::string best = kernel_in_use();
   std::vector<std::uint64_t> hashes;
   for (const std::string& name : kernels()) {
     ASSERT_TRUE(use_kernel(name));
@@ -510,7 +449,7 @@ TEST(WorldForces, have_the_same_bits_with_every_kernel) {
     hashes.push_back(world.hash());
     EXPECT_EQ(hashes.back(), hashes.front()) << name;
   }
-  use_kernel(best);
+  use_kernel("");
 }
 
 TEST(WorldForces, go_on_from_a_snapshot_bit_for_bit) {
@@ -600,62 +539,6 @@ TEST(WorldForces, refuse_what_makes_no_sense) {
   const ForceId f = world.add_force(a, ConstantForce{});
   EXPECT_FALSE(world.remove_force(f, b));
   EXPECT_EQ(world.force_count(), 1u);
-}
-
-// --------------------------------------------------------------------------------------------------- the original
-// Tests 3 and 6 of the original as their author meant them: forces that last as long as they last, and drag that grows
-// with speed. Along one axis m dv/dt = F - k2 v^2 gives v = v_t tanh(F t / (m v_t)), v_t = sqrt(F / k2); without a push
-// v = v_1 / (1 + k2 v_1 (t - t_1) / m).
-struct Original {
-  double mass, push, k2, until, step;
-
-  [[nodiscard]] double speed(double t) const {
-    const double limit = std::sqrt(push / k2);
-    const double pushed = limit * std::tanh(push * std::min(t, until) / (mass * limit));
-    return t <= until ? pushed : pushed / (1 + k2 * pushed * (t - until) / mass);
-  }
-};
-
-void expect_original(const Original& o, Integrator integrator, bool drag_generator, double tolerance) {
-  World world = make(empty_space());
-  ProjectileDef p = ball(rung(integrator), o.mass);
-  if (!drag_generator) {
-    p.fidelity.drag = DragModel::linear_quadratic;
-    p.drag.k2 = o.k2;
-  }
-  const ProjectileId id = world.spawn(p, at({0, 1.5, 0}));
-  world.add_force(id, ConstantForce{{0, 0, o.push}}, o.until);
-  if (drag_generator) world.add_force(id, LinearQuadraticDragForce{0, o.k2, {}});
-  double before = kInfinity;
-  const int count = static_cast<int>(std::lround(3 * std::min(o.until, 10.0) / o.step));
-  for (int k = 1; k <= count; ++k) {
-    const double acceleration = world.accelerations(id).total.z;
-    const double t = k * o.step;
-    if (t <= o.until) {
-      EXPECT_LE(acceleration, before) << "it must fall with speed";
-    }
-    before = acceleration;
-    world.step(o.step);
-    ASSERT_TRUE(near(world.velocity(id).z, o.speed(t), 0, tolerance)) << test::text(integrator) << " " << t;
-  }
-}
-
-TEST(WorldForces, the_originals_test_3_as_it_was_meant) {
-  const Original test_3{2, 20, 0.4, 1, 1.0 / 60};
-  for (const bool generator : {false, true}) {
-    expect_original(test_3, Integrator::classic, generator, 0.35);  // a frame late
-    expect_original(test_3, Integrator::rk4, generator, 1e-6);
-    expect_original(test_3, Integrator::tsit5, generator, 1e-7);
-  }
-}
-
-TEST(WorldForces, the_originals_test_6_approaches_terminal_velocity) {
-  const Original test_6{200, 200 * 20.0, 10, kInfinity, 1.0 / 60};
-  for (const bool generator : {false, true}) {
-    expect_original(test_6, Integrator::classic, generator, 0.7);
-    expect_original(test_6, Integrator::rk4, generator, 1e-6);
-  }
-  EXPECT_TRUE(near(test_6.speed(10), 20, 1e-6));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <limits>
 #include <random>
 
-#include "world/support.hpp"
+#include "world/world_support.hpp"
 
 namespace physim {
 namespace {
@@ -111,10 +111,14 @@ TEST(Life, despawn_rules) {
   };
   const std::vector<Case> cases{
       {[](DespawnRules& d) { d.below = 3; }, {.position = {0, 5, 0}}, Reason::below, std::sqrt(2 * 2 / 9.80665)},
-      {[](DespawnRules& d) { d.farther = 20; }, {.position = {7, 50, 0}, .velocity = Vec3d{0, 0, 40}}, Reason::farther,
+      {[](DespawnRules& d) { d.farther = 20; },
+       {.position = {7, 50, 0}, .velocity = Vec3d{0, 0, 40}},
+       Reason::farther,
        0.5},
       {[](DespawnRules& d) { d.older = 0.75; }, {.position = {0, 50, 0}}, Reason::older, 0.75},
-      {[](DespawnRules& d) { d.slower = 5; }, {.position = {0, 5, 0}, .velocity = Vec3d{0, 10, 0}}, Reason::slower,
+      {[](DespawnRules& d) { d.slower = 5; },
+       {.position = {0, 5, 0}, .velocity = Vec3d{0, 10, 0}},
+       Reason::slower,
        5 / 9.80665},
       {[](DespawnRules& d) {
          d.outside_box = true;
