@@ -8,6 +8,7 @@
 #include "output_table.hpp"
 #include "physim/drag_curve.hpp"
 #include "physim/names.hpp"
+#include "physim/presets.hpp"
 #include "physim/scenario.hpp"
 #include "rungs.hpp"
 #include "scenario/units.hpp"
@@ -40,6 +41,17 @@ constexpr const char* kSettingsPage =
 std::string settings_text() { return settings_table(false).text(); }
 std::string settings_markdown() { return kSettingsPage + settings_table(true).markdown(); }
 
+std::string projectiles_text() {
+  Table table({{"projectile", Align::left}, {"mass [kg]"}, {"diameter [mm]"}, {"speed [m/s]"}, {"what it is", Align::left}, {"source", Align::left}});
+  for (const std::string_view name : projectile_presets()) {
+    const ProjectilePreset preset = *projectile_preset(name);
+    table.add_row({std::string(name), significant(preset.projectile.mass, 4),
+                   significant(preset.projectile.diameter * 1000, 4), significant(preset.speed, 4), preset.doc,
+                   preset.source});
+  }
+  return table.text();
+}
+
 std::string presets_text() {
   std::vector<Column> columns = {{"effect", Align::left}};
   std::vector<std::vector<FidelityField>> presets;
@@ -53,7 +65,7 @@ std::string presets_text() {
     for (const auto& preset : presets) row.emplace_back(preset[field].rung);
     table.add_row(std::move(row));
   }
-  return table.text();
+  return table.text() + "\n" + projectiles_text();
 }
 
 std::string drag_tables_text() {
@@ -98,7 +110,7 @@ std::string kernels_text() {
 
 std::string units_text() {
   Table table({{"quantity", Align::left}, {"SI unit", Align::left}, {"all units", Align::left}});
-  for (int i = 0; i <= static_cast<int>(Quantity::energy); ++i) {
+  for (int i = 0; i <= static_cast<int>(kLastQuantity); ++i) {
     const auto quantity = static_cast<Quantity>(i);
     const std::string_view with_article = info(quantity).with_article;
     std::string units;
@@ -127,7 +139,7 @@ void add_list_command(CLI::App& app, int& exit_code) {
   auto as_markdown = std::make_shared<bool>(false);
   settings_command->add_flag("--markdown", *as_markdown, "As the page docs/settings.md");
   settings_command->callback([show, as_markdown] { show(*as_markdown ? settings_markdown() : settings_text()); });
-  add("presets", "The presets of fidelity: which rung each effect stands on", presets_text);
+  add("presets", "The presets of fidelity and of projectiles", presets_text);
   add("models", "The rungs of each effect, cheap to true", models_text);
   add("drag_tables", "The drag functions", drag_tables_text);
   add("units", "The units that values may carry", units_text);

@@ -99,6 +99,20 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
   return out;
 }
 
+}  // namespace
+
+std::vector<double> default_ranges(double end_range) {
+  std::vector<double> ranges;
+  constexpr double kShortest = 1e-3;  // [m]; straight up and down there is no range
+  if (!(end_range > kShortest) || !std::isfinite(end_range)) return ranges;
+  const double power = std::pow(10.0, std::floor(std::log10(end_range)));
+  double step = power;
+  for (const double part : {0.5, 0.2, 0.1})
+    if (end_range / step < 5) step = part * power;
+  for (int k = 1; k * step <= end_range && k <= 10; ++k) ranges.push_back(k * step);
+  return ranges;
+}
+
 std::string checks_text(const std::vector<Check>& checks, const Style& style) {
   Table table({{"verdict", Align::left},
                {"shot", Align::left},
@@ -123,20 +137,6 @@ std::string checks_text(const std::vector<Check>& checks, const Style& style) {
     if (!check.value) out += line("none", check.expectation->place + ": " + check.value.error().message);
   const std::string verdict = std::to_string(checks.size() - missed) + " of " + std::to_string(checks.size()) + " met";
   return out + "  " + (missed == 0 ? style.good(verdict) : style.bad(verdict)) + "\n";
-}
-
-}  // namespace
-
-std::vector<double> default_ranges(double end_range) {
-  std::vector<double> ranges;
-  constexpr double kShortest = 1e-3;  // [m]; straight up and down there is no range
-  if (!(end_range > kShortest) || !std::isfinite(end_range)) return ranges;
-  const double power = std::pow(10.0, std::floor(std::log10(end_range)));
-  double step = power;
-  for (const double part : {0.5, 0.2, 0.1})
-    if (end_range / step < 5) step = part * power;
-  for (int k = 1; k * step <= end_range && k <= 10; ++k) ranges.push_back(k * step);
-  return ranges;
 }
 
 std::string summary_text(const FlownScenario& flown, const Style& style) {

@@ -11,6 +11,9 @@ namespace physim::cli {
 
 [[nodiscard]] std::string summary_text(const FlownScenario& flown, const Style& style);
 
+/// The verdicts, a line for each.
+[[nodiscard]] std::string checks_text(const std::vector<Check>& checks, const Style& style);
+
 /// Round ranges [m] for a range card of a flight that ends at this range [m].
 [[nodiscard]] std::vector<double> default_ranges(double end_range);
 

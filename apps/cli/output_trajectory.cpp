@@ -75,26 +75,6 @@ Json range_card_json(const Flight& flight, const std::vector<double>& ranges) {
   return card;
 }
 
-Json checks_json(const std::vector<Check>& checks) {
-  Json out = Json::array();
-  for (const Check& check : checks) {
-    const Expectation& expectation = *check.expectation;
-    Json entry = {{"shot", check.shot},
-                  {"at", place_text(expectation)},
-                  {"quantity", expectation.quantity},
-                  {"unit", unit_of(expectation.quantity)},
-                  {"value", check.value ? Json(*check.value) : Json()},
-                  {"equals", expectation.equals},
-                  {"within", expectation.within},
-                  {"met", check.met},
-                  {"source", expectation.source},
-                  {"place", expectation.place}};
-    if (!check.value) entry["error"] = check.value.error().message;
-    out.push_back(std::move(entry));
-  }
-  return out;
-}
-
 }  // namespace
 
 SampleRow row_of(const Sample& s) {
@@ -137,6 +117,26 @@ std::string trajectories_csv(const std::vector<FlownShot>& shots, const SampleTi
       for (const double value : row_of(shots[i].flight.at(time))) out += ", " + shortest(value);
       out += "\n";
     }
+  }
+  return out;
+}
+
+Json checks_json(const std::vector<Check>& checks) {
+  Json out = Json::array();
+  for (const Check& check : checks) {
+    const Expectation& expectation = *check.expectation;
+    Json entry = {{"shot", check.shot},
+                  {"at", place_text(expectation)},
+                  {"quantity", expectation.quantity},
+                  {"unit", unit_of(expectation.quantity)},
+                  {"value", check.value ? Json(*check.value) : Json()},
+                  {"equals", expectation.equals},
+                  {"within", expectation.within},
+                  {"met", check.met},
+                  {"source", expectation.source},
+                  {"place", expectation.place}};
+    if (!check.value) entry["error"] = check.value.error().message;
+    out.push_back(std::move(entry));
   }
   return out;
 }

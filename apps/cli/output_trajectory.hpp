@@ -38,6 +38,8 @@ using SampleTimes = std::vector<std::vector<double>>;
 [[nodiscard]] nlohmann::ordered_json provenance(const Scenario& scenario);
 /// Outcome, fidelity, events and cost of a flight.
 [[nodiscard]] nlohmann::ordered_json flight_json(const Flight& flight, const Fidelity& asked);
+/// The verdicts of the scenario's expectations.
+[[nodiscard]] nlohmann::ordered_json checks_json(const std::vector<Check>& checks);
 /// JSON as text; characters that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 

@@ -8,6 +8,7 @@
 #include "output_table.hpp"
 #include "output_trajectory.hpp"
 #include "physim/names.hpp"
+#include "plot_extent.hpp"
 
 namespace physim::cli {
 namespace {
@@ -19,11 +20,6 @@ constexpr int kPoints = 400;                  // of each curve
 constexpr int kTime = 1, kPosition = 2, kVelocity = 5, kAcceleration = 8, kSpeed = 11;
 constexpr int kRange = 13, kHeightColumn = 14;
 constexpr int kColumns = 14;
-
-struct Extent {
-  double low = 0, high = 0;
-  [[nodiscard]] double span() const { return high - low; }
-};
 
 struct Curve {
   std::string name;
@@ -63,27 +59,6 @@ Extent extent_of(const std::vector<Curve>& curves, int column) {
       extent = {std::min(extent.low, value), std::max(extent.high, value)};
     }
   return extent.low <= extent.high ? extent : Extent{0, 0};
-}
-
-// A value that does not change but for rounding errors.
-bool is_constant(Extent extent) {
-  const double size = std::max(std::abs(extent.low), std::abs(extent.high));
-  return extent.span() <= std::max(1e-9, 1e-9 * size);
-}
-
-// Room around the data; a constant is shown in the middle of a range of its own size.
-Extent padded(Extent extent) {
-  if (is_constant(extent)) {
-    const double middle = std::abs(extent.low) < 1e-9 ? 0 : (extent.low + extent.high) / 2;
-    const double room = middle == 0 ? 1 : std::abs(middle) / 2;
-    return {middle - room, middle + room};
-  }
-  return {extent.low - 0.07 * extent.span(), extent.high + 0.07 * extent.span()};
-}
-
-std::string range_of(const char* axis, Extent extent) {
-  return std::string("set ") + axis + "range [" + significant(extent.low, 9) + ":" + significant(extent.high, 9) +
-         "]\n";
 }
 
 std::string line_style(std::size_t index, std::string_view colour) {

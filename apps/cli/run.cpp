@@ -17,6 +17,7 @@
 #include "physim/names.hpp"
 #include "plot_flights.hpp"
 #include "progress.hpp"
+#include "run_world.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -27,6 +28,7 @@ constexpr std::size_t kMostShotPlots = 50;  // in a folder; each takes about hal
 struct RunOptions {
   ScenarioInput input;
   OutputPaths outputs;
+  WorldOptions world;
   std::string folder, interval;
 };
 
@@ -118,7 +120,7 @@ void warn_of_missed(const std::vector<Check>& checks) {
 }
 
 // Everything but the exit code of the checks.
-Status run(const RunOptions& options, FlownScenario& flown) {
+Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
   if (Status bad = check(options.outputs, options.input.file)) return bad;
   if (!options.folder.empty())
     if (Status bad = check_gnuplot()) return bad;
@@ -126,8 +128,13 @@ Status run(const RunOptions& options, FlownScenario& flown) {
   if (!interval) return interval.error();
   Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
+  if (scenario->world.given)
+    return run_in_world(std::move(*scenario), options.outputs, options.folder, *interval, options.world, all_met);
+  if (const std::string option = options.world.given(options.outputs); !option.empty())
+    return Error{.message = "the scenario has no [world]", .place = option, .hint = "it is for worlds only"};
   flown.scenario = std::move(*scenario);
   if (Status bad = fly_all(flown)) return bad;
+  all_met = std::ranges::all_of(flown.checks, [](const Check& check) { return check.met; });
 
   if (options.outputs.has_globe())
     if (Status bad = check_round(flown)) return bad;
@@ -153,18 +160,18 @@ Status run(const RunOptions& options, FlownScenario& flown) {
 
 int exit_code_of(const RunOptions& options) {
   FlownScenario flown;
-  if (const Status bad = run(options, flown)) {
+  bool all_met = true;
+  if (const Status bad = run(options, flown, all_met)) {
     print_error(*bad);
     return kExitBadInput;
   }
-  const bool all_met = std::ranges::all_of(flown.checks, [](const Check& check) { return check.met; });
   return all_met ? kExitOk : kExitCheckMissed;
 }
 
 }  // namespace
 
 void add_run_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("run", "Fly the shots of a scenario; print, write and plot them");
+  CLI::App* command = app.add_subcommand("run", "Fly the shots of a scenario, or run its world; print, write and plot");
   auto options = std::make_shared<RunOptions>();
   add_scenario_options(*command, options->input);
   add_output_options(*command, options->outputs, "Write the trajectories as CSV; - is the standard output",
@@ -178,13 +185,15 @@ void add_run_command(CLI::App& app, int& exit_code) {
                     ->add_option("--interval", options->interval,
                                  "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot")
                     ->type_name("TIME"));
+  add_world_options(*command, options->world, options->outputs);
   command->footer(
       "Exit code 0; 1 where an [[expect]] of the scenario is missed; 2 for bad input.\n\n"
       "Examples:\n"
       "  physim run scenarios/308_168gr_g7.toml\n"
       "  physim run scenarios/308_168gr_g7.toml --set shot.mass=\"175 gr\" --set shot.fidelity=game\n"
       "  physim run scenarios/308_168gr_g7.toml --interval \"1 ms\" --csv - | head\n"
-      "  physim run scenarios/308_168gr_g7.toml --out out --plot out/308.svg\n");
+      "  physim run scenarios/308_168gr_g7.toml --out out --plot out/308.svg\n"
+      "  physim run scenarios/world_machine_gun.toml --plot out/gun.png --events out/gun.csv\n");
   command->callback([options, &exit_code] { exit_code = exit_code_of(*options); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
+#include "physim/world.hpp"
 
 namespace physim {
 
@@ -48,6 +49,12 @@ PHYSIM_NAMED_ENUM(WindInterpolation)
 PHYSIM_NAMED_ENUM(EventKind)
 PHYSIM_NAMED_ENUM(Crossing)
 PHYSIM_NAMED_ENUM(Outcome)
+PHYSIM_NAMED_ENUM(GroundMode)
+PHYSIM_NAMED_ENUM(Smoothing)
+PHYSIM_NAMED_ENUM(WhenFull)
+PHYSIM_NAMED_ENUM(LifeStatus)
+PHYSIM_NAMED_ENUM(WorldEventKind)
+PHYSIM_NAMED_ENUM(Reason)
 #undef PHYSIM_NAMED_ENUM
 
 /// The preset of a name ("small_arms"), if it is one.

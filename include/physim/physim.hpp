@@ -11,6 +11,7 @@
 #include "physim/frames.hpp"
 #include "physim/geodesy.hpp"
 #include "physim/names.hpp"
+#include "physim/presets.hpp"
 #include "physim/projectile.hpp"
 #include "physim/quat.hpp"
 #include "physim/result.hpp"

@@ -12,6 +12,7 @@
 #include "physim/flight.hpp"
 #include "physim/projectile.hpp"
 #include "physim/result.hpp"
+#include "physim/scenario_world.hpp"
 
 namespace physim {
 
@@ -19,6 +20,8 @@ namespace physim {
 struct ScenarioShot {
   ProjectileDef projectile;  ///< [-]
   Launch launch;             ///< [-]
+  BodyDef body;              ///< how a world treats it [-]
+  std::string pool;          ///< name of its pool in the world; empty: the first [-]
   /// Flies the cheapest fidelity that stays so close to projectile.fidelity at any time; none: that one itself [m]
   std::optional<double> cheapest_within;
 };
@@ -54,6 +57,9 @@ struct Scenario {
   Until until;                      ///< [-]
   std::vector<double> ranges;       ///< of the range card [m]
   std::vector<ScenarioShot> shots;  ///< [-]
+  ScenarioWorld world;              ///< [-]
+  std::vector<Volley> volleys;      ///< [-]
+  std::vector<ScenarioForce> forces;  ///< [-]
   std::vector<Expectation> expect;  ///< [-]
 };
 
@@ -89,7 +95,12 @@ enum class Quantity {
   quadratic_drag,
   angular_rate,
   energy,
+  frequency,
+  stiffness,
+  volume,
+  attraction,
 };
+inline constexpr Quantity kLastQuantity = Quantity::attraction;
 
 /// The units that are accepted for a quantity, the SI unit first; "%" for plain numbers.
 [[nodiscard]] std::vector<std::string> units_of(Quantity quantity);

@@ -31,6 +31,14 @@ PHYSIM_NAMES(EventKind, time, "ground", "apex", "range", "height", "mach", "spee
 PHYSIM_NAMES(Crossing, falling, "any", "rising", "falling")
 PHYSIM_NAMES(Outcome, refused, "landed", "reached_range", "event", "time_limit", "step_limit", "left_domain",
              "non_finite", "stalled", "refused")
+PHYSIM_NAMES(GroundMode, bounce, "none", "land", "stick", "bounce")
+PHYSIM_NAMES(Smoothing, extrapolate, "none", "interpolate", "extrapolate")
+PHYSIM_NAMES(WhenFull, replace_oldest, "refuse", "replace_oldest")
+PHYSIM_NAMES(LifeStatus, retired, "unknown", "pending", "in_flight", "landed", "expired", "retired")
+PHYSIM_NAMES(WorldEventKind, fidelity_changed, "spawned", "landed", "apex", "bounced", "slept", "woke", "expired",
+             "retired", "fidelity_changed")
+PHYSIM_NAMES(Reason, stalled, "none", "below", "farther", "older", "slower", "outside_box", "despawned", "replaced",
+             "non_finite", "left_domain", "stalled")
 
 #undef PHYSIM_NAMES
 

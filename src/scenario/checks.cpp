@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include "scenario/checks_world.hpp"
+#include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
@@ -116,6 +118,9 @@ Status check_expectations(const Scenario& scenario, const Value& document, const
       return Error{"expect.shot: no shot is named " + in_quotes(expect.shot), place_of(table, {"shot"}),
                    suggestion(expect.shot, names, "shots")};
     }
+    if (!find_figure(expect.quantity)->is_of_flights())
+      return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of a [world]",
+                   place_of(table, {"quantity"}), "write [world], and the shots fly in it"};
     const Value* at = table.find("at");
     if (const Table* places = at ? at->get<Table>() : nullptr; places && places->size() != 1)
       return Error{"expect.at: " + std::to_string(places->size()) + " places", at->place.text(),
@@ -130,7 +135,8 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   NamesSeen seen;
   if (Status bad = check_shots(scenario, document, seen)) return bad;
   if (Status bad = check_wind(scenario.environment.wind, document)) return bad;
-  return check_expectations(scenario, document, seen);
+  if (Status bad = check_world(scenario, document)) return bad;
+  return scenario.world.given ? std::nullopt : check_expectations(scenario, document, seen);
 }
 
 }  // namespace physim

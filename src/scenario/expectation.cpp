@@ -6,24 +6,73 @@
 namespace physim {
 namespace {
 
+using Value = std::optional<double>;
+
+template <double Vec3d::*axis>
+Value position(const WorldGroup& g) {
+  return g.alive > 0 ? Value(g.position.*axis) : std::nullopt;
+}
+template <double Vec3d::*axis>
+Value velocity(const WorldGroup& g) {
+  return g.alive > 0 ? Value(g.velocity.*axis) : std::nullopt;
+}
+Value speed(const WorldGroup& g) { return g.alive > 0 ? Value(g.mean_speed) : std::nullopt; }
+
+template <std::uint64_t WorldGroup::*count>
+Value count_of(const WorldGroup& g) {
+  return static_cast<double>(g.*count);
+}
+template <Series WorldGroup::*series, double Series::*part>
+Value part_of(const WorldGroup& g) {
+  const Series& numbers = g.*series;
+  return numbers.count > 0 ? Value(numbers.*part) : std::nullopt;
+}
+template <Series WorldGroup::*series>
+Value spread_of(const WorldGroup& g) {
+  const Series& numbers = g.*series;
+  return numbers.count > 0 ? Value(numbers.spread()) : std::nullopt;
+}
+
 constexpr Figure kFigures[] = {
     {"drop", Quantity::length, [](const Sample& s) { return s.drop; }},
     {"windage", Quantity::length, [](const Sample& s) { return s.windage; }},
     {"range", Quantity::length, [](const Sample& s) { return s.range; }},
-    {"speed", Quantity::speed, [](const Sample& s) { return s.speed; }},
+    {"speed", Quantity::speed, [](const Sample& s) { return s.speed; }, speed},
     {"time", Quantity::time, [](const Sample& s) { return s.time; }},
-    {"x", Quantity::length, [](const Sample& s) { return s.position.x; }},
-    {"y", Quantity::length, [](const Sample& s) { return s.position.y; }},
-    {"z", Quantity::length, [](const Sample& s) { return s.position.z; }},
-    {"vx", Quantity::speed, [](const Sample& s) { return s.velocity.x; }},
-    {"vy", Quantity::speed, [](const Sample& s) { return s.velocity.y; }},
-    {"vz", Quantity::speed, [](const Sample& s) { return s.velocity.z; }},
+    {"x", Quantity::length, [](const Sample& s) { return s.position.x; }, position<&Vec3d::x>},
+    {"y", Quantity::length, [](const Sample& s) { return s.position.y; }, position<&Vec3d::y>},
+    {"z", Quantity::length, [](const Sample& s) { return s.position.z; }, position<&Vec3d::z>},
+    {"vx", Quantity::speed, [](const Sample& s) { return s.velocity.x; }, velocity<&Vec3d::x>},
+    {"vy", Quantity::speed, [](const Sample& s) { return s.velocity.y; }, velocity<&Vec3d::y>},
+    {"vz", Quantity::speed, [](const Sample& s) { return s.velocity.z; }, velocity<&Vec3d::z>},
     {"mach", Quantity::number, [](const Sample& s) { return s.mach; }},
     {"energy", Quantity::energy, [](const Sample& s) { return s.energy; }},
-    {"latitude", Quantity::angle, nullptr, &Geodetic::latitude},
-    {"longitude", Quantity::angle, nullptr, &Geodetic::longitude},
-    {"altitude", Quantity::length, nullptr, &Geodetic::height},
+    {"latitude", Quantity::angle, nullptr, nullptr, &Geodetic::latitude},
+    {"longitude", Quantity::angle, nullptr, nullptr, &Geodetic::longitude},
+    {"altitude", Quantity::length, nullptr, nullptr, &Geodetic::height},
     {"elevation", Quantity::angle, nullptr},
+    // Of groups of projectiles in a world: counts, and figures of their impacts.
+    {"spawned", Quantity::number, nullptr, count_of<&WorldGroup::spawned>},
+    {"refused", Quantity::number, nullptr, count_of<&WorldGroup::refused>},
+    {"landed", Quantity::number, nullptr, count_of<&WorldGroup::landed>},
+    {"bounces", Quantity::number, nullptr, count_of<&WorldGroup::bounces>},
+    {"slept", Quantity::number, nullptr, count_of<&WorldGroup::slept>},
+    {"expired", Quantity::number, nullptr, count_of<&WorldGroup::expired>},
+    {"retired", Quantity::number, nullptr, count_of<&WorldGroup::retired>},
+    {"hits", Quantity::number, nullptr, count_of<&WorldGroup::hits>},
+    {"alive", Quantity::number, nullptr, count_of<&WorldGroup::alive>},
+    {"impact_range", Quantity::length, nullptr, part_of<&WorldGroup::range, &Series::mean>},
+    {"impact_range_min", Quantity::length, nullptr, part_of<&WorldGroup::range, &Series::low>},
+    {"impact_range_max", Quantity::length, nullptr, part_of<&WorldGroup::range, &Series::high>},
+    {"impact_range_spread", Quantity::length, nullptr, spread_of<&WorldGroup::range>},
+    {"impact_time", Quantity::time, nullptr, part_of<&WorldGroup::time, &Series::mean>},
+    {"impact_speed", Quantity::speed, nullptr, part_of<&WorldGroup::speed, &Series::mean>},
+    {"apex", Quantity::length, nullptr, part_of<&WorldGroup::apex, &Series::mean>},
+    {"apex_max", Quantity::length, nullptr, part_of<&WorldGroup::apex, &Series::high>},
+    {"hit_y", Quantity::length, nullptr, part_of<&WorldGroup::hit_y, &Series::mean>},
+    {"hit_z", Quantity::length, nullptr, part_of<&WorldGroup::hit_z, &Series::mean>},
+    {"hit_y_spread", Quantity::length, nullptr, spread_of<&WorldGroup::hit_y>},
+    {"hit_z_spread", Quantity::length, nullptr, spread_of<&WorldGroup::hit_z>},
 };
 
 constexpr auto kNames = [] {
@@ -37,6 +86,13 @@ constexpr auto kNames = [] {
 std::span<const Figure> figures() { return kFigures; }
 
 std::span<const std::string_view> figure_names() { return kNames; }
+
+std::vector<std::string_view> group_figure_names() {
+  std::vector<std::string_view> names;
+  for (const Figure& figure : kFigures)
+    if (figure.of_group != nullptr) names.push_back(figure.name);
+  return names;
+}
 
 const Figure* find_figure(std::string_view name) {
   for (const Figure& figure : kFigures)

@@ -5,19 +5,25 @@
 #include <string_view>
 
 #include "physim/scenario.hpp"
+#include "physim/world_run.hpp"
 
 namespace physim {
 
-/// A figure of a flight at one time: by its sample, or by its place on the Earth. Neither: of the flight as a whole.
+/// A figure of a flight at one time, by its sample or by its place on the Earth, or of a group of projectiles at the
+/// end of a world's run. None of them: of the flight as a whole.
 struct Figure {
   std::string_view name;
   Quantity quantity;
-  double (*value)(const Sample&);
+  double (*value)(const Sample&) = nullptr;
+  std::optional<double> (*of_group)(const WorldGroup&) = nullptr;  // nothing: nothing there to measure
   double Geodetic::*place = nullptr;
+
+  [[nodiscard]] bool is_of_flights() const { return value != nullptr || of_group == nullptr; }
 };
 
 [[nodiscard]] std::span<const Figure> figures();
 [[nodiscard]] std::span<const std::string_view> figure_names();
+[[nodiscard]] std::vector<std::string_view> group_figure_names();
 /// The figure of a name; null where there is none.
 [[nodiscard]] const Figure* find_figure(std::string_view name);
 

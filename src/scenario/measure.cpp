@@ -39,6 +39,7 @@ Result<double> measure_anywhere(const Flight& flight, const Expectation& expecta
   if (figure == nullptr)
     return Error{"unknown quantity " + in_quotes(expectation.quantity), "",
                  suggestion(expectation.quantity, figure_names(), "known quantities")};
+  if (!figure->is_of_flights()) return Error{in_quotes(figure->name) + " is a figure of a world", "", ""};
   if (figure->value == nullptr && figure->place == nullptr) return flight.elevation();
   const Result<Sample> sample = sample_at(flight, expectation);
   if (!sample) return sample.error();
@@ -54,6 +55,16 @@ Result<double> measure(const Flight& flight, const Expectation& expectation) {
   Error error = value.error();
   error.place = expectation.place;  // the line of the file that asked
   return error;
+}
+
+Result<double> measure(const WorldGroup& group, const Expectation& expectation) {
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure == nullptr || figure->of_group == nullptr)
+    return Error{in_quotes(expectation.quantity) + " is no figure of a world", expectation.place,
+                 suggestion(expectation.quantity, group_figure_names(), "known are")};
+  if (const std::optional<double> value = figure->of_group(group)) return *value;
+  return Error{"there is nothing of " + in_quotes(group.name) + " to measure", expectation.place,
+               "its count is zero"};
 }
 
 }  // namespace physim

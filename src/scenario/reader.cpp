@@ -231,6 +231,17 @@ Status read_numbers(const Wanted& wanted, const Value& value, std::vector<double
   return std::nullopt;
 }
 
+/// ["a", "b"], or one text alone.
+Status read_texts(const Entry& entry, const Value& value, std::vector<std::string>& list) {
+  list.clear();
+  const Array* array = value.get<Array>();
+  if (array == nullptr && value.get<std::string>() == nullptr)
+    return wrong_kind(entry.path, value, "a list of texts such as [\"a\", \"b\"]");
+  for (std::size_t i = 0; i < (array ? array->size() : 1); ++i)
+    if (Status bad = read_text(entry, array ? (*array)[i] : value, list.emplace_back())) return bad;
+  return std::nullopt;
+}
+
 Status read_records(const Node& node, const Records& records, const Value& value) {
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]");
@@ -272,6 +283,11 @@ Status read_setting(const Node& node, const Scope& scope, const Value& value) {
                           return store(read_vector(wanted, value), target->emplace());
                         },
                         [&](std::int64_t* target) { return read_integer(entry, value, *target); },
+                        [&](const Integer& target) -> Status {
+                          std::int64_t number = 0;
+                          if (Status bad = read_integer(entry, value, number)) return bad;
+                          return target.set(number), std::nullopt;
+                        },
                         [&](bool* target) -> Status {
                           if (value.get<bool>() == nullptr) return wrong_kind(entry.path, value, "true or false");
                           return *target = *value.get<bool>(), std::nullopt;
@@ -280,6 +296,7 @@ Status read_setting(const Node& node, const Scope& scope, const Value& value) {
                         [&](const Choice& choice) { return read_choice(entry, value, choice); },
                         [&](std::vector<DragPoint>* curve) { return read_curve(entry, value, *curve); },
                         [&](std::vector<double>* list) { return read_numbers(wanted, value, *list); },
+                        [&](std::vector<std::string>* list) { return read_texts(entry, value, *list); },
                         [&](const Records& records) { return read_records(node, records, value); },
                     },
                     entry.slot(scope));

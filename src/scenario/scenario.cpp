@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenario/checks.hpp"
+#include "scenario/checks_world.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
 
@@ -29,7 +30,13 @@ Status check_format(const Value& document, const std::string& file) {
 /// What a table cannot say about itself: default names, and where expectations stand.
 void complete(Scenario& scenario, const Value& document) {
   const Array& shots = *document.find("shot")->get<Array>();
-  for (std::size_t i = 0; i < scenario.shots.size(); ++i) scenario.shots[i].projectile.name = shot_name(shots[i], i);
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+    scenario.shots[i].projectile.name = shot_name(shots[i], i);
+    // A velocity takes the place of the speed that a preset brought along.
+    if (shots[i].find("preset") && shots[i].find("velocity") && !shots[i].find("speed"))
+      scenario.shots[i].launch.speed = 0;
+  }
+  complete_world(scenario, document);
   if (const Value* expect = document.find("expect"))
     for (std::size_t i = 0; i < scenario.expect.size(); ++i)
       scenario.expect[i].place = (*expect->get<Array>())[i].place.text();

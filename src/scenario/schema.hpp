@@ -27,12 +27,23 @@ struct Scope {
   EventSpec* event = nullptr;
   WindPoint* wind_point = nullptr;
   BallisticBand* band = nullptr;
+  PoolDef* pool = nullptr;
+  DetailRung* rung = nullptr;
+  Volley* volley = nullptr;
+  ScenarioForce* force = nullptr;
+  Thrust::Point* thrust_point = nullptr;
 };
 
 /// A number that may be absent.
 struct OptionalNumber {
   std::function<std::optional<double>()> get;
   std::function<void(std::optional<double>)> set;
+};
+
+/// A whole number of another type than int64.
+struct Integer {
+  std::function<std::int64_t()> get;
+  std::function<void(std::int64_t)> set;
 };
 
 /// One of several names. Nothing: no name fits what is there (a fidelity that is no preset).
@@ -50,8 +61,9 @@ struct Records {
 };
 
 /// Where a setting's value is, and of which type it is.
-using Slot = std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, bool*, std::string*,
-                          Choice, std::vector<DragPoint>*, std::vector<double>*, Records>;
+using Slot = std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, Integer, bool*,
+                          std::string*, Choice, std::vector<DragPoint>*, std::vector<double>*,
+                          std::vector<std::string>*, Records>;
 
 /// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
 struct Range {
@@ -77,6 +89,7 @@ struct Entry {
   bool shorthand = false;                           // its table may be written as this value alone
   Quantity (*quantity_by)(const Scope&) = nullptr;  // where another setting decides the quantity
   std::string_view unit_by = {};                    // by which: "of the kind"
+  bool (*is_there)(const Scope&) = nullptr;         // where another setting decides whether there is a value to write
 
   [[nodiscard]] Quantity quantity_in(const Scope& scope) const { return quantity_by ? quantity_by(scope) : quantity; }
 };
@@ -112,8 +125,15 @@ struct Defaults {
   EventSpec event;
   WindPoint wind_point;
   BallisticBand band;
+  PoolDef pool;
+  DetailRung rung;
+  Volley volley;
+  ScenarioForce force;
+  Thrust::Point thrust_point;
 
-  [[nodiscard]] Scope scope() { return {&format, &scenario, &shot, &expect, &event, &wind_point, &band}; }
+  [[nodiscard]] Scope scope() {
+    return {&format, &scenario, &shot, &expect, &event, &wind_point, &band, &pool, &rung, &volley, &force, &thrust_point};
+  }
 };
 
 /// For std::visit.

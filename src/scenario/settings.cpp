@@ -1,53 +1,30 @@
 // The list of all settings of scenario files: one entry each. Adding a setting is adding an entry here.
+#include "physim/presets.hpp"
 #include "scenario/expectation.hpp"
-#include "scenario/schema.hpp"
+#include "scenario/settings_parts.hpp"
 
 namespace physim {
 namespace {
 
-constexpr double kRightAngle = 1.5707963267948966;
-
-// -------------------------------------------------------------------------------------------------------------- ranges
-constexpr Range above(double low) { return {.low = low, .low_open = true}; }
-constexpr Range at_least(double low) { return {.low = low}; }
-constexpr Range at_most(double high) { return {.low = 0, .high = high}; }
-constexpr Range between(double low, double high) { return {.low = low, .high = high}; }
-constexpr Range or_infinite(Range range) {
-  range.infinite = true;
-  return range;
-}
-constexpr Range kHalfTurn = {.low = -kRightAngle, .high = kRightAngle, .words = "-90 deg .. 90 deg"};
-constexpr Range kTurn = {.low = -4 * kRightAngle, .high = 4 * kRightAngle, .words = "-360 deg .. 360 deg"};
 constexpr Range kAltitude = {.low = -5000, .high = 1e9};
-
-// --------------------------------------------------------------------------------------------- slots from field types
-template <class T>
-Slot slot_of(T& value) {
-  if constexpr (std::is_enum_v<T>) {
-    return Choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
-                  [&value](std::size_t i) { value = static_cast<T>(i); }};
-  } else if constexpr (std::is_same_v<T, std::optional<double>>) {
-    return OptionalNumber{[&value] { return value; }, [&value](std::optional<double> v) { value = v; }};
-  } else {
-    return &value;
-  }
-}
-
-/// A list of tables; in the scope of an element, the pointer for its kind points to it.
-template <class T>
-Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
-  return Records{[&list] { return list.size(); }, [&list](std::size_t size) { list.resize(size); },
-                 [&list, outer, pointer](std::size_t i) {
-                   Scope inner = outer;
-                   inner.*pointer = &list[i];
-                   return inner;
-                 }};
-}
 
 Slot preset_slot(const Scope& scope) {
   Fidelity& fidelity = scope.shot->projectile.fidelity;
   return Choice{fidelity_presets(), [] { return std::optional<std::size_t>(); },  // its fields say all that it says
                 [&fidelity](std::size_t i) { fidelity = *fidelity_preset(fidelity_presets()[i]); }};
+}
+
+Slot projectile_preset_slot(const Scope& scope) {
+  ScenarioShot& shot = *scope.shot;
+  return Choice{projectile_presets(), [] { return std::optional<std::size_t>(); },  // its fields say all that it says
+                [&shot](std::size_t i) {
+                  const ProjectilePreset preset = *projectile_preset(projectile_presets()[i]);
+                  const std::string name = shot.projectile.name;
+                  shot.projectile = preset.projectile;
+                  shot.projectile.name = name;
+                  shot.body = preset.body;
+                  shot.launch.speed = preset.speed;
+                }};
 }
 
 /// Comes before the other keys of the table, which then say what errors are measured against.
@@ -116,9 +93,6 @@ Quantity quantity_of_expectation(const Scope& scope) {
 }
 
 // ------------------------------------------------------------------------------------------------------------ the list
-#define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s.__VA_ARGS__); }
-#define PHYSIM_RECORDS(list, pointer) [](const Scope& s) { return records(s, s.list, &Scope::pointer); }
-
 constexpr Entry kFileSettings[] = {
     {.path = "physim", .slot = PHYSIM_FIELD(format[0]), .doc = "format version of the file", .range = between(1, 1)},
     {.path = "title", .slot = PHYSIM_FIELD(scenario->title), .doc = "what the scenario shows"},
@@ -233,6 +207,9 @@ constexpr Entry kShotSettings[] = {
     {.path = "shot.name",
      .slot = PHYSIM_FIELD(shot->projectile.name),
      .doc = "in tables and overrides, different for each shot; default: shot-1, shot-2, ..."},
+    {.path = "shot.preset",
+     .slot = projectile_preset_slot,
+     .doc = "a projectile to start from (physim list presets); the other keys change it"},
     {.path = "shot.mass",
      .slot = PHYSIM_FIELD(shot->projectile.mass),
      .doc = "of the projectile",
@@ -502,9 +479,6 @@ constexpr Entry kExpectSettings[] = {
     {.path = "expect.source", .slot = PHYSIM_FIELD(expect->source), .doc = "why it should be true"},
 };
 
-#undef PHYSIM_FIELD
-#undef PHYSIM_RECORDS
-
 }  // namespace
 
 std::span<const Entry> entries() {
@@ -512,8 +486,9 @@ std::span<const Entry> entries() {
     std::vector<Entry> list;
     for (const std::span<const Entry> part :
          {std::span<const Entry>(kFileSettings), std::span<const Entry>(kEnvironmentSettings),
-          std::span<const Entry>(kShotSettings), std::span<const Entry>(kFidelitySettings),
-          std::span<const Entry>(kRunSettings), std::span<const Entry>(kExpectSettings)})
+          std::span<const Entry>(kShotSettings), std::span<const Entry>(kFidelitySettings), body_settings(),
+          world_settings(), volley_settings(), force_settings(), std::span<const Entry>(kRunSettings),
+          std::span<const Entry>(kExpectSettings)})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

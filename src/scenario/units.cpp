@@ -61,6 +61,10 @@ constexpr Unit kQuadraticDrag[] = {{"kg/m"}};
 constexpr Unit kAngularRate[] = {{"rad/s"}, {"deg/s", kPi / 180}, {"rpm", kPi / 30}};
 constexpr Unit kEnergy[] = {
     {"J"}, {"kJ", 1e3}, {"ft lbf", 0.3048 * kPoundForce}, {"ft-lbf", 0.3048 * kPoundForce, 0, 1, true}};
+constexpr Unit kFrequency[] = {{"1/s"}, {"Hz", 1, 0, 1, true}, {"1/min", 1, 0, 60}, {"rpm", 1, 0, 60}};
+constexpr Unit kStiffness[] = {{"N/m"}, {"N/mm", 1e3}, {"lbf/in", kPoundForce / kInch}};
+constexpr Unit kVolume[] = {{"m^3"}, {"l", 1e-3}, {"cm^3", 1e-6}, {"in^3", kInch * kInch * kInch}};
+constexpr Unit kAttraction[] = {{"m^3/s^2"}, {"km^3/s^2", 1e9}};
 
 constexpr std::array kQuantities = {
     QuantityInfo{Quantity::number, "a plain number", "0.5", kNumber},
@@ -79,12 +83,16 @@ constexpr std::array kQuantities = {
     QuantityInfo{Quantity::quadratic_drag, "a quadratic drag factor", "0.001 kg/m", kQuadraticDrag},
     QuantityInfo{Quantity::angular_rate, "an angular rate", "7.292115e-5 rad/s", kAngularRate},
     QuantityInfo{Quantity::energy, "an energy", "3500 J", kEnergy},
+    QuantityInfo{Quantity::frequency, "a rate", "600 rpm", kFrequency},
+    QuantityInfo{Quantity::stiffness, "a stiffness", "50 N/m", kStiffness},
+    QuantityInfo{Quantity::volume, "a volume", "2.5 l", kVolume},
+    QuantityInfo{Quantity::attraction, "an attraction (G M)", "2000 m^3/s^2", kAttraction},
 };
 
 constexpr bool in_order_of_values() {
   for (std::size_t i = 0; i < kQuantities.size(); ++i)
     if (kQuantities[i].quantity != static_cast<Quantity>(i)) return false;
-  return kQuantities.size() == static_cast<std::size_t>(Quantity::energy) + 1;
+  return kQuantities.size() == static_cast<std::size_t>(kLastQuantity) + 1;
 }
 static_assert(in_order_of_values(), "info() reads this table by the value of the quantity");
 

@@ -61,15 +61,17 @@ std::string curve_value(const std::vector<DragPoint>& curve) {
 
 std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style);
 
-/// A table within an array; values that are absent are left out.
+constexpr std::string_view kNothing = "{}";
+
+/// A table within an array; values that are absent are left out, and so are tables of nothing else.
 std::string inline_table(const Node& node, const Scope& scope) {
   std::string out;
   for (const Node& child : node.children) {
     const std::optional<std::string> value =
         child.entry ? value_text(*child.entry, scope, Style::toml) : inline_table(child, scope);
-    if (value) out += (out.empty() ? "" : ", ") + child.name + " = " + *value;
+    if (value && *value != kNothing) out += (out.empty() ? "" : ", ") + child.name + " = " + *value;
   }
-  return "{ " + out + " }";
+  return out.empty() ? std::string(kNothing) : "{ " + out + " }";
 }
 
 std::string records_value(const Entry& entry, const Records& records) {
@@ -86,6 +88,7 @@ std::optional<std::string> absent(const Entry& entry, Style style) {
 
 std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style) {
   using Text = std::optional<std::string>;
+  if (entry.is_there != nullptr && !entry.is_there(scope)) return std::nullopt;
   const Quantity quantity = entry.quantity_in(scope);
   return std::visit(Overloaded{
                         [&](const double* value) -> Text { return number_value(*value, quantity, style); },
@@ -98,6 +101,7 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                           return *value ? vector_value(**value, quantity) : absent(entry, style);
                         },
                         [&](const std::int64_t* value) -> Text { return std::to_string(*value); },
+                        [&](const Integer& value) -> Text { return std::to_string(value.get()); },
                         [&](const bool* value) -> Text { return *value ? "true" : "false"; },
                         [&](const std::string* value) -> Text { return text_value(*value, style); },
                         [&](const Choice& choice) -> Text {
@@ -108,6 +112,9 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                         [&](const std::vector<double>* list) -> Text {
                           return array_value(*list,
                                              [quantity](double x) { return number_value(x, quantity, Style::toml); });
+                        },
+                        [&](const std::vector<std::string>* list) -> Text {
+                          return array_value(*list, [](const std::string& text) { return toml_string(text); });
                         },
                         [&](const Records& records) -> Text { return records_value(entry, records); },
                     },
@@ -120,6 +127,10 @@ using Lines = std::vector<std::pair<std::string, std::string>>;
 void write_table(const Node& node, const Scope& scope, const std::string& prefix, Lines& lines) {
   for (const Node& child : node.children) {
     const std::string path = prefix + child.name;
+    const bool is_of_world =
+        child.path == "world" || child.path == "volley" || child.path == "force" || child.path == "shot.body";
+    if (is_of_world && !scope.scenario->world.given) continue;  // they would make one
+    if (scope.scenario->world.given && (child.path == "until" || child.path == "output")) continue;
     if (child.path == "shot") {
       const Records shots = std::get<Records>(child.entry->slot(scope));
       for (std::size_t i = 0; i < shots.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "flight/cohort.hpp"
 #include "physim/world_def.hpp"
+#include "world/check.hpp"
 #include "world/fields.hpp"
 
 namespace physim {
@@ -127,9 +128,5 @@ class Registry {
   Curves curves_[3];
 };
 
-[[nodiscard]] Status check(const WorldDef& def);
-[[nodiscard]] Status check(const BodyDef& body, const WorldDef& def, std::size_t environments);
-[[nodiscard]] Status check(const Ground& ground);
-[[nodiscard]] Status check(const DetailRule& rule);
 
 }  // namespace physim

@@ -109,6 +109,8 @@ TaskRunner& World::Impl::runner(std::size_t rows) {
   return *own_threads;
 }
 
+void World::set_task_runner(TaskRunner* runner) { impl_->lent = runner; }
+
 void World::Impl::launch_pending() {
   const double now = state.clock.time();
   auto& heap = state.pending;

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "physim/scenario.hpp"
+#include "physim/world_run.hpp"
 
 namespace physim {
 namespace {
@@ -142,6 +143,22 @@ TEST(Docs, PicturesAreLight) {
   EXPECT_LT(total, 1'500'000u);
 }
 
+/// Runs a scenario that has a [world].
+void expect_of_world(const Scenario& scenario) {
+  Result<WorldRun> run = WorldRun::create(scenario);
+  ASSERT_TRUE(run.ok()) << run.error().text();
+  for (std::uint64_t step = 0; step < run->steps(); ++step) run->step();
+  const std::vector<WorldGroup> groups = run->groups();
+  for (const Expectation& expect : scenario.expect)
+    for (const WorldGroup& group : groups) {
+      if (!expect.shot.empty() && expect.shot != group.name) continue;
+      EXPECT_FALSE(expect.source.empty()) << expect.place << ": no source";
+      const Result<double> value = measure(group, expect);
+      ASSERT_TRUE(value.ok()) << value.error().text();
+      EXPECT_NEAR(*value, expect.equals, expect.within) << expect.place << ": " << group.name << ": " << expect.quantity;
+    }
+}
+
 TEST(Scenarios, AllMeetTheirExpectations) {
   const auto files = files_with(".toml", kRoot / "scenarios");
   ASSERT_FALSE(files.empty());
@@ -151,6 +168,10 @@ TEST(Scenarios, AllMeetTheirExpectations) {
     EXPECT_FALSE(scenario->title.empty()) << file;
     EXPECT_FALSE(scenario->source.empty()) << file;
     EXPECT_FALSE(scenario->expect.empty()) << file << " expects nothing";
+    if (scenario->world.given) {
+      expect_of_world(*scenario);
+      continue;
+    }
     for (const ScenarioShot& shot : scenario->shots) {
       const ProjectileDef& p = shot.projectile;
       const Flight flight = fly_shot(*scenario, shot);

@@ -26,9 +26,42 @@ equals = 0
 within = 0
 )";
 
+/// The same of a world, where flights' own settings would be refused.
+const std::string kOneOfEachInAWorld = R"(physim = 1
+[world]
+pools = [{ name = "a" }]
+detail = { rungs = [{ fidelity = "simulation" }, { fidelity = "game" }] }
+[[shot]]
+[[volley]]
+shot = "shot-1"
+[[shot]]
+name = "other"
+[[force]]
+)";
+
+bool is_of_worlds(const std::string& path) {
+  for (const char* table : {"world", "volley", "force", "shot.body"})
+    if (path == table || path.starts_with(std::string(table) + ".")) return true;
+  return false;
+}
+
+/// The law that a setting of a force belongs to, with what it requires; any other where it is of all laws.
+std::string law_of(const std::string& path) {
+  constexpr std::string_view kForce = "force.";
+  const std::size_t dot = path.find('.', kForce.size());
+  const std::string law = path.starts_with(kForce) && dot != path.npos ? path.substr(6, dot - 6) : "gravity_force";
+  const std::string points = "curve = [{ time = 0, force = 1 }, { time = 2000, force = 1 }]";
+  const std::string required = law == "spring"        ? "other = \"other\""
+                               : law == "thrust"      ? points
+                               : law == "wind_zone"   ? "low = [-2, -2, -2], high = [2, 2, 2]"
+                               : path == "force"      ? ""
+                                                      : "";
+  return law + " = { " + required + " }\n";
+}
+
 Result<Scenario> with_override(const std::string& path, const std::string& value) {
   const std::vector<std::string> overrides = {path + "=" + value};
-  return parse_scenario(kOneOfEach, "f.toml", overrides);
+  return parse_scenario(is_of_worlds(path) ? kOneOfEachInAWorld + law_of(path) : kOneOfEach, "f.toml", overrides);
 }
 
 TEST(Settings, AreDescribed) {

@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Quantities, TextReadsBackBitForBit) {
   for (const double value : {0.1, -0.0, 1.0 / 3, 1e-300, 6356766.0, 1e22, 5e-324, 0.010886217, -2.5e9,
                              std::numeric_limits<double>::max(), std::nextafter(1.0, 2.0)}) {
-    for (int q = 0; q <= static_cast<int>(Quantity::energy); ++q) {
+    for (int q = 0; q <= static_cast<int>(kLastQuantity); ++q) {
       const auto quantity = static_cast<Quantity>(q);
       const double back = *parse_quantity(quantity_text(value, quantity), quantity);
       EXPECT_EQ(std::memcmp(&back, &value, sizeof back), 0) << quantity_text(value, quantity);
@@ -163,7 +163,7 @@ TEST(Quantities, TextIsReadable) {
 
 // Every advertised unit is accepted by its quantity, and no spelling means two things within one.
 TEST(Quantities, AdvertisedUnitsAreAccepted) {
-  for (int q = 0; q <= static_cast<int>(Quantity::energy); ++q) {
+  for (int q = 0; q <= static_cast<int>(kLastQuantity); ++q) {
     const auto quantity = static_cast<Quantity>(q);
     for (const std::string& unit : units_of(quantity)) EXPECT_TRUE(parse_quantity("1 " + unit, quantity).ok()) << unit;
     EXPECT_TRUE(parse_quantity(info(quantity).example, quantity).ok());

@@ -1,0 +1,77 @@
+#include "run_world.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "output_file.hpp"
+#include "output_table.hpp"
+#include "output_world.hpp"
+#include "plot_world.hpp"
+
+namespace physim::cli {
+namespace {
+
+OutputMakers makers_of(const WorldLog& log) {
+  return {.csv = [&] { return world_csv(log); },
+          .json = [&] { return world_json(log); },
+          .plot = [&] { return world_picture(log); },
+          .events = [&] { return world_events_csv(log); }};
+}
+
+Status write_folder(const std::string& folder, const WorldLog& log) {
+  const std::string stem = std::filesystem::path(log.scenario.file).stem().string();
+  const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (stem + ending)).string(); };
+  const OutputPaths paths{path(".csv"), path(".json"), path(".png"), path("_events.csv")};
+  return in_turn([&] { return make_folder(folder); }, [&] { return check(paths, log.scenario.file); },
+                 [&] { return write(paths, makers_of(log)); });
+}
+
+void warn_of_refusals(const std::vector<WorldGroup>& groups) {
+  for (const WorldGroup& group : groups)
+    if (group.refused > 0)
+      print_warning(std::to_string(group.refused) + " launches of \"" + one_line(group.name) +
+                    "\" were refused: " + group.refusal);
+}
+
+}  // namespace
+
+std::string WorldOptions::given(const OutputPaths& outputs) const {
+  if (steps) return "--steps";
+  if (threads) return "--threads";
+  return outputs.events.empty() ? "" : "--events";
+}
+
+void add_world_options(CLI::App& command, WorldOptions& options, OutputPaths& outputs) {
+  refuse_empty(*command.add_option("--events", outputs.events, "Worlds: write what happened as CSV; - as above")
+                    ->type_name("FILE"));
+  command.add_option("--steps", options.steps, "Worlds: take so many steps instead of world.duration")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+  command.add_option("--threads", options.threads, "Worlds: instead of world.threads; results do not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(0u, 1024u));
+}
+
+Status run_in_world(Scenario scenario, const OutputPaths& outputs, const std::string& folder,
+                    std::optional<double> interval, const WorldOptions& options, bool& all_met) {
+  if (options.threads) scenario.world.def.threading.threads = *options.threads;
+  const bool all = !folder.empty();
+  const LogWishes wishes{.samples = all || !outputs.csv.empty() || !outputs.json.empty(),
+                         .events = all || !outputs.events.empty() || !outputs.json.empty(),
+                         .paths = all || !outputs.plot.empty(),
+                         .interval = interval,
+                         .steps = options.steps};
+  const Result<WorldLog> log = run_world(scenario, wishes);
+  if (!log) return log.error();
+  all_met = std::ranges::all_of(log->checks, [](const Check& check) { return check.met; });
+  const Status bad = in_turn([&] { return all ? write_folder(folder, *log) : std::nullopt; },
+                             [&] { return write(outputs, makers_of(*log)); });
+  if (bad) return bad;
+  warn_of_refusals(log->groups);
+  if (!outputs.use_stdout()) return print(world_text(*log, Style(stdout)));
+  if (!all_met) print_warning("checks were missed");
+  return std::nullopt;
+}
+
+}  // namespace physim::cli

@@ -1,0 +1,29 @@
+// `physim run` of a scenario with a [world].
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "output_paths.hpp"
+#include "physim/scenario.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace physim::cli {
+
+/// Options that only worlds have.
+struct WorldOptions {
+  std::optional<std::uint64_t> steps;
+  std::optional<std::uint32_t> threads;
+  /// The first that was given, for messages; empty: none.
+  [[nodiscard]] std::string given(const OutputPaths& outputs) const;
+};
+void add_world_options(CLI::App& command, WorldOptions& options, OutputPaths& outputs);
+
+/// Runs, prints and writes; into a folder too where it is not empty. `all_met` tells of the scenario's expectations.
+[[nodiscard]] Status run_in_world(Scenario scenario, const OutputPaths& outputs, const std::string& folder,
+                                  std::optional<double> interval, const WorldOptions& options, bool& all_met);
+
+}  // namespace physim::cli

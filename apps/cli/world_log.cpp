@@ -1,0 +1,148 @@
+#include "world_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output_number.hpp"
+#include "output_trajectory.hpp"
+#include "physim/names.hpp"
+#include "progress.hpp"
+
+namespace physim::cli {
+namespace {
+
+constexpr std::uint64_t kDefaultSamples = 200;  // over the run
+constexpr std::uint64_t kPathPoints = 900;      // over the run, of each path
+constexpr std::size_t kMostPaths = 400;         // of all groups together
+constexpr std::size_t kMostImpacts = 20'000;    // of each group, drawn
+
+class Logger {
+ public:
+  Logger(WorldRun& run, const LogWishes& wishes) : run_(run), wishes_(wishes) {
+    log_.scenario = run.scenario();
+    log_.steps = wishes.steps.value_or(run.steps());
+    const std::size_t groups = run.groups().size();
+    log_.in_use.resize(groups);
+    met_.resize(groups);
+    log_.impacts.resize(groups);
+    log_.hits.resize(groups);
+    paths_left_.assign(groups, std::max<std::size_t>(kMostPaths / std::max<std::size_t>(groups, 1), 1));
+    const double dt = run.scenario().world.def.step;
+    const auto asked = static_cast<std::uint64_t>(std::llround(std::min(wishes.interval.value_or(0) / dt, 1e15)));
+    sample_every_ = std::max<std::uint64_t>(wishes.interval ? asked : log_.steps / kDefaultSamples, 1);
+    draw_every_ = std::max<std::uint64_t>(log_.steps / kPathPoints, 1);
+  }
+
+  Status run() {
+    Progress progress("stepping", log_.steps);
+    take(run_.events());
+    if (Status bad = sample()) return bad;
+    for (std::uint64_t step = 1; step <= log_.steps; ++step) {
+      const std::size_t launched = step == 1 ? run_.events().size() : 0;  // these are taken already
+      run_.step();
+      take(run_.events().subspan(launched));
+      for (const WallHit& hit : run_.hits()) take(hit);
+      if (wishes_.paths && (step % draw_every_ == 0 || step == log_.steps)) draw();
+      if (step % sample_every_ == 0 || step == log_.steps)
+        if (Status bad = sample()) return bad;
+      progress.advance();
+    }
+    return std::nullopt;
+  }
+
+  WorldLog finish() {
+    log_.groups = run_.groups();
+    log_.time = run_.world().time();
+    log_.hash = run_.world().hash();
+    log_.counters = run_.world().counters();
+    for (const Expectation& expectation : log_.scenario.expect)
+      for (const WorldGroup& group : log_.groups) {
+        if (!expectation.shot.empty() && expectation.shot != group.name) continue;
+        Result<double> value = measure(group, expectation);
+        const bool met = value.ok() && std::abs(*value - expectation.equals) <= expectation.within;
+        log_.checks.push_back({&expectation, group.name, std::move(value), met});
+      }
+    return std::move(log_);
+  }
+
+ private:
+  /// The points of the path that a launch draws; null where it draws none.
+  std::vector<Vec3d>* path_of(const Launched& launched) {
+    const bool draws = launched.number < path_.size() && path_[launched.number] != 0;
+    return draws ? &log_.paths[path_[launched.number] - 1].points : nullptr;
+  }
+
+  void greet(const RunEvent& spawned) {
+    const std::size_t group = spawned.launched.group;
+    if (!met_[group] && run_.world().is_alive(spawned.event.id)) {
+      log_.in_use[group] = run_.world().fidelity_in_use(spawned.event.id);
+      met_[group] = true;
+    }
+    if (!wishes_.paths || paths_left_[group] == 0) return;
+    --paths_left_[group];
+    log_.paths.push_back({group, {}});
+    path_.resize(spawned.launched.number + 1);
+    path_[spawned.launched.number] = log_.paths.size();
+  }
+
+  void take(std::span<const RunEvent> events) {
+    for (const RunEvent& each : events) {
+      const WorldEvent& event = each.event;
+      if (event.kind == WorldEventKind::spawned) greet(each);
+      const bool is_at_wall = event.reason == Reason::despawned;  // its hit is told instead
+      if (is_at_wall) continue;
+      if (auto* path = path_of(each.launched)) path->push_back(event.position);
+      const bool is_impact = event.kind == WorldEventKind::landed || event.kind == WorldEventKind::bounced;
+      std::vector<Vec3d>& impacts = log_.impacts[each.launched.group];
+      if (wishes_.paths && is_impact && impacts.size() < kMostImpacts) impacts.push_back(event.position);
+      if (wishes_.events)
+        log_.events.push_back(
+            {name(event.kind), name(event.reason), each.launched, event.time, {event.position, event.velocity}});
+    }
+  }
+
+  void take(const WallHit& hit) {
+    if (auto* path = path_of(hit.launched)) path->push_back(hit.position);
+    std::vector<Vec3d>& hits = log_.hits[hit.launched.group];
+    if (wishes_.paths && hits.size() < kMostImpacts) hits.push_back(hit.position);
+    if (wishes_.events)
+      log_.events.push_back({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}});
+  }
+
+  void draw() {
+    for (const ProjectileId id : run_.world().ids())
+      if (const auto launched = run_.launched(id))
+        if (auto* path = path_of(*launched)) path->push_back(run_.world().position(id));
+  }
+
+  Status sample() {
+    if (!wishes_.samples) return std::nullopt;
+    for (const ProjectileId id : run_.world().ids())
+      if (const auto launched = run_.launched(id))
+        log_.samples.push_back({*launched, run_.world().time(), run_.world().state(id)});
+    if (log_.samples.size() <= kMaxSamples) return std::nullopt;
+    return Error{.message = "there are more than " + std::to_string(kMaxSamples) + " samples",
+                 .place = "--interval",
+                 .hint = "take a longer interval"};
+  }
+
+  WorldRun& run_;
+  const LogWishes& wishes_;
+  WorldLog log_;
+  std::vector<std::size_t> path_;        // by number of the launch: 0 for none, or one more than its index
+  std::vector<std::size_t> paths_left_;  // by group
+  std::vector<bool> met_;                // groups
+  std::uint64_t sample_every_ = 1, draw_every_ = 1;
+};
+
+}  // namespace
+
+Result<WorldLog> run_world(const Scenario& scenario, const LogWishes& wishes) {
+  Result<WorldRun> run = WorldRun::create(scenario);
+  if (!run) return run.error();
+  Logger logger(*run, wishes);
+  if (Status bad = logger.run()) return *bad;
+  return logger.finish();
+}
+
+}  // namespace physim::cli

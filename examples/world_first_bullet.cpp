@@ -1,0 +1,26 @@
+// First bullet: a world stepped by frame, an id, and the event that tells where and when it landed.
+#include <cstdio>
+#include <physim/physim.hpp>
+
+using namespace physim;
+using namespace physim::units;
+
+int main() {
+  World world;  // ground at height 0, where flights end; standard atmosphere; 60 steps a second
+  ProjectileDef bullet = presets::rifle_bullet().projectile;
+  bullet.fidelity = Fidelity::game();  // the one line that a simulation changes: Fidelity::simulation()
+
+  const ProjectileId id = world.spawn(bullet, {.position = {0, 1.5, 0}, .speed = 800_mps, .elevation = 0.2_deg});
+  if (!id) return std::puts(world.error()->text().c_str()), 1;
+  for (int frame = 0; world.is_alive(id); ++frame) {
+    if (frame % 24 == 0) {  // drawn at 144 frames a second, between the steps of the world
+      const Vec3d tracer = world.render_position(id);
+      std::printf("frame %3d: %6.1f m, %.2f m high, Mach %.2f\n", frame, tracer.x, tracer.y, world.mach(id));
+    }
+    world.advance(1.0 / 144);  // seconds that have passed on the screen
+    for (const WorldEvent& event : world.events())
+      if (event.kind == WorldEventKind::landed)
+        std::printf("landed after %.4f s at %.2f m\n", event.time, event.position.x);
+  }
+  return world.status(id) == LifeStatus::landed ? 0 : 1;
+}

@@ -1,0 +1,110 @@
+// WorldRun: a scenario with a [world], run step by step. Part of the library physim_scenario.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physim/scenario.hpp"
+#include "physim/world.hpp"
+
+namespace physim {
+
+/// Many numbers in short.
+struct Series {
+  std::uint64_t count = 0;                                 ///< [-]
+  double mean = 0;                                         ///< [unit of the numbers]
+  double low = std::numeric_limits<double>::infinity();    ///< [unit of the numbers]
+  double high = -std::numeric_limits<double>::infinity();  ///< [unit of the numbers]
+  double squares = 0;                                      ///< of the distances from the mean, summed [unit squared]
+
+  void add(double value);
+  /// The standard deviation of the numbers themselves (divided by their count).
+  [[nodiscard]] double spread() const;
+};
+
+/// What became of all that one [[volley]] fired, or of one [[shot]] that was fired by itself.
+struct WorldGroup {
+  std::string name;            ///< of the volley or shot [-]
+  std::size_t shot = 0;        ///< index in Scenario::shots [-]
+  KindId kind;                 ///< in the world [-]
+  std::uint64_t spawned = 0;   ///< launched [-]
+  std::uint64_t refused = 0;   ///< not launched: a full pool or world [-]
+  std::string refusal;         ///< why the first of these was not [-]
+  std::uint64_t landed = 0;    ///< ended on the ground [-]
+  std::uint64_t bounces = 0;   ///< off the ground, of all together [-]
+  std::uint64_t slept = 0;     ///< times that one came to rest [-]
+  std::uint64_t expired = 0;   ///< left by their rules [-]
+  std::uint64_t retired = 0;   ///< taken out [-]
+  std::uint64_t hits = 0;      ///< on the wall [-]
+  std::uint64_t alive = 0;     ///< at the end [-]
+  Series range;                ///< horizontal distance from launch to impact: first touch of the ground, or the wall [m]
+  Series time;                 ///< from launch to impact [s]
+  Series speed;                ///< at impact [m/s]
+  Series apex;                 ///< height of the highest points, where the world tells them [m]
+  Series hit_y, hit_z;         ///< on the wall [m]
+  Vec3d position;              ///< mean of those alive at the end [m]
+  Vec3d velocity;              ///< mean of those alive at the end [m/s]
+  double mean_speed = 0;       ///< mean speed of those alive at the end [m/s]
+};
+
+/// Which launch a projectile was.
+struct Launched {
+  std::size_t group = 0;     ///< index in WorldRun::groups() [-]
+  std::uint64_t number = 0;  ///< of its launch in the run, from 1 [-]
+};
+
+/// An event of one of the run's projectiles.
+struct RunEvent {
+  Launched launched;  ///< [-]
+  WorldEvent event;   ///< [-]
+};
+
+/// Where a projectile met the wall.
+struct WallHit {
+  Launched launched;      ///< [-]
+  ProjectileId id;        ///< [-]
+  double time = 0;        ///< of the world [s]
+  Vec3d position;         ///< [m]
+  Vec3d velocity;         ///< [m/s]
+};
+
+/// Fires the shots and volleys of a scenario, takes its steps and keeps count.
+class WorldRun {
+ public:
+  /// An error where the scenario has no [world], or where the world refuses part of it.
+  static Result<WorldRun> create(Scenario scenario);
+  WorldRun(WorldRun&&) noexcept;
+  WorldRun& operator=(WorldRun&&) noexcept;
+  ~WorldRun();
+
+  /// Fires what is due and takes one step.
+  void step();
+  /// Steps that the scenario's duration asks for.
+  [[nodiscard]] std::uint64_t steps() const;
+
+  [[nodiscard]] World& world();
+  [[nodiscard]] const World& world() const;
+  [[nodiscard]] const Scenario& scenario() const;
+  /// What happened in the last step, launches included.
+  [[nodiscard]] std::span<const RunEvent> events() const;
+  [[nodiscard]] std::span<const WallHit> hits() const;  ///< of the last step
+  /// Counted so far; what stands at the end is that of now.
+  [[nodiscard]] std::vector<WorldGroup> groups() const;
+  /// Which launch a projectile was; none for a stranger.
+  [[nodiscard]] std::optional<Launched> launched(ProjectileId id) const;
+
+ private:
+  struct Impl;
+  explicit WorldRun(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The value of an expectation on a group at the end of a run [SI unit of the quantity], or why there is none.
+[[nodiscard]] Result<double> measure(const WorldGroup& group, const Expectation& expectation);
+
+}  // namespace physim

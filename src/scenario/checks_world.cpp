@@ -1,0 +1,214 @@
+#include "scenario/checks_world.hpp"
+
+#include <algorithm>
+
+#include "physim/world_run.hpp"
+#include "scenario/expectation.hpp"
+#include "scenario/schema.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+#include "world/check.hpp"
+#include "world/force_eval.hpp"
+
+namespace physim {
+namespace {
+
+/// The place of a key in a table; of the table where it has no such key.
+std::string place_in(const Value& table, std::string_view key) {
+  const Value* value = table.find(key);
+  return (value ? *value : table).place.text();
+}
+
+const Value& element(const Value& document, std::string_view list, std::size_t index) {
+  return (*document.find(list)->get<Array>())[index];
+}
+
+/// An error of the library about a part of the scenario, as one of the file.
+Error in_file(const Error& error, const std::string& path, const Value& where) {
+  return {path + (error.place.empty() ? "" : " (" + error.place + ")") + ": " + error.message, where.place.text(),
+          error.hint};
+}
+
+std::vector<std::string_view> shot_names(const Scenario& scenario) {
+  std::vector<std::string_view> names;
+  for (const ScenarioShot& shot : scenario.shots) names.push_back(shot.projectile.name);
+  return names;
+}
+
+bool is_in_volley(const Scenario& scenario, std::string_view shot) {
+  return std::ranges::any_of(scenario.volleys, [&](const Volley& volley) { return volley.shot == shot; });
+}
+
+Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,
+                       const std::string& place) {
+  const std::vector<std::string_view> names = shot_names(scenario);
+  if (std::ranges::count(names, name) > 0) return std::nullopt;
+  return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names, "shots")};
+}
+
+// ------------------------------------------------------------------------------------------------ with and without it
+Status check_absence(const Scenario& scenario, const Value& document) {
+  const auto needs_world = [](const std::string& path, const Value& value) {
+    return Error{path + ": there is no [world] for it", value.place.text(), "write [world], and the shots fly in it"};
+  };
+  for (const std::string_view key : {"volley", "force"})
+    if (const Value* value = document.find(key)) return needs_world(std::string(key), *value);
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i)
+    if (const Value* body = element(document, "shot", i).find("body")) return needs_world("shot.body", *body);
+  return std::nullopt;
+}
+
+Status check_unused(const Value& document) {
+  if (const Value* until = document.find("until"))
+    return Error{"until: not used in a [world]", until->place.text(), "world.duration and shot.body.despawn end things"};
+  if (const Value* output = document.find("output"))
+    return Error{"output: not used in a [world]", output->place.text(), "ranges are of single flights"};
+  return std::nullopt;
+}
+
+// --------------------------------------------------------------------------------------------------------------- parts
+Status check_pools(const Scenario& scenario, const Value& document) {
+  const std::vector<PoolDef>& pools = scenario.world.def.pools;
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < pools.size(); ++i) {
+    const Value& table = (*document.find("world")->find("pools")->get<Array>())[i];
+    if (std::ranges::count(names, pools[i].name) > 0)
+      return Error{"world.pools.name: two pools are named " + in_quotes(pools[i].name), place_in(table, "name"), ""};
+    names.push_back(pools[i].name);
+  }
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+    const std::string& pool = scenario.shots[i].pool;
+    if (pool.empty() || std::ranges::count(names, pool) > 0) continue;
+    return Error{"shot.body.pool: no pool is named " + in_quotes(pool),
+                 place_in(*element(document, "shot", i).find("body"), "pool"),
+                 names.empty() ? "write pools = [{ name = \"...\", maximum = 100 }] into [world]"
+                               : suggestion(pool, names, "pools")};
+  }
+  return std::nullopt;
+}
+
+Status check_bodies(const Scenario& scenario, const Value& document) {
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+    const Status bad = check(scenario.shots[i].body, scenario.world.def, 1);
+    if (!bad) continue;
+    const Value& shot = element(document, "shot", i);
+    const Value* body = shot.find("body");
+    return in_file(*bad, "shot", body ? *body : shot);
+  }
+  return std::nullopt;
+}
+
+Status check_volleys(const Scenario& scenario, const Value& document) {
+  std::vector<std::string_view> names;
+  for (const ScenarioShot& shot : scenario.shots)
+    if (!is_in_volley(scenario, shot.projectile.name)) names.push_back(shot.projectile.name);
+  for (std::size_t i = 0; i < scenario.volleys.size(); ++i) {
+    const Volley& volley = scenario.volleys[i];
+    const Value& table = element(document, "volley", i);
+    if (Status bad = check_shot_name(scenario, volley.shot, "volley.shot", place_in(table, "shot"))) return bad;
+    if (std::ranges::count(names, volley.name) > 0)
+      return Error{"volley.name: another volley or shot is named " + in_quotes(volley.name), place_in(table, "name"),
+                   "give it a name of its own"};
+    names.push_back(volley.name);
+    if (table.find("rate") && table.find("interval"))
+      return Error{"volley.rate: given together with interval", place_in(table, "rate"), "give one of them"};
+  }
+  return std::nullopt;
+}
+
+// -------------------------------------------------------------------------------------------------------------- forces
+/// The tables of laws in a [[force]].
+std::vector<const Member*> laws_of(const Value& force) {
+  std::vector<const Member*> laws;
+  for (const Member& member : *force.get<Table>())
+    if (const Node* node = find_node("force." + member.key); node && node->entry == nullptr) laws.push_back(&member);
+  return laws;
+}
+
+std::vector<std::string_view> law_names() {
+  std::vector<std::string_view> names;
+  for (const Node& node : find_node("force")->children)
+    if (node.entry == nullptr) names.push_back(node.name);
+  return names;
+}
+
+Status check_other(const Scenario& scenario, const ScenarioForce& force, const Member& law) {
+  const std::string path = "force." + law.key + ".other", place = place_in(law.value, "other");
+  if (Status bad = check_shot_name(scenario, force.other, path, place)) return bad;
+  if (!is_in_volley(scenario, force.other)) return std::nullopt;
+  return Error{path + ": " + in_quotes(force.other) + " is fired by a volley", place,
+               "name a shot that no volley fires: there is one of it"};
+}
+
+Status check_force(const Scenario& scenario, const ScenarioForce& force, const Value& table) {
+  const std::vector<const Member*> laws = laws_of(table);
+  if (laws.empty())
+    return Error{"force: it has no law", table.place.text(), suggestion("", law_names(), "give one of")};
+  if (laws.size() > 1)
+    return Error{"force: it has two laws, " + laws[0]->key + " and " + laws[1]->key, laws[1]->key_place.text(),
+                 "write a [[force]] for each"};
+  for (const std::string& shot : force.shots)
+    if (Status bad = check_shot_name(scenario, shot, "force.shots", place_in(table, "shots"))) return bad;
+  if (!force.other.empty() || std::holds_alternative<Spring>(force.law))
+    if (Status bad = check_other(scenario, force, *laws[0])) return bad;
+  ForceDef def{.law = force.law, .target = ForceTarget::everything(), .delay = force.delay, .duration = force.duration};
+  if (auto* spring = std::get_if<Spring>(&def.law)) spring->other = {1, 1};  // somebody
+  if (const Status bad = check(def)) return in_file(*bad, "force." + laws[0]->key, laws[0]->value);
+  return std::nullopt;
+}
+
+// -------------------------------------------------------------------------------------------------------- expectations
+Status check_group_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
+  const std::vector<std::string_view> names = group_names(scenario);
+  if (!expect.shot.empty() && std::ranges::count(names, expect.shot) == 0)
+    return Error{"expect.shot: nothing is counted as " + in_quotes(expect.shot), place_in(table, "shot"),
+                 suggestion(expect.shot, names, "there are")};
+  if (expect.at != ExpectAt::end)
+    return Error{"expect.at: a world is looked at when its run is over", place_in(table, "at"), "leave it out"};
+  if (find_figure(expect.quantity)->of_group == nullptr)
+    return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
+                 place_in(table, "quantity"), suggestion(expect.quantity, group_figure_names(), "in a world there are")};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string_view> group_names(const Scenario& scenario) {
+  std::vector<std::string_view> names;
+  for (const ScenarioShot& shot : scenario.shots)
+    if (!is_in_volley(scenario, shot.projectile.name)) names.push_back(shot.projectile.name);
+  for (const Volley& volley : scenario.volleys) names.push_back(volley.name);
+  return names;
+}
+
+void complete_world(Scenario& scenario, const Value& document) {
+  scenario.world.given = document.find("world") != nullptr;
+  for (std::size_t i = 0; i < scenario.volleys.size(); ++i)
+    if (scenario.volleys[i].name.empty()) scenario.volleys[i].name = "volley-" + std::to_string(i + 1);
+  for (std::size_t i = 0; i < scenario.forces.size(); ++i) {
+    ScenarioForce& force = scenario.forces[i];
+    if (force.name.empty()) force.name = "force-" + std::to_string(i + 1);
+    // A law without a single number is read by nobody: its first setting makes it.
+    for (const Member* law : laws_of(element(document, "force", i))) {
+      Scope scope;
+      scope.force = &force;
+      if (law->value.get<Table>()->empty()) find_node("force." + law->key)->children.front().entry->slot(scope);
+    }
+  }
+}
+
+Status check_world(const Scenario& scenario, const Value& document) {
+  if (!scenario.world.given) return check_absence(scenario, document);
+  if (Status bad = check_unused(document)) return bad;
+  if (const Status bad = check(scenario.world.def)) return in_file(*bad, "world", *document.find("world"));
+  if (Status bad = check_pools(scenario, document)) return bad;
+  if (Status bad = check_bodies(scenario, document)) return bad;
+  if (Status bad = check_volleys(scenario, document)) return bad;
+  for (std::size_t i = 0; i < scenario.forces.size(); ++i)
+    if (Status bad = check_force(scenario, scenario.forces[i], element(document, "force", i))) return bad;
+  for (std::size_t i = 0; i < scenario.expect.size(); ++i)
+    if (Status bad = check_group_expectation(scenario, scenario.expect[i], element(document, "expect", i))) return bad;
+  return std::nullopt;
+}
+
+}  // namespace physim

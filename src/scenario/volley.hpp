@@ -1,0 +1,11 @@
+// How the launches of a volley scatter.
+#pragma once
+
+#include "physim/scenario.hpp"
+
+namespace physim {
+
+/// Launch `index` of a volley, scattered about a launch that is given by its velocity. Always the same for a seed.
+[[nodiscard]] Launch scattered(const Launch& launch, const Volley& volley, std::uint64_t index);
+
+}  // namespace physim

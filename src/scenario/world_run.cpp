@@ -1,0 +1,347 @@
+// A scenario's world, step by step: fires what is due, steps, looks at the wall, and counts.
+#include "physim/world_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flight/cohort.hpp"
+#include "model/sight.hpp"
+#include "physim/auto_fidelity.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/volley.hpp"
+
+namespace physim {
+namespace {
+
+/// What is remembered of a projectile.
+struct Track {
+  std::uint32_t generation = 0;
+  Launched launched;
+  bool touched = false;  // the ground or the wall
+  double since = 0;
+  Vec3d from;
+};
+
+/// What is still to be fired of a group.
+struct Magazine {
+  std::size_t group = 0;
+  std::uint64_t fired = 0;
+  Volley volley;  // of a shot fired by itself: one launch without spread
+  Launch launch;  // by its velocity
+};
+
+Error with_place(Error error, const std::string& place) {
+  error.place = place + (error.place.empty() ? "" : ": " + error.place);
+  return error;
+}
+
+std::size_t index_of(const std::vector<ScenarioShot>& shots, const std::string& name) {
+  std::size_t i = 0;
+  while (i < shots.size() && shots[i].projectile.name != name) ++i;
+  return i;
+}
+
+}  // namespace
+
+void Series::add(double value) {
+  ++count;
+  const double before = value - mean;
+  mean += before / static_cast<double>(count);
+  squares += before * (value - mean);
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+double Series::spread() const { return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0; }
+
+struct WorldRun::Impl {
+  Scenario scenario;
+  World world;
+  std::vector<WorldGroup> groups;
+  std::vector<Magazine> magazines;  // not empty yet
+  std::vector<Track> tracks;        // by index of the projectile's id
+  std::vector<RunEvent> events;
+  std::vector<WallHit> hits;
+  std::vector<Segment> segments;
+  std::vector<ProjectileId> stopped;
+  std::vector<ProjectileId> lone;  // by shot: of those fired by themselves
+  std::uint64_t launches = 0;
+  bool is_loaded = false;          // the launches of the next step are made
+
+  Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)), lone(scenario.shots.size()) {}
+
+  Status load();
+  Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
+  Status choose_fidelity(ScenarioShot& shot);
+  Status add_force(const ScenarioForce& force);
+  void fire();
+  void fire(Magazine& magazine);
+  void look_at_wall(double dt);
+  void count(std::span<const WorldEvent> news);
+  void touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity);
+  void step();
+  [[nodiscard]] Track* track_of(ProjectileId id);
+};
+
+// ----------------------------------------------------------------------------------------------------------- loading
+Status WorldRun::Impl::load() {
+  std::vector<bool> in_volley(scenario.shots.size());
+  for (const Volley& volley : scenario.volleys) in_volley[index_of(scenario.shots, volley.shot)] = true;
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i)
+    if (!in_volley[i])
+      if (Status bad = add_group(scenario.shots[i].projectile.name, i, Volley{})) return bad;
+  for (const Volley& volley : scenario.volleys)
+    if (Status bad = add_group(volley.name, index_of(scenario.shots, volley.shot), volley)) return bad;
+  world.set_observer(scenario.world.observer);
+  fire();
+  is_loaded = true;
+  for (const ScenarioForce& force : scenario.forces)
+    if (Status bad = add_force(force)) return with_place(*bad, scenario.file + ": force " + in_quotes(force.name));
+  return std::nullopt;
+}
+
+Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, const Volley& volley) {
+  ScenarioShot& shot = scenario.shots[index];
+  const std::string place = scenario.file + ": shot " + in_quotes(shot.projectile.name);
+  for (std::uint32_t i = 0; i < scenario.world.def.pools.size() && !shot.pool.empty(); ++i)
+    if (scenario.world.def.pools[i].name == shot.pool) shot.body.pool = i;
+  WorldGroup group;
+  group.name = name;
+  group.shot = index;
+  if (shot.cheapest_within)
+    if (Status bad = choose_fidelity(shot)) return with_place(*bad, place);
+  group.kind = world.add_kind(shot.projectile, shot.body);
+  if (!group.kind) return with_place(*world.error(), place);
+  Magazine magazine{groups.size(), 0, volley, shot.launch};
+  if (!magazine.launch.velocity) {
+    const auto elevation =
+        elevation_of(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
+    if (!elevation) return with_place(elevation.error(), place);
+    magazine.launch.velocity = launch_velocity(shot.launch, sight_frame(shot.launch), *elevation);
+    magazine.launch.speed = magazine.launch.elevation = magazine.launch.azimuth = 0;
+    magazine.launch.sight.zero_range = 0;
+  }
+  groups.push_back(std::move(group));
+  magazines.push_back(std::move(magazine));
+  return std::nullopt;
+}
+
+/// The cheapest rungs for this shot over the whole run; with `force` motion where forces may act on it.
+Status WorldRun::Impl::choose_fidelity(ScenarioShot& shot) {
+  const ScenarioWorld& w = scenario.world;
+  Purpose purpose{.error = *shot.cheapest_within,
+                  .time = w.duration,
+                  .step = w.def.step,
+                  .truth = shot.projectile.fidelity,
+                  .tolerance = scenario.tolerance};
+  if (w.def.ground.mode != GroundMode::none) purpose.ground = w.def.ground.height;
+  if (!scenario.forces.empty()) purpose.least_motion = Motion::force;
+  const auto chosen = cheapest_within(shot.projectile, shot.launch, scenario.environment, purpose);
+  if (!chosen) return chosen.error();
+  shot.projectile.fidelity = chosen->fidelity;
+  shot.cheapest_within.reset();  // several volleys may fire it
+  return std::nullopt;
+}
+
+Status WorldRun::Impl::add_force(const ScenarioForce& force) {
+  ForceDef def{.law = force.law, .target = {}, .delay = force.delay, .duration = force.duration};
+  if (!force.other.empty()) {
+    const ProjectileId other = lone[index_of(scenario.shots, force.other)];
+    if (auto* spring = std::get_if<Spring>(&def.law)) spring->other = other;
+    if (auto* bungee = std::get_if<Bungee>(&def.law)) bungee->other = other;
+  }
+  std::vector<ForceTarget> targets;
+  if (force.shots.empty() && force.layers == 0) targets.push_back(ForceTarget::everything());
+  if (force.layers != 0) targets.push_back({{}, {}, force.layers});
+  for (const std::string& name : force.shots) {
+    const std::size_t shot = index_of(scenario.shots, name);
+    for (const WorldGroup& group : groups)
+      if (group.shot == shot) {  // all groups of a shot are of one kind
+        targets.push_back({{}, group.kind, 0});
+        break;
+      }
+  }
+  for (ForceTarget& target : targets) {
+    def.target = std::move(target);
+    if (!world.add_force(def)) return world.error().value_or(Error{"it was refused", "", ""});
+  }
+  return std::nullopt;
+}
+
+// ------------------------------------------------------------------------------------------------------------- firing
+void WorldRun::Impl::fire() {
+  for (Magazine& magazine : magazines) fire(magazine);
+  std::erase_if(magazines, [](const Magazine& m) { return m.fired == static_cast<std::uint64_t>(m.volley.count); });
+}
+
+void WorldRun::Impl::fire(Magazine& magazine) {
+  const Volley& volley = magazine.volley;
+  const double slack = 1e-9 * scenario.world.def.step;  // a launch at 0.1 s belongs to the step that starts there
+  WorldGroup& group = groups[magazine.group];
+  while (magazine.fired < static_cast<std::uint64_t>(volley.count)) {
+    if (volley.start + static_cast<double>(magazine.fired) * volley.interval > world.time() + slack) return;
+    const Launch launch = scattered(magazine.launch, volley, magazine.fired++);
+    const std::size_t known = world.events().size();
+    const ProjectileId id = world.spawn(group.kind, launch);
+    const std::span<const WorldEvent> news = world.events().subspan(known);
+    if (!id) {
+      if (group.refused++ == 0 && world.error()) group.refusal = world.error()->message;
+      count(news);
+      continue;
+    }
+    count(news.first(news.size() - 1));  // it may have taken the place of another, whose track ends here
+    if (tracks.size() <= id.index) tracks.resize(id.index + std::size_t{1});
+    tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time(), launch.position};
+    count(news.last(1));
+    if (volley.shot.empty()) lone[group.shot] = id;
+  }
+}
+
+// ----------------------------------------------------------------------------------------------------------- counting
+Track* WorldRun::Impl::track_of(ProjectileId id) {
+  const bool known = id.index < tracks.size() && tracks[id.index].generation == id.generation;
+  return known ? &tracks[id.index] : nullptr;
+}
+
+void WorldRun::Impl::touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity) {
+  if (track.touched) return;
+  track.touched = true;
+  const Vec3d way = position - track.from;
+  group.range.add(std::sqrt(way.x * way.x + way.z * way.z));
+  group.time.add(time - track.since);
+  group.speed.add(length(velocity));
+}
+
+void WorldRun::Impl::count(std::span<const WorldEvent> news) {
+  for (const WorldEvent& event : news) {
+    Track* track = track_of(event.id);
+    if (track == nullptr) continue;
+    events.push_back({track->launched, event});
+    WorldGroup& group = groups[track->launched.group];
+    switch (event.kind) {
+      case WorldEventKind::spawned:
+        ++group.spawned;
+        break;
+      case WorldEventKind::landed:
+        ++group.landed;
+        touch(*track, group, event.time, event.position, event.velocity);
+        break;
+      case WorldEventKind::bounced:
+        ++group.bounces;
+        touch(*track, group, event.time, event.position, event.velocity);
+        break;
+      case WorldEventKind::apex:
+        group.apex.add(event.position.y);
+        break;
+      case WorldEventKind::slept:
+        ++group.slept;
+        break;
+      case WorldEventKind::expired:
+        ++group.expired;
+        break;
+      case WorldEventKind::retired:
+        ++group.retired;
+        break;
+      case WorldEventKind::woke:
+      case WorldEventKind::fidelity_changed:
+        break;
+    }
+  }
+}
+
+/// Between two steps a path is a parabola: straight, less the sag of its acceleration.
+void WorldRun::Impl::look_at_wall(double dt) {
+  const double wall = *scenario.world.wall;
+  world.segments(segments);
+  stopped.clear();
+  for (const Segment& s : segments) {
+    if (!(s.from.x < wall && s.to.x >= wall)) continue;
+    Track* track = track_of(s.id);
+    if (track == nullptr) continue;
+    const double part = (wall - s.from.x) / (s.to.x - s.from.x), rest = (1 - part) * dt;
+    const Vec3d a = world.accelerations(s.id).total;
+    WallHit hit{track->launched, s.id, world.time() - rest, s.from + (s.to - s.from) * part - a * (part * dt * rest / 2),
+                world.velocity(s.id) - a * rest};
+    hit.position.x = wall;
+    hits.push_back(hit);
+    stopped.push_back(s.id);
+  }
+  std::sort(hits.begin(), hits.end(), [](const WallHit& a, const WallHit& b) {
+    return a.time != b.time ? a.time < b.time : a.id.index < b.id.index;
+  });
+  for (const WallHit& hit : hits) {
+    WorldGroup& group = groups[hit.launched.group];
+    ++group.hits;
+    group.hit_y.add(hit.position.y);
+    group.hit_z.add(hit.position.z);
+    touch(tracks[hit.id.index], group, hit.time, hit.position, hit.velocity);
+  }
+  const std::size_t known = world.events().size();
+  std::sort(stopped.begin(), stopped.end(),
+            [](ProjectileId a, ProjectileId b) { return a.index < b.index; });
+  world.despawn(stopped);
+  count(world.events().subspan(known));
+}
+
+void WorldRun::Impl::step() {
+  if (!is_loaded) {
+    events.clear();
+    fire();
+  }
+  is_loaded = false;
+  hits.clear();
+  const double dt = scenario.world.def.step;
+  world.step(dt);
+  count(world.events());
+  if (scenario.world.wall) look_at_wall(dt);
+}
+
+// --------------------------------------------------------------------------------------------------------- the public
+WorldRun::WorldRun(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+WorldRun::WorldRun(WorldRun&&) noexcept = default;
+WorldRun& WorldRun::operator=(WorldRun&&) noexcept = default;
+WorldRun::~WorldRun() = default;
+
+Result<WorldRun> WorldRun::create(Scenario scenario) {
+  if (!scenario.world.given) return Error{"the scenario has no [world]", scenario.file, "write [world] into it"};
+  scenario.world.def.environment = scenario.environment;
+  scenario.world.def.tolerance = scenario.tolerance;
+  Result<World> world = World::create(scenario.world.def);
+  if (!world) return with_place(world.error(), scenario.file);
+  auto impl = std::make_unique<Impl>(std::move(scenario), std::move(*world));
+  if (Status bad = impl->load()) return *bad;
+  return WorldRun(std::move(impl));
+}
+
+void WorldRun::step() { impl_->step(); }
+std::uint64_t WorldRun::steps() const {
+  const ScenarioWorld& world = impl_->scenario.world;
+  return static_cast<std::uint64_t>(std::ceil(world.duration / world.def.step - 1e-9));
+}
+World& WorldRun::world() { return impl_->world; }
+const World& WorldRun::world() const { return impl_->world; }
+const Scenario& WorldRun::scenario() const { return impl_->scenario; }
+std::span<const RunEvent> WorldRun::events() const { return impl_->events; }
+std::span<const WallHit> WorldRun::hits() const { return impl_->hits; }
+
+std::optional<Launched> WorldRun::launched(ProjectileId id) const {
+  const Track* track = impl_->track_of(id);
+  return track ? std::optional(track->launched) : std::nullopt;
+}
+
+std::vector<WorldGroup> WorldRun::groups() const {
+  std::vector<WorldGroup> groups = impl_->groups;
+  for (const ProjectileId id : impl_->world.ids()) {
+    const Track* track = impl_->track_of(id);
+    if (track == nullptr) continue;
+    WorldGroup& group = groups[track->launched.group];
+    const BodyState at = impl_->world.state(id);
+    const double part = 1 / static_cast<double>(++group.alive);
+    group.position += (at.position - group.position) * part;
+    group.velocity += (at.velocity - group.velocity) * part;
+    group.mean_speed += (length(at.velocity) - group.mean_speed) * part;
+  }
+  return groups;
+}
+
+}  // namespace physim

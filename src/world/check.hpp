@@ -1,0 +1,14 @@
+// What a world refuses: definitions that make no sense.
+#pragma once
+
+#include "physim/result.hpp"
+#include "physim/world_def.hpp"
+
+namespace physim {
+
+[[nodiscard]] Status check(const WorldDef& def);
+[[nodiscard]] Status check(const BodyDef& body, const WorldDef& def, std::size_t environments);
+[[nodiscard]] Status check(const Ground& ground);
+[[nodiscard]] Status check(const DetailRule& rule);
+
+}  // namespace physim

@@ -1,0 +1,145 @@
+// `physim run` of scenarios with a [world], as a user runs it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+#ifdef PHYSIM_CLI
+
+namespace physim::testing_cli {
+namespace {
+
+constexpr const char* kWorld = R"(physim = 1
+title = "A burst, it's {x}"
+[[shot]]
+name = "gun"
+preset = "tennis_ball"
+position = ["0 m", "1 m", "0 m"]
+speed = "20 m/s"
+elevation = "10 deg"
+fidelity = "game"
+[[volley]]
+name = "burst, \"quoted\""
+shot = "gun"
+count = 300
+rate = "100 Hz"
+spread = { horizontal = "3 deg", vertical = "3 deg", speed = "1 m/s" }
+[[force]]
+point_attractor = { centre = [10, 2, 0], strength = 40, softening = 1 }
+[world]
+duration = "6 s"
+ground = "bounce"
+rows_per_thread = 1
+[[expect]]
+quantity = "spawned"
+equals = 300
+within = 0
+)";
+
+Ran physim(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) {
+  return run_program(PHYSIM_CLI, arguments, "", environment);
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string hash_of(const Ran& ran) {
+  const std::size_t at = ran.out.find("hash ");
+  EXPECT_NE(at, std::string::npos) << ran.out << ran.err;
+  return at == std::string::npos ? "" : ran.out.substr(at + 5, 16);
+}
+
+void expect_complaint(const Ran& ran, const std::string& part) {
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_TRUE(has(ran.err, part)) << ran.err;
+  EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+}
+
+TEST(CliWorld, PrintsASummary) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("w.toml", kWorld)});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  for (const char* part : {"A burst, it's {x}", "spawned", "bounces", "impacts of", "range [m]", "gun game: motion force",
+                           "steps 360 of 0.0166667 s", "hash ", "1 of 1 met"})
+    EXPECT_TRUE(has(ran.out, part)) << part << "\n" << ran.out;
+  EXPECT_EQ(physim({"run", folder.write("w.toml", kWorld), "--set", "volley.count=299"}).code, 1);
+}
+
+TEST(CliWorld, HashesDoNotDependOnThreadsAndKernels) {
+  const Folder folder;
+  const std::string file = folder.write("w.toml", kWorld);
+  const std::string hash = hash_of(physim({"run", file, "--threads", "1"}));
+  EXPECT_EQ(hash_of(physim({"run", file, "--threads", "7"})), hash);
+  for (std::string kernel; std::getline(std::istringstream(physim({"list", "kernels"}).out), kernel);) {
+    EXPECT_EQ(hash_of(physim({"run", file, "--threads", "2"}, {"PHYSIM_KERNEL=" + kernel})), hash) << kernel;
+    break;
+  }
+  for (const char* kernel : {"base", "scalar"})
+    EXPECT_EQ(hash_of(physim({"run", file}, {std::string("PHYSIM_KERNEL=") + kernel})), hash) << kernel;
+  EXPECT_NE(hash_of(physim({"run", file, "--set", "volley.seed=2"})), hash);
+}
+
+TEST(CliWorld, WritesTrajectoriesAndEvents) {
+  const Folder folder;
+  const std::string file = folder.write("w.toml", kWorld);
+  const Ran ran = physim({"run", file, "--interval", "1 s", "--csv", folder / "w.csv", "--json", folder / "w.json",
+                          "--events", folder / "e.csv", "--plot", folder / "w.png"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::string csv = read(folder / "w.csv"), events = read(folder / "e.csv");
+  EXPECT_TRUE(csv.starts_with("what, number, t [s], x [m], y [m], z [m], vx [m/s], vy [m/s], vz [m/s]\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n\"burst, \"\"quoted\"\"\", 1, 0, 0, 1, 0, ")) << csv.substr(0, 500);
+  EXPECT_TRUE(events.starts_with("t [s], event, reason, what, number, x [m]")) << events;
+  EXPECT_TRUE(has(events, "\n0, spawned, none, "));
+  EXPECT_TRUE(has(events, ", bounced, none, "));
+  const auto json = nlohmann::json::parse(read(folder / "w.json"));
+  EXPECT_EQ(json.at("world").at("hash"), hash_of(ran));
+  EXPECT_EQ(json.at("world").at("groups").at(0).at("spawned"), 300);
+  EXPECT_EQ(json.at("world").at("trajectories").at("x [m]").size(), std::ranges::count(csv, '\n') - 1u);
+  EXPECT_EQ(json.at("world").at("events").size(), std::ranges::count(events, '\n') - 1u);
+  EXPECT_EQ(json.at("settings").at("world.duration"), "6 s");
+  EXPECT_GT(read(folder / "w.png").size(), 10'000u);
+  EXPECT_EQ(physim({"run", file, "--steps", "10", "--csv", "-"}).err, "");
+}
+
+TEST(CliWorld, WritesAFolder) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("w.toml", kWorld), "--out", folder / "out"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  for (const char* name : {"out/w.csv", "out/w.json", "out/w.png", "out/w_events.csv"})
+    EXPECT_FALSE(read(folder / name).empty()) << name;
+}
+
+TEST(CliWorld, TakesStepsInsteadOfADuration) {
+  const Folder folder;
+  EXPECT_TRUE(has(physim({"run", folder.write("w.toml", kWorld), "--steps", "17"}).out, "steps 17 of"));
+}
+
+TEST(CliWorld, SaysWhatIsNotForFlights) {
+  const Folder folder;
+  const std::string flight = folder.write("f.toml", "physim = 1\n[[shot]]\nspeed = 10\n");
+  expect_complaint(physim({"run", flight, "--steps", "5"}), "--steps: error: the scenario has no [world]");
+  expect_complaint(physim({"run", flight, "--threads", "5"}), "--threads: error: the scenario has no [world]");
+  expect_complaint(physim({"run", flight, "--events", folder / "e.csv"}), "--events: error: the scenario has no [world]");
+  const std::string world = folder.write("w.toml", kWorld);
+  expect_complaint(physim({"run", world, "--steps", "0"}), "--steps");
+  expect_complaint(physim({"run", world, "--events", world}), "cannot write: it is the scenario itself");
+  expect_complaint(physim({"run", world, "--set", "world.step=1 m"}), "--set world.step=1 m: error: world.step");
+}
+
+TEST(CliWorld, WarnsOfRefusals) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("w.toml", kWorld), "--set", "world.max_projectiles=5"});
+  EXPECT_TRUE(has(ran.err, "warning: 295 launches of \"burst, \"quoted\"\" were refused: the world is full")) << ran.err;
+}
+
+TEST(CliWorld, ListsPresets) {
+  const Ran ran = physim({"list", "presets"});
+  for (const char* part : {"small_arms", "rifle_bullet", "tennis_ball", "artillery"}) EXPECT_TRUE(has(ran.out, part));
+}
+
+}  // namespace
+}  // namespace physim::testing_cli
+
+#endif
