@@ -10,6 +10,7 @@
 #include "physim/names.hpp"
 #include "physim/projectile.hpp"
 #include "physim/quat.hpp"
+#include "physim/recording.hpp"
 #include "physim/result.hpp"
 #include "physim/task_runner.hpp"
 #include "physim/units.hpp"
