@@ -118,7 +118,9 @@ class Writer : public Archive<Writer> {
     (*this)(const_cast<T&>(values)...);
   }
   void number(std::uint64_t x, unsigned bytes, std::uint64_t = 0) {
-    for (unsigned i = 0; i < bytes; ++i) to_.push_back(static_cast<std::byte>(x >> (8 * i)));
+    std::byte piece[8];
+    for (unsigned i = 0; i < 8; ++i) piece[i] = static_cast<std::byte>(x >> (8 * i));
+    to_.insert(to_.end(), piece, piece + bytes);
   }
   void count(std::size_t n) { number(n, 4); }
   void text(const std::string& s) {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace physim {
@@ -23,16 +24,23 @@ class Hash {
   void add(float a, float b) { add(std::bit_cast<std::uint32_t>(a), std::bit_cast<std::uint32_t>(b)); }
   void add(double a, double b) { add(a), add(b); }
   void add(std::span<const std::byte> bytes) {
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      word |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * (i % 8));
-      if (i % 8 == 7) add(word), word = 0;
-    }
-    add(word ^ std::uint64_t{bytes.size()} << 56);
+    const std::size_t whole = bytes.size() / 8 * 8;
+    for (std::size_t i = 0; i < whole; i += 8) add(word_of(bytes.subspan(i, 8)));
+    add(word_of(bytes.subspan(whole)) | std::uint64_t{bytes.size() % 8} << 56);
   }
   [[nodiscard]] std::uint64_t value() const { return value_; }
 
  private:
+  /// Little-endian; up to 8 bytes.
+  static std::uint64_t word_of(std::span<const std::byte> bytes) {
+    std::uint64_t word = 0;
+    if (std::endian::native == std::endian::little && bytes.size() == 8)
+      std::memcpy(&word, bytes.data(), 8);
+    else
+      for (std::size_t i = 0; i < bytes.size(); ++i) word |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * i);
+    return word;
+  }
+
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 

@@ -63,7 +63,12 @@ class Recorder {
   template <class F>
   void stepped(const F& hash) {
     ++steps_;
-    if (options_.hash_every != 0 && steps_ % options_.hash_every == 0) frame(Call::stepped, hash());
+    if (options_.hash_every == 0 || steps_ % options_.hash_every != 0 || !is_good()) return;
+    try {
+      frame(Call::stepped, std::uint64_t{hash()});
+    } catch (...) {
+      fail({"no memory left for it", "recording", ""});
+    }
   }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   /// Hands what there is to the sink.

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kHead = sizeof kRecordingMagic + sizeof kRecordingFormat;
 
 Error damaged(std::size_t place, const std::string& message) {
-  return {message, "byte " + std::to_string(place), "it was damaged after it was made; take another copy"};
+  return {message, "byte " + std::to_string(place), "take another copy of it"};
 }
 
 /// A frame in the bytes of a recording.
@@ -149,6 +149,7 @@ struct Replay::Impl {
   std::vector<std::uint64_t> hashes;
 
   Impl(std::vector<std::byte> recording, const ReplayOptions& how) : bytes(std::move(recording)), options(how) {}
+  ~Impl() { at = end; }  // the recorder's own end, as its world goes, is compared with nothing
   Status survey();
   Status read_begin(const Frame& frame);
   void start(World made);

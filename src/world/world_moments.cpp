@@ -135,8 +135,10 @@ std::uint64_t World::Impl::hash() {
   h.add(sum_of_few(state));
   add_free_slots(h, state);
   add_pools(h, state);
-  for (const Generator& g : state.generators)
-    h.add(hash_of(g.generation, g.active, g.start, g.end, g.active ? g.def : ForceDef{}));
+  for (const Generator& g : state.generators) {
+    h.add(g.generation, g.active ? 1u : 0u);
+    if (g.active) h.add(hash_of(g.start, g.end, g.def));
+  }
   for (const std::uint32_t free : state.free_generators) h.add(std::uint64_t{free});
   h.add(hash_of(state.observer, state.detail, registry.environments()));
   return h.value();
