@@ -23,3 +23,5 @@ draw_shot lob_16km shell
 draw original_artillery
 draw original_test_3
 draw original_test_6
+draw original_test_3_drag
+draw original_test_6_drag

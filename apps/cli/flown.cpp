@@ -50,8 +50,7 @@ Status fly_all(FlownScenario& flown) {
   const Scenario& scenario = flown.scenario;
   Progress progress("flying", scenario.shots.size());
   for (const ScenarioShot& shot : scenario.shots) {
-    Flight flight = fly(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity,
-                        scenario.tolerance, scenario.until);
+    Flight flight = fly_shot(scenario, shot);
     if (flight.outcome() == Outcome::refused) return refusal(scenario, shot, flight);
     flown.shots.push_back({shot.projectile.name, &shot, std::move(flight)});
     progress.advance();

@@ -82,7 +82,9 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
   const Flight& flight = flown.flight;
   const FidelityInUse& in_use = flight.fidelity_in_use();
   std::string out = style.bold(one_line(flown.name)) + "\n";
-  out += line("fidelity", preset_name(flown.shot->projectile.fidelity));
+  const std::string preset = preset_name(flown.shot->projectile.fidelity);
+  const auto& within = flown.shot->cheapest_within;
+  out += line("fidelity", within ? "cheapest within " + significant(*within, 4) + " m of " + preset : preset);
   out += line("granted", in_words(in_use.fidelity));
   for (const FidelityNote& note : in_use.notes)
     out += line(style.warn("note"),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physim/air.hpp"
+#include "physim/auto_fidelity.hpp"
 #include "physim/drag_curve.hpp"
 #include "physim/environment.hpp"
 #include "physim/fidelity.hpp"

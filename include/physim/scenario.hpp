@@ -1,6 +1,7 @@
 // Scenarios: shots, environment and expectations read from a TOML file. Part of the library physim_scenario.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,8 @@ namespace physim {
 struct ScenarioShot {
   ProjectileDef projectile;  ///< [-]
   Launch launch;             ///< [-]
+  /// Flies the cheapest fidelity that stays so close to projectile.fidelity at any time; none: that one itself [m]
+  std::optional<double> cheapest_within;
 };
 
 /// Where on a flight an expectation looks.
@@ -61,6 +64,9 @@ struct Scenario {
 /// The same from text; `file` only names it in errors.
 [[nodiscard]] Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                               std::span<const std::string> overrides = {});
+
+/// Flies a shot of a scenario as it asks for, until the scenario ends it.
+[[nodiscard]] Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot);
 
 /// The value of an expectation on a flown shot [SI unit of the quantity], or why there is none.
 [[nodiscard]] Result<double> measure(const Flight& flight, const Expectation& expectation);

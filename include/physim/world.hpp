@@ -205,7 +205,7 @@ class World {
   bool set_fidelity(ProjectileId id, const Fidelity& fidelity);
   /// What it really uses, and why.
   [[nodiscard]] FidelityInUse fidelity_in_use(ProjectileId id) const;
-  void set_detail(const DetailRule& rule);
+  bool set_detail(const DetailRule& rule);   ///< false where it makes no sense
   void set_observer(const Vec3d& position);  ///< of DetailRule distances [m]
 
   // ------------------------------------------------------------------------------------------- forces

@@ -30,6 +30,11 @@ struct FlightRecord {
   [[nodiscard]] State<double> shown(double time) const;
 };
 
+/// fly(), its record still open to additions.
+[[nodiscard]] std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, const Launch& launch,
+                                                          const Environment& environment, const Fidelity& fidelity,
+                                                          const Tolerance& tolerance, const Until& until);
+
 /// Adds spin drift to a state of the flown path.
 [[nodiscard]] State<double> with_drift(const State<double>& s, const SpinDrift& drift, const Vec3d& right, double time);
 

@@ -76,12 +76,13 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
 
 }  // namespace
 
-Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
-           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
+std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, const Launch& launch,
+                                            const Environment& environment, const Fidelity& fidelity,
+                                            const Tolerance& tolerance, const Until& until) {
   auto record = std::make_shared<FlightRecord>();
   const auto refuse = [&](const Error& error) {
     record->error = error;
-    return Flight(record);
+    return record;
   };
   for (const Status& status :
        {check(projectile), check(launch), check(environment), check(tolerance, fidelity), check(until)})
@@ -108,7 +109,12 @@ Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environm
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);
   record->mass = projectile.mass;
   fly_record(*record, tolerance, until);
-  return Flight(record);
+  return record;
+}
+
+Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
+  return Flight(record_flight(projectile, launch, environment, fidelity, tolerance, until));
 }
 
 Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment) {

@@ -50,6 +50,16 @@ Slot preset_slot(const Scope& scope) {
                 [&fidelity](std::size_t i) { fidelity = *fidelity_preset(fidelity_presets()[i]); }};
 }
 
+/// Comes before the other keys of the table, which then say what errors are measured against.
+Slot cheapest_within_slot(const Scope& scope) {
+  ScenarioShot& shot = *scope.shot;
+  return OptionalNumber{[&shot] { return shot.cheapest_within; },
+                        [&shot](std::optional<double> error) {
+                          shot.cheapest_within = error;
+                          if (error) shot.projectile.fidelity = Fidelity::reference();
+                        }};
+}
+
 Slot figure_slot(const Scope& scope) {
   std::string& quantity = scope.expect->quantity;
   return Choice{figure_names(),
@@ -343,6 +353,12 @@ constexpr Entry kShotSettings[] = {
 };
 
 constexpr Entry kFidelitySettings[] = {
+    {.path = "shot.fidelity.cheapest_within",
+     .slot = cheapest_within_slot,
+     .doc =
+         "flies the cheapest fidelity that stays this near to what the other keys say; without them, to the reference",
+     .quantity = Quantity::length,
+     .range = above(0)},
     {.path = "shot.fidelity.preset",
      .slot = preset_slot,
      .doc = "a preset to start from; further keys change it",

@@ -170,15 +170,26 @@ struct EndWeights {
   static constexpr double at(int j) { return Tableau::b[j]; }
 };
 
+/// The state of stage `Stage` from the slopes of those before it.
+template <class Tableau, int Stage, class R>
+PHYSIM_INLINE State<R> stage_state(const Step<R>& s) {
+  return advanced(s.start, weighted_sum<StageWeights<Tableau, Stage>, Stage>(s.slope), s.h);
+}
+/// The state at the end from the slopes of all stages.
+template <class Tableau, class R>
+PHYSIM_INLINE State<R> end_state(const Step<R>& s) {
+  return advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), s.h);
+}
+
 /// Runs the stages and goes to the end; slope[0] is given. `f(t, state)` is the acceleration.
 template <class Tableau, class R, class F>
 PHYSIM_INLINE void runge_kutta_end(Step<R>& s, const F& f) {
   static_for<Tableau::kStages - 1>([&](auto i) {
     constexpr int stage = i + 1;
-    const State<R> y = advanced(s.start, weighted_sum<StageWeights<Tableau, stage>, stage>(s.slope), s.h);
+    const State<R> y = stage_state<Tableau, stage>(s);
     s.slope[stage] = {y.v, f(s.t + s.h * constant<R>(Tableau::c[stage]), y)};
   });
-  s.end = advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), s.h);
+  s.end = end_state<Tableau>(s);
 }
 
 PHYSIM_ISA_END

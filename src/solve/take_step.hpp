@@ -57,6 +57,13 @@ PHYSIM_INLINE void classic_frame(const Conditions<S>& c, const Body<R>& b, Step<
   s.slope[1] = {s.end.v, a};
 }
 
+/// Euler's methods: with the old velocity, or with the new one.
+template <class R>
+PHYSIM_INLINE void euler_end(Integrator integrator, Step<R>& s) {
+  s.end.v = s.start.v + s.slope[0].v * s.h;
+  s.end.x = s.start.x + (integrator == Integrator::explicit_euler ? s.slope[0].x : s.end.v) * s.h;
+}
+
 template <class R, class S>
 PHYSIM_INLINE R squared_ratio(const Vec3<R>& error, const Vec3<R>& value, S relative, S absolute) {
   const R scale = absolute + relative * length(value);
@@ -111,12 +118,8 @@ PHYSIM_INLINE void reach_end(const Conditions<S>& c, const Body<R>& b, const F& 
     case Integrator::classic:
       return classic_frame(c, b, s);
     case Integrator::explicit_euler:
-      s.end = advanced(s.start, s.slope[0], s.h);
-      return;
     case Integrator::semi_implicit_euler:
-      s.end.v = s.start.v + s.slope[0].v * s.h;
-      s.end.x = s.start.x + s.end.v * s.h;
-      return;
+      return euler_end(c.fidelity.integrator, s);
     case Integrator::heun:
       return runge_kutta_end<Heun>(s, f);
     case Integrator::rk4:

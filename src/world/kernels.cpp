@@ -16,17 +16,23 @@ namespace physim {
 namespace base {
 bool step_rows(const WorldJob<float>& job);
 bool step_rows(const WorldJob<double>& job);
+bool advance_forced(const ForcedJob<float>& job);
+bool advance_forced(const ForcedJob<double>& job);
 }  // namespace base
 #if PHYSIM_HAVE_AVX2
 namespace avx2 {
 bool step_rows(const WorldJob<float>& job);
 bool step_rows(const WorldJob<double>& job);
+bool advance_forced(const ForcedJob<float>& job);
+bool advance_forced(const ForcedJob<double>& job);
 }  // namespace avx2
 #endif
 #if PHYSIM_HAVE_AVX512
 namespace avx512 {
 bool step_rows(const WorldJob<float>& job);
 bool step_rows(const WorldJob<double>& job);
+bool advance_forced(const ForcedJob<float>& job);
+bool advance_forced(const ForcedJob<double>& job);
 }  // namespace avx512
 #endif
 
@@ -34,13 +40,13 @@ WorldKernel world_kernel() {
   // "scalar" is for single flights: rows are always stepped in packs, of the narrowest kind then.
   const std::string_view name = batch_kernel().name;
 #if PHYSIM_HAVE_AVX512
-  if (name == "avx512") return {avx512::step_rows, avx512::step_rows};
+  if (name == "avx512") return {avx512::step_rows, avx512::step_rows, avx512::advance_forced, avx512::advance_forced};
 #endif
 #if PHYSIM_HAVE_AVX2
-  if (name == "avx2") return {avx2::step_rows, avx2::step_rows};
+  if (name == "avx2") return {avx2::step_rows, avx2::step_rows, avx2::advance_forced, avx2::advance_forced};
 #endif
   (void)name;
-  return {base::step_rows, base::step_rows};
+  return {base::step_rows, base::step_rows, base::advance_forced, base::advance_forced};
 }
 
 }  // namespace physim

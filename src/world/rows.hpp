@@ -82,6 +82,13 @@ class Rows {
   [[nodiscard]] Vec3d velocity(std::uint32_t row) const {
     return visit([row](const auto& c) { return at(c.velocity, row); });
   }
+  /// The numbers of a row that the models read.
+  void read_fields(std::uint32_t row, Body<double>& body) const {
+    visit([&](const auto& c) {
+      auto* number = reinterpret_cast<double*>(&body);
+      for (const std::uint8_t field : layout_.fields) number[field] = static_cast<double>(c.field[field][row]);
+    });
+  }
   template <class S>
   [[nodiscard]] static Vec3d at(S* const (&column)[3], std::uint32_t row) {
     return {double(column[0][row]), double(column[1][row]), double(column[2][row])};

@@ -1,7 +1,9 @@
 #include "world/settle.hpp"
 
+#include <algorithm>
+
 #include "model/contact.hpp"
-#include "world/frame.hpp"
+#include "world/forced_rows.hpp"
 
 namespace physim {
 namespace {
@@ -27,14 +29,18 @@ class Settling {
         columns_(rows_.columns<S>()),
         row_(row),
         slot_index_(rows_.slot(row)),
-        slot_(context.state->slots[slot_index_]) {}
+        slot_(context.state->slots[slot_index_]),
+        taken_(static_cast<const TakenStep<S>*>(context.taken)) {}
 
   void run() {
     read();
     if (!is_finite(lane_.step.start)) return leave(LifeStatus::retired, Reason::non_finite);
+    if (taken_ && !is_finite(State<S>{taken_->push[0], {}})) return leave(LifeStatus::retired, Reason::non_finite);
     start_ = state_at_start();
     if (descends_into_ground()) {
       contact(start_, 0);
+    } else if (taken_) {
+      look_at_taken();
     } else {
       go(static_cast<S>(context_.dt), 0);
     }
@@ -60,10 +66,13 @@ class Settling {
     } else {
       t_start_ = t_end_ = S(0);
     }
-    if (cohort_.key.forced) {  // generators are held over the rest of the step
-      lane_.body.applied = vec_cast<S>(context_.held);
-      lane_.body.applied_until = std::numeric_limits<S>::infinity();
-    }
+    from_row_ = lane_.body;
+    if (taken_) feel(taken_->push[0], t_start_);
+  }
+  /// From now on the models feel this acceleration by generators.
+  void feel(const Vec3<S>& push, S t) {
+    lane_.body = from_row_;
+    add_push(*course_.conditions, t, push, taken_->own_force, lane_.body);
   }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -114,11 +123,32 @@ class Settling {
     if (classic) carried_ = s.slope[1].v;
   }
 
+  /// The step was taken together with others; what is missing is the slope at its end.
+  void look_at_taken() {
+    Step<S>& s = lane_.step;
+    const Integrator integrator = cohort_.key.fidelity.integrator;
+    const S t_end = rows_.layout().clocked ? t_end_ : t_start_ + static_cast<S>(context_.dt);
+    s = taken_->step;
+    s.h = static_cast<S>(context_.dt);
+    s.t = t_start_;
+    s.t_end = t_end;
+    if (integrator == Integrator::classic) {
+      carried_ = s.slope[1].v;
+    } else {
+      feel(taken_->push[1], t_end);
+      s.slope[end_slope(integrator)] = {s.end.v, acceleration(*course_.conditions, lane_.body, t_end, s.end)};
+    }
+    if (!look(-static_cast<double>(t_start_))) end_ = s.end;
+  }
+
   /// Looks for events in the step just taken; true where one of them ends it.
   bool look(double clock) {
     if (!is_finite(lane_.step.end)) return leave(LifeStatus::retired, Reason::non_finite), true;
     Found found[2 * kMaxWatched];
     lane_step(course_, lane_, 0, at_);
+    // Its three more slopes would need the generators once more: the cubic through both ends does.
+    if (taken_ && cohort_.key.fidelity.integrator == Integrator::dop853)
+      std::fill(at_.coefficient + 3, at_.coefficient + 7, State<double>{});
     const int count = find_crossings(conditions(), at_.body, course_.watch, at_, found);
     for (int i = 0; i < count; ++i) {
       const double t = at_.time(found[i].theta);
@@ -126,6 +156,10 @@ class Settling {
       const double passed = t + clock;
       switch (course_.watch.item[found[i].index].outcome) {
         case Outcome::landed:
+          if (taken_) {
+            const S part = static_cast<S>(passed / context_.dt);
+            feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, t_start_ + static_cast<S>(passed));
+          }
           contact(s, passed);
           return true;
         case Outcome::left_domain:
@@ -251,6 +285,8 @@ class Settling {
   std::uint32_t row_;
   std::uint32_t slot_index_;
   const Slot& slot_;
+  const TakenStep<S>* taken_;
+  Body<S> from_row_{};
   Lanes<S> lane_{};
   LaneStep<S> at_{};
   Vec3<S> carried_{};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "world/state.hpp"
+#include "world/world_job.hpp"
 
 namespace physim {
 
@@ -42,11 +43,23 @@ struct SettleContext {
   const Registry* registry;
   WorldState* state;  // only the chunk's own rows and slots are written
   double dt;
-  double now;   // number of the step, as rows count
-  double time;  // at the start of the step [s]
-  // Forced rows: acceleration by generators at the start of the step, held over it; else zero.
-  Vec3d held{};
+  double now;                   // number of the step, as rows count
+  double time;                  // at the start of the step [s]
+  const void* taken = nullptr;  // forced rows: the TakenStep of their number type
 };
+
+/// A step that a forced row took together with others. What only follows from an event in it (the way on after a
+/// bounce) feels the generators as they were there, held.
+template <class S>
+struct TakenStep {
+  Step<S> step;     // start, end, and the slopes but that at the end
+  Vec3<S> push[2];  // acceleration by generators at its start and end
+  bool own_force;   // some row of the cohort has a ProjectileDef::force
+};
+
+/// The rows of a cohort as a kernel wants them; which of them, and where they are marked, is left open.
+template <class S>
+[[nodiscard]] WorldJob<S> rows_job(const SettleContext& context, std::uint16_t cohort);
 
 /// Steps one row that was left where it was, and writes where it is after the step.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);

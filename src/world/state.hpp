@@ -58,9 +58,11 @@ inline bool is_later(const Due& a, const Due& b) {
 struct Generator {
   std::uint32_t generation = 1;
   bool active = false;
-  ForceDef def;
-  double start = 0;  // [s]
-  double end = 0;    // [s]
+  bool begun = false;                // its targets are forced rows
+  ForceDef def;                      // target.ids in order of slots, each once
+  std::vector<ProjectileId> except;  // taken out of its kind or layers; the same
+  double start = 0;                  // [s]
+  double end = 0;                    // [s]
 };
 
 class WorldState {
@@ -84,12 +86,21 @@ class WorldState {
   std::vector<Due> old_age;                      // ends by DespawnRules::older; the same
   std::vector<Generator> generators{1};          // 0 is none
   std::vector<std::uint32_t> free_generators;
-  std::unordered_map<std::uint32_t, std::uint32_t> forces_on;  // by slot: generators that name it
+  std::vector<std::uint32_t> force_order;                      // active generators, in the order they were added
+  std::vector<std::uint32_t> group_forces;                     // those begun that have a kind or layers
+  std::unordered_map<std::uint32_t, std::uint32_t> forces_on;  // by slot: begun generators that name it
   std::vector<WorldEvent> events;
   WorldCounters counters;
   Vec3d observer;
   DetailRule detail;
   std::vector<Environment> environments;
+
+  /// The slot of a projectile that is alive; null otherwise.
+  [[nodiscard]] const Slot* find(ProjectileId id) const {
+    if (id.index >= slots.size()) return nullptr;
+    const Slot& slot = slots[id.index];
+    return slot.generation == id.generation && slot.is(kAlive) ? &slot : nullptr;
+  }
 };
 
 }  // namespace physim

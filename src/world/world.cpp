@@ -85,6 +85,8 @@ Tags& World::Impl::tags(std::uint32_t slot) {
   return at->second;
 }
 
+std::uint32_t World::Impl::layers_of(std::uint32_t slot) const { return physim::layers_of(registry, state, slot); }
+
 std::uint32_t World::Impl::take_slot() {
   if (state.first_free != 0) {
     const std::uint32_t slot = state.first_free;
@@ -273,6 +275,7 @@ void World::Impl::remove(std::uint32_t index, LifeStatus status, WorldEventKind 
   unlink_from_pool(index, kind_of(slot).body.pool);
   state.own.erase(index);
   state.tags.erase(index);
+  if (!state.forces_on.empty()) state.forces_on.erase(index);
   if (slot.is(kTurning)) state.turning.erase(index);
   slot.flags = 0;
   slot.set_status(status);

@@ -1,6 +1,7 @@
 // Changes to projectiles between steps: state, switches, sleep, fidelity, things carried along.
 #include <cmath>
 
+#include "physim/names.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -191,7 +192,9 @@ bool World::Impl::change_fidelity(std::uint32_t index, const Fidelity& asked) {
   if (*rung == slot.rung) return true;
   const std::uint16_t before = slot.rung;
   slot.rung = *rung;
-  if (!relocate(index)) return slot.rung = before, false;
+  const bool forced_before = slot.is(kForced);
+  slot.set(kForced, feels_forces(index));
+  if (!relocate(index)) return slot.rung = before, slot.set(kForced, forced_before), false;
   tell(WorldEventKind::fidelity_changed, index);
   return true;
 }
@@ -213,7 +216,16 @@ std::size_t World::set_fidelity(std::span<const ProjectileId> ids, const Fidelit
 FidelityInUse World::fidelity_in_use(ProjectileId id) const {
   const Slot* slot = impl_->find(id);
   if (!slot) return {};
-  return impl_->kind_of(*slot).rungs[slot->rung].in_use;
+  FidelityInUse in_use = impl_->kind_of(*slot).rungs[slot->rung].in_use;
+  const Fidelity& f = in_use.fidelity;
+  const std::string integrator(name(f.integrator));
+  const std::string motion(name(f.motion));
+  if (slot->is(kForced) && is_adaptive(f.integrator))
+    in_use.notes.push_back({"integrator", integrator, integrator,
+                            "generators act on it: the world's step is one step, whatever its error"});
+  if (f.motion != Motion::force && impl_->is_target(id.index))
+    in_use.notes.push_back({"motion", motion, motion, "generators are not felt: only motion 'force' knows forces"});
+  return in_use;
 }
 
 void World::set_observer(const Vec3d& position) {

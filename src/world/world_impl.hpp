@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physim/world.hpp"
+#include "world/forced_step.hpp"
 #include "world/recorder.hpp"
 #include "world/settle.hpp"
 #include "world/state.hpp"
@@ -23,14 +24,11 @@ struct World::Impl {
   /// Hashes of what never changes: the definition, and each kind on each of its rungs.
   std::uint64_t def_hash = 0;
   std::vector<std::vector<std::uint64_t>> kind_hashes;
+  mutable ForcedScratch forced_scratch;
 
   // ------------------------------------------------------------------------------------------- slots
   /// The slot of a projectile that is alive; null otherwise.
-  [[nodiscard]] const Slot* find(ProjectileId id) const {
-    if (id.index >= state.slots.size()) return nullptr;
-    const Slot& slot = state.slots[id.index];
-    return slot.generation == id.generation && slot.is(kAlive) ? &slot : nullptr;
-  }
+  [[nodiscard]] const Slot* find(ProjectileId id) const { return state.find(id); }
   [[nodiscard]] Slot* find(ProjectileId id) { return const_cast<Slot*>(std::as_const(*this).find(id)); }
   [[nodiscard]] ProjectileId id_of(std::uint32_t slot) const { return {slot, state.slots[slot].generation}; }
   [[nodiscard]] Rows& rows_of(const Slot& slot) { return state.rows[slot.cohort]; }
@@ -43,6 +41,7 @@ struct World::Impl {
   [[nodiscard]] const Own& own_of(std::uint32_t slot) const;
   Own& own(std::uint32_t slot);
   Tags& tags(std::uint32_t slot);
+  [[nodiscard]] std::uint32_t layers_of(std::uint32_t slot) const;
 
   // ------------------------------------------------------------------------------------------- coming and going
   ProjectileId spawn(std::uint32_t kind, const Launch& launch, double delay);
@@ -83,12 +82,23 @@ struct World::Impl {
   void apply_detail();
 
   // ------------------------------------------------------------------------------------------- forces
+  /// A generator acts on it that it can feel.
   [[nodiscard]] bool feels_forces(std::uint32_t slot) const;
+  [[nodiscard]] bool is_target(std::uint32_t slot) const;
   void update_forced(std::uint32_t slot);
-  void update_all_forced();
+  /// Lets generators begin that start within the next dt; ends those that are over or act on nobody any more.
+  void begin_generators(double dt);
   void end_generators();
+  void begin_generator(std::uint32_t index);
   void end_generator(std::uint32_t index);
-  /// Accelerations by the generators on one projectile now.
+  /// What acts on its targets has changed: their cohorts follow, and who sleeps wakes.
+  void stir_targets(const Generator& generator);
+  void stir(std::uint32_t slot);
+  void count_targets(const Generator& generator, bool on);
+  [[nodiscard]] std::optional<Error> refuses(const ForceDef& force) const;
+  [[nodiscard]] Generator* find(ForceId force);
+  bool remove_target(ForceId force, ProjectileId id);
+  /// By all generators on one projectile now [N].
   [[nodiscard]] Vec3d generator_force(std::uint32_t slot) const;
 
   // ------------------------------------------------------------------------------------------- stepping

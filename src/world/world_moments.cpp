@@ -119,6 +119,16 @@ void add_pools(Hash& h, const WorldState& s) {
   }
 }
 
+/// In the order in which they act, and that in which their places are used again.
+void add_generators(Hash& h, const WorldState& s) {
+  for (const std::uint32_t index : s.force_order) {
+    const Generator& g = s.generators[index];
+    h.add(hash_of(index, g.begun, g.start, g.end, g.def, g.except));
+  }
+  for (const Generator& g : s.generators) h.add(std::uint64_t{g.generation});
+  for (const std::uint32_t free : s.free_generators) h.add(std::uint64_t{free});
+}
+
 }  // namespace
 
 std::uint64_t World::Impl::hash() {
@@ -135,11 +145,7 @@ std::uint64_t World::Impl::hash() {
   h.add(sum_of_few(state));
   add_free_slots(h, state);
   add_pools(h, state);
-  for (const Generator& g : state.generators) {
-    h.add(g.generation, g.active ? 1u : 0u);
-    if (g.active) h.add(hash_of(g.start, g.end, g.def));
-  }
-  for (const std::uint32_t free : state.free_generators) h.add(std::uint64_t{free});
+  add_generators(h, state);
   h.add(hash_of(state.observer, state.detail, registry.environments()));
   return h.value();
 }

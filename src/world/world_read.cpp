@@ -138,12 +138,7 @@ std::uint64_t World::user_data(ProjectileId id) const {
   const auto found = impl_->find(id) ? impl_->state.tags.find(id.index) : impl_->state.tags.end();
   return found == impl_->state.tags.end() ? 0 : found->second.user_data;
 }
-std::uint32_t World::layers(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
-  if (!slot) return 0;
-  const auto found = impl_->state.tags.find(id.index);
-  return found == impl_->state.tags.end() ? impl_->kind_of(*slot).body.layers : found->second.layers;
-}
+std::uint32_t World::layers(ProjectileId id) const { return impl_->find(id) ? impl_->layers_of(id.index) : 0; }
 std::uint32_t World::colour(ProjectileId id) const {
   const Slot* slot = impl_->find(id);
   if (!slot) return 0;

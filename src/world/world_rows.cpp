@@ -124,11 +124,7 @@ bool World::Impl::relocate(std::uint32_t index) {
 
 Body<double> World::Impl::body_of(const Slot& slot) const {
   Body<double> body = kind_of(slot).rungs[slot.rung].body;
-  const Rows& rows = rows_of(slot);
-  rows.visit([&](const auto& c) {
-    auto* number = reinterpret_cast<double*>(&body);
-    for (const std::uint8_t field : rows.layout().fields) number[field] = static_cast<double>(c.field[field][slot.row]);
-  });
+  rows_of(slot).read_fields(slot.row, body);
   return body;
 }
 

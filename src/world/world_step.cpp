@@ -35,6 +35,29 @@ Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
   return w;
 }
 
+}  // namespace
+
+template <class S>
+WorldJob<S> rows_job(const SettleContext& context, std::uint16_t index) {
+  const WorldCohort& cohort = context.registry->cohort(index);
+  const Rows& rows = context.state->rows[index];
+  WorldJob<S> job{};
+  job.course = &cohort.course<S>();
+  job.columns = rows.columns<S>();
+  job.fields = rows.layout().fields.data();
+  job.field_count = static_cast<unsigned>(rows.layout().fields.size());
+  job.clocked = rows.layout().clocked;
+  job.launched = rows.layout().launched;
+  job.now = static_cast<S>(context.now);
+  job.h = static_cast<S>(context.dt);
+  job.watchdog = watchdog_of<S>(*context.def, cohort);
+  return job;
+}
+template WorldJob<float> rows_job(const SettleContext& context, std::uint16_t cohort);
+template WorldJob<double> rows_job(const SettleContext& context, std::uint16_t cohort);
+
+namespace {
+
 /// What the threads of one step share.
 struct StepWork {
   SettleContext context;
@@ -46,18 +69,7 @@ struct StepWork {
 
 template <class S>
 void step_chunk(const StepWork& work, Chunk& chunk) {
-  const WorldCohort& cohort = work.context.registry->cohort(chunk.cohort);
-  const Rows& rows = work.context.state->rows[chunk.cohort];
-  WorldJob<S> job{};
-  job.course = &cohort.course<S>();
-  job.columns = rows.columns<S>();
-  job.fields = rows.layout().fields.data();
-  job.field_count = static_cast<unsigned>(rows.layout().fields.size());
-  job.clocked = rows.layout().clocked;
-  job.launched = rows.layout().launched;
-  job.now = static_cast<S>(work.context.now);
-  job.h = static_cast<S>(work.context.dt);
-  job.watchdog = watchdog_of<S>(*work.context.def, cohort);
+  WorldJob<S> job = rows_job<S>(work.context, chunk.cohort);
   job.first = chunk.first;
   job.last = chunk.last;
   job.attention = work.attention + work.words_before[chunk.cohort];
@@ -165,11 +177,12 @@ void World::Impl::step_free(double dt) {
 /// Does what settling decided, in order of slots, so that neither threads nor the order of rows matter.
 void World::Impl::finish_step() {
   scratch.changes.clear();
-  for (std::size_t i = 0; i < scratch.chunk_count; ++i) {
-    const Chunk& chunk = scratch.chunks[i];
+  const auto collect = [this](const Chunk& chunk) {
     scratch.changes.insert(scratch.changes.end(), chunk.changes.begin(), chunk.changes.end());
     state.events.insert(state.events.end(), chunk.events.begin(), chunk.events.end());
-  }
+  };
+  for (std::size_t i = 0; i < scratch.chunk_count; ++i) collect(scratch.chunks[i]);
+  collect(forced_scratch.chunk);
   std::sort(scratch.changes.begin(), scratch.changes.end(),
             [](const Change& a, const Change& b) { return a.slot < b.slot; });
   for (const Change& change : scratch.changes) {
@@ -195,16 +208,17 @@ void World::Impl::finish_step() {
 void World::Impl::step(double dt) {
   rebase(dt);
   launch_pending();
-  end_generators();
+  begin_generators(dt);
   apply_detail();
+  step_forced(dt);  // before the others move: its springs may end at them
   step_free(dt);
-  step_forced(dt);
   turn(dt);
   ++state.clock.steps;
   ++state.clock.run_steps;
   ++state.counters.steps;
   finish_step();
   expire_old();
+  end_generators();
   std::sort(state.events.begin(), state.events.end(), [](const WorldEvent& a, const WorldEvent& b) {
     if (a.time != b.time) return a.time < b.time;
     if (a.id.index != b.id.index) return a.id.index < b.id.index;

@@ -153,8 +153,7 @@ TEST(Scenarios, AllMeetTheirExpectations) {
     EXPECT_FALSE(scenario->expect.empty()) << file << " expects nothing";
     for (const ScenarioShot& shot : scenario->shots) {
       const ProjectileDef& p = shot.projectile;
-      const Flight flight =
-          fly(p, shot.launch, scenario->environment, p.fidelity, scenario->tolerance, scenario->until);
+      const Flight flight = fly_shot(*scenario, shot);
       ASSERT_FALSE(flight.error()) << file << ": " << p.name << ": " << flight.error()->text();
       for (const Expectation& expect : scenario->expect) {
         if (!expect.shot.empty() && expect.shot != p.name) continue;

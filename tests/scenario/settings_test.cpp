@@ -156,7 +156,7 @@ name = "b"
 velocity = [1e9, 1e-9, 0.1]
 drag = { table = "g1", bands = [{ above = "2800 ft/s", ballistic_coefficient = "0.447 lb/in^2" },
                                 { ballistic_coefficient = 300 }] }
-fidelity = "classic"
+fidelity = { preset = "classic", cheapest_within = "1 mm" }
 [tolerance]
 relative = 1e-13
 absolute = 3e-9
@@ -221,6 +221,7 @@ TEST(EffectiveSettings, ReproduceTheScenarioBitForBit) {
   for (std::size_t i = 0; i < 2; ++i) {
     const ScenarioShot &one = a.shots[i], &two = b.shots[i];
     EXPECT_EQ(one.projectile.fidelity, two.projectile.fidelity);
+    EXPECT_EQ(one.cheapest_within, two.cheapest_within);
     EXPECT_TRUE(same_bits(one.projectile.mass, two.projectile.mass));
     EXPECT_TRUE(same_bits(one.projectile.force, two.projectile.force)) << "the sign of zero counts too";
     EXPECT_TRUE(same_bits(one.launch.position, two.launch.position));

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "support.hpp"
+#include "../support.hpp"
 #include "world/force_eval.hpp"
 
 namespace physim {

@@ -7,8 +7,8 @@
 #include <map>
 #include <numeric>
 
+#include "../support.hpp"
 #include "model/force_laws.hpp"
-#include "support.hpp"
 #include "world/kind_drag.hpp"
 
 namespace physim {

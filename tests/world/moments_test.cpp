@@ -138,6 +138,18 @@ TEST(Moments, whatever_decides_the_future_is_in_the_hash) {
         w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4}, {}, 4);
       },
       [&](World& w) { w.clear(); },
+      [&](World& w) {
+        w.add_force(first(w), ConstantForce{{1, 0, 0}});
+      },
+      [&](World& w) {
+        w.add_force(first(w), ConstantForce{{2, 0, 0}});
+      },
+      [&](World& w) {
+        w.add_force(first(w), ConstantForce{{2, 0, 0}}, 3);
+      },
+      [&](World& w) {
+        w.remove_force(w.add_force(first(w), ConstantForce{{2, 0, 0}}));
+      },
       [](World& w) { w.set_paused(true); },
       [](World& w) { w.set_time_scale(2); },
       [](World& w) { w.advance(0.001); },

@@ -130,7 +130,7 @@ class RandomSession {
       case 2:
         return world_.set_observer(vector(100));
       case 3:
-        return world_.set_detail(coin() ? session_world().detail : DetailRule{});
+        return void(world_.set_detail(coin() ? session_world().detail : DetailRule{}));
       default:
         return kinds_.push_back(world_.add_kind(projectile(), body()));
     }

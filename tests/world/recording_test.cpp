@@ -245,7 +245,7 @@ TEST(Recording, custom_forces_need_their_functions) {
   World world = made({});
   ASSERT_FALSE(world.record(record_into(bytes)));
   const ProjectileId id = world.spawn(ProjectileDef{}, Launch{.position = {0, 90, 0}});
-  world.add_force(id, CustomForce{[](const ForceBatch&) {}});
+  world.add_force(id, with_functions(1).custom_forces[0]);
   world.step(0.01);
   ASSERT_FALSE(world.stop_recording());
   const auto refused = replay(bytes);
@@ -254,6 +254,9 @@ TEST(Recording, custom_forces_need_their_functions) {
   const auto report = replay(bytes, with_functions(1));
   ASSERT_TRUE(report) << report.error().text();
   EXPECT_FALSE(report->difference);
+  ReplayOptions another;
+  another.custom_forces = {{[](const ForceBatch&) {}}};
+  EXPECT_TRUE(replay(bytes, another)->difference);
 }
 
 // ------------------------------------------------------------------------------------------------------ recording

@@ -1,0 +1,326 @@
+// cheapest_within(): flies the truth, then the truth with one rung lowered at a time, then candidates from cheap to
+// dear, until one stays within the error.
+//
+// A candidate is left out unflown where one of its rungs, lowered alone, is off by more than the error: errors that
+// cancel are luck, not accuracy. What is left out at an error is left out at every smaller one, and costs do not depend
+// on the error, so a smaller error never gets a cheaper answer.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "flight/fidelity_candidates.hpp"
+#include "flight/fidelity_cost.hpp"
+#include "flight/flight_record.hpp"
+#include "math/text.hpp"
+#include "physim/names.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRounding = std::numeric_limits<double>::epsilon();
+constexpr double kTruthTolerance = 1e-13, kDoubtTolerance = 1e-12;  // of the truth, and of the flight that doubts it
+constexpr int kSamples = 499;             // of a flight; a prime, so that times are not round and show their rounding
+constexpr int kLateSamples = 16;          // of a flight that lands after the true one
+constexpr double kLate = 1.5;             // times the true flight: who flies on, flies wrong
+constexpr double kMostSteps = 1e6;        // of a flight
+constexpr double kClosedFormAnswers = 8;  // taken from a closed form where steps are free
+
+/// A true flight. One that has landed stays where it landed.
+struct TruePath {
+  Launch launch;
+  bool landed = false;
+  double duration = 0;
+  std::vector<Vec3d> position;  // kSamples + 1, from launch to end
+};
+
+/// What a flight was found to be.
+struct Measured {
+  double error = 0;  // [m]
+  double steps = 0;  // tried, in all flights
+};
+
+double sample_time(const TruePath& path, int i) { return path.duration * i / kSamples; }
+
+Status check_purpose(const Purpose& p) {
+  const auto bad = [](const char* field, double value, const char* must, const char* hint) {
+    return Error{must + (", not " + short_text(value)), std::string("purpose.") + field, hint};
+  };
+  const auto positive = [](double x) { return x > 0 && x < kInfinity; };
+  if (!positive(p.error)) return bad("error", p.error, "must be a positive number", "in m, such as 0.01");
+  if (!positive(p.time)) return bad("time", p.time, "must be a positive number", "in s, the time of flight");
+  if (!(p.step >= 0 && p.step < kInfinity))
+    return bad("step", p.step, "must be zero or positive", "in s, such as 1/60; 0: steps are free");
+  if (p.step > 0 && p.time / p.step > kMostSteps)
+    return bad("step", p.step, "must be at least a millionth of the time", "0: steps are free");
+  if (p.ground && !std::isfinite(*p.ground))
+    return bad("ground", *p.ground, "must be a finite number", "none: no ground");
+  if (p.least_motion > p.truth.motion)
+    return Error{"is more than the truth has, '" + std::string(name(p.truth.motion)) + "'", "purpose.least_motion",
+                 "raise purpose.truth.motion"};
+  return check(p.tolerance, p.truth);
+}
+
+/// With which fly() steps as a purpose says.
+Tolerance tolerance_for(const Purpose& purpose, double step) {
+  Tolerance t = purpose.tolerance;
+  t.step = step;
+  if (purpose.step > 0) t.max_step = std::min(t.max_step, purpose.step);
+  t.max_steps = std::max(t.max_steps, static_cast<std::int64_t>(4 * kMostSteps));
+  return t;
+}
+
+class Search {
+ public:
+  Search(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
+         const Purpose& purpose)
+      : projectile_(projectile),
+        launches_(launches),
+        environment_(environment),
+        purpose_(purpose),
+        ladder_(projectile, environment, purpose) {
+    answer_.purpose = purpose;
+  }
+
+  Result<AutoFidelity> run() {
+    for (const Launch& launch : launches_)
+      if (Status bad = fly_truth(launch)) return *bad;
+    if (total_time_ == 0)
+      return Error{"the flight ends where it begins", "launch", "launch it above purpose.ground, or upwards"};
+    if (purpose_.error <= 2 * answer_.truth_error) return too_small();
+    truth_steps_ = measure(ladder_.truth(), 0).steps;
+    answer_.truth_cost = cost(ladder_.truth(), truth_steps_);
+    for (const Lowered& lowered : ladder_.lowered()) lower_models(lowered);
+    for (const Stepper& stepper : ladder_.steppers(answer_.time)) {
+      steppers_.push_back({stepper, std::nullopt});
+      if (is_adaptive(stepper.integrator)) lower_stepper(steppers_.size() - 1);  // tells how many steps it takes
+    }
+    return choose();
+  }
+
+ private:
+  struct LoweredTrial {
+    Lowered lowered;
+    double error;
+  };
+  struct StepperTrial {
+    Stepper stepper;
+    std::optional<Measured> measured;  // none: not flown yet
+  };
+  struct Candidate {
+    Fidelity fidelity;
+    std::size_t stepper;
+    double cost;
+  };
+
+  [[nodiscard]] Until until(double time) const { return {.ground = purpose_.ground, .time = time}; }
+
+  /// The true flight of a launch, and by how much a second one at a looser tolerance doubts it.
+  Status fly_truth(const Launch& launch) {
+    Tolerance tight{.relative = kTruthTolerance, .absolute = kTruthTolerance};
+    const Flight flight = fly(projectile_, launch, environment_, ladder_.truth(), tight, until(purpose_.time));
+    if (flight.error()) return flight.error();
+    const Outcome outcome = flight.outcome();
+    if (outcome != Outcome::landed && outcome != Outcome::time_limit && outcome != Outcome::left_domain)
+      return Error{"the true flight ended as " + std::string(name(outcome)), "launch",
+                   "check the figures of projectile and launch"};
+    TruePath path{launch, outcome == Outcome::landed, flight.duration(), {}};
+    double farthest = 0;
+    for (int i = 0; i <= kSamples; ++i) {
+      path.position.push_back(flight.at(sample_time(path, i)).position);
+      farthest = std::max(farthest, length(path.position.back()));
+    }
+    tight.relative = tight.absolute = kDoubtTolerance;
+    const double doubt = measure(path, ladder_.truth(), tight).error + 8 * kRounding * farthest;
+    answer_.truth_error = std::max(answer_.truth_error, doubt);
+    answer_.time = std::max(answer_.time, path.duration);
+    total_time_ += path.duration;
+    paths_.push_back(std::move(path));
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Measured measure(const TruePath& path, const Fidelity& fidelity, const Tolerance& tolerance) const {
+    if (path.duration == 0) return {};
+    const double end = path.landed ? kLate * path.duration : path.duration;
+    const Flight flight = fly(projectile_, path.launch, environment_, fidelity, tolerance, until(end));
+    if (flight.error() || flight.outcome() > Outcome::left_domain || flight.outcome() == Outcome::step_limit)
+      return {kInfinity, 0};
+    Measured m{0, static_cast<double>(flight.cost().steps + flight.cost().rejected)};
+    const auto compare = [&](double time, const Vec3d& truth) {
+      const double miss = length(flight.at(time).position - truth);
+      m.error = miss <= m.error ? m.error : miss == miss ? miss : kInfinity;
+    };
+    for (int i = 0; i <= kSamples; ++i) compare(sample_time(path, i), path.position[static_cast<std::size_t>(i)]);
+    const double late = flight.duration() - path.duration;
+    for (int i = 1; late > 0 && i <= kLateSamples; ++i)
+      compare(path.duration + late * i / kLateSamples, path.position.back());
+    return m;
+  }
+
+  /// The worst error and all steps of all launches, with the tolerance that flights of this purpose have.
+  [[nodiscard]] Measured measure(const Fidelity& fidelity, double step) const {
+    return measure(fidelity, tolerance_for(purpose_, step));
+  }
+  [[nodiscard]] Measured measure(const Fidelity& fidelity, const Tolerance& tolerance) const {
+    Measured all;
+    for (const TruePath& path : paths_) {
+      const Measured m = measure(path, fidelity, tolerance);
+      all.error = std::max(all.error, m.error);
+      all.steps += m.steps;
+    }
+    return all;
+  }
+
+  [[nodiscard]] bool keeps(double error) const { return error + answer_.truth_error <= purpose_.error; }
+  [[nodiscard]] double cost(const Fidelity& fidelity, double steps) const {
+    return step_cost(fidelity, projectile_, environment_) * steps / total_time_;
+  }
+  void note_trial(const Fidelity& fidelity, double step, double error, double cost, std::string lowered) {
+    answer_.trials.push_back({fidelity, step, error, cost, std::move(lowered), keeps(error)});
+  }
+
+  /// With tight steps, so that the error is that of the models alone.
+  void lower_models(const Lowered& lowered) {
+    const Measured m = measure(lowered.fidelity, {.relative = kDoubtTolerance, .absolute = kDoubtTolerance});
+    lowered_.push_back({lowered, m.error});
+    note_trial(lowered.fidelity, 0, m.error, cost(lowered.fidelity, truth_steps_), lowered.effect);
+  }
+
+  /// The truth's models, stepped in this way. Motions step alike, so one trial serves them all.
+  void lower_stepper(std::size_t index) {
+    StepperTrial& trial = steppers_[index];
+    Stepper stepper = trial.stepper;
+    stepper.motion = purpose_.truth.motion;
+    const auto fidelity = ladder_.combine(ladder_.truth(), stepper);
+    for (const StepperTrial& other : steppers_) {
+      const Stepper& s = other.stepper;
+      const bool alike =
+          s.integrator == stepper.integrator && s.precision == stepper.precision && s.step == stepper.step;
+      if (alike && s.motion != Motion::closed_form && other.measured) trial.measured = other.measured;
+    }
+    if (trial.measured) return;
+    trial.measured = fidelity ? measure(*fidelity, stepper.step) : Measured{0, 0};
+    if (fidelity)
+      note_trial(*fidelity, stepper.step, trial.measured->error, cost(*fidelity, steps_of(trial)), "integrator");
+  }
+
+  /// Steps of all flights. A candidate is taken to need as many as the truth's models do, so that what it costs is
+  /// known before it flies.
+  [[nodiscard]] double steps_of(const StepperTrial& trial) const {
+    const Stepper& s = trial.stepper;
+    if (s.motion == Motion::closed_form && purpose_.step == 0)
+      return kClosedFormAnswers * static_cast<double>(paths_.size());
+    if (s.motion == Motion::closed_form) return total_time_ / purpose_.step;
+    return s.step > 0 ? total_time_ / s.step : trial.measured->steps;
+  }
+
+  [[nodiscard]] std::vector<Candidate> candidates() const {
+    std::vector<Candidate> list;
+    for (const Fidelity& models : ladder_.models()) {
+      const bool hopeless = std::any_of(lowered_.begin(), lowered_.end(), [&](const LoweredTrial& trial) {
+        return !keeps(trial.error) && ladder_.shares(models, trial.lowered);
+      });
+      if (hopeless) continue;
+      for (std::size_t i = 0; i < steppers_.size(); ++i)
+        if (const auto fidelity = ladder_.combine(models, steppers_[i].stepper))
+          list.push_back({*fidelity, i, cost(*fidelity, steps_of(steppers_[i]))});
+    }
+    std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    return list;
+  }
+
+  Result<AutoFidelity> choose() {
+    for (const Candidate& candidate : candidates()) {
+      const std::size_t index = candidate.stepper;
+      const Stepper stepper = steppers_[index].stepper;
+      if (stepper.motion != Motion::closed_form) {  // which has no error of its own
+        if (!steppers_[index].measured) lower_stepper(index);
+        if (!keeps(steppers_[index].measured->error)) continue;
+      }
+      const Measured m = measure(candidate.fidelity, stepper.step);
+      note_trial(candidate.fidelity, stepper.step, m.error, candidate.cost, "");
+      if (!keeps(m.error)) continue;
+      answer_.fidelity = candidate.fidelity;
+      answer_.step = stepper.step;
+      answer_.error = m.error;
+      answer_.cost = candidate.cost;
+      return std::move(answer_);
+    }
+    return none_comes_so_near();
+  }
+
+  [[nodiscard]] Error too_small() const {
+    return Error{"the truth itself is known to " + length_text(answer_.truth_error) + " only", "purpose.error",
+                 "ask for at least " + length_text(4 * answer_.truth_error)};
+  }
+  [[nodiscard]] Error none_comes_so_near() const {
+    double nearest = kInfinity;
+    for (const FidelityTrial& trial : answer_.trials)
+      if (trial.lowered.empty() || trial.lowered == "integrator") nearest = std::min(nearest, trial.error);
+    return Error{"no fidelity comes within " + length_text(purpose_.error) + " of the truth", "purpose.error",
+                 "the nearest is " + length_text(nearest) + " off; allow more, or tighten purpose.tolerance"};
+  }
+
+  const ProjectileDef& projectile_;
+  std::span<const Launch> launches_;
+  const Environment& environment_;
+  const Purpose& purpose_;
+  FidelityLadder ladder_;
+  std::vector<TruePath> paths_;
+  double total_time_ = 0;
+  double truth_steps_ = 0;
+  std::vector<LoweredTrial> lowered_;
+  std::vector<StepperTrial> steppers_;
+  AutoFidelity answer_;
+};
+
+}  // namespace
+
+Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, std::span<const Launch> launches,
+                                     const Environment& environment, const Purpose& purpose) {
+  if (launches.empty()) return Error{"there is no launch", "launches", "give at least one"};
+  for (const Status& status : {check_purpose(purpose), check(projectile), check(environment)})
+    if (status) return *status;
+  return Search(projectile, launches, environment, purpose).run();
+}
+
+Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, const Launch& launch,
+                                     const Environment& environment, const Purpose& purpose) {
+  return cheapest_within(projectile, std::span(&launch, 1), environment, purpose);
+}
+
+Tolerance AutoFidelity::tolerance() const { return tolerance_for(purpose, step); }
+
+std::string AutoFidelity::explanation() const {
+  const std::string promise = "within " + length_text(purpose.error) + " over " + rounded_text(time) + " s";
+  const std::string found = ": measured " + length_text(error);
+  if (cost >= truth_cost) return "nothing cheaper than the reference stays " + promise + found;
+  return "the cheapest " + promise + found + ", " + rounded_text(truth_cost / cost) +
+         " times cheaper than the reference";
+}
+
+FidelityNote AutoFidelity::note() const {
+  const Fidelity& f = fidelity;
+  std::string granted(f.motion == Motion::closed_form ? name(f.motion) : name(f.integrator));
+  if (step > 0) granted += " at " + rounded_text(step) + " s";
+  granted += ", drag " + std::string(name(f.drag));
+  return {"fidelity", "cheapest_within " + length_text(purpose.error), granted, explanation()};
+}
+
+Flight fly_chosen(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                  const AutoFidelity& chosen, const Until& until) {
+  auto record = record_flight(projectile, launch, environment, chosen.fidelity, chosen.tolerance(), until);
+  record->cohort.in_use.notes.push_back(chosen.note());
+  return Flight(record);
+}
+
+Flight fly_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                  const Purpose& purpose, const Until& until) {
+  const auto chosen = cheapest_within(projectile, launch, environment, purpose);
+  if (chosen) return fly_chosen(projectile, launch, environment, *chosen, until);
+  auto refused = std::make_shared<FlightRecord>();
+  refused->error = chosen.error();
+  return Flight(refused);
+}
+
+}  // namespace physim

@@ -1,0 +1,233 @@
+// AutoFidelityCache: answers of cheapest_within() by everything that they depend on, and the classes of launches.
+#include <cmath>
+#include <mutex>
+#include <type_traits>
+#include <unordered_map>
+
+#include "flight/cohort.hpp"
+#include "math/elementary.hpp"
+#include "physim/auto_fidelity.hpp"
+
+namespace physim {
+namespace {
+
+// ------------------------------------------------------------------------------------------------------------ the key
+/// Everything that an answer depends on, as bytes. Structs are taken apart by structured bindings: a new field does not
+/// compile until it is put in here.
+class Key {
+ public:
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void add(const T& value) { text_.append(reinterpret_cast<const char*>(&value), sizeof value); }
+  template <class T>
+  void add(const std::optional<T>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+  template <class T>
+  void add(const std::vector<T>& list) {
+    add(list.size());
+    for (const T& element : list) add(element);
+  }
+  void add(const Vec3d& v) { all(v.x, v.y, v.z); }
+  void add(const DragPoint& point) {
+    const auto& [mach, coefficient] = point;
+    all(mach, coefficient);
+  }
+  void add(const BallisticBand& band) {
+    const auto& [above, ballistic_coefficient] = band;
+    all(above, ballistic_coefficient);
+  }
+  void add(const DragDef& drag) {
+    const auto& [table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2] = drag;
+    all(table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2);
+  }
+  void add(const ProjectileDef& projectile) {
+    // Its name changes nothing, and its own fidelity is not asked.
+    const auto& [name, mass, diameter, length, twist, drag, force, force_duration, fidelity] = projectile;
+    all(mass, diameter, length, twist, drag, force, force_duration);
+  }
+  void add(const Sight& sight) {
+    const auto& [height, look_angle, cant, zero_range, zero_in_calm_air] = sight;
+    all(height, look_angle, cant, zero_range, zero_in_calm_air);
+  }
+  void add(const Launch& launch) {
+    const auto& [position, speed, elevation, azimuth, velocity, sight] = launch;
+    all(position, speed, elevation, azimuth, velocity, sight);
+  }
+  void add(const WindPoint& point) {
+    const auto& [at, velocity] = point;
+    all(at, velocity);
+  }
+  void add(const Environment& environment) {
+    const auto& [altitude, gravity, atmosphere, wind, earth] = environment;
+    const auto& [gravity_model, acceleration, radius] = gravity;
+    const auto& [air_model, temperature, pressure, humidity, station, density, sound_speed, scale_height] = atmosphere;
+    const auto& [velocity, profile, by, interpolation] = wind;
+    const auto& [latitude, azimuth, rotation_rate] = earth;
+    all(altitude, gravity_model, acceleration, radius, air_model, temperature, pressure, humidity, station, density,
+        sound_speed, scale_height, velocity, profile, by, interpolation, latitude, azimuth, rotation_rate);
+  }
+  void add(const Fidelity& fidelity) {
+    const auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar,
+                 one_shot] = fidelity;
+    all(motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar, one_shot);
+  }
+  void add(const Tolerance& tolerance) {
+    const auto& [relative, absolute, step, position_error, max_step, max_steps] = tolerance;
+    all(relative, absolute, step, position_error, max_step, max_steps);
+  }
+  void add(const Purpose& purpose) {
+    const auto& [error, time, step, ground, least_motion, least_precision, truth, tolerance] = purpose;
+    all(error, time, step, ground, least_motion, least_precision, truth, tolerance);
+  }
+  template <class... Parts>
+  void all(const Parts&... parts) {
+    (add(parts), ...);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+// -------------------------------------------------------------------------------------------------- classes of launch
+struct Bin {
+  double low, high;
+};
+std::vector<double> ends(const Bin& bin) {
+  return bin.low == bin.high ? std::vector{bin.low} : std::vector{bin.low, bin.high};
+}
+
+/// Eight bins between a speed and twice that speed.
+Bin speed_bin(double speed) {
+  constexpr double kCreeping = 1e-3;  // [m/s]
+  if (speed == 0) return {0, 0};
+  if (speed < kCreeping) return {0, kCreeping};
+  constexpr std::uint64_t kWidth = std::uint64_t{1} << 49;  // the first three binary digits behind the point are kept
+  const std::uint64_t low = to_bits(speed) & ~(kWidth - 1);
+  return {from_bits<double>(low), from_bits<double>(low + kWidth)};
+}
+
+constexpr double kAngle = 1.0 / 16;  // [rad]
+Bin angle_bin(double angle) {
+  const double low = std::floor(angle / kAngle) * kAngle;
+  return {low, low + kAngle};
+}
+double rounded(double x, double unit) { return std::round(x / unit) * unit + 0.0; }  // never -0
+
+/// Air, wind and the rounding of floats change slowly with the place; the height above the ground decides how long the
+/// flight lasts, so it is rounded up to a power of two.
+Vec3d place_of_class(const Vec3d& x, std::optional<double> ground) {
+  constexpr double kAcross = 1024, kUp = 256, kLow = 0.5;  // [m]
+  Vec3d place{rounded(x.x, kAcross), rounded(x.y, kUp), rounded(x.z, kAcross)};
+  if (!ground) return place;
+  double above = x.y > *ground ? kLow : 0;
+  while (above < x.y - *ground) above *= 2;
+  place.y = *ground + above;
+  return place;
+}
+
+/// A velocity as speed, elevation and azimuth. The sight then moves nothing.
+Launch by_angles(const Launch& launch) {
+  if (!launch.velocity) return launch;
+  const Vec3d v = *launch.velocity;
+  Launch turned;
+  turned.position = launch.position;
+  turned.speed = length(v);
+  turned.elevation = turned.speed == 0 ? 0 : atan2(v.y, length(Vec3d{v.x, 0, v.z}));
+  turned.azimuth = turned.speed == 0 ? 0 : atan2(v.z, v.x);
+  return turned;
+}
+
+}  // namespace
+
+std::vector<Launch> launch_class(const Launch& launch, std::optional<double> ground) {
+  if (check(launch)) return {launch};  // whoever flies it says what is wrong
+  Launch corner = by_angles(launch);
+  const Bin speed = speed_bin(corner.speed);
+  Bin elevation = angle_bin(corner.elevation);
+  if (corner.sight.zero_range > 0) elevation = {0, 0};  // the zero finds it
+  corner.azimuth = rounded(corner.azimuth, kAngle);
+  corner.position = place_of_class(corner.position, ground);
+  std::vector<Launch> corners;
+  for (const double s : ends(speed))
+    for (const double e : ends(elevation)) {
+      corner.speed = s;
+      corner.elevation = e;
+      corners.push_back(corner);
+    }
+  return corners;
+}
+
+struct AutoFidelityCache::Impl {
+  /// Computed once, by the first who asks; others of the same key wait for it, those of other keys do not.
+  struct Slot {
+    std::once_flag once;
+    std::optional<Answer> answer;
+    std::uint64_t last_asked = 0;
+  };
+
+  std::shared_ptr<Slot> slot(const std::string& key) {
+    const std::lock_guard lock(mutex);
+    std::shared_ptr<Slot>& found = slots[key];
+    if (!found) found = std::make_shared<Slot>();
+    found->last_asked = ++asked;
+    const std::shared_ptr<Slot> kept = found;
+    while (slots.size() > capacity) {
+      auto oldest = slots.begin();
+      for (auto it = slots.begin(); it != slots.end(); ++it)
+        if (it->second->last_asked < oldest->second->last_asked) oldest = it;
+      slots.erase(oldest);
+    }
+    return kept;
+  }
+
+  mutable std::mutex mutex;
+  std::unordered_map<std::string, std::shared_ptr<Slot>> slots;
+  std::size_t capacity = 0;
+  std::uint64_t asked = 0;
+  std::uint64_t computed = 0;
+};
+
+AutoFidelityCache::AutoFidelityCache(std::size_t capacity) : impl_(std::make_unique<Impl>()) {
+  impl_->capacity = capacity > 0 ? capacity : 1;
+}
+AutoFidelityCache::~AutoFidelityCache() = default;
+AutoFidelityCache::AutoFidelityCache(AutoFidelityCache&&) noexcept = default;
+AutoFidelityCache& AutoFidelityCache::operator=(AutoFidelityCache&&) noexcept = default;
+
+AutoFidelityCache::Answer AutoFidelityCache::cheapest_within(const ProjectileDef& projectile, const Launch& launch,
+                                                             const Environment& environment, const Purpose& purpose) {
+  const std::vector<Launch> corners = launch_class(launch, purpose.ground);
+  Key key;
+  key.all(projectile, corners, environment, purpose);
+  const std::shared_ptr<Impl::Slot> slot = impl_->slot(key.text());
+  std::call_once(slot->once, [&] {
+    auto found = physim::cheapest_within(projectile, corners, environment, purpose);
+    if (found)
+      slot->answer.emplace(std::make_shared<const AutoFidelity>(std::move(*found)));
+    else
+      slot->answer.emplace(found.error());
+    const std::lock_guard lock(impl_->mutex);
+    ++impl_->computed;
+  });
+  return *slot->answer;
+}
+
+std::size_t AutoFidelityCache::size() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->slots.size();
+}
+
+std::uint64_t AutoFidelityCache::computed() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->computed;
+}
+
+void AutoFidelityCache::clear() {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->slots.clear();
+}
+
+}  // namespace physim

@@ -1,0 +1,199 @@
+#include "world/force_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace physim {
+namespace {
+
+/// The rows of one partner are summed in their order, and a user function sees it: it must not be that of the rows.
+bool order_matters(const ForceLaw& law) { return std::holds_alternative<CustomForce>(law) || other_end(law); }
+
+/// Whether a generator acts at a place of a step. At the end of a step the generator counts as it was just before, so
+/// that a push over whole steps has its exact impulse with every integrator.
+bool acts(const Generator& g, double time, double dt, double place) {
+  const double from = (g.start - time) / dt;
+  const double to = (g.end - time) / dt;
+  if (place == 1) return from < 1 - kSameTime && to > 1 - kSameTime;
+  return from < place + kSameTime && to > place + kSameTime;
+}
+
+}  // namespace
+
+std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::uint32_t slot) {
+  const auto tags = state.tags.find(slot);
+  return tags == state.tags.end() ? registry.kind(state.slots[slot].kind).body.layers : tags->second.layers;
+}
+
+ProjectileId other_end(const ForceLaw& law) {
+  if (const auto* spring = std::get_if<Spring>(&law)) return spring->other;
+  if (const auto* rope = std::get_if<Bungee>(&law)) return rope->other;
+  return {};
+}
+
+bool is_in_group(const Generator& g, const Registry& registry, const WorldState& state, std::uint32_t slot) {
+  const ForceTarget& target = g.def.target;
+  if (!has_group(target)) return false;
+  const bool inside = target.layers == ForceTarget::everything().layers ||
+                      target.kind.index == state.slots[slot].kind ||
+                      (target.layers & layers_of(registry, state, slot)) != 0;
+  if (!inside || g.except.empty()) return inside;
+  return std::find(g.except.begin(), g.except.end(), ProjectileId{slot, state.slots[slot].generation}) ==
+         g.except.end();
+}
+
+void ForceRows::clear() {
+  first_of_cohort.clear();
+  id.clear();
+  mass.clear();
+  def.clear();
+}
+
+void ForceRows::add(const Registry& registry, const WorldState& state, std::uint32_t slot) {
+  const ProjectileDef& projectile = registry.kind(state.slots[slot].kind).projectile;
+  id.push_back({slot, state.slots[slot].generation});
+  mass.push_back(projectile.mass);
+  def.push_back(&projectile);
+}
+
+std::uint32_t ForceField::row_of(ProjectileId id) const {
+  const Slot* slot = state_.find(id);
+  if (!slot) return kNotInStage;
+  if (rows_.first_of_cohort.empty()) return rows_.id[0] == id ? 0 : kNotInStage;
+  const std::uint32_t first = rows_.first_of_cohort[slot->cohort];
+  return first == kNotInStage ? kNotInStage : first + slot->row;
+}
+
+// --------------------------------------------------------------------------------------------------- who feels what
+void ForceField::begin_step(double dt) {
+  time_ = state_.clock.time();
+  dt_ = dt;
+  rows_.members.clear();
+  rows_.pushes.clear();
+  const auto rows = rows_.id.size();
+  rows_.position.resize(rows);
+  rows_.velocity.resize(rows);
+  rows_.force.resize(rows);
+  has_zones_ = has_ages_ = false;
+  for (const std::uint32_t index : state_.force_order) {
+    const Generator& g = state_.generators[index];
+    const bool comes = (g.start - time_) / dt < 1 - kSameTime;
+    const bool over = (g.end - time_) / dt <= kSameTime;
+    if (comes && !over) list(index);
+  }
+}
+
+void ForceField::list(std::uint32_t index) {
+  const Generator& g = state_.generators[index];
+  const ForceTarget& target = g.def.target;
+  auto& members = rows_.members;
+  const auto first = static_cast<std::uint32_t>(members.size());
+  if (has_group(target))
+    for (std::uint32_t row = 0; row < rows_.id.size(); ++row)
+      if (is_in_group(g, registry_, state_, rows_.id[row].index)) members.push_back(row);
+  for (const ProjectileId id : target.ids) {
+    const std::uint32_t row = row_of(id);
+    if (row != kNotInStage && !is_in_group(g, registry_, state_, id.index)) members.push_back(row);
+  }
+  const auto by_slot = [this](std::uint32_t a, std::uint32_t b) { return rows_.id[a].index < rows_.id[b].index; };
+  if (order_matters(g.def.law) && !std::is_sorted(members.begin() + first, members.end(), by_slot))
+    std::sort(members.begin() + first, members.end(), by_slot);
+  const auto last = static_cast<std::uint32_t>(members.size());
+  if (last > first) rows_.pushes.push_back({index, first, last, {}});
+  if (const ProjectileId other = other_end(g.def.law)) list_backwards(index, other);
+  has_zones_ = has_zones_ || std::holds_alternative<WindZone>(g.def.law);
+  has_ages_ = has_ages_ || std::holds_alternative<Thrust>(g.def.law);
+}
+
+/// Targets that are not here (asleep, kinematic, under another integrator) pull at the other end where that is here.
+void ForceField::list_backwards(std::uint32_t index, ProjectileId other) {
+  const std::uint32_t row = row_of(other);
+  if (row == kNotInStage) return;
+  for (const ProjectileId id : state_.generators[index].def.target.ids) {
+    if (!state_.find(id) || row_of(id) != kNotInStage) continue;
+    const auto first = static_cast<std::uint32_t>(rows_.members.size());
+    rows_.members.push_back(row);
+    rows_.pushes.push_back({index, first, first + 1, id});
+  }
+}
+
+// --------------------------------------------------------------------------------------------------- a stage
+void ForceField::evaluate(double place) {
+  place_ = place;
+  const double time = time_ + place * dt_;
+  rows_.force.assign(rows_.id.size(), Vec3d{});
+  if (has_zones_) rows_.in_zone.assign(rows_.id.size(), 0);
+  if (has_ages_) {
+    rows_.age.resize(rows_.id.size());
+    for (std::size_t row = 0; row < rows_.id.size(); ++row) rows_.age[row] = time - state_.birth[rows_.id[row].index];
+  }
+  ForceStage stage{time,      rows_.id,  rows_.position, rows_.velocity, rows_.mass,
+                   rows_.age, rows_.def, rows_.in_zone,  rows_.force};
+  for (const Push& push : rows_.pushes) {
+    const Generator& g = state_.generators[push.generator];
+    if (!acts(g, time_, dt_, place)) continue;
+    const double since = time - g.start;
+    const ForceClock clock{std::abs(since) < kSameTime * dt_ ? 0 : since, bool(g.def.target.kind)};
+    const auto add = [&](const ForceLaw& law) { add_force(law, clock, members_of(push), *this, stage, rows_.scratch); };
+    if (!push.from) {
+      add(g.def.law);
+    } else if (const auto* spring = std::get_if<Spring>(&g.def.law)) {
+      Spring backwards = *spring;
+      backwards.other = push.from;
+      add(backwards);
+    } else if (const auto* rope = std::get_if<Bungee>(&g.def.law)) {
+      Bungee backwards = *rope;
+      backwards.other = push.from;
+      add(backwards);
+    }
+  }
+}
+
+bool ForceField::is_sound(std::uint32_t row) const {
+  const Vec3d& x = rows_.position[row];
+  const Vec3d& v = rows_.velocity[row];
+  return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z) && std::isfinite(v.x) && std::isfinite(v.y) &&
+         std::isfinite(v.z);
+}
+
+/// A row that is no number any more leaves at the end of the step; until then it must not reach others.
+std::span<const std::uint32_t> ForceField::members_of(const Push& push) {
+  const std::span<const std::uint32_t> all(rows_.members.data() + push.first, push.last - push.first);
+  if (rows_.sound) return all;
+  rows_.sound_members.clear();
+  for (const std::uint32_t row : all)
+    if (is_sound(row)) rows_.sound_members.push_back(row);
+  return rows_.sound_members;
+}
+
+// --------------------------------------------------------------------------------------------------- surroundings
+/// One that is not among the rows is taken to go straight on for the step.
+Partner ForceField::partner(ProjectileId id) const {
+  const Slot* slot = state_.find(id);
+  if (!slot) return {};
+  const std::uint32_t row = row_of(id);
+  if (row != kNotInStage) return rows_.sound || is_sound(row) ? Partner{true, row, {}} : Partner{};
+  const Rows& its = state_.rows[slot->cohort];
+  const Vec3d v = its.velocity(slot->row);
+  const Vec3d way = slot->is(kStill) ? Vec3d{} : v * (place_ * dt_);
+  return {true, kNotInStage, {its.position(slot->row) + way, v}};
+}
+
+Vec3d ForceField::drag_equation(std::uint32_t row, double density, const Vec3d& u) const {
+  const std::uint32_t kind = state_.slots[rows_.id[row].index].kind;
+  if (zones_.index.size() <= kind) zones_.index.resize(kind + 1);
+  std::uint32_t& index = zones_.index[kind];
+  const Kind& k = registry_.kind(kind);
+  if (index == 0) index = zones_.drag.add(k.projectile, k.body.drag_scale) + 1;
+  return zones_.drag.force(index - 1, rows_.mass[row], density, u);
+}
+
+Vec3d ForceField::own_drag(std::uint32_t row) const {
+  const Slot& slot = state_.slots[rows_.id[row].index];
+  const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
+  Body<double> body = registry_.kind(slot.kind).rungs[slot.rung].body;
+  state_.rows[slot.cohort].read_fields(slot.row, body);
+  return drag(c, body, State<double>{rows_.position[row], rows_.velocity[row]}) * rows_.mass[row];
+}
+
+}  // namespace physim

@@ -1,0 +1,228 @@
+#include "world/forced_step.hpp"
+
+#include "solve/stages.hpp"
+#include "world/kernels.hpp"
+
+namespace physim {
+namespace {
+
+class ForcedStep {
+ public:
+  ForcedStep(const SettleContext& context, ForcedScratch& scratch)
+      : context_(context),
+        s_(scratch),
+        rows_(scratch.rows),
+        field_(*context.registry, *context.state, scratch.rows, scratch.zones),
+        kernel_(world_kernel()) {}
+
+  std::size_t run() {
+    const std::size_t count = list_groups();
+    for (const ForcedGroup& group : s_.groups) step(group);
+    for (const ForcedRun& r : s_.runs) {
+      in_precision(r, [&]<class S>(S) {
+        keep_ends<S>(r);
+        if (r.attention) settle<S>(r);
+      });
+      rows_of(r).swap_positions();
+    }
+    return count;
+  }
+
+ private:
+  static std::size_t padded(std::size_t rows) { return (rows + kRowsPerWord - 1) / kRowsPerWord * kRowsPerWord; }
+  [[nodiscard]] Rows& rows_of(const ForcedRun& r) const { return context_.state->rows[r.cohort]; }
+  [[nodiscard]] const CohortKey& key(std::uint16_t cohort) const { return context_.registry->cohort(cohort).key; }
+
+  template <class F>
+  void in_precision(const ForcedRun& r, const F& f) {
+    if (rows_of(r).layout().float32)
+      f(float{});
+    else
+      f(double{});
+  }
+
+  // ------------------------------------------------------------------------------------------- who steps
+  std::size_t list_groups() {
+    s_.groups.clear();
+    s_.runs.clear();
+    std::size_t floats = 0;
+    std::size_t doubles = 0;
+    std::size_t words = 0;
+    std::size_t count = 0;
+    for (int i = 0; i <= static_cast<int>(Integrator::dop853); ++i) {
+      const auto integrator = static_cast<Integrator>(i);
+      ForcedGroup group{integrator, s_.runs.size(), 0};
+      std::uint32_t first = 0;
+      for (std::uint16_t c = 0; c < context_.state->rows.size(); ++c) {
+        const std::uint32_t size = context_.state->rows[c].size();
+        if (size == 0 || !key(c).forced || key(c).still || key(c).fidelity.integrator != integrator) continue;
+        std::size_t& memory = context_.state->rows[c].layout().float32 ? floats : doubles;
+        s_.runs.push_back({c, first, size, memory, words, false});
+        memory += padded(size) * (kSlopes + 6 * static_cast<unsigned>(end_slope(integrator)));
+        words += padded(size) / kRowsPerWord;
+        first += size;
+      }
+      group.last_run = s_.runs.size();
+      if (first > 0) s_.groups.push_back(group);
+      count += first;
+    }
+    if (s_.floats.size() < floats) s_.floats.resize(floats);
+    if (s_.doubles.size() < doubles) s_.doubles.resize(doubles);
+    if (s_.attention.size() < words) s_.attention.resize(words);
+    return count;
+  }
+
+  void list_rows(const ForcedGroup& group) {
+    rows_.clear();
+    rows_.first_of_cohort.assign(context_.state->rows.size(), kNotInStage);
+    for (const ForcedRun& r : runs(group)) {
+      rows_.first_of_cohort[r.cohort] = r.first;
+      for (std::uint32_t row = 0; row < r.count; ++row)
+        rows_.add(*context_.registry, *context_.state, rows_of(r).slot(row));
+    }
+  }
+  [[nodiscard]] std::span<ForcedRun> runs(const ForcedGroup& group) const {
+    return {s_.runs.data() + group.first_run, group.last_run - group.first_run};
+  }
+
+  // ------------------------------------------------------------------------------------------- stages
+  void step(const ForcedGroup& group) {
+    list_rows(group);
+    field_.begin_step(context_.dt);
+    bool attention = false;
+    for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
+      push(group, stage, stage_place(group.integrator, stage));
+      for (ForcedRun& r : runs(group)) {
+        in_precision(r, [&]<class S>(S) { r.attention = advance_with(kernel_, job<S>(r, stage)); });
+        attention = attention || r.attention;
+      }
+    }
+    // Landings and the like lie on the dense output, which needs the slope at the end.
+    if (attention && group.integrator != Integrator::classic) push(group, end_slope(group.integrator), 1);
+  }
+
+  /// Gathers the states of a stage, asks all generators, and hands out what they give.
+  void push(const ForcedGroup& group, int stage, double place) {
+    bool sound = true;
+    for (const ForcedRun& r : runs(group)) in_precision(r, [&]<class S>(S) { sound = gather<S>(r, stage) && sound; });
+    rows_.sound = sound;
+    field_.evaluate(place);
+    for (const ForcedRun& r : runs(group)) in_precision(r, [&]<class S>(S) { scatter<S>(r, stage); });
+  }
+
+  template <class S>
+  bool gather(const ForcedRun& r, int stage) {
+    const ForcedJob<S> j = job<S>(r, stage);
+    const RowColumns<S>& c = j.rows.columns;
+    const S* at[6];
+    for (unsigned k = 0; k < 6; ++k)
+      at[k] = stage > 0 ? j.column(kStagePosition + k) : k < 3 ? c.position[k] : c.velocity[k - 3];
+    double sum = 0;
+    for (std::uint32_t row = 0; row < r.count; ++row) {
+      Vec3d& x = rows_.position[r.first + row];
+      Vec3d& v = rows_.velocity[r.first + row];
+      x = {double(at[0][row]), double(at[1][row]), double(at[2][row])};
+      v = {double(at[3][row]), double(at[4][row]), double(at[5][row])};
+      sum += 0 * (((x.x + x.y) + (x.z + v.x)) + (v.y + v.z));
+    }
+    return sum == 0;  // of anything that is no finite number, nothing is 0
+  }
+
+  template <class S>
+  void scatter(const ForcedRun& r, int stage) {
+    const ForcedJob<S> j = job<S>(r, stage);
+    const unsigned first = stage == 0 ? kFirstPush : kPush;
+    S* const to[3] = {j.column(first), j.column(first + 1), j.column(first + 2)};
+    for (std::uint32_t row = 0; row < r.count; ++row) {
+      const Vec3d a = rows_.force[r.first + row] * (1 / rows_.mass[r.first + row]);
+      to[0][row] = static_cast<S>(a.x), to[1][row] = static_cast<S>(a.y), to[2][row] = static_cast<S>(a.z);
+    }
+  }
+
+  template <class S>
+  ForcedJob<S> job(const ForcedRun& r, int stage) {
+    ForcedJob<S> j{rows_job<S>(context_, r.cohort), s_.template memory<S>().data() + r.memory, padded(r.count), stage,
+                   key(r.cohort).features.applied};
+    j.rows.first = 0;
+    j.rows.last = r.count;
+    j.rows.attention = s_.attention.data() + r.words;
+    return j;
+  }
+
+  // ------------------------------------------------------------------------------------------- the end
+  [[nodiscard]] bool is_marked(const ForcedRun& r, std::uint32_t row) const {
+    return (s_.attention[r.words + row / kRowsPerWord] >> row % kRowsPerWord & 1u) != 0;
+  }
+
+  /// Rows to which nothing happened are where the last stage left them.
+  template <class S>
+  void keep_ends(const ForcedRun& r) {
+    const ForcedJob<S> j = job<S>(r, 0);
+    const RowColumns<S>& c = j.rows.columns;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const S* const x = j.column(kStagePosition + axis);
+      const S* const v = j.column(kStageVelocity + axis);
+      const S* const carried = j.column(kSlopes + 3 + axis);
+      for (std::uint32_t row = 0; row < r.count; ++row) {
+        if (r.attention && is_marked(r, row)) continue;
+        c.previous[axis][row] = x[row];
+        c.velocity[axis][row] = v[row];
+        if (c.carried[0]) c.carried[axis][row] = carried[row];
+      }
+    }
+  }
+
+  template <class S>
+  void settle(const ForcedRun& r) {
+    s_.chunk.cohort = r.cohort;
+    for (std::uint32_t row = 0; row < r.count; ++row) {
+      if (!is_marked(r, row)) continue;
+      const TakenStep<S> taken = taken_by<S>(r, row);
+      SettleContext context = context_;
+      context.taken = &taken;
+      settle_row(context, s_.chunk, row);
+    }
+  }
+
+  template <class S>
+  TakenStep<S> taken_by(const ForcedRun& r, std::uint32_t row) {
+    const ForcedJob<S> j = job<S>(r, 0);
+    const RowColumns<S>& c = j.rows.columns;
+    const bool classic = key(r.cohort).fidelity.integrator == Integrator::classic;
+    const auto vector = [&](unsigned k) {
+      return Vec3<S>{j.column(k)[row], j.column(k + 1)[row], j.column(k + 2)[row]};
+    };
+    TakenStep<S> taken{};
+    taken.own_force = j.own_force;
+    Step<S>& s = taken.step;
+    s.start = {{c.position[0][row], c.position[1][row], c.position[2][row]},
+               {c.velocity[0][row], c.velocity[1][row], c.velocity[2][row]}};
+    s.end = {vector(kStagePosition), vector(kStageVelocity)};
+    for (unsigned i = 0; !classic && i < static_cast<unsigned>(end_slope(key(r.cohort).fidelity.integrator)); ++i)
+      s.slope[i] = {vector(kSlopes + 6 * i), vector(kSlopes + 6 * i + 3)};
+    if (classic) {
+      s.slope[0] = {s.start.v, {c.carried[0][row], c.carried[1][row], c.carried[2][row]}};
+      s.slope[1] = {s.end.v, vector(kSlopes + 3)};
+    }
+    taken.push[0] = vector(kFirstPush);
+    taken.push[1] = classic ? taken.push[0] : vector(kPush);
+    if (!is_finite(State<S>{taken.push[1], {}})) taken.push[1] = taken.push[0];  // for the next step to find
+    return taken;
+  }
+
+  const SettleContext& context_;
+  ForcedScratch& s_;
+  ForceRows& rows_;
+  ForceField field_;
+  WorldKernel kernel_;
+};
+
+}  // namespace
+
+std::size_t step_forced_rows(const SettleContext& context, ForcedScratch& scratch) {
+  scratch.chunk.events.clear();
+  scratch.chunk.changes.clear();
+  return ForcedStep(context, scratch).run();
+}
+
+}  // namespace physim

@@ -1,0 +1,57 @@
+// Level of detail: projectiles move between rungs by their distance to an observer and their age.
+#include <cmath>
+
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+/// Steps between two looks at a projectile. They are counted from its launch, so that they do not depend on others.
+constexpr std::int64_t kStepsBetweenLooks = 8;
+
+/// The first rung that holds, or the last.
+std::size_t wanted_rung(const DetailRule& rule, double distance, double age) {
+  for (std::size_t i = 0; i + 1 < rule.rungs.size(); ++i)
+    if (distance <= rule.rungs[i].within && age <= rule.rungs[i].younger) return i;
+  return rule.rungs.size() - 1;
+}
+
+/// The same, but the rung that it is on holds until it is left by more than the hysteresis, and a finer one is taken
+/// only when it is reached by as much.
+std::size_t next_rung(const DetailRule& rule, std::size_t current, double distance, double age) {
+  const std::size_t wanted = wanted_rung(rule, distance, age);
+  if (current >= rule.rungs.size() || wanted == current) return wanted;
+  const DetailRung& border = rule.rungs[wanted < current ? wanted : current];
+  if (wanted < current) return distance <= border.within * (1 - rule.hysteresis) ? wanted : current;
+  return age > border.younger || distance > border.within * (1 + rule.hysteresis) ? wanted : current;
+}
+
+}  // namespace
+
+void World::Impl::apply_detail() {
+  if (!uses_detail()) return;
+  const double now = state.clock.time();
+  const DetailRule& rule = state.detail;
+  for (std::uint32_t index = 1; index < state.slots.size(); ++index) {
+    const Slot& slot = state.slots[index];
+    if (!slot.is(kAlive) || slot.is(kStill)) continue;
+    const double age = now - state.birth[index];
+    if (std::llround(age / state.clock.dt) % kStepsBetweenLooks != 0) continue;
+    if ((layers_of(index) & rule.layers) == 0) continue;
+    const Fidelity& asked = kind_of(slot).rungs[slot.rung].asked;
+    std::size_t current = 0;
+    while (current < rule.rungs.size() && !(rule.rungs[current].fidelity == asked)) ++current;
+    const double distance = length(rows_of(slot).position(slot.row) - state.observer);
+    const std::size_t next = next_rung(rule, current, distance, age);
+    if (next != current) change_fidelity(index, rule.rungs[next].fidelity);
+  }
+}
+
+bool World::set_detail(const DetailRule& rule) {
+  const Recorded<Call::set_detail> call(impl_->recorder, rule);
+  if (const Status status = check(rule)) return impl_->refuse(*status);
+  impl_->state.detail = rule;
+  return true;
+}
+
+}  // namespace physim

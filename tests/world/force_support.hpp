@@ -1,0 +1,67 @@
+// Worlds with nothing but the forces that a test brings along.
+#pragma once
+
+#include "../support.hpp"
+
+namespace physim {
+
+inline constexpr Integrator kAll[] = {
+    Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4,
+    Integrator::tsit5,   Integrator::dop853};
+
+inline Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
+  Fidelity f = test::vacuum(integrator);
+  f.precision = precision;
+  return f;
+}
+
+inline ProjectileDef ball(const Fidelity& fidelity, double mass = 1) {
+  ProjectileDef p;
+  p.mass = mass;
+  p.diameter = 0.1;
+  p.fidelity = fidelity;
+  return p;
+}
+
+/// Nothing but what the test brings along.
+inline WorldDef empty_space(bool gravity = false) {
+  WorldDef def;
+  def.environment.gravity.model = gravity ? GravityModel::constant : GravityModel::off;
+  def.environment.atmosphere.model = AirModel::vacuum;
+  def.ground.mode = GroundMode::none;
+  return def;
+}
+
+inline World make(const WorldDef& def) { return std::move(World::create(def).value()); }
+
+inline Launch at(const Vec3d& position, const Vec3d& velocity = {}) {
+  Launch l;
+  l.position = position;
+  l.velocity = velocity;
+  return l;
+}
+
+inline ForceDef force(ForceLaw law, ForceTarget target) {
+  ForceDef f;
+  f.law = std::move(law);
+  f.target = std::move(target);
+  return f;
+}
+
+inline AnchoredSpring spring_to_origin(double stiffness) {
+  AnchoredSpring s;
+  s.stiffness = stiffness;
+  return s;
+}
+
+inline void steps(World& world, int count, double dt) {
+  for (int i = 0; i < count; ++i) ASSERT_TRUE(world.step(dt));
+}
+
+inline std::vector<WorldEventKind> kinds(const World& world) {
+  std::vector<WorldEventKind> list;
+  for (const WorldEvent& e : world.events()) list.push_back(e.kind);
+  return list;
+}
+
+}  // namespace physim

@@ -1,0 +1,179 @@
+// Landing, bouncing, rolling and sleeping, against closed forms.
+#include <cmath>
+
+#include "physim/flight.hpp"
+#include "world/world_support.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kG = 9.80665;
+
+WorldDef on_ground(GroundMode mode) {
+  WorldDef def;
+  def.ground.mode = mode;
+  return def;
+}
+
+TEST(Ground, landing_has_the_exact_time_and_place_of_a_flight) {
+  WorldDef def = on_ground(GroundMode::land);
+  def.environment.wind.velocity = {3, 0, 1};
+  for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4}) {
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      World world = make_world(def);
+      ProjectileDef p = bullet();
+      p.fidelity = Fidelity::sport_ball();
+      p.fidelity.integrator = integrator;
+      p.fidelity.precision = precision;
+      const Launch launch{.position = {0, 1.5, 0}, .speed = 100, .elevation = 0.05};
+      const ProjectileId id = world.spawn(p, launch);
+      const auto events = run_for(world, 3);
+      const auto landed =
+          std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::landed; });
+      ASSERT_NE(landed, events.end());
+      Tolerance tolerance;
+      tolerance.step = 1.0 / 64;
+      const Flight flight = fly(p, launch, def.environment, p.fidelity, tolerance);
+      // Positions come from the same interpolant; times are added in another order.
+      EXPECT_NEAR(landed->time, flight.duration(), 1e-7);
+      EXPECT_NEAR(landed->position.x, flight.end().position.x, 1e-6 * flight.end().position.x);
+      EXPECT_NEAR(landed->position.y, 0, 1e-5);
+      EXPECT_EQ(landed->id, id);
+      EXPECT_FALSE(world.is_alive(id));
+      EXPECT_EQ(world.status(id), LifeStatus::landed);
+      EXPECT_EQ(world.size(), 0u);
+    }
+  }
+}
+
+TEST(Ground, a_bouncing_ball_follows_the_closed_form) {
+  WorldDef def = on_ground(GroundMode::bounce);
+  BodyDef body;
+  body.restitution = 0.8;
+  ProjectileDef p = stone();
+  p.fidelity.integrator = Integrator::rk4;  // exact for parabolas
+  World world = make_world(def);
+  world.spawn(p, {.position = {0, 2, 0}}, body);
+  const auto events = run_for(world, 4);
+  double time = std::sqrt(2 * 2 / kG);
+  double speed = kG * time;
+  int bounces = 0;
+  for (const WorldEvent& e : events) {
+    if (e.kind != WorldEventKind::bounced) continue;
+    speed *= 0.8;
+    EXPECT_NEAR(e.time, time, 1e-9);
+    EXPECT_NEAR(e.velocity.y, speed, 1e-9);
+    EXPECT_NEAR(e.position.y, 0, 1e-12);
+    time += 2 * speed / kG;
+    ++bounces;
+  }
+  EXPECT_EQ(bounces, 5);
+}
+
+TEST(Ground, closed_forms_bounce_too) {
+  BodyDef body;
+  body.restitution = 0.5;
+  ProjectileDef p = stone();
+  p.fidelity.motion = Motion::closed_form;
+  World world = make_world(on_ground(GroundMode::bounce));
+  const ProjectileId id = world.spawn(p, {.position = {0, 2, 0}, .velocity = Vec3d{3, 0, 0}}, body);
+  const auto events = run_for(world, 1);
+  const double fall = std::sqrt(2 * 2 / kG);
+  ASSERT_FALSE(events.empty());
+  const auto bounce =
+      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::bounced; });
+  ASSERT_NE(bounce, events.end());
+  EXPECT_NEAR(bounce->time, fall, 1e-9);
+  const double after = 1 - fall;
+  const double up = 0.5 * kG * fall;
+  EXPECT_NEAR(world.position(id).y, up * after - 0.5 * kG * after * after, 1e-9);
+}
+
+TEST(Ground, friction_slows_a_bounce_as_coulomb_says) {
+  BodyDef body;
+  body.restitution = 0.5;
+  body.friction = 0.3;
+  World world = make_world(on_ground(GroundMode::bounce));
+  world.spawn(stone(), {.position = {0, 1, 0}, .velocity = Vec3d{10, -4, 0}}, body);
+  const auto events = run_for(world, 0.5);
+  const auto bounce =
+      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::bounced; });
+  ASSERT_NE(bounce, events.end());
+  const double down = bounce->velocity.y / 0.5;
+  EXPECT_NEAR(bounce->velocity.x, 10 - 0.3 * 1.5 * down, 1e-9);
+}
+
+TEST(Ground, a_ball_rolls_to_rest_and_sleeps_where_resistance_stops_it) {
+  BodyDef body;
+  body.restitution = 0;
+  body.friction = 0;
+  body.rolling_resistance = 0.1;
+  body.sleep_time = 0.25;
+  World world = make_world(on_ground(GroundMode::bounce));
+  const ProjectileId id = world.spawn(stone(), {.velocity = Vec3d{5, 0, 0}}, body);
+  const auto events = run_for(world, 8);
+  EXPECT_TRUE(world.is_asleep(id));
+  EXPECT_EQ(world.position(id).y, 0);
+  EXPECT_EQ(world.velocity(id), Vec3d{});
+  EXPECT_NEAR(world.position(id).x, 25 / (2 * 0.1 * kG), 1e-3);
+  const auto slept =
+      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::slept; });
+  ASSERT_NE(slept, events.end());
+  EXPECT_NEAR(slept->time, (5 - 0.05) / (0.1 * kG) + 0.25, 0.05);
+}
+
+TEST(Ground, an_impulse_wakes_a_sleeper) {
+  BodyDef body;
+  body.sleep_time = 0.1;
+  World world = make_world(on_ground(GroundMode::bounce));
+  const ProjectileId id = world.spawn(stone(), {}, body);
+  run_for(world, 1);
+  ASSERT_TRUE(world.is_asleep(id));
+  EXPECT_TRUE(world.apply_impulse(id, {0, 3, 0}));
+  EXPECT_FALSE(world.is_asleep(id));
+  EXPECT_EQ(events_of(world, WorldEventKind::woke).size(), 1u);
+  world.step(1.0 / 64);
+  EXPECT_GT(world.position(id).y, 0);
+}
+
+TEST(Ground, stuck_arrows_stay_where_they_struck) {
+  World world = make_world(on_ground(GroundMode::stick));
+  const ProjectileId id = world.spawn(stone(), {.position = {0, 1, 0}, .velocity = Vec3d{30, 0, 0}});
+  run_for(world, 2);
+  ASSERT_TRUE(world.is_alive(id));
+  EXPECT_EQ(world.status(id), LifeStatus::landed);
+  EXPECT_NEAR(world.position(id).y, 0, 1e-9);
+  EXPECT_EQ(world.velocity(id), Vec3d{});
+  const Vec3d there = world.position(id);
+  run_for(world, 1);
+  EXPECT_EQ(world.position(id), there);
+}
+
+TEST(Ground, spawned_in_the_ground_and_falling_lands_at_once) {
+  World world = make_world(on_ground(GroundMode::land));
+  const ProjectileId id = world.spawn(stone(), {.position = {0, -1, 0}, .velocity = Vec3d{0, -1, 0}});
+  world.step(1.0 / 64);
+  EXPECT_EQ(world.status(id), LifeStatus::landed);
+  const ProjectileId rising = world.spawn(stone(), {.position = {0, -1, 0}, .velocity = Vec3d{0, 10, 0}});
+  run_for(world, 0.5);
+  EXPECT_TRUE(world.is_alive(rising));
+  EXPECT_GT(world.position(rising).y, 0);
+}
+
+TEST(Ground, apex_is_told_where_it_is) {
+  WorldDef def = on_ground(GroundMode::land);
+  def.apex_events = true;
+  World world = make_world(def);
+  ProjectileDef p = stone();
+  p.fidelity.integrator = Integrator::rk4;
+  world.spawn(p, {.velocity = Vec3d{2, 10, 0}});
+  const auto events = run_for(world, 1.5);
+  const auto apex =
+      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::apex; });
+  ASSERT_NE(apex, events.end());
+  EXPECT_NEAR(apex->time, 10 / kG, 1e-9);
+  EXPECT_NEAR(apex->position.y, 50 / kG, 1e-9);
+}
+
+}  // namespace
+}  // namespace physim

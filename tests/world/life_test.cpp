@@ -1,0 +1,285 @@
+// Coming and going: ids, pools, rules, pending launches, switches, things carried along, time.
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "world/world_support.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+TEST(Life, stale_ids_are_detected) {
+  World world;
+  const ProjectileId first = world.spawn(stone(), {.position = {0, 5, 0}});
+  ASSERT_TRUE(world.is_alive(first));
+  EXPECT_TRUE(world.despawn(first));
+  EXPECT_FALSE(world.despawn(first));
+  EXPECT_EQ(world.status(first), LifeStatus::retired);
+  const ProjectileId second = world.spawn(stone(), {.position = {0, 5, 0}});
+  EXPECT_EQ(second.index, first.index);
+  EXPECT_NE(second, first);
+  EXPECT_EQ(world.status(first), LifeStatus::unknown);
+  EXPECT_FALSE(world.set_velocity(first, {1, 0, 0}));
+  EXPECT_EQ(world.position(first), Vec3d{});
+  EXPECT_FALSE(world.is_alive(ProjectileId{}));
+  EXPECT_FALSE(world.is_alive(ProjectileId{1000000, 1}));
+}
+
+TEST(Life, bad_input_is_refused_with_a_place) {
+  World world;
+  const auto refused = [&](const ProjectileDef& p, const Launch& launch, const BodyDef& body = {}) {
+    const ProjectileId id = world.spawn(p, launch, body);
+    return !id && world.error() && !world.error()->place.empty();
+  };
+  ProjectileDef p = stone();
+  p.mass = kNan;
+  EXPECT_TRUE(refused(p, {}));
+  p.mass = -1;
+  EXPECT_TRUE(refused(p, {}));
+  p = stone();
+  p.diameter = 0;
+  EXPECT_TRUE(refused(p, {}));
+  EXPECT_TRUE(refused(stone(), {.position = {kNan, 0, 0}}));
+  EXPECT_TRUE(refused(stone(), {.velocity = Vec3d{0, kInf, 0}}));
+  for (auto change : std::vector<void (*)(BodyDef&)>{
+           [](BodyDef& b) { b.restitution = 1.5; }, [](BodyDef& b) { b.friction = -1; },
+           [](BodyDef& b) { b.gravity_scale = kNan; }, [](BodyDef& b) { b.drag_scale = -1; },
+           [](BodyDef& b) { b.pool = 3; }, [](BodyDef& b) { b.environment = 3; },
+           [](BodyDef& b) { b.despawn.older = 0; }, [](BodyDef& b) { b.despawn.farther = -1; },
+           [](BodyDef& b) { b.despawn.outside_box = true; }, [](BodyDef& b) { b.sleep_speed = kNan; }}) {
+    BodyDef body;
+    change(body);
+    EXPECT_TRUE(refused(stone(), {}, body));
+  }
+  EXPECT_EQ(world.size(), 0u);
+  EXPECT_EQ(world.counters().refused, 15u);
+  EXPECT_FALSE(world.step(0));
+  EXPECT_FALSE(world.step(kNan));
+  EXPECT_FALSE(world.step(-1));
+  EXPECT_EQ(world.advance(kInf), 0);
+  EXPECT_FALSE(world.set_time_scale(-1));
+  EXPECT_FALSE(world.spawn(KindId{77}, {}));
+
+  for (auto change : std::vector<void (*)(WorldDef&)>{
+           [](WorldDef& d) { d.step = 0; }, [](WorldDef& d) { d.step = kNan; }, [](WorldDef& d) { d.time_scale = -1; },
+           [](WorldDef& d) { d.max_steps = 0; }, [](WorldDef& d) { d.ground.height = kNan; },
+           [](WorldDef& d) { d.ground.restitution = 2; }, [](WorldDef& d) { d.detail.rungs.resize(1); },
+           [](WorldDef& d) { d.environment.wind.velocity.x = kInf; }, [](WorldDef& d) { d.max_projectiles = 0; }}) {
+    WorldDef def;
+    change(def);
+    const auto made = World::create(def);
+    ASSERT_FALSE(made.ok());
+    EXPECT_FALSE(made.error().place.empty());
+  }
+}
+
+TEST(Life, pools_refuse_or_replace) {
+  WorldDef def;
+  def.pools = {{"few", 3, WhenFull::refuse}, {"newest", 3, WhenFull::replace_oldest}};
+  World world = make_world(def);
+  BodyDef body;
+  std::vector<ProjectileId> ids;
+  for (int i = 0; i < 5; ++i) ids.push_back(world.spawn(stone(), {.position = {0, 9, 0}}, body));
+  EXPECT_TRUE(ids[2]);
+  EXPECT_FALSE(ids[3]);
+  EXPECT_EQ(world.size(), 3u);
+  world.clear();
+  body.pool = 1;
+  ids.clear();
+  for (int i = 0; i < 5; ++i) ids.push_back(world.spawn(stone(), {.position = {0, 9, 0}}, body));
+  EXPECT_EQ(world.size(), 3u);
+  EXPECT_FALSE(world.is_alive(ids[0]));
+  EXPECT_FALSE(world.is_alive(ids[1]));
+  EXPECT_TRUE(world.is_alive(ids[2]));
+  world.despawn(ids[3]);
+  ids.push_back(world.spawn(stone(), {.position = {0, 9, 0}}, body));
+  EXPECT_TRUE(world.is_alive(ids[2]));
+  ids.push_back(world.spawn(stone(), {.position = {0, 9, 0}}, body));
+  EXPECT_FALSE(world.is_alive(ids[2]));
+  EXPECT_TRUE(world.is_alive(ids[4]));
+}
+
+TEST(Life, despawn_rules) {
+  struct Case {
+    void (*set)(DespawnRules&);
+    Launch launch;
+    Reason reason;
+    double when;
+  };
+  const std::vector<Case> cases{
+      {[](DespawnRules& d) { d.below = 3; }, {.position = {0, 5, 0}}, Reason::below, std::sqrt(2 * 2 / 9.80665)},
+      {[](DespawnRules& d) { d.farther = 20; },
+       {.position = {7, 50, 0}, .velocity = Vec3d{0, 0, 40}},
+       Reason::farther,
+       0.5},
+      {[](DespawnRules& d) { d.older = 0.75; }, {.position = {0, 50, 0}}, Reason::older, 0.75},
+      {[](DespawnRules& d) { d.slower = 5; },
+       {.position = {0, 5, 0}, .velocity = Vec3d{0, 10, 0}},
+       Reason::slower,
+       5 / 9.80665},
+      {[](DespawnRules& d) {
+         d.outside_box = true;
+         d.box_low = {-1, 0, -1};
+         d.box_high = {10, 90, 1};
+       },
+       {.position = {0, 50, 0}, .velocity = Vec3d{40, 0, 0}},
+       Reason::outside_box,
+       0.25}};
+  for (const Case& c : cases) {
+    World world;
+    BodyDef body;
+    c.set(body.despawn);
+    const ProjectileId id = world.spawn(stone(), c.launch, body);
+    const ProjectileId other = world.spawn(stone(), {.position = {0, 90, 0}});
+    const auto events = run_for(world, 1);
+    const auto end =
+        std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::expired; });
+    ASSERT_NE(end, events.end());
+    EXPECT_EQ(end->reason, c.reason);
+    EXPECT_EQ(end->id, id);
+    EXPECT_GE(end->time, c.when - 1e-9);
+    EXPECT_LE(end->time, c.when + 2.5 / 64);
+    EXPECT_EQ(world.status(id), LifeStatus::expired);
+    EXPECT_TRUE(world.is_alive(other));
+  }
+}
+
+TEST(Life, pending_shots_start_later) {
+  World world;
+  const ProjectileId id = world.spawn(world.add_kind(stone()), {.position = {0, 50, 0}}, 0.5);
+  EXPECT_EQ(world.status(id), LifeStatus::pending);
+  run_for(world, 0.5);
+  EXPECT_EQ(world.position(id), (Vec3d{0, 50, 0}));
+  const auto events = run_for(world, 0.25);
+  EXPECT_EQ(world.status(id), LifeStatus::in_flight);
+  EXPECT_NEAR(world.age(id), 0.25, 1e-12);
+  EXPECT_LT(world.position(id).y, 50);
+  EXPECT_EQ(std::count_if(events.begin(), events.end(), [](auto& e) { return e.kind == WorldEventKind::spawned; }), 1);
+}
+
+TEST(Life, switches_of_a_body) {
+  World world;
+  const Launch high{.position = {0, 100, 0}, .velocity = Vec3d{10, 0, 5}};
+  const ProjectileId plain = world.spawn(stone(), high);
+  const ProjectileId floating = world.spawn(stone(), high);
+  const ProjectileId half = world.spawn(stone(), high);
+  const ProjectileId kinematic = world.spawn(stone(), high);
+  const ProjectileId frozen = world.spawn(stone(), high);
+  BodyDef fixed;
+  fixed.infinite_mass = true;
+  const ProjectileId heavy = world.spawn(stone(), high, fixed);
+  EXPECT_TRUE(world.set_use_gravity(floating, false));
+  EXPECT_TRUE(world.set_gravity_scale(half, 0.5));
+  EXPECT_TRUE(world.set_kinematic(kinematic, true));
+  EXPECT_TRUE(world.set_frozen(frozen, Axes::x | Axes::y, Axes::none));
+  EXPECT_EQ(world.inverse_mass(heavy), 0);
+  EXPECT_FALSE(world.apply_impulse(heavy, {1, 1, 1}));
+  run_for(world, 1);
+  const double fall = 100 - world.position(plain).y;
+  EXPECT_GT(fall, 4.5);
+  EXPECT_EQ(world.position(floating).y, 100);
+  EXPECT_NEAR(100 - world.position(half).y, 0.5 * fall, 1e-12);
+  EXPECT_EQ(world.position(kinematic), high.position);
+  EXPECT_NEAR(world.position(frozen).z, 5, 1e-12);
+  EXPECT_EQ(world.position(frozen).x, 0);
+  EXPECT_EQ(world.position(frozen).y, 100);
+  EXPECT_EQ(world.position(heavy), high.position);
+  EXPECT_TRUE(world.set_position(kinematic, {1, 2, 3}));
+  EXPECT_EQ(world.position(kinematic), (Vec3d{1, 2, 3}));
+  EXPECT_TRUE(world.set_use_gravity(floating, true));
+  EXPECT_TRUE(world.set_kinematic(kinematic, false));
+  run_for(world, 0.5);
+  EXPECT_LT(world.position(floating).y, 100);
+  EXPECT_LT(world.position(kinematic).y, 2);
+}
+
+TEST(Life, frozen_closed_forms_stay_on_their_axis) {
+  World world;
+  ProjectileDef p = stone();
+  p.fidelity.motion = Motion::closed_form;
+  BodyDef body;
+  body.frozen = Axes::y;
+  const ProjectileId id = world.spawn(p, {.position = {0, 5, 0}, .velocity = Vec3d{10, 0, 5}}, body);
+  run_for(world, 1);
+  EXPECT_NEAR(world.position(id).x, 10, 1e-12);
+  EXPECT_EQ(world.position(id).y, 5);
+}
+
+TEST(Life, things_carried_along) {
+  World world;
+  BodyDef body;
+  body.label = "arrow";
+  body.colour = 0xff0000ff;
+  body.layers = 6;
+  const ProjectileId id = world.spawn(stone(), {.position = {0, 5, 0}}, body);
+  EXPECT_EQ(world.label(id), "arrow");
+  EXPECT_EQ(world.colour(id), 0xff0000ffu);
+  EXPECT_EQ(world.layers(id), 6u);
+  EXPECT_TRUE(world.set_user_data(id, 42));
+  EXPECT_TRUE(world.set_colour(id, 1));
+  EXPECT_EQ(world.user_data(id), 42u);
+  EXPECT_EQ(world.colour(id), 1u);
+  EXPECT_EQ(world.label(id), "arrow");
+  world.despawn(id);
+  EXPECT_EQ(world.user_data(id), 0u);
+}
+
+TEST(Life, turning_follows_its_closed_form) {
+  World world;
+  BodyDef body;
+  body.angular_velocity = {0, 2, 0};
+  body.angular_drag = 0.5;
+  const ProjectileId id = world.spawn(stone(), {.position = {0, 500, 0}}, body);
+  run_for(world, 2);
+  const double angle = 2 * (1 - std::exp(-1.0)) / 0.5;
+  EXPECT_NEAR(world.angular_velocity(id).y, 2 * std::exp(-1.0), 1e-12);
+  EXPECT_NEAR(world.orientation(id).w, std::cos(angle / 2), 1e-12);
+  EXPECT_NEAR(world.orientation(id).y, std::sin(angle / 2), 1e-12);
+  EXPECT_TRUE(world.set_frozen(id, Axes::none, Axes::y));
+  run_for(world, 0.5);
+  EXPECT_EQ(world.angular_velocity(id).y, 0);
+}
+
+TEST(Time, advance_takes_fixed_steps_and_keeps_the_rest) {
+  WorldDef def;
+  def.step = 1.0 / 64;
+  World world = make_world(def);
+  const ProjectileId id = world.spawn(stone(), {.position = {0, 100, 0}, .velocity = Vec3d{64, 0, 0}});
+  EXPECT_EQ(world.advance(2.5 / 64), 2);
+  EXPECT_NEAR(world.fraction(), 0.5, 1e-12);
+  EXPECT_NEAR(world.render_position(id).x, 1.5, 1e-12);
+  world.set_smoothing(id, Smoothing::extrapolate);
+  EXPECT_NEAR(world.render_position(id).x, 2.5, 1e-12);
+  world.set_smoothing(id, Smoothing::none);
+  EXPECT_NEAR(world.render_position(id).x, 2, 1e-12);
+  world.set_paused(true);
+  EXPECT_EQ(world.advance(1), 0);
+  EXPECT_NEAR(world.time(), 2.0 / 64, 1e-15);
+  EXPECT_TRUE(world.single_step());
+  EXPECT_NEAR(world.time(), 3.0 / 64, 1e-15);
+  world.set_paused(false);
+  world.set_time_scale(0.5);
+  EXPECT_EQ(world.advance(1.0 / 64), 1);
+  EXPECT_EQ(world.advance(10), 8);  // WorldDef::max_steps
+  EXPECT_NEAR(world.counters().dropped_time, 5 - 8.0 / 64, 0.02);
+  EXPECT_LT(world.fraction(), 1);
+}
+
+TEST(Time, a_change_of_step_keeps_clocks) {
+  ProjectileDef p = stone();
+  p.fidelity.motion = Motion::closed_form;
+  World world;
+  const ProjectileId id = world.spawn(p, {.position = {0, 1000, 0}, .velocity = Vec3d{10, 20, 0}});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> dt(0.001, 0.05);
+  for (int i = 0; i < 100; ++i) world.step(dt(random));
+  const double t = world.time();
+  EXPECT_NEAR(world.age(id), t, 1e-12);
+  EXPECT_NEAR(world.position(id).y, 1000 + 20 * t - 0.5 * 9.80665 * t * t, 1e-9);
+}
+
+}  // namespace
+}  // namespace physim
