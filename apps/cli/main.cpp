@@ -104,6 +104,7 @@ int run(int argc, char** argv) {
   add_compare_command(app, exit_code);
   add_validate_command(app, exit_code);
   add_list_command(app, exit_code);
+  add_replay_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {

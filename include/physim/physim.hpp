@@ -14,6 +14,7 @@
 #include "physim/presets.hpp"
 #include "physim/projectile.hpp"
 #include "physim/quat.hpp"
+#include "physim/recording.hpp"
 #include "physim/result.hpp"
 #include "physim/task_runner.hpp"
 #include "physim/units.hpp"

@@ -169,8 +169,10 @@ void Registry::point_to_curves(WorldCohort& cohort) {
 Result<std::uint32_t> Registry::add_environment(const Environment& environment) {
   if (const Status status = check(environment)) return *status;
   if (environments_.size() >= 4096) return Error{"there are too many environments", "world", "at most 4096"};
+  const auto index = static_cast<std::uint32_t>(environments_.size());
   environments_.push_back(environment);
-  return static_cast<std::uint32_t>(environments_.size() - 1);
+  if (const Status bad = set_environment(index, environment)) return *bad;  // for kinds of before a restore
+  return index;
 }
 
 Status Registry::set_environment(std::uint32_t index, const Environment& environment) {
@@ -183,6 +185,13 @@ Status Registry::set_environment(std::uint32_t index, const Environment& environ
     if (k.body.environment == index)
       for (Prepared& r : k.rungs) prepare(k, r);
   return std::nullopt;
+}
+
+void Registry::restore_environments(const std::vector<Environment>& then) {
+  const std::size_t known = environments_.size();
+  environments_.resize(then.size());
+  for (std::uint32_t i = 0; i < then.size(); ++i)
+    if (i >= known || !(then[i] == environments_[i])) set_environment(i, then[i]);
 }
 
 }  // namespace physim

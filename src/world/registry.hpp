@@ -105,6 +105,11 @@ class Registry {
 
   Result<std::uint32_t> add_environment(const Environment& environment);
   Status set_environment(std::uint32_t index, const Environment& environment);
+  /// Back to what they were. Kinds that fly in one that is not there then have none until it is added again.
+  void restore_environments(const std::vector<Environment>& then);
+  [[nodiscard]] bool has_environment_of(KindId id) const {
+    return has_kind(id) && kind(id.index).body.environment < environments_.size();
+  }
   [[nodiscard]] const std::vector<Environment>& environments() const { return environments_; }
 
  private:

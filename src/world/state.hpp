@@ -67,7 +67,8 @@ struct Generator {
 
 class WorldState {
  public:
-  const void* owner = nullptr;  // of which world
+  std::uint64_t owner = 0;   // number of the world
+  std::uint64_t moment = 0;  // number of the snapshot
   Clock clock;
   std::vector<Slot> slots{1};      // slot 0 is nobody's
   std::vector<double> birth{0.0};  // time of launch, by slot [s]

@@ -1,5 +1,6 @@
 // Making worlds; projectiles coming and going.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <new>
 
@@ -11,7 +12,8 @@ namespace physim {
 
 World::Impl::Impl(const WorldDef& definition) : def(definition), registry(definition) {
   if (def.pools.empty()) def.pools.emplace_back();
-  state.owner = this;
+  static std::atomic<std::uint64_t> worlds = 0;
+  state.owner = ++worlds;
   state.pools.resize(def.pools.size());
   state.clock.dt = def.step;
   state.clock.time_scale = def.time_scale;
@@ -36,18 +38,23 @@ bool World::Impl::refuse(Error why) {
 
 // ------------------------------------------------------------------------------------------- kinds and environments
 KindId World::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
+  const Recorded<Call::add_kind> call(impl_->recorder, projectile, body);
   auto added = impl_->registry.add_kind(projectile, body);
-  if (added) return *added;
+  if (added) return call.returns(*added);
   impl_->refuse(added.error());
   return {};
 }
 
 Result<std::uint32_t> World::add_environment(const Environment& environment) {
-  return impl_->registry.add_environment(environment);
+  const Recorded<Call::add_environment> call(impl_->recorder, environment);
+  auto added = impl_->registry.add_environment(environment);
+  if (added) call.returns(*added);
+  return added;
 }
 
 Status World::set_environment(std::uint32_t index, const Environment& environment) {
   Impl& w = *impl_;
+  const Recorded<Call::set_environment> call(w.recorder, index, environment);
   if (Status status = w.registry.set_environment(index, environment)) return status;
   for (std::uint32_t slot = 1; slot < w.state.slots.size(); ++slot)
     if (w.state.slots[slot].is(kAlive) && w.kind_of(w.state.slots[slot]).body.environment == index) w.relocate(slot);
@@ -245,8 +252,11 @@ ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, 
 ProjectileId World::spawn(KindId kind, const Launch& launch, double delay) {
   ProjectileId id;
   Impl& w = *impl_;
+  const Recorded<Call::spawn> call(w.recorder, kind, launch, delay);
   if (!w.registry.has_kind(kind)) {
     w.refuse({"there is no such kind", "kind", "add_kind() makes one"});
+  } else if (!w.registry.has_environment_of(kind)) {
+    w.refuse({"its environment is no longer there", "kind", "restore() took it back: add it again"});
   } else {
     try {
       id = w.spawn(kind.index, launch, delay);
@@ -255,29 +265,33 @@ ProjectileId World::spawn(KindId kind, const Launch& launch, double delay) {
     }
   }
   if (!id) ++w.state.counters.refused;
-  return id;
+  return call.returns(id);
 }
 
 ProjectileId World::spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body, double delay) {
+  const Recorded<Call::spawn_def> call(impl_->recorder, projectile, launch, body, delay);
   const KindId kind = add_kind(projectile, body);
-  if (kind) return spawn(kind, launch, delay);
+  if (kind) return call.returns(spawn(kind, launch, delay));
   ++impl_->state.counters.refused;
   return {};
 }
 
 std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::span<ProjectileId> ids) {
+  ids = ids.first(std::min(ids.size(), launches.size()));
+  const Recorded<Call::spawn_many> call(impl_->recorder, kind, launches, std::uint64_t{ids.size()});
   std::size_t spawned = 0;
   for (std::size_t i = 0; i < launches.size(); ++i) {
     const ProjectileId id = spawn(kind, launches[i]);
     if (i < ids.size()) ids[i] = id;
     if (id) ++spawned;
   }
+  call.returns(std::span<const ProjectileId>(ids));
   return spawned;
 }
 
 void World::reserve(KindId kind, std::size_t count) {
   Impl& w = *impl_;
-  if (!w.registry.has_kind(kind)) return;
+  if (!w.registry.has_environment_of(kind)) return;
   try {
     const std::size_t slots = w.state.slots.size() + count;
     w.state.slots.reserve(slots);
@@ -314,17 +328,20 @@ void World::Impl::remove(std::uint32_t index, LifeStatus status, WorldEventKind 
 }
 
 bool World::despawn(ProjectileId id) {
+  const Recorded<Call::despawn> call(impl_->recorder, id);
   if (!impl_->find(id)) return impl_->refuse({"it is gone already", "id", ""});
   impl_->remove(id.index, LifeStatus::retired, WorldEventKind::retired, Reason::despawned);
   return true;
 }
 
 std::size_t World::despawn(std::span<const ProjectileId> ids) {
+  const Recorded<Call::despawn_many> call(impl_->recorder, ids);
   return static_cast<std::size_t>(
       std::count_if(ids.begin(), ids.end(), [this](ProjectileId id) { return despawn(id); }));
 }
 
 void World::clear() {
+  const Recorded<Call::clear> call(impl_->recorder);
   for (std::uint32_t slot = 1; slot < impl_->state.slots.size(); ++slot)
     if (impl_->state.slots[slot].is(kAlive))
       impl_->remove(slot, LifeStatus::retired, WorldEventKind::retired, Reason::despawned);

@@ -41,10 +41,12 @@ bool World::Impl::wake(std::uint32_t index) {
 }
 
 bool World::sleep(ProjectileId id) {
+  const Recorded<Call::sleep> call(impl_->recorder, id);
   if (!impl_->find(id)) return impl_->refuse(gone());
   return impl_->put_to_sleep(id.index);
 }
 bool World::wake(ProjectileId id) {
+  const Recorded<Call::wake> call(impl_->recorder, id);
   if (!impl_->find(id)) return impl_->refuse(gone());
   return impl_->wake(id.index);
 }
@@ -64,16 +66,22 @@ bool World::Impl::change_state(ProjectileId id, const BodyState& to) {
 }
 
 bool World::set_position(ProjectileId id, const Vec3d& position) {
+  const Recorded<Call::set_position> call(impl_->recorder, id, position);
   const Slot* slot = impl_->find(id);
   return impl_->change_state(id, {position, slot ? impl_->state_of(*slot).velocity : Vec3d{}});
 }
 bool World::set_velocity(ProjectileId id, const Vec3d& velocity) {
+  const Recorded<Call::set_velocity> call(impl_->recorder, id, velocity);
   const Slot* slot = impl_->find(id);
   return impl_->change_state(id, {slot ? impl_->state_of(*slot).position : Vec3d{}, velocity});
 }
-bool World::set_state(ProjectileId id, const BodyState& state) { return impl_->change_state(id, state); }
+bool World::set_state(ProjectileId id, const BodyState& state) {
+  const Recorded<Call::set_state> call(impl_->recorder, id, state);
+  return impl_->change_state(id, state);
+}
 
 bool World::apply_impulse(ProjectileId id, const Vec3d& impulse) {
+  const Recorded<Call::apply_impulse> call(impl_->recorder, id, impulse);
   const Slot* slot = impl_->find(id);
   if (!slot) return impl_->refuse(gone());
   if (!finite(impulse)) return impl_->refuse(not_finite("impulse"));
@@ -84,6 +92,7 @@ bool World::apply_impulse(ProjectileId id, const Vec3d& impulse) {
 }
 
 bool World::set_angular_velocity(ProjectileId id, const Vec3d& omega) {
+  const Recorded<Call::set_angular_velocity> call(impl_->recorder, id, omega);
   Slot* slot = impl_->find(id);
   if (!slot) return impl_->refuse(gone());
   if (!finite(omega)) return impl_->refuse(not_finite("omega"));
@@ -102,6 +111,7 @@ bool World::Impl::set_flag(ProjectileId id, std::uint32_t flag, bool on) {
 }
 
 bool World::set_gravity_scale(ProjectileId id, double scale) {
+  const Recorded<Call::set_gravity_scale> call(impl_->recorder, id, scale);
   if (!impl_->find(id)) return impl_->refuse(gone());
   if (!std::isfinite(scale)) return impl_->refuse({"must be a finite number", "scale", "1 is all of gravity"});
   impl_->own(id.index).gravity_scale = scale;
@@ -111,17 +121,22 @@ bool World::set_gravity_scale(ProjectileId id, double scale) {
   return true;
 }
 bool World::set_use_gravity(ProjectileId id, bool use) {
+  const Recorded<Call::set_use_gravity> call(impl_->recorder, id, use);
   const Slot* slot = impl_->find(id);
   if (!slot) return impl_->refuse(gone());
   const double scale = impl_->kind_of(*slot).body.gravity_scale;
   return set_gravity_scale(id, use ? (scale == 0 ? 1 : scale) : 0);
 }
-bool World::set_kinematic(ProjectileId id, bool kinematic) { return impl_->set_flag(id, kKinematic, kinematic); }
+bool World::set_kinematic(ProjectileId id, bool kinematic) {
+  const Recorded<Call::set_kinematic> call(impl_->recorder, id, kinematic);
+  return impl_->set_flag(id, kKinematic, kinematic);
+}
 bool World::is_kinematic(ProjectileId id) const {
   const Slot* slot = impl_->find(id);
   return slot && slot->is(kKinematic);
 }
 bool World::set_frozen(ProjectileId id, Axes position_axes, Axes rotation_axes) {
+  const Recorded<Call::set_frozen> call(impl_->recorder, id, position_axes, rotation_axes);
   if (!impl_->find(id)) return impl_->refuse(gone());
   Own& own = impl_->own(id.index);
   own.frozen = position_axes;
@@ -131,31 +146,39 @@ bool World::set_frozen(ProjectileId id, Axes position_axes, Axes rotation_axes) 
   impl_->write_row(id.index, impl_->state_of(slot), impl_->rows_of(slot).previous(slot.row));
   return true;
 }
-bool World::set_can_sleep(ProjectileId id, bool can) { return impl_->set_flag(id, kSleepless, !can); }
+bool World::set_can_sleep(ProjectileId id, bool can) {
+  const Recorded<Call::set_can_sleep> call(impl_->recorder, id, can);
+  return impl_->set_flag(id, kSleepless, !can);
+}
 
 bool World::set_smoothing(ProjectileId id, Smoothing smoothing) {
+  const Recorded<Call::set_smoothing> call(impl_->recorder, id, smoothing);
   Slot* slot = impl_->find(id);
   if (!slot) return impl_->refuse(gone());
   slot->set_smoothing(smoothing);
   return true;
 }
 bool World::set_user_data(ProjectileId id, std::uint64_t data) {
+  const Recorded<Call::set_user_data> call(impl_->recorder, id, data);
   if (!impl_->find(id)) return impl_->refuse(gone());
   impl_->tags(id.index).user_data = data;
   return true;
 }
 bool World::set_layers(ProjectileId id, std::uint32_t layers) {
+  const Recorded<Call::set_layers> call(impl_->recorder, id, layers);
   if (!impl_->find(id)) return impl_->refuse(gone());
   impl_->tags(id.index).layers = layers;
   impl_->update_forced(id.index);
   return true;
 }
 bool World::set_colour(ProjectileId id, std::uint32_t rgba) {
+  const Recorded<Call::set_colour> call(impl_->recorder, id, rgba);
   if (!impl_->find(id)) return impl_->refuse(gone());
   impl_->tags(id.index).colour = rgba;
   return true;
 }
 bool World::set_label(ProjectileId id, const std::string& label) {
+  const Recorded<Call::set_label> call(impl_->recorder, id, label);
   if (!impl_->find(id)) return impl_->refuse(gone());
   impl_->tags(id.index).label = label;
   return true;
@@ -177,11 +200,13 @@ bool World::Impl::change_fidelity(std::uint32_t index, const Fidelity& asked) {
 }
 
 bool World::set_fidelity(ProjectileId id, const Fidelity& fidelity) {
+  const Recorded<Call::set_fidelity> call(impl_->recorder, id, fidelity);
   if (!impl_->find(id)) return impl_->refuse(gone());
   return impl_->change_fidelity(id.index, fidelity);
 }
 
 std::size_t World::set_fidelity(std::span<const ProjectileId> ids, const Fidelity& fidelity) {
+  const Recorded<Call::set_fidelity_many> call(impl_->recorder, ids, fidelity);
   std::size_t changed = 0;
   for (const ProjectileId id : ids)
     if (impl_->find(id) && impl_->change_fidelity(id.index, fidelity)) ++changed;
@@ -204,6 +229,7 @@ FidelityInUse World::fidelity_in_use(ProjectileId id) const {
 }
 
 void World::set_observer(const Vec3d& position) {
+  const Recorded<Call::set_observer> call(impl_->recorder, position);
   if (finite(position)) impl_->state.observer = position;
 }
 

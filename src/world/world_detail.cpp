@@ -48,6 +48,7 @@ void World::Impl::apply_detail() {
 }
 
 bool World::set_detail(const DetailRule& rule) {
+  const Recorded<Call::set_detail> call(impl_->recorder, rule);
   if (const Status status = check(rule)) return impl_->refuse(*status);
   impl_->state.detail = rule;
   return true;

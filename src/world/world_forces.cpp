@@ -134,6 +134,7 @@ std::optional<Error> World::Impl::refuses(const ForceDef& force) const {
 
 ForceId World::add_force(const ForceDef& force) {
   Impl& w = *impl_;
+  const Recorded<Call::add_force> call(w.recorder, force);
   if (auto why = w.refuses(force)) return w.refuse(std::move(*why)), ForceId{};
   WorldState& state = w.state;
   std::uint32_t index;
@@ -155,15 +156,16 @@ ForceId World::add_force(const ForceDef& force) {
   const ForceId id{index, g.generation};
   state.force_order.push_back(index);
   if (force.delay == 0) w.begin_generator(index);
-  return id;
+  return call.returns(id);
 }
 
 ForceId World::add_force(ProjectileId id, ForceLaw law, double duration) {
+  const Recorded<Call::add_force_on> call(impl_->recorder, id, law, duration);
   ForceDef force;
   force.law = std::move(law);
   force.target.ids = {id};
   force.duration = duration;
-  return add_force(force);
+  return call.returns(add_force(force));
 }
 
 Generator* World::Impl::find(ForceId force) {
@@ -173,12 +175,14 @@ Generator* World::Impl::find(ForceId force) {
 }
 
 bool World::remove_force(ForceId force) {
+  const Recorded<Call::remove_force> call(impl_->recorder, force);
   if (!impl_->find(force)) return impl_->refuse({"it is gone already", "force", "is_active() tells"});
   impl_->end_generator(force.index);
   return true;
 }
 
 bool World::remove_force(ForceId force, ProjectileId id) {
+  const Recorded<Call::remove_force_from> call(impl_->recorder, force, id);
   if (!impl_->find(force)) return impl_->refuse({"it is gone already", "force", "is_active() tells"});
   if (!impl_->find(id)) return impl_->refuse({"it is gone", "id", "is_alive() tells"});
   return impl_->remove_target(force, id);

@@ -4,6 +4,7 @@
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
 #include "world/forced_step.hpp"
+#include "world/recorder.hpp"
 #include "world/settle.hpp"
 #include "world/state.hpp"
 
@@ -20,6 +21,11 @@ struct World::Impl {
   TaskRunner* lent = nullptr;
   std::unique_ptr<TaskRunner> own_threads;
   StepScratch scratch;
+  std::uint64_t moments = 0;  // snapshots taken
+  std::unique_ptr<Recorder> recorder;
+  /// Hashes of what never changes: the definition, and each kind on each of its rungs.
+  std::uint64_t def_hash = 0;
+  std::vector<std::vector<std::uint64_t>> kind_hashes;
   mutable ForcedScratch forced_scratch;
 
   // ------------------------------------------------------------------------------------------- slots
@@ -107,6 +113,12 @@ struct World::Impl {
   void turn(double dt);
   void finish_step();
   [[nodiscard]] TaskRunner& runner(std::size_t rows);
+
+  // ------------------------------------------------------------------------------------------- moments
+  [[nodiscard]] std::uint64_t hash();
+  /// Numbers of snapshots as a recording counts them: the next one's, and that of one taken before.
+  [[nodiscard]] std::uint64_t next_moment() const;
+  [[nodiscard]] std::uint64_t recorded_moment(std::uint64_t moment);
 };
 
 }  // namespace physim

@@ -1,70 +1,18 @@
 // Moments of a world: snapshots and the hash of its state.
-#include <cstring>
+#include <algorithm>
 
 #include "world/world_impl.hpp"
 
 namespace physim {
-namespace {
 
-/// FNV-1a over whole words, mixed so that every bit counts.
-class Hash {
- public:
-  void add(std::uint64_t word) {
-    value_ = (value_ ^ word) * 0x9e3779b97f4a7c15u;
-    value_ ^= value_ >> 29;
-  }
-  void add(double x) {
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    add(bits);
-  }
-  void add(const Vec3d& v) { add(v.x), add(v.y), add(v.z); }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
-
-void add_ids(Hash& h, const std::vector<ProjectileId>& ids) {
-  for (const ProjectileId id : ids) h.add((std::uint64_t{id.generation} << 32) | id.index);
-}
-
-/// The numbers of a law; of a user's function there are none to see.
-struct AddLaw {
-  Hash& h;
-
-  template <class Law>
-  void operator()(const Law& law) const {
-    static_assert(std::is_trivially_copyable_v<Law> && sizeof(Law) % sizeof(std::uint64_t) == 0);
-    std::uint64_t words[sizeof(Law) / sizeof(std::uint64_t)];
-    std::memcpy(words, &law, sizeof words);
-    for (const std::uint64_t word : words) h.add(word);
-  }
-  void operator()(const Thrust& law) const {
-    for (const Thrust::Point& point : law.curve) h.add(point.time), h.add(point.force);
-    h.add(law.direction);
-  }
-  void operator()(const CustomForce&) const {}
-};
-
-void add_generator(Hash& h, std::uint32_t index, const Generator& g) {
-  h.add((std::uint64_t{g.generation} << 32) | index);
-  h.add((std::uint64_t{g.def.law.index()} << 1) | std::uint64_t{g.begun});
-  std::visit(AddLaw{h}, g.def.law);
-  h.add(g.start);
-  h.add(g.end);
-  add_ids(h, g.def.target.ids);
-  add_ids(h, g.except);
-  h.add((std::uint64_t{g.def.target.layers} << 32) | g.def.target.kind.index);
-}
-
-}  // namespace
-
+// ------------------------------------------------------------------------------------------- snapshots
 double Snapshot::time() const { return state_ ? state_->clock.time() : 0; }
 
 Snapshot World::snapshot() const {
+  const Recorded<Call::snapshot> call(impl_->recorder, impl_->next_moment());
   auto copy = std::make_shared<WorldState>(impl_->state);
   copy->environments = impl_->registry.environments();
+  copy->moment = ++impl_->moments;
   return Snapshot(std::move(copy));
 }
 
@@ -73,43 +21,135 @@ bool World::restore(const Snapshot& snapshot) {
   if (!snapshot) return w.refuse({"the snapshot is empty", "snapshot", "World::snapshot() makes one"});
   const WorldState& then = *snapshot.state_;
   if (then.owner != w.state.owner) return w.refuse({"the snapshot is of another world", "snapshot", ""});
+  const Recorded<Call::restore> call(w.recorder, w.recorded_moment(then.moment));
   w.state = then;
-  for (std::uint32_t i = 0; i < then.environments.size(); ++i)
-    if (!(then.environments[i] == w.registry.environments()[i])) w.registry.set_environment(i, then.environments[i]);
+  w.registry.restore_environments(then.environments);
   return true;
 }
 
-std::uint64_t World::hash() const {
-  const WorldState& s = impl_->state;
-  Hash h;
-  h.add(s.clock.time());
-  h.add(s.clock.left_over);
-  h.add(s.clock.time_scale);
-  h.add(std::uint64_t{s.clock.paused});
-  for (std::uint32_t i = 1; i < s.slots.size(); ++i) {
-    const Slot& slot = s.slots[i];
-    h.add((std::uint64_t{slot.generation} << 32) | slot.flags);
-    if (!slot.is(kAlive)) continue;
-    const BodyState now = impl_->state_of(slot);
-    h.add((std::uint64_t{slot.kind} << 32) | slot.rung);
-    h.add(now.position);
-    h.add(now.velocity);
-    h.add(s.birth[i]);
-    h.add(impl_->clock_of(slot));
-    h.add(static_cast<double>(s.rest[i].time));
-    const Rows& rows = impl_->rows_of(slot);
-    rows.visit([&](const auto& c) {
-      if (rows.layout().carried) h.add(Rows::at(c.carried, slot.row));
-      for (const std::uint8_t field : rows.layout().fields) h.add(static_cast<double>(c.field[field][slot.row]));
+std::uint64_t World::Impl::next_moment() const { return recorder ? moments + 1 - recorder->first_moment : 0; }
+
+std::uint64_t World::Impl::recorded_moment(std::uint64_t moment) {
+  if (!recorder) return 0;
+  if (moment <= recorder->first_moment)
+    recorder->fail({"a snapshot was restored that was taken before the recording began", "recording",
+                    "take snapshots after record()"});
+  return moment - recorder->first_moment;
+}
+
+// ------------------------------------------------------------------------------------------- hash
+namespace {
+
+template <class S>
+void add_vector(Hash& h, S* const (&column)[3], std::uint32_t row, S fourth) {
+  h.add(column[0][row], column[1][row]);
+  h.add(column[2][row], fourth);
+}
+
+/// What a row holds that decides its future. The previous position does not: it is only shown.
+template <class S>
+void add_row(Hash& h, const RowLayout& layout, const RowColumns<S>& c, std::uint32_t row, S now) {
+  add_vector(h, c.position, row, c.velocity[0][row]);
+  h.add(c.velocity[1][row], c.velocity[2][row]);
+  if (layout.carried) add_vector(h, c.carried, row, S(0));
+  if (layout.launched) add_vector(h, c.launch, row, S(0));
+  if (layout.clocked) h.add(c.offset[row], now - c.born[row]);
+  const std::size_t fields = layout.fields.size();
+  for (std::size_t i = 0; i + 1 < fields; i += 2)
+    h.add(c.field[layout.fields[i]][row], c.field[layout.fields[i + 1]][row]);
+  if (fields % 2 != 0) h.add(c.field[layout.fields[fields - 1]][row], S(0));
+}
+
+/// The projectiles. Each is hashed by itself and the sum taken, so that the order of rows and cohorts does not matter,
+/// and the processor works on several at a time.
+std::uint64_t sum_of_rows(const WorldState& s, const std::vector<std::vector<std::uint64_t>>& kinds) {
+  std::uint64_t sum = 0;
+  const auto last_step = static_cast<std::uint32_t>(s.clock.steps);
+  for (const Rows& rows : s.rows) {
+    rows.visit([&]<class S>(const RowColumns<S>& c) {
+      const S now = static_cast<S>(s.clock.now());
+      for (std::uint32_t row = 0; row < rows.size(); ++row) {
+        const std::uint32_t index = rows.slot(row);
+        const Slot& slot = s.slots[index];
+        const Rest& rest = s.rest[index];
+        Hash h(kinds[slot.kind][slot.rung]);
+        h.add(index, slot.generation);
+        h.add(slot.flags, std::bit_cast<std::uint32_t>(rest.step + 1 == last_step ? rest.time : 0.0f));
+        h.add(s.birth[index]);  // pending launches and the ends of old ages follow from it
+        add_row(h, rows.layout(), c, row, now);
+        sum += h.value();
+      }
     });
   }
-  for (const auto& [slot, turning] : s.turning) {
-    h.add(turning.angular_velocity);
-    h.add(turning.orientation.w);
-    h.add(Vec3d{turning.orientation.x, turning.orientation.y, turning.orientation.z});
+  return sum;
+}
+
+/// What few projectiles have of their own: sums again, as these tables have no order.
+std::uint64_t sum_of_few(const WorldState& s) {
+  std::uint64_t sum = 0;
+  for (const auto& [slot, own] : s.own) sum += hash_of(slot, own.gravity_scale, own.frozen, own.frozen_rotation);
+  for (const auto& [slot, tags] : s.tags) sum += hash_of(slot, tags.user_data, tags.layers, tags.colour, tags.label);
+  for (const auto& [slot, t] : s.turning) {
+    const Quatd& q = t.orientation;
+    sum += hash_of(slot, t.angular_velocity, q.w, q.x, q.y, q.z);
   }
-  for (const std::uint32_t index : s.force_order) add_generator(h, index, s.generators[index]);
+  return sum;
+}
+
+void add_clock(Hash& h, const Clock& c) {
+  for (const double x : {c.dt, c.run_start, c.left_over, c.time_scale}) h.add(x);
+  h.add(c.run_steps);
+  h.add(std::uint64_t{c.paused});
+}
+
+/// Which slots come next, and which ids they give; what became of the projectiles that were there.
+void add_free_slots(Hash& h, const WorldState& s) {
+  for (std::uint32_t slot = s.first_free; slot != 0; slot = s.slots[slot].row) {
+    h.add(slot, s.slots[slot].generation);
+    h.add(s.slots[slot].flags, 0u);
+  }
+  h.add(std::uint64_t{s.slots.size()});
+}
+
+/// Who is replaced next where a pool is full.
+void add_pools(Hash& h, const WorldState& s) {
+  for (const Pool& pool : s.pools) {
+    h.add(pool.count, pool.oldest);
+    for (std::uint32_t slot = pool.oldest; slot != 0; slot = s.links[slot].newer) h.add(slot, pool.newest);
+  }
+}
+
+/// In the order in which they act, and that in which their places are used again.
+void add_generators(Hash& h, const WorldState& s) {
+  for (const std::uint32_t index : s.force_order) {
+    const Generator& g = s.generators[index];
+    h.add(hash_of(index, g.begun, g.start, g.end, g.def, g.except));
+  }
+  for (const Generator& g : s.generators) h.add(std::uint64_t{g.generation});
+  for (const std::uint32_t free : s.free_generators) h.add(std::uint64_t{free});
+}
+
+}  // namespace
+
+std::uint64_t World::Impl::hash() {
+  if (def_hash == 0) def_hash = hash_of(def);
+  for (std::uint32_t i = 1; registry.has_kind({i}); ++i) {
+    const Kind& kind = registry.kind(i);
+    if (kind_hashes.size() <= i) kind_hashes.resize(i + 1);
+    for (std::size_t rung = kind_hashes[i].size(); rung < kind.rungs.size(); ++rung)
+      kind_hashes[i].push_back(hash_of(kind.projectile, kind.body, kind.rungs[rung].asked));
+  }
+  Hash h(def_hash);
+  add_clock(h, state.clock);
+  h.add(sum_of_rows(state, kind_hashes));
+  h.add(sum_of_few(state));
+  add_free_slots(h, state);
+  add_pools(h, state);
+  add_generators(h, state);
+  h.add(hash_of(state.observer, state.detail, registry.environments()));
   return h.value();
 }
+
+std::uint64_t World::hash() const { return impl_->hash(); }
 
 }  // namespace physim

@@ -95,7 +95,9 @@ bool World::Impl::relocate(std::uint32_t index) {
   const std::uint16_t from = slot.cohort;
   const std::uint32_t old_row = slot.row;
   Rows& source = state.rows[from];
-  if (source.layout() == state.rows[to].layout()) {
+  // Each interpolation has curves of its own: a row's place among them does not hold for another.
+  const auto curves = [this](std::uint16_t cohort) { return registry.cohort(cohort).key.fidelity.interpolation; };
+  if (source.layout() == state.rows[to].layout() && curves(from) == curves(to)) {
     const std::uint32_t row = state.rows[to].push_copy(source, old_row);
     take_out(slot);
     slot.cohort = to;

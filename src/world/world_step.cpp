@@ -226,10 +226,12 @@ void World::Impl::step(double dt) {
     if (a.id.index != b.id.index) return a.id.index < b.id.index;
     return a.kind < b.kind;
   });
+  if (recorder) recorder->stepped([this] { return hash(); });
 }
 
 // --------------------------------------------------------------------------------------------------- time
 bool World::step(double dt) {
+  const Recorded<Call::step> call(impl_->recorder, dt);
   if (!(dt > 0 && dt < 1e6)) return impl_->refuse({"a step must be a positive time", "dt", "in s"});
   impl_->state.events.clear();
   impl_->step(dt);
@@ -238,6 +240,7 @@ bool World::step(double dt) {
 
 int World::advance(double real_dt) {
   Impl& w = *impl_;
+  const Recorded<Call::advance> call(w.recorder, real_dt);
   Clock& clock = w.state.clock;
   w.state.events.clear();
   if (!(real_dt >= 0 && real_dt < 1e9)) return w.refuse({"time passes forwards", "real_dt", "in s, not negative"}), 0;
@@ -258,14 +261,19 @@ int World::advance(double real_dt) {
 }
 
 bool World::single_step() {
+  const Recorded<Call::single_step> call(impl_->recorder);
   impl_->state.events.clear();
   impl_->step(impl_->def.step);
   return true;
 }
 
-void World::set_paused(bool paused) { impl_->state.clock.paused = paused; }
+void World::set_paused(bool paused) {
+  const Recorded<Call::set_paused> call(impl_->recorder, paused);
+  impl_->state.clock.paused = paused;
+}
 bool World::is_paused() const { return impl_->state.clock.paused; }
 bool World::set_time_scale(double scale) {
+  const Recorded<Call::set_time_scale> call(impl_->recorder, scale);
   if (!(scale >= 0 && scale <= 1000)) return impl_->refuse({"must lie between 0 and 1000", "time_scale", ""});
   impl_->state.clock.time_scale = scale;
   return true;

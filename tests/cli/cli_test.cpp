@@ -57,8 +57,12 @@ void expect_complaint(const Ran& ran, const std::string& part) {
 TEST(Cli, TellsItsVersionAndHelp) {
   EXPECT_EQ(physim({"--version"}).code, 0);
   EXPECT_TRUE(has(physim({"--version"}).out, "physim 0."));
-  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
-           {"--help"}, {"run", "--help"}, {"compare", "--help"}, {"list", "--help"}, {"validate", "--help"}}) {
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{"--help"},
+                                                                                       {"run", "--help"},
+                                                                                       {"compare", "--help"},
+                                                                                       {"list", "--help"},
+                                                                                       {"validate", "--help"},
+                                                                                       {"replay", "--help"}}) {
     const Ran ran = physim(command);
     EXPECT_EQ(ran.code, 0);
     EXPECT_TRUE(has(ran.out, "Examples:")) << command.front();

@@ -1,0 +1,102 @@
+#include "physim/recording_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace physim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  // of a file that is read into memory [bytes]
+
+/// A file that is written under another name until it is complete.
+class NewFile {
+ public:
+  explicit NewFile(std::string path) : path_(std::move(path)) {
+    std::error_code ignored;
+    const fs::path target = fs::is_symlink(path_, ignored) ? fs::canonical(path_, ignored) : fs::path(path_);
+    target_ = target.empty() ? path_ : target.string();
+    // A device or a pipe is written to; it must never be replaced by a file.
+    const bool special = fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored);
+    written_ = special ? target_ : target_ + ".part";
+  }
+
+  Status open() {
+    std::error_code ignored;
+    if (path_.empty()) return Error{"the name of the recording is empty", "", ""};
+    if (fs::is_directory(target_, ignored)) return Error{"cannot write: it is a folder", path_, "name a file in it"};
+    errno = 0;
+    out_.open(written_, std::ios::binary | std::ios::trunc);
+    return out_.is_open() ? std::nullopt : cannot_write();
+  }
+  Status write(std::span<const std::byte> bytes) {
+    errno = 0;
+    out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    out_.flush();  // from here on it survives the end of the program
+    return out_.good() ? std::nullopt : cannot_write();
+  }
+  Status complete() {
+    errno = 0;
+    out_.close();
+    if (out_.fail()) return cannot_write();
+    std::error_code failure;
+    if (written_ != target_) fs::rename(written_, target_, failure);
+    if (failure) return Error{"cannot write: " + failure.message(), path_, "it is left as " + written_};
+    return std::nullopt;
+  }
+  void give_up() {
+    std::error_code ignored;
+    out_.close();
+    if (written_ != target_) fs::remove(written_, ignored);
+  }
+
+ private:
+  [[nodiscard]] Status cannot_write() const {
+    return Error{std::string("cannot write") + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""), path_, ""};
+  }
+
+  std::string path_, target_, written_;
+  std::ofstream out_;
+};
+
+}  // namespace
+
+Status record_to_file(World& world, const std::string& path, const RecordOptions& options) {
+  const auto file = std::make_shared<NewFile>(path);
+  if (Status bad = file->open()) return bad;
+  const auto sink = [file](std::span<const std::byte> bytes) {
+    return bytes.empty() ? file->complete() : file->write(bytes);
+  };
+  Status bad = world.record(sink, options);
+  if (bad) file->give_up();
+  return bad;
+}
+
+Status save_recording(const std::string& path, std::span<const std::byte> recording) {
+  NewFile file(path);
+  if (Status bad = file.open()) return bad;
+  Status bad = file.write(recording);
+  if (!bad) bad = file.complete();
+  if (bad) file.give_up();
+  return bad;
+}
+
+Result<std::vector<std::byte>> load_recording(const std::string& path) {
+  std::error_code failure;
+  const auto status = fs::status(path, failure);
+  if (!fs::exists(status)) return Error{"there is no such file", path, ""};
+  if (fs::is_directory(status)) return Error{"this is a folder", path, "name a recording in it"};
+  const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, failure) : 0;
+  if (size > kMostBytes) return Error{"larger than 4 GiB", path, "this cannot be played from memory"};
+  std::ifstream in(path, std::ios::binary);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  if (size > 0) in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!in.is_open() || in.fail()) return Error{"the file cannot be read", path, ""};
+  return bytes;
+}
+
+}  // namespace physim

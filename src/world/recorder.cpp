@@ -1,0 +1,109 @@
+#include "world/recorder.hpp"
+
+#include <limits>
+
+#include "physim/recording.hpp"
+#include "physim/version.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+constexpr std::size_t kTogether = 1 << 16;  // [bytes]
+
+}  // namespace
+
+Recorder::Recorder(RecordSink sink, const RecordOptions& options, std::size_t together)
+    : sink_(std::move(sink)), options_(options), together_(together) {}
+
+void Recorder::attach(World& world, std::unique_ptr<Recorder> recorder) {
+  recorder->first_moment = world.impl_->moments;
+  world.impl_->recorder = std::move(recorder);
+}
+
+void Recorder::begin(const WorldDef& def) {
+  const auto* magic = reinterpret_cast<const std::byte*>(kRecordingMagic);
+  bytes_.assign(magic, magic + sizeof kRecordingMagic);
+  Writer(bytes_).write(kRecordingFormat);
+  chain_ = 0;
+  frame(Call::begin, std::string(kVersion), options_.hash_every, def);
+  flush();
+}
+
+void Recorder::open_frame(Call call) {
+  open_ = bytes_.size();
+  Writer writer(bytes_);
+  writer.number(static_cast<std::uint64_t>(call), 1);
+  writer.number(0, kFrameHead - 1);
+}
+
+void Recorder::close_frame() {
+  const std::size_t length = bytes_.size() - open_ - kFrameHead;
+  if (length > std::numeric_limits<std::uint32_t>::max()) return fail({"a call is too long for it", "recording", ""});
+  for (std::size_t i = 1; i < kFrameHead; ++i) bytes_[open_ + i] = static_cast<std::byte>(length >> (8 * (i - 1)));
+  chain_ = chain(chain_, std::span(bytes_).subspan(open_));
+  Writer(bytes_).number(check_sum(chain_), kCheckSum);
+  if (bytes_.size() >= together_) flush();
+}
+
+void Recorder::flush() {
+  if (!is_good() || bytes_.empty()) return;
+  try {
+    error_ = sink_(bytes_);
+  } catch (...) {
+    fail({"its sink threw something", "recording", "sinks return their errors"});
+  }
+  bytes_.clear();
+}
+
+void Recorder::fail(Error why) {
+  if (!error_) error_ = std::move(why);
+  bytes_.clear();
+}
+
+Status Recorder::finish() {
+  if (finished_) return error_;
+  frame(Call::end);
+  flush();
+  finished_ = true;
+  if (error_) return error_;
+  try {
+    error_ = sink_({});
+  } catch (...) {
+    fail({"its sink threw something", "recording", "sinks return their errors"});
+  }
+  return error_;
+}
+
+// --------------------------------------------------------------------------------------------- of a world
+Status World::record(RecordSink sink, const RecordOptions& options) {
+  Impl& w = *impl_;
+  if (!sink) return Error{"there is nothing to record into", "sink", "give a function that takes bytes"};
+  if (w.recorder) return Error{"a recording is under way", "world", "stop_recording() ends it"};
+  const bool untouched = !w.registry.has_kind({1}) && hash() == World(w.def).hash();
+  if (!untouched)
+    return Error{"something was done to this world already", "world", "record() comes first, right after create()"};
+  auto recorder = std::make_unique<Recorder>(std::move(sink), options, kTogether);
+  recorder->begin(w.def);
+  if (!recorder->is_good()) return recorder->finish();
+  Recorder::attach(*this, std::move(recorder));
+  return std::nullopt;
+}
+
+Status World::stop_recording() {
+  if (!impl_->recorder) return Error{"there is no recording under way", "world", "record() begins one"};
+  Status status = impl_->recorder->finish();
+  impl_->recorder.reset();
+  return status;
+}
+
+bool World::is_recording() const { return impl_->recorder && impl_->recorder->is_good(); }
+
+RecordSink record_into(std::vector<std::byte>& bytes) {
+  return [&bytes](std::span<const std::byte> more) -> Status {
+    bytes.insert(bytes.end(), more.begin(), more.end());
+    return std::nullopt;
+  };
+}
+
+}  // namespace physim

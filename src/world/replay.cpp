@@ -1,0 +1,332 @@
+// Replay: the recorded calls are made again, on a world that is recorded again; the two recordings must be equal, frame
+// by frame. So ids, hashes, and the number of steps are compared without a word about them.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "physim/recording.hpp"
+#include "world/recorder.hpp"
+
+namespace physim {
+namespace {
+
+constexpr std::size_t kHead = sizeof kRecordingMagic + sizeof kRecordingFormat;
+
+Error damaged(std::size_t place, const std::string& message) {
+  return {message, "byte " + std::to_string(place), "take another copy of it"};
+}
+
+/// A frame in the bytes of a recording.
+struct Frame {
+  Call call = Call::end;
+  std::size_t place = 0;
+  std::span<const std::byte> content;
+  std::uint64_t chained = 0;  // check sum of all frames up to this one
+
+  [[nodiscard]] std::size_t next() const { return place + kFrameHead + content.size() + kCheckSum; }
+};
+
+/// Walks the frames of a recording.
+class Frames {
+ public:
+  explicit Frames(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+  /// The next frame; nothing where there is no whole one any more.
+  Result<std::optional<Frame>> next() {
+    std::uint64_t call = 0, length = 0, sum = 0;
+    Reader head(bytes_.subspan(at_));
+    head.number(call, 1);
+    head.number(length, kFrameHead - 1);
+    if (!head.good() || bytes_.size() - at_ < kFrameHead + length + kCheckSum) return std::optional<Frame>();
+    const std::size_t size = kFrameHead + static_cast<std::size_t>(length);
+    Reader(bytes_.subspan(at_ + size)).number(sum, kCheckSum);
+    chain_ = chain(chain_, bytes_.subspan(at_, size));
+    if (check_sum(chain_) != sum || call >= kCalls) return damaged(at_, "the recording is damaged here");
+    Frame frame{static_cast<Call>(call), at_, bytes_.subspan(at_ + kFrameHead, size - kFrameHead), chain_};
+    at_ = frame.next();
+    return std::optional(frame);
+  }
+  void start() { at_ = kHead; }
+  [[nodiscard]] std::size_t place() const { return at_; }
+
+ private:
+  std::span<const std::byte> bytes_;
+  std::size_t at_ = 0;
+  std::uint64_t chain_ = 0;
+};
+
+Status check_head(std::span<const std::byte> bytes) {
+  const std::size_t known = std::min(bytes.size(), sizeof kRecordingMagic);
+  if (known == 0 || std::memcmp(bytes.data(), kRecordingMagic, known) != 0)
+    return Error{"this is not a recording", "byte 0", "World::record() makes them, and `physim run --record`"};
+  std::uint64_t format = 0;
+  Reader reader(bytes.subspan(known));
+  reader.number(format, sizeof kRecordingFormat);
+  if (!reader.good()) return Error{"the recording ends in its head", "byte " + std::to_string(bytes.size()), ""};
+  if (format != kRecordingFormat)
+    return Error{"the recording is of format " + std::to_string(format), "byte " + std::to_string(known),
+                 "this library reads format " + std::to_string(kRecordingFormat)};
+  return std::nullopt;
+}
+
+/// What is known of a recording before it is played.
+struct Survey {
+  std::size_t custom_forces = 0;
+  std::uint64_t snapshots = 0;
+  Moments* moments = nullptr;
+};
+
+/// How a call is read, and how it is made.
+struct Handler {
+  bool (*check)(std::span<const std::byte> content, Survey& survey);
+  void (*make)(Reader& reader, World& world, Moments& moments);
+};
+
+template <Call call>
+bool check_call(std::span<const std::byte> content, Survey& survey) {
+  Reader reader(content);
+  ArgumentsOf<call> arguments{};
+  std::apply([&](auto&... a) { reader(a...); }, arguments);
+  survey.custom_forces += reader.functions_used();
+  if constexpr (call == Call::snapshot) return reader.complete() && std::get<0>(arguments) == ++survey.snapshots;
+  if constexpr (call == Call::restore) {
+    const std::uint64_t number = std::get<0>(arguments);
+    if (number == 0 || number > survey.snapshots) return false;
+    survey.moments->expect_restore(number);
+  }
+  return reader.complete();
+}
+
+template <Call call>
+void make_call(Reader& reader, World& world, Moments& moments) {
+  ArgumentsOf<call> arguments{};
+  std::apply([&](auto&... a) { reader(a...); }, arguments);
+  std::apply([&](auto&... a) { kAgain<call>(world, moments, a...); }, arguments);
+}
+
+constexpr std::array<Handler, kCalls> kHandlers = {{
+    {nullptr, nullptr},  // begin
+    {nullptr, nullptr},  // end
+    {nullptr, nullptr},  // stepped
+    {nullptr, nullptr},  // returned
+#define PHYSIM_CALL(name, ...) {check_call<Call::name>, make_call<Call::name>},
+#include "world/recorded_calls.hpp"
+#undef PHYSIM_CALL
+}};
+
+bool is_call(Call call) { return kHandlers[static_cast<std::size_t>(call)].check != nullptr; }
+
+std::uint64_t number_in(std::span<const std::byte> content) {
+  std::uint64_t x = 0;
+  Reader(content).number(x, 8);
+  return x;
+}
+
+std::string hex(std::uint64_t x) {
+  char text[19];
+  std::snprintf(text, sizeof text, "0x%016llx", static_cast<unsigned long long>(x));
+  return text;
+}
+
+}  // namespace
+
+struct Replay::Impl {
+  std::vector<std::byte> bytes;
+  ReplayOptions options;
+  ReplayReport report;
+  WorldDef def;
+  RecordOptions record;
+  std::uint64_t chained = 0;  // check sum of the recording's begin
+  std::size_t end = 0;        // of the last whole frame
+  std::size_t at = 0;         // the next frame
+  Call call = Call::end;      // at hand
+  Moments moments;
+  std::size_t functions = 0;  // custom forces added
+  World world;
+  Recorder* recorder = nullptr;  // of the world
+  std::vector<std::uint64_t> hashes;
+
+  Impl(std::vector<std::byte> recording, const ReplayOptions& how) : bytes(std::move(recording)), options(how) {}
+  ~Impl() { at = end; }  // the recorder's own end, as its world goes, is compared with nothing
+  Status survey();
+  Status read_begin(const Frame& frame);
+  void start(World made);
+  Status compare(std::span<const std::byte> frame);
+  void count_spawned(std::span<const std::byte> returned);
+  void differ(std::span<const std::byte> frame);
+  [[nodiscard]] Frame frame_at(std::span<const std::byte> from, std::size_t place) const;
+  void make_next();
+};
+
+// --------------------------------------------------------------------------------------------- before it is played
+Status Replay::Impl::read_begin(const Frame& frame) {
+  Reader reader(frame.content);
+  reader(report.made_by, record.hash_every, def);
+  if (frame.call != Call::begin || !reader.complete()) return damaged(frame.place, "the recording has no beginning");
+  chained = frame.chained;
+  at = end = frame.next();
+  return std::nullopt;
+}
+
+/// Looks at every frame.
+Status Replay::Impl::survey() {
+  if (Status bad = check_head(bytes)) return bad;
+  Frames frames(bytes);
+  frames.start();
+  Survey found;
+  found.moments = &moments;
+  for (bool first = true;; first = false) {
+    const auto frame = frames.next();
+    if (!frame) return frame.error();
+    if (!*frame) break;
+    const Frame& f = **frame;
+    const Handler& handler = kHandlers[static_cast<std::size_t>(f.call)];
+    if (first) {
+      if (Status bad = read_begin(f)) return bad;
+      continue;
+    }
+    const bool known = handler.check ? handler.check(f.content, found) : f.call != Call::begin;
+    if (!known || report.complete) return damaged(f.place, "what stands here makes no sense");
+    report.complete = f.call == Call::end;
+    end = f.next();
+  }
+  if (end == 0) return Error{"the recording ends before its world is told", "byte " + std::to_string(bytes.size()), ""};
+  if (report.complete && end != bytes.size()) return damaged(end, "something follows the end of the recording");
+  report.bytes = end;
+  const auto given = std::ranges::count_if(options.custom_forces, [](const auto& f) { return bool(f.function); });
+  if (found.custom_forces > static_cast<std::size_t>(given))
+    return Error{"the recording has " + std::to_string(found.custom_forces) + " custom forces, and " +
+                     std::to_string(given) + " functions were given",
+                 "custom_forces", "functions cannot be recorded: give them in the order in which they were added"};
+  return std::nullopt;
+}
+
+// --------------------------------------------------------------------------------------------- while it is played
+void Replay::Impl::start(World made) {
+  world = std::move(made);
+  const auto sink = [this](std::span<const std::byte> frame) { return compare(frame); };
+  auto again = std::make_unique<Recorder>(sink, record, 0);
+  again->go_on(chained);
+  recorder = again.get();
+  Recorder::attach(world, std::move(again));
+}
+
+Frame Replay::Impl::frame_at(std::span<const std::byte> from, std::size_t place) const {
+  std::uint64_t kind = 0, length = 0;
+  Reader head(from.subspan(place));
+  head.number(kind, 1);
+  head.number(length, kFrameHead - 1);
+  return {static_cast<Call>(kind), place, from.subspan(place + kFrameHead, static_cast<std::size_t>(length)), 0};
+}
+
+/// One frame of the replay, against that of the recording.
+Status Replay::Impl::compare(std::span<const std::byte> frame) {
+  if (frame.empty() || report.difference || at == end) return std::nullopt;
+  if (end - at < frame.size() || !std::equal(frame.begin(), frame.end(), bytes.begin() + static_cast<long>(at)))
+    return differ(frame), std::nullopt;
+  const Frame same = frame_at(bytes, at);
+  at += frame.size();
+  if (same.call == Call::stepped) {
+    ++report.hashes;
+    hashes.push_back(number_in(same.content));
+  } else if (same.call == Call::returned) {
+    count_spawned(same.content);
+  }
+  return std::nullopt;
+}
+
+void Replay::Impl::count_spawned(std::span<const std::byte> returned) {
+  std::vector<ProjectileId> ids(1);
+  Reader reader(returned);
+  if (call == Call::spawn_many)
+    reader(ids);
+  else if (call == Call::spawn || call == Call::spawn_def)
+    reader(ids[0]);
+  report.spawned += static_cast<std::uint64_t>(std::count_if(ids.begin(), ids.end(), [](auto id) { return bool(id); }));
+}
+
+void Replay::Impl::differ(std::span<const std::byte> replayed) {
+  const Frame now = frame_at(replayed, 0);
+  const Frame then = frame_at(bytes, at);
+  ReplayDifference& d = report.difference.emplace();
+  d.step = recorder->steps();
+  d.time = world.time();
+  d.call = name(call);
+  d.place = at;
+  if (now.call == Call::stepped && then.call == Call::stepped) {
+    d.recorded_hash = number_in(then.content);
+    d.replayed_hash = number_in(now.content);
+    d.what = "the hash is " + hex(d.replayed_hash) + ", and " + hex(d.recorded_hash) + " was recorded";
+  } else if (now.call == Call::stepped) {
+    d.what = "it took a step that was not recorded";
+  } else if (now.call == Call::returned && then.call == Call::returned) {
+    d.what = "it handed out another id than the one recorded";
+  } else {
+    d.what = "it did not do what was recorded";
+  }
+}
+
+void Replay::Impl::make_next() {
+  hashes.clear();
+  const Frame frame = frame_at(bytes, at);
+  call = frame.call;
+  if (is_call(call)) {
+    Reader reader(frame.content, std::span(options.custom_forces).subspan(functions));
+    kHandlers[static_cast<std::size_t>(call)].make(reader, world, moments);
+    functions += reader.functions_used();
+    ++report.calls;
+    if (call == Call::restore) ++report.restores;
+  } else if (call == Call::end) {
+    at = end;
+  } else {
+    report.difference = ReplayDifference{recorder->steps(), world.time(), std::string(name(call)), "", 0, 0, at};
+    report.difference->what = "the recording has more of the call before than the replay";
+  }
+  report.steps = recorder->steps();
+}
+
+// --------------------------------------------------------------------------------------------- public
+Replay::Replay(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Replay::Replay(Replay&&) noexcept = default;
+Replay& Replay::operator=(Replay&&) noexcept = default;
+Replay::~Replay() = default;
+
+Result<Replay> Replay::open(std::vector<std::byte> recording, const ReplayOptions& options) {
+  auto impl = std::make_unique<Impl>(std::move(recording), options);
+  if (Status bad = impl->survey()) return *bad;
+  impl->def.threading = options.threading;
+  Result<World> world = World::create(impl->def);
+  if (!world) return world.error();
+  impl->start(std::move(*world));
+  return Replay(std::move(impl));
+}
+
+bool Replay::next() {
+  Impl& r = *impl_;
+  if (r.at >= r.end || r.report.difference) return false;
+  r.make_next();
+  return r.at < r.end ? !r.report.difference : r.call != Call::end && !r.report.difference;
+}
+
+bool Replay::next_frame() {
+  const std::uint64_t before = impl_->report.steps;
+  while (impl_->report.steps == before)
+    if (!next()) return impl_->report.steps != before && !impl_->report.difference;
+  return true;
+}
+
+const World& Replay::world() const { return impl_->world; }
+const ReplayReport& Replay::report() const { return impl_->report; }
+std::span<const std::uint64_t> Replay::hashes() const { return impl_->hashes; }
+
+Result<ReplayReport> replay(std::span<const std::byte> recording, const ReplayOptions& options) {
+  Result<Replay> opened = Replay::open({recording.begin(), recording.end()}, options);
+  if (!opened) return opened.error();
+  Replay& player = *opened;
+  while (player.next()) continue;
+  return player.report();
+}
+
+}  // namespace physim

@@ -1,0 +1,195 @@
+// Snapshots go back bit for bit; hashes tell worlds apart, and only worlds.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "world/random_session.hpp"
+
+namespace physim {
+namespace {
+
+World made(const WorldDef& def = {}) { return std::move(World::create(def).value()); }
+
+ProjectileDef ball() { return {.mass = 0.4, .diameter = 0.1, .fidelity = Fidelity::game()}; }
+
+TEST(Moments, restore_goes_back_bit_for_bit) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    World world = made(test::session_world());
+    test::RandomSession session(world, seed);
+    for (int i = 0; i < 400; ++i) session.act();
+    const Snapshot start = world.snapshot();
+    const std::uint64_t hash = world.hash();
+    const auto run = [&] {
+      std::vector<std::uint64_t> hashes;
+      for (int i = 0; i < 30; ++i) world.advance(0.02), hashes.push_back(world.hash());
+      std::vector<Vec3d> places;
+      for (const ProjectileId id : world.ids()) places.push_back(world.render_position(id));
+      return std::pair(hashes, places);
+    };
+    const auto first = run();
+    test::RandomSession other_inputs(world, seed + 100);
+    for (int i = 0; i < 200; ++i) other_inputs.act();
+    ASSERT_TRUE(world.restore(start));
+    EXPECT_EQ(world.hash(), hash);
+    EXPECT_EQ(world.time(), start.time());
+    EXPECT_EQ(run().first, first.first) << "seed " << seed;
+    ASSERT_TRUE(world.restore(start));
+    EXPECT_EQ(run().second, first.second);
+  }
+}
+
+/// A peer that predicted wrongly and went back ends like one that knew the inputs all along.
+TEST(Moments, rolled_back_worlds_equal_those_that_were_not) {
+  World knows = made(), predicts = made();
+  for (World* w : {&knows, &predicts})
+    for (int i = 0; i < 5; ++i) w->spawn(ball(), {.position = {1.0 * i, 2, 0}, .speed = 20, .elevation = 0.5});
+  const auto input = [](World& w, const Fidelity& f) {
+    const ProjectileId id = w.ids().front();
+    w.set_fidelity(id, f);
+    w.apply_impulse(id, {0, 1, 0});
+    w.spawn(ball(), {.speed = 30, .elevation = 0.3});
+  };
+  const Snapshot agreed = predicts.snapshot();
+  input(predicts, Fidelity::arcade());  // wrong: leaves kinds and rungs behind that the other world never has
+  predicts.spawn(ProjectileDef{.mass = 9}, {.speed = 9});
+  for (int i = 0; i < 30; ++i) predicts.step(1.0 / 60);
+  ASSERT_TRUE(predicts.restore(agreed));
+  EXPECT_EQ(predicts.hash(), knows.hash());
+  for (World* w : {&knows, &predicts}) {
+    input(*w, Fidelity::sport_ball());
+    for (int i = 0; i < 30; ++i) w->step(1.0 / 60);
+  }
+  EXPECT_EQ(predicts.hash(), knows.hash());
+}
+
+TEST(Moments, snapshots_belong_to_their_world) {
+  Snapshot stale;
+  {
+    World gone = made();
+    stale = gone.snapshot();
+  }
+  World world = made();  // most likely where the other one was
+  EXPECT_FALSE(world.restore(stale));
+  EXPECT_FALSE(world.restore({}));
+  World moved = std::move(world);
+  const Snapshot own = moved.snapshot();
+  World again = std::move(moved);
+  EXPECT_TRUE(again.restore(own));
+}
+
+TEST(Moments, hash_is_that_of_the_state_not_of_the_way_there) {
+  World a = made(), b = made();
+  const KindId kind_a = a.add_kind(ball());
+  b.add_kind({.mass = 3});  // never used, and kinds of other numbers
+  const KindId kind_b = b.add_kind(ball());
+  const Launch near{.position = {0, 9, 0}, .speed = 5}, far{.position = {50, 9, 0}, .speed = 5};
+  for (const auto& [world, kind] : {std::pair(&a, kind_a), std::pair(&b, kind_b)})
+    for (const Launch& l : {near, far, near}) world->spawn(kind, l);
+  EXPECT_EQ(a.hash(), b.hash());
+  // To another cohort and back: rows stand in another order now.
+  const std::vector<ProjectileId> ids = b.ids();
+  b.set_fidelity(ids[0], Fidelity::sport_ball());
+  EXPECT_NE(a.hash(), b.hash());
+  b.set_fidelity(ids[0], ball().fidelity);
+  EXPECT_EQ(a.hash(), b.hash());
+  for (World* w : {&a, &b}) w->step(0.01);
+  EXPECT_EQ(a.hash(), b.hash());
+}
+
+TEST(Moments, whatever_decides_the_future_is_in_the_hash) {
+  WorldDef def;
+  def.pools = {{"a", 3, WhenFull::replace_oldest}};
+  const auto base = [&](World& w) {
+    for (int i = 0; i < 3; ++i)
+      w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4}, BodyDef{.despawn = {.farther = 50, .older = 9}});
+  };
+  const auto first = [](World& w) { return w.ids().front(); };
+  const std::vector<std::function<void(World&)>> changes = {
+      [](World&) {},
+      [&](World& w) {
+        w.set_velocity(first(w), {1, 2, 3});
+      },
+      [&](World& w) {
+        w.set_position(first(w), {1, 2, 3});
+      },
+      [&](World& w) { w.set_gravity_scale(first(w), 0.5); },
+      [&](World& w) { w.set_frozen(first(w), Axes::z, Axes::none); },
+      [&](World& w) { w.set_frozen(first(w), Axes::none, Axes::z); },
+      [&](World& w) { w.set_kinematic(first(w), true); },
+      [&](World& w) { w.set_can_sleep(first(w), false); },
+      [&](World& w) { w.sleep(first(w)); },
+      [&](World& w) { w.set_smoothing(first(w), Smoothing::none); },
+      [&](World& w) { w.set_user_data(first(w), 7); },
+      [&](World& w) { w.set_layers(first(w), 6); },
+      [&](World& w) { w.set_colour(first(w), 6); },
+      [&](World& w) { w.set_label(first(w), "x"); },
+      [&](World& w) {
+        w.set_angular_velocity(first(w), {1, 0, 0});
+      },
+      [&](World& w) { w.set_fidelity(first(w), Fidelity::reference()); },
+      [&](World& w) { w.despawn(first(w)); },
+      [&](World& w) {
+        w.despawn(first(w)), w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4});
+      },
+      [&](World& w) {
+        w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4}, {}, 3);
+      },
+      [&](World& w) {
+        w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4}, {}, 4);
+      },
+      [&](World& w) { w.clear(); },
+      [&](World& w) {
+        w.add_force(first(w), ConstantForce{{1, 0, 0}});
+      },
+      [&](World& w) {
+        w.add_force(first(w), ConstantForce{{2, 0, 0}});
+      },
+      [&](World& w) {
+        w.add_force(first(w), ConstantForce{{2, 0, 0}}, 3);
+      },
+      [&](World& w) {
+        w.remove_force(w.add_force(first(w), ConstantForce{{2, 0, 0}}));
+      },
+      [](World& w) { w.set_paused(true); },
+      [](World& w) { w.set_time_scale(2); },
+      [](World& w) { w.advance(0.001); },
+      [](World& w) { w.step(0.001); },
+      [](World& w) {
+        w.set_observer({0, 0, 1});
+      },
+      [](World& w) {
+        w.set_detail({{{Fidelity::game(), 5}, {Fidelity::arcade()}}});
+      },
+      [](World& w) { (void)w.add_environment({}); },
+      [](World& w) { (void)w.set_environment(0, {.altitude = 100}); },
+  };
+  std::vector<std::uint64_t> hashes;
+  for (const auto& change : changes) {
+    World world = made(def);
+    base(world);
+    change(world);
+    hashes.push_back(world.hash());
+  }
+  for (const double height : {1.0, 2.0}) {  // of another ground
+    def.ground.height = -height;
+    World world = made(def);
+    base(world);
+    hashes.push_back(world.hash());
+  }
+  for (std::size_t i = 0; i < hashes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(hashes[i], hashes[j]) << i << " and " << j;
+}
+
+/// Two that despawned the same projectiles in another order hand out other ids next.
+TEST(Moments, the_order_of_free_slots_is_in_the_hash) {
+  World a = made(), b = made();
+  for (World* w : {&a, &b})
+    for (int i = 0; i < 3; ++i) w->spawn(ball(), {.position = {0, 5, 0}});
+  const auto ids = a.ids();
+  a.despawn(ids[0]), a.despawn(ids[1]);
+  b.despawn(ids[1]), b.despawn(ids[0]);
+  EXPECT_NE(a.hash(), b.hash());
+}
+
+}  // namespace
+}  // namespace physim

@@ -1,0 +1,218 @@
+// A game that nobody plays: random calls of everything that changes a world, the same for the same seed.
+#pragma once
+
+#include <random>
+
+#include "physim/physim.hpp"
+
+namespace physim::test {
+
+inline WorldDef session_world() {
+  WorldDef def;
+  def.environment.wind.velocity = {1, 0, -3};
+  def.environment.wind.profile = {{0, {0, 0, 0}}, {100, {2, 0, -3}}};
+  def.environment.atmosphere.temperature = 290;
+  def.ground = {GroundMode::bounce, 0, 0.8, 0.7};
+  def.apex_events = true;
+  def.step = 1.0 / 60;
+  def.pools = {{"few", 40, WhenFull::replace_oldest}, {"many", 400, WhenFull::refuse}};
+  def.detail.rungs = {{Fidelity::sport_ball(), 300, 4}, {Fidelity::game()}};
+  def.detail.layers = 2;
+  def.max_projectiles = 300;
+  return def;
+}
+
+class RandomSession {
+ public:
+  RandomSession(World& world, unsigned seed) : world_(world), random_(seed) {}
+
+  /// One call of any kind; most are sensible.
+  void act() {
+    const int what = below(44);
+    if (what < 10) return spawn();
+    if (what < 14) return time();
+    if (what < 16) return moment();
+    if (what < 19) return surroundings();
+    if (what < 22) return force();
+    if (what == 22) return void(world_.despawn(some()));
+    if (what == 23) return void(world_.despawn(several()));
+    if (what == 24 && below(20) == 0) return world_.clear();
+    change(what % 19);
+  }
+
+ private:
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+  double real(double low, double high) { return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0); }
+  Vec3d vector(double size) { return {real(-size, size), real(-size, size), real(-size, size)}; }
+  bool coin() { return below(2) == 0; }
+  /// Mostly one that is there; now and then one that is gone, or nobody.
+  ProjectileId some() {
+    if (ids_.empty() || below(30) == 0) return {};
+    return ids_[ids_.size() - 1 -
+                static_cast<std::size_t>(below(static_cast<int>(std::min<std::size_t>(ids_.size(), 60))))];
+  }
+  std::vector<ProjectileId> several() {
+    std::vector<ProjectileId> list(static_cast<std::size_t>(below(6)));
+    for (ProjectileId& id : list) id = some();
+    return list;
+  }
+  Fidelity fidelity() {
+    const auto names = fidelity_presets();
+    return *fidelity_preset(names[static_cast<std::size_t>(below(static_cast<int>(names.size())))]);
+  }
+  Launch launch() {
+    Launch l{.position = vector(50), .speed = real(0, 90), .elevation = real(-0.5, 1.2), .azimuth = real(-3, 3)};
+    l.position.y = real(0, 60);
+    if (below(4) == 0) l.velocity = vector(40);
+    return l;
+  }
+  ProjectileDef projectile() {
+    ProjectileDef p{.name = "p" + std::to_string(below(5)), .mass = 0.1 * (1 + below(3)), .diameter = 0.05};
+    p.drag.k1 = below(2) * 0.001;
+    p.drag.damping = 0.9;
+    if (coin()) p.drag.table = DragTable::g7;
+    if (below(3) == 0) p.drag = {.table = DragTable::custom, .curve = {{0, 0.3}, {1, 0.5}, {3, 0.4}}};
+    if (below(3) == 0) p.force = {0, 2, 0}, p.force_duration = 1;
+    p.fidelity = fidelity();
+    return p;
+  }
+  BodyDef body() {
+    BodyDef b{.gravity_scale = coin() ? 1 : 0.5, .kinematic = below(12) == 0, .infinite_mass = below(15) == 0};
+    if (below(4) == 0) b.angular_velocity = vector(9), b.angular_drag = 0.1, b.frozen_rotation = Axes::x;
+    if (below(5) == 0) b.frozen = Axes::z;
+    if (below(3) == 0) b.despawn = {.below = -5, .farther = 150, .older = 3};
+    b.pool = static_cast<std::uint32_t>(below(2));
+    b.environment = static_cast<std::uint32_t>(below(static_cast<int>(environments_ + 1)));  // now and then none
+    b.layers = static_cast<std::uint32_t>(1 + below(3));
+    b.label = coin() ? "" : "a ball";
+    return b;
+  }
+
+  void spawn() {
+    const double delay = below(4) == 0 ? real(0, 1) : 0;
+    if (kinds_.empty() || below(6) == 0) return ids_.push_back(world_.spawn(projectile(), launch(), body(), delay));
+    const KindId kind = kinds_[static_cast<std::size_t>(below(static_cast<int>(kinds_.size())))];
+    if (below(6) != 0) return ids_.push_back(world_.spawn(kind, launch(), delay));
+    std::vector<Launch> launches(static_cast<std::size_t>(below(8)));
+    for (Launch& l : launches) l = launch();
+    std::vector<ProjectileId> ids(static_cast<std::size_t>(below(10)));
+    world_.reserve(kind, launches.size());
+    world_.spawn(kind, launches, ids);
+    ids_.insert(ids_.end(), ids.begin(), ids.end());
+  }
+  void time() {
+    switch (below(8)) {
+      case 0:
+        return world_.set_paused(below(3) == 0);
+      case 1:
+        return void(world_.set_time_scale(real(0.2, 2)));
+      case 2:
+        return void(world_.single_step());
+      case 3:
+        return void(world_.step(coin() ? 1.0 / 60 : real(0.001, 0.05)));
+      default:
+        return void(world_.advance(real(0, 0.1)));
+    }
+  }
+  void moment() {
+    if (coin() || snapshots_.empty()) return snapshots_.push_back(world_.snapshot());
+    if (coin()) world_.restore(snapshots_[static_cast<std::size_t>(below(static_cast<int>(snapshots_.size())))]);
+  }
+  void surroundings() {
+    Environment e;
+    e.wind.velocity = vector(5);
+    switch (below(5)) {
+      case 0:
+        if (environments_ < 4 && world_.add_environment(e)) ++environments_;
+        return;
+      case 1:
+        return void(world_.set_environment(static_cast<std::uint32_t>(below(3)), e));
+      case 2:
+        return world_.set_observer(vector(100));
+      case 3:
+        return void(world_.set_detail(coin() ? session_world().detail : DetailRule{}));
+      default:
+        return kinds_.push_back(world_.add_kind(projectile(), body()));
+    }
+  }
+  void force() {
+    const ForceLaw laws[] = {ConstantForce{vector(3)},
+                             AnchoredSpring{vector(10), 2, 1, 0.1},
+                             Spring{some(), 1, 2, 0},
+                             Bungee{{}, vector(9), 1, 1, 0},
+                             Buoyancy{.surface = 3},
+                             PointAttractor{vector(20), 30, 1},
+                             WindZone{vector(9), {-20, -20, -20}, {20, 20, 20}},
+                             Explosion{vector(20), 50, 30},
+                             Thrust{{{0, 5}, {1, 2}, {2, 0}}, {}},
+                             LinearQuadraticDragForce{0.1, 0.01, {}},
+                             CustomForce{[](const ForceBatch& b) {
+                               for (std::size_t i = 0; i < b.id.size(); ++i) b.force[i].y += b.mass[i] * 3;
+                             }}};
+    const ForceLaw& law = laws[below(static_cast<int>(std::size(laws)))];
+    switch (below(4)) {
+      case 0:
+        return forces_.push_back(world_.add_force(some(), law, real(0.1, 2)));
+      case 1:
+        return forces_.push_back(world_.add_force({law, {several(), {}, static_cast<unsigned>(below(3))}, 0.1, 1.5}));
+      case 2:
+        return void(forces_.empty() || world_.remove_force(forces_.back()));
+      default:
+        return void(forces_.empty() || world_.remove_force(forces_.front(), some()));
+    }
+  }
+  void change(int what) {
+    const ProjectileId id = some();
+    const auto bits = static_cast<std::uint32_t>(random_());
+    switch (what) {
+      case 0:
+        return void(world_.set_position(id, {real(-20, 20), real(1, 40), 0}));
+      case 1:
+        return void(world_.set_velocity(id, vector(30)));
+      case 2:
+        return void(world_.set_state(id, {{1, 20, 2}, vector(10)}));
+      case 3:
+        return void(world_.apply_impulse(id, vector(1)));
+      case 4:
+        return void(world_.set_angular_velocity(id, vector(3)));
+      case 5:
+        return void(world_.set_gravity_scale(id, real(0, 2)));
+      case 6:
+        return void(world_.set_use_gravity(id, coin()));
+      case 7:
+        return void(world_.set_kinematic(id, below(3) == 0));
+      case 8:
+        return void(world_.set_frozen(id, static_cast<Axes>(below(8)), static_cast<Axes>(below(8))));
+      case 9:
+        return void(world_.set_can_sleep(id, coin()));
+      case 10:
+        return void(world_.sleep(id));
+      case 11:
+        return void(world_.wake(id));
+      case 12:
+        return void(world_.set_smoothing(id, static_cast<Smoothing>(below(3))));
+      case 13:
+        return void(world_.set_user_data(id, bits));
+      case 14:
+        return void(world_.set_layers(id, bits % 4));
+      case 15:
+        return void(world_.set_colour(id, bits));
+      case 16:
+        return void(world_.set_label(id, "number " + std::to_string(bits)));
+      case 17:
+        return void(world_.set_fidelity(id, fidelity()));
+      default:
+        return void(world_.set_fidelity(several(), fidelity()));
+    }
+  }
+
+  World& world_;
+  std::mt19937 random_;
+  std::vector<ProjectileId> ids_;
+  std::vector<KindId> kinds_;
+  std::vector<ForceId> forces_;
+  std::vector<Snapshot> snapshots_;
+  std::uint32_t environments_ = 1;
+};
+
+}  // namespace physim::test

@@ -1,0 +1,345 @@
+// Recordings: what was done is done again, bit for bit; what is broken is refused or told.
+#include "physim/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "physim/recording_file.hpp"
+#include "world/random_session.hpp"
+#include "world/recording_bytes.hpp"
+
+namespace physim {
+namespace {
+
+using test::Bytes;
+using test::Places;
+using test::places_of;
+using test::sign;
+
+World made(const WorldDef& def) { return std::move(World::create(def).value()); }
+
+/// The function of every custom force of random sessions.
+ReplayOptions with_functions(std::size_t count = 1000) {
+  ReplayOptions options;
+  options.custom_forces.assign(count, {[](const ForceBatch& b) {
+                                 for (std::size_t i = 0; i < b.id.size(); ++i) b.force[i].y += b.mass[i] * 3;
+                               }});
+  return options;
+}
+
+Bytes random_recording(unsigned seed, int calls, std::uint64_t* hash = nullptr) {
+  Bytes bytes;
+  World world = made(test::session_world());
+  EXPECT_FALSE(world.record(record_into(bytes)));
+  test::RandomSession session(world, seed);
+  for (int i = 0; i < calls; ++i) session.act();
+  if (hash) *hash = world.hash();
+  EXPECT_TRUE(world.is_recording());
+  EXPECT_FALSE(world.stop_recording());
+  return bytes;
+}
+
+/// The small recording that tests of damage share: a few calls of each kind of frame.
+Bytes small_recording() {
+  Bytes bytes;
+  World world = made({});
+  EXPECT_FALSE(world.record(record_into(bytes)));
+  const ProjectileId id = world.spawn(ProjectileDef{.name = "ball"}, Launch{.position = {0, 2, 0}, .speed = 10});
+  world.set_colour(id, 0xff0000ff);
+  const Snapshot start = world.snapshot();
+  world.advance(0.04);
+  world.restore(start);
+  world.set_velocity(id, {3, 3, 0});
+  world.step(0.02);
+  EXPECT_FALSE(world.stop_recording());
+  return bytes;
+}
+
+// ------------------------------------------------------------------------------------------------------ it agrees
+TEST(Recording, random_sessions_replay_with_equal_hashes) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    std::uint64_t hash = 0;
+    const Bytes bytes = random_recording(seed, 3000, &hash);
+    auto opened = Replay::open(bytes, with_functions());
+    ASSERT_TRUE(opened) << opened.error().text();
+    Replay& player = *opened;
+    while (player.next()) continue;
+    const ReplayReport& report = player.report();
+    ASSERT_FALSE(report.difference) << "seed " << seed << ": " << report.difference->call << " in step "
+                                    << report.difference->step << ": " << report.difference->what;
+    EXPECT_TRUE(report.complete);
+    EXPECT_EQ(report.bytes, bytes.size());
+    EXPECT_EQ(report.made_by, kVersion);
+    EXPECT_GT(report.calls, 2500u);
+    EXPECT_GT(report.steps, 200u);
+    EXPECT_EQ(report.hashes, report.steps);
+    EXPECT_GT(report.restores, 5u);
+    EXPECT_EQ(player.world().hash(), hash);
+  }
+}
+
+TEST(Recording, the_list_of_calls_is_complete) {
+  std::set<Call> seen;
+  for (unsigned seed = 1; seed <= 12; ++seed)
+    for (const Call call : places_of(random_recording(seed, 3000)).call) seen.insert(call);
+  for (std::size_t i = 0; i < kCalls; ++i)
+    EXPECT_TRUE(seen.contains(static_cast<Call>(i))) << name(static_cast<Call>(i)) << " was never recorded";
+}
+
+TEST(Recording, replays_on_every_kernel_and_number_of_threads) {
+  const Bytes bytes = random_recording(77, 2000);
+  for (const std::string& kernel : kernels()) {
+    ASSERT_TRUE(use_kernel(kernel));
+    for (const unsigned threads : {1u, 2u, 7u}) {
+      ReplayOptions options = with_functions();
+      options.threading = {threads, 1};  // one row is enough for a thread
+      const auto report = replay(bytes, options);
+      ASSERT_TRUE(report) << report.error().text();
+      EXPECT_FALSE(report->difference) << kernel << " " << threads << ": " << report->difference->call << " "
+                                       << report->difference->what;
+    }
+  }
+  use_kernel(kernels().front());
+}
+
+TEST(Recording, recording_changes_nothing) {
+  std::uint64_t recorded = 0;
+  random_recording(5, 1500, &recorded);
+  World world = made(test::session_world());
+  test::RandomSession session(world, 5);
+  for (int i = 0; i < 1500; ++i) session.act();
+  EXPECT_EQ(world.hash(), recorded);
+}
+
+TEST(Recording, a_replay_is_looked_at_frame_by_frame) {
+  Replay player = std::move(Replay::open(small_recording()).value());
+  std::vector<double> times;
+  std::vector<std::size_t> hashes;
+  while (player.next_frame()) times.push_back(player.world().time()), hashes.push_back(player.hashes().size());
+  EXPECT_EQ(times, (std::vector<double>{2.0 / 60, 0.02}));
+  EXPECT_EQ(hashes, (std::vector<std::size_t>{2, 1}));
+  EXPECT_EQ(player.report().spawned, 1u);
+  EXPECT_EQ(player.report().steps, 3u);
+  EXPECT_FALSE(player.next());
+  EXPECT_FALSE(player.report().difference);
+}
+
+TEST(Recording, hashes_may_be_rare_or_none) {
+  for (const std::uint32_t every : {0u, 1u, 7u}) {
+    Bytes bytes;
+    World world = made({});
+    ASSERT_FALSE(world.record(record_into(bytes), {every}));
+    world.spawn(ProjectileDef{}, Launch{.position = {0, 90, 0}});
+    for (int i = 0; i < 70; ++i) world.step(0.01);
+    ASSERT_FALSE(world.stop_recording());
+    const auto report = replay(bytes);
+    ASSERT_TRUE(report);
+    EXPECT_FALSE(report->difference);
+    EXPECT_EQ(report->steps, 70u);
+    EXPECT_EQ(report->hashes, every == 0 ? 0u : 70u / every);
+  }
+}
+
+TEST(Recording, a_difference_is_told_with_its_step_and_hashes) {
+  Bytes bytes = small_recording();
+  const Places places = places_of(bytes);
+  const auto at = [&](Call call) {
+    return places.frame[static_cast<std::size_t>(std::ranges::find(places.call, call) - places.call.begin())];
+  };
+  // Another velocity than the one that was played.
+  bytes[at(Call::set_velocity) + kFrameHead + 8] ^= std::byte{1};
+  sign(bytes);
+  const auto report = replay(bytes);
+  ASSERT_TRUE(report) << report.error().text();
+  ASSERT_TRUE(report->difference);
+  EXPECT_EQ(report->difference->step, 3u);
+  EXPECT_EQ(report->difference->time, 0.02);
+  EXPECT_EQ(report->difference->call, "step");
+  EXPECT_NE(report->difference->recorded_hash, report->difference->replayed_hash);
+  EXPECT_EQ(report->hashes, 2u);
+  EXPECT_NE(report->difference->what.find("was recorded"), std::string::npos);
+}
+
+// ------------------------------------------------------------------------------------------------------ it is damaged
+TEST(Recording, every_truncation_is_refused_or_played_as_far_as_it_goes) {
+  const Bytes bytes = small_recording();
+  const std::vector<std::size_t> frames = places_of(bytes).frame;
+  std::uint64_t calls = 0;
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const auto report = replay(std::span(bytes).first(size));
+    if (size < frames[1]) {
+      ASSERT_FALSE(report) << size;
+      EXPECT_NE(report.error().place.find("byte "), std::string::npos);
+      continue;
+    }
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_FALSE(report->difference) << size << ": " << report->difference->what;
+    EXPECT_FALSE(report->complete);
+    const auto next = std::ranges::upper_bound(frames, size);
+    EXPECT_EQ(report->bytes, next == frames.end() ? frames.back() : *std::prev(next)) << size;
+    EXPECT_GE(report->calls, calls);
+    calls = report->calls;
+  }
+  EXPECT_EQ(calls, 7u);
+}
+
+TEST(Recording, every_flipped_byte_is_noticed) {
+  const Bytes bytes = small_recording();
+  std::mt19937 random(3);
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    Bytes flipped = bytes;
+    flipped[at] ^= static_cast<std::byte>(1u << (random() % 8));
+    const auto report = replay(flipped);
+    // A length that became longer looks like a recording that was cut.
+    EXPECT_TRUE(!report || !report->complete) << at;
+    EXPECT_TRUE(report ? report->bytes <= at : !report.error().message.empty()) << at;
+  }
+}
+
+TEST(Recording, bytes_that_make_no_sense_crash_nothing) {
+  const Bytes bytes = small_recording();
+  std::mt19937 random(4);
+  int refused = 0, differed = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Bytes flipped = bytes;
+    const std::size_t at = 12 + random() % (bytes.size() - 12);
+    flipped[at] = static_cast<std::byte>(random());
+    sign(flipped);
+    const auto report = replay(flipped);
+    if (!report) ++refused;
+    if (report && report->difference) ++differed;
+  }
+  EXPECT_GT(refused, 50);
+  EXPECT_GT(differed, 50);
+}
+
+TEST(Recording, lists_longer_than_the_file_take_no_memory) {
+  Bytes bytes = small_recording();
+  const std::size_t name_length = places_of(bytes).frame[1] + kFrameHead;  // of the projectile's name
+  for (std::size_t i = 0; i < 4; ++i) bytes[name_length + i] = std::byte{0xff};
+  sign(bytes);
+  const auto report = replay(bytes);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().place, "byte " + std::to_string(places_of(bytes).frame[1]));
+}
+
+TEST(Recording, other_files_and_formats_are_refused) {
+  const auto error_of = [](const Bytes& bytes) {
+    const auto report = replay(bytes);
+    return report ? std::string("none") : report.error().text();
+  };
+  Bytes bytes = small_recording();
+  EXPECT_NE(error_of({}).find("byte 0: error: this is not a recording"), std::string::npos);
+  EXPECT_NE(error_of(Bytes(100)).find("this is not a recording"), std::string::npos);
+  bytes[8] = std::byte{9};
+  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 9; this library reads format 1");
+  bytes = small_recording();
+  bytes.push_back({});
+  EXPECT_NE(error_of(bytes).find("something follows"), std::string::npos);
+}
+
+TEST(Recording, custom_forces_need_their_functions) {
+  Bytes bytes;
+  World world = made({});
+  ASSERT_FALSE(world.record(record_into(bytes)));
+  const ProjectileId id = world.spawn(ProjectileDef{}, Launch{.position = {0, 90, 0}});
+  world.add_force(id, with_functions(1).custom_forces[0]);
+  world.step(0.01);
+  ASSERT_FALSE(world.stop_recording());
+  const auto refused = replay(bytes);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().place, "custom_forces");
+  const auto report = replay(bytes, with_functions(1));
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_FALSE(report->difference);
+  ReplayOptions another;
+  another.custom_forces = {{[](const ForceBatch&) {}}};
+  EXPECT_TRUE(replay(bytes, another)->difference);
+}
+
+// ------------------------------------------------------------------------------------------------------ recording
+TEST(Recording, begins_with_the_world_and_once) {
+  Bytes bytes;
+  World world = made({});
+  EXPECT_TRUE(world.record(nullptr));
+  EXPECT_TRUE(world.stop_recording());
+  ASSERT_FALSE(world.record(record_into(bytes)));
+  EXPECT_TRUE(world.record(record_into(bytes)));
+  ASSERT_FALSE(world.stop_recording());
+  EXPECT_FALSE(world.is_recording());
+  EXPECT_FALSE(world.record(record_into(bytes)));  // still untouched
+  World moved = std::move(world);
+  EXPECT_TRUE(moved.is_recording());
+  for (const auto& change : std::vector<std::function<void(World&)>>{
+           [](World& w) { w.step(0.1); }, [](World& w) { w.add_kind({}); }, [](World& w) { w.set_paused(true); },
+           [](World& w) { (void)w.add_environment({}); },
+           [](World& w) {
+             w.set_observer({1, 0, 0});
+           },
+           [](World& w) { w.despawn(w.spawn(ProjectileDef{}, Launch{})); }}) {
+    World touched = made({});
+    change(touched);
+    const Status refused = touched.record(record_into(bytes));
+    ASSERT_TRUE(refused);
+    EXPECT_NE(refused->hint.find("create()"), std::string::npos);
+  }
+}
+
+TEST(Recording, a_world_that_ends_completes_it) {
+  Bytes bytes;
+  {
+    World world = made({});
+    ASSERT_FALSE(world.record(record_into(bytes)));
+    world.step(0.1);
+  }
+  EXPECT_TRUE(replay(bytes)->complete);
+}
+
+TEST(Recording, a_call_is_handed_over_before_it_steps) {
+  Bytes bytes;
+  World world = made({});
+  ASSERT_FALSE(world.record(record_into(bytes)));
+  for (int i = 0; i < 5; ++i) world.step(0.1);
+  const auto report = replay(bytes);  // as if the program had died in its fifth step
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(report->complete);
+  EXPECT_EQ(report->steps, 5u);
+  EXPECT_EQ(report->hashes, 4u);
+  EXPECT_FALSE(report->difference);
+}
+
+TEST(Recording, a_sink_that_fails_ends_it_and_not_the_world) {
+  int left = 3;
+  World world = made({});
+  ASSERT_FALSE(world.record([&](std::span<const std::byte>) -> Status {
+    return --left > 0 ? std::nullopt : Status(Error{"the disk is full", "", ""});
+  }));
+  for (int i = 0; i < 20; ++i) world.step(0.1);
+  EXPECT_FALSE(world.is_recording());
+  EXPECT_EQ(world.counters().steps, 20u);
+  const Status status = world.stop_recording();
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->message, "the disk is full");
+
+  World other = made({});
+  EXPECT_TRUE(other.record([](std::span<const std::byte>) -> Status { throw 1; }));
+  EXPECT_TRUE(other.step(0.1));
+}
+
+TEST(Recording, a_snapshot_from_before_ends_it) {
+  Bytes bytes;
+  World world = made({});
+  const Snapshot before = world.snapshot();
+  ASSERT_FALSE(world.record(record_into(bytes)));
+  const Snapshot after = world.snapshot();
+  EXPECT_TRUE(world.restore(after));
+  EXPECT_TRUE(world.is_recording());
+  EXPECT_TRUE(world.restore(before));
+  EXPECT_FALSE(world.is_recording());
+  EXPECT_TRUE(world.stop_recording());
+}
+
+}  // namespace
+}  // namespace physim
