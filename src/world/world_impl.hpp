@@ -36,7 +36,7 @@ struct World::Impl {
   }
   /// In a loop over many projectiles: fetches what the next ones need while this one is worked on.
   void prefetch(std::span<const ProjectileId> ids, std::size_t at) const {
-    constexpr std::size_t kSlots = 16, kRows = 8;  // so far ahead
+    constexpr std::size_t kSlots = 16, kRows = 4;  // so far ahead
     if (at + kSlots < ids.size() && ids[at + kSlots].index < state.slots.size())
       __builtin_prefetch(&state.slots[ids[at + kSlots].index]);
     if (at + kRows >= ids.size()) return;
