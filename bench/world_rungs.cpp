@@ -76,7 +76,7 @@ Entry landing_entry() {
       w.spawn(kind, launch);
     }
   };
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 300; ++i) {  // until every buffer has seen its worst
     fire(world, 0, kCount / 100);
     world.step(kFrame);
   }
@@ -113,7 +113,7 @@ Section rungs_section(const Options& options) {
   std::vector<Entry> list = entries();
   std::vector<std::function<void()>> turns;
   for (Entry& e : list) {
-    for (int i = 0; i < 4; ++i) e.step(e.world);  // buffers find their size
+    for (int i = 0; i < 10; ++i) e.step(e.world);  // buffers find their size
     turns.emplace_back([&e] {
       for (int i = 0; i < kSteps; ++i) {
         e.step(e.world);
