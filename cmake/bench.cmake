@@ -1,4 +1,5 @@
-# physim_bench: speed at equal achieved error, against the solvers that people use (odeint, ARKODE, CVODE).
+# physim_bench: speed at equal achieved error, against the solvers that people use (odeint, ARKODE, CVODE); and worlds
+# against the original loop and Bullet.
 find_package(Boost REQUIRED)
 find_path(SUNDIALS_INCLUDE_DIR cvode/cvode.h REQUIRED)
 set(bench_kernels ${bench_sources})
@@ -11,6 +12,12 @@ target_link_libraries(physim_bench PRIVATE Boost::headers)
 foreach(part IN ITEMS arkode cvode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
   find_library(SUNDIALS_${part} sundials_${part} REQUIRED)
   target_link_libraries(physim_bench PRIVATE ${SUNDIALS_${part}})
+endforeach()
+find_path(BULLET_INCLUDE_DIR btBulletDynamicsCommon.h PATH_SUFFIXES bullet REQUIRED)
+target_include_directories(physim_bench SYSTEM PRIVATE ${BULLET_INCLUDE_DIR})
+foreach(part IN ITEMS BulletDynamics BulletCollision LinearMath)
+  find_library(BULLET_${part} ${part} REQUIRED)
+  target_link_libraries(physim_bench PRIVATE ${BULLET_${part}})
 endforeach()
 
 # The peers get every instruction of this machine and fused multiply-add; odeint also flies as our portable files do.

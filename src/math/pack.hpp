@@ -40,6 +40,8 @@ struct Pack {
   static constexpr int kRegisters = N / kPerRegister;
   static_assert(kRegisters * kPerRegister == N, "a pack fills whole registers");
   typedef T Register __attribute__((vector_size(kBytes)));
+  /// A register's worth of numbers anywhere in memory. (A memcpy would keep whole packs from living in registers.)
+  typedef T Stored __attribute__((vector_size(kBytes), aligned(alignof(T)), may_alias));
 
   Register r[kRegisters];
 
@@ -53,11 +55,45 @@ struct Pack {
 
   PHYSIM_INLINE static Pack load(const T* from) {
     Pack p;
-    std::memcpy(&p, from, sizeof p);
+    for (int i = 0; i < kRegisters; ++i) p.r[i] = *reinterpret_cast<const Stored*>(from + i * kPerRegister);
     return p;
   }
-  PHYSIM_INLINE void store(T* to) const { std::memcpy(to, this, sizeof *this); }
+  PHYSIM_INLINE void store(T* to) const {
+    for (int i = 0; i < kRegisters; ++i) *reinterpret_cast<Stored*>(to + i * kPerRegister) = r[i];
+  }
+  /// Stores past the caches, to an address that is a multiple of the register's size: for more numbers than fit there.
+  /// finish_streams() before others read them.
+  PHYSIM_INLINE void stream(T* to) const {
+    for (int i = 0; i < kRegisters; ++i) {
+#if defined(__AVX512F__)
+      if constexpr (kBytes == 64) {
+        _mm512_stream_si512(reinterpret_cast<__m512i*>(to + i * kPerRegister), (__m512i)r[i]);
+        continue;
+      }
+#endif
+#if defined(__AVX__)
+      if constexpr (kBytes == 32) {
+        _mm256_stream_si256(reinterpret_cast<__m256i*>(to + i * kPerRegister), (__m256i)r[i]);
+        continue;
+      }
+#endif
+#if defined(__SSE2__)
+      if constexpr (kBytes == 16) {
+        _mm_stream_si128(reinterpret_cast<__m128i*>(to + i * kPerRegister), (__m128i)r[i]);
+        continue;
+      }
+#endif
+      *reinterpret_cast<Stored*>(to + i * kPerRegister) = r[i];
+    }
+  }
 };
+
+/// What was streamed is in memory.
+PHYSIM_INLINE void finish_streams() {
+#if defined(__SSE2__)
+  _mm_sfence();
+#endif
+}
 
 /// The result of a comparison: all bits of a lane set, or none.
 template <class T, int N>

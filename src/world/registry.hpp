@@ -133,5 +133,4 @@ class Registry {
   Curves curves_[3];
 };
 
-
 }  // namespace physim

@@ -49,6 +49,7 @@ class Rows {
   [[nodiscard]] const RowLayout& layout() const { return layout_; }
   [[nodiscard]] std::uint32_t size() const { return size_; }
   [[nodiscard]] std::size_t bytes() const { return lines_.size() * sizeof(Line); }
+  [[nodiscard]] std::size_t row_bytes() const { return numbers_ * number_size() + sizeof(std::uint32_t); }
   void reserve(std::size_t rows);
   /// One more row; its numbers are left over from before or zero.
   std::uint32_t push(std::uint32_t slot);
@@ -57,6 +58,10 @@ class Rows {
   /// Copies a row of equal layout here, as a new last row.
   std::uint32_t push_copy(const Rows& from, std::uint32_t row);
   void clear() { size_ = 0; }
+  /// The row's numbers will be used soon.
+  void prefetch(std::uint32_t row) const {
+    for (unsigned k = 0; k < numbers_; ++k) __builtin_prefetch(column(k) + row * number_size());
+  }
 
   [[nodiscard]] std::uint32_t slot(std::uint32_t row) const { return slots()[row]; }
   [[nodiscard]] const std::uint32_t* slots() const { return reinterpret_cast<const std::uint32_t*>(column(numbers_)); }

@@ -19,6 +19,15 @@ template <class R, class S>
 PHYSIM_INLINE void store_vector(const Vec3<R>& v, S* const (&column)[3], std::uint32_t row) {
   v.x.store(column[0] + row), v.y.store(column[1] + row), v.z.store(column[2] + row);
 }
+template <class R, class S>
+PHYSIM_INLINE void stream_vector(const Vec3<R>& v, S* const (&column)[3], std::uint32_t row) {
+  v.x.stream(column[0] + row), v.y.stream(column[1] + row), v.z.stream(column[2] + row);
+}
+
+template <class R, class S>
+PHYSIM_INLINE State<R> load_state(const WorldJob<S>& job, std::uint32_t row) {
+  return {load_vector<R>(job.columns.position, row), load_vector<R>(job.columns.velocity, row)};
+}
 
 /// 0, 1, 2, ...
 template <class R>
@@ -28,25 +37,38 @@ PHYSIM_INLINE R lane_numbers() {
   return numbers;
 }
 
-/// Rows that need a closer look: something may have happened to them inside the step.
-template <class R, class S>
-PHYSIM_INLINE MaskOf<R> noteworthy(const WorldJob<S>& job, const Conditions<S>& c, const Step<R>& s,
-                                   std::uint32_t row) {
+/// What a step did to a pack of rows.
+template <class R>
+struct Moved {
+  State<R> start;
+  State<R> end;
+  Vec3<R> carried;  // the original loop's accelerations for the next step
+  MaskOf<R> lost;   // lanes that did not get through
+};
+
+/// Rows that need a closer look: something may have happened to them inside the step. `m` has a start and an end. A
+/// closer look at a row to which nothing happened changes nothing, so the tests are as few as can be.
+template <class S, class M>
+PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, const M& m, std::uint32_t row) {
+  using R = decltype(m.end.x.x);
   const Watchdog<S>& w = job.watchdog;
   const R zero(S(0));
+  const R speed_squared = length_squared(m.end.v);
+  // What is not finite somewhere is not finite in this sum.
+  const R sum = (m.end.x.x + m.end.x.y) + (m.end.x.z + speed_squared);
   MaskOf<R> found =
-      (!(height(c, s.end.x) > R(w.floor))) | (!is_finite(s.end)) | (length_squared(s.end.v) < R(w.slowest * w.slowest));
+      (!(height(c, m.end.x) > R(w.floor))) | (!is_finite(sum)) | (speed_squared < R(w.slowest * w.slowest));
   if (w.simple) return found;
-  const R climb = climb_rate(c, s.start);
-  const R climb_later = climb_rate(c, s.end);
+  const R climb = climb_rate(c, m.start);
+  const R climb_later = climb_rate(c, m.end);
   // A step that sinks and rises again may have touched the ground in between.
   found = found | ((climb < zero) & (climb_later > zero));
   if (w.apex) found = found | ((climb > zero) & (climb_later <= zero));
   if (job.launched)
-    found = found | (length_squared(s.end.x - load_vector<R>(job.columns.launch, row)) > R(w.farthest * w.farthest));
+    found = found | (length_squared(m.end.x - load_vector<R>(job.columns.launch, row)) > R(w.farthest * w.farthest));
   if (w.box)
-    found = found | (s.end.x.x < R(w.low.x)) | (s.end.x.x > R(w.high.x)) | (s.end.x.y < R(w.low.y)) |
-            (s.end.x.y > R(w.high.y)) | (s.end.x.z < R(w.low.z)) | (s.end.x.z > R(w.high.z));
+    found = found | (m.end.x.x < R(w.low.x)) | (m.end.x.x > R(w.high.x)) | (m.end.x.y < R(w.low.y)) |
+            (m.end.x.y > R(w.high.y)) | (m.end.x.z < R(w.low.z)) | (m.end.x.z > R(w.high.z));
   return found;
 }
 
@@ -73,57 +95,78 @@ PHYSIM_INLINE unsigned filled_lanes(std::uint32_t rows) {
   return rows >= unsigned(kLanes<R>) ? ~0u : (1u << rows) - 1;
 }
 
-/// Steps packs of rows. `frame(body, row, step)` takes one, and returns lanes that did not get through.
+/// Steps packs of rows. `frame(row)` says where a pack gets to.
 template <class R, class S, class Frame>
-PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, Body<R>& b, const Frame& frame) {
+PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, const Frame& frame) {
   constexpr unsigned kN = unsigned(kLanes<R>);
-  Step<R> s;
   bool attention = false;
   for (std::uint32_t row = job.first; row < job.last; row += kN) {
-    s.start = {load_vector<R>(job.columns.position, row), load_vector<R>(job.columns.velocity, row)};
-    const MaskOf<R> lost = frame(b, row, s);
-    const MaskOf<R> left = lost | noteworthy(job, c, s, row);
+    Moved<R> m = frame(row);
+    const MaskOf<R> left = m.lost | noteworthy(job, c, m, row);
     const unsigned bits = lane_bits(left) & filled_lanes<R>(job.last - row);
     const unsigned shift = row % kRowsPerWord;
     std::uint32_t& word = job.attention[row / kRowsPerWord];
     word = shift == 0 ? bits : word | bits << shift;
     if (bits != 0) {
       attention = true;
-      s.end = select(left, s.start, s.end);
+      m.end = select(left, m.start, m.end);
+      if (job.columns.carried[0]) m.carried = select(left, load_vector<R>(job.columns.carried, row), m.carried);
     }
-    store_vector(s.end.x, job.columns.previous, row);
-    store_vector(s.end.v, job.columns.velocity, row);
-    if (job.columns.carried[0]) store_vector(select(left, s.slope[0].v, s.slope[1].v), job.columns.carried, row);
+    if (job.stream)
+      stream_vector(m.end.x, job.columns.previous, row);
+    else
+      store_vector(m.end.x, job.columns.previous, row);
+    store_vector(m.end.v, job.columns.velocity, row);
+    if (job.columns.carried[0]) store_vector(m.carried, job.columns.carried, row);
   }
+  if (job.stream) finish_streams();
   return attention;
 }
 
 /// Any rung: the switches are inside, the same way for all lanes.
 template <class R, class S>
+struct AnyRung {
+  const WorldJob<S>& job;
+  Body<R>& body;
+  Step<R>& step;
+  R lane_number;
+  bool classic;
+
+  PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
+    load_body(job, row, body);
+    load_clock(job, row, step);
+    step.start = load_state<R>(job, row);
+    const Vec3<R> carried = classic ? load_vector<R>(job.columns.carried, row) : Vec3<R>{};
+    const MaskOf<R> filled = lane_number < R(static_cast<S>(job.last - row));
+    const MaskOf<R> lost = take_frame(*job.course, body, carried, filled, step);
+    return {step.start, step.end, step.slope[1].v, lost};
+  }
+};
+
+template <class R, class S>
 bool step_any(const WorldJob<S>& job) {
   const Conditions<S>& c = *job.course->conditions;
   const bool classic = c.fidelity.motion != Motion::closed_form && c.fidelity.integrator == Integrator::classic;
-  const R lane_number = lane_numbers<R>();
   Body<R> body{};
-  return step_packs<R>(job, c, body, [&](Body<R>& b, std::uint32_t row, Step<R>& s) {
-    load_body(job, row, b);
-    load_clock(job, row, s);
-    const Vec3<R> carried = classic ? load_vector<R>(job.columns.carried, row) : Vec3<R>{};
-    const MaskOf<R> filled = lane_number < R(static_cast<S>(job.last - row));
-    return take_frame(*job.course, b, carried, filled, s);
-  });
+  Step<R> step;
+  return step_packs<R>(job, c, AnyRung<R, S>{job, body, step, lane_numbers<R>(), classic});
 }
 
-/// The rungs that most games use: fixed at compile time, so that the models fold to a few instructions. The models are
-/// the same functions.
-template <DragModel drag, WindModel wind>
-struct GameRung {
-  static constexpr bool matches(const Fidelity& f) {
+/// Semi-implicit Euler with effects that are known at compile time, so that the models, the same functions, fold to a
+/// few instructions and packs stay in registers.
+template <DragModel drag, WindModel wind = WindModel::off, AirModel air = AirModel::vacuum>
+struct KnownRung {
+  static constexpr bool kCurve = drag == DragModel::equation;  // else the air is not read
+
+  template <class S>
+  static constexpr bool matches(const Conditions<S>& c) {
+    const Fidelity& f = c.fidelity;
     return f.motion != Motion::closed_form && f.integrator == Integrator::semi_implicit_euler &&
            f.gravity == GravityModel::constant && f.earth == EarthModel::flat && f.drag == drag && f.wind == wind &&
-           !f.planar;
+           (!kCurve || f.air == air) && !f.planar && !c.has_applied && !c.has_gravity_scale && !c.has_frozen &&
+           !(kCurve && (c.has_spheres || c.has_bands || c.has_searched_curves));
   }
-  /// The conditions that these rungs read, with the fidelity known.
+  /// The conditions that this rung reads.
   template <class S>
   PHYSIM_INLINE static Conditions<S> known(const Conditions<S>& c) {
     Conditions<S> k;
@@ -131,48 +174,81 @@ struct GameRung {
     k.fidelity.earth = EarthModel::flat;
     k.fidelity.drag = drag;
     k.fidelity.wind = wind;
+    k.fidelity.air = air;
     k.fidelity.planar = false;
-    k.has_applied = k.has_gravity_scale = k.has_frozen = false;
+    k.has_applied = k.has_gravity_scale = k.has_frozen = k.has_spheres = k.has_bands = k.has_searched_curves = false;
     k.gravity = c.gravity;
     k.wind.velocity[0] = c.wind.velocity[0];
+    if (kCurve) k.altitude = c.altitude, k.air = c.air, k.curve_rows = c.curve_rows;
     return k;
+  }
+  /// The numbers of a body that this rung reads.
+  template <class R, class S>
+  PHYSIM_INLINE static Body<R> load_body(const WorldJob<S>& job, std::uint32_t row) {
+    const auto field = [&](std::size_t at) { return load<R>(job.columns.field[at / sizeof(S)], row); };
+    Body<R> b;
+    if constexpr (drag == DragModel::damping) b.damping_rate = field(offsetof(Body<S>, damping_rate));
+    if constexpr (drag == DragModel::linear_quadratic) {
+      b.k1_per_mass = field(offsetof(Body<S>, k1_per_mass));
+      b.k2_per_mass = field(offsetof(Body<S>, k2_per_mass));
+    }
+    if constexpr (kCurve) {
+      b.half_area_per_mass = field(offsetof(Body<S>, half_area_per_mass));
+      b.curve_row = field(offsetof(Body<S>, curve_row));
+      b.curve_start = field(offsetof(Body<S>, curve_start));
+      b.curve_cells = field(offsetof(Body<S>, curve_cells));
+      b.curve_last = field(offsetof(Body<S>, curve_last));
+    }
+    return b;
+  }
+
+  template <class R, class S>
+  struct Frame {
+    const WorldJob<S>& job;
+    const Conditions<S>& given;
+
+    PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
+      const Conditions<S> c = known(given);  // made anew for every pack, or the compiler forgets what is known
+      const Body<R> b = load_body<R>(job, row);
+      const R h(job.h);
+      Moved<R> m;
+      m.start = load_state<R>(job, row);
+      m.end.v = m.start.v + acceleration(c, b, R(S(0)), m.start) * h;
+      m.end.x = m.start.x + m.end.v * h;
+      m.lost = h != h;
+      return m;
+    }
+  };
+  template <class R, class S>
+  static bool step(const WorldJob<S>& given) {
+    WorldJob<S> job = given;  // a copy stays in registers: nothing that is stored to a column can change it
+    job.watchdog.simple = true;
+    job.columns.carried[0] = nullptr;
+    const Conditions<S>& c = *job.course->conditions;
+    return step_packs<R>(job, known(c), Frame<R, S>{job, c});
   }
 };
 
-template <class Rung, class R, class S>
-bool step_game_rung(const WorldJob<S>& job) {
-  const Conditions<S> c = Rung::known(*job.course->conditions);
-  Body<R> body;
-  return step_packs<R>(job, c, body, [&](Body<R>& b, std::uint32_t row, Step<R>& s) {
-    const auto& field = job.columns.field;
-    if (c.fidelity.drag == DragModel::damping)
-      b.damping_rate = load<R>(field[offsetof(Body<S>, damping_rate) / sizeof(S)], row);
-    if (c.fidelity.drag == DragModel::linear_quadratic) {
-      b.k1_per_mass = load<R>(field[offsetof(Body<S>, k1_per_mass) / sizeof(S)], row);
-      b.k2_per_mass = load<R>(field[offsetof(Body<S>, k2_per_mass) / sizeof(S)], row);
-    }
-    s.h = R(job.h);
-    s.slope[0].v = acceleration(c, b, R(S(0)), s.start);
-    s.end.v = s.start.v + s.slope[0].v * s.h;
-    s.end.x = s.start.x + s.end.v * s.h;
-    return R(S(0)) != R(S(0));
-  });
+/// Steps with the first known rung that matches, or with any.
+template <class R, class First, class... Rest, class S>
+PHYSIM_INLINE bool step_with(const WorldJob<S>& job) {
+  if (First::matches(*job.course->conditions)) return First::template step<R>(job);
+  if constexpr (sizeof...(Rest) > 0)
+    return step_with<R, Rest...>(job);
+  else
+    return step_any<R>(job);
 }
 
+/// The rungs that games use most are known.
 template <class R, class S>
 bool step_packs_of(const WorldJob<S>& job) {
-  const Conditions<S>& c = *job.course->conditions;
-  const Fidelity& f = c.fidelity;
-  if (job.watchdog.simple && !c.has_applied && !c.has_gravity_scale && !c.has_frozen) {
-    using enum DragModel;
-    if (GameRung<off, WindModel::off>::matches(f)) return step_game_rung<GameRung<off, WindModel::off>, R>(job);
-    if (GameRung<damping, WindModel::off>::matches(f)) return step_game_rung<GameRung<damping, WindModel::off>, R>(job);
-    if (GameRung<linear_quadratic, WindModel::off>::matches(f))
-      return step_game_rung<GameRung<linear_quadratic, WindModel::off>, R>(job);
-    if (GameRung<linear_quadratic, WindModel::constant>::matches(f))
-      return step_game_rung<GameRung<linear_quadratic, WindModel::constant>, R>(job);
-  }
-  return step_any<R>(job);
+  using enum DragModel;
+  constexpr WindModel kCalm = WindModel::off;
+  constexpr WindModel kWind = WindModel::constant;
+  if (!job.watchdog.simple) return step_any<R>(job);
+  return step_with<R, KnownRung<off>, KnownRung<damping>, KnownRung<linear_quadratic>,
+                   KnownRung<linear_quadratic, kWind>, KnownRung<equation, kCalm, AirModel::isa>,
+                   KnownRung<equation, kWind, AirModel::isa>>(job);
 }
 
 PHYSIM_ISA_END

@@ -186,12 +186,16 @@ bool World::set_label(ProjectileId id, const std::string& label) {
 
 // ------------------------------------------------------------------------------------------- fidelity
 bool World::Impl::change_fidelity(std::uint32_t index, const Fidelity& asked) {
-  Slot& slot = state.slots[index];
-  const auto rung = registry.rung(slot.kind, asked);
+  const auto rung = registry.rung(state.slots[index].kind, asked);
   if (!rung) return refuse({"there are too many rungs of this kind", "fidelity", "at most 4096"});
-  if (*rung == slot.rung) return true;
+  return change_rung(index, *rung);
+}
+
+bool World::Impl::change_rung(std::uint32_t index, std::uint16_t rung) {
+  Slot& slot = state.slots[index];
+  if (rung == slot.rung) return true;
   const std::uint16_t before = slot.rung;
-  slot.rung = *rung;
+  slot.rung = rung;
   const bool forced_before = slot.is(kForced);
   slot.set(kForced, feels_forces(index));
   if (!relocate(index)) return slot.rung = before, slot.set(kForced, forced_before), false;
@@ -207,9 +211,17 @@ bool World::set_fidelity(ProjectileId id, const Fidelity& fidelity) {
 
 std::size_t World::set_fidelity(std::span<const ProjectileId> ids, const Fidelity& fidelity) {
   const Recorded<Call::set_fidelity_many> call(impl_->recorder, ids, fidelity);
+  Impl& w = *impl_;
   std::size_t changed = 0;
-  for (const ProjectileId id : ids)
-    if (impl_->find(id) && impl_->change_fidelity(id.index, fidelity)) ++changed;
+  std::uint32_t kind = 0;  // looked up last, and its rung
+  std::optional<std::uint16_t> rung;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    w.prefetch(ids, i);
+    const Slot* slot = w.find(ids[i]);
+    if (!slot) continue;
+    if (slot->kind != kind || !rung) rung = w.registry.rung(kind = slot->kind, fidelity);
+    if (rung ? w.change_rung(ids[i].index, *rung) : w.change_fidelity(ids[i].index, fidelity)) ++changed;
+  }
   return changed;
 }
 

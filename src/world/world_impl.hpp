@@ -40,6 +40,14 @@ struct World::Impl {
     const Rows& rows = rows_of(slot);
     return {rows.position(slot.row), rows.velocity(slot.row)};
   }
+  /// In a loop over many projectiles: fetches what the next ones need while this one is worked on.
+  void prefetch(std::span<const ProjectileId> ids, std::size_t at) const {
+    constexpr std::size_t kSlots = 16, kRows = 4;  // so far ahead
+    if (at + kSlots < ids.size() && ids[at + kSlots].index < state.slots.size())
+      __builtin_prefetch(&state.slots[ids[at + kSlots].index]);
+    if (at + kRows >= ids.size()) return;
+    if (const Slot* slot = find(ids[at + kRows])) rows_of(*slot).prefetch(slot->row);
+  }
   [[nodiscard]] const Own& own_of(std::uint32_t slot) const;
   Own& own(std::uint32_t slot);
   Tags& tags(std::uint32_t slot);
@@ -67,6 +75,7 @@ struct World::Impl {
   void take_out(Slot& slot);
   /// Fills a row anew: the models start from here. `launch` gives the plane of fire, else the velocity does.
   void write_row(std::uint32_t slot, const BodyState& at, const Vec3d& previous, const Launch* launch = nullptr);
+  Body<double> special_body(std::uint32_t slot, BodyState& at, const Launch* launch);
   /// Puts a state into its row; closed forms start anew from it.
   void set_row_state(std::uint32_t slot, const BodyState& at);
   /// The numbers that the models read of one projectile, and its time since launch as they count it.
@@ -81,6 +90,7 @@ struct World::Impl {
   bool change_state(ProjectileId id, const BodyState& to);
   bool set_flag(ProjectileId id, std::uint32_t flag, bool on);
   bool change_fidelity(std::uint32_t slot, const Fidelity& asked);
+  bool change_rung(std::uint32_t slot, std::uint16_t rung);
   bool uses_detail() const { return !state.detail.rungs.empty(); }
   void apply_detail();
 

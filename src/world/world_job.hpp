@@ -26,6 +26,7 @@ struct WorldJob {
   RowColumns<S> columns;
   const std::uint8_t* fields;
   unsigned field_count;
+  bool stream;  // positions are stored past the caches
   bool clocked;
   bool launched;
   S now;  // number of this step

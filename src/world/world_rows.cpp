@@ -17,9 +17,33 @@ Vec3d plane_of(const Vec3d& velocity, const Launch* launch) {
   return sight_frame(now).right;
 }
 
+/// What a row is filled with beside its state and body.
+struct RowNumbers {
+  double now;  // number of the coming step
+  const Vec3d& previous;
+};
+
+void put_row(const Rows& rows, std::uint32_t row, const BodyState& at, const Body<double>& body, const RowNumbers& n) {
+  const RowLayout& layout = rows.layout();
+  rows.visit([&]<class S>(const RowColumns<S>& c) {
+    Rows::put(c.position, row, at.position);
+    Rows::put(c.previous, row, n.previous);
+    Rows::put(c.velocity, row, at.velocity);
+    if (layout.carried) Rows::put(c.carried, row, {});
+    if (layout.launched) Rows::put(c.launch, row, at.position);
+    const auto* number = reinterpret_cast<const double*>(&body);
+    for (const std::uint8_t field : layout.fields) c.field[field][row] = static_cast<S>(number[field]);
+    if (!layout.clocked) return;
+    c.offset[row] = S(0);
+    c.born[row] = static_cast<S>(n.now);
+  });
+}
+
 }  // namespace
 
 std::uint16_t World::Impl::cohort_for(const Slot& slot) {
+  const std::uint16_t known = registry.kind(slot.kind).rungs[slot.rung].cohort[slot.variant().index()];
+  if (known < state.rows.size()) return known;
   const std::uint16_t index = registry.cohort(slot.kind, slot.rung, slot.variant());
   if (index == kNoCohort) return index;
   while (state.rows.size() < registry.cohorts())
@@ -35,39 +59,33 @@ void World::Impl::place(std::uint32_t index, const BodyState& at, const Launch& 
 
 void World::Impl::write_row(std::uint32_t index, const BodyState& given, const Vec3d& previous, const Launch* launch) {
   const Slot& slot = state.slots[index];
-  Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
-  Rows& rows = rows_of(slot);
+  const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
+  const RowNumbers numbers{state.clock.now(), previous};
+  const bool special = slot.is(kFrozen | kScaled) || rung.in_use.fidelity.planar || rung.equivalent_drag ||
+                       rows_of(slot).layout().clocked;
+  if (!special) return put_row(rows_of(slot), slot.row, given, rung.body, numbers);
   BodyState at = given;
-  Body<double> special = {};
-  const Body<double>* body = &rung.body;
-  const RowLayout& layout = rows.layout();
-  const Fidelity& granted = rung.in_use.fidelity;
-  if (slot.is(kFrozen | kScaled) || granted.planar || layout.clocked || rung.equivalent_drag) {
-    special = rung.body;
-    body = &special;
-    const Own& mine = own_of(index);
-    if (slot.is(kFrozen)) special.free = free_axes(mine.frozen);
-    if (slot.is(kScaled)) special.gravity_scale = mine.gravity_scale;
-    if (granted.planar) special.plane = plane_of(at.velocity, launch);
-    if (granted.planar) at.velocity -= special.plane * dot(special.plane, at.velocity);
-    if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, special.free);
-    special.launch = {at.position, at.velocity};
-    if (rung.equivalent_drag)
-      special.k2_per_mass = rung.equivalent_drag->k2_per_mass(special.launch) * kind_of(slot).body.drag_scale;
-  }
-  rows.visit([&]<class S>(const RowColumns<S>& c) {
-    Rows::put(c.position, slot.row, at.position);
-    Rows::put(c.previous, slot.row, previous);
-    Rows::put(c.velocity, slot.row, at.velocity);
-    if (layout.carried) Rows::put(c.carried, slot.row, {});
-    if (layout.launched) Rows::put(c.launch, slot.row, at.position);
-    const auto* number = reinterpret_cast<const double*>(body);
-    for (const std::uint8_t field : layout.fields) c.field[field][slot.row] = static_cast<S>(number[field]);
-    if (layout.clocked) {
-      c.offset[slot.row] = S(0);
-      c.born[slot.row] = static_cast<S>(state.clock.now());
-    }
-  });
+  const Body<double> body = special_body(index, at, launch);
+  put_row(rows_of(slot), slot.row, at, body, numbers);
+}
+
+/// The numbers of a projectile that differ from others of its kind and rung: by its switches or by its launch. What of
+/// its velocity its rung does not have is taken away.
+Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const Launch* launch) {
+  const Slot& slot = state.slots[index];
+  const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
+  const bool planar = rung.in_use.fidelity.planar;
+  const Own& mine = own_of(index);
+  Body<double> body = rung.body;
+  if (slot.is(kFrozen)) body.free = free_axes(mine.frozen);
+  if (slot.is(kScaled)) body.gravity_scale = mine.gravity_scale;
+  if (planar) body.plane = plane_of(at.velocity, launch);
+  if (planar) at.velocity -= body.plane * dot(body.plane, at.velocity);
+  if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, body.free);
+  body.launch = {at.position, at.velocity};
+  if (rung.equivalent_drag)
+    body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch) * kind_of(slot).body.drag_scale;
+  return body;
 }
 
 void World::Impl::set_row_state(std::uint32_t index, const BodyState& given) {
@@ -104,20 +122,21 @@ bool World::Impl::relocate(std::uint32_t index) {
     slot.row = row;
     return true;
   }
+  const RowLayout& layout = state.rows[to].layout();
+  const bool goes_on = layout.clocked && registry.cohort(to).key.fidelity.motion != Motion::closed_form;
+  const double age = goes_on ? clock_of(slot) : 0;
   const BodyState at{source.position(old_row), source.velocity(old_row)};
   const Vec3d previous = source.previous(old_row);
-  const double age = clock_of(slot);
   Vec3d launch{};
   if (source.layout().launched) launch = source.visit([&](const auto& c) { return Rows::at(c.launch, old_row); });
   take_out(slot);
   slot.cohort = to;
   slot.row = state.rows[to].push(index);
   write_row(index, at, previous);
-  const RowLayout& layout = state.rows[to].layout();
-  const bool closed = registry.cohort(to).key.fidelity.motion == Motion::closed_form;
+  if (!layout.launched && !goes_on) return true;
   state.rows[to].visit([&]<class S>(const RowColumns<S>& c) {
     if (layout.launched) Rows::put(c.launch, slot.row, launch);
-    if (layout.clocked && !closed) c.offset[slot.row] = static_cast<S>(age);
+    if (goes_on) c.offset[slot.row] = static_cast<S>(age);
   });
   return true;
 }

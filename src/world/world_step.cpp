@@ -11,6 +11,9 @@ namespace {
 
 /// Rows that one thread takes at a time: some microseconds of work that stay in its cache.
 constexpr std::uint32_t kChunkRows = 4096;
+/// Worlds with more bytes than this do not fit into usual caches. There a line that is about to be overwritten is not
+/// worth fetching from memory first: positions are stored past the caches, which saves a sixth of the traffic.
+constexpr std::size_t kCacheBytes = 24u << 20;
 
 template <class S>
 Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
@@ -65,6 +68,7 @@ struct StepWork {
   std::uint32_t* attention;
   const std::size_t* words_before;
   Chunk* chunks;
+  bool stream;
 };
 
 template <class S>
@@ -73,6 +77,7 @@ void step_chunk(const StepWork& work, Chunk& chunk) {
   job.first = chunk.first;
   job.last = chunk.last;
   job.attention = work.attention + work.words_before[chunk.cohort];
+  job.stream = work.stream;
   if (!step_rows_with(work.kernel, job)) return;
   for (std::uint32_t word = chunk.first / kRowsPerWord; word * kRowsPerWord < chunk.last; ++word)
     for (std::uint32_t bits = job.attention[word]; bits != 0; bits &= bits - 1)
@@ -145,12 +150,14 @@ void World::Impl::step_free(double dt) {
   scratch.words_before.assign(state.rows.size(), 0);
   std::size_t words = 0;
   std::size_t moving = 0;
+  std::size_t bytes = 0;
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const CohortKey& key = registry.cohort(c).key;
     scratch.words_before[c] = words;
     if (key.still || key.forced) continue;
     const std::uint32_t size = state.rows[c].size();
     moving += size;
+    bytes += size * state.rows[c].row_bytes();
     words += (size + kRowsPerWord - 1) / kRowsPerWord;
     for (std::uint32_t first = 0; first < size; first += kChunkRows) {
       if (scratch.chunk_count == scratch.chunks.size()) scratch.chunks.emplace_back();
@@ -167,7 +174,8 @@ void World::Impl::step_free(double dt) {
                 world_kernel(),
                 scratch.attention.data(),
                 scratch.words_before.data(),
-                scratch.chunks.data()};
+                scratch.chunks.data(),
+                bytes > kCacheBytes};
   runner(moving).run(scratch.chunk_count, run_chunk, &work);
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const CohortKey& key = registry.cohort(c).key;
