@@ -49,18 +49,18 @@ struct Expectation {
 
 /// A whole scenario.
 struct Scenario {
-  std::string file;                 ///< path it was read from [-]
-  std::string title;                ///< [-]
-  std::string source;               ///< where its figures come from [-]
-  Environment environment;          ///< [-]
-  Tolerance tolerance;              ///< [-]
-  Until until;                      ///< [-]
-  std::vector<double> ranges;       ///< of the range card [m]
-  std::vector<ScenarioShot> shots;  ///< [-]
-  ScenarioWorld world;              ///< [-]
-  std::vector<Volley> volleys;      ///< [-]
+  std::string file;                   ///< path it was read from [-]
+  std::string title;                  ///< [-]
+  std::string source;                 ///< where its figures come from [-]
+  Environment environment;            ///< [-]
+  Tolerance tolerance;                ///< [-]
+  Until until;                        ///< [-]
+  std::vector<double> ranges;         ///< of the range card [m]
+  std::vector<ScenarioShot> shots;    ///< [-]
+  ScenarioWorld world;                ///< [-]
+  std::vector<Volley> volleys;        ///< [-]
   std::vector<ScenarioForce> forces;  ///< [-]
-  std::vector<Expectation> expect;  ///< [-]
+  std::vector<Expectation> expect;    ///< [-]
 };
 
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",

@@ -49,12 +49,12 @@ struct Volley {
 
 /// One [[force]]: a law, and what it acts on. Neither shots nor layers: everything.
 struct ScenarioForce {
-  std::string name;                                           ///< in messages [-]
-  std::vector<std::string> shots;                             ///< names of shots [-]
-  std::uint32_t layers = 0;                                   ///< bits of BodyDef::layers [-]
-  ForceLaw law;                                               ///< [-]
-  std::string other;  ///< of a spring or bungee: the shot at its other end, fired once [-]
-  double delay = 0;                                           ///< before it starts [s]
+  std::string name;                ///< in messages [-]
+  std::vector<std::string> shots;  ///< names of shots [-]
+  std::uint32_t layers = 0;        ///< bits of BodyDef::layers [-]
+  ForceLaw law;                    ///< [-]
+  std::string other;               ///< of a spring or bungee: the shot at its other end, fired once [-]
+  double delay = 0;                ///< before it starts [s]
   double duration = std::numeric_limits<double>::infinity();  ///< then it ends [s]
 };
 

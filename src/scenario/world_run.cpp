@@ -66,7 +66,7 @@ struct WorldRun::Impl {
   std::vector<ProjectileId> stopped;
   std::vector<ProjectileId> lone;  // by shot: of those fired by themselves
   std::uint64_t launches = 0;
-  bool is_loaded = false;          // the launches of the next step are made
+  bool is_loaded = false;  // the launches of the next step are made
 
   Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)), lone(scenario.shots.size()) {}
 
@@ -114,8 +114,7 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   if (!group.kind) return with_place(*world.error(), place);
   Magazine magazine{groups.size(), 0, volley, shot.launch};
   if (!magazine.launch.velocity) {
-    const auto elevation =
-        elevation_of(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
+    const auto elevation = elevation_of(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
     if (!elevation) return with_place(elevation.error(), place);
     magazine.launch.velocity = launch_velocity(shot.launch, sight_frame(shot.launch), *elevation);
     magazine.launch.speed = magazine.launch.elevation = magazine.launch.azimuth = 0;
@@ -260,8 +259,8 @@ void WorldRun::Impl::look_at_wall(double dt) {
     if (track == nullptr) continue;
     const double part = (wall - s.from.x) / (s.to.x - s.from.x), rest = (1 - part) * dt;
     const Vec3d a = world.accelerations(s.id).total;
-    WallHit hit{track->launched, s.id, world.time() - rest, s.from + (s.to - s.from) * part - a * (part * dt * rest / 2),
-                world.velocity(s.id) - a * rest};
+    WallHit hit{track->launched, s.id, world.time() - rest,
+                s.from + (s.to - s.from) * part - a * (part * dt * rest / 2), world.velocity(s.id) - a * rest};
     hit.position.x = wall;
     hits.push_back(hit);
     stopped.push_back(s.id);
@@ -277,8 +276,7 @@ void WorldRun::Impl::look_at_wall(double dt) {
     touch(tracks[hit.id.index], group, hit.time, hit.position, hit.velocity);
   }
   const std::size_t known = world.events().size();
-  std::sort(stopped.begin(), stopped.end(),
-            [](ProjectileId a, ProjectileId b) { return a.index < b.index; });
+  std::sort(stopped.begin(), stopped.end(), [](ProjectileId a, ProjectileId b) { return a.index < b.index; });
   world.despawn(stopped);
   count(world.events().subspan(known));
 }

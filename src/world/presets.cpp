@@ -130,10 +130,14 @@ struct Named {
 };
 
 constexpr Named kPresets[] = {
-    {"artillery", presets::artillery},       {"bullet", presets::bullet},
-    {"laser", presets::laser},               {"sphere", presets::sphere},
-    {"rifle_bullet", presets::rifle_bullet}, {"arrow", presets::arrow},
-    {"grenade", presets::grenade},           {"paintball", presets::paintball},
+    {"artillery", presets::artillery},
+    {"bullet", presets::bullet},
+    {"laser", presets::laser},
+    {"sphere", presets::sphere},
+    {"rifle_bullet", presets::rifle_bullet},
+    {"arrow", presets::arrow},
+    {"grenade", presets::grenade},
+    {"paintball", presets::paintball},
     {"tennis_ball", presets::tennis_ball},
 };
 

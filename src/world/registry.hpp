@@ -127,5 +127,4 @@ class Registry {
   Curves curves_[3];
 };
 
-
 }  // namespace physim

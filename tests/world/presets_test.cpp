@@ -28,8 +28,8 @@ TEST(Presets, ArtilleryFliesAsTheOriginals) {
   def.ground.mode = GroundMode::none;
   World world = World::create(def).value();
   const ProjectilePreset shell = presets::artillery();
-  const ProjectileId id = world.spawn(
-      shell.projectile, {.position = {0, 1.5, 0}, .velocity = Vec3d{40, 4, 0}}, shell.body);
+  const ProjectileId id =
+      world.spawn(shell.projectile, {.position = {0, 1.5, 0}, .velocity = Vec3d{40, 4, 0}}, shell.body);
   for (int frame = 0; frame < 30; ++frame) world.single_step();
   EXPECT_NEAR(world.position(id).x, 19.499438, 5e-4);  // as scenarios/original_artillery.toml
   EXPECT_NEAR(world.position(id).y, 1.233497, 5e-4);
