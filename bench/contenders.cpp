@@ -18,8 +18,8 @@ Tolerance tolerance_of(const Contender& contender, double setting) {
 
 }  // namespace
 
-Contender peer(std::string name, void (*fly)(PeerTask&), const PeerModel& model) {
-  Contender contender{std::move(name), "native"};
+Contender peer(std::string name, std::string kernel, void (*fly)(PeerTask&), const PeerModel& model) {
+  Contender contender{std::move(name), std::move(kernel), true};
   contender.fly = [fly, &model](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
     std::vector<PeerEnd> flown(count);
     PeerTask task{&model, kRange, setting, std::span(set.peer_shots).first(count), flown.data(), 0, 0};

@@ -17,14 +17,15 @@ struct Work {
 
 struct Contender {
   std::string name;
-  std::string kernel;       // instruction set, or "native" for the peers
+  std::string kernel;       // instruction set; of peers, how they are compiled
+  bool is_peer = false;     // another solver, not PhySim
   bool by_pilot = false;    // the setting is the error that a pilot flight aims at; else it is a tolerance
   double tightest = 1e-12;  // setting to start calibration from
   /// Flies the first `count` shots with a setting; `ends` gets their places at the range line unless it is null.
   std::function<Work(const ShotSet& set, std::size_t count, double setting, Vec3d* ends)> fly;
 };
 
-[[nodiscard]] Contender peer(std::string name, void (*fly)(PeerTask&), const PeerModel& model);
+[[nodiscard]] Contender peer(std::string name, std::string kernel, void (*fly)(PeerTask&), const PeerModel& model);
 /// fly_batch() with one kernel.
 [[nodiscard]] Contender batch(std::string name, std::string kernel, const Fidelity& fidelity);
 /// fly() for each shot, with dense output and the place asked from it.

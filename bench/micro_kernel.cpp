@@ -80,7 +80,7 @@ std::size_t run(Part part, const MicroJob<S>& job) {
       const MaskOf<R> all_lanes = x == x;
       return repeat(job, y, [&] {
         touch(lanes);
-        y = select(needs_attention(course, lanes, all_lanes), x, y);
+        y = select(needs_attention(course, lanes, all_lanes).special, x, y);
       });
     }
     case Part::accept: {

@@ -1,42 +1,6 @@
-#include <array>
-#include <boost/numeric/odeint.hpp>
-
-#include "peer_rhs.hpp"
+// With every instruction of this machine and fused multiply-add; see cmake/bench.cmake.
+#include "peer_odeint.hpp"
 
 namespace physim::bench {
-
-void fly_odeint_dopri5(PeerTask& task) {
-  namespace odeint = boost::numeric::odeint;
-  using State = std::array<double, 6>;
-  const PeerModel& model = *task.model;
-  std::int64_t evaluations = 0;
-  const auto rhs = [&](const State& y, State& slope, double) {
-    peer_rhs(model, y.data(), slope.data());
-    ++evaluations;
-  };
-  auto stepper = odeint::make_dense_output(task.tolerance, task.tolerance, odeint::runge_kutta_dopri5<State>());
-  const double first = peer_first_step(task.tolerance);
-  for (std::size_t i = 0; i < task.shots.size(); ++i) {
-    State y{};
-    peer_launch(task.shots[i], y.data());
-    stepper.initialize(y, 0.0, first);
-    do {
-      stepper.do_step(rhs);
-      ++task.steps;
-    } while (stepper.current_state()[0] < task.range);
-    // Newton's method on the dense output, from the straight line through the step.
-    const double x0 = stepper.previous_state()[0];
-    const double part = (task.range - x0) / (stepper.current_state()[0] - x0);
-    double t = stepper.previous_time() + part * (stepper.current_time() - stepper.previous_time());
-    for (int n = 0; n < 10; ++n) {
-      stepper.calc_state(t, y);
-      const double miss = task.range - y[0];
-      if (std::abs(miss) < 1e-10) break;
-      t += miss / y[3];
-    }
-    task.ends[i] = {t, {y[0], y[1], y[2]}};
-  }
-  task.evaluations += evaluations;
-}
-
+void fly_odeint_dopri5(PeerTask& task) { fly_dopri5(task); }
 }  // namespace physim::bench

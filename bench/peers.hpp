@@ -1,4 +1,4 @@
-// The solvers that PhySim is measured against, behind plain functions: they are compiled with every instruction of this
+// The solvers that PhySim is measured against, behind plain functions: most are compiled with every instruction of this
 // machine and fused multiply-add allowed, so nothing of the library may be instantiated in their files.
 #pragma once
 
@@ -60,6 +60,7 @@ struct PeerTask {
 
 /// Boost.odeint: runge_kutta_dopri5, controlled, with dense output.
 void fly_odeint_dopri5(PeerTask& task);
+void fly_odeint_dopri5_portable(PeerTask& task);  ///< compiled as PhySim's portable files are
 /// SUNDIALS CVODE with root finding: Adams with fixed-point iteration, BDF with Newton's method and a dense Jacobian.
 void fly_cvode_adams(PeerTask& task);
 void fly_cvode_bdf(PeerTask& task);

@@ -16,8 +16,16 @@ if(NOT PHYSIM_TESTS)
   return()
 endif()
 
+# A crowded world in which everything changes at random; short as a test, long by `./dev soak`.
+add_executable(physim_soak tests/soak/soak.cpp)
+physim_flags(physim_soak)
+target_link_libraries(physim_soak PRIVATE physim)
+set_target_properties(physim_soak PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+add_test(NAME soak COMMAND physim_soak 1e6 2000)
+set_tests_properties(soak PROPERTIES TIMEOUT 900)
+
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS tests/*.cpp)
-list(FILTER test_sources EXCLUDE REGEX "/tests/golden/")
+list(FILTER test_sources EXCLUDE REGEX "/tests/(golden|soak)/")
 if(test_sources)
   find_package(GTest QUIET)
 endif()

@@ -34,9 +34,21 @@ void add_output_options(CLI::App& command, OutputPaths& paths, const char* csv, 
   refuse_empty(*command.add_option("--plot", paths.plot, plot)->type_name("FILE.png|svg"));
 }
 
+void add_globe_options(CLI::App& command, OutputPaths& paths) {
+  refuse_empty(*command.add_option("--kml", paths.kml, "Write flights over a round Earth as KML; - as above")
+                    ->type_name("FILE"));
+  refuse_empty(*command.add_option("--czml", paths.czml, "... as CZML, moving in time, for Cesium")->type_name("FILE"));
+  refuse_empty(*command.add_option("--geojson", paths.geojson, "... as GeoJSON")->type_name("FILE"));
+}
+
 Status check(const OutputPaths& paths, const std::string& scenario_file) {
-  const std::array<std::pair<const char*, const std::string&>, 4> all = {
-      {{"--csv", paths.csv}, {"--json", paths.json}, {"--plot", paths.plot}, {"--events", paths.events}}};
+  const std::array<std::pair<const char*, const std::string&>, 7> all = {{{"--csv", paths.csv},
+                                                                          {"--json", paths.json},
+                                                                          {"--plot", paths.plot},
+                                                                          {"--kml", paths.kml},
+                                                                          {"--czml", paths.czml},
+                                                                          {"--geojson", paths.geojson},
+                                                                          {"--events", paths.events}}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [option, path] = all[i];
     if (is_same_file(path, scenario_file))
@@ -45,17 +57,21 @@ Status check(const OutputPaths& paths, const std::string& scenario_file) {
       if (is_same_file(path, all[k].second))
         return Error{.message = std::string(all[k].first) + " and " + option + " cannot both go to " + path};
   }
-  return in_turn([&] { return paths.csv.empty() ? std::nullopt : check_writable(paths.csv); },
-                 [&] { return paths.json.empty() ? std::nullopt : check_writable(paths.json); },
-                 [&] { return paths.events.empty() ? std::nullopt : check_writable(paths.events); },
-                 [&] { return paths.plot.empty() ? std::nullopt : check_plot(paths.plot); });
+  for (const auto& [option, path] : all)
+    if (const bool is_text = &path != &paths.plot; is_text && !path.empty())
+      if (Status bad = check_writable(path)) return bad;
+  return paths.plot.empty() ? std::nullopt : check_plot(paths.plot);
 }
 
 Status write(const OutputPaths& paths, const OutputMakers& makers) {
+  const auto text = [](const std::string& path, const std::function<std::string()>& make) {
+    return path.empty() ? std::nullopt : write_output(path, make());
+  };
   return in_turn([&] { return paths.plot.empty() ? std::nullopt : draw(paths.plot, makers.plot()); },
-                 [&] { return paths.csv.empty() ? std::nullopt : write_output(paths.csv, makers.csv()); },
-                 [&] { return paths.json.empty() ? std::nullopt : write_output(paths.json, makers.json()); },
-                 [&] { return paths.events.empty() ? std::nullopt : write_output(paths.events, makers.events()); });
+                 [&] { return text(paths.csv, makers.csv); }, [&] { return text(paths.json, makers.json); },
+                 [&] { return text(paths.kml, makers.kml); }, [&] { return text(paths.czml, makers.czml); },
+                 [&] { return text(paths.geojson, makers.geojson); },
+                 [&] { return text(paths.events, makers.events); });
 }
 
 }  // namespace physim::cli

@@ -17,15 +17,19 @@ namespace physim::cli {
 /// Empty: not asked for. "-" is the standard output.
 struct OutputPaths {
   std::string csv, json, plot;
-  std::string events;  // of worlds
-  [[nodiscard]] bool use_stdout() const { return csv == "-" || json == "-" || events == "-"; }
+  std::string kml, czml, geojson;  // for globes; of `run`
+  std::string events;              // of worlds
+  [[nodiscard]] bool use_stdout() const {
+    return csv == "-" || json == "-" || kml == "-" || czml == "-" || geojson == "-" || events == "-";
+  }
+  [[nodiscard]] bool has_globe() const { return !kml.empty() || !czml.empty() || !geojson.empty(); }
 };
 
 /// What goes into the files; made only when asked for.
 struct OutputMakers {
   std::function<std::string()> csv, json;
   std::function<Picture()> plot;
-  std::function<std::string()> events = {};
+  std::function<std::string()> kml = {}, czml = {}, geojson = {}, events = {};
 };
 
 /// Refuses an option's empty value, as from a shell variable that is not set.
@@ -33,6 +37,9 @@ void refuse_empty(CLI::Option& option);
 
 /// --csv, --json and --plot, each with its help.
 void add_output_options(CLI::App& command, OutputPaths& paths, const char* csv, const char* json, const char* plot);
+
+/// --kml, --czml and --geojson.
+void add_globe_options(CLI::App& command, OutputPaths& paths);
 
 /// What can be told before there is anything to write: places that cannot be written, the same place asked for twice,
 /// and the scenario itself.

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "flown.hpp"
 #include "output_file.hpp"
+#include "output_globe.hpp"
 #include "output_paths.hpp"
 #include "output_summary.hpp"
 #include "output_table.hpp"
@@ -55,14 +56,17 @@ std::string file_part(const std::string& name) {
 OutputMakers makers_of(const FlownScenario& flown, const SampleTimes& times) {
   return {.csv = [&] { return trajectories_csv(flown.shots, times); },
           .json = [&] { return trajectories_json(flown, times); },
-          .plot = [&] { return flights_picture(title_of(flown.scenario), flown.shots); }};
+          .plot = [&] { return flights_picture(title_of(flown.scenario), flown.shots); },
+          .kml = [&] { return globe_kml(flown, times); },
+          .czml = [&] { return globe_czml(flown, times); },
+          .geojson = [&] { return globe_geojson(flown, times); }};
 }
 
 Status write_folder(const RunOptions& options, const FlownScenario& flown, const SampleTimes& times) {
   const std::filesystem::path folder = options.folder;
   const std::string stem = file_part(std::filesystem::path(flown.scenario.file).stem().string());
   const auto path = [&](const std::string& name) { return (folder / name).string(); };
-  const OutputPaths paths{path(stem + ".csv"), path(stem + ".json"), path(stem + ".png")};
+  const OutputPaths paths{.csv = path(stem + ".csv"), .json = path(stem + ".json"), .plot = path(stem + ".png")};
   Status status = in_turn([&] { return make_folder(options.folder); }, [&] { return check(paths, options.input.file); },
                           [&] { return write(paths, makers_of(flown, times)); });
   if (status || flown.shots.size() == 1) return status;
@@ -124,6 +128,8 @@ Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
   if (!interval) return interval.error();
   Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
+  if (scenario->world.given && options.outputs.has_globe())
+    return Error{.message = "KML, CZML and GeoJSON are of single flights", .hint = "take [world] out of the scenario"};
   if (scenario->world.given)
     return run_in_world(std::move(*scenario), options.outputs, options.folder, *interval, options.world, all_met);
   if (const std::string option = options.world.given(options.outputs); !option.empty())
@@ -132,7 +138,10 @@ Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
   if (Status bad = fly_all(flown)) return bad;
   all_met = std::ranges::all_of(flown.checks, [](const Check& check) { return check.met; });
 
-  const bool writes_samples = !options.outputs.csv.empty() || !options.outputs.json.empty() || !options.folder.empty();
+  if (options.outputs.has_globe())
+    if (Status bad = check_round(flown)) return bad;
+  const bool writes_samples = !options.outputs.csv.empty() || !options.outputs.json.empty() ||
+                              options.outputs.has_globe() || !options.folder.empty();
   SampleTimes times;
   if (writes_samples) {
     Result<SampleTimes> found = sample_times(flown.shots, *interval);
@@ -170,6 +179,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
   add_output_options(*command, options->outputs, "Write the trajectories as CSV; - is the standard output",
                      "Write trajectories, events and all settings as JSON; - as above",
                      "Draw path, speed, and each axis over time");
+  add_globe_options(*command, options->outputs);
   refuse_empty(
       *command->add_option("--out", options->folder, "Write all of these into a directory, with a plot for each shot")
            ->type_name("DIR"));

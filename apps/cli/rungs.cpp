@@ -39,7 +39,9 @@ std::vector<RungDoc> all_docs() {
   add<GravityModel>(all, "gravity",
                     {{GravityModel::off, "none"},
                      {GravityModel::constant, "the same everywhere"},
-                     {GravityModel::inverse_square, "Newton's law: falls with the square of the distance"}});
+                     {GravityModel::inverse_square, "Newton's law: falls with the square of the distance"},
+                     {GravityModel::j2, "a point mass and the Earth's flattening, J2"},
+                     {GravityModel::wgs84, "normal gravity of the ellipsoid WGS-84, exact at every height"}});
   add<DragModel>(all, "drag",
                  {{DragModel::off, "none"},
                   {DragModel::damping, "velocity *= damping^dt"},
@@ -57,7 +59,9 @@ std::vector<RungDoc> all_docs() {
   add<EarthModel>(all, "earth",
                   {{EarthModel::flat, "flat, not rotating"},
                    {EarthModel::flat_coriolis, "flat, with the Coriolis acceleration"},
-                   {EarthModel::sphere, "round, not rotating; gravity points to its centre"}});
+                   {EarthModel::sphere, "round, not rotating; gravity points to its centre"},
+                   {EarthModel::sphere_rotating, "round and rotating: the air turns with it"},
+                   {EarthModel::ellipsoid, "WGS-84, rotating; heights are above the ellipsoid"}});
   add<RotationModel>(all, "rotation",
                      {{RotationModel::none, "spin has no effect"},
                       {RotationModel::spin_drift, "Litz's spin drift with Miller's stability factor"}});

@@ -74,6 +74,7 @@ struct Suite {
 extern const Suite kClassicSuite;
 extern const Suite kAnalyticSuite;
 extern const Suite kUs76Suite;
+extern const Suite kGravitySuite;
 extern const Suite kBallisticsSuite;
 
 /// All suites, in the order they run.

@@ -142,7 +142,7 @@ const Suite kAnalyticSuite = {
     "analytic",
     "Flights with an exact solution",
     "closed form 1e-12, integrators 1e-9 of the figure; components of a vector also 1e-12 of its length; Kepler orbits "
-    "1e-4 m after a revolution, circular 1e-5 m",
+    "1e-4 m after a revolution, circular 1e-5 m, and their energy 1e-11",
     "analytic",
     kFiles,
     run};

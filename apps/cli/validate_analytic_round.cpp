@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kEarthGM = 3.986004418e14;  // [m^3/s^2]
 constexpr double kMeanRadius = 6371000.0;    // [m]
+constexpr double kEnergyDrift = 1e-11;       // over a revolution [-]
 
 std::vector<Method> on_the_sphere() {
   std::vector<Method> methods = integrators();
@@ -55,6 +56,24 @@ OrbitState periapsis(const Orbit& orbit, double gm) {
   return {orbit.a * (1 - orbit.e), 0, 0, std::sqrt(gm / orbit.a * (1 + orbit.e) / (1 - orbit.e))};
 }
 
+/// The largest change of the energy over the revolution, relative to it.
+void report_energy_drift(const Flight& flight, double gm, const Method& method, const std::string& label,
+                         SuiteResult& result) {
+  const auto energy = [&](double time) {
+    const Sample s = flight.at(time);
+    return 0.5 * s.speed * s.speed - gm / length(s.position + Vec3d{0, kMeanRadius, 0});
+  };
+  double drift = 0;
+  for (const double time : flight.step_times()) drift = std::max(drift, std::abs(energy(time) / energy(0) - 1));
+  const std::string problem = complaint(flight, method.fidelity);
+  result.figures.push_back({.case_name = "kepler_orbits energy " + method.name,
+                            .figure = "energy drift " + label,
+                            .expected = 0,
+                            .actual = problem.empty() ? drift : kNaN,
+                            .gate = kEnergyDrift,
+                            .note = problem});
+}
+
 void check_orbit(const CsvFile& file, const Orbit& orbit, double gm, const Method& method, SuiteResult& result) {
   ShotInPlace shot = shot_around(gm, kMeanRadius);
   const OrbitState start = periapsis(orbit, gm);
@@ -75,6 +94,7 @@ void check_orbit(const CsvFile& file, const Orbit& orbit, double gm, const Metho
     check.compare_within("vx_m_s", sample.velocity.y, method.relative * sample.speed);
     check.compare_within("vy_m_s", sample.velocity.x, method.relative * sample.speed);
   }
+  report_energy_drift(flight, gm, method, format("a=%.6g e=%g", orbit.a, orbit.e), result);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes analytic/*.csv and us76/us76_{exact,layers}.csv from the closed forms, with 40 digits (Debian: python3-mpmath).
+"""Writes analytic/*.csv, gravity/*.csv and us76/us76_{exact,layers}.csv from the closed forms, with 40 digits (Debian: python3-mpmath).
 
 The columns are those that `physim validate` reads. z and "up" are vertical here; y is up in PhySim.
 """
@@ -246,7 +246,54 @@ def step(layer, h, gas, molar):
     return above, p * (t / above) ** (G * molar / (gas * lapse))
 
 
+# -------------------------------------------------------------------------------------------------------- gravity
+def gravity():
+    a, f, w = mpf(6378137), 1 / mpf("298.257223563"), mpf("7.292115e-5")
+    j2 = mpf("1.08262982e-3")
+    e2, b = f * (2 - f), a * (1 - f)
+    lin = sqrt(a * a - b * b)  # linear eccentricity
+
+    def q(u):
+        return ((1 + 3 * u * u / lin**2) * atan(lin / u) - 3 * u / lin) / 2
+
+    def q_slope(u):
+        return 3 * (1 + u * u / lin**2) * (1 - u / lin * atan(lin / u)) - 1
+
+    def normal(p, z):
+        s = p * p + z * z - lin**2
+        u = sqrt((s + sqrt(s * s + 4 * lin**2 * z * z)) / 2)
+        v, beta = sqrt(u * u + lin**2), atan2(z * sqrt(u * u + lin**2), u * p)
+        size = sqrt((u * u + (lin * sin(beta)) ** 2) / (u * u + lin**2))
+        turn = (w * a) ** 2
+        g_u = -(GM / v**2 + turn * lin / v**2 * q_slope(u) / q(b) * (sin(beta) ** 2 / 2 - mpf(1) / 6)) / size
+        g_u += w * w * u * cos(beta) ** 2 / size
+        g_beta = (turn / v * q(u) / q(b) - w * w * v) * sin(beta) * cos(beta) / size
+        return (u / (size * v) * cos(beta) * g_u - sin(beta) / size * g_beta,
+                sin(beta) / size * g_u + u / (size * v) * cos(beta) * g_beta)
+
+    def flattened(p, z):
+        r = sqrt(p * p + z * z)
+        c, s2 = mpf(3) / 2 * j2 * (a / r) ** 2, (z / r) ** 2
+        return (-GM * p / r**3 * (1 - c * (5 * s2 - 1)) + w * w * p, -GM * z / r**3 * (1 - c * (5 * s2 - 3)))
+
+    rows = []
+    for lat in [-90, -63, -30, -5, 0, 12, 37, 45, 52, 71, 90]:
+        for h in [-2000, 0, 3000, 12000, 86000, 400000, 35786000]:
+            phi = radians(mpf(lat))
+            n = a / sqrt(1 - e2 * sin(phi) ** 2)
+            place = ((n + h) * cos(phi), (n * (1 - e2) + h) * sin(phi))
+            row = [str(lat), str(h)]
+            for field in (normal, flattened):
+                g_p, g_z = field(*place)
+                row += [g_p * cos(phi) + g_z * sin(phi), g_z * cos(phi) - g_p * sin(phi)]
+            rows.append(row)
+    write("gravity/wgs84_normal_gravity.csv", "Source: W. A. Heiskanen and H. Moritz, Physical Geodesy (1967), eq. 2-56 to "
+          "2-67, with the constants of WGS-84 (NIMA TR8350.2, 2000): gravitation and centrifugal acceleration by geodetic "
+          "latitude and height above the ellipsoid, up and north. J2: point mass and J2 = 1.08262982e-3 instead.",
+          "lat_deg,h_m,gamma_up,gamma_north,J2_up,J2_north", rows)
+
+
 if __name__ == "__main__":
     for make in (vacuum_parabola, linear_drag, quadratic_vertical, quadratic_2d, fall_exponential, bouncing_ball, coriolis,
-                 magnus, kepler, newton_range, radial_fall, us76):
+                 magnus, kepler, newton_range, radial_fall, us76, gravity):
         make()

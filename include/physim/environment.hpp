@@ -10,11 +10,14 @@
 
 namespace physim {
 
-/// The gravity field.
+/// The gravity field. acceleration and radius are those of `constant` and `inverse_square`; another planet has its own,
+/// and no more than `inverse_square`. The defaults are those of the US Standard Atmosphere 1976, whose g contains the
+/// centrifugal acceleration; where a rotating Earth adds that by itself, the defaults stand for the Earth's own
+/// GM = 3.986004418e14 m^3/s^2 and, under a sphere, its mean radius, 6371008.77 m.
 struct Gravity {
-  GravityModel model = GravityModel::inverse_square;  ///< the field there is [-]
-  double acceleration = 9.80665;                      ///< at mean sea level, downwards [m/s^2]
-  double radius = 6356766;  ///< distance of sea level from the Earth's centre; default of US Standard 1976 [m]
+  GravityModel model = GravityModel::wgs84;  ///< the field there is [-]
+  double acceleration = 9.80665;             ///< at mean sea level, downwards [m/s^2]
+  double radius = 6356766;                   ///< distance of sea level from the Earth's centre [m]
 
   bool operator==(const Gravity&) const = default;
 };
@@ -59,9 +62,12 @@ struct Wind {
   bool operator==(const Wind&) const = default;
 };
 
-/// How the Earth turns under the flight.
+/// Where on the Earth the origin of the world frame lies, how its x axis points, and how the Earth turns. A launch by
+/// latitude, longitude, height, azimuth and elevation is one from the origin: latitude, longitude and azimuth are
+/// these, height is Environment::altitude, elevation is Launch::elevation.
 struct Earth {
-  double latitude = 0;                 ///< north positive [rad]
+  double latitude = 0;                 ///< of the vertical at the origin, north positive [rad]
+  double longitude = 0;                ///< of the origin, east positive [rad]
   double azimuth = 0;                  ///< compass direction of the x axis, clockwise from north [rad]
   double rotation_rate = 7.292115e-5;  ///< [rad/s]
 
@@ -70,7 +76,7 @@ struct Earth {
 
 /// Where a projectile flies.
 struct Environment {
-  double altitude = 0;    ///< of the origin of the world frame above sea level [m]
+  double altitude = 0;    ///< of the origin of the world frame above sea level, or above the ellipsoid [m]
   Gravity gravity;        ///< [-]
   Atmosphere atmosphere;  ///< [-]
   Wind wind;              ///< [-]

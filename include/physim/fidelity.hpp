@@ -28,6 +28,8 @@ enum class GravityModel {
   off,
   constant,        ///< the same everywhere
   inverse_square,  ///< Newton's law: falls with the square of the distance from the Earth's centre
+  j2,              ///< a point mass and the Earth's flattening, J2
+  wgs84,           ///< normal gravity of the ellipsoid WGS-84, exact at every height
 };
 
 enum class DragModel {
@@ -51,9 +53,11 @@ enum class WindModel {
 };
 
 enum class EarthModel {
-  flat,
-  flat_coriolis,  ///< flat, with the Coriolis acceleration -2 Omega x v
-  sphere,         ///< round, not rotating; heights are above the sphere and gravity points to its centre
+  flat,             ///< not rotating
+  flat_coriolis,    ///< flat, with the Coriolis acceleration -2 Omega x v
+  sphere,           ///< round, not rotating; heights are above the sphere and gravity points to its centre
+  sphere_rotating,  ///< the same, turning: W, the air and the wind turn with it
+  ellipsoid,        ///< WGS-84, turning: heights are above the ellipsoid
 };
 
 enum class RotationModel {

@@ -11,6 +11,7 @@
 
 #include "physim/environment.hpp"
 #include "physim/fidelity.hpp"
+#include "physim/frames.hpp"
 #include "physim/projectile.hpp"
 #include "physim/result.hpp"
 #include "physim/vec3.hpp"
@@ -87,11 +88,12 @@ struct Sample {
 
 /// Acceleration by effect.
 struct Accelerations {
-  Vec3d gravity;   ///< [m/s^2]
-  Vec3d drag;      ///< [m/s^2]
-  Vec3d coriolis;  ///< [m/s^2]
-  Vec3d applied;   ///< by ProjectileDef::force [m/s^2]
-  Vec3d total;     ///< [m/s^2]
+  Vec3d gravity;      ///< [m/s^2]
+  Vec3d drag;         ///< [m/s^2]
+  Vec3d coriolis;     ///< [m/s^2]
+  Vec3d centrifugal;  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
+  Vec3d applied;      ///< by ProjectileDef::force [m/s^2]
+  Vec3d total;        ///< [m/s^2]
 };
 
 /// An event that happened.
@@ -133,6 +135,8 @@ class Flight {
   /// Acceleration by effect at a time [s].
   [[nodiscard]] Accelerations accelerations(double time) const;
 
+  /// The frames of the Earth that was flown over: where a sample is in geodetic, Earth-fixed, inertial or local terms.
+  [[nodiscard]] EarthFrames earth_frames() const;
   /// Everything that happened, in order of time.
   [[nodiscard]] std::span<const Event> events() const;
   /// Times of the steps taken, first 0, last duration() [s].

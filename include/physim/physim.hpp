@@ -8,6 +8,8 @@
 #include "physim/fidelity.hpp"
 #include "physim/flight.hpp"
 #include "physim/forces.hpp"
+#include "physim/frames.hpp"
+#include "physim/geodesy.hpp"
 #include "physim/names.hpp"
 #include "physim/presets.hpp"
 #include "physim/projectile.hpp"

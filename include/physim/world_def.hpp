@@ -103,9 +103,11 @@ struct BodyDef {
   Smoothing smoothing = Smoothing::interpolate;  ///< of World::render_position() (live) [-]
   std::uint32_t pool = 0;                        ///< index in WorldDef::pools [-]
   std::uint32_t environment = 0;                 ///< index of an environment of the world [-]
-  std::uint32_t layers = 1;                      ///< (live) bits, for group forces and for the user's own use [-]
-  std::uint32_t colour = 0xffffffff;             ///< (live) carried along, RGBA [-]
-  std::string label;                             ///< (live) carried along [-]
+  double cheapest_within = 0;         ///< > 0: instead of its own rung, the cheapest whose error stays below this [m]
+  double within_time = 2;             ///< ... for so long after its launch [s]
+  std::uint32_t layers = 1;           ///< (live) bits, for group forces and for the user's own use [-]
+  std::uint32_t colour = 0xffffffff;  ///< (live) carried along, RGBA [-]
+  std::string label;                  ///< (live) carried along [-]
 
   bool operator==(const BodyDef&) const = default;
 };

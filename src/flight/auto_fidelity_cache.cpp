@@ -64,7 +64,7 @@ class Key {
     const auto& [gravity_model, acceleration, radius] = gravity;
     const auto& [air_model, temperature, pressure, humidity, station, density, sound_speed, scale_height] = atmosphere;
     const auto& [velocity, profile, by, interpolation] = wind;
-    const auto& [latitude, azimuth, rotation_rate] = earth;
+    const auto& [latitude, longitude, azimuth, rotation_rate] = earth;
     all(altitude, gravity_model, acceleration, radius, air_model, temperature, pressure, humidity, station, density,
         sound_speed, scale_height, velocity, profile, by, interpolation, latitude, azimuth, rotation_rate);
   }

@@ -19,7 +19,6 @@ struct ShotGroup {
   std::optional<double> step;
   std::vector<std::uint32_t> shots;
   std::vector<Body<double>> bodies;
-  std::vector<Body<float>> bodies_float;
   std::vector<SpinDrift> drifts;
   std::vector<Vec3d> right;
   std::vector<RawEnd> ends;
@@ -76,11 +75,15 @@ class Batch {
     const auto& [projectile, launch] = shots_[i];
     if (const auto status = check(projectile)) return refuse(*status);
     if (const auto status = check(launch)) return refuse(*status);
-    const auto elevation = elevation_of(projectile, launch, environment_, fidelity_);
-    if (!elevation) return refuse(elevation.error());
+    double elevation = launch.elevation;
+    if (launch.sight.zero_range > 0) {
+      const auto found = elevation_of(projectile, launch, environment_, fidelity_);
+      if (!found) return refuse(found.error());
+      elevation = *found;
+    }
     ShotGroup* group = group_of(projectile);
     Cohort& cohort = group->cohort;
-    const auto body = prepare_body(projectile, launch, *elevation, cohort.pool, cohort.conditions);
+    const auto body = prepare_body(projectile, launch, elevation, cohort.pool, cohort.conditions);
     if (const auto outcome = ends_at_once(cohort.conditions, body, until_)) return end_at_once(i, body, *outcome);
     group->shots.push_back(i);
     group->bodies.push_back(body);
@@ -168,23 +171,19 @@ class Batch {
       }
     }
     group.cohort.finish();
-    if (group.cohort.in_use.fidelity.precision == Precision::float32) {
-      group.bodies_float.resize(group.bodies.size());
-      cast_fields(reinterpret_cast<const double*>(group.bodies.data()),
-                  reinterpret_cast<float*>(group.bodies_float.data()),
-                  static_cast<unsigned>(group.bodies.size()) * kBodyFields<float>);
-      fly_bodies<float>(group, group.bodies_float, batch_kernel().fly_float);
-    } else {
-      fly_bodies<double>(group, group.bodies, batch_kernel().fly_double);
-    }
+    if (group.cohort.in_use.fidelity.precision == Precision::float32)
+      fly_bodies<float>(group, batch_kernel().fly_float);
+    else
+      fly_bodies<double>(group, batch_kernel().fly_double);
     group.clear();
   }
 
   template <class S>
-  void fly_bodies(ShotGroup& group, const std::vector<Body<S>>& bodies, void (*kernel)(const BatchJob<S>&)) {
+  void fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&)) {
+    const std::size_t count = group.bodies.size();
     watch_ = prepare_watch(until_, group.cohort.conditions, false);
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
-    group.ends.resize(bodies.size());
+    group.ends.resize(count);
     struct Sink {
       Batch* batch;
       ShotGroup* group;
@@ -193,8 +192,8 @@ class Batch {
       auto* s = static_cast<Sink*>(to);
       s->batch->keep(*s->group, event);
     };
-    kernel({&course, bodies.data(), bodies.size(), group.ends.data(), emit, &sink});
-    for (std::size_t i = 0; i < bodies.size(); ++i) keep(group, i, group.ends[i]);
+    kernel({&course, group.bodies.data(), count, group.ends.data(), emit, &sink});
+    for (std::size_t i = 0; i < count; ++i) keep(group, i, group.ends[i]);
   }
 
   void keep(const ShotGroup& group, const RawEvent& e) {

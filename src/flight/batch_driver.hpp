@@ -15,19 +15,20 @@ class ReadyShots {
   /// Puts the next shot into a lane; false where none is left.
   bool take(Lanes<R>& into, int lane, std::size_t& shot) {
     if (used_ == filled_ && !refill()) return false;
-    copy_lane(into, lane);
+    enter(into, lane);
     shot = next_ - static_cast<std::size_t>(filled_ - used_);
     ++used_;
     return true;
   }
 
-  /// Fills all lanes at the start.
-  std::size_t take_all(Lanes<R>& into, std::size_t* shots) {
-    refill();
+  /// Fills all lanes at the start; bit i of the result: lane i has a shot.
+  unsigned take_all(Lanes<R>& into, std::size_t* shots) {
+    const std::size_t first = next_;
+    if (!refill()) return 0;
     into = ready_;
-    for (int lane = 0; lane < filled_; ++lane) shots[lane] = static_cast<std::size_t>(lane);
+    for (int lane = 0; lane < filled_; ++lane) shots[lane] = first + static_cast<std::size_t>(lane);
     used_ = filled_;
-    return static_cast<std::size_t>(filled_);
+    return static_cast<unsigned>((std::size_t(1) << filled_) - 1);
   }
 
  private:
@@ -36,8 +37,13 @@ class ReadyShots {
     if (left == 0) return false;
     filled_ = left < std::size_t(kLanes<R>) ? static_cast<int>(left) : kLanes<R>;
     // Unused lanes repeat the last shot, so that they hold sound numbers.
-    for (int lane = 0; lane < kLanes<R>; ++lane)
-      put_lane(ready_.body, lane, job_.bodies[next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1)]);
+    const unsigned fields = body_fields<R>(*job_.course->conditions);
+    for (int lane = 0; lane < kLanes<R>; ++lane) {
+      const std::size_t shot = next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1);
+      const auto* from = reinterpret_cast<const double*>(&job_.bodies[shot]);
+      auto* to = reinterpret_cast<S*>(&ready_.body) + lane;
+      for (unsigned i = 0; i < fields; ++i) to[i * unsigned(kLanes<R>)] = static_cast<S>(from[i]);
+    }
     begin(*job_.course, ready_);
     next_ += static_cast<std::size_t>(filled_);
     used_ = 0;
@@ -45,27 +51,16 @@ class ReadyShots {
   }
 
   /// Copies what begin() has set; slopes beyond the first are written before they are read.
-  void copy_lane(Lanes<R>& into, int lane) {
-    copy_fields(ready_.body, used_, into.body, lane, body_fields());
-    copy_fields(ready_.step.start, used_, into.step.start, lane);
-    copy_fields(ready_.step.slope[0], used_, into.step.slope[0], lane);
-    copy_fields(ready_.control, used_, into.control, lane);
-    if (job_.course->corners) copy_fields(ready_.regime, used_, into.regime, lane);
+  void enter(Lanes<R>& into, int lane) {
+    copy_lane(ready_.body, used_, into.body, lane, body_fields<R>(*job_.course->conditions));
+    copy_lane(ready_.step.start, used_, into.step.start, lane);
+    copy_lane(ready_.step.slope[0], used_, into.step.slope[0], lane);
+    copy_lane(ready_.control, used_, into.control, lane);
+    if (job_.course->corners) copy_lane(ready_.regime, used_, into.regime, lane);
     set_lane(into.step.t, lane, S(0));
     set_lane(into.count, lane, S(0));
     set_lane(into.tries, lane, S(0));
     set_lane(into.cut, lane, S(0));
-  }
-  template <template <class> class Struct>
-  PHYSIM_INLINE static void copy_fields(const Struct<R>& from, int from_lane, Struct<R>& into, int lane,
-                                        unsigned count = sizeof(Struct<R>) / sizeof(R)) {
-    const auto* source = reinterpret_cast<const S*>(&from) + from_lane;
-    auto* to = reinterpret_cast<S*>(&into) + lane;
-    for (unsigned i = 0; i < count * unsigned(kLanes<R>); i += unsigned(kLanes<R>)) to[i] = source[i];
-  }
-  /// Bands come last in a body, and few cohorts have them.
-  [[nodiscard]] unsigned body_fields() const {
-    return job_.course->conditions->has_bands ? unsigned(kBodyFields<R>) : unsigned(kBodyFields<R>) - 2 * kMaxBands;
   }
 
   const BatchJob<S>& job_;
@@ -75,62 +70,173 @@ class ReadyShots {
   int used_ = 0;
 };
 
-/// Reports what happened in one lane's last step; true when its flight has ended. `at` is working space.
+/// Steps that need judging, copied from the lanes that took them. Finding a crossing costs a pack of lanes little more
+/// than one, so lanes whose fate is known before wait here until a pack has gathered.
 template <class R, class S>
-bool settle_lane(const BatchJob<S>& job, const Lanes<R>& l, int lane, bool accepted, std::size_t shot,
-                 LaneStep<S>& at) {
-  Found found[2 * kMaxWatched];
-  const Verdict verdict = judge(*job.course, l, lane, accepted, at, found);
-  State<double> last{};
-  for (int i = 0; i < verdict.found; ++i) {
-    const double time = at.time(found[i].theta);
-    last = at.at_time(time);
-    job.emit(job.sink, {shot, found[i].index, found[i].rising, time, last});
-  }
-  if (!verdict.ended) return false;
-  RawEnd& end = job.ends[shot];
-  end.outcome = verdict.outcome;
-  end.steps = static_cast<double>(lane_of(l.count, lane));
-  end.tries = static_cast<double>(lane_of(l.tries, lane));
-  if (!accepted || verdict.outcome == Outcome::non_finite) {  // the flight stays where this step began
-    end.time = static_cast<double>(lane_of(l.step.t, lane));
-    get_lane_as_double(l.step.start, lane, end.state);
-    return true;
-  }
-  end.steps += 1;
-  end.time = at.time(verdict.theta);
-  const bool at_event = verdict.found > 0 && verdict.theta == found[verdict.found - 1].theta;
-  end.state = at_event ? last : at.at_time(end.time);
-  return true;
-}
+class Court {
+ public:
+  explicit Court(const BatchJob<S>& job) : job_(job) {}
 
-template <class R, class S>
-void fly_lanes(const BatchJob<S>& job) {
-  if (job.count == 0) return;
-  ReadyShots<R, S> ready(job);
-  Lanes<R> lanes{};
-  LaneStep<S> at{};
-  std::size_t shot[kLanes<R>] = {};
-  const std::size_t first = ready.take_all(lanes, shot);
-  unsigned flying = static_cast<unsigned>((std::size_t(1) << first) - 1);  // bit i: lane i has a shot
-  while (flying != 0) {
-    const MaskOf<R> accepted = try_step(*job.course, lanes);
-    const MaskOf<R> special = needs_attention(*job.course, lanes, accepted);
-    unsigned ended = 0;
-    if (any(special)) {
-      const unsigned accepted_bits = lane_bits(accepted);
-      for (unsigned left = lane_bits(special) & flying; left != 0; left &= left - 1) {
-        const int lane = __builtin_ctz(left);
-        const bool lane_accepted = (accepted_bits >> lane & 1u) != 0;
-        if (settle_lane(job, lanes, lane, lane_accepted, shot[lane], at)) ended |= 1u << lane;
+  /// Takes in a lane's last step; one at a time of each flight, so that its crossings are reported in order.
+  void add(const Lanes<R>& from, int lane, bool accepted, std::size_t shot) {
+    bool waits = false;
+    for (int i = 0; i < filled_; ++i) waits = waits || shot_[i] == shot;
+    if (waits || filled_ == kLanes<R>) settle();
+    copy_step(*job_.course->conditions, from, lane, steps_, filled_);
+    accepted_[filled_] = accepted;
+    shot_[filled_] = shot;
+    ++filled_;
+  }
+
+  /// Reports crossings and ends of all steps taken in; true when the flight of the latest has ended.
+  bool settle() {
+    if (filled_ == 0) return false;
+    const R zero(S(0)), one(S(1));
+    R sound = zero;
+    for (int i = 0; i < filled_; ++i) set_lane(sound, i, accepted_[i] ? S(1) : S(0));
+    dense_lanes(*job_.course, steps_, judgement_.at);
+    find_crossings<R>(*job_.course, (sound == one) & is_finite(steps_.step.end), judgement_);
+    bool ended = false;
+    for (int i = 0; i < filled_; ++i) {
+      verdict_[i] = verdict_on(*job_.course, steps_, i, accepted_[i], judgement_.crossings[i]);
+      ended = verdict_[i].ended;
+      if (ended) begin_end(i);
+    }
+    report_crossings();
+    report_ends();
+    filled_ = 0;
+    return ended;
+  }
+
+ private:
+  using W = Cast<double, R>;
+
+  /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
+  [[nodiscard]] bool stays(int i) const { return !accepted_[i] || verdict_[i].outcome == Outcome::non_finite; }
+
+  void begin_end(int i) {
+    RawEnd& end = job_.ends[shot_[i]];
+    end.outcome = verdict_[i].outcome;
+    end.steps = static_cast<double>(lane_of(steps_.count, i)) + (stays(i) ? 0 : 1);
+    end.tries = static_cast<double>(lane_of(steps_.tries, i));
+  }
+
+  /// In turns: the first crossing of every lane, the second, ...
+  void report_crossings() {
+    for (int turn = 0;; ++turn) {
+      W theta(0.0);
+      bool some = false;
+      for (int i = 0; i < filled_; ++i) {
+        if (turn >= judgement_.crossings[i].count) continue;
+        set_lane(theta, i, judgement_.crossings[i].found[turn].theta);
+        some = true;
+      }
+      if (!some) return;
+      const W time = judgement_.at.time(theta);
+      const State<W> state = judgement_.at.at_time(time);
+      for (int i = 0; i < filled_; ++i) {
+        if (turn >= judgement_.crossings[i].count) continue;
+        const Found& found = judgement_.crossings[i].found[turn];
+        RawEvent event{shot_[i], found.index, found.rising, lane_of(time, i), {}};
+        copy_lane(state, i, event.state, 0);
+        job_.emit(job_.sink, event);
+        if (!verdict_[i].ended) continue;
+        job_.ends[shot_[i]].time = event.time;  // of the last crossing, where the flight ends with one
+        job_.ends[shot_[i]].state = event.state;
       }
     }
-    accept(*job.course, lanes, accepted);
-    for (; ended != 0; ended &= ended - 1) {
-      const int lane = __builtin_ctz(ended);
-      if (!ready.take(lanes, lane, shot[lane])) flying &= ~(1u << lane);
+  }
+
+  void report_ends() {
+    for (int i = 0; i < filled_; ++i) {
+      if (!verdict_[i].ended) continue;
+      const CrossingList& crossings = judgement_.crossings[i];
+      const bool at_crossing = crossings.count > 0 && crossings.found[crossings.count - 1].theta == verdict_[i].theta;
+      if (at_crossing && !stays(i)) continue;
+      RawEnd& end = job_.ends[shot_[i]];
+      const bool at_start = stays(i);  // else the verdict lets it take the whole step
+      end.time = static_cast<double>(lane_of(at_start ? steps_.step.t : steps_.step.t_end, i));
+      State<S> state;
+      copy_lane(at_start ? steps_.step.start : steps_.step.end, i, state, 0);
+      end.state = {vec_cast<double>(state.x), vec_cast<double>(state.v)};
     }
   }
+
+  const BatchJob<S>& job_;
+  Lanes<R> steps_{};
+  Judgement<R> judgement_;
+  bool accepted_[kLanes<R>];
+  std::size_t shot_[kLanes<R>];
+  Verdict verdict_[kLanes<R>];
+  int filled_ = 0;
+};
+
+/// Flights in a set of lanes.
+template <class R, class S>
+class Company {
+ public:
+  /// False where no shot is left.
+  bool begin(const BatchJob<S>& job, ReadyShots<R, S>& ready) {
+    job_ = &job;
+    flying_ = ready.take_all(lanes, shot_);
+    return flying_ != 0;
+  }
+
+  /// Goes on from a step tried: flights that end make room for the next shots. False when all have ended.
+  bool go_on(const MaskOf<R>& accepted, ReadyShots<R, S>& ready, Court<R, S>& court) {
+    const Attention<R> attention = needs_attention(*job_->course, lanes, accepted);
+    unsigned ended = 0;
+    if (any(attention.special)) ended = hand_over(attention, lane_bits(accepted), court);
+    accept(*job_->course, lanes, accepted);
+    for (; ended != 0; ended &= ended - 1) {
+      const int lane = __builtin_ctz(ended);
+      if (!ready.take(lanes, lane, shot_[lane])) flying_ &= ~(1u << lane);
+    }
+    return flying_ != 0;
+  }
+
+  Lanes<R> lanes{};
+
+ private:
+  /// Hands steps over for judgement; returns the lanes whose flight ends. What is not sure before is judged at once.
+  unsigned hand_over(const Attention<R>& attention, unsigned accepted, Court<R, S>& court) {
+    unsigned ended = lane_bits(attention.surely_ends) & flying_;
+    const unsigned sure = ended | lane_bits(attention.surely_goes_on);
+    for (unsigned left = lane_bits(attention.special) & flying_; left != 0; left &= left - 1) {
+      const int lane = __builtin_ctz(left);
+      court.add(lanes, lane, (accepted >> lane & 1u) != 0, shot_[lane]);
+      if ((sure >> lane & 1u) == 0 && court.settle()) ended |= 1u << lane;
+    }
+    return ended;
+  }
+
+  const BatchJob<S>* job_ = nullptr;
+  std::size_t shot_[kLanes<R>] = {};
+  unsigned flying_ = 0;  // bit i: lane i has a shot
+};
+
+/// Flies all shots of a job in up to kSets sets of lanes side by side.
+template <class R, int kSets, class S>
+void fly_lanes(const BatchJob<S>& job) {
+  static_assert(kSets <= kMostSets);
+  ReadyShots<R, S> ready(job);
+  Court<R, S> court(job);
+  Company<R, S> companies[kSets];
+  Company<R, S>* flying[kSets];
+  int count = 0;
+  for (Company<R, S>& company : companies)
+    if (company.begin(job, ready)) flying[count++] = &company;
+  while (count > 0) {
+    Lanes<R>* lanes[kSets];
+    MaskOf<R> accepted[kSets];
+    for (int i = 0; i < count; ++i) lanes[i] = &flying[i]->lanes;
+    try_steps(*job.course, lanes, count, accepted);
+    int left = 0;
+    for (int i = 0; i < count; ++i)
+      if (flying[i]->go_on(accepted[i], ready, court)) flying[left++] = flying[i];
+    count = left;
+  }
+  court.settle();
 }
 
 PHYSIM_ISA_END

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "flight/lanes.hpp"
+#include "flight/judge.hpp"
 
 namespace physim {
 
@@ -28,7 +28,7 @@ struct RawEvent {
 template <class S>
 struct BatchJob {
   const Course<S>* course;
-  const Body<S>* bodies;
+  const Body<double>* bodies;  // in double: the kernel rounds them as it takes them in
   std::size_t count;
   RawEnd* ends;
   void (*emit)(void* sink, const RawEvent& event);

@@ -12,6 +12,8 @@
 namespace physim {
 namespace {
 
+constexpr double kRightAngle = 1.5707963267948968;
+
 bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Runs its checks in order and keeps the first that fails. Texts are put together only then, out of line: checks run
@@ -93,7 +95,6 @@ Status check(const ProjectileDef& p) {
 
 Status check(const Launch& l) {
   Checker c;
-  constexpr double kRightAngle = 1.5707963267948968;
   c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
   c.is_number(l.elevation, "launch.elevation").is_number(l.azimuth, "launch.azimuth");
   if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
@@ -147,8 +148,12 @@ Status check(const Environment& e) {
     c.is_number(profile[i].at, place).is_vector(profile[i].velocity, place);
     if (i > 0) c.require(profile[i].at > profile[i - 1].at, place, "places must rise", "sort the points");
   }
-  c.is_number(e.earth.latitude, "environment.earth.latitude").is_number(e.earth.azimuth, "environment.earth.azimuth");
-  c.is_number(e.earth.rotation_rate, "environment.earth.rotation_rate");
+  const Earth& earth = e.earth;
+  c.is_number(earth.latitude, "environment.earth.latitude").is_number(earth.longitude, "environment.earth.longitude");
+  c.require(std::abs(earth.latitude) <= kRightAngle, "environment.earth.latitude",
+            "must lie between -90 and 90 degrees", "angles are in radians, south is negative");
+  c.is_number(earth.azimuth, "environment.earth.azimuth");
+  c.is_number(earth.rotation_rate, "environment.earth.rotation_rate");
   return c.status();
 }
 

@@ -33,12 +33,6 @@ WindField<double> prepare_wind(const Wind& wind, WindModel model) {
   return field;
 }
 
-/// Earth's rotation in W; see model/earth.hpp.
-Vec3d prepare_omega(const Earth& earth) {
-  const double horizontal = earth.rotation_rate * cos(earth.latitude);
-  return {horizontal * cos(earth.azimuth), earth.rotation_rate * sin(earth.latitude), -horizontal * sin(earth.azimuth)};
-}
-
 constexpr double kPi = 3.14159265358979323846;
 
 /// A constant Cd goes into the area, so that all such projectiles share one curve, Cd = 1.
@@ -101,10 +95,7 @@ double EquivalentDrag::k2_per_mass(const State<double>& s) {
 Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted) {
   Conditions<double> c{};
   c.fidelity = granted;
-  c.gravity = environment.gravity.acceleration;
-  c.radius = environment.gravity.radius;
-  c.altitude = environment.altitude;
-  c.omega = prepare_omega(environment.earth);
+  prepare_earth(environment, granted, c);
   c.air = prepare_air(environment, granted.air);
   c.wind = prepare_wind(environment.wind, granted.wind);
   return c;
@@ -117,6 +108,7 @@ Conditions<float> to_float(const Conditions<double>& c) {
   f.radius = static_cast<float>(c.radius);
   f.altitude = static_cast<float>(c.altitude);
   f.omega = vec_cast<float>(c.omega);
+  f.globe = to_float(c.globe);
   const auto copy = [](const double* from, float* to, int count) {
     for (int i = 0; i < count; ++i) to[i] = static_cast<float>(from[i]);
   };
@@ -244,7 +236,8 @@ std::optional<Outcome> ends_at_once(const Conditions<double>& c, const Body<doub
   const double climb = climb_rate(c, b.launch);
   // Level at the start: weight against thrust decides.
   const Vec3d push = c.has_applied ? applied(c, b, 0.0) : Vec3d{};
-  const double climb_later = climb_rate(c, State<double>{b.launch.x, gravity(c, b.launch.x) + push});
+  const Vec3d swing = throws_out(c.fidelity) ? centrifugal(c, b.launch.x) : Vec3d{};
+  const double climb_later = climb_rate(c, State<double>{b.launch.x, gravity(c, b.launch.x) + swing + push});
   if (climb < 0 || (climb == 0 && climb_later < 0)) return Outcome::landed;
   return std::nullopt;
 }

@@ -16,7 +16,9 @@ std::vector<Enum> rungs(Enum low, Enum high) {
 
 std::vector<EarthModel> earths(EarthModel truth) {
   if (truth == EarthModel::flat) return {truth};
-  return {EarthModel::flat, truth};  // Coriolis over a flat Earth is no lower rung of a sphere at rest
+  // Coriolis over a flat Earth is a lower rung of an Earth that turns, and none of a sphere at rest.
+  if (is_turning(truth) && is_round(truth)) return {EarthModel::flat, EarthModel::flat_coriolis, truth};
+  return {EarthModel::flat, truth};
 }
 
 }  // namespace

@@ -10,20 +10,32 @@ namespace {
 constexpr double kAdvance = 12;  // y + h y'
 constexpr double kReciprocal = 4, kExp = 20, kPow = 60;
 
+/// Of the height and the direction of the vertical.
+double vertical_cost(const Fidelity& f) {
+  if (f.earth == EarthModel::ellipsoid) return 170;
+  return is_round(f.earth) ? 25 : 0;
+}
+
 double gravity_cost(const Fidelity& f) {
-  if (f.earth == EarthModel::sphere) return 30;
-  return f.gravity == GravityModel::inverse_square ? 5 + kReciprocal : 1;
+  if (f.earth == EarthModel::ellipsoid && f.gravity != GravityModel::off) {
+    if (f.gravity == GravityModel::constant) return vertical_cost(f) + 3;
+    return f.gravity == GravityModel::inverse_square ? 25 : f.gravity == GravityModel::j2 ? 50 : 120;
+  }
+  if (is_round(f.earth)) return 30;
+  return f.gravity >= GravityModel::inverse_square ? 5 + kReciprocal : 1;
 }
 
 double air_cost(const Fidelity& f) {
-  if (f.air == AirModel::isa) return f.precision == Precision::float32 ? 40 : 50;  // terms of the polynomials
-  return f.air == AirModel::exponential ? 4 + kExp : 0;
+  const double height = vertical_cost(f);
+  if (f.air == AirModel::isa) return height + (f.precision == Precision::float32 ? 40 : 50);  // terms of polynomials
+  return f.air == AirModel::exponential ? height + 4 + kExp : 0;
 }
 
 double wind_cost(const Fidelity& f, const Environment& environment) {
   if (f.wind == WindModel::off) return 0;
   const auto points = static_cast<double>(environment.wind.profile.size());
-  return f.wind == WindModel::profile ? 3 + 9 * points : 3;
+  const double turn = is_round(f.earth) ? vertical_cost(f) + 24 : 0;
+  return turn + (f.wind == WindModel::profile ? 3 + 9 * points : 3);
 }
 
 double drag_cost(const Fidelity& f, const ProjectileDef& projectile, const Environment& environment) {
@@ -41,7 +53,8 @@ double drag_cost(const Fidelity& f, const ProjectileDef& projectile, const Envir
 
 double evaluation_cost(const Fidelity& f, const ProjectileDef& projectile, const Environment& environment) {
   double cost = gravity_cost(f) + drag_cost(f, projectile, environment);
-  if (f.earth == EarthModel::flat_coriolis) cost += 15;
+  if (is_turning(f.earth)) cost += 15;
+  if (throws_out(f)) cost += 21;
   if (f.motion == Motion::force && projectile.force != Vec3d{}) cost += 7;
   if (f.planar) cost += 11;
   return cost;

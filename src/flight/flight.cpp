@@ -54,6 +54,9 @@ std::span<const Event> Flight::events() const { return record_->events; }
 const FidelityInUse& Flight::fidelity_in_use() const { return record_->cohort.in_use; }
 const FlightCost& Flight::cost() const { return record_->cost; }
 double Flight::elevation() const { return record_->elevation; }
+EarthFrames Flight::earth_frames() const {
+  return EarthFrames(record_->environment, record_->cohort.in_use.fidelity.earth);
+}
 double Flight::step() const { return record_->step; }
 
 Accelerations Flight::accelerations(double time) const {
@@ -68,7 +71,8 @@ Accelerations Flight::accelerations(double time) const {
   };
   a.gravity = in_plane(gravity(c, s.x));
   if (c.fidelity.drag != DragModel::off) a.drag = in_plane(drag(c, r.body, s));
-  if (c.fidelity.earth == EarthModel::flat_coriolis) a.coriolis = in_plane(coriolis(c, s.v));
+  if (is_turning(c.fidelity.earth)) a.coriolis = in_plane(coriolis(c, s.v));
+  if (throws_out(c.fidelity)) a.centrifugal = in_plane(centrifugal(c, s.x));
   if (c.has_applied) a.applied = in_plane(applied(c, r.body, time));
   a.total = r.acceleration_at(time);
   return a;

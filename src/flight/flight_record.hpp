@@ -8,6 +8,7 @@ namespace physim {
 struct FlightRecord {
   Outcome outcome = Outcome::refused;
   std::optional<Error> error;
+  Environment environment;  // without its wind profile
   Cohort cohort;
   Body<double> body;
   Body<float> body_float;

@@ -1,11 +1,12 @@
 // fly(): computes one flight and keeps its dense output.
 #include "flight/flight_record.hpp"
+#include "flight/judge.hpp"
 
 namespace physim {
 namespace {
 
 template <class S>
-void keep_step(FlightRecord& record, const LaneStep<S>& at) {
+void keep_step(FlightRecord& record, const DenseLanes<S>& at) {
   record.nodes.back().t = at.n0.t;  // fixed steps count their time, which may differ from start + step by a rounding
   record.nodes.push_back(at.n1);
   const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
@@ -24,28 +25,30 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
   Lanes<S> lane{};
   lane.body = body;
   begin(course, lane);
-  LaneStep<S> at{};
-  lane_step(course, lane, 0, at);
-  record.nodes.push_back(at.n0);
-  Found found[2 * kMaxWatched];
+  Judgement<S> j{};
+  dense_lanes(course, lane, j.at);
+  record.nodes.push_back(j.at.n0);
   for (bool ended = false; !ended;) {
     const bool accepted = try_step(course, lane);
-    const bool special = needs_attention(course, lane, accepted);
-    Verdict verdict{false, Outcome::step_limit, 1, 0};
-    if (special) verdict = judge(course, lane, 0, accepted, at, found);
-    const bool sound = accepted && verdict.outcome != Outcome::non_finite;
-    if (sound) {
-      if (!special) lane_step(course, lane, 0, at);
-      keep_step(record, at);
+    const bool special = needs_attention(course, lane, accepted).special;
+    const bool sound = accepted && is_finite(lane.step.end);
+    Verdict verdict{false, Outcome::step_limit, 1};
+    j.crossings[0].count = 0;
+    if (sound) dense_lanes(course, lane, j.at);
+    if (special) {
+      find_crossings<S>(course, sound, j);
+      verdict = verdict_on(course, lane, 0, accepted, j.crossings[0]);
     }
-    for (int i = 0; i < verdict.found; ++i) {
-      const double time = at.time(found[i].theta);
-      keep_event(record, course.watch.item[found[i].index], found[i].rising, time, at.at_time(time));
+    if (sound) keep_step(record, j.at);
+    for (int i = 0; i < j.crossings[0].count; ++i) {
+      const Found& found = j.crossings[0].found[i];
+      const double time = j.at.time(found.theta);
+      keep_event(record, course.watch.item[found.index], found.rising, time, j.at.at_time(time));
     }
     ended = verdict.ended;
     if (ended) {
       record.outcome = verdict.outcome;
-      record.duration = sound ? at.time(verdict.theta) : record.nodes.back().t;
+      record.duration = sound ? j.at.time(verdict.theta) : record.nodes.back().t;
       if (sound) lane.count += S(1);
     } else {
       accept(course, lane, accepted);
@@ -108,6 +111,9 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);
   record->mass = projectile.mass;
+  record->environment.altitude = environment.altitude;
+  record->environment.gravity = environment.gravity;
+  record->environment.earth = environment.earth;
   fly_record(*record, tolerance, until);
   return record;
 }

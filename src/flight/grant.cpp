@@ -16,6 +16,7 @@ class Granting {
     by_environment();
     by_motion();
     by_integrator();
+    by_earth();
     by_projectile();
     return {f_, notes_};
   }
@@ -26,6 +27,11 @@ class Granting {
     if (field == granted) return;
     notes_.push_back({effect, std::string(name(field)), std::string(name(granted)), reason});
     field = granted;
+  }
+
+  template <class Enum>
+  void remark(const char* effect, Enum value, const char* reason) {
+    notes_.push_back({effect, std::string(name(value)), std::string(name(value)), reason});
   }
 
   void by_environment() {
@@ -71,6 +77,22 @@ class Granting {
       notes_.push_back({"original_one_shot_forces", "true", "false", "only the original loop has one-shot forces"});
       f_.original_one_shot_forces = false;
     }
+  }
+
+  /// After the shape of the Earth is settled: whose gravity it can have.
+  void by_earth() {
+    const bool own = has_own_gravity(environment_);
+    if (f_.gravity >= GravityModel::j2 && own)
+      set("gravity", f_.gravity, GravityModel::inverse_square,
+          "the environment gives its own acceleration or radius, and no flattening goes with them");
+    if (f_.gravity >= GravityModel::j2 && is_sphere(f_.earth))
+      set("gravity", f_.gravity, GravityModel::inverse_square,
+          "a spherical Earth has the field of a point mass; the flattened one's goes with earth 'ellipsoid'");
+    if (f_.gravity >= GravityModel::j2 && !is_round(f_.earth))
+      remark("gravity", f_.gravity, "over a flat Earth it is the weight at the origin's latitude, falling with height");
+    if (f_.gravity == GravityModel::inverse_square && is_turning(f_.earth) && is_round(f_.earth) && !own)
+      remark("gravity", f_.gravity,
+             "the Earth's own GM is used: the standard's g contains the centrifugal acceleration, which is added here");
   }
 
   void by_projectile() {

@@ -1,6 +1,7 @@
 // Lanes: flights under way, one per lane, each with its own time and step. R is a number (one flight) or a pack.
 //
-// fly() runs one lane, fly_batch() runs packs; both through these functions, so a shot's numbers are the same.
+// fly() runs one lane, fly_batch() runs packs; both through the same functions, so a shot's numbers are the same:
+// begin() here, try_steps() and accept() in flight/advance.hpp, judge() in flight/judge.hpp.
 #pragma once
 
 #include <limits>
@@ -90,192 +91,44 @@ PHYSIM_INLINE void cast_fields(const From* from, To* to, unsigned count) {
   for (unsigned i = 0; i < count; ++i) to[i] = static_cast<To>(from[i]);
 }
 
-/// The dense output of one lane's last step, in double.
-template <class S>
-struct LaneStep {
-  const Conditions<S>* conditions;
-  Body<double> body;
-  Node n0;
-  Node n1;
-  State<double> coefficient[kMaxDenseCoefficients];
+/// Bands come last in a body, and few cohorts have them.
+template <class R, class S>
+PHYSIM_INLINE unsigned body_fields(const Conditions<S>& c) {
+  return c.has_bands ? unsigned(kBodyFields<R>) : unsigned(kBodyFields<R>) - 2 * kMaxBands;
+}
 
-  State<double> operator()(double theta) const {
-    const Fidelity& f = conditions->fidelity;
-    if (f.motion != Motion::closed_form) return dense_state(f.integrator, n0, n1, coefficient, theta);
-    return closed_form_state(time(theta));
-  }
-  [[nodiscard]] double time(double theta) const { return n0.t + theta * (n1.t - n0.t); }
-  /// A watched value at an end of the step in the flight's own precision: the end of one step is the start of the next
-  /// one to the bit, so that no crossing falls between them.
-  [[nodiscard]] double watched_at(const EventSpec& spec, const Node& n) const {
-    const State<S> s{vec_cast<S>(n.y.x), vec_cast<S>(n.y.v)};
-    if constexpr (sizeof(S) == sizeof(double)) {
-      return watched_value(*conditions, body, spec, n.t, s);
-    } else {
-      return watched_value(*conditions, own_body(), spec, static_cast<S>(n.t), s);
-    }
-  }
-  /// Flight::at() knows a time only: going through it gives events and ends the bits that it gives.
-  [[nodiscard]] State<double> at_time(double t) const { return (*this)(place_between(n0, n1, t)); }
-
- private:
-  /// In the flight's own precision, as the steps were.
-  [[nodiscard]] Body<S> own_body() const {
-    Body<S> own;
-    cast_fields(reinterpret_cast<const double*>(&body), reinterpret_cast<S*>(&own), kBodyFields<S>);
-    return own;
-  }
-  [[nodiscard]] State<double> closed_form_state(double t) const {
-    const State<S> s = closed_form(*conditions, own_body(), static_cast<S>(t));
-    return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
-  }
-};
-
-/// Reads lane `lane` of a structure of R's as doubles.
-template <template <class> class Struct, class R>
-PHYSIM_INLINE void get_lane_as_double(const Struct<R>& from, int lane, Struct<double>& into) {
+/// Copies one lane of a structure of R's to a lane of another; R and Into differ where a lane is taken out of its pack.
+template <class R, class Into, template <class> class Struct>
+PHYSIM_INLINE void copy_lane(const Struct<R>& from, int from_lane, Struct<Into>& into, int lane,
+                             unsigned count = sizeof(Struct<R>) / sizeof(R)) {
   using S = ScalarOf<R>;
-  const auto* source = reinterpret_cast<const S*>(&from) + lane;
-  auto* to = reinterpret_cast<double*>(&into);
-  for (unsigned i = 0; i < sizeof(Struct<R>) / sizeof(R); ++i)
-    to[i] = static_cast<double>(source[i * unsigned(kLanes<R>)]);
+  const auto* source = reinterpret_cast<const char*>(&from) + sizeof(S) * unsigned(from_lane);
+  auto* to = reinterpret_cast<char*>(&into) + sizeof(S) * unsigned(lane);
+  for (unsigned i = 0; i < count; ++i) std::memcpy(to + i * sizeof(Into), source + i * sizeof(R), sizeof(S));
+}
+template <class R, class Into>
+PHYSIM_INLINE void copy_lane(const R& from, int from_lane, Into& into, int lane) {
+  set_lane(into, lane, lane_of(from, from_lane));
 }
 
-template <class R, class S>
-void lane_step(const Course<S>& course, const Lanes<R>& l, int lane, LaneStep<S>& out) {
-  const Fidelity& fidelity = course.conditions->fidelity;
-  const bool closed = fidelity.motion == Motion::closed_form;
-  const int last = closed ? 1 : end_slope(fidelity.integrator);
-  Step<double> s;
-  s.t = static_cast<double>(lane_of(l.step.t, lane));
-  s.h = static_cast<double>(lane_of(l.step.h, lane));
-  get_lane_as_double(l.step.start, lane, s.start);
-  get_lane_as_double(l.step.end, lane, s.end);
-  for (int i = 0; i <= last; ++i) get_lane_as_double(l.step.slope[i], lane, s.slope[i]);
-  get_lane_as_double(l.body, lane, out.body);
-  out.conditions = course.conditions;
-  out.n0 = {s.t, s.start, s.slope[0].v};
-  out.n1 = {static_cast<double>(lane_of(l.step.t_end, lane)), s.end, s.slope[last].v};
-  if (closed) return;
-  const auto f = [&](double t, const State<double>& y) {
-    return acceleration(*course.conditions_double, out.body, t, y);
-  };
-  dense_coefficients(fidelity.integrator, s, f, out.coefficient);
+/// Number of the last slope that a step leaves.
+PHYSIM_INLINE int last_slope(const Fidelity& f) {
+  return f.motion == Motion::closed_form ? 1 : end_slope(f.integrator);
 }
 
-/// The common case: layers of the air are the only corners, and no lane leaves the first one.
-template <class R, class S>
-PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>& l) {
-  if (drag_has_corners(c) || c.fidelity.wind == WindModel::profile || c.has_applied) return false;
-  // Geopotential height is never above geometric height.
-  return all((altitude(c, l.step.end.x) < R(c.air.base[1])) & (l.regime.air_layer == R(S(0))) & (l.cut == R(S(0))));
-}
-
-/// Cuts the steps of lanes that would cross a corner; returns lanes whose step stands.
-template <class R, class S>
-MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
-  const R one(S(1));
-  const R zero(S(0));
-  if (only_below_first_layer(*course.conditions, l)) return accepted;
-  const Regime<R> next = regime(*course.conditions, l.body, l.step.t_end, l.step.end);
-  const MaskOf<R> crossing = accepted & (l.cut == zero) & differ(l.regime, next);
-  R cut = zero;
-  if (any(crossing)) {
-    for (int lane = 0; lane < kLanes<R>; ++lane) {
-      if (!lane_of(crossing, lane)) continue;
-      LaneStep<S> at;
-      lane_step(course, l, lane, at);
-      const double h = at.n1.t - at.n0.t;
-      const double part = first_corner(*course.conditions_double, at.body, at.n0.t, h, at);
-      // A corner within some roundings of the clock is as good as passed: a cut to it would stand still.
-      if (part >= 1 || part * h <= 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t) continue;
-      set_lane(l.control.h, lane, static_cast<S>(part * h));
-      set_lane(cut, lane, S(1));
-    }
-  }
-  const MaskOf<R> stands = accepted & (cut == zero);
-  l.cut = select(stands, zero, select(cut == one, one, l.cut));
-  l.regime = select(stands, next, l.regime);
-  return stands;
-}
-
-/// Tries one step in every lane; returns the lanes in which it was accepted. control.h is then the next step to try.
-template <class R, class S>
-PHYSIM_INLINE MaskOf<R> try_step(const Course<S>& course, Lanes<R>& l) {
-  const Conditions<S>& c = *course.conditions;
-  const R one(S(1));
-  l.step.h = l.control.h;
-  // Fixed steps count, so that time does not gather rounding errors.
-  l.step.t_end = steps_itself(c.fidelity) ? l.step.t + l.step.h : (l.count + one) * l.step.h;
-  take_step(c, l.body, course.plan.relative, course.plan.absolute, l.step);
-  l.tries += one;
-  if (c.fidelity.motion == Motion::closed_form || !is_adaptive(c.fidelity.integrator)) return l.tries > R(S(0));
-  const MaskOf<R> accepted = l.step.error <= one;
-  l.control.h =
-      min(next_step(c.fidelity.integrator, l.step.h, l.step.error, accepted, l.control), R(course.plan.max_step));
-  return course.corners ? respect_corners(course, l, accepted) : accepted;
-}
-
-/// Moves accepted lanes to the end of their step.
-template <class R, class S>
-PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
-  const Fidelity& f = course.conditions->fidelity;
-  const bool closed = f.motion == Motion::closed_form;
-  const int last = closed ? 1 : end_slope(f.integrator);
-  l.count = select(accepted, l.count + R(S(1)), l.count);
-  l.step.t = select(accepted, l.step.t_end, l.step.t);
-  l.step.start = select(accepted, l.step.end, l.step.start);
-  l.step.slope[0] = select(accepted, l.step.slope[last], l.step.slope[0]);
-  if (closed) l.control.h = min(l.control.h * S(2), longest_closed_form_step(*course.conditions, l.body));
-}
-
-template <class R>
-PHYSIM_INLINE MaskOf<R> is_finite(const State<R>& s) {
-  return is_finite(((s.x.x + s.x.y) + (s.x.z + s.v.x)) + (s.v.y + s.v.z));
-}
-
-/// Accepted lanes that cannot just go on because of an event or a bad number; and lanes out of steps.
-template <class R, class S>
-PHYSIM_INLINE MaskOf<R> needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
-  const Conditions<S>& c = *course.conditions;
-  const int last = c.fidelity.motion == Motion::closed_form ? 1 : end_slope(c.fidelity.integrator);
-  const MaskOf<R> special =
-      detect(c, l.body, course.watch, l.step, l.step.slope[0].v, l.step.slope[last].v) | !is_finite(l.step.end);
-  return (special & accepted) | (l.tries >= R(course.plan.max_tries)) | (l.step.t_end <= l.step.t) |
-         !(l.step.h > R(S(0)));
-}
-
-/// What a lane's last step means for its flight.
-struct Verdict {
-  bool ended;
-  Outcome outcome;
-  double theta;  // place in the last step where the flight ends
-  int found;     // crossings to report
-};
-
-/// Judges one lane after a step that needed attention. Fills `at` where the step was accepted and finite.
-template <class R, class S>
-Verdict judge(const Course<S>& course, const Lanes<R>& l, int lane, bool accepted, LaneStep<S>& at, Found* found) {
-  const Conditions<double>& c = *course.conditions_double;
-  State<S> end;
-  get_lane(l.step.end, lane, end);
-  const bool stands_still = !(lane_of(l.step.h, lane) > S(0)) || lane_of(l.step.t_end, lane) <= lane_of(l.step.t, lane);
-  const bool out_of_tries = lane_of(l.tries, lane) >= course.plan.max_tries;
-  if (accepted && !is_finite(end)) return {true, Outcome::non_finite, 0, 0};
-  if (accepted) {
-    lane_step(course, l, lane, at);
-    const int count = find_crossings(c, at.body, course.watch, at, found);
-    if (count > 0) {
-      const Watched& last = course.watch.item[found[count - 1].index];
-      if (last.spec.terminal) return {true, last.outcome, found[count - 1].theta, count};
-    }
-    if (out_of_tries) return {true, Outcome::step_limit, 1, count};
-    if (stands_still) return {true, Outcome::stalled, 1, count};
-    return {false, Outcome::step_limit, 1, count};
-  }
-  if (stands_still)
-    return {true, is_finite(lane_of(l.step.error, lane)) ? Outcome::stalled : Outcome::non_finite, 0, 0};
-  return {out_of_tries, Outcome::step_limit, 0, 0};
+/// Copies the finished step of one lane with all that judging it takes.
+template <class R, class Into, class S>
+PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int from_lane, Lanes<Into>& into, int lane) {
+  copy_lane(from.body, from_lane, into.body, lane, body_fields<R>(c));
+  copy_lane(from.step.start, from_lane, into.step.start, lane);
+  copy_lane(from.step.end, from_lane, into.step.end, lane);
+  for (int i = 0; i <= last_slope(c.fidelity); ++i) copy_lane(from.step.slope[i], from_lane, into.step.slope[i], lane);
+  copy_lane(from.step.t, from_lane, into.step.t, lane);
+  copy_lane(from.step.h, from_lane, into.step.h, lane);
+  copy_lane(from.step.t_end, from_lane, into.step.t_end, lane);
+  copy_lane(from.step.error, from_lane, into.step.error, lane);
+  copy_lane(from.count, from_lane, into.count, lane);
+  copy_lane(from.tries, from_lane, into.tries, lane);
 }
 
 PHYSIM_ISA_END

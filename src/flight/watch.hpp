@@ -1,7 +1,8 @@
 // Watching for events: detecting that a step crosses one, and finding where.
 //
-// Detection runs on packs, once per accepted step; finding runs on one lane in double, on the step's dense output. Both
-// doors, fly() and fly_batch(), use the same two functions, so that their events agree bit for bit.
+// Detection runs once per accepted step, finding in double on the dense output of steps that cross something. Both
+// doors, fly() with one lane and fly_batch() with packs, use the same two functions, so that their events agree bit for
+// bit.
 #pragma once
 
 #include "math/root.hpp"
@@ -90,6 +91,11 @@ PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const Eve
   }
 }
 
+/// Whether turning points of the quantity are looked for.
+PHYSIM_INLINE bool may_turn(EventKind kind) {
+  return kind == EventKind::ground || kind == EventKind::height || kind == EventKind::range || kind == EventKind::speed;
+}
+
 /// A step in which the quantity turns on the far side of the value: it may cross it twice and end where it began.
 template <class R>
 PHYSIM_INLINE MaskOf<R> may_cross_twice(const R& from, const R& to, const R& rate_from, const R& rate_to) {
@@ -100,84 +106,123 @@ PHYSIM_INLINE MaskOf<R> may_cross_twice(const R& from, const R& to, const R& rat
   return peak | dip;
 }
 
-/// Lanes in which a step crosses something watched, or may cross it twice. `a_start` and `a_end` are the accelerations
-/// at its ends.
+/// What detect() says about lanes.
+template <class R>
+struct Detected {
+  MaskOf<R> some;             // something watched is crossed, or may be crossed twice
+  MaskOf<R> surely_terminal;  // something that ends the flight is crossed
+  MaskOf<R> maybe_terminal;   // ... or may be crossed twice
+};
+
+/// Whether a step crosses something watched. `a_start` and `a_end` are the accelerations at its ends.
 template <class R, class S>
-PHYSIM_INLINE MaskOf<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s,
-                               const Vec3<R>& a_start, const Vec3<R>& a_end) {
-  MaskOf<R> found = R(S(0)) != R(S(0));
+PHYSIM_INLINE Detected<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s,
+                                 const Vec3<R>& a_start, const Vec3<R>& a_end) {
+  const MaskOf<R> none = R(S(0)) != R(S(0));
+  Detected<R> d{none, none, none};
   for (int i = 0; i < watch.count; ++i) {
     const EventSpec& spec = watch.item[i].spec;
     const R from = watched_value(c, b, spec, s.t, s.start);
     const R to = watched_value(c, b, spec, s.t_end, s.end);
-    found =
-        found | crosses(spec.direction, from, to) |
-        may_cross_twice(from, to, watched_rate(c, b, spec, s.start, a_start), watched_rate(c, b, spec, s.end, a_end));
+    MaskOf<R> twice = none;
+    if (may_turn(spec.kind))
+      twice =
+          may_cross_twice(from, to, watched_rate(c, b, spec, s.start, a_start), watched_rate(c, b, spec, s.end, a_end));
+    const MaskOf<R> once = crosses(spec.direction, from, to);
+    d.some = d.some | once | twice;
+    if (!spec.terminal) continue;
+    d.surely_terminal = d.surely_terminal | (once & !twice);
+    d.maybe_terminal = d.maybe_terminal | once | twice;
   }
-  return found;
+  return d;
 }
 
-/// Collects the crossings of one step.
+/// The crossings of one lane's step.
 struct CrossingList {
-  Found* found;
-  int count = 0;
+  Found found[2 * kMaxWatched];
+  int count;
 
   PHYSIM_INLINE void add(double theta, int index, bool rising) {
     if (count < 2 * kMaxWatched) found[count++] = {theta, index, rising};
   }
-  /// Insertion sort: few, nearly sorted, and stable.
-  void sort() {
+  /// In order of time, up to and with the first terminal one. Insertion sort: few, nearly sorted, and stable.
+  void put_in_order(const WatchList& watch) {
     for (int i = 1; i < count; ++i)
       for (int j = i; j > 0 && found[j].theta < found[j - 1].theta; --j) {
         const Found swap = found[j];
         found[j] = found[j - 1];
         found[j - 1] = swap;
       }
+    for (int i = 0; i < count; ++i)
+      if (watch.item[found[i].index].spec.terminal) count = i + 1;
   }
 };
 
-/// Finds the crossings of one watched quantity in a step.
-template <class F>
-void find_crossings_of(const Conditions<double>& c, const Body<double>& b, const EventSpec& spec, int index,
-                       const F& at, CrossingList& list) {
-  const double t = at.n0.t;
-  const double h = at.n1.t - t;
-  const auto value = [&](double theta) { return watched_value(c, b, spec, t + theta * h, at(theta)); };
-  const auto look_between = [&](double from, double at_from, double to, double at_to) {
-    if (!crosses(spec.direction, at_from, at_to)) return;
-    // Near the root the quantity is as large as the value waited for; what it was elsewhere in the step says nothing.
-    const double noise = 2.220446049250313e-16 * (abs(spec.value) + min(abs(at_from), abs(at_to)));
-    list.add(find_root(value, from, at_from, to, at_to, kThetaTolerance, noise), index, at_from < 0);
-  };
-  const double at_start = at.watched_at(spec, at.n0);
-  const double at_end = at.watched_at(spec, at.n1);
-  const double rate_start = watched_rate(c, b, spec, at.n0.y, at.n0.a);
-  const double rate_end = watched_rate(c, b, spec, at.n1.y, at.n1.a);
-  if (!may_cross_twice(at_start, at_end, rate_start, rate_end)) return look_between(0, at_start, 1, at_end);
-  const auto rate = [&](double theta) {
-    const State<double> s = at(theta);
-    return watched_rate(c, b, spec, s, acceleration(c, b, t + theta * h, s));
-  };
-  const double turn = find_root(rate, 0, rate_start, 1, rate_end, kThetaTolerance);
-  const double at_turn = value(turn);
-  // A shot from below the ground that never comes out of it has landed when it sinks.
-  if (spec.kind == EventKind::ground && rate_start > 0 && at_turn <= 0) return list.add(turn, index, false);
-  look_between(0, at_start, turn, at_turn);
-  look_between(turn, at_turn, 1, at_end);
-}
+/// Finds the crossings of one watched quantity in the steps of lanes.
+template <class W, class Dense>
+struct CrossingFinder {
+  const Conditions<double>& c;
+  const EventSpec& spec;
+  int index;  // in the watch list
+  const Dense& at;
+  CrossingList* lists;
 
-/// Finds every crossing in a step, in order of time, up to and with the first terminal one; returns how many.
+  PHYSIM_INLINE void find(const MaskOf<W>& asked) const {
+    const W at_start = at.watched_at_start(spec);
+    const W at_end = at.watched_at_end(spec);
+    const W rate_start = watched_rate(c, at.body, spec, at.n0.y, at.n0.a);
+    const W rate_end = watched_rate(c, at.body, spec, at.n1.y, at.n1.a);
+    const MaskOf<W> twice = asked & may_cross_twice(at_start, at_end, rate_start, rate_end);
+    look_between(W(0.0), at_start, W(1.0), at_end, asked & !twice);
+    if (any(twice)) look_around_turn(at_start, rate_start, at_end, rate_end, twice);
+  }
+
+ private:
+  PHYSIM_INLINE W value(const W& theta) const { return watched_value(c, at.body, spec, at.time(theta), at(theta)); }
+
+  PHYSIM_INLINE void add(const MaskOf<W>& lanes, const W& theta, const MaskOf<W>& rising) const {
+    for (unsigned left = lane_bits(lanes); left != 0; left &= left - 1) {
+      const int lane = __builtin_ctz(left);
+      lists[lane].add(lane_of(theta, lane), index, lane_of(rising, lane));
+    }
+  }
+
+  PHYSIM_INLINE void look_between(const W& from, const W& at_from, const W& to, const W& at_to,
+                                  const MaskOf<W>& asked) const {
+    const MaskOf<W> crossing = asked & crosses(spec.direction, at_from, at_to);
+    if (!any(crossing)) return;
+    // Near the root the quantity is as large as the value waited for; what it was elsewhere in the step says nothing.
+    const W noise = 2.220446049250313e-16 * (abs(spec.value) + min(abs(at_from), abs(at_to)));
+    const auto f = [&](const W& theta) { return value(theta); };
+    add(crossing, find_roots(f, from, at_from, to, at_to, kThetaTolerance, noise, crossing), at_from < W(0.0));
+  }
+
+  [[gnu::noinline]] void look_around_turn(const W& at_start, const W& rate_start, const W& at_end, const W& rate_end,
+                                          const MaskOf<W>& asked) const {
+    const W zero(0.0);
+    const auto rate = [&](const W& theta) {
+      const State<W> s = at(theta);
+      return watched_rate(c, at.body, spec, s, acceleration(c, at.body, at.time(theta), s));
+    };
+    const W turn = find_roots(rate, zero, rate_start, W(1.0), rate_end, kThetaTolerance, zero, asked);
+    const W at_turn = value(turn);
+    // A shot from below the ground that never comes out of it has landed when it sinks.
+    const MaskOf<W> is_ground = spec.kind == EventKind::ground ? asked : zero != zero;
+    const MaskOf<W> drowned = is_ground & (rate_start > zero) & (at_turn <= zero);
+    add(drowned, turn, zero != zero);
+    look_between(zero, at_start, turn, at_turn, asked & !drowned);
+    look_between(turn, at_turn, W(1.0), at_end, asked & !drowned);
+  }
+};
+
+/// Finds every crossing in the steps of the lanes asked for, in order of time, up to and with the first terminal one.
 /// `at` is the dense output, with the nodes n0 and n1 at its ends; whether something is crossed is decided as detect()
-/// does, by its watched_at().
-template <class F>
-int find_crossings(const Conditions<double>& c, const Body<double>& b, const WatchList& watch, const F& at,
-                   Found* found) {
-  CrossingList list{found};
-  for (int i = 0; i < watch.count; ++i) find_crossings_of(c, b, watch.item[i].spec, i, at, list);
-  list.sort();
-  for (int i = 0; i < list.count; ++i)
-    if (watch.item[found[i].index].spec.terminal) return i + 1;
-  return list.count;
+/// does, by the watched values there.
+template <class W, class Dense>
+PHYSIM_INLINE void find_crossings(const Conditions<double>& c, const WatchList& watch, const Dense& at,
+                                  const MaskOf<W>& asked, CrossingList* lists) {
+  for (int i = 0; i < watch.count; ++i) CrossingFinder<W, Dense>{c, watch.item[i].spec, i, at, lists}.find(asked);
+  for (unsigned left = lane_bits(asked); left != 0; left &= left - 1) lists[__builtin_ctz(left)].put_in_order(watch);
 }
 
 PHYSIM_ISA_END

@@ -16,11 +16,11 @@ namespace physim {
 
 PHYSIM_NAMES(Motion, force, "closed_form", "velocity", "force")
 PHYSIM_NAMES(Integrator, dop853, "classic", "explicit_euler", "semi_implicit_euler", "heun", "rk4", "tsit5", "dop853")
-PHYSIM_NAMES(GravityModel, inverse_square, "off", "constant", "inverse_square")
+PHYSIM_NAMES(GravityModel, wgs84, "off", "constant", "inverse_square", "j2", "wgs84")
 PHYSIM_NAMES(DragModel, equation, "off", "damping", "linear_quadratic", "equation")
 PHYSIM_NAMES(AirModel, isa, "vacuum", "constant", "exponential", "isa")
 PHYSIM_NAMES(WindModel, profile, "off", "constant", "profile")
-PHYSIM_NAMES(EarthModel, sphere, "flat", "flat_coriolis", "sphere")
+PHYSIM_NAMES(EarthModel, ellipsoid, "flat", "flat_coriolis", "sphere", "sphere_rotating", "ellipsoid")
 PHYSIM_NAMES(RotationModel, spin_drift, "none", "spin_drift")
 PHYSIM_NAMES(Interpolation, cubic, "linear", "pchip", "cubic")
 PHYSIM_NAMES(Precision, float64, "float32", "float64")

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "math/pack.hpp"
 
@@ -25,31 +26,86 @@ requires std::is_floating_point_v<S> PHYSIM_INLINE S row_cubic(const S* rows, S 
 #endif
 
 #ifdef PHYSIM_HAS_SHUFFLE
-template <class S>
-struct FourRows {
-  typedef S Row __attribute__((vector_size(4 * sizeof(S))));
-  typedef S Eight __attribute__((vector_size(8 * sizeof(S))));
-  typedef S Sixteen __attribute__((vector_size(16 * sizeof(S))));
+/// Lane i of the result is lane kFrom(i) of a, or of b where the count goes on beyond a.
+template <auto kFrom, int kCount, class V>
+PHYSIM_INLINE auto shuffled(const V& a, const V& b) {
+  return [&]<int... I>(std::integer_sequence<int, I...>) { return __builtin_shufflevector(a, b, kFrom(I)...); }
+  (std::make_integer_sequence<int, kCount>{});
+}
 
-  /// Column c of the four rows at r[0..3], for c = 0..3.
-  PHYSIM_INLINE static void transpose(const S* rows, const UnsignedOf<S>* offset, Row* column) {
-    Row a, b, c, d;
-    std::memcpy(&a, rows + offset[0], sizeof a);
-    std::memcpy(&b, rows + offset[1], sizeof b);
-    std::memcpy(&c, rows + offset[2], sizeof c);
-    std::memcpy(&d, rows + offset[3], sizeof d);
-    const Row ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const Row ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Row cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const Row cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    column[0] = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-    column[1] = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-    column[2] = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-    column[3] = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+/// Four columns of a table, each with a row of its own in every lane of a register. Neighbouring columns are loaded
+/// together and parted by shuffles; which lanes are loaded side by side is chosen so that full registers are shuffled.
+template <class S, int kPer>
+struct TableRows {
+  typedef S Two __attribute__((vector_size(2 * sizeof(S))));
+  typedef S Four __attribute__((vector_size(4 * sizeof(S))));
+  typedef S Register __attribute__((vector_size(kPer * sizeof(S))));
+  static constexpr bool kDouble = sizeof(S) == 8;
+  static constexpr bool kPossible = kPer == 4 || kPer == 8 || kPer == (kDouble ? 2 : 16);
+
+  const S* rows;
+  const UnsignedOf<S>* offset;
+
+  PHYSIM_INLINE void load(Register* column) const {
+    if constexpr (kDouble && kPer > 2) {
+      Register even[2], odd[2];  // columns 0 and 2, and 1 and 3, of half of the lanes: two lanes of each in turns
+      for (int i = 0; i < 2; ++i) {
+        const Register a = every_other(i * kPer / 2);
+        const Register b = every_other(i * kPer / 2 + 1);
+        even[i] = pick<[](int j) { return j % 2 == 0 ? j : kPer + j - 1; }>(a, b);
+        odd[i] = pick<[](int j) { return j % 2 == 0 ? j + 1 : kPer + j; }>(a, b);
+      }
+      constexpr auto kFirstPairs = [](int j) { return j / 2 * 4 + j % 2; };
+      constexpr auto kSecondPairs = [](int j) { return j / 2 * 4 + 2 + j % 2; };
+      column[0] = pick<kFirstPairs>(even[0], even[1]), column[2] = pick<kSecondPairs>(even[0], even[1]);
+      column[1] = pick<kFirstPairs>(odd[0], odd[1]), column[3] = pick<kSecondPairs>(odd[0], odd[1]);
+    } else if constexpr (kDouble) {
+      for (int k = 0; k < 4; k += 2) {
+        const Register a = part<Two>(0, k), b = part<Two>(1, k);
+        column[k] = pick<[](int j) { return 2 * j; }>(a, b);
+        column[k + 1] = pick<[](int j) { return 2 * j + 1; }>(a, b);
+      }
+    } else {
+      // In every block of four lanes, transpose: columns 0 and 1 in turns, 2 and 3 in turns, then one by one.
+      constexpr auto kLow = [](int j) { return j / 4 * 4 + j % 4 / 2 + j % 2 * kPer; };
+      constexpr auto kHigh = [](int j) { return j / 4 * 4 + 2 + j % 4 / 2 + j % 2 * kPer; };
+      constexpr auto kFirst = [](int j) { return j / 4 * 4 + j % 2 + j % 4 / 2 * kPer; };
+      constexpr auto kSecond = [](int j) { return j / 4 * 4 + 2 + j % 2 + j % 4 / 2 * kPer; };
+      const Register r0 = every_fourth(0), r1 = every_fourth(1), r2 = every_fourth(2), r3 = every_fourth(3);
+      const Register low_01 = pick<kLow>(r0, r1), high_01 = pick<kHigh>(r0, r1);
+      const Register low_23 = pick<kLow>(r2, r3), high_23 = pick<kHigh>(r2, r3);
+      column[0] = pick<kFirst>(low_01, low_23), column[1] = pick<kSecond>(low_01, low_23);
+      column[2] = pick<kFirst>(high_01, high_23), column[3] = pick<kSecond>(high_01, high_23);
+    }
   }
-  PHYSIM_INLINE static Eight join4(Row a, Row b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
-  PHYSIM_INLINE static Sixteen join8(Eight a, Eight b) {
-    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+
+ private:
+  /// The first numbers of a lane's row, from column k on.
+  template <class Part>
+  PHYSIM_INLINE Part part(int lane, int k = 0) const {
+    Part p;
+    std::memcpy(&p, rows + offset[lane] + k, sizeof p);
+    return p;
+  }
+  template <class V>
+  PHYSIM_INLINE static auto join(const V& a, const V& b) {
+    return shuffled<[](int j) { return j; }, 2 * sizeof(V) / sizeof(S)>(a, b);
+  }
+  template <auto kFrom>
+  PHYSIM_INLINE static Register pick(const Register& a, const Register& b) {
+    return shuffled<kFrom, kPer>(a, b);
+  }
+  /// Rows of lanes first and first + 2; just one where a register holds no more.
+  PHYSIM_INLINE Register every_other(int first) const {
+    if constexpr (kPer == 4) return part<Four>(first);
+    if constexpr (kPer == 8) return join(part<Four>(first), part<Four>(first + 2));
+  }
+  /// Rows of lanes first, first + 4, ...
+  PHYSIM_INLINE Register every_fourth(int first) const {
+    if constexpr (kPer == 4) return part<Four>(first);
+    if constexpr (kPer == 8) return join(part<Four>(first), part<Four>(first + 4));
+    if constexpr (kPer == 16)
+      return join(join(part<Four>(first), part<Four>(first + 4)), join(part<Four>(first + 8), part<Four>(first + 12)));
   }
 };
 #endif
@@ -68,25 +124,14 @@ PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const
 
 #ifdef PHYSIM_HAS_SHUFFLE
   constexpr int kPer = Pack<S, N>::kPerRegister;
-  if constexpr (kPer == 4 || kPer == 8 || kPer == 16) {
-    using Four = FourRows<S>;
-    typename Four::Row c[kPer / 4][4];
-    Pack<S, N> r0, r1, r2, r3;
+  if constexpr (TableRows<S, kPer>::kPossible) {
+    Pack<S, N> result;
     for (int i = 0; i < Pack<S, N>::kRegisters; ++i) {
-      for (int block = 0; block < kPer / 4; ++block) Four::transpose(rows, offset + i * kPer + 4 * block, c[block]);
-      if constexpr (kPer == 4) {
-        r0.r[i] = c[0][0], r1.r[i] = c[0][1], r2.r[i] = c[0][2], r3.r[i] = c[0][3];
-      } else if constexpr (kPer == 8) {
-        r0.r[i] = Four::join4(c[0][0], c[1][0]), r1.r[i] = Four::join4(c[0][1], c[1][1]);
-        r2.r[i] = Four::join4(c[0][2], c[1][2]), r3.r[i] = Four::join4(c[0][3], c[1][3]);
-      } else {
-        r0.r[i] = Four::join8(Four::join4(c[0][0], c[1][0]), Four::join4(c[2][0], c[3][0]));
-        r1.r[i] = Four::join8(Four::join4(c[0][1], c[1][1]), Four::join4(c[2][1], c[3][1]));
-        r2.r[i] = Four::join8(Four::join4(c[0][2], c[1][2]), Four::join4(c[2][2], c[3][2]));
-        r3.r[i] = Four::join8(Four::join4(c[0][3], c[1][3]), Four::join4(c[2][3], c[3][3]));
-      }
+      typename Pack<S, N>::Register r[4];
+      TableRows<S, kPer>{rows, offset + i * kPer}.load(r);
+      result.r[i] = (r[0] + t.r[i] * r[1]) + (t.r[i] * t.r[i]) * (r[2] + t.r[i] * r[3]);
     }
-    return (r0 + t * r1) + (t * t) * (r2 + t * r3);
+    return result;
   }
 #endif
   S column[4][N];

@@ -1,9 +1,9 @@
 // The acceleration of a projectile: the sum of all effects, each on its granted rung.
 //
-// What it models: D'Alembert's principle for a point mass: the resultant of gravity, drag, Coriolis and applied forces,
-//   divided by the mass.
-// Symbols: t time [s]; x position, v velocity in W; a acceleration [m/s^2].
-// Equation: a = gravity(x) + drag(x, v) - 2 Omega x v + F / m.
+// What it models: D'Alembert's principle for a point mass: the resultant of gravity, drag and applied forces, and the
+//   Coriolis and centrifugal forces of a frame that turns with the Earth, divided by the mass.
+// Symbols: t time [s]; x position, v velocity in W; r from the Earth's centre; a acceleration [m/s^2].
+// Equation: a = gravity(x) + drag(x, v) - 2 Omega x v - Omega x (Omega x r) + F / m.
 // Source: R. L. McCoy, Modern Exterior Ballistics (1999), eq. 8.27 (point mass with Coriolis).
 #pragma once
 
@@ -25,7 +25,8 @@ template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   Vec3<R> a = weight_per_mass(c, b, s.x);
   if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
-  if (c.fidelity.earth == EarthModel::flat_coriolis) a += coriolis(c, s.v);
+  if (is_turning(c.fidelity.earth)) a += coriolis(c, s.v);
+  if (throws_out(c.fidelity)) a += centrifugal(c, s.x);
   if (c.has_applied) a += applied(c, b, t);
   if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
   if (c.has_frozen) a = component_product(a, b.free);

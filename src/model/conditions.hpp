@@ -54,6 +54,19 @@ struct WindField {
   Vec3<S> slope[kMaxWindPoints];     // from point i to i + 1 [1/s]
 };
 
+/// The round Earth ready to compute; see model/earth.hpp, model/geodesy.hpp and model/gravity.hpp.
+template <class S>
+struct Globe {
+  S gm;            // of a point mass under the ellipsoid [m^3/s^2]
+  Vec3<S> origin;  // of W from the Earth's centre, in W [m]
+  Vec3<S> axis;    // unit vector towards the north pole, in W [-]
+  // Of the ellipsoid at the origin:
+  S to_axis;            // N + h0: along the vertical down to the axis [m]
+  S axis_offset;        // kappa of the origin [m]
+  Vec3<S> squeezed_up;  // l(u0) [-]
+  S per_squeezed_up;    // 1 / |l(u0)| [-]
+};
+
 template <class S>
 struct Conditions {
   Fidelity fidelity;  // as granted
@@ -61,6 +74,7 @@ struct Conditions {
   S radius;           // of sea level from the Earth's centre [m]
   S altitude;         // of the origin above sea level [m]
   Vec3<S> omega;      // Earth's rotation in W [rad/s]
+  Globe<S> globe;
   Air<S> air;
   WindField<S> wind;
   const S* curve_rows;                    // pool of cubic rows of all drag curves in use

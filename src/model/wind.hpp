@@ -1,7 +1,9 @@
 // Wind: the velocity of the air.
 //
 // What it models: `constant`: one vector everywhere; `profile`: vectors by height above the origin or by downrange
-//   distance, straight lines between them or steps; all three components, so that updraughts are included.
+//   distance, straight lines between them or steps; all three components, so that updraughts are included. It blows in
+//   air that turns with the Earth; over a round Earth it turns with the vertical (model/earth.hpp), and level wind
+//   stays level.
 // When it is wrong: no turbulence, no change in time; horizontal changes only through a profile by range.
 // Symbols: w velocity of the air in W [m/s]; u height or downrange distance [m]; u_i places of the profile's points.
 // Equation: w(u) = w_0 + sum_i slope_i clamp(u - u_i, 0, u_{i+1} - u_i): straight lines without a search, equal for all
@@ -14,8 +16,9 @@
 
 PHYSIM_ISA_BEGIN
 
+/// As it blows at the origin.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> wind(const Conditions<S>& c, const Vec3<R>& x) {
+PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Vec3<R>& x) {
   const WindField<S>& field = c.wind;
   Vec3<R> w{R(field.velocity[0].x), R(field.velocity[0].y), R(field.velocity[0].z)};
   if (c.fidelity.wind != WindModel::profile || field.points < 2) return w;
@@ -34,6 +37,15 @@ PHYSIM_INLINE Vec3<R> wind(const Conditions<S>& c, const Vec3<R>& x) {
     }
   }
   return w;
+}
+
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> wind(const Conditions<S>& c, const Vec3<R>& x) {
+  const Vec3<R> w = wind_at_origin(c, x);
+  if (!is_round(c.fidelity.earth)) return w;
+  Vec3<R> turned = w;
+  turn_with_vertical(c, x, turned);
+  return turned;
 }
 
 PHYSIM_ISA_END

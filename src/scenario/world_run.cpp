@@ -6,7 +6,6 @@
 
 #include "flight/cohort.hpp"
 #include "model/sight.hpp"
-#include "physim/auto_fidelity.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/volley.hpp"
 
@@ -72,7 +71,7 @@ struct WorldRun::Impl {
 
   Status load();
   Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
-  Status choose_fidelity(ScenarioShot& shot);
+  Status add_forces(bool to_shots);
   Status add_force(const ScenarioForce& force);
   void fire();
   void fire(Magazine& magazine);
@@ -93,10 +92,17 @@ Status WorldRun::Impl::load() {
   for (const Volley& volley : scenario.volleys)
     if (Status bad = add_group(volley.name, index_of(scenario.shots, volley.shot), volley)) return bad;
   world.set_observer(scenario.world.observer);
+  // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
+  if (Status bad = add_forces(false)) return bad;
   fire();
   is_loaded = true;
+  return add_forces(true);
+}
+
+Status WorldRun::Impl::add_forces(bool to_shots) {
   for (const ScenarioForce& force : scenario.forces)
-    if (Status bad = add_force(force)) return with_place(*bad, scenario.file + ": force " + in_quotes(force.name));
+    if (force.other.empty() != to_shots)
+      if (Status bad = add_force(force)) return with_place(*bad, scenario.file + ": force " + in_quotes(force.name));
   return std::nullopt;
 }
 
@@ -108,8 +114,7 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   WorldGroup group;
   group.name = name;
   group.shot = index;
-  if (shot.cheapest_within)
-    if (Status bad = choose_fidelity(shot)) return with_place(*bad, place);
+  shot.body.cheapest_within = shot.cheapest_within.value_or(0);
   group.kind = world.add_kind(shot.projectile, shot.body);
   if (!group.kind) return with_place(*world.error(), place);
   Magazine magazine{groups.size(), 0, volley, shot.launch};
@@ -122,23 +127,6 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   }
   groups.push_back(std::move(group));
   magazines.push_back(std::move(magazine));
-  return std::nullopt;
-}
-
-/// The cheapest rungs for this shot over the whole run; with `force` motion where forces may act on it.
-Status WorldRun::Impl::choose_fidelity(ScenarioShot& shot) {
-  const ScenarioWorld& w = scenario.world;
-  Purpose purpose{.error = *shot.cheapest_within,
-                  .time = w.duration,
-                  .step = w.def.step,
-                  .truth = shot.projectile.fidelity,
-                  .tolerance = scenario.tolerance};
-  if (w.def.ground.mode != GroundMode::none) purpose.ground = w.def.ground.height;
-  if (!scenario.forces.empty()) purpose.least_motion = Motion::force;
-  const auto chosen = cheapest_within(shot.projectile, shot.launch, scenario.environment, purpose);
-  if (!chosen) return chosen.error();
-  shot.projectile.fidelity = chosen->fidelity;
-  shot.cheapest_within.reset();  // several volleys may fire it
   return std::nullopt;
 }
 

@@ -181,15 +181,22 @@ PHYSIM_INLINE State<R> end_state(const Step<R>& s) {
   return advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), s.h);
 }
 
-/// Runs the stages and goes to the end; slope[0] is given. `f(t, state)` is the acceleration.
+/// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y)` is step
+/// i's acceleration.
+///
+/// A stage waits for the one before: for a square root, a table look-up, and a chain of sums. The steps do not wait for
+/// each other, so the processor fills one's waiting with the other's work.
 template <class Tableau, class R, class F>
-PHYSIM_INLINE void runge_kutta_end(Step<R>& s, const F& f) {
-  static_for<Tableau::kStages - 1>([&](auto i) {
-    constexpr int stage = i + 1;
-    const State<R> y = stage_state<Tableau, stage>(s);
-    s.slope[stage] = {y.v, f(s.t + s.h * constant<R>(Tableau::c[stage]), y)};
+PHYSIM_INLINE void runge_kutta_ends(Step<R>* const* steps, int count, const F& f) {
+  static_for<Tableau::kStages - 1>([&](auto before) {
+    constexpr int stage = before + 1;
+    for (int i = 0; i < count; ++i) {
+      Step<R>& s = *steps[i];
+      const State<R> y = stage_state<Tableau, stage>(s);
+      s.slope[stage] = {y.v, f(i, s.t + s.h * constant<R>(Tableau::c[stage]), y)};
+    }
   });
-  s.end = end_state<Tableau>(s);
+  for (int i = 0; i < count; ++i) steps[i]->end = end_state<Tableau>(*steps[i]);
 }
 
 PHYSIM_ISA_END

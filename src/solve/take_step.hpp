@@ -32,9 +32,12 @@ PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
 }
 
+#ifndef EVALATTR
+#define EVALATTR [[gnu::noinline]]
+#endif
 /// The acceleration behind one call, so that twelve stages do not become twelve copies of all models.
 template <class R, class S>
-[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
+EVALATTR void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
   a = acceleration(c, b, t, s);
 }
 
@@ -106,55 +109,67 @@ PHYSIM_INLINE R dop853_error_squared(const Step<R>& s, S relative, S absolute) {
   return max(position, velocity);
 }
 
-/// Goes from s.start at s.t to s.end at s.t_end = s.t + s.h, without the slope there; s.slope[0] is given. `f` is the
-/// acceleration.
-template <class R, class S, class F>
-PHYSIM_INLINE void reach_end(const Conditions<S>& c, const Body<R>& b, const F& f, Step<R>& s) {
+/// The acceleration at a time and state, by value.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& y) {
+  Vec3<R> a;
+  evaluate(c, b, t, y, a);
+  return a;
+}
+
+/// Takes some steps of a cohort side by side, each from its start at t to its end at t_end = t + h, without the slopes
+/// there; slope[0] is given.
+template <class R, class S>
+PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const Body<R>* const* bodies, Step<R>* const* steps, int count) {
+  const auto f = [&](int i, const R& t, const State<R>& y) { return evaluated(c, *bodies[i], t, y); };
+  const Integrator integrator = c.fidelity.integrator;
   if (c.fidelity.motion == Motion::closed_form) {
-    s.end = closed_form(c, b, s.t_end);
-    return;
+    for (int i = 0; i < count; ++i) steps[i]->end = closed_form(c, *bodies[i], steps[i]->t_end);
+  } else if (integrator == Integrator::classic) {
+    for (int i = 0; i < count; ++i) classic_frame(c, *bodies[i], *steps[i]);
+  } else if (integrator < Integrator::heun) {
+    for (int i = 0; i < count; ++i) euler_end(integrator, *steps[i]);
+  } else if (integrator == Integrator::heun) {
+    runge_kutta_ends<Heun>(steps, count, f);
+  } else if (integrator == Integrator::rk4) {
+    runge_kutta_ends<Rk4>(steps, count, f);
+  } else if (integrator == Integrator::tsit5) {
+    runge_kutta_ends<Tsit5>(steps, count, f);
+  } else {
+    runge_kutta_ends<Dop853>(steps, count, f);
   }
-  switch (c.fidelity.integrator) {
-    case Integrator::classic:
-      return classic_frame(c, b, s);
-    case Integrator::explicit_euler:
-    case Integrator::semi_implicit_euler:
-      return euler_end(c.fidelity.integrator, s);
-    case Integrator::heun:
-      return runge_kutta_end<Heun>(s, f);
-    case Integrator::rk4:
-      return runge_kutta_end<Rk4>(s, f);
-    case Integrator::tsit5:
-      return runge_kutta_end<Tsit5>(s, f);
-    case Integrator::dop853:
-      return runge_kutta_end<Dop853>(s, f);
+}
+template <class R, class S>
+PHYSIM_INLINE void reach_end(const Conditions<S>& c, const Body<R>& b, Step<R>& s) {
+  const Body<R>* body = &b;
+  Step<R>* step = &s;
+  reach_ends(c, &body, &step, 1);
+}
+
+/// The same with the slope at the end; adaptive integrators also leave the error, squared.
+template <class R, class S>
+PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Body<R>* const* bodies, S relative, S absolute,
+                              Step<R>* const* steps, int count) {
+  reach_ends(c, bodies, steps, count);
+  const bool closed = c.fidelity.motion == Motion::closed_form;
+  const Integrator integrator = c.fidelity.integrator;
+  if (!closed && integrator == Integrator::classic) return;  // a frame leaves its own
+  const int last = closed ? 1 : end_slope(integrator);
+  for (int i = 0; i < count; ++i) {
+    Step<R>& s = *steps[i];
+    s.slope[last] = {s.end.v, evaluated(c, *bodies[i], s.t_end, s.end)};
+    if (closed) continue;
+    if (integrator == Integrator::tsit5) s.error = tsit5_error_squared(s, relative, absolute);
+    if (integrator == Integrator::dop853) s.error = dop853_error_squared(s, relative, absolute);
   }
 }
 
-/// The acceleration as a function of time and state.
-template <class R, class S>
-struct AccelerationOf {
-  const Conditions<S>& c;
-  const Body<R>& b;
-  PHYSIM_INLINE Vec3<R> operator()(const R& t, const State<R>& y) const {
-    Vec3<R> a;
-    evaluate(c, b, t, y, a);
-    return a;
-  }
-};
-
-/// Takes the step s.h from s.start at s.t to s.t_end; s.slope[0] is given. Leaves the slope at the end, and of adaptive
-/// integrators s.error, squared.
+/// Takes one step; see take_steps().
 template <class R, class S>
 PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relative, S absolute, Step<R>& s) {
-  const AccelerationOf<R, S> f{c, b};
-  reach_end(c, b, f, s);
-  const bool closed = c.fidelity.motion == Motion::closed_form;
-  if (!closed && c.fidelity.integrator == Integrator::classic) return;  // the frame left its own
-  s.slope[closed ? 1 : end_slope(c.fidelity.integrator)] = {s.end.v, f(s.t_end, s.end)};
-  if (closed) return;
-  if (c.fidelity.integrator == Integrator::tsit5) s.error = tsit5_error_squared(s, relative, absolute);
-  if (c.fidelity.integrator == Integrator::dop853) s.error = dop853_error_squared(s, relative, absolute);
+  const Body<R>* body = &b;
+  Step<R>* step = &s;
+  take_steps(c, &body, relative, absolute, &step, 1);
 }
 
 PHYSIM_ISA_END

@@ -91,6 +91,7 @@ Status check(const BodyDef& b, const WorldDef& def, std::size_t environments) {
             "WorldDef::pools lists them");
   c.require(b.environment < environments, "body.environment", "there is no such environment",
             "World::add_environment() makes one");
+  c.not_negative(b.cheapest_within, "body.cheapest_within").positive(b.within_time, "body.within_time");
   check_rules(c, b.despawn);
   return c.status();
 }

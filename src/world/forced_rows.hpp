@@ -44,7 +44,7 @@ PHYSIM_INLINE void advance_stage(const ForcedJob<S>& job, const Conditions<S>& c
   if (stage > 0) y = {load_scratch<R>(job, kStagePosition, row), load_scratch<R>(job, kStageVelocity, row)};
   for (unsigned i = 0; i < static_cast<unsigned>(stage); ++i)
     s.slope[i] = {load_scratch<R>(job, kSlopes + 6 * i, row), load_scratch<R>(job, kSlopes + 6 * i + 3, row)};
-  s.slope[stage] = {y.v, AccelerationOf<R, S>{c, b}(t, y)};
+  s.slope[stage] = {y.v, evaluated(c, b, t, y)};
   store_scratch(s.slope[stage].x, job, slope, row);
   store_scratch(s.slope[stage].v, job, slope + 3, row);
   if (stage + 1 < end_slope(integrator))

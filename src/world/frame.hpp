@@ -23,7 +23,7 @@ PHYSIM_INLINE void first_slope(const Conditions<S>& c, const Body<R>& b, const V
     s.slope[0] = {s.start.v, carried};
     return;
   }
-  s.slope[0] = {s.start.v, AccelerationOf<R, S>{c, b}(s.t, s.start)};
+  s.slope[0] = {s.start.v, evaluated(c, b, s.t, s.start)};
 }
 
 /// Divides a frame of an adaptive integrator. `accept(step, lanes)` is told of every part accepted, by the lanes in
@@ -67,7 +67,7 @@ PHYSIM_INLINE MaskOf<R> take_frame(const Course<S>& course, const Body<R>& b, co
   const Conditions<S>& c = *course.conditions;
   if (!is_adaptive(c.fidelity.integrator) || c.fidelity.motion == Motion::closed_form) {
     first_slope(c, b, carried, s);
-    reach_end(c, b, AccelerationOf<R, S>{c, b}, s);
+    reach_end(c, b, s);
     return R(S(0)) != R(S(0));
   }
   const State<R> start = s.start;

@@ -74,13 +74,17 @@ Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef
   return KindId{index};
 }
 
-std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity& asked) {
+std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity& asked, const FidelityNote* why) {
   Kind& k = kind(index);
+  const auto same_choice = [why](const std::optional<FidelityNote>& known) {
+    return why ? known && known->reason == why->reason : !known;
+  };
   for (std::size_t i = 0; i < k.rungs.size(); ++i)
-    if (k.rungs[i].asked == asked) return static_cast<std::uint16_t>(i);
+    if (k.rungs[i].asked == asked && same_choice(k.rungs[i].chosen)) return static_cast<std::uint16_t>(i);
   if (k.rungs.size() >= kMostRungs) return std::nullopt;
   Prepared& added = k.rungs.emplace_back();
   added.asked = asked;
+  if (why) added.chosen = *why;
   prepare(k, added);
   return static_cast<std::uint16_t>(k.rungs.size() - 1);
 }
@@ -88,6 +92,7 @@ std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity&
 void Registry::prepare(Kind& k, Prepared& r) {
   const Environment& environment = environments_[k.body.environment];
   r.in_use = grant(r.asked, k.projectile, environment);
+  if (r.chosen) r.in_use.notes.push_back(*r.chosen);
   const Fidelity& granted = r.in_use.fidelity;
   Conditions<double> probe = prepare_conditions(environment, granted);
   CurvePool& pool = curves(granted.interpolation).pool;

@@ -56,6 +56,7 @@ inline constexpr std::uint16_t kNoCohort = 0xffff;
 /// A kind on one rung.
 struct Prepared {
   Fidelity asked;
+  std::optional<FidelityNote> chosen;  // why, where it was not asked for by name
   FidelityInUse in_use;
   Features features;
   Body<double> body;                                // of everything but the launch
@@ -94,8 +95,8 @@ class Registry {
   [[nodiscard]] const Kind& kind(std::uint32_t index) const { return kinds_[index - 1]; }
   [[nodiscard]] bool has_kind(KindId id) const { return id.index > 0 && id.index <= kinds_.size(); }
 
-  /// The kind on a rung; nothing where there are too many already.
-  std::optional<std::uint16_t> rung(std::uint32_t kind, const Fidelity& asked);
+  /// The kind on a rung; nothing where there are too many already. `why` says how the rung was chosen, if it was.
+  std::optional<std::uint16_t> rung(std::uint32_t kind, const Fidelity& asked, const FidelityNote* why = nullptr);
   /// The cohort of a kind on a rung; kNoCohort where there are too many.
   std::uint16_t cohort(std::uint32_t kind, std::uint16_t rung, const Variant& variant);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "flight/judge.hpp"
 #include "model/contact.hpp"
 #include "world/forced_rows.hpp"
 
@@ -12,8 +13,7 @@ namespace {
 constexpr int kMostBounces = 16;
 
 Vec3d normal_at(const Conditions<double>& c, const Vec3d& x) {
-  if (c.fidelity.earth != EarthModel::sphere) return {0, 1, 0};
-  return normalized(from_centre(c, x));
+  return is_round(c.fidelity.earth) ? vertical_at(c, x) : Vec3d{0, 1, 0};
 }
 
 /// One row on its way through a step. S is the cohort's number type.
@@ -144,17 +144,19 @@ class Settling {
   /// Looks for events in the step just taken; true where one of them ends it.
   bool look(double clock) {
     if (!is_finite(lane_.step.end)) return leave(LifeStatus::retired, Reason::non_finite), true;
-    Found found[2 * kMaxWatched];
-    lane_step(course_, lane_, 0, at_);
+    DenseLanes<S>& at = judgement_.at;
+    dense_lanes(course_, lane_, at);
     // Its three more slopes would need the generators once more: the cubic through both ends does.
     if (taken_ && cohort_.key.fidelity.integrator == Integrator::dop853)
-      std::fill(at_.coefficient + 3, at_.coefficient + 7, State<double>{});
-    const int count = find_crossings(conditions(), at_.body, course_.watch, at_, found);
-    for (int i = 0; i < count; ++i) {
-      const double t = at_.time(found[i].theta);
-      const State<double> s = at_.at_time(t);
+      std::fill(at.coefficient + 3, at.coefficient + 7, State<double>{});
+    find_crossings<S>(course_, true, judgement_);
+    // Bouncing goes on from here with other steps, so what was found is kept.
+    const CrossingList crossings = judgement_.crossings[0];
+    for (int i = 0; i < crossings.count; ++i) {
+      const double t = at.time(crossings.found[i].theta);
+      const State<double> s = at.at_time(t);
       const double passed = t + clock;
-      switch (course_.watch.item[found[i].index].outcome) {
+      switch (course_.watch.item[crossings.found[i].index].outcome) {
         case Outcome::landed:
           if (taken_) {
             const S part = static_cast<S>(passed / context_.dt);
@@ -288,7 +290,7 @@ class Settling {
   const TakenStep<S>* taken_;
   Body<S> from_row_{};
   Lanes<S> lane_{};
-  LaneStep<S> at_{};
+  Judgement<S> judgement_{};
   Vec3<S> carried_{};
   State<S> end_{};
   State<double> start_{};

@@ -1,6 +1,7 @@
 // The world's loop over rows, pack by pack.
 #pragma once
 
+#include "flight/judge.hpp"
 #include "world/frame.hpp"
 #include "world/world_job.hpp"
 

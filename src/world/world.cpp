@@ -3,6 +3,7 @@
 #include <cmath>
 #include <new>
 
+#include "math/elementary.hpp"
 #include "model/sight.hpp"
 #include "world/world_impl.hpp"
 
@@ -138,10 +139,51 @@ bool World::Impl::make_room(std::uint32_t index) {
   return true;
 }
 
+namespace {
+
+/// The projectile with its drag scaled as its body says, for models that know no bodies.
+ProjectileDef with_drag_scale(const Kind& kind) {
+  ProjectileDef p = kind.projectile;
+  const double scale = kind.body.drag_scale;
+  if (scale == 1 || scale == 0) return p;
+  p.drag.k1 *= scale;
+  p.drag.k2 *= scale;
+  p.drag.form_factor *= scale;
+  p.drag.ballistic_coefficient /= scale;
+  for (BallisticBand& band : p.drag.bands) band.ballistic_coefficient /= scale;
+  p.drag.damping = pow(p.drag.damping, scale);
+  return p;
+}
+
+}  // namespace
+
 // ------------------------------------------------------------------------------------------- coming
 void World::Impl::push_due(std::vector<Due>& heap, double time, std::uint32_t slot) {
   heap.push_back({time, id_of(slot)});
   std::push_heap(heap.begin(), heap.end(), is_later);
+}
+
+/// The cheapest rung for a launch, where the kind asks for it; its own otherwise.
+Result<std::uint16_t> World::Impl::rung_for(std::uint32_t kind_index, const Launch& launch) {
+  const Kind& kind = registry.kind(kind_index);
+  if (kind.body.cheapest_within == 0) return std::uint16_t{0};
+  Environment environment = registry.environments()[kind.body.environment];
+  environment.gravity.acceleration *= kind.body.use_gravity ? kind.body.gravity_scale : 0.0;
+  Purpose purpose;
+  purpose.error = kind.body.cheapest_within;
+  purpose.time = kind.body.within_time;
+  purpose.step = def.step;
+  if (def.ground.mode != GroundMode::none) purpose.ground = def.ground.height;
+  if (!state.force_order.empty()) purpose.least_motion = Motion::force;
+  if (kind.body.drag_scale == 0) purpose.truth.drag = DragModel::off;
+  purpose.tolerance.relative = def.tolerance.relative;
+  purpose.tolerance.absolute = def.tolerance.absolute;
+  const auto answer = answers.cheapest_within(with_drag_scale(kind), launch, environment, purpose);
+  if (!answer) return answer.error();
+  const FidelityNote why = (*answer)->note();
+  const auto rung = registry.rung(kind_index, (*answer)->fidelity, &why);
+  if (!rung) return Error{"there are too many rungs of this kind", "fidelity", "at most 4096"};
+  return *rung;
 }
 
 ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, double delay) {
@@ -158,12 +200,14 @@ ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, 
     if (!elevation) return refuse(elevation.error()), ProjectileId{};
     at.velocity = launch_velocity(launch, sight_frame(launch), *elevation);
   }
+  const auto rung = rung_for(kind_index, launch);
+  if (!rung) return refuse(rung.error()), ProjectileId{};
   if (!make_room(kind.body.pool)) return {};
   const std::uint32_t index = take_slot();
   Slot& slot = state.slots[index];
   ++slot.generation;
   slot.kind = kind_index;
-  slot.rung = 0;
+  slot.rung = *rung;
   const BodyDef& body = kind.body;
   slot.flags = kAlive | (body.kinematic ? kKinematic : 0u) | (body.infinite_mass ? kInfiniteMass : 0u) |
                (delay > 0 ? kPending : 0u) | (body.can_sleep ? 0u : kSleepless) |

@@ -1,6 +1,7 @@
 // World::Impl: the parts of a world and what its files share.
 #pragma once
 
+#include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
 #include "world/forced_step.hpp"
 #include "world/settle.hpp"
@@ -14,6 +15,7 @@ struct World::Impl {
   WorldDef def;
   Registry registry;
   WorldState state;
+  AutoFidelityCache answers;  // remembers what it would answer anyway
   std::optional<Error> error;
   TaskRunner* lent = nullptr;
   std::unique_ptr<TaskRunner> own_threads;
@@ -39,6 +41,7 @@ struct World::Impl {
 
   // ------------------------------------------------------------------------------------------- coming and going
   ProjectileId spawn(std::uint32_t kind, const Launch& launch, double delay);
+  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch);
   void push_due(std::vector<Due>& heap, double time, std::uint32_t slot);
   std::uint32_t take_slot();
   void free_slot(std::uint32_t slot);

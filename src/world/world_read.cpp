@@ -97,10 +97,11 @@ Accelerations World::accelerations(ProjectileId id) const {
   Accelerations a;
   a.gravity = weight_per_mass(c, b, s.x);
   if (f.drag != DragModel::off) a.drag = drag(c, b, s);
-  if (f.earth == EarthModel::flat_coriolis) a.coriolis = coriolis(c, s.v);
+  if (is_turning(f.earth)) a.coriolis = coriolis(c, s.v);
+  if (throws_out(f)) a.centrifugal = centrifugal(c, s.x);
   if (impl_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied(c, b, impl_->clock_of(*slot));
   if (f.motion == Motion::force) a.applied += impl_->generator_force(id.index) * inverse_mass(id);
-  a.total = a.gravity + a.drag + a.coriolis + a.applied;
+  a.total = a.gravity + a.drag + a.coriolis + a.centrifugal + a.applied;
   if (c.has_frozen) a.total = component_product(a.total, b.free);
   return a;
 }

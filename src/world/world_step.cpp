@@ -186,7 +186,7 @@ void World::Impl::finish_step() {
   for (std::size_t i = 0; i < scratch.chunk_count; ++i) collect(scratch.chunks[i]);
   collect(forced_scratch.chunk);
   std::sort(scratch.changes.begin(), scratch.changes.end(),
-            [](const Change& a, const Change& b) { return a.slot < b.slot; });
+            [](const Change& a, const Change& b) { return a.slot != b.slot ? a.slot < b.slot : a.kind < b.kind; });
   for (const Change& change : scratch.changes) {
     Slot& slot = state.slots[change.slot];
     if (!slot.is(kAlive)) continue;

@@ -63,7 +63,7 @@ bool contains(const Outcome& outcome, const std::string& part) { return outcome.
 const std::string kParabola = "# g=9.80665\nv0_m_s,elev_deg,range_m\n";
 
 TEST(Validate, EverySuitePassesAtItsGates) {
-  for (const char* suite : {"classic", "analytic", "us76", "ballistics"}) {
+  for (const char* suite : {"classic", "analytic", "us76", "gravity", "ballistics"}) {
     const Outcome outcome = validate(suite);
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     EXPECT_TRUE(contains(outcome, "all pass")) << outcome.text;
@@ -154,7 +154,7 @@ TEST(Validate, MalformedCasesNameFileLineAndCase) {
 
 TEST(Validate, BadArgumentsAreExitCode2) {
   EXPECT_EQ(validate("clasic").code, 2);
-  EXPECT_TRUE(contains(validate("clasic"), "there are: classic, analytic, us76, ballistics"));
+  EXPECT_TRUE(contains(validate("clasic"), "there are: classic, analytic, us76, gravity, ballistics"));
   EXPECT_EQ(validate("--data /no/such/folder").code, 2);
   EXPECT_EQ(validate("--report /no/such/folder/report.md").code, 2);
 }

@@ -129,6 +129,9 @@ const BadInput kBad[] = {
      }},
     {"latitude infinite", "environment.earth.latitude", "finite",
      [](Input& i) { i.environment.earth.latitude = kInfinity; }},
+    {"latitude in degrees", "environment.earth.latitude", "between -90 and 90",
+     [](Input& i) { i.environment.earth.latitude = 45; }},
+    {"longitude NaN", "environment.earth.longitude", "finite", [](Input& i) { i.environment.earth.longitude = kNan; }},
     {"tolerance below rounding", "tolerance.relative", "below rounding",
      [](Input& i) { i.tolerance.relative = 1e-16; }},
     {"tolerance zero", "tolerance.relative", "below rounding", [](Input& i) { i.tolerance.relative = 0; }},
@@ -150,9 +153,7 @@ const BadInput kBad[] = {
     {"time zero", "until.time", "positive", [](Input& i) { i.until.time = 0; }},
     {"range negative", "until.range", "positive", [](Input& i) { i.until.range = -100; }},
     {"event at NaN", "until.events[1].value", "finite",
-     [](Input& i) {
-       i.until.events = {{EventKind::height, 1}, {EventKind::mach, kNan}};
-     }},
+     [](Input& i) { i.until.events = {{EventKind::height, 1}, {EventKind::mach, kNan}}; }},
     {"25 events", "until.events", "too many", [](Input& i) { i.until.events.assign(25, {}); }},
 };
 

@@ -78,6 +78,36 @@ TEST(Grant, the_drag_equation_needs_air) {
   EXPECT_EQ(granted(asked).fidelity.drag, DragModel::linear_quadratic);
 }
 
+TEST(Grant, the_flattened_field_goes_with_the_ellipsoid) {
+  Asked asked;
+  asked.fidelity.earth = EarthModel::ellipsoid;
+  for (const GravityModel gravity : {GravityModel::j2, GravityModel::wgs84}) {
+    asked.fidelity.gravity = gravity;
+    EXPECT_EQ(granted(asked).fidelity, asked.fidelity);
+    EXPECT_TRUE(granted(asked).notes.empty());
+  }
+  asked.fidelity.earth = EarthModel::sphere_rotating;
+  EXPECT_EQ(granted(asked).fidelity.gravity, GravityModel::inverse_square);
+  EXPECT_NE(granted(asked).notes.front().reason.find("spherical"), std::string::npos);
+  EXPECT_NE(granted(asked).notes.back().reason.find("centrifugal"), std::string::npos) << "the Earth's own GM";
+  asked.fidelity.earth = EarthModel::flat_coriolis;
+  EXPECT_EQ(granted(asked).fidelity.gravity, GravityModel::wgs84);
+  EXPECT_NE(note_of(granted(asked), "gravity").reason.find("weight at the origin's latitude"), std::string::npos);
+}
+
+TEST(Grant, a_gravity_of_its_own_keeps_an_environment_from_the_earths_field) {
+  Asked asked;
+  asked.fidelity.earth = EarthModel::ellipsoid;
+  asked.fidelity.gravity = GravityModel::wgs84;
+  asked.environment.gravity.acceleration = 1.62;
+  EXPECT_EQ(granted(asked).fidelity.gravity, GravityModel::inverse_square);
+  EXPECT_EQ(granted(asked).notes.size(), 1U);
+  asked.environment.gravity = {.radius = 1737e3};
+  EXPECT_EQ(granted(asked).fidelity.gravity, GravityModel::inverse_square);
+  asked.environment.gravity = {.model = GravityModel::constant};
+  EXPECT_EQ(granted(asked).fidelity.gravity, GravityModel::constant);
+}
+
 TEST(Grant, closed_forms_know_constants_only) {
   Asked asked;
   asked.fidelity.motion = Motion::closed_form;

@@ -8,13 +8,14 @@
 #include "physim/air.hpp"
 #include "physim/physim.hpp"
 #include "random_shots.hpp"
+#include "world.hpp"
 
 namespace physim::test {
 namespace {
 
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
-constexpr std::uint64_t kExpected = 0xf3b57eda712957d7;
+constexpr std::uint64_t kExpected = 0xa1686956ec9cb842;
 
 /// FNV-1a over the bits of numbers; all NaNs count as one, since their bits are nobody's promise.
 class Hash {
@@ -131,12 +132,28 @@ void add_batch(Hash& hash, const BatchResult& batch) {
   }
 }
 
+/// Over the Earths that turn, under every gravity there is.
+Course round_course(std::uint64_t seed, Integrator integrator, Precision precision) {
+  Course c = course(seed, integrator, precision);
+  Random r(seed + 1000);
+  c.environment.gravity = {};
+  c.environment.earth.longitude = r.in(-3, 3);
+  c.fidelity.motion = Motion::force;
+  c.fidelity.earth = r.one_in(3) ? EarthModel::sphere_rotating : EarthModel::ellipsoid;
+  c.fidelity.gravity = static_cast<GravityModel>(1 + r.below(4));
+  return c;
+}
+
 std::vector<Course> courses() {
   std::vector<Course> list;
   std::uint64_t seed = 100;
   for (int integrator = 0; integrator <= static_cast<int>(Integrator::dop853); ++integrator)
     for (const Precision precision : {Precision::float32, Precision::float64})
       for (int i = 0; i < 24; ++i) list.push_back(course(++seed, static_cast<Integrator>(integrator), precision));
+  for (const Integrator integrator :
+       {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5, Integrator::dop853})
+    for (const Precision precision : {Precision::float32, Precision::float64})
+      for (int i = 0; i < 8; ++i) list.push_back(round_course(++seed, integrator, precision));
   return list;
 }
 
@@ -160,6 +177,24 @@ void add_preparations(Hash& hash) {
     add_flight(hash, zeroed);
     f.integrator = Integrator::rk4;
     hash.add(fly(p, {.speed = 300, .elevation = 0.1}, e, f, {}, {.ground = {}, .time = 1}).step());
+  }
+}
+
+/// Coordinates and frames.
+void add_places(Hash& hash) {
+  Random r(8);
+  for (int i = 0; i < 100; ++i) {
+    Environment e;
+    e.altitude = r.in(-1000, 1e6);
+    e.earth = {.latitude = r.in(-1.57, 1.57), .longitude = r.in(-3.1, 3.1), .azimuth = r.in(-3, 3)};
+    const EarthFrames frames(e, static_cast<EarthModel>(r.below(5)));
+    const Vec3d x = r.vector(1e6), v = r.vector(8000);
+    const Geodetic g = frames.geodetic(x);
+    const FrameState inertial = frames.inertial(x, v, r.in(0, 1e5));
+    for (const double number : {g.latitude, g.longitude, g.height}) hash.add(number);
+    for (const Vec3d& vector : {inertial.position, inertial.velocity, frames.local(x, v), frames.position(g),
+                                normal_gravity(g), earth_fixed_from_geodetic(g)})
+      hash.add(vector);
   }
 }
 
@@ -188,7 +223,11 @@ int run() {
   bool good = add_elementary<Pack<double, 8>>(hash, 250);
   good = add_elementary<Pack<float, 16>>(hash, 125) && good;
   add_preparations(hash);
+  add_places(hash);
   good = add_flights(hash) && good;
+  std::uint64_t worlds = 0;
+  good = add_worlds(worlds) && good;
+  hash.add_bits(worlds);
   std::printf("%016" PRIx64 "\n", hash.value());
   if (hash.value() != kExpected) {
     std::fprintf(stderr, "golden: %016" PRIx64 " was expected\n", kExpected);

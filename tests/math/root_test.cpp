@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 namespace physim {
@@ -92,6 +93,23 @@ TEST(FindRoot, ends_where_the_function_is_not_a_number) {
 TEST(FindRoot, works_from_either_end) {
   const auto f = [](double x) { return std::cos(x) - x; };
   EXPECT_NEAR(find_root(f, 1, f(1), 0, f(0), 0), 0.7390851332151607, 1e-15);
+}
+
+/// x^3 - c with another c, bracket and rounding in every lane: some end by the secant method, some by Chandrupatla's,
+/// some at an end of the bracket, some have no change of sign.
+TEST(FindRoot, finds_in_the_lanes_of_a_pack_what_it_finds_alone) {
+  using P = Pack<double, 8>;
+  const P c = P::load(std::data({8.0, 1e-9, 3.0, 0.0, 27.0, 100.0, 1e6, -5.0}));
+  const P a = P::load(std::data({0.0, -1.0, -50.0, 0.0, 3.0, 5.0, 0.0, -400.0}));
+  const P b = P::load(std::data({3.0, 1.0, 2.0, 1.0, 4.0, 6.0, 1e4, 0.5}));
+  const P noise = P::load(std::data({0.0, 0.0, 1e-3, 0.0, 0.0, 0.0, 1e-9, 0.0}));
+  const auto f = [&](const P& x) { return x * x * x - c; };
+  const P found = find_roots(f, a, f(a), b, f(b), 1e-15, noise, a == a);
+  for (int lane = 0; lane < 8; ++lane) {
+    const auto alone = [&](double x) { return x * x * x - c[lane]; };
+    EXPECT_EQ(found[lane], find_root(alone, a[lane], alone(a[lane]), b[lane], alone(b[lane]), 1e-15, noise[lane]))
+        << lane;
+  }
 }
 
 }  // namespace

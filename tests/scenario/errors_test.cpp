@@ -123,10 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:3:12: error: shot.fidelity.preset: unknown value \"simulaton\"; did you mean \"simulation\"?"},
         Bad{"environment.gravity = 9.81\n[[shot]]",
             "f.toml:2:23: error: environment.gravity.model: unknown value 9.81; known values: off, constant, "
-            "inverse_square"},
+            "inverse_square, j2, wgs84"},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"hight\"\nequals = 1\nwithin = 1",
             "f.toml:4:12: error: expect.quantity: unknown value \"hight\"; known values: drop, windage, range, speed, "
-            "time, x, y, z, vx, vy, vz, mach, energy, elevation"},
+            "time, x, y, z, vx, vy, vz, mach, energy, latitude, longitude, altitude, elevation"},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"drop\"\nequals = \"1 m/s\"\nwithin = 1",
             "f.toml:5:10: error: expect.equals: \"1 m/s\" is a speed; expected a length such as \"7.82 mm\""},
         Bad{"[[shot]]\n[until]\nevents = [{ kind = \"speed\", value = \"3 m\" }]",

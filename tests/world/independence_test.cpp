@@ -194,6 +194,39 @@ TEST(Independence, adaptive_integrators_keep_their_tolerance_inside_a_frame) {
   }
 }
 
+TEST(AutoFidelityInWorlds, chooses_the_cheapest_rung_and_says_why) {
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  const Launch launch{.position = {0, 100, 0}, .speed = 800, .elevation = 0.02};
+  const auto error_after = [&](double allowed, FidelityInUse& in_use) {
+    World world = make_world(def);
+    BodyDef body;
+    body.cheapest_within = allowed;
+    body.within_time = 1;
+    const ProjectileId id = world.spawn(bullet(), launch, body);
+    EXPECT_TRUE(id) << world.error()->text();
+    in_use = world.fidelity_in_use(id);
+    for (int i = 0; i < 60; ++i) world.step(def.step);
+    Until until;
+    until.ground.reset();
+    until.time = 2;
+    return length(world.position(id) -
+                  fly(bullet(), launch, def.environment, Fidelity::reference(), {}, until).at(1).position);
+  };
+  FidelityInUse coarse;
+  FidelityInUse fine;
+  EXPECT_LT(error_after(10, coarse), 10);
+  EXPECT_LT(error_after(0.001, fine), 0.001);
+  EXPECT_LT(coarse.fidelity.integrator, fine.fidelity.integrator);
+  ASSERT_FALSE(fine.notes.empty());
+  EXPECT_NE(fine.notes.back().reason.find("cheapest"), std::string::npos);
+  World world = make_world(def);
+  BodyDef body;
+  body.cheapest_within = 1e-15;
+  EXPECT_FALSE(world.spawn(bullet(), launch, body));
+  EXPECT_TRUE(world.error());
+}
+
 TEST(Detail, moves_between_rungs_with_hysteresis) {
   WorldDef def;
   def.ground.mode = GroundMode::none;

@@ -1,0 +1,21 @@
+// Flights over a round Earth as files that globes and maps read: KML, CZML and GeoJSON.
+#pragma once
+
+#include <string>
+
+#include "flown.hpp"
+#include "output_trajectory.hpp"
+
+namespace physim::cli {
+
+/// An error where a shot flew over a flat Earth, which has no latitudes.
+[[nodiscard]] Status check_round(const FlownScenario& flown);
+
+/// KML 2.2 (OGC 07-147r2): a folder per shot with its path and its events. Heights are those above the ellipsoid.
+[[nodiscard]] std::string globe_kml(const FlownScenario& flown, const SampleTimes& times);
+/// CZML 1.0: each shot as a point that moves, launched at noon of 1 January 2000 (UTC).
+[[nodiscard]] std::string globe_czml(const FlownScenario& flown, const SampleTimes& times);
+/// GeoJSON (RFC 7946): paths, cut where they cross the antimeridian, and events.
+[[nodiscard]] std::string globe_geojson(const FlownScenario& flown, const SampleTimes& times);
+
+}  // namespace physim::cli

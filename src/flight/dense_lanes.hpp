@@ -1,0 +1,77 @@
+// The dense output of lanes' last steps, in double whatever the flight's own precision.
+#pragma once
+
+#include "flight/lanes.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// Reads a structure of R's as one of doubles.
+template <template <class> class Struct, class R>
+PHYSIM_INLINE void widen(const Struct<R>& from, Struct<Cast<double, R>>& into,
+                         unsigned count = sizeof(Struct<R>) / sizeof(R)) {
+  const auto* source = reinterpret_cast<const R*>(&from);
+  auto* to = reinterpret_cast<Cast<double, R>*>(&into);
+  for (unsigned i = 0; i < count; ++i) to[i] = cast<double>(source[i]);
+}
+
+template <class R>
+struct DenseLanes {
+  using S = ScalarOf<R>;
+  using W = Cast<double, R>;
+
+  const Conditions<S>* conditions;
+  const Lanes<R>* lanes;  // must outlive this
+  Body<W> body;
+  NodeOf<W> n0;
+  NodeOf<W> n1;
+  State<W> coefficient[kMaxDenseCoefficients];
+
+  PHYSIM_INLINE State<W> operator()(const W& theta) const {
+    const Fidelity& f = conditions->fidelity;
+    if (f.motion != Motion::closed_form) return dense_state(f.integrator, n0, n1, coefficient, theta);
+    const State<R> s = closed_form(*conditions, lanes->body, cast<S>(time(theta)));
+    State<W> wide;
+    widen(s, wide);
+    return wide;
+  }
+  PHYSIM_INLINE W time(const W& theta) const { return n0.t + theta * (n1.t - n0.t); }
+  /// Flight::at() knows a time only: going through it gives events and ends the bits that it gives.
+  PHYSIM_INLINE State<W> at_time(const W& t) const { return (*this)(place_between(n0, n1, t)); }
+
+  /// A watched value at the ends of the step in the flight's own precision: the end of one step is the start of the
+  /// next one to the bit, so that no crossing falls between them.
+  PHYSIM_INLINE W watched_at_start(const EventSpec& spec) const {
+    return cast<double>(watched_value(*conditions, lanes->body, spec, lanes->step.t, lanes->step.start));
+  }
+  PHYSIM_INLINE W watched_at_end(const EventSpec& spec) const {
+    return cast<double>(watched_value(*conditions, lanes->body, spec, lanes->step.t_end, lanes->step.end));
+  }
+};
+
+/// The dense output of steps just taken.
+template <class R, class S>
+void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) {
+  using W = Cast<double, R>;
+  const Fidelity& fidelity = course.conditions->fidelity;
+  const int last = last_slope(fidelity);
+  Step<W> s;
+  s.t = cast<double>(l.step.t);
+  s.h = cast<double>(l.step.h);
+  widen(l.step.start, s.start);
+  widen(l.step.end, s.end);
+  for (int i = 0; i <= last; ++i) widen(l.step.slope[i], s.slope[i]);
+  widen(l.body, out.body, body_fields<R>(*course.conditions));
+  out.conditions = course.conditions;
+  out.lanes = &l;
+  out.n0 = {s.t, s.start, s.slope[0].v};
+  out.n1 = {cast<double>(l.step.t_end), s.end, s.slope[last].v};
+  if (fidelity.motion == Motion::closed_form) return;
+  const auto f = [&](const W& t, const State<W>& y) {
+    Vec3<W> a;
+    evaluate(*course.conditions_double, out.body, t, y, a);
+    return a;
+  };
+  dense_coefficients(fidelity.integrator, s, f, out.coefficient);
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,89 @@
+// What a step means for its flight: does it go on, what has it crossed, where does it end?
+#pragma once
+
+#include "flight/advance.hpp"
+
+namespace physim {
+
+/// What a lane's last step means for its flight.
+struct Verdict {
+  bool ended;
+  Outcome outcome;
+  double theta;  // place in the last step where the flight ends
+};
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
+
+template <class R>
+PHYSIM_INLINE MaskOf<R> is_finite(const State<R>& s) {
+  return is_finite(((s.x.x + s.x.y) + (s.x.z + s.v.x)) + (s.v.y + s.v.z));
+}
+
+template <class R>
+PHYSIM_INLINE MaskOf<R> stands_still(const Lanes<R>& l) {
+  return (l.step.t_end <= l.step.t) | !(l.step.h > R(ScalarOf<R>(0)));
+}
+
+/// Lanes that cannot just go on, and what is sure about them before the crossings are found.
+template <class R>
+struct Attention {
+  MaskOf<R> special;
+  MaskOf<R> surely_ends;
+  MaskOf<R> surely_goes_on;
+};
+
+/// Accepted lanes with an event or a bad number, and lanes out of steps.
+template <class R, class S>
+PHYSIM_INLINE Attention<R> needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
+  const Conditions<S>& c = *course.conditions;
+  const Detected<R> found =
+      detect(c, l.body, course.watch, l.step, l.step.slope[0].v, l.step.slope[last_slope(c.fidelity)].v);
+  const MaskOf<R> finite = is_finite(l.step.end);
+  const MaskOf<R> trouble = (l.tries >= R(course.plan.max_tries)) | stands_still(l);
+  const MaskOf<R> sound = accepted & finite;
+  Attention<R> a;
+  a.special = (accepted & (found.some | !finite)) | trouble;
+  a.surely_ends = sound & found.surely_terminal;
+  a.surely_goes_on = sound & !found.maybe_terminal & !trouble;
+  return a;
+}
+
+/// The crossings in the last steps of lanes.
+template <class R>
+struct Judgement {
+  DenseLanes<R> at;
+  CrossingList crossings[kLanes<R>];
+};
+
+/// Finds what sound (accepted, finite) steps cross; j.at is their dense output.
+template <class R, class S>
+void find_crossings(const Course<S>& course, const MaskOf<R>& sound, Judgement<R>& j) {
+  for (CrossingList& list : j.crossings) list.count = 0;
+  if (!any(sound)) return;
+  find_crossings<Cast<double, R>>(*course.conditions_double, course.watch, j.at, cast_mask<double, R>(sound),
+                                  j.crossings);
+}
+
+/// Judges one lane once its crossings are found.
+template <class R, class S>
+Verdict verdict_on(const Course<S>& course, const Lanes<R>& l, int lane, bool accepted, const CrossingList& crossings) {
+  const bool still = lane_of(stands_still(l), lane);
+  const bool out_of_tries = lane_of(l.tries, lane) >= course.plan.max_tries;
+  if (accepted && !lane_of(is_finite(l.step.end), lane)) return {true, Outcome::non_finite, 0};
+  if (accepted) {
+    if (crossings.count > 0) {
+      const Found& last = crossings.found[crossings.count - 1];
+      const Watched& watched = course.watch.item[last.index];
+      if (watched.spec.terminal) return {true, watched.outcome, last.theta};
+    }
+    if (out_of_tries) return {true, Outcome::step_limit, 1};
+    if (still) return {true, Outcome::stalled, 1};
+    return {false, Outcome::step_limit, 1};
+  }
+  if (still) return {true, is_finite(lane_of(l.step.error, lane)) ? Outcome::stalled : Outcome::non_finite, 0};
+  return {out_of_tries, Outcome::step_limit, 0};
+}
+
+PHYSIM_ISA_END

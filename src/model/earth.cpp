@@ -1,0 +1,96 @@
+// Prepares the Earth of an environment for computing. Equations and Source: model/earth.hpp, model/geodesy.hpp,
+// model/gravity.hpp.
+//
+// Over a flat Earth `j2` and `wgs84` are one number of their own, the weight at the origin's latitude: g at sea level,
+// and R such that g (R / (R + h))^2 also meets the weight at 10 km; at 100 km it is then off by 1e-5 of g.
+#include "model/earth.hpp"
+
+#include "math/elementary.hpp"
+#include "model/normal_gravity.hpp"
+
+namespace physim {
+namespace {
+
+Vec3d axis_in_W(const Earth& earth) {
+  const double level = cos(earth.latitude);
+  return {level * cos(earth.azimuth), sin(earth.latitude), -level * sin(earth.azimuth)};
+}
+
+Vec3d rotation_in_W(const Earth& earth) {
+  const double level = earth.rotation_rate * cos(earth.latitude);
+  return {level * cos(earth.azimuth), earth.rotation_rate * sin(earth.latitude), -level * sin(earth.azimuth)};
+}
+
+/// N of a latitude with sine s.
+double prime_vertical(double s) { return wgs84::kEquatorialRadius / sqrt(1 - wgs84::kEccentricitySquared * s * s); }
+
+/// The origin of W, whose vertical is y, from the Earth's centre.
+Vec3d origin_from_centre(const Vec3d& axis, double height) {
+  const double n = prime_vertical(axis.y);
+  return Vec3d{0, n + height, 0} - axis * (wgs84::kEccentricitySquared * n * axis.y);
+}
+
+void prepare_ellipsoid(const Environment& environment, bool own, Globe<double>& g) {
+  const Gravity& given = environment.gravity;
+  g.gm = own ? given.acceleration * given.radius * given.radius : wgs84::kGM;
+  g.axis = axis_in_W(environment.earth);
+  g.origin = origin_from_centre(g.axis, environment.altitude);
+  g.to_axis = prime_vertical(g.axis.y) + environment.altitude;
+  g.axis_offset = axis_offset(dot(g.origin, g.origin), dot(g.origin, g.axis), kFlightRounds);
+  g.squeezed_up = squeezed(g.axis, Vec3d{0, 1, 0});
+  g.per_squeezed_up = 1 / length(g.squeezed_up);
+}
+
+/// Weight at a height over the origin's latitude: gravitation and centrifugal acceleration, along the vertical.
+double weight(const Environment& environment, GravityModel model, double height) {
+  const Vec3d axis = axis_in_W(environment.earth);
+  const Vec3d r = origin_from_centre(axis, height);
+  const Vec3d pull = model == GravityModel::j2 ? j2_gravitation(axis, r) : ellipsoid_gravitation(axis, r);
+  const Vec3d omega = rotation_in_W(environment.earth);
+  return -(pull + cross(omega, cross(r, omega))).y;
+}
+
+}  // namespace
+
+bool has_own_gravity(const Environment& environment) {
+  const Gravity standard;
+  const Gravity& given = environment.gravity;
+  return given.acceleration != standard.acceleration || given.radius != standard.radius;
+}
+
+void prepare_earth(const Environment& environment, const Fidelity& granted, Conditions<double>& c) {
+  const EarthModel earth = granted.earth;
+  const bool own = has_own_gravity(environment);
+  const bool newton = granted.gravity >= GravityModel::inverse_square;
+  c.gravity = environment.gravity.acceleration;
+  c.radius = environment.gravity.radius;
+  c.altitude = environment.altitude;
+  Globe<double>& g = c.globe;
+  if (is_turning(earth)) c.omega = rotation_in_W(environment.earth);
+  if (earth == EarthModel::ellipsoid) prepare_ellipsoid(environment, own, g);
+  if (earth == EarthModel::sphere_rotating && !own) {
+    c.radius = wgs84::kMeanRadius;
+    if (newton) c.gravity = wgs84::kGM / (c.radius * c.radius);
+  }
+  if (!is_round(earth) && granted.gravity >= GravityModel::j2) {
+    constexpr double kHigh = 10000;
+    c.gravity = weight(environment, granted.gravity, 0);
+    c.radius = kHigh / (sqrt(c.gravity / weight(environment, granted.gravity, kHigh)) - 1);
+  }
+}
+
+Globe<float> to_float(const Globe<double>& g) {
+  Globe<float> f{};
+  f.gm = static_cast<float>(g.gm);
+  f.origin = vec_cast<float>(g.origin);
+  f.axis = vec_cast<float>(g.axis);
+  f.to_axis = static_cast<float>(g.to_axis);
+  // As floats give it, so that the origin itself has height 0.
+  const float z = f.origin.x * f.axis.x + f.origin.y * f.axis.y + f.origin.z * f.axis.z;
+  f.axis_offset = axis_offset(dot(f.origin, f.origin), z, kFlightRounds);
+  f.squeezed_up = vec_cast<float>(g.squeezed_up);
+  f.per_squeezed_up = static_cast<float>(g.per_squeezed_up);
+  return f;
+}
+
+}  // namespace physim

@@ -1,0 +1,107 @@
+// The frames of an environment.
+//
+// What it models: the tangent frame W at a place of the Earth, and its rotation with it.
+// Symbols: phi, lambda, A latitude, longitude and azimuth of W [rad]; r0 origin of W from the Earth's centre; M matrix
+//   whose columns are the axes of W in E; theta = Omega t angle that the Earth has turned by [rad].
+// Equations: x_E = M (r0 + x_W); x_I = Rz(theta) x_E, v_I = Rz(theta) (v_E + Omega x x_E).
+// Source: D. A. Vallado, Fundamentals of Astrodynamics and Applications (2007), sec. 3.4 and 3.7, without precession,
+//   nutation and polar motion; geometry.
+#include "physim/frames.hpp"
+
+#include "math/elementary.hpp"
+#include "model/earth.hpp"
+
+namespace physim {
+namespace {
+
+std::shared_ptr<const Conditions<double>> conditions_of(const Environment& environment, EarthModel earth) {
+  auto c = std::make_shared<Conditions<double>>();
+  c->fidelity.earth = is_round(earth) ? earth : EarthModel::ellipsoid;
+  c->fidelity.gravity = GravityModel::constant;
+  prepare_earth(environment, c->fidelity, *c);
+  Globe<double>& g = c->globe;
+  if (c->fidelity.earth == EarthModel::ellipsoid)  // for users the normal to its last digit, as in vertical_of()
+    g.axis_offset = axis_offset(dot(g.origin, g.origin), dot(g.origin, g.axis), kAllRounds);
+  return c;
+}
+
+Vec3d combined(const Vec3d& x, const Vec3d& y, const Vec3d& z, const Vec3d& v) { return x * v.x + y * v.y + z * v.z; }
+
+/// East, north and up in E at a place with a vertical in E; on the Earth's axis as on the meridian of longitude 0.
+struct LocalAxes {
+  Vec3d east, north, up;
+};
+LocalAxes local_axes(const Vec3d& up) {
+  const double level = sqrt(up.x * up.x + up.y * up.y);
+  const Vec3d east = level == 0 ? Vec3d{0, 1, 0} : Vec3d{-up.y / level, up.x / level, 0};
+  return {east, cross(up, east), up};
+}
+
+/// The vertical at a place in W, and the height above the origin.
+Vertical<double> vertical_of(const Conditions<double>& c, const Vec3d& x) {
+  if (is_sphere(c.fidelity.earth)) return {vertical_at(c, x), height(c, x)};
+  Vertical<double> vertical;
+  ellipsoid_vertical(c.globe, c.altitude, x, vertical, kAllRounds);
+  return vertical;
+}
+Vec3d vertical_of(const Geodetic& place) { return earth_fixed_from_local({0, 0, 1}, place); }
+
+}  // namespace
+
+EarthFrames::EarthFrames(const Environment& environment, EarthModel earth)
+    : conditions_(conditions_of(environment, earth)), rate_(is_turning(earth) ? environment.earth.rotation_rate : 0) {
+  const Geodetic place{environment.earth.latitude, environment.earth.longitude, 0};
+  const auto azimuth = sincos(environment.earth.azimuth);
+  x_E_ = earth_fixed_from_local({azimuth.sin, azimuth.cos, 0}, place);
+  y_E_ = vertical_of(place);
+  z_E_ = earth_fixed_from_local({azimuth.cos, -azimuth.sin, 0}, place);
+}
+
+Geodetic EarthFrames::geodetic(const Vec3d& position) const {
+  const Vertical<double> vertical = vertical_of(*conditions_, position);
+  const Vec3d up = combined(x_E_, y_E_, z_E_, vertical.up);
+  const double level = sqrt(up.x * up.x + up.y * up.y);
+  return {atan2(up.z, level), level == 0 ? 0 : atan2(up.y, up.x), vertical.height + conditions_->altitude};
+}
+
+FrameState EarthFrames::earth_fixed(const Vec3d& position, const Vec3d& velocity) const {
+  return {combined(x_E_, y_E_, z_E_, from_centre(*conditions_, position)), combined(x_E_, y_E_, z_E_, velocity)};
+}
+
+FrameState EarthFrames::inertial(const Vec3d& position, const Vec3d& velocity, double time) const {
+  const FrameState s = earth_fixed(position, velocity);
+  const double angle = rate_ * time;
+  return {inertial_from_earth_fixed(s.position, angle),
+          inertial_from_earth_fixed(s.velocity + cross(Vec3d{0, 0, rate_}, s.position), angle)};
+}
+
+Vec3d EarthFrames::local(const Vec3d& position, const Vec3d& vector) const {
+  const LocalAxes l = local_axes(combined(x_E_, y_E_, z_E_, vertical_of(*conditions_, position).up));
+  const Vec3d v = combined(x_E_, y_E_, z_E_, vector);
+  return {dot(v, l.east), dot(v, l.north), dot(v, l.up)};
+}
+
+Vec3d EarthFrames::position(const Geodetic& place) const {
+  const bool sphere = is_sphere(conditions_->fidelity.earth);
+  const Vec3d x = sphere ? vertical_of(place) * (conditions_->radius + place.height) : earth_fixed_from_geodetic(place);
+  return from_earth_fixed({x, {}}).position;
+}
+
+FrameState EarthFrames::from_earth_fixed(const FrameState& s) const {
+  const auto into_W = [&](const Vec3d& v) { return Vec3d{dot(v, x_E_), dot(v, y_E_), dot(v, z_E_)}; };
+  return {into_W(s.position) - from_centre(*conditions_, Vec3d{}), into_W(s.velocity)};
+}
+
+FrameState EarthFrames::from_inertial(const FrameState& s, double time) const {
+  const double angle = rate_ * time;
+  const Vec3d position = earth_fixed_from_inertial(s.position, angle);
+  const Vec3d velocity = earth_fixed_from_inertial(s.velocity, angle);
+  return from_earth_fixed({position, velocity - cross(Vec3d{0, 0, rate_}, position)});
+}
+
+Vec3d EarthFrames::from_local(const Vec3d& position, const Vec3d& vector) const {
+  const LocalAxes l = local_axes(combined(x_E_, y_E_, z_E_, vertical_of(*conditions_, position).up));
+  return from_earth_fixed({{}, l.east * vector.x + l.north * vector.y + l.up * vector.z}).velocity;
+}
+
+}  // namespace physim

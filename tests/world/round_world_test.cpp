@@ -1,0 +1,56 @@
+// Worlds over the round Earth: the numbers of single flights, and a ground whose normal is the vertical.
+#include <gtest/gtest.h>
+
+#include "physim/flight.hpp"
+#include "physim/frames.hpp"
+#include "physim/world.hpp"
+
+namespace physim {
+namespace {
+
+Environment windy_north() {
+  Environment e;
+  e.altitude = 300;
+  e.wind.velocity = {1, 0.2, -4};
+  e.earth = {.latitude = 0.8, .longitude = 2, .azimuth = 1};
+  return e;
+}
+
+ProjectileDef ball() {
+  ProjectileDef p;
+  p.mass = 5;
+  p.diameter = 0.1;
+  return p;
+}
+
+TEST(RoundWorld, agrees_with_flight_bit_for_bit) {
+  constexpr double kStep = 1.0 / 32;
+  constexpr int kSteps = 60;
+  WorldDef def;
+  def.environment = windy_north();
+  def.ground.mode = GroundMode::none;
+  for (const EarthModel earth : {EarthModel::sphere, EarthModel::sphere_rotating, EarthModel::ellipsoid})
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      ProjectileDef p = ball();
+      p.fidelity = {
+          .integrator = Integrator::rk4, .gravity = GravityModel::wgs84, .earth = earth, .precision = precision};
+      const Launch launch{.position = {5, 100, 3}, .speed = 400, .elevation = 0.3, .azimuth = 0.1};
+      World world = std::move(World::create(def).value());
+      const ProjectileId id = world.spawn(p, launch);
+      ASSERT_TRUE(id) << world.error()->text();
+      for (int i = 0; i < kSteps; ++i) world.step(kStep);
+      const Until until{.ground = {}, .time = 10};
+      const Flight flight = fly(p, launch, def.environment, p.fidelity, {.step = kStep}, until);
+      const Sample s = flight.at(kSteps * kStep);
+      EXPECT_EQ(world.state(id).position, s.position);
+      EXPECT_EQ(world.state(id).velocity, s.velocity);
+      const Accelerations a = world.accelerations(id), b = flight.accelerations(kSteps * kStep);
+      EXPECT_EQ(a.coriolis, b.coriolis);
+      EXPECT_EQ(a.centrifugal, b.centrifugal);
+      EXPECT_LT(length(a.total - b.total), 1e-13);
+      EXPECT_EQ(length(a.centrifugal) > 0, earth != EarthModel::sphere);
+    }
+}
+
+}  // namespace
+}  // namespace physim
