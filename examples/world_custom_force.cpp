@@ -33,6 +33,7 @@ int main() {
     widest = std::fmax(widest, length(world.position(id)));
   }
   const double error = length(world.position(id));
-  std::printf("a circle of diameter %.4f m (exact: %.4f), closed to %.2g mm\n", widest, 2 * speed / omega, error * 1000);
+  std::printf("a circle of diameter %.4f m (exact: %.4f), closed to %.2g mm\n", widest, 2 * speed / omega,
+              error * 1000);
   return error < 1_mm ? 0 : 1;
 }

@@ -42,7 +42,12 @@ std::string settings_text() { return settings_table(false).text(); }
 std::string settings_markdown() { return kSettingsPage + settings_table(true).markdown(); }
 
 std::string projectiles_text() {
-  Table table({{"projectile", Align::left}, {"mass [kg]"}, {"diameter [mm]"}, {"speed [m/s]"}, {"what it is", Align::left}, {"source", Align::left}});
+  Table table({{"projectile", Align::left},
+               {"mass [kg]"},
+               {"diameter [mm]"},
+               {"speed [m/s]"},
+               {"what it is", Align::left},
+               {"source", Align::left}});
   for (const std::string_view name : projectile_presets()) {
     const ProjectilePreset preset = *projectile_preset(name);
     table.add_row({std::string(name), significant(preset.projectile.mass, 4),

@@ -45,10 +45,10 @@ Status check(const OutputPaths& paths, const std::string& scenario_file) {
   const std::array<std::pair<const char*, const std::string&>, 7> all = {{{"--csv", paths.csv},
                                                                           {"--json", paths.json},
                                                                           {"--plot", paths.plot},
-                                                                          {"--events", paths.events},
                                                                           {"--kml", paths.kml},
                                                                           {"--czml", paths.czml},
-                                                                          {"--geojson", paths.geojson}}};
+                                                                          {"--geojson", paths.geojson},
+                                                                          {"--events", paths.events}}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [option, path] = all[i];
     if (is_same_file(path, scenario_file))
@@ -69,8 +69,9 @@ Status write(const OutputPaths& paths, const OutputMakers& makers) {
   };
   return in_turn([&] { return paths.plot.empty() ? std::nullopt : draw(paths.plot, makers.plot()); },
                  [&] { return text(paths.csv, makers.csv); }, [&] { return text(paths.json, makers.json); },
-                 [&] { return text(paths.events, makers.events); }, [&] { return text(paths.kml, makers.kml); },
-                 [&] { return text(paths.czml, makers.czml); }, [&] { return text(paths.geojson, makers.geojson); });
+                 [&] { return text(paths.kml, makers.kml); }, [&] { return text(paths.czml, makers.czml); },
+                 [&] { return text(paths.geojson, makers.geojson); },
+                 [&] { return text(paths.events, makers.events); });
 }
 
 }  // namespace physim::cli

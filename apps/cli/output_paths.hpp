@@ -17,10 +17,10 @@ namespace physim::cli {
 /// Empty: not asked for. "-" is the standard output.
 struct OutputPaths {
   std::string csv, json, plot;
-  std::string events;              // of worlds
   std::string kml, czml, geojson;  // for globes; of `run`
+  std::string events;              // of worlds
   [[nodiscard]] bool use_stdout() const {
-    return csv == "-" || json == "-" || events == "-" || kml == "-" || czml == "-" || geojson == "-";
+    return csv == "-" || json == "-" || kml == "-" || czml == "-" || geojson == "-" || events == "-";
   }
   [[nodiscard]] bool has_globe() const { return !kml.empty() || !czml.empty() || !geojson.empty(); }
 };
@@ -29,8 +29,7 @@ struct OutputPaths {
 struct OutputMakers {
   std::function<std::string()> csv, json;
   std::function<Picture()> plot;
-  std::function<std::string()> events = {};
-  std::function<std::string()> kml = {}, czml = {}, geojson = {};
+  std::function<std::string()> kml = {}, czml = {}, geojson = {}, events = {};
 };
 
 /// Refuses an option's empty value, as from a shell variable that is not set.

@@ -22,7 +22,8 @@ std::string hash_text(std::uint64_t hash) {
   return text;
 }
 
-// ----------------------------------------------------------------------------------------------------------- the summary
+// ----------------------------------------------------------------------------------------------------------- the
+// summary
 using Count = std::uint64_t WorldGroup::*;
 constexpr std::pair<std::string_view, Count> kCounts[] = {
     {"spawned", &WorldGroup::spawned}, {"refused", &WorldGroup::refused}, {"landed", &WorldGroup::landed},
@@ -35,7 +36,8 @@ std::string counts_table(const std::vector<WorldGroup>& groups) {
   std::vector<Count> shown;
   for (const auto& [name, count] : kCounts) {
     const bool always = count == &WorldGroup::spawned || count == &WorldGroup::alive;
-    if (!always && std::ranges::all_of(groups, [count = count](const WorldGroup& g) { return g.*count == 0; })) continue;
+    if (!always && std::ranges::all_of(groups, [count = count](const WorldGroup& g) { return g.*count == 0; }))
+      continue;
     columns.push_back({std::string(name)});
     shown.push_back(count);
   }
@@ -84,7 +86,12 @@ std::string wall_table(const std::vector<WorldGroup>& groups, double wall) {
 }
 
 std::string alive_table(const std::vector<WorldGroup>& groups, double time) {
-  Table table({{"alive at " + as_typed(time) + " s", Align::left}, {"count"}, {"x [m]"}, {"y [m]"}, {"z [m]"}, {"speed [m/s]"}});
+  Table table({{"alive at " + as_typed(time) + " s", Align::left},
+               {"count"},
+               {"x [m]"},
+               {"y [m]"},
+               {"z [m]"},
+               {"speed [m/s]"}});
   for (const WorldGroup& g : groups)
     if (g.alive > 0)
       table.add_row({one_line(g.name), std::to_string(g.alive), fixed(g.position.x, 3), fixed(g.position.y, 3),
@@ -101,8 +108,8 @@ std::string fidelities(const WorldLog& log, const Style& style) {
     if (log.groups[i].spawned == 0 || std::ranges::count(told, shot) > 0) continue;
     told.push_back(shot);
     const ProjectileDef& projectile = log.scenario.shots[shot].projectile;
-    out += std::string(told.size() == 1 ? "\n" : "") + "  " + style.bold(one_line(projectile.name)) + " " + preset_name(projectile.fidelity) + ": " +
-           in_words(log.in_use[i].fidelity) + "\n";
+    out += std::string(told.size() == 1 ? "\n" : "") + "  " + style.bold(one_line(projectile.name)) + " " +
+           preset_name(projectile.fidelity) + ": " + in_words(log.in_use[i].fidelity) + "\n";
     for (const FidelityNote& note : log.in_use[i].notes)
       out += "    " + style.warn("note") + " " + note.effect + " " + note.granted + " where " + note.asked +
              " was asked: " + note.reason + "\n";
@@ -110,7 +117,8 @@ std::string fidelities(const WorldLog& log, const Style& style) {
   return out;
 }
 
-// ------------------------------------------------------------------------------------------------------------- the files
+// ------------------------------------------------------------------------------------------------------------- the
+// files
 void add_state(std::string& line, const BodyState& state) {
   for (const Vec3d& v : {state.position, state.velocity})
     for (const double x : {v.x, v.y, v.z}) line += ", " + shortest(x);
@@ -128,7 +136,10 @@ Json vector_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json series_json(const Series& series) {
   if (series.count == 0) return nullptr;
-  return {{"count", series.count}, {"mean", series.mean}, {"min", series.low}, {"max", series.high},
+  return {{"count", series.count},
+          {"mean", series.mean},
+          {"min", series.low},
+          {"max", series.high},
           {"spread", series.spread()}};
 }
 

@@ -35,7 +35,8 @@ struct AxisText {
   int column;
   const char* label;
 };
-constexpr AxisText kX{&Vec3d::x, 1, "downrange x [m]"}, kY{&Vec3d::y, 2, "height y [m]"}, kZ{&Vec3d::z, 3, "right z [m]"};
+constexpr AxisText kX{&Vec3d::x, 1, "downrange x [m]"}, kY{&Vec3d::y, 2, "height y [m]"},
+    kZ{&Vec3d::z, 3, "right z [m]"};
 
 class WorldPicture {
  public:
@@ -119,11 +120,13 @@ class WorldPicture {
   [[nodiscard]] std::string path_style(std::size_t group) const {
     const auto count = std::ranges::count(log_.paths, group, &LoggedPath::group);
     const char* veil = count > 100 ? "#A0" : count > 20 ? "#70" : count > 5 ? "#30" : "#00";
-    return std::string(" lw ") + (count > 20 ? "1" : "1.8") + dash(group) + " lc rgb " + literal(veil + colour(group).substr(1));
+    return std::string(" lw ") + (count > 20 ? "1" : "1.8") + dash(group) + " lc rgb " +
+           literal(veil + colour(group).substr(1));
   }
   [[nodiscard]] std::string mark_style(std::size_t group, std::size_t count) const {
     const char* size = count > 2000 ? "0.25" : count > 200 ? "0.45" : "0.8";
-    return std::string(" pt 7 ps ") + size + " lc rgb " + literal((count > 200 ? "#60" : "#00") + colour(group).substr(1));
+    return std::string(" pt 7 ps ") + size + " lc rgb " +
+           literal((count > 200 ? "#60" : "#00") + colour(group).substr(1));
   }
 
   [[nodiscard]] std::string header() const {
@@ -149,7 +152,8 @@ class WorldPicture {
   // To scale where both axes keep a visible part of the panel; else stretched, and the panel says so.
   static std::string to_scale(Extent& across, Extent& up, bool is_centred, double width, double height) {
     const double metres_per_pixel = std::max(across.span() / width, up.span() / height);
-    const double part_across = across.span() / (metres_per_pixel * width), part_up = up.span() / (metres_per_pixel * height);
+    const double part_across = across.span() / (metres_per_pixel * width),
+                 part_up = up.span() / (metres_per_pixel * height);
     if (part_across > 0.25 && part_up > 0.25) {
       const double room_across = metres_per_pixel * width - across.span();
       const double room_up = metres_per_pixel * height - up.span();

@@ -128,6 +128,8 @@ Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
   if (!interval) return interval.error();
   Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
+  if (scenario->world.given && options.outputs.has_globe())
+    return Error{.message = "KML, CZML and GeoJSON are of single flights", .hint = "take [world] out of the scenario"};
   if (scenario->world.given)
     return run_in_world(std::move(*scenario), options.outputs, options.folder, *interval, options.world, all_met);
   if (const std::string option = options.world.given(options.outputs); !option.empty())

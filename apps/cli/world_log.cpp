@@ -105,8 +105,7 @@ class Logger {
     if (auto* path = path_of(hit.launched)) path->push_back(hit.position);
     std::vector<Vec3d>& hits = log_.hits[hit.launched.group];
     if (wishes_.paths && hits.size() < kMostImpacts) hits.push_back(hit.position);
-    if (wishes_.events)
-      log_.events.push_back({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}});
+    if (wishes_.events) log_.events.push_back({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}});
   }
 
   void draw() {

@@ -13,7 +13,7 @@ namespace physim::cli {
 /// What is to be kept of a run.
 struct LogWishes {
   bool samples = false, events = false, paths = false;
-  std::optional<double> interval;     // between samples [s]
+  std::optional<double> interval;      // between samples [s]
   std::optional<std::uint64_t> steps;  // instead of the scenario's duration
 };
 

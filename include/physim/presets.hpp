@@ -1,4 +1,4 @@
-// Presets of projectiles: what flies, how a world treats it, and how fast it usually starts. Fidelity stays your
+// Presets of projectiles: what flies, how a world treats it, and how fast it usually starts. The fidelity is your
 // choice.
 #pragma once
 

@@ -42,7 +42,7 @@ struct WorldGroup {
   std::uint64_t retired = 0;  ///< taken out [-]
   std::uint64_t hits = 0;     ///< on the wall [-]
   std::uint64_t alive = 0;    ///< at the end [-]
-  Series range;               ///< horizontal distance from launch to impact: first touch of the ground, or the wall [m]
+  Series range;               ///< horizontal distance to the impact: first touch of the ground, or the wall [m]
   Series time;                ///< from launch to impact [s]
   Series speed;               ///< at impact [m/s]
   Series apex;                ///< height of the highest points, where the world tells them [m]

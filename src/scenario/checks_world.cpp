@@ -60,7 +60,8 @@ Status check_absence(const Scenario& scenario, const Value& document) {
 
 Status check_unused(const Value& document) {
   if (const Value* until = document.find("until"))
-    return Error{"until: not used in a [world]", until->place.text(), "world.duration and shot.body.despawn end things"};
+    return Error{"until: not used in a [world]", until->place.text(),
+                 "world.duration and shot.body.despawn end things"};
   if (const Value* output = document.find("output"))
     return Error{"output: not used in a [world]", output->place.text(), "ranges are of single flights"};
   return std::nullopt;
@@ -110,8 +111,10 @@ Status check_volleys(const Scenario& scenario, const Value& document) {
       return Error{"volley.name: another volley or shot is named " + in_quotes(volley.name), place_in(table, "name"),
                    "give it a name of its own"};
     names.push_back(volley.name);
-    if (table.find("rate") && table.find("interval"))
-      return Error{"volley.rate: given together with interval", place_in(table, "rate"), "give one of them"};
+    const Value* rate = table.find("rate");
+    const std::string* text = rate ? rate->get<std::string>() : nullptr;
+    if (rate && !(text && *text == "none") && table.find("interval"))
+      return Error{"volley.rate: given together with interval", rate->place.text(), "give one of them"};
   }
   return std::nullopt;
 }
@@ -167,7 +170,8 @@ Status check_group_expectation(const Scenario& scenario, const Expectation& expe
     return Error{"expect.at: a world is looked at when its run is over", place_in(table, "at"), "leave it out"};
   if (find_figure(expect.quantity)->of_group == nullptr)
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
-                 place_in(table, "quantity"), suggestion(expect.quantity, group_figure_names(), "in a world there are")};
+                 place_in(table, "quantity"),
+                 suggestion(expect.quantity, group_figure_names(), "in a world there are")};
   return std::nullopt;
 }
 

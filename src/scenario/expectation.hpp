@@ -9,16 +9,16 @@
 
 namespace physim {
 
-/// A figure of a flight at one time, by its sample or by its place on the Earth, or of a group of projectiles at the
-/// end of a world's run. None of them: of the flight as a whole.
+/// A figure: of a flight at one time, by its sample or by its place on the Earth; of a flight as a whole where there is
+/// neither; and of a group of projectiles at the end of a world's run.
 struct Figure {
   std::string_view name;
   Quantity quantity;
   double (*value)(const Sample&) = nullptr;
-  std::optional<double> (*of_group)(const WorldGroup&) = nullptr;  // nothing: nothing there to measure
   double Geodetic::*place = nullptr;
+  std::optional<double> (*of_group)(const WorldGroup&) = nullptr;  // nothing: nothing there to measure
 
-  [[nodiscard]] bool is_of_flights() const { return value != nullptr || of_group == nullptr; }
+  [[nodiscard]] bool is_of_flights() const { return value != nullptr || place != nullptr || of_group == nullptr; }
 };
 
 [[nodiscard]] std::span<const Figure> figures();

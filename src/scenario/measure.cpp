@@ -63,8 +63,7 @@ Result<double> measure(const WorldGroup& group, const Expectation& expectation) 
     return Error{in_quotes(expectation.quantity) + " is no figure of a world", expectation.place,
                  suggestion(expectation.quantity, group_figure_names(), "known are")};
   if (const std::optional<double> value = figure->of_group(group)) return *value;
-  return Error{"there is nothing of " + in_quotes(group.name) + " to measure", expectation.place,
-               "its count is zero"};
+  return Error{"there is nothing of " + in_quotes(group.name) + " to measure", expectation.place, "its count is zero"};
 }
 
 }  // namespace physim

@@ -50,7 +50,8 @@ Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
 #define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s.__VA_ARGS__); }
 #define PHYSIM_RECORDS(list, pointer) [](const Scope& s) { return records(s, s.list, &Scope::pointer); }
 
-// ------------------------------------------------------------------------------- parts of the list in files of their own
+// ------------------------------------------------------------------------------- parts of the list in files of their
+// own
 [[nodiscard]] std::span<const Entry> body_settings();    // [shot.body]
 [[nodiscard]] std::span<const Entry> world_settings();   // [world]
 [[nodiscard]] std::span<const Entry> volley_settings();  // [[volley]]

@@ -63,7 +63,7 @@ constexpr Unit kEnergy[] = {
     {"J"}, {"kJ", 1e3}, {"ft lbf", 0.3048 * kPoundForce}, {"ft-lbf", 0.3048 * kPoundForce, 0, 1, true}};
 constexpr Unit kFrequency[] = {{"1/s"}, {"Hz", 1, 0, 1, true}, {"1/min", 1, 0, 60}, {"rpm", 1, 0, 60}};
 constexpr Unit kStiffness[] = {{"N/m"}, {"N/mm", 1e3}, {"lbf/in", kPoundForce / kInch}};
-constexpr Unit kVolume[] = {{"m^3"}, {"l", 1e-3}, {"cm^3", 1e-6}, {"in^3", kInch * kInch * kInch}};
+constexpr Unit kVolume[] = {{"m^3"}, {"l", 1e-3}, {"cm^3", 1e-6}, {"in^3", kInch* kInch* kInch}};
 constexpr Unit kAttraction[] = {{"m^3/s^2"}, {"km^3/s^2", 1e9}};
 
 constexpr std::array kQuantities = {

@@ -56,9 +56,9 @@ Launch scattered(const Launch& launch, const Volley& volley, std::uint64_t index
   Launch out = launch;
   out.velocity = turned(direction, spread.horizontal * angles.first, spread.vertical * angles.second) *
                  std::max(0.0, speed + faster);
-  out.position += {spread.position.x * single_of(spread.shape, b[0], b[1]),
-                   spread.position.y * single_of(spread.shape, b[2], b[3]),
-                   spread.position.z * single_of(spread.shape, c[0], c[1])};
+  out.position +=
+      {spread.position.x * single_of(spread.shape, b[0], b[1]), spread.position.y * single_of(spread.shape, b[2], b[3]),
+       spread.position.z * single_of(spread.shape, c[0], c[1])};
   return out;
 }
 

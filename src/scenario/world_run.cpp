@@ -6,7 +6,6 @@
 
 #include "flight/cohort.hpp"
 #include "model/sight.hpp"
-#include "physim/auto_fidelity.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/volley.hpp"
 
@@ -66,13 +65,13 @@ struct WorldRun::Impl {
   std::vector<ProjectileId> stopped;
   std::vector<ProjectileId> lone;  // by shot: of those fired by themselves
   std::uint64_t launches = 0;
-  bool is_loaded = false;          // the launches of the next step are made
+  bool is_loaded = false;  // the launches of the next step are made
 
   Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)), lone(scenario.shots.size()) {}
 
   Status load();
   Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
-  Status choose_fidelity(ScenarioShot& shot);
+  Status add_forces(bool to_shots);
   Status add_force(const ScenarioForce& force);
   void fire();
   void fire(Magazine& magazine);
@@ -93,10 +92,17 @@ Status WorldRun::Impl::load() {
   for (const Volley& volley : scenario.volleys)
     if (Status bad = add_group(volley.name, index_of(scenario.shots, volley.shot), volley)) return bad;
   world.set_observer(scenario.world.observer);
+  // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
+  if (Status bad = add_forces(false)) return bad;
   fire();
   is_loaded = true;
+  return add_forces(true);
+}
+
+Status WorldRun::Impl::add_forces(bool to_shots) {
   for (const ScenarioForce& force : scenario.forces)
-    if (Status bad = add_force(force)) return with_place(*bad, scenario.file + ": force " + in_quotes(force.name));
+    if (force.other.empty() != to_shots)
+      if (Status bad = add_force(force)) return with_place(*bad, scenario.file + ": force " + in_quotes(force.name));
   return std::nullopt;
 }
 
@@ -108,14 +114,12 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   WorldGroup group;
   group.name = name;
   group.shot = index;
-  if (shot.cheapest_within)
-    if (Status bad = choose_fidelity(shot)) return with_place(*bad, place);
+  shot.body.cheapest_within = shot.cheapest_within.value_or(0);
   group.kind = world.add_kind(shot.projectile, shot.body);
   if (!group.kind) return with_place(*world.error(), place);
   Magazine magazine{groups.size(), 0, volley, shot.launch};
   if (!magazine.launch.velocity) {
-    const auto elevation =
-        elevation_of(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
+    const auto elevation = elevation_of(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
     if (!elevation) return with_place(elevation.error(), place);
     magazine.launch.velocity = launch_velocity(shot.launch, sight_frame(shot.launch), *elevation);
     magazine.launch.speed = magazine.launch.elevation = magazine.launch.azimuth = 0;
@@ -123,23 +127,6 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   }
   groups.push_back(std::move(group));
   magazines.push_back(std::move(magazine));
-  return std::nullopt;
-}
-
-/// The cheapest rungs for this shot over the whole run; with `force` motion where forces may act on it.
-Status WorldRun::Impl::choose_fidelity(ScenarioShot& shot) {
-  const ScenarioWorld& w = scenario.world;
-  Purpose purpose{.error = *shot.cheapest_within,
-                  .time = w.duration,
-                  .step = w.def.step,
-                  .truth = shot.projectile.fidelity,
-                  .tolerance = scenario.tolerance};
-  if (w.def.ground.mode != GroundMode::none) purpose.ground = w.def.ground.height;
-  if (!scenario.forces.empty()) purpose.least_motion = Motion::force;
-  const auto chosen = cheapest_within(shot.projectile, shot.launch, scenario.environment, purpose);
-  if (!chosen) return chosen.error();
-  shot.projectile.fidelity = chosen->fidelity;
-  shot.cheapest_within.reset();  // several volleys may fire it
   return std::nullopt;
 }
 
@@ -260,8 +247,8 @@ void WorldRun::Impl::look_at_wall(double dt) {
     if (track == nullptr) continue;
     const double part = (wall - s.from.x) / (s.to.x - s.from.x), rest = (1 - part) * dt;
     const Vec3d a = world.accelerations(s.id).total;
-    WallHit hit{track->launched, s.id, world.time() - rest, s.from + (s.to - s.from) * part - a * (part * dt * rest / 2),
-                world.velocity(s.id) - a * rest};
+    WallHit hit{track->launched, s.id, world.time() - rest,
+                s.from + (s.to - s.from) * part - a * (part * dt * rest / 2), world.velocity(s.id) - a * rest};
     hit.position.x = wall;
     hits.push_back(hit);
     stopped.push_back(s.id);
@@ -277,8 +264,7 @@ void WorldRun::Impl::look_at_wall(double dt) {
     touch(tracks[hit.id.index], group, hit.time, hit.position, hit.velocity);
   }
   const std::size_t known = world.events().size();
-  std::sort(stopped.begin(), stopped.end(),
-            [](ProjectileId a, ProjectileId b) { return a.index < b.index; });
+  std::sort(stopped.begin(), stopped.end(), [](ProjectileId a, ProjectileId b) { return a.index < b.index; });
   world.despawn(stopped);
   count(world.events().subspan(known));
 }

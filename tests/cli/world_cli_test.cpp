@@ -61,8 +61,8 @@ TEST(CliWorld, PrintsASummary) {
   const Folder folder;
   const Ran ran = physim({"run", folder.write("w.toml", kWorld)});
   EXPECT_EQ(ran.code, 0) << ran.err;
-  for (const char* part : {"A burst, it's {x}", "spawned", "bounces", "impacts of", "range [m]", "gun game: motion force",
-                           "steps 360 of 0.0166667 s", "hash ", "1 of 1 met"})
+  for (const char* part : {"A burst, it's {x}", "spawned", "bounces", "impacts of", "range [m]",
+                           "gun game: motion force", "steps 360 of 0.0166667 s", "hash ", "1 of 1 met"})
     EXPECT_TRUE(has(ran.out, part)) << part << "\n" << ran.out;
   EXPECT_EQ(physim({"run", folder.write("w.toml", kWorld), "--set", "volley.count=299"}).code, 1);
 }
@@ -72,12 +72,11 @@ TEST(CliWorld, HashesDoNotDependOnThreadsAndKernels) {
   const std::string file = folder.write("w.toml", kWorld);
   const std::string hash = hash_of(physim({"run", file, "--threads", "1"}));
   EXPECT_EQ(hash_of(physim({"run", file, "--threads", "7"})), hash);
-  for (std::string kernel; std::getline(std::istringstream(physim({"list", "kernels"}).out), kernel);) {
+  std::istringstream kernels(physim({"list", "kernels"}).out);
+  int tried = 0;
+  for (std::string kernel; std::getline(kernels, kernel); ++tried)
     EXPECT_EQ(hash_of(physim({"run", file, "--threads", "2"}, {"PHYSIM_KERNEL=" + kernel})), hash) << kernel;
-    break;
-  }
-  for (const char* kernel : {"base", "scalar"})
-    EXPECT_EQ(hash_of(physim({"run", file}, {std::string("PHYSIM_KERNEL=") + kernel})), hash) << kernel;
+  EXPECT_GE(tried, 2);
   EXPECT_NE(hash_of(physim({"run", file, "--set", "volley.seed=2"})), hash);
 }
 
@@ -100,7 +99,7 @@ TEST(CliWorld, WritesTrajectoriesAndEvents) {
   EXPECT_EQ(json.at("world").at("events").size(), std::ranges::count(events, '\n') - 1u);
   EXPECT_EQ(json.at("settings").at("world.duration"), "6 s");
   EXPECT_GT(read(folder / "w.png").size(), 10'000u);
-  EXPECT_EQ(physim({"run", file, "--steps", "10", "--csv", "-"}).err, "");
+  EXPECT_TRUE(physim({"run", file, "--steps", "200", "--interval", "1 s", "--csv", "-"}).out.starts_with("what, "));
 }
 
 TEST(CliWorld, WritesAFolder) {
@@ -121,7 +120,8 @@ TEST(CliWorld, SaysWhatIsNotForFlights) {
   const std::string flight = folder.write("f.toml", "physim = 1\n[[shot]]\nspeed = 10\n");
   expect_complaint(physim({"run", flight, "--steps", "5"}), "--steps: error: the scenario has no [world]");
   expect_complaint(physim({"run", flight, "--threads", "5"}), "--threads: error: the scenario has no [world]");
-  expect_complaint(physim({"run", flight, "--events", folder / "e.csv"}), "--events: error: the scenario has no [world]");
+  expect_complaint(physim({"run", flight, "--events", folder / "e.csv"}),
+                   "--events: error: the scenario has no [world]");
   const std::string world = folder.write("w.toml", kWorld);
   expect_complaint(physim({"run", world, "--steps", "0"}), "--steps");
   expect_complaint(physim({"run", world, "--events", world}), "cannot write: it is the scenario itself");
@@ -131,7 +131,8 @@ TEST(CliWorld, SaysWhatIsNotForFlights) {
 TEST(CliWorld, WarnsOfRefusals) {
   const Folder folder;
   const Ran ran = physim({"run", folder.write("w.toml", kWorld), "--set", "world.max_projectiles=5"});
-  EXPECT_TRUE(has(ran.err, "warning: 295 launches of \"burst, \"quoted\"\" were refused: the world is full")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "warning: 295 launches of \"burst, \"quoted\"\" were refused: the world is full"))
+      << ran.err;
 }
 
 TEST(CliWorld, ListsPresets) {

@@ -145,17 +145,19 @@ TEST(Docs, PicturesAreLight) {
 
 /// Runs a scenario that has a [world].
 void expect_of_world(const Scenario& scenario) {
-  Result<WorldRun> run = WorldRun::create(scenario);
-  ASSERT_TRUE(run.ok()) << run.error().text();
-  for (std::uint64_t step = 0; step < run->steps(); ++step) run->step();
-  const std::vector<WorldGroup> groups = run->groups();
+  Result<WorldRun> made = WorldRun::create(scenario);
+  ASSERT_TRUE(made.ok()) << made.error().text();
+  WorldRun& run = *made;
+  for (std::uint64_t step = 0; step < run.steps(); ++step) run.step();
+  const std::vector<WorldGroup> groups = run.groups();
   for (const Expectation& expect : scenario.expect)
     for (const WorldGroup& group : groups) {
       if (!expect.shot.empty() && expect.shot != group.name) continue;
       EXPECT_FALSE(expect.source.empty()) << expect.place << ": no source";
       const Result<double> value = measure(group, expect);
       ASSERT_TRUE(value.ok()) << value.error().text();
-      EXPECT_NEAR(*value, expect.equals, expect.within) << expect.place << ": " << group.name << ": " << expect.quantity;
+      EXPECT_NEAR(*value, expect.equals, expect.within)
+          << expect.place << ": " << group.name << ": " << expect.quantity;
     }
 }
 

@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:3:2: error: unknown key \"enviroment\" in the file; did you mean \"environment\"?"},
         Bad{"[[shot]]\nMass = 1", "f.toml:3:1: error: unknown key \"Mass\" in [shot]; did you mean \"mass\"?"},
         Bad{"[[shot]]\nfrobnicate = 1\n[shot.drag]\nwidth = 1",
-            "f.toml:3:1: error: unknown key \"frobnicate\" in [shot]; known keys: name, preset, mass, diameter, length, twist, "
+            "f.toml:3:1: error: unknown key \"frobnicate\" in [shot]; known keys: name, preset, mass, diameter, "
+            "length, twist, "
             "drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, fidelity, body"},
         Bad{"[[shot]]\nzero_range = 100",
             "f.toml:3:1: error: unknown key \"zero_range\" in [shot]; \"zero_range\" belongs into [shot.sight]"},
@@ -92,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[shot]", "f.toml:2:1: error: shot: found a table; expected a list of tables; write [[shot]]"},
         Bad{"shot = 5", "f.toml:2:8: error: shot: found a number; expected a list of tables; write [[shot]]"},
         Bad{"shot = [5]",
-            "f.toml:2:9: error: shot: found a number; expected a table with keys out of: name, preset, mass, diameter, length, "
+            "f.toml:2:9: error: shot: found a number; expected a table with keys out of: name, preset, mass, diameter, "
+            "length, "
             "twist, drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, fidelity, body"},
         Bad{"[[shot]]\nmass = true",
             "f.toml:3:8: error: shot.mass: found a boolean; expected a mass such as \"168 gr\""},

@@ -96,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:5:10: error: force.thrust (force.curve): needs two points or more; thrust is zero outside of its "
             "points"},
         Bad{"[[shot]]\n[[shot]]\n[world]\n[[volley]]\nshot = \"shot-1\"\n[[force]]\nspring = { other = \"shot-1\" }",
-            "f.toml:8:20: error: force.spring.other: \"shot-1\" is fired by a volley; name a shot that no volley fires: "
+            "f.toml:8:20: error: force.spring.other: \"shot-1\" is fired by a volley; name a shot that no volley "
+            "fires: "
             "there is one of it"},
         Bad{"[[shot]]\n[world]\n[[expect]]\nquantity = \"drop\"\nequals = 1\nwithin = 1",
             "f.toml:5:12: error: expect.quantity: \"drop\" is a figure of single flights; in a world there are: range, "
@@ -123,8 +124,8 @@ TEST(BadWorld, WithoutAWorldThereIsNoRun) {
 }
 
 TEST(BadWorld, AnImpossibleLaunchNamesItsShot) {
-  const Result<Scenario> scenario =
-      parse_scenario("physim = 1\n[[shot]]\nname = \"slow\"\nspeed = 5\nsight = { zero_range = 1000 }\n[world]\n", "f.toml");
+  const Result<Scenario> scenario = parse_scenario(
+      "physim = 1\n[[shot]]\nname = \"slow\"\nspeed = 5\nsight = { zero_range = 1000 }\n[world]\n", "f.toml");
   ASSERT_TRUE(scenario.ok()) << scenario.error().text();
   const Result<WorldRun> run = WorldRun::create(*scenario);
   ASSERT_FALSE(run.ok());

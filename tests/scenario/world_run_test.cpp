@@ -62,7 +62,13 @@ colour = 0xff8000ff
 label = "red"
 layers = 6
 smoothing = "extrapolate"
-despawn = { below = "-inf", farther = "100 ft", older = "inf", outside_box = true, box_low = [-1, -1, -1], box_high = [1, 1, 1] }
+[shot.body.despawn]
+below = "-inf"
+farther = "100 ft"
+older = "inf"
+outside_box = true
+box_low = [-1, -1, -1]
+box_high = [1, 1, 1]
 [[shot]]
 name = "b"
 [[volley]]
@@ -189,7 +195,8 @@ TEST(WorldRun, AWallStopsAndMeasures) {
 
 TEST(WorldRun, APoolRefusesOrReplaces) {
   const std::string pool = "world.pools=[{ name = \"p\", maximum = 3, when_full = \"";
-  WorldRun refuses = WorldRun::create(parsed(kGun, {pool + "refuse\" }]", "volley.interval=0 s", "volley.rate=none"})).value();
+  WorldRun refuses =
+      WorldRun::create(parsed(kGun, {pool + "refuse\" }]", "volley.interval=0 s", "volley.rate=none"})).value();
   WorldRun replaces =
       WorldRun::create(parsed(kGun, {pool + "replace_oldest\" }]", "volley.interval=0 s", "volley.rate=none"})).value();
   finish(refuses), finish(replaces);
@@ -258,14 +265,16 @@ TEST(Scatter, UniformStaysInsideItsBounds) {
     const Launch launch = scattered({.velocity = Vec3d{50, 0, 0}}, volley, i);
     const Vec3d v = *launch.velocity * (1 / length(*launch.velocity));
     const double angle = std::acos(std::min(v.x, 1.0)), size = std::hypot(v.y, v.z);
-    if (size > 0) EXPECT_LE(std::hypot(angle * v.y / size / 0.1, angle * v.z / size / 0.2), 1 + 1e-9);
+    ASSERT_GT(size, 0);
+    EXPECT_LE(std::hypot(angle * v.y / size / 0.1, angle * v.z / size / 0.2), 1 + 1e-9);
     speed.add(length(*launch.velocity)), x.add(launch.position.x);
     EXPECT_EQ(launch.position.y, 0);
     EXPECT_LE(std::abs(launch.position.z), 2);
     places.insert(launch.position.x);
   }
   EXPECT_EQ(places.size(), 5000u) << "every launch has numbers of its own";
-  EXPECT_GE(speed.low, 45), EXPECT_LE(speed.high, 55);
+  EXPECT_GE(speed.low, 45);
+  EXPECT_LE(speed.high, 55);
   EXPECT_NEAR(x.spread(), 1 / std::sqrt(3.0), 0.02);
 }
 
