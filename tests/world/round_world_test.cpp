@@ -47,7 +47,8 @@ TEST(RoundWorld, agrees_with_flight_bit_for_bit) {
       const Accelerations a = world.accelerations(id), b = flight.accelerations(kSteps * kStep);
       EXPECT_EQ(a.coriolis, b.coriolis);
       EXPECT_EQ(a.centrifugal, b.centrifugal);
-      EXPECT_LT(length(a.total - b.total), 1e-13);
+      // Where a float32 world tells accelerations, it has the projectile's data rounded to floats.
+      EXPECT_LT(length(a.total - b.total), precision == Precision::float64 ? 1e-13 : 1e-5);
       EXPECT_EQ(length(a.centrifugal) > 0, earth != EarthModel::sphere);
     }
 }
