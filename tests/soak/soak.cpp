@@ -66,7 +66,8 @@ class Soak {
   [[nodiscard]] bool all_finite() const {
     for (const ProjectileId id : world_.ids()) {
       const BodyState s = world_.state(id);
-      if (!std::isfinite(length(s.position) + length(s.velocity))) return false;
+      for (const double x : {s.position.x, s.position.y, s.position.z, s.velocity.x, s.velocity.y, s.velocity.z})
+        if (!std::isfinite(x)) return false;
     }
     return true;
   }
