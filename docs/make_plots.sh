@@ -25,3 +25,5 @@ draw original_test_3
 draw original_test_6
 draw original_test_3_drag
 draw original_test_6_drag
+draw world_force_field
+draw world_machine_gun
