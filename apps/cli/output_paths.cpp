@@ -42,13 +42,14 @@ void add_globe_options(CLI::App& command, OutputPaths& paths) {
 }
 
 Status check(const OutputPaths& paths, const std::string& scenario_file) {
-  const std::array<std::pair<const char*, const std::string&>, 7> all = {{{"--csv", paths.csv},
+  const std::array<std::pair<const char*, const std::string&>, 8> all = {{{"--csv", paths.csv},
                                                                           {"--json", paths.json},
                                                                           {"--plot", paths.plot},
                                                                           {"--kml", paths.kml},
                                                                           {"--czml", paths.czml},
                                                                           {"--geojson", paths.geojson},
-                                                                          {"--events", paths.events}}};
+                                                                          {"--events", paths.events},
+                                                                          {"--record", paths.record}}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [option, path] = all[i];
     if (is_same_file(path, scenario_file))

@@ -18,7 +18,7 @@ namespace physim::cli {
 struct OutputPaths {
   std::string csv, json, plot;
   std::string kml, czml, geojson;  // for globes; of `run`
-  std::string events;              // of worlds
+  std::string events, record;      // of worlds
   [[nodiscard]] bool use_stdout() const {
     return csv == "-" || json == "-" || kml == "-" || czml == "-" || geojson == "-" || events == "-";
   }

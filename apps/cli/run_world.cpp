@@ -22,7 +22,8 @@ OutputMakers makers_of(const WorldLog& log) {
 Status write_folder(const std::string& folder, const WorldLog& log) {
   const std::string stem = std::filesystem::path(log.scenario.file).stem().string();
   const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (stem + ending)).string(); };
-  const OutputPaths paths{path(".csv"), path(".json"), path(".png"), path("_events.csv")};
+  const OutputPaths paths{
+      .csv = path(".csv"), .json = path(".json"), .plot = path(".png"), .events = path("_events.csv")};
   return in_turn([&] { return make_folder(folder); }, [&] { return check(paths, log.scenario.file); },
                  [&] { return write(paths, makers_of(log)); });
 }
@@ -39,12 +40,15 @@ void warn_of_refusals(const std::vector<WorldGroup>& groups) {
 std::string WorldOptions::given(const OutputPaths& outputs) const {
   if (steps) return "--steps";
   if (threads) return "--threads";
+  if (!outputs.record.empty()) return "--record";
   return outputs.events.empty() ? "" : "--events";
 }
 
 void add_world_options(CLI::App& command, WorldOptions& options, OutputPaths& outputs) {
   refuse_empty(*command.add_option("--events", outputs.events, "Worlds: write what happened as CSV; - as above")
                     ->type_name("FILE"));
+  refuse_empty(
+      *command.add_option("--record", outputs.record, "Worlds: record the run, for physim replay")->type_name("FILE"));
   command.add_option("--steps", options.steps, "Worlds: take so many steps instead of world.duration")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
@@ -61,7 +65,8 @@ Status run_in_world(Scenario scenario, const OutputPaths& outputs, const std::st
                          .events = all || !outputs.events.empty() || !outputs.json.empty(),
                          .paths = all || !outputs.plot.empty(),
                          .interval = interval,
-                         .steps = options.steps};
+                         .steps = options.steps,
+                         .record = outputs.record};
   const Result<WorldLog> log = run_world(scenario, wishes);
   if (!log) return log.error();
   all_met = std::ranges::all_of(log->checks, [](const Check& check) { return check.met; });

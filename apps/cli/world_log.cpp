@@ -137,10 +137,13 @@ class Logger {
 }  // namespace
 
 Result<WorldLog> run_world(const Scenario& scenario, const LogWishes& wishes) {
-  Result<WorldRun> run = WorldRun::create(scenario);
-  if (!run) return run.error();
-  Logger logger(*run, wishes);
+  Result<WorldRun> made = WorldRun::create(scenario, wishes.record);
+  if (!made) return made.error();
+  WorldRun& run = *made;
+  Logger logger(run, wishes);
   if (Status bad = logger.run()) return *bad;
+  if (!wishes.record.empty())
+    if (Status bad = run.world().stop_recording()) return *bad;
   return logger.finish();
 }
 

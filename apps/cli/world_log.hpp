@@ -15,6 +15,7 @@ struct LogWishes {
   bool samples = false, events = false, paths = false;
   std::optional<double> interval;      // between samples [s]
   std::optional<std::uint64_t> steps;  // instead of the scenario's duration
+  std::string record = {};             // into this file; empty: nowhere
 };
 
 struct WorldSample {

@@ -76,8 +76,9 @@ struct WallHit {
 /// Fires the shots and volleys of a scenario, takes its steps and keeps count.
 class WorldRun {
  public:
-  /// An error where the scenario has no [world], or where the world refuses part of it.
-  static Result<WorldRun> create(Scenario scenario);
+  /// An error where the scenario has no [world], or where the world refuses part of it. With a path the run is recorded
+  /// into that file (record_to_file()).
+  static Result<WorldRun> create(Scenario scenario, const std::string& recording = "");
   WorldRun(WorldRun&&) noexcept;
   WorldRun& operator=(WorldRun&&) noexcept;
   ~WorldRun();

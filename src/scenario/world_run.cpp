@@ -6,6 +6,7 @@
 
 #include "flight/cohort.hpp"
 #include "model/sight.hpp"
+#include "physim/recording_file.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/volley.hpp"
 
@@ -288,12 +289,14 @@ WorldRun::WorldRun(WorldRun&&) noexcept = default;
 WorldRun& WorldRun::operator=(WorldRun&&) noexcept = default;
 WorldRun::~WorldRun() = default;
 
-Result<WorldRun> WorldRun::create(Scenario scenario) {
+Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recording) {
   if (!scenario.world.given) return Error{"the scenario has no [world]", scenario.file, "write [world] into it"};
   scenario.world.def.environment = scenario.environment;
   scenario.world.def.tolerance = scenario.tolerance;
   Result<World> world = World::create(scenario.world.def);
   if (!world) return with_place(world.error(), scenario.file);
+  if (!recording.empty())
+    if (Status bad = record_to_file(*world, recording)) return *bad;
   auto impl = std::make_unique<Impl>(std::move(scenario), std::move(*world));
   if (Status bad = impl->load()) return *bad;
   return WorldRun(std::move(impl));

@@ -110,6 +110,15 @@ TEST(CliWorld, WritesAFolder) {
     EXPECT_FALSE(read(folder / name).empty()) << name;
 }
 
+TEST(CliWorld, RecordsForReplay) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("w.toml", kWorld), "--steps", "200", "--record", folder / "w.rec"});
+  EXPECT_EQ(ran.err, "");
+  const Ran replayed = physim({"replay", folder / "w.rec", "--json", "-"});
+  EXPECT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_EQ(nlohmann::json::parse(replayed.out).at("hash"), "0x" + hash_of(ran));
+}
+
 TEST(CliWorld, TakesStepsInsteadOfADuration) {
   const Folder folder;
   EXPECT_TRUE(has(physim({"run", folder.write("w.toml", kWorld), "--steps", "17"}).out, "steps 17 of"));
@@ -120,6 +129,7 @@ TEST(CliWorld, SaysWhatIsNotForFlights) {
   const std::string flight = folder.write("f.toml", "physim = 1\n[[shot]]\nspeed = 10\n");
   expect_complaint(physim({"run", flight, "--steps", "5"}), "--steps: error: the scenario has no [world]");
   expect_complaint(physim({"run", flight, "--threads", "5"}), "--threads: error: the scenario has no [world]");
+  expect_complaint(physim({"run", flight, "--record", folder / "r"}), "--record: error: the scenario has no [world]");
   expect_complaint(physim({"run", flight, "--events", folder / "e.csv"}),
                    "--events: error: the scenario has no [world]");
   const std::string world = folder.write("w.toml", kWorld);

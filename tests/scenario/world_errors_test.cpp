@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\nbody = { layers = -1 }\n[world]",
             "f.toml:3:19: error: shot.body.layers: -1 is out of range; must be 0 .. 4294967295"},
         Bad{"[[shot]]\n[world]\n[[volley]]\nshot = \"shot-1\"\nrate = \"10 rp\"",
-            "f.toml:6:8: error: volley.rate: unknown unit \"rp\" in \"10 rp\"; did you mean \"rpm\"?"},
+            "f.toml:6:8: error: volley.rate: unknown unit \"rp\" in \"10 rp\"; known units: 1/s, 1/min, rpm"},
         Bad{"[[shot]]\n[world]\n[[volley]]\nshot = \"shot-1\"\nspread = { horizontal = \"-1 deg\" }",
             "f.toml:6:25: error: volley.spread.horizontal: \"-1 deg\" is out of range; must be 0 .. 180 deg"},
         Bad{"[[shot]]\n[world]\n[[force]]\nshots = [1]",
@@ -69,11 +69,11 @@ INSTANTIATE_TEST_SUITE_P(
     Contradictions, BadWorldTest,
     testing::Values(
         Bad{"[[shot]]\n[[volley]]\nshot = \"shot-1\"",
-            "f.toml:3:3: error: volley: there is no [world] for it; write [world], and the shots fly in it"},
+            "f.toml:3:1: error: volley: there is no [world] for it; write [world], and the shots fly in it"},
         Bad{"[[shot]]\nbody = { restitution = 1 }",
             "f.toml:3:8: error: shot.body: there is no [world] for it; write [world], and the shots fly in it"},
         Bad{"[[shot]]\n[world]\n[until]\nground = 3",
-            "f.toml:4:2: error: until: not used in a [world]; world.duration and shot.body.despawn end things"},
+            "f.toml:4:1: error: until: not used in a [world]; world.duration and shot.body.despawn end things"},
         Bad{"[[shot]]\nname = \"gun\"\n[world]\n[[volley]]\nshot = \"gum\"",
             "f.toml:6:8: error: volley.shot: no shot is named \"gum\"; did you mean \"gun\"?"},
         Bad{"[[shot]]\n[world]\n[[volley]]\nshot = \"shot-1\"\nrate = 1\ninterval = 1",
@@ -83,9 +83,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\nbody = { pool = \"smal\" }\n[world]\npools = [{ name = \"small\" }]",
             "f.toml:3:17: error: shot.body.pool: no pool is named \"smal\"; did you mean \"small\"?"},
         Bad{"[[shot]]\n[world]\npools = [{ name = \"a\" }, { name = \"a\" }]",
-            "f.toml:4:34: error: world.pools.name: two pools are named \"a\""},
+            "f.toml:4:35: error: world.pools.name: two pools are named \"a\""},
         Bad{"[[shot]]\n[world]\n[world.detail]\nrungs = [{ fidelity = \"game\" }]",
-            "f.toml:3:2: error: world (detail.rungs): must be two or three; none: no rule"},
+            "f.toml:3:1: error: world (detail.rungs): must be two or three; none: no rule"},
         Bad{"[[shot]]\nbody = { despawn = { outside_box = true } }\n[world]",
             "f.toml:3:8: error: shot (body.despawn.box_low): must lie below box_high in every axis; swap the corners"},
         Bad{"[[shot]]\n[world]\n[[force]]\nconstant_force = {}\ngravity_force = {}",
@@ -100,8 +100,11 @@ INSTANTIATE_TEST_SUITE_P(
             "fires: "
             "there is one of it"},
         Bad{"[[shot]]\n[world]\n[[expect]]\nquantity = \"drop\"\nequals = 1\nwithin = 1",
-            "f.toml:5:12: error: expect.quantity: \"drop\" is a figure of single flights; in a world there are: range, "
-            "speed"},
+            "f.toml:5:12: error: expect.quantity: \"drop\" is a figure of single flights; in a world there are: speed, "
+            "x, y, z, vx, vy, vz, spawned, refused, landed, bounces, slept, expired, retired, hits, alive, "
+            "impact_range, "
+            "impact_range_min, impact_range_max, impact_range_spread, impact_time, impact_speed, apex, apex_max, "
+            "hit_y, hit_z, hit_y_spread, hit_z_spread"},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"hits\"\nequals = 1\nwithin = 1",
             "f.toml:4:12: error: expect.quantity: \"hits\" is a figure of a [world]; write [world], and the shots fly "
             "in it"},

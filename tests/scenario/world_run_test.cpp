@@ -190,7 +190,7 @@ TEST(WorldRun, AWallStopsAndMeasures) {
   EXPECT_EQ(group.landed, 0u);
   EXPECT_EQ(group.alive, 0u);
   EXPECT_NEAR(group.hit_z.spread(), 0.2, 3 * 0.2 / std::sqrt(2 * 50));
-  EXPECT_NEAR(group.hit_y.mean, 2 - 9.80665 / 2 * 0.16, 0.1);
+  EXPECT_NEAR(group.hit_y.mean, 2 - 9.80665 / 2 * 0.16, 0.15) << "drag and Euler's error aside";
 }
 
 TEST(WorldRun, APoolRefusesOrReplaces) {
