@@ -213,7 +213,10 @@ ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, 
   }
   const auto rung = rung_for(kind_index, launch);
   if (!rung) return refuse(rung.error()), ProjectileId{};
-  if (!make_room(kind.body.pool)) return {};
+  Slot wanted;
+  wanted.kind = kind_index;
+  wanted.rung = *rung;
+  if (!fits(wanted, at) || !make_room(kind.body.pool)) return {};
   const std::uint32_t index = take_slot();
   Slot& slot = state.slots[index];
   ++slot.generation;

@@ -56,10 +56,19 @@ bool World::is_asleep(ProjectileId id) const {
 }
 
 // ------------------------------------------------------------------------------------------- state
+bool World::Impl::fits(const Slot& slot, const BodyState& at) {
+  if (kind_of(slot).rungs[slot.rung].in_use.fidelity.precision == Precision::float64) return true;
+  const BodyState rounded{vec_cast<double>(vec_cast<float>(at.position)),
+                          vec_cast<double>(vec_cast<float>(at.velocity))};
+  if (finite(rounded.position) && finite(rounded.velocity)) return true;
+  return refuse({"is too large for float32", finite(rounded.position) ? "velocity" : "position", "ask for float64"});
+}
+
 bool World::Impl::change_state(ProjectileId id, const BodyState& to) {
   if (!find(id)) return refuse(gone());
   if (!finite(to.position)) return refuse(not_finite("position"));
   if (!finite(to.velocity)) return refuse(not_finite("velocity"));
+  if (!fits(*find(id), to)) return false;
   wake(id.index);
   set_row_state(id.index, to);
   return true;
@@ -196,6 +205,7 @@ bool World::Impl::change_rung(std::uint32_t index, std::uint16_t rung) {
   if (rung == slot.rung) return true;
   const std::uint16_t before = slot.rung;
   slot.rung = rung;
+  if (!fits(slot, state_of(slot))) return slot.rung = before, false;
   const bool forced_before = slot.is(kForced);
   slot.set(kForced, feels_forces(index));
   if (!relocate(index)) return slot.rung = before, slot.set(kForced, forced_before), false;

@@ -55,6 +55,8 @@ struct World::Impl {
 
   // ------------------------------------------------------------------------------------------- coming and going
   ProjectileId spawn(std::uint32_t kind, const Launch& launch, double delay);
+  /// Refuses a state whose numbers the rung's precision cannot hold.
+  bool fits(const Slot& slot, const BodyState& at);
   [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch);
   void push_due(std::vector<Due>& heap, double time, std::uint32_t slot);
   std::uint32_t take_slot();

@@ -138,7 +138,7 @@ TEST(Independence, of_neighbours_that_overflow) {
   const auto order = in_order(s.launches.size());
   const Done sound = run(s, order, 30);
   for (const std::size_t i : {std::size_t(6), std::size_t(103), std::size_t(251)})
-    s.launches[i].velocity = Vec3d{1e300, 1e300, -1e300};
+    s.launches[i].velocity = Vec3d{3e38, 3e38, -3e38};
   WorldDef def = s.def;
   World world = make_world(def);
   std::vector<ProjectileId> ids;
@@ -152,6 +152,22 @@ TEST(Independence, of_neighbours_that_overflow) {
     }
   }
   EXPECT_EQ(world.counters().retired, 3u);
+}
+
+TEST(Independence, numbers_too_large_for_float_are_refused_at_the_door) {
+  World world;
+  ProjectileDef p = stone();
+  const Launch launch{.position = {0, 5, 0}, .velocity = Vec3d{1e300, 0, 0}};
+  const ProjectileId id = world.spawn(p, launch);
+  ASSERT_TRUE(id);
+  EXPECT_FALSE(world.set_fidelity(id, Fidelity::game()));
+  EXPECT_EQ(world.error()->place, "velocity");
+  EXPECT_EQ(world.velocity(id).x, 1e300);
+  p.fidelity.precision = Precision::float32;
+  EXPECT_FALSE(world.spawn(p, launch));
+  const ProjectileId small = world.spawn(p, {.position = {0, 5, 0}});
+  EXPECT_FALSE(world.set_position(small, {1e300, 0, 0}));
+  EXPECT_EQ(world.error()->place, "position");
 }
 
 TEST(Independence, fidelity_moves_keep_the_state) {
