@@ -25,5 +25,12 @@ draw original_test_3
 draw original_test_6
 draw original_test_3_drag
 draw original_test_6_drag
-draw world_force_field
-draw world_machine_gun
+
+# Of worlds: fewer projectiles, lighter pictures. Their checks count what is not there, so the exit code says nothing.
+draw_world() {
+  local name=$1
+  shift
+  "$physim" run "scenarios/world_$name.toml" "$@" --plot "$pictures/world_$name.png" >/dev/null || [[ $? == 1 ]]
+}
+draw_world force_field --set volley.count=12
+draw_world machine_gun --set volley.count=30 --set title="Machine gun: 30 rounds on a wall at 100 m"

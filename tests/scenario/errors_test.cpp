@@ -127,8 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\n[[expect]]\nquantity = \"hight\"\nequals = 1\nwithin = 1",
             "f.toml:4:12: error: expect.quantity: unknown value \"hight\"; known values: drop, windage, range, speed, "
             "time, x, y, z, vx, vy, vz, mach, energy, latitude, longitude, altitude, elevation, spawned, refused, "
-            "landed, "
-            "bounces, slept, expired, retired, hits, alive, impact_range, impact_range_min, impact_range_max, "
+            "landed, bounces, slept, expired, retired, hits, alive, impact_range, impact_range_min, impact_range_max, "
             "impact_range_spread, ..."},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"drop\"\nequals = \"1 m/s\"\nwithin = 1",
             "f.toml:5:10: error: expect.equals: \"1 m/s\" is a speed; expected a length such as \"7.82 mm\""},
