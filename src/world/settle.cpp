@@ -204,6 +204,9 @@ class Settling {
       relaunch(lane_.step.start, passed);
       return bounces_++ < kMostBounces ? go(static_cast<S>(left), passed) : void(end_ = lane_.step.start);
     }
+    // What falls from higher than a step's fall struck the ground, even where nothing of its speed is left.
+    if (dot(s.v, n) < dot(a, n) * context_.dt)
+      tell(WorldEventKind::bounced, Reason::none, passed, {s.x, v - n * dot(v, n)});
     const Rolled r = rolled(v, a, n, surface, left);
     Vec3d x = s.x + r.way;
     x -= normal_at(c, x) * (height(c, x) - ground().height);

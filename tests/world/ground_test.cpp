@@ -122,6 +122,20 @@ TEST(Ground, a_ball_rolls_to_rest_and_sleeps_where_resistance_stops_it) {
   EXPECT_NEAR(slept->time, (5 - 0.05) / (0.1 * kG) + 0.25, 0.05);
 }
 
+TEST(Ground, a_dead_impact_is_told_once) {
+  BodyDef body;
+  body.restitution = 0;
+  World world = make_world(on_ground(GroundMode::bounce));
+  world.spawn(stone(), {.position = {0, 3, 0}, .velocity = Vec3d{1, 0, 0}}, body);
+  const auto events = run_for(world, 3);
+  std::vector<WorldEvent> impacts;
+  for (const WorldEvent& e : events)
+    if (e.kind == WorldEventKind::bounced) impacts.push_back(e);
+  ASSERT_EQ(impacts.size(), 1u);
+  EXPECT_NEAR(impacts[0].time, std::sqrt(2 * 3 / kG), 0.02);
+  EXPECT_EQ(impacts[0].velocity.y, 0);
+}
+
 TEST(Ground, an_impulse_wakes_a_sleeper) {
   BodyDef body;
   body.sleep_time = 0.1;

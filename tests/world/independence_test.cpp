@@ -188,6 +188,18 @@ TEST(Independence, fidelity_moves_keep_the_state) {
   EXPECT_EQ(world.fidelity_in_use(id).fidelity.integrator, Integrator::semi_implicit_euler);
 }
 
+TEST(Independence, worlds_say_that_they_show_no_spin_drift) {
+  World world;
+  ProjectileDef p = bullet();
+  p.length = 0.03;
+  p.twist = 0.3;
+  p.fidelity = Fidelity::small_arms();
+  const FidelityInUse in_use = world.fidelity_in_use(world.spawn(p, {.position = {0, 9, 0}, .speed = 800}));
+  EXPECT_EQ(in_use.fidelity.rotation, RotationModel::none);
+  ASSERT_FALSE(in_use.notes.empty());
+  EXPECT_EQ(in_use.notes.back().effect, "rotation");
+}
+
 TEST(Independence, adaptive_integrators_keep_their_tolerance_inside_a_frame) {
   for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853}) {
     WorldDef def;
