@@ -28,7 +28,7 @@ WindField<double> prepare_wind(const Wind& wind, WindModel model) {
     const WindPoint& p = wind.profile[static_cast<std::size_t>(i)];
     field.at[i] = p.at;
     field.velocity[i] = p.velocity;
-    if (i > 0) field.slope[i - 1] = (p.velocity - field.velocity[i - 1]) * (1 / (p.at - field.at[i - 1]));
+    if (i > 0) field.slope[i - 1] = (p.velocity - Vec3d(field.velocity[i - 1])) * (1 / (p.at - field.at[i - 1]));
   }
   return field;
 }
@@ -134,8 +134,8 @@ Conditions<float> to_float(const Conditions<double>& c) {
   f.wind.stepped = c.wind.stepped;
   copy(c.wind.at, f.wind.at, kMaxWindPoints);
   for (int i = 0; i < kMaxWindPoints; ++i) {
-    f.wind.velocity[i] = vec_cast<float>(c.wind.velocity[i]);
-    f.wind.slope[i] = vec_cast<float>(c.wind.slope[i]);
+    f.wind.velocity[i] = vec_cast<float>(Vec3d(c.wind.velocity[i]));
+    f.wind.slope[i] = vec_cast<float>(Vec3d(c.wind.slope[i]));
   }
   f.searched_curves = c.searched_curves;
   f.has_searched_curves = c.has_searched_curves;

@@ -43,15 +43,26 @@ struct Air {
   S base_per_sound[kAirLayers];  // [s/m]
 };
 
+/// A vector that is not set to zero first, so that conditions can be made for a single pack.
+template <class S>
+struct Components {
+  S x;
+  S y;
+  S z;
+
+  Components& operator=(const Vec3<S>& v) { return x = v.x, y = v.y, z = v.z, *this; }
+  operator Vec3<S>() const { return {x, y, z}; }  // NOLINT: it is one
+};
+
 /// Wind ready to compute; see model/wind.hpp.
 template <class S>
 struct WindField {
-  int points;                        // 1: the same everywhere
-  bool by_range;                     // else by height
-  bool stepped;                      // else straight lines
-  S at[kMaxWindPoints];              // [m]
-  Vec3<S> velocity[kMaxWindPoints];  // [m/s]
-  Vec3<S> slope[kMaxWindPoints];     // from point i to i + 1 [1/s]
+  int points;                              // 1: the same everywhere
+  bool by_range;                           // else by height
+  bool stepped;                            // else straight lines
+  S at[kMaxWindPoints];                    // [m]
+  Components<S> velocity[kMaxWindPoints];  // [m/s]
+  Components<S> slope[kMaxWindPoints];     // from point i to i + 1 [1/s]
 };
 
 /// The round Earth ready to compute; see model/earth.hpp, model/geodesy.hpp and model/gravity.hpp.
