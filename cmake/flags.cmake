@@ -15,6 +15,11 @@ function(physim_flags target)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
       target_compile_options(${target} PRIVATE -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
     endif()
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+      # The mask of a single lane is a bool, joined by & as masks of packs are; libstdc++'s stable_sort uses what it
+      # has itself deprecated.
+      target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical -Wno-deprecated-declarations)
+    endif()
     if(PHYSIM_WERROR)
       target_compile_options(${target} PRIVATE -Werror)
     endif()

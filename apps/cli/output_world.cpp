@@ -36,8 +36,7 @@ std::string counts_table(const std::vector<WorldGroup>& groups) {
   std::vector<Count> shown;
   for (const auto& [name, count] : kCounts) {
     const bool always = count == &WorldGroup::spawned || count == &WorldGroup::alive;
-    if (!always && std::ranges::all_of(groups, [count = count](const WorldGroup& g) { return g.*count == 0; }))
-      continue;
+    if (!always && std::ranges::all_of(groups, [part = count](const WorldGroup& g) { return g.*part == 0; })) continue;
     columns.push_back({std::string(name)});
     shown.push_back(count);
   }

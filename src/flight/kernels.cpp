@@ -15,7 +15,7 @@
 
 namespace physim {
 
-namespace base {
+inline namespace base {
 void fly_bodies(const BatchJob<float>& job);
 void fly_bodies(const BatchJob<double>& job);
 void fly_bodies_singly(const BatchJob<float>& job);

@@ -94,7 +94,7 @@ class Archive {
     std::uint64_t index = v.index();
     bits(index, 1, sizeof...(T));
     if constexpr (Self::kReads) select(v, index, std::index_sequence_for<T...>());
-    std::visit([this](auto& x) { take(x); }, v);
+    std::visit([this](auto& x) { this->take(x); }, v);
   }
   template <class V, std::size_t... I>
   static void select(V& v, std::uint64_t index, std::index_sequence<I...>) {

@@ -13,7 +13,7 @@
 
 namespace physim {
 
-namespace base {
+inline namespace base {
 bool step_rows(const WorldJob<float>& job);
 bool step_rows(const WorldJob<double>& job);
 bool advance_forced(const ForcedJob<float>& job);
