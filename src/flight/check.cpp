@@ -1,11 +1,9 @@
 // Refuses bad input before a flight starts.
 #include <cmath>
-#include <limits>
 #include <string>
-#include <string_view>
 
 #include "flight/cohort.hpp"
-#include "math/text.hpp"
+#include "math/checker.hpp"
 #include "model/humid_air.hpp"
 #include "model/standard_atmosphere.hpp"
 
@@ -13,45 +11,6 @@ namespace physim {
 namespace {
 
 constexpr double kRightAngle = 1.5707963267948968;
-
-bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-/// Runs its checks in order and keeps the first that fails. Texts are put together only then, out of line: checks run
-/// for every shot of a batch.
-class Checker {
- public:
-  using Text = std::string_view;
-
-  PHYSIM_INLINE Checker& require(bool good, Text place, Text message, Text hint) {
-    if (!good) fail(place, std::string(message), hint);
-    return *this;
-  }
-  PHYSIM_INLINE Checker& positive(double x, Text place, Text hint) {
-    if (!(x > 0 && x < kInfinity)) fail(place, "must be a positive number, not " + short_text(x), hint);
-    return *this;
-  }
-  PHYSIM_INLINE Checker& not_negative(double x, Text place, Text hint) {
-    if (!(x >= 0 && x < kInfinity)) fail(place, "must be zero or positive, not " + short_text(x), hint);
-    return *this;
-  }
-  PHYSIM_INLINE Checker& is_number(double x, Text place) {
-    if (!std::isfinite(x)) fail(place, "must be a finite number, not " + short_text(x), "");
-    return *this;
-  }
-  PHYSIM_INLINE Checker& is_vector(const Vec3d& v, Text place) {
-    return require(finite(v), place, "must have three finite components", "");
-  }
-  [[nodiscard]] const Status& status_so_far() const { return status_; }
-  [[nodiscard]] Status status() { return std::move(status_); }
-
- private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-  [[gnu::noinline]] void fail(Text place, const std::string& message, Text hint) {
-    if (!status_) status_ = Error{message, std::string(place), std::string(hint)};
-  }
-  Status status_;
-};
 
 void check_curve(Checker& c, const std::vector<DragPoint>& curve) {
   c.require(!curve.empty(), "projectile.drag.curve", "is empty", "give at least one point (Mach, Cd)");

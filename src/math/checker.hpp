@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "math/text.hpp"
 #include "physim/result.hpp"
@@ -12,21 +13,23 @@
 
 namespace physim {
 
+inline bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
 /// Runs its checks in order and keeps the first that fails. Texts are put together only then, out of line: checks run
 /// for every shot of a batch.
 class Checker {
  public:
   using Text = std::string_view;
 
-  PHYSIM_INLINE Checker& require(bool good, Text place, Text message, Text hint) {
+  PHYSIM_INLINE Checker& require(bool good, Text place, Text message, Text hint = "") {
     if (!good) fail(place, std::string(message), hint);
     return *this;
   }
-  PHYSIM_INLINE Checker& positive(double x, Text place, Text hint) {
+  PHYSIM_INLINE Checker& positive(double x, Text place, Text hint = "") {
     if (!(x > 0 && x < kInfinity)) fail(place, "must be a positive number, not " + short_text(x), hint);
     return *this;
   }
-  PHYSIM_INLINE Checker& not_negative(double x, Text place, Text hint) {
+  PHYSIM_INLINE Checker& not_negative(double x, Text place, Text hint = "") {
     if (!(x >= 0 && x < kInfinity)) fail(place, "must be zero or positive, not " + short_text(x), hint);
     return *this;
   }
@@ -35,8 +38,12 @@ class Checker {
     return *this;
   }
   PHYSIM_INLINE Checker& is_vector(const Vec3d& v, Text place) {
-    const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    return require(finite, place, "must have three finite components", "");
+    return require(finite(v), place, "must have three finite components");
+  }
+  /// What another check said.
+  Checker& also(Status other) {
+    if (!status_) status_ = std::move(other);
+    return *this;
   }
   [[nodiscard]] const Status& status_so_far() const { return status_; }
   [[nodiscard]] Status status() { return std::move(status_); }

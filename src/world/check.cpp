@@ -2,38 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/checker.hpp"
 #include "world/registry.hpp"
 
 namespace physim {
 namespace {
-
-/// Keeps the first thing that is wrong.
-class Checker {
- public:
-  Checker& require(bool good, const char* place, const char* message, const char* hint = "") {
-    if (!good && !status_) status_ = Error{message, place, hint};
-    return *this;
-  }
-  Checker& number(double x, const char* place) { return require(std::isfinite(x), place, "must be a finite number"); }
-  Checker& not_negative(double x, const char* place) {
-    return require(x >= 0 && std::isfinite(x), place, "must be zero or positive");
-  }
-  Checker& positive(double x, const char* place) {
-    return require(x > 0 && std::isfinite(x), place, "must be a positive number");
-  }
-  Checker& vector(const Vec3d& v, const char* place) {
-    return require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), place,
-                   "must have three finite components");
-  }
-  Checker& also(Status other) {
-    if (!status_) status_ = std::move(other);
-    return *this;
-  }
-  [[nodiscard]] Status status() { return std::move(status_); }
-
- private:
-  Status status_;
-};
 
 void check_rules(Checker& c, const DespawnRules& d) {
   c.require(!std::isnan(d.below), "body.despawn.below", "must be a number");
@@ -41,7 +14,7 @@ void check_rules(Checker& c, const DespawnRules& d) {
   c.require(d.older > 0, "body.despawn.older", "must be positive", "leave it out for no limit");
   c.not_negative(d.slower, "body.despawn.slower");
   if (!d.outside_box) return;
-  c.vector(d.box_low, "body.despawn.box_low").vector(d.box_high, "body.despawn.box_high");
+  c.is_vector(d.box_low, "body.despawn.box_low").is_vector(d.box_high, "body.despawn.box_high");
   c.require(d.box_low.x < d.box_high.x && d.box_low.y < d.box_high.y && d.box_low.z < d.box_high.z,
             "body.despawn.box_low", "must lie below box_high in every axis", "swap the corners");
 }
@@ -50,7 +23,7 @@ void check_rules(Checker& c, const DespawnRules& d) {
 
 Status check(const Ground& g) {
   Checker c;
-  c.number(g.height, "ground.height");
+  c.is_number(g.height, "ground.height");
   c.require(g.restitution >= 0 && g.restitution <= 1, "ground.restitution", "must lie between 0 and 1");
   c.not_negative(g.friction, "ground.friction");
   return c.status();
@@ -82,8 +55,8 @@ Status check(const WorldDef& def) {
 
 Status check(const BodyDef& b, const WorldDef& def, std::size_t environments) {
   Checker c;
-  c.number(b.gravity_scale, "body.gravity_scale").not_negative(b.drag_scale, "body.drag_scale");
-  c.not_negative(b.angular_drag, "body.angular_drag").vector(b.angular_velocity, "body.angular_velocity");
+  c.is_number(b.gravity_scale, "body.gravity_scale").not_negative(b.drag_scale, "body.drag_scale");
+  c.not_negative(b.angular_drag, "body.angular_drag").is_vector(b.angular_velocity, "body.angular_velocity");
   c.not_negative(b.sleep_speed, "body.sleep_speed").not_negative(b.sleep_time, "body.sleep_time");
   c.require(b.restitution >= 0 && b.restitution <= 1, "body.restitution", "must lie between 0 and 1");
   c.not_negative(b.friction, "body.friction").not_negative(b.rolling_resistance, "body.rolling_resistance");

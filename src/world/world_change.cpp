@@ -1,13 +1,13 @@
 // Changes to projectiles between steps: state, switches, sleep, fidelity, things carried along.
 #include <cmath>
 
+#include "math/checker.hpp"
 #include "physim/names.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
 namespace {
 
-bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 Error gone() { return {"it is gone", "id", "is_alive() tells"}; }
 Error not_finite(const char* place) { return {"must have three finite components", place, ""}; }
 
