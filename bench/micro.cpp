@@ -3,25 +3,12 @@
 
 #include <algorithm>
 
+#include "math/kernel_copies.hpp"
 #include "sections.hpp"
 
 namespace physim {
-namespace base {
-std::size_t micro(bench::Part part, const bench::MicroJob<double>& job);
-std::size_t micro(bench::Part part, const bench::MicroJob<float>& job);
-}  // namespace base
-#if PHYSIM_HAVE_AVX2
-namespace avx2 {
-std::size_t micro(bench::Part part, const bench::MicroJob<double>& job);
-std::size_t micro(bench::Part part, const bench::MicroJob<float>& job);
-}  // namespace avx2
-#endif
-#if PHYSIM_HAVE_AVX512
-namespace avx512 {
-std::size_t micro(bench::Part part, const bench::MicroJob<double>& job);
-std::size_t micro(bench::Part part, const bench::MicroJob<float>& job);
-}  // namespace avx512
-#endif
+PHYSIM_KERNEL_COPIES(std::size_t micro(bench::Part part, const bench::MicroJob<double>& job);
+                     std::size_t micro(bench::Part part, const bench::MicroJob<float>& job);)
 }  // namespace physim
 
 namespace physim::bench {

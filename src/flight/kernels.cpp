@@ -6,35 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#ifndef PHYSIM_HAVE_AVX2
-#define PHYSIM_HAVE_AVX2 0
-#endif
-#ifndef PHYSIM_HAVE_AVX512
-#define PHYSIM_HAVE_AVX512 0
-#endif
+#include "math/kernel_copies.hpp"
 
 namespace physim {
 
-inline namespace base {
-void fly_bodies(const BatchJob<float>& job);
-void fly_bodies(const BatchJob<double>& job);
-void fly_bodies_singly(const BatchJob<float>& job);
-void fly_bodies_singly(const BatchJob<double>& job);
-}  // namespace base
-#if PHYSIM_HAVE_AVX2
-namespace avx2 {
-void fly_bodies(const BatchJob<float>& job);
-void fly_bodies(const BatchJob<double>& job);
-void fly_bodies_singly(const BatchJob<float>& job);
-void fly_bodies_singly(const BatchJob<double>& job);
-}  // namespace avx2
-#endif
-#if PHYSIM_HAVE_AVX512
-namespace avx512 {
-void fly_bodies(const BatchJob<float>& job);
-void fly_bodies(const BatchJob<double>& job);
-}  // namespace avx512
-#endif
+PHYSIM_KERNEL_COPIES(void fly_bodies(const BatchJob<float>& job); void fly_bodies(const BatchJob<double>& job);
+                     void fly_bodies_singly(const BatchJob<float>& job);
+                     void fly_bodies_singly(const BatchJob<double>& job);)
 
 namespace {
 

@@ -3,38 +3,13 @@
 #include <string_view>
 
 #include "flight/kernels.hpp"
-
-#ifndef PHYSIM_HAVE_AVX2
-#define PHYSIM_HAVE_AVX2 0
-#endif
-#ifndef PHYSIM_HAVE_AVX512
-#define PHYSIM_HAVE_AVX512 0
-#endif
+#include "math/kernel_copies.hpp"
 
 namespace physim {
 
-inline namespace base {
-bool step_rows(const WorldJob<float>& job);
-bool step_rows(const WorldJob<double>& job);
-bool advance_forced(const ForcedJob<float>& job);
-bool advance_forced(const ForcedJob<double>& job);
-}  // namespace base
-#if PHYSIM_HAVE_AVX2
-namespace avx2 {
-bool step_rows(const WorldJob<float>& job);
-bool step_rows(const WorldJob<double>& job);
-bool advance_forced(const ForcedJob<float>& job);
-bool advance_forced(const ForcedJob<double>& job);
-}  // namespace avx2
-#endif
-#if PHYSIM_HAVE_AVX512
-namespace avx512 {
-bool step_rows(const WorldJob<float>& job);
-bool step_rows(const WorldJob<double>& job);
-bool advance_forced(const ForcedJob<float>& job);
-bool advance_forced(const ForcedJob<double>& job);
-}  // namespace avx512
-#endif
+PHYSIM_KERNEL_COPIES(bool step_rows(const WorldJob<float>& job); bool step_rows(const WorldJob<double>& job);
+                     bool advance_forced(const ForcedJob<float>& job);
+                     bool advance_forced(const ForcedJob<double>& job);)
 
 WorldKernel world_kernel() {
   // "scalar" is for single flights: rows are always stepped in packs, of the narrowest kind then.

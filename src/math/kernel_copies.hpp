@@ -1,0 +1,36 @@
+// Declares what a kernel file offers, once for each instruction set that it was compiled for (cmake/kernels.cmake).
+#pragma once
+
+#include "math/isa.hpp"
+
+#ifndef PHYSIM_HAVE_AVX2
+#define PHYSIM_HAVE_AVX2 0
+#endif
+#ifndef PHYSIM_HAVE_AVX512
+#define PHYSIM_HAVE_AVX512 0
+#endif
+
+#if PHYSIM_HAVE_AVX2
+#define PHYSIM_AVX2_COPY(...) \
+  namespace avx2 {            \
+  __VA_ARGS__                 \
+  }
+#else
+#define PHYSIM_AVX2_COPY(...)
+#endif
+#if PHYSIM_HAVE_AVX512
+#define PHYSIM_AVX512_COPY(...) \
+  namespace avx512 {            \
+  __VA_ARGS__                   \
+  }
+#else
+#define PHYSIM_AVX512_COPY(...)
+#endif
+
+/// The declarations, in namespaces base, avx2 and avx512 of the one it stands in.
+#define PHYSIM_KERNEL_COPIES(...) \
+  inline namespace base {         \
+  __VA_ARGS__                     \
+  }                               \
+  PHYSIM_AVX2_COPY(__VA_ARGS__)   \
+  PHYSIM_AVX512_COPY(__VA_ARGS__)
