@@ -183,8 +183,7 @@ Vec3d ForceField::drag_equation(std::uint32_t row, double density, const Vec3d& 
   const std::uint32_t kind = state_.slots[rows_.id[row].index].kind;
   if (zones_.index.size() <= kind) zones_.index.resize(kind + 1);
   std::uint32_t& index = zones_.index[kind];
-  const Kind& k = registry_.kind(kind);
-  if (index == 0) index = zones_.drag.add(k.projectile, k.body.drag_scale) + 1;
+  if (index == 0) index = zones_.drag.add(registry_.kind(kind).flown) + 1;
   return zones_.drag.force(index - 1, rows_.mass[row], density, u);
 }
 

@@ -40,7 +40,7 @@ PHYSIM_INLINE MaskOf<R> divide_frame(const Course<S>& course, const Body<R>& b, 
   StepControl<R> control{zero, frame};
   R passed = zero;
   MaskOf<R> under_way = lanes;
-  first_slope(c, b, s.start.x, s);
+  s.slope[0] = {s.start.v, evaluated(c, b, s.t, s.start)};
   for (int tries = 0; tries < kMaxSubsteps && any(under_way); ++tries) {
     const R left = frame - passed;
     const auto reaches = control.h >= left;

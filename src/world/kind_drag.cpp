@@ -15,11 +15,8 @@ Fidelity drag_alone() {
 
 KindDrag::KindDrag() : conditions_(prepare_conditions({}, drag_alone())) {}
 
-std::uint32_t KindDrag::add(const ProjectileDef& projectile, double scale) {
-  Body<double> body = prepare_body(projectile, {}, 0, pool_, conditions_);
-  body.half_area_per_mass *= scale;
-  for (double& band : body.band_half_area_per_mass) band *= scale;
-  bodies_.push_back(body);
+std::uint32_t KindDrag::add(const ProjectileDef& projectile) {
+  bodies_.push_back(prepare_body(projectile, {}, 0, pool_, conditions_));
   conditions_.curve_rows = pool_.rows().data();
   conditions_.searched_curves = pool_.searched().data();
   return static_cast<std::uint32_t>(bodies_.size() - 1);

@@ -17,8 +17,8 @@ class KindDrag {
   KindDrag(KindDrag&&) noexcept = default;
   KindDrag& operator=(KindDrag&&) noexcept = default;
 
-  /// A projectile that passed its check; its index. Every drag is multiplied by `scale`.
-  std::uint32_t add(const ProjectileDef& projectile, double scale = 1);
+  /// Adds a projectile; its index.
+  std::uint32_t add(const ProjectileDef& projectile);
   /// On a projectile of a mass, at a velocity u through air of a density [N].
   [[nodiscard]] Vec3d force(std::uint32_t index, double mass, double density, const Vec3d& u) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "math/elementary.hpp"
 #include "model/standard_atmosphere.hpp"
 
 namespace physim {
@@ -27,9 +28,16 @@ Features features_of(const Conditions<double>& c, const BodyDef& body) {
   return f;
 }
 
-void scale_drag(Body<double>& b, double scale) {
-  for (double* x : {&b.damping_rate, &b.k1_per_mass, &b.k2_per_mass, &b.half_area_per_mass}) *x *= scale;
-  for (double& x : b.band_half_area_per_mass) x *= scale;
+/// A projectile with so many times the drag, on every rung.
+ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {
+  if (scale == 1) return p;
+  p.drag.k1 *= scale;
+  p.drag.k2 *= scale;
+  p.drag.form_factor *= scale;
+  if (p.drag.ballistic_coefficient > 0) p.drag.ballistic_coefficient /= scale;
+  for (BallisticBand& band : p.drag.bands) band.ballistic_coefficient /= scale;
+  p.drag.damping = pow(p.drag.damping, scale);
+  return p;
 }
 
 void set_flags(Conditions<double>& c, const Features& f) {
@@ -68,6 +76,7 @@ Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef
   Kind& added = kinds_.emplace_back();
   added.projectile = projectile;
   added.body = body;
+  added.flown = with_drag_scaled(projectile, body.drag_scale);
   const auto index = static_cast<std::uint32_t>(kinds_.size());
   kind_by_hash_.emplace(hash, index);
   rung(index, projectile.fidelity);
@@ -91,7 +100,7 @@ std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity&
 
 void Registry::prepare(Kind& k, Prepared& r) {
   const Environment& environment = environments_[k.body.environment];
-  r.in_use = grant(r.asked, k.projectile, environment);
+  r.in_use = grant(r.asked, k.flown, environment);
   if (r.in_use.fidelity.rotation == RotationModel::spin_drift) {
     r.in_use.fidelity.rotation = RotationModel::none;
     r.in_use.notes.push_back({"rotation", "spin_drift", "none", "it is added to whole flights; worlds show what flew"});
@@ -101,14 +110,12 @@ void Registry::prepare(Kind& k, Prepared& r) {
   Conditions<double> probe = prepare_conditions(environment, granted);
   CurvePool& pool = curves(granted.interpolation).pool;
   const std::size_t rows_before = pool.rows().size() + pool.searched().size();
-  r.body = prepare_body(k.projectile, Launch{}, 0, pool, probe);
+  r.body = prepare_body(k.flown, Launch{}, 0, pool, probe);
   if (pool.rows().size() + pool.searched().size() != rows_before)
     for (WorldCohort& cohort : cohorts_) point_to_curves(cohort);
-  const bool equivalent =
-      granted.drag == DragModel::linear_quadratic && k.projectile.drag.k1 == 0 && k.projectile.drag.k2 == 0;
-  r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.projectile, r.body, probe) : nullptr;
+  const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;
+  r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.flown, r.body, probe) : nullptr;
   r.features = features_of(probe, k.body);
-  scale_drag(r.body, k.body.drag_scale);
   std::fill(std::begin(r.cohort), std::end(r.cohort), kNoCohort);
 }
 

@@ -67,6 +67,7 @@ struct Prepared {
 struct Kind {
   ProjectileDef projectile;
   BodyDef body;
+  ProjectileDef flown;         // the projectile with its drag scaled as its body says: what the models are given
   std::deque<Prepared> rungs;  // the first is its own
 };
 

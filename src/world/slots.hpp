@@ -53,6 +53,11 @@ struct Rest {
   float time = 0;          // [s]
 };
 
+/// 1 along the axes that are free, 0 along frozen ones.
+[[nodiscard]] inline Vec3d free_axes(Axes frozen) {
+  return {has(frozen, Axes::x) ? 0.0 : 1.0, has(frozen, Axes::y) ? 0.0 : 1.0, has(frozen, Axes::z) ? 0.0 : 1.0};
+}
+
 /// What few projectiles have of their own, others by their kind.
 struct Own {
   double gravity_scale = 1;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "model/turning.hpp"
 #include "physim/world.hpp"
 #include "world/slots.hpp"
 
@@ -36,11 +37,6 @@ struct Pool {
 struct PoolLink {
   std::uint32_t older = 0;
   std::uint32_t newer = 0;
-};
-
-struct Turning {
-  Quatd orientation;
-  Vec3d angular_velocity;
 };
 
 /// Something that is due for a projectile at a time.

@@ -143,30 +143,12 @@ bool World::Impl::make_room(std::uint32_t index) {
     if (pool.when_full == WhenFull::refuse)
       return refuse(
           {"the pool '" + pool.name + "' is full", "body.pool", "raise its maximum, or let it replace the oldest"});
-    remove(state.pools[index].oldest, LifeStatus::retired, WorldEventKind::retired, Reason::replaced);
+    retire(state.pools[index].oldest, Reason::replaced);
   }
   if (state.alive >= def.max_projectiles)
     return refuse({"the world is full", "world.max_projectiles", "raise it, or despawn some"});
   return true;
 }
-
-namespace {
-
-/// The projectile with its drag scaled as its body says, for models that know no bodies.
-ProjectileDef with_drag_scale(const Kind& kind) {
-  ProjectileDef p = kind.projectile;
-  const double scale = kind.body.drag_scale;
-  if (scale == 1 || scale == 0) return p;
-  p.drag.k1 *= scale;
-  p.drag.k2 *= scale;
-  p.drag.form_factor *= scale;
-  p.drag.ballistic_coefficient /= scale;
-  for (BallisticBand& band : p.drag.bands) band.ballistic_coefficient /= scale;
-  p.drag.damping = pow(p.drag.damping, scale);
-  return p;
-}
-
-}  // namespace
 
 // ------------------------------------------------------------------------------------------- coming
 void World::Impl::push_due(std::vector<Due>& heap, double time, std::uint32_t slot) {
@@ -186,10 +168,11 @@ Result<std::uint16_t> World::Impl::rung_for(std::uint32_t kind_index, const Laun
   purpose.step = def.step;
   if (def.ground.mode != GroundMode::none) purpose.ground = def.ground.height;
   if (!state.force_order.empty()) purpose.least_motion = Motion::force;
-  if (kind.body.drag_scale == 0) purpose.truth.drag = DragModel::off;
+  const bool dragless = kind.body.drag_scale == 0;
+  if (dragless) purpose.truth.drag = DragModel::off;
   purpose.tolerance.relative = def.tolerance.relative;
   purpose.tolerance.absolute = def.tolerance.absolute;
-  const auto answer = answers.cheapest_within(with_drag_scale(kind), launch, environment, purpose);
+  const auto answer = answers.cheapest_within(dragless ? kind.projectile : kind.flown, launch, environment, purpose);
   if (!answer) return answer.error();
   const FidelityNote why = (*answer)->note();
   const auto rung = registry.rung(kind_index, (*answer)->fidelity, &why);
@@ -207,7 +190,7 @@ ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, 
     at.velocity = *launch.velocity;
   } else {
     const Environment& environment = registry.environments()[kind.body.environment];
-    const auto elevation = elevation_of(kind.projectile, launch, environment, kind.projectile.fidelity);
+    const auto elevation = elevation_of(kind.flown, launch, environment, kind.projectile.fidelity);
     if (!elevation) return refuse(elevation.error()), ProjectileId{};
     at.velocity = launch_velocity(launch, sight_frame(launch), *elevation);
   }
@@ -319,10 +302,13 @@ void World::reserve(KindId kind, std::size_t count) {
 }
 
 // ------------------------------------------------------------------------------------------- going
-void World::Impl::remove(std::uint32_t index, LifeStatus status, WorldEventKind event, Reason reason) {
+void World::Impl::retire(std::uint32_t index, Reason reason) {
+  tell(WorldEventKind::retired, index, reason);
+  remove(index, LifeStatus::retired);
+}
+
+void World::Impl::remove(std::uint32_t index, LifeStatus status) {
   Slot& slot = state.slots[index];
-  if (event == WorldEventKind::expired || event == WorldEventKind::retired) tell(event, index, reason);
-  if (reason == Reason::non_finite) ++state.counters.retired;
   take_out(slot);
   unlink_from_pool(index, kind_of(slot).body.pool);
   state.own.erase(index);
@@ -338,7 +324,7 @@ void World::Impl::remove(std::uint32_t index, LifeStatus status, WorldEventKind 
 bool World::despawn(ProjectileId id) {
   const Recorded<Call::despawn> call(impl_->recorder, id);
   if (!impl_->find(id)) return impl_->refuse({"it is gone already", "id", ""});
-  impl_->remove(id.index, LifeStatus::retired, WorldEventKind::retired, Reason::despawned);
+  impl_->retire(id.index, Reason::despawned);
   return true;
 }
 
@@ -355,8 +341,7 @@ std::size_t World::despawn(std::span<const ProjectileId> ids) {
 void World::clear() {
   const Recorded<Call::clear> call(impl_->recorder);
   for (std::uint32_t slot = 1; slot < impl_->state.slots.size(); ++slot)
-    if (impl_->state.slots[slot].is(kAlive))
-      impl_->remove(slot, LifeStatus::retired, WorldEventKind::retired, Reason::despawned);
+    if (impl_->state.slots[slot].is(kAlive)) impl_->retire(slot, Reason::despawned);
 }
 
 }  // namespace physim

@@ -59,10 +59,13 @@ struct World::Impl {
   bool fits(const Slot& slot, const BodyState& at);
   [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch);
   void push_due(std::vector<Due>& heap, double time, std::uint32_t slot);
+  /// Takes out the next one alive that is due by now; null where there is none.
+  ProjectileId take_due(std::vector<Due>& heap);
   std::uint32_t take_slot();
   void free_slot(std::uint32_t slot);
-  /// Takes a projectile out of the world.
-  void remove(std::uint32_t slot, LifeStatus status, WorldEventKind event, Reason reason);
+  /// Takes a projectile out of the world; the event is told before.
+  void remove(std::uint32_t slot, LifeStatus status);
+  void retire(std::uint32_t slot, Reason reason);
   bool make_room(std::uint32_t pool);
   void link_to_pool(std::uint32_t slot, std::uint32_t pool);
   void unlink_from_pool(std::uint32_t slot, std::uint32_t pool);

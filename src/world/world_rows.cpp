@@ -5,10 +5,6 @@
 namespace physim {
 namespace {
 
-Vec3d free_axes(Axes frozen) {
-  return {has(frozen, Axes::x) ? 0.0 : 1.0, has(frozen, Axes::y) ? 0.0 : 1.0, has(frozen, Axes::z) ? 0.0 : 1.0};
-}
-
 /// Horizontal unit normal of the plane of fire, to its right.
 Vec3d plane_of(const Vec3d& velocity, const Launch* launch) {
   if (launch) return sight_frame(*launch).right;
@@ -83,8 +79,7 @@ Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const
   if (planar) at.velocity -= body.plane * dot(body.plane, at.velocity);
   if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, body.free);
   body.launch = {at.position, at.velocity};
-  if (rung.equivalent_drag)
-    body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch) * kind_of(slot).body.drag_scale;
+  if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch);
   return body;
 }
 

@@ -15,6 +15,15 @@ constexpr std::uint32_t kChunkRows = 4096;
 /// worth fetching from memory first: positions are stored past the caches, which saves a sixth of the traffic.
 constexpr std::size_t kCacheBytes = 24u << 20;
 
+/// Nothing turns a projectile upwards, so none dips below the ground and comes out of it within a step.
+bool only_falls(const WorldCohort& cohort) {
+  const Fidelity& f = cohort.key.fidelity;
+  const Features& features = cohort.key.features;
+  const bool pushed = cohort.key.forced || features.applied || features.gravity_scale;
+  const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity[0].y > 0;
+  return f.earth == EarthModel::flat && !pushed && !updraught;
+}
+
 template <class S>
 Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
   const DespawnRules& d = cohort.key.rules.despawn;
@@ -32,9 +41,7 @@ Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
   w.high = vec_cast<S>(d.box_high);
   w.apex = def.apex_events;
   w.box = d.outside_box;
-  const bool flat_fall = cohort.key.fidelity.earth == EarthModel::flat;
-  w.simple = flat_fall && !w.apex && !w.box && !cohort.layout.launched &&
-             (def.ground.mode == GroundMode::none || !cohort.key.forced);
+  w.simple = only_falls(cohort) && !w.apex && !w.box && !cohort.layout.launched;
   return w;
 }
 
@@ -116,18 +123,23 @@ TaskRunner& World::Impl::runner(std::size_t rows) {
 
 void World::set_task_runner(TaskRunner* runner) { impl_->lent = runner; }
 
-void World::Impl::launch_pending() {
+ProjectileId World::Impl::take_due(std::vector<Due>& heap) {
   const double now = state.clock.time();
-  auto& heap = state.pending;
   while (!heap.empty() && heap.front().time <= now) {
     const ProjectileId id = heap.front().id;
     std::pop_heap(heap.begin(), heap.end(), is_later);
     heap.pop_back();
-    Slot* slot = find(id);
-    if (!slot || !slot->is(kPending)) continue;
-    slot->set(kPending, false);
-    slot->set_status(LifeStatus::in_flight);
-    const BodyState at = state_of(*slot);
+    if (find(id)) return id;
+  }
+  return {};
+}
+
+void World::Impl::launch_pending() {
+  while (const ProjectileId id = take_due(state.pending)) {
+    Slot& slot = *find(id);
+    slot.set(kPending, false);
+    slot.set_status(LifeStatus::in_flight);
+    const BodyState at = state_of(slot);
     relocate(id.index);
     write_row(id.index, at, at.position);  // its clock starts now
     tell(WorldEventKind::spawned, id.index);
@@ -135,13 +147,9 @@ void World::Impl::launch_pending() {
 }
 
 void World::Impl::expire_old() {
-  const double now = state.clock.time();
-  auto& heap = state.old_age;
-  while (!heap.empty() && heap.front().time <= now) {
-    const ProjectileId id = heap.front().id;
-    std::pop_heap(heap.begin(), heap.end(), is_later);
-    heap.pop_back();
-    if (find(id)) remove(id.index, LifeStatus::expired, WorldEventKind::expired, Reason::older);
+  while (const ProjectileId id = take_due(state.old_age)) {
+    tell(WorldEventKind::expired, id.index, Reason::older);
+    remove(id.index, LifeStatus::expired);
   }
 }
 
@@ -200,7 +208,8 @@ void World::Impl::finish_step() {
     if (!slot.is(kAlive)) continue;
     switch (change.kind) {
       case Change::Kind::remove:
-        remove(change.slot, change.status, WorldEventKind::landed, change.reason);
+        if (change.reason == Reason::non_finite) ++state.counters.retired;
+        remove(change.slot, change.status);
         break;
       case Change::Kind::stick:
         set_row_state(change.slot, {state_of(slot).position, {}});

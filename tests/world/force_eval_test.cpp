@@ -317,10 +317,13 @@ TEST(KindDrag, is_the_drag_of_every_flight) {
     }
 }
 
-TEST(KindDrag, is_scaled_by_density_and_by_its_kind) {
+TEST(KindDrag, is_proportional_to_density_and_to_its_kind) {
   KindDrag kinds;
   const ProjectileDef ball = Batch::ball();  // Cd 1/2
-  const std::uint32_t one = kinds.add(ball), half = kinds.add(ball, 0.5), none = kinds.add(ball, 0);
+  ProjectileDef halved = ball, dragless = ball;
+  halved.drag.form_factor = 0.5;
+  dragless.drag.coefficient = 0;
+  const std::uint32_t one = kinds.add(ball), half = kinds.add(halved), none = kinds.add(dragless);
   const double area = 3.14159265358979323846 / 4 * 0.25;
   EXPECT_TRUE(near(kinds.force(one, 2, 1.1, {10, 0, 0}), {-0.5 * 1.1 * 100 * 0.5 * area, 0, 0}, 1e-14));
   EXPECT_TRUE(near(kinds.force(half, 2, 2.2, {10, 0, 0}), kinds.force(one, 2, 1.1, {10, 0, 0}), 1e-14));

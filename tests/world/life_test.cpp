@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 
+#include "physim/flight.hpp"
 #include "world/world_support.hpp"
 
 namespace physim {
@@ -194,6 +195,70 @@ TEST(Life, switches_of_a_body) {
   run_for(world, 0.5);
   EXPECT_LT(world.position(floating).y, 100);
   EXPECT_LT(world.position(kinematic).y, 2);
+}
+
+TEST(Life, a_drag_scale_is_that_of_every_rung) {
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  Tolerance tolerance;
+  tolerance.step = 1.0 / 64;
+  const Until until{.ground = {}, .time = 2};
+  for (const DragModel drag : {DragModel::damping, DragModel::linear_quadratic, DragModel::equation}) {
+    ProjectileDef p = bullet();
+    p.fidelity = Fidelity::sport_ball();
+    p.fidelity.drag = drag;
+    const Launch launch{.position = {0, 100, 0}, .velocity = Vec3d{300, 20, 5}};
+    for (const double scale : {0.0, 0.5, 3.0}) {
+      BodyDef body;
+      body.drag_scale = scale;
+      World world = make_world(def);
+      const ProjectileId id = world.spawn(p, launch, body);
+      run_for(world, 1);
+      ProjectileDef scaled = p;
+      scaled.drag.damping = std::pow(p.drag.damping, scale);
+      scaled.drag.k1 *= scale;
+      scaled.drag.k2 *= scale;
+      scaled.drag.ballistic_coefficient = scale > 0 ? p.drag.ballistic_coefficient / scale : 1e300;
+      Fidelity f = p.fidelity;
+      if (scale == 0) f.drag = DragModel::off;
+      const Flight flight = fly(scaled, launch, def.environment, f, tolerance, until);
+      EXPECT_LT(length(world.position(id) - flight.at(1).position), 1e-9) << scale;
+    }
+  }
+}
+
+TEST(Life, a_drag_scale_is_in_the_zero) {
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  World world = make_world(def);
+  ProjectileDef p = bullet();
+  p.fidelity = Fidelity::sport_ball();
+  Launch launch{.speed = 500, .sight = {.zero_range = 200}};
+  BodyDef body;
+  body.drag_scale = 2;
+  const ProjectileId id = world.spawn(p, launch, body);
+  ASSERT_TRUE(id);
+  ProjectileDef dragged = p;
+  dragged.drag.ballistic_coefficient /= 2;
+  const auto elevation = zero_elevation(dragged, launch, def.environment, p.fidelity, 200);
+  ASSERT_TRUE(elevation);
+  EXPECT_NEAR(std::atan2(world.velocity(id).y, world.velocity(id).x), *elevation, 1e-12);
+}
+
+TEST(Life, an_updraught_that_throws_a_leaf_up_again_lands_it_before) {
+  WorldDef def;
+  def.environment.wind.velocity = {0, 30, 0};
+  ProjectileDef leaf;
+  leaf.mass = 0.01;
+  leaf.drag.damping = 1e-5;
+  leaf.fidelity = Fidelity::game();
+  leaf.fidelity.drag = DragModel::damping;
+  leaf.fidelity.integrator = Integrator::rk4;
+  leaf.fidelity.precision = Precision::float64;
+  World world = make_world(def);
+  const ProjectileId id = world.spawn(leaf, {.position = {0, 0.02, 0}, .velocity = Vec3d{0, -6, 0}});
+  world.step(0.1);  // it dips below the ground and would come out of it within the step
+  EXPECT_EQ(world.status(id), LifeStatus::landed);
 }
 
 TEST(Life, frozen_closed_forms_stay_on_their_axis) {

@@ -7,21 +7,10 @@
 
 #include "physim/flight.hpp"
 #include "physim/names.hpp"
+#include "world/world_support.hpp"
 
 namespace physim {
 namespace {
-
-ProjectileDef bullet() {
-  ProjectileDef p;
-  p.mass = 0.01134;
-  p.diameter = 0.00782;
-  p.drag.table = DragTable::g7;
-  p.drag.ballistic_coefficient = 170;
-  p.drag.damping = 0.9;
-  p.drag.k1 = 0.001;
-  p.drag.k2 = 0.00002;
-  return p;
-}
 
 Environment windy() {
   Environment e;
@@ -68,7 +57,7 @@ TEST(World, agrees_with_flight_bit_for_bit) {
   def.environment = windy();
   def.ground.mode = GroundMode::none;
   for (const Fidelity& rung : fixed_rungs()) {
-    World world = std::move(World::create(def).value());
+    World world = make_world(def);
     ProjectileDef p = bullet();
     p.fidelity = rung;
     std::vector<Launch> launches;
