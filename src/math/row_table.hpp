@@ -115,11 +115,13 @@ PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const
   // Adding the rounding number leaves the integer in the low bits of the mantissa.
   using U = UnsignedOf<S>;
   const auto bits = to_bits(index + rounding_magic<Pack<S, N>>());
-  U offset[N];
-  ((bits & Pack<U, N>(U(0x3fffff))) << 2).store(offset);
+  U stored[N];
+  ((bits & Pack<U, N>(U(0x3fffff))) << 2).store(stored);
+  const U* offset = stored;
 #if defined(__GNUC__)
   // Reading the offsets back from memory costs one load a lane; taking them out of a register costs three instructions.
-  asm("" : "+m"(offset));
+  // Hiding where they lie does it. (Hiding what they are would hide all else in memory, such as known conditions.)
+  asm("" : "+r"(offset));
 #endif
 
 #ifdef PHYSIM_HAS_SHUFFLE

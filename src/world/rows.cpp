@@ -23,7 +23,8 @@ Rows::Rows(const Rows& o)
       stride_(o.stride_),
       capacity_(o.capacity_),
       size_(o.size_),
-      swapped_(o.swapped_) {
+      swapped_(o.swapped_),
+      field_masks_(o.field_masks_) {
   find_columns();
 }
 
@@ -36,6 +37,7 @@ Rows& Rows::operator=(const Rows& o) {
   capacity_ = o.capacity_;
   size_ = o.size_;
   swapped_ = o.swapped_;
+  field_masks_ = o.field_masks_;
   find_columns();
   return *this;
 }
@@ -69,7 +71,28 @@ std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
     const unsigned source = turned && k < 6 ? (k + 3) % 6 : k;
     std::memcpy(column(k) + at * bytes, from.column(source) + row * bytes, bytes);
   }
+  compare_fields(at);
   return at;
+}
+
+void Rows::write_fields(std::uint32_t row, const Body<double>& body) {
+  const auto* number = reinterpret_cast<const double*>(&body);
+  visit([&]<class S>(const RowColumns<S>& c) {
+    for (const std::uint8_t field : layout_.fields) c.field[field][row] = static_cast<S>(number[field]);
+  });
+  compare_fields(row);
+}
+
+void Rows::compare_fields(std::uint32_t row) {
+  // Closed forms write a new launch into their rows while they step.
+  if (layout_.clocked) return field_masks_.fill(~0u);
+  if (size_ == 1) return field_masks_.fill(0);
+  const std::uint32_t other = row == 0 ? 1 : 0;
+  visit([&](const auto& c) {
+    for (const std::uint8_t field : layout_.fields)
+      if (std::memcmp(c.field[field] + row, c.field[field] + other, sizeof(*c.field[field])) != 0)
+        field_masks_[field] = ~0u;
+  });
 }
 
 std::uint32_t Rows::swap_remove(std::uint32_t row) {

@@ -1,6 +1,7 @@
 // Rows: the projectiles of one cohort, a column for each of their numbers, so that packs load them side by side.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -36,6 +37,10 @@ struct RowColumns {
   S* born;    // step at which the clock started
   S* field[kBodyFields<S>];
 };
+
+/// What a row number is taken with before a column of Body's numbers is read: ~0, or 0 where all rows have the same
+/// number. Such a column is read in its first rows only, which stay in the nearest cache.
+using RowMasks = std::array<std::uint32_t, kBodyFields<double>>;
 
 class Rows {
  public:
@@ -94,6 +99,9 @@ class Rows {
       for (const std::uint8_t field : layout_.fields) number[field] = static_cast<double>(c.field[field][row]);
     });
   }
+  /// Fills in the numbers of a row that the models read.
+  void write_fields(std::uint32_t row, const Body<double>& body);
+  [[nodiscard]] const RowMasks& field_masks() const { return field_masks_; }
   template <class S>
   [[nodiscard]] static Vec3d at(S* const (&column)[3], std::uint32_t row) {
     return {double(column[0][row]), double(column[1][row]), double(column[2][row])};
@@ -111,6 +119,8 @@ class Rows {
     return const_cast<std::byte*>(reinterpret_cast<const std::byte*>(lines_.data())) + k * stride_;
   }
   [[nodiscard]] std::size_t number_size() const { return layout_.float32 ? sizeof(float) : sizeof(double); }
+  /// Looks which numbers of a row just filled in differ from those of the others.
+  void compare_fields(std::uint32_t row);
   template <class S>
   void find_columns(RowColumns<S>& c) const;
   void find_columns();
@@ -122,6 +132,7 @@ class Rows {
   std::uint32_t capacity_ = 0;
   std::uint32_t size_ = 0;
   bool swapped_ = false;
+  RowMasks field_masks_{};
   RowColumns<float> float_{};  // one of them is in use
   RowColumns<double> double_{};
 };

@@ -72,10 +72,15 @@ PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, co
   return found;
 }
 
+/// One of a body's numbers.
+template <class R, class S>
+PHYSIM_INLINE R load_field(const WorldJob<S>& job, std::size_t field, std::uint32_t row) {
+  return load<R>(job.columns.field[field], row & job.field_masks[field]);
+}
 template <class R, class S>
 PHYSIM_INLINE void load_body(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
   auto* number = reinterpret_cast<R*>(&b);
-  for (unsigned i = 0; i < job.field_count; ++i) number[job.fields[i]] = load<R>(job.columns.field[job.fields[i]], row);
+  for (unsigned i = 0; i < job.field_count; ++i) number[job.fields[i]] = load_field<R>(job, job.fields[i], row);
 }
 
 template <class R, class S>
@@ -185,7 +190,7 @@ struct KnownRung {
   /// The numbers of a body that this rung reads.
   template <class R, class S>
   PHYSIM_INLINE static Body<R> load_body(const WorldJob<S>& job, std::uint32_t row) {
-    const auto field = [&](std::size_t at) { return load<R>(job.columns.field[at / sizeof(S)], row); };
+    const auto field = [&](std::size_t at) { return load_field<R>(job, at / sizeof(S), row); };
     Body<R> b;
     if constexpr (drag == DragModel::damping) b.damping_rate = field(offsetof(Body<S>, damping_rate));
     if constexpr (drag == DragModel::linear_quadratic) {

@@ -25,6 +25,7 @@ struct WorldJob {
   const Course<S>* course;
   RowColumns<S> columns;
   const std::uint8_t* fields;
+  const std::uint32_t* field_masks;  // of a Body's numbers, see RowMasks
   unsigned field_count;
   bool stream;  // positions are stored past the caches
   bool clocked;

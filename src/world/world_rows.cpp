@@ -19,7 +19,7 @@ struct RowNumbers {
   const Vec3d& previous;
 };
 
-void put_row(const Rows& rows, std::uint32_t row, const BodyState& at, const Body<double>& body, const RowNumbers& n) {
+void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<double>& body, const RowNumbers& n) {
   const RowLayout& layout = rows.layout();
   rows.visit([&]<class S>(const RowColumns<S>& c) {
     Rows::put(c.position, row, at.position);
@@ -27,12 +27,11 @@ void put_row(const Rows& rows, std::uint32_t row, const BodyState& at, const Bod
     Rows::put(c.velocity, row, at.velocity);
     if (layout.carried) Rows::put(c.carried, row, {});
     if (layout.launched) Rows::put(c.launch, row, at.position);
-    const auto* number = reinterpret_cast<const double*>(&body);
-    for (const std::uint8_t field : layout.fields) c.field[field][row] = static_cast<S>(number[field]);
     if (!layout.clocked) return;
     c.offset[row] = S(0);
     c.born[row] = static_cast<S>(n.now);
   });
+  rows.write_fields(row, body);
 }
 
 }  // namespace

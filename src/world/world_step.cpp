@@ -55,6 +55,7 @@ WorldJob<S> rows_job(const SettleContext& context, std::uint16_t index) {
   job.course = &cohort.course<S>();
   job.columns = rows.columns<S>();
   job.fields = rows.layout().fields.data();
+  job.field_masks = rows.field_masks().data();
   job.field_count = static_cast<unsigned>(rows.layout().fields.size());
   job.clocked = rows.layout().clocked;
   job.launched = rows.layout().launched;
