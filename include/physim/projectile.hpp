@@ -58,6 +58,15 @@ struct DragDef {
   bool operator==(const DragDef&) const = default;
 };
 
+/// Moments of inertia about the centre of mass, along body axes: x forward, y up, z right. All 0: not known, and no
+/// rigid body. A product is that of the tensor with its sign: Ixy = -integral of x y dm.
+struct Inertia {
+  Vec3d moments;   ///< Ixx, Iyy, Izz [kg m^2]
+  Vec3d products;  ///< Ixy, Ixz, Iyz [kg m^2]
+
+  bool operator==(const Inertia&) const = default;
+};
+
 /// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
 struct ProjectileDef {
   std::string name;       ///< for tables and plots [-]
@@ -66,6 +75,7 @@ struct ProjectileDef {
   double length = 0;      ///< for the stability factor; 0: not known [m]
   double twist = 0;       ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
   DragDef drag;           ///< data of the drag models [-]
+  Inertia inertia;        ///< of rigid bodies [-]
   Vec3d force;            ///< a constant force on the projectile, such as thrust [N]
   double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
   Fidelity fidelity;                                                ///< used where a call gives none [-]
@@ -82,6 +92,27 @@ struct Sight {
   bool zero_in_calm_air = false;  ///< the zero was shot without wind [-]
 };
 
+/// What launch angles are measured from.
+enum class AttitudeFrame {
+  bore,   ///< the direction of launch: x along it, z level to the right
+  world,  ///< the world frame W
+};
+/// Which frame launch rates are seen from.
+enum class RateFrame {
+  world,     ///< W, which turns with the Earth: as seen from the ground
+  inertial,  ///< the fixed stars; the same where W does not turn
+};
+
+/// How a rigid body points and turns at launch.
+struct LaunchAttitude {
+  AttitudeFrame frame = AttitudeFrame::bore;  ///< what the angles are measured from [-]
+  double yaw = 0;                             ///< of the nose, to the right, first [rad]
+  double pitch = 0;                           ///< of the nose, up, second [rad]
+  double roll = 0;                            ///< right side down, third [rad]
+  RateFrame rate_frame = RateFrame::world;    ///< which frame the rates are seen from [-]
+  Vec3d rates;                                ///< about body axes (x forward, y up, z right), on top of rifling [rad/s]
+};
+
 /// Where, how fast and in which direction a projectile starts.
 struct Launch {
   Vec3d position;                 ///< of the muzzle in the world frame W: x downrange, y up, z right [m]
@@ -90,6 +121,7 @@ struct Launch {
   double azimuth = 0;             ///< of the plane of fire, from x towards z (to the right) [rad]
   std::optional<Vec3d> velocity;  ///< instead of speed, elevation and azimuth [m/s]
   Sight sight;                    ///< line of sight [-]
+  LaunchAttitude attitude;        ///< of rigid bodies [-]
 };
 
 }  // namespace physim

@@ -63,16 +63,18 @@ template <class R, class S>
 PHYSIM_INLINE void try_steps(const Course<S>& course, Lanes<R>* const* lanes, int count, MaskOf<R>* accepted) {
   const Conditions<S>& c = *course.conditions;
   const Body<R>* bodies[kMostSets];
+  const Rotor<R>* rotors[kMostSets];
   Step<R>* steps[kMostSets];
   for (int i = 0; i < count; ++i) {
     Lanes<R>& l = *lanes[i];
     bodies[i] = &l.body;
+    rotors[i] = &*l.rotor;
     steps[i] = &l.step;
     l.step.h = l.control.h;
     // Fixed steps count, so that time does not gather rounding errors.
     l.step.t_end = steps_itself(c.fidelity) ? l.step.t + l.step.h : (l.count + R(S(1))) * l.step.h;
   }
-  take_steps(c, bodies, course.plan.relative, course.plan.absolute, steps, count);
+  take_steps(c, Walkers<R>{bodies, rotors, steps, count}, course.plan.relative, course.plan.absolute);
   for (int i = 0; i < count; ++i) accepted[i] = control_step(course, *lanes[i]);
 }
 template <class R, class S>
@@ -92,6 +94,11 @@ PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
   l.step.t = select(accepted, l.step.t_end, l.step.t);
   l.step.start = select(accepted, l.step.end, l.step.start);
   l.step.slope[0] = select(accepted, l.step.slope[last_slope(f)], l.step.slope[0]);
+  if (turns(f)) {
+    TurnStep<R>& turn = *l.step.turn;
+    turn.start = select(accepted, turn.end, turn.start);
+    turn.slope[0] = select(accepted, turn.slope[last_slope(f)], turn.slope[0]);
+  }
   if (closed) l.control.h = min(l.control.h * S(2), longest_closed_form_step(*course.conditions, l.body));
 }
 

@@ -44,16 +44,24 @@ class Key {
   }
   void add(const ProjectileDef& projectile) {
     // Its name changes nothing, and its own fidelity is not asked.
-    const auto& [name, mass, diameter, length, twist, drag, force, force_duration, fidelity] = projectile;
-    all(mass, diameter, length, twist, drag, force, force_duration);
+    const auto& [name, mass, diameter, length, twist, drag, inertia, force, force_duration, fidelity] = projectile;
+    all(mass, diameter, length, twist, drag, inertia, force, force_duration);
+  }
+  void add(const Inertia& inertia) {
+    const auto& [moments, products] = inertia;
+    all(moments, products);
   }
   void add(const Sight& sight) {
     const auto& [height, look_angle, cant, zero_range, zero_in_calm_air] = sight;
     all(height, look_angle, cant, zero_range, zero_in_calm_air);
   }
   void add(const Launch& launch) {
-    const auto& [position, speed, elevation, azimuth, velocity, sight] = launch;
-    all(position, speed, elevation, azimuth, velocity, sight);
+    const auto& [position, speed, elevation, azimuth, velocity, sight, attitude] = launch;
+    all(position, speed, elevation, azimuth, velocity, sight, attitude);
+  }
+  void add(const LaunchAttitude& attitude) {
+    const auto& [frame, yaw, pitch, roll, rate_frame, rates] = attitude;
+    all(frame, yaw, pitch, roll, rate_frame, rates);
   }
   void add(const WindPoint& point) {
     const auto& [at, velocity] = point;
@@ -69,9 +77,10 @@ class Key {
         sound_speed, scale_height, velocity, profile, by, interpolation, latitude, azimuth, rotation_rate);
   }
   void add(const Fidelity& fidelity) {
-    const auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar,
+    const auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
                  one_shot] = fidelity;
-    all(motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar, one_shot);
+    all(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
+        one_shot);
   }
   void add(const Tolerance& tolerance) {
     const auto& [relative, absolute, step, position_error, max_step, max_steps] = tolerance;

@@ -4,6 +4,7 @@
 
 #include "flight/cohort.hpp"
 #include "math/checker.hpp"
+#include "model/attitude.hpp"
 #include "model/humid_air.hpp"
 #include "model/standard_atmosphere.hpp"
 
@@ -47,6 +48,10 @@ Status check(const ProjectileDef& p) {
   c.not_negative(d.k1, "projectile.drag.k1", "").not_negative(d.k2, "projectile.drag.k2", "");
   if (d.table == DragTable::custom) check_curve(c, d.curve);
   if (!d.bands.empty()) check_bands(c, d.bands);
+  c.is_vector(p.inertia.moments, "projectile.inertia.moments");
+  c.is_vector(p.inertia.products, "projectile.inertia.products");
+  c.require(!has_inertia(p) || is_possible(p.inertia), "projectile.inertia", "is no inertia that a body can have",
+            "moments are positive, none exceeds the sum of the others, and products are small enough");
   c.is_vector(p.force, "projectile.force");
   c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
   return c.status();
@@ -57,6 +62,9 @@ Status check(const Launch& l) {
   c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
   c.is_number(l.elevation, "launch.elevation").is_number(l.azimuth, "launch.azimuth");
   if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
+  const LaunchAttitude& a = l.attitude;
+  c.is_number(a.yaw, "launch.attitude.yaw").is_number(a.pitch, "launch.attitude.pitch");
+  c.is_number(a.roll, "launch.attitude.roll").is_vector(a.rates, "launch.attitude.rates");
   c.is_number(l.sight.height, "launch.sight.height").is_number(l.sight.cant, "launch.sight.cant");
   c.require(std::abs(l.sight.look_angle) <= kRightAngle, "launch.sight.look_angle",
             "must lie between -90 and 90 degrees", "angles are in radians");

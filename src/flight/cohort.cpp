@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "math/elementary.hpp"
+#include "model/attitude.hpp"
 #include "model/standard_atmosphere.hpp"
 
 namespace physim {
@@ -191,6 +192,17 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   b.gravity_scale = 1;
   b.free = {1, 1, 1};
   return b;
+}
+
+Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
+                            const Conditions<double>& c) {
+  Rotor<double> rotor = prepare_rotor(p);
+  Launch bore = launch;
+  bore.velocity.reset();
+  bore.speed = 1;
+  const Vec3d direction = launch_velocity(bore, sight_frame(launch), elevation);
+  rotor.launch = turn_of(c.fidelity, rotor, launch_attitude(p, launch, b.launch.v, direction, c));
+  return rotor;
 }
 
 SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const Environment& environment,

@@ -25,7 +25,9 @@ Vec3d FlightRecord::acceleration_at(double time) const {
   const Fidelity& f = cohort.in_use.fidelity;
   if (f.motion != Motion::closed_form && f.integrator == Integrator::classic && nodes.size() > 1)
     return (later_node(nodes, time) - 1)->a;
-  return acceleration(cohort.conditions, body, time, state(time));
+  if (!turns(f)) return acceleration(cohort.conditions, body, time, state(time));
+  Turn<double> slope;
+  return turning_acceleration(cohort.conditions, body, rotor, time, state(time), turn(time), slope);
 }
 
 State<double> FlightRecord::state(double time) const {
@@ -43,6 +45,17 @@ State<double> FlightRecord::state(double time) const {
   const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
   const State<double>* c = count > 0 ? coefficients.data() + index * count : nullptr;
   return dense_state(f.integrator, n0, n1, c, place_between(n0, n1, time));
+}
+
+Turn<double> FlightRecord::turn(double time) const {
+  if (nodes.size() < 2) return rotor.launch;
+  const Fidelity& f = cohort.in_use.fidelity;
+  const auto index = static_cast<std::size_t>(later_node(nodes, time) - nodes.begin());
+  const TurnNode& n1 = turn_nodes[index];
+  const TurnNode& n0 = turn_nodes[index - 1];
+  const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
+  const Turn<double>* c = count > 0 ? turn_coefficients.data() + (index - 1) * count : nullptr;
+  return dense_turn(f, n0, n1, c, place_between(nodes[index - 1], nodes[index], time));
 }
 
 State<double> FlightRecord::shown(double time) const { return with_drift(state(time), drift, sight.right, time); }
@@ -96,6 +109,11 @@ Sample Flight::at(double time) const {
   out.range = dot(s.x - r.sight.muzzle, r.sight.forward);
   out.drop = dot(s.x - r.sight.start, r.sight.up);
   out.windage = dot(s.x - r.sight.start, r.sight.right);
+  if (!turns(c.fidelity)) return out;
+  const Attitude attitude = attitude_of(c.fidelity, r.rotor, r.turn(time));
+  out.orientation = attitude.q_WB;
+  out.angular_velocity = attitude.omega;
+  out.angle_of_attack = angle_between(rotate(attitude.q_WB, Vec3d{1, 0, 0}), air_velocity(c, s));
   return out;
 }
 

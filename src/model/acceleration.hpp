@@ -9,6 +9,7 @@
 
 #include "model/drag.hpp"
 #include "model/gravity.hpp"
+#include "model/rigid_body.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -20,17 +21,36 @@ PHYSIM_INLINE Vec3<R> applied(const Conditions<S>&, const Body<R>& b, const R& t
   return {select(on, b.applied.x, zero), select(on, b.applied.y, zero), select(on, b.applied.z, zero)};
 }
 
-/// The switches are uniform over all lanes: one predictable branch per effect for a whole pack.
+/// What comes on top of weight and air. The switches are uniform over all lanes: one predictable branch per effect for
+/// a whole pack.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  Vec3<R> a = weight_per_mass(c, b, s.x);
-  if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
+PHYSIM_INLINE Vec3<R> with_other_effects(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                         Vec3<R> a) {
   if (is_turning(c.fidelity.earth)) a += coriolis(c, s.v);
   if (throws_out(c.fidelity)) a += centrifugal(c, s.x);
   if (c.has_applied) a += applied(c, b, t);
   if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
   if (c.has_frozen) a = component_product(a, b.free);
   return a;
+}
+
+/// Of a point mass.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  Vec3<R> a = weight_per_mass(c, b, s.x);
+  if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
+  return with_other_effects(c, b, t, s, a);
+}
+
+/// Of what turns, with the slope of its Turn.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                           const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
+  const R zero(S(0));
+  Vec3<R> a = weight_per_mass(c, b, s.x);
+  if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
+  slope = turn_slope(c, rotor, turn, Vec3<R>{zero, zero, zero});
+  return with_other_effects(c, b, t, s, a);
 }
 
 PHYSIM_ISA_END

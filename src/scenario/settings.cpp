@@ -365,6 +365,9 @@ constexpr Entry kFidelitySettings[] = {
     {.path = "shot.fidelity.rotation",
      .slot = PHYSIM_FIELD(shot->projectile.fidelity.rotation),
      .doc = "effects of the projectile's spin"},
+    {.path = "shot.fidelity.body_form",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.body_form),
+     .doc = "how the attitude of a rigid body is computed"},
     {.path = "shot.fidelity.precision",
      .slot = PHYSIM_FIELD(shot->projectile.fidelity.precision),
      .doc = "number type of the computation"},
@@ -486,8 +489,8 @@ std::span<const Entry> entries() {
     std::vector<Entry> list;
     for (const std::span<const Entry> part :
          {std::span<const Entry>(kFileSettings), std::span<const Entry>(kEnvironmentSettings),
-          std::span<const Entry>(kShotSettings), std::span<const Entry>(kFidelitySettings), body_settings(),
-          world_settings(), volley_settings(), force_settings(), std::span<const Entry>(kRunSettings),
+          std::span<const Entry>(kShotSettings), rotation_settings(), std::span<const Entry>(kFidelitySettings),
+          body_settings(), world_settings(), volley_settings(), force_settings(), std::span<const Entry>(kRunSettings),
           std::span<const Entry>(kExpectSettings)})
       list.insert(list.end(), part.begin(), part.end());
     return list;

@@ -32,8 +32,9 @@ void fields(A& a, ForceId& id) {
 // --------------------------------------------------------------------------------------------- projectiles
 template <class A>
 void fields(A& a, Fidelity& f) {
-  auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar, one_shot] = f;
-  a(motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar, one_shot);
+  auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
+         one_shot] = f;
+  a(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar, one_shot);
 }
 template <class A>
 void fields(A& a, DragPoint& p) {
@@ -51,9 +52,14 @@ void fields(A& a, DragDef& d) {
   a(table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2);
 }
 template <class A>
+void fields(A& a, Inertia& i) {
+  auto& [moments, products] = i;
+  a(moments, products);
+}
+template <class A>
 void fields(A& a, ProjectileDef& p) {
-  auto& [name, mass, diameter, length, twist, drag, force, force_duration, fidelity] = p;
-  a(name, mass, diameter, length, twist, drag, force, force_duration, fidelity);
+  auto& [name, mass, diameter, length, twist, drag, inertia, force, force_duration, fidelity] = p;
+  a(name, mass, diameter, length, twist, drag, inertia, force, force_duration, fidelity);
 }
 template <class A>
 void fields(A& a, Sight& s) {
@@ -61,9 +67,14 @@ void fields(A& a, Sight& s) {
   a(height, look_angle, cant, zero_range, zero_in_calm_air);
 }
 template <class A>
+void fields(A& a, LaunchAttitude& l) {
+  auto& [frame, yaw, pitch, roll, rate_frame, rates] = l;
+  a(frame, yaw, pitch, roll, rate_frame, rates);
+}
+template <class A>
 void fields(A& a, Launch& l) {
-  auto& [position, speed, elevation, azimuth, velocity, sight] = l;
-  a(position, speed, elevation, azimuth, velocity, sight);
+  auto& [position, speed, elevation, azimuth, velocity, sight, attitude] = l;
+  a(position, speed, elevation, azimuth, velocity, sight, attitude);
 }
 template <class A>
 void fields(A& a, DespawnRules& d) {

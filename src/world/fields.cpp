@@ -56,6 +56,7 @@ RowLayout layout_of(const Fidelity& granted, const Features& features) {
   layout.clocked = closed || features.applied;
   layout.carried = !closed && granted.integrator == Integrator::classic;
   layout.launched = features.launch_place;
+  layout.turning = turns(granted);
   layout.fields = list.take();
   return layout;
 }

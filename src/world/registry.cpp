@@ -111,6 +111,7 @@ void Registry::prepare(Kind& k, Prepared& r) {
   CurvePool& pool = curves(granted.interpolation).pool;
   const std::size_t rows_before = pool.rows().size() + pool.searched().size();
   r.body = prepare_body(k.flown, Launch{}, 0, pool, probe);
+  r.rotor = turns(granted) ? prepare_rotor(k.flown, Launch{}, 0, r.body, probe) : Rotor<double>{};
   if (pool.rows().size() + pool.searched().size() != rows_before)
     for (WorldCohort& cohort : cohorts_) point_to_curves(cohort);
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;

@@ -1,6 +1,7 @@
 // World::Impl: the parts of a world and what its files share.
 #pragma once
 
+#include "model/attitude.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
 #include "world/forced_step.hpp"
@@ -78,6 +79,14 @@ struct World::Impl {
   /// Moves a projectile to where it belongs after its flags or rung changed.
   bool relocate(std::uint32_t slot);
   void take_out(Slot& slot);
+  /// How a projectile points and turns at a launch; how it does now, and setting it, where its rung turns.
+  [[nodiscard]] Attitude attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const;
+  [[nodiscard]] std::optional<Attitude> attitude(std::uint32_t slot) const;
+  void set_attitude(std::uint32_t slot, const Attitude& attitude);
+  /// It stands still in W.
+  void stop_turning(std::uint32_t slot);
+  /// Of W in I, along body axes.
+  [[nodiscard]] Vec3d omega_of_W(const Slot& slot, const Quatd& q_WB) const;
   /// Fills a row anew: the models start from here. `launch` gives the plane of fire, else the velocity does.
   void write_row(std::uint32_t slot, const BodyState& at, const Vec3d& previous, const Launch* launch = nullptr);
   Body<double> special_body(std::uint32_t slot, BodyState& at, const Launch* launch);

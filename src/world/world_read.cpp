@@ -127,10 +127,15 @@ const ProjectileDef* World::definition(ProjectileId id) const {
   return slot ? &impl_->kind_of(*slot).projectile : nullptr;
 }
 Quatd World::orientation(ProjectileId id) const {
+  if (impl_->find(id))
+    if (const auto flown = impl_->attitude(id.index)) return flown->q_WB;
   const auto found = impl_->find(id) ? impl_->state.turning.find(id.index) : impl_->state.turning.end();
   return found == impl_->state.turning.end() ? Quatd{} : found->second.orientation;
 }
 Vec3d World::angular_velocity(ProjectileId id) const {
+  if (const Slot* slot = impl_->find(id))
+    if (const auto flown = impl_->attitude(id.index))
+      return rotate(flown->q_WB, flown->omega - impl_->omega_of_W(*slot, flown->q_WB));
   const auto found = impl_->find(id) ? impl_->state.turning.find(id.index) : impl_->state.turning.end();
   return found == impl_->state.turning.end() ? Vec3d{} : found->second.angular_velocity;
 }

@@ -21,7 +21,7 @@ bool only_falls(const WorldCohort& cohort) {
   const Features& features = cohort.key.features;
   const bool pushed = cohort.key.forced || features.applied || features.gravity_scale;
   const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity[0].y > 0;
-  return f.earth == EarthModel::flat && !pushed && !updraught;
+  return f.earth == EarthModel::flat && !pushed && !updraught && !turns(f);
 }
 
 template <class S>
@@ -214,6 +214,7 @@ void World::Impl::finish_step() {
         break;
       case Change::Kind::stick:
         set_row_state(change.slot, {state_of(slot).position, {}});
+        stop_turning(change.slot);
         slot.set(kStuck, true);
         slot.set_status(LifeStatus::landed);
         relocate(change.slot);

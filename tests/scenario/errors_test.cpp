@@ -71,7 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\nfrobnicate = 1\n[shot.drag]\nwidth = 1",
             "f.toml:3:1: error: unknown key \"frobnicate\" in [shot]; known keys: name, preset, mass, diameter, "
             "length, twist, "
-            "drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, fidelity, body"},
+            "drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, inertia, attitude, "
+            "fidelity, body"},
         Bad{"[[shot]]\nzero_range = 100",
             "f.toml:3:1: error: unknown key \"zero_range\" in [shot]; \"zero_range\" belongs into [shot.sight]"},
         Bad{"[[shot]]\n[until]\nevents = [{ kind = \"mach\", terminals = true }]",
@@ -95,7 +96,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"shot = [5]",
             "f.toml:2:9: error: shot: found a number; expected a table with keys out of: name, preset, mass, diameter, "
             "length, "
-            "twist, drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, fidelity, body"},
+            "twist, drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, inertia, "
+            "attitude, "
+            "fidelity, body"},
         Bad{"[[shot]]\nmass = true",
             "f.toml:3:8: error: shot.mass: found a boolean; expected a mass such as \"168 gr\""},
         Bad{"[[shot]]\nmass = 2024-01-01",
