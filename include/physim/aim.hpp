@@ -40,24 +40,25 @@ struct AimOptions {
 
 /// A direction that was flown, and how it passed the target.
 struct AimSolution {
-  Launch launch;        ///< with the elevation and azimuth found, and a plain sight: fly() it to see it hit [-]
-  double miss = 0;      ///< distance between projectile and target where they are closest, as flown [m]
-  double time = 0;      ///< of flight, to there [s]
-  Vec3d position;       ///< of the projectile there [m]
-  Vec3d velocity;       ///< of the projectile there [m/s]
-  double speed = 0;     ///< |velocity| [m/s]
-  double descent = 0;   ///< angle of the path there, downwards positive [rad]
+  Launch launch;             ///< with the elevation and azimuth found, and a plain sight: fly() it to see it hit [-]
+  double miss = 0;           ///< distance between projectile and target where they are closest, as flown [m]
+  double time = 0;           ///< of flight, to there [s]
+  Vec3d position;            ///< of the projectile there [m]
+  Vec3d velocity;            ///< of the projectile there [m/s]
+  double speed = 0;          ///< |velocity| [m/s]
+  double descent = 0;        ///< angle of the path there, downwards positive [rad]
   std::int64_t flights = 0;  ///< trajectories flown to find it [-]
 };
 
 /// The answer of aim().
 struct Aim {
-  std::optional<AimSolution> low;   ///< of the shortest time of flight, where it was asked for [-]
-  std::optional<AimSolution> high;  ///< of the longest, where it was asked for; equal to `low` where only one exists [-]
-  AimSolution nearest;              ///< the closest that any flight came; a solution, where there is one [-]
-  bool behind_ground = false;       ///< paths hit the target, but only through AimOptions::ground [-]
-  std::int64_t flights = 0;         ///< trajectories flown in all; those that find a fixed step are not counted [-]
-  FidelityInUse fidelity_in_use;    ///< of the flights [-]
+  std::optional<AimSolution> low;  ///< of the shortest time of flight, where it was asked for [-]
+  std::optional<AimSolution>
+      high;                       ///< of the longest, where it was asked for; equal to `low` where only one exists [-]
+  AimSolution nearest;            ///< the closest that any flight came; a solution, where there is one [-]
+  bool behind_ground = false;     ///< paths hit the target, but only through AimOptions::ground [-]
+  std::int64_t flights = 0;       ///< trajectories flown in all; those that find a fixed step are not counted [-]
+  FidelityInUse fidelity_in_use;  ///< of the flights [-]
 
   [[nodiscard]] bool in_reach() const { return low || high; }
   /// "hit in 2.18 s, ..." or "out of reach: the nearest path passes 12 m from the target".

@@ -5,8 +5,8 @@
 // Its magnitude falls and rises again with t, and the times at which it equals the launch speed belong to the low and
 // the high solution. So one flight answers for all times of flight at once; the next flight, in the direction found, is
 // nearer by an order of magnitude or two, and the last one is its own proof. Where the required speed is above the
-// launch speed at all times, the target is out of reach as far as the neighbours know. Before that is believed, a fan of
-// flights over all elevations looks for paths that pass nearer, and the search starts again from those.
+// launch speed at all times, the target is out of reach as far as the neighbours know. Before that is believed, a fan
+// of flights over all elevations looks for paths that pass nearer, and the search starts again from those.
 #include "physim/aim.hpp"
 
 #include <algorithm>
@@ -28,13 +28,13 @@ constexpr double kRightAngle = 1.5707963267948966;
 constexpr double kDegree = kRightAngle / 90;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kVacuumTimes = 64;
-constexpr int kMostFlights = 14;      // of a search from one start
-constexpr int kPatience = 4;          // flights without progress
-constexpr double kProgress = 0.7;     // what a flight may leave of the miss
+constexpr int kMostFlights = 14;        // of a search from one start
+constexpr int kPatience = 4;            // flights without progress
+constexpr double kProgress = 0.7;       // what a flight may leave of the miss
 constexpr std::size_t kMostStarts = 3;  // from a fan
-constexpr int kMostDescents = 25;      // flights of a descent
-constexpr int kMostMoves = 10;        // among the neighbours of a flight
-constexpr double kLongestTurn = 0.5;  // of the direction in one move [rad]
+constexpr int kMostDescents = 25;       // flights of a descent
+constexpr int kMostMoves = 10;          // among the neighbours of a flight
+constexpr double kLongestTurn = 0.5;    // of the direction in one move [rad]
 
 /// Where a path passes the target.
 struct Passing {
@@ -76,6 +76,8 @@ class Aimer {
     if (!wants_low && !high) low = search(Arc::low);
     if (!low && !high) low = search_widely();
     if (error_) return *error_;
+    if (!(answer_.nearest.miss < kInfinity))
+      return Error{"no flight gets away from the muzzle", "launch", "check where it starts: the air has a lower end"};
     if (!low) low = high;
     if (!high) high = low;
     if (low && low->time > high->time) std::swap(low, high);
@@ -91,7 +93,9 @@ class Aimer {
   /// What all flights share; a step that pilot flights find is found once.
   void prepare() {
     const Fidelity granted = grant(fidelity_, projectile_, environment_).fidelity;
-    conditions_ = std::make_shared<const Conditions<double>>(prepare_conditions(environment_, granted));
+    Conditions<double> conditions = prepare_conditions(environment_, granted);
+    conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
+    conditions_ = std::make_shared<const Conditions<double>>(conditions);
     if (step_without_pilot(granted, options_.flight)) return;
     const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);
     point(need.velocity);
@@ -219,7 +223,6 @@ class Aimer {
       const double miss = length(p.miss);
       if (!std::isfinite(miss) || p.time == 0) return std::nullopt;
       note(flight, p);
-      if (getenv("AIMDBG")) printf("arc %d flight %d need t %.6g el %.5f az %.5f in %d later %d miss %.6g t %.6g dur %.4g %s\n", int(arc), i, need.time, launch_.elevation*57.29578,launch_.azimuth*57.29578, need.in_reach, need.later, length(p.miss), p.time, flight.duration(),"");
       if (miss <= options_.tolerance) return accepted(flight, p, flown);
       waited = miss < kProgress * least ? 0 : waited + 1;
       least = min(least, miss);
@@ -286,8 +289,8 @@ class Aimer {
   }
 
   /// Makes the miss smaller flight by flight, to a hit or to the nearest there is hereabouts: the method of Levenberg
-  /// and Marquardt over the two angles of the direction. (D. W. Marquardt, "An algorithm for least-squares estimation of
-  /// nonlinear parameters", J. SIAM 11 (1963) 431-441.)
+  /// and Marquardt over the two angles of the direction. (D. W. Marquardt, "An algorithm for least-squares estimation
+  /// of nonlinear parameters", J. SIAM 11 (1963) 431-441.)
   std::optional<AimSolution> descend(const Start& start, std::int64_t flown) {
     double damping = 0.01, least = kInfinity, time = start.time;
     Vec3d velocity = start.velocity;
@@ -298,7 +301,6 @@ class Aimer {
       if (error_) return std::nullopt;
       const Passing p = passing(flight, time);
       const double miss = length(p.miss);
-      if (getenv("AIMDBG")) printf("  descend %d t %.6g el %.5f az %.5f miss %.6g t %.6g dur %.4g damp %g\n", i, time, launch_.elevation*57.29578,launch_.azimuth*57.29578,miss,p.time,flight.duration(),damping);
       if (miss < least) {
         note(flight, p);
         if (miss <= options_.tolerance) return accepted(flight, p, flown);
@@ -376,7 +378,8 @@ std::string Aim::explanation() const {
   const auto text = [&](const AimSolution& s) {
     return "elevation " + degrees(s.launch.elevation) + ", hit after " + rounded_text(s.time) + " s";
   };
-  if (low && high && low->launch.elevation != high->launch.elevation) return "low: " + text(*low) + "; high: " + text(*high);
+  if (low && high && low->launch.elevation != high->launch.elevation)
+    return "low: " + text(*low) + "; high: " + text(*high);
   if (low || high) return text(low ? *low : *high);
   return (behind_ground ? "behind the ground" : "out of reach") +
          (": the nearest path passes " + length_text(nearest.miss) + " from the target");

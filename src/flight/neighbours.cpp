@@ -10,8 +10,8 @@
 namespace physim {
 namespace {
 
-constexpr int kSpeeds = 48;              // of the learned drag
-constexpr std::size_t kMostSteps = 32;   // between nodes, before stiff ones are divided
+constexpr int kSpeeds = 48;             // of the learned drag
+constexpr std::size_t kMostSteps = 32;  // between nodes, before stiff ones are divided
 constexpr std::size_t kLeastSteps = 10;
 constexpr std::size_t kMostParts = 40;   // of a stiff step
 constexpr double kTiny = 1e-4;           // difference of launch velocities, relative to the speed
@@ -55,7 +55,8 @@ Neighbours::Neighbours(const Flight& flight, const Environment& environment,
   times_.push_back(0);
   for (std::size_t i = 1; i < coarse.size(); ++i) {
     const double h = coarse[i] - coarse[i - 1];
-    const double damping = h * drag_rate(length(flight.at(coarse[i]).velocity - wind_at(flight.at(coarse[i]).position)));
+    const double damping =
+        h * drag_rate(length(flight.at(coarse[i]).velocity - wind_at(flight.at(coarse[i]).position)));
     const std::size_t parts = static_cast<std::size_t>(std::clamp(std::ceil(damping), 1.0, double{kMostParts}));
     for (std::size_t part = 1; part <= parts; ++part)
       times_.push_back(coarse[i - 1] + h * static_cast<double>(part) / static_cast<double>(parts));
@@ -80,7 +81,8 @@ void Neighbours::learn_drag(const Flight& flight, std::span<const double> times)
     const Sample sample = flight.at(time);
     const double speed = length(sample.velocity - wind_at(sample.position));
     const double thinner = per_height_ == 0 ? 1 : exp(-per_height_ * sample.position.y);
-    if (speed > 0 && speed < 1e12) found.emplace_back(speed, length(flight.accelerations(time).drag) / (speed * thinner));
+    if (speed > 0 && speed < 1e12)
+      found.emplace_back(speed, length(flight.accelerations(time).drag) / (speed * thinner));
     if (speed < 1e12) most_speed_ = std::max(most_speed_, speed);
   }
   rate_.assign(kSpeeds + 1, -1);
@@ -148,8 +150,7 @@ Neighbours::Node Neighbours::stepped(const Node& from, const Known& k0, const Kn
                                      double h) const {
   const auto plus = [](const Node& a, const Node& slope, double by) {
     Node out;
-    for (int i = 0; i < 4; ++i)
-      out.path[i] = {a.path[i].x + slope.path[i].x * by, a.path[i].v + slope.path[i].v * by};
+    for (int i = 0; i < 4; ++i) out.path[i] = {a.path[i].x + slope.path[i].x * by, a.path[i].v + slope.path[i].v * by};
     return out;
   };
   const Node s1 = rates(k0, from);

@@ -3,13 +3,13 @@
 // A launch velocity that differs by c gives a path X(t) + d(t) with
 //   d'' = m(X + d, V + d') - m(X, V),  d(0) = 0,  d'(0) = c,
 // where X, V is the flown path, taken from its dense output, and m a simple model of what changes from path to path:
-// drag k(|u|) u along the air velocity u, its rate k [1/s] read from the flown path itself and scaled with the density of
-// the air, and the pull of a round Earth. What m leaves out (lift, spin, thrust, the turn of the Earth) is in X already,
-// and its change from path to path is small. So neighbours are exact at c = 0 and nearly so around it; three more paths
-// next to X + d give the sensitivity of places to the launch velocity. After a second flight the error that the model made
-// in foretelling it, e(t) for a change c, corrects the neighbours in that direction: d + e (c . change) / c^2, as Broyden's
-// method does (C. G. Broyden, "A class of methods for solving nonlinear simultaneous equations", Mathematics of
-// Computation 19 (1965) 577-593), but at all times at once.
+// drag k(|u|) u along the air velocity u, its rate k [1/s] read from the flown path itself and scaled with the density
+// of the air, and the pull of a round Earth. What m leaves out (lift, spin, thrust, the turn of the Earth) is in X
+// already, and its change from path to path is small. So neighbours are exact at c = 0 and nearly so around it; three
+// more paths next to X + d give the sensitivity of places to the launch velocity. After a second flight the error that
+// the model made in foretelling it, e(t) for a change c, corrects the neighbours in that direction: d + e (c . change)
+// / c^2, as Broyden's method does (C. G. Broyden, "A class of methods for solving nonlinear simultaneous equations",
+// Mathematics of Computation 19 (1965) 577-593), but at all times at once.
 #pragma once
 
 #include <memory>
@@ -27,8 +27,8 @@ class Neighbours {
   Neighbours(const Flight& flight, const Environment& environment,
              std::shared_ptr<const Conditions<double>> conditions);
 
-  /// Takes over what a flight before this one, flown a little differently, tells of the error of the model: the distance
-  /// between what its neighbours were and what was flown then. Call before the first move.
+  /// Takes over what a flight before this one, flown a little differently, tells of the error of the model: the
+  /// distance between what its neighbours were and what was flown then. Call before the first move.
   void learn_from(Neighbours& before);
 
   /// Moves on to the neighbour whose launch velocity differs from the flown one by a change [m/s].
@@ -80,8 +80,8 @@ class Neighbours {
   std::shared_ptr<const Conditions<double>> conditions_;
   Vec3d launch_velocity_, change_;
   bool wind_varies_ = false;
-  Vec3d wind_;   // where it does not vary [m/s]
-  Vec3d plane_;  // normal of the plane that a planar flight is confined to; 0: none
+  Vec3d wind_;             // where it does not vary [m/s]
+  Vec3d plane_;            // normal of the plane that a planar flight is confined to; 0: none
   double per_height_ = 0;  // decay of the air's density with height [1/m]
   double radius_ = 0;      // of a round Earth, 0: flat [m]
   double gravity_ = 0;     // at its surface [m/s^2]

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "math/minimum.hpp"
 #include "math/root.hpp"
 #include "physim/aim.hpp"
 
@@ -17,24 +18,6 @@ struct Need {
   bool in_reach = false;  // with the speed there is
   bool later = false;     // at the end of what is known: a longer flight may tell more
 };
-
-/// The least of f between a and b, by golden sections.
-template <class F>
-double least_between(const F& f, double a, double b) {
-  constexpr double kPart = 0.3819660112501051;
-  double x = a + kPart * (b - a), y = b - kPart * (b - a);
-  double fx = f(x), fy = f(y);
-  for (int i = 0; i < 28; ++i) {
-    if (fx < fy) {
-      b = y, y = x, fy = fx;
-      x = a + kPart * (b - a), fx = f(x);
-    } else {
-      a = x, x = y, fx = fy;
-      y = b - kPart * (b - a), fy = f(y);
-    }
-  }
-  return fx < fy ? x : y;
-}
 
 /// The time at which the required speed falls to the speed there is (low) or rises above it for good (high).
 /// `required` gives the velocity for a time; `times` start at 0, where it is infinite.
