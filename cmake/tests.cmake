@@ -24,8 +24,17 @@ set_target_properties(physim_soak PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_
 add_test(NAME soak COMMAND physim_soak 1e6 2000)
 set_tests_properties(soak PROPERTIES TIMEOUT 900)
 
+# Random questions to aim(); short as a test, long by `./dev fuzz`.
+add_executable(physim_fuzz tests/fuzz/aim_fuzz.cpp)
+physim_flags(physim_fuzz)
+target_include_directories(physim_fuzz PRIVATE tests)
+target_link_libraries(physim_fuzz PRIVATE physim)
+set_target_properties(physim_fuzz PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+add_test(NAME fuzz COMMAND physim_fuzz 500)
+set_tests_properties(fuzz PROPERTIES TIMEOUT 900)
+
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS tests/*.cpp)
-list(FILTER test_sources EXCLUDE REGEX "/tests/(golden|soak)/")
+list(FILTER test_sources EXCLUDE REGEX "/tests/(fuzz|golden|soak)/")
 if(test_sources)
   find_package(GTest QUIET)
 endif()

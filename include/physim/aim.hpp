@@ -1,0 +1,108 @@
+// Asking backwards: aim() finds the directions that hit a target, max_range() the one that carries farthest.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "physim/flight.hpp"
+
+namespace physim {
+
+/// What is to be hit: a point, standing or moving, by where it is when the shot is fired.
+struct Target {
+  Vec3d position;      ///< at launch, in W [m]
+  Vec3d velocity;      ///< at launch [m/s]
+  Vec3d acceleration;  ///< constant [m/s^2]
+
+  /// Where the target is at a time after launch [s].
+  [[nodiscard]] Vec3d at(double time) const { return position + (velocity + acceleration * (0.5 * time)) * time; }
+  [[nodiscard]] Vec3d velocity_at(double time) const { return velocity + acceleration * time; }
+
+  bool operator==(const Target&) const = default;
+};
+
+/// Which of the ways to a target.
+enum class Arc {
+  low,   ///< the one of the shortest time of flight
+  high,  ///< the one of the longest
+  both,
+};
+
+/// How to aim.
+struct AimOptions {
+  Arc arc = Arc::both;           ///< which solutions are looked for [-]
+  double tolerance = 0.01;       ///< a path that passes so near to the target hits it [m]
+  std::optional<double> ground;  ///< height of ground that stops the shot; none: no ground [m]
+  double time = 600;             ///< longest time of flight [s]
+  Tolerance flight;              ///< of the flights [-]
+};
+
+/// A direction that was flown, and how it passed the target.
+struct AimSolution {
+  Launch launch;             ///< with the elevation and azimuth found, and a plain sight: fly() it to see it hit [-]
+  double miss = 0;           ///< distance between projectile and target where they are closest, as flown [m]
+  double time = 0;           ///< of flight, to there [s]
+  Vec3d position;            ///< of the projectile there [m]
+  Vec3d velocity;            ///< of the projectile there [m/s]
+  double speed = 0;          ///< |velocity| [m/s]
+  double descent = 0;        ///< angle of the path there, downwards positive [rad]
+  std::int64_t flights = 0;  ///< trajectories flown to find it [-]
+};
+
+/// The answer of aim().
+struct Aim {
+  std::optional<AimSolution> low;  ///< of the shortest time of flight, where it was asked for [-]
+  std::optional<AimSolution>
+      high;                       ///< of the longest, where it was asked for; equal to `low` where only one exists [-]
+  AimSolution nearest;            ///< the closest that any flight came; a solution, where there is one [-]
+  bool behind_ground = false;     ///< paths hit the target, but only through AimOptions::ground [-]
+  std::int64_t flights = 0;       ///< trajectories flown in all; those that find a fixed step are not counted [-]
+  FidelityInUse fidelity_in_use;  ///< of the flights [-]
+
+  [[nodiscard]] bool in_reach() const { return low || high; }
+  /// "hit in 2.18 s, ..." or "out of reach: the nearest path passes 12 m from the target".
+  [[nodiscard]] std::string explanation() const;
+};
+
+/// Finds the bore elevation and azimuth with which a projectile of launch.speed hits a target, flown with the models of
+/// `fidelity`. Elevation, azimuth and sight of `launch` are not read. Every solution was flown, and its path passes
+/// within options.tolerance; where no path does, the nearest that was found is told. An error for bad input.
+///
+///   const auto answer = aim(shell, {.speed = 300}, {}, Fidelity::simulation(), {.position = {5000, 120, 300}});
+///   if (answer && answer->low) fire(answer->low->launch);
+[[nodiscard]] Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                              const Fidelity& fidelity, const Target& target, const AimOptions& options = {});
+
+/// The answer of max_range().
+struct MaxRange {
+  double elevation = 0;      ///< of the bore above the horizon [rad]
+  double range = 0;          ///< along the ground, from below the muzzle to the point of impact [m]
+  double time = 0;           ///< of flight [s]
+  Vec3d position;            ///< of impact [m]
+  Vec3d velocity;            ///< at impact [m/s]
+  std::int64_t flights = 0;  ///< trajectories flown [-]
+};
+
+/// The bore elevation that carries farthest over even ground that rises with `slope` [rad] in the direction of fire,
+/// launch.azimuth, and lies at the height `ground` [m] below or at the muzzle. An error where there is no farthest: the
+/// shot does not come down within `time` [s].
+[[nodiscard]] Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch,
+                                         const Environment& environment, const Fidelity& fidelity, double ground = 0,
+                                         double slope = 0, double time = 3600);
+
+/// Ranges along the line of sight between which a flight stays near a height over it.
+struct DangerSpace {
+  double from = 0;  ///< [m]
+  double to = 0;    ///< [m]
+};
+
+/// The ranges around `range` [m] within which a target of a height [m], aimed at in its middle, is hit by a flight that
+/// passes its middle at `range`: the path lies within half the height of where it is there. Ends with the flight.
+[[nodiscard]] Result<DangerSpace> danger_space(const Flight& flight, double range, double height);
+
+/// Time of flight [s] to a range [m] along the line of sight of `launch`, with its elevation or its zero range.
+[[nodiscard]] Result<double> time_to_range(const ProjectileDef& projectile, const Launch& launch,
+                                           const Environment& environment, const Fidelity& fidelity, double range);
+
+}  // namespace physim

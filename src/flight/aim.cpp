@@ -1,0 +1,388 @@
+// aim(): the launch directions that hit a target.
+//
+// For every time of flight t there is one launch velocity with which the projectile is at the target at t. In vacuum it
+// is (T(t) - x0) / t + g t / 2; with everything else it is that of a neighbour of a flown path (flight/neighbours.hpp).
+// Its magnitude falls and rises again with t, and the times at which it equals the launch speed belong to the low and
+// the high solution. So one flight answers for all times of flight at once; the next flight, in the direction found, is
+// nearer by an order of magnitude or two, and the last one is its own proof. Where the required speed is above the
+// launch speed at all times, the target is out of reach as far as the neighbours know. Before that is believed, a fan
+// of flights over all elevations looks for paths that pass nearer, and the search starts again from those.
+#include "physim/aim.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "flight/cohort.hpp"
+#include "flight/neighbours.hpp"
+#include "flight/required_speed.hpp"
+#include "math/checker.hpp"
+#include "math/elementary.hpp"
+#include "math/text.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kRightAngle = 1.5707963267948966;
+constexpr double kDegree = kRightAngle / 90;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kVacuumTimes = 64;
+constexpr int kMostFlights = 14;        // of a search from one start
+constexpr int kPatience = 4;            // flights without progress
+constexpr double kProgress = 0.7;       // what a flight may leave of the miss
+constexpr std::size_t kMostStarts = 3;  // from a fan
+constexpr int kMostDescents = 25;       // flights of a descent
+constexpr int kMostMoves = 10;          // among the neighbours of a flight
+constexpr double kLongestTurn = 0.5;    // of the direction in one move [rad]
+
+/// Where a path passes the target.
+struct Passing {
+  double time = 0;
+  Vec3d miss;  // from the projectile to the target
+};
+
+/// A direction to start a search from.
+struct Start {
+  Vec3d velocity;
+  double time = 0;  // when it passes the target
+  double miss = 0;
+};
+
+class Aimer {
+ public:
+  Aimer(const ProjectileDef& projectile, const Launch& launch, const Environment& environment, const Fidelity& fidelity,
+        const Target& target, const AimOptions& options)
+      : projectile_(projectile),
+        launch_(launch),
+        environment_(environment),
+        fidelity_(fidelity),
+        target_(target),
+        options_(options) {
+    if (launch_.velocity) launch_.speed = length(*launch_.velocity);
+    launch_.velocity.reset();
+    launch_.sight = {};
+    const bool pulls = fidelity.gravity != GravityModel::off && environment.gravity.model != GravityModel::off;
+    gravity_ = pulls ? environment.gravity.acceleration : 0;
+    answer_.nearest.miss = kInfinity;
+  }
+
+  Result<Aim> run() {
+    prepare();
+    const bool wants_low = options_.arc != Arc::high, wants_high = options_.arc != Arc::low;
+    std::optional<AimSolution> low, high;
+    if (wants_low) low = search(Arc::low);
+    if (wants_high || !low) high = search(Arc::high);
+    if (!wants_low && !high) low = search(Arc::low);
+    if (!low && !high) low = search_widely();
+    if (error_) return *error_;
+    if (!(answer_.nearest.miss < kInfinity))
+      return Error{"no flight gets away from the muzzle", "launch", "check where it starts: the air has a lower end"};
+    if (!low) low = high;
+    if (!high) high = low;
+    if (low && low->time > high->time) std::swap(low, high);
+    if (wants_low) answer_.low = low;
+    if (wants_high) answer_.high = high;
+    if (low) answer_.nearest = low->miss < high->miss ? *low : *high;
+    answer_.behind_ground = answer_.behind_ground && !low;
+    return std::move(answer_);
+  }
+
+ private:
+  // --------------------------------------------------------------------------------------------------------- flights
+  /// What all flights share; a step that pilot flights find is found once.
+  void prepare() {
+    const Fidelity granted = grant(fidelity_, projectile_, environment_).fidelity;
+    Conditions<double> conditions = prepare_conditions(environment_, granted);
+    conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
+    conditions_ = std::make_shared<const Conditions<double>>(conditions);
+    if (step_without_pilot(granted, options_.flight)) return;
+    const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);
+    point(need.velocity);
+    const Until until{.ground = std::nullopt, .time = clamp(1.2 * need.time, 1e-9, options_.time)};
+    const auto step = pilot_step(projectile_, launch_, environment_, granted, options_.flight, until);
+    if (step) options_.flight.step = *step;
+    if (!step) error_ = step.error();
+  }
+
+  void point(const Vec3d& velocity) {
+    launch_.elevation = atan2(velocity.y, sqrt(velocity.x * velocity.x + velocity.z * velocity.z));
+    launch_.azimuth = atan2(velocity.z, velocity.x);
+  }
+
+  /// Flies towards a velocity's direction, until the path is surely past the target or for a time [s].
+  Flight fly_towards(const Vec3d& velocity, double time, double time_there) {
+    point(velocity);
+    const Vec3d there = target_.at(time_there);
+    const Vec3d way = there - launch_.position;
+    const double far = length(way);
+    Until until{.ground = std::nullopt, .time = clamp(time, 1e-9, options_.time)};
+    if (far < 1e6 && target_.velocity == Vec3d{} && target_.acceleration == Vec3d{}) {
+      const double floor = min(there.y, launch_.position.y) - 0.2 * far - 5;
+      until.events.push_back({EventKind::height, floor, Crossing::falling, true});
+    }
+    Flight flight = fly(projectile_, launch_, environment_, fidelity_, options_.flight, until);
+    if (flight.error()) error_ = flight.error();
+    ++answer_.flights;
+    return flight;
+  }
+
+  /// The closest approach next to a time.
+  [[nodiscard]] Passing passing(const Flight& flight, double near) const {
+    Passing p{clamp(near, 0.0, flight.duration()), {}};
+    for (int i = 0; i < 12; ++i) {
+      const Sample s = flight.at(p.time);
+      p.miss = target_.at(p.time) - s.position;
+      const Vec3d approach = s.velocity - target_.velocity_at(p.time);
+      const double step = dot(p.miss, approach) / max(length_squared(approach), 1e-30);
+      const double next = clamp(p.time + step, 0.0, flight.duration());
+      if (abs(next - p.time) <= 1e-14 * p.time) break;
+      p.time = next;
+    }
+    p.miss = target_.at(p.time) - flight.at(p.time).position;
+    return p;
+  }
+
+  [[nodiscard]] AimSolution solution(const Flight& flight, const Passing& passing) const {
+    const Sample s = flight.at(passing.time);
+    AimSolution out;
+    out.launch = launch_;
+    out.miss = length(passing.miss);
+    out.time = passing.time;
+    out.position = s.position;
+    out.velocity = s.velocity;
+    out.speed = s.speed;
+    out.descent = atan2(-s.velocity.y, sqrt(s.velocity.x * s.velocity.x + s.velocity.z * s.velocity.z));
+    return out;
+  }
+
+  /// Keeps what came nearest.
+  void note(const Flight& flight, const Passing& passing) {
+    if (length(passing.miss) < answer_.nearest.miss) answer_.nearest = solution(flight, passing);
+    answer_.fidelity_in_use = flight.fidelity_in_use();
+  }
+
+  /// A path that hits, unless the ground stops it before.
+  std::optional<AimSolution> accepted(const Flight& flight, const Passing& passing, std::int64_t flown) {
+    if (options_.ground) {
+      const auto below = flight.at_height(*options_.ground - 2 * options_.tolerance, Crossing::falling);
+      if (below && below->time < passing.time) {
+        answer_.behind_ground = true;
+        return std::nullopt;
+      }
+    }
+    AimSolution found = solution(flight, passing);
+    found.flights = answer_.flights - flown;
+    return found;
+  }
+
+  // ---------------------------------------------------------------------------------------------------------- search
+  /// Without a flight: as in vacuum.
+  [[nodiscard]] Need need_in_vacuum(Arc arc) const {
+    const double v = launch_.speed;
+    const double below = max(0.0, launch_.position.y - target_.position.y);
+    double longest = options_.time;
+    if (gravity_ > 0) longest = min(longest, 1.1 * (v + sqrt(v * v + 2 * gravity_ * below)) / gravity_);
+    std::vector<double> times;
+    for (int i = 0; i <= kVacuumTimes; ++i) {
+      const double part = static_cast<double>(i) / kVacuumTimes;
+      times.push_back(longest * part * part);
+    }
+    const auto required = [&](double t) {
+      return (target_.at(t) - launch_.position) * (1 / t) + Vec3d{0, 0.5 * gravity_ * t, 0};
+    };
+    return find_need(times, required, v, arc);
+  }
+
+  /// Among the neighbours of a flight.
+  [[nodiscard]] Need need_near(Neighbours& neighbours, Arc arc) const {
+    const auto required = [&](double t) { return neighbours.required_velocity(target_.at(t), t); };
+    Need need;
+    for (int i = 0; i < kMostMoves; ++i) {
+      need = find_need(neighbours.times(), required, launch_.speed, arc);
+      const Vec3d now = neighbours.launch_velocity();
+      Vec3d wanted = need.velocity * (launch_.speed / length(need.velocity));
+      const double turn = length(wanted - now) / launch_.speed;
+      if (turn > kLongestTurn) wanted = now + (wanted - now) * (kLongestTurn / turn);
+      const double in_all = length(wanted - neighbours.flown_velocity()) / launch_.speed;
+      if (turn < 0.003 * in_all || in_all < 1e-3) break;
+      neighbours.move_to(wanted - neighbours.flown_velocity());
+    }
+    return need;
+  }
+
+  /// From neighbour to neighbour until a flight hits; nothing where flights stop coming nearer.
+  std::optional<AimSolution> pursue(Need need, double time, Arc arc) {
+    const std::int64_t flown = answer_.flights;
+    std::optional<Neighbours> before;
+    double least = kInfinity;
+    for (int i = 0, waited = 0; i < kMostFlights && waited < kPatience; ++i) {
+      const Flight flight = fly_towards(need.velocity, time, need.time);
+      if (error_) return std::nullopt;
+      const Passing p = passing(flight, need.time);
+      const double miss = length(p.miss);
+      if (!std::isfinite(miss) || p.time == 0) return std::nullopt;
+      note(flight, p);
+      if (miss <= options_.tolerance) return accepted(flight, p, flown);
+      waited = miss < kProgress * least ? 0 : waited + 1;
+      least = min(least, miss);
+      Neighbours neighbours(flight, environment_, conditions_);
+      if (before) neighbours.learn_from(*before);
+      need = need_near(neighbours, arc);
+      if (!finite(need.velocity)) return std::nullopt;
+      time = need.time * (need.later ? 3 : 1.3);
+      before = std::move(neighbours);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<AimSolution> search(Arc arc) {
+    if (error_) return std::nullopt;
+    const Need need = need_in_vacuum(arc);
+    return pursue(need, need.time * (arc == Arc::low ? 8 : 1.5), arc);
+  }
+
+  /// Where both searches fail: a fan of flights in the vertical plane of the target, then to all sides, and descents
+  /// from those that pass nearest.
+  std::optional<AimSolution> search_widely() {
+    const std::int64_t flown = answer_.flights;
+    std::vector<double> ahead, around;
+    for (double angle = -75; angle <= 120; angle += 15) ahead.push_back(angle);
+    for (double angle = -40; angle <= 80; angle += 40) around.push_back(angle);
+    if (auto found = descend_from(fan({0}, ahead), flown)) return found;
+    return descend_from(fan({45, 90, 135, 180, 225, 270, 315}, around), flown);
+  }
+
+  /// Flights to some sides of the target and at some elevations [deg], the nearest first.
+  std::vector<Start> fan(const std::vector<double>& sides, const std::vector<double>& elevations) {
+    const Vec3d way = target_.at(need_in_vacuum(Arc::low).time) - launch_.position;
+    const double azimuth = atan2(way.z, way.x);
+    std::vector<Start> starts;
+    for (const double side : sides)
+      for (const double elevation : elevations) {
+        const SinCos<double> e = sincos(elevation * kDegree), a = sincos(azimuth + side * kDegree);
+        const Vec3d velocity = Vec3d{e.cos * a.cos, e.sin, e.cos * a.sin} * launch_.speed;
+        const Flight flight = fly_towards(velocity, options_.time, 0);
+        if (error_) return {};
+        const Passing p = passing(flight, nearest_step(flight));
+        if (!std::isfinite(length(p.miss)) || p.time == 0) continue;
+        note(flight, p);
+        starts.push_back({velocity, p.time, length(p.miss)});
+      }
+    std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.miss < b.miss; });
+    return starts;
+  }
+
+  [[nodiscard]] double nearest_step(const Flight& flight) const {
+    double nearest = 0, least = kInfinity;
+    for (const double time : flight.step_times()) {
+      const double distance = length(target_.at(time) - flight.at(time).position);
+      if (distance < least) least = distance, nearest = time;
+    }
+    return nearest;
+  }
+
+  std::optional<AimSolution> descend_from(const std::vector<Start>& starts, std::int64_t flown) {
+    for (std::size_t i = 0; i < starts.size() && i < kMostStarts; ++i)
+      if (auto found = descend(starts[i], flown)) return found;
+    return std::nullopt;
+  }
+
+  /// Makes the miss smaller flight by flight, to a hit or to the nearest there is hereabouts: the method of Levenberg
+  /// and Marquardt over the two angles of the direction. (D. W. Marquardt, "An algorithm for least-squares estimation
+  /// of nonlinear parameters", J. SIAM 11 (1963) 431-441.)
+  std::optional<AimSolution> descend(const Start& start, std::int64_t flown) {
+    double damping = 0.01, least = kInfinity, time = start.time;
+    Vec3d velocity = start.velocity;
+    std::optional<Neighbours> best;
+    Passing passed;
+    for (int i = 0; i < kMostDescents && damping < 1e6; ++i) {
+      const Flight flight = fly_towards(velocity, 1.5 * time, time);
+      if (error_) return std::nullopt;
+      const Passing p = passing(flight, time);
+      const double miss = length(p.miss);
+      if (miss < least) {
+        note(flight, p);
+        if (miss <= options_.tolerance) return accepted(flight, p, flown);
+        if (least - miss < 1e-4 * miss && damping < 1) break;
+        Neighbours neighbours(flight, environment_, conditions_);
+        if (best) neighbours.learn_from(*best);
+        best = std::move(neighbours);
+        passed = p;
+        least = miss;
+        damping *= 0.2;
+      } else {
+        if (!best) return std::nullopt;
+        damping *= 5;
+      }
+      velocity = step_down(*best, passed, damping);
+      time = passed.time;
+      if (!finite(velocity)) break;
+    }
+    return std::nullopt;
+  }
+
+  /// The launch velocity that a damped step brings nearer.
+  [[nodiscard]] Vec3d step_down(const Neighbours& near, const Passing& p, double damping) const {
+    const Vec3d forward = normalized(near.flown_velocity());
+    const Vec3d side = normalized(cross(forward, abs(forward.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}));
+    const Vec3d up = cross(side, forward);
+    const Neighbours::Sensitivity s = near.sensitivity(p.time);
+    const Vec3d approach = normalized(near.velocity(p.time) - target_.velocity_at(p.time));
+    const auto across = [&](const Vec3d& v) { return v - approach * dot(approach, v); };
+    const Vec3d by_side = across(s * side) * launch_.speed, by_up = across(s * up) * launch_.speed;
+    const double ss = dot(by_side, by_side), uu = dot(by_up, by_up), su = dot(by_side, by_up);
+    const double more = damping * (ss + uu);
+    const double ms = dot(by_side, p.miss), mu = dot(by_up, p.miss);
+    const double per_determinant = 1 / ((ss + more) * (uu + more) - su * su);
+    const double turn_side = clamp((ms * (uu + more) - mu * su) * per_determinant, -0.5, 0.5);
+    const double turn_up = clamp((mu * (ss + more) - ms * su) * per_determinant, -0.5, 0.5);
+    return normalized(forward + side * turn_side + up * turn_up) * launch_.speed;
+  }
+
+  ProjectileDef projectile_;
+  Launch launch_;
+  Environment environment_;
+  Fidelity fidelity_;
+  Target target_;
+  AimOptions options_;
+  std::shared_ptr<const Conditions<double>> conditions_;
+  double gravity_ = 0;
+  Aim answer_;
+  std::optional<Error> error_;
+};
+
+Status check(const Launch& launch, const Target& target, const AimOptions& options) {
+  Checker c;
+  c.is_vector(target.position, "target.position").is_vector(target.velocity, "target.velocity");
+  c.is_vector(target.acceleration, "target.acceleration").is_vector(launch.position, "launch.position");
+  const double speed = launch.velocity ? length(*launch.velocity) : launch.speed;
+  c.positive(speed, "launch.speed", "a shot that is aimed needs one");
+  c.positive(options.tolerance, "options.tolerance", "in m").positive(options.time, "options.time", "in s");
+  if (options.ground) c.is_number(*options.ground, "options.ground");
+  c.require(length(target.position - launch.position) > options.tolerance, "target.position", "is at the muzzle",
+            "a target lies further away than options.tolerance");
+  return c.status();
+}
+
+}  // namespace
+
+Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                const Fidelity& fidelity, const Target& target, const AimOptions& options) {
+  if (const Status bad = check(launch, target, options)) return *bad;
+  return Aimer(projectile, launch, environment, fidelity, target, options).run();
+}
+
+std::string Aim::explanation() const {
+  const auto degrees = [](double angle) { return rounded_text(angle * (90 / kRightAngle)) + " deg"; };
+  const auto text = [&](const AimSolution& s) {
+    return "elevation " + degrees(s.launch.elevation) + ", hit after " + rounded_text(s.time) + " s";
+  };
+  if (low && high && low->launch.elevation != high->launch.elevation)
+    return "low: " + text(*low) + "; high: " + text(*high);
+  if (low || high) return text(low ? *low : *high);
+  return (behind_ground ? "behind the ground" : "out of reach") +
+         (": the nearest path passes " + length_text(nearest.miss) + " from the target");
+}
+
+}  // namespace physim

@@ -1,0 +1,183 @@
+// Questions of range: how far a projectile carries, how long it takes to a range, and where it stays near a height.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "flight/cohort.hpp"
+#include "math/checker.hpp"
+#include "math/elementary.hpp"
+#include "math/minimum.hpp"
+#include "math/root.hpp"
+#include "math/text.hpp"
+#include "physim/aim.hpp"
+#include "physim/names.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kRightAngle = 1.5707963267948966;
+constexpr double kDegree = kRightAngle / 90;
+
+/// Time at which a value along a flight first falls through zero, or starts to fall from there; nothing where it does
+/// not.
+template <class F>
+std::optional<double> first_fall(const Flight& flight, const F& value) {
+  constexpr int kParts = 4;  // of a step, which is long where little happens
+  const std::vector<double> times = flight.step_times();
+  double before = 0, at_before = value(0);
+  for (std::size_t i = 1; i < times.size(); ++i)
+    for (int part = 1; part <= kParts; ++part) {
+      const double time = times[i - 1] + (times[i] - times[i - 1]) * part / kParts;
+      const double at_time = value(time);
+      if (before == 0 && at_before <= 0 && at_time < 0) return 0.0;  // straight into it
+      if (at_before > 0 && at_time <= 0) return find_root(value, before, at_before, time, at_time, 1e-13 * time);
+      before = time;
+      at_before = at_time;
+    }
+  return std::nullopt;
+}
+
+/// Shots over even ground, judged by where they come down.
+class Carry {
+ public:
+  Carry(const ProjectileDef& projectile, const Launch& launch, const Environment& environment, const Fidelity& fidelity,
+        double ground, double slope, double time)
+      : projectile_(projectile), launch_(launch), environment_(environment), fidelity_(fidelity), slope_(slope) {
+    if (launch_.velocity) launch_.speed = length(*launch_.velocity);
+    launch_.velocity.reset();
+    launch_.sight = {};
+    const SinCos<double> azimuth = sincos(launch.azimuth), rise = sincos(slope);
+    base_ = {launch.position.x, ground, launch.position.z};
+    up_ = {-rise.sin * azimuth.cos, rise.cos, -rise.sin * azimuth.sin};
+    until_.ground = slope == 0 ? std::optional(ground) : std::nullopt;
+    until_.time = time;
+  }
+
+  /// Flies; the range is below zero where the shot does not come down, and error() says why.
+  MaxRange shoot(double elevation) {
+    launch_.elevation = elevation;
+    ++flights_;
+    MaxRange out{.elevation = elevation, .range = -1};
+    const Flight flight = slope_ == 0 ? fly_until(until_.time) : fly_over_slope();
+    const std::optional<double> landing = landing_of(flight);
+    if (flight.error()) error_ = flight.error();
+    if (!landing && !error_) error_ = does_not_land(flight);
+    if (!landing) return out;
+    const Sample impact = flight.at(*landing);
+    out.position = impact.position;
+    out.velocity = impact.velocity;
+    out.time = *landing;
+    out.range = length(impact.position - base_);
+    return out;
+  }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+  [[nodiscard]] std::int64_t flights() const { return flights_; }
+
+ private:
+  Flight fly_until(double time) {
+    Until until = until_;
+    until.time = time;
+    return fly(projectile_, launch_, environment_, fidelity_, {}, until);
+  }
+  /// The ground falls away without end: longer and longer, until the flight is below it.
+  Flight fly_over_slope() {
+    for (double time = 60;; time *= 4) {
+      Flight flight = fly_until(std::min(time, until_.time));
+      const bool over = flight.error() || flight.outcome() != Outcome::time_limit || time >= until_.time;
+      if (over || landing_of(flight)) return flight;
+    }
+  }
+  [[nodiscard]] std::optional<double> landing_of(const Flight& flight) const {
+    if (flight.error()) return std::nullopt;
+    if (slope_ == 0) return flight.outcome() == Outcome::landed ? std::optional(flight.duration()) : std::nullopt;
+    return first_fall(flight, [&](double t) { return dot(flight.at(t).position - base_, up_); });
+  }
+  [[nodiscard]] Error does_not_land(const Flight& flight) const {
+    const std::string elevation = rounded_text(launch_.elevation / kDegree) + " degrees";
+    if (flight.outcome() == Outcome::time_limit)
+      return {"at " + elevation + " the shot does not come down within " + short_text(until_.time) + " s", "launch",
+              "there is no farthest range, or it takes a longer time"};
+    return {"at " + elevation + " the flight ends as " + std::string(name(flight.outcome())), "launch",
+            "check ground, speed and tolerance"};
+  }
+
+  ProjectileDef projectile_;
+  Launch launch_;
+  Environment environment_;
+  Fidelity fidelity_;
+  double slope_;
+  Vec3d base_, up_;
+  Until until_;
+  std::optional<Error> error_;
+  std::int64_t flights_ = 0;
+};
+
+}  // namespace
+
+Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                           const Fidelity& fidelity, double ground, double slope, double time) {
+  Checker c;
+  c.is_number(ground, "ground").is_number(slope, "slope").positive(time, "time", "in s");
+  c.require(std::abs(slope) < kRightAngle, "slope", "must lie between -90 and 90 degrees", "angles are in radians");
+  c.require(!(launch.position.y < ground), "ground", "lies above the muzzle", "the shot has to start over it");
+  c.positive(launch.velocity ? length(*launch.velocity) : launch.speed, "launch.speed", "a shot needs one");
+  if (const Status bad = c.status()) return *bad;
+  Carry carry(projectile, launch, environment, fidelity, ground, slope, time);
+  constexpr double kScan = 5 * kDegree;
+  MaxRange best{.range = -1};
+  const double lowest = std::ceil((slope - kRightAngle) / kScan) * kScan + kScan;
+  for (double elevation = max(lowest, -85 * kDegree); elevation < 89 * kDegree; elevation += kScan) {
+    const MaxRange found = carry.shoot(elevation);
+    if (carry.error()) return *carry.error();
+    if (found.range > best.range) best = found;
+  }
+  const auto shortfall = [&](double elevation) { return -carry.shoot(elevation).range; };
+  const double elevation = least_between(shortfall, best.elevation - kScan, min(best.elevation + kScan, kRightAngle));
+  MaxRange found = carry.shoot(elevation);
+  if (carry.error()) return *carry.error();
+  if (found.range < best.range) found = best;  // a drag curve with corners may have two tops
+  found.flights = carry.flights();
+  return found;
+}
+
+Result<DangerSpace> danger_space(const Flight& flight, double range, double height) {
+  if (!(std::isfinite(height) && height > 0))
+    return Error{"must be a positive number, not " + short_text(height), "height", "of the target, in m"};
+  const Result<Sample> middle = flight.at_range(range);
+  if (!middle) return middle.error();
+  const auto inside = [&](double t) { return 0.5 * height - abs(flight.at(t).drop - middle->drop); };
+  std::vector<double> times = flight.step_times();
+  times.push_back(middle->time);
+  std::sort(times.begin(), times.end());
+  const auto here = static_cast<std::size_t>(std::find(times.begin(), times.end(), middle->time) - times.begin());
+  const auto edge = [&](int step) {  // walks from the middle to where the path leaves the space, or to an end
+    double from = middle->time, at_from = inside(from);
+    for (std::size_t i = here; step < 0 ? i > 0 : i + 1 < times.size();) {
+      i = step < 0 ? i - 1 : i + 1;
+      constexpr int kParts = 4;
+      const double start = from;
+      for (int part = 1; part <= kParts; ++part) {
+        const double to = start + (times[i] - start) * part / kParts;
+        const double at_to = inside(to);
+        if (at_to < 0) return flight.at(find_root(inside, from, at_from, to, at_to, 1e-13)).range;
+        from = to;
+        at_from = at_to;
+      }
+    }
+    return flight.at(from).range;
+  };
+  return DangerSpace{edge(-1), edge(1)};
+}
+
+Result<double> time_to_range(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                             const Fidelity& fidelity, double range) {
+  if (!(std::isfinite(range) && range > 0))
+    return Error{"must be a positive number, not " + short_text(range), "range", "in m"};
+  const Until until{.ground = std::nullopt, .time = 600, .range = range};
+  const Flight flight = fly(projectile, launch, environment, fidelity, {}, until);
+  if (flight.error()) return *flight.error();
+  const Result<Sample> there = flight.at_range(range);
+  return there ? Result<double>(there->time) : Result<double>(there.error());
+}
+
+}  // namespace physim

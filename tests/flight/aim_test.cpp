@@ -1,0 +1,293 @@
+// Asking backwards: aim(), against closed forms and against flights.
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+constexpr double kG = 9.80665;
+
+/// The two elevations with which a parabola of a speed passes a point at a horizontal distance and a height.
+std::pair<double, double> elevations_in_vacuum(double speed, double distance, double height) {
+  const double v2 = speed * speed;
+  const double root = std::sqrt(v2 * v2 - kG * (kG * distance * distance + 2 * height * v2));
+  return {std::atan2(v2 - root, kG * distance), std::atan2(v2 + root, kG * distance)};
+}
+
+Aim aimed(const ProjectileDef& p, const Launch& l, const Environment& e, const Fidelity& f, const Target& t,
+          const AimOptions& o = {}) {
+  const Result<Aim> answer = aim(p, l, e, f, t, o);
+  EXPECT_TRUE(answer) << (answer ? "" : answer.error().text());
+  return answer ? *answer : Aim{};
+}
+
+/// How near a solution comes to the target when it is flown by itself.
+double miss_of(const ProjectileDef& p, const AimSolution& s, const Environment& e, const Fidelity& f, const Target& t) {
+  const Flight flight = fly(p, s.launch, e, f, {.relative = 1e-12, .absolute = 1e-12}, {.ground = {}, .time = s.time});
+  return length(flight.end().position - t.at(s.time));
+}
+
+TEST(Aim, in_vacuum_both_solutions_are_those_of_the_parabola) {
+  for (const double distance : {50.0, 2000.0, 9000.0})
+    for (const double height : {-300.0, 0.0, 40.0})
+      for (const double azimuth : {0.0, 1.5707963267948966, -2.5}) {
+        const Launch launch{.position = {10, 5, -3}, .speed = 300};
+        const Target target{launch.position +
+                            Vec3d{distance * std::cos(azimuth), height, distance * std::sin(azimuth)}};
+        const auto [low, high] = elevations_in_vacuum(300, distance, height);
+        const Aim answer = aimed({}, launch, constant_gravity(), vacuum(), target, {.tolerance = 1e-7});
+        ASSERT_TRUE(answer.low && answer.high) << distance << ' ' << height;
+        EXPECT_NEAR(answer.low->launch.elevation, low, 1e-9);
+        EXPECT_NEAR(answer.high->launch.elevation, high, 1e-9);
+        EXPECT_NEAR(answer.low->launch.azimuth, azimuth, 1e-9);
+        EXPECT_NEAR(answer.low->time, distance / (300 * std::cos(low)), 1e-8);
+        EXPECT_LE(answer.flights, 6);
+      }
+}
+
+TEST(Aim, straight_up_and_down_azimuth_does_not_matter) {
+  const Launch launch{.speed = 100};
+  const double below = 100;
+  const Aim up = aimed({}, launch, constant_gravity(), vacuum(), {{0, 300, 0}});
+  ASSERT_TRUE(up.low && up.high);
+  EXPECT_NEAR(up.low->launch.elevation, 90 * kDegree, 1e-4);
+  EXPECT_NEAR(up.low->time, (100 - std::sqrt(1e4 - 2 * kG * 300)) / kG, 1e-3);
+  EXPECT_NEAR(up.high->time, (100 + std::sqrt(1e4 - 2 * kG * 300)) / kG, 1e-3);
+  const Aim down = aimed({}, {.position = {0, below, 0}, .speed = 100}, constant_gravity(), vacuum(), {{}});
+  ASSERT_TRUE(down.low && down.high);
+  EXPECT_NEAR(down.low->launch.elevation, -90 * kDegree, 1e-4);
+  EXPECT_NEAR(down.low->time, (-100 + std::sqrt(1e4 + 2 * kG * below)) / kG, 1e-3);
+  EXPECT_NEAR(down.high->time, (100 + std::sqrt(1e4 + 2 * kG * below)) / kG, 1e-3);
+}
+
+TEST(Aim, next_to_the_farthest_range_is_found_and_beyond_it_is_not) {
+  const double farthest = 300 * 300 / kG;
+  const Launch launch{.speed = 300};
+  for (const double short_of : {1e-3, 0.1, 10.0}) {
+    const Aim answer = aimed({}, launch, constant_gravity(), vacuum(), {{farthest - short_of, 0, 0}});
+    ASSERT_TRUE(answer.low) << short_of;
+    EXPECT_LE(miss_of({}, *answer.low, constant_gravity(), vacuum(), {{farthest - short_of, 0, 0}}), 0.0101);
+  }
+  const Aim beyond = aimed({}, launch, constant_gravity(), vacuum(), {{farthest + 20, 0, 0}});
+  EXPECT_FALSE(beyond.in_reach());
+  // The envelope of all parabolas, y = v^2/(2g) - g x^2/(2 v^2), falls with slope 1 at its foot: next to it the nearest
+  // point of the envelope to a target 20 m beyond the foot is 20/sqrt(2) away, a little more for its bend.
+  EXPECT_NEAR(beyond.nearest.miss, 20 / std::sqrt(2.0), 0.05);
+  EXPECT_NE(beyond.explanation().find("out of reach"), std::string::npos);
+}
+
+TEST(Aim, a_moving_target_is_led) {
+  // Without gravity: |T + V t| = v t has a positive root t; the direction is (T + V t) / (v t).
+  Environment empty;
+  empty.gravity.model = GravityModel::off;
+  const Target target{{400, 50, -100}, {-30, 5, 60}};
+  const double v = 200, a = v * v - length_squared(target.velocity), b = dot(target.position, target.velocity);
+  const double time = (b + std::sqrt(b * b + a * length_squared(target.position))) / a;
+  const Aim answer = aimed({}, {.speed = v}, empty, vacuum(), target, {.arc = Arc::low, .tolerance = 1e-7});
+  ASSERT_TRUE(answer.low);
+  EXPECT_NEAR(answer.low->time, time, 1e-8);
+  const Vec3d direction = normalized(target.at(time));
+  EXPECT_NEAR(answer.low->launch.elevation, std::asin(direction.y), 1e-8);
+  EXPECT_NEAR(answer.low->launch.azimuth, std::atan2(direction.z, direction.x), 1e-8);
+}
+
+TEST(Aim, an_accelerating_target_is_led_through_air_and_wind) {
+  Environment windy;
+  windy.wind.velocity = {2, 0, -9};
+  const Target target{{500, 30, 80}, {-12, 1, 15}, {0.5, -0.2, -1}};
+  const Aim answer = aimed(bullet_308(), {.speed = 800}, windy, Fidelity::simulation(), target);
+  ASSERT_TRUE(answer.low);
+  EXPECT_LE(miss_of(bullet_308(), *answer.low, windy, Fidelity::simulation(), target), 0.0101);
+}
+
+TEST(Aim, with_linear_drag_it_is_the_closed_form) {
+  // x = v cos(e) (1 - exp(-k t)) / k, y = (v sin(e) + g/k) (1 - exp(-k t)) / k - g t / k with k = k1 / m.
+  ProjectileDef p{.mass = 2};
+  p.drag.k1 = 0.3;
+  const double k = 0.15, v = 120, distance = 300, height = 20;
+  Fidelity f = vacuum();
+  f.drag = DragModel::linear_quadratic;
+  f.air = AirModel::constant;
+  const Aim answer = aimed(p, {.speed = v}, constant_gravity(), f, {{distance, height, 0}}, {.tolerance = 1e-6});
+  ASSERT_TRUE(answer.low && answer.high);
+  for (const AimSolution& s : {*answer.low, *answer.high}) {
+    const double part = -std::expm1(-k * s.time) / k;
+    EXPECT_NEAR(v * std::cos(s.launch.elevation) * part, distance, 1e-5);
+    EXPECT_NEAR((v * std::sin(s.launch.elevation) + kG / k) * part - kG * s.time / k, height, 1e-5);
+  }
+  EXPECT_GT(answer.high->time, answer.low->time + 1);
+}
+
+TEST(Aim, hits_on_every_rung) {
+  Environment e;
+  e.wind.profile = {{0, {1, 0, -3}}, {500, {4, 0, -8}}};
+  e.earth.latitude = 0.8;
+  ProjectileDef p = bullet_308();
+  p.drag.k2 = 2e-6;
+  const Target target{{900, 60, 25}};
+  for (const EarthModel earth :
+       {EarthModel::flat, EarthModel::flat_coriolis, EarthModel::sphere_rotating, EarthModel::ellipsoid})
+    for (const Fidelity& preset : {Fidelity::game(), Fidelity::sport_ball(), Fidelity::small_arms(),
+                                   Fidelity::artillery(), Fidelity::simulation(), Fidelity::reference()}) {
+      Fidelity f = preset;
+      f.precision = Precision::float64;
+      f.earth = earth;
+      const Aim answer = aimed(p, {.speed = 800}, e, f, target);
+      ASSERT_TRUE(answer.low && answer.high) << answer.explanation();
+      const Flight flight = fly(p, answer.low->launch, e, f, {.step = 0}, {.ground = {}, .time = answer.low->time});
+      EXPECT_LE(length(flight.end().position - target.position), 0.012) << int(f.integrator) << ' ' << int(earth);
+      EXPECT_LE(answer.low->miss, 0.01);
+    }
+}
+
+TEST(Aim, over_a_round_earth_reaches_across_a_tenth_of_it) {
+  ProjectileDef p{.mass = 100, .diameter = 0.3};
+  Environment e;
+  e.earth = {.latitude = 0.6, .longitude = 0.2, .azimuth = 1};
+  Fidelity f = vacuum();
+  f.gravity = GravityModel::j2;
+  f.earth = EarthModel::ellipsoid;
+  const EarthFrames frames(e, f.earth);
+  const Target target{frames.position({.latitude = 0.75, .longitude = 0.9, .height = 0})};
+  const Aim answer = aimed(p, {.speed = 6500}, e, f, target, {.time = 7200});
+  ASSERT_TRUE(answer.in_reach()) << answer.explanation();
+  EXPECT_LE(miss_of(p, *answer.low, e, f, target), 0.02);
+}
+
+TEST(Aim, the_ground_stands_between) {
+  // Shooting down through it at a target beyond an edge is no solution; lobbing over is not stopped.
+  const Launch launch{.position = {0, 1, 0}, .speed = 60};
+  const Aim through = aimed({}, launch, constant_gravity(), vacuum(), {{50, -20, 0}}, {.ground = 0.0});
+  EXPECT_FALSE(through.in_reach());
+  EXPECT_TRUE(through.behind_ground);
+  EXPECT_NE(through.explanation().find("behind the ground"), std::string::npos);
+  const Aim on_it = aimed({}, launch, constant_gravity(), vacuum(), {{150, 0, 0}}, {.ground = 0.0});
+  EXPECT_TRUE(on_it.low && on_it.high);
+}
+
+TEST(Aim, one_arc_may_be_asked_for) {
+  const Target target{{3000, 0, 0}};
+  const auto asked = [&](Arc arc) {
+    return aimed({}, {.speed = 300}, constant_gravity(), vacuum(), target, {.arc = arc});
+  };
+  const Aim low = asked(Arc::low), high = asked(Arc::high), both = asked(Arc::both);
+  EXPECT_TRUE(low.low && !low.high);
+  EXPECT_TRUE(high.high && !high.low);
+  EXPECT_EQ(low.low->launch.elevation, both.low->launch.elevation);
+  EXPECT_EQ(high.high->launch.elevation, both.high->launch.elevation);
+  EXPECT_EQ(both.flights, low.flights + high.flights);
+}
+
+TEST(Aim, a_velocity_gives_its_magnitude_and_the_sight_is_not_read) {
+  Launch launch;
+  launch.velocity = Vec3d{0, 0, 300};
+  launch.sight = {.height = 1, .look_angle = 0.4, .cant = 1, .zero_range = 0};
+  const Aim answer = aimed({}, launch, constant_gravity(), vacuum(), {{3000, 0, 0}});
+  ASSERT_TRUE(answer.low);
+  EXPECT_EQ(answer.low->launch.speed, 300);
+  EXPECT_EQ(answer.low->launch.sight.cant, 0);
+  EXPECT_NEAR(answer.low->launch.elevation, elevations_in_vacuum(300, 3000, 0).first, 1e-5);
+}
+
+TEST(Aim, bad_input_is_refused_with_its_place) {
+  const auto place = [](const Launch& launch, const Target& target, const AimOptions& options) {
+    const Result<Aim> answer = aim({}, launch, {}, {}, target, options);
+    return answer ? std::string("none") : answer.error().place;
+  };
+  const Launch good{.speed = 100};
+  const Target there{{50, 0, 0}};
+  EXPECT_EQ(place({}, there, {}), "launch.speed");
+  EXPECT_EQ(place(good, {{kNan, 0, 0}}, {}), "target.position");
+  EXPECT_EQ(place(good, {{50, 0, 0}, {kInfinity, 0, 0}}, {}), "target.velocity");
+  EXPECT_EQ(place(good, {}, {}), "target.position");
+  EXPECT_EQ(place(good, there, {.tolerance = 0}), "options.tolerance");
+  EXPECT_EQ(place(good, there, {.time = -1}), "options.time");
+  EXPECT_EQ(place(good, there, {.ground = kNan}), "options.ground");
+  ProjectileDef massless;
+  massless.mass = -1;
+  const Result<Aim> refused = aim(massless, good, {}, {}, there);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().place, "projectile.mass");
+  Environment deep;
+  const Result<Aim> buried = aim({}, {.position = {0, -6000, 0}, .speed = 100}, deep, {}, there);
+  EXPECT_FALSE(buried);
+}
+
+// ------------------------------------------------------------------------------------------------------------- ranges
+TEST(MaxRange, in_vacuum_it_is_at_half_the_right_angle_over_the_slope) {
+  for (const double slope : {-0.5, 0.0, 0.3}) {
+    const auto far = max_range({}, {.speed = 100}, constant_gravity(), vacuum(), 0, slope);
+    ASSERT_TRUE(far) << far.error().text();
+    // R = v^2 / (g (1 + sin a)) at e = 45 deg + a / 2; a flat top hides the last digits of e.
+    EXPECT_NEAR(far->elevation, 45 * kDegree + slope / 2, 2e-5);
+    EXPECT_NEAR(far->range, 1e4 / (kG * (1 + std::sin(slope))), 1e-6);
+    EXPECT_NEAR(far->time, 2 * 100 * std::sin(far->elevation - slope) / (kG * std::cos(slope)), 1e-6);
+  }
+}
+
+TEST(MaxRange, from_a_height_it_is_lower_than_half_the_right_angle) {
+  // tan e = v / sqrt(v^2 + 2 g h), R = v/g sqrt(v^2 + 2 g h).
+  const auto far = max_range({}, {.position = {0, 30, 0}, .speed = 20}, constant_gravity(), vacuum());
+  ASSERT_TRUE(far);
+  const double root = std::sqrt(400 + 2 * kG * 30);
+  EXPECT_NEAR(far->elevation, std::atan(20 / root), 2e-5);
+  EXPECT_NEAR(std::hypot(far->position.x, far->position.z), 20 / kG * root, 1e-5);
+}
+
+TEST(MaxRange, with_drag_no_other_elevation_carries_farther) {
+  const auto far = max_range(bullet_308(), {.speed = 800}, {}, Fidelity::simulation());
+  ASSERT_TRUE(far);
+  EXPECT_GT(far->elevation, 25 * kDegree);
+  EXPECT_LT(far->elevation, 40 * kDegree);
+  for (const double turn : {-0.02, 0.02}) {
+    const Flight other =
+        fly(bullet_308(), {.speed = 800, .elevation = far->elevation + turn}, {}, Fidelity::simulation());
+    EXPECT_LT(length(other.end().position), far->range);
+  }
+}
+
+TEST(MaxRange, what_does_not_come_down_is_refused) {
+  Environment weightless;
+  weightless.gravity.model = GravityModel::off;
+  const auto far = max_range({}, {.speed = 100}, weightless, vacuum(), 0, 0, 60);
+  ASSERT_FALSE(far);
+  EXPECT_NE(far.error().message.find("does not come down"), std::string::npos);
+  EXPECT_FALSE(max_range({}, {.speed = 0}, {}, {}));
+  EXPECT_FALSE(max_range({}, {.position = {0, -1, 0}, .speed = 10}, {}, {}));
+  EXPECT_FALSE(max_range({}, {.speed = 10}, {}, {}, 0, 1.6));
+}
+
+TEST(DangerSpace, of_a_parabola) {
+  // y = x tan e - g x^2 / (2 v^2 cos^2 e): around x0 the height differs by half the target's.
+  const double e = 2 * kDegree, v = 300, x0 = 600, h = 1.7;
+  const Flight flight = fly({}, {.speed = v, .elevation = e}, constant_gravity(), vacuum(), {}, {.ground = -50});
+  const double k = kG / (2 * v * v * std::cos(e) * std::cos(e)), y0 = x0 * std::tan(e) - k * x0 * x0;
+  const auto place = [&](double y) {  // on the falling branch
+    const double t = std::tan(e);
+    return (t + std::sqrt(t * t - 4 * k * y)) / (2 * k);
+  };
+  const auto space = danger_space(flight, x0, h);
+  ASSERT_TRUE(space);
+  EXPECT_NEAR(space->from, place(y0 + h / 2), 1e-6);
+  EXPECT_NEAR(space->to, place(y0 - h / 2), 1e-6);
+  const auto all = danger_space(flight, x0, 1000);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->from, 0);
+  EXPECT_NEAR(all->to, flight.end().range, 1e-9);
+  EXPECT_FALSE(danger_space(flight, 1e6, 1));
+  EXPECT_FALSE(danger_space(flight, x0, 0));
+}
+
+TEST(TimeToRange, of_a_parabola) {
+  const auto time = time_to_range({}, {.speed = 300, .elevation = 0.1}, constant_gravity(), vacuum(), 500);
+  ASSERT_TRUE(time);
+  EXPECT_NEAR(*time, 500 / (300 * std::cos(0.1)), 1e-9);
+  EXPECT_FALSE(time_to_range({}, {.speed = 300}, {}, {}, -1));
+  EXPECT_FALSE(time_to_range(bullet_308(), {.speed = 300}, {}, {}, 1e7));
+}
+
+}  // namespace
+}  // namespace physim

@@ -1,0 +1,163 @@
+// Fuzz of asking backwards: random but legal projectiles, environments, rungs and targets. Every solution of aim() is
+// flown again, with a tight tolerance, and must hit. Whatever else comes out must be an honest miss with finite
+// numbers, or a refusal with words. How many targets are not found that a shot was seen to reach is counted, too.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include "physim/physim.hpp"
+#include "random_shots.hpp"
+
+namespace physim::test {
+namespace {
+
+constexpr double kMostLost = 0.01;  // part of the reachable targets that may go unfound
+
+struct Case {
+  ProjectileDef projectile;
+  Launch launch;
+  Environment environment;
+  Fidelity fidelity;
+  Target target;
+  AimOptions options;
+  bool reachable = false;  // by the shot that made it
+};
+
+struct Tally {
+  long hit = 0, missed = 0, refused = 0;
+  long reachable = 0, lost = 0;
+  long wrong = 0;    // answers that are not true
+  double worst = 0;  // miss of a solution flown again, in tolerances
+};
+
+Fidelity any_fidelity(Random& r) {
+  Fidelity f = random_fidelity(r);
+  f.earth = static_cast<EarthModel>(r.below(5));
+  f.gravity = r.one_in(10) ? GravityModel::off : static_cast<GravityModel>(1 + r.below(4));
+  f.integrator = r.one_in(2) ? Integrator::tsit5 : static_cast<Integrator>(r.below(7));
+  f.precision = r.one_in(8) ? Precision::float32 : Precision::float64;
+  return f;
+}
+
+/// Whether a shot means anything: fixed steps may be far too long for light projectiles.
+bool is_sound(const Case& c, const Flight& flight) {
+  if (flight.error() || flight.duration() == 0 || flight.outcome() > Outcome::time_limit) return false;
+  if (flight.step() == 0) return true;
+  Tolerance half = c.options.flight;
+  half.step *= 0.5;
+  const Flight finer = fly(c.projectile, c.launch, c.environment, c.fidelity, half, {.ground = {}, .time = 100});
+  const double time = std::min(flight.duration(), finer.duration());
+  return length(flight.at(time).position - finer.at(time).position) < 1 + 0.01 * time * flight.at(0).speed;
+}
+
+Case any_case(Random& r) {
+  Case c;
+  c.projectile = random_projectile(r);
+  c.launch = random_launch(r);
+  c.launch.sight = {};
+  c.environment = random_environment(r);
+  c.environment.gravity.model = static_cast<GravityModel>(r.below(5));
+  c.fidelity = any_fidelity(r);
+  c.options.time = 120;
+  // A float32 flight does not tell places to a centimetre.
+  if (c.fidelity.precision == Precision::float32) c.options.tolerance = 0.5;
+  c.options.flight.max_steps = 20000;
+  c.options.flight.step = r.in(0.01, 0.03);  // pilot flights over kinked data would take for ever
+  const Flight flight =
+      fly(c.projectile, c.launch, c.environment, c.fidelity, c.options.flight, {.ground = r.in(-100, 0), .time = 100});
+  const double time = flight.duration() * r.in(0.02, 1);
+  c.target.position = flight.at(time).position;
+  c.reachable = is_sound(c, flight);
+  if (r.one_in(3)) {  // a moving one, that is there at the same time
+    c.target.velocity = r.vector(r.one_in(2) ? 10 : 100);
+    c.target.acceleration = r.one_in(2) ? Vec3d{} : r.vector(5);
+    c.target.position -= (c.target.velocity + c.target.acceleration * (0.5 * time)) * time;
+  }
+  if (r.one_in(4)) {
+    c.target.position += r.vector(r.one_in(2) ? 100 : 10000);
+    c.reachable = false;
+  }
+  return c;
+}
+
+/// How near a solution comes to the target, flown again with a tight tolerance and looked at finely.
+double miss_again(const Case& c, const AimSolution& s) {
+  Tolerance tight = c.options.flight;
+  if (c.fidelity.precision == Precision::float64) tight.relative = tight.absolute = 1e-11;
+  const Flight flight = fly(c.projectile, s.launch, c.environment, c.fidelity, tight,
+                            {.ground = std::nullopt, .time = 1.01 * s.time + 1e-6});
+  double least = std::numeric_limits<double>::infinity(), width = 0.02 * s.time, middle = s.time;
+  for (int round = 0; round < 8 && !flight.error(); ++round, width *= 0.1) {
+    double best = middle;
+    for (int i = -20; i <= 20; ++i) {
+      const double t = middle + width * i / 20;
+      const double miss = length(flight.at(t).position - c.target.at(t));
+      if (miss < least) least = miss, best = t;
+    }
+    middle = best;
+  }
+  return least;
+}
+
+bool is_finite(const AimSolution& s) {
+  return std::isfinite(s.launch.elevation) && std::isfinite(s.launch.azimuth) && std::isfinite(s.miss) &&
+         std::isfinite(s.time) && std::isfinite(s.speed) && std::isfinite(s.descent) && std::isfinite(s.position.x);
+}
+
+/// What is wrong with an answer; empty where nothing is.
+std::string fault(const Case& c, const Result<Aim>& answer, Tally& tally) {
+  if (!answer) return ++tally.refused, answer.error().message.empty() ? "a refusal without words" : "";
+  if (!answer->in_reach()) {
+    ++tally.missed;
+    if (!is_finite(answer->nearest)) return "the nearest miss is not finite";
+    return answer->nearest.miss <= c.options.tolerance && !answer->behind_ground ? "a miss that hits" : "";
+  }
+  ++tally.hit;
+  for (const auto& solution : {answer->low, answer->high}) {
+    if (!solution || !is_finite(*solution)) return "a solution that is not finite";
+    const double miss = miss_again(c, *solution) / c.options.tolerance;
+    tally.worst = std::max(tally.worst, miss);
+    if (!(miss <= 1.1)) return "flown again it misses by " + std::to_string(miss) + " tolerances";
+  }
+  return "";
+}
+
+void judge(long number, const Case& c, Tally& tally) {
+  const Result<Aim> answer = aim(c.projectile, c.launch, c.environment, c.fidelity, c.target, c.options);
+  const std::string what = fault(c, answer, tally);
+  const bool lost = c.reachable && !(answer && answer->in_reach());
+  tally.reachable += c.reachable;
+  tally.lost += lost;
+  tally.wrong += !what.empty();
+  if (!what.empty()) std::printf("case %ld: %s\n", number, what.c_str());
+  if (!lost) return;
+  std::printf("case %ld: not found: %s\n", number,
+              answer ? answer->explanation().c_str() : answer.error().text().c_str());
+}
+
+}  // namespace
+}  // namespace physim::test
+
+int main(int argc, char** argv) {
+  using namespace physim::test;
+  const long count = argc > 1 ? std::atol(argv[1]) : 100000;
+  const long seed = argc > 2 ? std::atol(argv[2]) : 1;
+  const long first = argc > 3 ? std::atol(argv[3]) : 0;
+  if (count < 1 || count > 100'000'000 || first < 0) {
+    std::fprintf(stderr, "usage: physim_fuzz [COUNT [SEED [FIRST]]]\n");
+    return 2;
+  }
+  Tally tally;
+  for (long i = first; i < first + count; ++i) {
+    Random r(static_cast<std::uint64_t>(seed) * 1000003u + static_cast<std::uint64_t>(i));
+    judge(i, any_case(r), tally);
+    if (i % 5000 == 4999) std::fprintf(stderr, "%ld cases\n", i + 1 - first);
+  }
+  std::printf("%ld cases: %ld hit, %ld missed, %ld refused; %ld wrong; of %ld reachable targets %ld not found\n", count,
+              tally.hit, tally.missed, tally.refused, tally.wrong, tally.reachable, tally.lost);
+  std::printf("flown again, the worst solution misses by %.3f of the tolerance\n", tally.worst);
+  const bool lost_many = static_cast<double>(tally.lost) > kMostLost * static_cast<double>(tally.reachable) + 2;
+  return tally.wrong > 0 || lost_many ? 1 : 0;
+}
