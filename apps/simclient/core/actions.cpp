@@ -105,8 +105,10 @@ constexpr Action kActions[] = {
     // view
     {"camera", "C", "View", "next camera: orbit, follow, side", "",
      [](Client& c, const std::string&) { return c.next_camera(), done(); }},
-    {"fit", "Home", "View", "looks at everything", "", [](Client& c, const std::string&) { return c.fit_view(), done(); }},
-    {"zoom-in", "PageUp", "View", "nearer", "", [](Client& c, const std::string&) { return c.camera.zoom(0.8), done(); }},
+    {"fit", "Home", "View", "looks at everything", "",
+     [](Client& c, const std::string&) { return c.fit_view(), done(); }},
+    {"zoom-in", "PageUp", "View", "nearer", "",
+     [](Client& c, const std::string&) { return c.camera.zoom(0.8), done(); }},
     {"zoom-out", "PageDown", "View", "farther away", "",
      [](Client& c, const std::string&) { return c.camera.zoom(1.25), done(); }},
     {"select", "Tab", "View", "selects the next projectile", "",
