@@ -4,7 +4,9 @@
 #include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "simclient/core/actions.hpp"
 #include "simclient/core/state_log.hpp"
@@ -12,7 +14,8 @@
 namespace physim::client {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;      // of a hidden window [s]
+constexpr double kFrame = 1.0 / 60;  // of a hidden window [s]
+constexpr double kShortestFrame = 1.0 / 250;
 constexpr double kLongestFrame = 0.25;   // of simulation, after a hitch [s]
 constexpr double kClickReach = 4;        // a mouse that moves further drags [pixels]
 constexpr double kTurnPerPixel = 0.006;  // [rad]
@@ -62,7 +65,7 @@ Status App::open() {
   has_imgui_ = true;
   ui_.emplace(scale);
   const Layout layout =
-      Ui::layout(client_.show, static_cast<float>(options_.width), static_cast<float>(options_.height), scale);
+      Ui::layout(client_, static_cast<float>(options_.width), static_cast<float>(options_.height), scale);
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.fit_view();
   last_time_ = glfwGetTime();
@@ -72,13 +75,15 @@ Status App::open() {
 // --------------------------------------------------------------------------------------------------------------- frame
 Status App::frame() {
   glfwPollEvents();
+  const double start = glfwGetTime();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
   ImGui::NewFrame();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const Layout layout = Ui::layout(client_.show, size.x, size.y, ui_->scale());
+  const Layout layout = Ui::layout(client_, size.x, size.y, ui_->scale());
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
+  client_.scene_corner = {layout.scene.x, layout.scene.y};
   read_inputs();
   if (Status bad = script_.run(client_)) return bad;
   client_.advance(frame_time());
@@ -87,6 +92,9 @@ Status App::frame() {
   ui_->draw(client_, scene_);
   ImGui::Render();
   render(scene_);
+  client_.frame_times.push_back(static_cast<float>(glfwGetTime() - start));
+  if (client_.frame_times.size() > 240) client_.frame_times.pop_front();
+  if (Status bad = take_pictures()) return bad;
   if (state_.is_open()) state_ << state_line(client_, frame_) << std::endl;
   ++frame_;
   return std::nullopt;
@@ -94,6 +102,9 @@ Status App::frame() {
 
 double App::frame_time() {
   if (options_.hidden) return kFrame;
+  // Screens that wait for nothing would be drawn as often as the machine can.
+  const double rest = kShortestFrame - (glfwGetTime() - last_time_);
+  if (rest > 0) std::this_thread::sleep_for(std::chrono::duration<double>(rest));
   const double now = glfwGetTime();
   const double passed = std::min(now - last_time_, kLongestFrame);
   last_time_ = now;
@@ -124,12 +135,39 @@ void App::render(const Scene& scene) {
   if (!target_) glfwSwapBuffers(window_.get());
 }
 
-Status App::leave() {
-  if (options_.screenshot.empty()) return std::nullopt;
+Picture App::picture(bool of_plots) {
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.get(), &width, &height);
   if (!target_) glReadBuffer(GL_FRONT);
-  return save_png(read_picture(0, 0, width, height), options_.screenshot);
+  if (!of_plots) return read_picture(0, 0, width, height);
+  const double part = width / static_cast<double>(ImGui::GetIO().DisplaySize.x);
+  const Box& b = ui_->layout().bottom;
+  const int top = static_cast<int>(b.y * part), rows = static_cast<int>(b.height * part);
+  return read_picture(static_cast<int>(b.x * part), height - top - rows, static_cast<int>(b.width * part), rows);
+}
+
+/// Those that were asked for. In a script a failure ends it; else it is told.
+Status App::take_pictures() {
+  const std::vector<PictureWish> wishes = std::move(client_.pictures);
+  client_.pictures.clear();
+  for (const PictureWish& wish : wishes) {
+    const std::string path = wish.path.empty() ? free_name("picture", ".png") : wish.path;
+    Status bad = std::nullopt;
+    if (wish.of_plots && ui_->layout().bottom.height <= 0)
+      bad = Error{"there are no plots to be seen", "picture-of-plots", "open them first: plots"};
+    else
+      bad = save_png(picture(wish.of_plots), path);
+    if (bad && options_.hidden) return bad;
+    if (bad)
+      client_.complain(*bad);
+    else
+      client_.say("saved " + path);
+  }
+  return std::nullopt;
+}
+
+Status App::leave() {
+  return options_.screenshot.empty() ? std::nullopt : save_png(picture(false), options_.screenshot);
 }
 
 // --------------------------------------------------------------------------------------------------------------- input

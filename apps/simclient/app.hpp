@@ -39,6 +39,8 @@ class App {
   void install_callbacks();
   Status frame();
   Status leave();
+  [[nodiscard]] Picture picture(bool of_plots);
+  Status take_pictures();
   void read_inputs();
   void on_key(const Input& input);
   void on_button(const Input& input);

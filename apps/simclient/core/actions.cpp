@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "scenario/suggest.hpp"
+#include "simclient/core/original_tests.hpp"
 
 namespace physim::client {
 namespace {
@@ -38,6 +39,25 @@ Status turn(Client& client, const std::string&) {
 Status change_speed(Client& client, double factor) {
   const double scale = std::clamp(client.session.time_scale() * factor, 1.0 / 64, 64.0);
   client.session.set_time_scale(scale);
+  return done();
+}
+
+template <BottomPanel panel>
+Status toggle_bottom(Client& client, const std::string&) {
+  return client.show_bottom(panel), done();
+}
+
+Status plot(Client& client, const std::string& what) {
+  const Result<std::vector<PlotSpec>> plots = parse_plots(what);
+  if (!plots) return plots.error();
+  client.plots = *plots;
+  client.bottom = BottomPanel::plots;
+  return done();
+}
+
+template <bool of_plots>
+Status take_picture(Client& client, const std::string& file) {
+  client.pictures.push_back({file, of_plots});
   return done();
 }
 
@@ -83,6 +103,8 @@ constexpr Action kActions[] = {
     {"next-shot", "S", "Shot", "next type of shot", "",
      [](Client& c, const std::string&) { return c.launcher.next_type(), done(); }},
     {"shot", "", "", "chooses a type of shot", "NAME", select_type},
+    {"set", "", "", "changes a setting of the next shot, or of the environment", "PATH=VALUE",
+     [](Client& c, const std::string& assignment) { return c.set(assignment); }},
     {"motion", "F", "Shot", "next model of motion", "",
      [](Client& c, const std::string&) { return c.launcher.cycle_motion(), done(); }},
     {"drag", "D", "Shot", "next model of drag", "",
@@ -122,14 +144,31 @@ constexpr Action kActions[] = {
     // panels
     {"settings", "F2", "Panels", "settings of the next shot", "", toggle<&Shown::settings>},
     {"statistics", "F3", "Panels", "statistics of those in flight", "", toggle<&Shown::statistics>},
-    {"plots", "F4", "Panels", "plots", "", toggle<&Shown::plots>},
-    {"compare", "F5", "Panels", "the same shot on several rungs", "", toggle<&Shown::compare>},
-    {"performance", "F7", "Panels", "performance", "", toggle<&Shown::performance>},
+    {"plots", "F4", "Panels", "plots", "", toggle_bottom<BottomPanel::plots>},
+    {"plot", "", "", "plots quantities over others: y/x speed/time", "QUANTITIES", plot},
+    {"compare", "F5", "Panels", "the next shot on several rungs of the ladder", "", toggle_bottom<BottomPanel::compare>},
+    {"performance", "F7", "Panels", "what steps and frames cost", "", toggle_bottom<BottomPanel::performance>},
     {"help", "F1 H", "Help", "keys", "", toggle<&Shown::help>},
     // tools
     {"tape", "M", "Tools", "tape measure: left clicks set its ends", "", use_tape},
+    {"fire-compared", "F6", "Tools", "fires the next shot on all rungs of the comparison", "",
+     [](Client& c, const std::string&) { return c.fire_compared(); }},
+    {"fire-scenario", "", "Tools", "fires all shots of the scenario", "",
+     [](Client& c, const std::string&) { return c.fire_scenario(); }},
+    {"test", "", "", "opens and fires a test of the original: 1 2 3 3-drag 4 5 6 6-drag", "NAME",
+     [](Client& c, const std::string& name) { return open_original_test(c, name); }},
+    {"record", "F9", "Tools", "starts again and records; completes the file when it records", "FILE",
+     [](Client& c, const std::string& file) { return c.record(file); }},
+    {"replay", "F10", "Tools", "plays the last recording, and comes back", "",
+     [](Client& c, const std::string&) { return c.replay(); }},
     {"determinism", "F11", "Tools", "steps, goes back, steps again, and compares", "", check_determinism},
     {"open", "", "", "opens a scenario or recording", "FILE", open_file},
+    {"save", "Ctrl+S", "File", "saves the scenario with the next shot", "FILE",
+     [](Client& c, const std::string& file) { return c.save(file); }},
+    {"save-csv", "Ctrl+D", "File", "saves all flights as a table", "FILE",
+     [](Client& c, const std::string& file) { return c.save_csv(file); }},
+    {"picture", "F12", "File", "saves a picture of the window", "FILE", take_picture<false>},
+    {"picture-of-plots", "Ctrl+P", "File", "saves a picture of the plots", "FILE", take_picture<true>},
     {"quit", "Esc", "File", "leaves", "", [](Client& c, const std::string&) { return c.leaves = true, done(); }},
 };
 // clang-format on

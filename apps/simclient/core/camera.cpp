@@ -31,7 +31,8 @@ void Camera::pan(double to_right, double to_up) {
 
 void Camera::fit(const Vec3d& low, const Vec3d& high) {
   target = (low + high) * 0.5;
-  const Vec3d half = (high - low) * 0.5;
+  Vec3d half = (high - low) * 0.5;
+  half.y *= stretch;
   const double across = std::abs(right().x) * half.x + std::abs(right().y) * half.y + std::abs(right().z) * half.z;
   const double upward = std::abs(up().x) * half.x + std::abs(up().y) * half.y + std::abs(up().z) * half.z;
   const double deep = std::abs(forward().x) * half.x + std::abs(forward().y) * half.y + std::abs(forward().z) * half.z;
@@ -48,8 +49,10 @@ Vec3d Camera::up() const { return cross(right(), forward()); }
 Vec3d Camera::eye() const { return target - forward() * distance; }
 double Camera::near_plane() const { return std::clamp(distance * 0.01, 0.02, 1e4); }
 
+Vec3d Camera::shown(const Vec3d& point) const { return {point.x, target.y + (point.y - target.y) * stretch, point.z}; }
+
 std::optional<Pixel> Camera::project(const Vec3d& point) const {
-  const Vec3d way = point - eye();
+  const Vec3d way = shown(point) - eye();
   const double depth = dot(way, forward());
   if (depth < near_plane()) return std::nullopt;
   const double scale = focal() / depth;
@@ -65,7 +68,7 @@ Ray Camera::ray(const Pixel& pixel) const {
 double Camera::focal() const { return height_ / (2 * std::tan(kHalfView)); }
 
 double Camera::pixel_size(const Vec3d& point) const {
-  return std::max(dot(point - eye(), forward()), near_plane()) / focal();
+  return std::max(dot(shown(point) - eye(), forward()), near_plane()) / focal();
 }
 
 Mat4 Camera::matrix() const {
@@ -78,11 +81,15 @@ Mat4 Camera::matrix() const {
           g(sx * r.z), g(sy * u.z), g(a * f.z), g(f.z), 0,           0,           g(b),       0};
 }
 
-std::optional<Vec3d> at_height(const Ray& ray, double height) {
-  const double drop = ray.direction.y;
+std::optional<Vec3d> Camera::at_height(const Pixel& pixel, double height) const {
+  const Ray line = ray(pixel);
+  const double drop = line.direction.y;
   if (std::abs(drop) < 1e-9) return std::nullopt;
-  const double way = (height - ray.origin.y) / drop;
-  return way > 0 && way < 1e9 ? std::optional(ray.origin + ray.direction * way) : std::nullopt;
+  const double way = (shown({0, height, 0}).y - line.origin.y) / drop;
+  if (!(way > 0 && way < 1e9)) return std::nullopt;
+  Vec3d point = line.origin + line.direction * way;
+  point.y = height;
+  return point;
 }
 
 }  // namespace physim::client

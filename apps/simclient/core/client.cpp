@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "physim/recording_file.hpp"
+#include "simclient/core/scene.hpp"
 
 namespace physim::client {
 namespace {
@@ -12,6 +15,12 @@ namespace {
 constexpr double kReach = 12;       // of the mouse [pixels]
 constexpr double kMessageTime = 6;  // [s]
 constexpr double kRightAngle = 1.5707963267948966;
+
+Status write_file(const std::string& path, const std::string& content) {
+  std::ofstream file(path, std::ios::binary);
+  if (file << content << std::flush) return std::nullopt;
+  return Error{"cannot write the file", path, "is there such a folder, and may you write there?"};
+}
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -30,15 +39,26 @@ Result<Session> open_session(const std::string& file, const std::vector<std::str
 
 }  // namespace
 
+std::string free_name(const std::string& what, const std::string& ending) {
+  int number = 1;
+  const auto path = [&] { return "physim_" + what + "_" + std::to_string(number) + ending; };
+  while (std::filesystem::exists(path())) ++number;
+  return path();
+}
+
 Result<Client> open_client(const std::string& file, const std::vector<std::string>& overrides) {
   if (file.empty() && !overrides.empty())
     return Error{"--set changes a scenario, and none is named", "--set", "simclient FILE.toml --set ..."};
   Result<Session> session = file.empty() ? Session::create(open_range()) : open_session(file, overrides);
   if (!session) return session.error();
-  return Client(std::move(*session));
+  return Client(std::move(*session), file);
 }
 
-Client::Client(Session s) : session(std::move(s)), launcher(session.scenario()) { fit_view(); }
+Client::Client(Session s, const std::string& file)
+    : session(std::move(s)), launcher(session.scenario()), plots(*parse_plots("y/range y speed acceleration")) {
+  if (!session.is_replay()) scenario_file_ = file;
+  fit_view();
+}
 
 void Client::advance(double real_dt) {
   session.advance(real_dt);
@@ -48,7 +68,12 @@ void Client::advance(double real_dt) {
 }
 
 Status Client::open(const std::string& file) {
-  Result<Session> opened = open_session(file, {});
+  if (Status bad = use_session(open_session(file, {}))) return bad;
+  if (!session.is_replay()) scenario_file_ = file;
+  return say("opened " + file), std::nullopt;
+}
+
+Status Client::use_session(Result<Session> opened) {
   if (!opened) return opened.error();
   session = std::move(*opened);
   launcher = Launcher(session.scenario());
@@ -56,7 +81,6 @@ Status Client::open(const std::string& file) {
   tape = {};
   ++session_version_;
   fit_view();
-  say("opened " + file);
   return std::nullopt;
 }
 
@@ -71,6 +95,114 @@ Status Client::fire() {
   if (!fired) return fired.error();
   selected = *fired;
   return std::nullopt;
+}
+
+Status Client::fire_scenario() {
+  for (const ScenarioShot& shot : with_world(session.scenario()).shots) {
+    const Result<ProjectileId> fired = session.fire(shot);
+    if (!fired) return fired.error();
+  }
+  if (session.scenario().shots.empty()) return Error{"the scenario has no shots", session.scenario().file, ""};
+  selected = {};
+  fit_view();
+  return std::nullopt;
+}
+
+Status Client::fire_compared() {
+  for (const ComparedRung& rung : comparison()) {
+    ScenarioShot shot = launcher.shot();
+    shot.projectile.fidelity = rung.asked;
+    shot.projectile.name = rung.name;
+    shot.cheapest_within.reset();
+    shot.body.colour = rung.colour;
+    const Result<ProjectileId> fired = session.fire(shot);
+    if (!fired) return fired.error();
+  }
+  return std::nullopt;
+}
+
+const std::vector<ComparedRung>& Client::comparison() {
+  const bool is_new =
+      compared_version_ != launcher.version() || compared_session_ != session_version_ || compared_presets_ != compared;
+  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared);
+  compared_version_ = launcher.version();
+  compared_session_ = session_version_;
+  compared_presets_ = compared;
+  return comparison_;
+}
+
+// --------------------------------------------------------------------------------------------------------------- files
+/// The scenario with the next shot in it, in the place of its namesake.
+Status Client::save(const std::string& file) {
+  Scenario scenario = session.scenario();
+  const ScenarioShot& next = launcher.shot();
+  const auto is_namesake = [&](const ScenarioShot& s) { return s.projectile.name == next.projectile.name; };
+  const auto namesake = std::find_if(scenario.shots.begin(), scenario.shots.end(), is_namesake);
+  if (namesake != scenario.shots.end())
+    *namesake = next;
+  else if (!scenario.world.given || scenario.shots.empty())
+    scenario.shots.push_back(next);
+  // Bodies are those of worlds: where the shot has one, the file gets a world.
+  if (!scenario.world.given && !(next.body == BodyDef{})) {
+    const std::vector<ScenarioShot> shots = scenario.shots;
+    scenario = with_world(scenario);
+    scenario.shots = shots;
+  }
+  const std::string path = file.empty() ? free_name("scenario", ".toml") : file;
+  if (Status bad = write_file(path, scenario_text(scenario))) return bad;
+  return say("saved " + path), std::nullopt;
+}
+
+Status Client::save_csv(const std::string& file) {
+  const std::string path = file.empty() ? free_name("flights", ".csv") : file;
+  if (Status bad = write_file(path, tracks_csv(session.tracks()))) return bad;
+  return say("saved " + path), std::nullopt;
+}
+
+Status Client::record(const std::string& file) {
+  if (session.is_recording()) {
+    if (Status bad = session.stop_recording()) return bad;
+    return say("recorded " + recorded_), std::nullopt;
+  }
+  const std::string path = file.empty() ? free_name("recording", ".rec") : file;
+  if (Status bad = session.restart(path)) return bad;
+  recorded_ = path;
+  selected = {};
+  ++session_version_;
+  return say("started again, recording into " + path), std::nullopt;
+}
+
+Status Client::replay() {
+  if (session.is_replay()) {
+    const std::string file = scenario_file_;
+    if (!file.empty()) return open(file);
+    return use_session(Session::create(open_range()));
+  }
+  if (recorded_.empty()) return Error{"nothing was recorded yet", "replay", "record first, or open FILE.rec"};
+  if (session.is_recording())
+    if (Status bad = session.stop_recording()) return bad;
+  return open(recorded_);
+}
+
+Status Client::set(const std::string& assignment) {
+  Scenario scenario = session.scenario();
+  ScenarioShot shot = launcher.shot();
+  if (Status bad = set_value(assignment, scenario, shot)) return bad;
+  return use(scenario, shot);
+}
+
+Status Client::set(const SettingRow& row, const std::string& text) {
+  Scenario scenario = session.scenario();
+  ScenarioShot shot = launcher.shot();
+  if (Status bad = set_value(row, text, scenario, shot)) return bad;
+  return use(scenario, shot);
+}
+
+Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
+  launcher.set_shot(shot);
+  if (scenario.environment == session.scenario().environment) return std::nullopt;
+  ++session_version_;
+  return session.set_environment(scenario.environment);
 }
 
 const Prediction& Client::prediction() {
@@ -94,6 +226,14 @@ void Client::select_next() {
 }
 
 // ----------------------------------------------------------------------------------------------------------- the scene
+std::optional<Client::Arrow> Client::arrow() {
+  const Prediction& flight = prediction();
+  const double speed = length(flight.velocity);
+  if (session.is_replay() || flight.error || !(speed > 0)) return std::nullopt;
+  const double size = std::max(camera.distance * 0.16, 60 * camera.pixel_size(flight.muzzle));
+  return Arrow{flight.muzzle, flight.muzzle + flight.velocity * (size / speed)};
+}
+
 void Client::click(const Pixel& pixel) {
   if (tool == Tool::fire) {
     if (Status bad = fire()) complain(*bad);
@@ -109,7 +249,7 @@ void Client::click(const Pixel& pixel) {
 
 std::optional<Vec3d> Client::point_under(const Pixel& pixel) {
   if (const auto found = probe(pixel)) return found->sample.position;
-  return at_height(camera.ray(pixel), session.ground().value_or(0));
+  return camera.at_height(pixel, session.ground().value_or(0));
 }
 
 std::optional<Client::Probe> Client::probe(const Pixel& pixel) {
@@ -140,7 +280,10 @@ void Client::fit_view() {
   if (camera.mode == CameraMode::side) {
     camera.yaw = launcher.azimuth() - kRightAngle;
     camera.pitch = 0.05;
+    const double across = std::hypot(high.x - low.x, high.z - low.z), upward = high.y - low.y;
+    camera.stretch = upward > 0 ? std::clamp(scale_step(across / upward, 5), 1.0, 1000.0) : 1;
   } else {
+    camera.stretch = 1;
     camera.yaw = launcher.azimuth() - 0.35;
     camera.pitch = 0.22;
   }
@@ -153,6 +296,7 @@ void Client::next_camera() {
     camera.yaw = launcher.azimuth() - 0.25;
     camera.pitch = 0.15;
     camera.distance = std::min(camera.distance, 25.0);
+    camera.stretch = 1;
   } else {
     fit_view();
   }

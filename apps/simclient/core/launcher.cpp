@@ -104,7 +104,8 @@ void Launcher::turn(double right, double up) {
 std::optional<int> Launcher::elevation_setting() const {
   const ShotType& type = types_[type_];
   if (!type.is_original()) return std::nullopt;
-  const bool in_force = std::abs(elevation() - std::atan2(type.up * setting_, type.forward)) < 1e-12;
+  const bool in_force = std::abs(elevation() - std::atan2(type.up * setting_, type.forward)) < 1e-12 &&
+                        std::abs(speed() - std::hypot(type.forward, type.up * setting_)) < 1e-9;
   return in_force ? std::optional(setting_) : std::nullopt;
 }
 
@@ -124,8 +125,10 @@ double Launcher::speed() const { return shot_.launch.velocity ? length(*shot_.la
 
 std::string Launcher::elevation_text() const {
   char text[48];
-  const double degrees = elevation() / kDegree;
-  if (const auto setting = elevation_setting())
+  const double degrees = elevation() / kDegree, zero = shot_.launch.sight.zero_range;
+  if (zero > 0)
+    std::snprintf(text, sizeof text, "zeroed at %.6g m", zero);
+  else if (const auto setting = elevation_setting())
     std::snprintf(text, sizeof text, "e = %d (%.1f\u00b0)", *setting, degrees);
   else
     std::snprintf(text, sizeof text, "%.2f\u00b0", degrees);

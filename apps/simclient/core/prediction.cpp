@@ -33,7 +33,7 @@ void look(Prediction& prediction, const WorldEvent& event) {
   if (event.kind == WorldEventKind::apex && !prediction.apex) prediction.apex = at;
   const bool touched = event.kind == WorldEventKind::landed || event.kind == WorldEventKind::bounced;
   if (touched && !prediction.impact) prediction.impact = at;
-  if (event.kind == WorldEventKind::landed) prediction.path.push_back(at);
+  if (event.kind == WorldEventKind::landed || event.kind == WorldEventKind::expired) prediction.path.push_back(at);
 }
 
 }  // namespace

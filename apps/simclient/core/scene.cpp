@@ -42,7 +42,7 @@ void Scene::dots(const std::vector<TrackSample>& samples, const Camera& camera, 
 }
 
 void Scene::arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera) {
-  const Vec3d way = to - from;
+  const Vec3d way = camera.shown(to) - camera.shown(from);
   const double size = length(way);
   if (!(size > 0)) return;
   const Vec3d along = way * (1 / size);
@@ -51,7 +51,8 @@ void Scene::arrow(const Vec3d& from, const Vec3d& to, Colour colour, double widt
   across = normalized(across);
   const double head = std::min(size * 0.35, camera.pixel_size(to) * 6 * width);
   line(from, to, colour, width);
-  for (const double side : {-0.5, 0.5}) line(to, to - along * head + across * (head * side), colour, width);
+  for (const double side : {-0.5, 0.5})
+    line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width);
 }
 
 void Scene::label(const Vec3d& at, const std::string& text, Colour colour, int line) {
@@ -79,6 +80,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   scene.has_ground = client.session.ground().has_value();
   build_ground(client, scale, scene);
   build_projectiles(client, scale, scene);
+  if (client.bottom == BottomPanel::compare) build_comparison(client, scale, scene);
   build_aim(client, scale, scene);
   if (client.show.vectors) build_vectors(client, scale, scene);
   build_tools(client, scale, scene);

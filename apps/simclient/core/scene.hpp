@@ -50,6 +50,7 @@ void build_scene(Client& client, double scale, Scene& scene);
 
 // Its parts.
 void build_ground(const Client& client, double scale, Scene& scene);
+void build_comparison(Client& client, double scale, Scene& scene);
 void build_aim(Client& client, double scale, Scene& scene);
 void build_projectiles(const Client& client, double scale, Scene& scene);
 void build_vectors(const Client& client, double scale, Scene& scene);

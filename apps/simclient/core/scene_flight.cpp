@@ -17,26 +17,26 @@ std::string text(const char* format, Values... values) {
 
 float radius_of(const ProjectileDef* what) { return what ? static_cast<float>(what->diameter / 2) : 0.0F; }
 
+void cross(Scene& scene, const Camera& camera, const Vec3d& at, const Vec3d& one, const Vec3d& other, Colour colour) {
+  const double size = 5 * camera.pixel_size(at);
+  for (const Vec3d& way : {one, other}) {
+    const Vec3d arm = camera.drawn_as(way * size);
+    scene.line(at - arm, at + arm, colour, 2);
+  }
+}
+
 void mark(Scene& scene, const Camera& camera, const Track& track) {
+  const Vec3d right = camera.right(), up = camera.up();
   if (track.apex) {
-    const Vec3d p = track.apex->position;
-    const double size = 5 * camera.pixel_size(p);
-    scene.line(p - Vec3d{0, size, 0}, p + Vec3d{0, size, 0}, track.colour, 1.5);
-    scene.line(p - camera.right() * size, p + camera.right() * size, track.colour, 1.5);
-    scene.label(p, text("apex %.2f m, %.2f s", p.y, track.apex->time), track.colour, -2);
+    const Vec3d at = track.apex->position;
+    cross(scene, camera, at, right, up, track.colour);
+    scene.label(at, text("apex %.2f m, %.2f s", at.y, track.apex->time), track.colour, -2);
   }
   if (track.impact) {
-    const Vec3d p = track.impact->position;
-    const double size = 6 * camera.pixel_size(p);
-    for (const double side : {-1.0, 1.0})
-      scene.line(p + (camera.right() * side - camera.up()) * size, p - (camera.right() * side - camera.up()) * size,
-                 track.colour, 2);
-    const Vec3d from = track.samples.front().position;
-    scene.label(
-        p,
-        text("%s in %.2f s", length_text(std::round(100 * std::hypot(p.x - from.x, p.z - from.z)) / 100).c_str(),
-             track.impact->time),
-        track.colour, 1);
+    const Vec3d at = track.impact->position, way = at - track.samples.front().position;
+    cross(scene, camera, at, right + up, right - up, track.colour);
+    const double range = std::round(100 * std::hypot(way.x, way.z)) / 100;
+    scene.label(at, length_text(range) + text(" in %.2f s", track.impact->time), track.colour, 1);
   }
 }
 
@@ -74,6 +74,16 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
   }
 }
 
+// --------------------------------------------------------------------------------------------------------- comparison
+void build_comparison(Client& client, double scale, Scene& scene) {
+  int line = 0;
+  for (const ComparedRung& rung : client.comparison()) {
+    if (rung.flight.path.empty()) continue;
+    scene.polyline(rung.flight.path, rung.colour, (rung.is_truth ? 3 : 2) * scale);
+    scene.label(rung.flight.path.back().position, rung.name, rung.colour, line++);
+  }
+}
+
 // ----------------------------------------------------------------------------------------------------------------- aim
 void build_aim(Client& client, double scale, Scene& scene) {
   if (client.session.is_replay()) return;
@@ -84,12 +94,8 @@ void build_aim(Client& client, double scale, Scene& scene) {
     scene.dots(prediction.path, client.camera, faded(colours::kText, 0.75));
     for (std::size_t i = known; i < scene.balls.size(); ++i) scene.balls[i].pixels *= static_cast<float>(scale);
   }
-  const Vec3d muzzle = prediction.muzzle;
-  scene.balls.push_back({muzzle, colours::kArrow, 0, static_cast<float>(3 * scale)});
-  const double speed = length(prediction.velocity);
-  if (!(speed > 0)) return;
-  const double size = std::max(client.camera.distance * 0.16, 60 * client.camera.pixel_size(muzzle));
-  scene.arrow(muzzle, muzzle + prediction.velocity * (size / speed), colours::kArrow, 3 * scale, client.camera);
+  scene.balls.push_back({prediction.muzzle, colours::kArrow, 0, static_cast<float>(3 * scale)});
+  if (const auto arrow = client.arrow()) scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
 }
 
 // ------------------------------------------------------------------------------------------------------------- vectors

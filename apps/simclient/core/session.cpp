@@ -7,7 +7,8 @@
 namespace physim::client {
 namespace {
 
-constexpr std::size_t kMaxTracks = 64, kMaxTracksOfRun = 24;
+constexpr std::size_t kMaxTracks = 64;
+constexpr std::size_t kMaxTracksOfRun = 24, kMaxTracksOfCrowd = 5;  // of what the scenario fires by itself
 constexpr std::size_t kMaxSamples = 20000;
 constexpr int kMaxStepsAtOnce = 8;                 // of one screen frame at normal speed
 constexpr std::size_t kMomentMemory = 256u << 20;  // for all moments that can be gone back to [bytes]
@@ -63,6 +64,7 @@ Result<Session> Session::replay(std::vector<std::byte> recording, const std::str
   Result<Replay> replay = Replay::open(session.replayed_);
   if (!replay) return replay.error();
   session.replay_ = std::move(*replay);
+  session.most_tracks_of_run_ = kMaxTracksOfRun;
   return session;
 }
 
@@ -70,6 +72,7 @@ Status Session::start(const std::string& recording) {
   Scenario played = with_world(scenario_);
   if (!scenario_.world.given) played.shots.clear();  // they wait to be fired by hand
   played.world.def.apex_events = launches(played) <= 1000;
+  most_tracks_of_run_ = launches(played) <= 64 ? kMaxTracksOfRun : kMaxTracksOfCrowd;
   Result<WorldRun> run = WorldRun::create(std::move(played), recording);
   if (!run) return run.error();
   run_ = std::move(*run);
@@ -101,7 +104,7 @@ int Session::advance(double real_dt) {
   if (paused_ || over_ || !(real_dt > 0)) return 0;
   const double h = step_length();
   leftover_ += real_dt * time_scale_;
-  const int most = std::max(kMaxStepsAtOnce, static_cast<int>(2 * kMaxStepsAtOnce * time_scale_));
+  const int most = std::max(kMaxStepsAtOnce, static_cast<int>(kMaxStepsAtOnce * time_scale_));
   int steps = 0;
   while (leftover_ > h * (1 - 1e-6) && steps < most && !over_) {
     take_step();
@@ -121,10 +124,10 @@ void Session::take_step() {
     run_->step();
   }
   const double seconds = seconds_since(start);
-  cost_.seconds += (seconds - cost_.seconds) * (cost_.seconds > 0 ? 0.05 : 1);
-  cost_.projectile_steps = world().counters().projectile_steps - before;
-  const double each = cost_.projectile_steps > 0 ? seconds / static_cast<double>(cost_.projectile_steps) : 0;
-  cost_.per_projectile_step += (each - cost_.per_projectile_step) * (cost_.per_projectile_step > 0 ? 0.05 : 1);
+  cost_.moved = world().counters().projectile_steps - before;
+  const double part = cost_.seconds > 0 ? 0.05 : 1;  // of the average that is new
+  cost_.seconds += (seconds - cost_.seconds) * part;
+  cost_.projectile_steps += (static_cast<double>(cost_.moved) - cost_.projectile_steps) * part;
   ++step_;
   look();
   if (!replay_) remember_moment(false);
@@ -289,9 +292,9 @@ void Session::look() {
     if (track.samples.size() > kMaxSamples)  // every second one is enough from here on
       for (std::size_t i = 1; i < track.samples.size(); ++i) track.samples.erase(track.samples.begin() + i);
   }
-  if (tracks_.size() >= kMaxTracksOfRun || world().size() > 4096) return;
+  if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
   for (const ProjectileId id : world().ids()) {
-    if (tracks_.size() >= kMaxTracksOfRun) break;
+    if (tracks_.size() >= most_tracks_of_run_) break;
     if (world().status(id) != LifeStatus::in_flight || track(id) != nullptr) continue;
     const Colour own = world().colour(id);
     const ProjectileDef* what = world().definition(id);

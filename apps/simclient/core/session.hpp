@@ -19,9 +19,11 @@ namespace physim::client {
 
 /// What the last steps cost; of the machine's clock, for display only.
 struct StepCost {
-  double seconds = 0;                  // for one step, averaged over the last ones
-  double per_projectile_step = 0;      // [s]
-  std::uint64_t projectile_steps = 0;  // of the last step
+  double seconds = 0;           // for one step, averaged over the last ones
+  double projectile_steps = 0;  // in one step; the same
+  std::uint64_t moved = 0;      // projectiles, in the last step
+
+  [[nodiscard]] double per_projectile_step() const { return projectile_steps > 0 ? seconds / projectile_steps : 0; }
 };
 
 struct DeterminismCheck {
@@ -116,6 +118,7 @@ class Session {
   std::string recording_;
   std::vector<Track> tracks_;
   std::deque<Moment> moments_;
+  std::size_t most_tracks_of_run_ = 0;
   std::uint64_t step_ = 0, fired_ = 0;
   double leftover_ = 0;  // of the screen's time, less than a step [s]
   double time_scale_ = 1;

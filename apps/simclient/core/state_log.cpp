@@ -24,7 +24,13 @@ Json shot_state(const Launcher& launcher) {
           {"gravity", name(fidelity.gravity)}};
 }
 
-Json track_state(const Track& track) {
+/// Where a point is seen in the window.
+Json pixel(const Client& client, const Vec3d& point) {
+  const auto seen = client.camera.project(point);
+  return seen ? Json{seen->x + client.scene_corner.x, seen->y + client.scene_corner.y} : Json();
+}
+
+Json track_state(const Client& client, const Track& track) {
   const TrackSample& s = track.samples.back();
   return {{"number", track.number},
           {"name", track.name},
@@ -36,12 +42,13 @@ Json track_state(const Track& track) {
           {"acceleration", vector(s.acceleration)},
           {"speed", length(s.velocity)},
           {"mass", track.mass},
-          {"mach", s.mach}};
+          {"mach", s.mach},
+          {"pixel", pixel(client, s.position)}};
 }
 
 }  // namespace
 
-std::string state_line(const Client& client, std::uint64_t frame) {
+std::string state_line(Client& client, std::uint64_t frame) {
   Json line = {{"frame", frame},
                {"time", client.session.time()},
                {"step", client.session.step()},
@@ -49,7 +56,9 @@ std::string state_line(const Client& client, std::uint64_t frame) {
                {"alive", client.session.world().size()},
                {"shot", shot_state(client.launcher)},
                {"tracks", Json::array()}};
-  for (const Track& track : client.session.tracks()) line["tracks"].push_back(track_state(track));
+  for (const Track& track : client.session.tracks()) line["tracks"].push_back(track_state(client, track));
+  if (const auto arrow = client.arrow())
+    line["arrow"] = {{"from", pixel(client, arrow->from)}, {"to", pixel(client, arrow->to)}};
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

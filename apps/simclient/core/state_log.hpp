@@ -7,6 +7,6 @@
 
 namespace physim::client {
 
-[[nodiscard]] std::string state_line(const Client& client, std::uint64_t frame);
+[[nodiscard]] std::string state_line(Client& client, std::uint64_t frame);
 
 }  // namespace physim::client

@@ -12,8 +12,8 @@ namespace {
 constexpr float kSky[3] = {0.075F, 0.086F, 0.105F};
 constexpr float kNear[3] = {0.135F, 0.150F, 0.160F}, kFar[3] = {0.085F, 0.096F, 0.115F};
 
-void relative(const Vec3d& point, const Vec3d& eye, float (&out)[3]) {
-  const Vec3d way = point - eye;
+void relative(const Vec3d& point, const Camera& camera, const Vec3d& eye, float (&out)[3]) {
+  const Vec3d way = camera.shown(point) - eye;
   out[0] = static_cast<float>(way.x), out[1] = static_cast<float>(way.y), out[2] = static_cast<float>(way.z);
 }
 
@@ -121,7 +121,8 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& vi
 
 void Renderer::draw_ground(const Scene& scene, const Camera& camera, const Mat4& matrix) {
   set_common(ground_shader_, matrix, camera);
-  glUniform1f(ground_shader_.uniform("height"), static_cast<float>(scene.ground - camera.eye().y));
+  glUniform1f(ground_shader_.uniform("height"),
+              static_cast<float>(camera.shown({0, scene.ground, 0}).y - camera.eye().y));
   glUniform1f(ground_shader_.uniform("reach"), static_cast<float>(camera.distance * 100));
   glUniform3fv(ground_shader_.uniform("near_colour"), 1, kNear);
   glUniform3fv(ground_shader_.uniform("far_colour"), 1, kFar);
@@ -134,12 +135,13 @@ void Renderer::draw_lines(const Scene& scene, const Camera& camera, const Mat4& 
   line_data_.resize(scene.lines.size());
   for (std::size_t i = 0; i < scene.lines.size(); ++i) {
     const SceneLine& line = scene.lines[i];
-    relative(line.a, eye, line_data_[i].a);
-    relative(line.b, eye, line_data_[i].b);
+    relative(line.a, camera, eye, line_data_[i].a);
+    relative(line.b, camera, eye, line_data_[i].b);
     bytes(line.colour, line_data_[i].colour);
     line_data_[i].width = line.width, line_data_[i].fog = line.fog;
   }
   set_common(line_shader_, matrix, camera);
+  glUniform1f(line_shader_.uniform("near"), static_cast<float>(camera.near_plane()));
   upload(line_.instances, line_data_);
   glBindVertexArray(line_.array);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(line_data_.size()));
@@ -150,7 +152,7 @@ void Renderer::draw_balls(const Scene& scene, const Camera& camera, const Mat4& 
   ball_data_.resize(scene.balls.size());
   for (std::size_t i = 0; i < scene.balls.size(); ++i) {
     const SceneBall& ball = scene.balls[i];
-    relative(ball.at, eye, ball_data_[i].at);
+    relative(ball.at, camera, eye, ball_data_[i].at);
     bytes(ball.colour, ball_data_[i].colour);
     ball_data_[i].radius = ball.radius, ball_data_[i].pixels = ball.pixels;
   }

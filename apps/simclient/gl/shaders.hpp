@@ -36,15 +36,15 @@ layout(location = 2) in vec3 b;
 layout(location = 3) in vec4 line_colour;
 layout(location = 4) in vec2 width_fog;
 uniform mat4 matrix;
-uniform vec2 size;  // of the viewport in pixels
+uniform vec2 size;   // of the viewport in pixels
+uniform float near;  // what is nearer is cut off
 out vec4 shade;
 out vec3 place;
-out float across;
+noperspective out float across;  // on the screen, where the quad has the same width everywhere
 flat out float half_width;
 flat out float fog;
 void main() {
   vec4 from = matrix * vec4(a, 1.0), to = matrix * vec4(b, 1.0);
-  float near = 1e-4;  // what is behind the eye is cut off
   float s = 0.0, e = 1.0;
   if (from.w < near && to.w < near) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
   if (from.w < near) s = (near - from.w) / (to.w - from.w);
@@ -67,7 +67,7 @@ void main() {
 inline constexpr const char* kLineFragment = R"(#version 330 core
 in vec4 shade;
 in vec3 place;
-in float across;
+noperspective in float across;
 flat in float half_width;
 flat in float fog;
 out vec4 colour;

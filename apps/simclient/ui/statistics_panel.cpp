@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "physim/names.hpp"
-#include "simclient/ui/ui.hpp"
+#include "simclient/ui/panels.hpp"
 
 namespace physim::client {
 namespace {
@@ -35,7 +35,7 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
     vector_row("accel.", "m/s\u00b2", s.acceleration);
     ImGui::EndTable();
   }
-  ImGui::Text("speed %.2f m/s   Mach %.3f   mass %.4g kg", length(s.velocity), s.mach, track.mass);
+  ImGui::TextWrapped("speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity), s.mach, track.mass);
   ImGui::PopStyleColor();
   ImGui::Separator();
   ImGui::PopID();

@@ -2,7 +2,7 @@
 #include <array>
 #include <filesystem>
 
-#include "simclient/ui/ui.hpp"
+#include "simclient/ui/panel.hpp"
 
 namespace physim::client {
 namespace {
@@ -56,14 +56,29 @@ void set_theme(float scale) {
   load_font(15 * scale);
 }
 
-bool begin_panel(const char* title, const Box& box, bool* is_open) {
+bool begin_panel(const char* title, const Box& box) {
   ImGui::SetNextWindowPos({box.x, box.y});
   ImGui::SetNextWindowSize({box.width, box.height});
-  return ImGui::Begin(title, is_open,
+  return ImGui::Begin(title, nullptr,
                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
 void end_panel() { ImGui::End(); }
+
+void coloured_text(Colour colour, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, tint(colour));
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void tooltip(const std::string& text) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
 
 }  // namespace physim::client

@@ -8,6 +8,7 @@
 
 #include "physim/names.hpp"
 #include "simclient/core/actions.hpp"
+#include "simclient/core/original_tests.hpp"
 
 namespace physim::client {
 namespace {
@@ -35,34 +36,35 @@ void action_item(Client& client, const char* name, const char* label) {
 
 Ui::Ui(float scale) : scale_(scale) { set_theme(scale); }
 
-Layout Ui::layout(const Shown& show, float width, float height, float scale) {
-  constexpr float kSide = 320, kBottom = 260, kLeastScene = 240;
+Layout Ui::layout(const Client& client, float width, float height, float scale) {
+  constexpr float kSide = 320, kBottom = 280, kLeastScene = 240, kLeastSide = 220;
   const float menu = 26 * scale, status = 28 * scale;
-  const bool has_bottom = show.plots || show.compare || show.performance;
-  float left = show.settings ? kSide * scale : 0, right = show.statistics ? kSide * scale : 0;
+  float left = client.show.settings ? kSide * scale : 0, right = client.show.statistics ? kSide * scale : 0;
   const float most = std::max(width - kLeastScene * scale, 0.0F);
-  if (left + right > most) left = std::min(left, std::max(most - right, 0.0F));
-  if (left < 200 * scale) left = 0;  // too narrow to read
-  right = std::min(right, most);
-  const float middle = std::max(height - menu - status, 1.0F);
-  const float bottom = has_bottom ? std::min(kBottom * scale, middle * 0.5F) : 0;
+  if (left + right > most) left = std::min(left, most - right);
+  if (left < kLeastSide * scale) left = 0;  // too narrow to read
+  if (right > most) right = most < kLeastSide * scale ? 0 : most;
+  const float room = std::max(height - menu - status, 1.0F);
+  const float bottom = client.bottom == BottomPanel::none ? 0 : std::min(kBottom * scale, room * 0.45F);
+  const float middle = std::max(room - bottom, 1.0F);
   Layout out;
   out.menu = {0, 0, width, menu};
   out.status = {0, height - status, width, status};
   out.left = {0, menu, left, middle};
   out.right = {width - right, menu, right, middle};
-  out.bottom = {left, menu + middle - bottom, width - left - right, bottom};
-  out.scene = {left, menu, std::max(width - left - right, 1.0F), std::max(middle - bottom, 1.0F)};
+  out.bottom = {0, menu + middle, width, bottom};
+  out.scene = {left, menu, std::max(width - left - right, 1.0F), middle};
   return out;
 }
 
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  layout_ = layout(client.show, size.x, size.y, scale_);
+  layout_ = layout(client, size.x, size.y, scale_);
   draw_labels(client, scene);
   draw_menu_bar(client);
-  if (layout_.left.width > 0) draw_settings_panel(client, layout_.left);
+  if (layout_.left.width > 0) settings_.draw(client, layout_.left);
   if (layout_.right.width > 0) draw_statistics_panel(client, layout_.right);
+  if (layout_.bottom.height > 0) draw_bottom_panel(client, layout_.bottom);
   draw_status(client);
   draw_messages(client);
   draw_probe(client);
@@ -86,13 +88,25 @@ void Ui::draw_menu_bar(Client& client) {
     if (!ImGui::BeginMenu(menu)) continue;
     for (const Action& action : actions())
       if (action.menu == menu) action_item(client, action.name.data(), std::string(action.help).c_str());
+    if (std::string_view(menu) == "Tools") draw_tests_menu(client);
     ImGui::EndMenu();
   }
   const std::string& title = client.session.scenario().title;
-  const float width = ImGui::CalcTextSize(title.c_str()).x;
-  ImGui::SameLine(std::max(ImGui::GetWindowWidth() - width - 12 * scale_, ImGui::GetCursorPosX()));
-  ImGui::TextDisabled("%s", title.c_str());
+  const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(title.c_str()).x - 12 * scale_;
+  if (at > ImGui::GetCursorPosX() + 8 * scale_) {  // left out where there is no room for it
+    ImGui::SameLine(at);
+    ImGui::TextDisabled("%s", title.c_str());
+  }
   ImGui::EndMainMenuBar();
+}
+
+void Ui::draw_tests_menu(Client& client) {
+  ImGui::Separator();
+  if (!ImGui::BeginMenu("tests of the original")) return;
+  for (const OriginalTest& test : original_tests())
+    if (ImGui::MenuItem(std::string(test.title).c_str()))
+      if (Status bad = open_original_test(client, test.name)) client.complain(*bad);
+  ImGui::EndMenu();
 }
 
 void Ui::draw_context_menu(Client& client) {
@@ -167,8 +181,12 @@ void Ui::draw_status(Client& client) {
     item("drag", std::string(name(f.drag)));
     item("gravity", std::string(name(f.gravity)));
   }
-  item("camera", mode_text(client.camera.mode));
+  std::snprintf(text, sizeof text, client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s",
+                mode_text(client.camera.mode), client.camera.stretch);
+  item("camera", text);
   item("in flight", std::to_string(session.world().size()));
+  if (session.is_recording()) coloured_text(colours::kAcceleration, "RECORDING");
+  if (session.is_replay()) coloured_text(colours::kVelocity, session.is_over() ? "REPLAY, at its end" : "REPLAY");
   ImGui::End();
   ImGui::PopStyleVar();
 }

@@ -7,12 +7,10 @@
 
 #include "simclient/core/client.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/ui/panels.hpp"
+#include "simclient/ui/settings_panel.hpp"
 
 namespace physim::client {
-
-struct Box {
-  float x = 0, y = 0, width = 0, height = 0;
-};
 
 /// Who has which part of the window; nothing overlaps.
 struct Layout {
@@ -22,7 +20,7 @@ struct Layout {
 class Ui {
  public:
   /// Lays out a window of this size. All sizes grow with `scale`.
-  [[nodiscard]] static Layout layout(const Shown& show, float width, float height, float scale);
+  [[nodiscard]] static Layout layout(const Client& client, float width, float height, float scale);
 
   explicit Ui(float scale);
   void draw(Client& client, const Scene& scene);
@@ -37,6 +35,7 @@ class Ui {
 
  private:
   void draw_menu_bar(Client& client);
+  void draw_tests_menu(Client& client);
   void draw_context_menu(Client& client);
   void draw_status(Client& client);
   void draw_labels(const Client& client, const Scene& scene);
@@ -45,21 +44,10 @@ class Ui {
   void draw_help(Client& client);
 
   float scale_;
+  SettingsPanel settings_;
   Layout layout_;
   Pixel mouse_;
   bool mouse_on_scene_ = false, opens_menu_ = false;
 };
-
-// ------------------------------------------------------------------------------------------------------------- helpers
-[[nodiscard]] ImU32 shade(Colour colour);
-[[nodiscard]] ImVec4 tint(Colour colour);
-/// A panel that fills a box, with a title.
-bool begin_panel(const char* title, const Box& box, bool* is_open = nullptr);
-void end_panel();
-void set_theme(float scale);
-
-// -------------------------------------------------------------------------------------------------------------- panels
-void draw_settings_panel(Client& client, const Box& box);
-void draw_statistics_panel(Client& client, const Box& box);
 
 }  // namespace physim::client
