@@ -71,6 +71,9 @@ struct Scenario {
 [[nodiscard]] Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                               std::span<const std::string> overrides = {});
 
+/// A scenario as the text of a file, with every setting that has a value; parse_scenario() reads it back as it was.
+[[nodiscard]] std::string scenario_text(const Scenario& scenario);
+
 /// Flies a shot of a scenario as it asks for, until the scenario ends it.
 [[nodiscard]] Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot);
 

@@ -73,6 +73,21 @@ struct WallHit {
   Vec3d velocity;     ///< [m/s]
 };
 
+struct RunState;
+
+/// A frozen moment of a run: of its world, of what is still to be fired and of all that was counted.
+class RunSnapshot {
+ public:
+  RunSnapshot() = default;
+  [[nodiscard]] double time() const { return world_.time(); }  ///< of the world [s]
+  explicit operator bool() const { return state_ != nullptr; }
+
+ private:
+  friend class WorldRun;
+  Snapshot world_;
+  std::shared_ptr<const RunState> state_;
+};
+
 /// Fires the shots and volleys of a scenario, takes its steps and keeps count.
 class WorldRun {
  public:
@@ -98,6 +113,10 @@ class WorldRun {
   [[nodiscard]] std::vector<WorldGroup> groups() const;
   /// Which launch a projectile was; none for a stranger.
   [[nodiscard]] std::optional<Launched> launched(ProjectileId id) const;
+
+  [[nodiscard]] RunSnapshot snapshot() const;
+  /// Back to a moment of this run, bit for bit; false for a snapshot of another run.
+  bool restore(const RunSnapshot& snapshot);
 
  private:
   struct Impl;

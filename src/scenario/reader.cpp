@@ -266,6 +266,8 @@ bool is_none(const Entry& entry, const Value& value) {
   return text != nullptr && *text == entry.none;
 }
 
+}  // namespace
+
 Status read_setting(const Node& node, const Scope& scope, const Value& value) {
   const Entry& entry = *node.entry;
   const Wanted wanted{entry.path, entry.quantity_in(scope), entry.range};
@@ -303,6 +305,8 @@ Status read_setting(const Node& node, const Scope& scope, const Value& value) {
 }
 
 // -------------------------------------------------------------------------------------------------------------- tables
+namespace {
+
 std::string table_name(const Node& node) { return node.name.empty() ? "the file" : "[" + node.name + "]"; }
 
 /// The path of the table that has such a key, for keys that stand in the wrong place.

@@ -54,21 +54,25 @@ void Series::add(double value) {
 
 double Series::spread() const { return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0; }
 
-struct WorldRun::Impl {
-  Scenario scenario;
-  World world;
+/// What changes during a run, beside its world.
+struct RunState {
   std::vector<WorldGroup> groups;
   std::vector<Magazine> magazines;  // not empty yet
   std::vector<Track> tracks;        // by index of the projectile's id
   std::vector<RunEvent> events;
   std::vector<WallHit> hits;
-  std::vector<Segment> segments;
-  std::vector<ProjectileId> stopped;
   std::vector<ProjectileId> lone;  // by shot: of those fired by themselves
   std::uint64_t launches = 0;
   bool is_loaded = false;  // the launches of the next step are made
+};
 
-  Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)), lone(scenario.shots.size()) {}
+struct WorldRun::Impl : RunState {
+  Scenario scenario;
+  World world;
+  std::vector<Segment> segments;      // work space
+  std::vector<ProjectileId> stopped;  // work space
+
+  Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)) { lone.resize(scenario.shots.size()); }
 
   Status load();
   Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
@@ -331,6 +335,19 @@ std::vector<WorldGroup> WorldRun::groups() const {
     group.mean_speed += (length(at.velocity) - group.mean_speed) * part;
   }
   return groups;
+}
+
+RunSnapshot WorldRun::snapshot() const {
+  RunSnapshot snapshot;
+  snapshot.world_ = impl_->world.snapshot();
+  snapshot.state_ = std::make_shared<const RunState>(*impl_);
+  return snapshot;
+}
+
+bool WorldRun::restore(const RunSnapshot& snapshot) {
+  if (!impl_->world.restore(snapshot.world_)) return false;
+  static_cast<RunState&>(*impl_) = *snapshot.state_;
+  return true;
 }
 
 }  // namespace physim

@@ -123,14 +123,18 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
+/// Settings of worlds are for scenarios that have one, and would make one; those of single flights are for the others.
+bool is_left_out(const Node& node, const Scenario& scenario) {
+  if (!scenario.world.given)
+    return node.path == "world" || node.path == "volley" || node.path == "force" || node.path == "shot.body";
+  return node.path == "until" || node.path == "output";
+}
+
 /// All settings of a table. Shots are named one by one; other lists are one value.
 void write_table(const Node& node, const Scope& scope, const std::string& prefix, Lines& lines) {
   for (const Node& child : node.children) {
     const std::string path = prefix + child.name;
-    const bool is_of_world =
-        child.path == "world" || child.path == "volley" || child.path == "force" || child.path == "shot.body";
-    if (is_of_world && !scope.scenario->world.given) continue;  // they would make one
-    if (scope.scenario->world.given && (child.path == "until" || child.path == "output")) continue;
+    if (is_left_out(child, *scope.scenario)) continue;
     if (child.path == "shot") {
       const Records shots = std::get<Records>(child.entry->slot(scope));
       for (std::size_t i = 0; i < shots.size(); ++i) {
@@ -145,7 +149,42 @@ void write_table(const Node& node, const Scope& scope, const std::string& prefix
   }
 }
 
+/// The keys of a table of the file, with the tables in it on one line each.
+std::string table_lines(const Node& node, const Scope& scope) {
+  std::string out;
+  for (const Node& child : node.children) {
+    if (is_left_out(child, *scope.scenario)) continue;
+    const std::optional<std::string> value =
+        child.entry ? value_text(*child.entry, scope, Style::toml) : inline_table(child, scope);
+    if (value && *value != kNothing && *value != "[]" && *value != "\"\"") out += child.name + " = " + *value + "\n";
+  }
+  return out;
+}
+
 }  // namespace
+
+std::string scenario_text(const Scenario& scenario) {
+  Scenario copy = scenario;  // slots are for reading and writing
+  std::int64_t format = 1;
+  Scope scope;
+  scope.format = &format;
+  scope.scenario = &copy;
+  std::string keys, tables;
+  for (const Node& child : schema().children) {
+    if (is_left_out(child, copy)) continue;
+    if (child.is_list_of_tables()) {
+      const Records list = std::get<Records>(child.entry->slot(scope));
+      for (std::size_t i = 0; i < list.size(); ++i)
+        tables += "\n[[" + child.name + "]]\n" + table_lines(child, list.element(i));
+    } else if (child.entry != nullptr) {
+      const std::optional<std::string> value = value_text(*child.entry, scope, Style::toml);
+      if (value && *value != "\"\"") keys += child.name + " = " + *value + "\n";
+    } else if (const std::string lines = table_lines(child, scope); !lines.empty()) {
+      tables += "\n[" + child.name + "]\n" + lines;
+    }
+  }
+  return keys + tables;
+}
 
 std::optional<std::string> written(const Entry& entry, const Scope& scope) {
   return value_text(entry, scope, Style::plain);

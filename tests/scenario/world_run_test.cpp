@@ -284,5 +284,27 @@ TEST(Scatter, WithoutSpreadChangesNothing) {
   EXPECT_NEAR(length(*launch.velocity - Vec3d{3, 4, 0}), 0, 1e-15);
 }
 
+TEST(WorldRun, GoesBackToASnapshotWithItsLaunchesAndCounts) {
+  const Result<Scenario> scenario = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/world_machine_gun.toml");
+  ASSERT_TRUE(scenario);
+  WorldRun run = std::move(WorldRun::create(*scenario).value());
+  for (int i = 0; i < 25; ++i) run.step();
+  const RunSnapshot then = run.snapshot();
+  EXPECT_EQ(then.time(), run.world().time());
+  const std::uint64_t spawned_then = run.groups()[0].spawned;
+  for (int i = 0; i < 50; ++i) run.step();
+  const std::uint64_t hash = run.world().hash(), spawned = run.groups()[0].spawned, hits = run.groups()[0].hits;
+  EXPECT_GT(spawned, spawned_then);
+  ASSERT_TRUE(run.restore(then));
+  EXPECT_EQ(run.groups()[0].spawned, spawned_then);
+  for (int i = 0; i < 50; ++i) run.step();
+  EXPECT_EQ(run.world().hash(), hash);
+  EXPECT_EQ(run.groups()[0].spawned, spawned);
+  EXPECT_EQ(run.groups()[0].hits, hits);
+  WorldRun other = std::move(WorldRun::create(*scenario).value());
+  EXPECT_FALSE(other.restore(then));
+  EXPECT_FALSE(run.restore(RunSnapshot{}));
+}
+
 }  // namespace
 }  // namespace physim

@@ -1,0 +1,274 @@
+#include "simclient/app.hpp"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "simclient/core/actions.hpp"
+#include "simclient/core/state_log.hpp"
+
+namespace physim::client {
+namespace {
+
+constexpr double kFrame = 1.0 / 60;  // of a hidden window [s]
+constexpr double kShortestFrame = 1.0 / 250;
+constexpr double kLongestFrame = 0.25;   // of simulation, after a hitch [s]
+constexpr double kClickReach = 4;        // a mouse that moves further drags [pixels]
+constexpr double kTurnPerPixel = 0.006;  // [rad]
+constexpr float kLeastWidth = 480, kLeastHeight = 320;
+
+}  // namespace
+
+App::~App() {
+  if (!has_imgui_) return;
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+Status App::run() {
+  if (Status bad = open()) return bad;
+  while (!client_.leaves && glfwWindowShouldClose(window_.get()) == GLFW_FALSE) {
+    if (Status bad = frame()) return bad;
+    if (is_last_frame()) break;
+  }
+  return leave();
+}
+
+Status App::open() {
+  if (!options_.state.empty()) {
+    state_.open(options_.state);
+    if (!state_) return Error{"cannot write the file", options_.state, "is there such a folder?"};
+  }
+  if (Status bad = glfw_.start()) return bad;
+  Result<Window> window = open_window(options_.width, options_.height, options_.hidden);
+  if (!window) return window.error();
+  window_ = std::move(*window);
+  float scale = 1, unused = 1;
+  glfwGetWindowContentScale(window_.get(), &scale, &unused);
+  if (options_.hidden) scale = 1;
+  if (options_.scale > 0) scale = static_cast<float>(options_.scale);
+  glfwSetWindowSizeLimits(window_.get(), static_cast<int>(kLeastWidth * scale), static_cast<int>(kLeastHeight * scale),
+                          GLFW_DONT_CARE, GLFW_DONT_CARE);
+  Result<Renderer> renderer = Renderer::make();
+  if (!renderer) return renderer.error();
+  renderer_.emplace(std::move(*renderer));
+  install_callbacks();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui_ImplGlfw_InitForOpenGL(window_.get(), true);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  has_imgui_ = true;
+  ui_.emplace(scale);
+  const Layout layout =
+      Ui::layout(client_, static_cast<float>(options_.width), static_cast<float>(options_.height), scale);
+  client_.camera.set_viewport(layout.scene.width, layout.scene.height);
+  client_.fit_view();
+  last_time_ = glfwGetTime();
+  return std::nullopt;
+}
+
+// --------------------------------------------------------------------------------------------------------------- frame
+Status App::frame() {
+  glfwPollEvents();
+  const double start = glfwGetTime();
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
+  ImGui::NewFrame();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const Layout layout = Ui::layout(client_, size.x, size.y, ui_->scale());
+  client_.camera.set_viewport(layout.scene.width, layout.scene.height);
+  client_.scene_corner = {layout.scene.x, layout.scene.y};
+  read_inputs();
+  if (Status bad = script_.run(client_)) return bad;
+  client_.advance(frame_time());
+  build_scene(client_, ui_->scale(), scene_);
+  ui_->set_mouse(on_scene(mouse_x_, mouse_y_), is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0);
+  ui_->draw(client_, scene_);
+  ImGui::Render();
+  render(scene_);
+  client_.frame_times.push_back(static_cast<float>(glfwGetTime() - start));
+  if (client_.frame_times.size() > 240) client_.frame_times.pop_front();
+  if (Status bad = take_pictures()) return bad;
+  if (state_.is_open()) state_ << state_line(client_, frame_) << std::endl;
+  ++frame_;
+  return std::nullopt;
+}
+
+double App::frame_time() {
+  if (options_.hidden) return kFrame;
+  // Screens that wait for nothing would be drawn as often as the machine can.
+  const double rest = kShortestFrame - (glfwGetTime() - last_time_);
+  if (rest > 0) std::this_thread::sleep_for(std::chrono::duration<double>(rest));
+  const double now = glfwGetTime();
+  const double passed = std::min(now - last_time_, kLongestFrame);
+  last_time_ = now;
+  return passed;
+}
+
+bool App::is_last_frame() const {
+  if (options_.frames > 0) return frame_ >= static_cast<std::uint64_t>(options_.frames);
+  const bool ends_alone = options_.hidden || !options_.screenshot.empty();
+  return ends_alone && frame_ >= static_cast<std::uint64_t>(script_.frames());
+}
+
+void App::render(const Scene& scene) {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_.get(), &width, &height);
+  if (options_.hidden && !target_) target_.emplace(width, height);
+  if (target_) target_->bind();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const double part = size.x > 0 ? width / static_cast<double>(size.x) : 1;  // pixels of the screen for one of ours
+  const Box& box = ui_->layout().scene;
+  const auto pixels = [part](float x) { return static_cast<int>(std::lround(x * part)); };
+  const Viewport viewport{pixels(box.x), height - pixels(box.y + box.height), pixels(box.width), pixels(box.height)};
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  renderer_->draw(scene, client_.camera, viewport);
+  glViewport(0, 0, width, height);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (!target_) glfwSwapBuffers(window_.get());
+}
+
+Picture App::picture(bool of_plots) {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_.get(), &width, &height);
+  if (!target_) glReadBuffer(GL_FRONT);
+  if (!of_plots) return read_picture(0, 0, width, height);
+  const double part = width / static_cast<double>(ImGui::GetIO().DisplaySize.x);
+  const Box& b = ui_->layout().bottom;
+  const int top = static_cast<int>(b.y * part), rows = static_cast<int>(b.height * part);
+  return read_picture(static_cast<int>(b.x * part), height - top - rows, static_cast<int>(b.width * part), rows);
+}
+
+/// Those that were asked for. In a script a failure ends it; else it is told.
+Status App::take_pictures() {
+  const std::vector<PictureWish> wishes = std::move(client_.pictures);
+  client_.pictures.clear();
+  for (const PictureWish& wish : wishes) {
+    const std::string path = wish.path.empty() ? free_name("picture", ".png") : wish.path;
+    Status bad = std::nullopt;
+    if (wish.of_plots && ui_->layout().bottom.height <= 0)
+      bad = Error{"there are no plots to be seen", "picture-of-plots", "open them first: plots"};
+    else
+      bad = save_png(picture(wish.of_plots), path);
+    if (bad && options_.hidden) return bad;
+    if (bad)
+      client_.complain(*bad);
+    else
+      client_.say("saved " + path);
+  }
+  return std::nullopt;
+}
+
+Status App::leave() {
+  return options_.screenshot.empty() ? std::nullopt : save_png(picture(false), options_.screenshot);
+}
+
+// --------------------------------------------------------------------------------------------------------------- input
+namespace {
+
+App& app_of(GLFWwindow* window) { return *static_cast<App*>(glfwGetWindowUserPointer(window)); }
+
+}  // namespace
+
+void App::install_callbacks() {
+  GLFWwindow* window = window_.get();
+  glfwSetWindowUserPointer(window, this);
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    app_of(w).inputs_.push_back({Input::Kind::key, key, scancode, action, mods});
+  });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+    double x = 0, y = 0;
+    glfwGetCursorPos(w, &x, &y);
+    app_of(w).inputs_.push_back({Input::Kind::button, button, 0, action, mods, x, y});
+  });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    app_of(w).inputs_.push_back({Input::Kind::move, 0, 0, 0, 0, x, y});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    app_of(w).inputs_.push_back({Input::Kind::scroll, 0, 0, 0, 0, x, y});
+  });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    Client& client = app_of(w).client_;
+    if (count > 0)
+      if (Status bad = client.open(paths[0])) client.complain(*bad);
+  });
+}
+
+void App::read_inputs() {
+  std::vector<Input> inputs;
+  inputs.swap(inputs_);
+  for (const Input& input : inputs) switch (input.kind) {
+      case Input::Kind::key:
+        on_key(input);
+        break;
+      case Input::Kind::button:
+        on_button(input);
+        break;
+      case Input::Kind::move:
+        on_move(input);
+        break;
+      case Input::Kind::scroll:
+        on_scroll(input);
+        break;
+    }
+}
+
+void App::on_key(const Input& input) {
+  if (input.action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
+  const auto key = key_name(input.code, input.scancode);
+  if (!key || (*key == "Esc" && ui_->close_something(client_))) return;
+  const Action* action = action_of_key(*key, (input.mods & GLFW_MOD_CONTROL) != 0);
+  const bool repeats = action != nullptr && (action->menu == "View" || action->name.starts_with("turn") ||
+                                             action->name == "step" || action->name == "back");
+  if (action != nullptr && (input.action == GLFW_PRESS || repeats)) run_action(client_, *action);
+}
+
+Pixel App::on_scene(double x, double y) const { return {x - ui_->layout().scene.x, y - ui_->layout().scene.y}; }
+
+bool App::is_over_scene(double x, double y) const {
+  const Pixel p = on_scene(x, y);
+  const Box& s = ui_->layout().scene;
+  return p.x >= 0 && p.y >= 0 && p.x < s.width && p.y < s.height && !ImGui::GetIO().WantCaptureMouse;
+}
+
+void App::on_button(const Input& input) {
+  mouse_x_ = input.x, mouse_y_ = input.y;
+  if (input.action == GLFW_PRESS) {
+    if (drag_.button < 0 && is_over_scene(input.x, input.y)) drag_ = {input.code, input.x, input.y, 0};
+    return;
+  }
+  if (input.code != drag_.button) return;
+  const bool is_click = drag_.moved <= kClickReach * ui_->scale();
+  drag_ = {};
+  if (!is_click) return;
+  if (input.code == GLFW_MOUSE_BUTTON_LEFT) client_.click(on_scene(input.x, input.y));
+  if (input.code == GLFW_MOUSE_BUTTON_RIGHT) ui_->open_menu();
+}
+
+void App::on_move(const Input& input) {
+  const double dx = input.x - mouse_x_, dy = input.y - mouse_y_;
+  mouse_x_ = input.x, mouse_y_ = input.y;
+  if (drag_.button < 0) return;
+  drag_.moved = std::max(drag_.moved, std::hypot(input.x - drag_.x, input.y - drag_.y));
+  if (drag_.moved <= kClickReach * ui_->scale()) return;
+  const double turn = kTurnPerPixel / ui_->scale();
+  if (drag_.button == GLFW_MOUSE_BUTTON_MIDDLE)
+    client_.camera.pan(dx, -dy);
+  else if (drag_.button == GLFW_MOUSE_BUTTON_RIGHT)
+    client_.camera.orbit(dx * turn, dy * turn);
+  else
+    client_.launcher.turn(dx * turn / 4, -dy * turn / 4);
+}
+
+void App::on_scroll(const Input& input) {
+  if (is_over_scene(mouse_x_, mouse_y_)) client_.camera.zoom(std::pow(0.88, input.y));
+}
+
+}  // namespace physim::client

@@ -1,0 +1,31 @@
+// Actions: everything that can be done, once. Keys, menus, scripts and the documentation are made from this table.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "simclient/core/client.hpp"
+
+namespace physim::client {
+
+struct Action {
+  std::string_view name;      // in scripts: "fire"
+  std::string_view keys;      // "E", "P Space", "Ctrl+S": any of them; empty: none
+  std::string_view menu;      // under which it stands: "Shot"
+  std::string_view help;      // one line
+  std::string_view argument;  // what a script may give to it, "FILE"; empty: nothing
+  Status (*run)(Client& client, const std::string& argument) = nullptr;
+};
+
+[[nodiscard]] std::span<const Action> actions();
+[[nodiscard]] const Action* find_action(std::string_view name);
+/// The action of a key. Letters count in either case: Shift and Caps Lock change nothing for those without Shift in
+/// their name. `key` is "E", "Space", "F5"...; `ctrl` whether Ctrl is held.
+[[nodiscard]] const Action* action_of_key(std::string_view key, bool ctrl);
+
+/// Runs an action; what goes wrong is shown.
+void run_action(Client& client, const Action& action, const std::string& argument = "");
+
+}  // namespace physim::client

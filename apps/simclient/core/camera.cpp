@@ -1,0 +1,95 @@
+#include "simclient/core/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace physim::client {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfView = 0.4;  // half the vertical angle of view [rad]
+constexpr double kNearest = 0.2, kFarthest = 2e8;
+
+}  // namespace
+
+void Camera::set_viewport(double width, double height) {
+  width_ = std::max(width, 1.0);
+  height_ = std::max(height, 1.0);
+}
+
+void Camera::orbit(double right, double down) {
+  yaw = std::remainder(yaw + right, 2 * kPi);
+  pitch = std::clamp(pitch + down, -1.5, 1.5);
+}
+
+void Camera::zoom(double factor) { distance = std::clamp(distance * factor, kNearest, kFarthest); }
+
+void Camera::pan(double to_right, double to_up) {
+  const double size = pixel_size(target);
+  target += right() * (-to_right * size) + up() * (-to_up * size);
+}
+
+void Camera::fit(const Vec3d& low, const Vec3d& high) {
+  target = (low + high) * 0.5;
+  Vec3d half = (high - low) * 0.5;
+  half.y *= stretch;
+  const double across = std::abs(right().x) * half.x + std::abs(right().y) * half.y + std::abs(right().z) * half.z;
+  const double upward = std::abs(up().x) * half.x + std::abs(up().y) * half.y + std::abs(up().z) * half.z;
+  const double deep = std::abs(forward().x) * half.x + std::abs(forward().y) * half.y + std::abs(forward().z) * half.z;
+  const double slope = std::tan(kHalfView), aspect = width_ / height_;
+  const double wanted = std::max(upward / slope, across / (slope * aspect)) * 1.15 + deep;
+  distance = std::clamp(wanted, 4.0, kFarthest);
+}
+
+Vec3d Camera::forward() const {
+  return {std::cos(pitch) * std::cos(yaw), -std::sin(pitch), std::cos(pitch) * std::sin(yaw)};
+}
+Vec3d Camera::right() const { return {-std::sin(yaw), 0, std::cos(yaw)}; }
+Vec3d Camera::up() const { return cross(right(), forward()); }
+Vec3d Camera::eye() const { return target - forward() * distance; }
+double Camera::near_plane() const { return std::clamp(distance * 0.01, 0.02, 1e4); }
+
+Vec3d Camera::shown(const Vec3d& point) const { return {point.x, target.y + (point.y - target.y) * stretch, point.z}; }
+
+std::optional<Pixel> Camera::project(const Vec3d& point) const {
+  const Vec3d way = shown(point) - eye();
+  const double depth = dot(way, forward());
+  if (depth < near_plane()) return std::nullopt;
+  const double scale = focal() / depth;
+  return Pixel{width_ / 2 + dot(way, right()) * scale, height_ / 2 - dot(way, up()) * scale};
+}
+
+Ray Camera::ray(const Pixel& pixel) const {
+  const double scale = 1 / focal();
+  const Vec3d way = forward() + right() * ((pixel.x - width_ / 2) * scale) + up() * ((height_ / 2 - pixel.y) * scale);
+  return {eye(), normalized(way)};
+}
+
+double Camera::focal() const { return height_ / (2 * std::tan(kHalfView)); }
+
+double Camera::pixel_size(const Vec3d& point) const {
+  return std::max(dot(shown(point) - eye(), forward()), near_plane()) / focal();
+}
+
+Mat4 Camera::matrix() const {
+  const Vec3d r = right(), u = up(), f = forward();
+  const double n = near_plane(), far = std::max(distance * 1e4, 1e5);
+  const double sy = 1 / std::tan(kHalfView), sx = sy * height_ / width_;
+  const double a = (far + n) / (far - n), b = -2 * far * n / (far - n);
+  const auto g = [](double x) { return static_cast<float>(x); };
+  return {g(sx * r.x), g(sy * u.x), g(a * f.x), g(f.x), g(sx * r.y), g(sy * u.y), g(a * f.y), g(f.y),
+          g(sx * r.z), g(sy * u.z), g(a * f.z), g(f.z), 0,           0,           g(b),       0};
+}
+
+std::optional<Vec3d> Camera::at_height(const Pixel& pixel, double height) const {
+  const Ray line = ray(pixel);
+  const double drop = line.direction.y;
+  if (std::abs(drop) < 1e-9) return std::nullopt;
+  const double way = (shown({0, height, 0}).y - line.origin.y) / drop;
+  if (!(way > 0 && way < 1e9)) return std::nullopt;
+  Vec3d point = line.origin + line.direction * way;
+  point.y = height;
+  return point;
+}
+
+}  // namespace physim::client

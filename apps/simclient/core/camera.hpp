@@ -1,0 +1,75 @@
+// Camera: looks at a point of the scene from a distance, in perspective. Pixels have their origin at the top left.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "physim/vec3.hpp"
+
+namespace physim::client {
+
+/// A point on the screen [pixels].
+struct Pixel {
+  double x = 0, y = 0;
+};
+
+/// A half-line out of the eye.
+struct Ray {
+  Vec3d origin, direction;
+};
+
+enum class CameraMode {
+  orbit,   // about a point that stays
+  follow,  // about a projectile
+  side,    // from the right of the plane of fire
+};
+
+/// Column-major, as OpenGL reads it.
+using Mat4 = std::array<float, 16>;
+
+class Camera {
+ public:
+  CameraMode mode = CameraMode::orbit;
+  Vec3d target{12, 2, 0};
+  double yaw = 0;        // of the view, from x towards z [rad]
+  double pitch = 0.25;   // down [rad]
+  double distance = 32;  // of the eye from the target [m]
+  double stretch = 1;    // heights are drawn so many times as large, from the target up and down
+
+  void set_viewport(double width, double height);
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+
+  void orbit(double right, double down);  // [rad]
+  void zoom(double factor);
+  void pan(double right, double up);  // [pixels]
+  /// Looks at all of a box.
+  void fit(const Vec3d& low, const Vec3d& high);
+
+  /// Where a point is drawn: its height is stretched.
+  [[nodiscard]] Vec3d shown(const Vec3d& point) const;
+  /// A way in the world that is drawn as this one.
+  [[nodiscard]] Vec3d drawn_as(const Vec3d& way) const { return {way.x, way.y / stretch, way.z}; }
+  [[nodiscard]] Vec3d eye() const;
+  [[nodiscard]] Vec3d forward() const;
+  [[nodiscard]] Vec3d right() const;
+  [[nodiscard]] Vec3d up() const;
+  /// Where a point is seen; nothing behind the eye.
+  [[nodiscard]] std::optional<Pixel> project(const Vec3d& point) const;
+  /// Among the points as they are drawn.
+  [[nodiscard]] Ray ray(const Pixel& pixel) const;
+  /// Where a pixel meets a height, within sight.
+  [[nodiscard]] std::optional<Vec3d> at_height(const Pixel& pixel, double height) const;
+  /// The size of a pixel at a point [m].
+  [[nodiscard]] double pixel_size(const Vec3d& point) const;
+  /// The size of a metre at a distance of a metre [pixels].
+  [[nodiscard]] double focal() const;
+  /// Takes positions as they are drawn, relative to the eye, to clip space.
+  [[nodiscard]] Mat4 matrix() const;
+  [[nodiscard]] double near_plane() const;
+
+ private:
+  double width_ = 1280, height_ = 720;
+};
+
+}  // namespace physim::client

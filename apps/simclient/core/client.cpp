@@ -1,0 +1,315 @@
+#include "simclient/core/client.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "physim/recording_file.hpp"
+#include "simclient/core/scene.hpp"
+
+namespace physim::client {
+namespace {
+
+constexpr double kReach = 12;       // of the mouse [pixels]
+constexpr double kMessageTime = 6;  // [s]
+constexpr double kRightAngle = 1.5707963267948966;
+
+Status write_file(const std::string& path, const std::string& content) {
+  std::ofstream file(path, std::ios::binary);
+  if (file << content << std::flush) return std::nullopt;
+  return Error{"cannot write the file", path, "is there such a folder, and may you write there?"};
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+Result<Session> open_session(const std::string& file, const std::vector<std::string>& overrides) {
+  if (ends_with(file, ".rec") || ends_with(file, ".rec.part")) {
+    Result<std::vector<std::byte>> bytes = load_recording(file);
+    if (!bytes) return bytes.error();
+    return Session::replay(std::move(*bytes), file);
+  }
+  Result<Scenario> scenario = load_scenario(file, overrides);
+  if (!scenario) return scenario.error();
+  return Session::create(std::move(*scenario));
+}
+
+}  // namespace
+
+std::string free_name(const std::string& what, const std::string& ending) {
+  int number = 1;
+  const auto path = [&] { return "physim_" + what + "_" + std::to_string(number) + ending; };
+  while (std::filesystem::exists(path())) ++number;
+  return path();
+}
+
+Result<Client> open_client(const std::string& file, const std::vector<std::string>& overrides) {
+  if (file.empty() && !overrides.empty())
+    return Error{"--set changes a scenario, and none is named", "--set", "simclient FILE.toml --set ..."};
+  Result<Session> session = file.empty() ? Session::create(open_range()) : open_session(file, overrides);
+  if (!session) return session.error();
+  return Client(std::move(*session), file);
+}
+
+Client::Client(Session s, const std::string& file)
+    : session(std::move(s)), launcher(session.scenario()), plots(*parse_plots("y/range y speed acceleration")) {
+  if (!session.is_replay()) scenario_file_ = file;
+  fit_view();
+}
+
+void Client::advance(double real_dt) {
+  session.advance(real_dt);
+  for (Message& message : messages_) message.shown += real_dt;
+  while (!messages_.empty() && messages_.front().shown > kMessageTime) messages_.pop_front();
+  follow();
+}
+
+Status Client::open(const std::string& file) {
+  if (Status bad = use_session(open_session(file, {}))) return bad;
+  if (!session.is_replay()) scenario_file_ = file;
+  return say("opened " + file), std::nullopt;
+}
+
+Status Client::use_session(Result<Session> opened) {
+  if (!opened) return opened.error();
+  session = std::move(*opened);
+  launcher = Launcher(session.scenario());
+  selected = {};
+  tape = {};
+  ++session_version_;
+  fit_view();
+  return std::nullopt;
+}
+
+Status Client::restart() {
+  ++session_version_;
+  selected = {};
+  return session.restart();
+}
+
+Status Client::fire() {
+  const Result<ProjectileId> fired = session.fire(launcher.shot());
+  if (!fired) return fired.error();
+  selected = *fired;
+  return std::nullopt;
+}
+
+Status Client::fire_scenario() {
+  for (const ScenarioShot& shot : with_world(session.scenario()).shots) {
+    const Result<ProjectileId> fired = session.fire(shot);
+    if (!fired) return fired.error();
+  }
+  if (session.scenario().shots.empty()) return Error{"the scenario has no shots", session.scenario().file, ""};
+  selected = {};
+  fit_view();
+  return std::nullopt;
+}
+
+Status Client::fire_compared() {
+  for (const ComparedRung& rung : comparison()) {
+    ScenarioShot shot = launcher.shot();
+    shot.projectile.fidelity = rung.asked;
+    shot.projectile.name = rung.name;
+    shot.cheapest_within.reset();
+    shot.body.colour = rung.colour;
+    const Result<ProjectileId> fired = session.fire(shot);
+    if (!fired) return fired.error();
+  }
+  return std::nullopt;
+}
+
+const std::vector<ComparedRung>& Client::comparison() {
+  const bool is_new =
+      compared_version_ != launcher.version() || compared_session_ != session_version_ || compared_presets_ != compared;
+  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared);
+  compared_version_ = launcher.version();
+  compared_session_ = session_version_;
+  compared_presets_ = compared;
+  return comparison_;
+}
+
+// --------------------------------------------------------------------------------------------------------------- files
+/// The scenario with the next shot in it, in the place of its namesake.
+Status Client::save(const std::string& file) {
+  Scenario scenario = session.scenario();
+  const ScenarioShot& next = launcher.shot();
+  const auto is_namesake = [&](const ScenarioShot& s) { return s.projectile.name == next.projectile.name; };
+  const auto namesake = std::find_if(scenario.shots.begin(), scenario.shots.end(), is_namesake);
+  if (namesake != scenario.shots.end())
+    *namesake = next;
+  else if (!scenario.world.given || scenario.shots.empty())
+    scenario.shots.push_back(next);
+  // Bodies are those of worlds: where the shot has one, the file gets a world.
+  if (!scenario.world.given && !(next.body == BodyDef{})) {
+    const std::vector<ScenarioShot> shots = scenario.shots;
+    scenario = with_world(scenario);
+    scenario.shots = shots;
+  }
+  const std::string path = file.empty() ? free_name("scenario", ".toml") : file;
+  if (Status bad = write_file(path, scenario_text(scenario))) return bad;
+  return say("saved " + path), std::nullopt;
+}
+
+Status Client::save_csv(const std::string& file) {
+  const std::string path = file.empty() ? free_name("flights", ".csv") : file;
+  if (Status bad = write_file(path, tracks_csv(session.tracks()))) return bad;
+  return say("saved " + path), std::nullopt;
+}
+
+Status Client::record(const std::string& file) {
+  if (session.is_recording()) {
+    if (Status bad = session.stop_recording()) return bad;
+    return say("recorded " + recorded_), std::nullopt;
+  }
+  const std::string path = file.empty() ? free_name("recording", ".rec") : file;
+  if (Status bad = session.restart(path)) return bad;
+  recorded_ = path;
+  selected = {};
+  ++session_version_;
+  return say("started again, recording into " + path), std::nullopt;
+}
+
+Status Client::replay() {
+  if (session.is_replay()) {
+    const std::string file = scenario_file_;
+    if (!file.empty()) return open(file);
+    return use_session(Session::create(open_range()));
+  }
+  if (recorded_.empty()) return Error{"nothing was recorded yet", "replay", "record first, or open FILE.rec"};
+  if (session.is_recording())
+    if (Status bad = session.stop_recording()) return bad;
+  return open(recorded_);
+}
+
+Status Client::set(const std::string& assignment) {
+  Scenario scenario = session.scenario();
+  ScenarioShot shot = launcher.shot();
+  if (Status bad = set_value(assignment, scenario, shot)) return bad;
+  return use(scenario, shot);
+}
+
+Status Client::set(const SettingRow& row, const std::string& text) {
+  Scenario scenario = session.scenario();
+  ScenarioShot shot = launcher.shot();
+  if (Status bad = set_value(row, text, scenario, shot)) return bad;
+  return use(scenario, shot);
+}
+
+Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
+  launcher.set_shot(shot);
+  if (scenario.environment == session.scenario().environment) return std::nullopt;
+  ++session_version_;
+  return session.set_environment(scenario.environment);
+}
+
+const Prediction& Client::prediction() {
+  const bool is_new = predicted_version_ != launcher.version() || predicted_session_ != session_version_;
+  if (is_new && !session.is_replay()) prediction_ = predict(session, launcher.shot());
+  predicted_version_ = launcher.version();
+  predicted_session_ = session_version_;
+  return prediction_;
+}
+
+const Track* Client::selected_track() const {
+  if (const Track* track = session.track(selected)) return track;
+  return session.tracks().empty() ? nullptr : &session.tracks().back();
+}
+
+void Client::select_next() {
+  const auto tracks = session.tracks();
+  if (tracks.empty()) return;
+  const Track* now = selected_track();
+  selected = tracks[(static_cast<std::size_t>(now - tracks.data()) + 1) % tracks.size()].id;
+}
+
+// ----------------------------------------------------------------------------------------------------------- the scene
+std::optional<Client::Arrow> Client::arrow() {
+  const Prediction& flight = prediction();
+  const double speed = length(flight.velocity);
+  if (session.is_replay() || flight.error || !(speed > 0)) return std::nullopt;
+  const double size = std::max(camera.distance * 0.16, 60 * camera.pixel_size(flight.muzzle));
+  return Arrow{flight.muzzle, flight.muzzle + flight.velocity * (size / speed)};
+}
+
+void Client::click(const Pixel& pixel) {
+  if (tool == Tool::fire) {
+    if (Status bad = fire()) complain(*bad);
+    return;
+  }
+  const std::optional<Vec3d> point = point_under(pixel);
+  if (!point) return complain({"there is nothing to measure from", "tape measure", "click on a path or the ground"});
+  if (tape.from && !tape.to)
+    tape.to = point;
+  else
+    tape = {point, std::nullopt};
+}
+
+std::optional<Vec3d> Client::point_under(const Pixel& pixel) {
+  if (const auto found = probe(pixel)) return found->sample.position;
+  return camera.at_height(pixel, session.ground().value_or(0));
+}
+
+std::optional<Client::Probe> Client::probe(const Pixel& pixel) {
+  std::optional<Probe> best;
+  double nearest = kReach;
+  const auto look = [&](const Track* track, const std::vector<TrackSample>& samples) {
+    for (const TrackSample& s : samples) {
+      const auto seen = camera.project(s.position);
+      const double away = seen ? std::hypot(seen->x - pixel.x, seen->y - pixel.y) : nearest;
+      if (away < nearest) nearest = away, best = Probe{track, s};
+    }
+  };
+  for (const Track& track : session.tracks()) look(&track, track.samples);
+  if (show.prediction) look(nullptr, prediction().path);
+  return best;
+}
+
+void Client::fit_view() {
+  Vec3d low = launcher.shot().launch.position, high = low;
+  const auto include = [&](const Vec3d& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  };
+  for (const TrackSample& s : prediction().path) include(s.position);
+  for (const Track& track : session.tracks())
+    for (const TrackSample& s : track.samples) include(s.position);
+  if (const auto height = session.ground()) include({low.x, *height, low.z});
+  if (camera.mode == CameraMode::side) {
+    camera.yaw = launcher.azimuth() - kRightAngle;
+    camera.pitch = 0.05;
+    const double across = std::hypot(high.x - low.x, high.z - low.z), upward = high.y - low.y;
+    camera.stretch = upward > 0 ? std::clamp(scale_step(across / upward, 5), 1.0, 1000.0) : 1;
+  } else {
+    camera.stretch = 1;
+    camera.yaw = launcher.azimuth() - 0.35;
+    camera.pitch = 0.22;
+  }
+  camera.fit(low, high);
+}
+
+void Client::next_camera() {
+  camera.mode = static_cast<CameraMode>((static_cast<int>(camera.mode) + 1) % 3);
+  if (camera.mode == CameraMode::follow) {
+    camera.yaw = launcher.azimuth() - 0.25;
+    camera.pitch = 0.15;
+    camera.distance = std::min(camera.distance, 25.0);
+    camera.stretch = 1;
+  } else {
+    fit_view();
+  }
+}
+
+void Client::follow() {
+  const Track* track = camera.mode == CameraMode::follow ? selected_track() : nullptr;
+  if (track != nullptr && !track->samples.empty())
+    camera.target = track->is_flying() ? session.shown_position(track->id) : track->samples.back().position;
+}
+
+// ------------------------------------------------------------------------------------------------------------ messages
+void Client::say(const std::string& text) { messages_.push_back({text, false, 0}); }
+void Client::complain(const Error& error) { messages_.push_back({error.text(), true, 0}); }
+
+}  // namespace physim::client

@@ -1,0 +1,150 @@
+// Client: everything that the windows show and the keys change, without a window.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "simclient/core/camera.hpp"
+#include "simclient/core/compare.hpp"
+#include "simclient/core/launcher.hpp"
+#include "simclient/core/plot_data.hpp"
+#include "simclient/core/prediction.hpp"
+#include "simclient/core/session.hpp"
+#include "simclient/core/setting_rows.hpp"
+
+namespace physim::client {
+
+/// What is shown.
+struct Shown {
+  bool settings = true;    // panel of the next shot
+  bool statistics = true;  // panel of those in flight
+  bool help = false;
+  bool trails = true;
+  bool vectors = false;
+  bool prediction = true;
+  bool marks = true;  // apex and impact
+};
+
+/// What stands under the scene.
+enum class BottomPanel { none, plots, compare, performance };
+
+/// A picture that somebody asked for, to be taken of the next frame.
+struct PictureWish {
+  std::string path;
+  bool of_plots = false;  // of the panel under the scene alone
+};
+
+/// What a left click on the scene does.
+enum class Tool {
+  fire,
+  tape,  // sets the ends of the tape measure
+};
+
+/// The two ends of the tape measure.
+struct Tape {
+  std::optional<Vec3d> from, to;
+};
+
+/// A line that tells what happened.
+struct Message {
+  std::string text;
+  bool is_error = false;
+  double shown = 0;  // [s] of the screen
+};
+
+class Client {
+ public:
+  /// `file`: of the scenario; empty where it is of no file.
+  explicit Client(Session session, const std::string& file = "");
+
+  Session session;
+  Launcher launcher;
+  Camera camera;
+  Shown show;
+  Tool tool = Tool::fire;
+  Tape tape;
+  ProjectileId selected;  // whose numbers are shown in full; null: the last one fired
+  BottomPanel bottom = BottomPanel::none;
+  std::vector<PlotSpec> plots;
+  bool plots_selected_alone = false;
+  std::vector<std::string> compared = {"game", "sport_ball", "small_arms", "reference"};  // presets of fidelity
+  std::vector<PictureWish> pictures;
+  std::deque<float> frame_times;  // that the last frames took [s]
+  bool leaves = false;
+  Pixel scene_corner;  // of the scene, upper left, in the window [pixels]
+
+  /// Time has passed on the screen [s].
+  void advance(double real_dt);
+  /// Another scenario or recording instead of this one; what was there stays where it cannot be.
+  Status open(const std::string& file);
+  Status restart();
+  Status fire();
+  /// All shots of the scenario at once.
+  Status fire_scenario();
+  /// The next shot on every rung of the comparison at once.
+  Status fire_compared();
+  /// The next shot on the rungs that are compared; flown again only when something changed.
+  [[nodiscard]] const std::vector<ComparedRung>& comparison();
+  Status save(const std::string& file);
+  Status save_csv(const std::string& file);
+  /// Starts again and records everything into a file; completes the file when it is recording.
+  Status record(const std::string& file);
+  /// Plays what was recorded last, and comes back from it.
+  Status replay();
+  void show_bottom(BottomPanel panel) { bottom = bottom == panel ? BottomPanel::none : panel; }
+  /// Changes a setting of the next shot or of the environment: "shot.mass=170 gr".
+  Status set(const std::string& assignment);
+  /// The same by its row.
+  Status set(const SettingRow& row, const std::string& text);
+
+  /// What the next shot would do; flown again only when something changed.
+  [[nodiscard]] const Prediction& prediction();
+  [[nodiscard]] const Track* selected_track() const;
+  void select_next();
+
+  // ------------------------------------------------------------------------------------------------------ the scene
+  /// The ends of the arrow that shows the aim; nothing where the shot does not move.
+  struct Arrow {
+    Vec3d from, to;
+  };
+  [[nodiscard]] std::optional<Arrow> arrow();
+  /// A click on the scene that was not a drag.
+  void click(const Pixel& pixel);
+  /// The nearest moment of a path under the mouse, within 12 pixels.
+  struct Probe {
+    const Track* track = nullptr;  // null: the predicted path
+    TrackSample sample;
+  };
+  [[nodiscard]] std::optional<Probe> probe(const Pixel& pixel);
+  void fit_view();
+  void next_camera();
+
+  void say(const std::string& text);
+  void complain(const Error& error);
+  [[nodiscard]] const std::deque<Message>& messages() const { return messages_; }
+
+ private:
+  void follow();
+  Status use_session(Result<Session> opened);
+  Status use(const Scenario& scenario, const ScenarioShot& shot);
+  [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
+
+  Prediction prediction_;
+  std::vector<ComparedRung> comparison_;
+  std::vector<std::string> compared_presets_;
+  std::uint64_t compared_version_ = ~std::uint64_t{0}, compared_session_ = 0;
+  std::string scenario_file_;  // to come back to from a replay
+  std::string recorded_;       // file of the last recording
+  std::uint64_t predicted_version_ = ~std::uint64_t{0};
+  std::uint64_t session_version_ = 0, predicted_session_ = 0;
+  std::deque<Message> messages_;
+};
+
+/// "physim_picture_1.png" in the folder where the client was started, or the next number that is free.
+[[nodiscard]] std::string free_name(const std::string& what, const std::string& ending);
+
+/// What the command line asks for: a scenario or a recording, or the open range where no file is named.
+[[nodiscard]] Result<Client> open_client(const std::string& file, const std::vector<std::string>& overrides);
+
+}  // namespace physim::client

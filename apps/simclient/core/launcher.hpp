@@ -1,0 +1,68 @@
+// Launcher: the shot that is fired next. Its keys are those of the original client.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physim/scenario.hpp"
+
+namespace physim::client {
+
+/// A kind of shot to choose from.
+struct ShotType {
+  std::string name, doc;
+  ScenarioShot shot;
+  /// Of the original's shots, that of its elevation setting e: the velocity is (forward, up e).
+  double forward = 0, up = 0;  // [m/s]
+
+  [[nodiscard]] bool is_original() const { return forward > 0; }
+};
+
+class Launcher {
+ public:
+  /// The original's four shots, the other presets, and the shots of a scenario, which come first to hand.
+  explicit Launcher(const Scenario& scenario);
+
+  [[nodiscard]] std::span<const ShotType> types() const { return types_; }
+  [[nodiscard]] std::size_t type() const { return type_; }
+  void select(std::size_t type);
+  bool select(std::string_view name);
+  void next_type() { select((type_ + 1) % types_.size()); }
+
+  /// What will be fired. Edits of it hold until another type is chosen.
+  [[nodiscard]] const ScenarioShot& shot() const { return shot_; }
+  void set_shot(const ScenarioShot& shot);
+  /// Counts the changes, for those who keep what they made from it.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
+  // The original's settings, each the next of its values.
+  void cycle_elevation();
+  void cycle_motion();
+  void cycle_drag();
+  void cycle_gravity();
+  /// Turns the barrel, and keeps the speed [rad].
+  void turn(double right, double up);
+
+  /// "e = 2 (5.7 deg)" or "10.0 deg".
+  [[nodiscard]] std::string elevation_text() const;
+  /// The original's elevation setting, while it is in force.
+  [[nodiscard]] std::optional<int> elevation_setting() const;
+  [[nodiscard]] double elevation() const;  // [rad]
+  [[nodiscard]] double azimuth() const;    // [rad]
+  [[nodiscard]] double speed() const;      // [m/s]
+
+ private:
+  void set_original_elevation(int setting);
+  void use_angles();
+
+  std::vector<ShotType> types_;
+  std::size_t type_ = 0;
+  int setting_ = 2;
+  ScenarioShot shot_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace physim::client

@@ -1,0 +1,178 @@
+#include "simclient/core/plot_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+#include "simclient/core/scene.hpp"
+
+namespace physim::client {
+namespace {
+
+using S = const TrackSample&;
+using T = const Track&;
+
+constexpr PlotQuantity kQuantities[] = {
+    {"time", "s", [](T, S s) { return s.time; }},
+    {"x", "m", [](T, S s) { return s.position.x; }},
+    {"y", "m", [](T, S s) { return s.position.y; }},
+    {"z", "m", [](T, S s) { return s.position.z; }},
+    {"vx", "m/s", [](T, S s) { return s.velocity.x; }},
+    {"vy", "m/s", [](T, S s) { return s.velocity.y; }},
+    {"vz", "m/s", [](T, S s) { return s.velocity.z; }},
+    {"ax", "m/s\u00b2", [](T, S s) { return s.acceleration.x; }},
+    {"ay", "m/s\u00b2", [](T, S s) { return s.acceleration.y; }},
+    {"az", "m/s\u00b2", [](T, S s) { return s.acceleration.z; }},
+    {"speed", "m/s", [](T, S s) { return length(s.velocity); }},
+    {"acceleration", "m/s\u00b2", [](T, S s) { return length(s.acceleration); }},
+    {"mach", "-", [](T, S s) { return s.mach; }},
+    {"energy", "J", [](T t, S s) { return t.mass * length_squared(s.velocity) / 2; }},
+    {"range", "m",
+     [](T t, S s) {
+       const Vec3d way = s.position - t.samples.front().position;
+       return std::hypot(way.x, way.z);
+     }},
+};
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void add(double value) { low = std::min(low, value), high = std::max(high, value); }
+};
+
+Result<std::size_t> find_quantity(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const PlotQuantity& each : kQuantities) names.push_back(each.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  return Error{"there is no quantity " + in_quotes(name), "plot", suggestion(name, names, "quantities")};
+}
+
+std::string label_of(const PlotQuantity& quantity) {
+  return std::string(quantity.name) + " [" + std::string(quantity.unit) + "]";
+}
+
+/// What the scenario says should come out, where time is below: the points that were published.
+std::vector<PlotMark> expected_points(const PlotSpec& spec, std::span<const Track> tracks, const Track* alone,
+                                      const Scenario& scenario) {
+  std::vector<PlotMark> marks;
+  if (kQuantities[spec.x].name != "time") return marks;
+  for (const Expectation& e : scenario.expect) {
+    if (e.at != ExpectAt::time || e.quantity != kQuantities[spec.y].name) continue;
+    const auto of_it = std::find_if(tracks.begin(), tracks.end(), [&](const Track& track) {
+      return (e.shot.empty() || e.shot == track.name) && (alone == nullptr || alone == &track);
+    });
+    if (of_it != tracks.end()) marks.push_back({{e.at_value, e.equals}, of_it->colour});
+  }
+  return marks;
+}
+
+}  // namespace
+
+std::span<const PlotQuantity> plot_quantities() { return kQuantities; }
+
+Result<std::vector<PlotSpec>> parse_plots(std::string_view text) {
+  std::vector<PlotSpec> plots;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(end);
+    const std::size_t slash = word.find('/');
+    const Result<std::size_t> y = find_quantity(word.substr(0, slash));
+    const Result<std::size_t> x = find_quantity(slash == word.npos ? "time" : word.substr(slash + 1));
+    if (!y) return y.error();
+    if (!x) return x.error();
+    plots.push_back({*y, *x});
+  }
+  if (plots.empty() || plots.size() > 6) return Error{"one to six plots fit", "plot", "plot y/x speed/time"};
+  return plots;
+}
+
+// ---------------------------------------------------------------------------------------------------------------- axes
+PlotAxis make_axis(double low, double high, int wanted) {
+  if (!(low <= high)) low = 0, high = 1;
+  double room = high - low;
+  if (room < 1e-9 * std::max(std::abs(low), std::abs(high)) || room == 0) {  // nothing changes
+    const double size = std::max(std::abs(low), 1.0) * 0.5;
+    low -= size, high += size, room = high - low;
+  }
+  PlotAxis axis;
+  axis.step = scale_step(room, std::max(wanted, 1));
+  axis.low = std::floor(low / axis.step + 1e-9) * axis.step;
+  axis.high = std::ceil(high / axis.step - 1e-9) * axis.step;
+  return axis;
+}
+
+std::vector<double> PlotAxis::ticks() const {
+  std::vector<double> all;
+  const auto count = static_cast<int>(std::lround((high - low) / step));
+  for (int i = 0; i <= count; ++i) all.push_back(low + i * step);
+  return all;
+}
+
+std::string PlotAxis::text(double tick) const {
+  char out[32];
+  if (std::abs(tick) < step * 1e-6) tick = 0;
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (largest >= 1e6 || step < 1e-4) {
+    std::snprintf(out, sizeof out, "%.3g", tick);
+  } else {
+    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    std::snprintf(out, sizeof out, "%.*f", digits, tick);
+  }
+  return out;
+}
+
+// --------------------------------------------------------------------------------------------------------------- plots
+Plot make_plot(const PlotSpec& spec, std::span<const Track> tracks, const Track* alone, const Scenario& scenario,
+               int wanted_x, int wanted_y) {
+  const PlotQuantity &x = kQuantities[spec.x], &y = kQuantities[spec.y];
+  Plot plot;
+  Extent across, upward;
+  for (const Track& track : tracks) {
+    if (alone != nullptr && &track != alone) continue;
+    PlotCurve curve{&track, {}};
+    const std::size_t stride = track.samples.size() / 2000 + 1;
+    for (std::size_t i = 0; i < track.samples.size(); i += stride) {
+      const PlotPoint point{x.of(track, track.samples[i]), y.of(track, track.samples[i])};
+      across.add(point.x), upward.add(point.y);
+      curve.points.push_back(point);
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  plot.expected = expected_points(spec, tracks, alone, scenario);
+  for (const PlotMark& mark : plot.expected) across.add(mark.point.x), upward.add(mark.point.y);
+  plot.x = make_axis(across.low, across.high, wanted_x);
+  plot.y = make_axis(upward.low, upward.high, wanted_y);
+  plot.x.label = label_of(x);
+  plot.y.label = label_of(y);
+  return plot;
+}
+
+std::optional<PlotHit> nearest_point(const Plot& plot, const PlotPoint& place, double aspect, double reach) {
+  std::optional<PlotHit> best;
+  double nearest = reach;
+  for (const PlotCurve& curve : plot.curves)
+    for (const PlotPoint& point : curve.points) {
+      const double away = std::hypot((plot.x.part(point.x) - place.x) * aspect, plot.y.part(point.y) - place.y);
+      if (away < nearest) nearest = away, best = PlotHit{curve.track, point};
+    }
+  return best;
+}
+
+std::string tracks_csv(std::span<const Track> tracks) {
+  std::string out = "number,name";
+  for (const PlotQuantity& q : kQuantities) out += "," + std::string(q.name) + " [" + std::string(q.unit) + "]";
+  out += "\n";
+  for (const Track& track : tracks)
+    for (const TrackSample& sample : track.samples) {
+      out += std::to_string(track.number) + "," + track.name;
+      for (const PlotQuantity& q : kQuantities) out += "," + number_text(q.of(track, sample));
+      out += "\n";
+    }
+  return out;
+}
+
+}  // namespace physim::client

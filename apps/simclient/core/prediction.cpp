@@ -1,0 +1,74 @@
+#include "simclient/core/prediction.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace physim::client {
+namespace {
+
+constexpr std::uint64_t kMaxSteps = 12000;
+
+/// The forces of the scenario that would act on the shot. Those that tie two shots together are left out.
+void add_forces(World& world, const Session& session, const ScenarioShot& shot) {
+  for (const ScenarioForce& force : session.scenario().forces) {
+    const bool is_named = std::find(force.shots.begin(), force.shots.end(), shot.projectile.name) != force.shots.end();
+    const bool is_general = force.shots.empty() && force.layers == 0;
+    if (!force.other.empty() || !(is_named || is_general || (force.layers & shot.body.layers) != 0)) continue;
+    const double to_come = force.delay - session.time();
+    const double left = force.duration + std::min(to_come, 0.0);
+    if (left <= 0) continue;
+    world.add_force({force.law, ForceTarget::everything(), std::max(to_come, 0.0), left});
+  }
+}
+
+TrackSample sample(const World& world, ProjectileId id) {
+  const BodyState at = world.state(id);
+  return {world.age(id), at.position, at.velocity, world.accelerations(id).total, world.mach(id)};
+}
+
+void look(Prediction& prediction, const WorldEvent& event) {
+  TrackSample at = prediction.path.back();
+  at.time = event.time, at.position = event.position, at.velocity = event.velocity;
+  if (event.kind == WorldEventKind::apex && !prediction.apex) prediction.apex = at;
+  const bool touched = event.kind == WorldEventKind::landed || event.kind == WorldEventKind::bounced;
+  if (touched && !prediction.impact) prediction.impact = at;
+  if (event.kind == WorldEventKind::landed || event.kind == WorldEventKind::expired) prediction.path.push_back(at);
+}
+
+}  // namespace
+
+Prediction predict(const Session& session, const ScenarioShot& shot, double max_time) {
+  Prediction prediction;
+  WorldDef def = session.world().def();
+  def.environment = session.scenario().environment;
+  def.apex_events = true;
+  def.pools.clear();
+  def.threading.threads = 1;
+  Result<World> made = World::create(def);
+  if (!made) return prediction.error = made.error(), prediction;
+  World& world = *made;
+  add_forces(world, session, shot);
+  BodyDef body = shot.body;
+  body.pool = 0;
+  body.cheapest_within = shot.cheapest_within.value_or(0);
+  const ProjectileId id = world.spawn(shot.projectile, shot.launch, body);
+  if (!id) return prediction.error = world.error(), prediction;
+  prediction.muzzle = world.position(id);
+  prediction.velocity = world.velocity(id);
+  prediction.granted = world.fidelity_in_use(id);
+  prediction.path.push_back(sample(world, id));
+  const auto limit = std::min(kMaxSteps, static_cast<std::uint64_t>(std::ceil(max_time / def.step)));
+  const auto start = std::chrono::steady_clock::now();
+  while (world.is_alive(id) && !world.is_asleep(id) && prediction.steps < limit) {
+    world.step(def.step);
+    ++prediction.steps;
+    for (const WorldEvent& event : world.events()) look(prediction, event);
+    if (world.is_alive(id)) prediction.path.push_back(sample(world, id));
+  }
+  prediction.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  prediction.complete = !world.is_alive(id) || world.is_asleep(id);
+  return prediction;
+}
+
+}  // namespace physim::client

@@ -1,0 +1,89 @@
+#include "simclient/core/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace physim::client {
+
+void Scene::clear() {
+  lines.clear();
+  balls.clear();
+  labels.clear();
+}
+
+void Scene::line(const Vec3d& a, const Vec3d& b, Colour colour, double width) {
+  lines.push_back({a, b, colour, static_cast<float>(width), 0});
+}
+
+void Scene::polyline(const std::vector<TrackSample>& samples, Colour colour, double width) {
+  const std::size_t stride = samples.size() / 2000 + 1;  // more than the screen can show
+  std::size_t last = 0;
+  for (std::size_t i = stride; i < samples.size(); last = i, i += stride)
+    line(samples[last].position, samples[i].position, colour, width);
+  if (!samples.empty() && last + 1 < samples.size())
+    line(samples[last].position, samples.back().position, colour, width);
+}
+
+/// Dots of equal distance on the screen, so that a path is dotted near and far.
+void Scene::dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour) {
+  constexpr double kGap = 9;  // [pixels]
+  double way = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const Vec3d a = samples[i - 1].position, b = samples[i].position;
+    const auto from = camera.project(a), to = camera.project(b);
+    if (!from || !to) continue;
+    const double length = std::hypot(to->x - from->x, to->y - from->y);
+    if (length > 4 * camera.width()) continue;
+    for (double at = kGap - way; at <= length; at += kGap)
+      balls.push_back({a + (b - a) * (at / length), colour, 0, 1.6F});
+    way = std::fmod(way + length, kGap);
+  }
+}
+
+void Scene::arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera) {
+  const Vec3d way = camera.shown(to) - camera.shown(from);
+  const double size = length(way);
+  if (!(size > 0)) return;
+  const Vec3d along = way * (1 / size);
+  Vec3d across = cross(along, camera.forward());
+  if (length(across) < 1e-6) across = camera.right();
+  across = normalized(across);
+  const double head = std::min(size * 0.35, camera.pixel_size(to) * 6 * width);
+  line(from, to, colour, width);
+  for (const double side : {-0.5, 0.5})
+    line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width);
+}
+
+void Scene::label(const Vec3d& at, const std::string& text, Colour colour, int line) {
+  labels.push_back({at, text, colour, true, line});
+}
+
+double scale_step(double length, double wanted) {
+  const double rough = std::max(length, 1e-9) / wanted;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double part : {1.0, 2.0, 5.0})
+    if (part * power >= rough * 0.999) return part * power;
+  return 10 * power;
+}
+
+std::string length_text(double metres) {
+  char text[32];
+  const bool far = std::abs(metres) >= 10000;
+  std::snprintf(text, sizeof text, far ? "%.6g km" : "%.6g m", far ? metres / 1000 : metres);
+  return text;
+}
+
+void build_scene(Client& client, double scale, Scene& scene) {
+  scene.clear();
+  scene.ground = client.session.ground().value_or(0);
+  scene.has_ground = client.session.ground().has_value();
+  build_ground(client, scale, scene);
+  build_projectiles(client, scale, scene);
+  if (client.bottom == BottomPanel::compare) build_comparison(client, scale, scene);
+  build_aim(client, scale, scene);
+  if (client.show.vectors) build_vectors(client, scale, scene);
+  build_tools(client, scale, scene);
+}
+
+}  // namespace physim::client

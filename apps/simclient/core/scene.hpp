@@ -1,0 +1,64 @@
+// Scene: what is to be drawn in the world, as lines, balls and labels; the renderer only draws it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simclient/core/client.hpp"
+
+namespace physim::client {
+
+struct SceneLine {
+  Vec3d a, b;
+  Colour colour = 0xFFFFFFFF;
+  float width = 1;  // [pixels]
+  float fog = 0;    // > 0: fades with distance
+};
+
+struct SceneBall {
+  Vec3d at;
+  Colour colour = 0xFFFFFFFF;
+  float radius = 0;  // [m]; never smaller than `pixels`
+  float pixels = 5;  // [pixels]
+};
+
+struct SceneLabel {
+  Vec3d at;
+  std::string text;
+  Colour colour = 0xFFFFFFFF;
+  bool centred = true;
+  int line = 0;  // below the first, where several labels share a place
+};
+
+struct Scene {
+  std::vector<SceneLine> lines;
+  std::vector<SceneBall> balls;
+  std::vector<SceneLabel> labels;
+  double ground = 0;       // [m]
+  bool has_ground = true;  // there is one to land on
+
+  void clear();
+  void line(const Vec3d& a, const Vec3d& b, Colour colour, double width);
+  void polyline(const std::vector<TrackSample>& samples, Colour colour, double width);
+  void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour);
+  void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);
+  void label(const Vec3d& at, const std::string& text, Colour colour, int line = 0);
+};
+
+/// All of it. `scale` is that of the screen: 2 draws everything twice as thick.
+void build_scene(Client& client, double scale, Scene& scene);
+
+// Its parts.
+void build_ground(const Client& client, double scale, Scene& scene);
+void build_comparison(Client& client, double scale, Scene& scene);
+void build_aim(Client& client, double scale, Scene& scene);
+void build_projectiles(const Client& client, double scale, Scene& scene);
+void build_vectors(const Client& client, double scale, Scene& scene);
+void build_tools(const Client& client, double scale, Scene& scene);
+
+/// The distance between scale lines, 1, 2 or 5 times a power of ten, so that about `wanted` of them fit into `length`.
+[[nodiscard]] double scale_step(double length, double wanted);
+/// A length as people write it: "0.5 m", "200 m", "1.2 km".
+[[nodiscard]] std::string length_text(double metres);
+
+}  // namespace physim::client

@@ -1,0 +1,150 @@
+// What flies: projectiles, their trails, marks and vectors; and the aim.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "simclient/core/scene.hpp"
+
+namespace physim::client {
+namespace {
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char out[120];
+  std::snprintf(out, sizeof out, format, values...);
+  return out;
+}
+
+float radius_of(const ProjectileDef* what) { return what ? static_cast<float>(what->diameter / 2) : 0.0F; }
+
+void cross(Scene& scene, const Camera& camera, const Vec3d& at, const Vec3d& one, const Vec3d& other, Colour colour) {
+  const double size = 5 * camera.pixel_size(at);
+  for (const Vec3d& way : {one, other}) {
+    const Vec3d arm = camera.drawn_as(way * size);
+    scene.line(at - arm, at + arm, colour, 2);
+  }
+}
+
+void mark(Scene& scene, const Camera& camera, const Track& track) {
+  const Vec3d right = camera.right(), up = camera.up();
+  if (track.apex) {
+    const Vec3d at = track.apex->position;
+    cross(scene, camera, at, right, up, track.colour);
+    scene.label(at, text("apex %.2f m, %.2f s", at.y, track.apex->time), track.colour, -2);
+  }
+  if (track.impact) {
+    const Vec3d at = track.impact->position, way = at - track.samples.front().position;
+    cross(scene, camera, at, right + up, right - up, track.colour);
+    const double range = std::round(100 * std::hypot(way.x, way.z)) / 100;
+    scene.label(at, length_text(range) + text(" in %.2f s", track.impact->time), track.colour, 1);
+  }
+}
+
+/// Those that are not among the tracks: too many to remember, not too many to draw.
+void add_untracked(const Session& session, double scale, Scene& scene) {
+  const World& world = session.world();
+  if (world.size() <= session.tracks().size()) return;
+  const std::vector<ProjectileId> ids = world.ids();
+  const bool many = ids.size() > 2000;
+  scene.balls.reserve(scene.balls.size() + ids.size());
+  for (const ProjectileId id : ids) {
+    const Colour colour = world.colour(id);
+    const float size = static_cast<float>((many ? 1.6 : 4) * scale);
+    scene.balls.push_back({session.shown_position(id), colour == BodyDef{}.colour ? colours::kVelocity : colour,
+                           many ? 0.0F : radius_of(world.definition(id)), size});
+  }
+}
+
+}  // namespace
+
+void build_projectiles(const Client& client, double scale, Scene& scene) {
+  const World& world = client.session.world();
+  add_untracked(client.session, scale, scene);
+  const Track* selected = client.selected_track();
+  for (const Track& track : client.session.tracks()) {
+    const double width = (&track == selected ? 2.5 : 1.8) * scale;
+    if (client.show.trails) scene.polyline(track.samples, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
+    if (client.show.marks) mark(scene, client.camera, track);
+    if (!track.is_flying()) continue;
+    const Vec3d at = client.session.shown_position(track.id);
+    if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width);
+    const float pixels = static_cast<float>((&track == selected ? 6.5 : 5.5) * scale);
+    scene.balls.push_back({at, track.colour, radius_of(world.definition(track.id)), pixels});
+    scene.label(at, "#" + std::to_string(track.number), track.colour, -1);
+  }
+}
+
+// --------------------------------------------------------------------------------------------------------- comparison
+void build_comparison(Client& client, double scale, Scene& scene) {
+  int line = 0;
+  for (const ComparedRung& rung : client.comparison()) {
+    if (rung.flight.path.empty()) continue;
+    scene.polyline(rung.flight.path, rung.colour, (rung.is_truth ? 3 : 2) * scale);
+    scene.label(rung.flight.path.back().position, rung.name, rung.colour, line++);
+  }
+}
+
+// ----------------------------------------------------------------------------------------------------------------- aim
+void build_aim(Client& client, double scale, Scene& scene) {
+  if (client.session.is_replay()) return;
+  const Prediction& prediction = client.prediction();
+  if (prediction.error) return;
+  if (client.show.prediction) {
+    const std::size_t known = scene.balls.size();
+    scene.dots(prediction.path, client.camera, faded(colours::kText, 0.75));
+    for (std::size_t i = known; i < scene.balls.size(); ++i) scene.balls[i].pixels *= static_cast<float>(scale);
+  }
+  scene.balls.push_back({prediction.muzzle, colours::kArrow, 0, static_cast<float>(3 * scale)});
+  if (const auto arrow = client.arrow()) scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
+}
+
+// ------------------------------------------------------------------------------------------------------------- vectors
+void build_vectors(const Client& client, double scale, Scene& scene) {
+  const Track* track = client.selected_track();
+  if (track == nullptr || !track->is_flying()) return;
+  const World& world = client.session.world();
+  const Vec3d at = client.session.shown_position(track->id), velocity = world.velocity(track->id);
+  const Accelerations a = world.accelerations(track->id);
+  const double longest = client.camera.distance * 0.22;
+  const auto draw = [&](const Vec3d& v, double unit, Colour colour, const std::string& what) {
+    if (!(length(v) * unit > 0)) return;
+    const Vec3d tip = at + v * unit;
+    scene.arrow(at, tip, colour, 2.5 * scale, client.camera);
+    scene.label(tip, what, colour, 0);
+  };
+  const double speed = length(velocity);
+  draw(velocity, speed > 0 ? longest / speed : 0, colours::kVelocity, text("v %.2f m/s", speed));
+  double strongest = length(a.total);
+  for (const Vec3d& each : {a.gravity, a.drag, a.coriolis, a.centrifugal, a.applied})
+    strongest = std::max(strongest, length(each));
+  const double unit = strongest > 0 ? longest * 0.8 / strongest : 0;
+  draw(a.total, unit, colours::kAcceleration, text("a %.3g m/s\u00b2", length(a.total)));
+  const struct {
+    const char* name;
+    Vec3d acceleration;
+  } effects[] = {{"gravity", a.gravity},
+                 {"drag", a.drag},
+                 {"Coriolis", a.coriolis},
+                 {"centrifugal", a.centrifugal},
+                 {"applied", a.applied}};
+  for (const auto& effect : effects) {
+    if (length(effect.acceleration) < 0.02 * strongest) continue;  // too short to be seen
+    draw(effect.acceleration, unit * 0.7, colours::kForce,
+         text("%s %.3g N", effect.name, length(effect.acceleration) * track->mass));
+  }
+}
+
+// --------------------------------------------------------------------------------------------------------------- tools
+void build_tools(const Client& client, double scale, Scene& scene) {
+  const Tape& tape = client.tape;
+  if (tape.from) scene.balls.push_back({*tape.from, colours::kForce, 0, static_cast<float>(4 * scale)});
+  if (!tape.from || !tape.to) return;
+  const Vec3d way = *tape.to - *tape.from;
+  scene.balls.push_back({*tape.to, colours::kForce, 0, static_cast<float>(4 * scale)});
+  scene.line(*tape.from, *tape.to, colours::kForce, 2 * scale);
+  const Vec3d middle = (*tape.from + *tape.to) * 0.5;
+  scene.label(middle, text("%.3f m", length(way)), colours::kForce, -1);
+  scene.label(middle, text("along %.3f, up %.3f, right %.3f m", way.x, way.y, way.z), colours::kForce, 0);
+}
+
+}  // namespace physim::client

@@ -1,0 +1,56 @@
+// The ground: a grid, and scale lines across the line of fire with their distances.
+#include <algorithm>
+#include <cmath>
+
+#include "simclient/core/scene.hpp"
+
+namespace physim::client {
+namespace {
+
+constexpr double kRightAngle = 1.5707963267948966;
+
+/// The axis of the world that the shot flies along most: scale lines do not turn with every touch of the aim.
+Vec3d main_axis(double azimuth) {
+  switch (static_cast<int>(std::lround(azimuth / kRightAngle)) & 3) {
+    case 0:
+      return {1, 0, 0};
+    case 1:
+      return {0, 0, 1};
+    case 2:
+      return {-1, 0, 0};
+    default:
+      return {0, 0, -1};
+  }
+}
+
+}  // namespace
+
+void build_ground(const Client& client, double scale, Scene& scene) {
+  const Camera& camera = client.camera;
+  const Vec3d muzzle = client.launcher.shot().launch.position;
+  const Vec3d along = main_axis(client.launcher.azimuth()), across = {-along.z, 0, along.x};
+  const Vec3d origin = {muzzle.x, scene.ground, muzzle.z};
+  const double seen = camera.distance * 1.6;
+  const double step = scale_step(seen, 10);
+  const Vec3d away = camera.target - origin;
+  const double middle = std::round(dot(away, along) / step), side = std::round(dot(away, across) / step);
+  constexpr int kLines = 24;
+  const double reach = kLines * step;
+  for (int i = -kLines; i <= kLines; ++i) {
+    const double x = (middle + i) * step, z = (side + i) * step;
+    const bool is_axis = std::lround(side) + i == 0;
+    const Vec3d a = origin + along * x + across * (side * step), b = origin + across * z + along * (middle * step);
+    const auto fog = static_cast<float>(reach);
+    scene.lines.push_back({a - across * reach, a + across * reach, colours::kGrid, static_cast<float>(scale), fog});
+    scene.lines.push_back({b - along * reach, b + along * reach, is_axis ? colours::kDim : colours::kGrid,
+                           static_cast<float>(is_axis ? 2 * scale : scale), fog});
+    // Distances from the muzzle stand on the line of fire, with a thick mark.
+    const Vec3d mark = origin + along * x;
+    if (std::abs(i) > 14) continue;
+    scene.lines.push_back({mark - across * (step * 0.18), mark + across * (step * 0.18), colours::kText,
+                           static_cast<float>(2.5 * scale), fog});
+    scene.labels.push_back({mark + across * (step * 0.24), length_text(x), colours::kText, false, 0});
+  }
+}
+
+}  // namespace physim::client

@@ -1,0 +1,336 @@
+#include "simclient/core/session.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace physim::client {
+namespace {
+
+constexpr std::size_t kMaxTracks = 64;
+constexpr std::size_t kMaxTracksOfRun = 24, kMaxTracksOfCrowd = 5;  // of what the scenario fires by itself
+constexpr std::size_t kMaxSamples = 20000;
+constexpr int kMaxStepsAtOnce = 8;                 // of one screen frame at normal speed
+constexpr std::size_t kMomentMemory = 256u << 20;  // for all moments that can be gone back to [bytes]
+constexpr double kInstant = 1e-9;                  // times nearer than this are the same [s]
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::uint64_t launches(const Scenario& scenario) {
+  std::uint64_t count = scenario.shots.size();
+  for (const Volley& volley : scenario.volleys) count += static_cast<std::uint64_t>(volley.count);
+  return count;
+}
+
+}  // namespace
+
+Scenario open_range() {
+  Scenario scenario;
+  scenario.title = "Open range";
+  scenario.file = "open range";
+  return scenario;
+}
+
+Scenario with_world(Scenario scenario) {
+  if (scenario.world.given) return scenario;
+  scenario.world.given = true;
+  WorldDef& def = scenario.world.def;
+  def.ground.mode = scenario.until.ground ? GroundMode::land : GroundMode::none;
+  def.ground.height = scenario.until.ground.value_or(0);
+  if (scenario.tolerance.step > 0) def.step = scenario.tolerance.step;
+  for (ScenarioShot& shot : scenario.shots) {
+    if (scenario.until.time < Until{}.time) shot.body.despawn.older = scenario.until.time;
+    if (scenario.until.range) shot.body.despawn.farther = *scenario.until.range;
+  }
+  return scenario;
+}
+
+// ---------------------------------------------------------------------------------------------------------- beginning
+Result<Session> Session::create(Scenario scenario, const std::string& recording) {
+  Session session;
+  session.scenario_ = std::move(scenario);
+  if (Status bad = session.start(recording)) return *bad;
+  return session;
+}
+
+Result<Session> Session::replay(std::vector<std::byte> recording, const std::string& file) {
+  Session session;
+  session.scenario_ = open_range();
+  session.scenario_.title = "Replay of " + file;
+  session.scenario_.file = file;
+  session.replayed_ = std::move(recording);
+  Result<Replay> replay = Replay::open(session.replayed_);
+  if (!replay) return replay.error();
+  session.replay_ = std::move(*replay);
+  session.most_tracks_of_run_ = kMaxTracksOfRun;
+  return session;
+}
+
+Status Session::start(const std::string& recording) {
+  Scenario played = with_world(scenario_);
+  if (!scenario_.world.given) played.shots.clear();  // they wait to be fired by hand
+  played.world.def.apex_events = launches(played) <= 1000;
+  most_tracks_of_run_ = launches(played) <= 64 ? kMaxTracksOfRun : kMaxTracksOfCrowd;
+  Result<WorldRun> run = WorldRun::create(std::move(played), recording);
+  if (!run) return run.error();
+  run_ = std::move(*run);
+  recording_ = recording;
+  tracks_.clear();
+  moments_.clear();
+  step_ = fired_ = 0;
+  leftover_ = 0;
+  cost_ = {};
+  look();
+  remember_moment(true);
+  return std::nullopt;
+}
+
+Status Session::restart(const std::string& recording) {
+  if (!is_replay()) return start(recording);
+  Result<Replay> again = Replay::open(replayed_);
+  if (!again) return again.error();
+  replay_ = std::move(*again);
+  tracks_.clear();
+  step_ = 0;
+  leftover_ = 0;
+  over_ = false;
+  return std::nullopt;
+}
+
+// --------------------------------------------------------------------------------------------------------------- clock
+int Session::advance(double real_dt) {
+  if (paused_ || over_ || !(real_dt > 0)) return 0;
+  const double h = step_length();
+  leftover_ += real_dt * time_scale_;
+  const int most = std::max(kMaxStepsAtOnce, static_cast<int>(kMaxStepsAtOnce * time_scale_));
+  int steps = 0;
+  while (leftover_ > h * (1 - 1e-6) && steps < most && !over_) {
+    take_step();
+    leftover_ -= h;
+    ++steps;
+  }
+  leftover_ = std::clamp(leftover_, 0.0, h);  // what the machine could not keep up with is dropped
+  return steps;
+}
+
+void Session::take_step() {
+  const std::uint64_t before = world().counters().projectile_steps;
+  const auto start = std::chrono::steady_clock::now();
+  if (replay_) {
+    if (!replay_->next_frame()) return void(over_ = true);
+  } else {
+    run_->step();
+  }
+  const double seconds = seconds_since(start);
+  cost_.moved = world().counters().projectile_steps - before;
+  const double part = cost_.seconds > 0 ? 0.05 : 1;  // of the average that is new
+  cost_.seconds += (seconds - cost_.seconds) * part;
+  cost_.projectile_steps += (static_cast<double>(cost_.moved) - cost_.projectile_steps) * part;
+  ++step_;
+  look();
+  if (!replay_) remember_moment(false);
+}
+
+void Session::single_step() {
+  paused_ = true;
+  leftover_ = 0;
+  if (!over_) take_step();
+}
+
+bool Session::step_back() {
+  paused_ = true;
+  leftover_ = 0;
+  if (step_ == 0) return false;
+  const std::uint64_t target = step_ - 1;
+  if (is_replay()) {
+    if (restart()) return false;
+    while (step_ < target && !over_) take_step();
+    return true;
+  }
+  while (!moments_.empty() && moments_.back().step > target) moments_.pop_back();
+  if (moments_.empty()) return false;
+  run_->restore(moments_.back().run);
+  for (step_ = moments_.back().step; step_ < target; ++step_) run_->step();
+  forget_after(world().time());
+  return true;
+}
+
+void Session::remember_moment(bool changed) {
+  const std::size_t memory = std::max<std::size_t>(run_->world().memory(), 1 << 14);
+  const std::uint64_t every = std::clamp<std::uint64_t>(memory >> 16, 1, 60);
+  const bool is_soon = !moments_.empty() && step_ > moments_.back().step && step_ - moments_.back().step < every;
+  if (is_soon && !changed) return;
+  if (!moments_.empty() && moments_.back().step == step_) moments_.pop_back();
+  moments_.push_back({step_, run_->snapshot()});
+  if (moments_.size() > std::clamp<std::size_t>(kMomentMemory / memory, 4, 3600)) moments_.pop_front();
+}
+
+// -------------------------------------------------------------------------------------------------------------- firing
+Error Session::cannot_change() {
+  return {"a replay cannot be changed", "", "load a scenario or restart without a recording"};
+}
+
+Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
+  if (is_replay()) return cannot_change();
+  World& world = run_->world();
+  BodyDef body = shot.body;
+  body.cheapest_within = shot.cheapest_within.value_or(0);
+  const std::vector<PoolDef>& pools = world.def().pools;
+  for (std::uint32_t i = 0; i < pools.size() && !shot.pool.empty(); ++i)
+    if (pools[i].name == shot.pool) body.pool = i;
+  const ProjectileId id = world.spawn(shot.projectile, shot.launch, body);
+  if (!id) return world.error().value_or(Error{"the shot was refused", "", ""});
+  const bool has_colour = body.colour != BodyDef{}.colour;
+  begin_track(id, shot.projectile.name, has_colour ? body.colour : palette(fired_), true);
+  if (!has_colour) world.set_colour(id, tracks_.back().colour);
+  remember_moment(true);
+  return id;
+}
+
+void Session::edited(ProjectileId id) {
+  if (Track* track = find(id)) {
+    track->edited = true;
+    track->granted = world().fidelity_in_use(id);
+    track->mass = world().mass(id);
+    track->samples.push_back(sample(*track));
+  }
+  remember_moment(true);
+}
+
+Status Session::set_environment(const Environment& environment) {
+  if (is_replay()) return cannot_change();
+  if (Status bad = run_->world().set_environment(0, environment)) return bad;
+  scenario_.environment = environment;
+  remember_moment(true);
+  return std::nullopt;
+}
+
+Status Session::stop_recording() {
+  if (is_replay()) return cannot_change();
+  return run_->world().stop_recording();
+}
+
+Result<DeterminismCheck> Session::check_determinism(std::uint64_t steps) {
+  if (is_replay()) return cannot_change();
+  const RunSnapshot now = run_->snapshot();
+  std::vector<std::uint64_t> hashes;
+  DeterminismCheck check{.steps = steps};
+  for (std::uint64_t i = 0; i < steps; ++i) {
+    run_->step();
+    hashes.push_back(run_->world().hash());
+  }
+  run_->restore(now);
+  for (std::uint64_t i = 0; i < steps; ++i) {
+    run_->step();
+    check.first = hashes[i];
+    check.second = run_->world().hash();
+    if (check.differs_at == 0 && check.first != check.second) check.differs_at = i + 1;
+  }
+  run_->restore(now);
+  return check;
+}
+
+// ------------------------------------------------------------------------------------------------------------- reading
+std::optional<double> Session::ground() const {
+  const Ground& ground = world().def().ground;
+  return ground.mode == GroundMode::none ? std::nullopt : std::optional(ground.height);
+}
+
+const Track* Session::track(ProjectileId id) const {
+  const auto found = std::find_if(tracks_.begin(), tracks_.end(), [id](const Track& t) { return t.id == id; });
+  return found == tracks_.end() ? nullptr : &*found;
+}
+
+Track* Session::find(ProjectileId id) { return const_cast<Track*>(track(id)); }
+
+/// Ahead of the last step by its velocity: exact where no time is left over.
+Vec3d Session::shown_position(ProjectileId id) const {
+  const BodyState at = world().state(id);
+  Vec3d shown = at.position + at.velocity * leftover_;
+  if (const auto height = ground(); height && at.position.y >= *height) shown.y = std::max(shown.y, *height);
+  return shown;
+}
+
+// -------------------------------------------------------------------------------------------------------------- tracks
+TrackSample Session::sample(const Track& track) const {
+  const BodyState at = world().state(track.id);
+  return {world().time() - track.born, at.position, at.velocity, world().accelerations(track.id).total,
+          world().mach(track.id)};
+}
+
+void Session::begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand) {
+  if (tracks_.size() >= kMaxTracks) {
+    auto oldest = std::find_if(tracks_.begin(), tracks_.end(), [](const Track& t) { return !t.is_flying(); });
+    if (oldest == tracks_.end()) oldest = tracks_.begin();
+    tracks_.erase(oldest);
+  }
+  Track track;
+  track.id = id;
+  track.number = ++fired_;
+  track.name = name.empty() ? "shot" : name;
+  track.colour = colour;
+  track.mass = world().mass(id);
+  track.born = world().time() - world().age(id);
+  track.by_hand = by_hand;
+  track.granted = world().fidelity_in_use(id);
+  track.samples.push_back(sample(track));
+  tracks_.push_back(std::move(track));
+}
+
+void Session::look() {
+  look_at_events(world().events());
+  for (Track& track : tracks_) {
+    if (!track.is_flying()) continue;
+    if (!world().is_alive(track.id)) {
+      track.status = world().status(track.id);
+      continue;
+    }
+    const TrackSample now = sample(track);
+    if (now.time > track.samples.back().time + kInstant) track.samples.push_back(now);
+    if (track.samples.size() > kMaxSamples)  // every second one is enough from here on
+      for (std::size_t i = 1; i < track.samples.size(); ++i) track.samples.erase(track.samples.begin() + i);
+  }
+  if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
+  for (const ProjectileId id : world().ids()) {
+    if (tracks_.size() >= most_tracks_of_run_) break;
+    if (world().status(id) != LifeStatus::in_flight || track(id) != nullptr) continue;
+    const Colour own = world().colour(id);
+    const ProjectileDef* what = world().definition(id);
+    begin_track(id, what ? what->name : "", own != BodyDef{}.colour ? own : palette(fired_), false);
+  }
+}
+
+void Session::look_at_events(std::span<const WorldEvent> events) {
+  for (const WorldEvent& event : events) {
+    Track* track = find(event.id);
+    if (track == nullptr || track->samples.empty()) continue;
+    const TrackSample& last = track->samples.back();
+    const double speed = length(last.velocity);
+    const TrackSample at{event.time - track->born, event.position, event.velocity, last.acceleration,
+                         speed > 0 ? last.mach * length(event.velocity) / speed : 0};
+    const bool ends = event.kind == WorldEventKind::landed;
+    if (event.kind == WorldEventKind::apex && !track->apex) track->apex = at;
+    if ((ends || event.kind == WorldEventKind::bounced) && !track->impact) track->impact = at;
+    if (ends && at.time > last.time + kInstant) track->samples.push_back(at);
+  }
+}
+
+void Session::forget_after(double time) {
+  const double late = time + kInstant;
+  std::erase_if(tracks_, [late](const Track& track) { return track.born > late; });
+  for (Track& track : tracks_) {
+    const auto is_late = [&](const TrackSample& s) { return track.born + s.time > late; };
+    while (track.samples.size() > 1 && is_late(track.samples.back())) track.samples.pop_back();
+    if (track.apex && is_late(*track.apex)) track.apex.reset();
+    if (track.impact && is_late(*track.impact)) track.impact.reset();
+    track.status = world().status(track.id);
+  }
+}
+
+void Session::clear_tracks() {
+  std::erase_if(tracks_, [](const Track& track) { return !track.is_flying(); });
+}
+
+}  // namespace physim::client

@@ -1,0 +1,135 @@
+// Session: a scenario being played. Its world, its clock, what was fired, and the way back.
+//
+// The clock is that of the simulation. The screen tells how much time has passed; while the session is paused none
+// passes, for anything.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physim/recording.hpp"
+#include "physim/scenario.hpp"
+#include "physim/world_run.hpp"
+#include "simclient/core/track.hpp"
+
+namespace physim::client {
+
+/// What the last steps cost; of the machine's clock, for display only.
+struct StepCost {
+  double seconds = 0;           // for one step, averaged over the last ones
+  double projectile_steps = 0;  // in one step; the same
+  std::uint64_t moved = 0;      // projectiles, in the last step
+
+  [[nodiscard]] double per_projectile_step() const { return projectile_steps > 0 ? seconds / projectile_steps : 0; }
+};
+
+struct DeterminismCheck {
+  std::uint64_t steps = 0;
+  std::uint64_t first = 0, second = 0;  // hashes after the steps, and after going back and stepping again
+  std::uint64_t differs_at = 0;         // first step whose hashes differ, from 1; 0: none does
+  [[nodiscard]] bool passed() const { return differs_at == 0 && first == second; }
+};
+
+class Session {
+ public:
+  /// Plays a scenario. Without a [world], its shots are there to be fired by hand. With a path everything is recorded.
+  static Result<Session> create(Scenario scenario, const std::string& recording = "");
+  /// Plays a recording; nothing can be changed then.
+  static Result<Session> replay(std::vector<std::byte> recording, const std::string& file);
+
+  // ---------------------------------------------------------------------------------------------------------- clock
+  /// Time has passed on the screen [s]: takes the steps that fit into it; returns how many.
+  int advance(double real_dt);
+  void set_paused(bool paused) { paused_ = paused; }
+  [[nodiscard]] bool is_paused() const { return paused_; }
+  /// Pauses, and goes one step on.
+  void single_step();
+  /// Pauses, and goes one step back; false at the start, or as far back as is remembered.
+  bool step_back();
+  /// Everything as at the start, with nothing fired by hand. With a path the new run is recorded.
+  Status restart(const std::string& recording = "");
+  [[nodiscard]] double time_scale() const { return time_scale_; }
+  void set_time_scale(double scale) { time_scale_ = scale; }
+  [[nodiscard]] double time() const { return world().time(); }
+  [[nodiscard]] std::uint64_t step() const { return step_; }
+  [[nodiscard]] double step_length() const { return world().def().step; }
+
+  // --------------------------------------------------------------------------------------------------------- firing
+  /// Fires a shot now; its settings are bound to it from here on.
+  Result<ProjectileId> fire(const ScenarioShot& shot);
+  /// Changes a projectile in flight; `change` is one call of the world that tells whether it did.
+  template <class Change>
+  Status edit(ProjectileId id, const Change& change) {
+    if (is_replay()) return cannot_change();
+    if (!change(run_->world())) return run_->world().error().value_or(Error{"it was refused", "", ""});
+    return edited(id), std::nullopt;
+  }
+
+  // -------------------------------------------------------------------------------------------------------- reading
+  [[nodiscard]] const World& world() const { return replay_ ? replay_->world() : run_->world(); }
+  [[nodiscard]] const Scenario& scenario() const { return scenario_; }
+  [[nodiscard]] std::span<const Track> tracks() const { return tracks_; }
+  [[nodiscard]] const Track* track(ProjectileId id) const;
+  [[nodiscard]] std::optional<double> ground() const;
+  /// Where to draw a projectile between the last two steps.
+  [[nodiscard]] Vec3d shown_position(ProjectileId id) const;
+  [[nodiscard]] const StepCost& cost() const { return cost_; }
+  [[nodiscard]] bool is_replay() const { return replay_.has_value(); }
+  [[nodiscard]] bool is_recording() const { return !is_replay() && run_->world().is_recording(); }
+  [[nodiscard]] bool is_over() const { return over_; }  // of a replay: its end, or its first difference
+  [[nodiscard]] const std::string& recording() const { return recording_; }
+  [[nodiscard]] const ReplayReport* replay_report() const { return replay_ ? &replay_->report() : nullptr; }
+
+  // ---------------------------------------------------------------------------------------------------------- tools
+  /// Completes a recording and gives the file its name.
+  Status stop_recording();
+  /// Steps, goes back, steps again, and compares the hashes of every step; then stands where it stood.
+  Result<DeterminismCheck> check_determinism(std::uint64_t steps = 60);
+  Status set_environment(const Environment& environment);
+  /// Forgets the tracks of those that have left.
+  void clear_tracks();
+
+ private:
+  struct Moment {
+    std::uint64_t step = 0;
+    RunSnapshot run;
+  };
+
+  Session() = default;
+  Status start(const std::string& recording);
+  void take_step();
+  void look();
+  void look_at_events(std::span<const WorldEvent> events);
+  void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
+  void remember_moment(bool changed);
+  void forget_after(double time);
+  void edited(ProjectileId id);
+  [[nodiscard]] static Error cannot_change();
+  [[nodiscard]] Track* find(ProjectileId id);
+  [[nodiscard]] TrackSample sample(const Track& track) const;
+
+  Scenario scenario_;  // as it was loaded
+  std::optional<WorldRun> run_;
+  std::optional<Replay> replay_;
+  std::vector<std::byte> replayed_;  // to start again
+  std::string recording_;
+  std::vector<Track> tracks_;
+  std::deque<Moment> moments_;
+  std::size_t most_tracks_of_run_ = 0;
+  std::uint64_t step_ = 0, fired_ = 0;
+  double leftover_ = 0;  // of the screen's time, less than a step [s]
+  double time_scale_ = 1;
+  bool paused_ = false, over_ = false;
+  StepCost cost_;
+};
+
+/// The world of a scenario that has none: its ground is where its flights end, and so are time and range.
+[[nodiscard]] Scenario with_world(Scenario scenario);
+
+/// What there is when no scenario was asked for: open ground at height 0 and standard air.
+[[nodiscard]] Scenario open_range();
+
+}  // namespace physim::client

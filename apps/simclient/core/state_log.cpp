@@ -1,0 +1,66 @@
+#include "simclient/core/state_log.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "physim/names.hpp"
+
+namespace physim::client {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+Json shot_state(const Launcher& launcher) {
+  const Fidelity& fidelity = launcher.shot().projectile.fidelity;
+  const auto setting = launcher.elevation_setting();
+  return {{"type", launcher.types()[launcher.type()].name},
+          {"elevation_setting", setting ? Json(*setting) : Json()},
+          {"elevation", launcher.elevation()},
+          {"azimuth", launcher.azimuth()},
+          {"speed", launcher.speed()},
+          {"motion", name(fidelity.motion)},
+          {"drag", name(fidelity.drag)},
+          {"gravity", name(fidelity.gravity)}};
+}
+
+/// Where a point is seen in the window.
+Json pixel(const Client& client, const Vec3d& point) {
+  const auto seen = client.camera.project(point);
+  return seen ? Json{seen->x + client.scene_corner.x, seen->y + client.scene_corner.y} : Json();
+}
+
+Json track_state(const Client& client, const Track& track) {
+  const TrackSample& s = track.samples.back();
+  return {{"number", track.number},
+          {"name", track.name},
+          {"colour", track.colour},
+          {"status", name(track.status)},
+          {"time", s.time},
+          {"position", vector(s.position)},
+          {"velocity", vector(s.velocity)},
+          {"acceleration", vector(s.acceleration)},
+          {"speed", length(s.velocity)},
+          {"mass", track.mass},
+          {"mach", s.mach},
+          {"pixel", pixel(client, s.position)}};
+}
+
+}  // namespace
+
+std::string state_line(Client& client, std::uint64_t frame) {
+  Json line = {{"frame", frame},
+               {"time", client.session.time()},
+               {"step", client.session.step()},
+               {"paused", client.session.is_paused()},
+               {"alive", client.session.world().size()},
+               {"shot", shot_state(client.launcher)},
+               {"tracks", Json::array()}};
+  for (const Track& track : client.session.tracks()) line["tracks"].push_back(track_state(client, track));
+  if (const auto arrow = client.arrow())
+    line["arrow"] = {{"from", pixel(client, arrow->from)}, {"to", pixel(client, arrow->to)}};
+  if (!client.messages().empty()) line["message"] = client.messages().back().text;
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace physim::client

@@ -1,0 +1,42 @@
+// Track: what is remembered of one projectile, for its trail, plots and marks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physim/world.hpp"
+#include "simclient/core/palette.hpp"
+
+namespace physim::client {
+
+/// A projectile after one step of the world, or at an event within it.
+struct TrackSample {
+  double time = 0;  // since its launch [s]
+  Vec3d position, velocity, acceleration;
+  double mach = 0;
+
+  bool operator==(const TrackSample&) const = default;
+};
+
+struct Track {
+  ProjectileId id;
+  std::uint64_t number = 0;  // of its launch in this session, from 1
+  std::string name;
+  Colour colour = 0xFFFFFFFF;
+  double mass = 0;
+  double born = 0;  // [s] of the world
+  bool by_hand = false;
+  FidelityInUse granted;  // as it was at launch
+  std::vector<TrackSample> samples;
+  std::optional<TrackSample> apex, impact;
+  LifeStatus status = LifeStatus::in_flight;
+  bool edited = false;  // something about it was changed while it flew
+
+  [[nodiscard]] bool is_flying() const { return status == LifeStatus::in_flight; }
+  /// "artillery #3".
+  [[nodiscard]] std::string title() const { return name + " #" + std::to_string(number); }
+};
+
+}  // namespace physim::client

@@ -1,0 +1,119 @@
+// The shaders. Positions are relative to the eye, so that floats keep their digits far from the origin.
+#pragma once
+
+namespace physim::client {
+
+// ---------------------------------------------------------------------------------------------------------- ground
+inline constexpr const char* kGroundVertex = R"(#version 330 core
+layout(location = 0) in vec2 corner;
+uniform mat4 matrix;
+uniform float height;  // of the ground above the eye
+uniform float reach;
+out vec3 place;
+void main() {
+  place = vec3(corner.x * reach, height, corner.y * reach);
+  gl_Position = matrix * vec4(place, 1.0);
+}
+)";
+
+inline constexpr const char* kGroundFragment = R"(#version 330 core
+in vec3 place;
+uniform vec3 near_colour, far_colour;
+uniform float reach;
+out vec4 colour;
+void main() {
+  float away = clamp(length(place.xz) / reach * 4.0, 0.0, 1.0);
+  colour = vec4(mix(near_colour, far_colour, sqrt(away)), 1.0);
+}
+)";
+
+// ----------------------------------------------------------------------------------------------------------- lines
+// A line is a quad as wide as the line and one pixel more, which lets its edges fade out.
+inline constexpr const char* kLineVertex = R"(#version 330 core
+layout(location = 0) in vec2 corner;  // x: 0 or 1, from a to b; y: -1 or 1, across
+layout(location = 1) in vec3 a;
+layout(location = 2) in vec3 b;
+layout(location = 3) in vec4 line_colour;
+layout(location = 4) in vec2 width_fog;
+uniform mat4 matrix;
+uniform vec2 size;   // of the viewport in pixels
+uniform float near;  // what is nearer is cut off
+out vec4 shade;
+out vec3 place;
+noperspective out float across;  // on the screen, where the quad has the same width everywhere
+flat out float half_width;
+flat out float fog;
+void main() {
+  vec4 from = matrix * vec4(a, 1.0), to = matrix * vec4(b, 1.0);
+  float s = 0.0, e = 1.0;
+  if (from.w < near && to.w < near) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
+  if (from.w < near) s = (near - from.w) / (to.w - from.w);
+  if (to.w < near) e = (near - from.w) / (to.w - from.w);
+  vec4 start = mix(from, to, s), end = mix(from, to, e);
+  vec2 p = start.xy / start.w * size, q = end.xy / end.w * size;
+  vec2 along = q - p;
+  along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
+  half_width = width_fog.x * 0.5;
+  across = corner.y * (half_width + 1.0);
+  vec4 at = corner.x < 0.5 ? start : end;
+  vec2 offset = vec2(-along.y, along.x) * across + along * (corner.x < 0.5 ? -0.5 : 0.5);
+  gl_Position = at + vec4(offset * 2.0 / size * at.w, 0.0, 0.0);
+  place = mix(a, b, corner.x < 0.5 ? s : e);
+  shade = line_colour;
+  fog = width_fog.y;
+}
+)";
+
+inline constexpr const char* kLineFragment = R"(#version 330 core
+in vec4 shade;
+in vec3 place;
+noperspective in float across;
+flat in float half_width;
+flat in float fog;
+out vec4 colour;
+void main() {
+  float cover = clamp(half_width + 0.5 - abs(across), 0.0, 1.0);
+  if (fog > 0.0) cover *= clamp(1.0 - length(place) / fog, 0.0, 1.0);
+  if (cover <= 0.003) discard;
+  colour = vec4(shade.rgb, shade.a * cover);
+}
+)";
+
+// ----------------------------------------------------------------------------------------------------------- balls
+inline constexpr const char* kBallVertex = R"(#version 330 core
+layout(location = 0) in vec2 corner;  // -1..1
+layout(location = 1) in vec3 at;
+layout(location = 2) in vec4 ball_colour;
+layout(location = 3) in vec2 radius_pixels;
+uniform mat4 matrix;
+uniform vec2 size;
+uniform float focal;  // pixels of a metre at a metre
+out vec4 shade;
+out vec2 spot;
+flat out float pixels;
+void main() {
+  vec4 centre = matrix * vec4(at, 1.0);
+  pixels = max(radius_pixels.y, radius_pixels.x * focal / max(centre.w, 1e-4));
+  spot = corner * (1.0 + 1.0 / pixels);
+  shade = ball_colour;
+  gl_Position = centre.w < 1e-4 ? vec4(2.0, 2.0, 2.0, 1.0)
+                                : centre + vec4(spot * pixels * 2.0 / size * centre.w, 0.0, 0.0);
+}
+)";
+
+inline constexpr const char* kBallFragment = R"(#version 330 core
+in vec4 shade;
+in vec2 spot;
+flat in float pixels;
+out vec4 colour;
+void main() {
+  float away = length(spot);
+  float cover = clamp((1.0 - away) * pixels + 0.5, 0.0, 1.0);
+  if (cover <= 0.0) discard;
+  float up = sqrt(max(0.0, 1.0 - away * away));
+  float light = pixels < 3.0 ? 1.0 : 0.62 + 0.38 * clamp(dot(vec3(spot, up), vec3(-0.35, 0.6, 0.72)), 0.0, 1.0);
+  colour = vec4(shade.rgb * light, shade.a * cover);
+}
+)";
+
+}  // namespace physim::client

@@ -1,0 +1,42 @@
+#include "simclient/gl/target.hpp"
+
+#include <stb/stb_image_write.h>
+
+#include <algorithm>
+
+namespace physim::client {
+
+Target::Target(int width, int height) {
+  glGenFramebuffers(1, &framebuffer_);
+  glGenRenderbuffers(1, &colour_);
+  glBindRenderbuffer(GL_RENDERBUFFER, colour_);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGB8, width, height);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
+}
+
+Target::~Target() {
+  glDeleteFramebuffers(1, &framebuffer_);
+  glDeleteRenderbuffers(1, &colour_);
+}
+
+Picture read_picture(int x, int y, int width, int height) {
+  Picture picture{width, height, {}};
+  const std::size_t row = static_cast<std::size_t>(width) * 3;
+  picture.pixels.resize(row * static_cast<std::size_t>(height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(x, y, width, height, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels.data());
+  for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom)
+    std::swap_ranges(picture.pixels.begin() + static_cast<std::ptrdiff_t>(row) * top,
+                     picture.pixels.begin() + static_cast<std::ptrdiff_t>(row) * (top + 1),
+                     picture.pixels.begin() + static_cast<std::ptrdiff_t>(row) * bottom);
+  return picture;
+}
+
+Status save_png(const Picture& picture, const std::string& path) {
+  if (stbi_write_png(path.c_str(), picture.width, picture.height, 3, picture.pixels.data(), picture.width * 3) != 0)
+    return std::nullopt;
+  return Error{"cannot write the picture", path, "is there such a folder, and may you write there?"};
+}
+
+}  // namespace physim::client

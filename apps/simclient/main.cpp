@@ -1,0 +1,49 @@
+// simclient: see it fly.
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <sstream>
+
+#include "simclient/app.hpp"
+
+namespace physim::client {
+namespace {
+
+Result<std::string> script_text(const std::string& option) {
+  if (option.empty() || option[0] != '@') return option;
+  const std::string path = option.substr(1);
+  const std::ifstream file(path);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) return Error{"cannot read the script", path, ""};
+  return text.str();
+}
+
+Status run(const Options& options) {
+  const Result<std::string> text = script_text(options.script);
+  if (!text) return text.error();
+  Result<Script> script = Script::parse(*text);
+  if (!script) return script.error();
+  Result<Client> client = open_client(options.scenario, options.overrides);
+  if (!client) return client.error();
+  return App(std::move(*client), std::move(*script), options).run();
+}
+
+int tell(const Error& error) {
+  std::fprintf(stderr, "%s\n", error.text().c_str());
+  return kExitBadInput;
+}
+
+}  // namespace
+}  // namespace physim::client
+
+int main(int argc, char** argv) {
+  using namespace physim;
+  try {
+    const client::CommandLine line = client::parse_command_line(argc, argv);
+    if (line.is_answered) return line.exit_code;
+    if (const Status bad = client::run(line.options)) return client::tell(*bad);
+    return client::kExitOk;
+  } catch (const std::exception& problem) {  // of the libraries: memory is full, ...
+    return client::tell({problem.what(), "simclient", ""});
+  }
+}

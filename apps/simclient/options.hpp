@@ -1,0 +1,34 @@
+// The command line of simclient.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physim/result.hpp"
+
+namespace physim::client {
+
+enum ExitCode : int { kExitOk = 0, kExitBadInput = 2 };
+
+struct Options {
+  std::string scenario;                // file; empty: the open range
+  std::vector<std::string> overrides;  // "shot.mass=170 gr"
+  std::string script;                  // actions, or @FILE with them
+  int frames = 0;                      // then it leaves; 0: when the script is over, or never
+  std::string screenshot;              // of the last frame
+  std::string state;                   // file for the state after each frame
+  int width = 1280, height = 720;      // [pixels]
+  double scale = 0;                    // of letters and lines; 0: as the screen asks
+  bool hidden = false;
+};
+
+/// What to do: run with options, or leave at once.
+struct CommandLine {
+  Options options;
+  bool is_answered = false;  // help or a list was printed: leave
+  int exit_code = kExitOk;
+};
+
+[[nodiscard]] CommandLine parse_command_line(int argc, char** argv);
+
+}  // namespace physim::client

@@ -1,0 +1,134 @@
+// The panels under the scene: plots, the comparison of rungs, and what everything costs.
+#include <algorithm>
+#include <cmath>
+
+#include "physim/names.hpp"
+#include "simclient/core/actions.hpp"
+#include "simclient/ui/panels.hpp"
+
+namespace physim::client {
+namespace {
+
+std::string short_fidelity(const Fidelity& f) {
+  std::string text(name(f.motion));
+  for (const std::string_view part :
+       {name(f.integrator), name(f.gravity), name(f.drag), name(f.air), name(f.wind), name(f.earth), name(f.precision)})
+    text += ", " + std::string(part);
+  return text;
+}
+
+void draw_rung(const ComparedRung& rung) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextColored(tint(rung.colour), "%s%s", rung.name.c_str(), rung.is_truth ? " (truth)" : "");
+  tooltip(short_fidelity(rung.flight.granted.fidelity));
+  if (rung.flight.error) {
+    ImGui::TableNextColumn();
+    return coloured_text(colours::kWarning, rung.flight.error->message);
+  }
+  const TrackSample& end = rung.flight.path.back();
+  for (const double value : {rung.farthest, rung.at_end, rung.later, end.position.x, end.position.y, end.time}) {
+    ImGui::TableNextColumn();
+    ImGui::Text("%.4g", value);
+  }
+  ImGui::TableNextColumn();
+  ImGui::Text("%.1f", rung.per_step * 1e9);
+  ImGui::TableNextColumn();
+  for (const FidelityNote& note : rung.flight.granted.notes) {
+    ImGui::TextColored(tint(colours::kWarning), "%s %s", note.effect.c_str(), note.granted.c_str());
+    tooltip(note.reason);
+    ImGui::SameLine();
+  }
+}
+
+void pick_rungs(Client& client) {
+  for (const std::string_view preset : fidelity_presets()) {
+    const std::string name(preset);
+    const auto at = std::find(client.compared.begin(), client.compared.end(), name);
+    bool on = at != client.compared.end();
+    if (ImGui::Checkbox(name.c_str(), &on)) {
+      if (on)
+        client.compared.push_back(name);
+      else
+        client.compared.erase(at);
+      const auto all = fidelity_presets();
+      const auto rank = [&](const std::string& n) { return std::find(all.begin(), all.end(), n) - all.begin(); };
+      std::sort(client.compared.begin(), client.compared.end(),
+                [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+    }
+    ImGui::SameLine();
+  }
+  if (ImGui::Button("fire all")) run_action(client, *find_action("fire-compared"));
+  tooltip("fires the next shot on all of them at once (F6)");
+}
+
+}  // namespace
+
+void draw_comparison(Client& client) {
+  if (client.session.is_replay()) return ImGui::TextWrapped("A replay fires by itself.");
+  pick_rungs(client);
+  const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
+                                ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
+  if (!ImGui::BeginTable("rungs", 9, flags)) return;
+  for (const char* title : {"rung", "farthest off [m]", "off at the end [m]", "later [s]", "end x [m]", "end y [m]",
+                            "time [s]", "ns per step", "granted instead"})
+    ImGui::TableSetupColumn(title);
+  ImGui::TableHeadersRow();
+  for (const ComparedRung& rung : client.comparison()) draw_rung(rung);
+  ImGui::EndTable();
+}
+
+void draw_performance(Client& client) {
+  const Session& session = client.session;
+  const StepCost& cost = session.cost();
+  const std::vector<float> times(client.frame_times.begin(), client.frame_times.end());
+  float mean = 0, worst = 0;
+  for (const float t : times) mean += t / static_cast<float>(times.size()), worst = std::max(worst, t);
+  const float wide = ImGui::GetFontSize() * 24;
+  ImGui::BeginChild("numbers", {wide, 0});
+  const auto row = [wide](const char* what, const char* format, auto... values) {
+    ImGui::TextDisabled("%s", what);
+    ImGui::SameLine(wide * 0.34F);
+    ImGui::Text(format, values...);
+  };
+  row("frame", "%.2f ms, the worst of %d: %.2f ms", 1e3 * mean, static_cast<int>(times.size()), 1e3 * worst);
+  row("step", "%.3f ms", 1e3 * cost.seconds);
+  row("projectile-step", "%.1f ns", 1e9 * cost.per_projectile_step());
+  row("projectiles", "%zu, of which %llu moved", session.world().size(), static_cast<unsigned long long>(cost.moved));
+  row("memory", "%.2f MB", static_cast<double>(session.world().memory()) / 1e6);
+  row("steps", "%llu of %.4g s", static_cast<unsigned long long>(session.step()), session.step_length());
+  if (!times.empty())
+    ImGui::PlotLines("##frames", times.data(), static_cast<int>(times.size()), 0, "frame times", 0, worst * 1.1F,
+                     {wide * 0.95F, std::max(ImGui::GetContentRegionAvail().y - 2, 40.0F)});
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::BeginChild("cohorts");
+  if (ImGui::BeginTable("cohorts", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+    for (const char* title : {"projectiles", "", "cohort"}) ImGui::TableSetupColumn(title);
+    ImGui::TableHeadersRow();
+    for (const CohortInfo& cohort : session.world().cohorts()) {
+      if (cohort.count == 0) continue;
+      ImGui::TableNextColumn();
+      ImGui::Text("%u", cohort.count);
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s%s", cohort.moving ? "moving" : "at rest", cohort.forced ? ", forced" : "");
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(short_fidelity(cohort.fidelity).c_str());
+    }
+    ImGui::EndTable();
+  }
+  ImGui::EndChild();
+}
+
+void draw_bottom_panel(Client& client, const Box& box) {
+  static constexpr const char* kTitles[] = {"", "Plots", "Comparison", "Performance"};
+  const std::string title = std::string(kTitles[static_cast<int>(client.bottom)]) + "###bottom";
+  if (begin_panel(title.c_str(), box)) {
+    if (client.bottom == BottomPanel::plots) draw_plots(client);
+    if (client.bottom == BottomPanel::compare) draw_comparison(client);
+    if (client.bottom == BottomPanel::performance) draw_performance(client);
+  }
+  end_panel();
+}
+
+}  // namespace physim::client

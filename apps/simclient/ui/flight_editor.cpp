@@ -1,0 +1,100 @@
+#include "simclient/ui/flight_editor.hpp"
+
+#include "physim/names.hpp"
+#include "simclient/ui/panel.hpp"
+
+namespace physim::client {
+namespace {
+
+template <class Enum>
+void pick(const char* label, Enum& value) {
+  if (!ImGui::BeginCombo(label, std::string(name(value)).c_str(), ImGuiComboFlags_HeightLarge)) return;
+  for (const std::string_view each : names_of<Enum>())
+    if (ImGui::Selectable(std::string(each).c_str(), each == name(value))) value = *value_of<Enum>(each);
+  ImGui::EndCombo();
+}
+
+void pick_preset(Fidelity& fidelity) {
+  if (!ImGui::BeginCombo("preset", "choose", ImGuiComboFlags_HeightLarge)) return;
+  for (const std::string_view each : fidelity_presets())
+    if (ImGui::Selectable(std::string(each).c_str())) fidelity = *fidelity_preset(each);
+  ImGui::EndCombo();
+}
+
+bool vector_input(const char* label, Vec3d& v) {
+  double values[3] = {v.x, v.y, v.z};
+  const bool changed = ImGui::InputScalarN(label, ImGuiDataType_Double, values, 3, nullptr, nullptr, "%.3f");
+  v = {values[0], values[1], values[2]};
+  return changed;
+}
+
+template <class Change>
+void apply(Client& client, const Track& track, const Change& change) {
+  const std::string title = track.title();
+  if (Status bad = client.session.edit(track.id, change))
+    client.complain(*bad);
+  else
+    client.say(title + " was changed in flight");
+}
+
+}  // namespace
+
+void FlightEditor::take(const World& world, const Track& track) {
+  id_ = track.id;
+  fidelity_ = world.fidelity_in_use(id_).fidelity;
+  position_ = world.position(id_);
+  velocity_ = world.velocity(id_);
+  impulse_ = {};
+}
+
+void FlightEditor::draw(Client& client) {
+  const Track* track = client.selected_track();
+  if (track == nullptr || !track->is_flying()) return ImGui::TextWrapped("Nothing is selected that flies.");
+  if (!(id_ == track->id)) take(client.session.world(), *track);
+  coloured_text(track->colour, "This changes " + track->title() + " while it flies, when a button is pressed.");
+  if (ImGui::Button("Read its numbers")) take(client.session.world(), *track);
+  ImGui::Separator();
+  draw_fidelity(client, *track);
+  ImGui::Separator();
+  draw_state(client, *track);
+}
+
+void FlightEditor::draw_fidelity(Client& client, const Track& track) {
+  ImGui::PushItemWidth(ImGui::GetFontSize() * 11);
+  pick_preset(fidelity_);
+  pick("motion", fidelity_.motion);
+  pick("integrator", fidelity_.integrator);
+  pick("gravity", fidelity_.gravity);
+  pick("drag", fidelity_.drag);
+  pick("air", fidelity_.air);
+  pick("wind", fidelity_.wind);
+  pick("earth", fidelity_.earth);
+  pick("precision", fidelity_.precision);
+  ImGui::PopItemWidth();
+  if (ImGui::Button("Change its rungs"))
+    apply(client, track, [&](World& world) { return world.set_fidelity(id_, fidelity_); });
+  for (const FidelityNote& note : client.session.world().fidelity_in_use(id_).notes)
+    coloured_text(colours::kWarning, note.effect + ": granted " + note.granted + ": " + note.reason);
+}
+
+void FlightEditor::draw_state(Client& client, const Track& track) {
+  ImGui::PushItemWidth(-1);
+  ImGui::TextDisabled("position [m]: downrange, up, right");
+  vector_input("##position", position_);
+  ImGui::TextDisabled("velocity [m/s]");
+  vector_input("##velocity", velocity_);
+  if (ImGui::Button("Move it there"))
+    apply(client, track, [&](World& world) { return world.set_state(id_, {position_, velocity_}); });
+  ImGui::TextDisabled("impulse [N s]");
+  vector_input("##impulse", impulse_);
+  if (ImGui::Button("Kick it")) apply(client, track, [&](World& world) { return world.apply_impulse(id_, impulse_); });
+  ImGui::TextDisabled("gravity, times [-]");
+  ImGui::InputDouble("##gravity", &gravity_scale_, 0.1, 1, "%.3f");
+  ImGui::PopItemWidth();
+  if (ImGui::Button("Change its gravity"))
+    apply(client, track, [&](World& world) { return world.set_gravity_scale(id_, gravity_scale_); });
+  ImGui::SameLine();
+  if (ImGui::Button("Take it out")) apply(client, track, [&](World& world) { return world.despawn(id_); });
+}
+
+}  // namespace physim::client

@@ -1,0 +1,23 @@
+// Changes a projectile while it flies: a separate act from setting up the next one.
+#pragma once
+
+#include "simclient/core/client.hpp"
+
+namespace physim::client {
+
+class FlightEditor {
+ public:
+  void draw(Client& client);
+
+ private:
+  void take(const World& world, const Track& track);
+  void draw_fidelity(Client& client, const Track& track);
+  void draw_state(Client& client, const Track& track);
+
+  ProjectileId id_;  // whose numbers are below
+  Fidelity fidelity_;
+  Vec3d position_, velocity_, impulse_;
+  double gravity_scale_ = 1;
+};
+
+}  // namespace physim::client

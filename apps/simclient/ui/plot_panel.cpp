@@ -1,0 +1,156 @@
+// Plots that grow while things fly.
+#include <algorithm>
+#include <cmath>
+
+#include "simclient/core/actions.hpp"
+#include "simclient/ui/panels.hpp"
+
+namespace physim::client {
+namespace {
+
+/// Where a plot draws, inside its axes.
+struct Frame {
+  ImVec2 low, high;  // upper left and lower right corner
+  const Plot* plot = nullptr;
+
+  [[nodiscard]] ImVec2 place(const PlotPoint& p) const {
+    return {low.x + static_cast<float>(plot->x.part(p.x)) * (high.x - low.x),
+            high.y - static_cast<float>(plot->y.part(p.y)) * (high.y - low.y)};
+  }
+};
+
+void draw_axes(ImDrawList& list, const Frame& frame) {
+  const Plot& plot = *frame.plot;
+  const float gap = ImGui::GetFontSize() * 0.3F;
+  list.AddRectFilled(frame.low, frame.high, shade(0x12151AFF));
+  for (const double tick : plot.x.ticks()) {
+    const float x = frame.place({tick, plot.y.low}).x;
+    const std::string text = plot.x.text(tick);
+    list.AddLine({x, frame.low.y}, {x, frame.high.y}, shade(0x2C333CFF));
+    list.AddText({x - ImGui::CalcTextSize(text.c_str()).x / 2, frame.high.y + gap}, shade(colours::kDim), text.c_str());
+  }
+  for (const double tick : plot.y.ticks()) {
+    const float y = frame.place({plot.x.low, tick}).y;
+    const std::string text = plot.y.text(tick);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    list.AddLine({frame.low.x, y}, {frame.high.x, y}, shade(0x2C333CFF));
+    list.AddText({frame.low.x - size.x - gap, y - size.y / 2}, shade(colours::kDim), text.c_str());
+  }
+  list.AddRect(frame.low, frame.high, shade(colours::kGrid));
+  const ImVec2 size = ImGui::CalcTextSize(plot.x.label.c_str());
+  list.AddText({(frame.low.x + frame.high.x - size.x) / 2, frame.high.y + gap + size.y}, shade(colours::kText),
+               plot.x.label.c_str());
+  list.AddText({frame.low.x, frame.low.y - size.y - gap}, shade(colours::kText), plot.y.label.c_str());
+}
+
+void draw_curves(ImDrawList& list, const Frame& frame) {
+  const float scale = ImGui::GetFontSize() / 15;
+  std::vector<ImVec2> points;
+  list.PushClipRect(frame.low, frame.high, true);
+  for (const PlotCurve& curve : frame.plot->curves) {
+    points.clear();
+    for (const PlotPoint& point : curve.points) points.push_back(frame.place(point));
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), shade(curve.track->colour), 0, 1.8F * scale);
+    if (!points.empty() && curve.track->is_flying())
+      list.AddCircleFilled(points.back(), 3.5F * scale, shade(curve.track->colour));
+  }
+  list.PopClipRect();
+  for (const PlotMark& mark : frame.plot->expected)
+    list.AddCircle(frame.place(mark.point), 4.5F * scale, shade(colours::kText), 0, 1.6F * scale);
+}
+
+void draw_read_out(ImDrawList& list, const Frame& frame) {
+  const ImVec2 mouse = ImGui::GetMousePos();
+  const ImVec2 size = {frame.high.x - frame.low.x, frame.high.y - frame.low.y};
+  const PlotPoint place{(mouse.x - frame.low.x) / size.x, (frame.high.y - mouse.y) / size.y};
+  const auto hit = nearest_point(*frame.plot, place, size.x / size.y, 0.15);
+  if (!hit) return;
+  const ImVec2 at = frame.place(hit->point);
+  list.AddLine({at.x, frame.low.y}, {at.x, frame.high.y}, shade(faded(colours::kText, 0.4)));
+  list.AddLine({frame.low.x, at.y}, {frame.high.x, at.y}, shade(faded(colours::kText, 0.4)));
+  list.AddCircle(at, 5, shade(hit->track->colour), 0, 2);
+  ImGui::BeginTooltip();
+  ImGui::TextColored(tint(hit->track->colour), "%s", hit->track->title().c_str());
+  ImGui::Text("%s  %.6g", frame.plot->x.label.c_str(), hit->point.x);
+  ImGui::Text("%s  %.6g", frame.plot->y.label.c_str(), hit->point.y);
+  ImGui::EndTooltip();
+}
+
+void pick_quantity(const char* id, std::size_t& quantity) {
+  const auto all = plot_quantities();
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6.5F);
+  if (!ImGui::BeginCombo(id, std::string(all[quantity].name).c_str(), ImGuiComboFlags_HeightLarge)) return;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (ImGui::Selectable(std::string(all[i].name).c_str(), i == quantity)) quantity = i;
+  ImGui::EndCombo();
+}
+
+/// What is plotted, in its place of the row.
+void draw_one(Client& client, PlotSpec& spec, float width) {
+  ImGui::BeginChild("plot", {width, 0}, false, ImGuiWindowFlags_NoScrollbar);
+  pick_quantity("##y", spec.y);
+  ImGui::SameLine(0, 4);
+  ImGui::TextDisabled("over");
+  ImGui::SameLine(0, 4);
+  pick_quantity("##x", spec.x);
+  const float letter = ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const Track* alone = client.plots_selected_alone ? client.selected_track() : nullptr;
+  const Plot plot = make_plot(spec, client.session.tracks(), alone, client.session.scenario(),
+                              std::max(2, static_cast<int>(room.x / (letter * 5))),
+                              std::max(2, static_cast<int>(room.y / (letter * 2.6F))));
+  float wide = letter * 2;
+  for (const double tick : plot.y.ticks())
+    wide = std::max(wide, ImGui::CalcTextSize(plot.y.text(tick).c_str()).x + letter * 0.6F);
+  Frame frame{
+      {at.x + wide, at.y + letter * 1.5F}, {at.x + room.x - letter * 1.2F, at.y + room.y - letter * 2.6F}, &plot};
+  if (frame.high.x - frame.low.x > letter * 3 && frame.high.y - frame.low.y > letter * 2) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_axes(list, frame);
+    draw_curves(list, frame);
+    if (ImGui::IsMouseHoveringRect(frame.low, frame.high) && ImGui::IsWindowHovered()) draw_read_out(list, frame);
+  }
+  ImGui::EndChild();
+}
+
+void button(Client& client, const char* label, const char* action) {
+  ImGui::SameLine();
+  if (ImGui::Button(label)) run_action(client, *find_action(action));
+  tooltip(std::string(find_action(action)->help) + " (" + std::string(find_action(action)->keys) + ")");
+}
+
+}  // namespace
+
+void draw_plots(Client& client) {
+  ImGui::Checkbox("selected alone", &client.plots_selected_alone);
+  ImGui::SameLine();
+  if (ImGui::Button("+") && client.plots.size() < 6) client.plots.push_back(client.plots.back());
+  tooltip("one plot more");
+  ImGui::SameLine();
+  if (ImGui::Button("-") && client.plots.size() > 1) client.plots.pop_back();
+  tooltip("one plot less");
+  const struct {
+    const char *label, *plots;
+  } sets[] = {{"path", "y/x y/z speed/range"},
+              {"position", "x y z"},
+              {"velocity", "vx vy vz"},
+              {"acceleration", "ax ay az"},
+              {"energy", "speed energy mach"}};
+  for (const auto& set : sets) {
+    ImGui::SameLine();
+    if (ImGui::Button(set.label)) client.plots = *parse_plots(set.plots);
+  }
+  button(client, "CSV", "save-csv");
+  button(client, "PNG", "picture-of-plots");
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const auto count = static_cast<float>(client.plots.size());
+  const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count;
+  for (std::size_t i = 0; i < client.plots.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    ImGui::PushID(static_cast<int>(i));
+    draw_one(client, client.plots[i], width);
+    ImGui::PopID();
+  }
+}
+
+}  // namespace physim::client

@@ -1,0 +1,163 @@
+#include "simclient/ui/settings_panel.hpp"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "physim/names.hpp"
+
+namespace physim::client {
+namespace {
+
+const FidelityNote* note_of(const Prediction& prediction, const std::string& effect) {
+  for (const FidelityNote& note : prediction.granted.notes)
+    if (note.effect == effect) return &note;
+  return nullptr;
+}
+
+std::string title_of(const std::string& group, bool is_shot) {
+  if (!group.empty()) return group;
+  return is_shot ? "projectile and launch" : "place";
+}
+
+}  // namespace
+
+SettingsPanel::SettingsPanel() {
+  shot_.rows = setting_rows("shot");
+  environment_.rows = setting_rows("environment");
+}
+
+void SettingsPanel::draw(Client& client, const Box& box) {
+  if (begin_panel("Settings###settings", box) && ImGui::BeginTabBar("what")) {
+    if (ImGui::BeginTabItem("Next shot")) {
+      draw_shot(client);
+      ImGui::EndTabItem();
+    }
+    if (ImGui::BeginTabItem("Environment")) {
+      ImGui::TextWrapped("Changes hold at once, for all in flight too.");
+      draw_sheet(client, environment_, false);
+      ImGui::EndTabItem();
+    }
+    if (ImGui::BeginTabItem("In flight")) {
+      flight_.draw(client);
+      ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+  }
+  end_panel();
+}
+
+void SettingsPanel::draw_shot(Client& client) {
+  if (client.session.is_replay()) return ImGui::TextWrapped("A replay fires by itself.");
+  draw_type(client);
+  const Prediction& prediction = client.prediction();
+  if (prediction.error) coloured_text(colours::kWarning, prediction.error->text());
+  draw_sheet(client, shot_, true);
+}
+
+void SettingsPanel::draw_type(Client& client) {
+  const auto types = client.launcher.types();
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::BeginCombo("##type", types[client.launcher.type()].name.c_str(), ImGuiComboFlags_HeightLarge)) {
+    for (std::size_t i = 0; i < types.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::Selectable(types[i].name.c_str(), i == client.launcher.type())) client.launcher.select(i);
+      tooltip(types[i].doc);
+      ImGui::PopID();
+    }
+    ImGui::EndCombo();
+  }
+  tooltip(types[client.launcher.type()].doc + "\nSettings hold for this shot only, from the moment it is fired.");
+}
+
+// ---------------------------------------------------------------------------------------------------------------- rows
+void SettingsPanel::draw_sheet(Client& client, Sheet& sheet, bool is_shot) {
+  const Launcher& launcher = client.launcher;
+  if (sheet.version != launcher.version()) {
+    sheet.version = launcher.version();
+    sheet.values.clear();
+    sheet.usual.clear();
+    for (const SettingRow& row : sheet.rows) {
+      const Scenario& scenario = client.session.scenario();
+      sheet.values.push_back(row_text(row, scenario, launcher.shot()).value_or(""));
+      sheet.usual.push_back(is_shot ? row_text(row, scenario, launcher.types()[launcher.type()].shot).value_or("")
+                                    : sheet.values.back());
+    }
+  }
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##filter", "search settings", &filter_);
+  if (refused_) coloured_text(colours::kWarning, refused_->text());
+  if (ImGui::BeginChild("rows")) {
+    std::vector<std::string> groups;
+    for (const SettingRow& row : sheet.rows)
+      if (std::find(groups.begin(), groups.end(), row.group) == groups.end()) groups.push_back(row.group);
+    std::stable_partition(groups.begin(), groups.end(), [](const std::string& g) { return g == "fidelity"; });
+    for (const std::string& group : groups) draw_group(client, sheet, group, is_shot);
+  }
+  ImGui::EndChild();
+}
+
+bool SettingsPanel::passes(const SettingRow& row) const {
+  return filter_.empty() || row.path.find(filter_) != std::string::npos || row.doc.find(filter_) != std::string::npos;
+}
+
+void SettingsPanel::draw_group(Client& client, const Sheet& sheet, const std::string& group, bool is_shot) {
+  const bool is_filled = std::any_of(sheet.rows.begin(), sheet.rows.end(),
+                                     [&](const SettingRow& row) { return row.group == group && passes(row); });
+  const bool starts_open = group.empty() || group == "fidelity" || group == "drag";
+  if (!is_filled) return;
+  if (!filter_.empty()) ImGui::SetNextItemOpen(true);
+  if (!ImGui::CollapsingHeader(title_of(group, is_shot).c_str(), starts_open ? ImGuiTreeNodeFlags_DefaultOpen : 0))
+    return;
+  for (std::size_t i = 0; i < sheet.rows.size(); ++i)
+    if (sheet.rows[i].group == group && passes(sheet.rows[i]))
+      draw_row(client, sheet.rows[i], sheet.values[i], sheet.values[i] != sheet.usual[i]);
+}
+
+void SettingsPanel::draw_row(Client& client, const SettingRow& row, const std::string& value, bool is_changed) {
+  ImGui::PushID(row.path.c_str());
+  const float label = ImGui::GetFontSize() * 8.4F;
+  ImGui::AlignTextToFramePadding();
+  if (is_changed)
+    ImGui::TextColored(tint(colours::kForce), "%s", row.name.c_str());
+  else
+    ImGui::TextUnformatted(row.name.c_str());
+  tooltip(row.tooltip());
+  if (ImGui::CalcTextSize(row.name.c_str()).x < label - ImGui::GetFontSize() * 0.5F) ImGui::SameLine(label);
+  ImGui::SetNextItemWidth(-1);
+  if (row.kind == SettingRow::Kind::choice) {
+    draw_choice(client, row, value);
+  } else if (row.kind == SettingRow::Kind::boolean) {
+    bool on = value == "true";
+    if (ImGui::Checkbox("##value", &on)) change(client, row, on ? "true" : "false");
+  } else {
+    draw_text(client, row, value);
+  }
+  tooltip(row.tooltip());
+  const FidelityNote* note = row.group == "fidelity" ? note_of(client.prediction(), row.name) : nullptr;
+  if (note != nullptr) coloured_text(colours::kWarning, "granted " + note->granted + ": " + note->reason);
+  ImGui::PopID();
+}
+
+void SettingsPanel::draw_choice(Client& client, const SettingRow& row, const std::string& value) {
+  if (!ImGui::BeginCombo("##value", value.empty() ? "choose" : value.c_str(), ImGuiComboFlags_HeightLarge)) return;
+  for (const std::string_view name : row.choices)
+    if (ImGui::Selectable(std::string(name).c_str(), name == value)) change(client, row, std::string(name));
+  ImGui::EndCombo();
+}
+
+void SettingsPanel::draw_text(Client& client, const SettingRow& row, const std::string& value) {
+  std::string shown = editing_ == row.path ? typed_ : value;
+  ImGui::InputText("##value", &shown);
+  if (ImGui::IsItemActivated()) editing_ = row.path;
+  if (editing_ == row.path) typed_ = shown;
+  if (!ImGui::IsItemDeactivated() || editing_ != row.path) return;
+  editing_.clear();
+  if (typed_ != value) change(client, row, typed_);
+}
+
+void SettingsPanel::change(Client& client, const SettingRow& row, const std::string& text) {
+  refused_ = client.set(row, text);
+}
+
+}  // namespace physim::client

@@ -1,0 +1,56 @@
+// Live numbers of every projectile, in its own colour.
+#include <cstdio>
+
+#include "physim/names.hpp"
+#include "simclient/ui/panels.hpp"
+
+namespace physim::client {
+namespace {
+
+void vector_row(const char* what, const char* unit, const Vec3d& v) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", what);
+  for (const double x : {v.x, v.y, v.z}) {
+    ImGui::TableNextColumn();
+    ImGui::Text("%9.3f", x);
+  }
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", unit);
+}
+
+void draw_track(Client& client, const Track& track, bool is_selected) {
+  const TrackSample& s = track.samples.back();
+  ImGui::PushID(static_cast<int>(track.number));
+  ImGui::PushStyleColor(ImGuiCol_Text, tint(track.colour));
+  char title[160];
+  std::snprintf(title, sizeof title, "%s   %s%s   %.2f s###title", track.title().c_str(),
+                std::string(name(track.status)).c_str(), track.edited ? ", edited" : "", s.time);
+  if (ImGui::Selectable(title, is_selected)) client.selected = track.id;
+  if (ImGui::BeginTable("numbers", 5, ImGuiTableFlags_SizingStretchProp)) {
+    for (const float width : {1.1F, 1.2F, 1.2F, 1.2F, 0.7F})
+      ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, width);
+    vector_row("position", "m", s.position);
+    vector_row("velocity", "m/s", s.velocity);
+    vector_row("accel.", "m/s\u00b2", s.acceleration);
+    ImGui::EndTable();
+  }
+  ImGui::TextWrapped("speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity), s.mach, track.mass);
+  ImGui::PopStyleColor();
+  ImGui::Separator();
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_statistics_panel(Client& client, const Box& box) {
+  if (begin_panel("Statistics (x downrange, y up, z right)###statistics", box)) {
+    const auto tracks = client.session.tracks();
+    const Track* selected = client.selected_track();
+    if (tracks.empty()) ImGui::TextDisabled("Nothing has been fired yet.\nClick on the scene, or press Enter.");
+    for (std::size_t i = tracks.size(); i-- > 0;) draw_track(client, tracks[i], &tracks[i] == selected);
+  }
+  end_panel();
+}
+
+}  // namespace physim::client

@@ -1,0 +1,257 @@
+#include "simclient/ui/ui.hpp"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "physim/names.hpp"
+#include "simclient/core/actions.hpp"
+#include "simclient/core/original_tests.hpp"
+
+namespace physim::client {
+namespace {
+
+constexpr const char* kMenu = "scene menu";
+
+const char* mode_text(CameraMode mode) {
+  switch (mode) {
+    case CameraMode::orbit:
+      return "orbit";
+    case CameraMode::follow:
+      return "follow";
+    case CameraMode::side:
+      return "side";
+  }
+  return "";
+}
+
+void action_item(Client& client, const char* name, const char* label) {
+  const Action* action = find_action(name);
+  if (ImGui::MenuItem(label, std::string(action->keys).c_str())) run_action(client, *action);
+}
+
+}  // namespace
+
+Ui::Ui(float scale) : scale_(scale) { set_theme(scale); }
+
+Layout Ui::layout(const Client& client, float width, float height, float scale) {
+  constexpr float kSide = 320, kBottom = 280, kLeastScene = 240, kLeastSide = 220;
+  const float menu = 26 * scale, status = 28 * scale;
+  float left = client.show.settings ? kSide * scale : 0, right = client.show.statistics ? kSide * scale : 0;
+  const float most = std::max(width - kLeastScene * scale, 0.0F);
+  if (left + right > most) left = std::min(left, most - right);
+  if (left < kLeastSide * scale) left = 0;  // too narrow to read
+  if (right > most) right = most < kLeastSide * scale ? 0 : most;
+  const float room = std::max(height - menu - status, 1.0F);
+  const float bottom = client.bottom == BottomPanel::none ? 0 : std::min(kBottom * scale, room * 0.45F);
+  const float middle = std::max(room - bottom, 1.0F);
+  Layout out;
+  out.menu = {0, 0, width, menu};
+  out.status = {0, height - status, width, status};
+  out.left = {0, menu, left, middle};
+  out.right = {width - right, menu, right, middle};
+  out.bottom = {0, menu + middle, width, bottom};
+  out.scene = {left, menu, std::max(width - left - right, 1.0F), middle};
+  return out;
+}
+
+void Ui::draw(Client& client, const Scene& scene) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  layout_ = layout(client, size.x, size.y, scale_);
+  draw_labels(client, scene);
+  draw_menu_bar(client);
+  if (layout_.left.width > 0) settings_.draw(client, layout_.left);
+  if (layout_.right.width > 0) draw_statistics_panel(client, layout_.right);
+  if (layout_.bottom.height > 0) draw_bottom_panel(client, layout_.bottom);
+  draw_status(client);
+  draw_messages(client);
+  draw_probe(client);
+  draw_context_menu(client);
+  if (client.show.help) draw_help(client);
+}
+
+bool Ui::close_something(Client& client) {
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    ImGui::ClosePopupsOverWindow(nullptr, false);
+    return true;
+  }
+  if (client.show.help) return client.show.help = false, true;
+  return false;
+}
+
+// --------------------------------------------------------------------------------------------------------------- menus
+void Ui::draw_menu_bar(Client& client) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  for (const char* menu : {"File", "Shot", "Time", "View", "Panels", "Tools", "Help"}) {
+    if (!ImGui::BeginMenu(menu)) continue;
+    for (const Action& action : actions())
+      if (action.menu == menu) action_item(client, action.name.data(), std::string(action.help).c_str());
+    if (std::string_view(menu) == "Tools") draw_tests_menu(client);
+    ImGui::EndMenu();
+  }
+  const std::string& title = client.session.scenario().title;
+  const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(title.c_str()).x - 12 * scale_;
+  if (at > ImGui::GetCursorPosX() + 8 * scale_) {  // left out where there is no room for it
+    ImGui::SameLine(at);
+    ImGui::TextDisabled("%s", title.c_str());
+  }
+  ImGui::EndMainMenuBar();
+}
+
+void Ui::draw_tests_menu(Client& client) {
+  ImGui::Separator();
+  if (!ImGui::BeginMenu("tests of the original")) return;
+  for (const OriginalTest& test : original_tests())
+    if (ImGui::MenuItem(std::string(test.title).c_str()))
+      if (Status bad = open_original_test(client, test.name)) client.complain(*bad);
+  ImGui::EndMenu();
+}
+
+void Ui::draw_context_menu(Client& client) {
+  if (opens_menu_) ImGui::OpenPopup(kMenu);
+  opens_menu_ = false;
+  if (!ImGui::BeginPopup(kMenu)) return;
+  action_item(client, "fire", "Fire");
+  action_item(client, "pause", client.session.is_paused() ? "Go on" : "Pause");
+  action_item(client, "restart", "Start again");
+  action_item(client, "fit", "Look at everything");
+  action_item(client, "camera", "Next camera");
+  action_item(client, "tape", "Tape measure");
+  ImGui::Separator();
+  action_item(client, "quit", "Leave");
+  ImGui::EndPopup();
+}
+
+void Ui::draw_help(Client& client) {
+  const Box& s = layout_.scene;
+  ImGui::SetNextWindowPos({s.x + s.width / 2, s.y + s.height / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(560 * scale_, s.width), std::min(620 * scale_, s.height)});
+  if (ImGui::Begin("Keys", &client.show.help, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+    ImGui::TextWrapped(
+        "Left click: fires. Right drag: turns the view. Middle drag: moves it. Wheel: nearer, farther. "
+        "Letters count in either case.");
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+      for (const Action& action : actions()) {
+        if (action.keys.empty()) continue;
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(std::string(action.keys).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(std::string(action.help).c_str());
+      }
+      ImGui::EndTable();
+    }
+  }
+  ImGui::End();
+}
+
+// ------------------------------------------------------------------------------------------- what is always to be seen
+void Ui::draw_status(Client& client) {
+  const Box& b = layout_.status;
+  ImGui::SetNextWindowPos({b.x, b.y});
+  ImGui::SetNextWindowSize({b.width, b.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * scale_, 5 * scale_});
+  ImGui::Begin("status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoSavedSettings);
+  const Launcher& launcher = client.launcher;
+  const Fidelity& f = launcher.shot().projectile.fidelity;
+  const Session& session = client.session;
+  const auto item = [](const char* what, const std::string& value) {
+    ImGui::TextDisabled("%s", what);
+    ImGui::SameLine(0, 4);
+    ImGui::TextUnformatted(value.c_str());
+    ImGui::SameLine(0, 14);
+  };
+  char text[80];
+  std::snprintf(text, sizeof text, "%.2f s%s", session.time(), session.is_paused() ? "  PAUSED" : "");
+  ImGui::PushStyleColor(ImGuiCol_Text, tint(session.is_paused() ? colours::kWarning : colours::kText));
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+  ImGui::SameLine(0, 14);
+  if (session.time_scale() != 1) {
+    std::snprintf(text, sizeof text, "%g", session.time_scale());
+    item("\u00d7", text);
+  }
+  if (!session.is_replay()) {
+    item("shot", launcher.types()[launcher.type()].name);
+    item("elevation", launcher.elevation_text());
+    item("motion", std::string(name(f.motion)));
+    item("drag", std::string(name(f.drag)));
+    item("gravity", std::string(name(f.gravity)));
+  }
+  std::snprintf(text, sizeof text, client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s",
+                mode_text(client.camera.mode), client.camera.stretch);
+  item("camera", text);
+  item("in flight", std::to_string(session.world().size()));
+  if (session.is_recording()) coloured_text(colours::kAcceleration, "RECORDING");
+  if (session.is_replay()) coloured_text(colours::kVelocity, session.is_over() ? "REPLAY, at its end" : "REPLAY");
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void Ui::draw_labels(const Client& client, const Scene& scene) {
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  const Box& s = layout_.scene;
+  list->PushClipRect({s.x, s.y}, {s.x + s.width, s.y + s.height});
+  const float line = ImGui::GetTextLineHeight();
+  std::vector<Box> taken;
+  for (auto label = scene.labels.rbegin(); label != scene.labels.rend();
+       ++label) {  // the last are the ones that matter
+    const auto at = client.camera.project(label->at);
+    if (!at) continue;
+    const ImVec2 size = ImGui::CalcTextSize(label->text.c_str());
+    const float x = s.x + static_cast<float>(at->x) - (label->centred ? size.x / 2 : -4 * scale_);
+    const float y = s.y + static_cast<float>(at->y) + (label->line >= 0 ? 6 * scale_ : -6 * scale_) +
+                    static_cast<float>(label->line) * line - (label->centred ? 0 : line);
+    const Box box{x - 3, y, size.x + 6, size.y};
+    const bool is_covered = std::any_of(taken.begin(), taken.end(), [&](const Box& b) {
+      return box.x < b.x + b.width && b.x < box.x + box.width && box.y < b.y + b.height && b.y < box.y + box.height;
+    });
+    if (is_covered) continue;
+    taken.push_back(box);
+    list->AddText({x + scale_, y + scale_}, IM_COL32(0, 0, 0, 200), label->text.c_str());
+    list->AddText({x, y}, shade(label->colour), label->text.c_str());
+  }
+  list->PopClipRect();
+}
+
+void Ui::draw_messages(const Client& client) {
+  if (client.messages().empty()) return;
+  const Box& s = layout_.scene;
+  ImGui::SetNextWindowPos({s.x + s.width / 2, s.y + 10 * scale_}, ImGuiCond_Always, {0.5F, 0});
+  ImGui::SetNextWindowSize({std::min(s.width - 20 * scale_, 620 * scale_), 0});
+  ImGui::SetNextWindowBgAlpha(0.9F);
+  ImGui::Begin("messages", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  const auto& messages = client.messages();
+  for (std::size_t i = messages.size() > 3 ? messages.size() - 3 : 0; i < messages.size(); ++i) {
+    ImGui::PushStyleColor(ImGuiCol_Text, tint(messages[i].is_error ? colours::kWarning : colours::kText));
+    ImGui::TextWrapped("%s", messages[i].text.c_str());
+    ImGui::PopStyleColor();
+  }
+  ImGui::End();
+}
+
+void Ui::draw_probe(Client& client) {
+  if (!mouse_on_scene_) return;
+  const auto found = client.probe(mouse_);
+  if (!found) return;
+  const TrackSample& s = found->sample;
+  if (const auto at = client.camera.project(s.position))
+    ImGui::GetBackgroundDrawList()->AddCircle(
+        {layout_.scene.x + static_cast<float>(at->x), layout_.scene.y + static_cast<float>(at->y)}, 6 * scale_,
+        shade(found->track ? found->track->colour : colours::kText), 0, 2 * scale_);
+  ImGui::BeginTooltip();
+  ImGui::PushStyleColor(ImGuiCol_Text, tint(found->track ? found->track->colour : colours::kText));
+  ImGui::TextUnformatted(found->track ? found->track->title().c_str() : "predicted");
+  ImGui::PopStyleColor();
+  ImGui::Text("time      %.3f s", s.time);
+  ImGui::Text("position  %.3f, %.3f, %.3f m", s.position.x, s.position.y, s.position.z);
+  ImGui::Text("speed     %.3f m/s", length(s.velocity));
+  ImGui::EndTooltip();
+}
+
+}  // namespace physim::client

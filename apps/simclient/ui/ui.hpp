@@ -1,0 +1,53 @@
+// Ui: panels, menus and labels around and over the scene, with Dear ImGui. It only shows the client, and runs actions.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "simclient/core/client.hpp"
+#include "simclient/core/scene.hpp"
+#include "simclient/ui/panels.hpp"
+#include "simclient/ui/settings_panel.hpp"
+
+namespace physim::client {
+
+/// Who has which part of the window; nothing overlaps.
+struct Layout {
+  Box menu, left, right, bottom, status, scene;
+};
+
+class Ui {
+ public:
+  /// Lays out a window of this size. All sizes grow with `scale`.
+  [[nodiscard]] static Layout layout(const Client& client, float width, float height, float scale);
+
+  explicit Ui(float scale);
+  void draw(Client& client, const Scene& scene);
+  /// The menu of a right click on the scene.
+  void open_menu() { opens_menu_ = true; }
+  /// Esc: closes what is open; false where there was nothing.
+  bool close_something(Client& client);
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] float scale() const { return scale_; }
+  /// Where the mouse is on the scene, to show what is under it.
+  void set_mouse(const Pixel& pixel, bool on_scene) { mouse_ = pixel, mouse_on_scene_ = on_scene; }
+
+ private:
+  void draw_menu_bar(Client& client);
+  void draw_tests_menu(Client& client);
+  void draw_context_menu(Client& client);
+  void draw_status(Client& client);
+  void draw_labels(const Client& client, const Scene& scene);
+  void draw_messages(const Client& client);
+  void draw_probe(Client& client);
+  void draw_help(Client& client);
+
+  float scale_;
+  SettingsPanel settings_;
+  Layout layout_;
+  Pixel mouse_;
+  bool mouse_on_scene_ = false, opens_menu_ = false;
+};
+
+}  // namespace physim::client

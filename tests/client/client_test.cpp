@@ -1,0 +1,374 @@
+// The client's logic without a window: launcher, actions, scripts, settings, plots, camera, scene.
+#include "simclient/core/client.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "cli/program.hpp"
+#include "simclient/core/actions.hpp"
+#include "simclient/core/original_tests.hpp"
+#include "simclient/core/scene.hpp"
+#include "simclient/core/script.hpp"
+
+namespace physim::client {
+namespace {
+
+Client client_of(const std::string& scenario = "") {
+  const std::string file = scenario.empty() ? "" : PHYSIM_SOURCE_DIR "/scenarios/" + scenario + ".toml";
+  return std::move(open_client(file, {}).value());
+}
+
+Status run(Client& client, const std::string& text) {
+  Script script = Script::parse(text).value();
+  for (int i = 0; i < script.frames(); ++i) {
+    if (Status bad = script.run(client)) return bad;
+    client.advance(1.0 / 60);
+  }
+  return std::nullopt;
+}
+
+// ------------------------------------------------------------------------------------------------------------ launcher
+TEST(Launcher, OriginalShotsHaveTheirVelocities) {
+  Client client = client_of();
+  const struct {
+    const char* name;
+    double forward, up;
+  } shots[] = {{"artillery", 40, 2}, {"bullet", 35, 1}, {"laser", 35, 1}};
+  for (const auto& shot : shots) {
+    ASSERT_TRUE(client.launcher.select(shot.name));
+    for (int i = 0; i < 6; ++i) {
+      const int e = client.launcher.elevation_setting().value();
+      const Vec3d v = client.prediction().velocity;
+      EXPECT_NEAR(v.x, shot.forward, 1e-5) << shot.name << e;
+      EXPECT_NEAR(v.y, shot.up * e, 1e-5) << shot.name << e;
+      client.launcher.cycle_elevation();
+    }
+  }
+}
+
+TEST(Launcher, AScenarioComesFirstToHand) {
+  Client client = client_of("308_168gr_g7");
+  EXPECT_EQ(client.launcher.shot().projectile.name, "308-168gr");
+  EXPECT_EQ(client.launcher.elevation_text(), "zeroed at 100 m");
+  client.launcher.turn(0, 0.1);  // takes the zero away
+  EXPECT_EQ(client.launcher.shot().launch.sight.zero_range, 0);
+  EXPECT_NEAR(client.launcher.elevation(), 0.1, 1e-12);
+}
+
+TEST(Launcher, TurningAVelocityKeepsItsSpeed) {
+  Client client = client_of("original_bullet");
+  ASSERT_TRUE(client.launcher.shot().launch.velocity);
+  const double speed = client.launcher.speed(), azimuth = client.launcher.azimuth();
+  client.launcher.turn(0.2, 0);
+  EXPECT_NEAR(client.launcher.speed(), speed, 1e-12);
+  EXPECT_NEAR(client.launcher.azimuth(), azimuth + 0.2, 1e-12);
+}
+
+// ------------------------------------------------------------------------------------------------------------- actions
+TEST(Actions, HaveNamesKeysAndHelpOfTheirOwn) {
+  std::set<std::string_view> names;
+  std::set<std::string> keys;
+  for (const Action& action : actions()) {
+    EXPECT_TRUE(names.insert(action.name).second) << action.name;
+    EXPECT_FALSE(action.help.empty()) << action.name;
+    EXPECT_NE(action.run, nullptr);
+    std::istringstream in{std::string(action.keys)};
+    for (std::string key; in >> key;) {
+      EXPECT_TRUE(keys.insert(key).second) << key << " is taken twice";
+      const bool ctrl = key.starts_with("Ctrl+");
+      EXPECT_EQ(action_of_key(ctrl ? key.substr(5) : key, ctrl), &action) << key;
+    }
+  }
+}
+
+TEST(Actions, LettersCountInEitherCase) {
+  for (const char* key : {"e", "E"}) EXPECT_EQ(action_of_key(key, false)->name, "elevation");
+  for (const char* key : {"p", "P", "space", "Space"}) EXPECT_EQ(action_of_key(key, false)->name, "pause");
+  EXPECT_EQ(action_of_key("Q", false), nullptr);
+  EXPECT_EQ(action_of_key("s", true)->name, "save");
+}
+
+TEST(Actions, EveryOneRunsWithoutAWindow) {
+  const testing_cli::Folder folder;
+  for (const Action& action : actions()) {
+    Client client = client_of();
+    ASSERT_FALSE(run(client, "fire; wait 3"));
+    std::string argument = action.argument == "FILE" ? folder / std::string(action.name) : "";
+    if (action.name == "open") argument = PHYSIM_SOURCE_DIR "/scenarios/arrow.toml";
+    if (action.name == "shot") argument = "laser";
+    if (action.name == "set") argument = "shot.mass=3 kg";
+    if (action.name == "plot") argument = "speed";
+    if (action.name == "test") argument = "1";
+    if (action.name == "replay" || action.name == "fire-scenario") continue;  // there is nothing of the kind yet
+    const Status bad = action.run(client, argument);
+    EXPECT_FALSE(bad) << action.name << ": " << bad->text();
+  }
+}
+
+// ------------------------------------------------------------------------------------------------------------- scripts
+TEST(Script, SaysWhatIsWrongAndWhere) {
+  const struct {
+    const char *text, *says;
+  } bad[] = {{"fire; fyre", "script, action 2: error: there is no action \"fyre\"; did you mean \"fire\"?"},
+             {"wait", "wait needs a number of frames"},
+             {"wait x", "wait needs a number of frames"},
+             {"wait -1", "wait needs a number of frames"},
+             {"fire 3", "fire takes nothing, but was given \"3\""}};
+  for (const auto& each : bad) {
+    const Result<Script> script = Script::parse(each.text);
+    ASSERT_FALSE(script) << each.text;
+    EXPECT_NE(script.error().text().find(each.says), std::string::npos) << script.error().text();
+  }
+  for (const char* text : {"set shot.mas=1", "set shot.mass=1 s", "shot nobody", "plot nothing", "test 7",
+                           "open x.toml", "save /nowhere/x.toml", "fire-scenario", "replay"}) {
+    Client client = client_of();
+    EXPECT_TRUE(run(client, text)) << text;
+  }
+}
+
+TEST(Script, WaitsFrames) {
+  Client client = client_of();
+  ASSERT_FALSE(run(client, "# a comment\nfire\nwait 30; fire"));
+  ASSERT_EQ(client.session.tracks().size(), 2U);
+  EXPECT_NEAR(client.session.tracks()[1].born, 0.5, 1e-9);
+}
+
+// ------------------------------------------------------------------------------------------------------------ settings
+TEST(SettingRows, AreAllOfTheListForAShot) {
+  std::set<std::string> rows;
+  for (const SettingRow& row : setting_rows("shot")) {
+    EXPECT_FALSE(row.doc.empty()) << row.path;
+    rows.insert(row.path);
+  }
+  for (const Setting& setting : settings()) {
+    const bool in_list = setting.path.starts_with("shot.drag.bands.");  // a row of its own for each list
+    if (!setting.path.starts_with("shot.") || in_list) continue;
+    EXPECT_EQ(rows.count(setting.path), 1U) << setting.path;
+  }
+}
+
+TEST(SettingRows, WhatIsShownCanBeTypedIn) {
+  Client client = client_of("308_168gr_g7");
+  for (const char* table : {"shot", "environment"})
+    for (const SettingRow& row : setting_rows(table)) {
+      const auto text = row_text(row, client.session.scenario(), client.launcher.shot());
+      if (!text || row.path == "shot.fidelity.cheapest_within") continue;
+      const Status bad = client.set(row, *text);
+      EXPECT_FALSE(bad) << row.path << " = " << *text << ": " << bad->text();
+      EXPECT_EQ(row_text(row, client.session.scenario(), client.launcher.shot()), text) << row.path;
+    }
+}
+
+TEST(SettingRows, UnderstandUnitsAndRefuseNonsense) {
+  Client client = client_of();
+  ASSERT_FALSE(client.set("shot.mass = 168 gr"));
+  EXPECT_NEAR(client.launcher.shot().projectile.mass, 0.010886, 1e-6);
+  ASSERT_FALSE(client.set("shot.position = 1 m, 2 ft, 0"));
+  EXPECT_NEAR(client.launcher.shot().launch.position.y, 0.6096, 1e-12);
+  EXPECT_TRUE(client.set("shot.mass=-1 kg"));
+  EXPECT_TRUE(client.set("shot.fidelity.drag=water"));
+  EXPECT_NEAR(client.launcher.shot().projectile.mass, 0.010886, 1e-6) << "a refused value changed something";
+  ASSERT_FALSE(client.set("environment.wind.velocity=0, 0, 5 m/s"));
+  EXPECT_EQ(client.session.scenario().environment.wind.velocity.z, 5);
+}
+
+// ---------------------------------------------------------------------------------------------------------------- save
+TEST(Save, WritesAScenarioThatFiresTheSameShot) {
+  const testing_cli::Folder folder;
+  Client client = client_of();
+  ASSERT_FALSE(run(client, "artillery; elevation; save " + (folder / "a.toml")));
+  Client again = std::move(open_client(folder / "a.toml", {}).value());
+  EXPECT_EQ(again.launcher.shot().projectile, client.launcher.shot().projectile);
+  EXPECT_EQ(again.launcher.shot().body, client.launcher.shot().body);
+  EXPECT_EQ(again.prediction().velocity, client.prediction().velocity);
+}
+
+TEST(Save, CsvHasEverySample) {
+  const testing_cli::Folder folder;
+  Client client = client_of();
+  ASSERT_FALSE(run(client, "laser; fire; wait 10; save-csv " + (folder / "a.csv")));
+  std::istringstream in(testing_cli::read(folder / "a.csv"));
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line.substr(0, 30), "number,name,time [s],x [m],y [");
+  std::size_t lines = 0;
+  for (std::string next; std::getline(in, next); ++lines) line = next;
+  EXPECT_EQ(lines, client.session.tracks()[0].samples.size() - 1);  // one step more was taken after it was saved
+  EXPECT_NEAR(std::stod(line.substr(line.find("laser,") + 6)), 10.0 / 60, 1e-9);
+}
+
+// --------------------------------------------------------------------------------------------------------------- plots
+TEST(Plots, AxesAreRoundAndHoldEverything) {
+  const struct {
+    double low, high;
+  } ranges[] = {{0, 1}, {-3.2, 17}, {0.0012, 0.0019}, {1e6, 3e6}, {5, 5}, {0, 0}, {-1e-7, 1e-7}};
+  for (const auto& r : ranges)
+    for (const int wanted : {2, 5, 10}) {
+      const PlotAxis axis = make_axis(r.low, r.high, wanted);
+      EXPECT_LE(axis.low, r.low + 1e-9 * std::abs(r.low));
+      EXPECT_GE(axis.high, r.high - 1e-9 * std::abs(r.high));
+      const double mantissa = axis.step / std::pow(10.0, std::floor(std::log10(axis.step) + 1e-9));
+      EXPECT_TRUE(std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 || std::abs(mantissa - 5) < 1e-6);
+      EXPECT_LE(axis.ticks().size(), static_cast<std::size_t>(wanted) + 3);
+      std::set<std::string> texts;
+      for (const double tick : axis.ticks()) texts.insert(axis.text(tick));
+      EXPECT_EQ(texts.size(), axis.ticks().size()) << "two ticks read the same";
+    }
+}
+
+TEST(Plots, CurvesAreTheFlight) {
+  Client client = client_of();
+  ASSERT_FALSE(run(client, "laser; fire; wait 30"));
+  const Track* track = &client.session.tracks()[0];
+  const std::vector<PlotSpec> specs = parse_plots("y/x speed energy/range").value();
+  const Plot path = make_plot(specs[0], client.session.tracks(), nullptr, client.session.scenario(), 5, 5);
+  ASSERT_EQ(path.curves.size(), 1U);
+  ASSERT_EQ(path.curves[0].points.size(), track->samples.size());
+  for (const PlotPoint& p : path.curves[0].points) EXPECT_NEAR(p.y, 1.5 + 2 * p.x / 35, 1e-5);  // e = 2
+  const Plot energy = make_plot(specs[2], client.session.tracks(), track, client.session.scenario(), 5, 5);
+  EXPECT_NEAR(energy.curves[0].points.back().y, 0.5 * (35 * 35 + 4), 1e-2);
+  const auto hit = nearest_point(path, {path.x.part(0), path.y.part(1.5)}, 2, 0.1);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->point.x, 0);
+  EXPECT_FALSE(nearest_point(path, {5, 5}, 2, 0.1));
+}
+
+TEST(Plots, ShowWhatWasPublished) {
+  Client client = client_of();
+  ASSERT_FALSE(open_original_test(client, "1"));
+  EXPECT_EQ(client.bottom, BottomPanel::plots);
+  const Plot plot = make_plot(client.plots[0], client.session.tracks(), nullptr, client.session.scenario(), 5, 5);
+  ASSERT_EQ(plot.expected.size(), 5U);
+  EXPECT_EQ(plot.expected[0].point.y, 15.395968);
+}
+
+// ------------------------------------------------------------------------------------------------------------- compare
+TEST(Compare, MeasuresAgainstTheTruth) {
+  Client client = client_of("308_168gr_g7");
+  const std::vector<ComparedRung>& rungs = client.comparison();
+  ASSERT_EQ(rungs.size(), 5U);
+  EXPECT_TRUE(rungs.back().is_truth);
+  EXPECT_EQ(rungs.back().farthest, 0);
+  EXPECT_EQ(rungs[1].name, "game");
+  EXPECT_GT(rungs[1].farthest, 1) << "a bullet to 1000 m with k1 k2 drag";
+  EXPECT_LT(rungs[3].farthest, 0.1);
+  for (const ComparedRung& rung : rungs) EXPECT_GT(rung.per_step, 0) << rung.name;
+  ASSERT_FALSE(client.fire_compared());
+  ASSERT_EQ(client.session.tracks().size(), 5U);
+  EXPECT_EQ(client.session.tracks()[1].colour, rungs[1].colour);
+  EXPECT_EQ(client.session.tracks()[1].granted.fidelity.drag, DragModel::linear_quadratic);
+}
+
+// -------------------------------------------------------------------------------------------------------------- camera
+TEST(Camera, PixelsAndPointsAgree) {
+  Camera camera;
+  camera.set_viewport(900, 500);
+  for (const double stretch : {1.0, 20.0})
+    for (const double yaw : {0.0, 1.0, -2.5}) {
+      camera.yaw = yaw, camera.pitch = 0.4, camera.stretch = stretch, camera.target = {10, 1, -3};
+      const auto centre = camera.project(camera.target);
+      ASSERT_TRUE(centre);
+      EXPECT_NEAR(centre->x, 450, 1e-9);
+      EXPECT_NEAR(centre->y, 250, 1e-9);
+      const auto point = camera.at_height({300, 420}, 0);
+      ASSERT_TRUE(point);
+      const auto back = camera.project(*point);
+      EXPECT_NEAR(back->x, 300, 1e-6);
+      EXPECT_NEAR(back->y, 420, 1e-6);
+      EXPECT_FALSE(camera.project(camera.eye() - camera.forward() * 5.0));
+    }
+}
+
+TEST(Camera, MatrixIsTheProjection) {
+  Camera camera;
+  camera.set_viewport(900, 500);
+  const Vec3d point{20, 4, 2}, way = camera.shown(point) - camera.eye();
+  const Mat4 m = camera.matrix();
+  const auto row = [&](std::size_t i) { return m[i] * way.x + m[4 + i] * way.y + m[8 + i] * way.z + m[12 + i]; };
+  const auto pixel = camera.project(point);
+  EXPECT_NEAR((row(0) / row(3) + 1) * 450, pixel->x, 1e-2);
+  EXPECT_NEAR((1 - row(1) / row(3)) * 250, pixel->y, 1e-2);
+}
+
+TEST(Camera, FitShowsAll) {
+  for (const char* scenario : {"", "308_168gr_g7", "lob_16km", "golf_ball_no_spin"}) {
+    Client client = client_of(scenario);
+    for (const CameraMode mode : {CameraMode::orbit, CameraMode::side}) {
+      client.camera.mode = mode;
+      client.fit_view();
+      for (const TrackSample& s : client.prediction().path) {
+        const auto pixel = client.camera.project(s.position);
+        ASSERT_TRUE(pixel);
+        EXPECT_GE(std::min(pixel->x, pixel->y), 0) << scenario;
+        EXPECT_LE(pixel->x, client.camera.width()) << scenario;
+        EXPECT_LE(pixel->y, client.camera.height()) << scenario;
+      }
+    }
+  }
+}
+
+// --------------------------------------------------------------------------------------------------------------- scene
+TEST(Scene, ScaleLinesStandAtTheirDistances) {
+  Client client = client_of();
+  Scene scene;
+  build_scene(client, 1, scene);
+  int labels = 0;
+  for (const SceneLabel& label : scene.labels) {
+    double metres = 0;
+    if (std::sscanf(label.text.c_str(), "%lf m", &metres) != 1 || label.text != length_text(metres)) continue;
+    EXPECT_NEAR(label.at.x, metres, 1e-9) << label.text;
+    EXPECT_EQ(label.at.y, 0);
+    ++labels;
+  }
+  EXPECT_GT(labels, 10);
+}
+
+TEST(Scene, ProbeAndTapeMeasureFindTheirPoints) {
+  Client client = client_of();
+  ASSERT_FALSE(run(client, "laser; fire; wait 30; tape"));
+  const TrackSample s = client.session.tracks()[0].samples[20];
+  const auto seen = client.camera.project(s.position);
+  ASSERT_TRUE(seen);
+  const auto probe = client.probe(*seen);
+  ASSERT_TRUE(probe);
+  EXPECT_LT(length(probe->sample.position - s.position), 1.5);
+  client.click(*seen);
+  ASSERT_TRUE(client.tape.from);
+  const auto ground = client.camera.project({10, 0, 3});
+  client.click(*ground);
+  ASSERT_TRUE(client.tape.to);
+  EXPECT_NEAR(client.tape.to->x, 10, 1e-6);
+  EXPECT_NEAR(client.tape.to->z, 3, 1e-6);
+  EXPECT_EQ(client.session.tracks().size(), 1U) << "measuring fires nothing";
+  Scene scene;
+  build_scene(client, 1, scene);
+  const double apart = length(*client.tape.to - *client.tape.from);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f m", apart);
+  bool found = false;
+  for (const SceneLabel& label : scene.labels) found = found || label.text == text;
+  EXPECT_TRUE(found) << text;
+}
+
+TEST(Scene, VectorsPointAlongWhatTheyShow) {
+  Client client = client_of("golf_ball_no_spin");
+  ASSERT_FALSE(run(client, "fire; wait 30; vectors"));
+  Scene scene;
+  build_scene(client, 1, scene);
+  const Vec3d at = client.session.shown_position(client.selected_track()->id);
+  const Vec3d v = client.session.world().velocity(client.selected_track()->id);
+  bool found = false;
+  for (const SceneLine& line : scene.lines)
+    if (line.colour == colours::kVelocity && length(line.a - at) < 1e-9)
+      found = length(cross(line.b - line.a, v)) < 1e-6 * length(line.b - line.a) * length(v);
+  EXPECT_TRUE(found);
+  std::set<std::string> labels;
+  for (const SceneLabel& label : scene.labels) labels.insert(label.text.substr(0, label.text.find(' ')));
+  for (const char* each : {"v", "a", "gravity", "drag"}) EXPECT_EQ(labels.count(each), 1U) << each;
+}
+
+}  // namespace
+}  // namespace physim::client
