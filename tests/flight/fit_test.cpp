@@ -128,22 +128,21 @@ TEST(Fit, the_standard_error_is_that_of_repeated_fits) {
   EXPECT_NEAR(sum / kFits, 1, 4 * spread / std::sqrt(double(kFits)));
 }
 
-TEST(Fit, a_published_trajectory_gives_its_ballistic_coefficient) {
-  // Sierra .308 168 gr MatchKing, G1 0.462 lb/in^2 above 2600 ft/s (Sierra Bullets, Rifle Reloading Manual, 5th ed.):
-  // a flight with that coefficient loses speed from 2700 to 2616.7 ft/s over the first 50 yd; one with half of it
-  // loses about twice as much. The fit goes the other way, in yards and feet.
+TEST(Fit, a_published_table_gives_the_ballistic_coefficient_it_was_made_with) {
+  // py-ballisticcalc, tests/test_trajectory.py (G7 case): 168 gr, 2750 ft/s, G7 0.223 lb/in^2, wind 5 mph at 45
+  // degrees, ICAO air; its rows at 500 and 1000 yd, speeds to 1 ft/s, drops to 0.1 in.
+  constexpr double kFoot = 0.3048, kInch = 0.0254, kPerSquareInch = 0.45359237 / (0.0254 * 0.0254);
   ProjectileDef p = bullet_308();
-  p.drag = {.table = DragTable::g1, .ballistic_coefficient = 100};
-  const double bc = 0.462 * 0.45359237 / (0.0254 * 0.0254);
-  ProjectileDef published = p;
-  published.drag.ballistic_coefficient = bc;
-  const Launch launch{.speed = 2700 * 0.3048};
-  auto data = measured(published, launch, {}, Fidelity::simulation(), {50 * 0.9144, 100 * 0.9144});
-  EXPECT_NEAR(*data[1].speed / 0.3048, 2513, 12);  // published at 100 yd
-  keep(data, true, false, false);
-  const auto fit = fit_drag(p, launch, {}, Fidelity::simulation(), data);
-  ASSERT_TRUE(fit);
-  EXPECT_TRUE(near(fit->projectile.drag.ballistic_coefficient, bc, 1e-5));
+  p.drag = {.table = DragTable::g7, .ballistic_coefficient = 100};
+  Environment e;
+  e.wind.velocity = {1.580525, 0, -1.580525};
+  const Launch launch{.speed = 2750 * kFoot, .elevation = 1.2278391e-3, .sight = {.height = 2 * kInch}};
+  const std::vector<Measurement> table{{.range = 1500 * kFoot, .speed = 1814 * kFoot, .drop = -56.2 * kInch},
+                                       {.range = 3000 * kFoot, .drop = -399.9 * kInch}};
+  const auto fit = fit_drag(p, launch, e, Fidelity::small_arms(), table, {.speed_error = 0.3, .drop_error = 0.01});
+  ASSERT_TRUE(fit) << fit.error().text();
+  EXPECT_TRUE(near(fit->projectile.drag.ballistic_coefficient, 0.223 * kPerSquareInch, 2e-3));
+  EXPECT_GT(fit->scale_error, 0);
 }
 
 TEST(Fit, what_makes_no_sense_is_refused_with_its_place) {
