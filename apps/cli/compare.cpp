@@ -1,6 +1,7 @@
 // physim compare: one shot on every rung of the ladder of fidelity, error against cost.
 #include <CLI/CLI.hpp>
 
+#include "asked.hpp"
 #include "commands.hpp"
 #include "flown.hpp"
 #include "ladder.hpp"
@@ -18,25 +19,13 @@ struct CompareOptions {
   std::string shot;
 };
 
-// The shot that was asked for, the first where none was.
-Result<const ScenarioShot*> find_shot(const Scenario& scenario, const std::string& wanted) {
-  std::string names;
-  for (const ScenarioShot& shot : scenario.shots) {
-    const std::string& name = shot.projectile.name;
-    if (wanted.empty() || name == wanted) return &shot;
-    names += (names.empty() ? "\"" : ", \"") + name + "\"";
-  }
-  return Error{
-      .message = "there is no shot \"" + wanted + "\"", .place = scenario.file, .hint = "its shots are " + names};
-}
-
 Status compare(const CompareOptions& options) {
   if (Status bad = check(options.outputs, options.input.file)) return bad;
   const Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
-  const Result<const ScenarioShot*> shot = find_shot(*scenario, options.shot);
+  const Result<std::size_t> shot = find_shot(*scenario, options.shot);
   if (!shot) return shot.error();
-  const Result<Ladder> ladder = climb(*scenario, **shot);
+  const Result<Ladder> ladder = climb(*scenario, scenario->shots[*shot]);
   if (!ladder) return ladder.error();
 
   const OutputMakers makers{.csv = [&] { return ladder_csv(*ladder); },

@@ -23,6 +23,7 @@ constexpr const char* kExamples =
     "  physim run scenarios/308_168gr_g7.toml                            a range card\n"
     "  physim run scenarios/308_168gr_g7.toml --plot out/308.png         ... and a picture\n"
     "  physim compare scenarios/308_168gr_g7.toml --plot out/ladder.png  error over cost, rung by rung\n"
+    "  physim aim scenarios/308_168gr_g7.toml --range \"700 m\"            elevation and azimuth of a hit\n"
     "  physim validate                                                   against published figures\n"
     "  physim list settings                                              everything that can be set\n"
     "\n`physim COMMAND --help` tells more.\n";
@@ -102,6 +103,11 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(34);
   add_run_command(app, exit_code);
   add_compare_command(app, exit_code);
+  add_table_command(app, exit_code);
+  add_aim_command(app, exit_code);
+  add_max_range_command(app, exit_code);
+  add_danger_space_command(app, exit_code);
+  add_fit_command(app, exit_code);
   add_validate_command(app, exit_code);
   add_list_command(app, exit_code);
   add_replay_command(app, exit_code);

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "physim/aim.hpp"
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/world.hpp"
@@ -52,6 +53,7 @@ PHYSIM_NAMED_ENUM(WindInterpolation)
 PHYSIM_NAMED_ENUM(EventKind)
 PHYSIM_NAMED_ENUM(Crossing)
 PHYSIM_NAMED_ENUM(Outcome)
+PHYSIM_NAMED_ENUM(Arc)
 PHYSIM_NAMED_ENUM(GroundMode)
 PHYSIM_NAMED_ENUM(Smoothing)
 PHYSIM_NAMED_ENUM(WhenFull)

@@ -7,6 +7,7 @@
 #include "physim/drag_curve.hpp"
 #include "physim/environment.hpp"
 #include "physim/fidelity.hpp"
+#include "physim/fit.hpp"
 #include "physim/flight.hpp"
 #include "physim/forces.hpp"
 #include "physim/frames.hpp"

@@ -38,6 +38,7 @@ class [[nodiscard]] Result {
   [[nodiscard]] T&& value() && { return assert(ok()), std::move(*std::get_if<0>(&content_)); }
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
+  T&& operator*() && { return std::move(*this).value(); }
   const T* operator->() const { return &value(); }
 
   /// The error; calling this on a value is a bug in the caller.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "physim/aim.hpp"
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/projectile.hpp"
@@ -24,6 +25,15 @@ struct ScenarioShot {
   std::string pool;          ///< name of its pool in the world; empty: the first [-]
   /// Flies the cheapest fidelity that stays so close to projectile.fidelity at any time; none: that one itself [m]
   std::optional<double> cheapest_within;
+};
+
+/// The [target] of a scenario: what `physim aim` aims at.
+struct ScenarioTarget {
+  std::optional<Vec3d> position;  ///< at launch, in W; none: there is no target [m]
+  Vec3d velocity;                 ///< at launch [m/s]
+  Vec3d acceleration;             ///< constant [m/s^2]
+  double tolerance = 0.01;        ///< a path that passes so near hits it [m]
+  Arc arc = Arc::both;            ///< which solutions are looked for [-]
 };
 
 /// Where on a flight an expectation looks.
@@ -56,6 +66,7 @@ struct Scenario {
   Tolerance tolerance;                ///< [-]
   Until until;                        ///< [-]
   std::vector<double> ranges;         ///< of the range card [m]
+  ScenarioTarget target;              ///< [-]
   std::vector<ScenarioShot> shots;    ///< [-]
   ScenarioWorld world;                ///< [-]
   std::vector<Volley> volleys;        ///< [-]

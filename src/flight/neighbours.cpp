@@ -57,7 +57,7 @@ Neighbours::Neighbours(const Flight& flight, const Environment& environment,
     const double h = coarse[i] - coarse[i - 1];
     const double damping =
         h * drag_rate(length(flight.at(coarse[i]).velocity - wind_at(flight.at(coarse[i]).position)));
-    const std::size_t parts = static_cast<std::size_t>(std::clamp(std::ceil(damping), 1.0, double{kMostParts}));
+    const auto parts = static_cast<std::size_t>(damping > 1 ? std::ceil(std::min(damping, double{kMostParts})) : 1);
     for (std::size_t part = 1; part <= parts; ++part)
       times_.push_back(coarse[i - 1] + h * static_cast<double>(part) / static_cast<double>(parts));
     times_.back() = coarse[i];

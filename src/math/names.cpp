@@ -32,6 +32,7 @@ PHYSIM_NAMES(WindAxis, range, "height", "range")
 PHYSIM_NAMES(WindInterpolation, step, "linear", "step")
 PHYSIM_NAMES(EventKind, time, "ground", "apex", "range", "height", "mach", "speed", "time")
 PHYSIM_NAMES(Crossing, falling, "any", "rising", "falling")
+PHYSIM_NAMES(Arc, both, "low", "high", "both")
 PHYSIM_NAMES(Outcome, refused, "landed", "reached_range", "event", "time_limit", "step_limit", "left_domain",
              "non_finite", "stalled", "refused")
 PHYSIM_NAMES(GroundMode, bounce, "none", "land", "stick", "bounce")

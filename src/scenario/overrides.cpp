@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kShot = "shot.";
 
 /// Where an override goes: a node of the tree, of one shot or of all.
-struct Target {
+struct Addressed {
   const Node* node = nullptr;
   std::optional<std::string> shot;
 };
@@ -40,7 +40,7 @@ Error unknown_setting(std::string_view path, std::string_view known_prefix, cons
 }
 
 /// "shot.NAME.mass": names may contain dots, so every dot may be the one after the name.
-Result<Target> named_target(const Value& document, std::string_view path, const Place& place) {
+Result<Addressed> named_target(const Value& document, std::string_view path, const Place& place) {
   const std::vector<std::string> names = shot_names(document);
   const std::string_view rest = path.substr(kShot.size());
   std::optional<std::string> stranger, namesake;
@@ -48,7 +48,7 @@ Result<Target> named_target(const Value& document, std::string_view path, const 
     const std::string name(rest.substr(0, dot));
     const Node* node = find_node(std::string(kShot) + std::string(rest.substr(dot + 1)));
     const bool known = std::find(names.begin(), names.end(), name) != names.end();
-    if (known && node != nullptr) return Target{node, name};
+    if (known && node != nullptr) return Addressed{node, name};
     if (known) namesake = name;
     if (node != nullptr && !stranger) stranger = name;
   }
@@ -62,8 +62,8 @@ Result<Target> named_target(const Value& document, std::string_view path, const 
   return unknown_setting(path, "", place);
 }
 
-Result<Target> target_of(const Value& document, std::string_view path, const Place& place) {
-  if (const Node* node = find_node(path); node != nullptr) return Target{node, std::nullopt};
+Result<Addressed> target_of(const Value& document, std::string_view path, const Place& place) {
+  if (const Node* node = find_node(path); node != nullptr) return Addressed{node, std::nullopt};
   if (path.starts_with(kShot)) return named_target(document, path, place);
   return unknown_setting(path, "", place);
 }
@@ -83,9 +83,10 @@ Value& member_of(Value& table, const std::string& key, const Place& place) {
   return table.get<Table>()->back().value;
 }
 
-Status put(Value& here, const Node& node, std::string_view rest, const Target& target, const Value& value);
+Status put(Value& here, const Node& node, std::string_view rest, const Addressed& target, const Value& value);
 
-Status put_into_list(Value& list, const Node& node, std::string_view rest, const Target& target, const Value& value) {
+Status put_into_list(Value& list, const Node& node, std::string_view rest, const Addressed& target,
+                     const Value& value) {
   Array* array = list.get<Array>();
   if (array == nullptr || array->empty())
     return Error{"there is no [[" + node.path + "]] to change", value.place.text(), "set the list as a whole"};
@@ -97,7 +98,7 @@ Status put_into_list(Value& list, const Node& node, std::string_view rest, const
 }
 
 /// Walks from a table to the target, making tables on the way.
-Status put(Value& here, const Node& node, std::string_view rest, const Target& target, const Value& value) {
+Status put(Value& here, const Node& node, std::string_view rest, const Addressed& target, const Value& value) {
   if (Status bad = make_table(node, here)) return bad;
   const std::size_t dot = rest.find('.');
   const Node& child = *node.find(rest.substr(0, dot));
@@ -126,7 +127,7 @@ Status apply_override(Value& document, const std::string& override_text) {
   const std::string_view text = trimmed(std::string_view(override_text).substr(equals + 1));
   if (text.empty())
     return Error{"an override without a value", place.text(), "write path=value, such as shot.mass=\"168 gr\""};
-  const Result<Target> target = target_of(document, path, place);
+  const Result<Addressed> target = target_of(document, path, place);
   if (!target) return target.error();
   return put(document, schema(), target->node->path, *target, parse_override_value(text, place));
 }

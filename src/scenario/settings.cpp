@@ -491,7 +491,7 @@ std::span<const Entry> entries() {
          {std::span<const Entry>(kFileSettings), std::span<const Entry>(kEnvironmentSettings),
           std::span<const Entry>(kShotSettings), rotation_settings(), std::span<const Entry>(kFidelitySettings),
           body_settings(), world_settings(), volley_settings(), force_settings(), std::span<const Entry>(kRunSettings),
-          std::span<const Entry>(kExpectSettings)})
+          target_settings(), std::span<const Entry>(kExpectSettings)})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

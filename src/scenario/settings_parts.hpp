@@ -57,5 +57,6 @@ Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
 [[nodiscard]] std::span<const Entry> world_settings();     // [world]
 [[nodiscard]] std::span<const Entry> volley_settings();    // [[volley]]
 [[nodiscard]] std::span<const Entry> force_settings();     // [[force]]
+[[nodiscard]] std::span<const Entry> target_settings();    // [target]
 
 }  // namespace physim

@@ -133,7 +133,9 @@ void judge(long number, const Case& c, Tally& tally) {
   tally.wrong += !what.empty();
   if (!what.empty()) std::printf("case %ld: %s\n", number, what.c_str());
   if (!lost) return;
-  std::printf("case %ld: not found: %s\n", number,
+  const Fidelity& f = answer ? answer->fidelity_in_use.fidelity : c.fidelity;
+  std::printf("case %ld: not found (%s, %s, wind %s, %s): %s\n", number, name(f.motion).data(),
+              name(f.integrator).data(), name(f.wind).data(), name(f.precision).data(),
               answer ? answer->explanation().c_str() : answer.error().text().c_str());
 }
 

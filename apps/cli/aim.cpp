@@ -1,0 +1,207 @@
+// physim aim: the directions with which a shot hits a target.
+#include "physim/aim.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "asked.hpp"
+#include "commands.hpp"
+#include "output_number.hpp"
+#include "output_paths.hpp"
+#include "output_table.hpp"
+#include "output_trajectory.hpp"
+#include "physim/names.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+struct AimCommand {
+  Question question;
+  std::string position, velocity, acceleration;
+  std::string range, height, cross;
+  std::string tolerance, arc, time;
+};
+
+/// What is aimed at: [target] of the scenario, with what the options say instead.
+struct Wanted {
+  Target target;
+  AimOptions options;
+};
+
+/// The place of --range, --height and --cross: as the shot's plane of fire lies.
+Result<std::optional<Vec3d>> place_by_range(const AimCommand& command, const Launch& launch) {
+  const auto range = option_value("--range", command.range, Quantity::length);
+  const auto height = option_value("--height", command.height, Quantity::length);
+  const auto cross = option_value("--cross", command.cross, Quantity::length);
+  for (const auto* each : {&range, &height, &cross})
+    if (!*each) return each->error();
+  if (!range->has_value()) {
+    if (height->has_value() || cross->has_value())
+      return Error{.message = "needs a range",
+                   .place = height->has_value() ? "--height" : "--cross",
+                   .hint = "write --range \"800 m\""};
+    return std::optional<Vec3d>();
+  }
+  const double a = launch.azimuth;
+  const double ahead = **range, aside = cross->value_or(0);
+  return std::optional<Vec3d>(launch.position + Vec3d{ahead * std::cos(a) - aside * std::sin(a), height->value_or(0),
+                                                      ahead * std::sin(a) + aside * std::cos(a)});
+}
+
+Result<Wanted> wanted(const AimCommand& command, const AskedShot& asked) {
+  const ScenarioTarget& given = asked.scenario.target;
+  Wanted out;
+  out.options = {.arc = given.arc,
+                 .tolerance = given.tolerance,
+                 .ground = asked.scenario.until.ground,
+                 .flight = asked.scenario.tolerance};
+  const auto position = option_vector("--target", command.position, Quantity::length);
+  const auto velocity = option_vector("--target-velocity", command.velocity, Quantity::speed);
+  const auto acceleration = option_vector("--target-acceleration", command.acceleration, Quantity::acceleration);
+  for (const auto* each : {&position, &velocity, &acceleration})
+    if (!*each) return each->error();
+  const auto by_range = place_by_range(command, asked.shot().launch);
+  if (!by_range) return by_range.error();
+  if (position->has_value() && by_range->has_value())
+    return Error{.message = "given together with --range", .place = "--target", .hint = "give one of them"};
+  const auto place = position->has_value() ? *position : by_range->has_value() ? *by_range : given.position;
+  if (!place)
+    return Error{.message = "there is no target",
+                 .place = asked.scenario.file,
+                 .hint = "write --target \"500 m, 20 m, 0 m\", --range \"500 m\", or a [target] into the scenario"};
+  out.target = {*place, velocity->value_or(given.velocity), acceleration->value_or(given.acceleration)};
+  const auto tolerance = option_value("--tolerance", command.tolerance, Quantity::length);
+  if (!tolerance) return tolerance.error();
+  if (*tolerance) out.options.tolerance = **tolerance;
+  const auto time = option_value("--time", command.time, Quantity::time);
+  if (!time) return time.error();
+  if (*time) out.options.time = **time;
+  if (!command.arc.empty()) {
+    const auto arc = value_of<Arc>(command.arc);
+    if (!arc)
+      return Error{.message = "unknown arc \"" + command.arc + "\"", .place = "--arc", .hint = "low, high or both"};
+    out.options.arc = *arc;
+  }
+  return out;
+}
+
+std::string vector_text(const Vec3d& v) {
+  return "(" + as_typed(v.x) + ", " + as_typed(v.y) + ", " + as_typed(v.z) + ")";
+}
+
+Table solutions_table(const std::vector<std::pair<std::string, const AimSolution*>>& list) {
+  Table table({{"", Align::left},
+               {"elevation [deg]"},
+               {"azimuth [deg]"},
+               {"time [s]"},
+               {"speed [m/s]"},
+               {"descent [deg]"},
+               {"miss [mm]"},
+               {"flights"}});
+  for (const auto& [name, s] : list)
+    table.add_row({name, fixed(s->launch.elevation / kDegree, 5), fixed(s->launch.azimuth / kDegree, 5),
+                   fixed(s->time, 4), fixed(s->speed, 2), fixed(s->descent / kDegree, 2), readable(s->miss * 1e3, 3),
+                   s->flights > 0 ? std::to_string(s->flights) : ""});
+  return table;
+}
+
+std::string aim_text(const AskedShot& asked, const Wanted& wanted, const Aim& aim, const Style& style) {
+  std::string out =
+      style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name)) + "\n";
+  const Target& t = wanted.target;
+  out += "  target at " + vector_text(t.position) + " m";
+  if (t.velocity != Vec3d{}) out += ", moving at " + vector_text(t.velocity) + " m/s";
+  if (t.acceleration != Vec3d{}) out += ", accelerating by " + vector_text(t.acceleration) + " m/s^2";
+  out += "\n\n";
+  std::vector<std::pair<std::string, const AimSolution*>> list;
+  const bool one = aim.low && aim.high && aim.low->launch.elevation == aim.high->launch.elevation;
+  if (aim.low) list.emplace_back(one ? "only" : "low", &*aim.low);
+  if (aim.high && !one) list.emplace_back("high", &*aim.high);
+  if (list.empty()) list.emplace_back("nearest", &aim.nearest);
+  out += solutions_table(list).text(2);
+  if (!aim.in_reach()) out += "\n  " + style.bad(aim.explanation()) + "\n";
+  return out + "\n  " + std::to_string(aim.flights) + " trajectories flown\n";
+}
+
+nlohmann::ordered_json solution_json(const AimSolution& s) {
+  const auto vector = [](const Vec3d& v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); };
+  return {{"elevation [rad]", s.launch.elevation},
+          {"azimuth [rad]", s.launch.azimuth},
+          {"time [s]", s.time},
+          {"miss [m]", s.miss},
+          {"position [m]", vector(s.position)},
+          {"velocity [m/s]", vector(s.velocity)},
+          {"speed [m/s]", s.speed},
+          {"descent [rad]", s.descent},
+          {"flights", s.flights}};
+}
+
+std::string aim_json(const AskedShot& asked, const Wanted& wanted, const Aim& aim) {
+  nlohmann::ordered_json out = provenance(asked.scenario);
+  const auto vector = [](const Vec3d& v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); };
+  out["shot"] = asked.shot().projectile.name;
+  out["target"] = {{"position [m]", vector(wanted.target.position)},
+                   {"velocity [m/s]", vector(wanted.target.velocity)},
+                   {"acceleration [m/s^2]", vector(wanted.target.acceleration)},
+                   {"tolerance [m]", wanted.options.tolerance}};
+  out["in_reach"] = aim.in_reach();
+  out["explanation"] = aim.explanation();
+  if (aim.low) out["low"] = solution_json(*aim.low);
+  if (aim.high) out["high"] = solution_json(*aim.high);
+  out["nearest"] = solution_json(aim.nearest);
+  out["flights"] = aim.flights;
+  return json_text(out);
+}
+
+Result<int> run(const AimCommand& command) {
+  const Result<AskedShot> asked = ask(command.question);
+  if (!asked) return asked.error();
+  const Result<Wanted> target = wanted(command, *asked);
+  if (!target) return target.error();
+  const ScenarioShot& shot = asked->shot();
+  Launch launch = shot.launch;
+  launch.sight = {};
+  const Result<Aim> found = aim(shot.projectile, launch, asked->scenario.environment, shot.projectile.fidelity,
+                                target->target, target->options);
+  if (!found) return about(*asked, found.error());
+  if (Status bad =
+          answer(command.question, aim_text(*asked, *target, *found, Style(stdout)), aim_json(*asked, *target, *found)))
+    return *bad;
+  return found->in_reach() ? kExitOk : kExitCheckMissed;
+}
+
+}  // namespace
+
+void add_aim_command(CLI::App& app, int& exit_code_out) {
+  CLI::App* command = app.add_subcommand("aim", "Find the elevation and azimuth that hit a target, standing or moving");
+  auto options = std::make_shared<AimCommand>();
+  add_question_options(*command, options->question);
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* doc) {
+    refuse_empty(*command->add_option(name, value, doc)->type_name(type));
+  };
+  add("--target", options->position, "\"X, Y, Z\"", "Where it is when the shot is fired, as \"500 m, 20 m, 0 m\"");
+  add("--range", options->range, "LENGTH", "Instead: this far from the muzzle, ahead in the shot's azimuth");
+  add("--height", options->height, "LENGTH", "... this much above the muzzle");
+  add("--cross", options->cross, "LENGTH", "... this far to the right");
+  add("--target-velocity", options->velocity, "\"X, Y, Z\"", "How the target moves, as \"0 m/s, 0 m/s, 15 m/s\"");
+  add("--target-acceleration", options->acceleration, "\"X, Y, Z\"", "Its constant acceleration");
+  add("--tolerance", options->tolerance, "LENGTH", "A path that passes so near hits; without it 1 cm");
+  add("--time", options->time, "TIME", "Longest time of flight; without it 600 s");
+  add("--arc", options->arc, "low|high|both", "Which solutions: the shortest time of flight, the longest, or both");
+  command->footer(
+      "Without --target and --range the [target] of the scenario is aimed at. Elevation, azimuth and sight of the shot "
+      "are not read.\n"
+      "Exit code 0; 1 where the target is out of reach; 2 for bad input.\n\n"
+      "Examples:\n"
+      "  physim aim scenarios/308_168gr_g7.toml --range \"800 yd\" --height \"-30 m\"\n"
+      "  physim aim scenarios/308_168gr_g7.toml --target \"400 m, 0 m, 30 m\" --target-velocity \"0 m/s, 0 m/s, -8 "
+      "m/s\"\n"
+      "  physim aim scenarios/aim_moving_target.toml --json -\n");
+  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+}
+
+}  // namespace physim::cli

@@ -1,0 +1,93 @@
+#include "asked.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "commands.hpp"
+#include "output_file.hpp"
+#include "output_paths.hpp"
+#include "output_trajectory.hpp"
+#include "scenario/units.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+
+void add_question_options(CLI::App& command, Question& question, bool json) {
+  add_scenario_options(command, question.input);
+  refuse_empty(*command.add_option("--shot", question.shot, "Which shot; without it the first")->type_name("NAME"));
+  if (!json) return;
+  refuse_empty(*command
+                    .add_option("--json", question.json,
+                                "Write the answer as JSON; - is the standard output, and then nothing else goes there")
+                    ->type_name("FILE"));
+}
+
+Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wanted) {
+  std::string names;
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+    const std::string& name = scenario.shots[i].projectile.name;
+    if (wanted.empty() || name == wanted) return i;
+    names += (names.empty() ? "\"" : ", \"") + name + "\"";
+  }
+  return Error{
+      .message = "there is no shot \"" + wanted + "\"", .place = scenario.file, .hint = "its shots are " + names};
+}
+
+Result<AskedShot> ask(const Question& question) {
+  if (!question.json.empty())
+    if (Status bad = check_writable(question.json)) return *bad;
+  Result<Scenario> scenario = load_scenario(question.input.file, question.input.overrides);
+  if (!scenario) return scenario.error();
+  const Result<std::size_t> index = find_shot(*scenario, question.shot);
+  if (!index) return index.error();
+  return AskedShot{*std::move(scenario), *index};
+}
+
+Error about(const AskedShot& asked, Error error) {
+  const std::string field = error.place.empty() ? "" : ": " + error.place;
+  error.place = asked.scenario.file + ": shot \"" + asked.shot().projectile.name + "\"" + field;
+  return error;
+}
+
+Result<std::optional<double>> option_value(const char* option, const std::string& text, Quantity quantity) {
+  if (text.empty()) return std::optional<double>();
+  const Result<double> value = parse_quantity(text, quantity);
+  if (value && std::isfinite(*value)) return std::optional<double>(*value);
+  Error error = value ? Error{.message = "must be a finite number"} : value.error();
+  error.place = option;
+  return error;
+}
+
+Result<std::optional<Vec3d>> option_vector(const char* option, const std::string& text, Quantity quantity) {
+  if (text.empty()) return std::optional<Vec3d>();
+  double v[3] = {};
+  std::size_t from = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',', from);
+    if ((comma == std::string::npos) != (i == 2))
+      return Error{.message = "\"" + text + "\" is no vector",
+                   .place = option,
+                   .hint = "expected three values with commas between, as in \"500 m, 20 m, 0 m\""};
+    const std::string part(trimmed(std::string_view(text).substr(from, comma - from)));
+    if (part.empty()) return Error{.message = "a component is empty", .place = option, .hint = "write 0 for none"};
+    const auto value = option_value(option, part, quantity);
+    if (!value) return value.error();
+    v[i] = **value;
+    from = comma + 1;
+  }
+  return std::optional<Vec3d>({v[0], v[1], v[2]});
+}
+
+Status answer(const Question& question, const std::string& text, const std::string& json) {
+  if (!question.json.empty())
+    if (Status bad = write_output(question.json, json)) return bad;
+  return question.json == "-" ? std::nullopt : print(text);
+}
+
+int exit_code(const Result<int>& result) {
+  if (result) return *result;
+  print_error(result.error());
+  return kExitBadInput;
+}
+
+}  // namespace physim::cli

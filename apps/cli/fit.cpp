@@ -1,0 +1,170 @@
+// physim fit: the drag of a shot from measured speeds, drops or times.
+#include "physim/fit.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "asked.hpp"
+#include "commands.hpp"
+#include "fit_data.hpp"
+#include "output_number.hpp"
+#include "output_paths.hpp"
+#include "output_table.hpp"
+#include "output_trajectory.hpp"
+#include "scenario/units.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+namespace {
+
+struct FitCommand {
+  Question question;
+  std::string data, speed_error, drop_error, time_error;
+  bool muzzle_speed = false;
+};
+
+Result<FitOptions> options_of(const FitCommand& command) {
+  FitOptions options{.muzzle_speed = command.muzzle_speed};
+  const auto read = [](const char* name, const std::string& text, Quantity quantity, double& target) -> Status {
+    const auto value = option_value(name, text, quantity);
+    if (!value) return value.error();
+    if (*value && !(**value > 0)) return Error{.message = "must be positive", .place = name};
+    if (*value) target = **value;
+    return std::nullopt;
+  };
+  if (Status bad = read("--speed-error", command.speed_error, Quantity::speed, options.speed_error)) return *bad;
+  if (Status bad = read("--drop-error", command.drop_error, Quantity::length, options.drop_error)) return *bad;
+  if (Status bad = read("--time-error", command.time_error, Quantity::time, options.time_error)) return *bad;
+  return options;
+}
+
+/// An error about measurements[i] has its place in the file.
+Error located(const FitCommand& command, const AskedShot& asked, const FitData& data, Error error) {
+  constexpr std::string_view kPrefix = "measurements";
+  if (!error.place.starts_with(kPrefix)) return about(asked, std::move(error));
+  std::size_t index = 0;
+  const std::string_view rest = std::string_view(error.place).substr(kPrefix.size());
+  const bool has_index =
+      rest.starts_with('[') && std::from_chars(rest.data() + 1, rest.data() + rest.size(), index).ec == std::errc{};
+  error.place = has_index && index < data.places.size() ? data.places[index] : command.data;
+  return error;
+}
+
+/// What was scaled, and what came out.
+std::vector<std::pair<std::string, std::string>> fitted_figures(const Fit& fit) {
+  std::vector<std::pair<std::string, std::string>> out;
+  const DragDef& d = fit.projectile.drag;
+  const double relative = fit.scale_error / fit.scale;
+  const auto add = [&](const char* setting, double value, const std::string& unit) {
+    std::string text = significant(value, 6) + unit;
+    if (relative > 0) text += " +- " + significant(value * relative, 2);
+    out.emplace_back(setting, text);
+  };
+  constexpr double kPoundPerSquareInch = 0.45359237 / (0.0254 * 0.0254);
+  if (d.ballistic_coefficient > 0) {
+    add("drag.ballistic_coefficient", d.ballistic_coefficient, " kg/m^2");
+    add("", d.ballistic_coefficient / kPoundPerSquareInch, " lb/in^2");
+  } else if (!d.bands.empty()) {
+    for (const BallisticBand& band : d.bands)
+      add("drag.bands", band.ballistic_coefficient, " kg/m^2 above " + significant(band.above, 4) + " m/s");
+  } else {
+    add("drag.form_factor", d.form_factor, "");
+  }
+  if (d.k1 > 0) add("drag.k1", d.k1, " kg/s");
+  if (d.k2 > 0) add("drag.k2", d.k2, " kg/m");
+  if (d.damping < 1) out.emplace_back("drag.damping", significant(d.damping, 6));
+  return out;
+}
+
+std::string fit_text(const AskedShot& asked, const FitData& data, const FitOptions& options, const Fit& fit,
+                     const Style& style) {
+  std::string out =
+      style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name)) + "\n";
+  out += "  drag is " + significant(fit.scale, 6) + " of the scenario's";
+  if (fit.scale_error > 0) out += " +- " + significant(fit.scale_error, 2);
+  out += "\n\n";
+  Table figures({{"fitted", Align::left}, {"value", Align::left}});
+  for (const auto& [setting, text] : fitted_figures(fit)) figures.add_row({setting, text});
+  if (options.muzzle_speed) {
+    std::string text = significant(fit.launch.speed, 6) + " m/s";
+    if (fit.muzzle_speed_error > 0) text += " +- " + significant(fit.muzzle_speed_error, 2);
+    figures.add_row({"speed", text});
+  }
+  out += figures.text(2) + "\n";
+  Table table({{"range [m]"}, {"quantity", Align::left}, {"measured"}, {"computed"}, {"off"}, {"unit", Align::left}});
+  for (const FitResidual& r : fit.residuals) {
+    const char* unit = r.quantity == "speed" ? "m/s" : r.quantity == "drop" ? "m" : "s";
+    table.add_row({as_typed(data.measurements[r.measurement].range), r.quantity, significant(r.measured, 6),
+                   significant(r.computed, 6), significant(r.computed - r.measured, 2), unit});
+  }
+  return out + table.text(2) + "\n  off by " + significant(fit.rms, 3) +
+         " of the errors that were given, root mean square; " + std::to_string(fit.flights) + " trajectories flown\n";
+}
+
+std::string fit_json(const AskedShot& asked, const FitOptions& options, const Fit& fit) {
+  nlohmann::ordered_json out = provenance(asked.scenario);
+  const DragDef& d = fit.projectile.drag;
+  out["shot"] = asked.shot().projectile.name;
+  out["scale"] = fit.scale;
+  out["scale_error"] = fit.scale_error;
+  out["drag"] = {{"ballistic_coefficient [kg/m^2]", d.ballistic_coefficient},
+                 {"form_factor", d.form_factor},
+                 {"k1 [kg/s]", d.k1},
+                 {"k2 [kg/m]", d.k2},
+                 {"damping", d.damping}};
+  if (options.muzzle_speed) {
+    out["speed [m/s]"] = fit.launch.speed;
+    out["speed_error [m/s]"] = fit.muzzle_speed_error;
+  }
+  out["rms"] = fit.rms;
+  out["residuals"] = nlohmann::ordered_json::array();
+  for (const FitResidual& r : fit.residuals)
+    out["residuals"].push_back(
+        {{"measurement", r.measurement}, {"quantity", r.quantity}, {"measured", r.measured}, {"computed", r.computed}});
+  out["flights"] = fit.flights;
+  return json_text(out);
+}
+
+Result<int> run(const FitCommand& command) {
+  const Result<FitOptions> options = options_of(command);
+  if (!options) return options.error();
+  const Result<AskedShot> asked = ask(command.question);
+  if (!asked) return asked.error();
+  const Result<FitData> data = read_fit_data(command.data);
+  if (!data) return data.error();
+  const ScenarioShot& shot = asked->shot();
+  const Result<Fit> fit = fit_drag(shot.projectile, shot.launch, asked->scenario.environment, shot.projectile.fidelity,
+                                   data->measurements, *options);
+  if (!fit) return located(command, *asked, *data, fit.error());
+  if (Status bad = answer(command.question, fit_text(*asked, *data, *options, *fit, Style(stdout)),
+                          fit_json(*asked, *options, *fit)))
+    return *bad;
+  return kExitOk;
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app, int& exit_code_out) {
+  CLI::App* command = app.add_subcommand("fit", "Find the drag of a shot from measured speeds, drops or times");
+  auto options = std::make_shared<FitCommand>();
+  add_question_options(*command, options->question);
+  refuse_empty(*command->add_option("--data", options->data, "Measurements (CSV)")->type_name("CSV")->required());
+  command->add_flag("--muzzle-speed", options->muzzle_speed, "Fit the muzzle speed, too");
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* doc) {
+    refuse_empty(*command->add_option(name, value, doc)->type_name(type));
+  };
+  add("--speed-error", options->speed_error, "SPEED", "Error of measured speeds; without it 1 m/s");
+  add("--drop-error", options->drop_error, "LENGTH", "Error of measured drops; without it 1 cm");
+  add("--time-error", options->time_error, "TIME", "Error of measured times; without it 1 ms");
+  command->footer(
+      "The data has a header with units, and a row for each range; empty fields are not measured:\n"
+      "  range [yd], speed [ft/s], drop [in]\n"
+      "  100, 2410, \n"
+      "  300, 2040, -14.6\n\n"
+      "Example:\n"
+      "  physim fit scenarios/308_168gr_g7.toml --data chronograph.csv --muzzle-speed\n");
+  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+}
+
+}  // namespace physim::cli

@@ -1,0 +1,120 @@
+// physim max-range and physim danger-space.
+#include <CLI/CLI.hpp>
+#include <numbers>
+
+#include "asked.hpp"
+#include "commands.hpp"
+#include "output_number.hpp"
+#include "output_paths.hpp"
+#include "output_table.hpp"
+#include "output_trajectory.hpp"
+#include "physim/aim.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+struct MaxRangeCommand {
+  Question question;
+  std::string slope;
+};
+
+struct DangerCommand {
+  Question question;
+  std::string range, height;
+};
+
+std::string heading(const AskedShot& asked, const Style& style) {
+  return style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name)) + "\n";
+}
+
+Result<int> run(const MaxRangeCommand& command) {
+  const auto slope = option_value("--slope", command.slope, Quantity::angle);
+  if (!slope) return slope.error();
+  const Result<AskedShot> asked = ask(command.question);
+  if (!asked) return asked.error();
+  const Scenario& scenario = asked->scenario;
+  const ScenarioShot& shot = asked->shot();
+  const double ground = scenario.until.ground.value_or(0);
+  const auto far = max_range(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity, ground,
+                             slope->value_or(0));
+  if (!far) return about(*asked, far.error());
+  std::string text = heading(*asked, Style(stdout));
+  text += "  farthest   " + readable(far->range, 7) + " m along the ground, at an elevation of " +
+          fixed(far->elevation / kDegree, 3) + " deg\n";
+  text += "  impact     after " + fixed(far->time, 4) + " s at (" + readable(far->position.x, 7) + ", " +
+          readable(far->position.y, 5) + ", " + readable(far->position.z, 5) + ") m, " +
+          fixed(length(far->velocity), 2) + " m/s\n";
+  text += "  " + std::to_string(far->flights) + " trajectories flown\n";
+  nlohmann::ordered_json json = provenance(scenario);
+  json["shot"] = shot.projectile.name;
+  json["elevation [rad]"] = far->elevation;
+  json["range [m]"] = far->range;
+  json["time [s]"] = far->time;
+  json["position [m]"] = {far->position.x, far->position.y, far->position.z};
+  json["velocity [m/s]"] = {far->velocity.x, far->velocity.y, far->velocity.z};
+  json["flights"] = far->flights;
+  if (Status bad = answer(command.question, text, json_text(json))) return *bad;
+  return kExitOk;
+}
+
+Result<int> run(const DangerCommand& command) {
+  const auto range = option_value("--range", command.range, Quantity::length);
+  if (!range) return range.error();
+  const auto height = option_value("--height", command.height, Quantity::length);
+  if (!height) return height.error();
+  const Result<AskedShot> asked = ask(command.question);
+  if (!asked) return asked.error();
+  const Flight flight = fly_shot(asked->scenario, asked->shot());
+  if (flight.error()) return refusal(asked->scenario, asked->shot(), flight);
+  const auto space = danger_space(flight, **range, **height);
+  if (!space) return about(*asked, space.error());
+  const std::string text = heading(*asked, Style(stdout)) + "  a target " + as_typed(**height) + " m high at " +
+                           as_typed(**range) + " m is hit from " + fixed(space->from, 2) + " m to " +
+                           fixed(space->to, 2) + " m: over " + fixed(space->to - space->from, 2) + " m\n";
+  nlohmann::ordered_json json = provenance(asked->scenario);
+  json["shot"] = asked->shot().projectile.name;
+  json["range [m]"] = **range;
+  json["height [m]"] = **height;
+  json["from [m]"] = space->from;
+  json["to [m]"] = space->to;
+  if (Status bad = answer(command.question, text, json_text(json))) return *bad;
+  return kExitOk;
+}
+
+}  // namespace
+
+void add_max_range_command(CLI::App& app, int& exit_code_out) {
+  CLI::App* command = app.add_subcommand("max-range", "Find the elevation that carries a shot farthest");
+  auto options = std::make_shared<MaxRangeCommand>();
+  add_question_options(*command, options->question);
+  refuse_empty(
+      *command->add_option("--slope", options->slope, "How the ground rises in the direction of fire, as \"5 deg\"")
+           ->type_name("ANGLE"));
+  command->footer(
+      "The ground is that of the scenario (until.ground), under the muzzle; without one it is at height 0.\n\n"
+      "Examples:\n"
+      "  physim max-range scenarios/308_168gr_g7.toml\n"
+      "  physim max-range scenarios/shot_put.toml --slope \"-3 deg\" --json -\n");
+  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+}
+
+void add_danger_space_command(CLI::App& app, int& exit_code_out) {
+  CLI::App* command = app.add_subcommand(
+      "danger-space", "Between which ranges a target of some height is hit, when it is aimed at for one range");
+  auto options = std::make_shared<DangerCommand>();
+  add_question_options(*command, options->question);
+  refuse_empty(*command->add_option("--range", options->range, "At which the path goes through the target's middle")
+                    ->type_name("LENGTH")
+                    ->required());
+  refuse_empty(*command->add_option("--height", options->height, "Of the target")->type_name("LENGTH")->required());
+  command->footer(
+      "Ranges run along the line of sight; the path lies within half the height of where it is at the range.\n\n"
+      "Example:\n"
+      "  physim danger-space scenarios/308_168gr_g7.toml --range \"600 m\" --height \"50 cm\"\n");
+  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+}
+
+}  // namespace physim::cli
