@@ -146,8 +146,10 @@ constexpr Action kActions[] = {
     {"statistics", "F3", "Panels", "statistics of those in flight", "", toggle<&Shown::statistics>},
     {"plots", "F4", "Panels", "plots", "", toggle_bottom<BottomPanel::plots>},
     {"plot", "", "", "plots quantities over others: y/x speed/time", "QUANTITIES", plot},
-    {"compare", "F5", "Panels", "the next shot on several rungs of the ladder", "", toggle_bottom<BottomPanel::compare>},
+    {"compare", "F5", "Panels", "the next shot on several rungs", "", toggle_bottom<BottomPanel::compare>},
     {"performance", "F7", "Panels", "what steps and frames cost", "", toggle_bottom<BottomPanel::performance>},
+    {"panel-keys", "F8", "Panels", "arrows, Space, Enter and Ctrl+Tab reach the panels, Alt the menu; Esc comes back", "",
+     toggle<&Shown::panel_keys>},
     {"help", "F1 H", "Help", "keys", "", toggle<&Shown::help>},
     // tools
     {"tape", "M", "Tools", "tape measure: left clicks set its ends", "", use_tape},

@@ -20,6 +20,7 @@ struct Shown {
   bool settings = true;    // panel of the next shot
   bool statistics = true;  // panel of those in flight
   bool help = false;
+  bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
   bool trails = true;
   bool vectors = false;
   bool prediction = true;

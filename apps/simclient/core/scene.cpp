@@ -9,6 +9,7 @@ namespace physim::client {
 void Scene::clear() {
   lines.clear();
   balls.clear();
+  crowd.clear();
   labels.clear();
 }
 

@@ -22,6 +22,12 @@ struct SceneBall {
   float pixels = 5;  // [pixels]
 };
 
+/// One of very many: a few pixels of one colour.
+struct SceneDot {
+  Vec3d at;
+  Colour colour = 0xFFFFFFFF;
+};
+
 struct SceneLabel {
   Vec3d at;
   std::string text;
@@ -33,7 +39,9 @@ struct SceneLabel {
 struct Scene {
   std::vector<SceneLine> lines;
   std::vector<SceneBall> balls;
+  std::vector<SceneDot> crowd;
   std::vector<SceneLabel> labels;
+  float crowd_size = 3;    // of each of the crowd [pixels]
   double ground = 0;       // [m]
   bool has_ground = true;  // there is one to land on
 

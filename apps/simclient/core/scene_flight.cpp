@@ -41,17 +41,15 @@ void mark(Scene& scene, const Camera& camera, const Track& track) {
 }
 
 /// Those that are not among the tracks: too many to remember, not too many to draw.
-void add_untracked(const Session& session, double scale, Scene& scene) {
+void add_crowd(const Session& session, double scale, Scene& scene) {
   const World& world = session.world();
   if (world.size() <= session.tracks().size()) return;
   const std::vector<ProjectileId> ids = world.ids();
-  const bool many = ids.size() > 2000;
-  scene.balls.reserve(scene.balls.size() + ids.size());
+  scene.crowd_size = static_cast<float>((ids.size() > 20000 ? 2 : ids.size() > 200 ? 3 : 6) * scale);
+  scene.crowd.reserve(ids.size());
   for (const ProjectileId id : ids) {
     const Colour colour = world.colour(id);
-    const float size = static_cast<float>((many ? 1.6 : 4) * scale);
-    scene.balls.push_back({session.shown_position(id), colour == BodyDef{}.colour ? colours::kVelocity : colour,
-                           many ? 0.0F : radius_of(world.definition(id)), size});
+    scene.crowd.push_back({session.shown_position(id), colour == kNoColour ? colours::kVelocity : colour});
   }
 }
 
@@ -59,7 +57,7 @@ void add_untracked(const Session& session, double scale, Scene& scene) {
 
 void build_projectiles(const Client& client, double scale, Scene& scene) {
   const World& world = client.session.world();
-  add_untracked(client.session, scale, scene);
+  add_crowd(client.session, scale, scene);
   const Track* selected = client.selected_track();
   for (const Track& track : client.session.tracks()) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale;

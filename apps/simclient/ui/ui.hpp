@@ -34,9 +34,18 @@ class Ui {
   void set_mouse(const Pixel& pixel, bool on_scene) { mouse_ = pixel, mouse_on_scene_ = on_scene; }
 
  private:
+  static constexpr const char *kSettings = "###settings", *kStatistics = "###statistics";
+
+  void steer(const Client& client);
   void draw_menu_bar(Client& client);
   void draw_tests_menu(Client& client);
   void draw_context_menu(Client& client);
+  /// A piece of the line at the foot of the window.
+  struct Item {
+    std::string what, value;
+    Colour colour = colours::kText;
+  };
+  [[nodiscard]] std::vector<Item> status_items(const Client& client) const;
   void draw_status(Client& client);
   void draw_labels(const Client& client, const Scene& scene);
   void draw_messages(const Client& client);
