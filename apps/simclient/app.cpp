@@ -66,7 +66,7 @@ Status App::open() {
   has_imgui_ = true;
   ui_.emplace(scale);
   const Layout layout =
-      Ui::layout(client_, static_cast<float>(options_.width), static_cast<float>(options_.height), scale);
+      make_layout(client_, static_cast<float>(options_.width), static_cast<float>(options_.height), scale);
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.fit_view();
   last_time_ = glfwGetTime();
@@ -82,7 +82,7 @@ Status App::frame() {
   if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
   ImGui::NewFrame();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const Layout layout = Ui::layout(client_, size.x, size.y, ui_->scale());
+  const Layout layout = make_layout(client_, size.x, size.y, ui_->scale());
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.scene_corner = {layout.scene.x, layout.scene.y};
   read_inputs();

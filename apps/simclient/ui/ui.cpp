@@ -36,30 +36,9 @@ void action_item(Client& client, const char* name, const char* label) {
 
 Ui::Ui(float scale) : scale_(scale) { set_theme(scale); }
 
-Layout Ui::layout(const Client& client, float width, float height, float scale) {
-  constexpr float kSide = 320, kBottom = 280, kLeastScene = 240, kLeastSide = 220;
-  const float menu = 26 * scale, status = 28 * scale;
-  float left = client.show.settings ? kSide * scale : 0, right = client.show.statistics ? kSide * scale : 0;
-  const float most = std::max(width - kLeastScene * scale, 0.0F);
-  if (left + right > most) left = std::min(left, most - right);
-  if (left < kLeastSide * scale) left = 0;  // too narrow to read
-  if (right > most) right = most < kLeastSide * scale ? 0 : most;
-  const float room = std::max(height - menu - status, 1.0F);
-  const float bottom = client.bottom == BottomPanel::none ? 0 : std::min(kBottom * scale, room * 0.45F);
-  const float middle = std::max(room - bottom, 1.0F);
-  Layout out;
-  out.menu = {0, 0, width, menu};
-  out.status = {0, height - status, width, status};
-  out.left = {0, menu, left, middle};
-  out.right = {width - right, menu, right, middle};
-  out.bottom = {0, menu + middle, width, bottom};
-  out.scene = {left, menu, std::max(width - left - right, 1.0F), middle};
-  return out;
-}
-
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  layout_ = layout(client, size.x, size.y, scale_);
+  layout_ = make_layout(client, size.x, size.y, scale_);
   steer(client);
   draw_labels(client, scene);
   draw_menu_bar(client);
@@ -71,6 +50,7 @@ void Ui::draw(Client& client, const Scene& scene) {
   draw_probe(client);
   draw_context_menu(client);
   if (client.show.help) draw_help(client);
+  open_dialog_.draw(client, layout_.scene, scale_);
 }
 
 /// Lets the keyboard into the panels, and out again.
@@ -90,6 +70,7 @@ bool Ui::close_something(Client& client) {
     ImGui::ClosePopupsOverWindow(nullptr, false);
     return true;
   }
+  if (client.show.open_dialog) return client.show.open_dialog = false, true;
   if (client.show.help) return client.show.help = false, true;
   if (client.show.panel_keys) return client.show.panel_keys = false, true;
   return false;

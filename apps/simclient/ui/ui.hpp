@@ -7,21 +7,14 @@
 
 #include "simclient/core/client.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/ui/open_dialog.hpp"
 #include "simclient/ui/panels.hpp"
 #include "simclient/ui/settings_panel.hpp"
 
 namespace physim::client {
 
-/// Who has which part of the window; nothing overlaps.
-struct Layout {
-  Box menu, left, right, bottom, status, scene;
-};
-
 class Ui {
  public:
-  /// Lays out a window of this size. All sizes grow with `scale`.
-  [[nodiscard]] static Layout layout(const Client& client, float width, float height, float scale);
-
   explicit Ui(float scale);
   void draw(Client& client, const Scene& scene);
   /// The menu of a right click on the scene.
@@ -54,6 +47,7 @@ class Ui {
 
   float scale_;
   SettingsPanel settings_;
+  OpenDialog open_dialog_;
   Layout layout_;
   Pixel mouse_;
   bool mouse_on_scene_ = false, opens_menu_ = false;
