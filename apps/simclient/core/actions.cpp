@@ -201,6 +201,17 @@ const Action* action_of_key(std::string_view key, bool ctrl) {
   return nullptr;
 }
 
+std::string actions_table() {
+  std::string out = "| action | keys | what it does |\n|---|---|---|\n";
+  for (const Action& action : kActions) {
+    std::string name(action.name), keys;
+    if (!action.argument.empty()) name += " " + std::string(action.argument);
+    for (const char c : action.keys) keys += c == ' ' ? std::string("` `") : std::string(1, c);
+    out += "| `" + name + "` | " + (keys.empty() ? "-" : "`" + keys + "`") + " | " + std::string(action.help) + " |\n";
+  }
+  return out;
+}
+
 void run_action(Client& client, const Action& action, const std::string& argument) {
   if (Status bad = action.run(client, argument)) client.complain(*bad);
 }

@@ -33,7 +33,7 @@ struct SceneLabel {
   std::string text;
   Colour colour = 0xFFFFFFFF;
   bool centred = true;
-  int line = 0;  // below the first, where several labels share a place
+  double line = 0;  // below the first, where several labels share a place
 };
 
 struct Scene {
@@ -48,9 +48,9 @@ struct Scene {
   void clear();
   void line(const Vec3d& a, const Vec3d& b, Colour colour, double width);
   void polyline(const std::vector<TrackSample>& samples, Colour colour, double width);
-  void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour);
+  void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale);
   void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);
-  void label(const Vec3d& at, const std::string& text, Colour colour, int line = 0);
+  void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0);
 };
 
 /// All of it. `scale` is that of the screen: 2 draws everything twice as thick.
