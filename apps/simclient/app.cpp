@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <thread>
 
 #include "simclient/core/actions.hpp"
@@ -36,7 +37,7 @@ Status App::run() {
     if (Status bad = frame()) return bad;
     if (is_last_frame()) break;
   }
-  return leave();
+  return std::nullopt;
 }
 
 Status App::open() {
@@ -65,7 +66,7 @@ Status App::open() {
   has_imgui_ = true;
   ui_.emplace(scale);
   const Layout layout =
-      Ui::layout(client_, static_cast<float>(options_.width), static_cast<float>(options_.height), scale);
+      make_layout(client_, static_cast<float>(options_.width), static_cast<float>(options_.height), scale);
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.fit_view();
   last_time_ = glfwGetTime();
@@ -81,7 +82,7 @@ Status App::frame() {
   if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
   ImGui::NewFrame();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const Layout layout = Ui::layout(client_, size.x, size.y, ui_->scale());
+  const Layout layout = make_layout(client_, size.x, size.y, ui_->scale());
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.scene_corner = {layout.scene.x, layout.scene.y};
   read_inputs();
@@ -92,11 +93,12 @@ Status App::frame() {
   ui_->draw(client_, scene_);
   ImGui::Render();
   render(scene_);
+  ++frame_;
+  if (Status bad = take_pictures()) return bad;
+  if (!target_) glfwSwapBuffers(window_.get());
   client_.frame_times.push_back(static_cast<float>(glfwGetTime() - start));
   if (client_.frame_times.size() > 240) client_.frame_times.pop_front();
-  if (Status bad = take_pictures()) return bad;
   if (state_.is_open()) state_ << state_line(client_, frame_) << std::endl;
-  ++frame_;
   return std::nullopt;
 }
 
@@ -132,13 +134,12 @@ void App::render(const Scene& scene) {
   renderer_->draw(scene, client_.camera, viewport);
   glViewport(0, 0, width, height);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  if (!target_) glfwSwapBuffers(window_.get());
 }
 
 Picture App::picture(bool of_plots) {
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.get(), &width, &height);
-  if (!target_) glReadBuffer(GL_FRONT);
+  if (!target_) glReadBuffer(GL_BACK);
   if (!of_plots) return read_picture(0, 0, width, height);
   const double part = width / static_cast<double>(ImGui::GetIO().DisplaySize.x);
   const Box& b = ui_->layout().bottom;
@@ -163,11 +164,8 @@ Status App::take_pictures() {
     else
       client_.say("saved " + path);
   }
-  return std::nullopt;
-}
-
-Status App::leave() {
-  return options_.screenshot.empty() ? std::nullopt : save_png(picture(false), options_.screenshot);
+  const bool is_last = client_.leaves || is_last_frame();
+  return is_last && !options_.screenshot.empty() ? save_png(picture(false), options_.screenshot) : std::nullopt;
 }
 
 // --------------------------------------------------------------------------------------------------------------- input
@@ -221,9 +219,12 @@ void App::read_inputs() {
 }
 
 void App::on_key(const Input& input) {
+  static const std::set<std::string> kOfPanels = {"Left", "Right", "Up",   "Down",   "Space",
+                                                  "Tab",  "Enter", "Home", "PageUp", "PageDown"};
   if (input.action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
   const auto key = key_name(input.code, input.scancode);
-  if (!key || (*key == "Esc" && ui_->close_something(client_))) return;
+  if (!key || (client_.show.panel_keys && kOfPanels.count(*key) != 0)) return;
+  if (*key == "Esc" && ui_->close_something(client_)) return;
   const Action* action = action_of_key(*key, (input.mods & GLFW_MOD_CONTROL) != 0);
   const bool repeats = action != nullptr && (action->menu == "View" || action->name.starts_with("turn") ||
                                              action->name == "step" || action->name == "back");

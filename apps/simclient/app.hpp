@@ -38,7 +38,6 @@ class App {
   Status open();
   void install_callbacks();
   Status frame();
-  Status leave();
   [[nodiscard]] Picture picture(bool of_plots);
   Status take_pictures();
   void read_inputs();

@@ -17,18 +17,6 @@ constexpr const char* kFooter =
     "  simclient --hidden --script \"fire; wait 60\" --screenshot a.png  without a person\n"
     "\nWhere there is no screen: xvfb-run -a simclient --hidden ...\n";
 
-/// All actions as rows of a table in Markdown, for the documentation.
-void print_actions() {
-  std::puts("| action | keys | what it does |\n|---|---|---|");
-  for (const Action& action : actions()) {
-    std::string name(action.name), keys;
-    if (!action.argument.empty()) name += " " + std::string(action.argument);
-    for (const char c : action.keys) keys += c == ' ' ? std::string("` `") : std::string(1, c);
-    std::printf("| `%s` | %s | %s |\n", name.c_str(), keys.empty() ? "-" : ("`" + keys + "`").c_str(),
-                std::string(action.help).c_str());
-  }
-}
-
 std::string parse_size(const std::string& text, Options& options) {
   int width = 0, height = 0, used = 0;
   const bool good = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) == 2 &&
@@ -69,7 +57,7 @@ CommandLine parse_command_line(int argc, char** argv) {
     if (line.exit_code != 0) std::fprintf(stderr, "error: %s; see simclient --help\n", error.what());
     return line;
   }
-  if (lists_actions) print_actions(), line.is_answered = true;
+  if (lists_actions) std::fputs(actions_table().c_str(), stdout), line.is_answered = true;
   return line;
 }
 

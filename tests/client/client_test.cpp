@@ -9,6 +9,7 @@
 
 #include "cli/program.hpp"
 #include "simclient/core/actions.hpp"
+#include "simclient/core/layout.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/core/script.hpp"
@@ -106,6 +107,12 @@ TEST(Actions, EveryOneRunsWithoutAWindow) {
     const Status bad = action.run(client, argument);
     EXPECT_FALSE(bad) << action.name << ": " << bad->text();
   }
+}
+
+TEST(Actions, StandInTheDocumentation) {
+  const std::string page = testing_cli::read(PHYSIM_SOURCE_DIR "/docs/client.md");
+  EXPECT_NE(page.find(actions_table()), std::string::npos)
+      << "docs/client.md is out of date: put in what simclient --list-actions prints";
 }
 
 // ------------------------------------------------------------------------------------------------------------- scripts
@@ -368,6 +375,36 @@ TEST(Scene, VectorsPointAlongWhatTheyShow) {
   std::set<std::string> labels;
   for (const SceneLabel& label : scene.labels) labels.insert(label.text.substr(0, label.text.find(' ')));
   for (const char* each : {"v", "a", "gravity", "drag"}) EXPECT_EQ(labels.count(each), 1U) << each;
+}
+
+// -------------------------------------------------------------------------------------------------------------- layout
+bool overlap(const Box& a, const Box& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+TEST(Layout, NothingOverlapsAtAnySize) {
+  Client client = client_of();
+  for (const BottomPanel bottom : {BottomPanel::none, BottomPanel::plots})
+    for (const int panels : {0, 1, 2, 3})
+      for (const float scale : {1.0F, 1.5F, 2.0F, 3.0F})
+        for (const float width : {480 * scale, 640 * scale, 800 * scale, 1280.0F * scale, 3840.0F * scale})
+          for (const float height : {320 * scale, 720 * scale, 2160 * scale}) {
+            client.bottom = bottom;
+            client.show.settings = (panels & 1) != 0, client.show.statistics = (panels & 2) != 0;
+            const Layout l = make_layout(client, width, height, scale);
+            const Box boxes[] = {l.menu, l.left, l.right, l.bottom, l.status, l.scene};
+            for (const Box& box : boxes) {
+              EXPECT_GE(std::min(box.x, box.y), 0);
+              EXPECT_LE(box.x + box.width, width + 0.01F);
+              EXPECT_LE(box.y + box.height, height + 0.01F);
+              for (const Box& other : boxes)
+                if (&box != &other && box.width * box.height > 0 && other.width * other.height > 0) {
+                  EXPECT_FALSE(overlap(box, other)) << width << "x" << height << " at " << scale;
+                }
+            }
+            EXPECT_GE(l.scene.width, 239 * scale) << "the scene stays";
+            EXPECT_GE(l.scene.height, 100 * scale);
+          }
 }
 
 }  // namespace

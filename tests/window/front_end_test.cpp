@@ -283,5 +283,78 @@ TEST_F(Leaving, NoTimePassesDuringAPause) {
   EXPECT_NEAR(b["position"][0].get<double>() - a["position"][0].get<double>(), 35 * passed, 1e-3);
 }
 
+// ----------------------------------------------------------------------------------------------------- beyond the
+// table
+using InWindow = Leaving;
+
+TEST_F(InWindow, TheMouseTurnsTheViewAndNeverFiresByIt) {
+  const Json before = client.next_frames()["arrow"];
+  client.drag(450, 300, 520, 330, 3);
+  const Json state = client.next_frames();
+  EXPECT_NE(state["arrow"], before);
+  EXPECT_TRUE(state["tracks"].empty());
+  client.drag(450, 300, 480, 280, 1);  // aims
+  EXPECT_TRUE(client.next_frames()["tracks"].empty());
+  EXPECT_NE(client.next_frames()["shot"]["azimuth"], 0.0);
+}
+
+TEST_F(InWindow, ClicksOnPanelsFireNothing) {
+  client.click(100, 400);
+  client.click(900, 400);
+  client.click(500, 630);
+  EXPECT_TRUE(client.next_frames()["tracks"].empty());
+}
+
+TEST_F(InWindow, StepsForwardAndBack) {
+  client.key("3");
+  client.key("Return");
+  client.key("n");
+  const Json then = client.next_frames();
+  EXPECT_TRUE(then["paused"]);
+  client.key("n");
+  EXPECT_EQ(client.next_frames()["step"], then["step"].get<int>() + 1);
+  client.key("b");
+  const Json back = client.next_frames();
+  EXPECT_EQ(back["step"], then["step"]);
+  EXPECT_EQ(back["tracks"], then["tracks"]);
+}
+
+/// The keyboard reaches the panels: with F8 the arrows, Space and Enter are theirs. Esc gives them back.
+TEST_F(InWindow, TheKeyboardReachesThePanels) {
+  const double azimuth = client.next_frames()["shot"]["azimuth"];
+  client.key("F8");
+  for (const char* key : {"Down", "Down", "space", "Down", "space"})
+    client.hold(key);  // opens the list, takes the next
+  EXPECT_EQ(client.next_frames()["shot"]["type"], "bullet");
+  EXPECT_EQ(client.next_frames()["shot"]["azimuth"], azimuth);
+  EXPECT_FALSE(client.next_frames()["paused"]) << "space belongs to the panels";
+  client.key("Escape");
+  client.next_frames();
+  client.key("Right");
+  EXPECT_NE(client.next_frames()["shot"]["azimuth"], azimuth);
+}
+
+TEST_F(InWindow, TypingIntoAFieldPressesNoKeys) {
+  client.click(150, 115);  // the search for settings
+  for (const char* key : {"p", "e", "s", "2"}) client.key(key);
+  const Json state = client.next_frames();
+  EXPECT_FALSE(state["paused"]);
+  EXPECT_EQ(state["shot"]["type"], "artillery");
+  client.key("Escape");  // leaves the field, not the client
+  client.next_frames();
+  EXPECT_TRUE(client.is_running());
+}
+
+TEST_F(InWindow, CanBeResized) {
+  for (const auto& [width, height] : {std::pair{1500, 900}, {640, 420}, {1000, 640}}) {
+    client.resize(width, height);
+    client.next_frames();
+    const Shot seen = client.picture();
+    EXPECT_EQ(seen.width, width);
+    EXPECT_EQ(seen.height, height);
+    EXPECT_TRUE(client.is_running()) << client.errors();
+  }
+}
+
 }  // namespace
 }  // namespace physim::testing_window

@@ -132,6 +132,15 @@ class RunningClient {
     XSync(screen_, False);
     next_frames();
   }
+  /// Holds a key for some frames, as hands do.
+  void hold(const std::string& name) {
+    const KeyCode code = XKeysymToKeycode(screen_, XStringToKeysym(name.c_str()));
+    for (const Bool down : {True, False}) {
+      XTestFakeKeyEvent(screen_, code, down, 0);
+      XSync(screen_, False);
+      next_frames();
+    }
+  }
   void move(int x, int y) {
     Window child = 0;
     int root_x = 0, root_y = 0;

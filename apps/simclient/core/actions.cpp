@@ -67,8 +67,8 @@ Status step_back(Client& client, const std::string&) {
 }
 
 Status open_file(Client& client, const std::string& file) {
-  if (file.empty()) return Error{"which file?", "open", "open FILE, or drop a file on the window"};
-  return client.open(file);
+  if (!file.empty()) return client.open(file);
+  return client.show.open_dialog = true, done();
 }
 
 Status use_tape(Client& client, const std::string&) {
@@ -146,8 +146,10 @@ constexpr Action kActions[] = {
     {"statistics", "F3", "Panels", "statistics of those in flight", "", toggle<&Shown::statistics>},
     {"plots", "F4", "Panels", "plots", "", toggle_bottom<BottomPanel::plots>},
     {"plot", "", "", "plots quantities over others: y/x speed/time", "QUANTITIES", plot},
-    {"compare", "F5", "Panels", "the next shot on several rungs of the ladder", "", toggle_bottom<BottomPanel::compare>},
+    {"compare", "F5", "Panels", "the next shot on several rungs", "", toggle_bottom<BottomPanel::compare>},
     {"performance", "F7", "Panels", "what steps and frames cost", "", toggle_bottom<BottomPanel::performance>},
+    {"panel-keys", "F8", "Panels", "arrows, Space, Enter and Ctrl+Tab go to the panels, Alt to the menu", "",
+     toggle<&Shown::panel_keys>},
     {"help", "F1 H", "Help", "keys", "", toggle<&Shown::help>},
     // tools
     {"tape", "M", "Tools", "tape measure: left clicks set its ends", "", use_tape},
@@ -162,7 +164,7 @@ constexpr Action kActions[] = {
     {"replay", "F10", "Tools", "plays the last recording, and comes back", "",
      [](Client& c, const std::string&) { return c.replay(); }},
     {"determinism", "F11", "Tools", "steps, goes back, steps again, and compares", "", check_determinism},
-    {"open", "", "", "opens a scenario or recording", "FILE", open_file},
+    {"open", "Ctrl+O", "File", "opens a scenario or recording; also by dropping it on the window", "FILE", open_file},
     {"save", "Ctrl+S", "File", "saves the scenario with the next shot", "FILE",
      [](Client& c, const std::string& file) { return c.save(file); }},
     {"save-csv", "Ctrl+D", "File", "saves all flights as a table", "FILE",
@@ -197,6 +199,17 @@ const Action* action_of_key(std::string_view key, bool ctrl) {
       at = end + 1;
     }
   return nullptr;
+}
+
+std::string actions_table() {
+  std::string out = "| action | keys | what it does |\n|---|---|---|\n";
+  for (const Action& action : kActions) {
+    std::string name(action.name), keys;
+    if (!action.argument.empty()) name += " " + std::string(action.argument);
+    for (const char c : action.keys) keys += c == ' ' ? std::string("` `") : std::string(1, c);
+    out += "| `" + name + "` | " + (keys.empty() ? "-" : "`" + keys + "`") + " | " + std::string(action.help) + " |\n";
+  }
+  return out;
 }
 
 void run_action(Client& client, const Action& action, const std::string& argument) {

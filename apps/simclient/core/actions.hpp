@@ -25,6 +25,9 @@ struct Action {
 /// their name. `key` is "E", "Space", "F5"...; `ctrl` whether Ctrl is held.
 [[nodiscard]] const Action* action_of_key(std::string_view key, bool ctrl);
 
+/// All actions as a table in Markdown, for the documentation.
+[[nodiscard]] std::string actions_table();
+
 /// Runs an action; what goes wrong is shown.
 void run_action(Client& client, const Action& action, const std::string& argument = "");
 

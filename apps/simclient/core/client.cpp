@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "physim/recording_file.hpp"
+#include "simclient/core/original_tests.hpp"
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {
@@ -38,6 +39,20 @@ Result<Session> open_session(const std::string& file, const std::vector<std::str
 }
 
 }  // namespace
+
+std::vector<std::string> files_at_hand() {
+  std::vector<std::string> files;
+  const std::string shipped = std::filesystem::path(shipped_scenario("arrow.toml")).parent_path().string();
+  for (const std::string& folder : {std::string("."), shipped}) {
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+      const std::string path = entry.path().lexically_normal().string();
+      if (ends_with(path, ".toml") || ends_with(path, ".rec") || ends_with(path, ".rec.part")) files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
 
 std::string free_name(const std::string& what, const std::string& ending) {
   int number = 1;

@@ -20,6 +20,8 @@ struct Shown {
   bool settings = true;    // panel of the next shot
   bool statistics = true;  // panel of those in flight
   bool help = false;
+  bool open_dialog = false;
+  bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
   bool trails = true;
   bool vectors = false;
   bool prediction = true;
@@ -140,6 +142,9 @@ class Client {
   std::uint64_t session_version_ = 0, predicted_session_ = 0;
   std::deque<Message> messages_;
 };
+
+/// Scenarios in scenarios/, and scenarios and recordings in the folder where the client was started.
+[[nodiscard]] std::vector<std::string> files_at_hand();
 
 /// "physim_picture_1.png" in the folder where the client was started, or the next number that is free.
 [[nodiscard]] std::string free_name(const std::string& what, const std::string& ending);

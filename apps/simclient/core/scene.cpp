@@ -9,6 +9,7 @@ namespace physim::client {
 void Scene::clear() {
   lines.clear();
   balls.clear();
+  crowd.clear();
   labels.clear();
 }
 
@@ -26,8 +27,8 @@ void Scene::polyline(const std::vector<TrackSample>& samples, Colour colour, dou
 }
 
 /// Dots of equal distance on the screen, so that a path is dotted near and far.
-void Scene::dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour) {
-  constexpr double kGap = 9;  // [pixels]
+void Scene::dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale) {
+  const double gap = 9 * scale;  // [pixels]
   double way = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const Vec3d a = samples[i - 1].position, b = samples[i].position;
@@ -35,9 +36,9 @@ void Scene::dots(const std::vector<TrackSample>& samples, const Camera& camera, 
     if (!from || !to) continue;
     const double length = std::hypot(to->x - from->x, to->y - from->y);
     if (length > 4 * camera.width()) continue;
-    for (double at = kGap - way; at <= length; at += kGap)
-      balls.push_back({a + (b - a) * (at / length), colour, 0, 1.6F});
-    way = std::fmod(way + length, kGap);
+    for (double at = gap - way; at <= length; at += gap)
+      balls.push_back({a + (b - a) * (at / length), colour, 0, static_cast<float>(1.6 * scale)});
+    way = std::fmod(way + length, gap);
   }
 }
 
@@ -55,7 +56,7 @@ void Scene::arrow(const Vec3d& from, const Vec3d& to, Colour colour, double widt
     line(to, to + camera.drawn_as(across * (head * side) - along * head), colour, width);
 }
 
-void Scene::label(const Vec3d& at, const std::string& text, Colour colour, int line) {
+void Scene::label(const Vec3d& at, const std::string& text, Colour colour, double line) {
   labels.push_back({at, text, colour, true, line});
 }
 

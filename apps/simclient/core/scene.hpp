@@ -22,27 +22,35 @@ struct SceneBall {
   float pixels = 5;  // [pixels]
 };
 
+/// One of very many: a few pixels of one colour.
+struct SceneDot {
+  Vec3d at;
+  Colour colour = 0xFFFFFFFF;
+};
+
 struct SceneLabel {
   Vec3d at;
   std::string text;
   Colour colour = 0xFFFFFFFF;
   bool centred = true;
-  int line = 0;  // below the first, where several labels share a place
+  double line = 0;  // below the first, where several labels share a place
 };
 
 struct Scene {
   std::vector<SceneLine> lines;
   std::vector<SceneBall> balls;
+  std::vector<SceneDot> crowd;
   std::vector<SceneLabel> labels;
+  float crowd_size = 3;    // of each of the crowd [pixels]
   double ground = 0;       // [m]
   bool has_ground = true;  // there is one to land on
 
   void clear();
   void line(const Vec3d& a, const Vec3d& b, Colour colour, double width);
   void polyline(const std::vector<TrackSample>& samples, Colour colour, double width);
-  void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour);
+  void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale);
   void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);
-  void label(const Vec3d& at, const std::string& text, Colour colour, int line = 0);
+  void label(const Vec3d& at, const std::string& text, Colour colour, double line = 0);
 };
 
 /// All of it. `scale` is that of the screen: 2 draws everything twice as thick.

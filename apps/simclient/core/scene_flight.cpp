@@ -17,41 +17,40 @@ std::string text(const char* format, Values... values) {
 
 float radius_of(const ProjectileDef* what) { return what ? static_cast<float>(what->diameter / 2) : 0.0F; }
 
-void cross(Scene& scene, const Camera& camera, const Vec3d& at, const Vec3d& one, const Vec3d& other, Colour colour) {
-  const double size = 5 * camera.pixel_size(at);
+void cross(Scene& scene, const Camera& camera, double scale, const Vec3d& at, const Vec3d& one, const Vec3d& other,
+           Colour colour) {
+  const double size = 5 * scale * camera.pixel_size(at);
   for (const Vec3d& way : {one, other}) {
     const Vec3d arm = camera.drawn_as(way * size);
-    scene.line(at - arm, at + arm, colour, 2);
+    scene.line(at - arm, at + arm, colour, 2 * scale);
   }
 }
 
-void mark(Scene& scene, const Camera& camera, const Track& track) {
+void mark(Scene& scene, const Camera& camera, double scale, const Track& track) {
   const Vec3d right = camera.right(), up = camera.up();
   if (track.apex) {
     const Vec3d at = track.apex->position;
-    cross(scene, camera, at, right, up, track.colour);
+    cross(scene, camera, scale, at, right, up, track.colour);
     scene.label(at, text("apex %.2f m, %.2f s", at.y, track.apex->time), track.colour, -2);
   }
   if (track.impact) {
     const Vec3d at = track.impact->position, way = at - track.samples.front().position;
-    cross(scene, camera, at, right + up, right - up, track.colour);
+    cross(scene, camera, scale, at, right + up, right - up, track.colour);
     const double range = std::round(100 * std::hypot(way.x, way.z)) / 100;
     scene.label(at, length_text(range) + text(" in %.2f s", track.impact->time), track.colour, 1);
   }
 }
 
 /// Those that are not among the tracks: too many to remember, not too many to draw.
-void add_untracked(const Session& session, double scale, Scene& scene) {
+void add_crowd(const Session& session, double scale, Scene& scene) {
   const World& world = session.world();
   if (world.size() <= session.tracks().size()) return;
   const std::vector<ProjectileId> ids = world.ids();
-  const bool many = ids.size() > 2000;
-  scene.balls.reserve(scene.balls.size() + ids.size());
+  scene.crowd_size = static_cast<float>((ids.size() > 20000 ? 2 : ids.size() > 200 ? 3 : 6) * scale);
+  scene.crowd.reserve(ids.size());
   for (const ProjectileId id : ids) {
     const Colour colour = world.colour(id);
-    const float size = static_cast<float>((many ? 1.6 : 4) * scale);
-    scene.balls.push_back({session.shown_position(id), colour == BodyDef{}.colour ? colours::kVelocity : colour,
-                           many ? 0.0F : radius_of(world.definition(id)), size});
+    scene.crowd.push_back({session.shown_position(id), colour == kNoColour ? colours::kVelocity : colour});
   }
 }
 
@@ -59,12 +58,12 @@ void add_untracked(const Session& session, double scale, Scene& scene) {
 
 void build_projectiles(const Client& client, double scale, Scene& scene) {
   const World& world = client.session.world();
-  add_untracked(client.session, scale, scene);
+  add_crowd(client.session, scale, scene);
   const Track* selected = client.selected_track();
   for (const Track& track : client.session.tracks()) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale;
     if (client.show.trails) scene.polyline(track.samples, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
-    if (client.show.marks) mark(scene, client.camera, track);
+    if (client.show.marks) mark(scene, client.camera, scale, track);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown_position(track.id);
     if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width);
@@ -89,11 +88,7 @@ void build_aim(Client& client, double scale, Scene& scene) {
   if (client.session.is_replay()) return;
   const Prediction& prediction = client.prediction();
   if (prediction.error) return;
-  if (client.show.prediction) {
-    const std::size_t known = scene.balls.size();
-    scene.dots(prediction.path, client.camera, faded(colours::kText, 0.75));
-    for (std::size_t i = known; i < scene.balls.size(); ++i) scene.balls[i].pixels *= static_cast<float>(scale);
-  }
+  if (client.show.prediction) scene.dots(prediction.path, client.camera, faded(colours::kText, 0.75), scale);
   scene.balls.push_back({prediction.muzzle, colours::kArrow, 0, static_cast<float>(3 * scale)});
   if (const auto arrow = client.arrow()) scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
 }
@@ -110,7 +105,8 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
     if (!(length(v) * unit > 0)) return;
     const Vec3d tip = at + v * unit;
     scene.arrow(at, tip, colour, 2.5 * scale, client.camera);
-    scene.label(tip, what, colour, 0);
+    const Vec3d beyond = client.camera.drawn_as(normalized(v) * (16 * scale * client.camera.pixel_size(tip)));
+    scene.label(tip + beyond, what, colour, -0.5);
   };
   const double speed = length(velocity);
   draw(velocity, speed > 0 ? longest / speed : 0, colours::kVelocity, text("v %.2f m/s", speed));

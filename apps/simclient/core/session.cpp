@@ -182,7 +182,7 @@ Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
     if (pools[i].name == shot.pool) body.pool = i;
   const ProjectileId id = world.spawn(shot.projectile, shot.launch, body);
   if (!id) return world.error().value_or(Error{"the shot was refused", "", ""});
-  const bool has_colour = body.colour != BodyDef{}.colour;
+  const bool has_colour = body.colour != kNoColour;
   begin_track(id, shot.projectile.name, has_colour ? body.colour : palette(fired_), true);
   if (!has_colour) world.set_colour(id, tracks_.back().colour);
   remember_moment(true);
@@ -298,7 +298,7 @@ void Session::look() {
     if (world().status(id) != LifeStatus::in_flight || track(id) != nullptr) continue;
     const Colour own = world().colour(id);
     const ProjectileDef* what = world().definition(id);
-    begin_track(id, what ? what->name : "", own != BodyDef{}.colour ? own : palette(fired_), false);
+    begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
   }
 }
 

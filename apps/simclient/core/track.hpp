@@ -11,6 +11,9 @@
 
 namespace physim::client {
 
+/// Of a body that was given no colour.
+inline constexpr Colour kNoColour = 0xFFFFFFFF;
+
 /// A projectile after one step of the world, or at an event within it.
 struct TrackSample {
   double time = 0;  // since its launch [s]

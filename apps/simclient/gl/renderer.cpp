@@ -49,7 +49,8 @@ Result<Renderer> Renderer::make() {
     Shader* shader;
   } shaders[] = {{"ground", kGroundVertex, kGroundFragment, &renderer.ground_shader_},
                  {"line", kLineVertex, kLineFragment, &renderer.line_shader_},
-                 {"ball", kBallVertex, kBallFragment, &renderer.ball_shader_}};
+                 {"ball", kBallVertex, kBallFragment, &renderer.ball_shader_},
+                 {"crowd", kCrowdVertex, kCrowdFragment, &renderer.crowd_shader_}};
   for (const auto& each : shaders) {
     Result<Shader> made = Shader::make(each.name, each.vertex, each.fragment);
     if (!made) return made.error();
@@ -82,6 +83,13 @@ void Renderer::make_meshes() {
       attribute(3, 2, GL_FLOAT, sizeof(BallInstance), offsetof(BallInstance, radius));
     }
   }
+  glGenVertexArrays(1, &crowd_.array);
+  glBindVertexArray(crowd_.array);
+  glGenBuffers(1, &crowd_.instances);
+  glBindBuffer(GL_ARRAY_BUFFER, crowd_.instances);
+  attribute(0, 3, GL_FLOAT, sizeof(DotInstance), offsetof(DotInstance, at));
+  attribute(1, 4, GL_UNSIGNED_BYTE, sizeof(DotInstance), offsetof(DotInstance, colour));
+  glVertexAttribDivisor(1, 0);
   glBindVertexArray(0);
 }
 
@@ -89,12 +97,14 @@ Renderer::Renderer(Renderer&& other) noexcept
     : ground_shader_(std::move(other.ground_shader_)),
       line_shader_(std::move(other.line_shader_)),
       ball_shader_(std::move(other.ball_shader_)),
+      crowd_shader_(std::move(other.crowd_shader_)),
       ground_(std::exchange(other.ground_, {})),
       line_(std::exchange(other.line_, {})),
-      ball_(std::exchange(other.ball_, {})) {}
+      ball_(std::exchange(other.ball_, {})),
+      crowd_(std::exchange(other.crowd_, {})) {}
 
 Renderer::~Renderer() {
-  for (const Mesh& mesh : {ground_, line_, ball_}) {
+  for (const Mesh& mesh : {ground_, line_, ball_, crowd_}) {
     if (mesh.array == 0) continue;
     glDeleteVertexArrays(1, &mesh.array);
     glDeleteBuffers(1, &mesh.corners);
@@ -113,6 +123,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& vi
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const Mat4 matrix = camera.matrix();
   if (scene.has_ground) draw_ground(scene, camera, matrix);
+  draw_crowd(scene, camera, matrix);
   draw_lines(scene, camera, matrix);
   draw_balls(scene, camera, matrix);
   glBindVertexArray(0);
@@ -145,6 +156,26 @@ void Renderer::draw_lines(const Scene& scene, const Camera& camera, const Mat4& 
   upload(line_.instances, line_data_);
   glBindVertexArray(line_.array);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(line_data_.size()));
+}
+
+/// Opaque squares of a few pixels: software rendering draws them many times as fast as anything rounder.
+void Renderer::draw_crowd(const Scene& scene, const Camera& camera, const Mat4& matrix) {
+  if (scene.crowd.empty()) return;
+  const Vec3d eye = camera.eye();
+  crowd_data_.resize(scene.crowd.size());
+  for (std::size_t i = 0; i < scene.crowd.size(); ++i) {
+    relative(scene.crowd[i].at, camera, eye, crowd_data_[i].at);
+    bytes(scene.crowd[i].colour, crowd_data_[i].colour);
+  }
+  crowd_shader_.use();
+  glUniformMatrix4fv(crowd_shader_.uniform("matrix"), 1, GL_FALSE, matrix.data());
+  glUniform1f(crowd_shader_.uniform("pixels"), scene.crowd_size);
+  upload(crowd_.instances, crowd_data_);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glDisable(GL_BLEND);
+  glBindVertexArray(crowd_.array);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(crowd_data_.size()));
+  glEnable(GL_BLEND);
 }
 
 void Renderer::draw_balls(const Scene& scene, const Camera& camera, const Mat4& matrix) {

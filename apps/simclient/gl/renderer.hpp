@@ -1,5 +1,5 @@
-// Renderer: draws a scene with OpenGL 3.3. Lines and balls are instances of one quad each, so that any number of them
-// is one call.
+// Renderer: draws a scene with OpenGL 3.3. Lines and balls are instances of one quad each, a crowd is points: any
+// number of them is one call.
 #pragma once
 
 #include <vector>
@@ -35,6 +35,10 @@ class Renderer {
     std::uint8_t colour[4];
     float radius, pixels;
   };
+  struct DotInstance {
+    float at[3];
+    std::uint8_t colour[4];
+  };
   struct Mesh {
     GLuint array = 0, corners = 0, instances = 0;
   };
@@ -43,12 +47,14 @@ class Renderer {
   void make_meshes();
   void draw_ground(const Scene& scene, const Camera& camera, const Mat4& matrix);
   void draw_lines(const Scene& scene, const Camera& camera, const Mat4& matrix);
+  void draw_crowd(const Scene& scene, const Camera& camera, const Mat4& matrix);
   void draw_balls(const Scene& scene, const Camera& camera, const Mat4& matrix);
 
-  Shader ground_shader_, line_shader_, ball_shader_;
-  Mesh ground_, line_, ball_;
+  Shader ground_shader_, line_shader_, ball_shader_, crowd_shader_;
+  Mesh ground_, line_, ball_, crowd_;
   std::vector<LineInstance> line_data_;
   std::vector<BallInstance> ball_data_;
+  std::vector<DotInstance> crowd_data_;
 };
 
 }  // namespace physim::client

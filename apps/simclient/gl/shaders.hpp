@@ -116,4 +116,24 @@ void main() {
 }
 )";
 
+// ----------------------------------------------------------------------------------------------------------- crowd
+inline constexpr const char* kCrowdVertex = R"(#version 330 core
+layout(location = 0) in vec3 at;
+layout(location = 1) in vec4 dot_colour;
+uniform mat4 matrix;
+uniform float pixels;
+out vec4 shade;
+void main() {
+  gl_Position = matrix * vec4(at, 1.0);
+  gl_PointSize = pixels;
+  shade = dot_colour;
+}
+)";
+
+inline constexpr const char* kCrowdFragment = R"(#version 330 core
+in vec4 shade;
+out vec4 colour;
+void main() { colour = shade; }
+)";
+
 }  // namespace physim::client

@@ -84,7 +84,7 @@ void draw_performance(Client& client) {
   const std::vector<float> times(client.frame_times.begin(), client.frame_times.end());
   float mean = 0, worst = 0;
   for (const float t : times) mean += t / static_cast<float>(times.size()), worst = std::max(worst, t);
-  const float wide = ImGui::GetFontSize() * 24;
+  const float wide = ImGui::GetFontSize() * 26;
   ImGui::BeginChild("numbers", {wide, 0});
   const auto row = [wide](const char* what, const char* format, auto... values) {
     ImGui::TextDisabled("%s", what);

@@ -5,14 +5,9 @@
 
 #include <string>
 
-#include "simclient/core/palette.hpp"
+#include "simclient/core/layout.hpp"
 
 namespace physim::client {
-
-/// A part of the window [pixels].
-struct Box {
-  float x = 0, y = 0, width = 0, height = 0;
-};
 
 void set_theme(float scale);
 [[nodiscard]] ImU32 shade(Colour colour);

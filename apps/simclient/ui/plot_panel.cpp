@@ -78,7 +78,7 @@ void draw_read_out(ImDrawList& list, const Frame& frame) {
 
 void pick_quantity(const char* id, std::size_t& quantity) {
   const auto all = plot_quantities();
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6.5F);
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 7.4F);
   if (!ImGui::BeginCombo(id, std::string(all[quantity].name).c_str(), ImGuiComboFlags_HeightLarge)) return;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (ImGui::Selectable(std::string(all[i].name).c_str(), i == quantity)) quantity = i;

@@ -73,7 +73,7 @@ void coloured_text(Colour colour, const std::string& text) {
 }
 
 void tooltip(const std::string& text) {
-  if (!ImGui::IsItemHovered()) return;
+  if (text.empty() || !ImGui::IsItemHovered()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
   ImGui::TextUnformatted(text.c_str());

@@ -36,30 +36,10 @@ void action_item(Client& client, const char* name, const char* label) {
 
 Ui::Ui(float scale) : scale_(scale) { set_theme(scale); }
 
-Layout Ui::layout(const Client& client, float width, float height, float scale) {
-  constexpr float kSide = 320, kBottom = 280, kLeastScene = 240, kLeastSide = 220;
-  const float menu = 26 * scale, status = 28 * scale;
-  float left = client.show.settings ? kSide * scale : 0, right = client.show.statistics ? kSide * scale : 0;
-  const float most = std::max(width - kLeastScene * scale, 0.0F);
-  if (left + right > most) left = std::min(left, most - right);
-  if (left < kLeastSide * scale) left = 0;  // too narrow to read
-  if (right > most) right = most < kLeastSide * scale ? 0 : most;
-  const float room = std::max(height - menu - status, 1.0F);
-  const float bottom = client.bottom == BottomPanel::none ? 0 : std::min(kBottom * scale, room * 0.45F);
-  const float middle = std::max(room - bottom, 1.0F);
-  Layout out;
-  out.menu = {0, 0, width, menu};
-  out.status = {0, height - status, width, status};
-  out.left = {0, menu, left, middle};
-  out.right = {width - right, menu, right, middle};
-  out.bottom = {0, menu + middle, width, bottom};
-  out.scene = {left, menu, std::max(width - left - right, 1.0F), middle};
-  return out;
-}
-
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  layout_ = layout(client, size.x, size.y, scale_);
+  layout_ = make_layout(client, size.x, size.y, scale_);
+  steer(client);
   draw_labels(client, scene);
   draw_menu_bar(client);
   if (layout_.left.width > 0) settings_.draw(client, layout_.left);
@@ -70,6 +50,19 @@ void Ui::draw(Client& client, const Scene& scene) {
   draw_probe(client);
   draw_context_menu(client);
   if (client.show.help) draw_help(client);
+  open_dialog_.draw(client, layout_.scene, scale_);
+}
+
+/// Lets the keyboard into the panels, and out again.
+void Ui::steer(const Client& client) {
+  ImGuiIO& io = ImGui::GetIO();
+  const bool was_on = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
+  if (was_on == client.show.panel_keys) return;
+  io.ConfigFlags ^= ImGuiConfigFlags_NavEnableKeyboard;
+  if (client.show.panel_keys && layout_.left.width > 0)
+    ImGui::SetWindowFocus(kSettings);
+  else
+    ImGui::SetWindowFocus(client.show.panel_keys ? kStatistics : nullptr);
 }
 
 bool Ui::close_something(Client& client) {
@@ -77,7 +70,9 @@ bool Ui::close_something(Client& client) {
     ImGui::ClosePopupsOverWindow(nullptr, false);
     return true;
   }
+  if (client.show.open_dialog) return client.show.open_dialog = false, true;
   if (client.show.help) return client.show.help = false, true;
+  if (client.show.panel_keys) return client.show.panel_keys = false, true;
   return false;
 }
 
@@ -147,6 +142,34 @@ void Ui::draw_help(Client& client) {
 }
 
 // ------------------------------------------------------------------------------------------- what is always to be seen
+std::vector<Ui::Item> Ui::status_items(const Client& client) const {
+  const Launcher& launcher = client.launcher;
+  const Fidelity& f = launcher.shot().projectile.fidelity;
+  const Session& session = client.session;
+  char text[80];
+  std::snprintf(text, sizeof text, "%.2f s%s", session.time(), session.is_paused() ? "  PAUSED" : "");
+  std::vector<Item> items = {{"", text, session.is_paused() ? colours::kWarning : colours::kText}};
+  if (session.is_recording()) items.push_back({"", "RECORDING", colours::kAcceleration});
+  if (session.is_replay()) items.push_back({"", session.is_over() ? "REPLAY ENDED" : "REPLAY", colours::kVelocity});
+  if (client.show.panel_keys) items.push_back({"", "KEYS: PANELS", colours::kForce});
+  if (session.time_scale() != 1) {
+    std::snprintf(text, sizeof text, "\u00d7%g", session.time_scale());
+    items.push_back({"", text});
+  }
+  if (!session.is_replay()) {
+    items.push_back({"shot", launcher.types()[launcher.type()].name});
+    items.push_back({"elevation", launcher.elevation_text()});
+    items.push_back({"motion", std::string(name(f.motion))});
+    items.push_back({"drag", std::string(name(f.drag))});
+    items.push_back({"gravity", std::string(name(f.gravity))});
+  }
+  std::snprintf(text, sizeof text, client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s",
+                mode_text(client.camera.mode), client.camera.stretch);
+  items.push_back({"camera", text});
+  items.push_back({"in flight", std::to_string(session.world().size())});
+  return items;
+}
+
 void Ui::draw_status(Client& client) {
   const Box& b = layout_.status;
   ImGui::SetNextWindowPos({b.x, b.y});
@@ -155,38 +178,22 @@ void Ui::draw_status(Client& client) {
   ImGui::Begin("status", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoSavedSettings);
-  const Launcher& launcher = client.launcher;
-  const Fidelity& f = launcher.shot().projectile.fidelity;
-  const Session& session = client.session;
-  const auto item = [](const char* what, const std::string& value) {
-    ImGui::TextDisabled("%s", what);
-    ImGui::SameLine(0, 4);
-    ImGui::TextUnformatted(value.c_str());
-    ImGui::SameLine(0, 14);
-  };
-  char text[80];
-  std::snprintf(text, sizeof text, "%.2f s%s", session.time(), session.is_paused() ? "  PAUSED" : "");
-  ImGui::PushStyleColor(ImGuiCol_Text, tint(session.is_paused() ? colours::kWarning : colours::kText));
-  ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
-  ImGui::SameLine(0, 14);
-  if (session.time_scale() != 1) {
-    std::snprintf(text, sizeof text, "%g", session.time_scale());
-    item("\u00d7", text);
+  const std::vector<Item> items = status_items(client);
+  const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  float gap = 14 * scale_, total = 16 * scale_;
+  for (const Item& item : items)
+    total += width(item.what) + (item.what.empty() ? 0 : 4 * scale_) + width(item.value) + gap;
+  const bool has_room = total <= b.width;  // else what things are called gives way to what they are
+  if (!has_room) gap = 8 * scale_;
+  for (const Item& item : items) {
+    if (has_room && !item.what.empty()) {
+      ImGui::TextDisabled("%s", item.what.c_str());
+      ImGui::SameLine(0, 4 * scale_);
+    }
+    ImGui::TextColored(tint(item.colour), "%s", item.value.c_str());
+    tooltip(item.what);
+    ImGui::SameLine(0, gap);
   }
-  if (!session.is_replay()) {
-    item("shot", launcher.types()[launcher.type()].name);
-    item("elevation", launcher.elevation_text());
-    item("motion", std::string(name(f.motion)));
-    item("drag", std::string(name(f.drag)));
-    item("gravity", std::string(name(f.gravity)));
-  }
-  std::snprintf(text, sizeof text, client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s",
-                mode_text(client.camera.mode), client.camera.stretch);
-  item("camera", text);
-  item("in flight", std::to_string(session.world().size()));
-  if (session.is_recording()) coloured_text(colours::kAcceleration, "RECORDING");
-  if (session.is_replay()) coloured_text(colours::kVelocity, session.is_over() ? "REPLAY, at its end" : "REPLAY");
   ImGui::End();
   ImGui::PopStyleVar();
 }
@@ -205,7 +212,8 @@ void Ui::draw_labels(const Client& client, const Scene& scene) {
     const float x = s.x + static_cast<float>(at->x) - (label->centred ? size.x / 2 : -4 * scale_);
     const float y = s.y + static_cast<float>(at->y) + (label->line >= 0 ? 6 * scale_ : -6 * scale_) +
                     static_cast<float>(label->line) * line - (label->centred ? 0 : line);
-    const Box box{x - 3, y, size.x + 6, size.y};
+    const Box box{x - 3, y + 1, size.x + 6, size.y - 2};
+    if (x < s.x || x + size.x > s.x + s.width) continue;  // half a number says the wrong thing
     const bool is_covered = std::any_of(taken.begin(), taken.end(), [&](const Box& b) {
       return box.x < b.x + b.width && b.x < box.x + box.width && box.y < b.y + b.height && b.y < box.y + box.height;
     });

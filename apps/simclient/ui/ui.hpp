@@ -7,21 +7,14 @@
 
 #include "simclient/core/client.hpp"
 #include "simclient/core/scene.hpp"
+#include "simclient/ui/open_dialog.hpp"
 #include "simclient/ui/panels.hpp"
 #include "simclient/ui/settings_panel.hpp"
 
 namespace physim::client {
 
-/// Who has which part of the window; nothing overlaps.
-struct Layout {
-  Box menu, left, right, bottom, status, scene;
-};
-
 class Ui {
  public:
-  /// Lays out a window of this size. All sizes grow with `scale`.
-  [[nodiscard]] static Layout layout(const Client& client, float width, float height, float scale);
-
   explicit Ui(float scale);
   void draw(Client& client, const Scene& scene);
   /// The menu of a right click on the scene.
@@ -34,9 +27,18 @@ class Ui {
   void set_mouse(const Pixel& pixel, bool on_scene) { mouse_ = pixel, mouse_on_scene_ = on_scene; }
 
  private:
+  static constexpr const char *kSettings = "###settings", *kStatistics = "###statistics";
+
+  void steer(const Client& client);
   void draw_menu_bar(Client& client);
   void draw_tests_menu(Client& client);
   void draw_context_menu(Client& client);
+  /// A piece of the line at the foot of the window.
+  struct Item {
+    std::string what, value;
+    Colour colour = colours::kText;
+  };
+  [[nodiscard]] std::vector<Item> status_items(const Client& client) const;
   void draw_status(Client& client);
   void draw_labels(const Client& client, const Scene& scene);
   void draw_messages(const Client& client);
@@ -45,6 +47,7 @@ class Ui {
 
   float scale_;
   SettingsPanel settings_;
+  OpenDialog open_dialog_;
   Layout layout_;
   Pixel mouse_;
   bool mouse_on_scene_ = false, opens_menu_ = false;

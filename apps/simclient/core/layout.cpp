@@ -1,0 +1,28 @@
+#include "simclient/core/layout.hpp"
+
+#include <algorithm>
+
+namespace physim::client {
+
+Layout make_layout(const Client& client, float width, float height, float scale) {
+  constexpr float kSide = 320, kBottom = 280, kLeastScene = 240, kLeastSide = 220;
+  const float menu = 26 * scale, status = 28 * scale;
+  float left = client.show.settings ? kSide * scale : 0, right = client.show.statistics ? kSide * scale : 0;
+  const float most = std::max(width - kLeastScene * scale, 0.0F);
+  if (left + right > most) left = std::min(left, most - right);
+  if (left < kLeastSide * scale) left = 0;  // too narrow to read
+  if (right > most) right = most < kLeastSide * scale ? 0 : most;
+  const float room = std::max(height - menu - status, 1.0F);
+  const float bottom = client.bottom == BottomPanel::none ? 0 : std::min(kBottom * scale, room * 0.45F);
+  const float middle = std::max(room - bottom, 1.0F);
+  Layout out;
+  out.menu = {0, 0, width, menu};
+  out.status = {0, height - status, width, status};
+  out.left = {0, menu, left, middle};
+  out.right = {width - right, menu, right, middle};
+  out.bottom = {0, menu + middle, width, bottom};
+  out.scene = {left, menu, std::max(width - left - right, 1.0F), middle};
+  return out;
+}
+
+}  // namespace physim::client

@@ -1,0 +1,35 @@
+#include "simclient/ui/open_dialog.hpp"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+namespace physim::client {
+
+void OpenDialog::open(Client& client, const std::string& path) {
+  client.show.open_dialog = false;
+  if (Status bad = client.open(path)) client.complain(*bad);
+}
+
+void OpenDialog::draw(Client& client, const Box& scene, float scale) {
+  if (client.show.open_dialog && !was_open_) files_ = files_at_hand();
+  const bool has_just_opened = client.show.open_dialog && !was_open_;
+  was_open_ = client.show.open_dialog;
+  if (!was_open_) return;
+  ImGui::SetNextWindowPos({scene.x + scene.width / 2, scene.y + scene.height / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(520 * scale, scene.width), std::min(460 * scale, scene.height)});
+  if (ImGui::Begin("Open a scenario or recording", &client.show.open_dialog,
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    ImGui::SetNextItemWidth(-1);
+    if (has_just_opened) ImGui::SetKeyboardFocusHere();
+    if (ImGui::InputTextWithHint("##path", "path, then Enter", &path_, ImGuiInputTextFlags_EnterReturnsTrue))
+      open(client, path_);
+    if (ImGui::BeginChild("files"))
+      for (const std::string& file : files_)
+        if (ImGui::Selectable(file.c_str())) open(client, file);
+    ImGui::EndChild();
+  }
+  ImGui::End();
+}
+
+}  // namespace physim::client
