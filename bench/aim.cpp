@@ -123,9 +123,8 @@ Section aim_section(const Options& options) {
     };
     const auto taken = take_turns(options.clock, std::min(options.rounds, 5), {ask_all});
     s.rows.push_back({arc == Arc::low ? "low" : "high", fixed(static_cast<double>(tally.found), 0),
-                      fixed(static_cast<double>(tally.wrong), 0), metres(tally.worst),
-                      fixed(median(tally.flights), 0), fixed(mean, 2), fixed(quantile(tally.flights, 0.9), 0),
-                      fixed(quantile(tally.flights, 1), 0),
+                      fixed(static_cast<double>(tally.wrong), 0), metres(tally.worst), fixed(median(tally.flights), 0),
+                      fixed(mean, 2), fixed(quantile(tally.flights, 0.9), 0), fixed(quantile(tally.flights, 1), 0),
                       fixed(1e6 * median(taken[0]) / static_cast<double>(number), 0)});
   }
   return s;
