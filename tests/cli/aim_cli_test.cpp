@@ -147,7 +147,7 @@ TEST(CliAim, RefusesWhatMakesNoSense) {
   expect_complaint(physim({"aim", file, "--shot", "gun"}), "there is no shot \"gun\"");
   expect_complaint(physim({"aim", file, "--json", folder / "no/such/a.json"}), "no such directory");
   expect_complaint(physim({"aim", file, "--set", "shot.mass=-1 kg"}), "shot.mass");
-  expect_complaint(physim({"aim", bullet, "--set", "target.velocity=[1, 2, 3]"}), "target.position: missing");
+  expect_complaint(physim({"aim", bullet, "--set", "target.velocity=[1, 2, 3]"}), "there is no target");
 }
 
 // ----------------------------------------------------------------------------------------------------- range, danger
