@@ -97,7 +97,7 @@ class Aimer {
     conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
     conditions_ = std::make_shared<const Conditions<double>>(conditions);
     if (step_without_pilot(granted, options_.flight)) return;
-    const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);
+    const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);  // the longest flight asked for
     point(need.velocity);
     const Until until{.ground = std::nullopt, .time = clamp(1.2 * need.time, 1e-9, options_.time)};
     const auto step = pilot_step(projectile_, launch_, environment_, granted, options_.flight, until);
@@ -369,7 +369,9 @@ Status check(const Launch& launch, const Target& target, const AimOptions& optio
 
 Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                 const Fidelity& fidelity, const Target& target, const AimOptions& options) {
-  if (const Status bad = check(launch, target, options)) return *bad;
+  for (const Status& bad :
+       {check(launch, target, options), check(projectile), check(environment), check(options.flight, fidelity)})
+    if (bad) return *bad;
   return Aimer(projectile, launch, environment, fidelity, target, options).run();
 }
 
