@@ -13,7 +13,7 @@
 namespace physim::test {
 namespace {
 
-constexpr double kMostLost = 0.01;  // part of the reachable targets that may go unfound
+constexpr double kMostLost = 0.005;  // part of the reachable targets that may go unfound
 
 struct Case {
   ProjectileDef projectile;
