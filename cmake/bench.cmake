@@ -7,6 +7,7 @@ list(FILTER bench_kernels INCLUDE REGEX "_kernel\\.cpp$")
 list(FILTER bench_sources EXCLUDE REGEX "_kernel\\.cpp$")
 physim_add_executable(physim_bench ${bench_sources})
 physim_add_kernels(physim_bench ${bench_kernels})
+target_include_directories(physim_bench PRIVATE tests)  # random_shots.hpp
 target_include_directories(physim_bench SYSTEM PRIVATE ${SUNDIALS_INCLUDE_DIR})
 target_link_libraries(physim_bench PRIVATE Boost::headers)
 foreach(part IN ITEMS arkode cvode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)

@@ -39,6 +39,11 @@ std::string in_words(const Fidelity& fidelity) {
   return out;
 }
 
+std::string note_text(const FidelityNote& note) {
+  const std::string where = note.granted == note.asked ? "" : " where " + note.asked + " was asked";
+  return note.effect + " " + note.granted + where + ": " + note.reason;
+}
+
 std::string physics_left_out(const Fidelity& full, const Fidelity& fidelity) {
   std::string out;
   const auto all = fidelity_fields(full), some = fidelity_fields(fidelity);

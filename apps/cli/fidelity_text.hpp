@@ -23,6 +23,9 @@ struct FidelityField {
 /// "force motion, tsit5, constant gravity, ...": all rungs in one line.
 [[nodiscard]] std::string in_words(const Fidelity& fidelity);
 
+/// "drag off where equation was asked: there is no air".
+[[nodiscard]] std::string note_text(const FidelityNote& note);
+
 /// The physics in which `fidelity` differs from `full`, as "drag off; air vacuum"; empty for none. Neither the
 /// integrator nor the precision is physics.
 [[nodiscard]] std::string physics_left_out(const Fidelity& full, const Fidelity& fidelity);

@@ -7,6 +7,7 @@
 
 #include "fidelity_text.hpp"
 #include "flown.hpp"
+#include "output_number.hpp"
 #include "physim/names.hpp"
 #include "progress.hpp"
 
@@ -95,6 +96,16 @@ class Climber {
     shot_.launch.sight.zero_range = 0;
   }
 
+  /// What the shot asks for by an error instead of rungs.
+  [[nodiscard]] Result<Rung> chosen_rung() const {
+    const Flight flight = fly_shot(scenario_, shot_);
+    if (flight.error()) return refusal(scenario_, shot_, flight);
+    Rung rung{Family::preset, "cheapest within " + significant(*shot_.cheapest_within, 4) + " m", "",
+              flight.fidelity_in_use().fidelity, scenario_.tolerance};
+    if (flight.step() > 0) rung.tolerance.step = flight.step();
+    return rung;
+  }
+
   /// Median time of one fly() [s]: of samples that are each long enough for the clock, at least three of them unless
   /// the flight itself is a long one.
   [[nodiscard]] double cost_of(const Fidelity& fidelity, const Tolerance& tolerance) const {
@@ -176,7 +187,12 @@ Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot) {
   const Flight simulation = climber.fly_rung(Fidelity::simulation(), scenario.tolerance);
 
   Ladder ladder{.shot = shot.projectile.name};
-  const std::vector<Rung> rungs = all_rungs(scenario);
+  std::vector<Rung> rungs = all_rungs(scenario);
+  if (shot.cheapest_within) {
+    const Result<Rung> chosen = climber.chosen_rung();
+    if (!chosen) return chosen.error();
+    rungs.insert(rungs.begin(), *chosen);
+  }
   Progress progress("comparing", rungs.size() + 1);
   for (const Rung& rung : rungs) {
     Flight flight = climber.fly_rung(rung.fidelity, rung.tolerance);

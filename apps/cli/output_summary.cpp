@@ -86,10 +86,7 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
   const auto& within = flown.shot->cheapest_within;
   out += line("fidelity", within ? "cheapest within " + significant(*within, 4) + " m of " + preset : preset);
   out += line("granted", in_words(in_use.fidelity));
-  for (const FidelityNote& note : in_use.notes) {
-    const std::string where = note.granted == note.asked ? "" : " where " + note.asked + " was asked";
-    out += line(style.warn("note"), note.effect + " " + note.granted + where + ": " + note.reason);
-  }
+  for (const FidelityNote& note : in_use.notes) out += line(style.warn("note"), note_text(note));
   out += range_card(flown, asked_ranges.empty() ? default_ranges(flight.end().range) : asked_ranges);
   out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
   for (const Event& event : flight.events())

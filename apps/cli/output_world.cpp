@@ -110,8 +110,7 @@ std::string fidelities(const WorldLog& log, const Style& style) {
     out += std::string(told.size() == 1 ? "\n" : "") + "  " + style.bold(one_line(projectile.name)) + " " +
            preset_name(projectile.fidelity) + ": " + in_words(log.in_use[i].fidelity) + "\n";
     for (const FidelityNote& note : log.in_use[i].notes)
-      out += "    " + style.warn("note") + " " + note.effect + " " + note.granted + " where " + note.asked +
-             " was asked: " + note.reason + "\n";
+      out += "    " + style.warn("note") + " " + note_text(note) + "\n";
   }
   return out;
 }

@@ -41,9 +41,14 @@ std::optional<fs::path> folder_in(const fs::path& data, const Suite& suite, bool
   return holds(data, suite, is_wanted) ? std::optional(data) : std::nullopt;
 }
 
+/// The folder that PHYSIM_DATA names; else that of the installation this program lies in; else that of the sources.
 fs::path own_data() {
-  const char* from_environment = std::getenv("PHYSIM_DATA");
-  return fs::path(from_environment != nullptr ? from_environment : PHYSIM_DATA_DIR) / "validation";
+  if (const char* named = std::getenv("PHYSIM_DATA")) return fs::path(named) / "validation";
+  std::error_code failure;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  const fs::path installed = program.parent_path().parent_path() / PHYSIM_INSTALLED_DATA / "validation";
+  if (!failure && fs::is_directory(installed, failure)) return installed;
+  return fs::path(PHYSIM_DATA_DIR) / "validation";
 }
 
 struct Job {

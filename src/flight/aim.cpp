@@ -6,7 +6,7 @@
 // the high solution. So one flight answers for all times of flight at once; the next flight, in the direction found, is
 // nearer by an order of magnitude or two, and the last one is its own proof. Where the required speed is above the
 // launch speed at all times, the target is out of reach as far as the neighbours know. Before that is believed, a fan
-// of flights over all elevations looks for paths that pass nearer, and the search starts again from those.
+// of flights over all elevations and sides looks for paths that pass nearer, and descents start from those.
 #include "physim/aim.hpp"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ class Aimer {
     conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
     conditions_ = std::make_shared<const Conditions<double>>(conditions);
     if (step_without_pilot(granted, options_.flight)) return;
-    const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);
+    const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);  // the longest flight asked for
     point(need.velocity);
     const Until until{.ground = std::nullopt, .time = clamp(1.2 * need.time, 1e-9, options_.time)};
     const auto step = pilot_step(projectile_, launch_, environment_, granted, options_.flight, until);
@@ -288,15 +288,16 @@ class Aimer {
     return std::nullopt;
   }
 
-  /// Makes the miss smaller flight by flight, to a hit or to the nearest there is hereabouts: the method of Levenberg
-  /// and Marquardt over the two angles of the direction. (D. W. Marquardt, "An algorithm for least-squares estimation
-  /// of nonlinear parameters", J. SIAM 11 (1963) 431-441.)
+  /// Makes the miss smaller, to a hit or to the nearest there is hereabouts: the method of Levenberg and Marquardt over
+  /// the two angles of the direction, its derivatives from flights a little to the side and a little higher, so that it
+  /// needs no idea of what flies. (D. W. Marquardt, "An algorithm for least-squares estimation of nonlinear
+  /// parameters", J. SIAM 11 (1963) 431-441.)
   std::optional<AimSolution> descend(const Start& start, std::int64_t flown) {
-    double damping = 0.01, least = kInfinity, time = start.time;
-    Vec3d velocity = start.velocity;
-    std::optional<Neighbours> best;
+    double damping = 0.001, least = kInfinity, time = start.time;
+    Vec3d velocity = start.velocity, best;
+    Slopes slopes;
     Passing passed;
-    for (int i = 0; i < kMostDescents && damping < 1e6; ++i) {
+    for (int i = 0; i < kMostDescents && damping < 1e4; ++i) {
       const Flight flight = fly_towards(velocity, 1.5 * time, time);
       if (error_) return std::nullopt;
       const Passing p = passing(flight, time);
@@ -305,39 +306,51 @@ class Aimer {
         note(flight, p);
         if (miss <= options_.tolerance) return accepted(flight, p, flown);
         if (least - miss < 1e-4 * miss && damping < 1) break;
-        Neighbours neighbours(flight, environment_, conditions_);
-        if (best) neighbours.learn_from(*best);
-        best = std::move(neighbours);
+        best = velocity;
         passed = p;
         least = miss;
         damping *= 0.2;
+        slopes = slopes_at(best, passed);
       } else {
-        if (!best) return std::nullopt;
         damping *= 5;
       }
-      velocity = step_down(*best, passed, damping);
+      velocity = step_down(best, slopes, passed, damping);
       time = passed.time;
-      if (!finite(velocity)) break;
+      if (error_ || !finite(velocity)) break;
     }
     return std::nullopt;
   }
 
+  /// Two directions across a direction of fire, and how the path moves past the target with turns towards them.
+  struct Slopes {
+    Vec3d side, up;
+    Vec3d by_side, by_up;  // [m/rad]
+  };
+
+  Slopes slopes_at(const Vec3d& velocity, const Passing& passed) {
+    constexpr double kTurn = 1e-4;
+    const Vec3d forward = normalized(velocity);
+    Slopes s;
+    s.side = normalized(cross(forward, abs(forward.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}));
+    s.up = cross(s.side, forward);
+    const auto moved = [&](const Vec3d& towards) {
+      const Flight flight = fly_towards(forward + towards * kTurn, 1.5 * passed.time, passed.time);
+      return (passed.miss - passing(flight, passed.time).miss) * (1 / kTurn);
+    };
+    s.by_side = moved(s.side);
+    if (!error_) s.by_up = moved(s.up);
+    return s;
+  }
+
   /// The launch velocity that a damped step brings nearer.
-  [[nodiscard]] Vec3d step_down(const Neighbours& near, const Passing& p, double damping) const {
-    const Vec3d forward = normalized(near.flown_velocity());
-    const Vec3d side = normalized(cross(forward, abs(forward.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}));
-    const Vec3d up = cross(side, forward);
-    const Neighbours::Sensitivity s = near.sensitivity(p.time);
-    const Vec3d approach = normalized(near.velocity(p.time) - target_.velocity_at(p.time));
-    const auto across = [&](const Vec3d& v) { return v - approach * dot(approach, v); };
-    const Vec3d by_side = across(s * side) * launch_.speed, by_up = across(s * up) * launch_.speed;
-    const double ss = dot(by_side, by_side), uu = dot(by_up, by_up), su = dot(by_side, by_up);
-    const double more = damping * (ss + uu);
-    const double ms = dot(by_side, p.miss), mu = dot(by_up, p.miss);
-    const double per_determinant = 1 / ((ss + more) * (uu + more) - su * su);
-    const double turn_side = clamp((ms * (uu + more) - mu * su) * per_determinant, -0.5, 0.5);
-    const double turn_up = clamp((mu * (ss + more) - ms * su) * per_determinant, -0.5, 0.5);
-    return normalized(forward + side * turn_side + up * turn_up) * launch_.speed;
+  [[nodiscard]] Vec3d step_down(const Vec3d& velocity, const Slopes& s, const Passing& p, double damping) const {
+    const double ss = (1 + damping) * dot(s.by_side, s.by_side), uu = (1 + damping) * dot(s.by_up, s.by_up);
+    const double su = dot(s.by_side, s.by_up);
+    const double ms = dot(s.by_side, p.miss), mu = dot(s.by_up, p.miss);
+    const double per_determinant = 1 / (ss * uu - su * su);
+    const double turn_side = clamp((ms * uu - mu * su) * per_determinant, -0.5, 0.5);
+    const double turn_up = clamp((mu * ss - ms * su) * per_determinant, -0.5, 0.5);
+    return normalized(normalized(velocity) + s.side * turn_side + s.up * turn_up) * launch_.speed;
   }
 
   ProjectileDef projectile_;
@@ -369,7 +382,9 @@ Status check(const Launch& launch, const Target& target, const AimOptions& optio
 
 Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                 const Fidelity& fidelity, const Target& target, const AimOptions& options) {
-  if (const Status bad = check(launch, target, options)) return *bad;
+  for (const Status& bad :
+       {check(launch, target, options), check(projectile), check(environment), check(options.flight, fidelity)})
+    if (bad) return *bad;
   return Aimer(projectile, launch, environment, fidelity, target, options).run();
 }
 

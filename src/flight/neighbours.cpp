@@ -218,22 +218,18 @@ Neighbours::Node Neighbours::between(double time) const {
   return out;
 }
 
-Neighbours::Sensitivity Neighbours::sensitivity(const Node& node, double time) const {
-  const Vec3d e = error_at(time);
-  const double per_tiny = 1 / (kTiny * length(launch_velocity_));
-  return {(node.path[1].x - node.path[0].x) * per_tiny + e * error_of_.x,
-          (node.path[2].x - node.path[0].x) * per_tiny + e * error_of_.y,
-          (node.path[3].x - node.path[0].x) * per_tiny + e * error_of_.z};
-}
-
 Vec3d Neighbours::required_velocity(const Vec3d& place, double time) const {
   const Node node = between(time);
-  const Sensitivity s = sensitivity(node, time);
-  const Vec3d here = flight_.at(time).position + node.path[0].x + error_at(time) * dot(error_of_, change_);
+  const Vec3d e = error_at(time);
+  const double per_tiny = 1 / (kTiny * length(launch_velocity_));
+  // How the place changes with each component of the launch velocity, and the linear equations for the change.
+  const Vec3d a = (node.path[1].x - node.path[0].x) * per_tiny + e * error_of_.x;
+  const Vec3d b = (node.path[2].x - node.path[0].x) * per_tiny + e * error_of_.y;
+  const Vec3d c = (node.path[3].x - node.path[0].x) * per_tiny + e * error_of_.z;
+  const Vec3d here = flight_.at(time).position + node.path[0].x + e * dot(error_of_, change_);
   const Vec3d off = place - here;
-  const Vec3d yz = cross(s.by_y, s.by_z), zx = cross(s.by_z, s.by_x), xy = cross(s.by_x, s.by_y);
-  const double per_volume = 1 / dot(s.by_x, yz);
-  return launch_velocity() + Vec3d{dot(off, yz), dot(off, zx), dot(off, xy)} * per_volume;
+  const Vec3d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  return launch_velocity() + Vec3d{dot(off, bc), dot(off, ca), dot(off, ab)} * (1 / dot(a, bc));
 }
 
 }  // namespace physim

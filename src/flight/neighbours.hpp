@@ -36,22 +36,11 @@ class Neighbours {
   /// The launch velocity of the neighbour [m/s].
   [[nodiscard]] Vec3d launch_velocity() const { return launch_velocity_ + change_; }
   [[nodiscard]] const Vec3d& flown_velocity() const { return launch_velocity_; }
-  /// The velocity on the flown path at a time [m/s].
-  [[nodiscard]] Vec3d velocity(double time) const { return flight_.at(time).velocity; }
 
   /// Times between which the neighbour was computed, from 0 to the end of the flight [s].
   [[nodiscard]] std::span<const double> times() const { return times_; }
   /// The launch velocity with which a neighbour would be at a place at a time [m/s].
   [[nodiscard]] Vec3d required_velocity(const Vec3d& place, double time) const;
-
-  /// How the place at a time changes with the launch velocity: the derivatives by its x, y and z [s].
-  struct Sensitivity {
-    Vec3d by_x, by_y, by_z;
-    [[nodiscard]] Vec3d operator*(const Vec3d& change) const {
-      return by_x * change.x + by_y * change.y + by_z * change.z;
-    }
-  };
-  [[nodiscard]] Sensitivity sensitivity(double time) const { return sensitivity(between(time), time); }
 
  private:
   struct Offset {
@@ -73,7 +62,6 @@ class Neighbours {
   [[nodiscard]] Node rates(const Known& known, const Node& node) const;
   [[nodiscard]] Node stepped(const Node& from, const Known& k0, const Known& k1, const Known& k2, double h) const;
   [[nodiscard]] Node between(double time) const;
-  [[nodiscard]] Sensitivity sensitivity(const Node& node, double time) const;
   [[nodiscard]] Vec3d error_at(double time) const;
 
   Flight flight_;

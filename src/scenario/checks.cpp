@@ -108,13 +108,6 @@ Status check_wind(const Wind& wind, const Value& document) {
   return std::nullopt;
 }
 
-Status check_target(const ScenarioTarget& target, const Value& document) {
-  const Value* table = document.find("target");
-  if (table == nullptr || target.position || table->find("position")) return std::nullopt;
-  return Error{"target.position: missing", place_of(*table, {"position"}),
-               "write where the target is, as position = [\"500 m\", \"20 m\", \"0 m\"]"};
-}
-
 Status check_expectations(const Scenario& scenario, const Value& document, const NamesSeen& seen) {
   for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
     const Value& table = element(document, "expect", i);
@@ -142,7 +135,6 @@ Status check_scenario(const Scenario& scenario, const Value& document) {
   NamesSeen seen;
   if (Status bad = check_shots(scenario, document, seen)) return bad;
   if (Status bad = check_wind(scenario.environment.wind, document)) return bad;
-  if (Status bad = check_target(scenario.target, document)) return bad;
   if (Status bad = check_world(scenario, document)) return bad;
   return scenario.world.given ? std::nullopt : check_expectations(scenario, document, seen);
 }

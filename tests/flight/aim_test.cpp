@@ -211,6 +211,10 @@ TEST(Aim, bad_input_is_refused_with_its_place) {
   const Result<Aim> refused = aim(massless, good, {}, {}, there);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "projectile.mass");
+  Environment stormy;
+  stormy.wind.profile.resize(40);
+  EXPECT_EQ(aim({}, good, stormy, {}, there).error().place, "environment.wind.profile");
+  EXPECT_EQ(aim({}, good, {}, {}, there, {.flight = {.max_steps = 0}}).error().place, "tolerance.max_steps");
   Environment deep;
   const Result<Aim> buried = aim({}, {.position = {0, -6000, 0}, .speed = 100}, deep, {}, there);
   EXPECT_FALSE(buried);

@@ -13,7 +13,7 @@
 namespace physim::test {
 namespace {
 
-constexpr double kMostLost = 0.01;  // part of the reachable targets that may go unfound
+constexpr double kMostLost = 0.005;  // part of the reachable targets that may go unfound
 
 struct Case {
   ProjectileDef projectile;
@@ -49,7 +49,7 @@ bool is_sound(const Case& c, const Flight& flight) {
   half.step *= 0.5;
   const Flight finer = fly(c.projectile, c.launch, c.environment, c.fidelity, half, {.ground = {}, .time = 100});
   const double time = std::min(flight.duration(), finer.duration());
-  return length(flight.at(time).position - finer.at(time).position) < 1 + 0.01 * time * flight.at(0).speed;
+  return length(flight.at(time).position - finer.at(time).position) < 0.1 + 1e-3 * time * flight.at(0).speed;
 }
 
 Case any_case(Random& r) {
