@@ -275,8 +275,18 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
   track.born = world().time() - world().age(id);
   track.by_hand = by_hand;
   track.granted = world().fidelity_in_use(id);
+  if (!by_hand) add_launch(track);
   track.samples.push_back(sample(track));
   tracks_.push_back(std::move(track));
+}
+
+/// The start of what the run has launched within its last step.
+void Session::add_launch(Track& track) const {
+  if (is_replay() || !(world().age(track.id) > kInstant)) return;
+  for (const RunEvent& each : run_->events())
+    if (each.event.id == track.id && each.event.kind == WorldEventKind::spawned)
+      track.samples.push_back(
+          {0, each.event.position, each.event.velocity, world().accelerations(track.id).total, world().mach(track.id)});
 }
 
 void Session::look() {

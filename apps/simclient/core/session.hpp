@@ -110,6 +110,7 @@ class Session {
   [[nodiscard]] static Error cannot_change();
   [[nodiscard]] Track* find(ProjectileId id);
   [[nodiscard]] TrackSample sample(const Track& track) const;
+  void add_launch(Track& track) const;
 
   Scenario scenario_;  // as it was loaded
   std::optional<WorldRun> run_;
