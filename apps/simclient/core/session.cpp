@@ -18,6 +18,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Something that happened between two samples: with the acceleration and the air of the last one.
+TrackSample within_step(const Track& track, double time, const Vec3d& position, const Vec3d& velocity) {
+  TrackSample at = track.samples.back();
+  const double speed = length(at.velocity);
+  at.mach = speed > 0 ? at.mach * length(velocity) / speed : 0;
+  at.time = time - track.born, at.position = position, at.velocity = velocity;
+  return at;
+}
+
 std::uint64_t launches(const Scenario& scenario) {
   std::uint64_t count = scenario.shots.size();
   for (const Volley& volley : scenario.volleys) count += static_cast<std::uint64_t>(volley.count);
@@ -291,6 +300,7 @@ void Session::add_launch(Track& track) const {
 
 void Session::look() {
   look_at_events(world().events());
+  if (!is_replay()) look_at_wall();
   for (Track& track : tracks_) {
     if (!track.is_flying()) continue;
     if (!world().is_alive(track.id)) {
@@ -316,14 +326,20 @@ void Session::look_at_events(std::span<const WorldEvent> events) {
   for (const WorldEvent& event : events) {
     Track* track = find(event.id);
     if (track == nullptr || track->samples.empty()) continue;
-    const TrackSample& last = track->samples.back();
-    const double speed = length(last.velocity);
-    const TrackSample at{event.time - track->born, event.position, event.velocity, last.acceleration,
-                         speed > 0 ? last.mach * length(event.velocity) / speed : 0};
+    const TrackSample at = within_step(*track, event.time, event.position, event.velocity);
     const bool ends = event.kind == WorldEventKind::landed;
     if (event.kind == WorldEventKind::apex && !track->apex) track->apex = at;
     if ((ends || event.kind == WorldEventKind::bounced) && !track->impact) track->impact = at;
-    if (ends && at.time > last.time + kInstant) track->samples.push_back(at);
+    if (ends && at.time > track->samples.back().time + kInstant) track->samples.push_back(at);
+  }
+}
+
+void Session::look_at_wall() {
+  for (const WallHit& hit : run_->hits()) {
+    Track* track = find(hit.id);
+    if (track == nullptr || track->impact) continue;
+    track->impact = within_step(*track, hit.time, hit.position, hit.velocity);
+    if (track->impact->time > track->samples.back().time + kInstant) track->samples.push_back(*track->impact);
   }
 }
 

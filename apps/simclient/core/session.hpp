@@ -103,6 +103,7 @@ class Session {
   void take_step();
   void look();
   void look_at_events(std::span<const WorldEvent> events);
+  void look_at_wall();
   void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
   void remember_moment(bool changed);
   void forget_after(double time);
