@@ -207,6 +207,27 @@ TEST(Save, CsvHasEverySample) {
   EXPECT_NEAR(std::stod(line.substr(line.find("laser,") + 6)), 10.0 / 60, 1e-9);
 }
 
+TEST(Record, ReplaysAndComesBack) {
+  const testing_cli::Folder folder;
+  Client client = client_of("arrow");
+  ASSERT_FALSE(run(client, "fire; wait 5; record " + (folder / "a.rec") + "; wait 2; fire; wait 10"));
+  EXPECT_TRUE(client.session.is_recording());
+  EXPECT_EQ(client.session.tracks().size(), 1U) << "a recording starts anew";
+  const Vec3d last = client.session.tracks()[0].samples[5].position;
+  ASSERT_FALSE(run(client, "record; replay; wait 30"));
+  ASSERT_TRUE(client.session.is_replay());
+  ASSERT_EQ(client.session.tracks().size(), 1U);
+  EXPECT_EQ(client.session.tracks()[0].samples[5].position, last);
+  EXPECT_TRUE(client.session.is_over());
+  EXPECT_TRUE(run(client, "fire")) << "a replay cannot be changed";
+  EXPECT_TRUE(run(client, "record x.rec"));
+  ASSERT_FALSE(run(client, "replay"));
+  EXPECT_FALSE(client.session.is_replay());
+  EXPECT_EQ(client.launcher.shot().projectile.name, client_of("arrow").launcher.shot().projectile.name);
+  ASSERT_FALSE(run(client, "open " + (folder / "a.rec")));
+  EXPECT_TRUE(client.session.is_replay());
+}
+
 // --------------------------------------------------------------------------------------------------------------- plots
 TEST(Plots, AxesAreRoundAndHoldEverything) {
   const struct {

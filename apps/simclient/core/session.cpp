@@ -128,7 +128,7 @@ void Session::take_step() {
   const std::uint64_t before = world().counters().projectile_steps;
   const auto start = std::chrono::steady_clock::now();
   if (replay_) {
-    if (!replay_->next_frame()) return void(over_ = true);
+    if (!replay_step()) return void(over_ = true);
   } else {
     run_->step();
   }
@@ -140,6 +140,20 @@ void Session::take_step() {
   ++step_;
   look();
   if (!replay_) remember_moment(false);
+}
+
+/// Call by call, so that launches are seen where they happen; false at the end.
+bool Session::replay_step() {
+  const std::uint64_t steps = replay_->report().steps;
+  double time = world().time();
+  while (replay_->next()) {
+    if (world().time() < time) forget_after(world().time());  // the recorded session went back
+    time = world().time();
+    if (replay_->report().steps != steps) return true;
+    for (const WorldEvent& event : world().events())
+      if (event.kind == WorldEventKind::spawned) follow_new(event.id);
+  }
+  return false;
 }
 
 void Session::single_step() {
@@ -313,13 +327,16 @@ void Session::look() {
       for (std::size_t i = 1; i < track.samples.size(); ++i) track.samples.erase(track.samples.begin() + i);
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
-  for (const ProjectileId id : world().ids()) {
-    if (tracks_.size() >= most_tracks_of_run_) break;
-    if (world().status(id) != LifeStatus::in_flight || track(id) != nullptr) continue;
-    const Colour own = world().colour(id);
-    const ProjectileDef* what = world().definition(id);
-    begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
-  }
+  for (const ProjectileId id : world().ids()) follow_new(id);
+}
+
+/// Begins the track of what nobody fired by hand, where it is new and there is room for one more.
+void Session::follow_new(ProjectileId id) {
+  const bool has_room = tracks_.size() < most_tracks_of_run_;
+  if (!has_room || world().status(id) != LifeStatus::in_flight || track(id) != nullptr) return;
+  const Colour own = world().colour(id);
+  const ProjectileDef* what = world().definition(id);
+  begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
 }
 
 void Session::look_at_events(std::span<const WorldEvent> events) {

@@ -101,7 +101,9 @@ class Session {
   Session() = default;
   Status start(const std::string& recording);
   void take_step();
+  bool replay_step();
   void look();
+  void follow_new(ProjectileId id);
   void look_at_events(std::span<const WorldEvent> events);
   void look_at_wall();
   void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
