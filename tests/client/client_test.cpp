@@ -59,6 +59,16 @@ TEST(Launcher, AScenarioComesFirstToHand) {
   EXPECT_NEAR(client.launcher.elevation(), 0.1, 1e-12);
 }
 
+/// Panels keep what they read by the version: another scenario must never look like the one before.
+TEST(Launcher, VersionsRiseAcrossScenarios) {
+  Client client = client_of();
+  for (const char* scenario : {"arrow", "308_168gr_g7", "arrow"}) {
+    const std::uint64_t before = client.launcher.version();
+    ASSERT_FALSE(client.open(PHYSIM_SOURCE_DIR "/scenarios/" + std::string(scenario) + ".toml"));
+    EXPECT_GT(client.launcher.version(), before);
+  }
+}
+
 TEST(Launcher, TurningAVelocityKeepsItsSpeed) {
   Client client = client_of("original_bullet");
   ASSERT_TRUE(client.launcher.shot().launch.velocity);

@@ -91,7 +91,7 @@ Status Client::open(const std::string& file) {
 Status Client::use_session(Result<Session> opened) {
   if (!opened) return opened.error();
   session = std::move(*opened);
-  launcher = Launcher(session.scenario());
+  launcher = Launcher(session.scenario(), launcher.version());
   selected = {};
   tape = {};
   ++session_version_;
