@@ -5,12 +5,12 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 simclient=${SIMCLIENT:-build/release/bin/simclient}
 pictures=docs/pictures
 
-"$simclient" --hidden --size 1440x810 --screenshot "$pictures/client.png" --script "
+"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client.png" --script "
   shot grenade; set shot.elevation=55 deg; set shot.azimuth=-28 deg; fire; wait 16
   shot tennis_ball; set shot.speed=24 m/s; set shot.elevation=35 deg; set shot.azimuth=-8 deg; fire; wait 20
   shot arrow; set shot.speed=28 m/s; set shot.elevation=20 deg; set shot.azimuth=12 deg; fire; wait 22
   artillery; fire; wait 12
-  sphere; set shot.speed=24 m/s; set shot.elevation=45 deg; set shot.azimuth=30 deg; fire; wait 36
+  sphere; set shot.speed=24 m/s; set shot.elevation=45 deg; set shot.azimuth=38 deg; fire; wait 36
   plots; vectors; wait 1; fit; wait 1"
 
 "$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_compare.png" \
@@ -20,4 +20,4 @@ for test in 1 2 3 4 5 6; do
   "$simclient" --hidden --size 1120x720 \
     --script "test $test; wait 200; picture-of-plots $pictures/client_test_$test.png; wait 1"
 done
-python3 tools/shrink_png.py "$pictures"/client*.png
+python3 tools/shrink_png.py --shades 64 "$pictures"/client*.png

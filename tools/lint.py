@@ -178,6 +178,15 @@ def check_units(name, text, lines):
             find(name, first, f"public field `{field}` has no unit; end its comment with one, [m/s], or [-] for none")
 
 
+def check_client_core(name, lines):
+    """The client without a window knows neither OpenGL nor Dear ImGui: it is tested without them."""
+    if not name.startswith("apps/simclient/core/"):
+        return
+    for number, line in enumerate(lines, 1):
+        if re.search(r"#\s*include.*(imgui|GLFW|epoxy|simclient/(gl|ui)/)", line):
+            find(name, number, "apps/simclient/core does without windows; move it to gl/ or ui/")
+
+
 # ------------------------------------------------------------------------------------------------------ simpler rules
 def check_source_named(name, lines):
     if re.match(r"src/model/.*\.(hpp|cpp)$", name):
@@ -249,6 +258,7 @@ def main():
         lines = text.splitlines()
         check_includes(name, lines)
         check_units(name, text, lines)
+        check_client_core(name, lines)
         check_source_named(name, lines)
         check_size(name, lines)
     kernels = check_kernel_symbols()

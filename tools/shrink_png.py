@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Writes PNG files of 8-bit RGB smaller, pixel for pixel the same: SimClient's own writer packs badly.
 
-    tools/shrink_png.py [--coarse] FILE.png ...
+    tools/shrink_png.py [--shades N] FILE.png ...
 
---coarse: with 16 shades of each colour, which is enough to compare with.
+--shades N: only so many of red, green and blue; 16 are enough to compare with, 32 to look at.
 """
 import struct
 import sys
@@ -68,10 +68,12 @@ def packed(width, height, rows):
     return SIGNATURE + header + head + chunk(b"IDAT", body) + chunk(b"IEND", b"")
 
 
-names = sys.argv[1:]
-coarse = bytes((v + 8) // 17 * 17 for v in range(256)) if "--coarse" in names else None
+names, coarse = sys.argv[1:], None
+if names[:1] == ["--shades"]:
+    step = 255 / (int(names[1]) - 1)
+    names, coarse = names[2:], bytes(round(round(v / step) * step) for v in range(256))
 for name in names:
-    picture = None if name == "--coarse" else read_rows(name)
+    picture = read_rows(name)
     if picture is None:
         continue
     if coarse:

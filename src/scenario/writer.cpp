@@ -81,9 +81,12 @@ std::string records_value(const Entry& entry, const Records& records) {
   return "[" + out + "]";
 }
 
+/// What is absent is left out of tables, unless that would bring a default back.
 std::optional<std::string> absent(const Entry& entry, Style style) {
-  if (style == Style::toml) return std::nullopt;
-  return std::string(entry.none);
+  if (style == Style::plain) return std::string(entry.none);
+  Defaults defaults;
+  if (value_text(entry, defaults.scope(), Style::plain) == entry.none) return std::nullopt;
+  return toml_string(entry.none);
 }
 
 std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style) {

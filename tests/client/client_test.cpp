@@ -59,6 +59,16 @@ TEST(Launcher, AScenarioComesFirstToHand) {
   EXPECT_NEAR(client.launcher.elevation(), 0.1, 1e-12);
 }
 
+/// Panels keep what they read by the version: another scenario must never look like the one before.
+TEST(Launcher, VersionsRiseAcrossScenarios) {
+  Client client = client_of();
+  for (const char* scenario : {"arrow", "308_168gr_g7", "arrow"}) {
+    const std::uint64_t before = client.launcher.version();
+    ASSERT_FALSE(client.open(PHYSIM_SOURCE_DIR "/scenarios/" + std::string(scenario) + ".toml"));
+    EXPECT_GT(client.launcher.version(), before);
+  }
+}
+
 TEST(Launcher, TurningAVelocityKeepsItsSpeed) {
   Client client = client_of("original_bullet");
   ASSERT_TRUE(client.launcher.shot().launch.velocity);
@@ -205,6 +215,27 @@ TEST(Save, CsvHasEverySample) {
   for (std::string next; std::getline(in, next); ++lines) line = next;
   EXPECT_EQ(lines, client.session.tracks()[0].samples.size() - 1);  // one step more was taken after it was saved
   EXPECT_NEAR(std::stod(line.substr(line.find("laser,") + 6)), 10.0 / 60, 1e-9);
+}
+
+TEST(Record, ReplaysAndComesBack) {
+  const testing_cli::Folder folder;
+  Client client = client_of("arrow");
+  ASSERT_FALSE(run(client, "fire; wait 5; record " + (folder / "a.rec") + "; wait 2; fire; wait 10"));
+  EXPECT_TRUE(client.session.is_recording());
+  EXPECT_EQ(client.session.tracks().size(), 1U) << "a recording starts anew";
+  const Vec3d last = client.session.tracks()[0].samples[5].position;
+  ASSERT_FALSE(run(client, "record; replay; wait 30"));
+  ASSERT_TRUE(client.session.is_replay());
+  ASSERT_EQ(client.session.tracks().size(), 1U);
+  EXPECT_EQ(client.session.tracks()[0].samples[5].position, last);
+  EXPECT_TRUE(client.session.is_over());
+  EXPECT_TRUE(run(client, "fire")) << "a replay cannot be changed";
+  EXPECT_TRUE(run(client, "record x.rec"));
+  ASSERT_FALSE(run(client, "replay"));
+  EXPECT_FALSE(client.session.is_replay());
+  EXPECT_EQ(client.launcher.shot().projectile.name, client_of("arrow").launcher.shot().projectile.name);
+  ASSERT_FALSE(run(client, "open " + (folder / "a.rec")));
+  EXPECT_TRUE(client.session.is_replay());
 }
 
 // --------------------------------------------------------------------------------------------------------------- plots

@@ -135,6 +135,17 @@ TEST(Session, AFlightThatLandedFliesAgainAfterStepsBack) {
   EXPECT_FALSE(session.tracks()[0].impact);
 }
 
+TEST(Session, PathsEndAtTheWall) {
+  Session session = session_of("world_machine_gun.toml");
+  for (int i = 0; i < 20; ++i) session.single_step();
+  const Track& first = session.tracks()[0];
+  ASSERT_TRUE(first.impact);
+  EXPECT_EQ(first.impact->position.x, 100);
+  EXPECT_EQ(first.samples.back().position, first.impact->position);
+  EXPECT_EQ(first.samples.front().time, 0) << "the launch is there";
+  EXPECT_EQ(first.samples.front().position.x, 0);
+}
+
 TEST(Session, RestartForgetsWhatWasFiredByHand) {
   Session session = range();
   ASSERT_TRUE(session.fire(laser()));

@@ -1,5 +1,5 @@
 // What the client shows, against pictures that were looked at. PHYSIM_NEW_PICTURES=1 writes them anew: look at them,
-// and pack them with tools/shrink_png.py --coarse.
+// and pack them with tools/shrink_png.py --shades 16.
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
 

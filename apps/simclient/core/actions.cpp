@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 
 #include "scenario/suggest.hpp"
 #include "simclient/core/original_tests.hpp"

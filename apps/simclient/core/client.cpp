@@ -91,7 +91,7 @@ Status Client::open(const std::string& file) {
 Status Client::use_session(Result<Session> opened) {
   if (!opened) return opened.error();
   session = std::move(*opened);
-  launcher = Launcher(session.scenario());
+  launcher = Launcher(session.scenario(), launcher.version());
   selected = {};
   tape = {};
   ++session_version_;
@@ -139,7 +139,7 @@ Status Client::fire_compared() {
 const std::vector<ComparedRung>& Client::comparison() {
   const bool is_new =
       compared_version_ != launcher.version() || compared_session_ != session_version_ || compared_presets_ != compared;
-  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared);
+  if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared, costs_);
   compared_version_ = launcher.version();
   compared_session_ = session_version_;
   compared_presets_ = compared;
@@ -179,6 +179,7 @@ Status Client::record(const std::string& file) {
     if (Status bad = session.stop_recording()) return bad;
     return say("recorded " + recorded_), std::nullopt;
   }
+  if (session.is_replay()) return Error{"a replay cannot be recorded", "record", "come back from it first: replay"};
   const std::string path = file.empty() ? free_name("recording", ".rec") : file;
   if (Status bad = session.restart(path)) return bad;
   recorded_ = path;

@@ -134,6 +134,7 @@ class Client {
 
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;
+  CostTable costs_;
   std::vector<std::string> compared_presets_;
   std::uint64_t compared_version_ = ~std::uint64_t{0}, compared_session_ = 0;
   std::string scenario_file_;  // to come back to from a replay

@@ -38,27 +38,6 @@ double time_step(World& world, double dt, std::size_t crowd) {
   return best / static_cast<double>(crowd);
 }
 
-}  // namespace
-
-std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
-                                        const std::vector<std::string>& presets) {
-  std::vector<ComparedRung> rungs;
-  const auto add = [&](const std::string& name, const Fidelity& fidelity) {
-    ScenarioShot changed = shot;
-    changed.projectile.fidelity = fidelity;
-    changed.cheapest_within.reset();
-    ComparedRung rung{name, fidelity, palette(rungs.size()), predict(session, changed)};
-    if (!rung.flight.error) rung.per_step = measure_cost(session, changed);
-    rungs.push_back(std::move(rung));
-  };
-  add("as set", shot.projectile.fidelity);
-  for (const std::string& name : presets)
-    if (const auto fidelity = fidelity_preset(name)) add(name, *fidelity);
-  rungs.back().is_truth = true;
-  for (ComparedRung& rung : rungs) measure_against(rungs.back().flight, rung);
-  return rungs;
-}
-
 double measure_cost(const Session& session, const ScenarioShot& shot) {
   constexpr std::size_t kMany = 1024;
   WorldDef def = session.world().def();
@@ -77,6 +56,35 @@ double measure_cost(const Session& session, const ScenarioShot& shot) {
   std::vector<ProjectileId> ids(kMany);
   if (!kind || world.spawn(kind, launches, ids) != kMany) return 0;
   return time_step(world, def.step, kMany);
+}
+
+}  // namespace
+
+std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
+                                        const std::vector<std::string>& presets, CostTable& costs) {
+  std::vector<ComparedRung> rungs;
+  const auto add = [&](const std::string& name, const Fidelity& fidelity) {
+    ScenarioShot changed = shot;
+    changed.projectile.fidelity = fidelity;
+    changed.cheapest_within.reset();
+    ComparedRung rung{name, fidelity, palette(rungs.size()), predict(session, changed)};
+    if (!rung.flight.error) rung.per_step = costs.of(session, changed);
+    rungs.push_back(std::move(rung));
+  };
+  add("as set", shot.projectile.fidelity);
+  for (const std::string& name : presets)
+    if (const auto fidelity = fidelity_preset(name)) add(name, *fidelity);
+  rungs.back().is_truth = true;
+  for (ComparedRung& rung : rungs) measure_against(rungs.back().flight, rung);
+  return rungs;
+}
+
+double CostTable::of(const Session& session, const ScenarioShot& shot) {
+  for (const auto& [projectile, seconds] : known_)
+    if (projectile == shot.projectile) return seconds;
+  if (known_.size() >= 64) known_.clear();
+  known_.emplace_back(shot.projectile, measure_cost(session, shot));
+  return known_.back().second;
 }
 
 }  // namespace physim::client

@@ -21,10 +21,17 @@ struct ComparedRung {
 };
 
 /// Flies a shot on presets of fidelity, and as it is set. The last of the presets is the truth.
+class CostTable;
 [[nodiscard]] std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
-                                                      const std::vector<std::string>& presets);
+                                                      const std::vector<std::string>& presets, CostTable& costs);
 
-/// Time of one step of one projectile, measured on a thousand of them [s].
-[[nodiscard]] double measure_cost(const Session& session, const ScenarioShot& shot);
+/// Time of one step of one projectile, measured on a thousand of them and remembered: aiming changes it little.
+class CostTable {
+ public:
+  [[nodiscard]] double of(const Session& session, const ScenarioShot& shot);  // [s]
+
+ private:
+  std::vector<std::pair<ProjectileDef, double>> known_;
+};
 
 }  // namespace physim::client

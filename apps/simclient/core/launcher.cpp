@@ -36,7 +36,7 @@ void next(Enum& value) {
 
 }  // namespace
 
-Launcher::Launcher(const Scenario& scenario) {
+Launcher::Launcher(const Scenario& scenario, std::uint64_t version) : version_(version) {
   for (const std::string_view name : projectile_presets()) types_.push_back(type_of(name));
   const std::size_t presets = types_.size();
   for (const ScenarioShot& shot : with_world(scenario).shots)

@@ -24,7 +24,8 @@ struct ShotType {
 class Launcher {
  public:
   /// The original's four shots, the other presets, and the shots of a scenario, which come first to hand.
-  explicit Launcher(const Scenario& scenario);
+  /// `version`: to count on from that of a launcher whose place this one takes.
+  explicit Launcher(const Scenario& scenario, std::uint64_t version = 0);
 
   [[nodiscard]] std::span<const ShotType> types() const { return types_; }
   [[nodiscard]] std::size_t type() const { return type_; }

@@ -5,13 +5,13 @@
 namespace physim::client {
 
 Layout make_layout(const Client& client, float width, float height, float scale) {
-  constexpr float kSide = 320, kBottom = 280, kLeastScene = 240, kLeastSide = 220;
+  constexpr float kSide = 320, kBottom = 280, kLeastScene = 240, kLeastLeft = 220, kLeastRight = 290;
   const float menu = 26 * scale, status = 28 * scale;
   float left = client.show.settings ? kSide * scale : 0, right = client.show.statistics ? kSide * scale : 0;
   const float most = std::max(width - kLeastScene * scale, 0.0F);
   if (left + right > most) left = std::min(left, most - right);
-  if (left < kLeastSide * scale) left = 0;  // too narrow to read
-  if (right > most) right = most < kLeastSide * scale ? 0 : most;
+  if (left < kLeastLeft * scale) left = 0;  // too narrow to read
+  if (right > most) right = most < kLeastRight * scale ? 0 : most;
   const float room = std::max(height - menu - status, 1.0F);
   const float bottom = client.bottom == BottomPanel::none ? 0 : std::min(kBottom * scale, room * 0.45F);
   const float middle = std::max(room - bottom, 1.0F);

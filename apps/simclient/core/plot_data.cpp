@@ -134,12 +134,13 @@ Plot make_plot(const PlotSpec& spec, std::span<const Track> tracks, const Track*
   for (const Track& track : tracks) {
     if (alone != nullptr && &track != alone) continue;
     PlotCurve curve{&track, {}};
-    const std::size_t stride = track.samples.size() / 2000 + 1;
-    for (std::size_t i = 0; i < track.samples.size(); i += stride) {
-      const PlotPoint point{x.of(track, track.samples[i]), y.of(track, track.samples[i])};
-      across.add(point.x), upward.add(point.y);
-      curve.points.push_back(point);
-    }
+    const auto add = [&](const TrackSample& sample) {
+      curve.points.push_back({x.of(track, sample), y.of(track, sample)});
+      across.add(curve.points.back().x), upward.add(curve.points.back().y);
+    };
+    const std::size_t stride = track.samples.size() / 800 + 1;  // a plot is not wider than that
+    for (std::size_t i = 0; i + 1 < track.samples.size(); i += stride) add(track.samples[i]);
+    add(track.samples.back());
     plot.curves.push_back(std::move(curve));
   }
   plot.expected = expected_points(spec, tracks, alone, scenario);

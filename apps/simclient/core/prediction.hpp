@@ -20,6 +20,6 @@ struct Prediction {
 };
 
 /// Flies a shot from now on until it leaves, or for `max_time` [s].
-[[nodiscard]] Prediction predict(const Session& session, const ScenarioShot& shot, double max_time = 60);
+[[nodiscard]] Prediction predict(const Session& session, const ScenarioShot& shot, double max_time = 200);
 
 }  // namespace physim::client

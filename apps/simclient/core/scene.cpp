@@ -18,7 +18,7 @@ void Scene::line(const Vec3d& a, const Vec3d& b, Colour colour, double width) {
 }
 
 void Scene::polyline(const std::vector<TrackSample>& samples, Colour colour, double width) {
-  const std::size_t stride = samples.size() / 2000 + 1;  // more than the screen can show
+  const std::size_t stride = samples.size() / 800 + 1;  // more than the screen can show
   std::size_t last = 0;
   for (std::size_t i = stride; i < samples.size(); last = i, i += stride)
     line(samples[last].position, samples[i].position, colour, width);

@@ -44,7 +44,9 @@ void mark(Scene& scene, const Camera& camera, double scale, const Track& track) 
 /// Those that are not among the tracks: too many to remember, not too many to draw.
 void add_crowd(const Session& session, double scale, Scene& scene) {
   const World& world = session.world();
-  if (world.size() <= session.tracks().size()) return;
+  const auto tracks = session.tracks();
+  const auto flying = std::count_if(tracks.begin(), tracks.end(), [](const Track& t) { return t.is_flying(); });
+  if (world.size() <= static_cast<std::size_t>(flying)) return;
   const std::vector<ProjectileId> ids = world.ids();
   scene.crowd_size = static_cast<float>((ids.size() > 20000 ? 2 : ids.size() > 200 ? 3 : 6) * scale);
   scene.crowd.reserve(ids.size());

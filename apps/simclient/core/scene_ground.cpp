@@ -23,6 +23,17 @@ Vec3d main_axis(double azimuth) {
   }
 }
 
+/// The wall that stops what reaches it: its foot, its sides, and how far away it is.
+void build_wall(const Client& client, double scale, double size, Scene& scene) {
+  const std::optional<double>& wall = client.session.scenario().world.wall;
+  if (!wall || !client.session.scenario().world.given) return;
+  const Vec3d foot{*wall, scene.ground, client.launcher.shot().launch.position.z};
+  const Vec3d right{0, 0, size}, up{0, 1.5 * size, 0};
+  const Vec3d corners[] = {foot - right, foot + right, foot + right + up, foot - right + up};
+  for (int i = 0; i < 4; ++i) scene.line(corners[i], corners[(i + 1) % 4], colours::kWarning, 2 * scale);
+  scene.label(corners[2], "wall, " + length_text(*wall), colours::kWarning, -1);
+}
+
 }  // namespace
 
 void build_ground(const Client& client, double scale, Scene& scene) {
@@ -51,6 +62,7 @@ void build_ground(const Client& client, double scale, Scene& scene) {
                            static_cast<float>(2.5 * scale), fog});
     scene.labels.push_back({mark + across * (step * 0.24), length_text(x), colours::kText, false, 0});
   }
+  build_wall(client, scale, step, scene);
 }
 
 }  // namespace physim::client

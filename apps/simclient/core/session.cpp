@@ -18,6 +18,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Something that happened between two samples: with the acceleration and the air of the last one.
+TrackSample within_step(const Track& track, double time, const Vec3d& position, const Vec3d& velocity) {
+  TrackSample at = track.samples.back();
+  const double speed = length(at.velocity);
+  at.mach = speed > 0 ? at.mach * length(velocity) / speed : 0;
+  at.time = time - track.born, at.position = position, at.velocity = velocity;
+  return at;
+}
+
 std::uint64_t launches(const Scenario& scenario) {
   std::uint64_t count = scenario.shots.size();
   for (const Volley& volley : scenario.volleys) count += static_cast<std::uint64_t>(volley.count);
@@ -119,7 +128,7 @@ void Session::take_step() {
   const std::uint64_t before = world().counters().projectile_steps;
   const auto start = std::chrono::steady_clock::now();
   if (replay_) {
-    if (!replay_->next_frame()) return void(over_ = true);
+    if (!replay_step()) return void(over_ = true);
   } else {
     run_->step();
   }
@@ -131,6 +140,20 @@ void Session::take_step() {
   ++step_;
   look();
   if (!replay_) remember_moment(false);
+}
+
+/// Call by call, so that launches are seen where they happen; false at the end.
+bool Session::replay_step() {
+  const std::uint64_t steps = replay_->report().steps;
+  double time = world().time();
+  while (replay_->next()) {
+    if (world().time() < time) forget_after(world().time());  // the recorded session went back
+    time = world().time();
+    if (replay_->report().steps != steps) return true;
+    for (const WorldEvent& event : world().events())
+      if (event.kind == WorldEventKind::spawned) follow_new(event.id);
+  }
+  return false;
 }
 
 void Session::single_step() {
@@ -275,12 +298,23 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
   track.born = world().time() - world().age(id);
   track.by_hand = by_hand;
   track.granted = world().fidelity_in_use(id);
+  if (!by_hand) add_launch(track);
   track.samples.push_back(sample(track));
   tracks_.push_back(std::move(track));
 }
 
+/// The start of what the run has launched within its last step.
+void Session::add_launch(Track& track) const {
+  if (is_replay() || !(world().age(track.id) > kInstant)) return;
+  for (const RunEvent& each : run_->events())
+    if (each.event.id == track.id && each.event.kind == WorldEventKind::spawned)
+      track.samples.push_back(
+          {0, each.event.position, each.event.velocity, world().accelerations(track.id).total, world().mach(track.id)});
+}
+
 void Session::look() {
   look_at_events(world().events());
+  if (!is_replay()) look_at_wall();
   for (Track& track : tracks_) {
     if (!track.is_flying()) continue;
     if (!world().is_alive(track.id)) {
@@ -293,27 +327,36 @@ void Session::look() {
       for (std::size_t i = 1; i < track.samples.size(); ++i) track.samples.erase(track.samples.begin() + i);
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
-  for (const ProjectileId id : world().ids()) {
-    if (tracks_.size() >= most_tracks_of_run_) break;
-    if (world().status(id) != LifeStatus::in_flight || track(id) != nullptr) continue;
-    const Colour own = world().colour(id);
-    const ProjectileDef* what = world().definition(id);
-    begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
-  }
+  for (const ProjectileId id : world().ids()) follow_new(id);
+}
+
+/// Begins the track of what nobody fired by hand, where it is new and there is room for one more.
+void Session::follow_new(ProjectileId id) {
+  const bool has_room = tracks_.size() < most_tracks_of_run_;
+  if (!has_room || world().status(id) != LifeStatus::in_flight || track(id) != nullptr) return;
+  const Colour own = world().colour(id);
+  const ProjectileDef* what = world().definition(id);
+  begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
 }
 
 void Session::look_at_events(std::span<const WorldEvent> events) {
   for (const WorldEvent& event : events) {
     Track* track = find(event.id);
     if (track == nullptr || track->samples.empty()) continue;
-    const TrackSample& last = track->samples.back();
-    const double speed = length(last.velocity);
-    const TrackSample at{event.time - track->born, event.position, event.velocity, last.acceleration,
-                         speed > 0 ? last.mach * length(event.velocity) / speed : 0};
+    const TrackSample at = within_step(*track, event.time, event.position, event.velocity);
     const bool ends = event.kind == WorldEventKind::landed;
     if (event.kind == WorldEventKind::apex && !track->apex) track->apex = at;
     if ((ends || event.kind == WorldEventKind::bounced) && !track->impact) track->impact = at;
-    if (ends && at.time > last.time + kInstant) track->samples.push_back(at);
+    if (ends && at.time > track->samples.back().time + kInstant) track->samples.push_back(at);
+  }
+}
+
+void Session::look_at_wall() {
+  for (const WallHit& hit : run_->hits()) {
+    Track* track = find(hit.id);
+    if (track == nullptr || track->impact) continue;
+    track->impact = within_step(*track, hit.time, hit.position, hit.velocity);
+    if (track->impact->time > track->samples.back().time + kInstant) track->samples.push_back(*track->impact);
   }
 }
 

@@ -101,8 +101,11 @@ class Session {
   Session() = default;
   Status start(const std::string& recording);
   void take_step();
+  bool replay_step();
   void look();
+  void follow_new(ProjectileId id);
   void look_at_events(std::span<const WorldEvent> events);
+  void look_at_wall();
   void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
   void remember_moment(bool changed);
   void forget_after(double time);
@@ -110,6 +113,7 @@ class Session {
   [[nodiscard]] static Error cannot_change();
   [[nodiscard]] Track* find(ProjectileId id);
   [[nodiscard]] TrackSample sample(const Track& track) const;
+  void add_launch(Track& track) const;
 
   Scenario scenario_;  // as it was loaded
   std::optional<WorldRun> run_;

@@ -1,4 +1,5 @@
 // Live numbers of every projectile, in its own colour.
+#include <cmath>
 #include <cstdio>
 
 #include "physim/names.hpp"
@@ -13,7 +14,7 @@ void vector_row(const char* what, const char* unit, const Vec3d& v) {
   ImGui::TextDisabled("%s", what);
   for (const double x : {v.x, v.y, v.z}) {
     ImGui::TableNextColumn();
-    ImGui::Text("%9.3f", x);
+    ImGui::Text(std::abs(x) < 1000 ? "%9.3f" : std::abs(x) < 1e6 ? "%9.1f" : "%9.4g", x);
   }
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", unit);
