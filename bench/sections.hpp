@@ -22,6 +22,8 @@ struct Options {
 [[nodiscard]] Section mixed_section(const Options& options, double tolerance);
 [[nodiscard]] Section allocation_section(const Options& options);
 [[nodiscard]] Section micro_section(const Options& options);
+/// Rigid bodies.
+[[nodiscard]] Section rotation_section(const Options& options);
 /// Worlds beside the original loop and Bullet; their rungs; what each operation costs.
 [[nodiscard]] std::vector<Section> world_sections(const Options& options);
 
