@@ -24,6 +24,8 @@ struct Options {
 [[nodiscard]] Section micro_section(const Options& options);
 /// How many trajectories aim() takes, and whether its solutions hit.
 [[nodiscard]] Section aim_section(const Options& options);
+/// Rigid bodies.
+[[nodiscard]] Section rotation_section(const Options& options);
 /// Worlds beside the original loop and Bullet; their rungs; what each operation costs.
 [[nodiscard]] std::vector<Section> world_sections(const Options& options);
 

@@ -50,7 +50,7 @@ struct Prepared {
     cohort.conditions = prepare_conditions(environment, cohort.in_use.fidelity);
     body = prepare_body(projectile, launch, launch.elevation, cohort.pool, cohort.conditions);
     if (turns(cohort.in_use.fidelity))
-      rotor = prepare_rotor(projectile, launch, launch.elevation, body, cohort.conditions);
+      rotor = prepare_rotor(projectile, launch, launch.elevation, body, cohort.pool, cohort.conditions);
     cohort.finish();
   }
   Prepared(const Prepared&) = delete;

@@ -70,6 +70,19 @@ std::string apex_text(const Flight& flight, const Event& apex) {
          readable(apex.position.y, 5) + " m";
 }
 
+// How a rigid body is stable at the muzzle and at the end, and how far it points off its path there.
+std::string stability_text(const Flight& flight) {
+  std::string text;
+  for (const double time : {0.0, flight.duration()}) {
+    if (const auto s = flight.stability(time))
+      text += "Sg " + significant(s->gyroscopic, 4) + ", Sd " + significant(s->dynamic, 4) + ", ";
+    text += "yaw " + fixed(flight.at(time).angle_of_attack / kDegree, 3) + " deg";
+    text += time == 0 ? " at the muzzle; " : " at the end";
+    if (flight.duration() == 0) break;
+  }
+  return text;
+}
+
 std::string cost_text(const Flight& flight) {
   const FlightCost& cost = flight.cost();
   std::string text = std::to_string(cost.steps) + " steps";
@@ -91,6 +104,7 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
   out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
   for (const Event& event : flight.events())
     if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(flight, event));
+  if (in_use.fidelity.rotation == RotationModel::rigid_body) out += line("stability", stability_text(flight));
   out += line("elevation", fixed(flight.elevation() / kDegree, 4) + " deg");
   out += line("cost", cost_text(flight));
   return out;

@@ -41,6 +41,12 @@ struct Source {
   std::string text;  ///< its own words
 };
 
+/// A row of numbers under the names of their columns.
+struct StateRow {
+  std::string name;  ///< "case 01", "case 01, NASA simulation 02"
+  std::vector<std::pair<std::string, double>> columns;
+};
+
 /// What one suite found.
 struct SuiteResult {
   std::string name;
@@ -48,6 +54,8 @@ struct SuiteResult {
   std::vector<Figure> figures;
   std::vector<std::string> skipped;  ///< what was not compared, and why
   std::vector<Source> sources;
+  std::vector<StateRow> states;  ///< where the cases ended, judged or not
+  std::vector<StateRow> beside;  ///< how far others lie from them
 
   [[nodiscard]] std::size_t missed() const;
 };
@@ -76,6 +84,8 @@ extern const Suite kAnalyticSuite;
 extern const Suite kUs76Suite;
 extern const Suite kGravitySuite;
 extern const Suite kBallisticsSuite;
+extern const Suite kNescSuite;
+extern const Suite kMccoySuite;
 
 /// All suites, in the order they run.
 [[nodiscard]] std::span<const Suite* const> all_suites();

@@ -90,5 +90,6 @@ void magnus_constant_kappa(const CsvFile& file, SuiteResult& result);
 void kepler_orbits(const CsvFile& file, SuiteResult& result);
 void newton_gravity_range(const CsvFile& file, SuiteResult& result);
 void radial_fall_newton(const CsvFile& file, SuiteResult& result);
+void torque_free_body(const CsvFile& file, SuiteResult& result);
 
 }  // namespace physim::cli::validate

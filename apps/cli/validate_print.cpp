@@ -72,6 +72,19 @@ std::string notes_of(const SuiteResult& result) {
   return text;
 }
 
+/// Rows with equal columns.
+Table row_table(const std::vector<StateRow>& rows, const char* number) {
+  std::vector<Column> columns = {{"", Align::left}};
+  for (const auto& [name, value] : rows.front().columns) columns.push_back({name});
+  Table table(columns);
+  for (const StateRow& row : rows) {
+    std::vector<std::string> cells = {row.name};
+    for (const auto& [name, value] : row.columns) cells.push_back(std::isnan(value) ? "-" : format(number, value));
+    table.add_row(std::move(cells));
+  }
+  return table;
+}
+
 }  // namespace
 
 std::string table_text(const SuiteResult& result, bool every_figure) {
@@ -80,6 +93,9 @@ std::string table_text(const SuiteResult& result, bool every_figure) {
   if (!result.figures.empty()) text += (every_figure ? figure_table(result, style) : case_table(result, style)).text(2);
   text += notes_of(result);
   for (const std::string& skipped : result.skipped) text += style.dim("  skipped: " + skipped) + "\n";
+  if (!result.beside.empty())
+    text += "\n  how far others lie from these solutions\n" + row_table(result.beside, "%.1e").text(2);
+  if (!result.states.empty()) text += "\n  where they end\n" + row_table(result.states, "%.9g").text(2);
   return text;
 }
 
@@ -110,10 +126,17 @@ ordered_json json_of(const std::string& suite, const Figure& figure) {
   return row;
 }
 
+ordered_json json_of(const std::string& suite, const StateRow& row) {
+  ordered_json out = {{"suite", suite}, {"case", row.name}};
+  for (const auto& [name, value] : row.columns) out[name] = json_number(value);
+  return out;
+}
+
 }  // namespace
 
 std::string json_text(const std::vector<SuiteResult>& results) {
   ordered_json rows = ordered_json::array(), suites = ordered_json::array();
+  ordered_json states = ordered_json::array(), beside = ordered_json::array();
   std::size_t figures = 0, missed = 0;
   for (const SuiteResult& result : results) {
     for (const Figure& figure : result.figures) rows.push_back(json_of(result.name, figure));
@@ -122,13 +145,17 @@ std::string json_text(const std::vector<SuiteResult>& results) {
                       {"figures", result.figures.size()},
                       {"missed", result.missed()},
                       {"skipped", result.skipped}});
+    for (const StateRow& row : result.states) states.push_back(json_of(result.name, row));
+    for (const StateRow& row : result.beside) beside.push_back(json_of(result.name, row));
     figures += result.figures.size();
     missed += result.missed();
   }
-  const ordered_json all = {
+  ordered_json all = {
       {"version", kVersion},
       {"results", std::move(rows)},
       {"summary", {{"figures", figures}, {"missed", missed}, {"pass", missed == 0}, {"suites", std::move(suites)}}}};
+  if (!states.empty()) all["states"] = std::move(states);
+  if (!beside.empty()) all["beside"] = std::move(beside);
   return all.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -159,6 +186,8 @@ std::string report_of(const SuiteResult& result) {
   std::string text = "\n## " + result.name + "\n\n" + std::string(suite.title) + ". Gates: " + std::string(suite.gate) +
                      ".\n\n" + report_table(result).markdown();
   for (const std::string& skipped : result.skipped) text += "\nSkipped: " + skipped + ".\n";
+  if (!result.beside.empty())
+    text += "\nHow far others lie from these solutions:\n\n" + row_table(result.beside, "%.1e").markdown();
   text += "\nSources:\n\n";
   for (const Source& source : result.sources)
     text += "- `" + source.file + "`: " + (source.text.empty() ? "not named" : source.text) + "\n";

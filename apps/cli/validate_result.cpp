@@ -40,8 +40,8 @@ std::vector<CaseSummary> summarize(const SuiteResult& result) {
 }
 
 std::span<const Suite* const> all_suites() {
-  static constexpr const Suite* kSuites[] = {&kClassicSuite, &kAnalyticSuite, &kUs76Suite, &kGravitySuite,
-                                             &kBallisticsSuite};
+  static constexpr const Suite* kSuites[] = {&kClassicSuite,    &kAnalyticSuite, &kUs76Suite, &kGravitySuite,
+                                             &kBallisticsSuite, &kNescSuite,     &kMccoySuite};
   return kSuites;
 }
 

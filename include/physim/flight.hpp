@@ -90,10 +90,17 @@ struct Sample {
   double angle_of_attack = 0;  ///< total: of the body's x axis to the air, where rotation is flown [rad]
 };
 
+/// Stability of a spinning, symmetric body at small angles of attack.
+struct Stability {
+  double gyroscopic = 0;  ///< Sg: above 1 the spin holds the axis; negative where fins do [-]
+  double dynamic = 0;     ///< Sd: yaw dies away where 1 / Sg < Sd (2 - Sd) [-]
+};
+
 /// Acceleration by effect.
 struct Accelerations {
   Vec3d gravity;      ///< [m/s^2]
   Vec3d drag;         ///< [m/s^2]
+  Vec3d body;         ///< by the attitude of a rigid body: drag of yaw, lift, Magnus force [m/s^2]
   Vec3d coriolis;     ///< [m/s^2]
   Vec3d centrifugal;  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
   Vec3d applied;      ///< by ProjectileDef::force [m/s^2]
@@ -138,6 +145,9 @@ class Flight {
   [[nodiscard]] Sample end() const { return at(duration()); }
   /// Acceleration by effect at a time [s].
   [[nodiscard]] Accelerations accelerations(double time) const;
+
+  /// Stability at a time [s]; nothing where rotation is not flown, or without air or an overturning moment.
+  [[nodiscard]] std::optional<Stability> stability(double time) const;
 
   /// The frames of the Earth that was flown over: where a sample is in geodetic, Earth-fixed, inertial or local terms.
   [[nodiscard]] EarthFrames earth_frames() const;

@@ -9,6 +9,7 @@
 
 #include "physim/environment.hpp"
 #include "physim/geodesy.hpp"
+#include "physim/quat.hpp"
 
 namespace physim {
 
@@ -19,6 +20,14 @@ struct Conditions;
 struct FrameState {
   Vec3d position;  ///< [m]
   Vec3d velocity;  ///< as seen in the same frame [m/s]
+};
+
+/// Where a body points: its heading, clockwise from north, then how high its nose is, then how far its right side is
+/// down.
+struct YawPitchRoll {
+  double yaw;    ///< -pi..pi [rad]
+  double pitch;  ///< -pi/2..pi/2 [rad]
+  double roll;   ///< -pi..pi [rad]
 };
 
 /// The frames of one environment. On a rotating Earth W and E turn with it, and velocities in them are those seen from
@@ -39,6 +48,9 @@ class EarthFrames {
   [[nodiscard]] FrameState inertial(const Vec3d& position_W, const Vec3d& velocity_W, double time) const;
   /// The components east, north and up, at a place in W [m], of a vector in W: a velocity, an acceleration.
   [[nodiscard]] Vec3d local(const Vec3d& position_W, const Vec3d& vector_W) const;
+
+  /// How a body points against local north, east and down at a place in W [m], from its q_WB.
+  [[nodiscard]] YawPitchRoll yaw_pitch_roll(const Vec3d& position_W, const Quatd& q_WB) const;
 
   /// The place in W [m] of coordinates.
   [[nodiscard]] Vec3d position(const Geodetic& place) const;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physim/aero.hpp"
 #include "physim/fidelity.hpp"
 #include "physim/vec3.hpp"
 
@@ -76,6 +77,7 @@ struct ProjectileDef {
   double twist = 0;       ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
   DragDef drag;           ///< data of the drag models [-]
   Inertia inertia;        ///< of rigid bodies [-]
+  AeroDef aero;           ///< of rigid bodies, beside drag at zero yaw [-]
   Vec3d force;            ///< a constant force on the projectile, such as thrust [N]
   double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
   Fidelity fidelity;                                                ///< used where a call gives none [-]

@@ -114,8 +114,9 @@ enum class Quantity {
   volume,
   attraction,
   moment_of_inertia,
+  area,
 };
-inline constexpr Quantity kLastQuantity = Quantity::moment_of_inertia;
+inline constexpr Quantity kLastQuantity = Quantity::area;
 
 /// The units that are accepted for a quantity, the SI unit first; "%" for plain numbers.
 [[nodiscard]] std::vector<std::string> units_of(Quantity quantity);

@@ -9,7 +9,7 @@ PHYSIM_ISA_BEGIN
 /// The common case: layers of the air are the only corners, and no lane leaves the first one.
 template <class R, class S>
 PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>& l) {
-  if (drag_has_corners(c) || c.fidelity.wind == WindModel::profile || c.has_applied) return false;
+  if (drag_has_corners(c) || c.fidelity.wind == WindModel::profile || c.has_applied || c.has_aero_tables) return false;
   // Geopotential height is never above geometric height.
   return all((altitude(c, l.step.end.x) < R(c.air.base[1])) & (l.regime.air_layer == R(S(0))) & (l.cut == R(S(0))));
 }
@@ -20,7 +20,7 @@ MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
   const R one(S(1));
   const R zero(S(0));
   if (only_below_first_layer(*course.conditions, l)) return accepted;
-  const Regime<R> next = regime(*course.conditions, l.body, l.step.t_end, l.step.end);
+  const Regime<R> next = regime(*course.conditions, l.body, *l.rotor, l.step.t_end, l.step.end);
   const MaskOf<R> crossing = accepted & (l.cut == zero) & differ(l.regime, next);
   R cut = zero;
   if (any(crossing)) {
@@ -31,7 +31,7 @@ MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
       DenseLanes<S> at;
       dense_lanes(course, alone, at);
       const double h = at.n1.t - at.n0.t;
-      const double part = first_corner(*course.conditions_double, at.body, at.n0.t, h, at);
+      const double part = first_corner(*course.conditions_double, at.body, at.turn->rotor, at.n0.t, h, at);
       // A corner within some roundings of the clock is as good as passed: a cut to it would stand still.
       if (part >= 1 || part * h <= 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t) continue;
       set_lane(l.control.h, lane, static_cast<S>(part * h));

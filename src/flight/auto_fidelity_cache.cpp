@@ -44,8 +44,19 @@ class Key {
   }
   void add(const ProjectileDef& projectile) {
     // Its name changes nothing, and its own fidelity is not asked.
-    const auto& [name, mass, diameter, length, twist, drag, inertia, force, force_duration, fidelity] = projectile;
-    all(mass, diameter, length, twist, drag, inertia, force, force_duration);
+    const auto& [name, mass, diameter, length, twist, drag, inertia, aero, force, force_duration, fidelity] =
+        projectile;
+    all(mass, diameter, length, twist, drag, inertia, aero, force, force_duration);
+  }
+  void add(const AeroPoint& point) {
+    const auto& [mach, angle_squared, value] = point;
+    all(mach, angle_squared, value);
+  }
+  void add(const AeroDef& aero) {
+    const auto& [area, length, span, norm, frame, drag_yaw, lift, lift_cubic, pitching, pitching_cubic, pitch_damping,
+                 yaw_damping, roll_damping, magnus_force, magnus_moment] = aero;
+    all(area, length, span, norm, frame, drag_yaw, lift, lift_cubic, pitching, pitching_cubic, pitch_damping,
+        yaw_damping, roll_damping, magnus_force, magnus_moment);
   }
   void add(const Inertia& inertia) {
     const auto& [moments, products] = inertia;

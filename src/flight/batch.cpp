@@ -87,7 +87,8 @@ class Batch {
     Cohort& cohort = group->cohort;
     const auto body = prepare_body(projectile, launch, elevation, cohort.pool, cohort.conditions);
     const Fidelity& granted = cohort.in_use.fidelity;
-    if (turns(granted)) group->rotors.push_back(prepare_rotor(projectile, launch, elevation, body, cohort.conditions));
+    if (turns(granted))
+      group->rotors.push_back(prepare_rotor(projectile, launch, elevation, body, cohort.pool, cohort.conditions));
     if (const auto outcome = ends_at_once(cohort.conditions, body, until_)) {
       end_at_once(i, body, *outcome);
       if (!turns(granted)) return;

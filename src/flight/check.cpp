@@ -4,6 +4,7 @@
 
 #include "flight/cohort.hpp"
 #include "math/checker.hpp"
+#include "model/aero_tables.hpp"
 #include "model/attitude.hpp"
 #include "model/humid_air.hpp"
 #include "model/standard_atmosphere.hpp"
@@ -32,6 +33,45 @@ void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
   }
 }
 
+/// A coefficient's points; `angles`: several of them may have the same Mach number.
+void check_coefficient(Checker& c, const AeroCoefficient& points, const std::string& name, bool angles) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string place = "projectile.aero." + name + "[" + std::to_string(i) + "]";
+    const AeroPoint& p = points[i];
+    c.not_negative(p.mach, place, "Mach numbers start at 0").not_negative(p.angle_squared, place, "it is a square");
+    c.is_number(p.value, place);
+    c.require(angles || p.angle_squared == 0, place, "may not depend on the angle of attack",
+              "only magnus_force and magnus_moment do; the others have a cubic part");
+    if (i == 0) continue;
+    const AeroPoint& before = points[i - 1];
+    c.require(p.mach > before.mach || (p.mach == before.mach && p.angle_squared > before.angle_squared), place,
+              "Mach numbers must rise, and angles at each", "sort the points by Mach number, then by angle");
+  }
+}
+
+void check_aero(Checker& c, const AeroDef& a) {
+  c.not_negative(a.area, "projectile.aero.area", "0: from the diameter");
+  c.not_negative(a.length, "projectile.aero.length", "0: the diameter");
+  c.not_negative(a.span, "projectile.aero.span", "0: the length");
+  const std::pair<const char*, const AeroCoefficient*> by_mach[] = {{"drag_yaw", &a.drag_yaw},
+                                                                    {"lift", &a.lift},
+                                                                    {"lift_cubic", &a.lift_cubic},
+                                                                    {"pitching", &a.pitching},
+                                                                    {"pitching_cubic", &a.pitching_cubic},
+                                                                    {"pitch_damping", &a.pitch_damping},
+                                                                    {"yaw_damping", &a.yaw_damping},
+                                                                    {"roll_damping", &a.roll_damping}};
+  for (const auto& [name, points] : by_mach) check_coefficient(c, *points, name, false);
+  check_coefficient(c, a.magnus_force, "magnus_force", true);
+  check_coefficient(c, a.magnus_moment, "magnus_moment", true);
+  const char* kApart = "keep them at least 1/16384 apart";
+  c.require(!mach_numbers_too_close(a), "projectile.aero", "has Mach numbers that are too close to each other", kApart);
+  c.require(!angles_too_close(a.magnus_force), "projectile.aero.magnus_force", "has angles too close to each other",
+            kApart);
+  c.require(!angles_too_close(a.magnus_moment), "projectile.aero.magnus_moment", "has angles too close to each other",
+            kApart);
+}
+
 }  // namespace
 
 Status check(const ProjectileDef& p) {
@@ -52,6 +92,7 @@ Status check(const ProjectileDef& p) {
   c.is_vector(p.inertia.products, "projectile.inertia.products");
   c.require(!has_inertia(p) || is_possible(p.inertia), "projectile.inertia", "is no inertia that a body can have",
             "moments are positive, none exceeds the sum of the others, and products are small enough");
+  check_aero(c, p.aero);
   c.is_vector(p.force, "projectile.force");
   c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
   return c.status();

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "math/elementary.hpp"
+#include "model/aero_tables.hpp"
 #include "model/attitude.hpp"
 #include "model/standard_atmosphere.hpp"
 
@@ -74,6 +75,28 @@ void prepare_curve(const ProjectileDef& p, CurvePool& pool, Conditions<double>& 
   c.has_spheres = c.has_spheres || p.drag.table == DragTable::sphere;
   c.has_bands = c.has_bands || !p.drag.bands.empty();
   c.has_searched_curves = c.has_searched_curves || place.row < 0;
+}
+
+/// Scales and coefficients of the aerodynamics; see Rotor.
+void prepare_aero(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c, Rotor<double>& r) {
+  const AeroDef& a = p.aero;
+  const double area = a.area > 0 ? a.area : 0.25 * kPi * p.diameter * p.diameter;
+  const double length = a.length > 0 ? a.length : p.diameter;
+  const double span = a.span > 0 ? a.span : length;
+  const double k = a.rate_norm == RateNorm::speed ? 1 : 0.5;
+  const double yaw_length = a.yaw_damping.empty() ? length : span;
+  r.force_scale = 0.5 * area / p.mass;
+  r.moment_scale = 0.5 * area * length;
+  r.pitch_scale = 0.5 * k * area * length * length;
+  r.yaw_scale = 0.5 * k * area * yaw_length * yaw_length;
+  r.roll_scale = 0.5 * k * area * span * span;
+  r.magnus_force_scale = 0.5 * k * area * length / p.mass;
+  r.magnus_moment_scale = 0.5 * k * area * length * length;
+  r.air_turns = a.damping_frame == DampingFrame::air ? 1 : 0;
+  add_aero(a, pool, r);
+  c.has_aero = c.has_aero || has_aero(a);
+  c.has_aero_tables = c.has_aero_tables || has_aero_tables(a);
+  c.has_aero_angles = c.has_aero_angles || has_aero_angles(a);
 }
 
 }  // namespace
@@ -145,6 +168,9 @@ Conditions<float> to_float(const Conditions<double>& c) {
   f.has_applied = c.has_applied;
   f.has_gravity_scale = c.has_gravity_scale;
   f.has_frozen = c.has_frozen;
+  f.has_aero = c.has_aero;
+  f.has_aero_tables = c.has_aero_tables;
+  f.has_aero_angles = c.has_aero_angles;
   return f;
 }
 
@@ -195,8 +221,9 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
 }
 
 Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
-                            const Conditions<double>& c) {
+                            CurvePool& pool, Conditions<double>& c) {
   Rotor<double> rotor = prepare_rotor(p);
+  prepare_aero(p, pool, c, rotor);
   Launch bore = launch;
   bore.velocity.reset();
   bore.speed = 1;

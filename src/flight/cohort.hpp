@@ -37,9 +37,9 @@ namespace physim {
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                         CurvePool& pool, Conditions<double>& conditions);
 
-/// What of it only rungs that turn read; `body` is prepared already.
+/// What of it only rungs that turn read, its tables added to the pool; `body` is prepared already.
 [[nodiscard]] Rotor<double> prepare_rotor(const ProjectileDef& projectile, const Launch& launch, double elevation,
-                                          const Body<double>& body, const Conditions<double>& conditions);
+                                          const Body<double>& body, CurvePool& pool, Conditions<double>& conditions);
 
 /// The quadratic drag that equals the drag equation where a projectile is: its wind, bands, air and curve included. It
 /// stands in where k1 and k2 are asked for and not given.

@@ -39,11 +39,11 @@ bool FidelityLadder::granted_as_asked(const Fidelity& f) const {
 /// by k1 and k2 takes them from the air at the origin where they are not given; spin drift needs air to be granted.
 Fidelity FidelityLadder::without_idle_rungs(Fidelity f) const {
   if (f.drag == DragModel::damping && projectile_.drag.damping == 1) f.drag = DragModel::off;
-  if (f.drag != DragModel::equation) {
+  if (f.drag != DragModel::equation && !turns(f)) {
     const bool reads_air = f.drag == DragModel::linear_quadratic || f.rotation != RotationModel::none;
     f.air = std::min(f.air, reads_air ? AirModel::constant : AirModel::vacuum);
   }
-  if (f.drag == DragModel::off) f.wind = WindModel::off;
+  if (f.drag == DragModel::off && !turns(f)) f.wind = WindModel::off;
   return f;
 }
 

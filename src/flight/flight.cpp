@@ -3,6 +3,7 @@
 
 #include "flight/flight_record.hpp"
 #include "math/text.hpp"
+#include "model/stability.hpp"
 
 namespace physim {
 
@@ -84,11 +85,20 @@ Accelerations Flight::accelerations(double time) const {
   };
   a.gravity = in_plane(gravity(c, s.x));
   if (c.fidelity.drag != DragModel::off) a.drag = in_plane(drag(c, r.body, s));
+  if (turns(c.fidelity) && c.has_aero)
+    a.body = body_aero(c, r.rotor, air_state(c, s.x), air_velocity(c, s), r.turn(time)).acceleration;
   if (is_turning(c.fidelity.earth)) a.coriolis = in_plane(coriolis(c, s.v));
   if (throws_out(c.fidelity)) a.centrifugal = in_plane(centrifugal(c, s.x));
   if (c.has_applied) a.applied = in_plane(applied(c, r.body, time));
   a.total = r.acceleration_at(time);
   return a;
+}
+
+std::optional<Stability> Flight::stability(double time) const {
+  const FlightRecord& r = *record_;
+  if (r.outcome == Outcome::refused || !turns(r.cohort.in_use.fidelity)) return std::nullopt;
+  time = std::clamp(time, 0.0, r.duration);
+  return stability_of(r.cohort.conditions, r.body, r.rotor, r.state(time), r.turn(time));
 }
 
 Sample Flight::at(double time) const {

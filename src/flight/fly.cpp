@@ -131,7 +131,8 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   record->cohort.conditions = prepare_conditions(environment, granted);
   record->body = prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
   if (turns(granted))
-    record->rotor = prepare_rotor(projectile, launch, record->elevation, record->body, record->cohort.conditions);
+    record->rotor = prepare_rotor(projectile, launch, record->elevation, record->body, record->cohort.pool,
+                                  record->cohort.conditions);
   record->cohort.finish();
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);

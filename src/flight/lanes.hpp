@@ -84,7 +84,7 @@ PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
                       R(course.plan.max_step));
     if (turns(c.fidelity)) l.control.h = min(l.control.h, first_turn_step(c.fidelity.integrator, *l.step.turn));
   }
-  if (course.corners) l.regime = regime(c, l.body, zero, l.step.start);
+  if (course.corners) l.regime = regime(c, l.body, *l.rotor, zero, l.step.start);
   l.count = l.tries = l.cut = zero;
 }
 

@@ -110,19 +110,58 @@ struct TableRows {
 };
 #endif
 
+/// Where the rows of whole numbers begin.
+template <class S, int N>
+class RowOffsets {
+ public:
+  PHYSIM_INLINE explicit RowOffsets(const Pack<S, N>& index) : at(stored_) {
+    // Adding the rounding number leaves the integer in the low bits of the mantissa.
+    using U = UnsignedOf<S>;
+    const auto bits = to_bits(index + rounding_magic<Pack<S, N>>());
+    ((bits & Pack<U, N>(U(0x3fffff))) << 2).store(stored_);
+#if defined(__GNUC__)
+    // Reading the offsets back from memory costs one load a lane; taking them out of a register three instructions.
+    // Hiding where they lie does it. (Hiding what they are would hide all else in memory, such as known conditions.)
+    asm("" : "+r"(at));
+#endif
+  }
+  RowOffsets(const RowOffsets&) = delete;
+  RowOffsets& operator=(const RowOffsets&) = delete;
+
+  const UnsignedOf<S>* at;
+
+ private:
+  UnsignedOf<S> stored_[N];
+};
+
+/// The four numbers of rows[4 * index ..], each in a column of its own.
+template <class S>
+requires std::is_floating_point_v<S> PHYSIM_INLINE void row_columns(const S* rows, S index, S* column) {
+  const S* r = rows + 4 * static_cast<std::int64_t>(index);
+  for (int k = 0; k < 4; ++k) column[k] = r[k];
+}
+template <class S, int N>
+PHYSIM_INLINE void row_columns(const S* rows, const Pack<S, N>& index, Pack<S, N>* column) {
+  const RowOffsets<S, N> offset(index);
+#ifdef PHYSIM_HAS_SHUFFLE
+  constexpr int kPer = Pack<S, N>::kPerRegister;
+  if constexpr (TableRows<S, kPer>::kPossible) {
+    for (int i = 0; i < Pack<S, N>::kRegisters; ++i) {
+      typename Pack<S, N>::Register r[4];
+      TableRows<S, kPer>{rows, offset.at + i * kPer}.load(r);
+      for (int k = 0; k < 4; ++k) column[k].r[i] = r[k];
+    }
+    return;
+  }
+#endif
+  for (int lane = 0; lane < N; ++lane)
+    for (int k = 0; k < 4; ++k) set_lane(column[k], lane, rows[offset.at[lane] + static_cast<unsigned>(k)]);
+}
+
 template <class S, int N>
 PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const Pack<S, N>& t) {
-  // Adding the rounding number leaves the integer in the low bits of the mantissa.
-  using U = UnsignedOf<S>;
-  const auto bits = to_bits(index + rounding_magic<Pack<S, N>>());
-  U stored[N];
-  ((bits & Pack<U, N>(U(0x3fffff))) << 2).store(stored);
-  const U* offset = stored;
-#if defined(__GNUC__)
-  // Reading the offsets back from memory costs one load a lane; taking them out of a register costs three instructions.
-  // Hiding where they lie does it. (Hiding what they are would hide all else in memory, such as known conditions.)
-  asm("" : "+r"(offset));
-#endif
+  const RowOffsets<S, N> offsets(index);
+  const UnsignedOf<S>* offset = offsets.at;
 
 #ifdef PHYSIM_HAS_SHUFFLE
   constexpr int kPer = Pack<S, N>::kPerRegister;

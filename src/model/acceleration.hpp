@@ -7,6 +7,7 @@
 // Source: R. L. McCoy, Modern Exterior Ballistics (1999), eq. 8.27 (point mass with Coriolis).
 #pragma once
 
+#include "model/aero.hpp"
 #include "model/drag.hpp"
 #include "model/gravity.hpp"
 #include "model/rigid_body.hpp"
@@ -48,8 +49,18 @@ PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>
                                            const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
   const R zero(S(0));
   Vec3<R> a = weight_per_mass(c, b, s.x);
-  if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
-  slope = turn_slope(c, rotor, turn, Vec3<R>{zero, zero, zero});
+  Vec3<R> moment{zero, zero, zero};
+  if (!c.has_aero) {
+    if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
+  } else {
+    const Vec3<R> u = air_velocity(c, s);
+    const AirState<R> air = air_state(c, s.x);
+    a += c.fidelity.drag == DragModel::equation ? drag_equation(c, b, air, u) : simple_drag(c, b, u);
+    const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);
+    a += load.acceleration;
+    moment = load.moment;
+  }
+  slope = turn_slope(c, rotor, turn, moment);
   return with_other_effects(c, b, t, s, a);
 }
 

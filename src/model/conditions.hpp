@@ -96,6 +96,9 @@ struct Conditions {
   bool has_applied;        // some projectile carries an applied force
   bool has_gravity_scale;  // some projectile has its own part of gravity
   bool has_frozen;         // some projectile does not move along some axis
+  bool has_aero;           // some projectile has aerodynamic coefficients beside drag
+  bool has_aero_tables;    // ... that change with the Mach number
+  bool has_aero_angles;    // ... or with the angle of attack
 };
 
 }  // namespace physim

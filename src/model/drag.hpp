@@ -68,21 +68,20 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
   return u * -(air.density * speed * (cd * half_area_per_mass));
 }
 
+/// Drag that reads nothing of the air but its velocity.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> simple_drag(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& u) {
+  if (c.fidelity.drag == DragModel::damping) return u * -b.damping_rate;
+  if (c.fidelity.drag == DragModel::linear_quadratic) return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
+  return {R(S(0)), R(S(0)), R(S(0))};
+}
+
 /// Acceleration by drag [m/s^2].
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag(const Conditions<S>& c, const Body<R>& b, const State<R>& s) {
-  const Vec3<R> u = c.fidelity.wind == WindModel::off ? s.v : s.v - wind(c, s.x);
-  switch (c.fidelity.drag) {
-    case DragModel::damping:
-      return u * -b.damping_rate;
-    case DragModel::linear_quadratic:
-      return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
-    case DragModel::equation:
-      return drag_equation(c, b, air_state(c, s.x), u);
-    case DragModel::off:
-      break;
-  }
-  return {R(S(0)), R(S(0)), R(S(0))};
+  const Vec3<R> u = air_velocity(c, s);
+  if (c.fidelity.drag == DragModel::equation) return drag_equation(c, b, air_state(c, s.x), u);
+  return simple_drag(c, b, u);
 }
 
 PHYSIM_ISA_END

@@ -69,6 +69,18 @@ CurvePlace CurvePool::place_of(const PiecewiseCubic& curve) {
   return place;
 }
 
+double CurvePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
+  const auto first = static_cast<double>(rows_.size() / 4);
+  for (const auto& row : rows) rows_.insert(rows_.end(), row.begin(), row.end());
+  return first;
+}
+
+const AeroPlace* CurvePool::find(const AeroDef& aero) const {
+  for (const auto& [known, place] : aero_)
+    if (known == aero) return &place;
+  return nullptr;
+}
+
 double drag_coefficient(const DragDef& drag, Interpolation interpolation, double mach) {
   return drag.table == DragTable::constant ? drag.coefficient : curve_of(drag, interpolation)(mach);
 }

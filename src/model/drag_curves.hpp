@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "math/interpolation.hpp"
+#include "model/rotor.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
@@ -21,10 +22,24 @@ struct CurvePlace {
   double last = 0;
 };
 
+/// The same of a projectile's aerodynamic coefficients; fields as in Rotor.
+struct AeroPlace {
+  Buckets<double> mach;
+  double mach_row;
+  AngleTable<double> magnus_force;
+  AngleTable<double> magnus_moment;
+};
+
 class CurvePool {
  public:
   /// Adds a curve, or finds it when an equal one is there.
   CurvePlace add(const DragDef& drag, Interpolation interpolation);
+
+  /// Rows of anything else; returns the number of the first.
+  double add_rows(const std::vector<std::array<double, 4>>& rows);
+  /// Where equal coefficients lie already; null where they do not.
+  [[nodiscard]] const AeroPlace* find(const AeroDef& aero) const;
+  void remember(const AeroDef& aero, const AeroPlace& place) { aero_.emplace_back(aero, place); }
 
   [[nodiscard]] const std::vector<double>& rows() const { return rows_; }
   [[nodiscard]] const std::vector<PiecewiseCubic>& searched() const { return searched_; }
@@ -40,6 +55,7 @@ class CurvePool {
   std::vector<double> rows_;
   std::vector<PiecewiseCubic> searched_;
   std::vector<Entry> entries_;
+  std::vector<std::pair<AeroDef, AeroPlace>> aero_;
 };
 
 /// Whether a cubic spline through a custom curve would swing out between its points: sparse points around Mach 1 do it.

@@ -99,6 +99,13 @@ FrameState EarthFrames::from_inertial(const FrameState& s, double time) const {
   return from_earth_fixed({position, velocity - cross(Vec3d{0, 0, rate_}, position)});
 }
 
+YawPitchRoll EarthFrames::yaw_pitch_roll(const Vec3d& position, const Quatd& q_WB) const {
+  const auto axis = [&](const Vec3d& v) { return local(position, rotate(q_WB, v)); };
+  const Vec3d nose = axis({1, 0, 0}), up = axis({0, 1, 0}), right = axis({0, 0, 1});
+  const double level = sqrt(nose.x * nose.x + nose.y * nose.y);
+  return {level == 0 ? 0 : atan2(nose.x, nose.y), atan2(nose.z, level), atan2(-right.z, up.z)};
+}
+
 Vec3d EarthFrames::from_local(const Vec3d& position, const Vec3d& vector) const {
   const LocalAxes l = local_axes(combined(x_E_, y_E_, z_E_, vertical_of(*conditions_, position).up));
   return from_earth_fixed({{}, l.east * vector.x + l.north * vector.y + l.up * vector.z}).velocity;

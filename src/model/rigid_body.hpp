@@ -14,7 +14,7 @@
 //   The roll angle counts from the shortest turn that takes e to x, whose own rate about x is -e.(x x x') / (1 + e.x);
 //   where x points against e it is not defined, and nothing but the roll that is shown depends on it.
 //   After every step |q| or |x| is set back to one; within a step only their directions count.
-// Source: R. L. McCoy, Modern Exterior Ballistics (1999), eq. 9.28-9.30 (vector form); B. L. Stevens, F. L. Lewis,
+// Source: R. L. McCoy, Modern Exterior Ballistics (1999), ch. 9 (vector form); B. L. Stevens, F. L. Lewis,
 //   Aircraft Control and Simulation (2003), eq. 1.3-21, 1.4-2 (Euler's equations, quaternion).
 #pragma once
 

@@ -26,6 +26,37 @@ struct Turn {
   Vec3<R> h;
 };
 
+/// Where a table lies among the rows of a cohort: see model/aero_tables.hpp.
+template <class R>
+struct Buckets {
+  R row;    // the first one's
+  R scale;  // buckets per unit
+  R last;   // number of the last one
+};
+template <class R>
+struct AngleTable {
+  Buckets<R> buckets;  // of alpha^2
+  R row;               // of the first cell
+  R cells;             // by angle, of each cell by Mach number
+};
+
+/// Coefficients of AeroDef at one Mach number and angle.
+template <class R>
+struct AeroCoefficients {
+  R drag_yaw;
+  R lift;
+  R lift_cubic;
+  R pitching;
+  R pitching_cubic;
+  R pitch_damping;
+  R yaw_damping;
+  R roll_damping;
+  R magnus_force;
+  R magnus_moment;
+};
+/// Of them in rows by Mach number, two to a row; Magnus' come after them, in tables of their own.
+inline constexpr int kRowCoefficients = 8;
+
 /// Every member is an R, so that a lane can be copied in and out field by field.
 template <class R>
 struct Rotor {
@@ -34,6 +65,20 @@ struct Rotor {
   Vec3<R> products;          // Ixy, Ixz, Iyz of the tensor [kg m^2]
   Vec3<R> inverse_moments;   // of the inverse tensor, the same members [1/(kg m^2)]
   Vec3<R> inverse_products;  // [1/(kg m^2)]
+  // Aerodynamics (model/aero.hpp); k is 1 where rates are made dimensionless by V, 1/2 where by 2V.
+  R force_scale;                    // S / 2m [m^2/kg]
+  R moment_scale;                   // S d / 2 [m^3]
+  R pitch_scale;                    // k S d^2 / 2 [m^4]
+  R yaw_scale;                      // the same, of the span where there is a yaw damping of its own [m^4]
+  R roll_scale;                     // of the span [m^4]
+  R magnus_force_scale;             // k S d / 2m [m^3/kg]
+  R magnus_moment_scale;            // k S d^2 / 2 [m^4]
+  R air_turns;                      // 1: damping is against the air, which turns with W; 0: against the fixed stars
+  AeroCoefficients<R> coefficient;  // where they are constant
+  Buckets<R> mach;
+  R mach_row;  // of the first cell by Mach number
+  AngleTable<R> magnus_force;
+  AngleTable<R> magnus_moment;
 };
 
 template <class R>

@@ -33,6 +33,21 @@ Value spread_of(const WorldGroup& g) {
   return numbers.count > 0 ? Value(numbers.spread()) : std::nullopt;
 }
 
+/// The number where rotation was flown.
+Value flown(const Flight& flight, double value) {
+  return flight.fidelity_in_use().fidelity.rotation == RotationModel::rigid_body ? Value(value) : std::nullopt;
+}
+template <double YawPitchRoll::*angle>
+Value attitude(const Flight& flight, const Sample& s) {
+  return flown(flight, flight.earth_frames().yaw_pitch_roll(s.position, s.orientation).*angle);
+}
+Value spin_rate(const Flight& flight, const Sample& s) { return flown(flight, s.angular_velocity.x); }
+Value angle_of_attack(const Flight& flight, const Sample& s) { return flown(flight, s.angle_of_attack); }
+Value gyroscopic_stability(const Flight& flight, const Sample& s) {
+  const auto stability = flight.stability(s.time);
+  return stability ? Value(stability->gyroscopic) : std::nullopt;
+}
+
 constexpr Figure kFigures[] = {
     {"drop", Quantity::length, [](const Sample& s) { return s.drop; }},
     {"windage", Quantity::length, [](const Sample& s) { return s.windage; }},
@@ -51,6 +66,12 @@ constexpr Figure kFigures[] = {
     {"longitude", Quantity::angle, nullptr, &Geodetic::longitude},
     {"altitude", Quantity::length, nullptr, &Geodetic::height},
     {"elevation", Quantity::angle, nullptr},
+    {"yaw", Quantity::angle, nullptr, nullptr, nullptr, attitude<&YawPitchRoll::yaw>},
+    {"pitch", Quantity::angle, nullptr, nullptr, nullptr, attitude<&YawPitchRoll::pitch>},
+    {"roll", Quantity::angle, nullptr, nullptr, nullptr, attitude<&YawPitchRoll::roll>},
+    {"spin_rate", Quantity::angular_rate, nullptr, nullptr, nullptr, spin_rate},
+    {"angle_of_attack", Quantity::angle, nullptr, nullptr, nullptr, angle_of_attack},
+    {"gyroscopic_stability", Quantity::number, nullptr, nullptr, nullptr, gyroscopic_stability},
     // Of groups of projectiles in a world: counts, and figures of their impacts.
     {"spawned", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::spawned>},
     {"refused", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::refused>},

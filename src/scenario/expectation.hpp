@@ -9,16 +9,19 @@
 
 namespace physim {
 
-/// A figure: of a flight at one time, by its sample or by its place on the Earth; of a flight as a whole where there is
-/// neither; and of a group of projectiles at the end of a world's run.
+/// A figure: of a flight at one time, by its sample, by its place on the Earth or by more of the flight; of a flight as
+/// a whole where there is none of these; and of a group of projectiles at the end of a world's run.
 struct Figure {
   std::string_view name;
   Quantity quantity;
   double (*value)(const Sample&) = nullptr;
   double Geodetic::*place = nullptr;
-  std::optional<double> (*of_group)(const WorldGroup&) = nullptr;  // nothing: nothing there to measure
+  std::optional<double> (*of_group)(const WorldGroup&) = nullptr;                // nothing: nothing there to measure
+  std::optional<double> (*of_rotation)(const Flight&, const Sample&) = nullptr;  // nothing: rotation was not flown
 
-  [[nodiscard]] bool is_of_flights() const { return value != nullptr || place != nullptr || of_group == nullptr; }
+  [[nodiscard]] bool is_of_flights() const {
+    return value != nullptr || place != nullptr || of_rotation != nullptr || of_group == nullptr;
+  }
 };
 
 [[nodiscard]] std::span<const Figure> figures();

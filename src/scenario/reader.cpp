@@ -161,6 +161,41 @@ Status read_curve(const Entry& entry, const Value& value, std::vector<DragPoint>
   return std::nullopt;
 }
 
+/// A number, or points at rising Mach numbers; the angle in square degrees.
+Status read_aero(const Entry& entry, const Value& value, AeroCoefficient& coefficient) {
+  const std::string wanted = "a number, [[Mach number, value], ...] or [[Mach number, angle^2 in deg^2, value], ...]";
+  const Wanted plain{entry.path, Quantity::number, {}};
+  const Array* array = value.get<Array>();
+  if (array == nullptr) {
+    const Result<double> constant = read_number(plain, value);
+    if (!constant) return fault(entry.path, value, "found " + std::string(kind_of(value)), "expected " + wanted);
+    coefficient = {{0, 0, *constant}};
+    return std::nullopt;
+  }
+  coefficient.clear();
+  for (const Value& point : *array) {
+    const Array* numbers = point.get<Array>();
+    if (numbers == nullptr || numbers->size() < 2 || numbers->size() > 3)
+      return fault(entry.path, point, "this is no point", "expected " + wanted);
+    double number[3] = {};
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+      const bool last = i + 1 == numbers->size();
+      const Result<double> read =
+          read_number(last ? plain : Wanted{entry.path, Quantity::number, {.low = 0}}, (*numbers)[i]);
+      if (!read) return read.error();
+      number[last ? 2 : i] = *read;
+    }
+    const AeroPoint next{number[0], number[1] * kSquareDegree, number[2]};
+    const bool rises = coefficient.empty() || next.mach > coefficient.back().mach ||
+                       (next.mach == coefficient.back().mach && next.angle_squared > coefficient.back().angle_squared);
+    if (!rises)
+      return fault(entry.path, point, "this point comes after a later one",
+                   "Mach numbers must rise, and angles at each");
+    coefficient.push_back(next);
+  }
+  return std::nullopt;
+}
+
 /// from, from + step, ... up to and including `to`.
 Status fill_steps(const Wanted& wanted, const Value& value, double from, double to, double step,
                   std::vector<double>& list) {
@@ -297,6 +332,7 @@ Status read_setting(const Node& node, const Scope& scope, const Value& value) {
                         [&](std::string* target) { return read_text(entry, value, *target); },
                         [&](const Choice& choice) { return read_choice(entry, value, choice); },
                         [&](std::vector<DragPoint>* curve) { return read_curve(entry, value, *curve); },
+                        [&](AeroCoefficient* coefficient) { return read_aero(entry, value, *coefficient); },
                         [&](std::vector<double>* list) { return read_numbers(wanted, value, *list); },
                         [&](std::vector<std::string>* list) { return read_texts(entry, value, *list); },
                         [&](const Records& records) { return read_records(node, records, value); },

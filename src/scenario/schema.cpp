@@ -36,7 +36,7 @@ std::string type_of(const Slot& slot) {
                                [](std::int64_t*) { return "integer"; }, [](const Integer&) { return "integer"; },
                                [](bool*) { return "boolean"; }, [](std::string*) { return "text"; },
                                [](const Choice&) { return "choice"; }, [](std::vector<DragPoint>*) { return "points"; },
-                               [](std::vector<double>*) { return "list"; },
+                               [](AeroCoefficient*) { return "points"; }, [](std::vector<double>*) { return "list"; },
                                [](std::vector<std::string>*) { return "list"; }, [](const Records&) { return "list"; }},
                     slot);
 }

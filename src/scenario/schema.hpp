@@ -61,9 +61,9 @@ struct Records {
 };
 
 /// Where a setting's value is, and of which type it is.
-using Slot =
-    std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, Integer, bool*, std::string*,
-                 Choice, std::vector<DragPoint>*, std::vector<double>*, std::vector<std::string>*, Records>;
+using Slot = std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, Integer, bool*,
+                          std::string*, Choice, std::vector<DragPoint>*, AeroCoefficient*, std::vector<double>*,
+                          std::vector<std::string>*, Records>;
 
 /// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
 struct Range {

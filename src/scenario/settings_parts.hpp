@@ -52,7 +52,7 @@ Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
 
 // ------------------------------------------------------------------------------- parts of the list in files of their
 // own
-[[nodiscard]] std::span<const Entry> rotation_settings();  // [shot.inertia], [shot.attitude]
+[[nodiscard]] std::span<const Entry> rotation_settings();  // [shot.inertia], [shot.aero], [shot.attitude]
 [[nodiscard]] std::span<const Entry> body_settings();      // [shot.body]
 [[nodiscard]] std::span<const Entry> world_settings();     // [world]
 [[nodiscard]] std::span<const Entry> volley_settings();    // [[volley]]

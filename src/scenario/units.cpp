@@ -73,6 +73,8 @@ constexpr Unit kMomentOfInertia[] = {{"kg m^2"},
                                      {"lb ft^2", kPound * 0.3048 * 0.3048},
                                      {"slug ft^2", kPoundForce * 0.3048}};
 
+constexpr Unit kArea[] = {{"m^2"}, {"cm^2", 1e-4}, {"mm^2", 1e-6}, {"in^2", kInch* kInch}, {"ft^2", 0.3048 * 0.3048}};
+
 constexpr std::array kQuantities = {
     QuantityInfo{Quantity::number, "a plain number", "0.5", kNumber},
     QuantityInfo{Quantity::length, "a length", "7.82 mm", kLength},
@@ -95,6 +97,7 @@ constexpr std::array kQuantities = {
     QuantityInfo{Quantity::volume, "a volume", "2.5 l", kVolume},
     QuantityInfo{Quantity::attraction, "an attraction (G M)", "2000 m^3/s^2", kAttraction},
     QuantityInfo{Quantity::moment_of_inertia, "a moment of inertia", "0.02326 kg m^2", kMomentOfInertia},
+    QuantityInfo{Quantity::area, "an area", "45 mm^2", kArea},
 };
 
 constexpr bool in_order_of_values() {

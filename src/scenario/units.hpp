@@ -9,6 +9,9 @@
 
 namespace physim {
 
+/// Squares of angles stand in files in square degrees [rad^2].
+inline constexpr double kSquareDegree = 3.0461741978670857e-4;
+
 /// A unit: SI value = (number + zero) * factor / divisor. Divisors keep "60 %" and "59 degF" exactly rounded.
 struct Unit {
   std::string_view name;

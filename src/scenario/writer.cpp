@@ -59,6 +59,17 @@ std::string curve_value(const std::vector<DragPoint>& curve) {
   });
 }
 
+std::string aero_value(const AeroCoefficient& coefficient) {
+  if (coefficient.size() == 1 && coefficient[0].mach == 0 && coefficient[0].angle_squared == 0)
+    return number_text(coefficient[0].value);
+  const bool angles =
+      std::any_of(coefficient.begin(), coefficient.end(), [](const AeroPoint& p) { return p.angle_squared != 0; });
+  return array_value(coefficient, [angles](const AeroPoint& p) {
+    const std::string angle = angles ? number_text(p.angle_squared / kSquareDegree) + ", " : "";
+    return "[" + number_text(p.mach) + ", " + angle + number_text(p.value) + "]";
+  });
+}
+
 std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style);
 
 constexpr std::string_view kNothing = "{}";
@@ -112,6 +123,7 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                           return index ? Text(word(choice.names[*index], style)) : std::nullopt;
                         },
                         [&](const std::vector<DragPoint>* curve) -> Text { return curve_value(*curve); },
+                        [&](const AeroCoefficient* coefficient) -> Text { return aero_value(*coefficient); },
                         [&](const std::vector<double>* list) -> Text {
                           return array_value(*list,
                                              [quantity](double x) { return number_value(x, quantity, Style::toml); });

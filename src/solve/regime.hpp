@@ -15,6 +15,7 @@ struct Regime {
   R air_layer;
   R wind_piece;
   R force;
+  R aero_cell;
 };
 
 /// How many of the borders lie at or below u.
@@ -41,11 +42,6 @@ PHYSIM_INLINE bool has_layers(const Conditions<S>& c) {
 }
 
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> air_velocity(const Conditions<S>& c, const State<R>& s) {
-  return c.fidelity.wind == WindModel::off ? s.v : s.v - wind(c, s.x);
-}
-
-template <class R, class S>
 PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const R& mach) {
   R cell = floor_small(curve_position(b, mach));
   if (c.has_searched_curves) {
@@ -65,9 +61,10 @@ PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const
 }
 
 template <class R, class S>
-PHYSIM_INLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+PHYSIM_INLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                               const State<R>& s) {
   const R zero(S(0));
-  Regime<R> r{zero, zero, zero, zero, zero};
+  Regime<R> r{zero, zero, zero, zero, zero, zero};
   if (drag_has_corners(c)) {
     const R speed = length(air_velocity(c, s));
     if (c.fidelity.interpolation == Interpolation::linear)
@@ -83,38 +80,42 @@ PHYSIM_INLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const R
   if (c.fidelity.wind == WindModel::profile)
     r.wind_piece = borders_passed(c.wind.at, c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x));
   if (c.has_applied) r.force = select(t >= b.applied_until, R(S(1)), zero);
+  if (c.has_aero_tables)
+    r.aero_cell = cell_of(c.curve_rows, rotor.mach, length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed);
   return r;
 }
 
 template <class R>
 PHYSIM_INLINE MaskOf<R> differ(const Regime<R>& a, const Regime<R>& b) {
   return (a.curve_cell != b.curve_cell) | (a.band != b.band) | (a.air_layer != b.air_layer) |
-         (a.wind_piece != b.wind_piece) | (a.force != b.force);
+         (a.wind_piece != b.wind_piece) | (a.force != b.force) | (a.aero_cell != b.aero_cell);
 }
 
 template <class R, class Mask>
 PHYSIM_INLINE Regime<R> select(const Mask& m, const Regime<R>& a, const Regime<R>& b) {
-  return {select(m, a.curve_cell, b.curve_cell), select(m, a.band, b.band), select(m, a.air_layer, b.air_layer),
-          select(m, a.wind_piece, b.wind_piece), select(m, a.force, b.force)};
+  return {select(m, a.curve_cell, b.curve_cell), select(m, a.band, b.band),   select(m, a.air_layer, b.air_layer),
+          select(m, a.wind_piece, b.wind_piece), select(m, a.force, b.force), select(m, a.aero_cell, b.aero_cell)};
 }
 
 /// Whether any piecewise data is in use, so that smooth flights do not pay.
 template <class S>
 PHYSIM_INLINE bool has_corners(const Conditions<S>& c) {
-  return drag_has_corners(c) || has_layers(c) || c.fidelity.wind == WindModel::profile || c.has_applied;
+  return drag_has_corners(c) || has_layers(c) || c.fidelity.wind == WindModel::profile || c.has_applied ||
+         c.has_aero_tables;
 }
 
 /// The part of a finished step after which the first corner lies just behind, or 1 where there is none to respect.
 /// `at(theta)` is the dense output. A corner in the first millionth of a step is the one the last step was cut at.
 template <class F>
-double first_corner(const Conditions<double>& c, const Body<double>& b, double t, double h, const F& at) {
+double first_corner(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double t, double h,
+                    const F& at) {
   double before = 1e-6;
   double behind = 1;
-  const Regime<double> here = regime(c, b, t + before * h, at(before));
-  if (!differ(here, regime(c, b, t + h, at(1.0)))) return 1;
+  const Regime<double> here = regime(c, b, rotor, t + before * h, at(before));
+  if (!differ(here, regime(c, b, rotor, t + h, at(1.0)))) return 1;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (before + behind);
-    (differ(here, regime(c, b, t + middle * h, at(middle))) ? behind : before) = middle;
+    (differ(here, regime(c, b, rotor, t + middle * h, at(middle))) ? behind : before) = middle;
   }
   return behind;
 }

@@ -57,9 +57,21 @@ void fields(A& a, Inertia& i) {
   a(moments, products);
 }
 template <class A>
+void fields(A& a, AeroPoint& p) {
+  auto& [mach, angle_squared, value] = p;
+  a(mach, angle_squared, value);
+}
+template <class A>
+void fields(A& a, AeroDef& d) {
+  auto& [area, length, span, norm, frame, drag_yaw, lift, lift_cubic, pitching, pitching_cubic, pitch_damping,
+         yaw_damping, roll_damping, magnus_force, magnus_moment] = d;
+  a(area, length, span, norm, frame, drag_yaw, lift, lift_cubic, pitching, pitching_cubic, pitch_damping);
+  a(yaw_damping, roll_damping, magnus_force, magnus_moment);
+}
+template <class A>
 void fields(A& a, ProjectileDef& p) {
-  auto& [name, mass, diameter, length, twist, drag, inertia, force, force_duration, fidelity] = p;
-  a(name, mass, diameter, length, twist, drag, inertia, force, force_duration, fidelity);
+  auto& [name, mass, diameter, length, twist, drag, inertia, aero, force, force_duration, fidelity] = p;
+  a(name, mass, diameter, length, twist, drag, inertia, aero, force, force_duration, fidelity);
 }
 template <class A>
 void fields(A& a, Sight& s) {

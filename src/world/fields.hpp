@@ -15,6 +15,9 @@ struct Features {
   bool spheres = false;        // Cd by Reynolds number
   bool bands = false;          // banded ballistic coefficients
   bool searched = false;       // a drag curve that fits no equal cells
+  bool aero = false;           // aerodynamic coefficients beside drag
+  bool aero_tables = false;    // ... that change with the Mach number
+  bool aero_angles = false;    // ... or with the angle of attack
   bool gravity_scale = false;  // its own part of gravity
   bool frozen = false;         // axes along which it does not move
   bool launch_place = false;   // a rule asks how far it is from there

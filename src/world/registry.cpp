@@ -24,6 +24,9 @@ Features features_of(const Conditions<double>& c, const BodyDef& body) {
   f.spheres = c.has_spheres;
   f.bands = c.has_bands;
   f.searched = c.has_searched_curves;
+  f.aero = c.has_aero;
+  f.aero_tables = c.has_aero_tables;
+  f.aero_angles = c.has_aero_angles;
   f.launch_place = std::isfinite(body.despawn.farther);
   return f;
 }
@@ -36,6 +39,7 @@ ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {
   p.drag.form_factor *= scale;
   if (p.drag.ballistic_coefficient > 0) p.drag.ballistic_coefficient /= scale;
   for (BallisticBand& band : p.drag.bands) band.ballistic_coefficient /= scale;
+  for (AeroPoint& point : p.aero.drag_yaw) point.value *= scale;
   p.drag.damping = pow(p.drag.damping, scale);
   return p;
 }
@@ -47,6 +51,9 @@ void set_flags(Conditions<double>& c, const Features& f) {
   c.has_searched_curves = f.searched;
   c.has_gravity_scale = f.gravity_scale;
   c.has_frozen = f.frozen;
+  c.has_aero = f.aero;
+  c.has_aero_tables = f.aero_tables;
+  c.has_aero_angles = f.aero_angles;
 }
 
 /// The events that are looked for inside a step.
@@ -111,7 +118,7 @@ void Registry::prepare(Kind& k, Prepared& r) {
   CurvePool& pool = curves(granted.interpolation).pool;
   const std::size_t rows_before = pool.rows().size() + pool.searched().size();
   r.body = prepare_body(k.flown, Launch{}, 0, pool, probe);
-  r.rotor = turns(granted) ? prepare_rotor(k.flown, Launch{}, 0, r.body, probe) : Rotor<double>{};
+  r.rotor = turns(granted) ? prepare_rotor(k.flown, Launch{}, 0, r.body, pool, probe) : Rotor<double>{};
   if (pool.rows().size() + pool.searched().size() != rows_before)
     for (WorldCohort& cohort : cohorts_) point_to_curves(cohort);
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;

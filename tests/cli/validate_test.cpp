@@ -63,7 +63,7 @@ bool contains(const Outcome& outcome, const std::string& part) { return outcome.
 const std::string kParabola = "# g=9.80665\nv0_m_s,elev_deg,range_m\n";
 
 TEST(Validate, EverySuitePassesAtItsGates) {
-  for (const char* suite : {"classic", "analytic", "us76", "gravity", "ballistics"}) {
+  for (const char* suite : {"classic", "analytic", "us76", "gravity", "ballistics", "nesc", "mccoy"}) {
     const Outcome outcome = validate(suite);
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     EXPECT_TRUE(contains(outcome, "all pass")) << outcome.text;
@@ -86,6 +86,32 @@ TEST(Validate, JsonHoldsEveryFigureAndASummary) {
   EXPECT_EQ(json.at("summary").at("suites").size(), 2u);
 }
 
+TEST(Validate, NescTellsWhereEveryCaseEndsAndHowFarOthersLie) {
+  const std::string header = "case,nasa_sim,t_s,altitude_m,yaw_deg\n";
+  const Folder folder("nasa_sims_final.csv", header + "06,01,30,4963.5,\n06,02,30,4963.4984469165592,0\n");
+  folder.add("case06.csv", "t_s,altitude_m\n30,4963.4984469165592\n");
+  const Outcome outcome = validate("nesc --json " + folder.option());
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
+  const auto json = nlohmann::json::parse(outcome.text);
+  ASSERT_EQ(json.at("states").size(), 10u);  // judged or not
+  for (const char* column : {"t_s", "altitude_m", "latitude_deg", "longitude_deg", "v_north_m_s", "v_east_m_s",
+                             "v_down_m_s", "yaw_deg", "pitch_deg", "roll_deg", "p_deg_s", "q_deg_s", "r_deg_s"})
+    EXPECT_TRUE(json.at("states")[4].at(column).is_number()) << column;
+  EXPECT_NEAR(json.at("beside")[0].at("altitude_m").get<double>(), 0.0015530834408, 1e-6);
+  EXPECT_TRUE(json.at("beside")[0].at("yaw_deg").is_null());
+  EXPECT_NEAR(json.at("beside")[1].at("yaw_deg").get<double>(), 0, 1e-9);
+}
+
+TEST(Validate, McCoyNamesWhatItCannotRead) {
+  const Folder folder("converged_6dof.csv", "case,twist,launch,range_m\nm1 charge1 QE45,18 cal,0 rad/s,100\n");
+  folder.add("physical_and_published_results.csv",
+             "case,quantity,value,unit\nm1,mass,15,kg\nm1,diameter,105,mm\nm1,v0 charge 1,205,parsec\n");
+  folder.add("m1_aero.csv", "coef,mach,alpha2_deg2,value\nCD0,0,,0.1\n");
+  EXPECT_TRUE(contains(validate("mccoy " + folder.option()), "physical_and_published_results.csv:4"));
+  folder.add("m1_aero.csv", "coef,mach,alpha2_deg2,value\nCXX,0,,0.1\n");
+  EXPECT_TRUE(contains(validate("mccoy " + folder.option()), "m1_aero.csv:2"));
+}
+
 TEST(Validate, AMissedGateIsExitCode1) {
   const Folder folder("vacuum_parabola.csv", kParabola + "10,45,10.198\n");
   const Outcome outcome = validate("analytic " + folder.option());
@@ -105,13 +131,13 @@ TEST(Validate, DataMayBeTheSuiteFolderOrItsParent) {
   EXPECT_EQ(validate("us76 " + folder.option()).code, 2);
 }
 
-TEST(Validate, UnknownColumnsEmptyFieldsAndLaterFeaturesAreSkipped) {
+TEST(Validate, UnknownColumnsEmptyFieldsAndUnknownCasesAreSkipped) {
   const Folder folder("vacuum_parabola.csv",
                       "# words\nextra,range_m,elev_deg,v0_m_s,apex_m\nx,10.197162129779282426,45,10,\n");
-  folder.add("torque_free_brick.csv", "t_s,p_deg_s\n0,10\n");
+  folder.add("spinning_plates.csv", "t_s,p_deg_s\n0,10\n");
   const Outcome outcome = validate("analytic " + folder.option());
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_TRUE(contains(outcome, "skipped: torque_free_brick.csv: needs rigid-body rotation")) << outcome.text;
+  EXPECT_TRUE(contains(outcome, "skipped: spinning_plates.csv: no case of this name")) << outcome.text;
 }
 
 TEST(Validate, MalformedTablesNameFileAndLine) {

@@ -71,7 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\nfrobnicate = 1\n[shot.drag]\nwidth = 1",
             "f.toml:3:1: error: unknown key \"frobnicate\" in [shot]; known keys: name, preset, mass, diameter, "
             "length, twist, "
-            "drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, inertia, attitude, "
+            "drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, inertia, aero, "
+            "attitude, "
             "fidelity, body"},
         Bad{"[[shot]]\nzero_range = 100",
             "f.toml:3:1: error: unknown key \"zero_range\" in [shot]; \"zero_range\" belongs into [shot.sight]"},
@@ -96,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"shot = [5]",
             "f.toml:2:9: error: shot: found a number; expected a table with keys out of: name, preset, mass, diameter, "
             "length, "
-            "twist, drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, inertia, "
+            "twist, drag, force, force_duration, position, speed, elevation, azimuth, velocity, sight, inertia, aero, "
             "attitude, "
             "fidelity, body"},
         Bad{"[[shot]]\nmass = true",
@@ -129,9 +130,9 @@ INSTANTIATE_TEST_SUITE_P(
             "inverse_square, j2, wgs84"},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"hight\"\nequals = 1\nwithin = 1",
             "f.toml:4:12: error: expect.quantity: unknown value \"hight\"; known values: drop, windage, range, speed, "
-            "time, x, y, z, vx, vy, vz, mach, energy, latitude, longitude, altitude, elevation, spawned, refused, "
-            "landed, bounces, slept, expired, retired, hits, alive, impact_range, impact_range_min, impact_range_max, "
-            "impact_range_spread, ..."},
+            "time, x, y, z, vx, vy, vz, mach, energy, latitude, longitude, altitude, elevation, yaw, pitch, "
+            "roll, spin_rate, angle_of_attack, gyroscopic_stability, spawned, refused, landed, bounces, slept, "
+            "expired, retired, ..."},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"drop\"\nequals = \"1 m/s\"\nwithin = 1",
             "f.toml:5:10: error: expect.equals: \"1 m/s\" is a speed; expected a length such as \"7.82 mm\""},
         Bad{"[[shot]]\n[until]\nevents = [{ kind = \"speed\", value = \"3 m\" }]",
