@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "physim/drag_point.hpp"
 #include "physim/fidelity.hpp"
+#include "physim/motor.hpp"
 #include "physim/vec3.hpp"
 
 namespace physim {
@@ -25,14 +27,6 @@ enum class DragTable {
   ra4,
   sphere,  ///< smooth sphere, Cd by Reynolds number (Morrison 2013)
   custom,  ///< DragDef::curve
-};
-
-/// One point of a drag curve.
-struct DragPoint {
-  double mach = 0;         ///< Mach number [-]
-  double coefficient = 0;  ///< drag coefficient Cd [-]
-
-  bool operator==(const DragPoint&) const = default;
 };
 
 /// The ballistic coefficient from a speed upwards.
@@ -61,13 +55,14 @@ struct DragDef {
 /// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
 struct ProjectileDef {
   std::string name;       ///< for tables and plots [-]
-  double mass = 1;        ///< [kg]
+  double mass = 1;        ///< at launch, the propellant of a motor included [kg]
   double diameter = 0.1;  ///< reference diameter: the reference area is pi d^2 / 4 [m]
   double length = 0;      ///< for the stability factor; 0: not known [m]
   double twist = 0;       ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
   DragDef drag;           ///< data of the drag models [-]
   Vec3d force;            ///< a constant force on the projectile, such as thrust [N]
   double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
+  MotorDef motor;                                                   ///< pushes it along; empty thrust: none [-]
   Fidelity fidelity;                                                ///< used where a call gives none [-]
 
   bool operator==(const ProjectileDef&) const = default;
@@ -89,6 +84,7 @@ struct Launch {
   double elevation = 0;           ///< of the bore above the horizon, before cant; 0 with a zero range [rad]
   double azimuth = 0;             ///< of the plane of fire, from x towards z (to the right) [rad]
   std::optional<Vec3d> velocity;  ///< instead of speed, elevation and azimuth [m/s]
+  double rail_length = 0;         ///< it moves only forwards along the bore until it has come so far; 0: no rail [m]
   Sight sight;                    ///< line of sight [-]
 };
 

@@ -42,18 +42,30 @@ class Key {
     const auto& [table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2] = drag;
     all(table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2);
   }
+  void add(const ThrustPoint& point) {
+    const auto& [time, force] = point;
+    all(time, force);
+  }
+  void add(const PropellantPoint& point) {
+    const auto& [time, mass] = point;
+    all(time, mass);
+  }
+  void add(const MotorDef& motor) {
+    const auto& [name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve] = motor;
+    all(thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve);
+  }
   void add(const ProjectileDef& projectile) {
     // Its name changes nothing, and its own fidelity is not asked.
-    const auto& [name, mass, diameter, length, twist, drag, force, force_duration, fidelity] = projectile;
-    all(mass, diameter, length, twist, drag, force, force_duration);
+    const auto& [name, mass, diameter, length, twist, drag, force, force_duration, motor, fidelity] = projectile;
+    all(mass, diameter, length, twist, drag, force, force_duration, motor);
   }
   void add(const Sight& sight) {
     const auto& [height, look_angle, cant, zero_range, zero_in_calm_air] = sight;
     all(height, look_angle, cant, zero_range, zero_in_calm_air);
   }
   void add(const Launch& launch) {
-    const auto& [position, speed, elevation, azimuth, velocity, sight] = launch;
-    all(position, speed, elevation, azimuth, velocity, sight);
+    const auto& [position, speed, elevation, azimuth, velocity, rail_length, sight] = launch;
+    all(position, speed, elevation, azimuth, velocity, rail_length, sight);
   }
   void add(const WindPoint& point) {
     const auto& [at, velocity] = point;

@@ -75,6 +75,7 @@ class Batch {
     const auto& [projectile, launch] = shots_[i];
     if (const auto status = check(projectile)) return refuse(*status);
     if (const auto status = check(launch)) return refuse(*status);
+    if (const auto status = check(projectile, launch)) return refuse(*status);
     double elevation = launch.elevation;
     if (launch.sight.zero_range > 0) {
       const auto found = elevation_of(projectile, launch, environment_, fidelity_);
@@ -107,7 +108,7 @@ class Batch {
     const DragDef& d = p.drag;
     return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
            (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
-           (fidelity_.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0);
+           (fidelity_.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0) | (has_motor(p) ? 128u : 0);
   }
 
   ShotGroup* group_of(const ProjectileDef& projectile) {
@@ -157,7 +158,9 @@ class Batch {
                                 std::size_t(fastest - shots_.begin())}) {
       const auto& [projectile, launch] = shots_[i];
       const bool known = std::find(list.begin(), list.end(), i) != list.end();
-      if (!known && !check(projectile) && !check(launch) && group_of(projectile) == &group) list.push_back(i);
+      if (!known && !check(projectile) && !check(launch) && !check(projectile, launch) &&
+          group_of(projectile) == &group)
+        list.push_back(i);
     }
     return list;
   }
@@ -220,7 +223,7 @@ class Batch {
   std::deque<ShotGroup> groups_;
   static constexpr std::size_t kMostJudgedCurves = 64;
   std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
-  std::array<ShotGroup*, 128> group_by_key_{};
+  std::array<ShotGroup*, 256> group_by_key_{};
   BatchResult result_;
 };
 

@@ -25,7 +25,18 @@ Vec3d FlightRecord::acceleration_at(double time) const {
   const Fidelity& f = cohort.in_use.fidelity;
   if (f.motion != Motion::closed_form && f.integrator == Integrator::classic && nodes.size() > 1)
     return (later_node(nodes, time) - 1)->a;
-  return acceleration(cohort.conditions, body, time, state(time));
+  return acceleration(cohort.conditions, body_at(time), time, state(time));
+}
+
+Body<double> FlightRecord::body_at(double time) const {
+  const Conditions<double>& c = cohort.conditions;
+  Body<double> b = body;
+  if (!has_stops(c)) return b;
+  for (const Event& e : events)
+    if (e.kind == EventKind::rail_exit && e.time <= time) b.rail_phase = kOffRail;
+  State<double> s = state(time);
+  pass_stops(c, time, true, s, b);
+  return b;
 }
 
 State<double> FlightRecord::state(double time) const {
@@ -66,15 +77,21 @@ Accelerations Flight::accelerations(double time) const {
   time = std::clamp(time, 0.0, r.duration);
   const State<double> s = r.state(time);
   const Conditions<double>& c = r.cohort.conditions;
+  const Body<double> b = r.body_at(time);
   const auto in_plane = [&](const Vec3d& effect) {
-    return c.fidelity.planar ? effect - r.body.plane * dot(r.body.plane, effect) : effect;
+    return c.fidelity.planar ? effect - b.plane * dot(b.plane, effect) : effect;
   };
+  const double lighter = c.has_motor ? b.mass / mass_at(b, time) : 1;
   a.gravity = in_plane(gravity(c, s.x));
-  if (c.fidelity.drag != DragModel::off) a.drag = in_plane(drag(c, r.body, s));
+  if (c.fidelity.drag != DragModel::off)
+    a.drag = in_plane(c.has_motor ? burning_drag(c, b, lighter, s) : drag(c, b, s));
   if (is_turning(c.fidelity.earth)) a.coriolis = in_plane(coriolis(c, s.v));
   if (throws_out(c.fidelity)) a.centrifugal = in_plane(centrifugal(c, s.x));
-  if (c.has_applied) a.applied = in_plane(applied(c, r.body, time));
+  if (c.has_applied) a.applied = in_plane(applied(c, b, time) * lighter);
+  if (c.has_motor) a.thrust = in_plane(thrust(c, b, time, s));
   a.total = r.acceleration_at(time);
+  if (b.rail_phase < kOffRail)
+    a.rail = a.total - (a.gravity + a.drag + a.coriolis + a.centrifugal + a.applied + a.thrust);
   return a;
 }
 
@@ -92,7 +109,10 @@ Sample Flight::at(double time) const {
   out.speed = length(s.v);
   const bool has_air = c.fidelity.air != AirModel::vacuum;
   out.mach = has_air ? length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed : 0;
-  out.energy = 0.5 * r.mass * out.speed * out.speed;
+  const Body<double> b = r.body_at(time);
+  out.mass = mass_at(b, time);
+  out.thrust = thrust_at(b, time);
+  out.energy = 0.5 * out.mass * out.speed * out.speed;
   out.range = dot(s.x - r.sight.muzzle, r.sight.forward);
   out.drop = dot(s.x - r.sight.start, r.sight.up);
   out.windage = dot(s.x - r.sight.start, r.sight.right);
@@ -162,6 +182,7 @@ Result<Sample> Flight::at_height(double level, Crossing direction) const {
 std::vector<double> Flight::step_times() const {
   std::vector<double> times;
   for (const Node& node : record_->nodes) times.push_back(std::min(node.t, record_->duration));
+  times.erase(std::unique(times.begin(), times.end()), times.end());  // nodes where the acceleration jumps
   return times;
 }
 

@@ -14,7 +14,6 @@ struct FlightRecord {
   Body<float> body_float;
   SightFrame sight;
   SpinDrift drift;
-  double mass = 1;
   double elevation = 0;
   double step = 0;
   double duration = 0;
@@ -27,6 +26,8 @@ struct FlightRecord {
   [[nodiscard]] State<double> state(double time) const;
   /// By the models; the classic loop has a register for it, which one-shot forces make differ from the models.
   [[nodiscard]] Vec3d acceleration_at(double time) const;
+  /// The body at a time, when its motor and its rail have changed it.
+  [[nodiscard]] Body<double> body_at(double time) const;
   /// With spin drift.
   [[nodiscard]] State<double> shown(double time) const;
 };

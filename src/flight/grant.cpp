@@ -66,10 +66,14 @@ class Granting {
     if (f_.motion != Motion::force && projectile_.force != Vec3d{})
       notes_.push_back({"motion", std::string(name(f_.motion)), std::string(name(f_.motion)),
                         "the applied force is left out: only motion 'force' knows forces"});
+    if (f_.motion != Motion::force && has_motor(projectile_))
+      remark("motion", f_.motion, "the motor is left out: only motion 'force' knows forces");
   }
 
   void by_integrator() {
     const bool classic = f_.motion != Motion::closed_form && f_.integrator == Integrator::classic;
+    if (classic && f_.motion == Motion::force && has_motor(projectile_))
+      remark("integrator", f_.integrator, "the motor is left out: the original loop knows none");
     if (classic) limit_to_constants("the original loop knows only constant gravity over a flat Earth");
     if (classic && f_.drag == DragModel::damping)
       set("wind", f_.wind, WindModel::off, "the original's damping is against still air");
@@ -127,6 +131,15 @@ class Granting {
 
 FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment) {
   return Granting(asked, projectile, environment).run();
+}
+
+FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment,
+                    const Launch& launch) {
+  FidelityInUse in_use = grant(asked, projectile, environment);
+  if (launch.rail_length == 0 || flies_motors(in_use.fidelity)) return in_use;
+  const std::string motion(name(in_use.fidelity.motion));
+  in_use.notes.push_back({"motion", motion, motion, "the launch rail is left out: only motion 'force' knows one"});
+  return in_use;
 }
 
 }  // namespace physim

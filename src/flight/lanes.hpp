@@ -8,6 +8,7 @@
 
 #include "flight/watch.hpp"
 #include "solve/step_control.hpp"
+#include "solve/stops.hpp"
 
 namespace physim {
 
@@ -37,7 +38,8 @@ struct Lanes {
   Step<R> step;
   StepControl<R> control;
   Regime<R> regime;  // at the start of the step
-  R count;           // steps accepted
+  R count;           // steps accepted; of fixed steps, whole ones
+  R parts;           // parts of fixed steps accepted beside them
   R tries;           // steps tried
   R cut;             // 1: this step was cut to end behind a corner
 };
@@ -68,6 +70,7 @@ PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
   const R zero(S(0));
   l.step.t = zero;
   l.step.start = l.body.launch;
+  if (has_stops(c)) pass_stops(c, zero, zero == zero, l.step.start, l.body);
   Vec3<R> a;
   evaluate(c, l.body, zero, l.step.start, a);
   const bool classic = c.fidelity.motion != Motion::closed_form && c.fidelity.integrator == Integrator::classic;
@@ -83,7 +86,7 @@ PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
                       R(course.plan.max_step));
   }
   if (course.corners) l.regime = regime(c, l.body, zero, l.step.start);
-  l.count = l.tries = l.cut = zero;
+  l.count = l.parts = l.tries = l.cut = zero;
 }
 
 template <class To, class From>
@@ -91,10 +94,11 @@ PHYSIM_INLINE void cast_fields(const From* from, To* to, unsigned count) {
   for (unsigned i = 0; i < count; ++i) to[i] = static_cast<To>(from[i]);
 }
 
-/// Bands come last in a body, and few cohorts have them.
+/// Motor, rail and bands come last in a body, and few cohorts have them.
 template <class R, class S>
 PHYSIM_INLINE unsigned body_fields(const Conditions<S>& c) {
-  return c.has_bands ? unsigned(kBodyFields<R>) : unsigned(kBodyFields<R>) - 2 * kMaxBands;
+  if (c.has_bands) return unsigned(kBodyFields<R>);
+  return unsigned(kBodyFields<R>) - 2 * kMaxBands - (has_stops(c) ? 0 : kMotorFields);
 }
 
 /// Copies one lane of a structure of R's to a lane of another; R and Into differ where a lane is taken out of its pack.
@@ -128,6 +132,7 @@ PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int f
   copy_lane(from.step.t_end, from_lane, into.step.t_end, lane);
   copy_lane(from.step.error, from_lane, into.step.error, lane);
   copy_lane(from.count, from_lane, into.count, lane);
+  copy_lane(from.parts, from_lane, into.parts, lane);
   copy_lane(from.tries, from_lane, into.tries, lane);
 }
 

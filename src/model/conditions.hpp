@@ -78,6 +78,8 @@ struct Globe {
   S per_squeezed_up;    // 1 / |l(u0)| [-]
 };
 
+struct MotorPiece;
+
 template <class S>
 struct Conditions {
   Fidelity fidelity;  // as granted
@@ -91,11 +93,14 @@ struct Conditions {
   const S* curve_rows;                    // pool of cubic rows of all drag curves in use
   const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
   bool has_searched_curves;
-  bool has_spheres;        // some projectile has Cd by Reynolds number
-  bool has_bands;          // some projectile has banded ballistic coefficients
-  bool has_applied;        // some projectile carries an applied force
-  bool has_gravity_scale;  // some projectile has its own part of gravity
-  bool has_frozen;         // some projectile does not move along some axis
+  bool has_spheres;                // some projectile has Cd by Reynolds number
+  bool has_bands;                  // some projectile has banded ballistic coefficients
+  const MotorPiece* motor_pieces;  // pool of the tables of all motors in use
+  bool has_motor;                  // some projectile has a motor
+  bool has_rail;                   // some projectile starts on a rail
+  bool has_applied;                // some projectile carries an applied force
+  bool has_gravity_scale;          // some projectile has its own part of gravity
+  bool has_frozen;                 // some projectile does not move along some axis
 };
 
 }  // namespace physim

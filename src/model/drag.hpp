@@ -71,7 +71,7 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
 /// Acceleration by drag [m/s^2].
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag(const Conditions<S>& c, const Body<R>& b, const State<R>& s) {
-  const Vec3<R> u = c.fidelity.wind == WindModel::off ? s.v : s.v - wind(c, s.x);
+  const Vec3<R> u = air_velocity(c, s);
   switch (c.fidelity.drag) {
     case DragModel::damping:
       return u * -b.damping_rate;

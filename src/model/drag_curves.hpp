@@ -9,17 +9,10 @@
 #include <vector>
 
 #include "math/interpolation.hpp"
+#include "model/motor_table.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
-
-/// Where a curve lies in the pool; fields as in Body.
-struct CurvePlace {
-  double row = 0;
-  double start = 0;
-  double cells = 1;
-  double last = 0;
-};
 
 class CurvePool {
  public:
@@ -28,6 +21,8 @@ class CurvePool {
 
   [[nodiscard]] const std::vector<double>& rows() const { return rows_; }
   [[nodiscard]] const std::vector<PiecewiseCubic>& searched() const { return searched_; }
+
+  MotorPool motors;  // their pieces name curves
 
  private:
   struct Entry {

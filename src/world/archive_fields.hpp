@@ -51,9 +51,24 @@ void fields(A& a, DragDef& d) {
   a(table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2);
 }
 template <class A>
+void fields(A& a, ThrustPoint& p) {
+  auto& [time, force] = p;
+  a(time, force);
+}
+template <class A>
+void fields(A& a, PropellantPoint& p) {
+  auto& [time, mass] = p;
+  a(time, mass);
+}
+template <class A>
+void fields(A& a, MotorDef& m) {
+  auto& [name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve] = m;
+  a(name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve);
+}
+template <class A>
 void fields(A& a, ProjectileDef& p) {
-  auto& [name, mass, diameter, length, twist, drag, force, force_duration, fidelity] = p;
-  a(name, mass, diameter, length, twist, drag, force, force_duration, fidelity);
+  auto& [name, mass, diameter, length, twist, drag, force, force_duration, motor, fidelity] = p;
+  a(name, mass, diameter, length, twist, drag, force, force_duration, motor, fidelity);
 }
 template <class A>
 void fields(A& a, Sight& s) {
@@ -62,8 +77,8 @@ void fields(A& a, Sight& s) {
 }
 template <class A>
 void fields(A& a, Launch& l) {
-  auto& [position, speed, elevation, azimuth, velocity, sight] = l;
-  a(position, speed, elevation, azimuth, velocity, sight);
+  auto& [position, speed, elevation, azimuth, velocity, rail_length, sight] = l;
+  a(position, speed, elevation, azimuth, velocity, rail_length, sight);
 }
 template <class A>
 void fields(A& a, DespawnRules& d) {
