@@ -42,12 +42,15 @@ inline bool same_bits(const Vec3d& a, const Vec3d& b) {
 struct Prepared {
   Cohort cohort;
   Body<double> body;
+  Rotor<double> rotor{};
 
   Prepared(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
            const Fidelity& fidelity) {
     cohort.in_use = grant(fidelity, projectile, environment);
     cohort.conditions = prepare_conditions(environment, cohort.in_use.fidelity);
     body = prepare_body(projectile, launch, launch.elevation, cohort.pool, cohort.conditions);
+    if (turns(cohort.in_use.fidelity))
+      rotor = prepare_rotor(projectile, launch, launch.elevation, body, cohort.conditions);
     cohort.finish();
   }
   Prepared(const Prepared&) = delete;

@@ -8,18 +8,20 @@ namespace physim::cli {
 
 std::vector<FidelityField> fidelity_fields(const Fidelity& f) {
   const auto truth = [](bool value) -> std::string_view { return value ? "true" : "false"; };
-  return {{"motion", name(f.motion)},
-          {"integrator", name(f.integrator)},
-          {"gravity", name(f.gravity)},
-          {"drag", name(f.drag)},
-          {"air", name(f.air)},
-          {"wind", name(f.wind)},
-          {"earth", name(f.earth)},
-          {"rotation", name(f.rotation)},
-          {"precision", name(f.precision)},
-          {"interpolation", name(f.interpolation)},
-          {"planar", truth(f.planar)},
-          {"original_one_shot_forces", truth(f.original_one_shot_forces)}};
+  std::vector<FidelityField> fields{{"motion", name(f.motion)},
+                                    {"integrator", name(f.integrator)},
+                                    {"gravity", name(f.gravity)},
+                                    {"drag", name(f.drag)},
+                                    {"air", name(f.air)},
+                                    {"wind", name(f.wind)},
+                                    {"earth", name(f.earth)},
+                                    {"rotation", name(f.rotation)},
+                                    {"precision", name(f.precision)},
+                                    {"interpolation", name(f.interpolation)},
+                                    {"planar", truth(f.planar)},
+                                    {"original_one_shot_forces", truth(f.original_one_shot_forces)}};
+  if (f.rotation == RotationModel::rigid_body) fields.push_back({"body_form", name(f.body_form)});
+  return fields;
 }
 
 std::string preset_name(const Fidelity& fidelity) {

@@ -64,7 +64,13 @@ std::vector<RungDoc> all_docs() {
                    {EarthModel::ellipsoid, "WGS-84, rotating; heights are above the ellipsoid"}});
   add<RotationModel>(all, "rotation",
                      {{RotationModel::none, "spin has no effect"},
-                      {RotationModel::spin_drift, "Litz's spin drift with Miller's stability factor"}});
+                      {RotationModel::spin_drift, "Litz's spin drift with Miller's stability factor"},
+                      {RotationModel::magnus, "lift and drag of balls that spin"},
+                      {RotationModel::rigid_body, "six degrees of freedom: the attitude is flown too"}});
+  add<BodyForm>(all, "body_form",
+                {{BodyForm::automatic, "axis for bodies symmetric about x with rifling, quaternion else"},
+                 {BodyForm::quaternion, "quaternion and body rates: any body"},
+                 {BodyForm::axis, "symmetry axis and angular momentum: steps need not resolve the spin"}});
   add<Precision>(all, "precision",
                  {{Precision::float32, "single precision"}, {Precision::float64, "double precision"}});
   add<Interpolation>(all, "interpolation",

@@ -148,7 +148,7 @@ int run(const Options& options) try {
 void add_validate_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("validate", "check computed figures against published and exact ones");
   auto options = std::make_shared<Options>();
-  command->add_option("suites", options->suites, "classic, analytic, us76, gravity, ballistics; none: all")
+  command->add_option("suites", options->suites, "classic, analytic, us76, gravity, ballistics, sports; none: all")
       ->type_name("SUITE");
   command->add_option("--data", options->data, "folder with figures of one suite, or with a folder per suite")
       ->type_name("DIR");

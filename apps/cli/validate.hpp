@@ -76,6 +76,7 @@ extern const Suite kAnalyticSuite;
 extern const Suite kUs76Suite;
 extern const Suite kGravitySuite;
 extern const Suite kBallisticsSuite;
+extern const Suite kSportsSuite;
 
 /// All suites, in the order they run.
 [[nodiscard]] std::span<const Suite* const> all_suites();

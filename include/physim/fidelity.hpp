@@ -63,6 +63,15 @@ enum class EarthModel {
 enum class RotationModel {
   none,
   spin_drift,  ///< Litz's empirical spin drift with Miller's stability factor; added to the flown path
+  magnus,      ///< lift and drag of balls that spin
+  rigid_body,  ///< six degrees of freedom: the attitude is flown too
+};
+
+/// How the attitude of a rigid body is computed.
+enum class BodyForm {
+  automatic,   ///< `axis` for bodies that are symmetric about their x axis and have rifling, `quaternion` else
+  quaternion,  ///< quaternion and body rates: any body; steps must resolve its spin
+  axis,        ///< symmetry axis and angular momentum: steps need not resolve the spin, only the axis' motion
 };
 
 /// How a drag curve is read between its points.
@@ -84,6 +93,7 @@ struct Fidelity {
   WindModel wind = WindModel::profile;                 ///< wind [-]
   EarthModel earth = EarthModel::flat;                 ///< shape and rotation of the Earth [-]
   RotationModel rotation = RotationModel::none;        ///< effects of the projectile's spin [-]
+  BodyForm body_form = BodyForm::automatic;            ///< of RotationModel::rigid_body [-]
   Precision precision = Precision::float64;            ///< number type of the computation [-]
   Interpolation interpolation = Interpolation::pchip;  ///< of drag curves [-]
   bool planar = false;                                 ///< confine the flight to the vertical plane of fire [-]

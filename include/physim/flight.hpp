@@ -13,6 +13,7 @@
 #include "physim/fidelity.hpp"
 #include "physim/frames.hpp"
 #include "physim/projectile.hpp"
+#include "physim/quat.hpp"
 #include "physim/result.hpp"
 #include "physim/vec3.hpp"
 
@@ -77,24 +78,28 @@ enum class Outcome {
 
 /// The state at one time.
 struct Sample {
-  double time = 0;     ///< since launch [s]
-  Vec3d position;      ///< in W [m]
-  Vec3d velocity;      ///< in W [m/s]
-  Vec3d acceleration;  ///< in W [m/s^2]
-  double speed = 0;    ///< |velocity| [m/s]
-  double mach = 0;     ///< air speed over sound speed; 0 without a sound speed [-]
-  double energy = 0;   ///< kinetic [J]
-  double mass = 0;     ///< [kg]
-  double thrust = 0;   ///< of the motor [N]
-  double range = 0;    ///< along the line of sight [m]
-  double drop = 0;     ///< above the line of sight, perpendicular to it, up positive [m]
-  double windage = 0;  ///< right of the line of sight [m]
+  double time = 0;             ///< since launch [s]
+  Vec3d position;              ///< in W [m]
+  Vec3d velocity;              ///< in W [m/s]
+  Vec3d acceleration;          ///< in W [m/s^2]
+  double speed = 0;            ///< |velocity| [m/s]
+  double mach = 0;             ///< air speed over sound speed; 0 without a sound speed [-]
+  double energy = 0;           ///< kinetic [J]
+  double mass = 0;             ///< [kg]
+  double thrust = 0;           ///< of the motor [N]
+  double range = 0;            ///< along the line of sight [m]
+  double drop = 0;             ///< above the line of sight, perpendicular to it, up positive [m]
+  double windage = 0;          ///< right of the line of sight [m]
+  Quatd orientation;           ///< q_WB, where rotation is flown: takes body axes (x forward, y up, z right) into W [-]
+  Vec3d angular_velocity;      ///< relative to inertial space, along body axes, where rotation is flown [rad/s]
+  double angle_of_attack = 0;  ///< total: of the body's x axis to the air, where rotation is flown [rad]
 };
 
 /// Acceleration by effect.
 struct Accelerations {
   Vec3d gravity;      ///< [m/s^2]
   Vec3d drag;         ///< [m/s^2]
+  Vec3d lift;         ///< by spin [m/s^2]
   Vec3d coriolis;     ///< [m/s^2]
   Vec3d centrifugal;  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
   Vec3d applied;      ///< by ProjectileDef::force [m/s^2]
@@ -178,6 +183,8 @@ struct ShotResult {
   Vec3d position;                      ///< at the end [m]
   Vec3d velocity;                      ///< at the end [m/s]
   FlightCost cost;                     ///< [-]
+  Quatd orientation;                   ///< at the end, as Sample::orientation [-]
+  Vec3d angular_velocity;              ///< at the end, as Sample::angular_velocity [rad/s]
 };
 
 /// An event of one shot of a batch.

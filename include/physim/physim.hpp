@@ -11,6 +11,7 @@
 #include "physim/forces.hpp"
 #include "physim/frames.hpp"
 #include "physim/geodesy.hpp"
+#include "physim/magnus.hpp"
 #include "physim/motor.hpp"
 #include "physim/names.hpp"
 #include "physim/presets.hpp"

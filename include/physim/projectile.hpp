@@ -8,6 +8,7 @@
 
 #include "physim/drag_point.hpp"
 #include "physim/fidelity.hpp"
+#include "physim/magnus.hpp"
 #include "physim/motor.hpp"
 #include "physim/vec3.hpp"
 
@@ -52,6 +53,15 @@ struct DragDef {
   bool operator==(const DragDef&) const = default;
 };
 
+/// Moments of inertia about the centre of mass, along body axes: x forward, y up, z right. All 0: not known, and no
+/// rigid body. A product is that of the tensor with its sign: Ixy = -integral of x y dm.
+struct Inertia {
+  Vec3d moments;   ///< Ixx, Iyy, Izz [kg m^2]
+  Vec3d products;  ///< Ixy, Ixz, Iyz [kg m^2]
+
+  bool operator==(const Inertia&) const = default;
+};
+
 /// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
 struct ProjectileDef {
   std::string name;       ///< for tables and plots [-]
@@ -60,6 +70,8 @@ struct ProjectileDef {
   double length = 0;      ///< for the stability factor; 0: not known [m]
   double twist = 0;       ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
   DragDef drag;           ///< data of the drag models [-]
+  MagnusDef magnus;       ///< of balls that spin [-]
+  Inertia inertia;        ///< of rigid bodies [-]
   Vec3d force;            ///< a constant force on the projectile, such as thrust [N]
   double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
   MotorDef motor;                                                   ///< pushes it along; empty thrust: none [-]
@@ -77,6 +89,36 @@ struct Sight {
   bool zero_in_calm_air = false;  ///< the zero was shot without wind [-]
 };
 
+/// What launch angles are measured from.
+enum class AttitudeFrame {
+  bore,   ///< the direction of launch: x along it, z level to the right
+  world,  ///< the world frame W
+};
+/// Which frame launch rates are seen from.
+enum class RateFrame {
+  world,     ///< W, which turns with the Earth: as seen from the ground
+  inertial,  ///< the fixed stars; the same where W does not turn
+};
+
+/// How a rigid body points and turns at launch.
+struct LaunchAttitude {
+  AttitudeFrame frame = AttitudeFrame::bore;  ///< what the angles are measured from [-]
+  double yaw = 0;                             ///< of the nose, to the right, first [rad]
+  double pitch = 0;                           ///< of the nose, up, second [rad]
+  double roll = 0;                            ///< right side down, third [rad]
+  RateFrame rate_frame = RateFrame::world;    ///< which frame the rates are seen from [-]
+  Vec3d rates;                                ///< about body axes (x forward, y up, z right), on top of rifling [rad/s]
+};
+
+/// The spin of a ball at launch.
+struct LaunchSpin {
+  double backspin = 0;  ///< lifts it; negative: topspin [rad/s]
+  double sidespin = 0;  ///< turns its path to the right [rad/s]
+  double gyrospin = 0;  ///< about its path, clockwise seen from behind; lifts nothing [rad/s]
+
+  bool operator==(const LaunchSpin&) const = default;
+};
+
 /// Where, how fast and in which direction a projectile starts.
 struct Launch {
   Vec3d position;                 ///< of the muzzle in the world frame W: x downrange, y up, z right [m]
@@ -86,6 +128,8 @@ struct Launch {
   std::optional<Vec3d> velocity;  ///< instead of speed, elevation and azimuth [m/s]
   double rail_length = 0;         ///< it moves only forwards along the bore until it has come so far; 0: no rail [m]
   Sight sight;                    ///< line of sight [-]
+  LaunchAttitude attitude;        ///< of rigid bodies [-]
+  LaunchSpin spin;                ///< of balls [-]
 };
 
 }  // namespace physim

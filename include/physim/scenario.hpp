@@ -101,8 +101,9 @@ enum class Quantity {
   stiffness,
   volume,
   attraction,
+  moment_of_inertia,
 };
-inline constexpr Quantity kLastQuantity = Quantity::attraction;
+inline constexpr Quantity kLastQuantity = Quantity::moment_of_inertia;
 
 /// The units that are accepted for a quantity, the SI unit first; "%" for plain numbers.
 [[nodiscard]] std::vector<std::string> units_of(Quantity quantity);

@@ -99,11 +99,18 @@ PHYSIM_INLINE MaskOf<R> pass_on(const Course<S>& course, Lanes<R>& l, const Mask
   if (!steps_itself(c.fidelity)) whole = accepted & (l.step.t >= (l.count + one) * course.plan.step);
   l.parts += select(accepted & !whole, one, R(S(0)));
   const MaskOf<R> changed = pass_stops(c, l.step.t, accepted, l.step.start, l.body);
-  if (any(changed)) {
-    const State<R> slope{l.step.start.v, evaluated(c, l.body, l.step.t, l.step.start)};
-    l.step.slope[0] = select(changed, slope, l.step.slope[0]);
-    l.regime.rail = l.body.rail_phase;
+  if (!any(changed)) return whole;
+  const State<R> slope = l.step.slope[0];
+  if (turns(c.fidelity)) {
+    Turn<R>& first = l.step.turn->slope[0];
+    const Turn<R> turn_slope = first;
+    set_slope(c, l.body, *l.rotor, 0, l.step);
+    first = select(changed, first, turn_slope);
+  } else {
+    set_slope(c, l.body, *l.rotor, 0, l.step);
   }
+  l.step.slope[0] = select(changed, l.step.slope[0], slope);
+  l.regime.rail = l.body.rail_phase;
   return whole;
 }
 
@@ -115,10 +122,12 @@ template <class R, class S>
 PHYSIM_INLINE void try_steps(const Course<S>& course, Lanes<R>* const* lanes, int count, MaskOf<R>* accepted) {
   const Conditions<S>& c = *course.conditions;
   const Body<R>* bodies[kMostSets];
+  const Rotor<R>* rotors[kMostSets];
   Step<R>* steps[kMostSets];
   for (int i = 0; i < count; ++i) {
     Lanes<R>& l = *lanes[i];
     bodies[i] = &l.body;
+    rotors[i] = &*l.rotor;
     steps[i] = &l.step;
     if (has_stops(c)) {
       set_stopped_step(course, l);
@@ -128,7 +137,7 @@ PHYSIM_INLINE void try_steps(const Course<S>& course, Lanes<R>* const* lanes, in
     // Fixed steps count, so that time does not gather rounding errors.
     l.step.t_end = steps_itself(c.fidelity) ? l.step.t + l.step.h : (l.count + R(S(1))) * l.step.h;
   }
-  take_steps(c, bodies, course.plan.relative, course.plan.absolute, steps, count);
+  take_steps(c, Walkers<R>{bodies, rotors, steps, count}, course.plan.relative, course.plan.absolute);
   for (int i = 0; i < count; ++i) accepted[i] = control_step(course, *lanes[i]);
 }
 template <class R, class S>
@@ -147,6 +156,11 @@ PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
   l.step.t = select(accepted, l.step.t_end, l.step.t);
   l.step.start = select(accepted, l.step.end, l.step.start);
   l.step.slope[0] = select(accepted, l.step.slope[last_slope(f)], l.step.slope[0]);
+  if (turns(f)) {
+    TurnStep<R>& turn = *l.step.turn;
+    turn.start = select(accepted, turn.end, turn.start);
+    turn.slope[0] = select(accepted, turn.slope[last_slope(f)], turn.slope[0]);
+  }
   const MaskOf<R> whole = has_stops(*course.conditions) ? pass_on(course, l, accepted) : accepted;
   l.count = select(whole, l.count + R(S(1)), l.count);
   if (closed) l.control.h = min(l.control.h * S(2), longest_closed_form_step(*course.conditions, l.body));

@@ -54,18 +54,39 @@ class Key {
     const auto& [name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve] = motor;
     all(thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve);
   }
+  void add(const MagnusPoint& point) {
+    const auto& [speed, spin, drag, lift] = point;
+    all(speed, spin, drag, lift);
+  }
+  void add(const MagnusDef& magnus) {
+    const auto& [lift, base, saturation, drag_per_spin, table, measure, decay_time] = magnus;
+    all(lift, base, saturation, drag_per_spin, table, measure, decay_time);
+  }
+  void add(const LaunchSpin& spin) {
+    const auto& [backspin, sidespin, gyrospin] = spin;
+    all(backspin, sidespin, gyrospin);
+  }
   void add(const ProjectileDef& projectile) {
     // Its name changes nothing, and its own fidelity is not asked.
-    const auto& [name, mass, diameter, length, twist, drag, force, force_duration, motor, fidelity] = projectile;
-    all(mass, diameter, length, twist, drag, force, force_duration, motor);
+    const auto& [name, mass, diameter, length, twist, drag, magnus, inertia, force, force_duration, motor, fidelity] =
+        projectile;
+    all(mass, diameter, length, twist, drag, magnus, inertia, force, force_duration, motor);
+  }
+  void add(const Inertia& inertia) {
+    const auto& [moments, products] = inertia;
+    all(moments, products);
   }
   void add(const Sight& sight) {
     const auto& [height, look_angle, cant, zero_range, zero_in_calm_air] = sight;
     all(height, look_angle, cant, zero_range, zero_in_calm_air);
   }
   void add(const Launch& launch) {
-    const auto& [position, speed, elevation, azimuth, velocity, rail_length, sight] = launch;
-    all(position, speed, elevation, azimuth, velocity, rail_length, sight);
+    const auto& [position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin] = launch;
+    all(position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin);
+  }
+  void add(const LaunchAttitude& attitude) {
+    const auto& [frame, yaw, pitch, roll, rate_frame, rates] = attitude;
+    all(frame, yaw, pitch, roll, rate_frame, rates);
   }
   void add(const WindPoint& point) {
     const auto& [at, velocity] = point;
@@ -81,9 +102,10 @@ class Key {
         sound_speed, scale_height, velocity, profile, by, interpolation, latitude, azimuth, rotation_rate);
   }
   void add(const Fidelity& fidelity) {
-    const auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar,
+    const auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
                  one_shot] = fidelity;
-    all(motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar, one_shot);
+    all(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
+        one_shot);
   }
   void add(const Tolerance& tolerance) {
     const auto& [relative, absolute, step, position_error, max_step, max_steps] = tolerance;

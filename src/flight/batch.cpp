@@ -19,6 +19,7 @@ struct ShotGroup {
   std::optional<double> step;
   std::vector<std::uint32_t> shots;
   std::vector<Body<double>> bodies;
+  std::vector<Rotor<double>> rotors;  // of rungs that turn
   std::vector<SpinDrift> drifts;
   std::vector<Vec3d> right;
   std::vector<RawEnd> ends;
@@ -26,6 +27,7 @@ struct ShotGroup {
   void clear() {
     shots.clear();
     bodies.clear();
+    rotors.clear();
     drifts.clear();
     right.clear();
   }
@@ -85,7 +87,15 @@ class Batch {
     ShotGroup* group = group_of(projectile);
     Cohort& cohort = group->cohort;
     const auto body = prepare_body(projectile, launch, elevation, cohort.pool, cohort.conditions);
-    if (const auto outcome = ends_at_once(cohort.conditions, body, until_)) return end_at_once(i, body, *outcome);
+    const Fidelity& granted = cohort.in_use.fidelity;
+    if (turns(granted)) group->rotors.push_back(prepare_rotor(projectile, launch, elevation, body, cohort.conditions));
+    if (const auto outcome = ends_at_once(cohort.conditions, body, until_)) {
+      end_at_once(i, body, *outcome);
+      if (!turns(granted)) return;
+      const Rotor<double>& rotor = group->rotors.back();
+      set_attitude(result_.shots[i], attitude_of(granted, rotor, rotor.launch));
+      return group->rotors.pop_back();
+    }
     group->shots.push_back(i);
     group->bodies.push_back(body);
     group->drifts.push_back(
@@ -108,7 +118,13 @@ class Batch {
     const DragDef& d = p.drag;
     return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
            (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
-           (fidelity_.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0) | (has_motor(p) ? 128u : 0);
+           (fidelity_.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0) |
+           (fidelity_.rotation == RotationModel::rigid_body ? rotation_key(p) : 0) | (has_motor(p) ? 512u : 0) |
+           (has_magnus(p) ? 1024u : 0);
+  }
+
+  static unsigned rotation_key(const ProjectileDef& p) {
+    return (has_inertia(p) ? 128u : 0) | (is_axisymmetric(p) ? 256u : 0);
   }
 
   ShotGroup* group_of(const ProjectileDef& projectile) {
@@ -124,8 +140,13 @@ class Batch {
     return known;
   }
 
+  static void set_attitude(ShotResult& result, const Attitude& attitude) {
+    result.orientation = attitude.q_WB;
+    result.angular_velocity = attitude.omega;
+  }
+
   void end_at_once(std::uint32_t i, const Body<double>& body, Outcome outcome) {
-    result_.shots[i] = {outcome, 0, body.launch.x, body.launch.v, {}};
+    result_.shots[i] = {outcome, 0, body.launch.x, body.launch.v, {}, {}, {}};
     if (outcome != Outcome::landed) return;
     result_.events.push_back(
         {i, {EventKind::ground, *until_.ground, Crossing::falling, 0, body.launch.x, body.launch.v}});
@@ -195,7 +216,7 @@ class Batch {
       auto* s = static_cast<Sink*>(to);
       s->batch->keep(*s->group, event);
     };
-    kernel({&course, group.bodies.data(), count, group.ends.data(), emit, &sink});
+    kernel({&course, group.bodies.data(), group.rotors.data(), count, group.ends.data(), emit, &sink});
     for (std::size_t i = 0; i < count; ++i) keep(group, i, group.ends[i]);
   }
 
@@ -212,6 +233,8 @@ class Batch {
     const auto tries = static_cast<std::int64_t>(end.tries);
     result_.shots[group.shots[i]] = {
         end.outcome, end.time, s.x, s.v, {steps, tries - steps, evaluations(group.cohort.in_use.fidelity, tries)}};
+    if (turns(group.cohort.in_use.fidelity))
+      set_attitude(result_.shots[group.shots[i]], attitude_of(group.cohort.in_use.fidelity, group.rotors[i], end.turn));
   }
 
   std::span<const Shot> shots_;
@@ -223,7 +246,7 @@ class Batch {
   std::deque<ShotGroup> groups_;
   static constexpr std::size_t kMostJudgedCurves = 64;
   std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
-  std::array<ShotGroup*, 256> group_by_key_{};
+  std::array<ShotGroup*, 2048> group_by_key_{};
   BatchResult result_;
 };
 

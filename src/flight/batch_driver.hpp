@@ -43,6 +43,10 @@ class ReadyShots {
       const auto* from = reinterpret_cast<const double*>(&job_.bodies[shot]);
       auto* to = reinterpret_cast<S*>(&ready_.body) + lane;
       for (unsigned i = 0; i < fields; ++i) to[i * unsigned(kLanes<R>)] = static_cast<S>(from[i]);
+      if (!turns(job_.course->conditions->fidelity)) continue;
+      from = reinterpret_cast<const double*>(&job_.rotors[shot]);
+      to = reinterpret_cast<S*>(&*ready_.rotor) + lane;
+      for (int i = 0; i < kRotorFields<double>; ++i) to[i * kLanes<R>] = static_cast<S>(from[i]);
     }
     begin(*job_.course, ready_);
     next_ += static_cast<std::size_t>(filled_);
@@ -62,6 +66,10 @@ class ReadyShots {
     set_lane(into.parts, lane, S(0));
     set_lane(into.tries, lane, S(0));
     set_lane(into.cut, lane, S(0));
+    if (!turns(job_.course->conditions->fidelity)) return;
+    copy_lane(*ready_.rotor, used_, *into.rotor, lane);
+    copy_lane(ready_.step.turn->start, used_, into.step.turn->start, lane);
+    copy_lane(ready_.step.turn->slope[0], used_, into.step.turn->slope[0], lane);
   }
 
   const BatchJob<S>& job_;
@@ -96,7 +104,8 @@ class Court {
     R sound = zero;
     for (int i = 0; i < filled_; ++i) set_lane(sound, i, accepted_[i] ? S(1) : S(0));
     dense_lanes(*job_.course, steps_, judgement_.at);
-    find_crossings<R>(*job_.course, (sound == one) & is_finite(steps_.step.end), judgement_);
+    find_crossings<R>(*job_.course, (sound == one) & ends_finite(job_.course->conditions->fidelity, steps_.step),
+                      judgement_);
     bool ended = false;
     for (int i = 0; i < filled_; ++i) {
       verdict_[i] = verdict_on(*job_.course, steps_, i, accepted_[i], judgement_.crossings[i]);
@@ -135,6 +144,8 @@ class Court {
       if (!some) return;
       const W time = judgement_.at.time(theta);
       const State<W> state = judgement_.at.at_time(time);
+      const bool turning = turns(job_.course->conditions->fidelity);
+      const Turn<W> turned = turning ? judgement_.at.turn_at_time(time) : Turn<W>{};
       for (int i = 0; i < filled_; ++i) {
         if (turn >= judgement_.crossings[i].count) continue;
         const Found& found = judgement_.crossings[i].found[turn];
@@ -144,6 +155,7 @@ class Court {
         if (!verdict_[i].ended) continue;
         job_.ends[shot_[i]].time = event.time;  // of the last crossing, where the flight ends with one
         job_.ends[shot_[i]].state = event.state;
+        if (turning) copy_lane(turned, i, job_.ends[shot_[i]].turn, 0);
       }
     }
   }
@@ -160,6 +172,10 @@ class Court {
       State<S> state;
       copy_lane(at_start ? steps_.step.start : steps_.step.end, i, state, 0);
       end.state = {vec_cast<double>(state.x), vec_cast<double>(state.v)};
+      if (!turns(job_.course->conditions->fidelity)) continue;
+      Turn<S> turn;
+      copy_lane(at_start ? steps_.step.turn->start : steps_.step.turn->end, i, turn, 0);
+      widen(turn, end.turn);
     }
   }
 

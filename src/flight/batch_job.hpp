@@ -14,6 +14,7 @@ struct RawEnd {
   State<double> state;
   double steps;
   double tries;
+  Turn<double> turn;  // of rungs that turn
 };
 
 struct RawEvent {
@@ -28,7 +29,8 @@ struct RawEvent {
 template <class S>
 struct BatchJob {
   const Course<S>* course;
-  const Body<double>* bodies;  // in double: the kernel rounds them as it takes them in
+  const Body<double>* bodies;   // in double: the kernel rounds them as it takes them in
+  const Rotor<double>* rotors;  // of rungs that turn
   std::size_t count;
   RawEnd* ends;
   void (*emit)(void* sink, const RawEvent& event);

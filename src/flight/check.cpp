@@ -4,6 +4,7 @@
 
 #include "flight/cohort.hpp"
 #include "math/checker.hpp"
+#include "model/attitude.hpp"
 #include "model/humid_air.hpp"
 #include "model/standard_atmosphere.hpp"
 
@@ -77,6 +78,25 @@ void check_motor(Checker& c, const ProjectileDef& p) {
             "give drag_factor instead");
 }
 
+void check_magnus(Checker& c, const MagnusDef& m) {
+  const std::string place = "projectile.magnus.";
+  c.is_number(m.lift, place + "lift").positive(m.lift_base, place + "lift_base", "");
+  c.not_negative(m.lift_saturation, place + "lift_saturation", "").is_number(m.drag_per_spin, place + "drag_per_spin");
+  c.require(m.drag_per_spin >= 0, place + "drag_per_spin", "must be zero or positive", "");
+  c.require(m.decay_time > 0, place + "decay_time", "must be positive", "infinity: the spin stays");
+  constexpr std::size_t kMost = 10000;
+  c.require(m.table.size() <= kMost, place + "table", "has too many points", "at most 10000");
+  for (std::size_t i = 0; i < m.table.size() && i < kMost; ++i) {
+    const std::string point = place + "table[" + std::to_string(i) + "]";
+    const MagnusPoint& p = m.table[i];
+    c.not_negative(p.speed, point, "").not_negative(p.spin, point, "spins have no direction here");
+    c.not_negative(p.drag, point, "drag coefficients are not negative").is_number(p.lift, point);
+  }
+  if (m.table.empty() || c.status_so_far()) return;
+  c.require(is_full(magnus_grid(m), m.table.size()), place + "table", "is no full grid",
+            "give every speed with every spin, once");
+}
+
 }  // namespace
 
 Status check(const ProjectileDef& p, const Launch& l) {
@@ -101,18 +121,28 @@ Status check(const ProjectileDef& p) {
   c.not_negative(d.k1, "projectile.drag.k1", "").not_negative(d.k2, "projectile.drag.k2", "");
   if (d.table == DragTable::custom) check_curve(c, d.curve, "projectile.drag.curve");
   if (!d.bands.empty()) check_bands(c, d.bands);
+  c.is_vector(p.inertia.moments, "projectile.inertia.moments");
+  c.is_vector(p.inertia.products, "projectile.inertia.products");
+  c.require(!has_inertia(p) || is_possible(p.inertia), "projectile.inertia", "is no inertia that a body can have",
+            "moments are positive, none exceeds the sum of the others, and products are small enough");
   c.is_vector(p.force, "projectile.force");
   c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
   if (has_motor(p)) check_motor(c, p);
+  check_magnus(c, p.magnus);
   return c.status();
 }
 
 Status check(const Launch& l) {
   Checker c;
   c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
+  c.is_number(l.spin.backspin, "launch.spin.backspin").is_number(l.spin.sidespin, "launch.spin.sidespin");
+  c.is_number(l.spin.gyrospin, "launch.spin.gyrospin");
   c.not_negative(l.rail_length, "launch.rail_length", "0: no rail");
   c.is_number(l.elevation, "launch.elevation").is_number(l.azimuth, "launch.azimuth");
   if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
+  const LaunchAttitude& a = l.attitude;
+  c.is_number(a.yaw, "launch.attitude.yaw").is_number(a.pitch, "launch.attitude.pitch");
+  c.is_number(a.roll, "launch.attitude.roll").is_vector(a.rates, "launch.attitude.rates");
   c.is_number(l.sight.height, "launch.sight.height").is_number(l.sight.cant, "launch.sight.cant");
   c.require(std::abs(l.sight.look_angle) <= kRightAngle, "launch.sight.look_angle",
             "must lie between -90 and 90 degrees", "angles are in radians");

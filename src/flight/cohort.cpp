@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "math/elementary.hpp"
+#include "model/attitude.hpp"
 #include "model/standard_atmosphere.hpp"
 
 namespace physim {
@@ -143,6 +144,8 @@ Conditions<float> to_float(const Conditions<double>& c) {
   f.has_bands = c.has_bands;
   f.motor_pieces = c.motor_pieces;
   f.has_motor = c.has_motor;
+  f.magnus_grids = c.magnus_grids;
+  f.has_magnus_tables = c.has_magnus_tables;
   f.has_rail = c.has_rail;
   f.has_applied = c.has_applied;
   f.has_gravity_scale = c.has_gravity_scale;
@@ -221,6 +224,33 @@ void prepare_motor(const ProjectileDef& p, CurvePool& pool, Conditions<double>& 
 
 }  // namespace
 
+bool has_magnus(const ProjectileDef& p) { return p.magnus.lift != 0 || !p.magnus.table.empty(); }
+
+void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right, Body<double>& b) {
+  const Vec3d up = cross(right, forward);
+  b.spin = right * launch.spin.backspin - up * launch.spin.sidespin + forward * launch.spin.gyrospin;
+}
+
+namespace {
+
+void prepare_magnus(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c, Body<double>& b) {
+  if (!spins(c.fidelity)) return;
+  const MagnusDef& m = p.magnus;
+  b.spin_decay = 1 / m.decay_time;
+  b.ball_radius = 0.5 * p.diameter;
+  b.magnus_area = kPi * p.diameter * p.diameter / (8 * p.mass);
+  b.lift = m.lift;
+  b.lift_base = m.lift_base;
+  b.lift_saturation = m.lift_saturation;
+  b.drag_per_spin = m.drag_per_spin;
+  b.magnus_table = -1;
+  if (m.table.empty()) return;
+  b.magnus_table = static_cast<double>(pool.magnus.add(m));
+  c.has_magnus_tables = true;
+}
+
+}  // namespace
+
 void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c, Body<double>& b) {
   b.rail = bore;
   b.rail_phase = kOffRail;
@@ -256,8 +286,22 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   b.gravity_scale = 1;
   b.free = {1, 1, 1};
   prepare_motor(p, pool, c, b);
-  prepare_rail(launch, launch_direction(launch, sight, elevation), c, b);
+  prepare_magnus(p, pool, c, b);
+  const Vec3d bore = launch_direction(launch, sight, elevation);
+  prepare_spin(launch, bore, sight.right, b);
+  prepare_rail(launch, bore, c, b);
   return b;
+}
+
+Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
+                            const Conditions<double>& c) {
+  Rotor<double> rotor = prepare_rotor(p);
+  Launch bore = launch;
+  bore.velocity.reset();
+  bore.speed = 1;
+  const Vec3d direction = launch_velocity(bore, sight_frame(launch), elevation);
+  rotor.launch = turn_of(c.fidelity, rotor, launch_attitude(p, launch, b.launch.v, direction, c));
+  return rotor;
 }
 
 SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const Environment& environment,
@@ -286,6 +330,7 @@ void Cohort::finish() {
   conditions.curve_rows = pool.rows().data();
   conditions.searched_curves = pool.searched().data();
   conditions.motor_pieces = pool.motors.pieces().data();
+  conditions.magnus_grids = pool.magnus.grids().data();
   if (in_use.fidelity.precision == Precision::float64) return;
   rows_float.assign(pool.rows().size(), 0.0f);
   for (std::size_t i = 0; i < rows_float.size(); ++i) rows_float[i] = static_cast<float>(pool.rows()[i]);

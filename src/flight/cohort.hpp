@@ -40,6 +40,10 @@ namespace physim {
 [[nodiscard]] WatchList prepare_watch(const Until& until, const Conditions<double>& conditions, bool with_all);
 
 [[nodiscard]] bool has_motor(const ProjectileDef& projectile);
+/// It has data of lift by spin.
+[[nodiscard]] bool has_magnus(const ProjectileDef& projectile);
+/// Turns the spin of a launch into W.
+void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right, Body<double>& body);
 /// Whether motors and launch rails are part of a fidelity.
 [[nodiscard]] bool flies_motors(const Fidelity& granted);
 /// Puts a body on its launch rail, which lies along the bore; without one the bore says where a resting nose points.
@@ -48,6 +52,10 @@ void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c
 /// A projectile ready to compute; adds its drag curve to the pool and its flags to the conditions.
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                         CurvePool& pool, Conditions<double>& conditions);
+
+/// What of it only rungs that turn read; `body` is prepared already.
+[[nodiscard]] Rotor<double> prepare_rotor(const ProjectileDef& projectile, const Launch& launch, double elevation,
+                                          const Body<double>& body, const Conditions<double>& conditions);
 
 /// The quadratic drag that equals the drag equation where a projectile is: its wind, bands, air and curve included. It
 /// stands in where k1 and k2 are asked for and not given.

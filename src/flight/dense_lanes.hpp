@@ -14,17 +14,28 @@ PHYSIM_INLINE void widen(const Struct<R>& from, Struct<Cast<double, R>>& into,
   for (unsigned i = 0; i < count; ++i) to[i] = cast<double>(source[i]);
 }
 
+/// The dense output of a rotation.
+template <class W>
+struct DenseTurn {
+  Rotor<W> rotor;
+  TurnNodeOf<W> n0;
+  TurnNodeOf<W> n1;
+  Turn<W> coefficient[kMaxDenseCoefficients];
+};
+
 template <class R>
 struct DenseLanes {
   using S = ScalarOf<R>;
   using W = Cast<double, R>;
 
   const Conditions<S>* conditions;
+  const Conditions<double>* conditions_double;
   const Lanes<R>* lanes;  // must outlive this
   Body<W> body;
   NodeOf<W> n0;
   NodeOf<W> n1;
   State<W> coefficient[kMaxDenseCoefficients];
+  Unset<DenseTurn<W>> turn;  // of rungs that turn
 
   PHYSIM_INLINE State<W> operator()(const W& theta) const {
     const Fidelity& f = conditions->fidelity;
@@ -38,6 +49,17 @@ struct DenseLanes {
   /// Flight::at() knows a time only: going through it gives events and ends the bits that it gives.
   PHYSIM_INLINE State<W> at_time(const W& t) const { return (*this)(place_between(n0, n1, t)); }
 
+  /// The Turn, of rungs that turn.
+  PHYSIM_INLINE Turn<W> turn_at(const W& theta) const {
+    return dense_turn(conditions->fidelity, turn->n0, turn->n1, turn->coefficient, theta);
+  }
+  PHYSIM_INLINE Turn<W> turn_at_time(const W& t) const { return turn_at(place_between(n0, n1, t)); }
+  PHYSIM_INLINE Vec3<W> acceleration(const W& theta, const State<W>& s) const {
+    if (!turns(conditions->fidelity)) return physim::acceleration(*conditions_double, body, time(theta), s);
+    Turn<W> slope;
+    return turning_acceleration(*conditions_double, body, turn->rotor, time(theta), s, turn_at(theta), slope);
+  }
+
   /// A watched value at the ends of the step in the flight's own precision: the end of one step is the start of the
   /// next one to the bit, so that no crossing falls between them.
   PHYSIM_INLINE W watched_at_start(const EventSpec& spec) const {
@@ -47,6 +69,29 @@ struct DenseLanes {
     return cast<double>(watched_value(*conditions, lanes->body, spec, lanes->step.t_end, lanes->step.end));
   }
 };
+
+/// The same for rotation; `s` holds the rest of the steps already.
+template <class R, class S>
+void dense_turns(const Course<S>& course, const Lanes<R>& l, Step<Cast<double, R>>& s, DenseLanes<R>& out) {
+  using W = Cast<double, R>;
+  const Fidelity& fidelity = course.conditions->fidelity;
+  const int last = last_slope(fidelity);
+  const TurnStep<R>& from = *l.step.turn;
+  TurnStep<W>& turn = *s.turn;
+  widen(from.start, turn.start);
+  widen(from.end, turn.end);
+  for (int i = 0; i <= last; ++i) widen(from.slope[i], turn.slope[i]);
+  DenseTurn<W>& to = *out.turn;
+  widen(*l.rotor, to.rotor);
+  to.n0 = {out.n0.t, turn.start, turn.slope[0]};
+  to.n1 = {out.n1.t, turn.end, turn.slope[last]};
+  if (fidelity.integrator == Integrator::dop853)
+    add_dop853_slopes<true>(s, [&](const W& t, const State<W>& y, const Turn<W>& at, Turn<W>& slope) {
+      return evaluated(*course.conditions_double, out.body, to.rotor, t, y, at, slope);
+    });
+  dense_sums(fidelity.integrator, s, s.h, out.coefficient);
+  dense_sums(fidelity.integrator, turn, s.h, to.coefficient);
+}
 
 /// The dense output of steps just taken.
 template <class R, class S>
@@ -62,10 +107,12 @@ void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out)
   for (int i = 0; i <= last; ++i) widen(l.step.slope[i], s.slope[i]);
   widen(l.body, out.body, body_fields<R>(*course.conditions));
   out.conditions = course.conditions;
+  out.conditions_double = course.conditions_double;
   out.lanes = &l;
   out.n0 = {s.t, s.start, s.slope[0].v};
   out.n1 = {cast<double>(l.step.t_end), s.end, s.slope[last].v};
   if (fidelity.motion == Motion::closed_form) return;
+  if (turns(fidelity)) return dense_turns(course, l, s, out);
   const auto f = [&](const W& t, const State<W>& y) {
     Vec3<W> a;
     evaluate(*course.conditions_double, out.body, t, y, a);

@@ -58,7 +58,9 @@ double evaluation_cost(const Fidelity& f, const ProjectileDef& projectile, const
   if (throws_out(f)) cost += 21;
   if (f.motion == Motion::force && projectile.force != Vec3d{}) cost += 7;
   if (flies_motors(f) && has_motor(projectile)) cost += wind_cost(f, environment) + 24 + 2 * kReciprocal;
+  if (f.rotation == RotationModel::magnus) cost += kExp + 40 + 4 * kReciprocal;
   if (f.planar) cost += 11;
+  if (turns(f)) cost += 110;
   return cost;
 }
 
@@ -79,6 +81,9 @@ double integrator_cost(Integrator integrator) {
   }
 }
 
+/// With a rotation more than twice as many numbers are moved.
+double growth(const Fidelity& f) { return turns(f) ? 13.0 / 6 : 1; }
+
 double closed_form_cost(const Fidelity& f) {
   constexpr double kSeries = 34 + 10;
   return kAdvance + (f.drag == DragModel::off ? 0 : kSeries + 2 * kExp);
@@ -91,7 +96,8 @@ double step_cost(const Fidelity& f, const ProjectileDef& projectile, const Envir
   if (f.motion == Motion::closed_form)
     cost += closed_form_cost(f);
   else
-    cost += end_slope(f.integrator) * evaluation_cost(f, projectile, environment) + integrator_cost(f.integrator);
+    cost += end_slope(f.integrator) * evaluation_cost(f, projectile, environment) +
+            growth(f) * integrator_cost(f.integrator);
   return f.precision == Precision::float64 ? 2 * cost : cost;
 }
 

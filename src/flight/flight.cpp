@@ -25,7 +25,10 @@ Vec3d FlightRecord::acceleration_at(double time) const {
   const Fidelity& f = cohort.in_use.fidelity;
   if (f.motion != Motion::closed_form && f.integrator == Integrator::classic && nodes.size() > 1)
     return (later_node(nodes, time) - 1)->a;
-  return acceleration(cohort.conditions, body_at(time), time, state(time));
+  const Body<double> b = body_at(time);
+  if (!turns(f)) return acceleration(cohort.conditions, b, time, state(time));
+  Turn<double> slope;
+  return turning_acceleration(cohort.conditions, b, rotor, time, state(time), turn(time), slope);
 }
 
 Body<double> FlightRecord::body_at(double time) const {
@@ -56,6 +59,17 @@ State<double> FlightRecord::state(double time) const {
   return dense_state(f.integrator, n0, n1, c, place_between(n0, n1, time));
 }
 
+Turn<double> FlightRecord::turn(double time) const {
+  if (nodes.size() < 2) return rotor.launch;
+  const Fidelity& f = cohort.in_use.fidelity;
+  const auto index = static_cast<std::size_t>(later_node(nodes, time) - nodes.begin());
+  const TurnNode& n1 = turn_nodes[index];
+  const TurnNode& n0 = turn_nodes[index - 1];
+  const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
+  const Turn<double>* c = count > 0 ? turn_coefficients.data() + (index - 1) * count : nullptr;
+  return dense_turn(f, n0, n1, c, place_between(nodes[index - 1], nodes[index], time));
+}
+
 State<double> FlightRecord::shown(double time) const { return with_drift(state(time), drift, sight.right, time); }
 
 Outcome Flight::outcome() const { return record_->outcome; }
@@ -81,17 +95,25 @@ Accelerations Flight::accelerations(double time) const {
   const auto in_plane = [&](const Vec3d& effect) {
     return c.fidelity.planar ? effect - b.plane * dot(b.plane, effect) : effect;
   };
-  const double lighter = c.has_motor ? b.mass / mass_at(b, time) : 1;
   a.gravity = in_plane(gravity(c, s.x));
-  if (c.fidelity.drag != DragModel::off)
-    a.drag = in_plane(c.has_motor ? burning_drag(c, b, lighter, s) : drag(c, b, s));
+  if (c.fidelity.drag != DragModel::off) a.drag = in_plane(air_now(c, b, time, s));
+  if (spins(c.fidelity)) {
+    SpinningAir<double> air;
+    spinning_air(c, b, time, s, air);
+    a.lift = in_plane(air.lift * lighter(c, b, time));
+    a.drag -= a.lift;
+  }
   if (is_turning(c.fidelity.earth)) a.coriolis = in_plane(coriolis(c, s.v));
   if (throws_out(c.fidelity)) a.centrifugal = in_plane(centrifugal(c, s.x));
-  if (c.has_applied) a.applied = in_plane(applied(c, b, time) * lighter);
-  if (c.has_motor) a.thrust = in_plane(thrust(c, b, time, s));
+  if (c.has_applied) a.applied = in_plane(applied_now(c, b, time));
+  if (c.has_motor) {
+    const bool turning = turns(c.fidelity);
+    a.thrust =
+        in_plane(thrust(b, time, turning ? forward(c.fidelity, r.turn(time)) : nose_in_air(b, air_velocity(c, s))));
+  }
   a.total = r.acceleration_at(time);
   if (b.rail_phase < kOffRail)
-    a.rail = a.total - (a.gravity + a.drag + a.coriolis + a.centrifugal + a.applied + a.thrust);
+    a.rail = a.total - (a.gravity + a.drag + a.lift + a.coriolis + a.centrifugal + a.applied + a.thrust);
   return a;
 }
 
@@ -116,6 +138,11 @@ Sample Flight::at(double time) const {
   out.range = dot(s.x - r.sight.muzzle, r.sight.forward);
   out.drop = dot(s.x - r.sight.start, r.sight.up);
   out.windage = dot(s.x - r.sight.start, r.sight.right);
+  if (!turns(c.fidelity)) return out;
+  const Attitude attitude = attitude_of(c.fidelity, r.rotor, r.turn(time));
+  out.orientation = attitude.q_WB;
+  out.angular_velocity = attitude.omega;
+  out.angle_of_attack = angle_between(rotate(attitude.q_WB, Vec3d{1, 0, 0}), air_velocity(c, s));
   return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "flight/cohort.hpp"
+#include "model/attitude.hpp"
 
 namespace physim {
 
@@ -12,6 +13,7 @@ struct FlightRecord {
   Cohort cohort;
   Body<double> body;
   Body<float> body_float;
+  Rotor<double> rotor{};  // of rungs that turn
   SightFrame sight;
   SpinDrift drift;
   double elevation = 0;
@@ -19,11 +21,15 @@ struct FlightRecord {
   double duration = 0;
   std::vector<Node> nodes;                  // at both ends of every step; the last may lie beyond the end
   std::vector<State<double>> coefficients;  // of the dense output, step by step
+  std::vector<TurnNode> turn_nodes;         // the same of the rotation, where it is flown
+  std::vector<Turn<double>> turn_coefficients;
   std::vector<Event> events;
   FlightCost cost;
 
   /// State on the flown path, without spin drift, 0 <= time <= duration.
   [[nodiscard]] State<double> state(double time) const;
+  /// Of rungs that turn.
+  [[nodiscard]] Turn<double> turn(double time) const;
   /// By the models; the classic loop has a register for it, which one-shot forces make differ from the models.
   [[nodiscard]] Vec3d acceleration_at(double time) const;
   /// The body at a time, when its motor and its rail have changed it.

@@ -12,7 +12,31 @@ void keep_step(FlightRecord& record, const DenseLanes<S>& at) {
   const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
   if (record.cohort.in_use.fidelity.motion == Motion::closed_form) return;
   record.coefficients.insert(record.coefficients.end(), at.coefficient, at.coefficient + count);
+  if (!turns(record.cohort.in_use.fidelity)) return;
+  record.turn_nodes.back().t = at.turn->n0.t;
+  record.turn_nodes.push_back(at.turn->n1);
+  record.turn_coefficients.insert(record.turn_coefficients.end(), at.turn->coefficient, at.turn->coefficient + count);
 }
+void keep_event(FlightRecord& record, const Watched& watched, bool rising, double time, const State<double>& flown) {
+  const State<double> s = with_drift(flown, record.drift, record.sight.right, time);
+  record.events.push_back(
+      {watched.spec.kind, watched.spec.value, rising ? Crossing::rising : Crossing::falling, time, s.x, s.v});
+}
+
+template <class S>
+Node first_node(const Step<S>& s) {
+  Node n{0, {}, vec_cast<double>(s.slope[0].v)};
+  widen(s.start, n.y);
+  return n;
+}
+template <class S>
+TurnNode first_turn_node(const Step<S>& s) {
+  TurnNode n{};
+  widen(s.turn->start, n.y);
+  widen(s.turn->slope[0], n.slope);
+  return n;
+}
+
 /// Where a stop makes the acceleration jump, the next step starts from a node of its own, after a step of no length.
 template <class S>
 void keep_jump(FlightRecord& record, const Lanes<S>& lane) {
@@ -22,26 +46,29 @@ void keep_jump(FlightRecord& record, const Lanes<S>& lane) {
       {record.nodes.back().t, {vec_cast<double>(lane.step.start.x), vec_cast<double>(lane.step.start.v)}, a});
   const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
   record.coefficients.insert(record.coefficients.end(), static_cast<std::size_t>(count), State<double>{});
-}
-void keep_event(FlightRecord& record, const Watched& watched, bool rising, double time, const State<double>& flown) {
-  const State<double> s = with_drift(flown, record.drift, record.sight.right, time);
-  record.events.push_back(
-      {watched.spec.kind, watched.spec.value, rising ? Crossing::rising : Crossing::falling, time, s.x, s.v});
+  if (!turns(record.cohort.in_use.fidelity)) return;
+  record.turn_nodes.push_back(first_turn_node(lane.step));
+  record.turn_nodes.back().t = record.nodes.back().t;
+  record.turn_coefficients.insert(record.turn_coefficients.end(), static_cast<std::size_t>(count), Turn<double>{});
 }
 
 /// Flies a single lane to its end; the loop is that of the batch kernels (flight/batch_driver.hpp) with a record kept.
 template <class S>
 void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body) {
   Lanes<S> lane{};
+  const bool turn = turns(course.conditions->fidelity);
   lane.body = body;
+  if (turn)
+    cast_fields(reinterpret_cast<const double*>(&record.rotor), reinterpret_cast<S*>(&*lane.rotor),
+                kRotorFields<double>);
   begin(course, lane);
+  record.nodes.push_back(first_node(lane.step));
+  if (turn) record.turn_nodes.push_back(first_turn_node(lane.step));
   Judgement<S> j{};
-  dense_lanes(course, lane, j.at);
-  record.nodes.push_back(j.at.n0);
   for (bool ended = false; !ended;) {
     const bool accepted = try_step(course, lane);
     const bool special = needs_attention(course, lane, accepted).special;
-    const bool sound = accepted && is_finite(lane.step.end);
+    const bool sound = accepted && ends_finite(course.conditions->fidelity, lane.step);
     Verdict verdict{false, Outcome::step_limit, 1};
     j.crossings[0].count = 0;
     if (sound) dense_lanes(course, lane, j.at);
@@ -79,6 +106,7 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
     record.outcome = *outcome;
     const Vec3d a = acceleration(record.cohort.conditions, record.body, 0.0, record.body.launch);
     record.nodes.push_back({0, record.body.launch, a});
+    if (turns(record.cohort.in_use.fidelity)) record.turn_nodes.push_back({0, record.rotor.launch, {}});
     if (outcome == Outcome::landed) keep_event(record, watch.item[0], false, 0, record.body.launch);
     return;
   }
@@ -121,6 +149,8 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   }
   record->cohort.conditions = prepare_conditions(environment, granted);
   record->body = prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
+  if (turns(granted))
+    record->rotor = prepare_rotor(projectile, launch, record->elevation, record->body, record->cohort.conditions);
   record->cohort.finish();
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "flight/cohort.hpp"
+#include "model/attitude.hpp"
 #include "physim/names.hpp"
 
 namespace physim {
@@ -18,6 +19,7 @@ class Granting {
     by_integrator();
     by_earth();
     by_projectile();
+    by_rotation();
     return {f_, notes_};
   }
 
@@ -45,7 +47,8 @@ class Granting {
     if (f_.air == AirModel::isa && (air.density || air.sound_speed))
       notes_.push_back({"air", "isa", "isa", "density and sound_speed are for constant and exponential air"});
     const bool empty = f_.air == AirModel::vacuum || (f_.air != AirModel::isa && air.density == 0.0);
-    if (empty) set("rotation", f_.rotation, RotationModel::none, "there is no air");
+    if (empty && (f_.rotation == RotationModel::spin_drift || f_.rotation == RotationModel::magnus))
+      set("rotation", f_.rotation, RotationModel::none, "there is no air");
     if (f_.air == AirModel::vacuum && f_.drag == DragModel::equation)
       set("drag", f_.drag, DragModel::off, "there is no air");
   }
@@ -114,6 +117,30 @@ class Granting {
     if (f_.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
       notes_.push_back({"drag", "linear_quadratic", "linear_quadratic",
                         "k1 and k2 are zero: k2 is taken from the drag equation at launch"});
+  }
+
+  /// After motion and integrator are settled.
+  void by_rotation() {
+    if (f_.rotation == RotationModel::magnus) by_spin();
+    if (f_.rotation != RotationModel::rigid_body) return;
+    const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
+    if (f_.motion != Motion::force) return without("only motion 'force' knows moments");
+    if (f_.integrator == Integrator::classic) return without("the original loop knows points only");
+    if (f_.planar) return without("a planar flight does not leave its plane");
+    if (!has_inertia(projectile_)) return without("the projectile's moments of inertia are not given");
+    const bool symmetric = is_axisymmetric(projectile_);
+    if (f_.body_form == BodyForm::automatic)
+      f_.body_form = symmetric && projectile_.twist != 0 ? BodyForm::axis : BodyForm::quaternion;
+    if (f_.body_form == BodyForm::axis && !symmetric)
+      set("body_form", f_.body_form, BodyForm::quaternion, "the body is not symmetric about its x axis");
+  }
+
+  void by_spin() {
+    const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
+    if (!has_magnus(projectile_)) return without("the projectile has no data of lift by spin");
+    if (f_.motion != Motion::force) return without("only motion 'force' knows lift");
+    if (f_.integrator == Integrator::classic) return without("the original loop knows no lift");
+    if (f_.drag != DragModel::equation) return without("lift by spin goes with the drag equation");
   }
 
   void limit_to_constants(const char* reason) {

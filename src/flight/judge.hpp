@@ -22,6 +22,17 @@ PHYSIM_INLINE MaskOf<R> is_finite(const State<R>& s) {
 }
 
 template <class R>
+PHYSIM_INLINE MaskOf<R> is_finite(const Turn<R>& t) {
+  return is_finite((t.w + t.u.x) + (t.u.y + t.u.z) + ((t.h.x + t.h.y) + t.h.z));
+}
+/// The end of a step.
+template <class R>
+PHYSIM_INLINE MaskOf<R> ends_finite(const Fidelity& f, const Step<R>& s) {
+  const MaskOf<R> finite = is_finite(s.end);
+  return turns(f) ? finite & is_finite(s.turn->end) : finite;
+}
+
+template <class R>
 PHYSIM_INLINE MaskOf<R> stands_still(const Lanes<R>& l) {
   return (l.step.t_end <= l.step.t) | !(l.step.h > R(ScalarOf<R>(0)));
 }
@@ -40,7 +51,7 @@ PHYSIM_INLINE Attention<R> needs_attention(const Course<S>& course, const Lanes<
   const Conditions<S>& c = *course.conditions;
   const Detected<R> found =
       detect(c, l.body, course.watch, l.step, l.step.slope[0].v, l.step.slope[last_slope(c.fidelity)].v);
-  const MaskOf<R> finite = is_finite(l.step.end);
+  const MaskOf<R> finite = ends_finite(c.fidelity, l.step);
   const MaskOf<R> trouble = (l.tries >= R(course.plan.max_tries)) | stands_still(l);
   const MaskOf<R> sound = accepted & finite;
   Attention<R> a;
@@ -71,7 +82,8 @@ template <class R, class S>
 Verdict verdict_on(const Course<S>& course, const Lanes<R>& l, int lane, bool accepted, const CrossingList& crossings) {
   const bool still = lane_of(stands_still(l), lane);
   const bool out_of_tries = lane_of(l.tries, lane) >= course.plan.max_tries;
-  if (accepted && !lane_of(is_finite(l.step.end), lane)) return {true, Outcome::non_finite, 0};
+  if (accepted && !lane_of(ends_finite(course.conditions->fidelity, l.step), lane))
+    return {true, Outcome::non_finite, 0};
   if (accepted) {
     if (crossings.count > 0) {
       const Found& last = crossings.found[crossings.count - 1];

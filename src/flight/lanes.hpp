@@ -35,6 +35,7 @@ struct Course {
 template <class R>
 struct Lanes {
   Body<R> body;
+  Unset<Rotor<R>> rotor;  // of rungs that turn
   Step<R> step;
   StepControl<R> control;
   Regime<R> regime;  // at the start of the step
@@ -63,7 +64,7 @@ PHYSIM_INLINE R closed_form_step(const Conditions<S>& c, const Body<R>& b) {
   return min(first, longest_closed_form_step(c, b));
 }
 
-/// Prepares lanes whose `body` is set for their first step.
+/// Prepares lanes whose `body`, and `rotor` where they turn, is set for their first step.
 template <class R, class S>
 PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
   const Conditions<S>& c = *course.conditions;
@@ -71,11 +72,11 @@ PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
   l.step.t = zero;
   l.step.start = l.body.launch;
   if (has_stops(c)) pass_stops(c, zero, zero == zero, l.step.start, l.body);
-  Vec3<R> a;
-  evaluate(c, l.body, zero, l.step.start, a);
+  if (turns(c.fidelity)) l.step.turn->start = l.rotor->launch;
+  set_slope(c, l.body, *l.rotor, 0, l.step);
+  Vec3<R>& a = l.step.slope[0].v;
   const bool classic = c.fidelity.motion != Motion::closed_form && c.fidelity.integrator == Integrator::classic;
   if (classic) a = {zero, zero, zero};
-  l.step.slope[0] = {l.step.start.v, a};
   l.control.log_previous = zero;
   if (course.plan.step > S(0)) {
     l.control.h = R(course.plan.step);
@@ -84,6 +85,7 @@ PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
   } else {
     l.control.h = min(first_step(c.fidelity.integrator, l.step.start, a, course.plan.relative, course.plan.absolute),
                       R(course.plan.max_step));
+    if (turns(c.fidelity)) l.control.h = min(l.control.h, first_turn_step(c.fidelity.integrator, *l.step.turn));
   }
   if (course.corners) l.regime = regime(c, l.body, zero, l.step.start);
   l.count = l.parts = l.tries = l.cut = zero;
@@ -94,11 +96,13 @@ PHYSIM_INLINE void cast_fields(const From* from, To* to, unsigned count) {
   for (unsigned i = 0; i < count; ++i) to[i] = static_cast<To>(from[i]);
 }
 
-/// Motor, rail and bands come last in a body, and few cohorts have them.
+/// Motor, rail, spin and bands come last in a body, and few cohorts have them.
 template <class R, class S>
 PHYSIM_INLINE unsigned body_fields(const Conditions<S>& c) {
   if (c.has_bands) return unsigned(kBodyFields<R>);
-  return unsigned(kBodyFields<R>) - 2 * kMaxBands - (has_stops(c) ? 0 : kMotorFields);
+  const unsigned without_bands = unsigned(kBodyFields<R>) - 2 * kMaxBands;
+  if (spins(c.fidelity)) return without_bands;
+  return without_bands - kMagnusFields - (has_stops(c) ? 0 : kMotorFields);
 }
 
 /// Copies one lane of a structure of R's to a lane of another; R and Into differ where a lane is taken out of its pack.
@@ -134,6 +138,12 @@ PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int f
   copy_lane(from.count, from_lane, into.count, lane);
   copy_lane(from.parts, from_lane, into.parts, lane);
   copy_lane(from.tries, from_lane, into.tries, lane);
+  if (!turns(c.fidelity)) return;
+  copy_lane(*from.rotor, from_lane, *into.rotor, lane);
+  copy_lane(from.step.turn->start, from_lane, into.step.turn->start, lane);
+  copy_lane(from.step.turn->end, from_lane, into.step.turn->end, lane);
+  for (int i = 0; i <= last_slope(c.fidelity); ++i)
+    copy_lane(from.step.turn->slope[i], from_lane, into.step.turn->slope[i], lane);
 }
 
 PHYSIM_ISA_END

@@ -208,7 +208,7 @@ struct CrossingFinder {
     const W zero(0.0);
     const auto rate = [&](const W& theta) {
       const State<W> s = at(theta);
-      return watched_rate(c, at.body, spec, s, acceleration(c, at.body, at.time(theta), s));
+      return watched_rate(c, at.body, spec, s, at.acceleration(theta, s));
     };
     const W turn = find_roots(rate, zero, rate_start, W(1.0), rate_end, kThetaTolerance, zero, asked);
     const W at_turn = value(turn);

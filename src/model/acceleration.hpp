@@ -10,7 +10,9 @@
 
 #include "model/drag.hpp"
 #include "model/gravity.hpp"
+#include "model/magnus.hpp"
 #include "model/motor.hpp"
+#include "model/rigid_body.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -22,34 +24,78 @@ PHYSIM_INLINE Vec3<R> applied(const Conditions<S>&, const Body<R>& b, const R& t
   return {select(on, b.applied.x, zero), select(on, b.applied.y, zero), select(on, b.applied.z, zero)};
 }
 
-/// Acceleration by drag over the mass that is left; `lighter` is the mass at launch over it. Damping acts on the
-/// velocity whatever the mass.
+/// The mass at launch over what is left of it.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> burning_drag(const Conditions<S>& c, const Body<R>& b, const R& lighter, const State<R>& s) {
-  const Vec3<R> d = drag(c, b, s);
-  return c.fidelity.drag == DragModel::damping ? d : d * (lighter * b.burn.drag_factor);
+PHYSIM_INLINE R lighter(const Conditions<S>& c, const Body<R>& b, const R& t) {
+  return c.has_motor ? b.mass / mass_at(b, t) : R(S(1));
 }
 
-/// Acceleration by the motor.
+/// Whether balls feel their spin.
+PHYSIM_INLINE constexpr bool spins(const Fidelity& f) { return f.rotation == RotationModel::magnus; }
+
+/// Acceleration by drag and lift.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> thrust(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  return nose(b, air_velocity(c, s)) * (thrust_at(b, t) / mass_at(b, t));
+PHYSIM_INLINE Vec3<R> air_force(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  if (!spins(c.fidelity)) return drag(c, b, s);
+  SpinningAir<R> air;
+  spinning_air(c, b, t, s, air);
+  return air.drag + air.lift;
 }
 
-/// The switches are uniform over all lanes: one predictable branch per effect for a whole pack.
+/// The same over the mass that is left. Damping acts on the velocity whatever the mass.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  Vec3<R> a = weight_per_mass(c, b, s.x);
-  const R lighter = c.has_motor ? b.mass / mass_at(b, t) : R(S(1));
-  if (c.fidelity.drag != DragModel::off) a += c.has_motor ? burning_drag(c, b, lighter, s) : drag(c, b, s);
+PHYSIM_INLINE Vec3<R> air_now(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  const Vec3<R> d = air_force(c, b, t, s);
+  if (!c.has_motor || c.fidelity.drag == DragModel::damping) return d;
+  return d * (lighter(c, b, t) * b.burn.drag_factor);
+}
+
+/// Acceleration by the applied force, over the mass that is left.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> applied_now(const Conditions<S>& c, const Body<R>& b, const R& t) {
+  return c.has_motor ? applied(c, b, t) * lighter(c, b, t) : applied(c, b, t);
+}
+
+/// Acceleration by the motor, towards where the nose points.
+template <class R>
+PHYSIM_INLINE Vec3<R> thrust(const Body<R>& b, const R& t, const Vec3<R>& nose) {
+  return nose * (thrust_at(b, t) / mass_at(b, t));
+}
+
+/// What comes on top of weight, air and thrust. The switches are uniform over all lanes: one predictable branch per
+/// effect for a whole pack.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> with_other_effects(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                         Vec3<R> a) {
   if (is_turning(c.fidelity.earth)) a += coriolis(c, s.v);
   if (throws_out(c.fidelity)) a += centrifugal(c, s.x);
-  if (c.has_applied) a += c.has_motor ? applied(c, b, t) * lighter : applied(c, b, t);
-  if (c.has_motor) a += thrust(c, b, t, s);
+  if (c.has_applied) a += applied_now(c, b, t);
   if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
   if (c.has_frozen) a = component_product(a, b.free);
   if (c.has_rail) a = on_rail(b, a);
   return a;
+}
+
+/// Of a point mass.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  Vec3<R> a = weight_per_mass(c, b, s.x);
+  if (c.fidelity.drag != DragModel::off) a += air_now(c, b, t, s);
+  if (c.has_motor) a += thrust(b, t, nose_in_air(b, air_velocity(c, s)));
+  return with_other_effects(c, b, t, s, a);
+}
+
+/// Of what turns, with the slope of its Turn.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                           const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
+  const R zero(S(0));
+  Vec3<R> a = weight_per_mass(c, b, s.x);
+  if (c.fidelity.drag != DragModel::off) a += air_now(c, b, t, s);
+  if (c.has_motor) a += thrust(b, t, forward(c.fidelity, turn));
+  slope = turn_slope(c, rotor, turn, Vec3<R>{zero, zero, zero});
+  if (c.has_rail) slope = slope * select(b.rail_phase < R(S(kOffRail)), zero, R(S(1)));  // it holds the body straight
+  return with_other_effects(c, b, t, s, a);
 }
 
 PHYSIM_ISA_END

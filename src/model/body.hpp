@@ -66,15 +66,26 @@ struct Body {
   Vec3<R> rail;             // unit vector along the launch rail, or the bore [-]
   R rail_end;               // of x along it [m]
   R rail_phase;             // kHeld, kSliding or kOffRail
+  Vec3<R> spin;             // at launch, in W [rad/s]
+  R spin_decay;             // 1 / tau [1/s]
+  R ball_radius;            // [m]
+  R magnus_area;            // A / (2 m) [m^2/kg]
+  R lift;                   // l [-]
+  R lift_base;              // b [-]
+  R lift_saturation;        // c [-]
+  R drag_per_spin;          // k [s]
+  R magnus_table;           // index in Conditions::magnus_grids; below 0: by the formula
   R band_above[kMaxBands];  // air speed from which band i holds [m/s]; unused bands are infinite
   R band_half_area_per_mass[kMaxBands];  // [m^2/kg]
 };
 
 template <class R>
 inline constexpr int kBodyFields = sizeof(Body<R>) / sizeof(R);
-/// Members that few cohorts read come last: motor and rail, then bands.
+/// Members that few cohorts read come last: motor and rail, spin, then bands.
 inline constexpr int kMotorFields = 17;
-static_assert(offsetof(Body<double>, band_above) - offsetof(Body<double>, burn) == kMotorFields * sizeof(double));
+inline constexpr int kMagnusFields = 11;
+static_assert(offsetof(Body<double>, spin) - offsetof(Body<double>, burn) == kMotorFields * sizeof(double));
+static_assert(offsetof(Body<double>, band_above) - offsetof(Body<double>, spin) == kMagnusFields * sizeof(double));
 
 }  // namespace physim
 

@@ -79,6 +79,7 @@ struct Globe {
 };
 
 struct MotorPiece;
+struct MagnusGrid;
 
 template <class S>
 struct Conditions {
@@ -96,6 +97,8 @@ struct Conditions {
   bool has_spheres;                // some projectile has Cd by Reynolds number
   bool has_bands;                  // some projectile has banded ballistic coefficients
   const MotorPiece* motor_pieces;  // pool of the tables of all motors in use
+  const MagnusGrid* magnus_grids;  // tables of balls that spin
+  bool has_magnus_tables;          // some projectile has one
   bool has_motor;                  // some projectile has a motor
   bool has_rail;                   // some projectile starts on a rail
   bool has_applied;                // some projectile carries an applied force

@@ -9,10 +9,23 @@
 #include <vector>
 
 #include "math/interpolation.hpp"
+#include "model/magnus_grid.hpp"
 #include "model/motor_table.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
+
+/// Tables of balls that spin, each once.
+class MagnusPool {
+ public:
+  /// Index of a table, which is found again where it is known.
+  std::size_t add(const MagnusDef& magnus);
+
+  [[nodiscard]] const std::vector<MagnusGrid>& grids() const { return grids_; }
+
+ private:
+  std::vector<MagnusGrid> grids_;
+};
 
 class CurvePool {
  public:
@@ -23,6 +36,7 @@ class CurvePool {
   [[nodiscard]] const std::vector<PiecewiseCubic>& searched() const { return searched_; }
 
   MotorPool motors;  // their pieces name curves
+  MagnusPool magnus;
 
  private:
   struct Entry {

@@ -52,10 +52,10 @@ PHYSIM_INLINE R thrust_at(const Body<R>& b, const R& t) {
   return b.burn.thrust + time_in_piece(b, t) * b.burn.thrust_rate;
 }
 
-/// Where the nose points, a unit vector: along the rail, then along the velocity through the air; where that is zero,
-/// still along the rail [-].
+/// Where the nose of a point mass points, a unit vector: along the rail, then along the velocity through the air; where
+/// that is zero, still along the rail [-].
 template <class R>
-PHYSIM_INLINE Vec3<R> nose(const Body<R>& b, const Vec3<R>& u) {
+PHYSIM_INLINE Vec3<R> nose_in_air(const Body<R>& b, const Vec3<R>& u) {
   using S = ScalarOf<R>;
   const R speed = length(u);
   const auto along_air = (b.rail_phase >= R(S(kOffRail))) & (speed > R(S(0)));

@@ -27,6 +27,7 @@ struct Scope {
   EventSpec* event = nullptr;
   WindPoint* wind_point = nullptr;
   BallisticBand* band = nullptr;
+  MagnusPoint* magnus_point = nullptr;
   PoolDef* pool = nullptr;
   DetailRung* rung = nullptr;
   Volley* volley = nullptr;
@@ -140,6 +141,7 @@ struct Defaults {
   EventSpec event;
   WindPoint wind_point;
   BallisticBand band;
+  MagnusPoint magnus_point;
   PoolDef pool;
   DetailRung rung;
   Volley volley;
@@ -147,8 +149,8 @@ struct Defaults {
   Thrust::Point thrust_point;
 
   [[nodiscard]] Scope scope() {
-    return {&format, &scenario, &shot, &expect, &event, &wind_point,
-            &band,   &pool,     &rung, &volley, &force, &thrust_point};
+    return {&format,       &scenario, &shot, &expect, &event, &wind_point,  &band,
+            &magnus_point, &pool,     &rung, &volley, &force, &thrust_point};
   }
 };
 

@@ -374,6 +374,9 @@ constexpr Entry kFidelitySettings[] = {
     {.path = "shot.fidelity.rotation",
      .slot = PHYSIM_FIELD(shot->projectile.fidelity.rotation),
      .doc = "effects of the projectile's spin"},
+    {.path = "shot.fidelity.body_form",
+     .slot = PHYSIM_FIELD(shot->projectile.fidelity.body_form),
+     .doc = "how the attitude of a rigid body is computed"},
     {.path = "shot.fidelity.precision",
      .slot = PHYSIM_FIELD(shot->projectile.fidelity.precision),
      .doc = "number type of the computation"},
@@ -495,9 +498,9 @@ std::span<const Entry> entries() {
     std::vector<Entry> list;
     for (const std::span<const Entry> part :
          {std::span<const Entry>(kFileSettings), std::span<const Entry>(kEnvironmentSettings),
-          std::span<const Entry>(kShotSettings), motor_settings(), std::span<const Entry>(kFidelitySettings),
-          body_settings(), world_settings(), volley_settings(), force_settings(), std::span<const Entry>(kRunSettings),
-          std::span<const Entry>(kExpectSettings)})
+          std::span<const Entry>(kShotSettings), magnus_settings(), motor_settings(), rotation_settings(),
+          std::span<const Entry>(kFidelitySettings), body_settings(), world_settings(), volley_settings(),
+          force_settings(), std::span<const Entry>(kRunSettings), std::span<const Entry>(kExpectSettings)})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

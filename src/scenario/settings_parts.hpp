@@ -71,10 +71,12 @@ Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
 
 // ------------------------------------------------------------------------------- parts of the list in files of their
 // own
-[[nodiscard]] std::span<const Entry> motor_settings();   // [shot.motor]
-[[nodiscard]] std::span<const Entry> body_settings();    // [shot.body]
-[[nodiscard]] std::span<const Entry> world_settings();   // [world]
-[[nodiscard]] std::span<const Entry> volley_settings();  // [[volley]]
-[[nodiscard]] std::span<const Entry> force_settings();   // [[force]]
+[[nodiscard]] std::span<const Entry> magnus_settings();    // [shot.magnus], [shot.spin]
+[[nodiscard]] std::span<const Entry> motor_settings();     // [shot.motor]
+[[nodiscard]] std::span<const Entry> rotation_settings();  // [shot.inertia], [shot.attitude]
+[[nodiscard]] std::span<const Entry> body_settings();      // [shot.body]
+[[nodiscard]] std::span<const Entry> world_settings();     // [world]
+[[nodiscard]] std::span<const Entry> volley_settings();    // [[volley]]
+[[nodiscard]] std::span<const Entry> force_settings();     // [[force]]
 
 }  // namespace physim

@@ -66,6 +66,13 @@ constexpr Unit kStiffness[] = {{"N/m"}, {"N/mm", 1e3}, {"lbf/in", kPoundForce / 
 constexpr Unit kVolume[] = {{"m^3"}, {"l", 1e-3}, {"cm^3", 1e-6}, {"in^3", kInch* kInch* kInch}};
 constexpr Unit kAttraction[] = {{"m^3/s^2"}, {"km^3/s^2", 1e9}};
 
+constexpr Unit kMomentOfInertia[] = {{"kg m^2"},
+                                     {"g cm^2", 1e-7},
+                                     {"g mm^2", 1e-9},
+                                     {"lb in^2", kPound* kInch* kInch},
+                                     {"lb ft^2", kPound * 0.3048 * 0.3048},
+                                     {"slug ft^2", kPoundForce * 0.3048}};
+
 constexpr std::array kQuantities = {
     QuantityInfo{Quantity::number, "a plain number", "0.5", kNumber},
     QuantityInfo{Quantity::length, "a length", "7.82 mm", kLength},
@@ -87,6 +94,7 @@ constexpr std::array kQuantities = {
     QuantityInfo{Quantity::stiffness, "a stiffness", "50 N/m", kStiffness},
     QuantityInfo{Quantity::volume, "a volume", "2.5 l", kVolume},
     QuantityInfo{Quantity::attraction, "an attraction (G M)", "2000 m^3/s^2", kAttraction},
+    QuantityInfo{Quantity::moment_of_inertia, "a moment of inertia", "0.02326 kg m^2", kMomentOfInertia},
 };
 
 constexpr bool in_order_of_values() {

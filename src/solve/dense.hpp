@@ -28,6 +28,15 @@ struct NodeOf {
 };
 using Node = NodeOf<double>;
 
+/// The same of a rotation: a Turn and its slope.
+template <class W>
+struct TurnNodeOf {
+  W t;
+  Turn<W> y;
+  Turn<W> slope;
+};
+using TurnNode = TurnNodeOf<double>;
+
 /// Where a time lies between two nodes, 0..1; a step that stands still counts as taken.
 template <class W>
 PHYSIM_INLINE W place_between(const NodeOf<W>& n0, const NodeOf<W>& n1, const W& t) {
@@ -43,31 +52,38 @@ struct Dop853DenseWeights {
   static constexpr double at(int j) { return Dop853::kDense[Row][j]; }
 };
 
-template <class W>
-PHYSIM_INLINE void tsit5_dense(const Step<W>& s, State<W>* out) {
-  static_for<4>([&](auto power) { out[power] = weighted_sum<Tsit5DenseWeights<power>, 7>(s.slope) * s.h; });
-}
-
-/// Three more slopes, then differences; `f` is the acceleration.
-template <class W, class F>
-PHYSIM_INLINE void dop853_dense(Step<W>& s, const F& f, State<W>* out) {
+/// Three more slopes; `f` is the acceleration, or where it turns gives the slope of the Turn too.
+template <bool kTurns, class W, class F>
+PHYSIM_INLINE void add_dop853_slopes(Step<W>& s, const F& f) {
   static_for<3>([&](auto i) {
     constexpr int stage = 13 + i;
-    const State<W> y = advanced(s.start, weighted_sum<StageWeights<Dop853, stage>, stage>(s.slope), s.h);
-    s.slope[stage] = {y.v, f(s.t + s.h * Dop853::c[stage], y)};
+    const State<W> y = stage_state<Dop853, stage>(s, s.h);
+    const W t = s.t + s.h * Dop853::c[stage];
+    if constexpr (kTurns)
+      s.slope[stage] = {y.v, f(t, y, stage_state<Dop853, stage>(*s.turn, s.h), s.turn->slope[stage])};
+    else
+      s.slope[stage] = {y.v, f(t, y)};
   });
-  const State<W> change = s.end - s.start;
-  out[0] = change;
-  out[1] = s.slope[0] * s.h - change;
-  out[2] = change - s.slope[12] * s.h - out[1];
-  static_for<4>([&](auto row) { out[3 + row] = weighted_sum<Dop853DenseWeights<row>, 16>(s.slope) * s.h; });
 }
 
-/// Fills the interpolant's coefficients of a finished step.
+/// Fills the interpolant's coefficients of a finished step with all its slopes; `s` is a Step or its TurnStep.
+template <class AnyStep, class W, template <class> class Y>
+PHYSIM_INLINE void dense_sums(Integrator integrator, const AnyStep& s, const W& h, Y<W>* out) {
+  if (integrator == Integrator::tsit5)
+    static_for<4>([&](auto power) { out[power] = weighted_sum<Tsit5DenseWeights<power>, 7>(s.slope) * h; });
+  if (integrator != Integrator::dop853) return;
+  const Y<W> change = s.end - s.start;
+  out[0] = change;
+  out[1] = s.slope[0] * h - change;
+  out[2] = change - s.slope[12] * h - out[1];
+  static_for<4>([&](auto row) { out[3 + row] = weighted_sum<Dop853DenseWeights<row>, 16>(s.slope) * h; });
+}
+
+/// Adds the slopes that the interpolant needs, and fills its coefficients.
 template <class W, class F>
 PHYSIM_INLINE void dense_coefficients(Integrator integrator, Step<W>& s, const F& f, State<W>* out) {
-  if (integrator == Integrator::tsit5) tsit5_dense(s, out);
-  if (integrator == Integrator::dop853) dop853_dense(s, f, out);
+  if (integrator == Integrator::dop853) add_dop853_slopes<false>(s, f);
+  dense_sums(integrator, s, s.h, out);
 }
 
 /// Quintic Hermite interpolation of positions, cubic of velocities.
@@ -88,10 +104,19 @@ PHYSIM_INLINE State<W> hermite(const NodeOf<W>& n0, const NodeOf<W>& n1, const W
   return y;
 }
 
-/// The state inside a step, 0 < theta < 1.
+/// Cubic Hermite interpolation.
 template <class W>
-PHYSIM_INLINE State<W> state_inside(Integrator integrator, const NodeOf<W>& n0, const NodeOf<W>& n1, const State<W>* c,
-                                    const W& theta) {
+PHYSIM_INLINE Turn<W> hermite(const TurnNodeOf<W>& n0, const TurnNodeOf<W>& n1, const W& theta) {
+  const W h = n1.t - n0.t;
+  const W u = 1 - theta;
+  const W t2 = theta * theta;
+  return n0.y + (n1.y - n0.y) * (t2 * (3 - 2 * theta)) + n0.slope * (h * theta * (u * u)) - n1.slope * (h * t2 * u);
+}
+
+/// The state or the Turn inside a step, 0 < theta < 1.
+template <template <class> class AnyNode, template <class> class Y, class W>
+PHYSIM_INLINE Y<W> state_inside(Integrator integrator, const AnyNode<W>& n0, const AnyNode<W>& n1, const Y<W>* c,
+                                const W& theta) {
   if (integrator == Integrator::tsit5) return n0.y + (c[0] + (c[1] + (c[2] + c[3] * theta) * theta) * theta) * theta;
   if (integrator == Integrator::dop853) {
     const W u = 1 - theta;
@@ -108,6 +133,14 @@ template <class W>
 PHYSIM_INLINE State<W> dense_state(Integrator integrator, const NodeOf<W>& n0, const NodeOf<W>& n1, const State<W>* c,
                                    const W& theta) {
   const State<W> inside = state_inside(integrator, n0, n1, c, theta);
+  return select(theta == 0.0, n0.y, select(theta == 1.0, n1.y, inside));
+}
+
+/// The same for a rotation, with what points at length one.
+template <class W>
+PHYSIM_INLINE Turn<W> dense_turn(const Fidelity& f, const TurnNodeOf<W>& n0, const TurnNodeOf<W>& n1, const Turn<W>* c,
+                                 const W& theta) {
+  const Turn<W> inside = on_unit_length(f, state_inside(f.integrator, n0, n1, c, theta));
   return select(theta == 0.0, n0.y, select(theta == 1.0, n1.y, inside));
 }
 

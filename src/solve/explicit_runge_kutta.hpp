@@ -136,10 +136,11 @@ constexpr int first_nonzero() {
   return j;
 }
 
-/// sum over j < N of weight(j) * slope[j], without the terms whose weight is zero. `Weights::at(j)` is constexpr.
-template <class Weights, int N, class R>
-PHYSIM_INLINE State<R> weighted_sum(const State<R>* slope) {
-  State<R> sum{};
+/// sum over j < N of weight(j) * slope[j], without the terms whose weight is zero. `Weights::at(j)` is constexpr. Y is
+/// State or Turn.
+template <class Weights, int N, template <class> class Y, class R>
+PHYSIM_INLINE Y<R> weighted_sum(const Y<R>* slope) {
+  Y<R> sum{};
   static_for<N>([&](auto j) {
     constexpr double w = Weights::at(j);
     if constexpr (w != 0) {
@@ -147,8 +148,7 @@ PHYSIM_INLINE State<R> weighted_sum(const State<R>* slope) {
       if constexpr (j == first_nonzero<Weights>()) {
         sum = slope[j] * weight;
       } else {
-        sum.x.add_scaled(slope[j].x, weight);
-        sum.v.add_scaled(slope[j].v, weight);
+        add_scaled(sum, slope[j], weight);
       }
     }
   });
@@ -156,9 +156,9 @@ PHYSIM_INLINE State<R> weighted_sum(const State<R>* slope) {
 }
 
 /// y + h * sum
-template <class R>
-PHYSIM_INLINE State<R> advanced(const State<R>& y, const State<R>& sum, const R& h) {
-  return {y.x + sum.x * h, y.v + sum.v * h};
+template <template <class> class Y, class R>
+PHYSIM_INLINE Y<R> advanced(const Y<R>& y, const Y<R>& sum, const R& h) {
+  return y + sum * h;
 }
 
 template <class Tableau, int Row>
@@ -170,33 +170,41 @@ struct EndWeights {
   static constexpr double at(int j) { return Tableau::b[j]; }
 };
 
-/// The state of stage `Stage` from the slopes of those before it.
-template <class Tableau, int Stage, class R>
-PHYSIM_INLINE State<R> stage_state(const Step<R>& s) {
-  return advanced(s.start, weighted_sum<StageWeights<Tableau, Stage>, Stage>(s.slope), s.h);
+/// The state of stage `Stage` from the slopes of those before it; `s` is a Step or its TurnStep.
+template <class Tableau, int Stage, class AnyStep, class R>
+PHYSIM_INLINE auto stage_state(const AnyStep& s, const R& h) {
+  return advanced(s.start, weighted_sum<StageWeights<Tableau, Stage>, Stage>(s.slope), h);
 }
 /// The state at the end from the slopes of all stages.
-template <class Tableau, class R>
-PHYSIM_INLINE State<R> end_state(const Step<R>& s) {
-  return advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), s.h);
+template <class Tableau, class AnyStep, class R>
+PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
+  return advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), h);
 }
 
 /// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y)` is step
-/// i's acceleration.
+/// i's acceleration; where they turn, f(i, t, y, turn, slope) is told the Turn too and gives its slope beside it.
 ///
 /// A stage waits for the one before: for a square root, a table look-up, and a chain of sums. The steps do not wait for
 /// each other, so the processor fills one's waiting with the other's work.
-template <class Tableau, class R, class F>
+template <class Tableau, bool kTurns, class R, class F>
 PHYSIM_INLINE void runge_kutta_ends(Step<R>* const* steps, int count, const F& f) {
   static_for<Tableau::kStages - 1>([&](auto before) {
     constexpr int stage = before + 1;
     for (int i = 0; i < count; ++i) {
       Step<R>& s = *steps[i];
-      const State<R> y = stage_state<Tableau, stage>(s);
-      s.slope[stage] = {y.v, f(i, s.t + s.h * constant<R>(Tableau::c[stage]), y)};
+      const State<R> y = stage_state<Tableau, stage>(s, s.h);
+      const R t = s.t + s.h * constant<R>(Tableau::c[stage]);
+      if constexpr (kTurns)
+        s.slope[stage] = {y.v, f(i, t, y, stage_state<Tableau, stage>(*s.turn, s.h), s.turn->slope[stage])};
+      else
+        s.slope[stage] = {y.v, f(i, t, y)};
     }
   });
-  for (int i = 0; i < count; ++i) steps[i]->end = end_state<Tableau>(*steps[i]);
+  for (int i = 0; i < count; ++i) {
+    Step<R>& s = *steps[i];
+    s.end = end_state<Tableau>(s, s.h);
+    if constexpr (kTurns) s.turn->end = end_state<Tableau>(*s.turn, s.h);
+  }
 }
 
 PHYSIM_ISA_END

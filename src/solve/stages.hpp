@@ -22,19 +22,20 @@ PHYSIM_INLINE double stage_place(Integrator integrator, int stage) {
   return place;
 }
 
-/// The state of a stage after the first, from the slopes before it; with all slopes there, the end of the step.
-template <class R>
-PHYSIM_INLINE State<R> next_stage(Integrator integrator, int stage, const Step<R>& s) {
-  State<R> y = s.start;
+/// The state of a stage after the first, from the slopes before it; with all slopes there, the end of the step. `s` is
+/// a Step or its TurnStep.
+template <class AnyStep, class R>
+PHYSIM_INLINE auto next_stage(Integrator integrator, int stage, const AnyStep& s, const R& h) {
+  auto y = s.start;
   with_tableau(integrator, [&](auto tableau) {
     using Tableau = decltype(tableau);
     static_for<Tableau::kStages>([&](auto before) {
       constexpr int next = before + 1;
       if (next != stage) return;
       if constexpr (next == Tableau::kStages)
-        y = end_state<Tableau>(s);
+        y = end_state<Tableau>(s, h);
       else
-        y = stage_state<Tableau, next>(s);
+        y = stage_state<Tableau, next>(s, h);
     });
   });
   return y;
@@ -44,7 +45,17 @@ PHYSIM_INLINE State<R> next_stage(Integrator integrator, int stage, const Step<R
 template <class R>
 PHYSIM_INLINE void finish_stages(Integrator integrator, Step<R>& s) {
   if (end_slope(integrator) == 1) return euler_end(integrator, s);
-  s.end = next_stage(integrator, end_slope(integrator), s);
+  s.end = next_stage(integrator, end_slope(integrator), s, s.h);
+}
+/// The same for the rotation.
+template <class R, class S>
+PHYSIM_INLINE void finish_turn_stages(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {
+  const Integrator integrator = c.fidelity.integrator;
+  if (end_slope(integrator) == 1)
+    euler_turn(c, rotor, s);
+  else
+    s.turn->end = next_stage(integrator, end_slope(integrator), *s.turn, s.h);
+  s.turn->end = on_unit_length(c.fidelity, s.turn->end);
 }
 
 PHYSIM_ISA_END

@@ -1,13 +1,21 @@
 // One step of a flight: what an integrator is given, what it leaves, and what its dense output needs.
 #pragma once
 
-#include "math/pack.hpp"
 #include "model/body.hpp"
+#include "model/rigid_body.hpp"
 
 namespace physim {
 
 /// Slopes that a step may keep: the stages of DOP853, the slope at its end, and three for its dense output.
 inline constexpr int kMaxSlopes = 16;
+
+/// What a step does to the rotation, where it is flown.
+template <class R>
+struct TurnStep {
+  Turn<R> start;
+  Turn<R> end;
+  Turn<R> slope[kMaxSlopes];  // as those of the Step
+};
 
 /// A step from time t over h to t_end. The derivative of a state (x, v) is a state (v, a).
 template <class R>
@@ -19,6 +27,7 @@ struct Step {
   State<R> end;                // state at t + h
   State<R> slope[kMaxSlopes];  // slope[0] at the start; the last stage (see end_slope) at the end
   R error;                     // estimated error over tolerance [-]; adaptive integrators accept up to 1
+  Unset<TurnStep<R>> turn;     // of rungs that turn
 };
 
 }  // namespace physim
@@ -37,6 +46,11 @@ template <class R>
 PHYSIM_INLINE State<R> operator*(const State<R>& a, const R& s) {
   return {a.x * s, a.v * s};
 }
+template <class R>
+PHYSIM_INLINE void add_scaled(State<R>& sum, const State<R>& a, const R& s) {
+  sum.x.add_scaled(a.x, s);
+  sum.v.add_scaled(a.v, s);
+}
 template <class R, class Mask>
 PHYSIM_INLINE Vec3<R> select(const Mask& mask, const Vec3<R>& a, const Vec3<R>& b) {
   return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
@@ -44,6 +58,10 @@ PHYSIM_INLINE Vec3<R> select(const Mask& mask, const Vec3<R>& a, const Vec3<R>& 
 template <class R, class Mask>
 PHYSIM_INLINE State<R> select(const Mask& mask, const State<R>& a, const State<R>& b) {
   return {select(mask, a.x, b.x), select(mask, a.v, b.v)};
+}
+template <class R, class Mask>
+PHYSIM_INLINE Turn<R> select(const Mask& mask, const Turn<R>& a, const Turn<R>& b) {
+  return {select(mask, a.w, b.w), select(mask, a.u, b.u), select(mask, a.h, b.h)};
 }
 
 PHYSIM_ISA_END

@@ -50,4 +50,12 @@ PHYSIM_INLINE R first_step(Integrator integrator, const State<R>& start, const V
   return min(max(h, constant<R>(1e-6)), R(S(1)));
 }
 
+/// The same for a rotation: a small part of the time of one turn.
+template <class R>
+PHYSIM_INLINE R first_turn_step(Integrator integrator, const TurnStep<R>& s) {
+  const R rate = length(s.slope[0].u);
+  const R part = constant<R>(integrator == Integrator::dop853 ? 0.1 : 0.03);
+  return max(part / max(rate, constant<R>(1e-6)), constant<R>(1e-6));
+}
+
 PHYSIM_ISA_END

@@ -41,6 +41,13 @@ EVALATTR void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, con
   a = acceleration(c, b, t, s);
 }
 
+/// The same for what turns.
+template <class R, class S>
+EVALATTR void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t, const State<R>& s,
+                       const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
+  a = turning_acceleration(c, b, rotor, t, s, turn, slope);
+}
+
 /// The original's frame, in its order: position, then velocity, both from the old state; then damping; then the
 /// acceleration for the next frame from the forces of this one. slope[].v is the acceleration register: zero at launch.
 /// With `original_one_shot_forces`, forces are felt once, added to the register and never taken out of it again.
@@ -67,6 +74,19 @@ PHYSIM_INLINE void euler_end(Integrator integrator, Step<R>& s) {
   s.end.x = s.start.x + (integrator == Integrator::explicit_euler ? s.slope[0].x : s.end.v) * s.h;
 }
 
+/// The same for the rotation; the second one turns what points by the new rates.
+template <class R, class S>
+PHYSIM_INLINE void euler_turn(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {
+  TurnStep<R>& t = *s.turn;
+  t.end = t.start + t.slope[0] * s.h;
+  if (c.fidelity.integrator == Integrator::explicit_euler) return;
+  const R zero(S(0));
+  const Turn<R> pointing =
+      turn_slope(c, rotor, Turn<R>{t.start.w, t.start.u, t.end.h}, Vec3<R>{zero, zero, zero}) * s.h;
+  t.end.w = t.start.w + pointing.w;
+  t.end.u = t.start.u + pointing.u;
+}
+
 template <class R, class S>
 PHYSIM_INLINE R squared_ratio(const Vec3<R>& error, const Vec3<R>& value, S relative, S absolute) {
   const R scale = absolute + relative * length(value);
@@ -82,12 +102,29 @@ struct ErrorWeights {
   }
 };
 
-/// Error over tolerance, squared: the worse of position and velocity. Their lengths are compared, not their
-/// components, so that turning the axes changes nothing.
+/// The squares of two errors over tolerance. The lengths of vectors are compared, not their components, so that turning
+/// the axes changes nothing.
+template <class R>
+struct ErrorPair {
+  R first;
+  R second;
+};
 template <class R, class S>
-PHYSIM_INLINE R tsit5_error_squared(const Step<R>& s, S relative, S absolute) {
-  const State<R> e = weighted_sum<ErrorWeights<Tsit5, 0>, 7>(s.slope) * s.h;
-  return max(squared_ratio(e.x, s.end.x, relative, absolute), squared_ratio(e.v, s.end.v, relative, absolute));
+PHYSIM_INLINE ErrorPair<R> squared_errors(const State<R>& e, const State<R>& end, S relative, S absolute) {
+  return {squared_ratio(e.x, end.x, relative, absolute), squared_ratio(e.v, end.v, relative, absolute)};
+}
+/// Of what points, a unit vector or quaternion, and of what turns. The roll of the axis form is only shown.
+template <class R, class S>
+PHYSIM_INLINE ErrorPair<R> squared_errors(const Turn<R>& e, const Turn<R>& end, S relative, S absolute) {
+  return {squared_ratio(e.u, end.u, relative, absolute), squared_ratio(e.h, end.h, relative, absolute)};
+}
+
+/// Error over tolerance, squared: the worse of position and velocity, or of direction and rate; `s` is a Step or its
+/// TurnStep.
+template <class AnyStep, class R, class S>
+PHYSIM_INLINE R tsit5_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
+  const auto e = squared_errors(weighted_sum<ErrorWeights<Tsit5, 0>, 7>(s.slope) * h, s.end, relative, absolute);
+  return max(e.first, e.second);
 }
 
 /// The estimates of orders 5 and 3 combined: e5^2 / sqrt(e5^2 + 0.01 e3^2) (Hairer, Norsett and Wanner, sec. II.10).
@@ -98,15 +135,18 @@ PHYSIM_INLINE R combined_error_squared(const R& e5, const R& e3) {
   return select(sum > R(S(0)), e5 * e5 / max(sum, R(S(1e-37))), R(S(0)));
 }
 
-template <class R, class S>
-PHYSIM_INLINE R dop853_error_squared(const Step<R>& s, S relative, S absolute) {
-  const State<R> e5 = weighted_sum<ErrorWeights<Dop853, 5>, 12>(s.slope) * s.h;
-  const State<R> e3 = weighted_sum<ErrorWeights<Dop853, 3>, 12>(s.slope) * s.h;
-  const R position = combined_error_squared(squared_ratio(e5.x, s.end.x, relative, absolute),
-                                            squared_ratio(e3.x, s.end.x, relative, absolute));
-  const R velocity = combined_error_squared(squared_ratio(e5.v, s.end.v, relative, absolute),
-                                            squared_ratio(e3.v, s.end.v, relative, absolute));
-  return max(position, velocity);
+template <class AnyStep, class R, class S>
+PHYSIM_INLINE R dop853_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
+  const auto e5 = squared_errors(weighted_sum<ErrorWeights<Dop853, 5>, 12>(s.slope) * h, s.end, relative, absolute);
+  const auto e3 = squared_errors(weighted_sum<ErrorWeights<Dop853, 3>, 12>(s.slope) * h, s.end, relative, absolute);
+  return max(combined_error_squared(e5.first, e3.first), combined_error_squared(e5.second, e3.second));
+}
+
+/// Of an adaptive integrator's step.
+template <class AnyStep, class R, class S>
+PHYSIM_INLINE R error_squared(Integrator integrator, const AnyStep& s, const R& h, S relative, S absolute) {
+  if (integrator == Integrator::tsit5) return tsit5_error_squared(s, h, relative, absolute);
+  return dop853_error_squared(s, h, relative, absolute);
 }
 
 /// The acceleration at a time and state, by value.
@@ -117,59 +157,116 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
   return a;
 }
 
+/// The slopes at a time and state of what turns: that of its Turn, and the acceleration by value.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
+  Vec3<R> a;
+  evaluate(c, b, rotor, t, y, turn, a, slope);
+  return a;
+}
+
+/// Who takes steps side by side. `rotors` is read by rungs that turn.
+template <class R>
+struct Walkers {
+  const Body<R>* const* bodies;
+  const Rotor<R>* const* rotors;
+  Step<R>* const* steps;
+  int count;
+};
+
+/// Runs the stages of the Runge-Kutta methods.
+template <bool kTurns, class R, class F>
+PHYSIM_INLINE void runge_kutta_ends(Integrator integrator, const Walkers<R>& w, const F& f) {
+  if (integrator == Integrator::heun) {
+    runge_kutta_ends<Heun, kTurns>(w.steps, w.count, f);
+  } else if (integrator == Integrator::rk4) {
+    runge_kutta_ends<Rk4, kTurns>(w.steps, w.count, f);
+  } else if (integrator == Integrator::tsit5) {
+    runge_kutta_ends<Tsit5, kTurns>(w.steps, w.count, f);
+  } else {
+    runge_kutta_ends<Dop853, kTurns>(w.steps, w.count, f);
+  }
+}
+
+/// The same as reach_ends() for what turns.
+template <class R, class S>
+[[gnu::noinline]] void reach_turning_ends(const Conditions<S>& c, const Walkers<R>& w) {
+  const Integrator integrator = c.fidelity.integrator;
+  if (integrator < Integrator::heun) {
+    for (int i = 0; i < w.count; ++i) euler_end(integrator, *w.steps[i]), euler_turn(c, *w.rotors[i], *w.steps[i]);
+  } else {
+    runge_kutta_ends<true>(integrator, w,
+                           [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
+                             return evaluated(c, *w.bodies[i], *w.rotors[i], t, y, turn, slope);
+                           });
+  }
+  for (int i = 0; i < w.count; ++i) w.steps[i]->turn->end = on_unit_length(c.fidelity, w.steps[i]->turn->end);
+}
+
 /// Takes some steps of a cohort side by side, each from its start at t to its end at t_end = t + h, without the slopes
 /// there; slope[0] is given.
 template <class R, class S>
-PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const Body<R>* const* bodies, Step<R>* const* steps, int count) {
-  const auto f = [&](int i, const R& t, const State<R>& y) { return evaluated(c, *bodies[i], t, y); };
+PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const Walkers<R>& w) {
+  if (turns(c.fidelity)) return reach_turning_ends(c, w);
   const Integrator integrator = c.fidelity.integrator;
   if (c.fidelity.motion == Motion::closed_form) {
-    for (int i = 0; i < count; ++i) steps[i]->end = closed_form(c, *bodies[i], steps[i]->t_end);
+    for (int i = 0; i < w.count; ++i) w.steps[i]->end = closed_form(c, *w.bodies[i], w.steps[i]->t_end);
   } else if (integrator == Integrator::classic) {
-    for (int i = 0; i < count; ++i) classic_frame(c, *bodies[i], *steps[i]);
+    for (int i = 0; i < w.count; ++i) classic_frame(c, *w.bodies[i], *w.steps[i]);
   } else if (integrator < Integrator::heun) {
-    for (int i = 0; i < count; ++i) euler_end(integrator, *steps[i]);
-  } else if (integrator == Integrator::heun) {
-    runge_kutta_ends<Heun>(steps, count, f);
-  } else if (integrator == Integrator::rk4) {
-    runge_kutta_ends<Rk4>(steps, count, f);
-  } else if (integrator == Integrator::tsit5) {
-    runge_kutta_ends<Tsit5>(steps, count, f);
+    for (int i = 0; i < w.count; ++i) euler_end(integrator, *w.steps[i]);
   } else {
-    runge_kutta_ends<Dop853>(steps, count, f);
+    runge_kutta_ends<false>(integrator, w,
+                            [&](int i, const R& t, const State<R>& y) { return evaluated(c, *w.bodies[i], t, y); });
   }
 }
 template <class R, class S>
-PHYSIM_INLINE void reach_end(const Conditions<S>& c, const Body<R>& b, Step<R>& s) {
+PHYSIM_INLINE void reach_end(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, Step<R>& s) {
   const Body<R>* body = &b;
+  const Rotor<R>* its_rotor = &rotor;
   Step<R>* step = &s;
-  reach_ends(c, &body, &step, 1);
+  reach_ends(c, Walkers<R>{&body, &its_rotor, &step, 1});
+}
+
+/// The slope at a place of a step, 0 at its start.
+template <class R, class S>
+PHYSIM_INLINE void set_slope(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, int place, Step<R>& s) {
+  const R& t = place == 0 ? s.t : s.t_end;
+  const State<R>& y = place == 0 ? s.start : s.end;
+  if (turns(c.fidelity)) {
+    const Turn<R>& turn = place == 0 ? s.turn->start : s.turn->end;
+    s.slope[place] = {y.v, evaluated(c, b, rotor, t, y, turn, s.turn->slope[place])};
+  } else {
+    s.slope[place] = {y.v, evaluated(c, b, t, y)};
+  }
 }
 
 /// The same with the slope at the end; adaptive integrators also leave the error, squared.
 template <class R, class S>
-PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Body<R>* const* bodies, S relative, S absolute,
-                              Step<R>* const* steps, int count) {
-  reach_ends(c, bodies, steps, count);
+PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Walkers<R>& w, S relative, S absolute) {
+  reach_ends(c, w);
   const bool closed = c.fidelity.motion == Motion::closed_form;
   const Integrator integrator = c.fidelity.integrator;
   if (!closed && integrator == Integrator::classic) return;  // a frame leaves its own
   const int last = closed ? 1 : end_slope(integrator);
-  for (int i = 0; i < count; ++i) {
-    Step<R>& s = *steps[i];
-    s.slope[last] = {s.end.v, evaluated(c, *bodies[i], s.t_end, s.end)};
-    if (closed) continue;
-    if (integrator == Integrator::tsit5) s.error = tsit5_error_squared(s, relative, absolute);
-    if (integrator == Integrator::dop853) s.error = dop853_error_squared(s, relative, absolute);
+  for (int i = 0; i < w.count; ++i) {
+    Step<R>& s = *w.steps[i];
+    set_slope(c, *w.bodies[i], *w.rotors[i], last, s);
+    if (closed || !is_adaptive(integrator)) continue;
+    s.error = error_squared(integrator, s, s.h, relative, absolute);
+    if (turns(c.fidelity)) s.error = max(s.error, error_squared(integrator, *s.turn, s.h, relative, absolute));
   }
 }
 
 /// Takes one step; see take_steps().
 template <class R, class S>
-PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, S relative, S absolute, Step<R>& s) {
+PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, S relative, S absolute,
+                             Step<R>& s) {
   const Body<R>* body = &b;
+  const Rotor<R>* its_rotor = &rotor;
   Step<R>* step = &s;
-  take_steps(c, &body, relative, absolute, &step, 1);
+  take_steps(c, Walkers<R>{&body, &its_rotor, &step, 1}, relative, absolute);
 }
 
 PHYSIM_ISA_END

@@ -32,8 +32,9 @@ void fields(A& a, ForceId& id) {
 // --------------------------------------------------------------------------------------------- projectiles
 template <class A>
 void fields(A& a, Fidelity& f) {
-  auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar, one_shot] = f;
-  a(motion, integrator, gravity, drag, air, wind, earth, rotation, precision, interpolation, planar, one_shot);
+  auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
+         one_shot] = f;
+  a(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar, one_shot);
 }
 template <class A>
 void fields(A& a, DragPoint& p) {
@@ -66,9 +67,29 @@ void fields(A& a, MotorDef& m) {
   a(name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve);
 }
 template <class A>
+void fields(A& a, MagnusPoint& p) {
+  auto& [speed, spin, drag, lift] = p;
+  a(speed, spin, drag, lift);
+}
+template <class A>
+void fields(A& a, MagnusDef& m) {
+  auto& [lift, base, saturation, drag_per_spin, table, measure, decay_time] = m;
+  a(lift, base, saturation, drag_per_spin, table, measure, decay_time);
+}
+template <class A>
+void fields(A& a, LaunchSpin& s) {
+  auto& [backspin, sidespin, gyrospin] = s;
+  a(backspin, sidespin, gyrospin);
+}
+template <class A>
+void fields(A& a, Inertia& i) {
+  auto& [moments, products] = i;
+  a(moments, products);
+}
+template <class A>
 void fields(A& a, ProjectileDef& p) {
-  auto& [name, mass, diameter, length, twist, drag, force, force_duration, motor, fidelity] = p;
-  a(name, mass, diameter, length, twist, drag, force, force_duration, motor, fidelity);
+  auto& [name, mass, diameter, length, twist, drag, magnus, inertia, force, force_duration, motor, fidelity] = p;
+  a(name, mass, diameter, length, twist, drag, magnus, inertia, force, force_duration, motor, fidelity);
 }
 template <class A>
 void fields(A& a, Sight& s) {
@@ -76,9 +97,14 @@ void fields(A& a, Sight& s) {
   a(height, look_angle, cant, zero_range, zero_in_calm_air);
 }
 template <class A>
+void fields(A& a, LaunchAttitude& l) {
+  auto& [frame, yaw, pitch, roll, rate_frame, rates] = l;
+  a(frame, yaw, pitch, roll, rate_frame, rates);
+}
+template <class A>
 void fields(A& a, Launch& l) {
-  auto& [position, speed, elevation, azimuth, velocity, rail_length, sight] = l;
-  a(position, speed, elevation, azimuth, velocity, rail_length, sight);
+  auto& [position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin] = l;
+  a(position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin);
 }
 template <class A>
 void fields(A& a, DespawnRules& d) {

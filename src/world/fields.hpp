@@ -14,6 +14,7 @@ struct Features {
   bool applied = false;        // ProjectileDef::force
   bool motor = false;          // ProjectileDef::motor
   bool rail = false;           // Launch::rail_length
+  bool magnus_tables = false;  // MagnusDef::table
   bool spheres = false;        // Cd by Reynolds number
   bool bands = false;          // banded ballistic coefficients
   bool searched = false;       // a drag curve that fits no equal cells

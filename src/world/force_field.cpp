@@ -201,8 +201,8 @@ Vec3d ForceField::own_drag(std::uint32_t row) const {
   Body<double> body = registry_.kind(slot.kind).rungs[slot.rung].body;
   state_.rows[slot.cohort].read_fields(slot.row, body);
   const State<double> s{rows_.position[row], rows_.velocity[row]};
-  const double lighter = c.has_motor ? body.mass / rows_.mass[row] : 1;
-  return (c.has_motor ? burning_drag(c, body, lighter, s) : drag(c, body, s)) * rows_.mass[row];
+  const double t = c.has_motor ? state_.row_clock(slot) : 0;
+  return air_now(c, body, t, s) * rows_.mass[row];
 }
 
 }  // namespace physim

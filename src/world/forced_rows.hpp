@@ -26,6 +26,37 @@ PHYSIM_INLINE void store_scratch(const Vec3<R>& v, const ForcedJob<S>& job, unsi
   v.x.store(job.column(k) + row), v.y.store(job.column(k + 1) + row), v.z.store(job.column(k + 2) + row);
 }
 
+template <class R, class S>
+PHYSIM_INLINE void load_scratch_turn(const ForcedJob<S>& job, unsigned k, std::uint32_t row, Turn<R>& turn) {
+  for (unsigned i = 0; i < kTurnFields; ++i) reinterpret_cast<R*>(&turn)[i] = load<R>(job.column(k + i), row);
+}
+template <class R, class S>
+PHYSIM_INLINE void store_scratch_turn(const Turn<R>& turn, const ForcedJob<S>& job, unsigned k, std::uint32_t row) {
+  for (unsigned i = 0; i < kTurnFields; ++i) reinterpret_cast<const R*>(&turn)[i].store(job.column(k + i) + row);
+}
+
+/// The rotation's part of a stage: `y` is the state there; gives the acceleration.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> advance_turn(const ForcedJob<S>& job, const Conditions<S>& c, std::uint32_t row, const R& t,
+                                   const State<R>& y, const Body<R>& b, Step<R>& s) {
+  const Integrator integrator = c.fidelity.integrator;
+  const int stage = job.stage, stages = end_slope(integrator);
+  TurnStep<R>& turn = *s.turn;
+  Rotor<R> rotor;
+  load_turn(job.rows, row, rotor, turn.start);
+  Turn<R> at = turn.start;
+  if (stage > 0) load_scratch_turn(job, turn_column(stages), row, at);
+  for (int i = 0; i < stage; ++i) load_scratch_turn(job, turn_slope_column(stages, i), row, turn.slope[i]);
+  const Vec3<R> a = evaluated(c, b, rotor, t, y, at, turn.slope[stage]);
+  store_scratch_turn(turn.slope[stage], job, turn_slope_column(stages, stage), row);
+  if (stage + 1 < stages)
+    turn.end = next_stage(integrator, stage + 1, turn, s.h);
+  else
+    finish_turn_stages(c, rotor, s);
+  store_scratch_turn(turn.end, job, turn_column(stages), row);
+  return a;
+}
+
 /// The slope of the stage at hand, then the state of the next one, or the end of the step.
 template <class R, class S>
 PHYSIM_INLINE void advance_stage(const ForcedJob<S>& job, const Conditions<S>& c, std::uint32_t row, Body<R>& b,
@@ -45,13 +76,18 @@ PHYSIM_INLINE void advance_stage(const ForcedJob<S>& job, const Conditions<S>& c
   if (stage > 0) y = {load_scratch<R>(job, kStagePosition, row), load_scratch<R>(job, kStageVelocity, row)};
   for (unsigned i = 0; i < static_cast<unsigned>(stage); ++i)
     s.slope[i] = {load_scratch<R>(job, kSlopes + 6 * i, row), load_scratch<R>(job, kSlopes + 6 * i + 3, row)};
-  s.slope[stage] = {y.v, evaluated(c, b, t, y)};
+  s.slope[stage] = {y.v, turns(c.fidelity) ? advance_turn(job, c, row, t, y, b, s) : evaluated(c, b, t, y)};
   store_scratch(s.slope[stage].x, job, slope, row);
   store_scratch(s.slope[stage].v, job, slope + 3, row);
   if (stage + 1 < end_slope(integrator))
-    s.end = next_stage(integrator, stage + 1, s);
+    s.end = next_stage(integrator, stage + 1, s, s.h);
   else
     finish_stages(integrator, s);
+}
+
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> turned_bad(const Conditions<S>& c, const Step<R>& s) {
+  return turns(c.fidelity) ? !is_finite(s.turn->end) : R(S(0)) != R(S(0));
 }
 
 /// All rows of a job. After the last stage true where rows need a closer look; they are marked.
@@ -70,7 +106,8 @@ bool advance_packs(const ForcedJob<S>& job) {
     store_scratch(s.end.x, job, kStagePosition, row);
     store_scratch(s.end.v, job, kStageVelocity, row);
     if (!last) continue;
-    const unsigned bits = lane_bits(noteworthy(job.rows, c, s, row)) & filled_lanes<R>(job.rows.last - row);
+    const unsigned bits =
+        lane_bits(noteworthy(job.rows, c, s, row) | turned_bad(c, s)) & filled_lanes<R>(job.rows.last - row);
     const unsigned shift = row % kRowsPerWord;
     std::uint32_t& word = job.rows.attention[row / kRowsPerWord];
     word = shift == 0 ? bits : word | bits << shift;

@@ -59,7 +59,7 @@ class ForcedStep {
         if (size == 0 || !key(c).forced || key(c).still || key(c).fidelity.integrator != integrator) continue;
         std::size_t& memory = context_.state->rows[c].layout().float32 ? floats : doubles;
         s_.runs.push_back({c, first, size, memory, words, false});
-        memory += padded(size) * (kSlopes + 6 * static_cast<unsigned>(end_slope(integrator)));
+        memory += padded(size) * forced_columns(end_slope(integrator), turns(key(c).fidelity));
         words += padded(size) / kRowsPerWord;
         first += size;
       }
@@ -171,6 +171,11 @@ class ForcedStep {
         if (c.carried[0]) c.carried[axis][row] = carried[row];
       }
     }
+    if (!turns(key(r.cohort).fidelity)) return;
+    const unsigned first = turn_column(end_slope(key(r.cohort).fidelity.integrator));
+    for (unsigned i = 0; i < kTurnFields; ++i)
+      for (std::uint32_t row = 0; row < r.count; ++row)
+        if (!(r.attention && is_marked(r, row))) c.turn[i][row] = j.column(first + i)[row];
   }
 
   template <class S>
@@ -205,10 +210,23 @@ class ForcedStep {
       s.slope[0] = {s.start.v, {c.carried[0][row], c.carried[1][row], c.carried[2][row]}};
       s.slope[1] = {s.end.v, vector(kSlopes + 3)};
     }
+    if (turns(key(r.cohort).fidelity)) read_turn<S>(r, row, *s.turn);
     taken.push[0] = vector(kFirstPush);
     taken.push[1] = classic ? taken.push[0] : vector(kPush);
     if (!is_finite(State<S>{taken.push[1], {}})) taken.push[1] = taken.push[0];  // for the next step to find
     return taken;
+  }
+
+  template <class S>
+  void read_turn(const ForcedRun& r, std::uint32_t row, TurnStep<S>& turn) {
+    const ForcedJob<S> j = job<S>(r, 0);
+    const int stages = end_slope(key(r.cohort).fidelity.integrator);
+    const auto read = [&](unsigned first, Turn<S>& into) {
+      for (unsigned i = 0; i < kTurnFields; ++i) reinterpret_cast<S*>(&into)[i] = j.column(first + i)[row];
+    };
+    Rows::get(j.rows.columns.turn, row, reinterpret_cast<S*>(&turn.start));
+    read(turn_column(stages), turn.end);
+    for (int i = 0; i < stages; ++i) read(turn_slope_column(stages, i), turn.slope[i]);
   }
 
   const SettleContext& context_;

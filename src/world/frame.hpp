@@ -17,21 +17,22 @@ PHYSIM_ISA_BEGIN
 
 /// The first slope of a frame: what the last one left (the original loop), or the acceleration where it stands.
 template <class R, class S>
-PHYSIM_INLINE void first_slope(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& carried, Step<R>& s) {
+PHYSIM_INLINE void first_slope(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const Vec3<R>& carried,
+                               Step<R>& s) {
   if (c.fidelity.motion == Motion::closed_form) return;
   if (c.fidelity.integrator == Integrator::classic) {
     s.slope[0] = {s.start.v, carried};
     return;
   }
-  s.slope[0] = {s.start.v, evaluated(c, b, s.t, s.start)};
+  set_slope(c, b, rotor, 0, s);
 }
 
 /// Divides a frame of an adaptive integrator. `accept(step, lanes)` is told of every part accepted, by the lanes in
 /// which it was, and says whether to stop there. Returns the lanes that did not get through. s.start is the end of the
 /// frame then.
 template <class R, class S, class Accept>
-PHYSIM_INLINE MaskOf<R> divide_frame(const Course<S>& course, const Body<R>& b, const MaskOf<R>& lanes, Step<R>& s,
-                                     const Accept& accept) {
+PHYSIM_INLINE MaskOf<R> divide_frame(const Course<S>& course, const Body<R>& b, const Rotor<R>& rotor,
+                                     const MaskOf<R>& lanes, Step<R>& s, const Accept& accept) {
   const Conditions<S>& c = *course.conditions;
   const R zero(S(0));
   const R t0 = s.t;
@@ -40,13 +41,13 @@ PHYSIM_INLINE MaskOf<R> divide_frame(const Course<S>& course, const Body<R>& b, 
   StepControl<R> control{zero, frame};
   R passed = zero;
   MaskOf<R> under_way = lanes;
-  s.slope[0] = {s.start.v, evaluated(c, b, s.t, s.start)};
+  set_slope(c, b, rotor, 0, s);
   for (int tries = 0; tries < kMaxSubsteps && any(under_way); ++tries) {
     const R left = frame - passed;
     const auto reaches = control.h >= left;
     s.h = select(reaches, left, control.h);
     s.t_end = select(reaches, t_end, t0 + (passed + s.h));
-    take_step(c, b, course.plan.relative, course.plan.absolute, s);
+    take_step(c, b, rotor, course.plan.relative, course.plan.absolute, s);
     const MaskOf<R> accepted = under_way & (s.error <= R(S(1)));
     control.h = next_step(c.fidelity.integrator, s.h, s.error, accepted, control);
     if (any(accepted) && accept(s, accepted)) return under_way;
@@ -54,6 +55,10 @@ PHYSIM_INLINE MaskOf<R> divide_frame(const Course<S>& course, const Body<R>& b, 
     s.t = select(accepted, s.t_end, s.t);
     s.start = select(accepted, s.end, s.start);
     s.slope[0] = select(accepted, s.slope[end_slope(c.fidelity.integrator)], s.slope[0]);
+    if (turns(c.fidelity)) {
+      s.turn->start = select(accepted, s.turn->end, s.turn->start);
+      s.turn->slope[0] = select(accepted, s.turn->slope[end_slope(c.fidelity.integrator)], s.turn->slope[0]);
+    }
     under_way = under_way & !(accepted & reaches);
   }
   return under_way;
@@ -62,18 +67,22 @@ PHYSIM_INLINE MaskOf<R> divide_frame(const Course<S>& course, const Body<R>& b, 
 /// Takes a frame; s.start, s.t, s.h and s.t_end are given, s.end is where it ends. Returns lanes that did not get
 /// there.
 template <class R, class S>
-PHYSIM_INLINE MaskOf<R> take_frame(const Course<S>& course, const Body<R>& b, const Vec3<R>& carried,
-                                   const MaskOf<R>& lanes, Step<R>& s) {
+PHYSIM_INLINE MaskOf<R> take_frame(const Course<S>& course, const Body<R>& b, const Rotor<R>& rotor,
+                                   const Vec3<R>& carried, const MaskOf<R>& lanes, Step<R>& s) {
   const Conditions<S>& c = *course.conditions;
   if (!is_adaptive(c.fidelity.integrator) || c.fidelity.motion == Motion::closed_form) {
-    first_slope(c, b, carried, s);
-    reach_end(c, b, s);
+    first_slope(c, b, rotor, carried, s);
+    reach_end(c, b, rotor, s);
     return R(S(0)) != R(S(0));
   }
   const State<R> start = s.start;
-  const MaskOf<R> lost = divide_frame(course, b, lanes, s, [](const Step<R>&, const MaskOf<R>&) { return false; });
+  Unset<Turn<R>> turn;
+  if (turns(c.fidelity)) *turn = s.turn->start;
+  const MaskOf<R> lost =
+      divide_frame(course, b, rotor, lanes, s, [](const Step<R>&, const MaskOf<R>&) { return false; });
   s.end = s.start;
   s.start = start;
+  if (turns(c.fidelity)) s.turn->end = s.turn->start, s.turn->start = *turn;
   return lost;
 }
 

@@ -22,6 +22,7 @@ Features features_of(const Conditions<double>& c, const BodyDef& body) {
   Features f;
   f.applied = c.has_applied;
   f.motor = c.has_motor;
+  f.magnus_tables = c.has_magnus_tables;
   f.spheres = c.has_spheres;
   f.bands = c.has_bands;
   f.searched = c.has_searched_curves;
@@ -45,6 +46,7 @@ void set_flags(Conditions<double>& c, const Features& f) {
   c.has_applied = f.applied;
   c.has_motor = f.motor;
   c.has_rail = f.rail;
+  c.has_magnus_tables = f.magnus_tables;
   c.has_spheres = f.spheres;
   c.has_bands = f.bands;
   c.has_searched_curves = f.searched;
@@ -115,9 +117,12 @@ void Registry::prepare(Kind& k, Prepared& r) {
   const Fidelity& granted = r.in_use.fidelity;
   Conditions<double> probe = prepare_conditions(environment, granted);
   CurvePool& pool = curves(granted.interpolation).pool;
-  const auto size = [&] { return pool.rows().size() + pool.searched().size() + pool.motors.pieces().size(); };
+  const auto size = [&] {
+    return pool.rows().size() + pool.searched().size() + pool.motors.pieces().size() + pool.magnus.grids().size();
+  };
   const std::size_t size_before = size();
   r.body = prepare_body(k.flown, Launch{}, 0, pool, probe);
+  r.rotor = turns(granted) ? prepare_rotor(k.flown, Launch{}, 0, r.body, probe) : Rotor<double>{};
   if (size() != size_before)
     for (WorldCohort& cohort : cohorts_) point_to_curves(cohort);
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;
@@ -183,6 +188,7 @@ void Registry::point_to_curves(WorldCohort& cohort) {
   cohort.conditions.curve_rows = c.pool.rows().data();
   cohort.conditions_float.curve_rows = c.rows_float.data();
   cohort.conditions.motor_pieces = cohort.conditions_float.motor_pieces = c.pool.motors.pieces().data();
+  cohort.conditions.magnus_grids = cohort.conditions_float.magnus_grids = c.pool.magnus.grids().data();
   cohort.conditions.searched_curves = cohort.conditions_float.searched_curves = c.pool.searched().data();
 }
 

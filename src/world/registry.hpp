@@ -62,6 +62,7 @@ struct Prepared {
   FidelityInUse in_use;
   Features features;
   Body<double> body;                                // of everything but the launch
+  Rotor<double> rotor;                              // the same, of rungs that turn
   std::unique_ptr<EquivalentDrag> equivalent_drag;  // where k2 is that of the drag equation at launch
   std::uint16_t cohort[kVariants];
 };

@@ -9,7 +9,7 @@ namespace {
 
 unsigned count_columns(const RowLayout& l) {
   return 9 + (l.carried ? 3u : 0) + (l.launched ? 3u : 0) + (l.clocked ? 2u : 0) +
-         static_cast<unsigned>(l.fields.size());
+         (l.turning ? kTurnFields + kRotorColumns : 0) + static_cast<unsigned>(l.fields.size());
 }
 
 }  // namespace
@@ -104,6 +104,9 @@ void Rows::find_columns(RowColumns<S>& c) const {
     for (S*& p : c.launch) p = next();
   if (layout_.clocked) c.offset = next(), c.born = next();
   for (const std::uint8_t field : layout_.fields) c.field[field] = next();
+  if (!layout_.turning) return;
+  for (S*& p : c.turn) p = next();
+  for (S*& p : c.rotor) p = next();
 }
 
 void Rows::find_columns() {

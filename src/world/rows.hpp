@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "model/body.hpp"
+#include "model/rotor.hpp"
 
 namespace physim {
 
 /// Rows are stored in multiples of the widest pack, so that packs never read past a column's end.
 inline constexpr std::size_t kRowsPerWord = 32;
+
+/// The numbers of a Rotor but its launch, which come first.
+inline constexpr unsigned kRotorColumns = unsigned(kRotorFields<double>) - kTurnFields;
 
 /// Which columns the projectiles of a cohort have.
 struct RowLayout {
@@ -18,6 +22,7 @@ struct RowLayout {
   bool clocked = false;              // time since launch: closed forms, forces that end
   bool carried = false;              // the original loop's acceleration register
   bool launched = false;             // the place of launch
+  bool turning = false;              // a Turn and a Rotor
   std::vector<std::uint8_t> fields;  // members of Body that the models read, as indices of its numbers
 
   bool operator==(const RowLayout&) const = default;
@@ -35,6 +40,8 @@ struct RowColumns {
   S* offset;  // of the clock: time since launch = offset + (now - born) h
   S* born;    // step at which the clock started
   S* field[kBodyFields<S>];
+  S* turn[kTurnFields];
+  S* rotor[kRotorColumns];
 };
 
 class Rows {
@@ -93,6 +100,33 @@ class Rows {
       auto* number = reinterpret_cast<double*>(&body);
       for (const std::uint8_t field : layout_.fields) number[field] = static_cast<double>(c.field[field][row]);
     });
+  }
+  /// The rotation of a row of a rung that turns.
+  [[nodiscard]] Turn<double> turn(std::uint32_t row) const {
+    Turn<double> t;
+    visit([&](const auto& c) { get(c.turn, row, reinterpret_cast<double*>(&t)); });
+    return t;
+  }
+  void put_turn(std::uint32_t row, const Turn<double>& t) const {
+    visit([&](const auto& c) { put(c.turn, row, reinterpret_cast<const double*>(&t)); });
+  }
+  /// Its rotor; of the launch nothing is kept.
+  [[nodiscard]] Rotor<double> rotor(std::uint32_t row) const {
+    Rotor<double> r{};
+    visit([&](const auto& c) { get(c.rotor, row, reinterpret_cast<double*>(&r) + kTurnFields); });
+    return r;
+  }
+  void put_rotor(std::uint32_t row, const Rotor<double>& r) const {
+    visit([&](const auto& c) { put(c.rotor, row, reinterpret_cast<const double*>(&r) + kTurnFields); });
+  }
+  /// Numbers of a row, from columns or into them.
+  template <class S, class To, std::size_t N>
+  static void get(S* const (&columns)[N], std::uint32_t row, To* numbers) {
+    for (std::size_t i = 0; i < N; ++i) numbers[i] = static_cast<To>(columns[i][row]);
+  }
+  template <class S, class From, std::size_t N>
+  static void put(S* const (&columns)[N], std::uint32_t row, const From* numbers) {
+    for (std::size_t i = 0; i < N; ++i) columns[i][row] = static_cast<S>(numbers[i]);
   }
   template <class S>
   [[nodiscard]] static Vec3d at(S* const (&column)[3], std::uint32_t row) {

@@ -67,12 +67,19 @@ class Settling {
       t_start_ = t_end_ = S(0);
     }
     from_row_ = lane_.body;
+    if (rows_.layout().turning) {
+      Rows::get(columns_.rotor, row_, reinterpret_cast<S*>(&*lane_.rotor) + kTurnFields);
+      Rows::get(columns_.turn, row_, reinterpret_cast<S*>(&turn_));
+    }
     if (taken_) feel(taken_->push[0], t_start_);
   }
   /// From now on the models feel this acceleration by generators.
   void feel(const Vec3<S>& push, S t) {
     lane_.body = from_row_;
     add_push(*course_.conditions, t, push, taken_->own_force, lane_.body);
+  }
+  static void narrow(const Turn<double>& from, Turn<S>& into) {
+    cast_fields(reinterpret_cast<const double*>(&from), reinterpret_cast<S*>(&into), kTurnFields);
   }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -92,7 +99,13 @@ class Settling {
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
     Body<double> body;
     cast_fields(reinterpret_cast<const S*>(&lane_.body), reinterpret_cast<double*>(&body), kBodyFields<S>);
-    return acceleration(conditions(), body, static_cast<double>(t_start_) + after, s);
+    const double t = static_cast<double>(t_start_) + after;
+    if (!rows_.layout().turning) return acceleration(conditions(), body, t, s);
+    Rotor<double> rotor;
+    Turn<double> turn, slope;
+    widen(*lane_.rotor, rotor);
+    widen(turn_, turn);
+    return turning_acceleration(conditions(), body, rotor, t, s, turn, slope);
   }
 
   /// Flies on for a time h, `passed` into the step, as far as nothing stops it.
@@ -105,21 +118,25 @@ class Settling {
     const S frame_start = s.t;
     const Fidelity& f = cohort_.key.fidelity;
     const double clock = passed - static_cast<double>(frame_start);  // from a step's clock to time into the step
+    const bool turning = rows_.layout().turning;
+    if (turning) s.turn->start = turn_;
     if (stops_within()) return go_by_parts(clock);
     if (f.motion != Motion::closed_form && is_adaptive(f.integrator)) {
       bool stopped = false;
-      const bool lost =
-          divide_frame(course_, lane_.body, true, s, [&](const Step<S>&, bool) { return stopped = look(clock); });
+      const bool lost = divide_frame(course_, lane_.body, *lane_.rotor, true, s,
+                                     [&](const Step<S>&, bool) { return stopped = look(clock); });
       if (!stopped && lost)
         leave(LifeStatus::retired, is_finite(s.error) ? Reason::stalled : Reason::non_finite);
       else if (!stopped)
         end_ = s.start;
+      if (turning && !stopped) turn_ = s.turn->start;
       return;
     }
-    first_slope(*course_.conditions, lane_.body, carried_, s);
-    take_step(*course_.conditions, lane_.body, course_.plan.relative, course_.plan.absolute, s);
+    first_slope(*course_.conditions, lane_.body, *lane_.rotor, carried_, s);
+    take_step(*course_.conditions, lane_.body, *lane_.rotor, course_.plan.relative, course_.plan.absolute, s);
     if (look(clock)) return;
     end_ = s.end;
+    if (turning) turn_ = s.turn->end;
     const bool classic = rows_.layout().carried;
     if (classic) carried_ = s.slope[1].v;
   }
@@ -141,13 +158,13 @@ class Settling {
     pass_stops(c, s.t, true, s.start, lane_.body);
     changed_ = true;
     lane_.regime = regime(c, lane_.body, s.t, s.start);
-    s.slope[0] = {s.start.v, evaluated(c, lane_.body, s.t, s.start)};
+    set_slope(c, lane_.body, *lane_.rotor, 0, s);
     for (int tries = 0; s.t < end; ++tries) {
       if (tries == kMaxSubsteps) return leave(LifeStatus::retired, Reason::stalled);
       if (!counted) lane_.control.h = min(lane_.control.h, end - s.t);
       end_at_stop(end, left, counted, lane_);
       if (!counted && end - s.t <= s.h) s.t_end = min(end, lane_.body.burn.end);
-      take_step(c, lane_.body, course_.plan.relative, course_.plan.absolute, s);
+      take_step(c, lane_.body, *lane_.rotor, course_.plan.relative, course_.plan.absolute, s);
       if (!control_step(course_, lane_)) {
         if (!is_finite(s.error) && !counted) return leave(LifeStatus::retired, Reason::non_finite);
         continue;
@@ -157,8 +174,12 @@ class Settling {
       s.start = s.end;
       left = end - s.t;
       s.slope[0] = s.slope[last_slope(c.fidelity)];
+      if (turns(c.fidelity)) {
+        s.turn->start = turn_ = s.turn->end;
+        s.turn->slope[0] = s.turn->slope[last_slope(c.fidelity)];
+      }
       if (pass_stops(c, s.t, true, s.start, lane_.body)) {
-        s.slope[0] = {s.start.v, evaluated(c, lane_.body, s.t, s.start)};
+        set_slope(c, lane_.body, *lane_.rotor, 0, s);
         lane_.regime.rail = lane_.body.rail_phase;
       }
     }
@@ -178,10 +199,11 @@ class Settling {
       carried_ = s.slope[1].v;
     } else {
       feel(taken_->push[1], t_end);
-      s.slope[end_slope(integrator)] = {s.end.v, acceleration(*course_.conditions, lane_.body, t_end, s.end)};
+      set_slope(*course_.conditions, lane_.body, *lane_.rotor, end_slope(integrator), s);
     }
     if (look(-static_cast<double>(t_start_))) return;
     end_ = s.end;
+    if (rows_.layout().turning) turn_ = s.turn->end;
     if (!stops_within()) return;
     pass_stops(*course_.conditions, t_end, true, end_, lane_.body);
     changed_ = true;
@@ -189,12 +211,14 @@ class Settling {
 
   /// Looks for events in the step just taken; true where one of them ends it.
   bool look(double clock) {
-    if (!is_finite(lane_.step.end)) return leave(LifeStatus::retired, Reason::non_finite), true;
+    if (!ends_finite(cohort_.key.fidelity, lane_.step)) return leave(LifeStatus::retired, Reason::non_finite), true;
     DenseLanes<S>& at = judgement_.at;
     dense_lanes(course_, lane_, at);
     // Its three more slopes would need the generators once more: the cubic through both ends does.
     if (taken_ && cohort_.key.fidelity.integrator == Integrator::dop853)
       std::fill(at.coefficient + 3, at.coefficient + 7, State<double>{});
+    if (taken_ && rows_.layout().turning && cohort_.key.fidelity.integrator == Integrator::dop853)
+      std::fill(at.turn->coefficient + 3, at.turn->coefficient + 7, Turn<double>{});
     find_crossings<S>(course_, true, judgement_);
     // Bouncing goes on from here with other steps, so what was found is kept.
     const CrossingList crossings = judgement_.crossings[0];
@@ -204,6 +228,7 @@ class Settling {
       const double passed = t + clock;
       switch (course_.watch.item[crossings.found[i].index].outcome) {
         case Outcome::landed:
+          if (rows_.layout().turning) narrow(at.turn_at_time(t), turn_);
           if (taken_) {
             const S part = static_cast<S>(passed / context_.dt);
             feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, t_start_ + static_cast<S>(passed));
@@ -333,6 +358,7 @@ class Settling {
       columns_.velocity[axis][row_] = part(end_.v, axis);
       if (rows_.layout().carried) columns_.carried[axis][row_] = part(carried_, axis);
     }
+    if (rows_.layout().turning) Rows::put(columns_.turn, row_, reinterpret_cast<const S*>(&turn_));
     if (!relaunched_ && !changed_) return;
     if (taken_) {  // what generators gave is not its own
       lane_.body.applied = from_row_.applied;
@@ -359,6 +385,7 @@ class Settling {
   Lanes<S> lane_{};
   Judgement<S> judgement_{};
   Vec3<S> carried_{};
+  Turn<S> turn_{};  // where it is now, of rungs that turn
   State<S> end_{};
   State<double> start_{};
   S t_start_ = 0;

@@ -89,6 +89,22 @@ PHYSIM_INLINE void load_body(const WorldJob<S>& job, std::uint32_t row, Body<R>&
   for (unsigned i = 0; i < job.field_count; ++i) number[job.fields[i]] = load<R>(job.columns.field[job.fields[i]], row);
 }
 
+/// Numbers of a pack of rows, from their columns into a structure of R's or back.
+template <class R, class S, std::size_t N>
+PHYSIM_INLINE void load_numbers(S* const (&columns)[N], std::uint32_t row, R* numbers) {
+  for (std::size_t i = 0; i < N; ++i) numbers[i] = load<R>(columns[i], row);
+}
+template <class R, class S, std::size_t N>
+PHYSIM_INLINE void store_numbers(const R* numbers, S* const (&columns)[N], std::uint32_t row) {
+  for (std::size_t i = 0; i < N; ++i) numbers[i].store(columns[i] + row);
+}
+/// Of rungs that turn.
+template <class R, class S>
+PHYSIM_INLINE void load_turn(const WorldJob<S>& job, std::uint32_t row, Rotor<R>& rotor, Turn<R>& turn) {
+  load_numbers(job.columns.rotor, row, reinterpret_cast<R*>(&rotor) + kTurnFields);
+  load_numbers(job.columns.turn, row, reinterpret_cast<R*>(&turn));
+}
+
 template <class R, class S>
 PHYSIM_INLINE void load_clock(const WorldJob<S>& job, std::uint32_t row, Step<R>& s) {
   s.h = R(job.h);
@@ -129,6 +145,7 @@ PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, co
       store_vector(m.end.x, job.columns.previous, row);
     store_vector(m.end.v, job.columns.velocity, row);
     if (job.columns.carried[0]) store_vector(m.carried, job.columns.carried, row);
+    frame.finish(row, left);
   }
   if (job.stream) finish_streams();
   return attention;
@@ -139,6 +156,7 @@ template <class R, class S>
 struct AnyRung {
   const WorldJob<S>& job;
   Body<R>& body;
+  Rotor<R>& rotor;
   Step<R>& step;
   R lane_number;
   bool classic;
@@ -149,8 +167,17 @@ struct AnyRung {
     step.start = load_state<R>(job, row);
     const Vec3<R> carried = classic ? load_vector<R>(job.columns.carried, row) : Vec3<R>{};
     const MaskOf<R> filled = lane_number < R(static_cast<S>(job.last - row));
-    const MaskOf<R> lost = take_frame(*job.course, body, carried, filled, step);
+    const bool turning = job.columns.turn[0] != nullptr;
+    if (turning) load_turn(job, row, rotor, step.turn->start);
+    MaskOf<R> lost = take_frame(*job.course, body, rotor, carried, filled, step);
+    if (turning) lost = lost | !is_finite(step.turn->end);
     return {step.start, step.end, step.slope[1].v, lost};
+  }
+  /// Keeps what Moved does not tell of.
+  PHYSIM_INLINE void finish(std::uint32_t row, const MaskOf<R>& left) const {
+    if (job.columns.turn[0] == nullptr) return;
+    const Turn<R> end = select(left, step.turn->start, step.turn->end);
+    store_numbers(reinterpret_cast<const R*>(&end), job.columns.turn, row);
   }
 };
 
@@ -159,8 +186,9 @@ bool step_any(const WorldJob<S>& job) {
   const Conditions<S>& c = *job.course->conditions;
   const bool classic = c.fidelity.motion != Motion::closed_form && c.fidelity.integrator == Integrator::classic;
   Body<R> body{};
+  Rotor<R> rotor{};
   Step<R> step;
-  return step_packs<R>(job, c, AnyRung<R, S>{job, body, step, lane_numbers<R>(), classic});
+  return step_packs<R>(job, c, AnyRung<R, S>{job, body, rotor, step, lane_numbers<R>(), classic});
 }
 
 /// Semi-implicit Euler with effects that are known at compile time, so that the models, the same functions, fold to a
@@ -175,7 +203,8 @@ struct KnownRung {
     return f.motion != Motion::closed_form && f.integrator == Integrator::semi_implicit_euler &&
            f.gravity == GravityModel::constant && f.earth == EarthModel::flat && f.drag == drag && f.wind == wind &&
            (!kCurve || f.air == air) && !f.planar && !has_stops(c) && !c.has_applied && !c.has_gravity_scale &&
-           !c.has_frozen && !(kCurve && (c.has_spheres || c.has_bands || c.has_searched_curves));
+           !c.has_frozen && !turns(f) && !spins(f) &&
+           !(kCurve && (c.has_spheres || c.has_bands || c.has_searched_curves));
   }
   /// The conditions that this rung reads.
   template <class S>
@@ -187,6 +216,7 @@ struct KnownRung {
     k.fidelity.wind = wind;
     k.fidelity.air = air;
     k.fidelity.planar = false;
+    k.fidelity.rotation = RotationModel::none;
     k.has_motor = k.has_rail = false;
     k.has_applied = k.has_gravity_scale = k.has_frozen = k.has_spheres = k.has_bands = k.has_searched_curves = false;
     k.gravity = c.gravity;
@@ -230,6 +260,7 @@ struct KnownRung {
       m.lost = h != h;
       return m;
     }
+    PHYSIM_INLINE void finish(std::uint32_t, const MaskOf<R>&) const {}
   };
   template <class R, class S>
   static bool step(const WorldJob<S>& given) {

@@ -32,6 +32,7 @@ bool World::Impl::put_to_sleep(std::uint32_t index) {
   slot.set(kAsleep, true);
   relocate(index);
   set_row_state(index, {state_of(slot).position, {}});
+  stop_turning(index);
   tell(WorldEventKind::slept, index);
   return true;
 }
@@ -112,6 +113,11 @@ bool World::set_angular_velocity(ProjectileId id, const Vec3d& omega) {
   Slot* slot = impl_->find(id);
   if (!slot) return impl_->refuse(gone());
   if (!finite(omega)) return impl_->refuse(not_finite("omega"));
+  if (auto flown = impl_->attitude(id.index)) {
+    flown->omega = rotate(conjugate(flown->q_WB), omega) + impl_->omega_of_W(*slot, flown->q_WB);
+    impl_->wake(id.index);
+    return impl_->set_attitude(id.index, *flown), true;
+  }
   slot->set(kTurning, true);
   impl_->state.turning[id.index].angular_velocity = omega;
   return true;

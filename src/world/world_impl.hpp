@@ -1,6 +1,7 @@
 // World::Impl: the parts of a world and what its files share.
 #pragma once
 
+#include "model/attitude.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
 #include "world/forced_step.hpp"
@@ -78,6 +79,14 @@ struct World::Impl {
   /// Moves a projectile to where it belongs after its flags or rung changed.
   bool relocate(std::uint32_t slot);
   void take_out(Slot& slot);
+  /// How a projectile points and turns at a launch; how it does now, and setting it, where its rung turns.
+  [[nodiscard]] Attitude attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const;
+  [[nodiscard]] std::optional<Attitude> attitude(std::uint32_t slot) const;
+  void set_attitude(std::uint32_t slot, const Attitude& attitude);
+  /// It stands still in W.
+  void stop_turning(std::uint32_t slot);
+  /// Of W in I, along body axes.
+  [[nodiscard]] Vec3d omega_of_W(const Slot& slot, const Quatd& q_WB) const;
   /// What a row is filled from, beside the state.
   struct RowStart {
     Vec3d previous;                     // position
@@ -90,6 +99,7 @@ struct World::Impl {
   /// The same anew, where its switches changed: its clock and its motor go on.
   void rewrite_row(std::uint32_t slot);
   Body<double> special_body(std::uint32_t slot, BodyState& at, const RowStart& start);
+  static void start_spin(const BodyState& at, const RowStart& start, Body<double>& body);
   void start_motor(const Slot& slot, const BodyState& at, const RowStart& start, Body<double>& body);
   /// Puts a state into its row; closed forms start anew from it.
   void set_row_state(std::uint32_t slot, const BodyState& at);

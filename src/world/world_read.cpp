@@ -98,14 +98,24 @@ Accelerations World::accelerations(ProjectileId id) const {
   Accelerations a;
   a.gravity = weight_per_mass(c, b, s.x);
   const double t = impl_->clock_of(*slot);
-  const double lighter = c.has_motor ? b.mass / mass_at(b, t) : 1;
-  if (f.drag != DragModel::off) a.drag = c.has_motor ? burning_drag(c, b, lighter, s) : drag(c, b, s);
+  if (f.drag != DragModel::off) a.drag = air_now(c, b, t, s);
+  if (spins(f)) {
+    SpinningAir<double> air;
+    spinning_air(c, b, t, s, air);
+    a.lift = air.lift * lighter(c, b, t);
+    a.drag -= a.lift;
+  }
   if (is_turning(f.earth)) a.coriolis = coriolis(c, s.v);
   if (throws_out(f)) a.centrifugal = centrifugal(c, s.x);
-  if (impl_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied(c, b, t) * lighter;
-  if (c.has_motor) a.thrust = thrust(c, b, t, s);
+  if (impl_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied_now(c, b, t);
+  if (c.has_motor) {
+    const Vec3d nose =
+        turns(f) ? forward(f, impl_->rows_of(*slot).turn(slot->row)) : nose_in_air(b, air_velocity(c, s));
+    a.thrust = thrust(b, t, nose);
+  }
   if (f.motion == Motion::force) a.applied += impl_->generator_force(id.index) * inverse_mass(id);
   a.total = a.gravity + a.drag + a.coriolis + a.centrifugal + a.applied;
+  if (spins(f)) a.total += a.lift;
   if (c.has_motor) a.total += a.thrust;
   if (c.has_frozen) a.total = component_product(a.total, b.free);
   if (c.has_rail) a.rail = on_rail(b, a.total) - a.total;
@@ -134,10 +144,15 @@ const ProjectileDef* World::definition(ProjectileId id) const {
   return slot ? &impl_->kind_of(*slot).projectile : nullptr;
 }
 Quatd World::orientation(ProjectileId id) const {
+  if (impl_->find(id))
+    if (const auto flown = impl_->attitude(id.index)) return flown->q_WB;
   const auto found = impl_->find(id) ? impl_->state.turning.find(id.index) : impl_->state.turning.end();
   return found == impl_->state.turning.end() ? Quatd{} : found->second.orientation;
 }
 Vec3d World::angular_velocity(ProjectileId id) const {
+  if (const Slot* slot = impl_->find(id))
+    if (const auto flown = impl_->attitude(id.index))
+      return rotate(flown->q_WB, flown->omega - impl_->omega_of_W(*slot, flown->q_WB));
   const auto found = impl_->find(id) ? impl_->state.turning.find(id.index) : impl_->state.turning.end();
   return found == impl_->state.turning.end() ? Vec3d{} : found->second.angular_velocity;
 }

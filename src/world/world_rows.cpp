@@ -18,6 +18,7 @@ struct RowNumbers {
   double now;  // number of the coming step
   double age;  // time since launch [s]
   const Vec3d& previous;
+  const Rotor<double>& rotor;
 };
 
 void put_row(const Rows& rows, std::uint32_t row, const BodyState& at, const Body<double>& body, const RowNumbers& n) {
@@ -30,6 +31,7 @@ void put_row(const Rows& rows, std::uint32_t row, const BodyState& at, const Bod
     if (layout.launched) Rows::put(c.launch, row, at.position);
     const auto* number = reinterpret_cast<const double*>(&body);
     for (const std::uint8_t field : layout.fields) c.field[field][row] = static_cast<S>(number[field]);
+    if (layout.turning) rows.put_rotor(row, n.rotor);
     if (!layout.clocked) return;
     c.offset[row] = static_cast<S>(n.age);
     c.born[row] = static_cast<S>(n.now);
@@ -52,12 +54,45 @@ void World::Impl::place(std::uint32_t index, const BodyState& at, const Launch& 
   Slot& slot = state.slots[index];
   slot.row = rows_of(slot).push(index);
   write_row(index, at, {.previous = at.position, .launch = &launch});
+  if (rows_of(slot).layout().turning) set_attitude(index, attitude_at_launch(slot, at.velocity, launch));
+}
+
+// ------------------------------------------------------------------------------------------- rotation
+Attitude World::Impl::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const {
+  Launch bore = launch;
+  bore.velocity.reset();
+  bore.speed = 1;
+  const Vec3d direction = launch_velocity(bore, sight_frame(launch), launch.elevation);
+  return launch_attitude(kind_of(slot).flown, launch, velocity, direction, registry.cohort(slot.cohort).conditions);
+}
+
+std::optional<Attitude> World::Impl::attitude(std::uint32_t index) const {
+  const Slot& slot = state.slots[index];
+  const Rows& rows = rows_of(slot);
+  if (!rows.layout().turning) return std::nullopt;
+  return attitude_of(registry.cohort(slot.cohort).key.fidelity, rows.rotor(slot.row), rows.turn(slot.row));
+}
+
+void World::Impl::set_attitude(std::uint32_t index, const Attitude& attitude) {
+  const Slot& slot = state.slots[index];
+  const Rows& rows = rows_of(slot);
+  rows.put_turn(slot.row,
+                turn_of(registry.cohort(slot.cohort).key.fidelity, kind_of(slot).rungs[slot.rung].rotor, attitude));
+}
+
+void World::Impl::stop_turning(std::uint32_t index) {
+  if (auto now = attitude(index)) set_attitude(index, {now->q_WB, omega_of_W(state.slots[index], now->q_WB)});
+}
+
+Vec3d World::Impl::omega_of_W(const Slot& slot, const Quatd& q_WB) const {
+  const Conditions<double>& c = registry.cohort(slot.cohort).conditions;
+  return is_turning(c.fidelity.earth) ? rotate(conjugate(q_WB), c.omega) : Vec3d{};
 }
 
 void World::Impl::write_row(std::uint32_t index, const BodyState& given, const RowStart& start) {
   const Slot& slot = state.slots[index];
   const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
-  const RowNumbers numbers{state.clock.now(), start.age, start.previous};
+  const RowNumbers numbers{state.clock.now(), start.age, start.previous, rung.rotor};
   const bool special = slot.is(kFrozen | kScaled) || rung.in_use.fidelity.planar || rung.equivalent_drag ||
                        rows_of(slot).layout().clocked;
   if (!special) return put_row(rows_of(slot), slot.row, given, rung.body, numbers);
@@ -85,10 +120,21 @@ Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const
   return body;
 }
 
+/// The spin of the launch, or what it was. A rung that knows no spin forgets it.
+void World::Impl::start_spin(const BodyState& at, const RowStart& start, Body<double>& body) {
+  if (start.old) body.spin = start.old->spin;
+  if (!start.launch) return;
+  Launch bore = *start.launch;
+  if (at.velocity != Vec3d{}) bore.velocity = at.velocity;
+  const SightFrame sight = sight_frame(bore);
+  prepare_spin(bore, launch_direction(bore, sight, bore.elevation), sight.right, body);
+}
+
 /// The piece of the motor's table and the place on the rail that a row starts with. A rung that knows no rail forgets
 /// it.
 void World::Impl::start_motor(const Slot& slot, const BodyState& at, const RowStart& start, Body<double>& body) {
   Conditions<double> c = registry.cohort(slot.cohort).conditions;
+  if (spins(c.fidelity)) start_spin(at, start, body);
   if (!has_stops(c)) return;
   if (start.launch) {
     Launch bore = *start.launch;
@@ -132,7 +178,8 @@ bool World::Impl::relocate(std::uint32_t index) {
   Rows& source = state.rows[from];
   // Each interpolation has curves of its own: a row's place among them does not hold for another.
   const auto curves = [this](std::uint16_t cohort) { return registry.cohort(cohort).key.fidelity.interpolation; };
-  if (source.layout() == state.rows[to].layout() && curves(from) == curves(to)) {
+  const auto form = [this](std::uint16_t cohort) { return registry.cohort(cohort).key.fidelity.body_form; };
+  if (source.layout() == state.rows[to].layout() && curves(from) == curves(to) && form(from) == form(to)) {
     const std::uint32_t row = state.rows[to].push_copy(source, old_row);
     take_out(slot);
     slot.cohort = to;
@@ -146,11 +193,13 @@ bool World::Impl::relocate(std::uint32_t index) {
   const BodyState at{source.position(old_row), source.velocity(old_row)};
   const Vec3d previous = source.previous(old_row);
   Vec3d launch{};
+  const std::optional<Attitude> turned = attitude(index);
   if (source.layout().launched) launch = source.visit([&](const auto& c) { return Rows::at(c.launch, old_row); });
   take_out(slot);
   slot.cohort = to;
   slot.row = state.rows[to].push(index);
   write_row(index, at, {.previous = previous, .old = &old, .age = age});
+  if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}));
   if (layout.launched) state.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
   return true;
 }

@@ -19,10 +19,10 @@ constexpr std::size_t kCacheBytes = 24u << 20;
 bool only_falls(const WorldCohort& cohort) {
   const Fidelity& f = cohort.key.fidelity;
   const Features& features = cohort.key.features;
-  const bool pushed =
-      cohort.key.forced || features.applied || features.gravity_scale || features.motor || features.rail;
+  const bool pushed = cohort.key.forced || features.applied || features.gravity_scale || features.motor ||
+                      features.rail || cohort.key.fidelity.rotation == RotationModel::magnus;
   const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity[0].y > 0;
-  return f.earth == EarthModel::flat && !pushed && !updraught;
+  return f.earth == EarthModel::flat && !pushed && !updraught && !turns(f);
 }
 
 template <class S>
@@ -216,6 +216,7 @@ void World::Impl::finish_step() {
         break;
       case Change::Kind::stick:
         set_row_state(change.slot, {state_of(slot).position, {}});
+        stop_turning(change.slot);
         slot.set(kStuck, true);
         slot.set_status(LifeStatus::landed);
         relocate(change.slot);

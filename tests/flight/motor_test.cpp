@@ -267,6 +267,26 @@ TEST(Motor, thrust_points_along_the_velocity_through_the_air) {
   }
 }
 
+TEST(Motor, pushes_a_rigid_body_along_its_axis) {
+  ProjectileDef p = rocket();
+  p.inertia.moments = {1, 20, 20};
+  Launch launch{.speed = 50, .elevation = 0.5, .rail_length = 4};
+  launch.attitude.pitch = 0.2;
+  for (const BodyForm form : {BodyForm::quaternion, BodyForm::axis})
+    for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5}) {
+      Fidelity f = vacuum(integrator);
+      f.rotation = RotationModel::rigid_body;
+      f.body_form = form;
+      const Flight flight = fly(p, launch, constant_gravity(), f, {1e-9, 1e-9, 0.01}, {.time = 8});
+      ASSERT_EQ(flight.fidelity_in_use().fidelity.rotation, RotationModel::rigid_body);
+      ASSERT_EQ(of_kind(flight, EventKind::rail_exit).size(), 1u);
+      const Accelerations a = flight.accelerations(2);
+      EXPECT_TRUE(near(a.thrust, Vec3d{std::cos(0.7), std::sin(0.7), 0} * (kThrust / flight.at(2).mass), 1e-9));
+      EXPECT_TRUE(near(a.total, a.gravity + a.thrust, 1e-12));
+      EXPECT_EQ(flight.accelerations(6).thrust, Vec3d());
+    }
+}
+
 TEST(Motor, after_burnout_energy_is_kept_in_vacuum) {
   Fidelity f = vacuum(Integrator::dop853);
   const Flight flight = fly(rocket(), {.elevation = 1.3, .rail_length = 2}, constant_gravity(), f, {1e-13, 1e-13});

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:3:1: error: unknown key \"frobnicate\" in [shot]; known keys: name, preset, mass, diameter, "
             "length, twist, "
             "drag, force, force_duration, position, speed, elevation, azimuth, velocity, rail_length, "
-            "sight, motor, fidelity, body"},
+            "sight, spin, magnus, motor, inertia, attitude, fidelity, body"},
         Bad{"[[shot]]\nzero_range = 100",
             "f.toml:3:1: error: unknown key \"zero_range\" in [shot]; \"zero_range\" belongs into [shot.sight]"},
         Bad{"[[shot]]\n[until]\nevents = [{ kind = \"mach\", terminals = true }]",
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:2:9: error: shot: found a number; expected a table with keys out of: name, preset, mass, diameter, "
             "length, "
             "twist, drag, force, force_duration, position, speed, elevation, azimuth, velocity, rail_length, "
-            "sight, motor, fidelity, body"},
+            "sight, spin, magnus, motor, inertia, attitude, fidelity, body"},
         Bad{"[[shot]]\nmass = true",
             "f.toml:3:8: error: shot.mass: found a boolean; expected a mass such as \"168 gr\""},
         Bad{"[[shot]]\nmass = 2024-01-01",

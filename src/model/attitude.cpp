@@ -1,0 +1,96 @@
+// Equations and symbols: model/rigid_body.hpp.
+// Source: geometry.
+#include "model/attitude.hpp"
+
+#include "math/elementary.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// The shortest turn that takes the x axis of W to a unit vector.
+Quatd shortest_turn_to(const Vec3d& x) {
+  if (x.x <= -1 + 1e-12) return {0, 0, 0, 1};
+  return normalized(Quatd{1 + x.x, 0, -x.z, x.y});
+}
+
+/// x along a unit vector, z level to its right.
+Quatd level_turn_to(const Vec3d& x) {
+  const double level = sqrt(x.x * x.x + x.z * x.z);
+  return quat_from_yaw_pitch_roll(level == 0 ? 0.0 : atan2(x.z, x.x), atan2(x.y, level), 0.0);
+}
+
+Vec3d omega_of_W(const Conditions<double>& c) { return is_turning(c.fidelity.earth) ? c.omega : Vec3d{}; }
+
+}  // namespace
+
+Attitude attitude_of(const Fidelity& f, const Rotor<double>& rotor, const Turn<double>& t) {
+  if (!is_axis_form(f)) return {normalized(Quatd{t.w, t.u.x, t.u.y, t.u.z}), t.h};
+  const Vec3d x = normalized(t.u);
+  const auto half = sincos(0.5 * t.w);
+  const Quatd q = normalized(shortest_turn_to(x) * Quatd{half.cos, half.sin, 0, 0});
+  const double along = dot(t.h, x);
+  const double spin = along * (rotor.moments.y * rotor.inverse_moments.x);
+  Vec3d omega = rotate(conjugate(q), t.h - x * along);
+  omega.x = spin;
+  return {q, omega};
+}
+
+Turn<double> turn_of(const Fidelity& f, const Rotor<double>& rotor, const Attitude& a) {
+  const Quatd& q = a.q_WB;
+  if (!is_axis_form(f)) return {q.w, {q.x, q.y, q.z}, a.omega};
+  const Vec3d x = rotate(q, Vec3d{1, 0, 0});
+  const Quatd roll = conjugate(shortest_turn_to(x)) * q;
+  const double part = rotor.moments.x * rotor.inverse_moments.y;
+  return {2 * atan2(roll.x, roll.w), x, rotate(q, Vec3d{a.omega.x * part, a.omega.y, a.omega.z})};
+}
+
+Attitude launch_attitude(const ProjectileDef& p, const Launch& launch, const Vec3d& velocity, const Vec3d& bore,
+                         const Conditions<double>& c) {
+  const LaunchAttitude& given = launch.attitude;
+  Attitude a;
+  const double speed = length(velocity);
+  a.q_WB = quat_from_yaw_pitch_roll(given.yaw, given.pitch, given.roll);
+  if (given.frame == AttitudeFrame::bore) a.q_WB = level_turn_to(speed > 0 ? velocity * (1 / speed) : bore) * a.q_WB;
+  a.omega = given.rates;
+  if (p.twist != 0) a.omega.x += 2 * kPi * speed / p.twist;
+  if (given.rate_frame == RateFrame::world) a.omega += rotate(conjugate(a.q_WB), omega_of_W(c));
+  return a;
+}
+
+double angle_between(const Vec3d& a, const Vec3d& b) {
+  const double across = length(cross(a, b)), along = dot(a, b);
+  return across == 0 && along == 0 ? 0 : atan2(across, along);
+}
+
+bool has_inertia(const ProjectileDef& p) { return !(p.inertia == Inertia{}); }
+
+bool is_axisymmetric(const ProjectileDef& p) {
+  return p.inertia.moments.y == p.inertia.moments.z && p.inertia.products == Vec3d{};
+}
+
+bool is_possible(const Inertia& i) {
+  const auto& [a, b, c] = i.moments;
+  const auto& [xy, xz, yz] = i.products;
+  const bool triangle = a <= b + c && b <= a + c && c <= a + b;
+  const double minor = a * b - xy * xy;
+  const double determinant = c * minor - a * yz * yz - b * xz * xz + 2 * xy * xz * yz;
+  return a > 0 && b > 0 && c > 0 && triangle && minor > 0 && determinant > 0;
+}
+
+Rotor<double> prepare_rotor(const ProjectileDef& p) {
+  Rotor<double> r{};
+  const auto& [a, b, c] = p.inertia.moments;
+  const auto& [xy, xz, yz] = p.inertia.products;
+  r.moments = p.inertia.moments;
+  r.products = p.inertia.products;
+  const double determinant = a * (b * c - yz * yz) - xy * (xy * c - xz * yz) + xz * (xy * yz - b * xz);
+  const double scale = 1 / determinant;
+  r.inverse_moments = Vec3d{b * c - yz * yz, a * c - xz * xz, a * b - xy * xy} * scale;
+  r.inverse_products = Vec3d{xz * yz - xy * c, xy * yz - b * xz, xy * xz - a * yz} * scale;
+  if (r.products == Vec3d{}) r.inverse_moments = {1 / a, 1 / b, 1 / c};  // without the roundings
+  return r;
+}
+
+}  // namespace physim
