@@ -20,6 +20,8 @@ draw_shot() {
 draw 308_168gr_g7
 draw cannonball_galileo
 draw_shot lob_16km shell
+draw_shot golf_drive drive
+draw model_rocket
 draw original_artillery
 draw original_test_3
 draw original_test_6

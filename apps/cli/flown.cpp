@@ -66,6 +66,10 @@ std::string place_text(const Expectation& expectation) {
       return "end";
     case ExpectAt::apex:
       return "apex";
+    case ExpectAt::rail_exit:
+      return "rail_exit";
+    case ExpectAt::burnout:
+      return "burnout";
     case ExpectAt::time:
       return "time " + value + " s";
     case ExpectAt::range:

@@ -83,6 +83,18 @@ std::string stability_text(const Flight& flight) {
   return text;
 }
 
+std::string motor_text(const MotorDef& motor) {
+  const std::string named = motor.name.empty() ? "" : one_line(motor.name) + ": ";
+  return named + readable(total_impulse(motor), 4) + " N s in " + readable(burn_time(motor), 4) +
+         " s, specific impulse " + readable(specific_impulse(motor), 4) + " s";
+}
+
+/// Ignition, burnout or the end of the rail.
+std::string stop_text(const Flight& flight, const Event& stop) {
+  return time_text(stop.time, flight) + " s: height " + readable(stop.position.y, 5) + " m, " +
+         readable(length(stop.velocity), 5) + " m/s, " + readable(flight.at(stop.time).mass, 4) + " kg";
+}
+
 std::string cost_text(const Flight& flight) {
   const FlightCost& cost = flight.cost();
   std::string text = std::to_string(cost.steps) + " steps";
@@ -102,8 +114,12 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
   for (const FidelityNote& note : in_use.notes) out += line(style.warn("note"), note_text(note));
   out += range_card(flown, asked_ranges.empty() ? default_ranges(flight.end().range) : asked_ranges);
   out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
-  for (const Event& event : flight.events())
+  const MotorDef& motor = flown.shot->projectile.motor;
+  if (!motor.thrust.empty()) out += line("motor", motor_text(motor));
+  for (const Event& event : flight.events()) {
     if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(flight, event));
+    if (event.kind >= EventKind::ignition) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
+  }
   if (in_use.fidelity.rotation == RotationModel::rigid_body) out += line("stability", stability_text(flight));
   out += line("elevation", fixed(flight.elevation() / kDegree, 4) + " deg");
   out += line("cost", cost_text(flight));

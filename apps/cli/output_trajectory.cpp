@@ -78,8 +78,8 @@ Json range_card_json(const Flight& flight, const std::vector<double>& ranges) {
 }  // namespace
 
 SampleRow row_of(const Sample& s) {
-  return {s.time,       s.position.x,     s.position.y,     s.position.z,     s.velocity.x, s.velocity.y,
-          s.velocity.z, s.acceleration.x, s.acceleration.y, s.acceleration.z, s.speed,      s.mach};
+  return {s.time,           s.position.x,     s.position.y,     s.position.z, s.velocity.x, s.velocity.y, s.velocity.z,
+          s.acceleration.x, s.acceleration.y, s.acceleration.z, s.speed,      s.mach,       s.mass,       s.thrust};
 }
 
 Result<SampleTimes> sample_times(const std::vector<FlownShot>& shots, std::optional<double> interval) {

@@ -16,9 +16,9 @@ namespace physim::cli {
 inline constexpr std::size_t kMaxSamples = 1'000'000;  // of all shots of a file together
 
 /// The numbers of one row, in the order of the columns.
-inline constexpr std::array<std::string_view, 12> kSampleColumns = {
-    "t [s]",    "x [m]",      "y [m]",      "z [m]",      "vx [m/s]",    "vy [m/s]",
-    "vz [m/s]", "ax [m/s^2]", "ay [m/s^2]", "az [m/s^2]", "speed [m/s]", "mach [-]"};
+inline constexpr std::array<std::string_view, 14> kSampleColumns = {
+    "t [s]",      "x [m]",      "y [m]",      "z [m]",       "vx [m/s]", "vy [m/s]",  "vz [m/s]",
+    "ax [m/s^2]", "ay [m/s^2]", "az [m/s^2]", "speed [m/s]", "mach [-]", "mass [kg]", "thrust [N]"};
 using SampleRow = std::array<double, kSampleColumns.size()>;
 [[nodiscard]] SampleRow row_of(const Sample& sample);
 

@@ -65,6 +65,7 @@ std::vector<RungDoc> all_docs() {
   add<RotationModel>(all, "rotation",
                      {{RotationModel::none, "spin has no effect"},
                       {RotationModel::spin_drift, "Litz's spin drift with Miller's stability factor"},
+                      {RotationModel::magnus, "lift and drag of balls that spin"},
                       {RotationModel::rigid_body, "six degrees of freedom: the attitude is flown too"}});
   add<BodyForm>(all, "body_form",
                 {{BodyForm::automatic, "axis for bodies symmetric about x with rifling, quaternion else"},

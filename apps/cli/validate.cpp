@@ -153,7 +153,9 @@ int run(const Options& options) try {
 void add_validate_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("validate", "check computed figures against published and exact ones");
   auto options = std::make_shared<Options>();
-  command->add_option("suites", options->suites, "classic, analytic, us76, gravity, ballistics, nesc, mccoy; none: all")
+  command
+      ->add_option("suites", options->suites,
+                   "classic, analytic, us76, gravity, ballistics, nesc, mccoy, sports; none: all")
       ->type_name("SUITE");
   command->add_option("--data", options->data, "folder with figures of one suite, or with a folder per suite")
       ->type_name("DIR");

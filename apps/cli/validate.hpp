@@ -86,6 +86,7 @@ extern const Suite kGravitySuite;
 extern const Suite kBallisticsSuite;
 extern const Suite kNescSuite;
 extern const Suite kMccoySuite;
+extern const Suite kSportsSuite;
 
 /// All suites, in the order they run.
 [[nodiscard]] std::span<const Suite* const> all_suites();

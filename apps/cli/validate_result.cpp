@@ -40,8 +40,8 @@ std::vector<CaseSummary> summarize(const SuiteResult& result) {
 }
 
 std::span<const Suite* const> all_suites() {
-  static constexpr const Suite* kSuites[] = {&kClassicSuite,    &kAnalyticSuite, &kUs76Suite, &kGravitySuite,
-                                             &kBallisticsSuite, &kNescSuite,     &kMccoySuite};
+  static constexpr const Suite* kSuites[] = {&kClassicSuite,    &kAnalyticSuite, &kUs76Suite,  &kGravitySuite,
+                                             &kBallisticsSuite, &kNescSuite,     &kMccoySuite, &kSportsSuite};
   return kSuites;
 }
 
@@ -91,6 +91,7 @@ std::string complaint(const Flight& flight, const Fidelity& asked) {
   if (steps && granted.integrator != asked.integrator)
     return "granted other integrator: " + std::string(name(granted.integrator));
   if (granted.drag != asked.drag) return "granted other drag: " + std::string(name(granted.drag));
+  if (granted.rotation != asked.rotation) return "granted other rotation: " + std::string(name(granted.rotation));
   if (granted.earth != asked.earth) return "granted other earth: " + std::string(name(granted.earth));
   return {};
 }

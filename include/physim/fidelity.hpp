@@ -63,6 +63,7 @@ enum class EarthModel {
 enum class RotationModel {
   none,
   spin_drift,  ///< Litz's empirical spin drift with Miller's stability factor; added to the flown path
+  magnus,      ///< lift and drag of balls that spin
   rigid_body,  ///< six degrees of freedom: the attitude is flown too
 };
 

@@ -32,13 +32,16 @@ struct Tolerance {
 
 /// What an event watches.
 enum class EventKind {
-  ground,  ///< height above the ground
-  apex,    ///< vertical velocity through zero
-  range,   ///< distance along the line of sight (horizontal when the look angle is 0) [m]
-  height,  ///< above the origin of the world frame [m]
-  mach,    ///< Mach number [-]
-  speed,   ///< |velocity| in W [m/s]
-  time,    ///< since launch [s]
+  ground,     ///< height above the ground
+  apex,       ///< vertical velocity through zero
+  range,      ///< distance along the line of sight (horizontal when the look angle is 0) [m]
+  height,     ///< above the origin of the world frame [m]
+  mach,       ///< Mach number [-]
+  speed,      ///< |velocity| in W [m/s]
+  time,       ///< since launch [s]
+  ignition,   ///< of the motor; waits for no value
+  burnout,    ///< of the motor; waits for no value
+  rail_exit,  ///< the end of the launch rail; waits for no value
 };
 
 /// Which crossings count.
@@ -82,6 +85,8 @@ struct Sample {
   double speed = 0;            ///< |velocity| [m/s]
   double mach = 0;             ///< air speed over sound speed; 0 without a sound speed [-]
   double energy = 0;           ///< kinetic [J]
+  double mass = 0;             ///< [kg]
+  double thrust = 0;           ///< of the motor [N]
   double range = 0;            ///< along the line of sight [m]
   double drop = 0;             ///< above the line of sight, perpendicular to it, up positive [m]
   double windage = 0;          ///< right of the line of sight [m]
@@ -101,9 +106,12 @@ struct Accelerations {
   Vec3d gravity;      ///< [m/s^2]
   Vec3d drag;         ///< [m/s^2]
   Vec3d body;         ///< by the attitude of a rigid body: drag of yaw, lift, Magnus force [m/s^2]
+  Vec3d lift;         ///< by spin [m/s^2]
   Vec3d coriolis;     ///< [m/s^2]
   Vec3d centrifugal;  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
   Vec3d applied;      ///< by ProjectileDef::force [m/s^2]
+  Vec3d thrust;       ///< of the motor [m/s^2]
+  Vec3d rail;         ///< by the launch rail, which takes up what would push the projectile off it or back [m/s^2]
   Vec3d total;        ///< [m/s^2]
 };
 
@@ -121,7 +129,7 @@ struct Event {
 struct FlightCost {
   std::int64_t steps = 0;        ///< accepted [-]
   std::int64_t rejected = 0;     ///< tried and not accepted [-]
-  std::int64_t evaluations = 0;  ///< of the acceleration by the integrator, dense output aside [-]
+  std::int64_t evaluations = 0;  ///< of the acceleration by the integrator, dense output and stops aside [-]
 };
 
 struct FlightRecord;
@@ -204,9 +212,9 @@ struct BatchResult {
 };
 
 /// Flies many shots at once, in packs of lanes that are refilled as shots end. The numbers are those of fly(), bit for
-/// bit; only apexes are events of a batch where Until asks for them. All shots share one fidelity, tolerance and set of
-/// events; an automatic step (Tolerance::step = 0) is found by pilot flights of a few of the shots, which makes it
-/// shorter than the step that fly() would find for one of them.
+/// bit; but apexes, ignition, burnout and rail exit are events of a batch only where Until asks for them. All shots
+/// share one fidelity, tolerance and set of events; an automatic step (Tolerance::step = 0) is found by pilot flights
+/// of a few of the shots, which makes it shorter than the step that fly() would find for one of them.
 [[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
                                     const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
 

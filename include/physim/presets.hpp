@@ -34,6 +34,9 @@ namespace presets {
 [[nodiscard]] ProjectilePreset grenade();
 [[nodiscard]] ProjectilePreset paintball();
 [[nodiscard]] ProjectilePreset tennis_ball();
+[[nodiscard]] ProjectilePreset golf_ball();
+[[nodiscard]] ProjectilePreset baseball();
+[[nodiscard]] ProjectilePreset football();
 
 }  // namespace presets
 

@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "physim/aero.hpp"
+#include "physim/drag_point.hpp"
 #include "physim/fidelity.hpp"
+#include "physim/magnus.hpp"
+#include "physim/motor.hpp"
 #include "physim/vec3.hpp"
 
 namespace physim {
@@ -26,14 +29,6 @@ enum class DragTable {
   ra4,
   sphere,  ///< smooth sphere, Cd by Reynolds number (Morrison 2013)
   custom,  ///< DragDef::curve
-};
-
-/// One point of a drag curve.
-struct DragPoint {
-  double mach = 0;         ///< Mach number [-]
-  double coefficient = 0;  ///< drag coefficient Cd [-]
-
-  bool operator==(const DragPoint&) const = default;
 };
 
 /// The ballistic coefficient from a speed upwards.
@@ -71,15 +66,17 @@ struct Inertia {
 /// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
 struct ProjectileDef {
   std::string name;       ///< for tables and plots [-]
-  double mass = 1;        ///< [kg]
+  double mass = 1;        ///< at launch, the propellant of a motor included [kg]
   double diameter = 0.1;  ///< reference diameter: the reference area is pi d^2 / 4 [m]
   double length = 0;      ///< for the stability factor; 0: not known [m]
   double twist = 0;       ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
   DragDef drag;           ///< data of the drag models [-]
+  MagnusDef magnus;       ///< of balls that spin [-]
   Inertia inertia;        ///< of rigid bodies [-]
   AeroDef aero;           ///< of rigid bodies, beside drag at zero yaw [-]
   Vec3d force;            ///< a constant force on the projectile, such as thrust [N]
   double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
+  MotorDef motor;                                                   ///< pushes it along; empty thrust: none [-]
   Fidelity fidelity;                                                ///< used where a call gives none [-]
 
   bool operator==(const ProjectileDef&) const = default;
@@ -115,6 +112,15 @@ struct LaunchAttitude {
   Vec3d rates;                                ///< about body axes (x forward, y up, z right), on top of rifling [rad/s]
 };
 
+/// The spin of a ball at launch.
+struct LaunchSpin {
+  double backspin = 0;  ///< lifts it; negative: topspin [rad/s]
+  double sidespin = 0;  ///< turns its path to the right [rad/s]
+  double gyrospin = 0;  ///< about its path, clockwise seen from behind; lifts nothing [rad/s]
+
+  bool operator==(const LaunchSpin&) const = default;
+};
+
 /// Where, how fast and in which direction a projectile starts.
 struct Launch {
   Vec3d position;                 ///< of the muzzle in the world frame W: x downrange, y up, z right [m]
@@ -122,8 +128,10 @@ struct Launch {
   double elevation = 0;           ///< of the bore above the horizon, before cant; 0 with a zero range [rad]
   double azimuth = 0;             ///< of the plane of fire, from x towards z (to the right) [rad]
   std::optional<Vec3d> velocity;  ///< instead of speed, elevation and azimuth [m/s]
+  double rail_length = 0;         ///< it moves only forwards along the bore until it has come so far; 0: no rail [m]
   Sight sight;                    ///< line of sight [-]
   LaunchAttitude attitude;        ///< of rigid bodies [-]
+  LaunchSpin spin;                ///< of balls [-]
 };
 
 }  // namespace physim

@@ -39,10 +39,12 @@ struct ScenarioTarget {
 /// Where on a flight an expectation looks.
 enum class ExpectAt {
   end,
-  apex,    ///< the first
-  time,    ///< since launch
-  range,   ///< first crossing, along the line of sight
-  height,  ///< first crossing, above the origin
+  apex,       ///< the first
+  rail_exit,  ///< the end of the launch rail
+  burnout,    ///< of the motor
+  time,       ///< since launch
+  range,      ///< first crossing, along the line of sight
+  height,     ///< first crossing, above the origin
 };
 
 /// One [[expect]] of a scenario: a figure that should come out, and why.

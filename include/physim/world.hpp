@@ -27,6 +27,9 @@ enum class WorldEventKind : std::uint8_t {
   expired,           ///< left by its despawn rules
   retired,           ///< taken out
   fidelity_changed,  ///< moved to another rung
+  ignition,          ///< of its motor
+  burnout,           ///< of its motor
+  rail_exit,         ///< left its launch rail
 };
 
 /// Why a projectile left.

@@ -9,7 +9,8 @@ PHYSIM_ISA_BEGIN
 /// The common case: layers of the air are the only corners, and no lane leaves the first one.
 template <class R, class S>
 PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>& l) {
-  if (drag_has_corners(c) || c.fidelity.wind == WindModel::profile || c.has_applied || c.has_aero_tables) return false;
+  if (drag_has_corners(c) || c.fidelity.wind == WindModel::profile || c.has_applied || c.has_rail || c.has_aero_tables)
+    return false;
   // Geopotential height is never above geometric height.
   return all((altitude(c, l.step.end.x) < R(c.air.base[1])) & (l.regime.air_layer == R(S(0))) & (l.cut == R(S(0))));
 }
@@ -31,10 +32,15 @@ MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
       DenseLanes<S> at;
       dense_lanes(course, alone, at);
       const double h = at.n1.t - at.n0.t;
-      const double part = first_corner(*course.conditions_double, at.body, at.turn->rotor, at.n0.t, h, at);
+      // A corner in the first millionth of a step is the one that the last step was cut at. A rail is never left late.
+      const bool by_rail = lane_of(l.regime.rail, lane) != lane_of(next.rail, lane);
+      const double before = by_rail ? 0 : 1e-6;
+      double cut_h = h * first_corner(*course.conditions_double, at.body, at.turn->rotor, at.n0.t, h, before, at);
       // A corner within some roundings of the clock is as good as passed: a cut to it would stand still.
-      if (part >= 1 || part * h <= 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t) continue;
-      set_lane(l.control.h, lane, static_cast<S>(part * h));
+      const double shortest = 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t;
+      if (by_rail) cut_h = max(cut_h, 2 * shortest);
+      if (cut_h >= h || cut_h <= shortest) continue;
+      set_lane(l.control.h, lane, static_cast<S>(cut_h));
       set_lane(cut, lane, S(1));
     }
   }
@@ -49,10 +55,64 @@ template <class R, class S>
 PHYSIM_INLINE MaskOf<R> control_step(const Course<S>& course, Lanes<R>& l) {
   const Fidelity& f = course.conditions->fidelity;
   l.tries += R(S(1));
-  if (f.motion == Motion::closed_form || !is_adaptive(f.integrator)) return l.tries > R(S(0));
-  const MaskOf<R> accepted = l.step.error <= R(S(1));
+  MaskOf<R> accepted = l.tries > R(S(0));
+  if (!steps_itself(f)) return course.corners ? respect_corners(course, l, accepted) : accepted;
+  if (f.motion == Motion::closed_form) return accepted;
+  accepted = l.step.error <= R(S(1));
+  const R proposed = l.control.h;
   l.control.h = min(next_step(f.integrator, l.step.h, l.step.error, accepted, l.control), R(course.plan.max_step));
+  // A step that had to end at a stop says nothing against the longer one that it would have been.
+  if (has_stops(*course.conditions))
+    l.control.h = select(accepted & (l.step.h < proposed), max(l.control.h, proposed), l.control.h);
   return course.corners ? respect_corners(course, l, accepted) : accepted;
+}
+
+/// Ends the coming step where its piece of a motor's table ends. What is left of a fixed step is the next one; a step
+/// that was cut at a corner is as long as it was cut.
+template <class R>
+PHYSIM_INLINE void end_at_stop(const R& whole_end, const R& whole_step, const MaskOf<R>& counted, Lanes<R>& l) {
+  const auto is_cut = l.cut != R(ScalarOf<R>(0));
+  const auto whole = counted & !is_cut;
+  l.step.t_end = select(whole, whole_end, l.step.t + l.control.h);
+  l.step.h = select(whole, whole_step, l.control.h);
+  const auto stops = l.body.burn.end < l.step.t_end;
+  l.step.t_end = select(stops, l.body.burn.end, l.step.t_end);
+  l.step.h = select(stops, l.step.t_end - l.step.t, l.step.h);
+}
+
+/// The same for the lanes of a flight.
+template <class R, class S>
+PHYSIM_INLINE void set_stopped_step(const Course<S>& course, Lanes<R>& l) {
+  const R one(S(1));
+  const bool fixed = !steps_itself(course.conditions->fidelity);
+  const R end = (l.count + one) * course.plan.step;
+  const auto at_whole = l.step.t == l.count * course.plan.step;
+  const R left = select(at_whole, R(course.plan.step), end - l.step.t);
+  end_at_stop(end, left, fixed ? one == one : one != one, l);
+}
+
+/// Counts what was accepted, and passes on behind its end: the first slope there is another one where something stops.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> pass_on(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
+  const Conditions<S>& c = *course.conditions;
+  const R one(S(1));
+  MaskOf<R> whole = accepted;
+  if (!steps_itself(c.fidelity)) whole = accepted & (l.step.t >= (l.count + one) * course.plan.step);
+  l.parts += select(accepted & !whole, one, R(S(0)));
+  const MaskOf<R> changed = pass_stops(c, l.step.t, accepted, l.step.start, l.body);
+  if (!any(changed)) return whole;
+  const State<R> slope = l.step.slope[0];
+  if (turns(c.fidelity)) {
+    Turn<R>& first = l.step.turn->slope[0];
+    const Turn<R> turn_slope = first;
+    set_slope(c, l.body, *l.rotor, 0, l.step);
+    first = select(changed, first, turn_slope);
+  } else {
+    set_slope(c, l.body, *l.rotor, 0, l.step);
+  }
+  l.step.slope[0] = select(changed, l.step.slope[0], slope);
+  l.regime.rail = l.body.rail_phase;
+  return whole;
 }
 
 /// Sets of lanes that step side by side: more hide no more latency.
@@ -70,6 +130,10 @@ PHYSIM_INLINE void try_steps(const Course<S>& course, Lanes<R>* const* lanes, in
     bodies[i] = &l.body;
     rotors[i] = &*l.rotor;
     steps[i] = &l.step;
+    if (has_stops(c)) {
+      set_stopped_step(course, l);
+      continue;
+    }
     l.step.h = l.control.h;
     // Fixed steps count, so that time does not gather rounding errors.
     l.step.t_end = steps_itself(c.fidelity) ? l.step.t + l.step.h : (l.count + R(S(1))) * l.step.h;
@@ -90,7 +154,6 @@ template <class R, class S>
 PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
   const Fidelity& f = course.conditions->fidelity;
   const bool closed = f.motion == Motion::closed_form;
-  l.count = select(accepted, l.count + R(S(1)), l.count);
   l.step.t = select(accepted, l.step.t_end, l.step.t);
   l.step.start = select(accepted, l.step.end, l.step.start);
   l.step.slope[0] = select(accepted, l.step.slope[last_slope(f)], l.step.slope[0]);
@@ -99,6 +162,8 @@ PHYSIM_INLINE void accept(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
     turn.start = select(accepted, turn.end, turn.start);
     turn.slope[0] = select(accepted, turn.slope[last_slope(f)], turn.slope[0]);
   }
+  const MaskOf<R> whole = has_stops(*course.conditions) ? pass_on(course, l, accepted) : accepted;
+  l.count = select(whole, l.count + R(S(1)), l.count);
   if (closed) l.control.h = min(l.control.h * S(2), longest_closed_form_step(*course.conditions, l.body));
 }
 

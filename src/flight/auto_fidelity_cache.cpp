@@ -42,11 +42,35 @@ class Key {
     const auto& [table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2] = drag;
     all(table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2);
   }
+  void add(const ThrustPoint& point) {
+    const auto& [time, force] = point;
+    all(time, force);
+  }
+  void add(const PropellantPoint& point) {
+    const auto& [time, mass] = point;
+    all(time, mass);
+  }
+  void add(const MotorDef& motor) {
+    const auto& [name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve] = motor;
+    all(thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve);
+  }
+  void add(const MagnusPoint& point) {
+    const auto& [speed, spin, drag, lift] = point;
+    all(speed, spin, drag, lift);
+  }
+  void add(const MagnusDef& magnus) {
+    const auto& [lift, base, saturation, drag_per_spin, table, measure, decay_time] = magnus;
+    all(lift, base, saturation, drag_per_spin, table, measure, decay_time);
+  }
+  void add(const LaunchSpin& spin) {
+    const auto& [backspin, sidespin, gyrospin] = spin;
+    all(backspin, sidespin, gyrospin);
+  }
   void add(const ProjectileDef& projectile) {
     // Its name changes nothing, and its own fidelity is not asked.
-    const auto& [name, mass, diameter, length, twist, drag, inertia, aero, force, force_duration, fidelity] =
-        projectile;
-    all(mass, diameter, length, twist, drag, inertia, aero, force, force_duration);
+    const auto& [name, mass, diameter, length, twist, drag, magnus, inertia, aero, force, force_duration, motor,
+                 fidelity] = projectile;
+    all(mass, diameter, length, twist, drag, magnus, inertia, aero, force, force_duration, motor);
   }
   void add(const AeroPoint& point) {
     const auto& [mach, angle_squared, value] = point;
@@ -67,8 +91,8 @@ class Key {
     all(height, look_angle, cant, zero_range, zero_in_calm_air);
   }
   void add(const Launch& launch) {
-    const auto& [position, speed, elevation, azimuth, velocity, sight, attitude] = launch;
-    all(position, speed, elevation, azimuth, velocity, sight, attitude);
+    const auto& [position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin] = launch;
+    all(position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin);
   }
   void add(const LaunchAttitude& attitude) {
     const auto& [frame, yaw, pitch, roll, rate_frame, rates] = attitude;

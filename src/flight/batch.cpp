@@ -77,6 +77,7 @@ class Batch {
     const auto& [projectile, launch] = shots_[i];
     if (const auto status = check(projectile)) return refuse(*status);
     if (const auto status = check(launch)) return refuse(*status);
+    if (const auto status = check(projectile, launch)) return refuse(*status);
     double elevation = launch.elevation;
     if (launch.sight.zero_range > 0) {
       const auto found = elevation_of(projectile, launch, environment_, fidelity_);
@@ -119,7 +120,8 @@ class Batch {
     return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
            (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
            (fidelity_.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0) |
-           (fidelity_.rotation == RotationModel::rigid_body ? rotation_key(p) : 0);
+           (fidelity_.rotation == RotationModel::rigid_body ? rotation_key(p) : 0) | (has_motor(p) ? 512u : 0) |
+           (has_magnus(p) ? 1024u : 0);
   }
 
   static unsigned rotation_key(const ProjectileDef& p) {
@@ -178,7 +180,9 @@ class Batch {
                                 std::size_t(fastest - shots_.begin())}) {
       const auto& [projectile, launch] = shots_[i];
       const bool known = std::find(list.begin(), list.end(), i) != list.end();
-      if (!known && !check(projectile) && !check(launch) && group_of(projectile) == &group) list.push_back(i);
+      if (!known && !check(projectile) && !check(launch) && !check(projectile, launch) &&
+          group_of(projectile) == &group)
+        list.push_back(i);
     }
     return list;
   }
@@ -243,7 +247,7 @@ class Batch {
   std::deque<ShotGroup> groups_;
   static constexpr std::size_t kMostJudgedCurves = 64;
   std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
-  std::array<ShotGroup*, 512> group_by_key_{};
+  std::array<ShotGroup*, 2048> group_by_key_{};
   BatchResult result_;
 };
 

@@ -63,6 +63,7 @@ class ReadyShots {
     if (job_.course->corners) copy_lane(ready_.regime, used_, into.regime, lane);
     set_lane(into.step.t, lane, S(0));
     set_lane(into.count, lane, S(0));
+    set_lane(into.parts, lane, S(0));
     set_lane(into.tries, lane, S(0));
     set_lane(into.cut, lane, S(0));
     if (!turns(job_.course->conditions->fidelity)) return;
@@ -126,7 +127,7 @@ class Court {
   void begin_end(int i) {
     RawEnd& end = job_.ends[shot_[i]];
     end.outcome = verdict_[i].outcome;
-    end.steps = static_cast<double>(lane_of(steps_.count, i)) + (stays(i) ? 0 : 1);
+    end.steps = static_cast<double>(lane_of(steps_.count + steps_.parts, i)) + (stays(i) ? 0 : 1);
     end.tries = static_cast<double>(lane_of(steps_.tries, i));
   }
 

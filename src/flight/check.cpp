@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kRightAngle = 1.5707963267948968;
 
-void check_curve(Checker& c, const std::vector<DragPoint>& curve) {
-  c.require(!curve.empty(), "projectile.drag.curve", "is empty", "give at least one point (Mach, Cd)");
+void check_curve(Checker& c, const std::vector<DragPoint>& curve, const std::string& name) {
+  c.require(!curve.empty(), name, "is empty", "give at least one point (Mach, Cd)");
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    const std::string place = "projectile.drag.curve[" + std::to_string(i) + "]";
+    const std::string place = name + "[" + std::to_string(i) + "]";
     c.not_negative(curve[i].mach, place, "Mach numbers start at 0");
     c.not_negative(curve[i].coefficient, place, "drag coefficients are not negative");
     if (i > 0)
@@ -72,7 +72,80 @@ void check_aero(Checker& c, const AeroDef& a) {
             kApart);
 }
 
+/// Points with a time and a value that is not negative; times strictly rising from 0.
+template <class Point>
+void check_table(Checker& c, const std::vector<Point>& table, double Point::*value, const std::string& name) {
+  constexpr std::size_t kMost = 1000;
+  c.require(table.size() >= 2 && table.size() <= kMost, name, "has too few or too many points", "2 to 1000");
+  for (std::size_t i = 0; i < table.size() && i < kMost; ++i) {
+    const std::string place = name + "[" + std::to_string(i) + "]";
+    c.is_number(table[i].time, place).not_negative(table[i].*value, place, "");
+    if (i == 0)
+      c.require(table[i].time == 0, place, "must be at time 0", "times count from ignition");
+    else
+      c.require(table[i].time > table[i - 1].time, place, "times must rise", "sort the points by time");
+  }
+}
+
+void check_motor(Checker& c, const ProjectileDef& p) {
+  const MotorDef& m = p.motor;
+  check_table(c, m.thrust, &ThrustPoint::force, "projectile.motor.thrust");
+  c.not_negative(m.propellant_mass, "projectile.motor.propellant_mass", "in kg");
+  c.require(m.propellant_mass < p.mass, "projectile.motor.propellant_mass", "is not less than the projectile's mass",
+            "the mass at launch includes it");
+  c.require(m.ignition_delay >= 0 && m.ignition_delay <= 1e6, "projectile.motor.ignition_delay",
+            "must lie between 0 and 1e6 s", "");
+  c.require(m.drag_factor >= 0 && m.drag_factor <= 1000, "projectile.motor.drag_factor", "must lie between 0 and 1000",
+            "1 means the same drag");
+  if (c.status_so_far()) return;
+  c.require(std::isfinite(total_impulse(m)) && total_impulse(m) > 0, "projectile.motor.thrust", "gives no impulse",
+            "leave the table empty where there is no motor");
+  if (!m.propellant.empty()) {
+    check_table(c, m.propellant, &PropellantPoint::mass, "projectile.motor.propellant");
+    c.require(m.propellant.front().mass == m.propellant_mass && m.propellant.back().mass == 0 &&
+                  m.propellant.back().time == burn_time(m),
+              "projectile.motor.propellant", "must go from propellant_mass to 0 over the burn",
+              "its last time is that of the thrust");
+    for (std::size_t i = 1; i < m.propellant.size(); ++i)
+      c.require(m.propellant[i].mass <= m.propellant[i - 1].mass,
+                "projectile.motor.propellant[" + std::to_string(i) + "]", "must not grow", "it is what is left");
+  }
+  if (m.drag_curve.empty()) return;
+  check_curve(c, m.drag_curve, "projectile.motor.drag_curve");
+  const DragDef& d = p.drag;
+  c.require(d.bands.empty() && d.table != DragTable::sphere && (d.table != DragTable::constant || d.coefficient > 0),
+            "projectile.motor.drag_curve", "does not go together with bands, spheres or a drag coefficient of 0",
+            "give drag_factor instead");
+}
+
+void check_magnus(Checker& c, const MagnusDef& m) {
+  const std::string place = "projectile.magnus.";
+  c.is_number(m.lift, place + "lift").positive(m.lift_base, place + "lift_base", "");
+  c.not_negative(m.lift_saturation, place + "lift_saturation", "").is_number(m.drag_per_spin, place + "drag_per_spin");
+  c.require(m.drag_per_spin >= 0, place + "drag_per_spin", "must be zero or positive", "");
+  c.require(m.decay_time > 0, place + "decay_time", "must be positive", "infinity: the spin stays");
+  constexpr std::size_t kMost = 10000;
+  c.require(m.table.size() <= kMost, place + "table", "has too many points", "at most 10000");
+  for (std::size_t i = 0; i < m.table.size() && i < kMost; ++i) {
+    const std::string point = place + "table[" + std::to_string(i) + "]";
+    const MagnusPoint& p = m.table[i];
+    c.not_negative(p.speed, point, "").not_negative(p.spin, point, "spins have no direction here");
+    c.not_negative(p.drag, point, "drag coefficients are not negative").is_number(p.lift, point);
+  }
+  if (m.table.empty() || c.status_so_far()) return;
+  c.require(is_full(magnus_grid(m), m.table.size()), place + "table", "is no full grid",
+            "give every speed with every spin, once");
+}
+
 }  // namespace
+
+Status check(const ProjectileDef& p, const Launch& l) {
+  Checker c;
+  const bool at_rest = l.velocity ? *l.velocity == Vec3d{} : l.speed == 0;
+  c.require(!has_motor(p) || !at_rest || l.rail_length > 0, "launch.rail_length",
+            "a rocket that starts from rest needs a rail", "without one nothing holds its nose up");
+  return c.status();
+}
 
 Status check(const ProjectileDef& p) {
   Checker c;
@@ -86,7 +159,7 @@ Status check(const ProjectileDef& p) {
   c.require(d.damping > 0 && d.damping <= 1, "projectile.drag.damping", "must lie above 0 and not above 1",
             "1 means no drag");
   c.not_negative(d.k1, "projectile.drag.k1", "").not_negative(d.k2, "projectile.drag.k2", "");
-  if (d.table == DragTable::custom) check_curve(c, d.curve);
+  if (d.table == DragTable::custom) check_curve(c, d.curve, "projectile.drag.curve");
   if (!d.bands.empty()) check_bands(c, d.bands);
   c.is_vector(p.inertia.moments, "projectile.inertia.moments");
   c.is_vector(p.inertia.products, "projectile.inertia.products");
@@ -95,12 +168,17 @@ Status check(const ProjectileDef& p) {
   check_aero(c, p.aero);
   c.is_vector(p.force, "projectile.force");
   c.require(p.force_duration >= 0, "projectile.force_duration", "must be zero or positive", "");
+  if (has_motor(p)) check_motor(c, p);
+  check_magnus(c, p.magnus);
   return c.status();
 }
 
 Status check(const Launch& l) {
   Checker c;
   c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
+  c.is_number(l.spin.backspin, "launch.spin.backspin").is_number(l.spin.sidespin, "launch.spin.sidespin");
+  c.is_number(l.spin.gyrospin, "launch.spin.gyrospin");
+  c.not_negative(l.rail_length, "launch.rail_length", "0: no rail");
   c.is_number(l.elevation, "launch.elevation").is_number(l.azimuth, "launch.azimuth");
   if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
   const LaunchAttitude& a = l.attitude;

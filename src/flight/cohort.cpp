@@ -165,6 +165,11 @@ Conditions<float> to_float(const Conditions<double>& c) {
   f.has_searched_curves = c.has_searched_curves;
   f.has_spheres = c.has_spheres;
   f.has_bands = c.has_bands;
+  f.motor_pieces = c.motor_pieces;
+  f.has_motor = c.has_motor;
+  f.magnus_grids = c.magnus_grids;
+  f.has_magnus_tables = c.has_magnus_tables;
+  f.has_rail = c.has_rail;
   f.has_applied = c.has_applied;
   f.has_gravity_scale = c.has_gravity_scale;
   f.has_frozen = c.has_frozen;
@@ -174,9 +179,23 @@ Conditions<float> to_float(const Conditions<double>& c) {
   return f;
 }
 
+namespace {
+
+bool waits_for_no_value(EventKind kind) { return kind == EventKind::apex || kind >= EventKind::ignition; }
+
+/// Ignition, burnout and the end of the rail.
+template <class Add>
+void watch_stops(const Conditions<double>& c, const Add& add) {
+  const auto tell = [&](EventKind kind) { add({kind, 0, Crossing::rising, false}, Outcome::event); };
+  if (c.has_motor) tell(EventKind::ignition), tell(EventKind::burnout);
+  if (c.has_rail) tell(EventKind::rail_exit);
+}
+
+}  // namespace
+
 bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f.drag == DragModel::equation; }
 
-WatchList prepare_watch(const Until& until, const Conditions<double>& c, bool with_apex) {
+WatchList prepare_watch(const Until& until, const Conditions<double>& c, bool with_all) {
   WatchList watch{};
   const auto add = [&](const EventSpec& spec, Outcome outcome) { watch.item[watch.count++] = {spec, outcome}; };
   if (until.ground) add({EventKind::ground, *until.ground, Crossing::falling, true}, Outcome::landed);
@@ -184,12 +203,87 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, bool wi
   add({EventKind::time, until.time, Crossing::rising, true}, Outcome::time_limit);
   if (has_lowest_altitude(c.fidelity))
     add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
-  if (with_apex) add({EventKind::apex, 0, Crossing::falling, false}, Outcome::event);
+  if (with_all) {
+    add({EventKind::apex, 0, Crossing::falling, false}, Outcome::event);
+    watch_stops(c, add);
+  }
   for (EventSpec spec : until.events) {
-    if (spec.kind == EventKind::apex) spec.value = 0;  // an apex waits for no value
+    if (waits_for_no_value(spec.kind)) spec.value = 0;
     add(spec, Outcome::event);
   }
   return watch;
+}
+
+bool flies_motors(const Fidelity& granted) {
+  return granted.motion == Motion::force && granted.integrator != Integrator::classic;
+}
+
+bool has_motor(const ProjectileDef& p) { return !p.motor.thrust.empty(); }
+
+namespace {
+
+/// The motor's table and what it says before launch. The curve while it burns is relative to the same area, which
+/// contains a constant Cd.
+void prepare_motor(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c, Body<double>& b) {
+  const double never = std::numeric_limits<double>::infinity();
+  b.burn = no_burn(0.0, never, 0.0);
+  b.mass = p.mass;
+  b.ignition = b.burnout = never;
+  if (!has_motor(p) || !flies_motors(c.fidelity)) return;
+  const CurvePlace coasting{b.curve_row, b.curve_start, b.curve_cells, b.curve_last};
+  CurvePlace burning = coasting;
+  double factor = p.motor.drag_factor;
+  if (c.fidelity.drag == DragModel::equation && !p.motor.drag_curve.empty()) {
+    DragDef on;
+    on.table = DragTable::custom;
+    on.curve = p.motor.drag_curve;
+    burning = pool.add(on, c.fidelity.interpolation);
+    c.has_searched_curves = c.has_searched_curves || burning.row < 0;
+    factor /= constant_cd(p.drag);
+  }
+  const std::size_t piece = pool.motors.add(p.motor, coasting, burning, factor);
+  put_piece(pool.motors.pieces().data(), static_cast<int>(piece), b, 0);
+  b.ignition = p.motor.ignition_delay;
+  b.burnout = p.motor.ignition_delay + burn_time(p.motor);
+  c.has_motor = true;
+}
+
+}  // namespace
+
+bool has_magnus(const ProjectileDef& p) { return p.magnus.lift != 0 || !p.magnus.table.empty(); }
+
+void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right, Body<double>& b) {
+  const Vec3d up = cross(right, forward);
+  b.spin = right * launch.spin.backspin - up * launch.spin.sidespin + forward * launch.spin.gyrospin;
+}
+
+namespace {
+
+void prepare_magnus(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c, Body<double>& b) {
+  if (!spins(c.fidelity)) return;
+  const MagnusDef& m = p.magnus;
+  b.spin_decay = 1 / m.decay_time;
+  b.ball_radius = 0.5 * p.diameter;
+  b.magnus_area = kPi * p.diameter * p.diameter / (8 * p.mass);
+  b.lift = m.lift;
+  b.lift_base = m.lift_base;
+  b.lift_saturation = m.lift_saturation;
+  b.drag_per_spin = m.drag_per_spin;
+  b.magnus_table = -1;
+  if (m.table.empty()) return;
+  b.magnus_table = static_cast<double>(pool.magnus.add(m));
+  c.has_magnus_tables = true;
+}
+
+}  // namespace
+
+void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c, Body<double>& b) {
+  b.rail = bore;
+  b.rail_phase = kOffRail;
+  if (launch.rail_length == 0 || !flies_motors(c.fidelity)) return;
+  b.rail_end = dot(launch.position, bore) + launch.rail_length;
+  b.rail_phase = kSliding;
+  c.has_rail = true;
 }
 
 Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double elevation, CurvePool& pool,
@@ -217,6 +311,11 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   c.has_applied = c.has_applied || (feels_forces && p.force != Vec3d{});
   b.gravity_scale = 1;
   b.free = {1, 1, 1};
+  prepare_motor(p, pool, c, b);
+  prepare_magnus(p, pool, c, b);
+  const Vec3d bore = launch_direction(launch, sight, elevation);
+  prepare_spin(launch, bore, sight.right, b);
+  prepare_rail(launch, bore, c, b);
   return b;
 }
 
@@ -257,6 +356,8 @@ void Cohort::finish() {
   conditions.fidelity = in_use.fidelity;
   conditions.curve_rows = pool.rows().data();
   conditions.searched_curves = pool.searched().data();
+  conditions.motor_pieces = pool.motors.pieces().data();
+  conditions.magnus_grids = pool.magnus.grids().data();
   if (in_use.fidelity.precision == Precision::float64) return;
   rows_float.assign(pool.rows().size(), 0.0f);
   for (std::size_t i = 0; i < rows_float.size(); ++i) rows_float[i] = static_cast<float>(pool.rows()[i]);
@@ -266,12 +367,13 @@ void Cohort::finish() {
 
 bool Cohort::corners_matter() const {
   const Fidelity& f = in_use.fidelity;
-  return f.motion != Motion::closed_form && steps_itself(f) && has_corners(conditions);
+  return f.motion != Motion::closed_form && (conditions.has_rail || (steps_itself(f) && has_corners(conditions)));
 }
 
 std::optional<Outcome> ends_at_once(const Conditions<double>& c, const Body<double>& b, const Until& until) {
   if (has_lowest_altitude(c.fidelity) && altitude(c, b.launch.x) <= kLowestAltitude) return Outcome::left_domain;
   if (!until.ground || height(c, b.launch.x) > *until.ground) return std::nullopt;
+  if (b.rail_phase < kOffRail && b.rail.y >= 0) return std::nullopt;  // its rail stands on the ground
   const double climb = climb_rate(c, b.launch);
   // Level at the start: weight against thrust decides.
   const Vec3d push = c.has_applied ? applied(c, b, 0.0) : Vec3d{};

@@ -15,6 +15,8 @@ namespace physim {
 /// Refuses bad input with a place and a hint; nothing where all is well.
 [[nodiscard]] Status check(const ProjectileDef& projectile);
 [[nodiscard]] Status check(const Launch& launch);
+/// What neither of them can say alone; both are sound by themselves.
+[[nodiscard]] Status check(const ProjectileDef& projectile, const Launch& launch);
 [[nodiscard]] Status check(const Environment& environment);
 [[nodiscard]] Status check(const Tolerance& tolerance, const Fidelity& fidelity);
 [[nodiscard]] Status check(const Until& until);
@@ -22,6 +24,9 @@ namespace physim {
 /// What of the asked fidelity this projectile in this environment can have.
 [[nodiscard]] FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile,
                                   const Environment& environment);
+/// The same, with a note where it leaves out the rail of the launch.
+[[nodiscard]] FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile,
+                                  const Environment& environment, const Launch& launch);
 
 /// Environment and granted rungs, ready to compute. Curves and flags come with the projectiles.
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
@@ -30,8 +35,19 @@ namespace physim {
 /// Whether a flight ends at the lower end of the standard atmosphere.
 [[nodiscard]] bool has_lowest_altitude(const Fidelity& granted);
 
-/// The events of a flight: those asked for; ground, range, time and the lower end of the air as terminal ones.
-[[nodiscard]] WatchList prepare_watch(const Until& until, const Conditions<double>& conditions, bool with_apex);
+/// The events of a flight: those asked for; ground, range, time and the lower end of the air as terminal ones; apexes
+/// and what happens to motors and on rails where `with_all`.
+[[nodiscard]] WatchList prepare_watch(const Until& until, const Conditions<double>& conditions, bool with_all);
+
+[[nodiscard]] bool has_motor(const ProjectileDef& projectile);
+/// It has data of lift by spin.
+[[nodiscard]] bool has_magnus(const ProjectileDef& projectile);
+/// Turns the spin of a launch into W.
+void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right, Body<double>& body);
+/// Whether motors and launch rails are part of a fidelity.
+[[nodiscard]] bool flies_motors(const Fidelity& granted);
+/// Puts a body on its launch rail, which lies along the bore; without one the bore says where a resting nose points.
+void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& conditions, Body<double>& body);
 
 /// A projectile ready to compute; adds its drag curve to the pool and its flags to the conditions.
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,

@@ -1,5 +1,6 @@
 #include "flight/fidelity_cost.hpp"
 
+#include "flight/cohort.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {
@@ -56,6 +57,8 @@ double evaluation_cost(const Fidelity& f, const ProjectileDef& projectile, const
   if (is_turning(f.earth)) cost += 15;
   if (throws_out(f)) cost += 21;
   if (f.motion == Motion::force && projectile.force != Vec3d{}) cost += 7;
+  if (flies_motors(f) && has_motor(projectile)) cost += wind_cost(f, environment) + 24 + 2 * kReciprocal;
+  if (f.rotation == RotationModel::magnus) cost += kExp + 40 + 4 * kReciprocal;
   if (f.planar) cost += 11;
   if (turns(f)) cost += 110;
   return cost;

@@ -26,9 +26,21 @@ Vec3d FlightRecord::acceleration_at(double time) const {
   const Fidelity& f = cohort.in_use.fidelity;
   if (f.motion != Motion::closed_form && f.integrator == Integrator::classic && nodes.size() > 1)
     return (later_node(nodes, time) - 1)->a;
-  if (!turns(f)) return acceleration(cohort.conditions, body, time, state(time));
+  const Body<double> b = body_at(time);
+  if (!turns(f)) return acceleration(cohort.conditions, b, time, state(time));
   Turn<double> slope;
-  return turning_acceleration(cohort.conditions, body, rotor, time, state(time), turn(time), slope);
+  return turning_acceleration(cohort.conditions, b, rotor, time, state(time), turn(time), slope);
+}
+
+Body<double> FlightRecord::body_at(double time) const {
+  const Conditions<double>& c = cohort.conditions;
+  Body<double> b = body;
+  if (!has_stops(c)) return b;
+  for (const Event& e : events)
+    if (e.kind == EventKind::rail_exit && e.time <= time) b.rail_phase = kOffRail;
+  State<double> s = state(time);
+  pass_stops(c, time, true, s, b);
+  return b;
 }
 
 State<double> FlightRecord::state(double time) const {
@@ -80,17 +92,32 @@ Accelerations Flight::accelerations(double time) const {
   time = std::clamp(time, 0.0, r.duration);
   const State<double> s = r.state(time);
   const Conditions<double>& c = r.cohort.conditions;
+  const Body<double> b = r.body_at(time);
   const auto in_plane = [&](const Vec3d& effect) {
-    return c.fidelity.planar ? effect - r.body.plane * dot(r.body.plane, effect) : effect;
+    return c.fidelity.planar ? effect - b.plane * dot(b.plane, effect) : effect;
   };
   a.gravity = in_plane(gravity(c, s.x));
-  if (c.fidelity.drag != DragModel::off) a.drag = in_plane(drag(c, r.body, s));
+  if (c.fidelity.drag != DragModel::off) a.drag = in_plane(air_now(c, b, time, s));
+  if (spins(c.fidelity)) {
+    SpinningAir<double> air;
+    spinning_air(c, b, time, s, air);
+    a.lift = in_plane(air.lift * lighter(c, b, time));
+    a.drag -= a.lift;
+  }
   if (turns(c.fidelity) && c.has_aero)
-    a.body = body_aero(c, r.rotor, air_state(c, s.x), air_velocity(c, s), r.turn(time)).acceleration;
+    a.body =
+        body_aero(c, r.rotor, air_state(c, s.x), air_velocity(c, s), r.turn(time)).acceleration * lighter(c, b, time);
   if (is_turning(c.fidelity.earth)) a.coriolis = in_plane(coriolis(c, s.v));
   if (throws_out(c.fidelity)) a.centrifugal = in_plane(centrifugal(c, s.x));
-  if (c.has_applied) a.applied = in_plane(applied(c, r.body, time));
+  if (c.has_applied) a.applied = in_plane(applied_now(c, b, time));
+  if (c.has_motor) {
+    const bool turning = turns(c.fidelity);
+    a.thrust =
+        in_plane(thrust(b, time, turning ? forward(c.fidelity, r.turn(time)) : nose_in_air(b, air_velocity(c, s))));
+  }
   a.total = r.acceleration_at(time);
+  if (b.rail_phase < kOffRail)
+    a.rail = a.total - (a.gravity + a.drag + a.lift + a.coriolis + a.centrifugal + a.applied + a.thrust);
   return a;
 }
 
@@ -115,7 +142,10 @@ Sample Flight::at(double time) const {
   out.speed = length(s.v);
   const bool has_air = c.fidelity.air != AirModel::vacuum;
   out.mach = has_air ? length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed : 0;
-  out.energy = 0.5 * r.mass * out.speed * out.speed;
+  const Body<double> b = r.body_at(time);
+  out.mass = mass_at(b, time);
+  out.thrust = thrust_at(b, time);
+  out.energy = 0.5 * out.mass * out.speed * out.speed;
   out.range = dot(s.x - r.sight.muzzle, r.sight.forward);
   out.drop = dot(s.x - r.sight.start, r.sight.up);
   out.windage = dot(s.x - r.sight.start, r.sight.right);
@@ -190,6 +220,7 @@ Result<Sample> Flight::at_height(double level, Crossing direction) const {
 std::vector<double> Flight::step_times() const {
   std::vector<double> times;
   for (const Node& node : record_->nodes) times.push_back(std::min(node.t, record_->duration));
+  times.erase(std::unique(times.begin(), times.end()), times.end());  // nodes where the acceleration jumps
   return times;
 }
 

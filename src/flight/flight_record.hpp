@@ -16,7 +16,6 @@ struct FlightRecord {
   Rotor<double> rotor{};  // of rungs that turn
   SightFrame sight;
   SpinDrift drift;
-  double mass = 1;
   double elevation = 0;
   double step = 0;
   double duration = 0;
@@ -33,6 +32,8 @@ struct FlightRecord {
   [[nodiscard]] Turn<double> turn(double time) const;
   /// By the models; the classic loop has a register for it, which one-shot forces make differ from the models.
   [[nodiscard]] Vec3d acceleration_at(double time) const;
+  /// The body at a time, when its motor and its rail have changed it.
+  [[nodiscard]] Body<double> body_at(double time) const;
   /// With spin drift.
   [[nodiscard]] State<double> shown(double time) const;
 };

@@ -37,6 +37,21 @@ TurnNode first_turn_node(const Step<S>& s) {
   return n;
 }
 
+/// Where a stop makes the acceleration jump, the next step starts from a node of its own, after a step of no length.
+template <class S>
+void keep_jump(FlightRecord& record, const Lanes<S>& lane) {
+  const Vec3d a = vec_cast<double>(lane.step.slope[0].v);
+  if (a == record.nodes.back().a) return;
+  record.nodes.push_back(
+      {record.nodes.back().t, {vec_cast<double>(lane.step.start.x), vec_cast<double>(lane.step.start.v)}, a});
+  const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
+  record.coefficients.insert(record.coefficients.end(), static_cast<std::size_t>(count), State<double>{});
+  if (!turns(record.cohort.in_use.fidelity)) return;
+  record.turn_nodes.push_back(first_turn_node(lane.step));
+  record.turn_nodes.back().t = record.nodes.back().t;
+  record.turn_coefficients.insert(record.turn_coefficients.end(), static_cast<std::size_t>(count), Turn<double>{});
+}
+
 /// Flies a single lane to its end; the loop is that of the batch kernels (flight/batch_driver.hpp) with a record kept.
 template <class S>
 void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body) {
@@ -74,10 +89,11 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
       if (sound) lane.count += S(1);
     } else {
       accept(course, lane, accepted);
+      if (sound && has_stops(*course.conditions)) keep_jump(record, lane);
     }
   }
   const auto tries = static_cast<std::int64_t>(lane.tries);
-  record.cost.steps = static_cast<std::int64_t>(lane.count);
+  record.cost.steps = static_cast<std::int64_t>(lane.count + lane.parts);
   record.cost.rejected = tries - record.cost.steps;
   record.cost.evaluations = evaluations(course.conditions->fidelity, tries);
 }
@@ -94,6 +110,8 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
     if (outcome == Outcome::landed) keep_event(record, watch.item[0], false, 0, record.body.launch);
     return;
   }
+  if (record.cohort.conditions.has_motor && record.body.ignition == 0)
+    keep_event(record, {{EventKind::ignition}, Outcome::event}, true, 0, record.body.launch);
   if (record.cohort.in_use.fidelity.precision == Precision::float32)
     fly_lane(record, record.cohort.course<float>(tolerance, record.step, watch), record.body_float);
   else
@@ -113,10 +131,11 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   for (const Status& status :
        {check(projectile), check(launch), check(environment), check(tolerance, fidelity), check(until)})
     if (status) return refuse(*status);
+  if (const Status status = check(projectile, launch)) return refuse(*status);
   const auto elevation = elevation_of(projectile, launch, environment, fidelity);
   if (!elevation) return refuse(elevation.error());
   record->elevation = *elevation;
-  record->cohort.in_use = grant(fidelity, projectile, environment);
+  record->cohort.in_use = grant(fidelity, projectile, environment, launch);
   const Fidelity& granted = record->cohort.in_use.fidelity;
   if (const auto step = step_without_pilot(granted, tolerance)) {
     record->step = *step;
@@ -136,7 +155,6 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   record->cohort.finish();
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);
-  record->mass = projectile.mass;
   record->environment.altitude = environment.altitude;
   record->environment.gravity = environment.gravity;
   record->environment.earth = environment.earth;

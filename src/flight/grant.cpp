@@ -47,7 +47,7 @@ class Granting {
     if (f_.air == AirModel::isa && (air.density || air.sound_speed))
       notes_.push_back({"air", "isa", "isa", "density and sound_speed are for constant and exponential air"});
     const bool empty = f_.air == AirModel::vacuum || (f_.air != AirModel::isa && air.density == 0.0);
-    if (empty && f_.rotation == RotationModel::spin_drift)
+    if (empty && (f_.rotation == RotationModel::spin_drift || f_.rotation == RotationModel::magnus))
       set("rotation", f_.rotation, RotationModel::none, "there is no air");
     if (f_.air == AirModel::vacuum && f_.drag == DragModel::equation)
       set("drag", f_.drag, DragModel::off, "there is no air");
@@ -69,10 +69,14 @@ class Granting {
     if (f_.motion != Motion::force && projectile_.force != Vec3d{})
       notes_.push_back({"motion", std::string(name(f_.motion)), std::string(name(f_.motion)),
                         "the applied force is left out: only motion 'force' knows forces"});
+    if (f_.motion != Motion::force && has_motor(projectile_))
+      remark("motion", f_.motion, "the motor is left out: only motion 'force' knows forces");
   }
 
   void by_integrator() {
     const bool classic = f_.motion != Motion::closed_form && f_.integrator == Integrator::classic;
+    if (classic && f_.motion == Motion::force && has_motor(projectile_))
+      remark("integrator", f_.integrator, "the motor is left out: the original loop knows none");
     if (classic) limit_to_constants("the original loop knows only constant gravity over a flat Earth");
     if (classic && f_.drag == DragModel::damping)
       set("wind", f_.wind, WindModel::off, "the original's damping is against still air");
@@ -117,6 +121,7 @@ class Granting {
 
   /// After motion and integrator are settled.
   void by_rotation() {
+    if (f_.rotation == RotationModel::magnus) by_spin();
     if (f_.rotation != RotationModel::rigid_body) return;
     const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
     if (f_.motion != Motion::force) return without("only motion 'force' knows moments");
@@ -128,6 +133,14 @@ class Granting {
       f_.body_form = symmetric && projectile_.twist != 0 ? BodyForm::axis : BodyForm::quaternion;
     if (f_.body_form == BodyForm::axis && !symmetric)
       set("body_form", f_.body_form, BodyForm::quaternion, "the body is not symmetric about its x axis");
+  }
+
+  void by_spin() {
+    const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
+    if (!has_magnus(projectile_)) return without("the projectile has no data of lift by spin");
+    if (f_.motion != Motion::force) return without("only motion 'force' knows lift");
+    if (f_.integrator == Integrator::classic) return without("the original loop knows no lift");
+    if (f_.drag != DragModel::equation) return without("lift by spin goes with the drag equation");
   }
 
   void limit_to_constants(const char* reason) {
@@ -145,6 +158,15 @@ class Granting {
 
 FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment) {
   return Granting(asked, projectile, environment).run();
+}
+
+FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment,
+                    const Launch& launch) {
+  FidelityInUse in_use = grant(asked, projectile, environment);
+  if (launch.rail_length == 0 || flies_motors(in_use.fidelity)) return in_use;
+  const std::string motion(name(in_use.fidelity.motion));
+  in_use.notes.push_back({"motion", motion, motion, "the launch rail is left out: only motion 'force' knows one"});
+  return in_use;
 }
 
 }  // namespace physim

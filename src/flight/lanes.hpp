@@ -8,6 +8,7 @@
 
 #include "flight/watch.hpp"
 #include "solve/step_control.hpp"
+#include "solve/stops.hpp"
 
 namespace physim {
 
@@ -38,7 +39,8 @@ struct Lanes {
   Step<R> step;
   StepControl<R> control;
   Regime<R> regime;  // at the start of the step
-  R count;           // steps accepted
+  R count;           // steps accepted; of fixed steps, whole ones
+  R parts;           // parts of fixed steps accepted beside them
   R tries;           // steps tried
   R cut;             // 1: this step was cut to end behind a corner
 };
@@ -69,6 +71,7 @@ PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
   const R zero(S(0));
   l.step.t = zero;
   l.step.start = l.body.launch;
+  if (has_stops(c)) pass_stops(c, zero, zero == zero, l.step.start, l.body);
   if (turns(c.fidelity)) l.step.turn->start = l.rotor->launch;
   set_slope(c, l.body, *l.rotor, 0, l.step);
   Vec3<R>& a = l.step.slope[0].v;
@@ -85,7 +88,7 @@ PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
     if (turns(c.fidelity)) l.control.h = min(l.control.h, first_turn_step(c.fidelity.integrator, *l.step.turn));
   }
   if (course.corners) l.regime = regime(c, l.body, *l.rotor, zero, l.step.start);
-  l.count = l.tries = l.cut = zero;
+  l.count = l.parts = l.tries = l.cut = zero;
 }
 
 template <class To, class From>
@@ -93,10 +96,13 @@ PHYSIM_INLINE void cast_fields(const From* from, To* to, unsigned count) {
   for (unsigned i = 0; i < count; ++i) to[i] = static_cast<To>(from[i]);
 }
 
-/// Bands come last in a body, and few cohorts have them.
+/// Motor, rail, spin and bands come last in a body, and few cohorts have them.
 template <class R, class S>
 PHYSIM_INLINE unsigned body_fields(const Conditions<S>& c) {
-  return c.has_bands ? unsigned(kBodyFields<R>) : unsigned(kBodyFields<R>) - 2 * kMaxBands;
+  if (c.has_bands) return unsigned(kBodyFields<R>);
+  const unsigned without_bands = unsigned(kBodyFields<R>) - 2 * kMaxBands;
+  if (spins(c.fidelity)) return without_bands;
+  return without_bands - kMagnusFields - (has_stops(c) ? 0 : kMotorFields);
 }
 
 /// Copies one lane of a structure of R's to a lane of another; R and Into differ where a lane is taken out of its pack.
@@ -130,6 +136,7 @@ PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int f
   copy_lane(from.step.t_end, from_lane, into.step.t_end, lane);
   copy_lane(from.step.error, from_lane, into.step.error, lane);
   copy_lane(from.count, from_lane, into.count, lane);
+  copy_lane(from.parts, from_lane, into.parts, lane);
   copy_lane(from.tries, from_lane, into.tries, lane);
   if (!turns(c.fidelity)) return;
   copy_lane(*from.rotor, from_lane, *into.rotor, lane);

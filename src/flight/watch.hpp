@@ -56,6 +56,12 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
       return length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed - value;
     case EventKind::speed:
       return length(s.v) - value;
+    case EventKind::ignition:
+      return t - b.ignition;
+    case EventKind::burnout:
+      return t - b.burnout;
+    case EventKind::rail_exit:
+      return select(b.rail_phase < constant<R>(kOffRail), dot(s.x, b.rail) - b.rail_end, R(S(1)));
     case EventKind::time:
       break;
   }

@@ -21,7 +21,7 @@ PHYSIM_NAMES(DragModel, equation, "off", "damping", "linear_quadratic", "equatio
 PHYSIM_NAMES(AirModel, isa, "vacuum", "constant", "exponential", "isa")
 PHYSIM_NAMES(WindModel, profile, "off", "constant", "profile")
 PHYSIM_NAMES(EarthModel, ellipsoid, "flat", "flat_coriolis", "sphere", "sphere_rotating", "ellipsoid")
-PHYSIM_NAMES(RotationModel, rigid_body, "none", "spin_drift", "rigid_body")
+PHYSIM_NAMES(RotationModel, rigid_body, "none", "spin_drift", "magnus", "rigid_body")
 PHYSIM_NAMES(BodyForm, axis, "automatic", "quaternion", "axis")
 PHYSIM_NAMES(AttitudeFrame, world, "bore", "world")
 PHYSIM_NAMES(RateFrame, inertial, "world", "inertial")
@@ -30,9 +30,11 @@ PHYSIM_NAMES(DampingFrame, inertial, "air", "inertial")
 PHYSIM_NAMES(Interpolation, cubic, "linear", "pchip", "cubic")
 PHYSIM_NAMES(Precision, float64, "float32", "float64")
 PHYSIM_NAMES(DragTable, custom, "constant", "g1", "g2", "g5", "g6", "g7", "g8", "gi", "gs", "ra4", "sphere", "custom")
+PHYSIM_NAMES(SpinMeasure, parameter, "rate", "parameter")
 PHYSIM_NAMES(WindAxis, range, "height", "range")
 PHYSIM_NAMES(WindInterpolation, step, "linear", "step")
-PHYSIM_NAMES(EventKind, time, "ground", "apex", "range", "height", "mach", "speed", "time")
+PHYSIM_NAMES(EventKind, rail_exit, "ground", "apex", "range", "height", "mach", "speed", "time", "ignition", "burnout",
+             "rail_exit")
 PHYSIM_NAMES(Crossing, falling, "any", "rising", "falling")
 PHYSIM_NAMES(Arc, both, "low", "high", "both")
 PHYSIM_NAMES(Outcome, refused, "landed", "reached_range", "event", "time_limit", "step_limit", "left_domain",
@@ -41,8 +43,8 @@ PHYSIM_NAMES(GroundMode, bounce, "none", "land", "stick", "bounce")
 PHYSIM_NAMES(Smoothing, extrapolate, "none", "interpolate", "extrapolate")
 PHYSIM_NAMES(WhenFull, replace_oldest, "refuse", "replace_oldest")
 PHYSIM_NAMES(LifeStatus, retired, "unknown", "pending", "in_flight", "landed", "expired", "retired")
-PHYSIM_NAMES(WorldEventKind, fidelity_changed, "spawned", "landed", "apex", "bounced", "slept", "woke", "expired",
-             "retired", "fidelity_changed")
+PHYSIM_NAMES(WorldEventKind, rail_exit, "spawned", "landed", "apex", "bounced", "slept", "woke", "expired", "retired",
+             "fidelity_changed", "ignition", "burnout", "rail_exit")
 PHYSIM_NAMES(Reason, stalled, "none", "below", "farther", "older", "slower", "outside_box", "despawned", "replaced",
              "non_finite", "left_domain", "stalled")
 

@@ -3,13 +3,16 @@
 // What it models: D'Alembert's principle for a point mass: the resultant of gravity, drag and applied forces, and the
 //   Coriolis and centrifugal forces of a frame that turns with the Earth, divided by the mass.
 // Symbols: t time [s]; x position, v velocity in W; r from the Earth's centre; a acceleration [m/s^2].
-// Equation: a = gravity(x) + drag(x, v) - 2 Omega x v - Omega x (Omega x r) + F / m.
+// Equation: a = gravity(x) + drag(x, v) - 2 Omega x v - Omega x (Omega x r) + F / m. Where a motor burns, m falls and
+//   drag and F are taken from the mass at launch to the mass that is left (model/motor.hpp).
 // Source: R. L. McCoy, Modern Exterior Ballistics (1999), eq. 8.27 (point mass with Coriolis).
 #pragma once
 
 #include "model/aero.hpp"
 #include "model/drag.hpp"
 #include "model/gravity.hpp"
+#include "model/magnus.hpp"
+#include "model/motor.hpp"
 #include "model/rigid_body.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -22,16 +25,58 @@ PHYSIM_INLINE Vec3<R> applied(const Conditions<S>&, const Body<R>& b, const R& t
   return {select(on, b.applied.x, zero), select(on, b.applied.y, zero), select(on, b.applied.z, zero)};
 }
 
-/// What comes on top of weight and air. The switches are uniform over all lanes: one predictable branch per effect for
-/// a whole pack.
+/// The mass at launch over what is left of it.
+template <class R, class S>
+PHYSIM_INLINE R lighter(const Conditions<S>& c, const Body<R>& b, const R& t) {
+  return c.has_motor ? b.mass / mass_at(b, t) : R(S(1));
+}
+
+/// Whether balls feel their spin.
+PHYSIM_INLINE constexpr bool spins(const Fidelity& f) { return f.rotation == RotationModel::magnus; }
+
+/// Acceleration by drag and lift.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> air_force(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  if (!spins(c.fidelity)) return drag(c, b, s);
+  SpinningAir<R> air;
+  spinning_air(c, b, t, s, air);
+  return air.drag + air.lift;
+}
+
+/// Drag `d` of the mass at launch over the mass that is left. Damping acts on the velocity whatever the mass.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> drag_now(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& d) {
+  if (!c.has_motor || c.fidelity.drag == DragModel::damping) return d;
+  return d * (lighter(c, b, t) * b.burn.drag_factor);
+}
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> air_now(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  return drag_now(c, b, t, air_force(c, b, t, s));
+}
+
+/// Acceleration by the applied force, over the mass that is left.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> applied_now(const Conditions<S>& c, const Body<R>& b, const R& t) {
+  return c.has_motor ? applied(c, b, t) * lighter(c, b, t) : applied(c, b, t);
+}
+
+/// Acceleration by the motor, towards where the nose points.
+template <class R>
+PHYSIM_INLINE Vec3<R> thrust(const Body<R>& b, const R& t, const Vec3<R>& nose) {
+  return nose * (thrust_at(b, t) / mass_at(b, t));
+}
+
+/// What comes on top of weight, air and thrust. The switches are uniform over all lanes: one predictable branch per
+/// effect for a whole pack.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> with_other_effects(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
                                          Vec3<R> a) {
   if (is_turning(c.fidelity.earth)) a += coriolis(c, s.v);
   if (throws_out(c.fidelity)) a += centrifugal(c, s.x);
-  if (c.has_applied) a += applied(c, b, t);
+  if (c.has_applied) a += applied_now(c, b, t);
   if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
   if (c.has_frozen) a = component_product(a, b.free);
+  if (c.has_rail) a = on_rail(b, a);
   return a;
 }
 
@@ -39,7 +84,8 @@ PHYSIM_INLINE Vec3<R> with_other_effects(const Conditions<S>& c, const Body<R>& 
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   Vec3<R> a = weight_per_mass(c, b, s.x);
-  if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
+  if (c.fidelity.drag != DragModel::off) a += air_now(c, b, t, s);
+  if (c.has_motor) a += thrust(b, t, nose_in_air(b, air_velocity(c, s)));
   return with_other_effects(c, b, t, s, a);
 }
 
@@ -51,16 +97,18 @@ PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>
   Vec3<R> a = weight_per_mass(c, b, s.x);
   Vec3<R> moment{zero, zero, zero};
   if (!c.has_aero) {
-    if (c.fidelity.drag != DragModel::off) a += drag(c, b, s);
+    if (c.fidelity.drag != DragModel::off) a += air_now(c, b, t, s);
   } else {
     const Vec3<R> u = air_velocity(c, s);
     const AirState<R> air = air_state(c, s.x);
-    a += c.fidelity.drag == DragModel::equation ? drag_equation(c, b, air, u) : simple_drag(c, b, u);
+    a += drag_now(c, b, t, c.fidelity.drag == DragModel::equation ? drag_equation(c, b, air, u) : simple_drag(c, b, u));
     const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);
-    a += load.acceleration;
+    a += c.has_motor ? load.acceleration * lighter(c, b, t) : load.acceleration;
     moment = load.moment;
   }
+  if (c.has_motor) a += thrust(b, t, forward(c.fidelity, turn));
   slope = turn_slope(c, rotor, turn, moment);
+  if (c.has_rail) slope = slope * select(b.rail_phase < R(S(kOffRail)), zero, R(S(1)));  // it holds the body straight
   return with_other_effects(c, b, t, s, a);
 }
 

@@ -3,6 +3,8 @@
 // Symbols as in the model files. Source: none of its own; each field names the model that reads it.
 #pragma once
 
+#include <cstddef>
+
 #include "math/pack.hpp"
 #include "physim/vec3.hpp"
 
@@ -16,6 +18,26 @@ struct State {
   Vec3<R> x;  // [m]
   Vec3<R> v;  // [m/s]
 };
+
+/// A piece of a motor's table: see model/motor.hpp.
+template <class R>
+struct Burn {
+  R start;        // since launch [s]
+  R end;          // [s]
+  R thrust;       // at the start [N]
+  R thrust_rate;  // [N/s]
+  R burned;       // propellant, at the start [kg]
+  R burn_rate;    // [kg/s]
+  R burn_growth;  // half of its rate [kg/s^2]
+  R drag_factor;  // times the drag [-]
+
+  bool operator==(const Burn&) const = default;
+};
+/// Nothing burns.
+template <class R>
+Burn<R> no_burn(R start, R end, R burned) {
+  return {start, end, R(0), R(0), burned, R(0), R(0), R(1)};
+}
 
 /// Every member is an R, so that a lane can be copied in and out field by field.
 template <class R>
@@ -36,12 +58,34 @@ struct Body {
   Vec3<R> sight;            // unit vector along the line of sight [-]
   R gravity_scale;          // times gravity [-]; read where some projectile's is not 1
   Vec3<R> free;             // 1 along axes of W that it moves along, 0 along frozen ones [-]
+  Burn<R> burn;             // the piece of the motor's table that the time is in
+  R burn_piece;             // its index in Conditions::motor_pieces
+  R mass;                   // at launch [kg]
+  R ignition;               // since launch; where there is no motor, never [s]
+  R burnout;                // since launch; where there is no motor, never [s]
+  Vec3<R> rail;             // unit vector along the launch rail, or the bore [-]
+  R rail_end;               // of x along it [m]
+  R rail_phase;             // kHeld, kSliding or kOffRail
+  Vec3<R> spin;             // at launch, in W [rad/s]
+  R spin_decay;             // 1 / tau [1/s]
+  R ball_radius;            // [m]
+  R magnus_area;            // A / (2 m) [m^2/kg]
+  R lift;                   // l [-]
+  R lift_base;              // b [-]
+  R lift_saturation;        // c [-]
+  R drag_per_spin;          // k [s]
+  R magnus_table;           // index in Conditions::magnus_grids; below 0: by the formula
   R band_above[kMaxBands];  // air speed from which band i holds [m/s]; unused bands are infinite
   R band_half_area_per_mass[kMaxBands];  // [m^2/kg]
 };
 
 template <class R>
 inline constexpr int kBodyFields = sizeof(Body<R>) / sizeof(R);
+/// Members that few cohorts read come last: motor and rail, spin, then bands.
+inline constexpr int kMotorFields = 17;
+inline constexpr int kMagnusFields = 11;
+static_assert(offsetof(Body<double>, spin) - offsetof(Body<double>, burn) == kMotorFields * sizeof(double));
+static_assert(offsetof(Body<double>, band_above) - offsetof(Body<double>, spin) == kMagnusFields * sizeof(double));
 
 }  // namespace physim
 

@@ -78,6 +78,9 @@ struct Globe {
   S per_squeezed_up;    // 1 / |l(u0)| [-]
 };
 
+struct MotorPiece;
+struct MagnusGrid;
+
 template <class S>
 struct Conditions {
   Fidelity fidelity;  // as granted
@@ -91,14 +94,19 @@ struct Conditions {
   const S* curve_rows;                    // pool of cubic rows of all drag curves in use
   const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
   bool has_searched_curves;
-  bool has_spheres;        // some projectile has Cd by Reynolds number
-  bool has_bands;          // some projectile has banded ballistic coefficients
-  bool has_applied;        // some projectile carries an applied force
-  bool has_gravity_scale;  // some projectile has its own part of gravity
-  bool has_frozen;         // some projectile does not move along some axis
-  bool has_aero;           // some projectile has aerodynamic coefficients beside drag
-  bool has_aero_tables;    // ... that change with the Mach number
-  bool has_aero_angles;    // ... or with the angle of attack
+  bool has_spheres;                // some projectile has Cd by Reynolds number
+  bool has_bands;                  // some projectile has banded ballistic coefficients
+  const MotorPiece* motor_pieces;  // pool of the tables of all motors in use
+  const MagnusGrid* magnus_grids;  // tables of balls that spin
+  bool has_magnus_tables;          // some projectile has one
+  bool has_motor;                  // some projectile has a motor
+  bool has_rail;                   // some projectile starts on a rail
+  bool has_applied;                // some projectile carries an applied force
+  bool has_gravity_scale;          // some projectile has its own part of gravity
+  bool has_frozen;                 // some projectile does not move along some axis
+  bool has_aero;                   // some projectile has aerodynamic coefficients beside drag
+  bool has_aero_tables;            // ... that change with the Mach number
+  bool has_aero_angles;            // ... or with the angle of attack
 };
 
 }  // namespace physim

@@ -45,6 +45,14 @@ bool overshoots(const PiecewiseCubic& curve, std::span<const DragPoint> points) 
 
 }  // namespace
 
+std::size_t MagnusPool::add(const MagnusDef& magnus) {
+  const MagnusGrid grid = magnus_grid(magnus);
+  const auto known = std::find(grids_.begin(), grids_.end(), grid);
+  const auto index = static_cast<std::size_t>(known - grids_.begin());
+  if (known == grids_.end()) grids_.push_back(grid);
+  return index;
+}
+
 CurvePlace CurvePool::add(const DragDef& drag, Interpolation interpolation) {
   for (const Entry& e : entries_) {
     if (e.table != drag.table) continue;

@@ -9,17 +9,23 @@
 #include <vector>
 
 #include "math/interpolation.hpp"
+#include "model/magnus_grid.hpp"
+#include "model/motor_table.hpp"
 #include "model/rotor.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
 
-/// Where a curve lies in the pool; fields as in Body.
-struct CurvePlace {
-  double row = 0;
-  double start = 0;
-  double cells = 1;
-  double last = 0;
+/// Tables of balls that spin, each once.
+class MagnusPool {
+ public:
+  /// Index of a table, which is found again where it is known.
+  std::size_t add(const MagnusDef& magnus);
+
+  [[nodiscard]] const std::vector<MagnusGrid>& grids() const { return grids_; }
+
+ private:
+  std::vector<MagnusGrid> grids_;
 };
 
 /// The same of a projectile's aerodynamic coefficients; fields as in Rotor.
@@ -43,6 +49,9 @@ class CurvePool {
 
   [[nodiscard]] const std::vector<double>& rows() const { return rows_; }
   [[nodiscard]] const std::vector<PiecewiseCubic>& searched() const { return searched_; }
+
+  MotorPool motors;  // their pieces name curves
+  MagnusPool magnus;
 
  private:
   struct Entry {

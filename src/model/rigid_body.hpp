@@ -64,6 +64,14 @@ PHYSIM_INLINE Vec3<R> turned_by(const R& w, const Vec3<R>& u, const Vec3<R>& v) 
   return v + (t * w + cross(u, t)) * scale;
 }
 
+/// The x axis of the body in W, a unit vector [-].
+template <class R>
+PHYSIM_INLINE Vec3<R> forward(const Fidelity& f, const Turn<R>& t) {
+  using S = ScalarOf<R>;
+  if (is_axis_form(f)) return t.u * (S(1) / length(t.u));
+  return turned_by(t.w, t.u, Vec3<R>{R(S(1)), R(S(0)), R(S(0))});
+}
+
 /// Sets the length of what stands for a direction back to one.
 template <class R>
 PHYSIM_INLINE Turn<R> on_unit_length(const Fidelity& f, const Turn<R>& t) {

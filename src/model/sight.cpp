@@ -32,10 +32,22 @@ SightFrame sight_frame(const Launch& launch) {
   return s;
 }
 
-Vec3d launch_velocity(const Launch& launch, const SightFrame& sight, double elevation) {
-  if (launch.velocity) return *launch.velocity;
+namespace {
+
+Vec3d along_bore(const Launch& launch, const SightFrame& sight, double elevation) {
   const auto above = sincos_of(elevation - launch.sight.look_angle);
-  return (sight.forward * above.cos + sight.canted * above.sin) * launch.speed;
+  return sight.forward * above.cos + sight.canted * above.sin;
+}
+
+}  // namespace
+
+Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation) {
+  const double speed = launch.velocity ? length(*launch.velocity) : 0;
+  return speed > 0 ? *launch.velocity * (1 / speed) : along_bore(launch, sight, elevation);
+}
+
+Vec3d launch_velocity(const Launch& launch, const SightFrame& sight, double elevation) {
+  return launch.velocity ? *launch.velocity : along_bore(launch, sight, elevation) * launch.speed;
 }
 
 }  // namespace physim

@@ -27,6 +27,8 @@ struct SightFrame {
 
 [[nodiscard]] SightFrame sight_frame(const Launch& launch);
 
+/// Unit vector along the bore for a bore elevation above the horizon [rad], or along a given velocity.
+[[nodiscard]] Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation);
 /// Velocity at the muzzle for a bore elevation above the horizon [rad]; `sight` is the launch's frame.
 [[nodiscard]] Vec3d launch_velocity(const Launch& launch, const SightFrame& sight, double elevation);
 

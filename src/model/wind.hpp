@@ -48,7 +48,7 @@ PHYSIM_INLINE Vec3<R> wind(const Conditions<S>& c, const Vec3<R>& x) {
   return turned;
 }
 
-/// The velocity through the air.
+/// Velocity through the air [m/s].
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> air_velocity(const Conditions<S>& c, const State<R>& s) {
   return c.fidelity.wind == WindModel::off ? s.v : s.v - wind(c, s.x);

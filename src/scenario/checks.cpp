@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "flight/cohort.hpp"
 #include "scenario/checks_world.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
@@ -68,6 +69,19 @@ Status check_drag(const DragDef& drag, const Value& shot) {
   return check_bands(drag, shot);
 }
 
+/// A motor and a rail are judged by the library; where it objects, the table is told.
+Status check_motor(const ScenarioShot& shot, const Value& table) {
+  const Value* given = table.find("motor");
+  if (given == nullptr || shot.projectile.motor == MotorDef{}) return std::nullopt;
+  const std::string place = given->place.text();
+  if (!has_motor(shot.projectile)) return Error{"shot.motor: there is no thrust", place, "give file or thrust"};
+  Status bad = check(shot.projectile);
+  if (!bad) bad = check(shot.launch);
+  if (!bad) bad = check(shot.projectile, shot.launch);
+  if (!bad) return std::nullopt;
+  return Error{"shot.motor (" + bad->place + "): " + bad->message, place, bad->hint};
+}
+
 /// Names go into overrides ("shot.NAME.mass=...") and into columns of files.
 Status check_name(const std::string& name, const Value& shot) {
   for (const char c : name)
@@ -92,6 +106,7 @@ Status check_shots(const Scenario& scenario, const Value& document, NamesSeen& s
                    "the first is at " + first->second};
     if (Status bad = check_direction(shot.launch, table)) return bad;
     if (Status bad = check_drag(shot.projectile.drag, table)) return bad;
+    if (Status bad = check_motor(shot, table)) return bad;
   }
   return std::nullopt;
 }

@@ -62,6 +62,8 @@ constexpr Figure kFigures[] = {
     {"vz", Quantity::speed, [](const Sample& s) { return s.velocity.z; }, nullptr, velocity<&Vec3d::z>},
     {"mach", Quantity::number, [](const Sample& s) { return s.mach; }},
     {"energy", Quantity::energy, [](const Sample& s) { return s.energy; }},
+    {"mass", Quantity::mass, [](const Sample& s) { return s.mass; }},
+    {"thrust", Quantity::force, [](const Sample& s) { return s.thrust; }},
     {"latitude", Quantity::angle, nullptr, &Geodetic::latitude},
     {"longitude", Quantity::angle, nullptr, &Geodetic::longitude},
     {"altitude", Quantity::length, nullptr, &Geodetic::height},

@@ -1,6 +1,7 @@
 // What a flight says about an expectation.
 #include <cmath>
 
+#include "physim/names.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
@@ -8,11 +9,11 @@
 namespace physim {
 namespace {
 
-/// The time of the first apex: fly() always records apexes.
-std::optional<double> apex_time(const Flight& flight) {
+/// Where an event happens first: fly() always records these.
+Result<Sample> sample_at_event(const Flight& flight, EventKind kind) {
   for (const Event& event : flight.events())
-    if (event.kind == EventKind::apex) return event.time;
-  return std::nullopt;
+    if (event.kind == kind) return flight.at(event.time);
+  return Error{"the flight has no " + std::string(name(kind)), "", ""};
 }
 
 Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
@@ -20,8 +21,11 @@ Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
     case ExpectAt::end:
       return flight.end();
     case ExpectAt::apex:
-      if (const std::optional<double> time = apex_time(flight)) return flight.at(*time);
-      return Error{"the flight has no apex", "", ""};
+      return sample_at_event(flight, EventKind::apex);
+    case ExpectAt::rail_exit:
+      return sample_at_event(flight, EventKind::rail_exit);
+    case ExpectAt::burnout:
+      return sample_at_event(flight, EventKind::burnout);
     case ExpectAt::time:
       if (expectation.at_value <= flight.duration()) return flight.at(expectation.at_value);
       return Error{"the flight ends after " + quantity_text(flight.duration(), Quantity::time), "", ""};

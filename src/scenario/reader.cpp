@@ -138,26 +138,27 @@ Status check_length(std::string_view path, const Value& value, std::size_t lengt
       "allowed are " + range.text());
 }
 
-/// [[Mach number, drag coefficient], ...] with rising Mach numbers.
-Status read_curve(const Entry& entry, const Value& value, std::vector<DragPoint>& curve) {
-  const std::string wanted = "points [[Mach number, drag coefficient], ...]";
+/// [[first, second], ...] with rising first numbers.
+Status read_points(const Entry& entry, const Value& value, const Points& points) {
+  const std::string first(points.names[0]), second(points.names[1]);
+  const std::string wanted = "points [[" + first + ", " + second + "], ...]";
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(entry.path, value, wanted);
   if (Status bad = check_length(entry.path, value, array->size(), entry.range)) return bad;
-  const Wanted number{entry.path, Quantity::number, {.low = 0}};
-  curve.clear();
+  Points::Pairs pairs;
   for (const Value& point : *array) {
     const Array* pair = point.get<Array>();
     if (pair == nullptr || pair->size() != 2) return fault(entry.path, point, "this is no point", "expected " + wanted);
-    const Result<double> mach = read_number(number, (*pair)[0]);
-    if (!mach) return mach.error();
-    const Result<double> coefficient = read_number(number, (*pair)[1]);
-    if (!coefficient) return coefficient.error();
-    if (!curve.empty() && *mach <= curve.back().mach)
-      return fault(entry.path, (*pair)[0],
-                   "Mach number " + number_text(*mach) + " after " + number_text(curve.back().mach), "they must rise");
-    curve.push_back({*mach, *coefficient});
+    const Result<double> x = read_number({entry.path, points.quantities[0], {.low = 0}}, (*pair)[0]);
+    if (!x) return x.error();
+    const Result<double> y = read_number({entry.path, points.quantities[1], {.low = 0}}, (*pair)[1]);
+    if (!y) return y.error();
+    if (!pairs.empty() && *x <= pairs.back().first)
+      return fault(entry.path, (*pair)[0], first + " " + number_text(*x) + " after " + number_text(pairs.back().first),
+                   "they must rise");
+    pairs.emplace_back(*x, *y);
   }
+  points.set(pairs);
   return std::nullopt;
 }
 
@@ -194,6 +195,15 @@ Status read_aero(const Entry& entry, const Value& value, AeroCoefficient& coeffi
     coefficient.push_back(next);
   }
   return std::nullopt;
+}
+
+Status read_reference(const Entry& entry, const Value& value, const Reference& reference) {
+  std::string text;
+  if (Status bad = read_text(entry, value, text)) return bad;
+  Status bad = reference.follow(text);
+  if (!bad) return std::nullopt;
+  return Error{std::string(entry.path) + ": " + bad->message, bad->place.empty() ? value.place.text() : bad->place,
+               bad->hint};
 }
 
 /// from, from + step, ... up to and including `to`.
@@ -331,7 +341,8 @@ Status read_setting(const Node& node, const Scope& scope, const Value& value) {
                         },
                         [&](std::string* target) { return read_text(entry, value, *target); },
                         [&](const Choice& choice) { return read_choice(entry, value, choice); },
-                        [&](std::vector<DragPoint>* curve) { return read_curve(entry, value, *curve); },
+                        [&](const Reference& reference) { return read_reference(entry, value, reference); },
+                        [&](const Points& points) { return read_points(entry, value, points); },
                         [&](AeroCoefficient* coefficient) { return read_aero(entry, value, *coefficient); },
                         [&](std::vector<double>* list) { return read_numbers(wanted, value, *list); },
                         [&](std::vector<std::string>* list) { return read_texts(entry, value, *list); },

@@ -1,14 +1,13 @@
 // Scenario files: text to document, overrides into it, settings out of it, contradictions.
 #include "physim/scenario.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <vector>
+#include <cstdint>
 
 #include "scenario/checks.hpp"
 #include "scenario/checks_world.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
+#include "scenario/text_file.hpp"
 
 namespace physim {
 namespace {
@@ -42,26 +41,6 @@ void complete(Scenario& scenario, const Value& document) {
       scenario.expect[i].place = (*expect->get<Array>())[i].place.text();
 }
 
-/// The text of a file; every way in which that can fail is named.
-Result<std::string> read_file(const std::string& file) {
-  std::error_code failure;
-  const auto status = std::filesystem::status(file, failure);
-  if (!std::filesystem::exists(status)) return Error{"there is no such file", file, ""};
-  if (std::filesystem::is_directory(status)) return Error{"this is a folder", file, "name a scenario file in it"};
-  if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(file, failure) > kMostBytes)
-    return Error{"larger than 256 MiB", file, "this cannot be a scenario file"};
-  std::ifstream in(file, std::ios::binary);
-  std::string text;
-  std::vector<char> block(1 << 16);
-  while (in.good() && text.size() <= kMostBytes) {  // a device or a pipe may have no end
-    in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-  }
-  if (in.bad() || !in.is_open()) return Error{"the file cannot be read", file, ""};
-  if (text.size() > kMostBytes) return Error{"larger than 256 MiB", file, "this cannot be a scenario file"};
-  return text;
-}
-
 }  // namespace
 
 Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
@@ -88,7 +67,7 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
 }
 
 Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides) {
-  const Result<std::string> text = read_file(file);
+  const Result<std::string> text = read_text_file(file, kMostBytes, "scenario file");
   if (!text) return text.error();
   return parse_scenario(*text, file, overrides);
 }

@@ -35,8 +35,9 @@ std::string type_of(const Slot& slot) {
                                [](Vec3d*) { return "vector"; }, [](std::optional<Vec3d>*) { return "vector"; },
                                [](std::int64_t*) { return "integer"; }, [](const Integer&) { return "integer"; },
                                [](bool*) { return "boolean"; }, [](std::string*) { return "text"; },
-                               [](const Choice&) { return "choice"; }, [](std::vector<DragPoint>*) { return "points"; },
-                               [](AeroCoefficient*) { return "points"; }, [](std::vector<double>*) { return "list"; },
+                               [](const Reference&) { return "text"; }, [](const Choice&) { return "choice"; },
+                               [](const Points&) { return "points"; }, [](AeroCoefficient*) { return "points"; },
+                               [](std::vector<double>*) { return "list"; },
                                [](std::vector<std::string>*) { return "list"; }, [](const Records&) { return "list"; }},
                     slot);
 }

@@ -27,6 +27,7 @@ struct Scope {
   EventSpec* event = nullptr;
   WindPoint* wind_point = nullptr;
   BallisticBand* band = nullptr;
+  MagnusPoint* magnus_point = nullptr;
   PoolDef* pool = nullptr;
   DetailRung* rung = nullptr;
   Volley* volley = nullptr;
@@ -53,6 +54,21 @@ struct Choice {
   std::function<void(std::size_t)> set;
 };
 
+/// Points of two numbers each; the first ones rise. Both have a name for messages: "Mach number".
+struct Points {
+  using Pairs = std::vector<std::pair<double, double>>;
+  std::string_view names[2];
+  Quantity quantities[2];
+  std::function<Pairs()> get;
+  std::function<void(const Pairs&)> set;
+};
+
+/// A text that stands for what is read where it points to, and is not written again. An error without a place is one
+/// of the text.
+struct Reference {
+  std::function<Status(const std::string&)> follow;
+};
+
 /// A list of tables.
 struct Records {
   std::function<std::size_t()> size;
@@ -61,9 +77,9 @@ struct Records {
 };
 
 /// Where a setting's value is, and of which type it is.
-using Slot = std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, Integer, bool*,
-                          std::string*, Choice, std::vector<DragPoint>*, AeroCoefficient*, std::vector<double>*,
-                          std::vector<std::string>*, Records>;
+using Slot =
+    std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, Integer, bool*, std::string*,
+                 Reference, Choice, Points, AeroCoefficient*, std::vector<double>*, std::vector<std::string>*, Records>;
 
 /// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
 struct Range {
@@ -125,6 +141,7 @@ struct Defaults {
   EventSpec event;
   WindPoint wind_point;
   BallisticBand band;
+  MagnusPoint magnus_point;
   PoolDef pool;
   DetailRung rung;
   Volley volley;
@@ -132,8 +149,8 @@ struct Defaults {
   Thrust::Point thrust_point;
 
   [[nodiscard]] Scope scope() {
-    return {&format, &scenario, &shot, &expect, &event, &wind_point,
-            &band,   &pool,     &rung, &volley, &force, &thrust_point};
+    return {&format,       &scenario, &shot, &expect, &event, &wind_point,  &band,
+            &magnus_point, &pool,     &rung, &volley, &force, &thrust_point};
   }
 };
 

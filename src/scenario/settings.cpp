@@ -58,15 +58,16 @@ Slot at_slot(const Scope& scope) {
 }
 
 Slot moment_slot(const Scope& scope) {
-  static constexpr std::string_view kMoments[] = {"end", "apex"};
+  static constexpr std::string_view kNames[] = {"end", "apex", "rail_exit", "burnout"};
+  static constexpr ExpectAt kMoments[] = {ExpectAt::end, ExpectAt::apex, ExpectAt::rail_exit, ExpectAt::burnout};
   Expectation& expect = *scope.expect;
-  return Choice{kMoments,
+  return Choice{kNames,
                 [&expect]() -> std::optional<std::size_t> {
-                  if (expect.at == ExpectAt::end || expect.at == ExpectAt::apex)
-                    return expect.at == ExpectAt::end ? 0U : 1U;
+                  for (std::size_t i = 0; i < std::size(kMoments); ++i)
+                    if (expect.at == kMoments[i]) return i;
                   return std::nullopt;
                 },
-                [&expect](std::size_t i) { expect.at = i == 0 ? ExpectAt::end : ExpectAt::apex, expect.at_value = 0; }};
+                [&expect](std::size_t i) { expect.at = kMoments[i], expect.at_value = 0; }};
 }
 
 // ------------------------------------------------------------------------------------ quantities that others decide
@@ -82,6 +83,9 @@ Quantity quantity_of_event(const Scope& scope) {
       return Quantity::time;
     case EventKind::apex:
     case EventKind::mach:
+    case EventKind::ignition:
+    case EventKind::burnout:
+    case EventKind::rail_exit:
       break;
   }
   return Quantity::number;
@@ -237,7 +241,7 @@ constexpr Entry kShotSettings[] = {
      .doc = "drag coefficient of table = \"constant\"",
      .range = at_least(0)},
     {.path = "shot.drag.curve",
-     .slot = PHYSIM_FIELD(shot->projectile.drag.curve),
+     .slot = [](const Scope& s) { return curve_slot(s.shot->projectile.drag.curve); },
      .doc = "[Mach number, drag coefficient] of table = \"custom\", Mach numbers rising",
      .range = at_most(100000)},
     {.path = "shot.drag.ballistic_coefficient",
@@ -310,6 +314,11 @@ constexpr Entry kShotSettings[] = {
      .slot = PHYSIM_FIELD(shot->launch.velocity),
      .doc = "instead of speed, elevation and azimuth",
      .quantity = Quantity::speed},
+    {.path = "shot.rail_length",
+     .slot = PHYSIM_FIELD(shot->launch.rail_length),
+     .doc = "it moves only forwards along the bore until it has come so far; 0: no rail",
+     .quantity = Quantity::length,
+     .range = at_least(0)},
     {.path = "shot.sight.height",
      .slot = PHYSIM_FIELD(shot->launch.sight.height),
      .doc = "of the sight above the bore, at the muzzle",
@@ -489,9 +498,10 @@ std::span<const Entry> entries() {
     std::vector<Entry> list;
     for (const std::span<const Entry> part :
          {std::span<const Entry>(kFileSettings), std::span<const Entry>(kEnvironmentSettings),
-          std::span<const Entry>(kShotSettings), rotation_settings(), std::span<const Entry>(kFidelitySettings),
-          body_settings(), world_settings(), volley_settings(), force_settings(), std::span<const Entry>(kRunSettings),
-          target_settings(), std::span<const Entry>(kExpectSettings)})
+          std::span<const Entry>(kShotSettings), magnus_settings(), motor_settings(), rotation_settings(),
+          std::span<const Entry>(kFidelitySettings), body_settings(), world_settings(), volley_settings(),
+          force_settings(), std::span<const Entry>(kRunSettings), target_settings(),
+          std::span<const Entry>(kExpectSettings)})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

@@ -36,6 +36,25 @@ Slot slot_of(T& value) {
   }
 }
 
+/// Points as pairs of two of their fields.
+template <class Point>
+Slot points(std::vector<Point>& list, double Point::*first, double Point::*second, Points described) {
+  described.get = [&list, first, second] {
+    Points::Pairs pairs;
+    for (const Point& point : list) pairs.emplace_back(point.*first, point.*second);
+    return pairs;
+  };
+  described.set = [&list, first, second](const Points::Pairs& pairs) {
+    list.clear();
+    for (const auto& [x, y] : pairs) list.emplace_back(), list.back().*first = x, list.back().*second = y;
+  };
+  return described;
+}
+inline Slot curve_slot(std::vector<DragPoint>& curve) {
+  return points(curve, &DragPoint::mach, &DragPoint::coefficient,
+                {{"Mach number", "drag coefficient"}, {Quantity::number, Quantity::number}, {}, {}});
+}
+
 /// A list of tables; in the scope of an element, the pointer for its kind points to it.
 template <class T>
 Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
@@ -52,6 +71,8 @@ Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
 
 // ------------------------------------------------------------------------------- parts of the list in files of their
 // own
+[[nodiscard]] std::span<const Entry> magnus_settings();    // [shot.magnus], [shot.spin]
+[[nodiscard]] std::span<const Entry> motor_settings();     // [shot.motor]
 [[nodiscard]] std::span<const Entry> rotation_settings();  // [shot.inertia], [shot.aero], [shot.attitude]
 [[nodiscard]] std::span<const Entry> body_settings();      // [shot.body]
 [[nodiscard]] std::span<const Entry> world_settings();     // [world]

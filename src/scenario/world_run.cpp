@@ -236,6 +236,9 @@ void WorldRun::Impl::count(std::span<const WorldEvent> news) {
         break;
       case WorldEventKind::woke:
       case WorldEventKind::fidelity_changed:
+      case WorldEventKind::ignition:
+      case WorldEventKind::burnout:
+      case WorldEventKind::rail_exit:
         break;
     }
   }

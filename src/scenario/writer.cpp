@@ -53,9 +53,10 @@ std::string vector_value(const Vec3d& v, Quantity quantity) {
                      [quantity](double x) { return number_value(x, quantity, Style::toml); });
 }
 
-std::string curve_value(const std::vector<DragPoint>& curve) {
-  return array_value(curve, [](const DragPoint& point) {
-    return "[" + number_text(point.mach) + ", " + number_text(point.coefficient) + "]";
+std::string points_value(const Points& points) {
+  return array_value(points.get(), [&](const auto& point) {
+    return "[" + number_value(point.first, points.quantities[0], Style::toml) + ", " +
+           number_value(point.second, points.quantities[1], Style::toml) + "]";
   });
 }
 
@@ -122,7 +123,8 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                           const std::optional<std::size_t> index = choice.get();
                           return index ? Text(word(choice.names[*index], style)) : std::nullopt;
                         },
-                        [&](const std::vector<DragPoint>* curve) -> Text { return curve_value(*curve); },
+                        [](const Reference&) -> Text { return std::nullopt; },
+                        [](const Points& points) -> Text { return points_value(points); },
                         [&](const AeroCoefficient* coefficient) -> Text { return aero_value(*coefficient); },
                         [&](const std::vector<double>* list) -> Text {
                           return array_value(*list,

@@ -1,9 +1,11 @@
 // Regimes: where on its piecewise data a flight is. An adaptive integrator must not step across a corner of a linear
-// drag curve, an edge of a band, a layer of the atmosphere, a point of the wind profile or the end of a burn: its error
-// estimate assumes smooth derivatives. Steps that would are cut to end just behind the corner.
+// drag curve, an edge of a band, a layer of the atmosphere, a point of the wind profile or the end of a force: its
+// error estimate assumes smooth derivatives. Steps that would are cut to end just behind the corner. Steps of every
+// integrator are cut where a launch rail lets go; what is known by its time, a motor's table, is in solve/stops.hpp.
 #pragma once
 
 #include "solve/dense.hpp"
+#include "solve/stops.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -16,6 +18,7 @@ struct Regime {
   R wind_piece;
   R force;
   R aero_cell;
+  R rail;
 };
 
 /// How many of the borders lie at or below u.
@@ -64,7 +67,9 @@ template <class R, class S>
 PHYSIM_INLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                const State<R>& s) {
   const R zero(S(0));
-  Regime<R> r{zero, zero, zero, zero, zero, zero};
+  Regime<R> r{zero, zero, zero, zero, zero, zero, zero};
+  if (c.has_rail) rail_phase(c, b, t, s, r.rail);
+  if (!steps_itself(c.fidelity)) return r;  // fixed steps go over what bends in place and speed
   if (drag_has_corners(c)) {
     const R speed = length(air_velocity(c, s));
     if (c.fidelity.interpolation == Interpolation::linear)
@@ -88,28 +93,32 @@ PHYSIM_INLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const R
 template <class R>
 PHYSIM_INLINE MaskOf<R> differ(const Regime<R>& a, const Regime<R>& b) {
   return (a.curve_cell != b.curve_cell) | (a.band != b.band) | (a.air_layer != b.air_layer) |
-         (a.wind_piece != b.wind_piece) | (a.force != b.force) | (a.aero_cell != b.aero_cell);
+         (a.wind_piece != b.wind_piece) | (a.force != b.force) | (a.aero_cell != b.aero_cell) | (a.rail != b.rail);
 }
 
 template <class R, class Mask>
 PHYSIM_INLINE Regime<R> select(const Mask& m, const Regime<R>& a, const Regime<R>& b) {
-  return {select(m, a.curve_cell, b.curve_cell), select(m, a.band, b.band),   select(m, a.air_layer, b.air_layer),
-          select(m, a.wind_piece, b.wind_piece), select(m, a.force, b.force), select(m, a.aero_cell, b.aero_cell)};
+  return {select(m, a.curve_cell, b.curve_cell),
+          select(m, a.band, b.band),
+          select(m, a.air_layer, b.air_layer),
+          select(m, a.wind_piece, b.wind_piece),
+          select(m, a.force, b.force),
+          select(m, a.aero_cell, b.aero_cell),
+          select(m, a.rail, b.rail)};
 }
 
 /// Whether any piecewise data is in use, so that smooth flights do not pay.
 template <class S>
 PHYSIM_INLINE bool has_corners(const Conditions<S>& c) {
-  return drag_has_corners(c) || has_layers(c) || c.fidelity.wind == WindModel::profile || c.has_applied ||
+  return drag_has_corners(c) || has_layers(c) || c.fidelity.wind == WindModel::profile || c.has_applied || c.has_rail ||
          c.has_aero_tables;
 }
 
 /// The part of a finished step after which the first corner lies just behind, or 1 where there is none to respect.
-/// `at(theta)` is the dense output. A corner in the first millionth of a step is the one the last step was cut at.
+/// `at(theta)` is the dense output, and the search begins `before` some part of the step.
 template <class F>
 double first_corner(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double t, double h,
-                    const F& at) {
-  double before = 1e-6;
+                    double before, const F& at) {
   double behind = 1;
   const Regime<double> here = regime(c, b, rotor, t + before * h, at(before));
   if (!differ(here, regime(c, b, rotor, t + h, at(1.0)))) return 1;

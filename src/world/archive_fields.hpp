@@ -52,6 +52,36 @@ void fields(A& a, DragDef& d) {
   a(table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2);
 }
 template <class A>
+void fields(A& a, ThrustPoint& p) {
+  auto& [time, force] = p;
+  a(time, force);
+}
+template <class A>
+void fields(A& a, PropellantPoint& p) {
+  auto& [time, mass] = p;
+  a(time, mass);
+}
+template <class A>
+void fields(A& a, MotorDef& m) {
+  auto& [name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve] = m;
+  a(name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve);
+}
+template <class A>
+void fields(A& a, MagnusPoint& p) {
+  auto& [speed, spin, drag, lift] = p;
+  a(speed, spin, drag, lift);
+}
+template <class A>
+void fields(A& a, MagnusDef& m) {
+  auto& [lift, base, saturation, drag_per_spin, table, measure, decay_time] = m;
+  a(lift, base, saturation, drag_per_spin, table, measure, decay_time);
+}
+template <class A>
+void fields(A& a, LaunchSpin& s) {
+  auto& [backspin, sidespin, gyrospin] = s;
+  a(backspin, sidespin, gyrospin);
+}
+template <class A>
 void fields(A& a, Inertia& i) {
   auto& [moments, products] = i;
   a(moments, products);
@@ -70,8 +100,8 @@ void fields(A& a, AeroDef& d) {
 }
 template <class A>
 void fields(A& a, ProjectileDef& p) {
-  auto& [name, mass, diameter, length, twist, drag, inertia, aero, force, force_duration, fidelity] = p;
-  a(name, mass, diameter, length, twist, drag, inertia, aero, force, force_duration, fidelity);
+  auto& [name, mass, diameter, length, twist, drag, magnus, inertia, aero, force, force_duration, motor, fidelity] = p;
+  a(name, mass, diameter, length, twist, drag, magnus, inertia, aero, force, force_duration, motor, fidelity);
 }
 template <class A>
 void fields(A& a, Sight& s) {
@@ -85,8 +115,8 @@ void fields(A& a, LaunchAttitude& l) {
 }
 template <class A>
 void fields(A& a, Launch& l) {
-  auto& [position, speed, elevation, azimuth, velocity, sight, attitude] = l;
-  a(position, speed, elevation, azimuth, velocity, sight, attitude);
+  auto& [position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin] = l;
+  a(position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin);
 }
 template <class A>
 void fields(A& a, DespawnRules& d) {

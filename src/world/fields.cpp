@@ -48,12 +48,34 @@ RowLayout layout_of(const Fidelity& granted, const Features& features) {
     list.add(&Body<double>::applied);
     list.add(&Body<double>::applied_until);
   }
+  const bool spinning = granted.rotation == RotationModel::magnus;
+  if (spinning) {
+    list.add(&Body<double>::spin);
+    list.add(&Body<double>::spin_decay);
+    list.add(&Body<double>::ball_radius);
+    list.add(&Body<double>::magnus_area);
+    list.add(&Body<double>::lift);
+    list.add(&Body<double>::lift_base);
+    list.add(&Body<double>::lift_saturation);
+    list.add(&Body<double>::drag_per_spin);
+    list.add(&Body<double>::magnus_table);
+  }
+  if (features.motor || features.rail) {
+    list.add(&Body<double>::burn);
+    list.add(&Body<double>::burn_piece);
+    list.add(&Body<double>::mass);
+    list.add(&Body<double>::ignition);
+    list.add(&Body<double>::burnout);
+    list.add(&Body<double>::rail);
+    list.add(&Body<double>::rail_end);
+    list.add(&Body<double>::rail_phase);
+  }
   if (granted.planar) list.add(&Body<double>::plane);
   if (features.gravity_scale) list.add(&Body<double>::gravity_scale);
   if (features.frozen) list.add(&Body<double>::free);
   RowLayout layout;
   layout.float32 = granted.precision == Precision::float32;
-  layout.clocked = closed || features.applied;
+  layout.clocked = closed || features.applied || features.motor || features.rail || spinning;
   layout.carried = !closed && granted.integrator == Integrator::classic;
   layout.launched = features.launch_place;
   layout.turning = turns(granted);

@@ -12,6 +12,9 @@ namespace physim {
 /// What some projectiles have beside the plain models; part of a cohort's key, so that the others pay nothing.
 struct Features {
   bool applied = false;        // ProjectileDef::force
+  bool motor = false;          // ProjectileDef::motor
+  bool rail = false;           // Launch::rail_length
+  bool magnus_tables = false;  // MagnusDef::table
   bool spheres = false;        // Cd by Reynolds number
   bool bands = false;          // banded ballistic coefficients
   bool searched = false;       // a drag curve that fits no equal cells

@@ -20,6 +20,14 @@ bool acts(const Generator& g, double time, double dt, double place) {
 
 }  // namespace
 
+double mass_of(const Registry& registry, const WorldState& state, const Slot& slot) {
+  const Kind& kind = registry.kind(slot.kind);
+  if (!registry.cohort(slot.cohort).conditions.has_motor) return kind.projectile.mass;
+  Body<double> body = kind.rungs[slot.rung].body;
+  state.rows[slot.cohort].read_fields(slot.row, body);
+  return mass_at(body, state.row_clock(slot));
+}
+
 std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::uint32_t slot) {
   const auto tags = state.tags.find(slot);
   return tags == state.tags.end() ? registry.kind(state.slots[slot].kind).body.layers : tags->second.layers;
@@ -52,7 +60,7 @@ void ForceRows::clear() {
 void ForceRows::add(const Registry& registry, const WorldState& state, std::uint32_t slot) {
   const ProjectileDef& projectile = registry.kind(state.slots[slot].kind).projectile;
   id.push_back({slot, state.slots[slot].generation});
-  mass.push_back(projectile.mass);
+  mass.push_back(mass_of(registry, state, state.slots[slot]));
   def.push_back(&projectile);
 }
 
@@ -192,7 +200,9 @@ Vec3d ForceField::own_drag(std::uint32_t row) const {
   const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
   Body<double> body = registry_.kind(slot.kind).rungs[slot.rung].body;
   state_.rows[slot.cohort].read_fields(slot.row, body);
-  return drag(c, body, State<double>{rows_.position[row], rows_.velocity[row]}) * rows_.mass[row];
+  const State<double> s{rows_.position[row], rows_.velocity[row]};
+  const double t = c.has_motor ? state_.row_clock(slot) : 0;
+  return air_now(c, body, t, s) * rows_.mass[row];
 }
 
 }  // namespace physim

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "math/elementary.hpp"
 #include "physim/units.hpp"
 
 namespace physim {
@@ -13,6 +14,8 @@ namespace {
 using namespace units;
 
 constexpr double kStandardGravity = 9.80665;  // [m/s^2]
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRpm = kPi / 30;  // [rad/s]
 
 /// A shot of the original at its elevation setting 2, removed where the original removed it.
 ProjectilePreset original(const char* name, double mass, double damping, double gravity, double speed) {
@@ -112,11 +115,96 @@ ProjectilePreset paintball() {
 ProjectilePreset tennis_ball() {
   ProjectilePreset p;
   p.projectile = {.name = "tennis_ball", .mass = 57.7_g, .diameter = 66.1_mm, .drag = {.coefficient = 0.507}};
+  p.projectile.magnus = {.lift = 1, .lift_base = 1, .lift_saturation = 2};
   p.body.restitution = 0.745;
   p.body.friction = 0.2;  // less than of a ball that slides: it soon rolls, which a point mass does not know
   p.speed = 120_mph;
   p.doc = "tennis ball, served";
-  p.source = "Cd: Cross and Lindsey (2014); mass, size and bounce (141 cm from 254 cm): middle of the rules of tennis";
+  p.source =
+      "Cd: Cross and Lindsey (2014); Cl 1 / (2 + v / (r omega)): Stepanek (1988), Cross and Lindsey; mass, size and "
+      "bounce (141 cm from 254 cm): middle of the rules of tennis";
+  return p;
+}
+
+namespace {
+
+/// Cd and Cl at one speed [m/s] and 2000, 3000, 4000, 5000 and 6000 rpm.
+struct GolfRow {
+  double speed;
+  double at[5][2];
+};
+// P. W. Bearman, J. K. Harvey, "Golf ball aerodynamics", Aeronautical Quarterly 27 (1976) 112-122, fig. 7 and 8: a ball
+// with hexagonal dimples in a wind tunnel.
+constexpr GolfRow kGolf[] = {
+    {13.7, {{0.3624, 0.104}, {0.4203, 0.3624}, {0.4288, 0.4005}, {0.4848, 0.413}, {0.518, 0.4644}}},
+    {21.6, {{0.2885, 0.1846}, {0.3658, 0.3362}, {0.4003, 0.364}, {0.4314, 0.3894}, {0.4406, 0.4227}}},
+    {29.9, {{0.2765, 0.246}, {0.3169, 0.3049}, {0.349, 0.3347}, {0.3728, 0.3496}, {0.3882, 0.3724}}},
+    {38.4, {{0.2529, 0.1984}, {0.2822, 0.2475}, {0.3084, 0.2862}, {0.3316, 0.3119}, {0.3517, 0.3393}}},
+    {46.9, {{0.2472, 0.1762}, {0.2655, 0.2073}, {0.2852, 0.2384}, {0.3062, 0.2695}, {0.3285, 0.3005}}},
+    {55.2, {{0.2481, 0.1538}, {0.2578, 0.1856}, {0.271, 0.2149}, {0.2876, 0.2418}, {0.3076, 0.2662}}},
+    {63.1, {{0.2467, 0.1418}, {0.256, 0.1702}, {0.2659, 0.1977}, {0.2765, 0.2246}, {0.2877, 0.2507}}},
+    {71.9, {{0.247, 0.136}, {0.255, 0.1584}, {0.263, 0.1807}, {0.271, 0.2031}, {0.279, 0.2254}}},
+    {80.2, {{0.247, 0.128}, {0.2538, 0.1485}, {0.2605, 0.169}, {0.2673, 0.1895}, {0.274, 0.21}}},
+    {88.1, {{0.247, 0.1276}, {0.2538, 0.1464}, {0.2605, 0.1582}, {0.2673, 0.1791}, {0.274, 0.2}}},
+};
+
+/// J. E. Goff, M. J. Carre, "Soccer ball lift coefficients via trajectory analysis", European Journal of Physics 31
+/// (2010) 775-784: the fall of Cd at the drag crisis, and its growth with the spin parameter above it.
+double football_drag(double speed, double parameter) {
+  if (speed > 12.19 && parameter > 0.05) return 0.4127 * pow(parameter, 0.3056);
+  return 0.155 + 0.346 / (1 + exp((speed - 12.19) / 1.309));
+}
+
+}  // namespace
+
+ProjectilePreset golf_ball() {
+  ProjectilePreset p;
+  p.projectile = {.name = "golf_ball", .mass = 45.93_g, .diameter = 42.67_mm, .drag = {.coefficient = 0.25}};
+  MagnusDef& m = p.projectile.magnus;
+  for (const GolfRow& row : kGolf)
+    for (int i = 0; i < 5; ++i) m.table.push_back({row.speed, (2000 + 1000 * i) * kRpm, row.at[i][0], row.at[i][1]});
+  m.decay_time = 24;
+  p.body.restitution = 0.6;
+  p.body.friction = 0.4;
+  p.speed = 167_mph;
+  p.doc = "golf ball off a driver; its spin by the launch";
+  p.source =
+      "Cd and Cl: Bearman and Harvey (1976); spin decay 2e-5 v / r at 45 m/s: Smits and Smith (1994); mass and size: "
+      "the "
+      "rules of golf; speed: tour average (TrackMan); bounces: our choice";
+  return p;
+}
+
+ProjectilePreset baseball() {
+  ProjectilePreset p;
+  p.projectile = {.name = "baseball", .mass = 5.125_oz, .diameter = 9.125_in / kPi, .drag = {.coefficient = 0.3008}};
+  p.projectile.magnus = {
+      .lift = 1.120, .lift_base = 0.583, .lift_saturation = 2.333, .drag_per_spin = 0.0292 / 1000 / kRpm};
+  p.body.restitution = 0.5;
+  p.body.friction = 0.4;
+  p.speed = 103_mph;
+  p.doc = "baseball, batted; its spin by the launch";
+  p.source =
+      "Cd, Cl, mass and size: A. M. Nathan's trajectory calculator and Am. J. Phys. 76 (2008) 119; bounces: our choice";
+  return p;
+}
+
+ProjectilePreset football() {
+  ProjectilePreset p;
+  p.projectile = {.name = "football", .mass = 0.43, .diameter = 0.22, .drag = {.coefficient = 0.155}};
+  MagnusDef& m = p.projectile.magnus;
+  m.measure = SpinMeasure::parameter;
+  for (const double speed : {5.0, 7.0, 9.0, 10.0, 11.0, 12.0, 12.19, 12.2, 13.0, 14.0, 15.0, 17.0, 20.0, 40.0})
+    for (const double s : {0.0, 0.05, 0.0501, 0.1, 0.15, 0.2, 0.3, 0.4})
+      m.table.push_back({speed, s, football_drag(speed, s), 1.04 * s});
+  p.body.restitution = 0.7;
+  p.body.friction = 0.5;
+  p.speed = 25;
+  p.doc = "football (soccer), kicked; its spin by the launch";
+  p.source =
+      "Cd: Goff and Carre (2010); Cl 1.04 S, which is 0.26 at the 0.23-0.29 of Bray and Kerwin (2003) for free kicks; "
+      "mass "
+      "and size: the laws of the game; bounces: our choice";
   return p;
 }
 
@@ -139,6 +227,9 @@ constexpr Named kPresets[] = {
     {"grenade", presets::grenade},
     {"paintball", presets::paintball},
     {"tennis_ball", presets::tennis_ball},
+    {"golf_ball", presets::golf_ball},
+    {"baseball", presets::baseball},
+    {"football", presets::football},
 };
 
 }  // namespace

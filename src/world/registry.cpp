@@ -21,6 +21,8 @@ std::size_t hash_of(const ProjectileDef& p, const BodyDef& b) {
 Features features_of(const Conditions<double>& c, const BodyDef& body) {
   Features f;
   f.applied = c.has_applied;
+  f.motor = c.has_motor;
+  f.magnus_tables = c.has_magnus_tables;
   f.spheres = c.has_spheres;
   f.bands = c.has_bands;
   f.searched = c.has_searched_curves;
@@ -46,6 +48,9 @@ ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {
 
 void set_flags(Conditions<double>& c, const Features& f) {
   c.has_applied = f.applied;
+  c.has_motor = f.motor;
+  c.has_rail = f.rail;
+  c.has_magnus_tables = f.magnus_tables;
   c.has_spheres = f.spheres;
   c.has_bands = f.bands;
   c.has_searched_curves = f.searched;
@@ -65,6 +70,9 @@ WatchList watch_of(const WorldDef& def, const Conditions<double>& c) {
   if (has_lowest_altitude(c.fidelity))
     add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
   if (def.apex_events) add({EventKind::apex, 0, Crossing::falling, false}, Outcome::event);
+  const auto tell = [&](EventKind kind) { add({kind, 0, Crossing::rising, false}, Outcome::event); };
+  if (c.has_motor) tell(EventKind::ignition), tell(EventKind::burnout);
+  if (c.has_rail) tell(EventKind::rail_exit);
   return watch;
 }
 
@@ -116,10 +124,13 @@ void Registry::prepare(Kind& k, Prepared& r) {
   const Fidelity& granted = r.in_use.fidelity;
   Conditions<double> probe = prepare_conditions(environment, granted);
   CurvePool& pool = curves(granted.interpolation).pool;
-  const std::size_t rows_before = pool.rows().size() + pool.searched().size();
+  const auto size = [&] {
+    return pool.rows().size() + pool.searched().size() + pool.motors.pieces().size() + pool.magnus.grids().size();
+  };
+  const std::size_t size_before = size();
   r.body = prepare_body(k.flown, Launch{}, 0, pool, probe);
   r.rotor = turns(granted) ? prepare_rotor(k.flown, Launch{}, 0, r.body, pool, probe) : Rotor<double>{};
-  if (pool.rows().size() + pool.searched().size() != rows_before)
+  if (size() != size_before)
     for (WorldCohort& cohort : cohorts_) point_to_curves(cohort);
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;
   r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.flown, r.body, probe) : nullptr;
@@ -138,6 +149,7 @@ std::uint16_t Registry::cohort(std::uint32_t index, std::uint16_t rung, const Va
   key.features = r.features;
   key.features.gravity_scale = variant.scaled;
   key.features.frozen = variant.frozen;
+  key.features.rail = variant.railed && flies_motors(key.fidelity);
   key.rules.despawn = k.body.despawn;
   if (k.body.can_sleep && !variant.sleepless) {
     key.rules.sleep_speed = k.body.sleep_speed;
@@ -167,9 +179,9 @@ void Registry::prepare(WorldCohort& cohort) {
   cohort.conditions_float = to_float(cohort.conditions);
   const WatchList watch = watch_of(def_, cohort.conditions);
   cohort.course_float = {&cohort.conditions_float, &cohort.conditions,
-                         prepare_plan<float>(def_.tolerance, key.fidelity, 0), watch, false};
+                         prepare_plan<float>(def_.tolerance, key.fidelity, 0), watch, key.features.rail};
   cohort.course_double = {&cohort.conditions, &cohort.conditions, prepare_plan<double>(def_.tolerance, key.fidelity, 0),
-                          watch, false};
+                          watch, key.features.rail};
   point_to_curves(cohort);
 }
 
@@ -182,6 +194,8 @@ void Registry::point_to_curves(WorldCohort& cohort) {
   }
   cohort.conditions.curve_rows = c.pool.rows().data();
   cohort.conditions_float.curve_rows = c.rows_float.data();
+  cohort.conditions.motor_pieces = cohort.conditions_float.motor_pieces = c.pool.motors.pieces().data();
+  cohort.conditions.magnus_grids = cohort.conditions_float.magnus_grids = c.pool.magnus.grids().data();
   cohort.conditions.searched_curves = cohort.conditions_float.searched_curves = c.pool.searched().data();
 }
 

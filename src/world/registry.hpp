@@ -45,12 +45,14 @@ struct Variant {
   bool scaled = false;  // its own part of gravity
   bool frozen = false;  // some axis is frozen
   bool sleepless = false;
+  bool railed = false;  // started on a rail
 
   [[nodiscard]] unsigned index() const {
-    return (forced ? 1u : 0) | (still ? 2u : 0) | (scaled ? 4u : 0) | (frozen ? 8u : 0) | (sleepless ? 16u : 0);
+    return (forced ? 1u : 0) | (still ? 2u : 0) | (scaled ? 4u : 0) | (frozen ? 8u : 0) | (sleepless ? 16u : 0) |
+           (railed ? 32u : 0);
   }
 };
-inline constexpr unsigned kVariants = 32;
+inline constexpr unsigned kVariants = 64;
 inline constexpr std::uint16_t kNoCohort = 0xffff;
 
 /// A kind on one rung.

@@ -120,6 +120,7 @@ class Settling {
     const double clock = passed - static_cast<double>(frame_start);  // from a step's clock to time into the step
     const bool turning = rows_.layout().turning;
     if (turning) s.turn->start = turn_;
+    if (stops_within()) return go_by_parts(clock);
     if (f.motion != Motion::closed_form && is_adaptive(f.integrator)) {
       bool stopped = false;
       const bool lost = divide_frame(course_, lane_.body, *lane_.rotor, true, s,
@@ -140,6 +141,51 @@ class Settling {
     if (classic) carried_ = s.slope[1].v;
   }
 
+  [[nodiscard]] bool stops_within() const {
+    const Body<S>& b = lane_.body;
+    return has_stops(*course_.conditions) && (b.burn.end <= lane_.step.t_end || b.rail_phase < S(kOffRail));
+  }
+
+  /// Steps end at stops of motor and rail: goes from one to the next, with the numbers of a flight.
+  void go_by_parts(double clock) {
+    const Conditions<S>& c = *course_.conditions;
+    Step<S>& s = lane_.step;
+    const S end = s.t_end;
+    const bool counted = !steps_itself(c.fidelity);
+    S left = s.h;
+    lane_.control = {S(0), s.h};
+    lane_.cut = S(0);
+    pass_stops(c, s.t, true, s.start, lane_.body);
+    changed_ = true;
+    lane_.regime = regime(c, lane_.body, *lane_.rotor, s.t, s.start);
+    set_slope(c, lane_.body, *lane_.rotor, 0, s);
+    for (int tries = 0; s.t < end; ++tries) {
+      if (tries == kMaxSubsteps) return leave(LifeStatus::retired, Reason::stalled);
+      if (!counted) lane_.control.h = min(lane_.control.h, end - s.t);
+      end_at_stop(end, left, counted, lane_);
+      if (!counted && end - s.t <= s.h) s.t_end = min(end, lane_.body.burn.end);
+      take_step(c, lane_.body, *lane_.rotor, course_.plan.relative, course_.plan.absolute, s);
+      if (!control_step(course_, lane_)) {
+        if (!is_finite(s.error) && !counted) return leave(LifeStatus::retired, Reason::non_finite);
+        continue;
+      }
+      if (look(clock)) return;
+      s.t = s.t_end;
+      s.start = s.end;
+      left = end - s.t;
+      s.slope[0] = s.slope[last_slope(c.fidelity)];
+      if (turns(c.fidelity)) {
+        s.turn->start = turn_ = s.turn->end;
+        s.turn->slope[0] = s.turn->slope[last_slope(c.fidelity)];
+      }
+      if (pass_stops(c, s.t, true, s.start, lane_.body)) {
+        set_slope(c, lane_.body, *lane_.rotor, 0, s);
+        lane_.regime.rail = lane_.body.rail_phase;
+      }
+    }
+    end_ = s.start;
+  }
+
   /// The step was taken together with others; what is missing is the slope at its end.
   void look_at_taken() {
     Step<S>& s = lane_.step;
@@ -158,6 +204,9 @@ class Settling {
     if (look(-static_cast<double>(t_start_))) return;
     end_ = s.end;
     if (rows_.layout().turning) turn_ = s.turn->end;
+    if (!stops_within()) return;
+    pass_stops(*course_.conditions, t_end, true, end_, lane_.body);
+    changed_ = true;
   }
 
   /// Looks for events in the step just taken; true where one of them ends it.
@@ -190,10 +239,16 @@ class Settling {
           leave(LifeStatus::retired, Reason::left_domain);
           return true;
         default:
-          tell(WorldEventKind::apex, Reason::none, passed, s);
+          tell(event_of(course_.watch.item[crossings.found[i].index].spec.kind), Reason::none, passed, s);
       }
     }
     return false;
+  }
+
+  [[nodiscard]] static WorldEventKind event_of(EventKind kind) {
+    if (kind == EventKind::ignition) return WorldEventKind::ignition;
+    if (kind == EventKind::burnout) return WorldEventKind::burnout;
+    return kind == EventKind::rail_exit ? WorldEventKind::rail_exit : WorldEventKind::apex;
   }
 
   /// Reached the ground, `passed` into the step.
@@ -252,13 +307,20 @@ class Settling {
     const double speed = length(vec_cast<double>(end_.v));
     const auto outside = [](double at, double low, double high) { return at < low || at > high; };
     if (height(conditions(), x) < d.below) return expire(Reason::below);
-    if (speed < d.slower) return expire(Reason::slower);
+    if (speed < d.slower && !waits_for_motor()) return expire(Reason::slower);
     if (rows_.layout().launched && length(x - Rows::at(columns_.launch, row_)) > d.farther)
       return expire(Reason::farther);
     if (d.outside_box && (outside(x.x, d.box_low.x, d.box_high.x) || outside(x.y, d.box_low.y, d.box_high.y) ||
                           outside(x.z, d.box_low.z, d.box_high.z)))
       return expire(Reason::outside_box);
-    if (speed < rules.sleep_speed) rest(rules.sleep_time);
+    if (speed < rules.sleep_speed && !waits_for_motor()) rest(rules.sleep_time);
+  }
+
+  /// On its rail, or before burnout: it only looks as if it rested.
+  [[nodiscard]] bool waits_for_motor() const {
+    const Conditions<S>& c = *course_.conditions;
+    const Body<S>& b = lane_.body;
+    return (c.has_motor && std::isfinite(b.burn.end)) || (c.has_rail && b.rail_phase < S(kOffRail));
   }
 
   /// Counts the time at rest; enough of it, without a break, and it sleeps.
@@ -297,9 +359,14 @@ class Settling {
       if (rows_.layout().carried) columns_.carried[axis][row_] = part(carried_, axis);
     }
     if (rows_.layout().turning) Rows::put(columns_.turn, row_, reinterpret_cast<const S*>(&turn_));
-    if (!relaunched_) return;
+    if (!relaunched_ && !changed_) return;
+    if (taken_) {  // what generators gave is not its own
+      lane_.body.applied = from_row_.applied;
+      lane_.body.applied_until = from_row_.applied_until;
+    }
     const auto* number = reinterpret_cast<const S*>(&lane_.body);
     for (const std::uint8_t field : rows_.layout().fields) columns_.field[field][row_] = number[field];
+    if (!relaunched_) return;
     columns_.offset[row_] = t_end_;
     columns_.born[row_] = static_cast<S>(context_.now + 1);
   }
@@ -326,6 +393,7 @@ class Settling {
   int bounces_ = 0;
   bool gone_ = false;
   bool relaunched_ = false;
+  bool changed_ = false;  // another piece of its motor's table, another phase on the rail
 };
 
 }  // namespace

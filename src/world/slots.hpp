@@ -21,6 +21,7 @@ enum SlotFlag : std::uint32_t {
   kFrozen = 1u << 8,
   kSleepless = 1u << 9,
   kTurning = 1u << 10,  // has an orientation of its own
+  kRailed = 1u << 11,   // started on a rail
   kStill = kAsleep | kKinematic | kInfiniteMass | kPending | kStuck,
 };
 inline constexpr unsigned kStatusShift = 16;     // LifeStatus, 3 bits
@@ -44,7 +45,9 @@ struct Slot {
   void set_smoothing(Smoothing s) {
     flags = (flags & ~(3u << kSmoothingShift)) | static_cast<std::uint32_t>(s) << kSmoothingShift;
   }
-  [[nodiscard]] Variant variant() const { return {is(kForced), is(kStill), is(kScaled), is(kFrozen), is(kSleepless)}; }
+  [[nodiscard]] Variant variant() const {
+    return {is(kForced), is(kStill), is(kScaled), is(kFrozen), is(kSleepless), is(kRailed)};
+  }
 };
 
 /// How long a projectile has been at rest.

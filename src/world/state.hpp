@@ -91,6 +91,13 @@ class WorldState {
   DetailRule detail;
   std::vector<Environment> environments;
 
+  /// Time since launch of a row that has a clock [s].
+  [[nodiscard]] double row_clock(const Slot& slot) const {
+    return rows[slot.cohort].visit([&]<class S>(const RowColumns<S>& c) {
+      const S steps = static_cast<S>(clock.now()) - c.born[slot.row];
+      return static_cast<double>(c.offset[slot.row] + steps * static_cast<S>(clock.dt));
+    });
+  }
   /// The slot of a projectile that is alive; null otherwise.
   [[nodiscard]] const Slot* find(ProjectileId id) const {
     if (id.index >= slots.size()) return nullptr;

@@ -46,6 +46,16 @@ struct Moved {
   MaskOf<R> lost;   // lanes that did not get through
 };
 
+/// Rows on a rail, and rows whose piece of a motor's table ends in this step.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> stop_here(const WorldJob<S>& job, std::uint32_t row) {
+  const auto field = [&](std::size_t at) { return load<R>(job.columns.field[at / sizeof(S)], row); };
+  const R steps = R(job.now) - load<R>(job.columns.born, row);
+  const R t_end = load<R>(job.columns.offset, row) + (steps + S(1)) * job.h;
+  return (field(offsetof(Body<S>, burn) + offsetof(Burn<S>, end)) <= t_end) |
+         (field(offsetof(Body<S>, rail_phase)) < constant<R>(kOffRail));
+}
+
 /// Rows that need a closer look: something may have happened to them inside the step. `m` has a start and an end. A
 /// closer look at a row to which nothing happened changes nothing, so the tests are as few as can be.
 template <class S, class M>
@@ -58,6 +68,7 @@ PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, co
   const R sum = (m.end.x.x + m.end.x.y) + (m.end.x.z + speed_squared);
   MaskOf<R> found =
       (!(height(c, m.end.x) > R(w.floor))) | (!is_finite(sum)) | (speed_squared < R(w.slowest * w.slowest));
+  if (has_stops(c)) found = found | stop_here<R>(job, row);
   if (w.simple) return found;
   const R climb = climb_rate(c, m.start);
   const R climb_later = climb_rate(c, m.end);
@@ -196,8 +207,9 @@ struct KnownRung {
     const Fidelity& f = c.fidelity;
     return f.motion != Motion::closed_form && f.integrator == Integrator::semi_implicit_euler &&
            f.gravity == GravityModel::constant && f.earth == EarthModel::flat && f.drag == drag && f.wind == wind &&
-           (!kCurve || f.air == air) && !f.planar && !c.has_applied && !c.has_gravity_scale && !c.has_frozen &&
-           !turns(f) && !(kCurve && (c.has_spheres || c.has_bands || c.has_searched_curves));
+           (!kCurve || f.air == air) && !f.planar && !has_stops(c) && !c.has_applied && !c.has_gravity_scale &&
+           !c.has_frozen && !turns(f) && !spins(f) &&
+           !(kCurve && (c.has_spheres || c.has_bands || c.has_searched_curves));
   }
   /// The conditions that this rung reads.
   template <class S>
@@ -209,6 +221,8 @@ struct KnownRung {
     k.fidelity.wind = wind;
     k.fidelity.air = air;
     k.fidelity.planar = false;
+    k.fidelity.rotation = RotationModel::none;
+    k.has_motor = k.has_rail = false;
     k.has_applied = k.has_gravity_scale = k.has_frozen = k.has_spheres = k.has_bands = k.has_searched_curves = false;
     k.gravity = c.gravity;
     k.wind.velocity[0] = c.wind.velocity[0];

@@ -183,6 +183,7 @@ Result<std::uint16_t> World::Impl::rung_for(std::uint32_t kind_index, const Laun
 ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, double delay) {
   const Kind& kind = registry.kind(kind_index);
   Status status = check(launch);
+  if (!status) status = check(kind.flown, launch);
   if (!status && !(delay >= 0 && delay < 1e15)) status = Error{"must be zero or positive", "delay", "in s"};
   if (status) return refuse(*status), ProjectileId{};
   BodyState at{launch.position, {}};
@@ -209,7 +210,7 @@ ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, 
   slot.flags = kAlive | (body.kinematic ? kKinematic : 0u) | (body.infinite_mass ? kInfiniteMass : 0u) |
                (delay > 0 ? kPending : 0u) | (body.can_sleep ? 0u : kSleepless) |
                (body.gravity_scale != 1 || !body.use_gravity ? kScaled : 0u) |
-               (body.frozen != Axes::none ? kFrozen : 0u);
+               (body.frozen != Axes::none ? kFrozen : 0u) | (launch.rail_length > 0 ? kRailed : 0u);
   slot.set_smoothing(body.smoothing);
   slot.set_status(delay > 0 ? LifeStatus::pending : LifeStatus::in_flight);
   if (slot.is(kScaled | kFrozen)) own(index);
@@ -235,7 +236,7 @@ ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, 
   if (delay > 0)
     push_due(state.pending, now + delay, index);
   else
-    tell(WorldEventKind::spawned, index);
+    tell_launch(index);
   return id_of(index);
 }
 

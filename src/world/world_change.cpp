@@ -18,6 +18,13 @@ void World::Impl::tell(WorldEventKind kind, std::uint32_t slot, Reason reason) {
   state.events.push_back({kind, reason, id_of(slot), state.clock.time(), at.position, at.velocity});
 }
 
+void World::Impl::tell_launch(std::uint32_t index) {
+  tell(WorldEventKind::spawned, index);
+  const Kind& kind = kind_of(state.slots[index]);
+  const bool burns = registry.cohort(state.slots[index].cohort).conditions.has_motor && has_motor(kind.projectile);
+  if (burns && kind.projectile.motor.ignition_delay == 0) tell(WorldEventKind::ignition, index);
+}
+
 // ------------------------------------------------------------------------------------------- sleep
 bool World::Impl::put_to_sleep(std::uint32_t index) {
   Slot& slot = state.slots[index];
@@ -131,8 +138,7 @@ bool World::set_gravity_scale(ProjectileId id, double scale) {
   if (!std::isfinite(scale)) return impl_->refuse({"must be a finite number", "scale", "1 is all of gravity"});
   impl_->own(id.index).gravity_scale = scale;
   if (!impl_->set_flag(id, kScaled, scale != 1)) return false;
-  const Slot& slot = *impl_->find(id);
-  impl_->write_row(id.index, impl_->state_of(slot), impl_->rows_of(slot).previous(slot.row));
+  impl_->rewrite_row(id.index);
   return true;
 }
 bool World::set_use_gravity(ProjectileId id, bool use) {
@@ -157,8 +163,7 @@ bool World::set_frozen(ProjectileId id, Axes position_axes, Axes rotation_axes) 
   own.frozen = position_axes;
   own.frozen_rotation = rotation_axes;
   if (!impl_->set_flag(id, kFrozen, position_axes != Axes::none)) return false;
-  const Slot& slot = *impl_->find(id);
-  impl_->write_row(id.index, impl_->state_of(slot), impl_->rows_of(slot).previous(slot.row));
+  impl_->rewrite_row(id.index);
   return true;
 }
 bool World::set_can_sleep(ProjectileId id, bool can) {

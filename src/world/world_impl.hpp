@@ -87,9 +87,20 @@ struct World::Impl {
   void stop_turning(std::uint32_t slot);
   /// Of W in I, along body axes.
   [[nodiscard]] Vec3d omega_of_W(const Slot& slot, const Quatd& q_WB) const;
-  /// Fills a row anew: the models start from here. `launch` gives the plane of fire, else the velocity does.
-  void write_row(std::uint32_t slot, const BodyState& at, const Vec3d& previous, const Launch* launch = nullptr);
-  Body<double> special_body(std::uint32_t slot, BodyState& at, const Launch* launch);
+  /// What a row is filled from, beside the state.
+  struct RowStart {
+    Vec3d previous;                     // position
+    const Launch* launch = nullptr;     // gives the plane of fire and the rail; else the velocity gives the plane ...
+    const Body<double>* old = nullptr;  // ... and what the row was, the rail
+    double age = 0;                     // time since launch as motors count it [s]
+  };
+  /// Fills a row anew: the models start from here.
+  void write_row(std::uint32_t slot, const BodyState& at, const RowStart& start);
+  /// The same anew, where its switches changed: its clock and its motor go on.
+  void rewrite_row(std::uint32_t slot);
+  Body<double> special_body(std::uint32_t slot, BodyState& at, const RowStart& start);
+  static void start_spin(const BodyState& at, const RowStart& start, Body<double>& body);
+  void start_motor(const Slot& slot, const BodyState& at, const RowStart& start, Body<double>& body);
   /// Puts a state into its row; closed forms start anew from it.
   void set_row_state(std::uint32_t slot, const BodyState& at);
   /// The numbers that the models read of one projectile, and its time since launch as they count it.
@@ -99,6 +110,8 @@ struct World::Impl {
 
   // ------------------------------------------------------------------------------------------- changes
   void tell(WorldEventKind kind, std::uint32_t slot, Reason reason = Reason::none);
+  /// It is launched now; where its motor needs no waiting for, it burns.
+  void tell_launch(std::uint32_t slot);
   bool put_to_sleep(std::uint32_t slot);
   bool wake(std::uint32_t slot);
   bool change_state(ProjectileId id, const BodyState& to);

@@ -79,7 +79,8 @@ double World::age(ProjectileId id) const {
 double World::mass(ProjectileId id) const {
   const Slot* slot = impl_->find(id);
   if (!slot) return 0;
-  return slot->is(kInfiniteMass) ? std::numeric_limits<double>::infinity() : impl_->kind_of(*slot).projectile.mass;
+  if (slot->is(kInfiniteMass)) return std::numeric_limits<double>::infinity();
+  return mass_of(impl_->registry, impl_->state, *slot);
 }
 double World::inverse_mass(ProjectileId id) const {
   const double m = mass(id);
@@ -96,18 +97,34 @@ Accelerations World::accelerations(ProjectileId id) const {
   const State<double> s{now.position, now.velocity};
   Accelerations a;
   a.gravity = weight_per_mass(c, b, s.x);
-  if (f.drag != DragModel::off) a.drag = drag(c, b, s);
+  const double t = impl_->clock_of(*slot);
+  if (f.drag != DragModel::off) a.drag = air_now(c, b, t, s);
+  if (spins(f)) {
+    SpinningAir<double> air;
+    spinning_air(c, b, t, s, air);
+    a.lift = air.lift * lighter(c, b, t);
+    a.drag -= a.lift;
+  }
   if (is_turning(f.earth)) a.coriolis = coriolis(c, s.v);
   if (throws_out(f)) a.centrifugal = centrifugal(c, s.x);
-  if (impl_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied(c, b, impl_->clock_of(*slot));
+  if (impl_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied_now(c, b, t);
+  if (c.has_motor) {
+    const Vec3d nose =
+        turns(f) ? forward(f, impl_->rows_of(*slot).turn(slot->row)) : nose_in_air(b, air_velocity(c, s));
+    a.thrust = thrust(b, t, nose);
+  }
   if (f.motion == Motion::force) a.applied += impl_->generator_force(id.index) * inverse_mass(id);
   a.total = a.gravity + a.drag + a.coriolis + a.centrifugal + a.applied;
+  if (spins(f)) a.total += a.lift;
+  if (c.has_motor) a.total += a.thrust;
   if (c.has_frozen) a.total = component_product(a.total, b.free);
+  if (c.has_rail) a.rail = on_rail(b, a.total) - a.total;
+  a.total += a.rail;
   return a;
 }
 Vec3d World::resultant_force(ProjectileId id) const {
   const Slot* slot = impl_->find(id);
-  return slot ? accelerations(id).total * impl_->kind_of(*slot).projectile.mass : Vec3d{};
+  return slot ? accelerations(id).total * (slot->is(kInfiniteMass) ? 0 : mass(id)) : Vec3d{};
 }
 double World::mach(ProjectileId id) const {
   const Slot* slot = impl_->find(id);

@@ -16,6 +16,7 @@ Vec3d plane_of(const Vec3d& velocity, const Launch* launch) {
 /// What a row is filled with beside its state and body.
 struct RowNumbers {
   double now;  // number of the coming step
+  double age;  // time since launch [s]
   const Vec3d& previous;
   const Rotor<double>& rotor;
 };
@@ -30,7 +31,7 @@ void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<doub
     if (layout.launched) Rows::put(c.launch, row, at.position);
     if (layout.turning) rows.put_rotor(row, n.rotor);
     if (!layout.clocked) return;
-    c.offset[row] = S(0);
+    c.offset[row] = static_cast<S>(n.age);
     c.born[row] = static_cast<S>(n.now);
   });
   rows.write_fields(row, body);
@@ -51,7 +52,7 @@ std::uint16_t World::Impl::cohort_for(const Slot& slot) {
 void World::Impl::place(std::uint32_t index, const BodyState& at, const Launch& launch) {
   Slot& slot = state.slots[index];
   slot.row = rows_of(slot).push(index);
-  write_row(index, at, at.position, &launch);
+  write_row(index, at, {.previous = at.position, .launch = &launch});
   if (rows_of(slot).layout().turning) set_attitude(index, attitude_at_launch(slot, at.velocity, launch));
 }
 
@@ -87,21 +88,21 @@ Vec3d World::Impl::omega_of_W(const Slot& slot, const Quatd& q_WB) const {
   return is_turning(c.fidelity.earth) ? rotate(conjugate(q_WB), c.omega) : Vec3d{};
 }
 
-void World::Impl::write_row(std::uint32_t index, const BodyState& given, const Vec3d& previous, const Launch* launch) {
+void World::Impl::write_row(std::uint32_t index, const BodyState& given, const RowStart& start) {
   const Slot& slot = state.slots[index];
   const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
-  const RowNumbers numbers{state.clock.now(), previous, rung.rotor};
+  const RowNumbers numbers{state.clock.now(), start.age, start.previous, rung.rotor};
   const bool special = slot.is(kFrozen | kScaled) || rung.in_use.fidelity.planar || rung.equivalent_drag ||
                        rows_of(slot).layout().clocked;
   if (!special) return put_row(rows_of(slot), slot.row, given, rung.body, numbers);
   BodyState at = given;
-  const Body<double> body = special_body(index, at, launch);
+  const Body<double> body = special_body(index, at, start);
   put_row(rows_of(slot), slot.row, at, body, numbers);
 }
 
 /// The numbers of a projectile that differ from others of its kind and rung: by its switches or by its launch. What of
 /// its velocity its rung does not have is taken away.
-Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const Launch* launch) {
+Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const RowStart& start) {
   const Slot& slot = state.slots[index];
   const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
   const bool planar = rung.in_use.fidelity.planar;
@@ -109,12 +110,44 @@ Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const
   Body<double> body = rung.body;
   if (slot.is(kFrozen)) body.free = free_axes(mine.frozen);
   if (slot.is(kScaled)) body.gravity_scale = mine.gravity_scale;
-  if (planar) body.plane = plane_of(at.velocity, launch);
+  if (planar) body.plane = plane_of(at.velocity, start.launch);
   if (planar) at.velocity -= body.plane * dot(body.plane, at.velocity);
   if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, body.free);
   body.launch = {at.position, at.velocity};
   if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch);
+  start_motor(slot, at, start, body);
   return body;
+}
+
+/// The spin of the launch, or what it was. A rung that knows no spin forgets it.
+void World::Impl::start_spin(const BodyState& at, const RowStart& start, Body<double>& body) {
+  if (start.old) body.spin = start.old->spin;
+  if (!start.launch) return;
+  Launch bore = *start.launch;
+  if (at.velocity != Vec3d{}) bore.velocity = at.velocity;
+  const SightFrame sight = sight_frame(bore);
+  prepare_spin(bore, launch_direction(bore, sight, bore.elevation), sight.right, body);
+}
+
+/// The piece of the motor's table and the place on the rail that a row starts with. A rung that knows no rail forgets
+/// it.
+void World::Impl::start_motor(const Slot& slot, const BodyState& at, const RowStart& start, Body<double>& body) {
+  Conditions<double> c = registry.cohort(slot.cohort).conditions;
+  if (spins(c.fidelity)) start_spin(at, start, body);
+  if (!has_stops(c)) return;
+  if (start.launch) {
+    Launch bore = *start.launch;
+    if (at.velocity != Vec3d{}) bore.velocity = at.velocity;
+    prepare_rail(bore, launch_direction(bore, sight_frame(bore), bore.elevation), c, body);
+  } else if (start.old && length_squared(start.old->rail) > 0) {
+    body.rail = start.old->rail;
+    body.rail_end = start.old->rail_end;
+    body.rail_phase = start.old->rail_phase;
+  } else {
+    body.rail_phase = kOffRail;
+  }
+  State<double> s{at.position, at.velocity};
+  pass_stops(c, start.age, true, s, body);
 }
 
 void World::Impl::set_row_state(std::uint32_t index, const BodyState& given) {
@@ -122,7 +155,7 @@ void World::Impl::set_row_state(std::uint32_t index, const BodyState& given) {
   BodyState at = given;
   if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, free_axes(own_of(index).frozen));
   const bool closed = registry.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
-  if (closed) return write_row(index, at, at.position);  // the clock starts anew
+  if (closed) return write_row(index, at, {.previous = at.position});  // the clock starts anew
   rows_of(slot).visit([&](const auto& c) {
     Rows::put(c.position, slot.row, at.position);
     Rows::put(c.velocity, slot.row, at.velocity);
@@ -155,6 +188,7 @@ bool World::Impl::relocate(std::uint32_t index) {
   const RowLayout& layout = state.rows[to].layout();
   const bool goes_on = layout.clocked && registry.cohort(to).key.fidelity.motion != Motion::closed_form;
   const double age = goes_on ? clock_of(slot) : 0;
+  const Body<double> old = body_of(slot);
   const BodyState at{source.position(old_row), source.velocity(old_row)};
   const Vec3d previous = source.previous(old_row);
   Vec3d launch{};
@@ -163,14 +197,19 @@ bool World::Impl::relocate(std::uint32_t index) {
   take_out(slot);
   slot.cohort = to;
   slot.row = state.rows[to].push(index);
-  write_row(index, at, previous);
+  write_row(index, at, {.previous = previous, .old = &old, .age = age});
   if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}));
-  if (!layout.launched && !goes_on) return true;
-  state.rows[to].visit([&]<class S>(const RowColumns<S>& c) {
-    if (layout.launched) Rows::put(c.launch, slot.row, launch);
-    if (goes_on) c.offset[slot.row] = static_cast<S>(age);
-  });
+  if (layout.launched) state.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
   return true;
+}
+
+void World::Impl::rewrite_row(std::uint32_t index) {
+  const Slot& slot = state.slots[index];
+  const bool goes_on =
+      rows_of(slot).layout().clocked && registry.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form;
+  const Body<double> old = body_of(slot);
+  write_row(index, state_of(slot),
+            {.previous = rows_of(slot).previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
 }
 
 Body<double> World::Impl::body_of(const Slot& slot) const {
@@ -180,15 +219,9 @@ Body<double> World::Impl::body_of(const Slot& slot) const {
 }
 
 double World::Impl::clock_of(const Slot& slot) const {
-  const Rows& rows = rows_of(slot);
-  if (!rows.layout().clocked) {
-    const auto index = static_cast<std::size_t>(&slot - state.slots.data());
-    return state.clock.time() - state.birth[index];
-  }
-  return rows.visit([&]<class S>(const RowColumns<S>& c) {
-    const S steps = static_cast<S>(state.clock.now()) - c.born[slot.row];
-    return static_cast<double>(c.offset[slot.row] + steps * static_cast<S>(state.clock.dt));
-  });
+  return rows_of(slot).layout().clocked
+             ? state.row_clock(slot)
+             : state.clock.time() - state.birth[static_cast<std::size_t>(&slot - state.slots.data())];
 }
 
 /// Rows count steps of one length, as whole numbers that a float holds: when the length changes, or the numbers grow

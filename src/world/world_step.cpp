@@ -19,7 +19,8 @@ constexpr std::size_t kCacheBytes = 24u << 20;
 bool only_falls(const WorldCohort& cohort) {
   const Fidelity& f = cohort.key.fidelity;
   const Features& features = cohort.key.features;
-  const bool pushed = cohort.key.forced || features.applied || features.gravity_scale;
+  const bool pushed = cohort.key.forced || features.applied || features.gravity_scale || features.motor ||
+                      features.rail || cohort.key.fidelity.rotation == RotationModel::magnus;
   const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity[0].y > 0;
   return f.earth == EarthModel::flat && !pushed && !updraught && !turns(f);
 }
@@ -30,7 +31,8 @@ Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
   const WatchList& watch = cohort.course_double.watch;
   double floor = d.below;
   for (int i = 0; i < watch.count; ++i)
-    if (watch.item[i].spec.kind != EventKind::apex) floor = std::max(floor, watch.item[i].spec.value);
+    if (watch.item[i].spec.kind == EventKind::ground || watch.item[i].spec.kind == EventKind::height)
+      floor = std::max(floor, watch.item[i].spec.value);
   Watchdog<S> w{};
   w.floor = static_cast<S>(floor);
   // Rounded towards the safe side: a closer look costs little, a missed one a landing.
@@ -141,9 +143,10 @@ void World::Impl::launch_pending() {
     slot.set(kPending, false);
     slot.set_status(LifeStatus::in_flight);
     const BodyState at = state_of(slot);
+    const Body<double> old = body_of(slot);
     relocate(id.index);
-    write_row(id.index, at, at.position);  // its clock starts now
-    tell(WorldEventKind::spawned, id.index);
+    write_row(id.index, at, {.previous = at.position, .old = &old});  // its clock starts now
+    tell_launch(id.index);
   }
 }
 

@@ -152,12 +152,12 @@ TEST(CliRun, CsvHoldsTheFlightAndNothingElse) {
   ASSERT_LE(lines.size(), 503U);
   EXPECT_EQ(lines[0],
             "shot, t [s], x [m], y [m], z [m], vx [m/s], vy [m/s], vz [m/s], ax [m/s^2], ay [m/s^2], az [m/s^2], "
-            "speed [m/s], mach [-]");
+            "speed [m/s], mach [-], mass [kg], thrust [N]");
   EXPECT_TRUE(lines[1].starts_with("ball, 0, 0, 0, 0, ")) << lines[1];
   double last_time = -1;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<double> row = numbers_of(lines[i]);
-    ASSERT_EQ(row.size(), 12U) << lines[i];
+    ASSERT_EQ(row.size(), 14U) << lines[i];
     EXPECT_GT(row[0], last_time);
     EXPECT_NEAR(row[10], std::hypot(row[4], row[5], row[6]), 1e-9);
     last_time = row[0];
@@ -206,7 +206,7 @@ TEST(CliRun, JsonHoldsResultAndProvenance) {
   EXPECT_EQ(shot.at("range_card").size(), 2U);
   EXPECT_EQ(shot.at("events").back().at("kind"), "ground");
   const auto& trajectory = shot.at("trajectory");
-  EXPECT_EQ(trajectory.size(), 12U);
+  EXPECT_EQ(trajectory.size(), 14U);
   EXPECT_EQ(trajectory.at("t [s]").size(), trajectory.at("mach [-]").size());
   EXPECT_EQ(trajectory.at("t [s]").back(), shot.at("duration [s]"));
 }

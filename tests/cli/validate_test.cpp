@@ -63,7 +63,7 @@ bool contains(const Outcome& outcome, const std::string& part) { return outcome.
 const std::string kParabola = "# g=9.80665\nv0_m_s,elev_deg,range_m\n";
 
 TEST(Validate, EverySuitePassesAtItsGates) {
-  for (const char* suite : {"classic", "analytic", "us76", "gravity", "ballistics", "nesc", "mccoy"}) {
+  for (const char* suite : {"classic", "analytic", "us76", "gravity", "ballistics", "nesc", "mccoy", "sports"}) {
     const Outcome outcome = validate(suite);
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     EXPECT_TRUE(contains(outcome, "all pass")) << outcome.text;

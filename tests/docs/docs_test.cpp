@@ -140,7 +140,7 @@ TEST(Docs, PicturesAreLight) {
     EXPECT_LT(entry.file_size(), 200'000u) << entry.path();
     total += entry.file_size();
   }
-  EXPECT_LT(total, 2'000'000u);
+  EXPECT_LT(total, 2'500'000u);
 }
 
 /// Runs a scenario that has a [world].

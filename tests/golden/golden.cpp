@@ -144,6 +144,26 @@ Course round_course(std::uint64_t seed, Integrator integrator, Precision precisi
   return c;
 }
 
+/// Rockets among other shots, from rails.
+Course rocket_course(std::uint64_t seed, Integrator integrator, Precision precision) {
+  Course c = course(seed, integrator, precision);
+  Random r(seed + 2000);
+  c.fidelity.motion = Motion::force;
+  for (Shot& shot : c.shots) {
+    if (r.one_in(4)) continue;
+    MotorDef& motor = shot.projectile.motor;
+    double time = 0;
+    for (int i = 0, n = 2 + r.below(5); i <= n; ++i, time += r.in(0.01, 0.6))
+      motor.thrust.push_back({time, i == n ? 0 : r.in(5, 200) * shot.projectile.mass});
+    motor.propellant_mass = r.in(0, 0.6) * shot.projectile.mass;
+    if (r.one_in(2)) motor.ignition_delay = r.in(0, 0.3);
+    motor.drag_factor = r.in(0.5, 1);
+    shot.launch.rail_length = r.in(0.1, 5);
+    if (!shot.launch.velocity && r.one_in(2)) shot.launch.speed = 0;
+  }
+  return c;
+}
+
 std::vector<Course> courses() {
   std::vector<Course> list;
   std::uint64_t seed = 100;
@@ -154,6 +174,10 @@ std::vector<Course> courses() {
        {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5, Integrator::dop853})
     for (const Precision precision : {Precision::float32, Precision::float64})
       for (int i = 0; i < 8; ++i) list.push_back(round_course(++seed, integrator, precision));
+  for (const Integrator integrator :
+       {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5, Integrator::dop853})
+    for (const Precision precision : {Precision::float32, Precision::float64})
+      for (int i = 0; i < 4; ++i) list.push_back(rocket_course(++seed, integrator, precision));
   return list;
 }
 

@@ -19,6 +19,7 @@ const std::string kOneOfEach = R"(physim = 1
 profile = [{ at = 0 }]
 [[shot]]
 drag = { bands = [{ ballistic_coefficient = 100 }] }
+magnus = { table = [{ speed = 10, spin = 100, drag = 0.3, lift = 0.2 }] }
 [until]
 events = [{ kind = "height" }]
 [[expect]]
@@ -132,10 +133,10 @@ TEST(Settings, RefuseWhatIsOutOfRange) {
   for (const Setting& setting : settings()) {
     if (setting.type != "quantity") continue;
     EXPECT_FALSE(with_override(setting.path, "nan").ok()) << setting.path;
-    constexpr std::string_view kTakeInfinity[] = {"shot.force_duration",        "tolerance.max_step",
-                                                  "shot.body.despawn.below",    "shot.body.despawn.farther",
-                                                  "shot.body.despawn.older",    "world.detail.rungs.within",
-                                                  "world.detail.rungs.younger", "force.duration"};
+    constexpr std::string_view kTakeInfinity[] = {
+        "shot.force_duration",        "tolerance.max_step",      "shot.body.despawn.below",
+        "shot.body.despawn.farther",  "shot.body.despawn.older", "world.detail.rungs.within",
+        "world.detail.rungs.younger", "force.duration",          "shot.magnus.decay_time"};
     const bool takes_infinity = std::ranges::count(kTakeInfinity, setting.path) > 0;
     EXPECT_EQ(with_override(setting.path, "inf").ok(), takes_infinity) << setting.path;
     if (setting.range.empty()) continue;
@@ -297,8 +298,12 @@ TEST(EffectiveSettings, NameEveryShotAndSetting) {
   EXPECT_EQ(lines.at("title"), R"("with \"quotes\", a \\ and\u000Aa line break")");
   for (const Setting& setting : settings()) {
     const bool in_list = setting.path.find("profile.") != std::string::npos || setting.path.starts_with("expect.") ||
-                         setting.path.find("bands.") != std::string::npos || setting.path.starts_with("until.events.");
-    if (in_list || setting.path == "shot" || setting.path.ends_with("preset") || is_of_worlds(setting.path)) continue;
+                         setting.path.find("bands.") != std::string::npos ||
+                         setting.path.find("magnus.table.") != std::string::npos ||
+                         setting.path.starts_with("until.events.");
+    if (in_list || setting.path == "shot" || setting.path.ends_with("preset") || setting.path == "shot.motor.file" ||
+        is_of_worlds(setting.path))
+      continue;
     std::string path = setting.path;
     if (path.starts_with("shot.")) path.insert(5, "b.");
     EXPECT_TRUE(lines.contains(path)) << path;

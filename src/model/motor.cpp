@@ -1,0 +1,127 @@
+// Equations, symbols and Source: model/motor.hpp.
+#include "model/motor_table.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace physim {
+namespace {
+
+constexpr double kStandardGravity = 9.80665;
+
+/// Straight lines through points with a time and a value.
+template <class Point>
+double line_at(const std::vector<Point>& points, double Point::*value, double time) {
+  const auto later =
+      std::upper_bound(points.begin(), points.end(), time, [](double t, const Point& point) { return t < point.time; });
+  if (later == points.begin()) return points.front().*value;
+  if (later == points.end()) return points.back().*value;
+  const Point& p1 = *later;
+  const Point& p0 = *(later - 1);
+  return p0.*value + (p1.*value - p0.*value) * ((time - p0.time) / (p1.time - p0.time));
+}
+
+/// Times at which thrust or mass may have a corner, from ignition to burnout.
+std::vector<double> knots(const MotorDef& motor) {
+  std::vector<double> times;
+  for (const ThrustPoint& p : motor.thrust) times.push_back(p.time);
+  for (const PropellantPoint& p : motor.propellant)
+    if (p.time > 0 && p.time < times[motor.thrust.size() - 1]) times.push_back(p.time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// The piece from t0 to t1 after ignition.
+Burn<double> burning_piece(const MotorDef& motor, double impulse_before, double impulse, double t0, double t1) {
+  Burn<double> b{};
+  b.start = motor.ignition_delay + t0;
+  b.end = motor.ignition_delay + t1;
+  b.thrust = line_at(motor.thrust, &ThrustPoint::force, t0);
+  b.thrust_rate = (line_at(motor.thrust, &ThrustPoint::force, t1) - b.thrust) / (t1 - t0);
+  if (motor.propellant.empty()) {
+    const double per_impulse = motor.propellant_mass / impulse;
+    b.burned = per_impulse * impulse_before;
+    b.burn_rate = per_impulse * b.thrust;
+    b.burn_growth = per_impulse * (0.5 * b.thrust_rate);
+  } else {
+    b.burned = motor.propellant_mass - line_at(motor.propellant, &PropellantPoint::mass, t0);
+    b.burn_rate =
+        (motor.propellant_mass - line_at(motor.propellant, &PropellantPoint::mass, t1) - b.burned) / (t1 - t0);
+  }
+  return b;
+}
+
+std::size_t hash_of(const std::vector<MotorPiece>& pieces) {
+  std::size_t h = pieces.size();
+  for (const MotorPiece& p : pieces)
+    for (const double x : {p.burn.end, p.burn.thrust, p.burn.burned, p.burn.drag_factor, p.curve.row})
+      h = h * 1000003 ^ std::hash<double>()(x);
+  return h;
+}
+
+}  // namespace
+
+double burn_time(const MotorDef& motor) { return motor.thrust.empty() ? 0 : motor.thrust.back().time; }
+
+double total_impulse(const MotorDef& motor) {
+  double sum = 0;
+  for (std::size_t i = 1; i < motor.thrust.size(); ++i)
+    sum +=
+        0.5 * (motor.thrust[i].force + motor.thrust[i - 1].force) * (motor.thrust[i].time - motor.thrust[i - 1].time);
+  return sum;
+}
+
+double specific_impulse(const MotorDef& motor) {
+  return motor.propellant_mass > 0 ? total_impulse(motor) / (motor.propellant_mass * kStandardGravity) : 0;
+}
+
+double thrust_at(const MotorDef& motor, double time) {
+  if (motor.thrust.empty() || time < 0 || time > burn_time(motor)) return 0;
+  return line_at(motor.thrust, &ThrustPoint::force, time);
+}
+
+double propellant_left(const MotorDef& motor, double time) {
+  if (motor.thrust.empty() || time <= 0) return motor.propellant_mass;
+  if (time >= burn_time(motor)) return 0;
+  if (!motor.propellant.empty()) return line_at(motor.propellant, &PropellantPoint::mass, time);
+  double impulse = 0;
+  for (std::size_t i = 1; i < motor.thrust.size() && motor.thrust[i - 1].time < time; ++i) {
+    const double t0 = motor.thrust[i - 1].time;
+    const double t1 = std::min(time, motor.thrust[i].time);
+    impulse += 0.5 * (thrust_at(motor, t0) + thrust_at(motor, t1)) * (t1 - t0);
+  }
+  return motor.propellant_mass * (1 - impulse / total_impulse(motor));
+}
+
+std::size_t MotorPool::add(const MotorDef& motor, const CurvePlace& coasting, const CurvePlace& burning,
+                           double drag_factor) {
+  const double never = std::numeric_limits<double>::infinity();
+  std::vector<MotorPiece> pieces;
+  if (motor.ignition_delay > 0) pieces.push_back({no_burn(0.0, motor.ignition_delay, 0.0), coasting});
+  const std::vector<double> times = knots(motor);
+  const double impulse = total_impulse(motor);
+  double delivered = 0;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    Burn<double> burn = burning_piece(motor, delivered, impulse, times[i], times[i + 1]);
+    burn.drag_factor = drag_factor;
+    const double lasts = times[i + 1] - times[i];
+    delivered += lasts * (burn.thrust + 0.5 * burn.thrust_rate * lasts);
+    pieces.push_back({burn, burning});
+  }
+  pieces.push_back({no_burn(motor.ignition_delay + times.back(), never, motor.propellant_mass), coasting});
+
+  const std::size_t hash = hash_of(pieces);
+  const auto [from, to] = known_.equal_range(hash);
+  for (auto at = from; at != to; ++at)
+    if (at->second + pieces.size() <= pieces_.size() &&
+        std::equal(pieces.begin(), pieces.end(), pieces_.begin() + static_cast<std::ptrdiff_t>(at->second)))
+      return at->second;
+  const std::size_t first = pieces_.size();
+  known_.emplace(hash, first);
+  pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+  return first;
+}
+
+}  // namespace physim

@@ -1,0 +1,155 @@
+// The RASP format of thrust curves. Source: the format of G. H. Stine's program RASP as described by the National
+// Association of Rocketry and thrustcurve.org ("RASP file format").
+#include "physim/motor_file.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "scenario/suggest.hpp"
+#include "scenario/text_file.hpp"
+#include "scenario/units.hpp"
+
+namespace physim {
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 16 << 20;
+constexpr std::size_t kMostPoints = 1000;  // of a motor
+constexpr std::string_view kHeaderHint =
+    "a motor begins with seven words: name, diameter [mm], length [mm], delays, propellant [kg], mass [kg], maker";
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view kBlank = " \t\r";
+  std::vector<std::string_view> words;
+  for (std::size_t at = line.find_first_not_of(kBlank); at != line.npos;) {
+    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(kBlank, end);
+  }
+  return words;
+}
+
+std::optional<double> number_of(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (failure != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+class MotorReader {
+ public:
+  explicit MotorReader(const std::string& file) : file_(file) {}
+
+  Result<std::vector<MotorFileEntry>> read(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      ++line_;
+      if (Status bad = read_line(text.substr(0, end))) return *bad;
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    if (open_) return *never_ends();
+    if (motors_.empty()) return Error{"there is no motor in it", file_, std::string(kHeaderHint)};
+    return motors_;
+  }
+
+ private:
+  [[nodiscard]] std::string place() const { return file_ + ":" + std::to_string(line_); }
+  [[nodiscard]] Status fault(const std::string& message, std::string_view hint) const {
+    return Error{message, place(), std::string(hint)};
+  }
+  [[nodiscard]] Status never_ends() const {
+    return fault("the thrust of " + in_quotes(motors_.back().motor.name) + " does not end at zero",
+                 "the last point of a motor has a thrust of 0; is the file cut off?");
+  }
+
+  Status read_line(std::string_view line) {
+    line = line.substr(0, line.find(';'));
+    const auto words = words_of(line);
+    if (words.empty()) return std::nullopt;
+    const bool is_point = words.size() == 2 && number_of(words[0]) && number_of(words[1]);
+    if (!open_ && is_point)
+      return fault(motors_.empty() ? "a point of thrust before any motor"
+                                   : "a point after the end of " + in_quotes(motors_.back().motor.name),
+                   motors_.empty() ? kHeaderHint : "its thrust came to 0 before");
+    if (!open_) return read_header(words);
+    return words.size() == 7 ? never_ends() : read_point(words);
+  }
+
+  Status read_header(const std::vector<std::string_view>& words) {
+    if (words.size() != 7) return fault(std::to_string(words.size()) + " words are no header of a motor", kHeaderHint);
+    double numbers[4];  // diameter, length, propellant, mass
+    constexpr std::size_t kPlaces[] = {1, 2, 4, 5};
+    constexpr std::string_view kNames[] = {"diameter", "length", "propellant", "mass"};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto number = number_of(words[kPlaces[i]]);
+      if (!number || *number < 0)
+        return fault(in_quotes(words[kPlaces[i]]) + " is no " + std::string(kNames[i]), kHeaderHint);
+      numbers[i] = *number;
+    }
+    if (numbers[2] > numbers[3])
+      return fault("more propellant than the motor weighs", "propellant comes before the mass of the loaded motor");
+    MotorFileEntry& entry = motors_.emplace_back();
+    entry.motor.name = words[0];
+    entry.motor.propellant_mass = numbers[2];
+    entry.diameter = numbers[0] / 1000;
+    entry.length = numbers[1] / 1000;
+    entry.mass = numbers[3];
+    entry.delays = words[3];
+    entry.manufacturer = words[6];
+    open_ = true;
+    return std::nullopt;
+  }
+
+  Status read_point(const std::vector<std::string_view>& words) {
+    constexpr std::string_view kHint = "a point is a time [s] and a thrust [N]";
+    if (words.size() != 2) return fault(std::to_string(words.size()) + " words are no point of thrust", kHint);
+    for (const std::string_view word : words)
+      if (!number_of(word)) return fault(in_quotes(word) + " is no number", kHint);
+    const double time = *number_of(words[0]), force = *number_of(words[1]);
+    std::vector<ThrustPoint>& thrust = motors_.back().motor.thrust;
+    if (time < 0 || force < 0) return fault("times and thrusts are not negative", kHint);
+    if (thrust.empty() && time > 0) thrust.push_back({0, 0});
+    if (!thrust.empty() && time <= thrust.back().time)
+      return fault("time " + number_text(time) + " after " + number_text(thrust.back().time), "times must rise");
+    if (thrust.size() == kMostPoints) return fault("too many points", "at most " + std::to_string(kMostPoints));
+    thrust.push_back({time, force});
+    if (force > 0 || time == 0) return std::nullopt;
+    open_ = false;
+    if (!(total_impulse(motors_.back().motor) > 0)) return fault("the motor gives no impulse", "its thrust is zero");
+    return std::nullopt;
+  }
+
+  const std::string& file_;
+  std::size_t line_ = 0;
+  bool open_ = false;  // the points of the last motor go on
+  std::vector<MotorFileEntry> motors_;
+};
+
+}  // namespace
+
+Result<std::vector<MotorFileEntry>> parse_motor_file(const std::string& text, const std::string& file) {
+  return MotorReader(file).read(text);
+}
+
+Result<std::vector<MotorFileEntry>> read_motor_file(const std::string& file) {
+  const Result<std::string> text = read_text_file(file, kMostBytes, "motor file");
+  if (!text) return text.error();
+  return parse_motor_file(*text, file);
+}
+
+Result<MotorFileEntry> pick_motor(const std::vector<MotorFileEntry>& motors, const std::string& name,
+                                  const std::string& file) {
+  if (name.empty() && motors.size() == 1) return motors.front();
+  std::vector<std::string_view> names;
+  for (const MotorFileEntry& entry : motors) names.push_back(entry.motor.name);
+  for (const MotorFileEntry& entry : motors)
+    if (entry.motor.name == name) return entry;
+  if (name.empty())
+    return Error{"there are " + std::to_string(motors.size()) + " motors in it", file,
+                 suggestion("", names, "name one of them")};
+  return Error{"there is no motor " + in_quotes(name) + " in it", file, suggestion(name, names, "motors")};
+}
+
+}  // namespace physim

@@ -1,0 +1,79 @@
+// Stops: times and places at which steps of every integrator end, because the acceleration bends or jumps there: the
+// points of a motor's table, and where a launch rail releases the projectile or ends.
+//
+// A step belongs to one piece of the table and one phase on the rail, which the body holds; all stages use them, the
+// last one too, so that each step is smooth up to its very end. Then the body passes to the next piece and phase, and
+// the next step begins with a slope of its own. Where a piece ends is known before, so steps are made to end there;
+// where a phase ends is found as corners are (solve/regime.hpp).
+#pragma once
+
+#include "model/motor_table.hpp"
+#include "solve/take_step.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// Whether steps may end early at all.
+template <class S>
+PHYSIM_INLINE bool has_stops(const Conditions<S>& c) {
+  return c.has_motor || c.has_rail;
+}
+
+/// The phase on the rail at a time and state, for a body that was in another one so far.
+template <class R, class S>
+[[gnu::noinline]] void rail_phase(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& phase) {
+  const R zero(S(0));
+  const R off = constant<R>(kOffRail);
+  phase = off;
+  const auto on = (b.rail_phase < off) & (dot(s.x, b.rail) < b.rail_end);
+  if (!any(on)) return;
+  Body<R> sliding = b;
+  sliding.rail_phase = constant<R>(kSliding);
+  const auto moves = (dot(s.v, b.rail) > zero) | (dot(evaluated(c, sliding, t, s), b.rail) > zero);
+  phase = select(on, select(moves, constant<R>(kSliding), constant<R>(kHeld)), off);
+}
+
+/// Gives one lane's body a piece of its motor's table.
+template <class R>
+PHYSIM_INLINE void put_piece(const MotorPiece* pieces, int piece, Body<R>& b, int lane) {
+  using S = ScalarOf<R>;
+  const MotorPiece& p = pieces[piece];
+  const auto* from = reinterpret_cast<const double*>(&p.burn);
+  auto* to = reinterpret_cast<R*>(&b.burn);
+  for (unsigned i = 0; i < sizeof(p.burn) / sizeof(double); ++i) set_lane(to[i], lane, static_cast<S>(from[i]));
+  set_lane(b.burn_piece, lane, static_cast<S>(piece));
+  set_lane(b.curve_row, lane, static_cast<S>(p.curve.row));
+  set_lane(b.curve_start, lane, static_cast<S>(p.curve.start));
+  set_lane(b.curve_cells, lane, static_cast<S>(p.curve.cells));
+  set_lane(b.curve_last, lane, static_cast<S>(p.curve.last));
+}
+
+/// Passes on to the piece that a time is in; returns the lanes in which that is another one.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> pass_pieces(const Conditions<S>& c, const R& t, const MaskOf<R>& lanes, Body<R>& b) {
+  const MaskOf<R> over = lanes & (t >= b.burn.end);
+  if (!any(over)) return over;
+  for (int lane = 0; lane < kLanes<R>; ++lane)
+    while (lane_of(over, lane) && lane_of(t, lane) >= lane_of(b.burn.end, lane))
+      put_piece(c.motor_pieces, static_cast<int>(lane_of(b.burn_piece, lane)) + 1, b, lane);
+  return over;
+}
+
+/// Passes on to the piece and the phase at the start of the next step; returns the lanes in which something is new, so
+/// that their acceleration is another one. Who comes to rest on the rail stands still.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> pass_stops(const Conditions<S>& c, const R& t, const MaskOf<R>& lanes, State<R>& s,
+                                   Body<R>& b) {
+  const R zero(S(0));
+  MaskOf<R> changed = zero != zero;
+  if (c.has_motor) changed = pass_pieces(c, t, lanes, b);
+  if (!c.has_rail || !any(b.rail_phase < constant<R>(kOffRail))) return changed;
+  R phase;
+  rail_phase(c, b, t, s, phase);
+  const auto turned = lanes & (phase != b.rail_phase);
+  b.rail_phase = select(turned, phase, b.rail_phase);
+  const Vec3<R> rest{zero, zero, zero};
+  s.v = select(lanes & (b.rail_phase == constant<R>(kHeld)), rest, s.v);
+  return changed | turned;
+}
+
+PHYSIM_ISA_END

@@ -1,0 +1,169 @@
+// Motor files and [shot.motor]: what is read, and that every mistake names its line.
+#include "physim/motor_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "physim/scenario.hpp"
+
+namespace physim {
+namespace {
+
+constexpr const char* kTwo = R"(; two motors
+A8 18 70 3-5 0.00312 0.01642 Estes
+ 0.1 8  ; a peak
+	0.4 2
+0.7 0.0
+
+; the second
+C6 18 70 0-3-5-7 .0108 0.0231 Estes
+0.2 14.1
+1.8 4.4
+1.86 0
+)";
+
+TEST(MotorFile, reads_motors_with_their_thrust_from_zero) {
+  const auto motors = parse_motor_file(kTwo, "two.eng");
+  ASSERT_TRUE(motors) << motors.error().text();
+  ASSERT_EQ(motors->size(), 2u);
+  const MotorFileEntry& c6 = (*motors)[1];
+  EXPECT_EQ(c6.motor.name, "C6");
+  EXPECT_EQ(c6.motor.propellant_mass, 0.0108);
+  EXPECT_EQ(c6.mass, 0.0231);
+  EXPECT_EQ(c6.diameter, 0.018);
+  EXPECT_EQ(c6.length, 0.07);
+  EXPECT_EQ(c6.delays, "0-3-5-7");
+  EXPECT_EQ(c6.manufacturer, "Estes");
+  const std::vector<ThrustPoint> thrust = {{0, 0}, {0.2, 14.1}, {1.8, 4.4}, {1.86, 0}};
+  EXPECT_EQ(c6.motor.thrust, thrust);
+  EXPECT_EQ(pick_motor(*motors, "A8", "two.eng")->motor.thrust.size(), 4u);
+}
+
+TEST(MotorFile, the_certified_c6_has_its_impulse) {
+  const auto motors = read_motor_file(PHYSIM_SOURCE_DIR "/scenarios/motors/estes_c6.eng");
+  ASSERT_TRUE(motors) << motors.error().text();
+  ASSERT_EQ(motors->size(), 1u);
+  const MotorDef& m = motors->front().motor;
+  EXPECT_NEAR(total_impulse(m), 8.82, 0.01);  // N s; certified: 8.8
+  EXPECT_EQ(burn_time(m), 1.86);
+  EXPECT_EQ(thrust_at(m, 0.192), 14.09);
+}
+
+struct Bad {
+  const char* text;
+  const char* place;
+  const char* message;
+};
+
+TEST(MotorFile, mistakes_name_their_line) {
+  constexpr Bad kBad[] = {
+      {"", "f.eng", "no motor"},
+      {"; only words\n", "f.eng", "no motor"},
+      {"0.1 5\n", "f.eng:1", "before any motor"},
+      {"C6 18 70 0-3 .0108 .0231\n", "f.eng:1", "6 words"},
+      {";\nC6 18 70 0-3 .0108 heavy E\n", "f.eng:2", "\"heavy\" is no mass"},
+      {"C6 18 70 0-3 -1 .0231 E\n", "f.eng:1", "\"-1\" is no propellant"},
+      {"C6 18 70 0-3 .0308 .0231 E\n0.1 5\n1 0\n", "f.eng:1", "more propellant"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.1 five\n", "f.eng:2", "\"five\" is no number"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.1 nan\n", "f.eng:2", "\"nan\" is no number"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.1\n", "f.eng:2", "1 words"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n0.1 4\n1 0\n", "f.eng:3", "time 0.1 after 0.2"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n0.2 4\n1 0\n", "f.eng:3", "time 0.2 after 0.2"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.2 -5\n", "f.eng:2", "not negative"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 3\n", "f.eng:3", "does not end at zero"},
+      {"C6 18 70 0-3 .0108 .0231 E\n", "f.eng:1", "does not end at zero"},
+      {"C6 18 70 0-3 .0108 .0231 E\n1 0\n", "f.eng:2", "no impulse"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 0\n1.1 2\n", "f.eng:4", "after the end of \"C6\""},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\nB6 18 70 0-3 .0108 .0231 E\n", "f.eng:3", "does not end at zero"},
+  };
+  for (const Bad& bad : kBad) {
+    SCOPED_TRACE(bad.text);
+    const auto motors = parse_motor_file(bad.text, "f.eng");
+    ASSERT_FALSE(motors);
+    EXPECT_EQ(motors.error().place, bad.place);
+    EXPECT_NE(motors.error().message.find(bad.message), std::string::npos) << motors.error().message;
+    EXPECT_FALSE(motors.error().hint.empty());
+  }
+}
+
+TEST(MotorFile, one_of_several_is_asked_for_by_name) {
+  const auto motors = parse_motor_file(kTwo, "two.eng");
+  EXPECT_NE(pick_motor(*motors, "", "two.eng").error().text().find("A8"), std::string::npos);
+  EXPECT_NE(pick_motor(*motors, "C5", "two.eng").error().text().find("A8, C6"), std::string::npos);
+}
+
+std::string rocket(const std::string& motor) {
+  return "physim = 1\n[[shot]]\nname = \"r\"\nmass = \"0.1 kg\"\nrail_length = \"1 m\"\nelevation = \"80 deg\"\n" +
+         motor;
+}
+
+Error error_of(const std::string& motor) {
+  const auto scenario = parse_scenario(rocket(motor), PHYSIM_SOURCE_DIR "/scenarios/r.toml");
+  EXPECT_FALSE(scenario) << motor;
+  return scenario ? Error{} : scenario.error();
+}
+
+TEST(MotorSettings, a_table_in_the_scenario) {
+  const auto scenario = parse_scenario(rocket(R"([shot.motor]
+name = "own"
+thrust = [[0, 0], ["100 ms", "10 N"], [1, 0]]
+propellant_mass = "10 g"
+propellant = [[0, "10 g"], [0.5, "4 g"], [1, 0]]
+ignition_delay = "0.5 s"
+drag_factor = 0.9
+drag_curve = [[0, 0.4], [1, 0.7]]
+)"),
+                                       "r.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const MotorDef& m = scenario->shots[0].projectile.motor;
+  const std::vector<ThrustPoint> thrust = {{0, 0}, {0.1, 10}, {1, 0}};
+  EXPECT_EQ(m.thrust, thrust);
+  EXPECT_EQ(m.propellant_mass, 0.01);
+  EXPECT_EQ(m.propellant[1].mass, 0.004);
+  EXPECT_EQ(m.ignition_delay, 0.5);
+  EXPECT_EQ(m.drag_factor, 0.9);
+  EXPECT_EQ(m.drag_curve[1].coefficient, 0.7);
+  EXPECT_EQ(scenario->shots[0].launch.rail_length, 1);
+  EXPECT_EQ(fly_shot(*scenario, scenario->shots[0]).error(), std::nullopt);
+}
+
+TEST(MotorSettings, a_file_from_the_scenarios_folder_and_changes_to_it) {
+  const auto scenario = parse_scenario(
+      rocket("motor = { file = \"motors/estes_c6.eng\", ignition_delay = \"1 s\" }\n"
+             "[[expect]]\nat = \"burnout\"\nquantity = \"mass\"\nequals = \"89.2 g\"\nwithin = \"1e-9 kg\"\n"),
+      PHYSIM_SOURCE_DIR "/scenarios/r.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const MotorDef& m = scenario->shots[0].projectile.motor;
+  EXPECT_EQ(m.name, "C6");
+  EXPECT_EQ(m.thrust.size(), 25u);
+  EXPECT_EQ(m.ignition_delay, 1);
+  const Flight flight = fly_shot(*scenario, scenario->shots[0]);
+  EXPECT_NEAR(*measure(flight, scenario->expect[0]), 0.0892, 1e-12);
+  // What is written reads back without the file.
+  std::vector<std::string> overrides;
+  for (const auto& [path, value] : effective_settings(*scenario))
+    if (path.starts_with("shot.r.")) overrides.push_back(path + "=" + value);
+  const auto again = parse_scenario(rocket(""), "elsewhere.toml", overrides);
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(again->shots[0].projectile, scenario->shots[0].projectile);
+}
+
+TEST(MotorSettings, mistakes_name_their_place) {
+  const Error missing = error_of("motor = { file = \"motors/none.eng\" }\n");
+  EXPECT_NE(missing.text().find("none.eng"), std::string::npos);
+  EXPECT_NE(missing.message.find("no such file"), std::string::npos);
+  const Error unsorted = error_of("[shot.motor]\nthrust = [[0, 1], [2, 1], [1, 0]]\n");
+  EXPECT_NE(unsorted.place.find(":8:"), std::string::npos);
+  EXPECT_NE(unsorted.message.find("time 1 after 2"), std::string::npos);
+  EXPECT_NE(error_of("[shot.motor]\nthrust = [[0, \"5 kg\"]]\n").text().find("force"), std::string::npos);
+  EXPECT_NE(error_of("[shot.motor]\nthrust = [[0, -5], [1, 0]]\n").message.find("out of range"), std::string::npos);
+  EXPECT_NE(error_of("[shot.motor]\nignition_delay = 1\n").message.find("no thrust"), std::string::npos);
+  EXPECT_NE(error_of("[shot.motor]\nthrust = [[0, 5], [1, 0]]\npropellant_mass = 1\n").message.find("not less"),
+            std::string::npos);
+  const auto no_rail = parse_scenario(rocket("motor = { thrust = [[0, 5], [1, 0]] }\n"), "r.toml",
+                                      std::vector<std::string>{"shot.rail_length=0"});
+  ASSERT_FALSE(no_rail);
+  EXPECT_NE(no_rail.error().message.find("needs a rail"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace physim

@@ -1,0 +1,214 @@
+// Motors and launch rails in a world: the numbers of flights, whatever else happens to the projectile.
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+#include "world/world_support.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+constexpr double kStep = 1.0 / 64;
+
+ProjectileDef rocket(const Fidelity& fidelity) {
+  ProjectileDef p;
+  p.mass = 0.1;
+  p.diameter = 0.03;
+  p.drag.coefficient = 0.5;
+  p.motor.thrust = {{0, 0}, {0.0317, 0.4}, {0.2371, 28.1}, {0.3113, 14.3}, {0.7173, 9.7}, {1.5791, 10.1}, {1.8937, 0}};
+  p.motor.propellant_mass = 0.0108;
+  p.motor.drag_curve = {{0, 0.4}, {0.5, 0.45}, {1, 0.8}};
+  p.motor.ignition_delay = 0.055;
+  p.fidelity = fidelity;
+  return p;
+}
+
+Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
+  Fidelity f = Fidelity::simulation();
+  f.rotation = RotationModel::none;
+  f.integrator = integrator;
+  f.precision = precision;
+  return f;
+}
+
+Launch from_rail(double elevation = 1.4) { return {.elevation = elevation, .rail_length = 0.9}; }
+
+std::vector<Event> stops_of(const Flight& flight) {
+  std::vector<Event> stops;
+  for (const Event& e : flight.events())
+    if (e.kind >= EventKind::ignition) stops.push_back(e);
+  return stops;
+}
+
+std::vector<WorldEvent> stops_of(const std::vector<WorldEvent>& events) {
+  std::vector<WorldEvent> stops;
+  for (const WorldEvent& e : events)
+    if (e.kind >= WorldEventKind::ignition) stops.push_back(e);
+  return stops;
+}
+
+TEST(WorldMotor, flies_the_bits_of_a_flight) {
+  Environment windy;
+  windy.wind.velocity = {3, 0.5, -2};
+  for (const Integrator integrator :
+       {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4})
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      SCOPED_TRACE(text(integrator) + " " + std::string(name(precision)));
+      World world = make_world({.environment = windy});
+      const ProjectileDef p = rocket(rung(integrator, precision));
+      const ProjectileId id = world.spawn(p, from_rail());
+      const ProjectileId other = world.spawn(p, from_rail(1.1));
+      ASSERT_TRUE(id && other);
+      const Flight flight = fly(p, from_rail(), windy, p.fidelity, {1e-9, 1e-9, kStep}, {.time = 30});
+      std::vector<WorldEvent> events;
+      for (int i = 1; i < 500 && i * kStep < flight.duration(); ++i) {
+        world.step(kStep);
+        for (const WorldEvent& e : world.events())
+          if (e.id == id) events.push_back(e);
+        const Sample s = flight.at(i * kStep);
+        ASSERT_TRUE(same_bits(world.position(id), s.position)) << i;
+        ASSERT_TRUE(same_bits(world.velocity(id), s.velocity)) << i;
+        ASSERT_TRUE(near(world.mass(id), s.mass, 1e-6)) << i;
+        const double rounding = precision == Precision::float64 ? 1e-12 : 1e-3;
+        ASSERT_TRUE(near(world.accelerations(id).total, s.acceleration, rounding, rounding)) << i;
+      }
+      const auto of_flight = stops_of(flight);
+      const auto of_world = stops_of(events);
+      ASSERT_EQ(of_flight.size(), 3u);
+      ASSERT_EQ(of_world.size(), 3u);
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(name(of_flight[i].kind), name(of_world[i].kind));
+        EXPECT_NEAR(of_flight[i].time, of_world[i].time, 1e-12);
+        EXPECT_TRUE(same_bits(of_flight[i].position, of_world[i].position));
+      }
+    }
+}
+
+TEST(WorldMotor, adaptive_integrators_follow_the_flight) {
+  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853}) {
+    World world = make_world({});
+    const ProjectileDef p = rocket(rung(integrator));
+    const ProjectileId id = world.spawn(p, from_rail());
+    const Flight flight = fly(p, from_rail(), {}, p.fidelity, {1e-11, 1e-11});
+    run_for(world, 3, kStep);
+    EXPECT_TRUE(near(world.position(id), flight.at(world.time()).position, 1e-6));
+  }
+}
+
+TEST(WorldMotor, a_launch_without_delay_ignites_at_once) {
+  World world = make_world({});
+  ProjectileDef p = rocket(rung(Integrator::rk4));
+  p.motor.ignition_delay = 0;
+  const ProjectileId now = world.spawn(p, from_rail());
+  EXPECT_EQ(events_of(world, WorldEventKind::ignition).size(), 1u);
+  const ProjectileId later = world.spawn(p, from_rail(), {}, 0.5);
+  const auto events = run_for(world, 2.6, kStep);
+  std::vector<double> ignitions, burnouts, exits;
+  for (const WorldEvent& e : events) {
+    if (e.id == later && e.kind == WorldEventKind::ignition) ignitions.push_back(e.time);
+    if (e.id == later && e.kind == WorldEventKind::burnout) burnouts.push_back(e.time);
+    if (e.kind == WorldEventKind::rail_exit) exits.push_back(e.time);
+  }
+  ASSERT_EQ(ignitions.size(), 1u);
+  ASSERT_EQ(burnouts.size(), 1u);
+  ASSERT_EQ(exits.size(), 2u);
+  EXPECT_EQ(ignitions[0], 0.5);
+  EXPECT_NEAR(burnouts[0], 0.5 + 1.8937, 1e-12);
+  EXPECT_NEAR(exits[1] - exits[0], 0.5, 1e-12);
+  EXPECT_TRUE(world.is_alive(now));
+}
+
+TEST(WorldMotor, goes_on_when_the_projectile_changes_its_rung_or_switches) {
+  const ProjectileDef p = rocket(rung(Integrator::rk4));
+  const Flight flight = fly(p, from_rail(), {}, p.fidelity, {1e-9, 1e-9, kStep});
+  for (const double at : {0.04, 0.1, 0.16, 0.3, 1.0}) {
+    SCOPED_TRACE(at);
+    World world = make_world({});
+    const ProjectileId id = world.spawn(p, from_rail());
+    run_for(world, at, kStep);
+    Fidelity other = p.fidelity;
+    other.interpolation = Interpolation::linear;
+    other.planar = true;
+    ASSERT_TRUE(world.set_fidelity(id, other));
+    ASSERT_TRUE(world.set_can_sleep(id, false));
+    run_for(world, 0.1, kStep);
+    ASSERT_TRUE(world.set_gravity_scale(id, 0.5));
+    ASSERT_TRUE(world.set_gravity_scale(id, 1));
+    ASSERT_TRUE(world.set_fidelity(id, p.fidelity));
+    run_for(world, 2 - world.time(), kStep);
+    EXPECT_TRUE(near(world.position(id), flight.at(2).position, 1e-3));
+    EXPECT_TRUE(near(world.mass(id), flight.at(2).mass, 1e-12));
+  }
+}
+
+TEST(WorldMotor, generators_push_the_mass_that_is_left) {
+  WorldDef def;
+  def.environment.gravity.model = GravityModel::constant;
+  World world = make_world(def);
+  ProjectileDef p = rocket(vacuum(Integrator::rk4));
+  p.mass = 0.02;  // more than half of it burns
+  const ProjectileId id = world.spawn(p, {.elevation = 90 * kDegree, .rail_length = 0.9});
+  run_for(world, 2.5, kStep);
+  const Vec3d before = world.velocity(id);
+  ForceDef push;
+  push.law = ConstantForce{{0.1, 0, 0}};
+  push.target.ids = {id};
+  ASSERT_TRUE(world.add_force(push));
+  run_for(world, 1, kStep);
+  EXPECT_NEAR(world.velocity(id).x - before.x, 0.1 / (0.02 - 0.0108), 1e-9);
+  EXPECT_NEAR(world.velocity(id).y - before.y, -9.80665, 1e-9);
+}
+
+TEST(WorldMotor, burns_under_generators_too) {
+  World world = make_world({});
+  const ProjectileDef p = rocket(rung(Integrator::rk4));
+  const ProjectileId id = world.spawn(p, from_rail());
+  ForceDef nothing;
+  nothing.law = ConstantForce{};
+  nothing.target.ids = {id};
+  ASSERT_TRUE(world.add_force(nothing));
+  run_for(world, 3, 1.0 / 1000);
+  const Flight flight = fly(p, from_rail(), {}, p.fidelity, {1e-9, 1e-9, kStep});
+  EXPECT_TRUE(near(world.position(id), flight.at(3).position, 2e-3));  // pieces change with its steps
+  EXPECT_TRUE(near(world.mass(id), flight.at(3).mass, 1e-12));
+}
+
+TEST(WorldMotor, waits_on_its_rail_without_falling_asleep) {
+  WorldDef def;
+  def.ground = {.mode = GroundMode::bounce};
+  World world = make_world(def);
+  ProjectileDef p = rocket(rung(Integrator::rk4));
+  p.motor.ignition_delay = 5;
+  BodyDef body;
+  body.can_sleep = true;
+  body.sleep_speed = 0.1;
+  body.sleep_time = 0.5;
+  const ProjectileId id = world.spawn(p, from_rail(), body);
+  const auto events = run_for(world, 8, kStep);
+  EXPECT_TRUE(
+      std::none_of(events.begin(), events.end(), [](const WorldEvent& e) { return e.kind == WorldEventKind::slept; }));
+  EXPECT_GT(world.position(id).y, 100);
+}
+
+TEST(WorldMotor, snapshots_hold_it) {
+  World world = make_world({});
+  const ProjectileId id = world.spawn(rocket(rung(Integrator::rk4)), from_rail());
+  run_for(world, 0.1, kStep);
+  const Snapshot now = world.snapshot();
+  run_for(world, 1, kStep);
+  const Vec3d there = world.position(id);
+  world.restore(now);
+  run_for(world, 1, kStep);
+  EXPECT_TRUE(same_bits(world.position(id), there));
+}
+
+TEST(WorldMotor, a_rocket_at_rest_without_a_rail_is_refused) {
+  World world = make_world({});
+  EXPECT_FALSE(world.spawn(rocket(rung(Integrator::rk4)), {.elevation = 1}));
+  ASSERT_TRUE(world.error());
+  EXPECT_EQ(world.error()->place, "launch.rail_length");
+}
+
+}  // namespace
+}  // namespace physim
