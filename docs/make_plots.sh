@@ -20,6 +20,7 @@ draw_shot() {
 draw 308_168gr_g7
 draw cannonball_galileo
 draw_shot lob_16km shell
+draw 105mm_m1_six_dof
 draw original_artillery
 draw original_test_3
 draw original_test_6
