@@ -22,6 +22,7 @@ draw cannonball_galileo
 draw_shot lob_16km shell
 draw_shot golf_drive drive
 draw model_rocket
+draw 105mm_m1_six_dof
 draw original_artillery
 draw original_test_3
 draw original_test_6
