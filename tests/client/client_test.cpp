@@ -180,6 +180,22 @@ TEST(SettingRows, WhatIsShownCanBeTypedIn) {
     }
 }
 
+TEST(SettingRows, ShowNumbersThatFitIntoTheirField) {
+  Client client = client_of();
+  ASSERT_FALSE(client.set("shot.elevation = 35 deg"));
+  ASSERT_FALSE(client.set("shot.position = 1 ft, 2, 1e-12"));
+  for (const SettingRow& row : setting_rows("shot")) {
+    const auto text = row_text(row, client.session.scenario(), client.launcher.shot());
+    if (row.path == "shot.elevation") {
+      EXPECT_EQ(text, "0.6108652 rad");
+    }
+    if (row.path == "shot.position") {
+      EXPECT_EQ(text, "0.3048 m, 2 m, 1e-12 m");
+    }
+  }
+  EXPECT_EQ(client.launcher.shot().launch.elevation, 35 * 0.017453292519943295);
+}
+
 TEST(SettingRows, UnderstandUnitsAndRefuseNonsense) {
   Client client = client_of();
   ASSERT_FALSE(client.set("shot.mass = 168 gr"));

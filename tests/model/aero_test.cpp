@@ -254,6 +254,8 @@ TEST(Aero, batches_and_worlds_fly_tables_as_flights_do) {
         ASSERT_TRUE(same_bits(batch.shots[k].position, end.position)) << kernel << k;
         ASSERT_TRUE(same_bits(batch.shots[k].angular_velocity, end.angular_velocity)) << kernel << k;
         ASSERT_TRUE(same_bits(world.position(ids[k]), end.position)) << kernel << k;
+        const double gate = precision == Precision::float32 ? 1e-4 : 1e-12;
+        EXPECT_TRUE(near(world.accelerations(ids[k]).total, end.acceleration, gate)) << kernel << k;
       }
     }
   }

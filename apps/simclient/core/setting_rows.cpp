@@ -1,6 +1,8 @@
 #include "simclient/core/setting_rows.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 #include "scenario/reader.hpp"
@@ -60,6 +62,25 @@ std::string without_brackets(std::string text) {
   return text;
 }
 
+/// Numbers to seven digits, what a field has room for. What is not typed over keeps all of its digits.
+std::string shortened(const std::string& text) {
+  constexpr std::ptrdiff_t kRoom = 9;
+  std::string out;
+  for (const char* at = text.c_str(); *at != 0;) {
+    char* end = nullptr;
+    const double value = *at >= '0' && *at <= '9' ? std::strtod(at, &end) : 0;
+    if (end == nullptr) {
+      out += *at++;
+      continue;
+    }
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.7g", value);
+    out += end - at > kRoom ? std::string(digits) : std::string(at, static_cast<std::size_t>(end - at));
+    at = end;
+  }
+  return out;
+}
+
 std::string with_brackets(std::string_view text) {
   if (text.find('[') != text.npos || text.find(',') == text.npos) return std::string(text);
   std::string out = "[";
@@ -93,7 +114,8 @@ std::optional<std::string> row_text(const SettingRow& row, const Scenario& scena
   of_scenario.world = scenario.world;
   ScenarioShot copy = shot;
   std::optional<std::string> text = written(*row.node->entry, scope_of(of_scenario, copy));
-  return text && row.kind == SettingRow::Kind::vector ? without_brackets(*text) : text;
+  if (text && row.kind == SettingRow::Kind::vector) return shortened(without_brackets(*text));
+  return text && !row.unit.empty() ? shortened(*text) : text;
 }
 
 Status set_value(const SettingRow& row, const std::string& text, Scenario& scenario, ScenarioShot& shot) {
