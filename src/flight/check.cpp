@@ -34,9 +34,9 @@ void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
 }
 
 /// A coefficient's points; `angles`: several of them may have the same Mach number.
-void check_coefficient(Checker& c, const AeroCoefficient& points, const std::string& name, bool angles) {
+void check_coefficient(Checker& c, const AeroCoefficient& points, const char* name, bool angles) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::string place = "projectile.aero." + name + "[" + std::to_string(i) + "]";
+    const std::string place = std::string("projectile.aero.") + name + "[" + std::to_string(i) + "]";
     const AeroPoint& p = points[i];
     c.not_negative(p.mach, place, "Mach numbers start at 0").not_negative(p.angle_squared, place, "it is a square");
     c.is_number(p.value, place);
@@ -53,6 +53,7 @@ void check_aero(Checker& c, const AeroDef& a) {
   c.not_negative(a.area, "projectile.aero.area", "0: from the diameter");
   c.not_negative(a.length, "projectile.aero.length", "0: the diameter");
   c.not_negative(a.span, "projectile.aero.span", "0: the length");
+  if (!has_aero(a)) return;
   const std::pair<const char*, const AeroCoefficient*> by_mach[] = {{"drag_yaw", &a.drag_yaw},
                                                                     {"lift", &a.lift},
                                                                     {"lift_cubic", &a.lift_cubic},
@@ -119,21 +120,20 @@ void check_motor(Checker& c, const ProjectileDef& p) {
 }
 
 void check_magnus(Checker& c, const MagnusDef& m) {
-  const std::string place = "projectile.magnus.";
-  c.is_number(m.lift, place + "lift").positive(m.lift_base, place + "lift_base", "");
-  c.not_negative(m.lift_saturation, place + "lift_saturation", "").is_number(m.drag_per_spin, place + "drag_per_spin");
-  c.require(m.drag_per_spin >= 0, place + "drag_per_spin", "must be zero or positive", "");
-  c.require(m.decay_time > 0, place + "decay_time", "must be positive", "infinity: the spin stays");
+  c.is_number(m.lift, "projectile.magnus.lift").positive(m.lift_base, "projectile.magnus.lift_base", "");
+  c.not_negative(m.lift_saturation, "projectile.magnus.lift_saturation", "");
+  c.not_negative(m.drag_per_spin, "projectile.magnus.drag_per_spin", "");
+  c.require(m.decay_time > 0, "projectile.magnus.decay_time", "must be positive", "infinity: the spin stays");
   constexpr std::size_t kMost = 10000;
-  c.require(m.table.size() <= kMost, place + "table", "has too many points", "at most 10000");
+  c.require(m.table.size() <= kMost, "projectile.magnus.table", "has too many points", "at most 10000");
   for (std::size_t i = 0; i < m.table.size() && i < kMost; ++i) {
-    const std::string point = place + "table[" + std::to_string(i) + "]";
+    const std::string point = "projectile.magnus.table[" + std::to_string(i) + "]";
     const MagnusPoint& p = m.table[i];
     c.not_negative(p.speed, point, "").not_negative(p.spin, point, "spins have no direction here");
     c.not_negative(p.drag, point, "drag coefficients are not negative").is_number(p.lift, point);
   }
   if (m.table.empty() || c.status_so_far()) return;
-  c.require(is_full(magnus_grid(m), m.table.size()), place + "table", "is no full grid",
+  c.require(is_full(magnus_grid(m), m.table.size()), "projectile.magnus.table", "is no full grid",
             "give every speed with every spin, once");
 }
 
