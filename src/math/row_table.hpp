@@ -119,8 +119,10 @@ class RowOffsets {
     using U = UnsignedOf<S>;
     const auto bits = to_bits(index + rounding_magic<Pack<S, N>>());
     ((bits & Pack<U, N>(U(0x3fffff))) << 2).store(stored_);
-#if defined(__GNUC__)
     // Reading the offsets back from memory costs one load a lane; taking them out of a register three instructions.
+#if defined(__clang__)
+    asm("" : "+m"(stored_));  // clang would not store what it thinks nobody reads
+#elif defined(__GNUC__)
     // Hiding where they lie does it. (Hiding what they are would hide all else in memory, such as known conditions.)
     asm("" : "+r"(at));
 #endif
