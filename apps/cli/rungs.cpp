@@ -66,6 +66,7 @@ std::vector<RungDoc> all_docs() {
                      {{RotationModel::none, "spin has no effect"},
                       {RotationModel::spin_drift, "Litz's spin drift with Miller's stability factor"},
                       {RotationModel::magnus, "lift and drag of balls that spin"},
+                      {RotationModel::modified_point_mass, "spinning shells in their yaw of repose (STANAG 4355)"},
                       {RotationModel::rigid_body, "six degrees of freedom: the attitude is flown too"}});
   add<BodyForm>(all, "body_form",
                 {{BodyForm::automatic, "axis for bodies symmetric about x with rifling, quaternion else"},

@@ -62,9 +62,10 @@ enum class EarthModel {
 
 enum class RotationModel {
   none,
-  spin_drift,  ///< Litz's empirical spin drift with Miller's stability factor; added to the flown path
-  magnus,      ///< lift and drag of balls that spin
-  rigid_body,  ///< six degrees of freedom: the attitude is flown too
+  spin_drift,           ///< Litz's empirical spin drift with Miller's stability factor; added to the flown path
+  magnus,               ///< lift and drag of balls that spin
+  modified_point_mass,  ///< spinning shells in their yaw of repose; only the spin is flown with the point (STANAG 4355)
+  rigid_body,           ///< six degrees of freedom: the attitude is flown too
 };
 
 /// How the attitude of a rigid body is computed.

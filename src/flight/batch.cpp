@@ -94,7 +94,7 @@ class Batch {
       end_at_once(i, body, *outcome);
       if (!turns(granted)) return;
       const Rotor<double>& rotor = group->rotors.back();
-      set_attitude(result_.shots[i], attitude_of(granted, rotor, rotor.launch));
+      set_attitude(result_.shots[i], attitude_of(cohort.conditions, body, rotor, 0, body.launch, rotor.launch));
       return group->rotors.pop_back();
     }
     group->shots.push_back(i);
@@ -120,12 +120,11 @@ class Batch {
     return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
            (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
            (fidelity_.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0) |
-           (fidelity_.rotation == RotationModel::rigid_body ? rotation_key(p) : 0) | (has_motor(p) ? 512u : 0) |
-           (has_magnus(p) ? 1024u : 0);
+           (turns(fidelity_) ? rotation_key(p) : 0) | (has_motor(p) ? 512u : 0) | (has_magnus(p) ? 1024u : 0);
   }
 
   static unsigned rotation_key(const ProjectileDef& p) {
-    return (has_inertia(p) ? 128u : 0) | (is_axisymmetric(p) ? 256u : 0);
+    return (has_inertia(p) ? 128u : 0) | (is_axisymmetric(p) ? 256u : 0) | (p.aero.pitching.empty() ? 0 : 2048u);
   }
 
   ShotGroup* group_of(const ProjectileDef& projectile) {
@@ -234,8 +233,12 @@ class Batch {
     const auto tries = static_cast<std::int64_t>(end.tries);
     result_.shots[group.shots[i]] = {
         end.outcome, end.time, s.x, s.v, {steps, tries - steps, evaluations(group.cohort.in_use.fidelity, tries)}};
-    if (turns(group.cohort.in_use.fidelity))
-      set_attitude(result_.shots[group.shots[i]], attitude_of(group.cohort.in_use.fidelity, group.rotors[i], end.turn));
+    const Conditions<double>& c = group.cohort.conditions;
+    if (!turns(c.fidelity)) return;
+    Body<double> body = group.bodies[i];
+    State<double> start = end.state;
+    if (has_stops(c)) pass_stops(c, end.time, true, start, body);
+    set_attitude(result_.shots[group.shots[i]], attitude_of(c, body, group.rotors[i], end.time, end.state, end.turn));
   }
 
   std::span<const Shot> shots_;
@@ -247,7 +250,7 @@ class Batch {
   std::deque<ShotGroup> groups_;
   static constexpr std::size_t kMostJudgedCurves = 64;
   std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
-  std::array<ShotGroup*, 2048> group_by_key_{};
+  std::array<ShotGroup*, 4096> group_by_key_{};
   BatchResult result_;
 };
 

@@ -100,6 +100,7 @@ class Court {
   /// Reports crossings and ends of all steps taken in; true when the flight of the latest has ended.
   bool settle() {
     if (filled_ == 0) return false;
+    fill_untouched();
     const R zero(S(0)), one(S(1));
     R sound = zero;
     for (int i = 0; i < filled_; ++i) set_lane(sound, i, accepted_[i] ? S(1) : S(0));
@@ -120,6 +121,12 @@ class Court {
 
  private:
   using W = Cast<double, R>;
+
+  /// Lanes that never held a step repeat one, so that they hold sound numbers: what of them tables are read by.
+  void fill_untouched() {
+    for (; touched_ < kLanes<R>; ++touched_)
+      if (touched_ >= filled_) copy_step(*job_.course->conditions, steps_, 0, steps_, touched_);
+  }
 
   /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
   [[nodiscard]] bool stays(int i) const { return !accepted_[i] || verdict_[i].outcome == Outcome::non_finite; }
@@ -186,6 +193,7 @@ class Court {
   std::size_t shot_[kLanes<R>];
   Verdict verdict_[kLanes<R>];
   int filled_ = 0;
+  int touched_ = 0;  // lanes before it have held a step
 };
 
 /// Flights in a set of lanes.

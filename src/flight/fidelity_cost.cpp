@@ -60,7 +60,7 @@ double evaluation_cost(const Fidelity& f, const ProjectileDef& projectile, const
   if (flies_motors(f) && has_motor(projectile)) cost += wind_cost(f, environment) + 24 + 2 * kReciprocal;
   if (f.rotation == RotationModel::magnus) cost += kExp + 40 + 4 * kReciprocal;
   if (f.planar) cost += 11;
-  if (turns(f)) cost += 110;
+  if (turns(f)) cost += is_in_repose(f) ? 140 : 110;
   return cost;
 }
 

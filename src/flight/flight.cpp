@@ -104,16 +104,13 @@ Accelerations Flight::accelerations(double time) const {
     a.lift = in_plane(air.lift * lighter(c, b, time));
     a.drag -= a.lift;
   }
-  if (turns(c.fidelity) && c.has_aero)
-    a.body =
-        body_aero(c, r.rotor, air_state(c, s.x), air_velocity(c, s), r.turn(time)).acceleration * lighter(c, b, time);
+  if (turns(c.fidelity) && c.has_aero) a.body = attitude_force(c, b, r.rotor, time, s, r.turn(time));
   if (is_turning(c.fidelity.earth)) a.coriolis = in_plane(coriolis(c, s.v));
   if (throws_out(c.fidelity)) a.centrifugal = in_plane(centrifugal(c, s.x));
   if (c.has_applied) a.applied = in_plane(applied_now(c, b, time));
   if (c.has_motor) {
-    const bool turning = turns(c.fidelity);
-    a.thrust =
-        in_plane(thrust(b, time, turning ? forward(c.fidelity, r.turn(time)) : nose_in_air(b, air_velocity(c, s))));
+    const Turn<double> turn = turns(c.fidelity) ? r.turn(time) : Turn<double>{};
+    a.thrust = in_plane(thrust(b, time, nose(c, b, r.rotor, time, s, turn)));
   }
   a.total = r.acceleration_at(time);
   if (b.rail_phase < kOffRail)
@@ -150,7 +147,7 @@ Sample Flight::at(double time) const {
   out.drop = dot(s.x - r.sight.start, r.sight.up);
   out.windage = dot(s.x - r.sight.start, r.sight.right);
   if (!turns(c.fidelity)) return out;
-  const Attitude attitude = attitude_of(c.fidelity, r.rotor, r.turn(time));
+  const Attitude attitude = attitude_of(c, b, r.rotor, time, s, r.turn(time));
   out.orientation = attitude.q_WB;
   out.angular_velocity = attitude.omega;
   out.angle_of_attack = angle_between(rotate(attitude.q_WB, Vec3d{1, 0, 0}), air_velocity(c, s));

@@ -47,7 +47,7 @@ class Granting {
     if (f_.air == AirModel::isa && (air.density || air.sound_speed))
       notes_.push_back({"air", "isa", "isa", "density and sound_speed are for constant and exponential air"});
     const bool empty = f_.air == AirModel::vacuum || (f_.air != AirModel::isa && air.density == 0.0);
-    if (empty && (f_.rotation == RotationModel::spin_drift || f_.rotation == RotationModel::magnus))
+    if (empty && (f_.rotation == RotationModel::spin_drift || f_.rotation == RotationModel::magnus || is_in_repose(f_)))
       set("rotation", f_.rotation, RotationModel::none, "there is no air");
     if (f_.air == AirModel::vacuum && f_.drag == DragModel::equation)
       set("drag", f_.drag, DragModel::off, "there is no air");
@@ -122,17 +122,27 @@ class Granting {
   /// After motion and integrator are settled.
   void by_rotation() {
     if (f_.rotation == RotationModel::magnus) by_spin();
-    if (f_.rotation != RotationModel::rigid_body) return;
+    if (!turns(f_)) return;
     const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
     if (f_.motion != Motion::force) return without("only motion 'force' knows moments");
     if (f_.integrator == Integrator::classic) return without("the original loop knows points only");
     if (f_.planar) return without("a planar flight does not leave its plane");
     if (!has_inertia(projectile_)) return without("the projectile's moments of inertia are not given");
+    if (is_in_repose(f_)) return by_repose();
     const bool symmetric = is_axisymmetric(projectile_);
     if (f_.body_form == BodyForm::automatic)
       f_.body_form = symmetric && projectile_.twist != 0 ? BodyForm::axis : BodyForm::quaternion;
     if (f_.body_form == BodyForm::axis && !symmetric)
       set("body_form", f_.body_form, BodyForm::quaternion, "the body is not symmetric about its x axis");
+  }
+
+  void by_repose() {
+    const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
+    if (!is_axisymmetric(projectile_))
+      return without("a yaw of repose has only a body that is symmetric about its x axis");
+    if (f_.drag != DragModel::equation) return without("the yaw of repose goes with the drag equation");
+    if (projectile_.aero.pitching.empty())
+      return without("the yaw of repose needs the coefficient of the overturning moment, aero.pitching");
   }
 
   void by_spin() {

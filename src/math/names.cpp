@@ -21,7 +21,7 @@ PHYSIM_NAMES(DragModel, equation, "off", "damping", "linear_quadratic", "equatio
 PHYSIM_NAMES(AirModel, isa, "vacuum", "constant", "exponential", "isa")
 PHYSIM_NAMES(WindModel, profile, "off", "constant", "profile")
 PHYSIM_NAMES(EarthModel, ellipsoid, "flat", "flat_coriolis", "sphere", "sphere_rotating", "ellipsoid")
-PHYSIM_NAMES(RotationModel, rigid_body, "none", "spin_drift", "magnus", "rigid_body")
+PHYSIM_NAMES(RotationModel, rigid_body, "none", "spin_drift", "magnus", "modified_point_mass", "rigid_body")
 PHYSIM_NAMES(BodyForm, axis, "automatic", "quaternion", "axis")
 PHYSIM_NAMES(AttitudeFrame, world, "bore", "world")
 PHYSIM_NAMES(RateFrame, inertial, "world", "inertial")

@@ -12,6 +12,7 @@
 #include "model/drag.hpp"
 #include "model/gravity.hpp"
 #include "model/magnus.hpp"
+#include "model/modified_point_mass.hpp"
 #include "model/motor.hpp"
 #include "model/rigid_body.hpp"
 
@@ -89,10 +90,40 @@ PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, con
   return with_other_effects(c, b, t, s, a);
 }
 
+/// The yaw of repose of a shell, whose acceleration without yaw is given.
+template <class R, class S>
+PHYSIM_INLINE Repose<R> repose_at(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                  const State<R>& s, const R& spin, const Vec3<R>& without_yaw) {
+  const Vec3<R> u = air_velocity(c, s);
+  Vec3<R> turning = without_yaw;
+  if (is_turning(c.fidelity.earth)) turning += cross(Vec3<R>{R(c.omega.x), R(c.omega.y), R(c.omega.z)}, u);
+  const R thrust = c.has_motor ? thrust_at(b, t) / mass_at(b, t) : R(S(0));
+  return repose(c, rotor, air_state(c, s.x), u, spin, turning, lighter(c, b, t), thrust);
+}
+
+/// Of a shell in its yaw of repose, with the slope of its Turn.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> reposed_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                           const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
+  const R zero(S(0));
+  const Vec3<R> without_yaw = acceleration(c, b, t, s);
+  const Repose<R> r = repose_at(c, b, rotor, t, s, turn.h.x, without_yaw);
+  Vec3<R> a = r.acceleration;
+  if (c.has_motor) {
+    const Vec3<R> along = nose_in_air(b, air_velocity(c, s));
+    a += thrust(b, t, yawed_axis(along, r.yaw) - along);
+  }
+  if (c.has_frozen) a = component_product(a, b.free);
+  if (c.has_rail) a = on_rail(b, a);
+  slope = {turn.h.x, {zero, zero, zero}, {r.spin_slope, zero, zero}};
+  return without_yaw + a;
+}
+
 /// Of what turns, with the slope of its Turn.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                            const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
+  if (is_in_repose(c.fidelity)) return reposed_acceleration(c, b, rotor, t, s, turn, slope);
   const R zero(S(0));
   Vec3<R> a = weight_per_mass(c, b, s.x);
   Vec3<R> moment{zero, zero, zero};
@@ -110,6 +141,24 @@ PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>
   slope = turn_slope(c, rotor, turn, moment);
   if (c.has_rail) slope = slope * select(b.rail_phase < R(S(kOffRail)), zero, R(S(1)));  // it holds the body straight
   return with_other_effects(c, b, t, s, a);
+}
+
+/// The part of the acceleration that comes with the attitude: aerodynamics beyond drag at zero yaw.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> attitude_force(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                     const State<R>& s, const Turn<R>& turn) {
+  if (is_in_repose(c.fidelity)) return repose_at(c, b, rotor, t, s, turn.h.x, acceleration(c, b, t, s)).acceleration;
+  return body_aero(c, rotor, air_state(c, s.x), air_velocity(c, s), turn).acceleration * lighter(c, b, t);
+}
+
+/// Where the nose of any body points, a unit vector in W [-].
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                           const State<R>& s, const Turn<R>& turn) {
+  if (turns(c.fidelity) && !is_in_repose(c.fidelity)) return forward(c.fidelity, turn);
+  const Vec3<R> along = nose_in_air(b, air_velocity(c, s));
+  if (!turns(c.fidelity)) return along;
+  return yawed_axis(along, repose_at(c, b, rotor, t, s, turn.h.x, acceleration(c, b, t, s)).yaw);
 }
 
 PHYSIM_ISA_END

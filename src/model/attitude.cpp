@@ -25,15 +25,21 @@ Vec3d omega_of_W(const Conditions<double>& c) { return is_turning(c.fidelity.ear
 
 }  // namespace
 
-Attitude attitude_of(const Fidelity& f, const Rotor<double>& rotor, const Turn<double>& t) {
+double spin_of(const Fidelity& f, const Rotor<double>& rotor, const Turn<double>& t) {
+  if (is_in_repose(f) || !is_axis_form(f)) return t.h.x;
+  return dot(t.h, normalized(t.u)) * (rotor.moments.y * rotor.inverse_moments.x);
+}
+
+Attitude attitude_of(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double time,
+                     const State<double>& s, const Turn<double>& t) {
+  const Fidelity& f = c.fidelity;
   if (!is_axis_form(f)) return {normalized(Quatd{t.w, t.u.x, t.u.y, t.u.z}), t.h};
-  const Vec3d x = normalized(t.u);
+  const Vec3d x = nose(c, b, rotor, time, s, t);
   const auto half = sincos(0.5 * t.w);
   const Quatd q = normalized(shortest_turn_to(x) * Quatd{half.cos, half.sin, 0, 0});
-  const double along = dot(t.h, x);
-  const double spin = along * (rotor.moments.y * rotor.inverse_moments.x);
-  Vec3d omega = rotate(conjugate(q), t.h - x * along);
-  omega.x = spin;
+  Vec3d omega{};
+  if (!is_in_repose(f)) omega = rotate(conjugate(q), t.h - x * dot(t.h, x));
+  omega.x = spin_of(f, rotor, t);
   return {q, omega};
 }
 
@@ -42,6 +48,7 @@ Turn<double> turn_of(const Fidelity& f, const Rotor<double>& rotor, const Attitu
   if (!is_axis_form(f)) return {q.w, {q.x, q.y, q.z}, a.omega};
   const Vec3d x = rotate(q, Vec3d{1, 0, 0});
   const Quatd roll = conjugate(shortest_turn_to(x)) * q;
+  if (is_in_repose(f)) return {2 * atan2(roll.x, roll.w), {1, 0, 0}, {a.omega.x, 0, 0}};
   const double part = rotor.moments.x * rotor.inverse_moments.y;
   return {2 * atan2(roll.x, roll.w), x, rotate(q, Vec3d{a.omega.x * part, a.omega.y, a.omega.z})};
 }

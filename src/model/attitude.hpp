@@ -3,7 +3,7 @@
 // Symbols and equations as in model/rigid_body.hpp. Source: geometry.
 #pragma once
 
-#include "model/rigid_body.hpp"
+#include "model/acceleration.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
@@ -14,7 +14,12 @@ struct Attitude {
   Vec3d omega;  // angular velocity in I, along body axes [rad/s]
 };
 
-[[nodiscard]] Attitude attitude_of(const Fidelity& granted, const Rotor<double>& rotor, const Turn<double>& turn);
+/// A shell in its yaw of repose turns about its axis only: the slow turn of the axis with the path is left out.
+[[nodiscard]] Attitude attitude_of(const Conditions<double>& conditions, const Body<double>& body,
+                                   const Rotor<double>& rotor, double time, const State<double>& state,
+                                   const Turn<double>& turn);
+/// The spin about the x axis [rad/s].
+[[nodiscard]] double spin_of(const Fidelity& granted, const Rotor<double>& rotor, const Turn<double>& turn);
 [[nodiscard]] Turn<double> turn_of(const Fidelity& granted, const Rotor<double>& rotor, const Attitude& attitude);
 
 /// How a launch at a velocity points and turns. `bore`: its unit direction in W, which counts where it stands still.

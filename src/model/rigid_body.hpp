@@ -45,7 +45,9 @@ PHYSIM_INLINE void add_scaled(Turn<R>& sum, const Turn<R>& a, const R& s) {
 }
 
 // ------------------------------------------------------------------------------------------- both forms
-PHYSIM_INLINE constexpr bool is_axis_form(const Fidelity& f) { return f.body_form == BodyForm::axis; }
+PHYSIM_INLINE constexpr bool is_axis_form(const Fidelity& f) {
+  return f.body_form == BodyForm::axis || is_in_repose(f);
+}
 
 /// A symmetric tensor times a vector.
 template <class R>

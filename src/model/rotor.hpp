@@ -13,7 +13,12 @@
 namespace physim {
 
 /// The rotation is part of what is flown: every step moves a Turn too.
-PHYSIM_INLINE constexpr bool turns(const Fidelity& f) { return f.rotation >= RotationModel::rigid_body; }
+PHYSIM_INLINE constexpr bool turns(const Fidelity& f) { return f.rotation >= RotationModel::modified_point_mass; }
+
+/// The axis stands in its yaw of repose; only the spin is flown.
+PHYSIM_INLINE constexpr bool is_in_repose(const Fidelity& f) {
+  return f.rotation == RotationModel::modified_point_mass;
+}
 
 /// What the numbers mean is up to the rotation model:
 ///   rigid_body, quaternion form: w and u are q_WB [-], h is the angular velocity in I along body axes [rad/s];

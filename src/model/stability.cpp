@@ -14,7 +14,7 @@ std::optional<Stability> stability_of(const Conditions<double>& c, const Body<do
   const double mach = speed * air.per_sound_speed;
   const AeroCoefficients<double> k = aero_coefficients(c, r, mach, 0.0);
   if (k.pitching == 0) return std::nullopt;
-  const double spin = attitude_of(c.fidelity, r, t).omega.x;
+  const double spin = spin_of(c.fidelity, r, t);
   const double across = r.moments.y;
   const double momentum = r.moments.x * spin;
   Stability out;

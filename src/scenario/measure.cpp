@@ -52,7 +52,7 @@ Result<double> measure_anywhere(const Flight& flight, const Expectation& expecta
   if (figure->value != nullptr) return figure->value(*sample);
   if (const auto value = figure->of_rotation(flight, *sample)) return *value;
   return Error{"there is no " + in_quotes(figure->name) + " where rotation is not flown", "",
-               "ask for the rotation model \"rigid_body\""};
+               "ask for the rotation model \"rigid_body\" or \"modified_point_mass\""};
 }
 
 }  // namespace

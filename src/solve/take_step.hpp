@@ -32,19 +32,16 @@ PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
 }
 
-#ifndef EVALATTR
-#define EVALATTR [[gnu::noinline]]
-#endif
 /// The acceleration behind one call, so that twelve stages do not become twelve copies of all models.
 template <class R, class S>
-EVALATTR void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
+[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
   a = acceleration(c, b, t, s);
 }
 
 /// The same for what turns.
 template <class R, class S>
-EVALATTR void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t, const State<R>& s,
-                       const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
+[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
   a = turning_acceleration(c, b, rotor, t, s, turn, slope);
 }
 
@@ -79,7 +76,7 @@ template <class R, class S>
 PHYSIM_INLINE void euler_turn(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {
   TurnStep<R>& t = *s.turn;
   t.end = t.start + t.slope[0] * s.h;
-  if (c.fidelity.integrator == Integrator::explicit_euler) return;
+  if (c.fidelity.integrator == Integrator::explicit_euler || is_in_repose(c.fidelity)) return;
   const R zero(S(0));
   const Turn<R> pointing =
       turn_slope(c, rotor, Turn<R>{t.start.w, t.start.u, t.end.h}, Vec3<R>{zero, zero, zero}) * s.h;
@@ -119,12 +116,18 @@ PHYSIM_INLINE ErrorPair<R> squared_errors(const Turn<R>& e, const Turn<R>& end, 
   return {squared_ratio(e.u, end.u, relative, absolute), squared_ratio(e.h, end.h, relative, absolute)};
 }
 
+/// The larger of two errors; one that is not a number, with which no step is accepted, is the worst of all.
+template <class R>
+PHYSIM_INLINE R worse(const R& a, const R& b) {
+  return select((a > b) | (a != a), a, b);
+}
+
 /// Error over tolerance, squared: the worse of position and velocity, or of direction and rate; `s` is a Step or its
 /// TurnStep.
 template <class AnyStep, class R, class S>
 PHYSIM_INLINE R tsit5_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   const auto e = squared_errors(weighted_sum<ErrorWeights<Tsit5, 0>, 7>(s.slope) * h, s.end, relative, absolute);
-  return max(e.first, e.second);
+  return worse(e.first, e.second);
 }
 
 /// The estimates of orders 5 and 3 combined: e5^2 / sqrt(e5^2 + 0.01 e3^2) (Hairer, Norsett and Wanner, sec. II.10).
@@ -132,14 +135,14 @@ template <class R>
 PHYSIM_INLINE R combined_error_squared(const R& e5, const R& e3) {
   using S = ScalarOf<R>;
   const R sum = e5 + S(0.01) * e3;
-  return select(sum > R(S(0)), e5 * e5 / max(sum, R(S(1e-37))), R(S(0)));
+  return select(sum > R(S(0)), e5 * e5 / max(sum, R(S(1e-37))), sum);
 }
 
 template <class AnyStep, class R, class S>
 PHYSIM_INLINE R dop853_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   const auto e5 = squared_errors(weighted_sum<ErrorWeights<Dop853, 5>, 12>(s.slope) * h, s.end, relative, absolute);
   const auto e3 = squared_errors(weighted_sum<ErrorWeights<Dop853, 3>, 12>(s.slope) * h, s.end, relative, absolute);
-  return max(combined_error_squared(e5.first, e3.first), combined_error_squared(e5.second, e3.second));
+  return worse(combined_error_squared(e5.first, e3.first), combined_error_squared(e5.second, e3.second));
 }
 
 /// Of an adaptive integrator's step.
@@ -255,7 +258,7 @@ PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Walkers<R>& w, S rel
     set_slope(c, *w.bodies[i], *w.rotors[i], last, s);
     if (closed || !is_adaptive(integrator)) continue;
     s.error = error_squared(integrator, s, s.h, relative, absolute);
-    if (turns(c.fidelity)) s.error = max(s.error, error_squared(integrator, *s.turn, s.h, relative, absolute));
+    if (turns(c.fidelity)) s.error = worse(s.error, error_squared(integrator, *s.turn, s.h, relative, absolute));
   }
 }
 

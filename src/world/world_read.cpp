@@ -106,16 +106,14 @@ Accelerations World::accelerations(ProjectileId id) const {
     a.drag -= a.lift;
   }
   const Rows& rows = impl_->rows_of(*slot);
-  if (turns(f) && c.has_aero)
-    a.body =
-        body_aero(c, rows.rotor(slot->row), air_state(c, s.x), air_velocity(c, s), rows.turn(slot->row)).acceleration *
-        lighter(c, b, t);
+  if (turns(f) && c.has_aero) a.body = attitude_force(c, b, rows.rotor(slot->row), t, s, rows.turn(slot->row));
   if (is_turning(f.earth)) a.coriolis = coriolis(c, s.v);
   if (throws_out(f)) a.centrifugal = centrifugal(c, s.x);
   if (impl_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied_now(c, b, t);
   if (c.has_motor) {
-    const Vec3d nose = turns(f) ? forward(f, rows.turn(slot->row)) : nose_in_air(b, air_velocity(c, s));
-    a.thrust = thrust(b, t, nose);
+    const bool turning = turns(f);
+    const Rotor<double> rotor = turning ? rows.rotor(slot->row) : Rotor<double>{};
+    a.thrust = thrust(b, t, nose(c, b, rotor, t, s, turning ? rows.turn(slot->row) : Turn<double>{}));
   }
   if (f.motion == Motion::force) a.applied += impl_->generator_force(id.index) * inverse_mass(id);
   a.total = a.gravity + a.drag + a.coriolis + a.centrifugal + a.applied + a.body;

@@ -69,7 +69,9 @@ std::optional<Attitude> World::Impl::attitude(std::uint32_t index) const {
   const Slot& slot = state.slots[index];
   const Rows& rows = rows_of(slot);
   if (!rows.layout().turning) return std::nullopt;
-  return attitude_of(registry.cohort(slot.cohort).key.fidelity, rows.rotor(slot.row), rows.turn(slot.row));
+  const BodyState now = state_of(slot);
+  return attitude_of(registry.cohort(slot.cohort).conditions, body_of(slot), rows.rotor(slot.row), clock_of(slot),
+                     {now.position, now.velocity}, rows.turn(slot.row));
 }
 
 void World::Impl::set_attitude(std::uint32_t index, const Attitude& attitude) {

@@ -80,7 +80,7 @@ Attitude turned(Integrator integrator, int n) {
     s.turn->start = s.turn->end;
     s.turn->slope[0] = s.turn->slope[end_slope(integrator)];
   }
-  return attitude_of(p.conditions().fidelity, p.rotor, s.turn->start);
+  return attitude_of(p.conditions(), p.body, p.rotor, 10, s.start, s.turn->start);
 }
 
 /// How far rates are off the elliptic functions, and the attitude off the method of order 8 at small steps.
@@ -168,6 +168,24 @@ TEST(RigidBody, stands_still_among_the_stars_while_the_earth_turns) {
       EXPECT_TRUE(near(nose_in_I(20), nose_in_I(0), 1e-9));
       EXPECT_LT(length(flight.end().angular_velocity), 1e-12);
     }
+}
+
+// So long a step overflows on its way: its error is not a number.
+TEST(RigidBody, a_step_that_overflows_is_not_accepted) {
+  ProjectileDef p;
+  p.mass = 10;
+  p.twist = 0.02;
+  p.inertia.moments = {0.007, 0.025, 0.025};
+  Launch launch{.speed = 400};
+  launch.attitude = {.yaw = 0.1, .rates = {0, 1, 2}};
+  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853}) {
+    Fidelity f = rigid(integrator, BodyForm::axis);
+    f.precision = Precision::float32;
+    const Flight flight = fly(p, launch, still_place(), f, {1e-4, 1e-4}, {.ground = {}, .time = 0.05});
+    const double spin = 2 * 3.14159265358979323846 * 400 / 0.02;
+    for (const double t : {0.0, 0.01, 0.03, 0.05}) EXPECT_NEAR(flight.at(t).angular_velocity.x, spin, 1e-3 * spin) << t;
+    EXPECT_TRUE(near(flight.at(0.03).position, Vec3d{12, 0, 0}, 1e-5));
+  }
 }
 
 TEST(RigidBody, launch_points_along_the_bore_with_the_spin_of_its_rifling) {
