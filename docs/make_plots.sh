@@ -17,6 +17,7 @@ draw_shot() {
 }
 
 "$physim" compare scenarios/308_168gr_g7.toml --plot "$pictures/ladder.png" >/dev/null
+"$physim" compare scenarios/105mm_m1_six_dof.toml --plot "$pictures/105mm_m1_ladder.png" >/dev/null
 draw 308_168gr_g7
 draw cannonball_galileo
 draw_shot lob_16km shell

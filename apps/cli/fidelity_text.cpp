@@ -1,5 +1,6 @@
 #include "fidelity_text.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "physim/names.hpp"
@@ -47,8 +48,9 @@ std::string note_text(const FidelityNote& note) {
 std::string physics_left_out(const Fidelity& full, const Fidelity& fidelity) {
   std::string out;
   const auto all = fidelity_fields(full), some = fidelity_fields(fidelity);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool is_numerics = all[i].effect == "integrator" || all[i].effect == "precision";
+  for (std::size_t i = 0; i < std::min(all.size(), some.size()); ++i) {  // a body form, the last one, few have
+    const std::string_view effect = all[i].effect;
+    const bool is_numerics = effect == "integrator" || effect == "precision" || effect == "body_form";
     if (is_numerics || all[i].rung == some[i].rung) continue;
     out += (out.empty() ? "" : "; ") + std::string(some[i].effect) + " " + std::string(some[i].rung);
   }

@@ -27,9 +27,15 @@ void add_presets(const Scenario& scenario, std::vector<Rung>& rungs) {
   for (const char* name : {"small_arms", "artillery", "simulation"}) preset(name, 0);
 }
 
-void add_integrators(const Scenario& scenario, std::vector<Rung>& rungs) {
+/// A fidelity with the rotation that the shot asks for, where that is more.
+Fidelity rotating(Fidelity fidelity, const ScenarioShot& shot) {
+  fidelity.rotation = std::max(fidelity.rotation, shot.projectile.fidelity.rotation);
+  return fidelity;
+}
+
+void add_integrators(const Scenario& scenario, const ScenarioShot& shot, std::vector<Rung>& rungs) {
   const auto add = [&](Integrator integrator, const char* detail, Tolerance tolerance) {
-    Fidelity fidelity = Fidelity::simulation();
+    Fidelity fidelity = rotating(Fidelity::simulation(), shot);
     fidelity.integrator = integrator;
     rungs.push_back({Family::integrator, std::string(name(integrator)), detail, fidelity, tolerance});
   };
@@ -52,16 +58,21 @@ void add_integrators(const Scenario& scenario, std::vector<Rung>& rungs) {
     }
 }
 
-void add_effects(const Scenario& scenario, std::vector<Rung>& rungs) {
+void add_effects(const Scenario& scenario, const ScenarioShot& shot, std::vector<Rung>& rungs) {
+  const Fidelity best = rotating(Fidelity::simulation(), shot);
   const auto without = [&](const char* name, const std::function<void(Fidelity&)>& change) {
-    Fidelity fidelity = Fidelity::simulation();
+    Fidelity fidelity = best;
     change(fidelity);
     rungs.push_back({Family::effect, name, "", fidelity, scenario.tolerance});
   };
   without("no drag", [](Fidelity& f) { f.drag = DragModel::off; });
   without("constant air", [](Fidelity& f) { f.air = AirModel::constant; });
   without("no wind", [](Fidelity& f) { f.wind = WindModel::off; });
-  without("no spin drift", [](Fidelity& f) { f.rotation = RotationModel::none; });
+  const bool only_drift = best.rotation == RotationModel::spin_drift;
+  without(only_drift ? "no spin drift" : "no rotation", [](Fidelity& f) { f.rotation = RotationModel::none; });
+  if (!only_drift) without("spin drift only", [](Fidelity& f) { f.rotation = RotationModel::spin_drift; });
+  if (best.rotation > RotationModel::modified_point_mass)
+    without("modified point mass", [](Fidelity& f) { f.rotation = RotationModel::modified_point_mass; });
   without("no Coriolis", [](Fidelity& f) { f.earth = EarthModel::flat; });
   without("constant gravity", [](Fidelity& f) { f.gravity = GravityModel::constant; });
   without("linear drag curve", [](Fidelity& f) { f.interpolation = Interpolation::linear; });
@@ -72,11 +83,11 @@ void add_effects(const Scenario& scenario, std::vector<Rung>& rungs) {
   coarse.relative = coarse.absolute = std::max(coarse.relative.value_or(0), 1e-5);
 }
 
-std::vector<Rung> all_rungs(const Scenario& scenario) {
+std::vector<Rung> all_rungs(const Scenario& scenario, const ScenarioShot& shot) {
   std::vector<Rung> rungs;
   add_presets(scenario, rungs);
-  add_integrators(scenario, rungs);
-  add_effects(scenario, rungs);
+  add_integrators(scenario, shot, rungs);
+  add_effects(scenario, shot, rungs);
   return rungs;
 }
 
@@ -176,18 +187,19 @@ std::string_view family_name(Family family) {
 
 Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot) {
   Climber climber(scenario, shot);
-  Flight reference = climber.fly_rung(Fidelity::reference(), kReferenceTolerance);
+  const Fidelity truest = rotating(Fidelity::reference(), shot);
+  Flight reference = climber.fly_rung(truest, kReferenceTolerance);
   if (reference.outcome() == Outcome::refused) return refusal(scenario, shot, reference);
   if (!ends_as_planned(reference))
     return Error{.message = "the reference flight ended with " + std::string(name(reference.outcome())),
                  .place = scenario.file,
                  .hint = "give it an end that it reaches, as until.ground, until.range or until.time"};
   climber.start_as(reference);
-  reference = climber.fly_rung(Fidelity::reference(), kReferenceTolerance);
-  const Flight simulation = climber.fly_rung(Fidelity::simulation(), scenario.tolerance);
+  reference = climber.fly_rung(truest, kReferenceTolerance);
+  const Flight simulation = climber.fly_rung(rotating(Fidelity::simulation(), shot), scenario.tolerance);
 
   Ladder ladder{.shot = shot.projectile.name};
-  std::vector<Rung> rungs = all_rungs(scenario);
+  std::vector<Rung> rungs = all_rungs(scenario, shot);
   if (shot.cheapest_within) {
     const Result<Rung> chosen = climber.chosen_rung();
     if (!chosen) return chosen.error();
@@ -202,7 +214,7 @@ Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot) {
       ladder.rungs.push_back(result_of(climber, reference, rung, std::move(flight)));
     progress.advance();
   }
-  const Rung truth{Family::preset, "reference", "", Fidelity::reference(), kReferenceTolerance};
+  const Rung truth{Family::preset, "reference", "", truest, kReferenceTolerance};
   ladder.rungs.push_back(result_of(climber, reference, truth, reference));
   return ladder;
 }

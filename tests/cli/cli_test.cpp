@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -419,6 +420,19 @@ TEST(CliCompare, ListsRungsFromPresetsToTheReference) {
   for (const char* part : {"rk4 10 ms", "tsit5 1e-9", "dop853 1e-12", "no drag", "float32"})
     EXPECT_TRUE(has(ran.out, part)) << part;
   EXPECT_TRUE(has(read(folder / "ladder.svg"), "semi_implicit_euler"));
+}
+
+TEST(CliCompare, JudgesByTheRotationThatTheShotAsksFor) {
+  const std::string shell = std::string(PHYSIM_SOURCE_DIR) + "/scenarios/105mm_m1_six_dof.toml";
+  const Ran ran = physim({"compare", shell, "--json", "-", "--set", "shot.elevation=15 deg"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  std::map<std::string, double> error;
+  for (const auto& rung : json.at("rungs")) error[rung.at("rung")] = rung.at("error [m]").get<double>();
+  EXPECT_LT(error.at("rk4 1 ms"), 0.01);
+  EXPECT_GT(error.at("modified point mass"), 1);
+  EXPECT_LT(error.at("modified point mass"), error.at("spin drift only"));
+  EXPECT_LT(error.at("spin drift only"), error.at("no rotation"));
 }
 
 TEST(CliCompare, ErrorsShrinkWithTheStep) {
