@@ -24,6 +24,12 @@ struct ShotGroup {
   std::vector<Vec3d> right;
   std::vector<RawEnd> ends;
 
+  void reserve(std::size_t count) {
+    shots.reserve(count);
+    bodies.reserve(count);
+    drifts.reserve(count);
+    right.reserve(count);
+  }
   void clear() {
     shots.clear();
     bodies.clear();
@@ -134,6 +140,7 @@ class Batch {
     for (ShotGroup& group : groups_)
       if (group.cohort.in_use.fidelity == in_use.fidelity) return known = &group;
     known = &groups_.emplace_back();
+    known->reserve(std::min(kChunk, shots_.size()));
     known->cohort.in_use = in_use;
     known->cohort.conditions = prepare_conditions(environment_, in_use.fidelity);
     if (groups_.size() == 1) result_.fidelity_in_use = in_use;

@@ -314,7 +314,7 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   prepare_motor(p, pool, c, b);
   prepare_magnus(p, pool, c, b);
   const Vec3d bore = launch_direction(launch, sight, elevation);
-  prepare_spin(launch, bore, sight.right, b);
+  if (spins(c.fidelity)) prepare_spin(launch, bore, sight.right, b);
   prepare_rail(launch, bore, c, b);
   return b;
 }

@@ -55,9 +55,9 @@ struct DenseLanes {
   }
   PHYSIM_INLINE Turn<W> turn_at_time(const W& t) const { return turn_at(place_between(n0, n1, t)); }
   PHYSIM_INLINE Vec3<W> acceleration(const W& theta, const State<W>& s) const {
-    if (!turns(conditions->fidelity)) return physim::acceleration(*conditions_double, body, time(theta), s);
+    if (!turns(conditions->fidelity)) return evaluated(*conditions_double, body, time(theta), s);
     Turn<W> slope;
-    return turning_acceleration(*conditions_double, body, turn->rotor, time(theta), s, turn_at(theta), slope);
+    return evaluated(*conditions_double, body, turn->rotor, time(theta), s, turn_at(theta), slope);
   }
 
   /// A watched value at the ends of the step in the flight's own precision: the end of one step is the start of the

@@ -193,7 +193,7 @@ struct CrossingFinder {
     }
   }
 
-  PHYSIM_INLINE void look_between(const W& from, const W& at_from, const W& to, const W& at_to,
+  [[gnu::noinline]] void look_between(const W& from, const W& at_from, const W& to, const W& at_to,
                                   const MaskOf<W>& asked) const {
     const MaskOf<W> crossing = asked & crosses(spec.direction, at_from, at_to);
     if (!any(crossing)) return;

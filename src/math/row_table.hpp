@@ -110,31 +110,24 @@ struct TableRows {
 };
 #endif
 
-/// Where the rows of whole numbers begin.
+/// Where the rows of whole numbers begin, in memory of the caller's. (As a class with a member that points into itself,
+/// g++ 12 would forget all else that it knows of memory, such as known conditions.)
 template <class S, int N>
-class RowOffsets {
- public:
-  PHYSIM_INLINE explicit RowOffsets(const Pack<S, N>& index) : at(stored_) {
-    // Adding the rounding number leaves the integer in the low bits of the mantissa.
-    using U = UnsignedOf<S>;
-    const auto bits = to_bits(index + rounding_magic<Pack<S, N>>());
-    ((bits & Pack<U, N>(U(0x3fffff))) << 2).store(stored_);
-    // Reading the offsets back from memory costs one load a lane; taking them out of a register three instructions.
+PHYSIM_INLINE const UnsignedOf<S>* row_offsets(const Pack<S, N>& index, UnsignedOf<S> (&stored)[N]) {
+  // Adding the rounding number leaves the integer in the low bits of the mantissa.
+  using U = UnsignedOf<S>;
+  const auto bits = to_bits(index + rounding_magic<Pack<S, N>>());
+  ((bits & Pack<U, N>(U(0x3fffff))) << 2).store(stored);
+  const U* at = stored;
+  // Reading the offsets back from memory costs one load a lane; taking them out of a register three instructions.
 #if defined(__clang__)
-    asm("" : "+m"(stored_));  // clang would not store what it thinks nobody reads
+  asm("" : "+m"(stored));  // clang would not store what it thinks nobody reads
 #elif defined(__GNUC__)
-    // Hiding where they lie does it. (Hiding what they are would hide all else in memory, such as known conditions.)
-    asm("" : "+r"(at));
+  // Hiding where they lie does it. (Hiding what they are would hide all else in memory, too.)
+  asm("" : "+r"(at));
 #endif
-  }
-  RowOffsets(const RowOffsets&) = delete;
-  RowOffsets& operator=(const RowOffsets&) = delete;
-
-  const UnsignedOf<S>* at;
-
- private:
-  UnsignedOf<S> stored_[N];
-};
+  return at;
+}
 
 /// The four numbers of rows[4 * index ..], each in a column of its own.
 template <class S>
@@ -144,26 +137,27 @@ requires std::is_floating_point_v<S> PHYSIM_INLINE void row_columns(const S* row
 }
 template <class S, int N>
 PHYSIM_INLINE void row_columns(const S* rows, const Pack<S, N>& index, Pack<S, N>* column) {
-  const RowOffsets<S, N> offset(index);
+  UnsignedOf<S> stored[N];
+  const UnsignedOf<S>* offset = row_offsets(index, stored);
 #ifdef PHYSIM_HAS_SHUFFLE
   constexpr int kPer = Pack<S, N>::kPerRegister;
   if constexpr (TableRows<S, kPer>::kPossible) {
     for (int i = 0; i < Pack<S, N>::kRegisters; ++i) {
       typename Pack<S, N>::Register r[4];
-      TableRows<S, kPer>{rows, offset.at + i * kPer}.load(r);
+      TableRows<S, kPer>{rows, offset + i * kPer}.load(r);
       for (int k = 0; k < 4; ++k) column[k].r[i] = r[k];
     }
     return;
   }
 #endif
   for (int lane = 0; lane < N; ++lane)
-    for (int k = 0; k < 4; ++k) set_lane(column[k], lane, rows[offset.at[lane] + static_cast<unsigned>(k)]);
+    for (int k = 0; k < 4; ++k) set_lane(column[k], lane, rows[offset[lane] + static_cast<unsigned>(k)]);
 }
 
 template <class S, int N>
 PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const Pack<S, N>& t) {
-  const RowOffsets<S, N> offsets(index);
-  const UnsignedOf<S>* offset = offsets.at;
+  UnsignedOf<S> stored[N];
+  const UnsignedOf<S>* offset = row_offsets(index, stored);
 
 #ifdef PHYSIM_HAS_SHUFFLE
   constexpr int kPer = Pack<S, N>::kPerRegister;

@@ -90,6 +90,18 @@ PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, con
   return with_other_effects(c, b, t, s, a);
 }
 
+/// The same behind one call, so that twelve stages do not become twelve copies of all models.
+template <class R, class S>
+[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
+  a = acceleration(c, b, t, s);
+}
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  Vec3<R> a;
+  evaluate(c, b, t, s, a);
+  return a;
+}
+
 /// The yaw of repose of a shell, whose acceleration without yaw is given.
 template <class R, class S>
 PHYSIM_INLINE Repose<R> repose_at(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
@@ -103,10 +115,10 @@ PHYSIM_INLINE Repose<R> repose_at(const Conditions<S>& c, const Body<R>& b, cons
 
 /// Of a shell in its yaw of repose, with the slope of its Turn.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> reposed_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+[[gnu::noinline]] Vec3<R> reposed_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                            const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
   const R zero(S(0));
-  const Vec3<R> without_yaw = acceleration(c, b, t, s);
+  const Vec3<R> without_yaw = evaluated(c, b, t, s);
   const Repose<R> r = repose_at(c, b, rotor, t, s, turn.h.x, without_yaw);
   Vec3<R> a = r.acceleration;
   if (c.has_motor) {

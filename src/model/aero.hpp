@@ -43,7 +43,7 @@ PHYSIM_INLINE R magnus_coefficient(const Conditions<S>& c, const AngleTable<R>& 
 }
 
 template <class R, class S>
-PHYSIM_INLINE AeroCoefficients<R> aero_coefficients(const Conditions<S>& c, const Rotor<R>& b, const R& mach,
+[[gnu::noinline]] AeroCoefficients<R> aero_coefficients(const Conditions<S>& c, const Rotor<R>& b, const R& mach,
                                                     const R& angle_squared) {
   if (!c.has_aero_tables) return b.coefficient;
   const R cell = cell_of(c.curve_rows, b.mach, mach);
@@ -76,7 +76,7 @@ struct AeroLoad {
 
 /// Everything but damping across the axis. Vectors in W or along body axes, all in the same.
 template <class R, class S>
-PHYSIM_INLINE AeroLoad<R> aero_load(const Conditions<S>& c, const Rotor<R>& b, const AirState<R>& air, const Vec3<R>& u,
+[[gnu::noinline]] AeroLoad<R> aero_load(const Conditions<S>& c, const Rotor<R>& b, const AirState<R>& air, const Vec3<R>& u,
                                     const Vec3<R>& x, const R& spin, AeroCoefficients<R>& k) {
   const R v_squared = length_squared(u);
   const R speed = sqrt(v_squared);

@@ -32,13 +32,7 @@ PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
 }
 
-/// The acceleration behind one call, so that twelve stages do not become twelve copies of all models.
-template <class R, class S>
-[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
-  a = acceleration(c, b, t, s);
-}
-
-/// The same for what turns.
+/// The acceleration of what turns behind one call, as that of a point mass.
 template <class R, class S>
 [[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                 const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
@@ -49,7 +43,7 @@ template <class R, class S>
 /// acceleration for the next frame from the forces of this one. slope[].v is the acceleration register: zero at launch.
 /// With `original_one_shot_forces`, forces are felt once, added to the register and never taken out of it again.
 template <class R, class S>
-PHYSIM_INLINE void classic_frame(const Conditions<S>& c, const Body<R>& b, Step<R>& s) {
+[[gnu::noinline]] void classic_frame(const Conditions<S>& c, const Body<R>& b, Step<R>& s) {
   s.end.x = s.start.x + s.start.v * s.h;
   s.end.v = s.start.v + s.slope[0].v * s.h;
   if (c.fidelity.drag == DragModel::damping) s.end.v *= exp(-(b.damping_rate * s.h));
@@ -125,7 +119,7 @@ PHYSIM_INLINE R worse(const R& a, const R& b) {
 /// Error over tolerance, squared: the worse of position and velocity, or of direction and rate; `s` is a Step or its
 /// TurnStep.
 template <class AnyStep, class R, class S>
-PHYSIM_INLINE R tsit5_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
+[[gnu::noinline]] R tsit5_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   const auto e = squared_errors(weighted_sum<ErrorWeights<Tsit5, 0>, 7>(s.slope) * h, s.end, relative, absolute);
   return worse(e.first, e.second);
 }
@@ -139,7 +133,7 @@ PHYSIM_INLINE R combined_error_squared(const R& e5, const R& e3) {
 }
 
 template <class AnyStep, class R, class S>
-PHYSIM_INLINE R dop853_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
+[[gnu::noinline]] R dop853_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   const auto e5 = squared_errors(weighted_sum<ErrorWeights<Dop853, 5>, 12>(s.slope) * h, s.end, relative, absolute);
   const auto e3 = squared_errors(weighted_sum<ErrorWeights<Dop853, 3>, 12>(s.slope) * h, s.end, relative, absolute);
   return worse(combined_error_squared(e5.first, e3.first), combined_error_squared(e5.second, e3.second));
@@ -150,14 +144,6 @@ template <class AnyStep, class R, class S>
 PHYSIM_INLINE R error_squared(Integrator integrator, const AnyStep& s, const R& h, S relative, S absolute) {
   if (integrator == Integrator::tsit5) return tsit5_error_squared(s, h, relative, absolute);
   return dop853_error_squared(s, h, relative, absolute);
-}
-
-/// The acceleration at a time and state, by value.
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& y) {
-  Vec3<R> a;
-  evaluate(c, b, t, y, a);
-  return a;
 }
 
 /// The slopes at a time and state of what turns: that of its Turn, and the acceleration by value.
