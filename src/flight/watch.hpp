@@ -194,7 +194,7 @@ struct CrossingFinder {
   }
 
   [[gnu::noinline]] void look_between(const W& from, const W& at_from, const W& to, const W& at_to,
-                                  const MaskOf<W>& asked) const {
+                                      const MaskOf<W>& asked) const {
     const MaskOf<W> crossing = asked & crosses(spec.direction, at_from, at_to);
     if (!any(crossing)) return;
     // Near the root the quantity is as large as the value waited for; what it was elsewhere in the step says nothing.

@@ -44,7 +44,7 @@ PHYSIM_INLINE R magnus_coefficient(const Conditions<S>& c, const AngleTable<R>& 
 
 template <class R, class S>
 [[gnu::noinline]] AeroCoefficients<R> aero_coefficients(const Conditions<S>& c, const Rotor<R>& b, const R& mach,
-                                                    const R& angle_squared) {
+                                                        const R& angle_squared) {
   if (!c.has_aero_tables) return b.coefficient;
   const R cell = cell_of(c.curve_rows, b.mach, mach);
   const R row = b.mach_row + cell * S(kRowCoefficients / 2);
@@ -76,8 +76,8 @@ struct AeroLoad {
 
 /// Everything but damping across the axis. Vectors in W or along body axes, all in the same.
 template <class R, class S>
-[[gnu::noinline]] AeroLoad<R> aero_load(const Conditions<S>& c, const Rotor<R>& b, const AirState<R>& air, const Vec3<R>& u,
-                                    const Vec3<R>& x, const R& spin, AeroCoefficients<R>& k) {
+[[gnu::noinline]] AeroLoad<R> aero_load(const Conditions<S>& c, const Rotor<R>& b, const AirState<R>& air,
+                                        const Vec3<R>& u, const Vec3<R>& x, const R& spin, AeroCoefficients<R>& k) {
   const R v_squared = length_squared(u);
   const R speed = sqrt(v_squared);
   const Vec3<R> across = cross(u, x);  // V s
