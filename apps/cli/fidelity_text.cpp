@@ -20,6 +20,7 @@ std::vector<FidelityField> fidelity_fields(const Fidelity& f) {
                                     {"precision", name(f.precision)},
                                     {"interpolation", name(f.interpolation)},
                                     {"planar", truth(f.planar)},
+                                    {"aerodynamic_jump", truth(f.aerodynamic_jump)},
                                     {"original_one_shot_forces", truth(f.original_one_shot_forces)}};
   if (f.rotation == RotationModel::rigid_body) fields.push_back({"body_form", name(f.body_form)});
   return fields;

@@ -98,6 +98,7 @@ struct Fidelity {
   Precision precision = Precision::float64;            ///< number type of the computation [-]
   Interpolation interpolation = Interpolation::pchip;  ///< of drag curves [-]
   bool planar = false;                                 ///< confine the flight to the vertical plane of fire [-]
+  bool aerodynamic_jump = false;  ///< with RotationModel::spin_drift: Litz's deflection by crosswind at the muzzle [-]
   bool original_one_shot_forces = false;  ///< classic only: applied forces act for one frame and never stop [-]
 
   bool operator==(const Fidelity&) const = default;

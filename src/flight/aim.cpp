@@ -106,8 +106,9 @@ class Aimer {
   }
 
   void point(const Vec3d& velocity) {
-    launch_.elevation = atan2(velocity.y, sqrt(velocity.x * velocity.x + velocity.z * velocity.z));
-    launch_.azimuth = atan2(velocity.z, velocity.x);
+    const Vec3d bore = velocity * (1 / length(velocity)) - jumped_;
+    launch_.elevation = atan2(bore.y, sqrt(bore.x * bore.x + bore.z * bore.z));
+    launch_.azimuth = atan2(bore.z, bore.x);
   }
 
   /// Flies towards a velocity's direction, until the path is surely past the target or for a time [s].
@@ -123,6 +124,9 @@ class Aimer {
     }
     Flight flight = fly(projectile_, launch_, environment_, fidelity_, options_.flight, until);
     if (flight.error()) error_ = flight.error();
+    const Vec3d flown = flight.at(0).velocity;
+    if (flight.fidelity_in_use().fidelity.aerodynamic_jump && flown != Vec3d{})
+      jumped_ = flown * (1 / length(flown)) - (velocity * (1 / length(velocity)) - jumped_);
     ++answer_.flights;
     return flight;
   }
@@ -362,6 +366,7 @@ class Aimer {
   std::shared_ptr<const Conditions<double>> conditions_;
   double gravity_ = 0;
   Aim answer_;
+  Vec3d jumped_;  // how far the last flight's direction was off its bore's, by aerodynamic jump
   std::optional<Error> error_;
 };
 

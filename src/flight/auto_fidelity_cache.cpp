@@ -113,8 +113,8 @@ class Key {
   }
   void add(const Fidelity& fidelity) {
     const auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
-                 one_shot] = fidelity;
-    all(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
+                 jump, one_shot] = fidelity;
+    all(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar, jump,
         one_shot);
   }
   void add(const Tolerance& tolerance) {

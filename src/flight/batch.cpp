@@ -92,7 +92,8 @@ class Batch {
     }
     ShotGroup* group = group_of(projectile);
     Cohort& cohort = group->cohort;
-    const auto body = prepare_body(projectile, launch, elevation, cohort.pool, cohort.conditions);
+    auto body = prepare_body(projectile, launch, elevation, cohort.pool, cohort.conditions);
+    jump_in_crosswind(projectile, environment_, cohort.conditions, body);
     const Fidelity& granted = cohort.in_use.fidelity;
     if (turns(granted))
       group->rotors.push_back(prepare_rotor(projectile, launch, elevation, body, cohort.pool, cohort.conditions));

@@ -331,13 +331,34 @@ Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double
   return rotor;
 }
 
+namespace {
+
+/// Miller's, where it has a meaning.
+std::optional<double> stability_at_launch(const ProjectileDef& p, double speed, const Environment& environment) {
+  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
+  if (!air) return std::nullopt;
+  const double stability = miller_stability(p, speed, air->temperature, air->pressure);
+  return stability < kMostStable ? std::optional(stability) : std::nullopt;
+}
+
+}  // namespace
+
 SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const Environment& environment,
                              const Fidelity& granted) {
   if (granted.rotation != RotationModel::spin_drift) return {};
-  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
-  if (!air) return {};
-  const double stability = miller_stability(p, launch_speed, air->temperature, air->pressure);
-  return stability < kMostStable ? litz_spin_drift(stability, p.twist) : SpinDrift{};
+  const auto stability = stability_at_launch(p, launch_speed, environment);
+  return stability ? litz_spin_drift(*stability, p.twist) : SpinDrift{};
+}
+
+void jump_in_crosswind(const ProjectileDef& p, const Environment& environment, const Conditions<double>& c,
+                       Body<double>& b) {
+  const double speed = length(b.launch.v);
+  if (!c.fidelity.aerodynamic_jump || speed == 0) return;
+  const auto stability = stability_at_launch(p, speed, environment);
+  if (!stability) return;
+  const double from_right = -dot(wind(c, b.launch.x), b.plane);
+  const auto turn = sincos(litz_aerodynamic_jump(*stability, p.length / p.diameter, p.twist, from_right));
+  b.launch.v = b.launch.v * turn.cos + cross(b.plane, b.launch.v) * turn.sin;
 }
 
 template <class S>

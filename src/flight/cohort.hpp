@@ -70,6 +70,9 @@ class EquivalentDrag {
   CurvePool pool_;
 };
 
+/// Litz's aerodynamic jump, where it is granted: turns the launch velocity up or down.
+void jump_in_crosswind(const ProjectileDef& projectile, const Environment& environment,
+                       const Conditions<double>& conditions, Body<double>& body);
 [[nodiscard]] SpinDrift prepare_spin_drift(const ProjectileDef& projectile, double launch_speed,
                                            const Environment& environment, const Fidelity& granted);
 

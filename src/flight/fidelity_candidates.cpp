@@ -44,6 +44,7 @@ Fidelity FidelityLadder::without_idle_rungs(Fidelity f) const {
     f.air = std::min(f.air, reads_air ? AirModel::constant : AirModel::vacuum);
   }
   if (f.drag == DragModel::off && !turns(f)) f.wind = WindModel::off;
+  if (f.rotation != RotationModel::spin_drift || f.wind == WindModel::off) f.aerodynamic_jump = false;
   return f;
 }
 

@@ -149,6 +149,7 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   }
   record->cohort.conditions = prepare_conditions(environment, granted);
   record->body = prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
+  jump_in_crosswind(projectile, environment, record->cohort.conditions, record->body);
   if (turns(granted))
     record->rotor = prepare_rotor(projectile, launch, record->elevation, record->body, record->cohort.pool,
                                   record->cohort.conditions);

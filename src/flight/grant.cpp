@@ -20,6 +20,7 @@ class Granting {
     by_earth();
     by_projectile();
     by_rotation();
+    by_jump();
     return {f_, notes_};
   }
 
@@ -151,6 +152,15 @@ class Granting {
     if (f_.motion != Motion::force) return without("only motion 'force' knows lift");
     if (f_.integrator == Integrator::classic) return without("the original loop knows no lift");
     if (f_.drag != DragModel::equation) return without("lift by spin goes with the drag equation");
+  }
+
+  /// A projectile without spin does not jump: nothing is lost.
+  void by_jump() {
+    if (!f_.aerodynamic_jump || f_.rotation == RotationModel::spin_drift) return;
+    f_.aerodynamic_jump = false;
+    if (projectile_.twist != 0)
+      notes_.push_back({"aerodynamic_jump", "true", "false",
+                        "Litz's aerodynamic jump goes with his spin drift; a rigid body jumps by itself"});
   }
 
   void limit_to_constants(const char* reason) {

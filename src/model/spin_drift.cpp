@@ -11,6 +11,8 @@ constexpr double kGrain = 6.479891e-5;
 constexpr double kFoot = 0.3048;
 constexpr double kInchOfMercury = 3386.389;
 constexpr double kPower = 1.83;
+constexpr double kMilePerHour = 0.44704;
+constexpr double kMinuteOfArc = 3.14159265358979323846 / (180 * 60);
 
 }  // namespace
 
@@ -30,6 +32,11 @@ double miller_stability(const ProjectileDef& p, double speed, double temperature
 SpinDrift litz_spin_drift(double stability, double twist) {
   const double side = twist < 0 ? -1 : 1;
   return {side * 1.25 * (stability + 1.2) * kInch};
+}
+
+double litz_aerodynamic_jump(double stability, double calibres, double twist, double from_right) {
+  const double side = twist < 0 ? -1 : 1;
+  return side * (from_right / kMilePerHour) * (0.01 * stability - 0.0024 * calibres + 0.032) * kMinuteOfArc;
 }
 
 }  // namespace physim

@@ -32,9 +32,10 @@ void fields(A& a, ForceId& id) {
 // --------------------------------------------------------------------------------------------- projectiles
 template <class A>
 void fields(A& a, Fidelity& f) {
-  auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
+  auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar, jump,
          one_shot] = f;
-  a(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar, one_shot);
+  a(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar, jump,
+    one_shot);
 }
 template <class A>
 void fields(A& a, DragPoint& p) {

@@ -118,6 +118,7 @@ void Registry::prepare(Kind& k, Prepared& r) {
   r.in_use = grant(r.asked, k.flown, environment);
   if (r.in_use.fidelity.rotation == RotationModel::spin_drift) {
     r.in_use.fidelity.rotation = RotationModel::none;
+    r.in_use.fidelity.aerodynamic_jump = false;
     r.in_use.notes.push_back({"rotation", "spin_drift", "none", "it is added to whole flights; worlds show what flew"});
   }
   if (r.chosen) r.in_use.notes.push_back(*r.chosen);

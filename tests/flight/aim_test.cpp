@@ -48,6 +48,23 @@ TEST(Aim, in_vacuum_both_solutions_are_those_of_the_parabola) {
       }
 }
 
+TEST(Aim, holds_under_the_aerodynamic_jump) {
+  Environment e;
+  e.wind.velocity = {2, 0, -8};
+  Fidelity f = Fidelity::small_arms();
+  f.aerodynamic_jump = true;
+  const ProjectileDef p = bullet_308();
+  const Target target{{600, 12, 40}};
+  const Aim answer = aimed(p, {.speed = 800}, e, f, target, {.arc = Arc::low});
+  ASSERT_TRUE(answer.low);
+  EXPECT_LT(miss_of(p, *answer.low, e, f, target), 0.01);
+  EXPECT_LE(answer.flights, 6);
+  f.aerodynamic_jump = false;
+  const Aim flat = aimed(p, {.speed = 800}, e, f, target, {.arc = Arc::low});
+  ASSERT_TRUE(flat.low);
+  EXPECT_GT(flat.low->launch.elevation - answer.low->launch.elevation, 1e-4);
+}
+
 TEST(Aim, straight_up_and_down_azimuth_does_not_matter) {
   const Launch launch{.speed = 100};
   const double below = 100;

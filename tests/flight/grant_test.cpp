@@ -164,6 +164,19 @@ TEST(Grant, spin_drift_needs_the_length) {
   EXPECT_NE(note_of(granted(asked), "rotation").reason.find("length"), std::string::npos);
 }
 
+TEST(Grant, aerodynamic_jump_goes_with_spin_drift) {
+  Asked asked;
+  asked.fidelity.rotation = RotationModel::spin_drift;
+  asked.fidelity.aerodynamic_jump = true;
+  EXPECT_TRUE(granted(asked).fidelity.aerodynamic_jump);
+  asked.fidelity.rotation = RotationModel::none;
+  EXPECT_FALSE(granted(asked).fidelity.aerodynamic_jump);
+  EXPECT_NE(note_of(granted(asked), "aerodynamic_jump").reason.find("spin drift"), std::string::npos);
+  asked.projectile.twist = 0;  // without spin nothing is lost
+  EXPECT_FALSE(granted(asked).fidelity.aerodynamic_jump);
+  EXPECT_TRUE(note_of(granted(asked), "aerodynamic_jump").reason.empty());
+}
+
 TEST(Grant, a_planar_flight_does_not_drift_sideways) {
   Asked asked;
   asked.fidelity.planar = true;

@@ -1,4 +1,5 @@
-// Miller's stability factor and Litz's spin drift against figures worked by hand in the formulas' own units.
+// Miller's stability factor, Litz's spin drift and aerodynamic jump against figures worked by hand in the formulas' own
+// units, and against six degrees of freedom.
 #include "model/spin_drift.hpp"
 
 #include <gtest/gtest.h>
@@ -66,6 +67,89 @@ TEST(SpinDrift, moves_the_flown_path_to_the_side_of_the_twist_and_nothing_else) 
   EXPECT_NEAR(drifts.end().drop, none.end().drop, 1e-12);
   EXPECT_NEAR(drifts.end().range, none.end().range, 1e-9);
   EXPECT_EQ(drifts.duration(), none.duration());
+}
+
+Fidelity jumping() {
+  Fidelity f = Fidelity::small_arms();
+  f.aerodynamic_jump = true;
+  return f;
+}
+Environment with_wind(const Vec3d& velocity) {
+  Environment e;
+  e.wind.velocity = velocity;
+  return e;
+}
+constexpr double kTenMilesPerHour = 4.4704;
+
+/// How far the flown launch points above the bore [rad].
+double jump_of(const ProjectileDef& p, const Vec3d& wind, double azimuth = 0, const Fidelity& f = jumping()) {
+  const Flight flight = fly(p, {.speed = 800, .azimuth = azimuth}, with_wind(wind), f, {}, {.ground = {}, .time = 0.1});
+  const Vec3d v = flight.at(0).velocity;
+  EXPECT_NEAR(length(v), 800, 1e-9);
+  return std::asin(v.y / length(v));
+}
+
+TEST(AerodynamicJump, litz_formula) {
+  // Sg 1.7, 4 calibres, 10 mph: 10 (0.017 - 0.0096 + 0.032) = 0.394 minutes of arc.
+  const double minute = 3.14159265358979323846 / 180 / 60;
+  EXPECT_TRUE(near(litz_aerodynamic_jump(1.7, 4, 0.3, kTenMilesPerHour), 0.394 * minute, 1e-12));
+  EXPECT_TRUE(near(litz_aerodynamic_jump(1.7, 4, -0.3, kTenMilesPerHour), -0.394 * minute, 1e-12));
+  EXPECT_TRUE(near(litz_aerodynamic_jump(1.7, 4, 0.3, -kTenMilesPerHour), -0.394 * minute, 1e-12));
+}
+
+TEST(AerodynamicJump, turns_the_launch_up_where_the_wind_comes_from_the_right) {
+  const ProjectileDef p = test::bullet_308();
+  const double expected =
+      litz_aerodynamic_jump(miller_stability(p, 800, 288.15, 101325), p.length / p.diameter, p.twist, kTenMilesPerHour);
+  EXPECT_NEAR(jump_of(p, {0, 0, -kTenMilesPerHour}), expected, 1e-12);
+  EXPECT_NEAR(jump_of(p, {0, 0, kTenMilesPerHour}), -expected, 1e-12);
+  EXPECT_NEAR(jump_of(p, {kTenMilesPerHour, 0, 0}), 0, 1e-15);
+  EXPECT_NEAR(jump_of(p, {kTenMilesPerHour, 0, 0}, 0.5 * 3.14159265358979323846), expected, 1e-12)
+      << "fired to the right";
+  ProjectileDef left = p;
+  left.twist = -p.twist;
+  EXPECT_NEAR(jump_of(left, {0, 0, -kTenMilesPerHour}), -expected, 1e-12);
+  EXPECT_NEAR(jump_of(p, {0, 0, -kTenMilesPerHour}, 0, Fidelity::small_arms()), 0, 1e-15);
+}
+
+// McCoy's .308 of 168 gr at Mach 2.3, coefficients of that speed: crosswind lifts it about as much as Litz says.
+TEST(AerodynamicJump, agrees_with_six_degrees_of_freedom) {
+  ProjectileDef p = millers_bullet();
+  p.drag.coefficient = 0.33;
+  p.inertia.moments = Vec3d{0.000247, 0.001838, 0.001838} * (0.45359237 * 0.0254 * 0.0254);
+  p.aero.lift = {{0, 0, 2.7}};
+  p.aero.pitching = {{0, 0, 2.65}};
+  p.aero.pitch_damping = {{0, 0, -7}};
+  p.aero.roll_damping = {{0, 0, -0.01}};
+  Fidelity f = Fidelity::simulation();
+  f.earth = EarthModel::flat;
+  const auto height = [&](double from_right, RotationModel rotation, bool jump) {
+    f.rotation = rotation;
+    f.aerodynamic_jump = jump;
+    const Flight flight =
+        fly(p, {.speed = 2600 * 0.3048}, with_wind({0, 0, -from_right}), f, {}, {.ground = {}, .range = 200});
+    EXPECT_EQ(flight.fidelity_in_use().fidelity.rotation, rotation);
+    return flight.end().position.y;
+  };
+  const auto lift = [&](RotationModel rotation, bool jump) {
+    return 0.5 * (height(kTenMilesPerHour, rotation, jump) - height(-kTenMilesPerHour, rotation, jump));
+  };
+  const double by_physics = lift(RotationModel::rigid_body, false);
+  const double by_litz = lift(RotationModel::spin_drift, true);
+  EXPECT_GT(by_physics, 0.01);
+  EXPECT_NEAR(by_litz, by_physics, 0.25 * by_physics);
+  EXPECT_NEAR(lift(RotationModel::spin_drift, false), 0, 1e-9);
+}
+
+TEST(AerodynamicJump, batches_jump_as_single_flights) {
+  const Environment e = with_wind({1, 0, -6});
+  std::vector<Shot> shots;
+  for (int i = 0; i < 5; ++i) shots.push_back({test::bullet_308(), {.speed = 700 + 30.0 * i, .azimuth = 0.1 * i}});
+  const Until until{.ground = {}, .time = 0.5};
+  const BatchResult batch = fly_batch(shots, e, jumping(), {}, until);
+  for (std::size_t i = 0; i < shots.size(); ++i)
+    EXPECT_EQ(batch.shots[i].position,
+              fly(shots[i].projectile, shots[i].launch, e, jumping(), {}, until).end().position);
 }
 
 }  // namespace
