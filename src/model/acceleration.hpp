@@ -118,7 +118,7 @@ template <class R, class S>
 [[gnu::noinline]] Vec3<R> reposed_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor,
                                                const R& t, const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
   const R zero(S(0));
-  const Vec3<R> without_yaw = evaluated(c, b, t, s);
+  const Vec3<R> without_yaw = acceleration(c, b, t, s);
   const Repose<R> r = repose_at(c, b, rotor, t, s, turn.h.x, without_yaw);
   Vec3<R> a = r.acceleration;
   if (c.has_motor) {

@@ -53,16 +53,20 @@ PHYSIM_INLINE YawEffects<R> yaw_effects(const Rotor<R>& b, const AirState<R>& ai
           pressure * b.moment_scale * (k.pitching + k.pitching_cubic * sine_squared) * speed_squared};
 }
 
-/// alpha, whose sine is held at kLargestSine. `bending` is n, `side` all that acts along alpha: L with the thrust.
+/// The parts of alpha = G (Q n + G L (n x u)) / (Q^2 + G^2 L^2 V^2). n is across u, so that |alpha|^2 = G^2 n^2 /
+/// below.
 template <class R>
-PHYSIM_INLINE Vec3<R> yaw_of_repose(const YawEffects<R>& at, const R& side, const R& momentum, const Vec3<R>& bending,
-                                    const Vec3<R>& u, const R& speed_squared) {
+struct ReposeParts {
+  R stiff;   // Q
+  R turned;  // G L, with the thrust in L
+  R below;
+};
+template <class R>
+PHYSIM_INLINE ReposeParts<R> repose_parts(const YawEffects<R>& at, const R& thrust, const R& momentum,
+                                          const R& speed_squared) {
   const R stiff = at.moment - momentum * at.magnus * speed_squared;
-  const R turned = momentum * side;
-  const R below = max(stiff * stiff + turned * turned * speed_squared, constant<R>(1e-30));
-  const Vec3<R> yaw = (bending * stiff + cross(bending, u) * turned) * (momentum / below);
-  const R largest = constant<R>(kLargestSine);
-  return yaw * (largest / max(length(yaw), largest));
+  const R turned = momentum * (at.lift + thrust);
+  return {stiff, turned, max(stiff * stiff + turned * turned * speed_squared, constant<R>(1e-30))};
 }
 
 /// A shell's yaw of repose and what it does.
@@ -82,18 +86,22 @@ PHYSIM_INLINE Repose<R> repose(const Conditions<S>& c, const Rotor<R>& b, const 
   const R mach = speed * air.per_sound_speed;
   const R momentum = b.moments.x * spin;
   const Vec3<R> bending = cross(turning, u);
-  const R straight(S(0));
+  const R strength = momentum * momentum * length_squared(bending);
+  const R straight(S(0)), most = constant<R>(kLargestSine * kLargestSine);
   AeroCoefficients<R> k = aero_coefficients(c, b, mach, straight);
   YawEffects<R> at = yaw_effects(b, air, speed_squared, spin, lighter, k, straight);
-  Repose<R> r;
-  r.yaw = yaw_of_repose(at, at.lift + thrust, momentum, bending, u, speed_squared);
-  const R sine_squared = length_squared(r.yaw);
+  ReposeParts<R> parts = repose_parts(at, thrust, momentum, speed_squared);
+  const R sine_squared = min(strength / parts.below, most);
   if (c.has_aero_angles) {
     const R angle = asin(sqrt(sine_squared));
     k = aero_coefficients(c, b, mach, angle * angle);
   }
   at = yaw_effects(b, air, speed_squared, spin, lighter, k, sine_squared);
-  r.yaw = yaw_of_repose(at, at.lift + thrust, momentum, bending, u, speed_squared);
+  parts = repose_parts(at, thrust, momentum, speed_squared);
+  // The sine is held at kLargestSine where |alpha| would be more: by what the vector is divided by.
+  const R held = sqrt(strength * parts.below) * S(1 / kLargestSine);
+  Repose<R> r;
+  r.yaw = (bending * parts.stiff + cross(bending, u) * parts.turned) * (momentum / max(parts.below, held));
   const R braking = air.density * b.force_scale * lighter * k.drag_yaw * length_squared(r.yaw) * speed;
   r.acceleration = r.yaw * at.lift + cross(u, r.yaw) * at.magnus - u * braking;
   r.spin_slope = air.density * speed * b.roll_scale * k.roll_damping * spin * b.inverse_moments.x;

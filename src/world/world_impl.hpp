@@ -100,7 +100,7 @@ struct World::Impl {
   void rewrite_row(std::uint32_t slot);
   Body<double> special_body(std::uint32_t slot, BodyState& at, const RowStart& start);
   static void start_spin(const BodyState& at, const RowStart& start, Body<double>& body);
-  void start_motor(const Slot& slot, const BodyState& at, const RowStart& start, Body<double>& body);
+  static void start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start, Body<double>& body);
   /// Puts a state into its row; closed forms start anew from it.
   void set_row_state(std::uint32_t slot, const BodyState& at);
   /// The numbers that the models read of one projectile, and its time since launch as they count it.

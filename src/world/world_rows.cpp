@@ -117,7 +117,9 @@ Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const
   if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, body.free);
   body.launch = {at.position, at.velocity};
   if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch);
-  start_motor(slot, at, start, body);
+  const Conditions<double>& c = registry.cohort(slot.cohort).conditions;
+  if (spins(c.fidelity)) start_spin(at, start, body);
+  if (has_stops(c)) start_motor(c, at, start, body);
   return body;
 }
 
@@ -133,14 +135,13 @@ void World::Impl::start_spin(const BodyState& at, const RowStart& start, Body<do
 
 /// The piece of the motor's table and the place on the rail that a row starts with. A rung that knows no rail forgets
 /// it.
-void World::Impl::start_motor(const Slot& slot, const BodyState& at, const RowStart& start, Body<double>& body) {
-  Conditions<double> c = registry.cohort(slot.cohort).conditions;
-  if (spins(c.fidelity)) start_spin(at, start, body);
-  if (!has_stops(c)) return;
+void World::Impl::start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start,
+                              Body<double>& body) {
   if (start.launch) {
     Launch bore = *start.launch;
     if (at.velocity != Vec3d{}) bore.velocity = at.velocity;
-    prepare_rail(bore, launch_direction(bore, sight_frame(bore), bore.elevation), c, body);
+    Conditions<double> with_rail = c;
+    prepare_rail(bore, launch_direction(bore, sight_frame(bore), bore.elevation), with_rail, body);
   } else if (start.old && length_squared(start.old->rail) > 0) {
     body.rail = start.old->rail;
     body.rail_end = start.old->rail_end;
@@ -179,8 +180,13 @@ bool World::Impl::relocate(std::uint32_t index) {
   Rows& source = state.rows[from];
   // Each interpolation has curves of its own: a row's place among them does not hold for another.
   const auto curves = [this](std::uint16_t cohort) { return registry.cohort(cohort).key.fidelity.interpolation; };
-  const auto form = [this](std::uint16_t cohort) { return registry.cohort(cohort).key.fidelity.body_form; };
-  if (source.layout() == state.rows[to].layout() && curves(from) == curves(to) && form(from) == form(to)) {
+  // Nor does a Turn for another rotation model.
+  const auto rotation = [this](std::uint16_t cohort) {
+    const Fidelity& f = registry.cohort(cohort).key.fidelity;
+    return std::pair(f.rotation, f.body_form);
+  };
+  const bool same_turn = !source.layout().turning || rotation(from) == rotation(to);
+  if (source.layout() == state.rows[to].layout() && curves(from) == curves(to) && same_turn) {
     const std::uint32_t row = state.rows[to].push_copy(source, old_row);
     take_out(slot);
     slot.cohort = to;

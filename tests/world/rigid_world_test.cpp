@@ -101,6 +101,38 @@ TEST(RigidWorld, attitude_survives_a_change_of_form_and_of_precision) {
   EXPECT_TRUE(near(rotate(world.orientation(id), Vec3d{1, 0, 0}), normalized(world.velocity(id)), 1e-6));
 }
 
+// Both rungs hold seven numbers, with other meanings.
+TEST(RigidWorld, spin_and_direction_survive_a_change_between_rigid_body_and_modified_point_mass) {
+  ProjectileDef p;
+  p.mass = 15;
+  p.diameter = 0.1;
+  p.twist = 2;
+  p.inertia.moments = {0.02, 0.2, 0.2};
+  p.aero.pitching = {{0, 0, 3.5}};
+  p.aero.lift = {{0, 0, 1.6}};
+  Fidelity repose = Fidelity::simulation(), rigid = repose;
+  repose.integrator = rigid.integrator = Integrator::rk4;
+  repose.rotation = RotationModel::modified_point_mass;
+  rigid.rotation = RotationModel::rigid_body;
+  repose.body_form = rigid.body_form = BodyForm::axis;
+  p.fidelity = repose;
+  World world;
+  const ProjectileId id = world.spawn(p, {.speed = 300, .elevation = 0.6});
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(world.step(0.001));
+  const auto spin_now = [&] { return dot(world.angular_velocity(id), rotate(world.orientation(id), Vec3d{1, 0, 0})); };
+  const double spin = spin_now();
+  EXPECT_NEAR(spin, 2 * 3.14159265358979323846 * 300 / 2, 1);
+  for (const Fidelity& next : {rigid, repose}) {
+    const Vec3d nose = rotate(world.orientation(id), Vec3d{1, 0, 0});
+    ASSERT_TRUE(world.set_fidelity(id, next));
+    ASSERT_EQ(world.fidelity_in_use(id).fidelity.rotation, next.rotation);
+    EXPECT_NEAR(spin_now(), spin, 1e-9 * spin);
+    EXPECT_TRUE(near(rotate(world.orientation(id), Vec3d{1, 0, 0}), nose, 1e-9));
+  }
+  ASSERT_TRUE(world.step(0.001));
+  EXPECT_NEAR(spin_now(), spin, 1e-6 * spin);
+}
+
 TEST(RigidWorld, angular_velocity_can_be_set_and_sleep_stops_it) {
   World world;
   const ProjectileId id = world.spawn(brick_on(Integrator::rk4), thrown());
