@@ -45,6 +45,7 @@ class Settling {
       go(static_cast<S>(context_.dt), 0);
     }
     if (gone_) return;
+    if (!is_finite(end_)) return leave(LifeStatus::retired, Reason::non_finite);  // a roll's end may overflow
     follow_rules();
     write();
   }

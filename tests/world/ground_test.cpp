@@ -189,5 +189,21 @@ TEST(Ground, apex_is_told_where_it_is) {
   EXPECT_NEAR(apex->position.y, 50 / kG, 1e-9);
 }
 
+// Found by a soak of 10^9 steps: made kinematic at that moment, it would have stayed for ever.
+TEST(Ground, a_roll_that_overflows_ends_in_the_same_step) {
+  WorldDef def;
+  def.ground.mode = GroundMode::bounce;
+  World world = std::move(World::create(def).value());
+  ProjectileDef p;
+  p.fidelity = Fidelity::game();
+  p.fidelity.drag = DragModel::off;
+  const ProjectileId id = world.spawn(p, Launch{.position = {3.3e38, 0, 0}, .velocity = Vec3d{3e38, 0, 0}});
+  const ProjectileId other = world.spawn(p, Launch{.position = {0, 10, 0}, .speed = 5});
+  ASSERT_TRUE(id);
+  ASSERT_TRUE(world.step(0.2));
+  EXPECT_FALSE(world.is_alive(id));
+  EXPECT_TRUE(world.is_alive(other));
+}
+
 }  // namespace
 }  // namespace physim
