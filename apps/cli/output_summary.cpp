@@ -120,7 +120,7 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
     if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(flight, event));
     if (event.kind >= EventKind::ignition) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
   }
-  if (in_use.fidelity.rotation >= RotationModel::modified_point_mass) out += line("stability", stability_text(flight));
+  if (turns(in_use.fidelity)) out += line("stability", stability_text(flight));
   out += line("elevation", fixed(flight.elevation() / kDegree, 4) + " deg");
   out += line("cost", cost_text(flight));
   return out;

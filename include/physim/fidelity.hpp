@@ -3,6 +3,7 @@
 
 #include <string>
 #include <vector>
+#include "physim/macros.hpp"
 
 namespace physim {
 
@@ -112,6 +113,9 @@ struct Fidelity {
   static Fidelity reference();   ///< simulation with the 8th-order integrator
   static Fidelity classic();     ///< the original PhySim loop, float32
 };
+
+/// The rotation is part of what is flown: a flight knows where the projectile points and how fast it turns.
+PHYSIM_INLINE constexpr bool turns(const Fidelity& f) { return f.rotation >= RotationModel::modified_point_mass; }
 
 /// One answer of fidelity_in_use(): what was asked for, what was granted, and why they differ.
 struct FidelityNote {

@@ -111,7 +111,7 @@ PHYSIM_INLINE MaskOf<R> pass_on(const Course<S>& course, Lanes<R>& l, const Mask
     set_slope(c, l.body, *l.rotor, 0, l.step);
   }
   l.step.slope[0] = select(changed, l.step.slope[0], slope);
-  if (c.has_rail) l.regime.rail = l.body.rail_phase;
+  note_rail(c, l);
   return whole;
 }
 

@@ -120,15 +120,16 @@ class Granting {
                         "k1 and k2 are zero: k2 is taken from the drag equation at launch"});
   }
 
+  void without_rotation(const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); }
+
   /// After motion and integrator are settled.
   void by_rotation() {
     if (f_.rotation == RotationModel::magnus) by_spin();
     if (!turns(f_)) return;
-    const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
-    if (f_.motion != Motion::force) return without("only motion 'force' knows moments");
-    if (f_.integrator == Integrator::classic) return without("the original loop knows points only");
-    if (f_.planar) return without("a planar flight does not leave its plane");
-    if (!has_inertia(projectile_)) return without("the projectile's moments of inertia are not given");
+    if (f_.motion != Motion::force) return without_rotation("only motion 'force' knows moments");
+    if (f_.integrator == Integrator::classic) return without_rotation("the original loop knows points only");
+    if (f_.planar) return without_rotation("a planar flight does not leave its plane");
+    if (!has_inertia(projectile_)) return without_rotation("the projectile's moments of inertia are not given");
     if (is_in_repose(f_)) return by_repose();
     const bool symmetric = is_axisymmetric(projectile_);
     if (f_.body_form == BodyForm::automatic)
@@ -138,20 +139,18 @@ class Granting {
   }
 
   void by_repose() {
-    const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
     if (!is_axisymmetric(projectile_))
-      return without("a yaw of repose has only a body that is symmetric about its x axis");
-    if (f_.drag != DragModel::equation) return without("the yaw of repose goes with the drag equation");
+      return without_rotation("a yaw of repose has only a body that is symmetric about its x axis");
+    if (f_.drag != DragModel::equation) return without_rotation("the yaw of repose goes with the drag equation");
     if (projectile_.aero.pitching.empty())
-      return without("the yaw of repose needs the coefficient of the overturning moment, aero.pitching");
+      return without_rotation("the yaw of repose needs the coefficient of the overturning moment, aero.pitching");
   }
 
   void by_spin() {
-    const auto without = [&](const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); };
-    if (!has_magnus(projectile_)) return without("the projectile has no data of lift by spin");
-    if (f_.motion != Motion::force) return without("only motion 'force' knows lift");
-    if (f_.integrator == Integrator::classic) return without("the original loop knows no lift");
-    if (f_.drag != DragModel::equation) return without("lift by spin goes with the drag equation");
+    if (!has_magnus(projectile_)) return without_rotation("the projectile has no data of lift by spin");
+    if (f_.motion != Motion::force) return without_rotation("only motion 'force' knows lift");
+    if (f_.integrator == Integrator::classic) return without_rotation("the original loop knows no lift");
+    if (f_.drag != DragModel::equation) return without_rotation("lift by spin goes with the drag equation");
   }
 
   /// A projectile without spin does not jump: nothing is lost.

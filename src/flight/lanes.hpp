@@ -91,6 +91,12 @@ PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
   l.count = l.parts = l.tries = l.cut = zero;
 }
 
+/// Where a lane has been let go by its rail, its regime is another one. Without rails the regime knows none.
+template <class R, class S>
+PHYSIM_INLINE void note_rail(const Conditions<S>& c, Lanes<R>& l) {
+  if (c.has_rail) l.regime.rail = l.body.rail_phase;
+}
+
 template <class To, class From>
 PHYSIM_INLINE void cast_fields(const From* from, To* to, unsigned count) {
   for (unsigned i = 0; i < count; ++i) to[i] = static_cast<To>(from[i]);

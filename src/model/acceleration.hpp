@@ -155,6 +155,22 @@ PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>
   return with_other_effects(c, b, t, s, a);
 }
 
+/// The same behind one call.
+template <class R, class S>
+[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
+  a = turning_acceleration(c, b, rotor, t, s, turn, slope);
+}
+
+/// The slopes at a time and state of what turns: that of its Turn, and the acceleration by value.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
+  Vec3<R> a;
+  evaluate(c, b, rotor, t, y, turn, a, slope);
+  return a;
+}
+
 /// The part of the acceleration that comes with the attitude: aerodynamics beyond drag at zero yaw.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> attitude_force(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,

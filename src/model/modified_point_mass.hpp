@@ -3,7 +3,7 @@
 // What it models: a gyroscopically stable projectile, symmetric about its axis, whose axis does not follow the bending
 //   path at once: it stands at that small angle, mostly to the right for right-handed spin, at which the overturning
 //   moment turns the angular momentum as fast as the path turns. Lift and Magnus force of this yaw give the drift; the
-//   yaw brakes; the air brakes the spin. Four numbers more than a point mass are none: only the spin is integrated.
+//   yaw brakes; the air brakes the spin. Beside the point only the spin is integrated.
 // When to use it: range and drift of artillery and of rifle bullets with measured coefficients, at steps as long as a
 //   point mass takes, hundreds of times longer than a rigid body's.
 // When it is wrong: wherever the axis swings about its yaw of repose instead of standing in it: just behind the muzzle
@@ -22,10 +22,9 @@
 //     alpha = G (Q n + G L (n x u)) / (Q^2 + G^2 L^2 V^2).
 //   CLa = CLa0 + CLa2 alpha^2 and CMa = CMa0 + CMa2 alpha^2, with the alpha of constant coefficients in the second
 //   part. a = a0 + L alpha + N (u x alpha) - rho S / 2m CDd2 alpha^2 V u;  p' = rho S k d^2 / 2 V Clp p / Ix.
-// Source: NATO STANAG 4355, The Modified Point Mass and Five Degrees of Freedom Trajectory Models (2009), annex B
-// (there
-//   u' is that of the step before, here the equation is solved); R. F. Lieske, M. L. Reiter, Equations of Motion for a
-//   Modified Point Mass Trajectory, BRL Report 1314 (1966).
+// Source: NATO STANAG 4355, The Modified Point Mass and Five Degrees of Freedom Trajectory Models (2009)
+//   (there u' is that of the step before, here the equation is solved); R. F. Lieske, M. L. Reiter, Equations of Motion
+//   for a Modified Point Mass Trajectory, BRL Report 1314 (1966).
 #pragma once
 
 #include "model/aero.hpp"

@@ -12,9 +12,6 @@
 
 namespace physim {
 
-/// The rotation is part of what is flown: every step moves a Turn too.
-PHYSIM_INLINE constexpr bool turns(const Fidelity& f) { return f.rotation >= RotationModel::modified_point_mass; }
-
 /// The axis stands in its yaw of repose; only the spin is flown.
 PHYSIM_INLINE constexpr bool is_in_repose(const Fidelity& f) {
   return f.rotation == RotationModel::modified_point_mass;

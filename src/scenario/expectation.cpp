@@ -35,7 +35,7 @@ Value spread_of(const WorldGroup& g) {
 
 /// The number where rotation was flown.
 Value flown(const Flight& flight, double value) {
-  return flight.fidelity_in_use().fidelity.rotation >= RotationModel::modified_point_mass ? Value(value) : std::nullopt;
+  return turns(flight.fidelity_in_use().fidelity) ? Value(value) : std::nullopt;
 }
 template <double YawPitchRoll::*angle>
 Value attitude(const Flight& flight, const Sample& s) {

@@ -32,13 +32,6 @@ PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
 }
 
-/// The acceleration of what turns behind one call, as that of a point mass.
-template <class R, class S>
-[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
-  a = turning_acceleration(c, b, rotor, t, s, turn, slope);
-}
-
 /// The original's frame, in its order: position, then velocity, both from the old state; then damping; then the
 /// acceleration for the next frame from the forces of this one. slope[].v is the acceleration register: zero at launch.
 /// With `original_one_shot_forces`, forces are felt once, added to the register and never taken out of it again.
@@ -144,15 +137,6 @@ template <class AnyStep, class R, class S>
 PHYSIM_INLINE R error_squared(Integrator integrator, const AnyStep& s, const R& h, S relative, S absolute) {
   if (integrator == Integrator::tsit5) return tsit5_error_squared(s, h, relative, absolute);
   return dop853_error_squared(s, h, relative, absolute);
-}
-
-/// The slopes at a time and state of what turns: that of its Turn, and the acceleration by value.
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
-  Vec3<R> a;
-  evaluate(c, b, rotor, t, y, turn, a, slope);
-  return a;
 }
 
 /// Who takes steps side by side. `rotors` is read by rungs that turn.

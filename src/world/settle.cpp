@@ -181,7 +181,7 @@ class Settling {
       }
       if (pass_stops(c, s.t, true, s.start, lane_.body)) {
         set_slope(c, lane_.body, *lane_.rotor, 0, s);
-        lane_.regime.rail = lane_.body.rail_phase;
+        note_rail(c, lane_);
       }
     }
     end_ = s.start;

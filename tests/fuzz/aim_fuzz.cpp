@@ -144,6 +144,7 @@ void judge(long number, const Case& c, Tally& tally) {
 
 int main(int argc, char** argv) {
   using namespace physim::test;
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // a run that is stopped has told what it found
   const long count = argc > 1 ? std::atol(argv[1]) : 100000;
   const long seed = argc > 2 ? std::atol(argv[2]) : 1;
   const long first = argc > 3 ? std::atol(argv[3]) : 0;

@@ -118,7 +118,7 @@ void add_flight(Hash& hash, const Flight& flight) {
     const Sample s = flight.at(part * flight.duration());
     for (const Vec3d& v : {s.position, s.velocity, s.acceleration}) hash.add(v);
     for (const double x : {s.mach, s.energy, s.range, s.drop, s.windage}) hash.add(x);
-    if (flight.fidelity_in_use().fidelity.rotation < RotationModel::modified_point_mass) continue;
+    if (!turns(flight.fidelity_in_use().fidelity)) continue;
     for (const double x : {s.orientation.w, s.orientation.x, s.orientation.y, s.orientation.z, s.angle_of_attack})
       hash.add(x);
     hash.add(s.angular_velocity);
