@@ -96,7 +96,7 @@ void prepare_aero(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c
   add_aero(a, pool, r);
   c.has_aero = c.has_aero || has_aero(a);
   c.has_aero_tables = c.has_aero_tables || has_aero_tables(a);
-  c.has_aero_angles = c.has_aero_angles || has_aero_angles(a);
+  c.has_aero_angles = c.has_aero_angles || has_aero_angles(a, c.fidelity);
 }
 
 }  // namespace

@@ -50,6 +50,13 @@ PHYSIM_INLINE Vec3<R> drag_now(const Conditions<S>& c, const Body<R>& b, const R
   if (!c.has_motor || c.fidelity.drag == DragModel::damping) return d;
   return d * (lighter(c, b, t) * b.burn.drag_factor);
 }
+/// The same in air whose state is known, without spin.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> drag_now_in(const Conditions<S>& c, const Body<R>& b, const R& t, const AirState<R>& air,
+                                  const Vec3<R>& u) {
+  const bool equation = c.fidelity.drag == DragModel::equation;
+  return drag_now(c, b, t, equation ? drag_equation(c, b, air, u) : simple_drag(c, b, u));
+}
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> air_now(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   return drag_now(c, b, t, air_force(c, b, t, s));
@@ -102,15 +109,25 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
   return a;
 }
 
-/// The yaw of repose of a shell, whose acceleration without yaw is given.
+/// A shell and its yaw of repose.
+template <class R>
+struct ReposedShell {
+  Vec3<R> through_air;  // u [m/s]
+  Vec3<R> without_yaw;  // what accelerates it but the yaw [m/s^2]
+  Repose<R> repose;
+};
 template <class R, class S>
-PHYSIM_INLINE Repose<R> repose_at(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                  const State<R>& s, const R& spin, const Vec3<R>& without_yaw) {
+PHYSIM_INLINE ReposedShell<R> reposed_shell(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                            const State<R>& s, const R& spin) {
   const Vec3<R> u = air_velocity(c, s);
-  Vec3<R> turning = without_yaw;
+  const AirState<R> air = air_state(c, s.x);
+  Vec3<R> a = weight_per_mass(c, b, s.x) + drag_now_in(c, b, t, air, u);
+  if (c.has_motor) a += thrust(b, t, nose_in_air(b, u));
+  a = with_other_effects(c, b, t, s, a);
+  Vec3<R> turning = a;
   if (is_turning(c.fidelity.earth)) turning += cross(Vec3<R>{R(c.omega.x), R(c.omega.y), R(c.omega.z)}, u);
-  const R thrust = c.has_motor ? thrust_at(b, t) / mass_at(b, t) : R(S(0));
-  return repose(c, rotor, air_state(c, s.x), u, spin, turning, lighter(c, b, t), thrust);
+  const R thrust_per_mass = c.has_motor ? thrust_at(b, t) / mass_at(b, t) : R(S(0));
+  return {u, a, repose(c, rotor, air, u, spin, turning, lighter(c, b, t), thrust_per_mass)};
 }
 
 /// Of a shell in its yaw of repose, with the slope of its Turn.
@@ -118,17 +135,17 @@ template <class R, class S>
 [[gnu::noinline]] Vec3<R> reposed_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor,
                                                const R& t, const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
   const R zero(S(0));
-  const Vec3<R> without_yaw = acceleration(c, b, t, s);
-  const Repose<R> r = repose_at(c, b, rotor, t, s, turn.h.x, without_yaw);
+  const ReposedShell<R> shell = reposed_shell(c, b, rotor, t, s, turn.h.x);
+  const Repose<R>& r = shell.repose;
   Vec3<R> a = r.acceleration;
   if (c.has_motor) {
-    const Vec3<R> along = nose_in_air(b, air_velocity(c, s));
+    const Vec3<R> along = nose_in_air(b, shell.through_air);
     a += thrust(b, t, yawed_axis(along, r.yaw) - along);
   }
   if (c.has_frozen) a = component_product(a, b.free);
   if (c.has_rail) a = on_rail(b, a);
   slope = {turn.h.x, {zero, zero, zero}, {r.spin_slope, zero, zero}};
-  return without_yaw + a;
+  return shell.without_yaw + a;
 }
 
 /// Of what turns, with the slope of its Turn.
@@ -144,7 +161,7 @@ PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>
   } else {
     const Vec3<R> u = air_velocity(c, s);
     const AirState<R> air = air_state(c, s.x);
-    a += drag_now(c, b, t, c.fidelity.drag == DragModel::equation ? drag_equation(c, b, air, u) : simple_drag(c, b, u));
+    a += drag_now_in(c, b, t, air, u);
     const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);
     a += c.has_motor ? load.acceleration * lighter(c, b, t) : load.acceleration;
     moment = load.moment;
@@ -175,7 +192,7 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> attitude_force(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                      const State<R>& s, const Turn<R>& turn) {
-  if (is_in_repose(c.fidelity)) return repose_at(c, b, rotor, t, s, turn.h.x, acceleration(c, b, t, s)).acceleration;
+  if (is_in_repose(c.fidelity)) return reposed_shell(c, b, rotor, t, s, turn.h.x).repose.acceleration;
   return body_aero(c, rotor, air_state(c, s.x), air_velocity(c, s), turn).acceleration * lighter(c, b, t);
 }
 
@@ -186,7 +203,7 @@ PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>& b, const Rotor
   if (turns(c.fidelity) && !is_in_repose(c.fidelity)) return forward(c.fidelity, turn);
   const Vec3<R> along = nose_in_air(b, air_velocity(c, s));
   if (!turns(c.fidelity)) return along;
-  return yawed_axis(along, repose_at(c, b, rotor, t, s, turn.h.x, acceleration(c, b, t, s)).yaw);
+  return yawed_axis(along, reposed_shell(c, b, rotor, t, s, turn.h.x).repose.yaw);
 }
 
 PHYSIM_ISA_END

@@ -42,29 +42,31 @@ PHYSIM_INLINE R magnus_coefficient(const Conditions<S>& c, const AngleTable<R>& 
   return (f[0] + f[1] * angle_squared) + mach * (f[2] + f[3] * angle_squared);
 }
 
-template <class R, class S>
-[[gnu::noinline]] AeroCoefficients<R> aero_coefficients(const Conditions<S>& c, const Rotor<R>& b, const R& mach,
-                                                        const R& angle_squared) {
-  if (!c.has_aero_tables) return b.coefficient;
-  const R cell = cell_of(c.curve_rows, b.mach, mach);
-  const R row = b.mach_row + cell * S(kRowCoefficients / 2);
-  R value[kRowCoefficients];
-  for (int pair = 0; pair < kRowCoefficients / 2; ++pair) {
+/// The first `kCount` coefficients by Mach number.
+template <int kCount, class R, class S>
+PHYSIM_INLINE void coefficients_by_mach(const Conditions<S>& c, const Rotor<R>& b, const R& mach_cell, const R& mach,
+                                        AeroCoefficients<R>& k) {
+  static_assert(kCount % 2 == 0 && kCount <= kRowCoefficients);
+  R* value = reinterpret_cast<R*>(&k);
+  const R row = b.mach_row + mach_cell * S(kRowCoefficients / 2);
+  for (int pair = 0; pair < kCount / 2; ++pair) {
     R f[4];
     row_columns(c.curve_rows, row + S(pair), f);
     value[2 * pair] = f[0] + f[1] * mach;
     value[2 * pair + 1] = f[2] + f[3] * mach;
   }
-  return {value[0],
-          value[1],
-          value[2],
-          value[3],
-          value[4],
-          value[5],
-          value[6],
-          value[7],
-          magnus_coefficient(c, b.magnus_force, cell, mach, angle_squared),
-          magnus_coefficient(c, b.magnus_moment, cell, mach, angle_squared)};
+}
+
+template <class R, class S>
+[[gnu::noinline]] AeroCoefficients<R> aero_coefficients(const Conditions<S>& c, const Rotor<R>& b, const R& mach,
+                                                        const R& angle_squared) {
+  AeroCoefficients<R> k = b.coefficient;
+  if (!c.has_aero_tables) return k;
+  const R cell = cell_of(c.curve_rows, b.mach, mach);
+  coefficients_by_mach<kRowCoefficients>(c, b, cell, mach, k);
+  k.magnus_force = magnus_coefficient(c, b.magnus_force, cell, mach, angle_squared);
+  k.magnus_moment = magnus_coefficient(c, b.magnus_moment, cell, mach, angle_squared);
+  return k;
 }
 
 // ------------------------------------------------------------------------------------------- force and moment

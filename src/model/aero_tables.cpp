@@ -13,8 +13,8 @@ constexpr double kNever = 1e30;  // a border that nothing passes
 constexpr int kFinest = 14;      // buckets are 2^-14 wide at most finely
 
 const std::array<AeroCoefficient AeroDef::*, 10> kCoefficients = {
-    &AeroDef::drag_yaw,       &AeroDef::lift,          &AeroDef::lift_cubic,  &AeroDef::pitching,
-    &AeroDef::pitching_cubic, &AeroDef::pitch_damping, &AeroDef::yaw_damping, &AeroDef::roll_damping,
+    &AeroDef::drag_yaw,       &AeroDef::lift,         &AeroDef::lift_cubic,    &AeroDef::pitching,
+    &AeroDef::pitching_cubic, &AeroDef::roll_damping, &AeroDef::pitch_damping, &AeroDef::yaw_damping,
     &AeroDef::magnus_force,   &AeroDef::magnus_moment};
 
 /// The yaw damping of a body that has none of its own is that in pitch.
@@ -146,8 +146,9 @@ bool has_aero(const AeroDef& aero) {
 bool has_aero_tables(const AeroDef& aero) {
   return std::any_of(kCoefficients.begin(), kCoefficients.end(), [&](auto c) { return (aero.*c).size() > 1; });
 }
-bool has_aero_angles(const AeroDef& aero) {
-  return angle_borders(aero.magnus_force).size() > 1 || angle_borders(aero.magnus_moment).size() > 1;
+bool has_aero_angles(const AeroDef& aero, const Fidelity& rung) {
+  const bool moment = !is_in_repose(rung) && angle_borders(aero.magnus_moment).size() > 1;
+  return moment || angle_borders(aero.magnus_force).size() > 1;
 }
 
 void add_aero(const AeroDef& aero, CurvePool& pool, Rotor<double>& r) {

@@ -34,8 +34,8 @@ struct ClosePair {
 [[nodiscard]] bool has_aero(const AeroDef& aero);
 /// Some coefficient has more than one point.
 [[nodiscard]] bool has_aero_tables(const AeroDef& aero);
-/// Some coefficient depends on the angle.
-[[nodiscard]] bool has_aero_angles(const AeroDef& aero);
+/// Some coefficient that a rung reads depends on the angle.
+[[nodiscard]] bool has_aero_angles(const AeroDef& aero, const Fidelity& rung);
 
 /// Adds the tables of a projectile to the pool and fills in where they are, as AeroPlace.
 void add_aero(const AeroDef& aero, CurvePool& pool, Rotor<double>& rotor);

@@ -87,13 +87,19 @@ PHYSIM_INLINE Repose<R> repose(const Conditions<S>& c, const Rotor<R>& b, const 
   const Vec3<R> bending = cross(turning, u);
   const R strength = momentum * momentum * length_squared(bending);
   const R straight(S(0)), most = constant<R>(kLargestSine * kLargestSine);
-  AeroCoefficients<R> k = aero_coefficients(c, b, mach, straight);
+  AeroCoefficients<R> k = b.coefficient;
+  R cell(S(0));
+  if (c.has_aero_tables) {
+    cell = cell_of(c.curve_rows, b.mach, mach);
+    coefficients_by_mach<kReposeCoefficients>(c, b, cell, mach, k);
+    k.magnus_force = magnus_coefficient(c, b.magnus_force, cell, mach, straight);
+  }
   YawEffects<R> at = yaw_effects(b, air, speed_squared, spin, lighter, k, straight);
   ReposeParts<R> parts = repose_parts(at, thrust, momentum, speed_squared);
   const R sine_squared = min(strength / parts.below, most);
   if (c.has_aero_angles) {
     const R angle = asin(sqrt(sine_squared));
-    k = aero_coefficients(c, b, mach, angle * angle);
+    k.magnus_force = magnus_coefficient(c, b.magnus_force, cell, mach, angle * angle);
   }
   at = yaw_effects(b, air, speed_squared, spin, lighter, k, sine_squared);
   parts = repose_parts(at, thrust, momentum, speed_squared);

@@ -50,14 +50,16 @@ struct AeroCoefficients {
   R lift_cubic;
   R pitching;
   R pitching_cubic;
+  R roll_damping;
   R pitch_damping;
   R yaw_damping;
-  R roll_damping;
   R magnus_force;
   R magnus_moment;
 };
 /// Of them in rows by Mach number, two to a row; Magnus' come after them, in tables of their own.
 inline constexpr int kRowCoefficients = 8;
+/// Of these, without the damping across the axis, which comes last.
+inline constexpr int kReposeCoefficients = 6;
 
 /// Every member is an R, so that a lane can be copied in and out field by field.
 template <class R>
