@@ -3,9 +3,12 @@
 //   physim_soak [PROJECTILE_STEPS] [PROJECTILES] [SEED]
 //
 // Spawns, despawns, forces that come and go, fidelity moves, impulses, switches, snapshots and numbers that overflow.
-// Fails where memory grows after the first third of 10^8 or more, or where a projectile that stays in the world has bad
-// numbers. It is meant to run under the sanitizers: ./dev soak --asan, ./dev soak --tsan.
+// Fails where the memory held grows after the first third of 10^8 or more, or where a projectile that stays in the
+// world has bad numbers. It is meant to run under the sanitizers: ./dev soak --asan, ./dev soak --tsan.
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <cmath>
 #include <cstdio>
@@ -14,10 +17,15 @@
 
 #include "physim/world.hpp"
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // g++ has no header for it
+#endif
+
 namespace {
 
 using namespace physim;
 
+/// Memory that the process takes from the system.
 std::size_t resident_bytes() {
   std::FILE* statm = std::fopen("/proc/self/statm", "r");
   if (!statm) return 0;
@@ -26,6 +34,19 @@ std::size_t resident_bytes() {
   const int read = std::fscanf(statm, "%ld %ld", &size, &resident);
   std::fclose(statm);
   return read == 2 ? static_cast<std::size_t>(resident) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/// Memory that is held: what was allocated and not given back. A snapshot of a large world leaves holes when it goes,
+/// which the allocator fills and makes as it likes; they are resident, and nobody's leak.
+std::size_t held_bytes() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return __sanitizer_get_current_allocated_bytes();
+#elif defined(__GLIBC__)
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+#else
+  return resident_bytes();
+#endif
 }
 
 class Soak {
@@ -219,7 +240,7 @@ int main(int argc, char** argv) {
   while (static_cast<double>(soak.projectile_steps()) < target) {
     soak.step();
     const std::uint64_t done = soak.projectile_steps();
-    const std::size_t bytes = resident_bytes();
+    const std::size_t bytes = held_bytes();
     if (static_cast<double>(done) < target / 3) early = std::max(early, bytes);
     most = std::max(most, bytes);
     if (done < next_report) continue;
@@ -228,19 +249,20 @@ int main(int argc, char** argv) {
       std::fprintf(stderr, "soak: a projectile with bad numbers stayed in the world\n");
       return 1;
     }
-    std::printf("%12llu projectile-steps, %zu projectiles, %zu cohorts, %.1f MB\n",
+    std::printf("%12llu projectile-steps, %zu projectiles, %zu cohorts, %.1f MB held, %.1f MB resident\n",
                 static_cast<unsigned long long>(done), soak.world().size(), soak.world().cohorts().size(),
-                static_cast<double>(bytes) / 1e6);
+                static_cast<double>(bytes) / 1e6, static_cast<double>(resident_bytes()) / 1e6);
     std::fflush(stdout);
   }
   const WorldCounters& counters = soak.world().counters();
   std::printf(
-      "steps %llu, retired for bad numbers %llu, refused %llu; memory %.1f MB in the first third, %.1f MB at most\n",
+      "steps %llu, retired for bad numbers %llu, refused %llu; held at most %.1f MB in the first third, %.1f MB in "
+      "all\n",
       static_cast<unsigned long long>(counters.steps), static_cast<unsigned long long>(counters.retired),
       static_cast<unsigned long long>(counters.refused), static_cast<double>(early) / 1e6,
       static_cast<double>(most) / 1e6);
   // A young world still grows: kinds, rungs and cohorts meet for the first time.
-  if (target >= 1e8 && static_cast<double>(most) > 1.1 * static_cast<double>(early) + 4e6) {
+  if (target >= 1e8 && static_cast<double>(most) > 1.05 * static_cast<double>(early) + 1e6) {
     std::fprintf(stderr, "soak: memory grows\n");
     return 1;
   }
