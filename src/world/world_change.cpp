@@ -216,7 +216,7 @@ bool World::Impl::change_rung(std::uint32_t index, std::uint16_t rung) {
   if (rung == slot.rung) return true;
   const std::uint16_t before = slot.rung;
   slot.rung = rung;
-  if (!fits(slot, state_of(slot))) return slot.rung = before, false;
+  if (!rows_of(slot).layout().float32 && !fits(slot, state_of(slot))) return slot.rung = before, false;
   const bool forced_before = slot.is(kForced);
   slot.set(kForced, feels_forces(index));
   if (!relocate(index)) return slot.rung = before, slot.set(kForced, forced_before), false;
