@@ -32,15 +32,20 @@ Contender peer(std::string name, std::string kernel, void (*fly)(PeerTask&), con
   return contender;
 }
 
-Contender batch(std::string name, std::string kernel, const Fidelity& fidelity) {
+Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, bool one_kind) {
   Contender contender{std::move(name), std::move(kernel)};
   contender.by_pilot = fidelity.integrator == Integrator::rk4;
   if (fidelity.precision == Precision::float32) contender.tightest = 5e-7;
   const Contender kind = contender;
-  contender.fly = [kind, fidelity](const ShotSet& set, std::size_t count, double setting, Vec3d* ends) {
+  contender.fly = [kind, fidelity, one_kind, result = BatchResult{}](const ShotSet& set, std::size_t count,
+                                                                     double setting, Vec3d* ends) mutable {
     use_kernel(kind.kernel);
-    const BatchResult result = fly_batch(std::span(set.shots).first(count), bench_environment(), fidelity,
-                                         tolerance_of(kind, setting), bench_until());
+    const Tolerance tolerance = tolerance_of(kind, setting);
+    if (one_kind)
+      fly_batch(set.shots[0].projectile, std::span(set.launches).first(count), bench_environment(), fidelity, tolerance,
+                bench_until(), result);
+    else
+      fly_batch(std::span(set.shots).first(count), bench_environment(), fidelity, tolerance, bench_until(), result);
     Work work;
     for (std::size_t i = 0; i < count; ++i) {
       work.steps += result.shots[i].cost.steps;

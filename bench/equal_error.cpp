@@ -27,17 +27,17 @@ std::vector<Contender> contenders(const PeerModel& model, double target) {
                               peer("SUNDIALS CVODE Adams", "native, FMA", fly_cvode_adams, model),
                               peer("SUNDIALS CVODE BDF", "native, FMA", fly_cvode_bdf, model)};
   list.push_back(single_flights("PhySim fly(), with dense output", tsit5));
-  list.push_back(batch("PhySim adaptive Tsit5", "scalar", tsit5));
+  list.push_back(batch("PhySim adaptive Tsit5", "scalar", tsit5, true));
   for (auto kernel = found.rbegin() + 1; kernel != found.rend(); ++kernel)
-    list.push_back(batch("PhySim adaptive Tsit5", *kernel, tsit5));
-  list.push_back(batch("PhySim adaptive DOP853", best, bench_fidelity(Integrator::dop853)));
+    list.push_back(batch("PhySim adaptive Tsit5", *kernel, tsit5, true));
+  list.push_back(batch("PhySim adaptive DOP853", best, bench_fidelity(Integrator::dop853), true));
   for (auto kernel = found.rbegin() + 1; kernel != found.rend(); ++kernel)
-    list.push_back(batch("PhySim fixed RK4, pilot step", *kernel, bench_fidelity(Integrator::rk4)));
+    list.push_back(batch("PhySim fixed RK4, pilot step", *kernel, bench_fidelity(Integrator::rk4), true));
   if (target >= 1e-3) {
     list.push_back(
-        batch("PhySim adaptive Tsit5, float32", best, bench_fidelity(Integrator::tsit5, Precision::float32)));
-    list.push_back(
-        batch("PhySim fixed RK4, pilot step, float32", best, bench_fidelity(Integrator::rk4, Precision::float32)));
+        batch("PhySim adaptive Tsit5, float32", best, bench_fidelity(Integrator::tsit5, Precision::float32), true));
+    list.push_back(batch("PhySim fixed RK4, pilot step, float32", best,
+                         bench_fidelity(Integrator::rk4, Precision::float32), true));
   }
   return list;
 }
@@ -126,7 +126,7 @@ Section equal_error_section(const Options& options, double target, double* toler
       "absolute are equal. Pilot: the error that pilot flights inside fly_batch() aim at, found the same way.",
       "Flown: " + std::to_string(options.flights) +
           " shots, 823 +- 15 m/s, 0.7 +- 0.3 degrees; peers fly the same ones in turn. Checking, preparing and "
-          "gathering are part of every PhySim time.",
+          "gathering are part of every PhySim time; batches are launches of one projectile, into a result used again.",
       "native, FMA: -O3 -march=native -ffp-contract=fast. portable: -O3 for any x86-64, without fused multiply-add. "
       "PhySim's kernels use the instructions of their name and no fused multiply-add."};
   return s;

@@ -27,6 +27,7 @@ Shot bullet_308(double speed, double elevation) {
 
 void add_308(ShotSet& set, double speed, double elevation) {
   set.shots.push_back(bullet_308(speed, elevation));
+  set.launches.push_back(set.shots.back().launch);
   set.peer_shots.push_back({speed, elevation});
 }
 

@@ -14,6 +14,7 @@ inline constexpr double kRange = 1000;  // where all flights end, and where thei
 /// Shots with the exact place where each crosses the range line.
 struct ShotSet {
   std::vector<Shot> shots;
+  std::vector<Launch> launches;      // the same, of .308 sets only
   std::vector<PeerShot> peer_shots;  // of .308 sets only
   std::vector<Vec3d> reference;      // dop853 at 1e-13 [m]
 };

@@ -217,6 +217,15 @@ struct BatchResult {
 /// of a few of the shots, which makes it shorter than the step that fly() would find for one of them.
 [[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
                                     const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
+/// The same for many launches of one projectile, which is checked and prepared once.
+[[nodiscard]] BatchResult fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches,
+                                    const Environment& environment, const Fidelity& fidelity,
+                                    const Tolerance& tolerance = {}, const Until& until = {});
+/// The same two into a result of before, whose memory is used again: for batch after batch.
+void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
+               const Tolerance& tolerance, const Until& until, BatchResult& result);
+void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
+               const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, BatchResult& result);
 
 /// The bore elevation above the horizon [rad] with which the projectile hits the line of sight at a range [m]. It is
 /// found with the models of `fidelity`, an adaptive integrator and float64, upright, without spin drift, and in calm

@@ -28,7 +28,7 @@ MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       if (!lane_of(crossing, lane)) continue;
       Lanes<S> alone{};
-      copy_step(*course.conditions, l, lane, alone, 0);
+      copy_step(*course.conditions, l, lane, alone, 0, body_fields<R>(*course.conditions));
       DenseLanes<S> at;
       dense_lanes(course, alone, at);
       const double h = at.n1.t - at.n0.t;

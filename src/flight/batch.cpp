@@ -18,70 +18,129 @@ struct ShotGroup {
   Cohort cohort;
   std::optional<double> step;
   std::vector<std::uint32_t> shots;
-  std::vector<Body<double>> bodies;
-  std::vector<Rotor<double>> rotors;  // of rungs that turn
+  Body<double> common{};                         // what all bodies have ...
+  unsigned own = unsigned(kBodyFields<double>);  // ... but for so many numbers, the first ones of a Body ...
+  std::vector<double> numbers;                   // ... which are here
+  std::vector<Rotor<double>> rotors;             // of rungs that turn
   std::vector<SpinDrift> drifts;
   std::vector<Vec3d> right;
   std::vector<RawEnd> ends;
+  std::vector<RawEvent> events;
 
   void reserve(std::size_t count) {
     shots.reserve(count);
-    bodies.reserve(count);
+    numbers.reserve(own * count);
     drifts.reserve(count);
     right.reserve(count);
   }
+  void add(const Body<double>& body) {
+    const auto* from = reinterpret_cast<const double*>(&body);
+    numbers.insert(numbers.end(), from, from + own);
+  }
+  [[nodiscard]] Body<double> body(std::size_t i) const {
+    Body<double> b = common;
+    std::copy_n(numbers.data() + i * own, own, reinterpret_cast<double*>(&b));
+    return b;
+  }
   void clear() {
     shots.clear();
-    bodies.clear();
+    numbers.clear();
     rotors.clear();
     drifts.clear();
     right.clear();
+    events.clear();
   }
 };
 
+/// What is to be flown: shots with a projectile each, or launches of one.
+struct ShotList {
+  std::span<const Shot> shots;
+  const ProjectileDef* common = nullptr;
+  std::span<const Launch> launches;
+
+  [[nodiscard]] std::size_t size() const { return common ? launches.size() : shots.size(); }
+  [[nodiscard]] const ProjectileDef& projectile(std::size_t i) const { return common ? *common : shots[i].projectile; }
+  [[nodiscard]] const Launch& launch(std::size_t i) const { return common ? launches[i] : shots[i].launch; }
+};
+
+/// A projectile checked and prepared but for its launch.
+struct ShotKind {
+  const ProjectileDef* projectile = nullptr;
+  Status error;
+  ShotGroup* group = nullptr;
+  Body<double> body;
+};
+
 /// Orders events by shot; those of one shot already are in order of time. Counting places needs one pass, not a sort.
-std::vector<ShotEvent> by_shot(std::vector<ShotEvent> events, std::size_t shots) {
-  const auto earlier = [](const ShotEvent& a, const ShotEvent& b) { return a.shot < b.shot; };
-  if (std::is_sorted(events.begin(), events.end(), earlier)) return events;
+template <class AnyEvent>
+void put_by_shot(std::vector<AnyEvent>& events, std::size_t shots) {
+  const auto earlier = [](const AnyEvent& a, const AnyEvent& b) { return a.shot < b.shot; };
+  if (std::is_sorted(events.begin(), events.end(), earlier)) return;
   std::vector<std::size_t> place(shots + 1);
-  for (const ShotEvent& e : events) ++place[e.shot + 1];
+  for (const AnyEvent& e : events) ++place[e.shot + 1];
   for (std::size_t i = 0; i < shots; ++i) place[i + 1] += place[i];
-  std::vector<ShotEvent> sorted(events.size());
-  for (const ShotEvent& e : events) sorted[place[e.shot]++] = e;
-  return sorted;
+  std::vector<AnyEvent> sorted(events.size());
+  for (const AnyEvent& e : events) sorted[place[e.shot]++] = e;
+  events = std::move(sorted);
 }
 
 class Batch {
  public:
-  Batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
-        const Tolerance& tolerance, const Until& until)
-      : shots_(shots), environment_(environment), fidelity_(fidelity), tolerance_(tolerance), until_(until) {}
+  Batch(const ShotList& shots, const Environment& environment, const Fidelity& fidelity, const Tolerance& tolerance,
+        const Until& until, BatchResult& result)
+      : shots_(shots),
+        environment_(environment),
+        fidelity_(fidelity),
+        tolerance_(tolerance),
+        until_(until),
+        result_(result) {}
 
-  BatchResult run() {
+  void run() {
     result_.kernel = batch_kernel().name;
-    result_.shots.resize(shots_.size());
+    result_.shots.assign(shots_.size(), {});
+    result_.events.clear();
+    result_.fidelity_in_use = {};
+    result_.error.reset();
     for (const Status& status : {check(environment_), check(tolerance_, fidelity_), check(until_)})
-      if (status) return refuse_all(*status);
+      if (status) return refuse(*status);
     result_.events.reserve(shots_.size());
     for (std::uint32_t i = 0; i < shots_.size(); ++i) prepare(i);
     for (ShotGroup& group : groups_) fly(group);
-    result_.events = by_shot(std::move(result_.events), shots_.size());
-    return std::move(result_);
+    put_by_shot(result_.events, shots_.size());
   }
 
  private:
-  BatchResult refuse_all(const Error& error) {
-    result_.error = error;
-    return std::move(result_);
-  }
-
   void refuse(const Error& error) {
     if (!result_.error) result_.error = error;
   }
 
+  /// What is known of a shot's projectile.
+  ShotKind& kind_of(std::uint32_t i) {
+    const ProjectileDef& projectile = shots_.projectile(i);
+    if (kind_.projectile == &projectile) return kind_;
+    kind_.projectile = &projectile;
+    kind_.error = check(projectile);
+    if (kind_.error) return kind_;
+    kind_.group = group_of(projectile);
+    ShotGroup& group = *kind_.group;
+    kind_.body = prepare_kind(projectile, group.cohort.pool, group.cohort.conditions);
+    if (shots_.common && differ_by_launch_alone(group.cohort.conditions)) group.own = unsigned(kLaunchFields);
+    group.common = kind_.body;
+    return kind_;
+  }
+
+  /// Whether a launch gives a Body no number but the first ones.
+  [[nodiscard]] bool differ_by_launch_alone(const Conditions<double>& c) const {
+    const auto has_rail = [](const Launch& launch) { return launch.rail_length > 0; };
+    return !spins(c.fidelity) && !c.has_motor && c.fidelity.drag != DragModel::linear_quadratic &&
+           std::none_of(shots_.launches.begin(), shots_.launches.end(), has_rail);
+  }
+
   void prepare(std::uint32_t i) {
-    const auto& [projectile, launch] = shots_[i];
-    if (const auto status = check(projectile)) return refuse(*status);
+    const ShotKind& kind = kind_of(i);
+    if (kind.error) return refuse(*kind.error);
+    const ProjectileDef& projectile = *kind.projectile;
+    const Launch& launch = shots_.launch(i);
     if (const auto status = check(launch)) return refuse(*status);
     if (const auto status = check(projectile, launch)) return refuse(*status);
     double elevation = launch.elevation;
@@ -90,9 +149,10 @@ class Batch {
       if (!found) return refuse(found.error());
       elevation = *found;
     }
-    ShotGroup* group = group_of(projectile);
+    ShotGroup* group = kind.group;
     Cohort& cohort = group->cohort;
-    auto body = prepare_body(projectile, launch, elevation, cohort.pool, cohort.conditions);
+    Body<double> body = kind.body;
+    put_launch(projectile, launch, elevation, cohort.conditions, body);
     jump_in_crosswind(projectile, environment_, cohort.conditions, body);
     const Fidelity& granted = cohort.in_use.fidelity;
     if (turns(granted))
@@ -105,7 +165,7 @@ class Batch {
       return group->rotors.pop_back();
     }
     group->shots.push_back(i);
-    group->bodies.push_back(body);
+    group->add(body);
     group->drifts.push_back(
         prepare_spin_drift(projectile, length(body.launch.v), environment_, cohort.in_use.fidelity));
     group->right.push_back(body.plane);
@@ -169,8 +229,7 @@ class Batch {
     if (group.step) return std::nullopt;
     double step = std::numeric_limits<double>::infinity();
     for (const std::size_t i : pilots(group)) {
-      const auto& [projectile, launch] = shots_[i];
-      const auto found = step_within(projectile, launch, environment_, granted, tolerance_, until_,
+      const auto found = step_within(shots_.projectile(i), shots_.launch(i), environment_, granted, tolerance_, until_,
                                      0.4 * tolerance_.position_error, step);
       if (!found) return found.error();
       step = std::min(step, *found);
@@ -180,12 +239,16 @@ class Batch {
   }
 
   std::vector<std::size_t> pilots(const ShotGroup& group) {
-    const auto slower = [](const Shot& a, const Shot& b) { return a.launch.speed < b.launch.speed; };
-    const auto [slowest, fastest] = std::minmax_element(shots_.begin(), shots_.end(), slower);
+    std::size_t slowest = 0, fastest = 0;
+    const auto speed = [this](std::size_t i) { return shots_.launch(i).speed; };
+    for (std::size_t i = 1; i < shots_.size(); ++i) {
+      if (speed(i) < speed(slowest)) slowest = i;
+      if (speed(i) >= speed(fastest)) fastest = i;
+    }
     std::vector<std::size_t> list{group.shots.front()};
-    for (const std::size_t i : {shots_.size() / 2, shots_.size() - 1, std::size_t(slowest - shots_.begin()),
-                                std::size_t(fastest - shots_.begin())}) {
-      const auto& [projectile, launch] = shots_[i];
+    for (const std::size_t i : {shots_.size() / 2, shots_.size() - 1, slowest, fastest}) {
+      const ProjectileDef& projectile = shots_.projectile(i);
+      const Launch& launch = shots_.launch(i);
       const bool known = std::find(list.begin(), list.end(), i) != list.end();
       if (!known && !check(projectile) && !check(launch) && !check(projectile, launch) &&
           group_of(projectile) == &group)
@@ -212,19 +275,15 @@ class Batch {
 
   template <class S>
   void fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&)) {
-    const std::size_t count = group.bodies.size();
+    const std::size_t count = group.shots.size();
     watch_ = prepare_watch(until_, group.cohort.conditions, false);
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
     group.ends.resize(count);
-    struct Sink {
-      Batch* batch;
-      ShotGroup* group;
-    } sink{this, &group};
-    const auto emit = [](void* to, const RawEvent& event) {
-      auto* s = static_cast<Sink*>(to);
-      s->batch->keep(*s->group, event);
-    };
-    kernel({&course, group.bodies.data(), group.rotors.data(), count, group.ends.data(), emit, &sink});
+    const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
+    kernel({&course, group.numbers.data(), group.own, &group.common, group.rotors.data(), count, group.ends.data(),
+            emit, &group});
+    put_by_shot(group.events, count);
+    for (const RawEvent& event : group.events) keep(group, event);
     for (std::size_t i = 0; i < count; ++i) keep(group, i, group.ends[i]);
   }
 
@@ -243,13 +302,13 @@ class Batch {
         end.outcome, end.time, s.x, s.v, {steps, tries - steps, evaluations(group.cohort.in_use.fidelity, tries)}};
     const Conditions<double>& c = group.cohort.conditions;
     if (!turns(c.fidelity)) return;
-    Body<double> body = group.bodies[i];
+    Body<double> body = group.body(i);
     State<double> start = end.state;
     if (has_stops(c)) pass_stops(c, end.time, true, start, body);
     set_attitude(result_.shots[group.shots[i]], attitude_of(c, body, group.rotors[i], end.time, end.state, end.turn));
   }
 
-  std::span<const Shot> shots_;
+  const ShotList& shots_;
   const Environment& environment_;
   const Fidelity& fidelity_;
   const Tolerance& tolerance_;
@@ -259,14 +318,36 @@ class Batch {
   static constexpr std::size_t kMostJudgedCurves = 64;
   std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
   std::array<ShotGroup*, 4096> group_by_key_{};
-  BatchResult result_;
+  ShotKind kind_;
+  BatchResult& result_;
 };
 
 }  // namespace
 
+void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
+               const Tolerance& tolerance, const Until& until, BatchResult& result) {
+  const ShotList list{.shots = shots, .common = nullptr, .launches = {}};
+  Batch(list, environment, fidelity, tolerance, until, result).run();
+}
+
+void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
+               const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, BatchResult& result) {
+  const ShotList list{.shots = {}, .common = &projectile, .launches = launches};
+  Batch(list, environment, fidelity, tolerance, until, result).run();
+}
+
 BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
                       const Tolerance& tolerance, const Until& until) {
-  return Batch(shots, environment, fidelity, tolerance, until).run();
+  BatchResult result;
+  fly_batch(shots, environment, fidelity, tolerance, until, result);
+  return result;
+}
+
+BatchResult fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
+                      const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
+  BatchResult result;
+  fly_batch(projectile, launches, environment, fidelity, tolerance, until, result);
+  return result;
 }
 
 }  // namespace physim

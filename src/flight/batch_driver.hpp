@@ -5,12 +5,23 @@
 
 PHYSIM_ISA_BEGIN
 
+/// How many numbers of a Body differ from shot to shot.
+template <class R, class S>
+PHYSIM_INLINE unsigned own_fields(const BatchJob<S>& job) {
+  const unsigned all = body_fields<R>(*job.course->conditions);
+  return job.own < all ? job.own : all;
+}
+
 /// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than
 /// one.
 template <class R, class S>
 class ReadyShots {
  public:
-  explicit ReadyShots(const BatchJob<S>& job) : job_(job) {}
+  explicit ReadyShots(const BatchJob<S>& job) : job_(job), own_(own_fields<R>(job)) {
+    const auto* from = reinterpret_cast<const double*>(job.common);
+    auto* to = reinterpret_cast<R*>(&ready_.body);
+    for (unsigned i = own_; i < body_fields<R>(*job.course->conditions); ++i) to[i] = R(static_cast<S>(from[i]));
+  }
 
   /// Puts the next shot into a lane; false where none is left.
   bool take(Lanes<R>& into, int lane, std::size_t& shot) {
@@ -37,12 +48,11 @@ class ReadyShots {
     if (left == 0) return false;
     filled_ = left < std::size_t(kLanes<R>) ? static_cast<int>(left) : kLanes<R>;
     // Unused lanes repeat the last shot, so that they hold sound numbers.
-    const unsigned fields = body_fields<R>(*job_.course->conditions);
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       const std::size_t shot = next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1);
-      const auto* from = reinterpret_cast<const double*>(&job_.bodies[shot]);
+      const double* from = job_.numbers + shot * job_.own;
       auto* to = reinterpret_cast<S*>(&ready_.body) + lane;
-      for (unsigned i = 0; i < fields; ++i) to[i * unsigned(kLanes<R>)] = static_cast<S>(from[i]);
+      for (unsigned i = 0; i < own_; ++i) to[i * unsigned(kLanes<R>)] = static_cast<S>(from[i]);
       if (!turns(job_.course->conditions->fidelity)) continue;
       from = reinterpret_cast<const double*>(&job_.rotors[shot]);
       to = reinterpret_cast<S*>(&*ready_.rotor) + lane;
@@ -54,9 +64,10 @@ class ReadyShots {
     return true;
   }
 
-  /// Copies what begin() has set; slopes beyond the first are written before they are read.
+  /// Copies what begin() has set; slopes beyond the first are written before they are read. What shots have in common
+  /// is there since take_all().
   void enter(Lanes<R>& into, int lane) {
-    copy_lane(ready_.body, used_, into.body, lane, body_fields<R>(*job_.course->conditions));
+    copy_lane(ready_.body, used_, into.body, lane, own_);
     copy_lane(ready_.step.start, used_, into.step.start, lane);
     copy_lane(ready_.step.slope[0], used_, into.step.slope[0], lane);
     copy_lane(ready_.control, used_, into.control, lane);
@@ -73,6 +84,7 @@ class ReadyShots {
   }
 
   const BatchJob<S>& job_;
+  const unsigned own_;
   Lanes<R> ready_;
   std::size_t next_ = 0;  // first shot not yet prepared
   int filled_ = 0;
@@ -84,14 +96,14 @@ class ReadyShots {
 template <class R, class S>
 class Court {
  public:
-  explicit Court(const BatchJob<S>& job) : job_(job) {}
+  explicit Court(const BatchJob<S>& job) : job_(job), own_(own_fields<R>(job)) {}
 
   /// Takes in a lane's last step; one at a time of each flight, so that its crossings are reported in order.
   void add(const Lanes<R>& from, int lane, bool accepted, std::size_t shot) {
     bool waits = false;
     for (int i = 0; i < filled_; ++i) waits = waits || shot_[i] == shot;
     if (waits || filled_ == kLanes<R>) settle();
-    copy_step(*job_.course->conditions, from, lane, steps_, filled_);
+    take_step(from, lane, filled_, filled_ < touched_ ? own_ : body_fields<R>(*job_.course->conditions));
     accepted_[filled_] = accepted;
     shot_[filled_] = shot;
     ++filled_;
@@ -104,12 +116,12 @@ class Court {
     const R zero(S(0)), one(S(1));
     R sound = zero;
     for (int i = 0; i < filled_; ++i) set_lane(sound, i, accepted_[i] ? S(1) : S(0));
+    const StepMarks<R> marks = step_marks(*job_.course, steps_);
     dense_lanes(*job_.course, steps_, judgement_.at);
-    find_crossings<R>(*job_.course, (sound == one) & ends_finite(job_.course->conditions->fidelity, steps_.step),
-                      judgement_);
+    find_crossings<R>(*job_.course, (sound == one) & marks.finite, judgement_);
     bool ended = false;
     for (int i = 0; i < filled_; ++i) {
-      verdict_[i] = verdict_on(*job_.course, steps_, i, accepted_[i], judgement_.crossings[i]);
+      verdict_[i] = verdict_on(*job_.course, steps_, marks, i, accepted_[i], judgement_.crossings[i]);
       ended = verdict_[i].ended;
       if (ended) begin_end(i);
     }
@@ -122,10 +134,14 @@ class Court {
  private:
   using W = Cast<double, R>;
 
+  void take_step(const Lanes<R>& from, int from_lane, int lane, unsigned numbers) {
+    copy_step(*job_.course->conditions, from, from_lane, steps_, lane, numbers);
+  }
+
   /// Lanes that never held a step repeat one, so that they hold sound numbers: what of them tables are read by.
   void fill_untouched() {
     for (; touched_ < kLanes<R>; ++touched_)
-      if (touched_ >= filled_) copy_step(*job_.course->conditions, steps_, 0, steps_, touched_);
+      if (touched_ >= filled_) take_step(steps_, 0, touched_, body_fields<R>(*job_.course->conditions));
   }
 
   /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
@@ -187,6 +203,7 @@ class Court {
   }
 
   const BatchJob<S>& job_;
+  const unsigned own_;
   Lanes<R> steps_{};
   Judgement<R> judgement_;
   bool accepted_[kLanes<R>];

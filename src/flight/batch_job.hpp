@@ -29,7 +29,9 @@ struct RawEvent {
 template <class S>
 struct BatchJob {
   const Course<S>* course;
-  const Body<double>* bodies;   // in double: the kernel rounds them as it takes them in
+  const double* numbers;        // the first ones of each shot's Body, which the kernel rounds as it takes them in
+  unsigned own;                 // so many of each shot
+  const Body<double>* common;   // has the others
   const Rotor<double>* rotors;  // of rungs that turn
   std::size_t count;
   RawEnd* ends;

@@ -286,23 +286,13 @@ void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c
   c.has_rail = true;
 }
 
-Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double elevation, CurvePool& pool,
-                          Conditions<double>& c) {
+Body<double> prepare_kind(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c) {
   Body<double> b{};
-  const SightFrame sight = sight_frame(launch);
-  b.launch = {launch.position, launch_velocity(launch, sight, elevation)};
-  b.sight = sight.forward;
-  b.plane = sight.right;
-  if (c.fidelity.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
   b.half_area_per_mass = half_area_per_mass(p);
   prepare_bands(p.drag, b);
-  if (c.fidelity.drag == DragModel::equation) {
-    prepare_curve(p, pool, c, b);
-  }
+  if (c.fidelity.drag == DragModel::equation) prepare_curve(p, pool, c, b);
   b.k1_per_mass = p.drag.k1 / p.mass;
   b.k2_per_mass = p.drag.k2 / p.mass;
-  if (c.fidelity.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
-    b.k2_per_mass = EquivalentDrag(p, b, c).k2_per_mass(b.launch);
   const bool linear = c.fidelity.drag == DragModel::linear_quadratic;
   b.damping_rate = linear ? b.k1_per_mass : p.drag.damping == 1 ? 0 : -log(p.drag.damping);
   b.applied = p.force * (1 / p.mass);
@@ -313,9 +303,27 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   b.free = {1, 1, 1};
   prepare_motor(p, pool, c, b);
   prepare_magnus(p, pool, c, b);
+  return b;
+}
+
+void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, Conditions<double>& c,
+                Body<double>& b) {
+  const SightFrame sight = sight_frame(launch);
   const Vec3d bore = launch_direction(launch, sight, elevation);
+  b.launch = {launch.position, launch.velocity ? *launch.velocity : bore * launch.speed};
+  b.sight = sight.forward;
+  b.plane = sight.right;
+  if (c.fidelity.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
+  if (c.fidelity.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
+    b.k2_per_mass = EquivalentDrag(p, b, c).k2_per_mass(b.launch);
   if (spins(c.fidelity)) prepare_spin(launch, bore, sight.right, b);
   prepare_rail(launch, bore, c, b);
+}
+
+Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double elevation, CurvePool& pool,
+                          Conditions<double>& c) {
+  Body<double> b = prepare_kind(p, pool, c);
+  put_launch(p, launch, elevation, c, b);
   return b;
 }
 

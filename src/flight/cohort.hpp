@@ -49,7 +49,13 @@ void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right
 /// Puts a body on its launch rail, which lies along the bore; without one the bore says where a resting nose points.
 void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& conditions, Body<double>& body);
 
-/// A projectile ready to compute; adds its drag curve to the pool and its flags to the conditions.
+/// A projectile ready to compute but for its launch; adds its drag curve to the pool and its flags to the conditions.
+[[nodiscard]] Body<double> prepare_kind(const ProjectileDef& projectile, CurvePool& pool,
+                                        Conditions<double>& conditions);
+/// Launches it.
+void put_launch(const ProjectileDef& projectile, const Launch& launch, double elevation, Conditions<double>& conditions,
+                Body<double>& body);
+/// Both.
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                         CurvePool& pool, Conditions<double>& conditions);
 

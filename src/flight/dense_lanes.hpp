@@ -80,7 +80,7 @@ void dense_turns(const Course<S>& course, const Lanes<R>& l, Step<Cast<double, R
   TurnStep<W>& turn = *s.turn;
   widen(from.start, turn.start);
   widen(from.end, turn.end);
-  for (int i = 0; i <= last; ++i) widen(from.slope[i], turn.slope[i]);
+  for_dense_slopes(fidelity.integrator, last, [&](int i) { widen(from.slope[i], turn.slope[i]); });
   DenseTurn<W>& to = *out.turn;
   widen(*l.rotor, to.rotor);
   to.n0 = {out.n0.t, turn.start, turn.slope[0]};
@@ -104,7 +104,7 @@ void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out)
   s.h = cast<double>(l.step.h);
   widen(l.step.start, s.start);
   widen(l.step.end, s.end);
-  for (int i = 0; i <= last; ++i) widen(l.step.slope[i], s.slope[i]);
+  for_dense_slopes(fidelity.integrator, last, [&](int i) { widen(l.step.slope[i], s.slope[i]); });
   widen(l.body, out.body, body_fields<R>(*course.conditions));
   out.conditions = course.conditions;
   out.conditions_double = course.conditions_double;

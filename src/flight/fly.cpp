@@ -74,7 +74,7 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
     if (sound) dense_lanes(course, lane, j.at);
     if (special) {
       find_crossings<S>(course, sound, j);
-      verdict = verdict_on(course, lane, 0, accepted, j.crossings[0]);
+      verdict = verdict_on(course, lane, step_marks(course, lane), 0, accepted, j.crossings[0]);
     }
     if (sound) keep_step(record, j.at);
     for (int i = 0; i < j.crossings[0].count; ++i) {

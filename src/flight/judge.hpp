@@ -77,13 +77,24 @@ void find_crossings(const Course<S>& course, const MaskOf<R>& sound, Judgement<R
                                   j.crossings);
 }
 
+/// What a verdict asks of steps, beside their crossings.
+template <class R>
+struct StepMarks {
+  MaskOf<R> finite;  // at the end
+  MaskOf<R> still;
+};
+template <class R, class S>
+PHYSIM_INLINE StepMarks<R> step_marks(const Course<S>& course, const Lanes<R>& l) {
+  return {ends_finite(course.conditions->fidelity, l.step), stands_still(l)};
+}
+
 /// Judges one lane once its crossings are found.
 template <class R, class S>
-Verdict verdict_on(const Course<S>& course, const Lanes<R>& l, int lane, bool accepted, const CrossingList& crossings) {
-  const bool still = lane_of(stands_still(l), lane);
+Verdict verdict_on(const Course<S>& course, const Lanes<R>& l, const StepMarks<R>& marks, int lane, bool accepted,
+                   const CrossingList& crossings) {
+  const bool still = lane_of(marks.still, lane);
   const bool out_of_tries = lane_of(l.tries, lane) >= course.plan.max_tries;
-  if (accepted && !lane_of(ends_finite(course.conditions->fidelity, l.step), lane))
-    return {true, Outcome::non_finite, 0};
+  if (accepted && !lane_of(marks.finite, lane)) return {true, Outcome::non_finite, 0};
   if (accepted) {
     if (crossings.count > 0) {
       const Found& last = crossings.found[crossings.count - 1];

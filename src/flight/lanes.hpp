@@ -130,13 +130,16 @@ PHYSIM_INLINE int last_slope(const Fidelity& f) {
   return f.motion == Motion::closed_form ? 1 : end_slope(f.integrator);
 }
 
-/// Copies the finished step of one lane with all that judging it takes.
+/// Copies the finished step of one lane with all that judging it takes, and the first `numbers` ones of its body.
 template <class R, class Into, class S>
-PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int from_lane, Lanes<Into>& into, int lane) {
-  copy_lane(from.body, from_lane, into.body, lane, body_fields<R>(c));
+PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int from_lane, Lanes<Into>& into, int lane,
+                             unsigned numbers) {
+  const Integrator integrator = c.fidelity.integrator;
+  copy_lane(from.body, from_lane, into.body, lane, numbers);
   copy_lane(from.step.start, from_lane, into.step.start, lane);
   copy_lane(from.step.end, from_lane, into.step.end, lane);
-  for (int i = 0; i <= last_slope(c.fidelity); ++i) copy_lane(from.step.slope[i], from_lane, into.step.slope[i], lane);
+  for_dense_slopes(integrator, last_slope(c.fidelity),
+                   [&](int i) { copy_lane(from.step.slope[i], from_lane, into.step.slope[i], lane); });
   copy_lane(from.step.t, from_lane, into.step.t, lane);
   copy_lane(from.step.h, from_lane, into.step.h, lane);
   copy_lane(from.step.t_end, from_lane, into.step.t_end, lane);
@@ -148,8 +151,8 @@ PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int f
   copy_lane(*from.rotor, from_lane, *into.rotor, lane);
   copy_lane(from.step.turn->start, from_lane, into.step.turn->start, lane);
   copy_lane(from.step.turn->end, from_lane, into.step.turn->end, lane);
-  for (int i = 0; i <= last_slope(c.fidelity); ++i)
-    copy_lane(from.step.turn->slope[i], from_lane, into.step.turn->slope[i], lane);
+  for_dense_slopes(integrator, last_slope(c.fidelity),
+                   [&](int i) { copy_lane(from.step.turn->slope[i], from_lane, into.step.turn->slope[i], lane); });
 }
 
 PHYSIM_ISA_END

@@ -43,6 +43,8 @@ Burn<R> no_burn(R start, R end, R burned) {
 template <class R>
 struct Body {
   State<R> launch;          // state at time 0; closed forms start from it
+  Vec3<R> plane;            // unit normal of the plane of fire, horizontal [-]
+  Vec3<R> sight;            // unit vector along the line of sight [-]
   R damping_rate;           // k = -ln(d) [1/s]
   R k1_per_mass;            // [1/s]
   R k2_per_mass;            // [1/m]
@@ -54,8 +56,6 @@ struct Body {
   R reynolds_length;        // diameter of a smooth sphere [m]; 0 for curves by Mach number
   Vec3<R> applied;          // applied force over mass [m/s^2]
   R applied_until;          // [s]
-  Vec3<R> plane;            // unit normal of the plane of fire, horizontal [-]
-  Vec3<R> sight;            // unit vector along the line of sight [-]
   R gravity_scale;          // times gravity [-]; read where some projectile's is not 1
   Vec3<R> free;             // 1 along axes of W that it moves along, 0 along frozen ones [-]
   Burn<R> burn;             // the piece of the motor's table that the time is in
@@ -81,6 +81,9 @@ struct Body {
 
 template <class R>
 inline constexpr int kBodyFields = sizeof(Body<R>) / sizeof(R);
+/// Members that a launch gives come first; a rail and spin come with it too, where there are such.
+inline constexpr int kLaunchFields = 12;
+static_assert(offsetof(Body<double>, damping_rate) == kLaunchFields * sizeof(double));
 /// Members that few cohorts read come last: motor and rail, spin, then bands.
 inline constexpr int kMotorFields = 17;
 inline constexpr int kMagnusFields = 11;

@@ -19,6 +19,12 @@ PHYSIM_INLINE int dense_coefficient_count(Integrator integrator) {
   return integrator == Integrator::tsit5 ? 4 : integrator == Integrator::dop853 ? 7 : 0;
 }
 
+/// Calls f with the number of each slope of a step that its interpolant reads; `last` is that of the slope at the end.
+template <class F>
+PHYSIM_INLINE void for_dense_slopes(Integrator integrator, int last, const F& f) {
+  for (int i = 0; i <= last; i += dense_coefficient_count(integrator) > 0 ? 1 : last) f(i);
+}
+
 /// A state and its acceleration at a time: what lies at both ends of a step. W is double, or a pack of them.
 template <class W>
 struct NodeOf {

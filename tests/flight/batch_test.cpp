@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "physim/presets.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 
@@ -107,6 +108,50 @@ TEST_P(BatchEquality, random_shots_fly_as_one_by_one) {
   }
 }
 
+void expect_same(const BatchResult& one, const BatchResult& other, const std::string& what) {
+  ASSERT_EQ(one.shots.size(), other.shots.size()) << what;
+  ASSERT_EQ(one.events.size(), other.events.size()) << what;
+  EXPECT_EQ(one.error.has_value(), other.error.has_value()) << what;
+  EXPECT_EQ(one.fidelity_in_use.fidelity, other.fidelity_in_use.fidelity) << what;
+  for (std::size_t i = 0; i < one.shots.size(); ++i) {
+    const ShotResult &a = one.shots[i], &b = other.shots[i];
+    EXPECT_EQ(a.outcome, b.outcome) << what << ' ' << i;
+    EXPECT_EQ(a.cost.steps, b.cost.steps) << what << ' ' << i;
+    EXPECT_TRUE(same_bits(a.time, b.time) && same_bits(a.position, b.position) && same_bits(a.velocity, b.velocity))
+        << what << ' ' << i;
+    EXPECT_EQ(a.orientation, b.orientation) << what << ' ' << i;
+  }
+  for (std::size_t i = 0; i < one.events.size(); ++i) {
+    EXPECT_EQ(one.events[i].shot, other.events[i].shot) << what;
+    EXPECT_TRUE(same_event(one.events[i].event, other.events[i].event)) << what << ' ' << i;
+  }
+}
+
+/// Flies a projectile's launches as such, and as shots of it.
+void expect_launches_fly_as_shots(const ProjectileDef& projectile, const Course& c, const std::string& what) {
+  std::vector<Launch> launches;
+  std::vector<Shot> shots;
+  for (const Shot& shot : c.shots) {
+    launches.push_back(shot.launch);
+    shots.push_back({projectile, shot.launch});
+  }
+  expect_same(fly_batch(projectile, launches, c.environment, c.fidelity, c.tolerance, c.until),
+              fly_batch(shots, c.environment, c.fidelity, c.tolerance, c.until), what);
+}
+
+TEST_P(BatchEquality, launches_of_one_projectile_fly_as_shots_of_it) {
+  const auto [integrator, precision] = GetParam();
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Course c = random_course(seed, integrator, precision, 40);
+    for (const std::string& kernel : kernels()) {
+      ASSERT_TRUE(use_kernel(kernel));
+      for (const std::size_t i : {0, 1, 2})
+        expect_launches_fly_as_shots(c.shots[i].projectile, c, kernel + " seed " + std::to_string(seed));
+    }
+    if (HasFailure()) return;
+  }
+}
+
 std::string name_of(const testing::TestParamInfo<Combination>& c) {
   return text(std::get<0>(c.param)) + "_" + std::string(name(std::get<1>(c.param)));
 }
@@ -117,6 +162,58 @@ INSTANTIATE_TEST_SUITE_P(All, BatchEquality,
                                                           Integrator::rk4, Integrator::tsit5, Integrator::dop853),
                                           testing::Values(Precision::float32, Precision::float64)),
                          name_of);
+
+TEST_F(BatchTest, launches_that_differ_in_spin_and_rail_and_turn_fly_as_shots) {
+  Course c{{}, Fidelity::simulation(), {}, {}, {}};
+  Random r(3);
+  for (int i = 0; i < 70; ++i) {
+    Launch launch{.position = {0, 2, 0}, .speed = r.in(20, 60), .elevation = r.in(0.1, 0.6)};
+    launch.spin = {.backspin = r.in(0, 300), .sidespin = r.in(-50, 50)};
+    c.shots.push_back({{}, launch});
+  }
+  expect_launches_fly_as_shots(presets::golf_ball().projectile, c, "golf ball");
+  for (std::size_t i = 60; i < 70; ++i) c.shots[i].launch.rail_length = 2;  // the first chunk's first shots have none
+  ProjectileDef rocket = bullet_308();
+  expect_launches_fly_as_shots(rocket, c, "rail");
+  rocket.motor = {.thrust = {{0, 5}, {0.3, 0}}, .propellant_mass = 0.001};
+  expect_launches_fly_as_shots(rocket, c, "motor");
+  rocket = {.mass = 0.2, .diameter = 0.05};
+  c.fidelity.drag = DragModel::linear_quadratic;  // k2 from the drag equation at launch
+  expect_launches_fly_as_shots(rocket, c, "equivalent drag");
+  c.fidelity.drag = DragModel::equation;
+  c.fidelity.rotation = RotationModel::rigid_body;
+  rocket.inertia.moments = {1e-4, 3e-4, 3e-4};
+  for (std::size_t i = 0; i < 70; ++i) c.shots[i].launch.attitude.rates = {r.in(-9, 9), r.in(-9, 9), 1};
+  expect_launches_fly_as_shots(rocket, c, "rigid body");
+}
+
+TEST_F(BatchTest, bad_launches_and_projectiles_are_refused_as_in_shots) {
+  Course c{{}, {}, {}, {}, std::vector<Shot>(50, Shot{{}, {.position = {0, 1, 0}, .speed = 300}})};
+  for (const std::size_t i : {0, 7, 49}) c.shots[i].launch.speed = kNan;
+  c.shots[9].launch.position.y = -1;  // lands at once
+  expect_launches_fly_as_shots(bullet_308(), c, "launches");
+  expect_launches_fly_as_shots({.mass = -1}, c, "projectile");
+  EXPECT_TRUE(fly_batch(ProjectileDef{}, std::span<const Launch>{}, {}, {}).shots.empty());
+}
+
+TEST_F(BatchTest, a_result_is_used_again) {
+  std::vector<Launch> launches;
+  for (int i = 0; i < 3000; ++i) launches.push_back({.position = {0, 1, 0}, .speed = 300.0 + i});
+  BatchResult result;
+  fly_batch(bullet_308(), launches, {}, {}, {}, {}, result);
+  const ShotResult* memory = result.shots.data();
+  const BatchResult first = result;
+  launches[5].speed = kNan;
+  fly_batch(bullet_308(), std::span(launches).first(100), {}, {}, {}, {}, result);
+  EXPECT_EQ(result.shots.size(), 100u);
+  EXPECT_EQ(result.shots.data(), memory);
+  EXPECT_TRUE(result.error);
+  EXPECT_EQ(result.shots[5].outcome, Outcome::refused);
+  launches[5].speed = 305;
+  fly_batch(bullet_308(), launches, {}, {}, {}, {}, result);
+  EXPECT_EQ(result.shots.data(), memory);
+  expect_same(result, first, "again");
+}
 
 TEST_F(BatchTest, kernels_are_listed_best_first_and_can_be_chosen) {
   const auto list = kernels();
