@@ -43,6 +43,7 @@ if(test_sources AND NOT GTest_FOUND)  # the programs build all the same, the tes
 elseif(test_sources)
   include(GoogleTest)
   physim_add_executable(physim_tests ${test_sources})
+  physim_compile_sooner(physim_tests)
   target_include_directories(physim_tests PRIVATE tests)
   target_link_libraries(physim_tests PRIVATE GTest::gtest_main)
   if(TARGET physim_cli)
