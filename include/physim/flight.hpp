@@ -217,11 +217,12 @@ struct BatchResult {
 /// of a few of the shots, which makes it shorter than the step that fly() would find for one of them.
 [[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
                                     const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
-/// The same for many launches of one projectile, which is checked and prepared once.
+/// The same for many launches of one projectile, which is checked and prepared once; where it is bad, all are refused.
 [[nodiscard]] BatchResult fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches,
                                     const Environment& environment, const Fidelity& fidelity,
                                     const Tolerance& tolerance = {}, const Until& until = {});
-/// The same two into a result of before, whose memory is used again: for batch after batch.
+/// The same two into a result of before: all of it is written anew, its memory is used again. Nothing that is given may
+/// lie in it.
 void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
                const Tolerance& tolerance, const Until& until, BatchResult& result);
 void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,

@@ -8,7 +8,7 @@ namespace physim {
 
 /// What the second key of a table of coefficients is.
 enum class SpinMeasure {
-  rate,       ///< spin [rad/s]
+  rate,       ///< spin across the path [rad/s]
   parameter,  ///< spin parameter S: speed of the surface over speed through the air [-]
 };
 

@@ -37,6 +37,7 @@ namespace presets {
 [[nodiscard]] ProjectilePreset golf_ball();
 [[nodiscard]] ProjectilePreset baseball();
 [[nodiscard]] ProjectilePreset football();
+[[nodiscard]] ProjectilePreset table_tennis_ball();
 
 }  // namespace presets
 

@@ -21,21 +21,29 @@ MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
   const R one(S(1));
   const R zero(S(0));
   if (only_below_first_layer(*course.conditions, l)) return accepted;
-  const Regime<R> next = regime(*course.conditions, l.body, *l.rotor, l.step.t_end, l.step.end);
-  const MaskOf<R> crossing = accepted & (l.cut == zero) & differ(l.regime, next);
+  const Conditions<S>& c = *course.conditions;
+  const Regime<R> next = regime(c, l.body, *l.rotor, l.step.t_end, l.step.end);
+  const MaskOf<R> turning = turns_back(edge_rates(c, l.body, l.step.start, l.step.slope[0].v),
+                                       edge_rates(c, l.body, l.step.end, l.step.slope[last_slope(c.fidelity)].v));
+  const MaskOf<R> crossing = accepted & (l.cut == zero) & (differ(l.regime, next) | turning);
   R cut = zero;
   if (any(crossing)) {
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       if (!lane_of(crossing, lane)) continue;
       Lanes<S> alone{};
-      copy_step(*course.conditions, l, lane, alone, 0, body_fields<R>(*course.conditions));
+      copy_step(c, l, lane, alone, 0, body_fields<R>(c));
       DenseLanes<S> at;
       dense_lanes(course, alone, at);
+      const auto rates = [&](double theta) {
+        const State<double> s = at(theta);
+        return edge_rates(*course.conditions_double, at.body, s, at.acceleration(theta, s));
+      };
       const double h = at.n1.t - at.n0.t;
       // A corner in the first millionth of a step is the one that the last step was cut at. A rail is never left late.
       const bool by_rail = lane_of(l.regime.rail, lane) != lane_of(next.rail, lane);
       const double before = by_rail ? 0 : 1e-6;
-      double cut_h = h * first_corner(*course.conditions_double, at.body, at.turn->rotor, at.n0.t, h, before, at);
+      double cut_h =
+          h * first_corner(*course.conditions_double, at.body, at.turn->rotor, at.n0.t, h, before, at, rates);
       // A corner within some roundings of the clock is as good as passed: a cut to it would stand still.
       const double shortest = 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t;
       if (by_rail) cut_h = max(cut_h, 2 * shortest);

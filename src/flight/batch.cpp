@@ -18,33 +18,27 @@ struct ShotGroup {
   Cohort cohort;
   std::optional<double> step;
   std::vector<std::uint32_t> shots;
-  Body<double> common{};                         // what all bodies have ...
-  unsigned own = unsigned(kBodyFields<double>);  // ... but for so many numbers, the first ones of a Body ...
-  std::vector<double> numbers;                   // ... which are here
-  std::vector<Rotor<double>> rotors;             // of rungs that turn
+  Body<double> common{};                               // what all bodies have ...
+  unsigned own_count = unsigned(kBodyFields<double>);  // ... but for so many numbers, the first ones of a Body ...
+  std::vector<double> own_numbers;                     // ... which are here
+  std::vector<Rotor<double>> rotors;                   // of rungs that turn
   std::vector<SpinDrift> drifts;
   std::vector<Vec3d> right;
   std::vector<RawEnd> ends;
   std::vector<RawEvent> events;
 
-  void reserve(std::size_t count) {
-    shots.reserve(count);
-    numbers.reserve(own * count);
-    drifts.reserve(count);
-    right.reserve(count);
-  }
   void add(const Body<double>& body) {
     const auto* from = reinterpret_cast<const double*>(&body);
-    numbers.insert(numbers.end(), from, from + own);
+    own_numbers.insert(own_numbers.end(), from, from + own_count);
   }
   [[nodiscard]] Body<double> body(std::size_t i) const {
     Body<double> b = common;
-    std::copy_n(numbers.data() + i * own, own, reinterpret_cast<double*>(&b));
+    std::copy_n(own_numbers.data() + i * own_count, own_count, reinterpret_cast<double*>(&b));
     return b;
   }
   void clear() {
     shots.clear();
-    numbers.clear();
+    own_numbers.clear();
     rotors.clear();
     drifts.clear();
     right.clear();
@@ -55,12 +49,14 @@ struct ShotGroup {
 /// What is to be flown: shots with a projectile each, or launches of one.
 struct ShotList {
   std::span<const Shot> shots;
-  const ProjectileDef* common = nullptr;
+  const ProjectileDef* one_projectile = nullptr;
   std::span<const Launch> launches;
 
-  [[nodiscard]] std::size_t size() const { return common ? launches.size() : shots.size(); }
-  [[nodiscard]] const ProjectileDef& projectile(std::size_t i) const { return common ? *common : shots[i].projectile; }
-  [[nodiscard]] const Launch& launch(std::size_t i) const { return common ? launches[i] : shots[i].launch; }
+  [[nodiscard]] std::size_t size() const { return one_projectile ? launches.size() : shots.size(); }
+  [[nodiscard]] const ProjectileDef& projectile(std::size_t i) const {
+    return one_projectile ? *one_projectile : shots[i].projectile;
+  }
+  [[nodiscard]] const Launch& launch(std::size_t i) const { return one_projectile ? launches[i] : shots[i].launch; }
 };
 
 /// A projectile checked and prepared but for its launch.
@@ -69,6 +65,7 @@ struct ShotKind {
   Status error;
   ShotGroup* group = nullptr;
   Body<double> body;
+  Rotor<double> rotor;  // of rungs that turn
 };
 
 /// Orders events by shot; those of one shot already are in order of time. Counting places needs one pass, not a sort.
@@ -79,9 +76,8 @@ void put_by_shot(std::vector<AnyEvent>& events, std::size_t shots) {
   std::vector<std::size_t> place(shots + 1);
   for (const AnyEvent& e : events) ++place[e.shot + 1];
   for (std::size_t i = 0; i < shots; ++i) place[i + 1] += place[i];
-  std::vector<AnyEvent> sorted(events.size());
-  for (const AnyEvent& e : events) sorted[place[e.shot]++] = e;
-  events = std::move(sorted);
+  const std::vector<AnyEvent> unsorted = events;  // copied back, so that the events keep their memory
+  for (const AnyEvent& e : unsorted) events[place[e.shot]++] = e;
 }
 
 class Batch {
@@ -103,9 +99,12 @@ class Batch {
     result_.error.reset();
     for (const Status& status : {check(environment_), check(tolerance_, fidelity_), check(until_)})
       if (status) return refuse(*status);
+    if (shots_.one_projectile)
+      if (const Status status = check(*shots_.one_projectile)) return refuse(*status);
     result_.events.reserve(shots_.size());
     for (std::uint32_t i = 0; i < shots_.size(); ++i) prepare(i);
     for (ShotGroup& group : groups_) fly(group);
+    // Each chunk's are in order; those of several groups lie between each other.
     put_by_shot(result_.events, shots_.size());
   }
 
@@ -123,21 +122,25 @@ class Batch {
     if (kind_.error) return kind_;
     kind_.group = group_of(projectile);
     ShotGroup& group = *kind_.group;
-    kind_.body = prepare_kind(projectile, group.cohort.pool, group.cohort.conditions);
-    if (shots_.common && differ_by_launch_alone(group.cohort.conditions)) group.own = unsigned(kLaunchFields);
+    Cohort& cohort = group.cohort;
+    kind_.body = prepare_kind(projectile, cohort.pool, cohort.conditions);
+    if (turns(cohort.in_use.fidelity)) kind_.rotor = prepare_rotor_kind(projectile, cohort.pool, cohort.conditions);
+    if (!shots_.one_projectile) return kind_;
     group.common = kind_.body;
+    if (differ_by_launch_alone(cohort.conditions)) group.own_count = unsigned(kLaunchFields);
     return kind_;
   }
 
-  /// Whether a launch gives a Body no number but the first ones.
+  /// Whether a launch gives a Body no number but the first ones: what else put_launch() sets is not read.
   [[nodiscard]] bool differ_by_launch_alone(const Conditions<double>& c) const {
     const auto has_rail = [](const Launch& launch) { return launch.rail_length > 0; };
-    return !spins(c.fidelity) && !c.has_motor && c.fidelity.drag != DragModel::linear_quadratic &&
+    return !spins(c.fidelity) && !is_in_repose(c.fidelity) && !c.has_motor &&
+           c.fidelity.drag != DragModel::linear_quadratic &&
            std::none_of(shots_.launches.begin(), shots_.launches.end(), has_rail);
   }
 
   void prepare(std::uint32_t i) {
-    const ShotKind& kind = kind_of(i);
+    ShotKind& kind = kind_of(i);
     if (kind.error) return refuse(*kind.error);
     const ProjectileDef& projectile = *kind.projectile;
     const Launch& launch = shots_.launch(i);
@@ -151,23 +154,23 @@ class Batch {
     }
     ShotGroup* group = kind.group;
     Cohort& cohort = group->cohort;
-    Body<double> body = kind.body;
+    const Fidelity& granted = cohort.in_use.fidelity;
+    if (!some_accepted_) result_.fidelity_in_use = cohort.in_use;
+    some_accepted_ = true;
+    Body<double>& body = kind.body;
     put_launch(projectile, launch, elevation, cohort.conditions, body);
     jump_in_crosswind(projectile, environment_, cohort.conditions, body);
-    const Fidelity& granted = cohort.in_use.fidelity;
-    if (turns(granted))
-      group->rotors.push_back(prepare_rotor(projectile, launch, elevation, body, cohort.pool, cohort.conditions));
+    if (turns(granted)) put_launch(projectile, launch, elevation, body, cohort.conditions, kind.rotor);
     if (const auto outcome = ends_at_once(cohort.conditions, body, until_)) {
       end_at_once(i, body, *outcome);
       if (!turns(granted)) return;
-      const Rotor<double>& rotor = group->rotors.back();
-      set_attitude(result_.shots[i], attitude_of(cohort.conditions, body, rotor, 0, body.launch, rotor.launch));
-      return group->rotors.pop_back();
+      const Rotor<double>& rotor = kind.rotor;
+      return set_attitude(result_.shots[i], attitude_of(cohort.conditions, body, rotor, 0, body.launch, rotor.launch));
     }
     group->shots.push_back(i);
     group->add(body);
-    group->drifts.push_back(
-        prepare_spin_drift(projectile, length(body.launch.v), environment_, cohort.in_use.fidelity));
+    if (turns(granted)) group->rotors.push_back(kind.rotor);
+    group->drifts.push_back(prepare_spin_drift(projectile, length(body.launch.v), environment_, granted));
     group->right.push_back(body.plane);
     if (group->shots.size() == kChunk) fly(*group);
   }
@@ -201,10 +204,8 @@ class Batch {
     for (ShotGroup& group : groups_)
       if (group.cohort.in_use.fidelity == in_use.fidelity) return known = &group;
     known = &groups_.emplace_back();
-    known->reserve(std::min(kChunk, shots_.size()));
     known->cohort.in_use = in_use;
     known->cohort.conditions = prepare_conditions(environment_, in_use.fidelity);
-    if (groups_.size() == 1) result_.fidelity_in_use = in_use;
     return known;
   }
 
@@ -239,11 +240,14 @@ class Batch {
   }
 
   std::vector<std::size_t> pilots(const ShotGroup& group) {
-    std::size_t slowest = 0, fastest = 0;
-    const auto speed = [this](std::size_t i) { return shots_.launch(i).speed; };
-    for (std::size_t i = 1; i < shots_.size(); ++i) {
+    std::size_t slowest = group.shots.front(), fastest = slowest;
+    const auto speed = [this](std::size_t i) {
+      const Launch& launch = shots_.launch(i);
+      return launch.velocity ? length(*launch.velocity) : launch.speed;
+    };
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
       if (speed(i) < speed(slowest)) slowest = i;
-      if (speed(i) >= speed(fastest)) fastest = i;
+      if (speed(i) > speed(fastest)) fastest = i;
     }
     std::vector<std::size_t> list{group.shots.front()};
     for (const std::size_t i : {shots_.size() / 2, shots_.size() - 1, slowest, fastest}) {
@@ -280,8 +284,8 @@ class Batch {
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
     group.ends.resize(count);
     const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
-    kernel({&course, group.numbers.data(), group.own, &group.common, group.rotors.data(), count, group.ends.data(),
-            emit, &group});
+    kernel({&course, group.own_numbers.data(), group.own_count, &group.common, group.rotors.data(), count,
+            group.ends.data(), emit, &group});
     put_by_shot(group.events, count);
     for (const RawEvent& event : group.events) keep(group, event);
     for (std::size_t i = 0; i < count; ++i) keep(group, i, group.ends[i]);
@@ -310,7 +314,7 @@ class Batch {
 
   const ShotList& shots_;
   const Environment& environment_;
-  const Fidelity& fidelity_;
+  const Fidelity fidelity_;  // a copy: it may lie in the result
   const Tolerance& tolerance_;
   const Until& until_;
   WatchList watch_{};
@@ -319,6 +323,7 @@ class Batch {
   std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
   std::array<ShotGroup*, 4096> group_by_key_{};
   ShotKind kind_;
+  bool some_accepted_ = false;
   BatchResult& result_;
 };
 
@@ -326,13 +331,13 @@ class Batch {
 
 void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
                const Tolerance& tolerance, const Until& until, BatchResult& result) {
-  const ShotList list{.shots = shots, .common = nullptr, .launches = {}};
+  const ShotList list{.shots = shots, .one_projectile = nullptr, .launches = {}};
   Batch(list, environment, fidelity, tolerance, until, result).run();
 }
 
 void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
                const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, BatchResult& result) {
-  const ShotList list{.shots = {}, .common = &projectile, .launches = launches};
+  const ShotList list{.shots = {}, .one_projectile = &projectile, .launches = launches};
   Batch(list, environment, fidelity, tolerance, until, result).run();
 }
 

@@ -9,7 +9,7 @@ PHYSIM_ISA_BEGIN
 template <class R, class S>
 PHYSIM_INLINE unsigned own_fields(const BatchJob<S>& job) {
   const unsigned all = body_fields<R>(*job.course->conditions);
-  return job.own < all ? job.own : all;
+  return job.own_count < all ? job.own_count : all;
 }
 
 /// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than
@@ -50,7 +50,7 @@ class ReadyShots {
     // Unused lanes repeat the last shot, so that they hold sound numbers.
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       const std::size_t shot = next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1);
-      const double* from = job_.numbers + shot * job_.own;
+      const double* from = job_.own_numbers + shot * job_.own_count;
       auto* to = reinterpret_cast<S*>(&ready_.body) + lane;
       for (unsigned i = 0; i < own_; ++i) to[i * unsigned(kLanes<R>)] = static_cast<S>(from[i]);
       if (!turns(job_.course->conditions->fidelity)) continue;

@@ -29,8 +29,8 @@ struct RawEvent {
 template <class S>
 struct BatchJob {
   const Course<S>* course;
-  const double* numbers;        // the first ones of each shot's Body, which the kernel rounds as it takes them in
-  unsigned own;                 // so many of each shot
+  const double* own_numbers;    // the first ones of each shot's Body, which the kernel rounds as it takes them in
+  unsigned own_count;           // so many of each shot
   const Body<double>* common;   // has the others
   const Rotor<double>* rotors;  // of rungs that turn
   std::size_t count;

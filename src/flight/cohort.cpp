@@ -208,6 +208,9 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, bool wi
     watch_stops(c, add);
   }
   for (EventSpec spec : until.events) {
+    // What cannot happen is not looked for: without motors and rails their numbers are not there.
+    if ((spec.kind == EventKind::ignition || spec.kind == EventKind::burnout) && !c.has_motor) continue;
+    if (spec.kind == EventKind::rail_exit && !c.has_rail) continue;
     if (waits_for_no_value(spec.kind)) spec.value = 0;
     add(spec, Outcome::event);
   }
@@ -288,6 +291,7 @@ void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c
 
 Body<double> prepare_kind(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c) {
   Body<double> b{};
+  b.rail_phase = kOffRail;
   b.half_area_per_mass = half_area_per_mass(p);
   prepare_bands(p.drag, b);
   if (c.fidelity.drag == DragModel::equation) prepare_curve(p, pool, c, b);
@@ -310,7 +314,7 @@ void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, 
                 Body<double>& b) {
   const SightFrame sight = sight_frame(launch);
   const Vec3d bore = launch_direction(launch, sight, elevation);
-  b.launch = {launch.position, launch.velocity ? *launch.velocity : bore * launch.speed};
+  b.launch = {launch.position, velocity_along(launch, bore)};
   b.sight = sight.forward;
   b.plane = sight.right;
   if (c.fidelity.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
@@ -327,15 +331,25 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   return b;
 }
 
-Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
-                            CurvePool& pool, Conditions<double>& c) {
+Rotor<double> prepare_rotor_kind(const ProjectileDef& p, CurvePool& pool, Conditions<double>& c) {
   Rotor<double> rotor = prepare_rotor(p);
   prepare_aero(p, pool, c, rotor);
+  return rotor;
+}
+
+void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
+                const Conditions<double>& c, Rotor<double>& rotor) {
   Launch bore = launch;
   bore.velocity.reset();
   bore.speed = 1;
   const Vec3d direction = launch_velocity(bore, sight_frame(launch), elevation);
   rotor.launch = turn_of(c.fidelity, rotor, launch_attitude(p, launch, b.launch.v, direction, c));
+}
+
+Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
+                            CurvePool& pool, Conditions<double>& c) {
+  Rotor<double> rotor = prepare_rotor_kind(p, pool, c);
+  put_launch(p, launch, elevation, b, c, rotor);
   return rotor;
 }
 

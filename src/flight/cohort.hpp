@@ -52,14 +52,20 @@ void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c
 /// A projectile ready to compute but for its launch; adds its drag curve to the pool and its flags to the conditions.
 [[nodiscard]] Body<double> prepare_kind(const ProjectileDef& projectile, CurvePool& pool,
                                         Conditions<double>& conditions);
-/// Launches it.
+/// Launches it with a bore elevation above the horizon [rad]; a rail comes with the launch, and its flag.
 void put_launch(const ProjectileDef& projectile, const Launch& launch, double elevation, Conditions<double>& conditions,
                 Body<double>& body);
-/// Both.
+/// A projectile launched: prepare_kind() and put_launch().
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                         CurvePool& pool, Conditions<double>& conditions);
 
-/// What of it only rungs that turn read, its tables added to the pool; `body` is prepared already.
+/// What of it only rungs that turn read, but for the launch, its tables added to the pool.
+[[nodiscard]] Rotor<double> prepare_rotor_kind(const ProjectileDef& projectile, CurvePool& pool,
+                                               Conditions<double>& conditions);
+/// How it turns at launch; `body` is launched already.
+void put_launch(const ProjectileDef& projectile, const Launch& launch, double elevation, const Body<double>& body,
+                const Conditions<double>& conditions, Rotor<double>& rotor);
+/// Both.
 [[nodiscard]] Rotor<double> prepare_rotor(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                           const Body<double>& body, CurvePool& pool, Conditions<double>& conditions);
 
@@ -93,7 +99,7 @@ struct Cohort {
   std::vector<float> rows_float;
   Conditions<float> conditions_float;
 
-  /// Points the conditions to the finished pool; call after the last prepare_body() and after every move.
+  /// Points the conditions to the finished pool; call after all projectiles are prepared and after every move.
   void finish();
 
   template <class S>

@@ -81,7 +81,8 @@ struct Body {
 
 template <class R>
 inline constexpr int kBodyFields = sizeof(Body<R>) / sizeof(R);
-/// Members that a launch gives come first; a rail and spin come with it too, where there are such.
+/// Members that a launch gives come first. Some cohorts get more from it (put_launch() in flight/cohort.hpp): a rail,
+/// spin, and the k2 that stands in for the drag equation.
 inline constexpr int kLaunchFields = 12;
 static_assert(offsetof(Body<double>, damping_rate) == kLaunchFields * sizeof(double));
 /// Members that few cohorts read come last: motor and rail, spin, then bands.

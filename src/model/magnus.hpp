@@ -13,8 +13,8 @@
 //   omega(t) = omega_0 e^(-t / tau).
 //   Formula: Cl = l S / (b + c S), so that a_lift = rho A / (2 m) l r / (b + c S) omega x u: with c = 0 in air of one
 //   density a = kappa x v, whose path is a trochoid. Cd = Cd_0 + k |omega|.
-//   Table: bilinear in |u| and |omega| (or S), held at its borders; below the lowest spin the lift falls to zero with
-//   it.
+//   Table: bilinear in |u| and the spin across the path |omega x u| / |u| (or S), held at its borders; below the lowest
+//   spin the lift falls to zero with it.
 // Source: P. W. Bearman, J. K. Harvey, "Golf ball aerodynamics", Aeronautical Quarterly 27 (1976) 112-122; A. M.
 // Nathan,
 //   "The effect of spin on the flight of a baseball", American Journal of Physics 76 (2008) 119-124 and his trajectory
@@ -62,16 +62,15 @@ template <class R, class S>
   const Vec3<R> omega = spin_at(b, t);
   const Vec3<R> across = cross(omega, u);
   const R speed = length(u);
-  const R spin = length(omega);
   const R tiny = constant<R>(1e-30);
   const R side = length(across);
   const R parameter = b.ball_radius * side / max(speed * speed, tiny);
   const R area = air.density * b.magnus_area;
   R lift = area * b.lift * b.ball_radius / (b.lift_base + b.lift_saturation * parameter);  // times omega x u
-  Vec3<R> drag = drag_equation(c, b, air, u) - u * (area * speed * (b.drag_per_spin * spin));
+  Vec3<R> drag = drag_equation(c, b, air, u) - u * (area * speed * (b.drag_per_spin * length(omega)));
   if (c.has_magnus_tables) {
     R cd = zero, cl = zero;
-    table_coefficients(c, b, speed, spin, parameter, cd, cl);
+    table_coefficients(c, b, speed, side / max(speed, tiny), parameter, cd, cl);
     const auto by_table = b.magnus_table >= zero;
     lift = select(by_table, area * cl * speed * speed / max(side, tiny), lift);
     const R braking = -(area * speed * cd);

@@ -30,7 +30,7 @@ struct MagnusCoefficients {
 [[nodiscard]] MagnusGrid magnus_grid(const MagnusDef& magnus);
 /// Whether a table has every speed with every spin, once.
 [[nodiscard]] bool is_full(const MagnusGrid& grid, std::size_t points);
-/// Bilinear; `spin` is the whole rate, `parameter` S.
+/// Bilinear; `spin` is the rate across the path, `parameter` S.
 [[nodiscard]] MagnusCoefficients magnus_at(const MagnusGrid& grid, double speed, double spin, double parameter);
 
 }  // namespace physim

@@ -6,6 +6,8 @@
 // Source: none of its own; the models that read them say what the numbers mean.
 #pragma once
 
+#include <cstddef>
+
 #include "math/pack.hpp"
 #include "physim/fidelity.hpp"
 #include "physim/quat.hpp"
@@ -60,6 +62,8 @@ struct AeroCoefficients {
 inline constexpr int kRowCoefficients = 8;
 /// Of these, without the damping across the axis, which comes last.
 inline constexpr int kReposeCoefficients = 6;
+static_assert(offsetof(AeroCoefficients<double>, pitch_damping) == kReposeCoefficients * sizeof(double));
+static_assert(offsetof(AeroCoefficients<double>, magnus_force) == kRowCoefficients * sizeof(double));
 
 /// Every member is an R, so that a lane can be copied in and out field by field.
 template <class R>

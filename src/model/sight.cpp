@@ -46,8 +46,12 @@ Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double ele
   return speed > 0 ? *launch.velocity * (1 / speed) : along_bore(launch, sight, elevation);
 }
 
+Vec3d velocity_along(const Launch& launch, const Vec3d& bore) {
+  return launch.velocity ? *launch.velocity : bore * launch.speed;
+}
+
 Vec3d launch_velocity(const Launch& launch, const SightFrame& sight, double elevation) {
-  return launch.velocity ? *launch.velocity : along_bore(launch, sight, elevation) * launch.speed;
+  return velocity_along(launch, launch_direction(launch, sight, elevation));
 }
 
 }  // namespace physim

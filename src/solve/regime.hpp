@@ -114,17 +114,62 @@ PHYSIM_INLINE bool has_corners(const Conditions<S>& c) {
          c.has_aero_tables;
 }
 
-/// The part of a finished step after which the first corner lies just behind, or 1 where there is none to respect.
-/// `at(theta)` is the dense output, and the search begins `before` some part of the step.
+/// Above all speeds, below the edges of bands that are not used.
+inline constexpr double kNoBand = 1e30;
+
+/// The rates of what stepped data goes by. Where one changes its sign inside a step, the flight may pass an edge and
+/// come back behind it, which the ends of the step do not show.
+template <class R>
+struct EdgeRates {
+  R place;  // in the wind profile [m/s]
+  R speed;  // through the air, of half its square [m^2/s^3]
+};
+template <class R, class S>
+PHYSIM_INLINE EdgeRates<R> edge_rates(const Conditions<S>& c, const Body<R>& b, const State<R>& s, const Vec3<R>& a) {
+  EdgeRates<R> rates{R(S(0)), R(S(0))};
+  if (!steps_itself(c.fidelity)) return rates;
+  if (c.fidelity.wind == WindModel::profile) rates.place = c.wind.by_range ? s.v.x : climb_rate(c, s);
+  // A projectile without bands must not be cut elsewhere for those of others.
+  if (c.has_bands) rates.speed = select(b.band_above[0] < constant<R>(kNoBand), dot(air_velocity(c, s), a), R(S(0)));
+  return rates;
+}
+
+template <class R>
+PHYSIM_INLINE MaskOf<R> turns_back(const EdgeRates<R>& from, const EdgeRates<R>& to) {
+  const R zero(ScalarOf<R>(0));
+  const auto changes = [&](const R& x, const R& y) { return ((x > zero) & (y <= zero)) | ((x <= zero) & (y > zero)); };
+  return changes(from.place, to.place) | changes(from.speed, to.speed);
+}
+
+/// The part of a step after which a rate has another sign than at its start; 1 where it keeps it.
 template <class F>
+double turning_point(const F& rate) {
+  const bool rises = rate(0.0) > 0;
+  if ((rate(1.0) > 0) == rises) return 1;
+  double before = 0, behind = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (before + behind);
+    ((rate(middle) > 0) == rises ? before : behind) = middle;
+  }
+  return behind;
+}
+
+/// The part of a finished step after which the first corner lies just behind, or 1 where there is none to respect.
+/// `at(theta)` is the dense output, `rates(theta)` its edge_rates(); the search begins `before` some part of the step.
+template <class F, class Rates>
 double first_corner(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double t, double h,
-                    double before, const F& at) {
-  double behind = 1;
+                    double before, const F& at, const Rates& rates) {
   const Regime<double> here = regime(c, b, rotor, t + before * h, at(before));
-  if (!differ(here, regime(c, b, rotor, t + h, at(1.0)))) return 1;
+  const auto differs = [&](double theta) { return differ(here, regime(c, b, rotor, t + theta * h, at(theta))); };
+  const double turn = turning_point([&](double theta) { return rates(theta).place; });
+  const double speed_turn = turning_point([&](double theta) { return rates(theta).speed; });
+  double behind = min(turn, speed_turn);
+  if (!differs(behind)) behind = max(turn, speed_turn);
+  if (!differs(behind)) behind = 1;
+  if (!differs(behind)) return 1;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (before + behind);
-    (differ(here, regime(c, b, rotor, t + middle * h, at(middle))) ? behind : before) = middle;
+    (differs(middle) ? behind : before) = middle;
   }
   return behind;
 }

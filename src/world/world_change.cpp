@@ -216,6 +216,7 @@ bool World::Impl::change_rung(std::uint32_t index, std::uint16_t rung) {
   if (rung == slot.rung) return true;
   const std::uint16_t before = slot.rung;
   slot.rung = rung;
+  // What lies in float32 now fits every rung.
   if (!rows_of(slot).layout().float32 && !fits(slot, state_of(slot))) return slot.rung = before, false;
   const bool forced_before = slot.is(kForced);
   slot.set(kForced, feels_forces(index));

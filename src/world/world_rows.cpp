@@ -197,9 +197,9 @@ bool World::Impl::relocate(std::uint32_t index) {
   const bool goes_on = layout.clocked && registry.cohort(to).key.fidelity.motion != Motion::closed_form;
   const double age = goes_on ? clock_of(slot) : 0;
   const Conditions<double>& there = registry.cohort(to).conditions;
-  Unset<Body<double>> old;  // spin and rail go along, where they are felt
-  const bool felt = spins(there.fidelity) || has_stops(there);
-  if (felt) *old = body_of(slot);
+  Unset<Body<double>> body;  // not cleared: that alone would be a third of a move
+  const Body<double>* old = nullptr;
+  if (spins(there.fidelity) || has_stops(there)) *body = body_of(slot), old = &*body;  // spin and rail go along
   const BodyState at{source.position(old_row), source.velocity(old_row)};
   const Vec3d previous = source.previous(old_row);
   Vec3d launch{};
@@ -208,7 +208,7 @@ bool World::Impl::relocate(std::uint32_t index) {
   take_out(slot);
   slot.cohort = to;
   slot.row = state.rows[to].push(index);
-  write_row(index, at, {.previous = previous, .old = felt ? &*old : nullptr, .age = age});
+  write_row(index, at, {.previous = previous, .old = old, .age = age});
   if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}));
   if (layout.launched) state.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
   return true;

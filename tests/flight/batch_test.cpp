@@ -111,15 +111,18 @@ TEST_P(BatchEquality, random_shots_fly_as_one_by_one) {
 void expect_same(const BatchResult& one, const BatchResult& other, const std::string& what) {
   ASSERT_EQ(one.shots.size(), other.shots.size()) << what;
   ASSERT_EQ(one.events.size(), other.events.size()) << what;
-  EXPECT_EQ(one.error.has_value(), other.error.has_value()) << what;
+  EXPECT_EQ(one.error ? one.error->text() : "", other.error ? other.error->text() : "") << what;
   EXPECT_EQ(one.fidelity_in_use.fidelity, other.fidelity_in_use.fidelity) << what;
   for (std::size_t i = 0; i < one.shots.size(); ++i) {
     const ShotResult &a = one.shots[i], &b = other.shots[i];
     EXPECT_EQ(a.outcome, b.outcome) << what << ' ' << i;
     EXPECT_EQ(a.cost.steps, b.cost.steps) << what << ' ' << i;
+    EXPECT_EQ(a.cost.rejected, b.cost.rejected) << what << ' ' << i;
+    EXPECT_EQ(a.cost.evaluations, b.cost.evaluations) << what << ' ' << i;
     EXPECT_TRUE(same_bits(a.time, b.time) && same_bits(a.position, b.position) && same_bits(a.velocity, b.velocity))
         << what << ' ' << i;
     EXPECT_EQ(a.orientation, b.orientation) << what << ' ' << i;
+    EXPECT_TRUE(same_bits(a.angular_velocity, b.angular_velocity)) << what << ' ' << i;
   }
   for (std::size_t i = 0; i < one.events.size(); ++i) {
     EXPECT_EQ(one.events[i].shot, other.events[i].shot) << what;
@@ -163,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(All, BatchEquality,
                                           testing::Values(Precision::float32, Precision::float64)),
                          name_of);
 
-TEST_F(BatchTest, launches_that_differ_in_spin_and_rail_and_turn_fly_as_shots) {
+TEST_F(BatchTest, launches_that_differ_in_spin_and_rail_fly_as_shots) {
   Course c{{}, Fidelity::simulation(), {}, {}, {}};
   Random r(3);
   for (int i = 0; i < 70; ++i) {
@@ -172,19 +175,90 @@ TEST_F(BatchTest, launches_that_differ_in_spin_and_rail_and_turn_fly_as_shots) {
     c.shots.push_back({{}, launch});
   }
   expect_launches_fly_as_shots(presets::golf_ball().projectile, c, "golf ball");
-  for (std::size_t i = 60; i < 70; ++i) c.shots[i].launch.rail_length = 2;  // the first chunk's first shots have none
+  for (std::size_t i = 60; i < 70; ++i) c.shots[i].launch.rail_length = 2;
   ProjectileDef rocket = bullet_308();
   expect_launches_fly_as_shots(rocket, c, "rail");
   rocket.motor = {.thrust = {{0, 5}, {0.3, 0}}, .propellant_mass = 0.001};
   expect_launches_fly_as_shots(rocket, c, "motor");
+  for (std::size_t i = 60; i < 70; ++i) c.shots[i].launch.rail_length = 0;
   rocket = {.mass = 0.2, .diameter = 0.05};
   c.fidelity.drag = DragModel::linear_quadratic;  // k2 from the drag equation at launch
   expect_launches_fly_as_shots(rocket, c, "equivalent drag");
-  c.fidelity.drag = DragModel::equation;
-  c.fidelity.rotation = RotationModel::rigid_body;
-  rocket.inertia.moments = {1e-4, 3e-4, 3e-4};
-  for (std::size_t i = 0; i < 70; ++i) c.shots[i].launch.attitude.rates = {r.in(-9, 9), r.in(-9, 9), 1};
-  expect_launches_fly_as_shots(rocket, c, "rigid body");
+}
+
+TEST_F(BatchTest, launches_of_what_turns_end_in_the_attitude_of_a_flight) {
+  ProjectileDef shell{.mass = 15, .diameter = 0.105, .twist = 2, .drag = {.table = DragTable::g1}};
+  shell.inertia.moments = {0.023, 0.23, 0.23};
+  shell.aero.lift = {{0, 0, 2}};
+  shell.aero.pitching = {{0, 0, 3.8}};
+  shell.aero.roll_damping = {{0, 0, -0.01}};
+  std::vector<Launch> launches;
+  for (int i = 0; i < 40; ++i) launches.push_back({.position = {0, 1, 0}, .speed = 90.0 + i, .elevation = 0.3});
+  launches[7].position.y = -1;  // ends at once
+  Fidelity f = Fidelity::simulation();
+  f.integrator = Integrator::rk4;
+  for (const RotationModel rotation : {RotationModel::modified_point_mass, RotationModel::rigid_body}) {
+    f.rotation = rotation;
+    const BatchResult batch = fly_batch(shell, launches, {}, f, {.step = 2e-3});
+    ASSERT_FALSE(batch.error);
+    for (std::size_t i = 0; i < launches.size(); ++i) {
+      const Sample end = fly(shell, launches[i], {}, f, {.step = 2e-3}).end();
+      EXPECT_TRUE(same_bits(batch.shots[i].position, end.position)) << name(rotation) << i;
+      EXPECT_EQ(batch.shots[i].orientation, end.orientation) << name(rotation) << i;
+      EXPECT_TRUE(same_bits(batch.shots[i].angular_velocity, end.angular_velocity)) << name(rotation) << i;
+    }
+  }
+}
+
+TEST_F(BatchTest, thousands_of_launches_fly_as_shots_chunk_after_chunk) {
+  Course c{{}, Fidelity::artillery(), {}, {}, {}};
+  Random r(5);
+  for (int i = 0; i < 5000; ++i) {
+    Launch launch{.position = {0, 1, 0}, .speed = r.in(50, 400), .elevation = r.in(-0.1, 0.8)};
+    if (r.one_in(50)) launch.speed = kNan;
+    if (r.one_in(50)) launch.position.y = -1;
+    c.shots.push_back({{}, launch});
+  }
+  c.until.events = {{EventKind::height, 20}, {EventKind::apex}};
+  expect_launches_fly_as_shots(bullet_308(), c, "plain");
+  c.fidelity.integrator = Integrator::rk4;
+  c.tolerance.position_error = 0.1;
+  expect_launches_fly_as_shots(bullet_308(), c, "step by pilots");
+  c.shots.back().launch.rail_length = 3;  // one of the last chunk
+  expect_launches_fly_as_shots(bullet_308(), c, "rail");
+}
+
+TEST_F(BatchTest, what_cannot_happen_ends_no_flight) {
+  ProjectileDef rocket = bullet_308();
+  rocket.motor = {.thrust = {{0, 5}, {0.3, 0}}, .propellant_mass = 0.001};
+  const Launch launch{.position = {0, 2, 0}, .speed = 200, .elevation = 0.2, .rail_length = 1};
+  const std::vector<Shot> rockets(40, Shot{rocket, launch});
+  const std::vector<Shot> bullets(40, Shot{bullet_308(), {.position = {0, 2, 0}, .speed = 200, .elevation = 0.2}});
+  for (const EventKind kind : {EventKind::ignition, EventKind::burnout, EventKind::rail_exit}) {
+    Until until;
+    until.events = {{.kind = kind, .terminal = true}};
+    for (const std::string& kernel : kernels()) {
+      ASSERT_TRUE(use_kernel(kernel));
+      EXPECT_FALSE(fly_batch(rockets, {}, Fidelity::simulation(), {}, until).error);
+      const BatchResult batch = fly_batch(bullets, {}, Fidelity::simulation(), {}, until);
+      for (const ShotResult& shot : batch.shots) {
+        EXPECT_EQ(shot.outcome, Outcome::landed) << kernel;
+        EXPECT_GT(shot.time, 1) << kernel;
+      }
+    }
+  }
+}
+
+TEST_F(BatchTest, what_was_granted_is_that_of_the_first_shot_accepted) {
+  std::vector<Shot> shots(3, Shot{bullet_308(), {.position = {0, 1, 0}, .speed = 300}});
+  for (Shot& shot : shots) shot.projectile.twist = 0;
+  shots[0].projectile.twist = 0.3;
+  shots[0].projectile.length = 0.03;
+  Fidelity f;
+  f.rotation = RotationModel::spin_drift;
+  EXPECT_EQ(fly_batch(shots, {}, f).fidelity_in_use.fidelity.rotation, RotationModel::spin_drift);
+  shots[0].launch.speed = kNan;
+  EXPECT_EQ(fly_batch(shots, {}, f).fidelity_in_use.fidelity.rotation, RotationModel::none);
 }
 
 TEST_F(BatchTest, bad_launches_and_projectiles_are_refused_as_in_shots) {
@@ -193,7 +267,8 @@ TEST_F(BatchTest, bad_launches_and_projectiles_are_refused_as_in_shots) {
   c.shots[9].launch.position.y = -1;  // lands at once
   expect_launches_fly_as_shots(bullet_308(), c, "launches");
   expect_launches_fly_as_shots({.mass = -1}, c, "projectile");
-  EXPECT_TRUE(fly_batch(ProjectileDef{}, std::span<const Launch>{}, {}, {}).shots.empty());
+  EXPECT_TRUE(fly_batch(bullet_308(), std::span<const Launch>{}, {}, {}).shots.empty());
+  EXPECT_TRUE(fly_batch({.mass = -1}, std::span<const Launch>{}, {}, {}).error);
 }
 
 TEST_F(BatchTest, a_result_is_used_again) {

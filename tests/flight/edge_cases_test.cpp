@@ -1,6 +1,7 @@
 // Shots that once went wrong: on and under the ground, across a value twice, in air that is hardly there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "physim/physim.hpp"
@@ -154,6 +155,44 @@ TEST(EdgeCases, planar_effects_add_up) {
   f.planar = true;
   const Accelerations a = fly({}, {.speed = 300, .elevation = 0.7}, e, f).accelerations(3);
   EXPECT_LT(length(a.gravity + a.drag + a.coriolis + a.applied - a.total), 1e-13);
+}
+
+/// The end of a shot at a tolerance.
+Sample end_within(const ProjectileDef& p, const Launch& launch, const Environment& e, double tolerance) {
+  return fly(p, launch, e, Fidelity::simulation(), {tolerance, tolerance}).end();
+}
+
+TEST(EdgeCases, a_path_that_peeks_over_an_edge_of_the_wind_feels_it) {
+  const ProjectileDef ball{.mass = 4, .diameter = 0.15};
+  const Launch launch{.position = {0, 1, 0}, .speed = 120, .elevation = 1};
+  Environment e;
+  const Flight calm = fly(ball, launch, e, Fidelity::simulation());
+  double apex = 0;
+  for (const Event& event : calm.events())
+    if (event.kind == EventKind::apex) apex = event.position.y;
+  // Inside one step the path is 2 cm above the edge for an eighth of a second.
+  e.wind.profile = {{-100, {}}, {apex - 0.02, {0, 0, 60}}};
+  e.wind.interpolation = WindInterpolation::step;
+  const Sample exact = end_within(ball, launch, e, 1e-13);
+  EXPECT_GT(exact.position.z, calm.end().position.z + 0.1);
+  for (const double tolerance : {1e-6, 1e-9})
+    EXPECT_NEAR(end_within(ball, launch, e, tolerance).position.z, exact.position.z, 2e-3) << tolerance;
+  const Shot shot{ball, launch};
+  EXPECT_EQ(fly_batch({&shot, 1}, e, Fidelity::simulation()).shots[0].position,
+            fly(ball, launch, e, Fidelity::simulation()).end().position);
+}
+
+TEST(EdgeCases, a_path_that_dips_under_an_edge_of_the_bands_feels_it) {
+  ProjectileDef shell{.mass = 4, .diameter = 0.15, .drag = {.table = DragTable::g1, .ballistic_coefficient = 200}};
+  const Launch launch{.position = {0, 1, 0}, .speed = 300, .elevation = 1};
+  const Flight plain = fly(shell, launch, {}, Fidelity::simulation());
+  double slowest = 1e9;
+  for (double t = 0; t < plain.duration(); t += 1e-3) slowest = std::min(slowest, plain.at(t).speed);
+  shell.drag.bands = {{0, 1}, {slowest + 0.02, 200}};
+  const double exact = end_within(shell, launch, {}, 1e-13).position.x;
+  EXPECT_LT(exact, plain.end().position.x - 1);
+  for (const double tolerance : {1e-6, 1e-9})
+    EXPECT_NEAR(end_within(shell, launch, {}, tolerance).position.x, exact, 0.01) << tolerance;
 }
 
 TEST(EdgeCases, precision_alone_may_be_lowered) {

@@ -6,8 +6,16 @@
 // Fails where the memory held grows after the first third of 10^8 or more, or where a projectile that stays in the
 // world has bad numbers. It is meant to run under the sanitizers: ./dev soak --asan, ./dev soak --tsan.
 #include <unistd.h>
-#ifdef __GLIBC__
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+#define PHYSIM_HAS_MALLINFO2 1
 #include <malloc.h>
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define PHYSIM_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define PHYSIM_SANITIZED 1
+#endif
 #endif
 
 #include <cmath>
@@ -17,7 +25,7 @@
 
 #include "physim/world.hpp"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef PHYSIM_SANITIZED
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // g++ has no header for it
 #endif
 
@@ -39,9 +47,9 @@ std::size_t resident_bytes() {
 /// Memory that is held: what was allocated and not given back. A snapshot of a large world leaves holes when it goes,
 /// which the allocator fills and makes as it likes; they are resident, and nobody's leak.
 std::size_t held_bytes() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef PHYSIM_SANITIZED
   return __sanitizer_get_current_allocated_bytes();
-#elif defined(__GLIBC__)
+#elif defined(PHYSIM_HAS_MALLINFO2)
   const struct mallinfo2 heap = mallinfo2();
   return heap.uordblks + heap.hblkhd;
 #else
