@@ -70,15 +70,22 @@ struct ShotKind {
 
 /// Orders events by shot; those of one shot already are in order of time. Counting places needs one pass, not a sort.
 template <class AnyEvent>
-void put_by_shot(std::vector<AnyEvent>& events, std::size_t shots) {
-  const auto earlier = [](const AnyEvent& a, const AnyEvent& b) { return a.shot < b.shot; };
-  if (std::is_sorted(events.begin(), events.end(), earlier)) return;
-  std::vector<std::size_t> place(shots + 1);
-  for (const AnyEvent& e : events) ++place[e.shot + 1];
-  for (std::size_t i = 0; i < shots; ++i) place[i + 1] += place[i];
-  const std::vector<AnyEvent> unsorted = events;  // copied back, so that the events keep their memory
-  for (const AnyEvent& e : unsorted) events[place[e.shot]++] = e;
-}
+class ByShot {
+ public:
+  void order(std::vector<AnyEvent>& events, std::size_t shots) {
+    const auto earlier = [](const AnyEvent& a, const AnyEvent& b) { return a.shot < b.shot; };
+    if (std::is_sorted(events.begin(), events.end(), earlier)) return;
+    place_.assign(shots + 1, 0);
+    for (const AnyEvent& e : events) ++place_[e.shot + 1];
+    for (std::size_t i = 0; i < shots; ++i) place_[i + 1] += place_[i];
+    unsorted_ = events;  // copied back, so that the events keep their memory
+    for (const AnyEvent& e : unsorted_) events[place_[e.shot]++] = e;
+  }
+
+ private:
+  std::vector<std::size_t> place_;  // memory for one order after another
+  std::vector<AnyEvent> unsorted_;
+};
 
 class Batch {
  public:
@@ -105,7 +112,7 @@ class Batch {
     for (std::uint32_t i = 0; i < shots_.size(); ++i) prepare(i);
     for (ShotGroup& group : groups_) fly(group);
     // Each chunk's are in order; those of several groups lie between each other.
-    put_by_shot(result_.events, shots_.size());
+    ByShot<ShotEvent>().order(result_.events, shots_.size());
   }
 
  private:
@@ -286,7 +293,7 @@ class Batch {
     const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
     kernel({&course, group.own_numbers.data(), group.own_count, &group.common, group.rotors.data(), count,
             group.ends.data(), emit, &group});
-    put_by_shot(group.events, count);
+    by_shot_.order(group.events, count);
     for (const RawEvent& event : group.events) keep(group, event);
     for (std::size_t i = 0; i < count; ++i) keep(group, i, group.ends[i]);
   }
@@ -324,6 +331,7 @@ class Batch {
   std::array<ShotGroup*, 4096> group_by_key_{};
   ShotKind kind_;
   bool some_accepted_ = false;
+  ByShot<RawEvent> by_shot_;
   BatchResult& result_;
 };
 

@@ -140,10 +140,11 @@ void check_magnus(Checker& c, const MagnusDef& m) {
 }  // namespace
 
 Status check(const ProjectileDef& p, const Launch& l) {
+  if (!has_motor(p)) return std::nullopt;
   Checker c;
   const bool at_rest = l.velocity ? *l.velocity == Vec3d{} : l.speed == 0;
-  c.require(!has_motor(p) || !at_rest || l.rail_length > 0, "launch.rail_length",
-            "a rocket that starts from rest needs a rail", "without one nothing holds its nose up");
+  c.require(!at_rest || l.rail_length > 0, "launch.rail_length", "a rocket that starts from rest needs a rail",
+            "without one nothing holds its nose up");
   return c.status();
 }
 
