@@ -15,15 +15,6 @@ target_include_directories(physim_client_core PUBLIC apps PRIVATE src)
 target_link_libraries(physim_client_core PUBLIC physim_scenario)
 target_compile_definitions(physim_client_core PRIVATE PHYSIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
-if(NOT PHYSIM_HAS_CLIENT)
-  message(STATUS "SimClient is left out: it needs glfw3, epoxy, imgui and stb (./dev client installs them)")
-  return()
-endif()
-file(GLOB client_sources CONFIGURE_DEPENDS apps/simclient/*.cpp apps/simclient/gl/*.cpp apps/simclient/ui/*.cpp)
-physim_add_executable(simclient ${client_sources})
-physim_compile_sooner(simclient)
-target_link_libraries(simclient PRIVATE physim_client_core CLI11::CLI11 PkgConfig::CLIENT_LIBRARIES_OF)
-
 # Tests of the logic; and in a window: on a screen in memory (xvfb), with events as from a hand (libxtst-dev).
 function(physim_add_client_tests)
   file(GLOB test_files CONFIGURE_DEPENDS tests/client/*.cpp)
@@ -52,3 +43,12 @@ function(physim_add_client_tests)
   gtest_discover_tests(physim_window_tests TEST_PREFIX "window." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES
                        TIMEOUT 300)
 endfunction()
+
+if(NOT PHYSIM_HAS_CLIENT)
+  message(STATUS "SimClient is left out: it needs glfw3, epoxy, imgui and stb (./dev client installs them)")
+  return()
+endif()
+file(GLOB client_sources CONFIGURE_DEPENDS apps/simclient/*.cpp apps/simclient/gl/*.cpp apps/simclient/ui/*.cpp)
+physim_add_executable(simclient ${client_sources})
+physim_compile_sooner(simclient)
+target_link_libraries(simclient PRIVATE physim_client_core CLI11::CLI11 PkgConfig::CLIENT_LIBRARIES_OF)

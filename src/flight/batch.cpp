@@ -59,7 +59,7 @@ struct ShotList {
   [[nodiscard]] const Launch& launch(std::size_t i) const { return one_projectile ? launches[i] : shots[i].launch; }
 };
 
-/// A projectile checked and prepared but for its launch.
+/// A projectile checked and prepared; each of its shots writes its launch over that of the one before.
 struct ShotKind {
   const ProjectileDef* projectile = nullptr;
   Status error;
