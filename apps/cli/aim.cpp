@@ -1,16 +1,16 @@
 // physim aim: the directions with which a shot hits a target.
 #include "physim/aim.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "asked.hpp"
+#include "command.hpp"
 #include "commands.hpp"
+#include "output_answer.hpp"
 #include "output_number.hpp"
-#include "output_paths.hpp"
 #include "output_table.hpp"
-#include "output_trajectory.hpp"
 #include "physim/names.hpp"
 #include "terminal.hpp"
 
@@ -127,36 +127,6 @@ std::string aim_text(const AskedShot& asked, const Wanted& wanted, const Aim& ai
   return out + "\n  " + std::to_string(aim.flights) + " trajectories flown\n";
 }
 
-nlohmann::ordered_json solution_json(const AimSolution& s) {
-  const auto vector = [](const Vec3d& v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); };
-  return {{"elevation [rad]", s.launch.elevation},
-          {"azimuth [rad]", s.launch.azimuth},
-          {"time [s]", s.time},
-          {"miss [m]", s.miss},
-          {"position [m]", vector(s.position)},
-          {"velocity [m/s]", vector(s.velocity)},
-          {"speed [m/s]", s.speed},
-          {"descent [rad]", s.descent},
-          {"flights", s.flights}};
-}
-
-std::string aim_json(const AskedShot& asked, const Wanted& wanted, const Aim& aim) {
-  nlohmann::ordered_json out = provenance(asked.scenario);
-  const auto vector = [](const Vec3d& v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); };
-  out["shot"] = asked.shot().projectile.name;
-  out["target"] = {{"position [m]", vector(wanted.target.position)},
-                   {"velocity [m/s]", vector(wanted.target.velocity)},
-                   {"acceleration [m/s^2]", vector(wanted.target.acceleration)},
-                   {"tolerance [m]", wanted.options.tolerance}};
-  out["in_reach"] = aim.in_reach();
-  out["explanation"] = aim.explanation();
-  if (aim.low) out["low"] = solution_json(*aim.low);
-  if (aim.high) out["high"] = solution_json(*aim.high);
-  out["nearest"] = solution_json(aim.nearest);
-  out["flights"] = aim.flights;
-  return json_text(out);
-}
-
 Result<int> run(const AimCommand& command) {
   const Result<AskedShot> asked = ask(command.question);
   if (!asked) return asked.error();
@@ -168,20 +138,20 @@ Result<int> run(const AimCommand& command) {
   const Result<Aim> found = aim(shot.projectile, launch, asked->scenario.environment, shot.projectile.fidelity,
                                 target->target, target->options);
   if (!found) return about(*asked, found.error());
-  if (Status bad =
-          answer(command.question, aim_text(*asked, *target, *found, Style(stdout)), aim_json(*asked, *target, *found)))
+  if (Status bad = answer(command.question, aim_text(*asked, *target, *found, Style(stdout)),
+                          aim_json(*asked, target->target, target->options.tolerance, *found)))
     return *bad;
   return found->in_reach() ? kExitOk : kExitCheckMissed;
 }
 
 }  // namespace
 
-void add_aim_command(CLI::App& app, int& exit_code_out) {
-  CLI::App* command = app.add_subcommand("aim", "Find the elevation and azimuth that hit a target, standing or moving");
+void add_aim_command(Command& program) {
+  Command command = program.add_command("aim", "Find the elevation and azimuth that hit a target, standing or moving");
   auto options = std::make_shared<AimCommand>();
-  add_question_options(*command, options->question);
+  add_question_options(command, options->question);
   const auto add = [&](const char* name, std::string& value, const char* type, const char* doc) {
-    refuse_empty(*command->add_option(name, value, doc)->type_name(type));
+    command.add_option(name, value, doc).type_name(type).refuse_empty();
   };
   add("--target", options->position, "\"X, Y, Z\"", "Where it is when the shot is fired, as \"500 m, 20 m, 0 m\"");
   add("--range", options->range, "LENGTH", "Instead: this far from the muzzle, ahead in the shot's azimuth");
@@ -192,7 +162,7 @@ void add_aim_command(CLI::App& app, int& exit_code_out) {
   add("--tolerance", options->tolerance, "LENGTH", "A path that passes so near hits; without it 1 cm");
   add("--time", options->time, "TIME", "Longest time of flight; without it 600 s");
   add("--arc", options->arc, "low|high|both", "Which solutions: the shortest time of flight, the longest, or both");
-  command->footer(
+  command.footer(
       "Without --target and --range the [target] of the scenario is aimed at. Elevation, azimuth and sight of the shot "
       "are not read.\n"
       "Exit code 0; 1 where the target is out of reach; 2 for bad input.\n\n"
@@ -201,7 +171,7 @@ void add_aim_command(CLI::App& app, int& exit_code_out) {
       "  physim aim scenarios/308_168gr_g7.toml --target \"400 m, 0 m, 30 m\" --target-velocity \"0 m/s, 0 m/s, -8 "
       "m/s\"\n"
       "  physim aim scenarios/aim_moving_target.toml --json -\n");
-  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+  command.action([options] { return exit_code(run(*options)); });
 }
 
 }  // namespace physim::cli

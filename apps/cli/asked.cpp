@@ -1,25 +1,24 @@
 #include "asked.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "output_file.hpp"
-#include "output_paths.hpp"
-#include "output_trajectory.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
 
-void add_question_options(CLI::App& command, Question& question, bool json) {
+void add_question_options(Command& command, Question& question, bool json) {
   add_scenario_options(command, question.input);
-  refuse_empty(*command.add_option("--shot", question.shot, "Which shot; without it the first")->type_name("NAME"));
+  command.add_option("--shot", question.shot, "Which shot; without it the first").type_name("NAME").refuse_empty();
   if (!json) return;
-  refuse_empty(*command
-                    .add_option("--json", question.json,
-                                "Write the answer as JSON; - is the standard output, and then nothing else goes there")
-                    ->type_name("FILE"));
+  command
+      .add_option("--json", question.json,
+                  "Write the answer as JSON; - is the standard output, and then nothing else goes there")
+      .type_name("FILE")
+      .refuse_empty();
 }
 
 Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wanted) {

@@ -6,11 +6,9 @@
 
 #include "flown.hpp"
 
-namespace CLI {
-class Option;
-}
-
 namespace physim::cli {
+
+class Command;
 
 /// A scenario, which of its shots, and where results go.
 struct Question {
@@ -19,7 +17,7 @@ struct Question {
   std::string json;  // path, "-" for the standard output, empty: not asked for
 };
 /// FILE, --set and --shot; with `json` also --json.
-void add_question_options(CLI::App& command, Question& question, bool json = true);
+void add_question_options(Command& command, Question& question, bool json = true);
 
 /// A scenario and the shot in it that was asked for.
 struct AskedShot {

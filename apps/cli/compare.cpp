@@ -1,7 +1,9 @@
 // physim compare: one shot on every rung of the ladder of fidelity, error against cost.
-#include <CLI/CLI.hpp>
+
+#include <memory>
 
 #include "asked.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "flown.hpp"
 #include "ladder.hpp"
@@ -43,21 +45,21 @@ int exit_code_of(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("compare", "Fly one shot on every rung of the ladder: error and cost of each");
+void add_compare_command(Command& program) {
+  Command command = program.add_command("compare", "Fly one shot on every rung of the ladder: error and cost of each");
   auto options = std::make_shared<CompareOptions>();
-  add_scenario_options(*command, options->input);
-  refuse_empty(*command->add_option("--shot", options->shot, "Which shot; without it the first")->type_name("NAME"));
-  add_output_options(*command, options->outputs, "Write the table as CSV; - is the standard output",
+  add_scenario_options(command, options->input);
+  command.add_option("--shot", options->shot, "Which shot; without it the first").type_name("NAME").refuse_empty();
+  add_output_options(command, options->outputs, "Write the table as CSV; - is the standard output",
                      "Write the table as JSON; - as above", "Draw error over cost");
-  command->footer(
+  command.footer(
       "Every rung starts with the velocity of the reference (dop853, as exact as doubles allow) and flies until the "
       "scenario's end.\n"
       "The error is the distance between the two ends; the cost is the median time of one fly().\n\n"
       "Examples:\n"
       "  physim compare scenarios/308_168gr_g7.toml --plot out/ladder.png\n"
       "  physim compare scenarios/308_168gr_g7.toml --csv - | sort\n");
-  command->callback([options, &exit_code] { exit_code = exit_code_of(*options); });
+  command.action([options] { return exit_code_of(*options); });
 }
 
 }  // namespace physim::cli

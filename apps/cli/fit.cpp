@@ -1,17 +1,17 @@
 // physim fit: the drag of a shot from measured speeds, drops or times.
 #include "physim/fit.hpp"
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <memory>
 
 #include "asked.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "fit_data.hpp"
+#include "output_answer.hpp"
 #include "output_number.hpp"
-#include "output_paths.hpp"
 #include "output_table.hpp"
-#include "output_trajectory.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
@@ -102,30 +102,6 @@ std::string fit_text(const AskedShot& asked, const FitData& data, const FitOptio
          " of the errors that were given, root mean square; " + std::to_string(fit.flights) + " trajectories flown\n";
 }
 
-std::string fit_json(const AskedShot& asked, const FitOptions& options, const Fit& fit) {
-  nlohmann::ordered_json out = provenance(asked.scenario);
-  const DragDef& d = fit.projectile.drag;
-  out["shot"] = asked.shot().projectile.name;
-  out["scale"] = fit.scale;
-  out["scale_error"] = fit.scale_error;
-  out["drag"] = {{"ballistic_coefficient [kg/m^2]", d.ballistic_coefficient},
-                 {"form_factor", d.form_factor},
-                 {"k1 [kg/s]", d.k1},
-                 {"k2 [kg/m]", d.k2},
-                 {"damping", d.damping}};
-  if (options.muzzle_speed) {
-    out["speed [m/s]"] = fit.launch.speed;
-    out["speed_error [m/s]"] = fit.muzzle_speed_error;
-  }
-  out["rms"] = fit.rms;
-  out["residuals"] = nlohmann::ordered_json::array();
-  for (const FitResidual& r : fit.residuals)
-    out["residuals"].push_back(
-        {{"measurement", r.measurement}, {"quantity", r.quantity}, {"measured", r.measured}, {"computed", r.computed}});
-  out["flights"] = fit.flights;
-  return json_text(out);
-}
-
 Result<int> run(const FitCommand& command) {
   const Result<FitOptions> options = options_of(command);
   if (!options) return options.error();
@@ -138,33 +114,33 @@ Result<int> run(const FitCommand& command) {
                                    data->measurements, *options);
   if (!fit) return located(command, *asked, *data, fit.error());
   if (Status bad = answer(command.question, fit_text(*asked, *data, *options, *fit, Style(stdout)),
-                          fit_json(*asked, *options, *fit)))
+                          fit_json(*asked, options->muzzle_speed, *fit)))
     return *bad;
   return kExitOk;
 }
 
 }  // namespace
 
-void add_fit_command(CLI::App& app, int& exit_code_out) {
-  CLI::App* command = app.add_subcommand("fit", "Find the drag of a shot from measured speeds, drops or times");
+void add_fit_command(Command& program) {
+  Command command = program.add_command("fit", "Find the drag of a shot from measured speeds, drops or times");
   auto options = std::make_shared<FitCommand>();
-  add_question_options(*command, options->question);
-  refuse_empty(*command->add_option("--data", options->data, "Measurements (CSV)")->type_name("CSV")->required());
-  command->add_flag("--muzzle-speed", options->muzzle_speed, "Fit the muzzle speed, too");
+  add_question_options(command, options->question);
+  command.add_option("--data", options->data, "Measurements (CSV)").type_name("CSV").required().refuse_empty();
+  command.add_flag("--muzzle-speed", options->muzzle_speed, "Fit the muzzle speed, too");
   const auto add = [&](const char* name, std::string& value, const char* type, const char* doc) {
-    refuse_empty(*command->add_option(name, value, doc)->type_name(type));
+    command.add_option(name, value, doc).type_name(type).refuse_empty();
   };
   add("--speed-error", options->speed_error, "SPEED", "Error of measured speeds; without it 1 m/s");
   add("--drop-error", options->drop_error, "LENGTH", "Error of measured drops; without it 1 cm");
   add("--time-error", options->time_error, "TIME", "Error of measured times; without it 1 ms");
-  command->footer(
+  command.footer(
       "The data has a header with units, and a row for each range; empty fields are not measured:\n"
       "  range [yd], speed [ft/s], drop [in]\n"
       "  100, 2410, \n"
       "  300, 2040, -14.6\n\n"
       "Example:\n"
       "  physim fit scenarios/308_168gr_g7.toml --data chronograph.csv --muzzle-speed\n");
-  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+  command.action([options] { return exit_code(run(*options)); });
 }
 
 }  // namespace physim::cli

@@ -1,8 +1,8 @@
 #include "flown.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "command.hpp"
 #include "output_number.hpp"
 #include "progress.hpp"
 #include "scenario/expectation.hpp"
@@ -26,15 +26,14 @@ std::vector<Check> check(const Scenario& scenario, const std::vector<FlownShot>&
 
 }  // namespace
 
-void add_scenario_options(CLI::App& command, ScenarioInput& input) {
-  command.add_option("FILE", input.file, "Scenario file (TOML)")->required();
+void add_scenario_options(Command& command, ScenarioInput& input) {
+  command.add_option("FILE", input.file, "Scenario file (TOML)").required();
   command
       .add_option("--set", input.overrides,
                   "Replace a setting of the file: --set shot.mass=\"170 gr\" for every shot, --set shot.NAME.mass=... "
                   "for one; `physim list settings` names them all. May be given many times")
-      ->type_name("KEY=VALUE")
-      ->type_size(1)
-      ->allow_extra_args(false);
+      .type_name("KEY=VALUE")
+      .one_value_each();
 }
 
 std::string title_of(const Scenario& scenario) { return scenario.title.empty() ? scenario.file : scenario.title; }

@@ -7,18 +7,16 @@
 #include "physim/flight.hpp"
 #include "physim/scenario.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace physim::cli {
+
+class Command;
 
 /// What `run` and `compare` read: a file, and settings that replace some of its own.
 struct ScenarioInput {
   std::string file;
   std::vector<std::string> overrides;
 };
-void add_scenario_options(CLI::App& command, ScenarioInput& input);
+void add_scenario_options(Command& command, ScenarioInput& input);
 
 struct FlownShot {
   std::string name;

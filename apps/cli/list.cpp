@@ -1,7 +1,8 @@
 // physim list: everything that can be named, as text for people and programs.
-#include <CLI/CLI.hpp>
 #include <array>
+#include <memory>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "fidelity_text.hpp"
 #include "output_number.hpp"
@@ -127,29 +128,30 @@ std::string units_text() {
   return table.text();
 }
 
+int show(const std::string& text) {
+  const Status bad = print(text);
+  if (bad) print_error(*bad);
+  return bad ? kExitBadInput : kExitOk;
+}
+
 }  // namespace
 
-void add_list_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("list", "Everything that has a name");
-  command->require_subcommand(1);
-  const auto show = [&exit_code](const std::string& text) {
-    const Status bad = print(text);
-    if (bad) print_error(*bad);
-    exit_code = bad ? kExitBadInput : kExitOk;
-  };
+void add_list_command(Command& program) {
+  Command command = program.add_command("list", "Everything that has a name");
+  command.require_command();
   const auto add = [&](const char* name, const char* doc, std::string (*text)()) {
-    command->add_subcommand(name, doc)->callback([show, text] { show(text()); });
+    command.add_command(name, doc).action([text] { return show(text()); });
   };
-  CLI::App* settings_command = command->add_subcommand("settings", "All settings of scenario files and --set");
+  Command settings_command = command.add_command("settings", "All settings of scenario files and --set");
   auto as_markdown = std::make_shared<bool>(false);
-  settings_command->add_flag("--markdown", *as_markdown, "As the page docs/settings.md");
-  settings_command->callback([show, as_markdown] { show(*as_markdown ? settings_markdown() : settings_text()); });
+  settings_command.add_flag("--markdown", *as_markdown, "As the page docs/settings.md");
+  settings_command.action([as_markdown] { return show(*as_markdown ? settings_markdown() : settings_text()); });
   add("presets", "The presets of fidelity and of projectiles", presets_text);
   add("models", "The rungs of each effect, cheap to true", models_text);
   add("drag_tables", "The drag functions", drag_tables_text);
   add("units", "The units that values may carry", units_text);
   add("kernels", "The instruction sets that batches can be flown with here, best first", kernels_text);
-  command->footer("Examples:\n  physim list settings | grep drag\n  physim list presets\n");
+  command.footer("Examples:\n  physim list settings | grep drag\n  physim list presets\n");
 }
 
 }  // namespace physim::cli

@@ -1,5 +1,7 @@
 #include "output_ladder.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "fidelity_text.hpp"
 #include "output_number.hpp"
 #include "output_table.hpp"

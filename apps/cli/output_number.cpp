@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace physim::cli {
 namespace {
@@ -40,6 +41,12 @@ std::string readable(double value, int digits) {
   const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
   constexpr int kMostDecimals = 6;
   return magnitude < -kMostDecimals ? "0" : fixed(value, std::clamp(digits - 1 - magnitude, 0, kMostDecimals));
+}
+
+std::string hex(std::uint64_t value) {
+  char text[19];
+  std::snprintf(text, sizeof text, "0x%016llx", static_cast<unsigned long long>(value));
+  return text;
 }
 
 }  // namespace physim::cli

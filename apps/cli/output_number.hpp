@@ -1,6 +1,7 @@
 // Numbers as text, the same on every machine and in every locale.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace physim::cli {
@@ -15,5 +16,7 @@ namespace physim::cli {
 [[nodiscard]] std::string as_typed(double value);
 /// As many decimals as give so many significant digits, without an exponent: "1234", "12.3", "0.0123"; six at most.
 [[nodiscard]] std::string readable(double value, int digits);
+/// "0x00000000000000ff", as hashes are shown.
+[[nodiscard]] std::string hex(std::uint64_t value);
 
 }  // namespace physim::cli

@@ -1,10 +1,10 @@
 #include "output_paths.hpp"
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
 #include <utility>
 
+#include "command.hpp"
 #include "output_file.hpp"
 
 namespace physim::cli {
@@ -24,21 +24,18 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-void refuse_empty(CLI::Option& option) {
-  option.check([](const std::string& value) { return std::string(value.empty() ? "the value is empty" : ""); });
+void add_output_options(Command& command, OutputPaths& paths, const char* csv, const char* json, const char* plot) {
+  command.add_option("--csv", paths.csv, csv).type_name("FILE").refuse_empty();
+  command.add_option("--json", paths.json, json).type_name("FILE").refuse_empty();
+  command.add_option("--plot", paths.plot, plot).type_name("FILE.png|svg").refuse_empty();
 }
 
-void add_output_options(CLI::App& command, OutputPaths& paths, const char* csv, const char* json, const char* plot) {
-  refuse_empty(*command.add_option("--csv", paths.csv, csv)->type_name("FILE"));
-  refuse_empty(*command.add_option("--json", paths.json, json)->type_name("FILE"));
-  refuse_empty(*command.add_option("--plot", paths.plot, plot)->type_name("FILE.png|svg"));
-}
-
-void add_globe_options(CLI::App& command, OutputPaths& paths) {
-  refuse_empty(*command.add_option("--kml", paths.kml, "Write flights over a round Earth as KML; - as above")
-                    ->type_name("FILE"));
-  refuse_empty(*command.add_option("--czml", paths.czml, "... as CZML, moving in time, for Cesium")->type_name("FILE"));
-  refuse_empty(*command.add_option("--geojson", paths.geojson, "... as GeoJSON")->type_name("FILE"));
+void add_globe_options(Command& command, OutputPaths& paths) {
+  command.add_option("--kml", paths.kml, "Write flights over a round Earth as KML; - as above")
+      .type_name("FILE")
+      .refuse_empty();
+  command.add_option("--czml", paths.czml, "... as CZML, moving in time, for Cesium").type_name("FILE").refuse_empty();
+  command.add_option("--geojson", paths.geojson, "... as GeoJSON").type_name("FILE").refuse_empty();
 }
 
 Status check(const OutputPaths& paths, const std::string& scenario_file) {

@@ -7,12 +7,9 @@
 #include "physim/result.hpp"
 #include "plot.hpp"
 
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
-
 namespace physim::cli {
+
+class Command;
 
 /// Empty: not asked for. "-" is the standard output.
 struct OutputPaths {
@@ -32,14 +29,11 @@ struct OutputMakers {
   std::function<std::string()> kml = {}, czml = {}, geojson = {}, events = {};
 };
 
-/// Refuses an option's empty value, as from a shell variable that is not set.
-void refuse_empty(CLI::Option& option);
-
 /// --csv, --json and --plot, each with its help.
-void add_output_options(CLI::App& command, OutputPaths& paths, const char* csv, const char* json, const char* plot);
+void add_output_options(Command& command, OutputPaths& paths, const char* csv, const char* json, const char* plot);
 
 /// --kml, --czml and --geojson.
-void add_globe_options(CLI::App& command, OutputPaths& paths);
+void add_globe_options(Command& command, OutputPaths& paths);
 
 /// What can be told before there is anything to write: places that cannot be written, the same place asked for twice,
 /// and the scenario itself.

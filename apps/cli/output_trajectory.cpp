@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "fidelity_text.hpp"
 #include "output_number.hpp"
@@ -37,8 +38,6 @@ std::vector<double> times_of(double duration, double interval) {
   times.push_back(duration);
   return times;
 }
-
-Json vector_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json fidelity_json(const Fidelity& fidelity) {
   Json out;
@@ -140,6 +139,8 @@ Json checks_json(const std::vector<Check>& checks) {
   }
   return out;
 }
+
+Json vector_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json provenance(const Scenario& scenario) {
   Json values;

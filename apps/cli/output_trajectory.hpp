@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +40,8 @@ using SampleTimes = std::vector<std::vector<double>>;
 [[nodiscard]] nlohmann::ordered_json flight_json(const Flight& flight, const Fidelity& asked);
 /// The verdicts of the scenario's expectations.
 [[nodiscard]] nlohmann::ordered_json checks_json(const std::vector<Check>& checks);
+/// A list of the three components.
+[[nodiscard]] nlohmann::ordered_json vector_json(const Vec3d& v);
 /// JSON as text; characters that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "fidelity_text.hpp"
 #include "output_number.hpp"
@@ -129,8 +130,6 @@ std::string state_columns() {
   for (const std::string_view column : kStateColumns) out += ", " + std::string(column);
   return out + "\n";
 }
-
-Json vector_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json series_json(const Series& series) {
   if (series.count == 0) return nullptr;

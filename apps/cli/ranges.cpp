@@ -1,13 +1,13 @@
 // physim max-range and physim danger-space.
-#include <CLI/CLI.hpp>
+#include <memory>
 #include <numbers>
 
 #include "asked.hpp"
+#include "command.hpp"
 #include "commands.hpp"
+#include "output_answer.hpp"
 #include "output_number.hpp"
-#include "output_paths.hpp"
 #include "output_table.hpp"
-#include "output_trajectory.hpp"
 #include "physim/aim.hpp"
 #include "terminal.hpp"
 
@@ -48,15 +48,7 @@ Result<int> run(const MaxRangeCommand& command) {
           readable(far->position.y, 5) + ", " + readable(far->position.z, 5) + ") m, " +
           fixed(length(far->velocity), 2) + " m/s\n";
   text += "  " + std::to_string(far->flights) + " trajectories flown\n";
-  nlohmann::ordered_json json = provenance(scenario);
-  json["shot"] = shot.projectile.name;
-  json["elevation [rad]"] = far->elevation;
-  json["range [m]"] = far->range;
-  json["time [s]"] = far->time;
-  json["position [m]"] = {far->position.x, far->position.y, far->position.z};
-  json["velocity [m/s]"] = {far->velocity.x, far->velocity.y, far->velocity.z};
-  json["flights"] = far->flights;
-  if (Status bad = answer(command.question, text, json_text(json))) return *bad;
+  if (Status bad = answer(command.question, text, max_range_json(*asked, *far))) return *bad;
   return kExitOk;
 }
 
@@ -74,47 +66,42 @@ Result<int> run(const DangerCommand& command) {
   const std::string text = heading(*asked, Style(stdout)) + "  a target " + as_typed(**height) + " m high at " +
                            as_typed(**range) + " m is hit from " + fixed(space->from, 2) + " m to " +
                            fixed(space->to, 2) + " m: over " + fixed(space->to - space->from, 2) + " m\n";
-  nlohmann::ordered_json json = provenance(asked->scenario);
-  json["shot"] = asked->shot().projectile.name;
-  json["range [m]"] = **range;
-  json["height [m]"] = **height;
-  json["from [m]"] = space->from;
-  json["to [m]"] = space->to;
-  if (Status bad = answer(command.question, text, json_text(json))) return *bad;
+  if (Status bad = answer(command.question, text, danger_space_json(*asked, **range, **height, *space))) return *bad;
   return kExitOk;
 }
 
 }  // namespace
 
-void add_max_range_command(CLI::App& app, int& exit_code_out) {
-  CLI::App* command = app.add_subcommand("max-range", "Find the elevation that carries a shot farthest");
+void add_max_range_command(Command& program) {
+  Command command = program.add_command("max-range", "Find the elevation that carries a shot farthest");
   auto options = std::make_shared<MaxRangeCommand>();
-  add_question_options(*command, options->question);
-  refuse_empty(
-      *command->add_option("--slope", options->slope, "How the ground rises in the direction of fire, as \"5 deg\"")
-           ->type_name("ANGLE"));
-  command->footer(
+  add_question_options(command, options->question);
+  command.add_option("--slope", options->slope, "How the ground rises in the direction of fire, as \"5 deg\"")
+      .type_name("ANGLE")
+      .refuse_empty();
+  command.footer(
       "The ground is that of the scenario (until.ground), under the muzzle; without one it is at height 0.\n\n"
       "Examples:\n"
       "  physim max-range scenarios/308_168gr_g7.toml\n"
       "  physim max-range scenarios/shot_put.toml --slope \"-3 deg\" --json -\n");
-  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+  command.action([options] { return exit_code(run(*options)); });
 }
 
-void add_danger_space_command(CLI::App& app, int& exit_code_out) {
-  CLI::App* command = app.add_subcommand(
+void add_danger_space_command(Command& program) {
+  Command command = program.add_command(
       "danger-space", "Between which ranges a target of some height is hit, when it is aimed at for one range");
   auto options = std::make_shared<DangerCommand>();
-  add_question_options(*command, options->question);
-  refuse_empty(*command->add_option("--range", options->range, "At which the path goes through the target's middle")
-                    ->type_name("LENGTH")
-                    ->required());
-  refuse_empty(*command->add_option("--height", options->height, "Of the target")->type_name("LENGTH")->required());
-  command->footer(
+  add_question_options(command, options->question);
+  command.add_option("--range", options->range, "At which the path goes through the target's middle")
+      .type_name("LENGTH")
+      .required()
+      .refuse_empty();
+  command.add_option("--height", options->height, "Of the target").type_name("LENGTH").required().refuse_empty();
+  command.footer(
       "Ranges run along the line of sight; the path lies within half the height of where it is at the range.\n\n"
       "Example:\n"
       "  physim danger-space scenarios/308_168gr_g7.toml --range \"600 m\" --height \"50 cm\"\n");
-  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+  command.action([options] { return exit_code(run(*options)); });
 }
 
 }  // namespace physim::cli

@@ -1,16 +1,15 @@
 // physim replay: plays a recording of a world and compares hash by hash.
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <memory>
 
+#include "command.hpp"
 #include "commands.hpp"
+#include "output_answer.hpp"
 #include "output_file.hpp"
 #include "output_number.hpp"
 #include "output_paths.hpp"
 #include "output_table.hpp"
-#include "output_trajectory.hpp"
 #include "physim/recording_file.hpp"
-#include "physim/version.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -19,14 +18,8 @@ namespace {
 struct ReplayCommand {
   std::string file;
   OutputPaths outputs;
-  unsigned threads = 0;
+  std::optional<std::uint32_t> threads;
 };
-
-std::string hex(std::uint64_t x) {
-  char text[19];
-  std::snprintf(text, sizeof text, "0x%016llx", static_cast<unsigned long long>(x));
-  return text;
-}
 
 std::string counted(std::uint64_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
@@ -45,7 +38,7 @@ Result<Replay> open(const ReplayCommand& command) {
   Result<std::vector<std::byte>> bytes = load_recording(command.file);
   if (!bytes) return bytes.error();
   ReplayOptions options;
-  options.threading.threads = command.threads;
+  options.threading.threads = command.threads.value_or(0);
   Result<Replay> player = Replay::open(std::move(*bytes), options);
   if (player) return player;
   Error error = player.error();
@@ -59,34 +52,6 @@ std::string csv_row(const Replay& player) {
   const auto hashes = player.hashes();
   return std::to_string(player.report().steps) + ", " + shortest(world.time()) + ", " + std::to_string(world.size()) +
          ", " + std::to_string(world.events().size()) + ", " + (hashes.empty() ? "" : hex(hashes.back())) + "\n";
-}
-
-std::string json_of(const ReplayCommand& command, const Replay& player) {
-  const ReplayReport& r = player.report();
-  nlohmann::ordered_json out = {{"version", kVersion},
-                                {"recording", command.file},
-                                {"made_by", r.made_by},
-                                {"complete", r.complete},
-                                {"bytes", r.bytes},
-                                {"calls", r.calls},
-                                {"steps", r.steps},
-                                {"hashes", r.hashes},
-                                {"restores", r.restores},
-                                {"time [s]", player.world().time()},
-                                {"spawned", r.spawned},
-                                {"projectiles", player.world().size()},
-                                {"hash", hex(player.world().hash())},
-                                {"equal", !r.difference},
-                                {"difference", nullptr}};
-  if (r.difference)
-    out["difference"] = {{"step", r.difference->step},
-                         {"time [s]", r.difference->time},
-                         {"call", r.difference->call},
-                         {"what", r.difference->what},
-                         {"recorded", hex(r.difference->recorded_hash)},
-                         {"replayed", hex(r.difference->replayed_hash)},
-                         {"byte", r.difference->place}};
-  return json_text(out);
 }
 
 std::string text_of(const ReplayCommand& command, const Replay& player, const Style& style) {
@@ -117,7 +82,7 @@ Status play(const ReplayCommand& command, bool& equal) {
     print_warning("the recording was cut at byte " + std::to_string(player.report().bytes) +
                   "; it was played as far as it goes");
   const OutputMakers makers{
-      .csv = [&] { return csv; }, .json = [&] { return json_of(command, player); }, .plot = nullptr};
+      .csv = [&] { return csv; }, .json = [&] { return replay_json(command.file, player); }, .plot = nullptr};
   if (Status bad = write(command.outputs, makers)) return bad;
   if (command.outputs.use_stdout()) return std::nullopt;
   return print(text_of(command, player, Style(stdout)));
@@ -134,26 +99,28 @@ int exit_code_of(const ReplayCommand& command) {
 
 }  // namespace
 
-void add_replay_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("replay", "Play a recording of a world and compare it step by step");
+void add_replay_command(Command& program) {
+  Command command = program.add_command("replay", "Play a recording of a world and compare it step by step");
   auto options = std::make_shared<ReplayCommand>();
-  command->add_option("FILE", options->file, "The recording")->required();
-  refuse_empty(*command
-                    ->add_option("--csv", options->outputs.csv,
-                                 "Write a row for each call that took steps as CSV; - is the standard output")
-                    ->type_name("FILE"));
-  refuse_empty(*command->add_option("--json", options->outputs.json, "Write what came out as JSON; - as above")
-                    ->type_name("FILE"));
-  command->add_option("--threads", options->threads, "Threads to use; 0: all that the machine has")
-      ->check(CLI::Range(0, 1024))
-      ->type_name("N");
-  command->footer(
+  command.add_option("FILE", options->file, "The recording").required();
+  command
+      .add_option("--csv", options->outputs.csv,
+                  "Write a row for each call that took steps as CSV; - is the standard output")
+      .type_name("FILE")
+      .refuse_empty();
+  command.add_option("--json", options->outputs.json, "Write what came out as JSON; - as above")
+      .type_name("FILE")
+      .refuse_empty();
+  command.add_option("--threads", options->threads, "Threads to use; 0: all that the machine has")
+      .within(0, 1024)
+      .type_name("N");
+  command.footer(
       "Exit code 0 where the replay is equal; 1 where it differs; 2 for bad input.\n\n"
       "Examples:\n"
       "  physim replay game.rec\n"
       "  physim replay game.rec --csv - | tail -n 1\n"
       "  PHYSIM_KERNEL=base physim replay game.rec --threads 1\n");
-  command->callback([options, &exit_code] { exit_code = exit_code_of(*options); });
+  command.action([options] { return exit_code_of(*options); });
 }
 
 }  // namespace physim::cli

@@ -1,11 +1,12 @@
 // physim run: flies the shots of a scenario, prints them, writes them, and checks its [[expect]] blocks.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <set>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "flown.hpp"
 #include "output_file.hpp"
@@ -172,23 +173,24 @@ int exit_code_of(const RunOptions& options) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("run", "Fly the shots of a scenario, or run its world; print, write and plot");
+void add_run_command(Command& program) {
+  Command command = program.add_command("run", "Fly the shots of a scenario, or run its world; print, write and plot");
   auto options = std::make_shared<RunOptions>();
-  add_scenario_options(*command, options->input);
-  add_output_options(*command, options->outputs, "Write the trajectories as CSV; - is the standard output",
+  add_scenario_options(command, options->input);
+  add_output_options(command, options->outputs, "Write the trajectories as CSV; - is the standard output",
                      "Write trajectories, events and all settings as JSON; - as above",
                      "Draw path, speed, and each axis over time");
-  add_globe_options(*command, options->outputs);
-  refuse_empty(
-      *command->add_option("--out", options->folder, "Write all of these into a directory, with a plot for each shot")
-           ->type_name("DIR"));
-  refuse_empty(*command
-                    ->add_option("--interval", options->interval,
-                                 "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot")
-                    ->type_name("TIME"));
-  add_world_options(*command, options->world, options->outputs);
-  command->footer(
+  add_globe_options(command, options->outputs);
+  command.add_option("--out", options->folder, "Write all of these into a directory, with a plot for each shot")
+      .type_name("DIR")
+      .refuse_empty();
+  command
+      .add_option("--interval", options->interval,
+                  "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot")
+      .type_name("TIME")
+      .refuse_empty();
+  add_world_options(command, options->world, options->outputs);
+  command.footer(
       "Exit code 0; 1 where an [[expect]] of the scenario is missed; 2 for bad input.\n\n"
       "Examples:\n"
       "  physim run scenarios/308_168gr_g7.toml\n"
@@ -196,7 +198,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
       "  physim run scenarios/308_168gr_g7.toml --interval \"1 ms\" --csv - | head\n"
       "  physim run scenarios/308_168gr_g7.toml --out out --plot out/308.svg\n"
       "  physim run scenarios/world_machine_gun.toml --plot out/gun.png --events out/gun.csv\n");
-  command->callback([options, &exit_code] { exit_code = exit_code_of(*options); });
+  command.action([options] { return exit_code_of(*options); });
 }
 
 }  // namespace physim::cli

@@ -1,9 +1,9 @@
 #include "run_world.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 
+#include "command.hpp"
 #include "output_file.hpp"
 #include "output_table.hpp"
 #include "output_world.hpp"
@@ -44,17 +44,19 @@ std::string WorldOptions::given(const OutputPaths& outputs) const {
   return outputs.events.empty() ? "" : "--events";
 }
 
-void add_world_options(CLI::App& command, WorldOptions& options, OutputPaths& outputs) {
-  refuse_empty(*command.add_option("--events", outputs.events, "Worlds: write what happened as CSV; - as above")
-                    ->type_name("FILE"));
-  refuse_empty(
-      *command.add_option("--record", outputs.record, "Worlds: record the run, for physim replay")->type_name("FILE"));
+void add_world_options(Command& command, WorldOptions& options, OutputPaths& outputs) {
+  command.add_option("--events", outputs.events, "Worlds: write what happened as CSV; - as above")
+      .type_name("FILE")
+      .refuse_empty();
+  command.add_option("--record", outputs.record, "Worlds: record the run, for physim replay")
+      .type_name("FILE")
+      .refuse_empty();
   command.add_option("--steps", options.steps, "Worlds: take so many steps instead of world.duration")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+      .type_name("N")
+      .within(1u, 1'000'000'000u);
   command.add_option("--threads", options.threads, "Worlds: instead of world.threads; results do not depend on it")
-      ->type_name("N")
-      ->check(CLI::Range(0u, 1024u));
+      .type_name("N")
+      .within(0u, 1024u);
 }
 
 Status run_in_world(Scenario scenario, const OutputPaths& outputs, const std::string& folder,

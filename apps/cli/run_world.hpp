@@ -7,11 +7,9 @@
 #include "output_paths.hpp"
 #include "physim/scenario.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace physim::cli {
+
+class Command;
 
 /// Options that only worlds have.
 struct WorldOptions {
@@ -20,7 +18,7 @@ struct WorldOptions {
   /// The first that was given, for messages; empty: none.
   [[nodiscard]] std::string given(const OutputPaths& outputs) const;
 };
-void add_world_options(CLI::App& command, WorldOptions& options, OutputPaths& outputs);
+void add_world_options(Command& command, WorldOptions& options, OutputPaths& outputs);
 
 /// Runs, prints and writes; into a folder too where it is not empty. `all_met` tells of the scenario's expectations.
 [[nodiscard]] Status run_in_world(Scenario scenario, const OutputPaths& outputs, const std::string& folder,

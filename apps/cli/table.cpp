@@ -1,17 +1,16 @@
 // physim table: a range card, in metric or customary units, as text, CSV or Markdown.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 
 #include "asked.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "output_file.hpp"
 #include "output_number.hpp"
-#include "output_paths.hpp"
 #include "output_summary.hpp"
 #include "output_table.hpp"
-#include "output_trajectory.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -218,38 +217,38 @@ Result<int> run(const TableCommand& command) {
 
 }  // namespace
 
-void add_table_command(CLI::App& app, int& exit_code_out) {
-  CLI::App* command = app.add_subcommand("table", "Print a range card, in metric or customary units");
+void add_table_command(Command& program) {
+  Command command = program.add_command("table", "Print a range card, in metric or customary units");
   auto options = std::make_shared<TableCommand>();
-  add_question_options(*command, options->question, false);
-  refuse_empty(
-      *command
-           ->add_option("--ranges", options->ranges, "Instead of output.ranges, as \"100 yd .. 1000 yd step 100 yd\"")
-           ->type_name("RANGES"));
-  command->add_option("--units", options->units, "metric (m, cm, m/s, J) or customary (yd, in, ft/s, ft lbf)")
-      ->check(CLI::IsMember({"metric", "customary"}))
-      ->type_name("UNITS");
-  command->add_option("--angle", options->angle, "mil (milliradians) or moa; without it as the units have it")
-      ->check(CLI::IsMember({"mil", "moa"}))
-      ->type_name("UNIT");
-  refuse_empty(*command
-                    ->add_option("--wind", options->winds,
-                                 "Columns for a cross wind from the right, as \"10 mph\"; may be given many times")
-                    ->type_name("SPEED")
-                    ->type_size(1)
-                    ->allow_extra_args(false));
-  command->add_option("--format", options->format, "text, csv or markdown")
-      ->check(CLI::IsMember({"text", "csv", "markdown"}))
-      ->type_name("FORMAT");
-  refuse_empty(
-      *command->add_option("--to", options->to, "Write it into a file; - is the standard output")->type_name("FILE"));
-  command->footer(
+  add_question_options(command, options->question, false);
+  command.add_option("--ranges", options->ranges, "Instead of output.ranges, as \"100 yd .. 1000 yd step 100 yd\"")
+      .type_name("RANGES")
+      .refuse_empty();
+  command.add_option("--units", options->units, "metric (m, cm, m/s, J) or customary (yd, in, ft/s, ft lbf)")
+      .one_of({"metric", "customary"})
+      .type_name("UNITS");
+  command.add_option("--angle", options->angle, "mil (milliradians) or moa; without it as the units have it")
+      .one_of({"mil", "moa"})
+      .type_name("UNIT");
+  command
+      .add_option("--wind", options->winds,
+                  "Columns for a cross wind from the right, as \"10 mph\"; may be given many times")
+      .type_name("SPEED")
+      .one_value_each()
+      .refuse_empty();
+  command.add_option("--format", options->format, "text, csv or markdown")
+      .one_of({"text", "csv", "markdown"})
+      .type_name("FORMAT");
+  command.add_option("--to", options->to, "Write it into a file; - is the standard output")
+      .type_name("FILE")
+      .refuse_empty();
+  command.footer(
       "Drop is above the line of sight and windage right of it, with their angles; wind columns are the shift by that "
       "wind alone,\nspin columns that by the projectile's spin.\n\n"
       "Examples:\n"
       "  physim table scenarios/308_168gr_g7.toml --units customary --wind \"10 mph\"\n"
       "  physim table scenarios/308_168gr_g7.toml --ranges \"100 m .. 800 m step 50 m\" --format csv --to card.csv\n");
-  command->callback([options, &exit_code_out] { exit_code_out = exit_code(run(*options)); });
+  command.action([options] { return exit_code(run(*options)); });
 }
 
 }  // namespace physim::cli

@@ -1,12 +1,12 @@
 // `physim validate`: runs suites of published and exact figures and says which gates hold.
 #include "validate.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <optional>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "output_file.hpp"
 #include "progress.hpp"
@@ -150,19 +150,19 @@ int run(const Options& options) try {
 
 }  // namespace
 
-void add_validate_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("validate", "check computed figures against published and exact ones");
+void add_validate_command(Command& program) {
+  Command command = program.add_command("validate", "check computed figures against published and exact ones");
   auto options = std::make_shared<Options>();
   command
-      ->add_option("suites", options->suites,
-                   "classic, analytic, us76, gravity, ballistics, nesc, mccoy, sports; none: all")
-      ->type_name("SUITE");
-  command->add_option("--data", options->data, "folder with figures of one suite, or with a folder per suite")
-      ->type_name("DIR");
-  command->add_flag("--json", options->json, "print results as JSON");
-  command->add_option("--report", options->report, "write a Markdown report")->type_name("FILE.md");
-  command->add_flag("--all,-v", options->every_figure, "print every figure, not the worst of each case");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+      .add_option("suites", options->suites,
+                  "classic, analytic, us76, gravity, ballistics, nesc, mccoy, sports; none: all")
+      .type_name("SUITE");
+  command.add_option("--data", options->data, "folder with figures of one suite, or with a folder per suite")
+      .type_name("DIR");
+  command.add_flag("--json", options->json, "print results as JSON");
+  command.add_option("--report", options->report, "write a Markdown report").type_name("FILE.md");
+  command.add_flag("--all,-v", options->every_figure, "print every figure, not the worst of each case");
+  command.action([options] { return run(*options); });
 }
 
 }  // namespace physim::cli

@@ -1,0 +1,153 @@
+#include "command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "commands.hpp"
+#include "scenario/suggest.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+namespace {
+
+// What nobody expected: the first option among it, else the first word; empty where all was expected.
+std::string unexpected(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining(true);
+  const auto option = std::ranges::find_if(words, [](const std::string& word) { return word.starts_with("-"); });
+  return option != words.end() ? *option : words.empty() ? "" : words.front();
+}
+
+// "; did you mean "speed"?" for the nearest of the names, or nothing.
+std::string guess(const std::string& word, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  const std::string_view found = nearest(word, candidates);
+  return found.empty() ? "" : "did you mean \"" + std::string(found) + "\"? ";
+}
+
+std::vector<std::string> options_of(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// CLI11's message as one of ours: "error: unknown option "--plott"; did you mean "--plot"? see physim run --help".
+Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* command = &app;
+  std::string words = app.get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    words += " " + command->get_name();
+  }
+  std::vector<std::string> subcommands;
+  for (const CLI::App* each : command->get_subcommands([](const CLI::App*) { return true; }))
+    subcommands.push_back(each->get_name());
+
+  std::string message = error.what(), hint;
+  if (const std::string word = unexpected(app); word.size() > 1 && word.front() == '-') {
+    message = "unknown option " + in_quotes(word);
+    hint = guess(word.substr(0, word.find('=')), options_of(*command));
+  } else if (!word.empty() && !subcommands.empty()) {
+    const std::string group = command == &app ? "" : command->get_name() + " ";
+    message = "there is no command " + in_quotes(group + word);
+    hint = guess(word, subcommands);
+  } else if (!word.empty()) {
+    message = "unexpected argument " + in_quotes(word);
+  }
+  if (message.size() > 1 && std::isupper(static_cast<unsigned char>(message[1])) == 0)
+    message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
+  while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.pop_back();
+  return {.message = message, .hint = hint + "see " + words + " --help"};
+}
+
+}  // namespace
+
+Option& Option::type_name(const char* name) {
+  option_.type_name(name);
+  return *this;
+}
+
+Option& Option::required() {
+  option_.required();
+  return *this;
+}
+
+Option& Option::refuse_empty() {
+  option_.check([](const std::string& value) { return std::string(value.empty() ? "the value is empty" : ""); });
+  return *this;
+}
+
+Option& Option::one_of(const std::vector<std::string>& words) {
+  option_.check(CLI::IsMember(words));
+  return *this;
+}
+
+Option& Option::within(int low, int high) {
+  option_.check(CLI::Range(low, high));
+  return *this;
+}
+
+Option& Option::within(unsigned low, unsigned high) {
+  option_.check(CLI::Range(low, high));
+  return *this;
+}
+
+Option& Option::one_value_each() {
+  option_.type_size(1)->allow_extra_args(false);
+  return *this;
+}
+
+Command Command::add_command(const char* name, const char* doc) {
+  return {*app_.add_subcommand(name, doc), exit_code_};
+}
+
+Option Command::add_option(const char* name, std::string& value, const char* doc) {
+  return Option(*app_.add_option(name, value, doc));
+}
+
+Option Command::add_option(const char* name, std::vector<std::string>& values, const char* doc) {
+  return Option(*app_.add_option(name, values, doc));
+}
+
+Option Command::add_option(const char* name, std::optional<std::uint32_t>& value, const char* doc) {
+  return Option(*app_.add_option(name, value, doc));
+}
+
+Option Command::add_option(const char* name, std::optional<std::uint64_t>& value, const char* doc) {
+  return Option(*app_.add_option(name, value, doc));
+}
+
+void Command::add_flag(const char* name, bool& value, const char* doc) { app_.add_flag(name, value, doc); }
+
+void Command::require_command() { app_.require_subcommand(1); }
+
+void Command::footer(const char* text) { app_.footer(text); }
+
+void Command::action(std::function<int()> run) {
+  app_.callback([run = std::move(run), &exit_code = exit_code_] { exit_code = run(); });
+}
+
+int run_program(const Program& program, int argc, char** argv) {
+  CLI::App app(program.doc, program.name);
+  int exit_code = kExitOk;
+  app.set_version_flag("--version", std::string(program.name) + " " + program.version);
+  app.get_formatter()->column_width(34);
+  Command root(app, exit_code);
+  root.require_command();
+  root.footer(program.footer);
+  program.add_commands(root);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    print_error(usage_error(app, error));
+    return kExitBadInput;
+  }
+  return exit_code;
+}
+
+}  // namespace physim::cli
