@@ -39,6 +39,12 @@ struct Found {
 
 PHYSIM_ISA_BEGIN
 
+/// Behind a call: air and wind are long, and few flights watch it.
+template <class R, class S>
+[[gnu::noinline]] void mach_number(const Conditions<S>& c, const State<R>& s, R& mach) {
+  mach = length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed;
+}
+
 /// The quantity that an event watches, less the value it waits for.
 template <class R, class S>
 PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t,
@@ -52,8 +58,11 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
       return climb_rate(c, s);
     case EventKind::range:
       return dot(s.x - b.launch.x, b.sight) - value;
-    case EventKind::mach:
-      return length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed - value;
+    case EventKind::mach: {
+      R mach;
+      mach_number(c, s, mach);
+      return mach - value;
+    }
     case EventKind::speed:
       return length(s.v) - value;
     case EventKind::ignition:

@@ -156,15 +156,15 @@ PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>
   const R zero(S(0));
   Vec3<R> a = weight_per_mass(c, b, s.x);
   Vec3<R> moment{zero, zero, zero};
-  if (!c.has_aero) {
-    if (c.fidelity.drag != DragModel::off) a += air_now(c, b, t, s);
-  } else {
+  if (c.has_aero || c.fidelity.drag != DragModel::off) {
     const Vec3<R> u = air_velocity(c, s);
     const AirState<R> air = air_state(c, s.x);
     a += drag_now_in(c, b, t, air, u);
-    const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);
-    a += c.has_motor ? load.acceleration * lighter(c, b, t) : load.acceleration;
-    moment = load.moment;
+    if (c.has_aero) {
+      const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);
+      a += c.has_motor ? load.acceleration * lighter(c, b, t) : load.acceleration;
+      moment = load.moment;
+    }
   }
   if (c.has_motor) a += thrust(b, t, forward(c.fidelity, turn));
   slope = turn_slope(c, rotor, turn, moment);

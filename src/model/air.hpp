@@ -31,9 +31,9 @@ struct AirState {
   R per_sound_speed;  // 1 / a [s/m]
 };
 
-/// Any layer, by its law.
+/// Any layer, by its law. Behind a call, as most shots stay below.
 template <class R, class S>
-PHYSIM_INLINE AirState<R> layered_air(const Air<S>& air, const R& z) {
+[[gnu::noinline]] void layered_air(const Air<S>& air, const R& z, AirState<R>& out) {
   const S r0 = static_cast<S>(kGeopotentialRadius);
   const R h = r0 * z / (r0 + z);
   R base(air.base[0]), lapse(air.lapse[0]), power(air.power[0]), decay(air.decay[0]);
@@ -50,7 +50,7 @@ PHYSIM_INLINE AirState<R> layered_air(const Air<S>& air, const R& z) {
   }
   const R rise = h - base;
   const R excess = lapse * rise;  // T / T_b - 1, between -0.3 and 0.3 in the standard's layers
-  return {density * exp_bounded(power * log1p_near_zero(excess) + decay * rise), per_sound / sqrt(S(1) + excess)};
+  out = {density * exp_bounded(power * log1p_near_zero(excess) + decay * rise), per_sound / sqrt(S(1) + excess)};
 }
 
 /// Standard atmosphere at a geometric altitude [m].
@@ -62,7 +62,8 @@ PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const R& z) {
                         polynomial < kDouble ? kPerSoundTerms : 10 > (u, air.low_per_sound)};
   const auto high = z > R(air.low_top);
   if (!any(high)) return low;
-  const AirState<R> layered = layered_air(air, z);
+  AirState<R> layered;
+  layered_air(air, z, layered);
   return {select(high, layered.density, low.density), select(high, layered.per_sound_speed, low.per_sound_speed)};
 }
 

@@ -59,7 +59,9 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
   R cd = curve_cd(c, b, speed * air.per_sound_speed);
   if (c.has_spheres) {
     const R reynolds = air.density * speed * b.reynolds_length / viscosity(temperature(c, air));
-    cd = select(b.reynolds_length > R(S(0)), sphere_cd(reynolds), cd);
+    R of_sphere;
+    sphere_cd(reynolds, of_sphere);
+    cd = select(b.reynolds_length > R(S(0)), of_sphere, cd);
   }
   R half_area_per_mass = b.half_area_per_mass;
   if (c.has_bands)

@@ -97,6 +97,10 @@ bool spline_overshoots(const DragDef& drag) {
   return drag.table == DragTable::custom && overshoots(through(drag.curve, Interpolation::cubic), drag.curve);
 }
 
-double sphere_drag_coefficient(double reynolds) { return sphere_cd(reynolds); }
+double sphere_drag_coefficient(double reynolds) {
+  double cd;
+  sphere_cd(reynolds, cd);
+  return cd;
+}
 
 }  // namespace physim

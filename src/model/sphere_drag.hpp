@@ -14,8 +14,9 @@
 
 PHYSIM_ISA_BEGIN
 
+/// Behind a call: it is long, and few kernels come here.
 template <class R>
-PHYSIM_INLINE R sphere_cd(const R& reynolds) {
+[[gnu::noinline]] void sphere_cd(const R& reynolds, R& cd) {
   using S = ScalarOf<R>;
   const R re = clamp(reynolds, R(S(1e-6)), R(S(1e6)));
   const R ln_re = log(re);
@@ -24,7 +25,7 @@ PHYSIM_INLINE R sphere_cd(const R& reynolds) {
   const R ln_crisis = ln_re - S(12.479909311159902);                   // ln(Re / 2.63e5)
   // Numerator and denominator are multiplied by (Re/2.63e5)^8, so that nothing overflows in creeping flow.
   const R crisis = S(0.411) * exp(S(0.06) * ln_crisis) / (S(1) + exp(S(8) * ln_crisis));
-  return S(24) / re + S(2.6) * low / (S(1) + low_power) + crisis + exp(S(0.8) * ln_re) * S(1.0 / 461000.0);
+  cd = S(24) / re + S(2.6) * low / (S(1) + low_power) + crisis + exp(S(0.8) * ln_re) * S(1.0 / 461000.0);
 }
 
 PHYSIM_ISA_END

@@ -16,12 +16,10 @@
 
 PHYSIM_ISA_BEGIN
 
-/// As it blows at the origin.
+/// Of a profile, as it blows at the origin; `w` is that of its first point. Behind a call: it is long.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Vec3<R>& x) {
+[[gnu::noinline]] void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
   const WindField<S>& field = c.wind;
-  Vec3<R> w{R(field.velocity[0].x), R(field.velocity[0].y), R(field.velocity[0].z)};
-  if (c.fidelity.wind != WindModel::profile || field.points < 2) return w;
   const R u = field.by_range ? x.x : height(c, x);
   for (int i = 0; i + 1 < field.points; ++i) {
     if (field.stepped) {
@@ -36,6 +34,15 @@ PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Vec3<R>& x) {
       w.z += field.slope[i].z * inside;
     }
   }
+}
+
+/// As it blows at the origin.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Vec3<R>& x) {
+  const WindField<S>& field = c.wind;
+  Vec3<R> w{R(field.velocity[0].x), R(field.velocity[0].y), R(field.velocity[0].z)};
+  if (c.fidelity.wind != WindModel::profile || field.points < 2) return w;
+  profile_wind(c, x, w);
   return w;
 }
 

@@ -64,8 +64,8 @@ PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const
 }
 
 template <class R, class S>
-PHYSIM_INLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                               const State<R>& s) {
+[[gnu::noinline]] Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                   const State<R>& s) {
   const R zero(S(0));
   Regime<R> r{zero, zero, zero, zero, zero, zero, zero};
   if (c.has_rail) rail_phase(c, b, t, s, r.rail);
