@@ -22,8 +22,8 @@ struct ShotGroup {
   unsigned own_count = unsigned(kBodyFields<double>);  // ... but for so many numbers, the first ones of a Body ...
   std::vector<double> own_numbers;                     // ... which are here
   std::vector<Rotor<double>> rotors;                   // of rungs that turn
-  std::vector<SpinDrift> drifts;
-  std::vector<Vec3d> right;
+  std::vector<SpinDrift> drifts;                       // of the rung of that name ...
+  std::vector<Vec3d> right;                            // ... and where they point
   std::vector<RawEnd> ends;
   std::vector<RawEvent> events;
 
@@ -69,23 +69,28 @@ struct ShotKind {
 };
 
 /// Orders events by shot; those of one shot already are in order of time. Counting places needs one pass, not a sort.
-template <class AnyEvent>
 class ByShot {
  public:
-  void order(std::vector<AnyEvent>& events, std::size_t shots) {
-    const auto earlier = [](const AnyEvent& a, const AnyEvent& b) { return a.shot < b.shot; };
-    if (std::is_sorted(events.begin(), events.end(), earlier)) return;
+  /// The numbers of the events, in order.
+  template <class AnyEvent>
+  const std::vector<std::uint32_t>& order(const std::vector<AnyEvent>& events, std::size_t shots) {
     place_.assign(shots + 1, 0);
     for (const AnyEvent& e : events) ++place_[e.shot + 1];
     for (std::size_t i = 0; i < shots; ++i) place_[i + 1] += place_[i];
-    unsorted_ = events;  // copied back, so that the events keep their memory
-    for (const AnyEvent& e : unsorted_) events[place_[e.shot]++] = e;
+    order_.resize(events.size());
+    for (std::uint32_t i = 0; i < events.size(); ++i) order_[place_[events[i].shot]++] = i;
+    return order_;
   }
 
  private:
-  std::vector<std::size_t> place_;  // memory for one order after another
-  std::vector<AnyEvent> unsorted_;
+  std::vector<std::uint32_t> place_;  // memory for one order after another
+  std::vector<std::uint32_t> order_;
 };
+
+bool is_by_shot(const std::vector<ShotEvent>& events) {
+  return std::is_sorted(events.begin(), events.end(),
+                        [](const ShotEvent& a, const ShotEvent& b) { return a.shot < b.shot; });
+}
 
 class Batch {
  public:
@@ -100,24 +105,36 @@ class Batch {
 
   void run() {
     result_.kernel = batch_kernel().name;
-    result_.shots.assign(shots_.size(), {});
+    result_.shots.resize(shots_.size());  // each is written once: how it ended, or that it was refused
     result_.events.clear();
     result_.fidelity_in_use = {};
     result_.error.reset();
     for (const Status& status : {check(environment_), check(tolerance_, fidelity_), check(until_)})
-      if (status) return refuse(*status);
+      if (status) return refuse_all(*status);
     if (shots_.one_projectile)
-      if (const Status status = check(*shots_.one_projectile)) return refuse(*status);
+      if (const Status status = check(*shots_.one_projectile)) return refuse_all(*status);
     result_.events.reserve(shots_.size());
     for (std::uint32_t i = 0; i < shots_.size(); ++i) prepare(i);
     for (ShotGroup& group : groups_) fly(group);
-    // Each chunk's are in order; those of several groups lie between each other.
-    ByShot<ShotEvent>().order(result_.events, shots_.size());
+    order_events();
   }
 
  private:
-  void refuse(const Error& error) {
+  void refuse(std::size_t i, const Error& error) {
+    result_.shots[i] = {};
     if (!result_.error) result_.error = error;
+  }
+  void refuse_all(const Error& error) {
+    for (std::size_t i = 0; i < shots_.size(); ++i) refuse(i, error);
+    result_.error = error;  // with no shots, too
+  }
+
+  /// Each chunk's are in order; those of several groups lie between each other.
+  void order_events() {
+    if (is_by_shot(result_.events)) return;
+    const std::vector<ShotEvent> unsorted = result_.events;  // copied back, so that the result keeps its memory
+    const auto& order = by_shot_.order(unsorted, shots_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) result_.events[i] = unsorted[order[i]];
   }
 
   /// What is known of a shot's projectile.
@@ -148,15 +165,15 @@ class Batch {
 
   void prepare(std::uint32_t i) {
     ShotKind& kind = kind_of(i);
-    if (kind.error) return refuse(*kind.error);
+    if (kind.error) return refuse(i, *kind.error);
     const ProjectileDef& projectile = *kind.projectile;
     const Launch& launch = shots_.launch(i);
-    if (const auto status = check(launch)) return refuse(*status);
-    if (const auto status = check(projectile, launch)) return refuse(*status);
+    if (const auto status = check(launch)) return refuse(i, *status);
+    if (const auto status = check(projectile, launch)) return refuse(i, *status);
     double elevation = launch.elevation;
     if (launch.sight.zero_range > 0) {
       const auto found = elevation_of(projectile, launch, environment_, fidelity_);
-      if (!found) return refuse(found.error());
+      if (!found) return refuse(i, found.error());
       elevation = *found;
     }
     ShotGroup* group = kind.group;
@@ -177,8 +194,10 @@ class Batch {
     group->shots.push_back(i);
     group->add(body);
     if (turns(granted)) group->rotors.push_back(kind.rotor);
-    group->drifts.push_back(prepare_spin_drift(projectile, length(body.launch.v), environment_, granted));
-    group->right.push_back(body.plane);
+    if (drifts(granted)) {
+      group->drifts.push_back(prepare_spin_drift(projectile, length(body.launch.v), environment_, granted));
+      group->right.push_back(body.plane);
+    }
     if (group->shots.size() == kChunk) fly(*group);
   }
 
@@ -272,7 +291,7 @@ class Batch {
     if (group.shots.empty()) return;
     if (!group.step) {
       if (const auto status = choose_step(group)) {
-        refuse(*status);
+        for (const std::uint32_t i : group.shots) refuse(i, *status);
         return group.clear();
       }
     }
@@ -293,20 +312,26 @@ class Batch {
     const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
     kernel({&course, group.own_numbers.data(), group.own_count, &group.common, group.rotors.data(), count,
             group.ends.data(), emit, &group});
-    by_shot_.order(group.events, count);
-    for (const RawEvent& event : group.events) keep(group, event);
+    for (const std::uint32_t i : by_shot_.order(group.events, count)) keep(group, group.events[i]);
     for (std::size_t i = 0; i < count; ++i) keep(group, i, group.ends[i]);
   }
 
+  static bool drifts(const Fidelity& granted) { return granted.rotation == RotationModel::spin_drift; }
+
+  static State<double> shown(const ShotGroup& group, std::size_t i, const State<double>& flown, double time) {
+    if (!drifts(group.cohort.in_use.fidelity)) return flown;
+    return with_drift(flown, group.drifts[i], group.right[i], time);
+  }
+
   void keep(const ShotGroup& group, const RawEvent& e) {
-    const State<double> s = with_drift(e.state, group.drifts[e.shot], group.right[e.shot], e.time);
+    const State<double> s = shown(group, e.shot, e.state, e.time);
     const EventSpec& spec = watch_.item[e.index].spec;
     const Crossing direction = e.rising ? Crossing::rising : Crossing::falling;
     result_.events.push_back({group.shots[e.shot], {spec.kind, spec.value, direction, e.time, s.x, s.v}});
   }
 
   void keep(const ShotGroup& group, std::size_t i, const RawEnd& end) {
-    const State<double> s = with_drift(end.state, group.drifts[i], group.right[i], end.time);
+    const State<double> s = shown(group, i, end.state, end.time);
     const auto steps = static_cast<std::int64_t>(end.steps);
     const auto tries = static_cast<std::int64_t>(end.tries);
     result_.shots[group.shots[i]] = {
@@ -331,7 +356,7 @@ class Batch {
   std::array<ShotGroup*, 4096> group_by_key_{};
   ShotKind kind_;
   bool some_accepted_ = false;
-  ByShot<RawEvent> by_shot_;
+  ByShot by_shot_;
   BatchResult& result_;
 };
 

@@ -99,10 +99,9 @@ class Court {
   explicit Court(const BatchJob<S>& job) : job_(job), own_(own_fields<R>(job)) {}
 
   /// Takes in a lane's last step; one at a time of each flight, so that its crossings are reported in order.
-  void add(const Lanes<R>& from, int lane, bool accepted, std::size_t shot) {
-    bool waits = false;
-    for (int i = 0; i < filled_; ++i) waits = waits || shot_[i] == shot;
-    if (waits || filled_ == kLanes<R>) settle();
+  void add(const Lanes<R>& from, int lane, bool accepted, bool ends, std::size_t shot) {
+    if (filled_ == kLanes<R> || (some_go_on_ && waits(shot))) settle();
+    some_go_on_ = some_go_on_ || !ends;
     take_step(from, lane, filled_, filled_ < touched_ ? own_ : body_fields<R>(*job_.course->conditions));
     accepted_[filled_] = accepted;
     shot_[filled_] = shot;
@@ -128,11 +127,18 @@ class Court {
     report_crossings();
     report_ends();
     filled_ = 0;
+    some_go_on_ = false;
     return ended;
   }
 
  private:
   using W = Cast<double, R>;
+
+  [[nodiscard]] bool waits(std::size_t shot) const {
+    for (int i = 0; i < filled_; ++i)
+      if (shot_[i] == shot) return true;
+    return false;
+  }
 
   void take_step(const Lanes<R>& from, int from_lane, int lane, unsigned numbers) {
     copy_step(*job_.course->conditions, from, from_lane, steps_, lane, numbers);
@@ -210,7 +216,8 @@ class Court {
   std::size_t shot_[kLanes<R>];
   Verdict verdict_[kLanes<R>];
   int filled_ = 0;
-  int touched_ = 0;  // lanes before it have held a step
+  bool some_go_on_ = false;  // flights that wait may come again
+  int touched_ = 0;          // lanes before it have held a step
 };
 
 /// Flights in a set of lanes.
@@ -246,7 +253,7 @@ class Company {
     const unsigned sure = ended | lane_bits(attention.surely_goes_on);
     for (unsigned left = lane_bits(attention.special) & flying_; left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
-      court.add(lanes, lane, (accepted >> lane & 1u) != 0, shot_[lane]);
+      court.add(lanes, lane, (accepted >> lane & 1u) != 0, (ended >> lane & 1u) != 0, shot_[lane]);
       if ((sure >> lane & 1u) == 0 && court.settle()) ended |= 1u << lane;
     }
     return ended;

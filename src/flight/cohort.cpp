@@ -374,8 +374,9 @@ SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const 
 
 void jump_in_crosswind(const ProjectileDef& p, const Environment& environment, const Conditions<double>& c,
                        Body<double>& b) {
+  if (!c.fidelity.aerodynamic_jump) return;
   const double speed = length(b.launch.v);
-  if (!c.fidelity.aerodynamic_jump || speed == 0) return;
+  if (speed == 0) return;
   const auto stability = stability_at_launch(p, speed, environment);
   if (!stability) return;
   const double from_right = -dot(wind(c, b.launch.x), b.plane);
