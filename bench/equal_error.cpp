@@ -30,12 +30,17 @@ std::vector<Contender> contenders(const PeerModel& model, double target) {
   list.push_back(batch("PhySim adaptive Tsit5", "scalar", tsit5, true));
   for (auto kernel = found.rbegin() + 1; kernel != found.rend(); ++kernel)
     list.push_back(batch("PhySim adaptive Tsit5", *kernel, tsit5, true));
+  list.push_back(batch("PhySim adaptive RK4(3)", "scalar", bench_fidelity(Integrator::rk43), true));
+  for (auto kernel = found.rbegin() + 1; kernel != found.rend(); ++kernel)
+    list.push_back(batch("PhySim adaptive RK4(3)", *kernel, bench_fidelity(Integrator::rk43), true));
   list.push_back(batch("PhySim adaptive DOP853", best, bench_fidelity(Integrator::dop853), true));
   for (auto kernel = found.rbegin() + 1; kernel != found.rend(); ++kernel)
     list.push_back(batch("PhySim fixed RK4, pilot step", *kernel, bench_fidelity(Integrator::rk4), true));
   if (target >= 1e-3) {
     list.push_back(
         batch("PhySim adaptive Tsit5, float32", best, bench_fidelity(Integrator::tsit5, Precision::float32), true));
+    list.push_back(
+        batch("PhySim adaptive RK4(3), float32", best, bench_fidelity(Integrator::rk43, Precision::float32), true));
     list.push_back(batch("PhySim fixed RK4, pilot step, float32", best,
                          bench_fidelity(Integrator::rk4, Precision::float32), true));
   }

@@ -50,7 +50,7 @@ void add_integrators(const Scenario& scenario, const ScenarioShot& shot, std::ve
       tolerance.step = step;
       add(integrator, text, tolerance);
     }
-  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853})
+  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
     for (const auto& [text, error] : {Setting{"1e-3", 1e-3}, {"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}}) {
       Tolerance tolerance = scenario.tolerance;
       tolerance.relative = tolerance.absolute = error;

@@ -34,6 +34,7 @@ std::vector<RungDoc> all_docs() {
                    {Integrator::semi_implicit_euler, "order 1, symplectic, fixed step; what most game engines do"},
                    {Integrator::heun, "order 2, fixed step"},
                    {Integrator::rk4, "order 4, fixed step"},
+                   {Integrator::rk43, "order 4, adaptive (Sofroniou and Spaletta 2004)"},
                    {Integrator::tsit5, "order 5, adaptive (Tsitouras 2011)"},
                    {Integrator::dop853, "order 8, adaptive (Dormand and Prince)"}});
   add<GravityModel>(all, "gravity",

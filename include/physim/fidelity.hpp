@@ -21,6 +21,7 @@ enum class Integrator {
   semi_implicit_euler,  ///< order 1, symplectic; what most game engines do
   heun,                 ///< order 2
   rk4,                  ///< order 4, fixed step
+  rk43,                 ///< order 4, adaptive (Sofroniou and Spaletta 2004)
   tsit5,                ///< order 5, adaptive (Tsitouras 2011), dense output of order 4
   dop853,               ///< order 8, adaptive (Dormand and Prince 8(5,3)), dense output of order 7
 };

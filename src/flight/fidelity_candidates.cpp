@@ -117,7 +117,7 @@ std::vector<Stepper> FidelityLadder::steppers(double longest) const {
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4})
     for (const double step : steps)
       for (const Motion motion : {Motion::velocity, Motion::force}) add(motion, integrator, step);
-  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853})
+  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
     for (const Motion motion : {Motion::velocity, Motion::force}) add(motion, integrator, 0);
   return list;
 }

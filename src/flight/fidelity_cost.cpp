@@ -72,6 +72,8 @@ double integrator_cost(Integrator integrator) {
       return 2 * kAdvance + kSlope;
     case Integrator::rk4:
       return 4 * kAdvance + 3 * kSlope;
+    case Integrator::rk43:
+      return 4 * kAdvance + 10 * kSlope + kControl;
     case Integrator::tsit5:
       return 6 * kAdvance + 21 * kSlope + kControl;
     case Integrator::dop853:

@@ -15,7 +15,8 @@ namespace physim {
   }
 
 PHYSIM_NAMES(Motion, force, "closed_form", "velocity", "force")
-PHYSIM_NAMES(Integrator, dop853, "classic", "explicit_euler", "semi_implicit_euler", "heun", "rk4", "tsit5", "dop853")
+PHYSIM_NAMES(Integrator, dop853, "classic", "explicit_euler", "semi_implicit_euler", "heun", "rk4", "rk43", "tsit5",
+             "dop853")
 PHYSIM_NAMES(GravityModel, wgs84, "off", "constant", "inverse_square", "j2", "wgs84")
 PHYSIM_NAMES(DragModel, equation, "off", "damping", "linear_quadratic", "equation")
 PHYSIM_NAMES(AirModel, isa, "vacuum", "constant", "exponential", "isa")

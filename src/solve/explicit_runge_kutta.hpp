@@ -6,9 +6,11 @@
 //
 // Sources: J. C. Butcher, Numerical Methods for Ordinary Differential Equations (2008), sec. 23 (Heun, RK4);
 //   C. Tsitouras, "Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption", Computers
-//   & Mathematics with Applications 62 (2011) 770-775, table 1 and sec. 4 (dense output); E. Hairer, S. P. Norsett, G.
-//   Wanner, Solving Ordinary Differential Equations I (1993), sec. II.5, II.6 and the coefficients of their code DOP853
-//   (8(5,3) pair of Dormand and Prince, dense output of order 7).
+//   & Mathematics with Applications 62 (2011) 770-775, table 1 and sec. 4 (dense output); M.
+//   Sofroniou, G. Spaletta, "Construction of explicit Runge-Kutta pairs with stiffness detection", Mathematical and
+//   Computer Modelling 40 (2004) 1157-1169 (the pair 4(3)); E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
+//   Differential Equations I (1993), sec. II.5, II.6 and the coefficients of their code DOP853 (8(5,3) pair of Dormand
+//   and Prince, dense output of order 7).
 #pragma once
 
 #include <utility>
@@ -31,6 +33,17 @@ struct Rk4 {
   static constexpr double a[4][4] = {{}, {0.5}, {0, 0.5}, {0, 0, 1}};
   static constexpr double b[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
   static constexpr double c[4] = {0, 0.5, 0.5, 1};
+};
+
+struct Rk43 {
+  static constexpr int kStages = 4;
+  static constexpr int kOrder = 4;
+  static constexpr double a[4][4] = {{}, {2.0 / 5}, {-3.0 / 20, 3.0 / 4}, {19.0 / 44, -15.0 / 44, 10.0 / 11}};
+  static constexpr double b[4] = {11.0 / 72, 25.0 / 72, 25.0 / 72, 11.0 / 72};
+  static constexpr double c[4] = {0, 2.0 / 5, 3.0 / 5, 1};
+  /// Order 3 minus order 4, on the four stages and the slope at the end.
+  static constexpr double kError[5] = {1251515.0 / 8970912 - b[0], 3710105.0 / 8970912 - b[1],
+                                       2519695.0 / 8970912 - b[2], 61105.0 / 8970912 - b[3], 119041.0 / 747576};
 };
 
 struct Tsit5 {

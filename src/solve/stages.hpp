@@ -11,6 +11,7 @@ template <class F>
 PHYSIM_INLINE void with_tableau(Integrator integrator, const F& f) {
   if (integrator == Integrator::heun) f(Heun{});
   if (integrator == Integrator::rk4) f(Rk4{});
+  if (integrator == Integrator::rk43) f(Rk43{});
   if (integrator == Integrator::tsit5) f(Tsit5{});
   if (integrator == Integrator::dop853) f(Dop853{});
 }

@@ -20,7 +20,11 @@ struct StepControl {
   R h;             // next step to try [s]
 };
 
-PHYSIM_INLINE double order_of(Integrator integrator) { return integrator == Integrator::dop853 ? 8 : 5; }
+/// With the error of a step falling as the h^order: of the embedded method's, one higher than its own order.
+PHYSIM_INLINE double order_of(Integrator integrator) {
+  if (integrator == Integrator::rk43) return 4;
+  return integrator == Integrator::dop853 ? 8 : 5;
+}
 
 /// The step to try after one of length h with error squared `error`; `accepted` lanes use the integral part too.
 template <class R>
@@ -38,7 +42,8 @@ PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, con
   return h * clamp(factor, R(S(0.1)), R(S(5)));
 }
 
-/// First step: the time in which the velocity would change by a few times the fifth (eighth) root of the tolerance.
+/// First step: the time in which the velocity would change by a few times the root of the tolerance, of the estimate's
+/// order.
 template <class R, class S>
 PHYSIM_INLINE R first_step(Integrator integrator, const State<R>& start, const Vec3<R>& a, S relative, S absolute) {
   const R tiny = constant<R>(1e-30);

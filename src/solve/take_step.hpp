@@ -14,6 +14,8 @@ PHYSIM_INLINE int end_slope(Integrator integrator) {
       return Heun::kStages;
     case Integrator::rk4:
       return Rk4::kStages;
+    case Integrator::rk43:
+      return Rk43::kStages;
     case Integrator::tsit5:
       return Tsit5::kStages;
     case Integrator::dop853:
@@ -23,9 +25,7 @@ PHYSIM_INLINE int end_slope(Integrator integrator) {
   }
 }
 
-PHYSIM_INLINE bool is_adaptive(Integrator integrator) {
-  return integrator == Integrator::tsit5 || integrator == Integrator::dop853;
-}
+PHYSIM_INLINE bool is_adaptive(Integrator integrator) { return integrator >= Integrator::rk43; }
 
 /// Closed forms and adaptive integrators choose their steps; the others need one given.
 PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
@@ -111,9 +111,11 @@ PHYSIM_INLINE R worse(const R& a, const R& b) {
 
 /// Error over tolerance, squared: the worse of position and velocity, or of direction and rate; `s` is a Step or its
 /// TurnStep.
-template <class AnyStep, class R, class S>
-[[gnu::noinline]] R tsit5_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
-  const auto e = squared_errors(weighted_sum<ErrorWeights<Tsit5, 0>, 7>(s.slope) * h, s.end, relative, absolute);
+template <class Tableau, class AnyStep, class R, class S>
+[[gnu::noinline]] R embedded_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
+  constexpr int kSlopes = Tableau::kStages + 1;
+  const auto e =
+      squared_errors(weighted_sum<ErrorWeights<Tableau, 0>, kSlopes>(s.slope) * h, s.end, relative, absolute);
   return worse(e.first, e.second);
 }
 
@@ -135,7 +137,8 @@ template <class AnyStep, class R, class S>
 /// Of an adaptive integrator's step.
 template <class AnyStep, class R, class S>
 PHYSIM_INLINE R error_squared(Integrator integrator, const AnyStep& s, const R& h, S relative, S absolute) {
-  if (integrator == Integrator::tsit5) return tsit5_error_squared(s, h, relative, absolute);
+  if (integrator == Integrator::rk43) return embedded_error_squared<Rk43>(s, h, relative, absolute);
+  if (integrator == Integrator::tsit5) return embedded_error_squared<Tsit5>(s, h, relative, absolute);
   return dop853_error_squared(s, h, relative, absolute);
 }
 
@@ -155,6 +158,8 @@ PHYSIM_INLINE void runge_kutta_ends(Integrator integrator, const Walkers<R>& w, 
     runge_kutta_ends<Heun, kTurns>(w.steps, w.count, f);
   } else if (integrator == Integrator::rk4) {
     runge_kutta_ends<Rk4, kTurns>(w.steps, w.count, f);
+  } else if (integrator == Integrator::rk43) {
+    runge_kutta_ends<Rk43, kTurns>(w.steps, w.count, f);
   } else if (integrator == Integrator::tsit5) {
     runge_kutta_ends<Tsit5, kTurns>(w.steps, w.count, f);
   } else {

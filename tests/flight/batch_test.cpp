@@ -162,7 +162,8 @@ std::string name_of(const testing::TestParamInfo<Combination>& c) {
 INSTANTIATE_TEST_SUITE_P(All, BatchEquality,
                          testing::Combine(testing::Values(Integrator::classic, Integrator::explicit_euler,
                                                           Integrator::semi_implicit_euler, Integrator::heun,
-                                                          Integrator::rk4, Integrator::tsit5, Integrator::dop853),
+                                                          Integrator::rk4, Integrator::rk43, Integrator::tsit5,
+                                                          Integrator::dop853),
                                           testing::Values(Precision::float32, Precision::float64)),
                          name_of);
 

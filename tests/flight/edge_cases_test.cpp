@@ -74,7 +74,7 @@ TEST(EdgeCases, a_speed_passed_twice_in_one_step_is_seen_twice) {
   const double slowest = 100 * std::cos(0.5235987755982988);
   Until until;
   until.events = {{EventKind::speed, slowest + 0.1}};
-  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;
     f.drag = DragModel::off;
@@ -196,7 +196,7 @@ TEST(EdgeCases, a_path_that_dips_under_an_edge_of_the_bands_feels_it) {
 }
 
 TEST(EdgeCases, precision_alone_may_be_lowered) {
-  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853, Integrator::rk4}) {
+  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853, Integrator::rk4}) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;
     const Launch launch{.speed = 300, .elevation = 0.5};

@@ -133,7 +133,8 @@ TEST(Events, a_step_may_cross_a_height_twice) {
   // One step far longer than the flight: up through the height and down again inside it, then the ground.
   Until until;
   until.events = {{EventKind::height, 120, Crossing::any}, {EventKind::height, 20, Crossing::falling}};
-  for (const Integrator integrator : {Integrator::heun, Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator :
+       {Integrator::heun, Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     const Flight flight = lob(until, integrator, {.step = 500});
     const auto heights = of_kind(flight, EventKind::height);
     ASSERT_EQ(heights.size(), 3u) << text(integrator);

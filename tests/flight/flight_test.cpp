@@ -8,9 +8,14 @@ namespace {
 
 using namespace test;
 
-constexpr Integrator kAll[] = {
-    Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4,
-    Integrator::tsit5,   Integrator::dop853};
+constexpr Integrator kAll[] = {Integrator::classic,
+                               Integrator::explicit_euler,
+                               Integrator::semi_implicit_euler,
+                               Integrator::heun,
+                               Integrator::rk4,
+                               Integrator::rk43,
+                               Integrator::tsit5,
+                               Integrator::dop853};
 
 Flight shot(const Fidelity& f, const Until& until = {}) {
   return fly(bullet_308(), {.position = {0, 1.5, 0}, .speed = 800, .elevation = 0.01}, {}, f, {1e-10, 1e-10, 1e-3},
@@ -213,6 +218,7 @@ TEST(Flight, integrators_agree_with_each_other_and_with_closed_forms) {
                                          {Integrator::semi_implicit_euler, 0.1},
                                          {Integrator::heun, 1e-4},
                                          {Integrator::rk4, 1e-9},
+                                         {Integrator::rk43, 1e-8},
                                          {Integrator::tsit5, 1e-8},
                                          {Integrator::dop853, 1e-8}}) {
     f.integrator = integrator;

@@ -76,7 +76,7 @@ TEST(Motor, impulse_mass_and_thrust_of_a_table) {
 }
 
 TEST(Motor, without_weight_and_air_tsiolkovskys_equation_holds) {
-  for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     Launch launch;
     launch.elevation = 0.3;
     launch.rail_length = kFar;
@@ -106,7 +106,7 @@ TEST(Motor, straight_up_against_gravity) {
   launch.rail_length = 2;
   ProjectileDef p = rocket();
   p.motor.ignition_delay = 0.7;
-  for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     SCOPED_TRACE(text(integrator));
     const Flight flight = fly(p, launch, constant_gravity(), vacuum(integrator), {1e-12, 1e-12, 0.01}, {.time = 60});
     ASSERT_FALSE(flight.error()) << flight.error()->text();
@@ -193,7 +193,7 @@ TEST(Motor, adaptive_integrators_stay_within_tolerance) {
       return fly(p, launch, {}, f, {tolerance, tolerance}, {.time = 3}).end().position;
     };
     const Vec3d exact = end(Integrator::dop853, 1e-13);
-    for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853})
+    for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
       EXPECT_LT(length(end(integrator, 1e-9) - exact), 2e-6) << text(integrator) << " " << launch.rail_length;
   }
 }
@@ -317,7 +317,7 @@ TEST(Motor, straight_up_with_drag_as_fehskens_and_malewicki_solved_it) {
   Environment air = constant_gravity();
   air.atmosphere.model = AirModel::constant;
   air.atmosphere.density = 1.225;
-  for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     Fidelity f = Fidelity::sport_ball();
     f.integrator = integrator;
     const Flight flight =
@@ -334,8 +334,8 @@ TEST(Rail, a_constant_push_along_it) {
   p.force = {};
   p.motor.thrust = {{0, 50}, {10, 50}};  // no propellant: the mass stays
   const double elevation = 40 * kDegree;
-  for (const Integrator integrator :
-       {Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4,
+                                      Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     SCOPED_TRACE(text(integrator));
     const Flight flight = fly(p, {.position = {5, 1, 2}, .elevation = elevation, .azimuth = 0.5, .rail_length = 7},
                               constant_gravity(), vacuum(integrator), {1e-12, 1e-12, 1.0 / 64}, {.time = 3});
@@ -360,7 +360,8 @@ TEST(Rail, holds_until_thrust_overcomes_weight) {
   const double elevation = 75 * kDegree;
   const double pull = kG * std::sin(elevation);
   const double freed = 3 * pull / 20;
-  for (const Integrator integrator : {Integrator::heun, Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator :
+       {Integrator::heun, Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     SCOPED_TRACE(text(integrator));
     const Flight flight = fly(p, {.elevation = elevation, .rail_length = kFar}, constant_gravity(), vacuum(integrator),
                               {1e-12, 1e-12, 0.0371}, {.time = 4});
@@ -426,7 +427,7 @@ TEST(Motor, a_batch_flies_the_bits_of_single_flights) {
   until.time = 30;
   until.events = {{EventKind::apex}, {EventKind::ignition}, {EventKind::burnout}, {EventKind::rail_exit}};
   for (const Integrator integrator :
-       {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::tsit5, Integrator::dop853})
+       {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853})
     for (const Precision precision : {Precision::float32, Precision::float64})
       for (const std::string& kernel : kernels()) {
         SCOPED_TRACE(text(integrator) + " " + kernel);

@@ -10,9 +10,14 @@ namespace {
 
 using namespace test;
 
-constexpr Integrator kAll[] = {
-    Integrator::classic, Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4,
-    Integrator::tsit5,   Integrator::dop853};
+constexpr Integrator kAll[] = {Integrator::classic,
+                               Integrator::explicit_euler,
+                               Integrator::semi_implicit_euler,
+                               Integrator::heun,
+                               Integrator::rk4,
+                               Integrator::rk43,
+                               Integrator::tsit5,
+                               Integrator::dop853};
 
 TEST(Outcome, landed) {
   for (const Integrator integrator : kAll)
@@ -56,7 +61,7 @@ TEST(Outcome, step_limit) {
 }
 
 TEST(Outcome, left_domain) {
-  for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     const Flight flight = fly(bullet_308(), {.speed = 700, .elevation = -1}, {}, {.integrator = integrator},
                               {1e-9, 1e-9, 0.05}, {.ground = {}});
     EXPECT_EQ(flight.outcome(), Outcome::left_domain) << text(integrator);
@@ -99,7 +104,7 @@ TEST(Outcome, stalled) {
   e.wind = {.profile = {{0, {10, 0, 0}}, {1000, {1e15, 0, 0}}},
             .by = WindAxis::range,
             .interpolation = WindInterpolation::step};
-  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853})
+  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       Fidelity f = vacuum(integrator);
       f.drag = DragModel::linear_quadratic;

@@ -12,7 +12,8 @@ using namespace test;
 
 constexpr Integrator kIntegrators[] = {Integrator::explicit_euler, Integrator::semi_implicit_euler,
                                        Integrator::heun,           Integrator::rk4,
-                                       Integrator::tsit5,          Integrator::dop853};
+                                       Integrator::rk43,           Integrator::tsit5,
+                                       Integrator::dop853};
 
 Environment still_place() {
   Environment e = constant_gravity();
@@ -99,8 +100,8 @@ TEST(RigidBody, every_integrator_has_its_order) {
   };
   for (const auto& [integrator, order, n] :
        {Promise{Integrator::explicit_euler, 1, 8000}, Promise{Integrator::semi_implicit_euler, 1, 8000},
-        Promise{Integrator::heun, 2, 1000}, Promise{Integrator::rk4, 4, 120}, Promise{Integrator::tsit5, 5, 120},
-        Promise{Integrator::dop853, 8, 16}})
+        Promise{Integrator::heun, 2, 1000}, Promise{Integrator::rk4, 4, 120}, Promise{Integrator::rk43, 4, 120},
+        Promise{Integrator::tsit5, 5, 120}, Promise{Integrator::dop853, 8, 16}})
     EXPECT_NEAR(observed_order(error_after(integrator, n), error_after(integrator, n * 3 / 2), 1.5), order, 0.1)
         << text(integrator);
 }
@@ -118,7 +119,7 @@ TEST(RigidBody, dense_output_is_no_less_accurate_than_the_steps) {
                fine = error(spun(Integrator::rk4, 10, {.step = 0.05}));
   EXPECT_GT(observed_order(coarse, fine, 2), 3.8) << coarse << ' ' << fine;
   for (const double tolerance : {1e-6, 1e-9, 1e-12})
-    for (const Integrator i : {Integrator::tsit5, Integrator::dop853})
+    for (const Integrator i : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
       EXPECT_LT(error(spun(i, 10, {tolerance, tolerance})), 300 * tolerance) << text(i);
 }
 
@@ -178,7 +179,7 @@ TEST(RigidBody, a_step_that_overflows_is_not_accepted) {
   p.inertia.moments = {0.007, 0.025, 0.025};
   Launch launch{.speed = 400};
   launch.attitude = {.yaw = 0.1, .rates = {0, 1, 2}};
-  for (const Integrator integrator : {Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     Fidelity f = rigid(integrator, BodyForm::axis);
     f.precision = Precision::float32;
     const Flight flight = fly(p, launch, still_place(), f, {1e-4, 1e-4}, {.ground = {}, .time = 0.05});

@@ -37,7 +37,7 @@ Fidelity any_fidelity(Random& r) {
   Fidelity f = random_fidelity(r);
   f.earth = static_cast<EarthModel>(r.below(5));
   f.gravity = r.one_in(10) ? GravityModel::off : static_cast<GravityModel>(1 + r.below(4));
-  f.integrator = r.one_in(2) ? Integrator::tsit5 : static_cast<Integrator>(r.below(7));
+  f.integrator = r.one_in(2) ? Integrator::tsit5 : static_cast<Integrator>(r.below(8));
   f.precision = r.one_in(8) ? Precision::float32 : Precision::float64;
   return f;
 }

@@ -22,6 +22,7 @@ constexpr Promise promise_of(Integrator integrator) {
     case Integrator::heun:
       return {2, 0, 64, 64, 64};
     case Integrator::rk4:
+    case Integrator::rk43:
       return {4, 0, 16, 32, 32};
     case Integrator::tsit5:
       return {5, 4, 32, 64, 64};
@@ -53,9 +54,9 @@ class Battery : public testing::Test {
 
 template <Integrator I>
 using Is = std::integral_constant<Integrator, I>;
-using Integrators =
-    testing::Types<Is<Integrator::classic>, Is<Integrator::explicit_euler>, Is<Integrator::semi_implicit_euler>,
-                   Is<Integrator::heun>, Is<Integrator::rk4>, Is<Integrator::tsit5>, Is<Integrator::dop853>>;
+using Integrators = testing::Types<Is<Integrator::classic>, Is<Integrator::explicit_euler>,
+                                   Is<Integrator::semi_implicit_euler>, Is<Integrator::heun>, Is<Integrator::rk4>,
+                                   Is<Integrator::rk43>, Is<Integrator::tsit5>, Is<Integrator::dop853>>;
 struct Names {
   template <class T>
   static std::string GetName(int) {

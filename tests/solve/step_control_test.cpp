@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr Integrator kAdaptive[] = {Integrator::tsit5, Integrator::dop853};
+constexpr Integrator kAdaptive[] = {Integrator::rk43, Integrator::tsit5, Integrator::dop853};
 
 double next(double error_squared, bool accepted, double log_previous = 0, Integrator integrator = Integrator::tsit5) {
   StepControl<double> control{log_previous, 1};
@@ -32,6 +32,7 @@ TEST(StepControl, changes_with_the_fitting_root_of_the_error) {
   EXPECT_NEAR(next(0.25 * 0.25, true), 0.9 * std::pow(0.25, -0.14), 1e-14);
   EXPECT_NEAR(next(0.25 * 0.25, true, 2 * std::log(0.5)), 0.9 * std::pow(0.25, -0.14) * std::pow(0.5, 0.08), 1e-14);
   EXPECT_NEAR(next(16 * 16, false, 0, Integrator::dop853), 0.9 * std::pow(16.0, -0.125), 1e-14);
+  EXPECT_NEAR(next(16 * 16, false, 0, Integrator::rk43), 0.9 * std::pow(16.0, -0.25), 1e-14);
 }
 
 TEST(StepControl, is_limited_and_survives_bad_numbers) {
@@ -77,18 +78,23 @@ TEST(AdaptiveFlight, error_follows_the_tolerance) {
   }
 }
 
+std::int64_t stages_of(Integrator integrator) {
+  if (integrator == Integrator::rk43) return 4;
+  return integrator == Integrator::tsit5 ? 6 : 12;
+}
+
 TEST(AdaptiveFlight, rejects_steps_that_are_too_long) {
   for (const Integrator integrator : kAdaptive) {
     const Flight flight = transonic(integrator, 1e-8);
     EXPECT_GT(flight.cost().rejected, 0) << text(integrator);
     EXPECT_LT(flight.cost().rejected, flight.cost().steps / 2) << text(integrator);
-    EXPECT_EQ(flight.cost().evaluations,
-              1 + (flight.cost().steps + flight.cost().rejected) * (integrator == Integrator::tsit5 ? 6 : 12));
+    EXPECT_EQ(flight.cost().evaluations, 1 + (flight.cost().steps + flight.cost().rejected) * stages_of(integrator));
     EXPECT_EQ(static_cast<std::int64_t>(flight.step_times().size()), flight.cost().steps + 1);
   }
 }
 
 TEST(AdaptiveFlight, higher_order_takes_fewer_steps) {
+  EXPECT_LT(transonic(Integrator::tsit5, 1e-10).cost().steps, transonic(Integrator::rk43, 1e-10).cost().steps);
   EXPECT_LT(transonic(Integrator::dop853, 1e-10).cost().steps, transonic(Integrator::tsit5, 1e-10).cost().steps);
 }
 

@@ -20,7 +20,7 @@ class TableauTest : public testing::Test {
     return total;
   }
 };
-using Tableaus = testing::Types<Heun, Rk4, Tsit5, Dop853>;
+using Tableaus = testing::Types<Heun, Rk4, Rk43, Tsit5, Dop853>;
 TYPED_TEST_SUITE(TableauTest, Tableaus);
 
 constexpr double kRounding = 3e-14;  // coefficients up to 43, each good to 1e-16 of itself
@@ -77,6 +77,9 @@ double moment(std::span<const double> weights, std::span<const double> c, int po
 }
 
 TEST(Tableau, error_weights_see_what_the_lower_order_misses) {
+  const double rk43_c[5] = {0, 0.4, 0.6, 1, 1};
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(moment(Rk43::kError, rk43_c, k), 0, 1e-16) << k;
+  EXPECT_GT(std::abs(moment(Rk43::kError, rk43_c, 3)), 1e-3);
   const double tsit5_c[7] = {0, 0.161, 0.327, 0.9, 0.9800255409045097, 1, 1};
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(moment(Tsit5::kError, tsit5_c, k), 0, 1e-14) << k;
   EXPECT_GT(std::abs(moment(Tsit5::kError, tsit5_c, 4)), 1e-5);

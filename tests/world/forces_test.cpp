@@ -40,6 +40,7 @@ TEST(WorldForces, every_integrator_keeps_its_order) {
                {Integrator::semi_implicit_euler, 512, 1},
                {Integrator::heun, 128, 2},
                {Integrator::rk4, 64, 4},
+               {Integrator::rk43, 64, 4},
                {Integrator::tsit5, 32, 5},
                {Integrator::dop853, 6, 8}};
   for (const auto& c : cases) {
@@ -333,7 +334,8 @@ TEST(WorldForces, wake_sleepers_when_they_come_and_when_they_go) {
 
 // --------------------------------------------------------------------------------------------------- ground
 TEST(WorldForces, landings_lie_on_the_real_step) {
-  for (const Integrator i : {Integrator::heun, Integrator::rk4, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator i :
+       {Integrator::heun, Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
     WorldDef def = empty_space();
     def.ground.mode = GroundMode::land;
     World world = make(def);

@@ -33,7 +33,7 @@ bool same_turn(const World& a, ProjectileId x, const World& b, ProjectileId y) {
 
 TEST(RigidWorld, generators_do_not_change_how_it_turns) {
   for (const Integrator i : {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun,
-                             Integrator::rk4, Integrator::tsit5, Integrator::dop853})
+                             Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853})
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       World free, pushed;
       const ProjectileId a = free.spawn(brick_on(i, precision), thrown());
