@@ -32,16 +32,16 @@ Contender peer(std::string name, std::string kernel, void (*fly)(PeerTask&), con
   return contender;
 }
 
-Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, bool one_kind) {
+Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, BatchOf what) {
   Contender contender{std::move(name), std::move(kernel)};
   contender.by_pilot = fidelity.integrator == Integrator::rk4;
   if (fidelity.precision == Precision::float32) contender.tightest = 5e-7;
   const Contender kind = contender;
-  contender.fly = [kind, fidelity, one_kind, result = BatchResult{}](const ShotSet& set, std::size_t count,
-                                                                     double setting, Vec3d* ends) mutable {
+  contender.fly = [kind, fidelity, what, result = BatchResult{}](const ShotSet& set, std::size_t count, double setting,
+                                                                 Vec3d* ends) mutable {
     use_kernel(kind.kernel);
     const Tolerance tolerance = tolerance_of(kind, setting);
-    if (one_kind)
+    if (what == BatchOf::launches)
       fly_batch(set.shots[0].projectile, std::span(set.launches).first(count), bench_environment(), fidelity, tolerance,
                 bench_until(), result);
     else

@@ -26,8 +26,12 @@ struct Contender {
 };
 
 [[nodiscard]] Contender peer(std::string name, std::string kernel, void (*fly)(PeerTask&), const PeerModel& model);
-/// fly_batch() with one kernel: of launches of one projectile, or of shots with a projectile each.
-[[nodiscard]] Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, bool one_kind);
+enum class BatchOf {
+  launches,  // of one projectile
+  shots,     // with a projectile each
+};
+/// fly_batch() with one kernel.
+[[nodiscard]] Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, BatchOf what);
 /// fly() for each shot, with dense output and the place asked from it.
 [[nodiscard]] Contender single_flights(std::string name, const Fidelity& fidelity);
 

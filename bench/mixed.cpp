@@ -44,9 +44,9 @@ Section mixed_section(const Options& options, double tolerance) {
   const Fidelity tsit5 = bench_fidelity(Integrator::tsit5);
   std::vector<Entry> entries;
   for (const std::string& kernel : {kernels().front(), std::string("scalar")}) {
-    entries.push_back({"uniform", batch("", kernel, tsit5, false), &uniform});
-    entries.push_back({"mixed", batch("", kernel, tsit5, false), &mixed});
-    entries.push_back({"mixed, own curves at odd Mach numbers", batch("", kernel, tsit5, false), &searched});
+    entries.push_back({"uniform", batch("", kernel, tsit5, BatchOf::shots), &uniform});
+    entries.push_back({"mixed", batch("", kernel, tsit5, BatchOf::shots), &mixed});
+    entries.push_back({"mixed, own curves at odd Mach numbers", batch("", kernel, tsit5, BatchOf::shots), &searched});
   }
   std::vector<std::function<void()>> turns;
   for (Entry& e : entries) {
@@ -83,7 +83,7 @@ Section allocation_section(const Options& options) {
   s.columns = {"flights", "tolerance", "steps", "allocations", "a step more allocates"};
   const std::size_t most = std::min<std::size_t>(options.flights, 8000);
   const ShotSet set = uniform_shots(most);
-  const Contender packs = batch("", kernels().front(), bench_fidelity(Integrator::tsit5), false);
+  const Contender packs = batch("", kernels().front(), bench_fidelity(Integrator::tsit5), BatchOf::shots);
   for (const std::size_t count : {most / 2, most}) {
     std::int64_t steps_before = 0, allocations_before = 0;
     for (const double tolerance : {1e-6, 1e-12}) {

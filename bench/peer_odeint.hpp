@@ -12,13 +12,14 @@ namespace {
 /// A type of this file alone makes its templates this file's alone: the linker must not share them between flags.
 struct OwnOperations : boost::numeric::odeint::default_operations {};
 
+template <AirBy kAir = AirBy::polynomials>
 void fly_dopri5(PeerTask& task) {
   namespace odeint = boost::numeric::odeint;
   using State = std::array<double, 6>;
   const PeerModel& model = *task.model;
   std::int64_t evaluations = 0;
   const auto rhs = [&](const State& y, State& slope, double) {
-    peer_rhs(model, y.data(), slope.data());
+    peer_rhs<kAir>(model, y.data(), slope.data());
     ++evaluations;
   };
   using Stepper =

@@ -36,9 +36,12 @@ inline PeerAir peer_layered_air(const PeerModel& m, double z) {
           m.base_per_sound_speed[layer] / std::sqrt(ratio)};
 }
 
+/// By the laws of the standard atmosphere, as its reader would write them, or by PhySim's polynomials for them.
+enum class AirBy { polynomials, laws };
+
+template <AirBy kAir>
 [[gnu::always_inline]] inline PeerAir peer_air(const PeerModel& m, double z) {
-#ifndef PEER_LAYERED
-  if (z <= m.top) {
+  if (kAir == AirBy::polynomials && z <= m.top) {
     const double u = (z - m.middle) * m.scale;
     const double u2 = u * u;
     const double u4 = u2 * u2;
@@ -46,13 +49,13 @@ inline PeerAir peer_layered_air(const PeerModel& m, double z) {
     return {peer_polynomial<kPeerDensityTerms>(m.density, u, u2, u4, u8),
             peer_polynomial<kPeerSoundTerms>(m.per_sound_speed, u, u2, u4, u8)};
   }
-#endif
   return peer_layered_air(m, z);
 }
 
 /// y = (x, y, z, vx, vy, vz)
+template <AirBy kAir = AirBy::polynomials>
 [[gnu::always_inline]] inline void peer_rhs(const PeerModel& m, const double* y, double* slope) {
-  const PeerAir air = peer_air(m, m.altitude + y[1]);
+  const PeerAir air = peer_air<kAir>(m, m.altitude + y[1]);
   const double speed = std::sqrt(y[3] * y[3] + y[4] * y[4] + y[5] * y[5]);
   const double place = std::max((speed * air.per_sound_speed - m.curve_start) * m.cells_per_mach, 0.0);
   const int cell = std::min(static_cast<int>(place), m.last_cell);

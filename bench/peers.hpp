@@ -61,6 +61,7 @@ struct PeerTask {
 /// Boost.odeint: runge_kutta_dopri5, controlled, with dense output.
 void fly_odeint_dopri5(PeerTask& task);
 void fly_odeint_dopri5_portable(PeerTask& task);  ///< compiled as PhySim's portable files are
+void fly_odeint_dopri5_laws(PeerTask& task);      ///< with the air's laws: exp() and log() in every evaluation
 /// SUNDIALS CVODE with root finding: Adams with fixed-point iteration, BDF with Newton's method and a dense Jacobian.
 void fly_cvode_adams(PeerTask& task);
 void fly_cvode_bdf(PeerTask& task);

@@ -46,6 +46,8 @@ elseif(test_sources)
   physim_compile_sooner(physim_tests)
   target_include_directories(physim_tests PRIVATE tests)
   target_link_libraries(physim_tests PRIVATE GTest::gtest_main)
+  # What nearly every test includes, read once: a third of the time to compile them.
+  target_precompile_headers(physim_tests PRIVATE <gtest/gtest.h> <physim/physim.hpp> tests/support.hpp)
   if(TARGET physim_cli)
     add_dependencies(physim_tests physim_cli)
     target_compile_definitions(physim_tests PRIVATE PHYSIM_CLI="$<TARGET_FILE:physim_cli>")
