@@ -124,13 +124,14 @@ Status check_volleys(const Scenario& scenario, const Value& document) {
 std::vector<const Member*> laws_of(const Value& force) {
   std::vector<const Member*> laws;
   for (const Member& member : *force.get<Table>())
-    if (const Node* node = find_node("force." + member.key); node && node->entry == nullptr) laws.push_back(&member);
+    if (const SchemaNode* node = find_node("force." + member.key); node && node->entry == nullptr)
+      laws.push_back(&member);
   return laws;
 }
 
 std::vector<std::string_view> law_names() {
   std::vector<std::string_view> names;
-  for (const Node& node : find_node("force")->children)
+  for (const SchemaNode& node : find_node("force")->children)
     if (node.entry == nullptr) names.push_back(node.name);
   return names;
 }

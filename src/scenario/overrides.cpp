@@ -15,7 +15,7 @@ constexpr std::string_view kShot = "shot.";
 
 /// Where an override goes: a node of the tree, of one shot or of all.
 struct Addressed {
-  const Node* node = nullptr;
+  const SchemaNode* node = nullptr;
   std::optional<std::string> shot;
 };
 
@@ -46,7 +46,7 @@ Result<Addressed> named_target(const Value& document, std::string_view path, con
   std::optional<std::string> stranger, namesake;
   for (std::size_t dot = rest.find('.'); dot != rest.npos; dot = rest.find('.', dot + 1)) {
     const std::string name(rest.substr(0, dot));
-    const Node* node = find_node(std::string(kShot) + std::string(rest.substr(dot + 1)));
+    const SchemaNode* node = find_node(std::string(kShot) + std::string(rest.substr(dot + 1)));
     const bool known = std::find(names.begin(), names.end(), name) != names.end();
     if (known && node != nullptr) return Addressed{node, name};
     if (known) namesake = name;
@@ -63,13 +63,13 @@ Result<Addressed> named_target(const Value& document, std::string_view path, con
 }
 
 Result<Addressed> target_of(const Value& document, std::string_view path, const Place& place) {
-  if (const Node* node = find_node(path); node != nullptr) return Addressed{node, std::nullopt};
+  if (const SchemaNode* node = find_node(path); node != nullptr) return Addressed{node, std::nullopt};
   if (path.starts_with(kShot)) return named_target(document, path, place);
   return unknown_setting(path, "", place);
 }
 
 /// Makes a table of a value that stands for one: gravity = "off" becomes { model = "off" }.
-Status make_table(const Node& node, Value& value) {
+Status make_table(const SchemaNode& node, Value& value) {
   if (value.get<Table>() != nullptr) return std::nullopt;
   if (node.shorthand.empty()) return not_a_table(node, value);
   Value inner = value;
@@ -83,9 +83,9 @@ Value& member_of(Value& table, const std::string& key, const Place& place) {
   return table.get<Table>()->back().value;
 }
 
-Status put(Value& here, const Node& node, std::string_view rest, const Addressed& target, const Value& value);
+Status put(Value& here, const SchemaNode& node, std::string_view rest, const Addressed& target, const Value& value);
 
-Status put_into_list(Value& list, const Node& node, std::string_view rest, const Addressed& target,
+Status put_into_list(Value& list, const SchemaNode& node, std::string_view rest, const Addressed& target,
                      const Value& value) {
   Array* array = list.get<Array>();
   if (array == nullptr || array->empty())
@@ -98,10 +98,10 @@ Status put_into_list(Value& list, const Node& node, std::string_view rest, const
 }
 
 /// Walks from a table to the target, making tables on the way.
-Status put(Value& here, const Node& node, std::string_view rest, const Addressed& target, const Value& value) {
+Status put(Value& here, const SchemaNode& node, std::string_view rest, const Addressed& target, const Value& value) {
   if (Status bad = make_table(node, here)) return bad;
   const std::size_t dot = rest.find('.');
-  const Node& child = *node.find(rest.substr(0, dot));
+  const SchemaNode& child = *node.find(rest.substr(0, dot));
   Value& member = member_of(here, child.name, value.place);
   if (dot == rest.npos) return member = value, std::nullopt;
   rest.remove_prefix(dot + 1);

@@ -287,7 +287,7 @@ Status read_texts(const Entry& entry, const Value& value, std::vector<std::strin
   return std::nullopt;
 }
 
-Status read_records(const Node& node, const Records& records, const Value& value) {
+Status read_records(const SchemaNode& node, const Records& records, const Value& value) {
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]");
   if (Status bad = check_length(node.path, value, array->size(), node.entry->range)) return bad;
@@ -313,7 +313,7 @@ bool is_none(const Entry& entry, const Value& value) {
 
 }  // namespace
 
-Status read_setting(const Node& node, const Scope& scope, const Value& value) {
+Status read_setting(const SchemaNode& node, const Scope& scope, const Value& value) {
   const Entry& entry = *node.entry;
   const Wanted wanted{entry.path, entry.quantity_in(scope), entry.range};
   return std::visit(Overloaded{
@@ -354,28 +354,28 @@ Status read_setting(const Node& node, const Scope& scope, const Value& value) {
 // -------------------------------------------------------------------------------------------------------------- tables
 namespace {
 
-std::string table_name(const Node& node) { return node.name.empty() ? "the file" : "[" + node.name + "]"; }
+std::string table_name(const SchemaNode& node) { return node.name.empty() ? "the file" : "[" + node.name + "]"; }
 
 /// The path of the table that has such a key, for keys that stand in the wrong place.
-const Node* parent_of_key(const Node& node, std::string_view key) {
+const SchemaNode* parent_of_key(const SchemaNode& node, std::string_view key) {
   if (node.find(key) != nullptr) return &node;
-  for (const Node& child : node.children)
-    if (const Node* found = parent_of_key(child, key)) return found;
+  for (const SchemaNode& child : node.children)
+    if (const SchemaNode* found = parent_of_key(child, key)) return found;
   return nullptr;
 }
 
-Error unknown_key(const Node& node, const Member& member) {
+Error unknown_key(const SchemaNode& node, const Member& member) {
   std::vector<std::string_view> names;
-  for (const Node& child : node.children) names.push_back(child.name);
+  for (const SchemaNode& child : node.children) names.push_back(child.name);
   std::string hint = suggestion(member.key, names, "known keys");
   if (nearest(member.key, names).empty())
-    if (const Node* owner = parent_of_key(schema(), member.key))
+    if (const SchemaNode* owner = parent_of_key(schema(), member.key))
       hint = in_quotes(member.key) + " belongs " +
              (owner->name.empty() ? "above the first table" : "into [" + owner->path + "]");
   return {"unknown key " + in_quotes(member.key) + " in " + table_name(node), member.key_place.text(), hint};
 }
 
-Status read_child(const Node& child, const Scope& scope, const Value& value) {
+Status read_child(const SchemaNode& child, const Scope& scope, const Value& value) {
   if (child.entry != nullptr) return read_setting(child, scope, value);
   if (value.get<Table>() == nullptr && !child.shorthand.empty())
     return read_setting(*child.find(child.shorthand), scope, value);
@@ -384,19 +384,19 @@ Status read_child(const Node& child, const Scope& scope, const Value& value) {
 
 }  // namespace
 
-Error not_a_table(const Node& node, const Value& value) {
+Error not_a_table(const SchemaNode& node, const Value& value) {
   std::string keys;
-  for (const Node& child : node.children) keys += (keys.empty() ? "" : ", ") + child.name;
+  for (const SchemaNode& child : node.children) keys += (keys.empty() ? "" : ", ") + child.name;
   return wrong_kind(node.path, value, "a table with keys out of: " + keys);
 }
 
-Status read_table(const Node& node, const Scope& scope, const Value& value) {
+Status read_table(const SchemaNode& node, const Scope& scope, const Value& value) {
   const Table* table = value.get<Table>();
   if (table == nullptr) return not_a_table(node, value);
   for (const Member& member : *table)
     if (node.find(member.key) == nullptr) return unknown_key(node, member);
   // In the order of the list: presets come before what changes them, kinds before their values.
-  for (const Node& child : node.children) {
+  for (const SchemaNode& child : node.children) {
     const Value* found = value.find(child.name);
     if (found == nullptr) {
       if (child.entry == nullptr || !child.entry->required) continue;

@@ -11,21 +11,21 @@ namespace physim {
 namespace {
 
 /// Puts an entry into the tree, making the tables above it where they are not there yet.
-void plant(Node& root, const Entry& entry) {
-  Node* node = &root;
+void plant(SchemaNode& root, const Entry& entry) {
+  SchemaNode* node = &root;
   std::string_view rest = entry.path;
   while (!rest.empty()) {
     const std::string_view name = rest.substr(0, rest.find('.'));
     rest.remove_prefix(std::min(name.size() + 1, rest.size()));
     if (entry.shorthand && rest.empty()) node->shorthand = name;
-    const Node* child = node->find(name);
+    const SchemaNode* child = node->find(name);
     if (child == nullptr) {
       const std::string path = node->path.empty() ? std::string(name) : node->path + "." + std::string(name);
       node->children.push_back(
           {.name = std::string(name), .path = path, .entry = nullptr, .children = {}, .shorthand = {}});
       child = &node->children.back();
     }
-    node = const_cast<Node*>(child);  // of our own tree
+    node = const_cast<SchemaNode*>(child);  // of our own tree
   }
   node->entry = &entry;
 }
@@ -80,23 +80,23 @@ std::string Range::text() const {
   return out;
 }
 
-const Node* Node::find(std::string_view child) const {
-  for (const Node& node : children)
+const SchemaNode* SchemaNode::find(std::string_view child) const {
+  for (const SchemaNode& node : children)
     if (node.name == child) return &node;
   return nullptr;
 }
 
-const Node& schema() {
-  static const Node root = [] {
-    Node node;
+const SchemaNode& schema() {
+  static const SchemaNode root = [] {
+    SchemaNode node;
     for (const Entry& entry : entries()) plant(node, entry);
     return node;
   }();
   return root;
 }
 
-const Node* find_node(std::string_view path) {
-  const Node* node = &schema();
+const SchemaNode* find_node(std::string_view path) {
+  const SchemaNode* node = &schema();
   std::size_t begin = 0;
   while (node != nullptr && begin <= path.size()) {
     const std::size_t end = std::min(path.find('.', begin), path.size());

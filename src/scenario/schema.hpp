@@ -114,21 +114,21 @@ struct Entry {
 [[nodiscard]] std::span<const Entry> entries();
 
 /// A table or key of the file: "shot.drag" has the children "table", "coefficient", ... and no entry.
-struct Node {
+struct SchemaNode {
   std::string name;  // last part of the path
   std::string path;
-  const Entry* entry = nullptr;  // of keys and of lists of tables
-  std::vector<Node> children;    // of tables and of lists of tables
-  std::string shorthand;         // name of the child that may stand for the table
+  const Entry* entry = nullptr;      // of keys and of lists of tables
+  std::vector<SchemaNode> children;  // of tables and of lists of tables
+  std::string shorthand;             // name of the child that may stand for the table
 
-  [[nodiscard]] const Node* find(std::string_view child) const;
+  [[nodiscard]] const SchemaNode* find(std::string_view child) const;
   [[nodiscard]] bool is_list_of_tables() const { return entry != nullptr && !children.empty(); }
 };
 
 /// The root of the tree; its name and path are empty.
-[[nodiscard]] const Node& schema();
+[[nodiscard]] const SchemaNode& schema();
 /// The node of a path; null where there is none.
-[[nodiscard]] const Node* find_node(std::string_view path);
+[[nodiscard]] const SchemaNode* find_node(std::string_view path);
 /// The paths of all settings.
 [[nodiscard]] const std::vector<std::string_view>& setting_paths();
 

@@ -76,9 +76,9 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
 constexpr std::string_view kNothing = "{}";
 
 /// A table within an array; values that are absent are left out, and so are tables of nothing else.
-std::string inline_table(const Node& node, const Scope& scope) {
+std::string inline_table(const SchemaNode& node, const Scope& scope) {
   std::string out;
-  for (const Node& child : node.children) {
+  for (const SchemaNode& child : node.children) {
     const std::optional<std::string> value =
         child.entry ? value_text(*child.entry, scope, Style::toml) : inline_table(child, scope);
     if (value && *value != kNothing) out += (out.empty() ? "" : ", ") + child.name + " = " + *value;
@@ -87,7 +87,7 @@ std::string inline_table(const Node& node, const Scope& scope) {
 }
 
 std::string records_value(const Entry& entry, const Records& records) {
-  const Node& node = *find_node(entry.path);
+  const SchemaNode& node = *find_node(entry.path);
   std::string out;
   for (std::size_t i = 0; i < records.size(); ++i) out += (i == 0 ? "" : ", ") + inline_table(node, records.element(i));
   return "[" + out + "]";
@@ -141,15 +141,15 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
 /// Settings of worlds are for scenarios that have one, and would make one; those of single flights are for the others.
-bool is_left_out(const Node& node, const Scenario& scenario) {
+bool is_left_out(const SchemaNode& node, const Scenario& scenario) {
   if (!scenario.world.given)
     return node.path == "world" || node.path == "volley" || node.path == "force" || node.path == "shot.body";
   return node.path == "until" || node.path == "output";
 }
 
 /// All settings of a table. Shots are named one by one; other lists are one value.
-void write_table(const Node& node, const Scope& scope, const std::string& prefix, Lines& lines) {
-  for (const Node& child : node.children) {
+void write_table(const SchemaNode& node, const Scope& scope, const std::string& prefix, Lines& lines) {
+  for (const SchemaNode& child : node.children) {
     const std::string path = prefix + child.name;
     if (is_left_out(child, *scope.scenario)) continue;
     if (child.path == "shot") {
@@ -167,9 +167,9 @@ void write_table(const Node& node, const Scope& scope, const std::string& prefix
 }
 
 /// The keys of a table of the file, with the tables in it on one line each.
-std::string table_lines(const Node& node, const Scope& scope) {
+std::string table_lines(const SchemaNode& node, const Scope& scope) {
   std::string out;
-  for (const Node& child : node.children) {
+  for (const SchemaNode& child : node.children) {
     if (is_left_out(child, *scope.scenario)) continue;
     const std::optional<std::string> value =
         child.entry ? value_text(*child.entry, scope, Style::toml) : inline_table(child, scope);
@@ -187,7 +187,7 @@ std::string scenario_text(const Scenario& scenario) {
   scope.format = &format;
   scope.scenario = &copy;
   std::string keys, tables;
-  for (const Node& child : schema().children) {
+  for (const SchemaNode& child : schema().children) {
     if (is_left_out(child, copy)) continue;
     if (child.is_list_of_tables()) {
       const Records list = std::get<Records>(child.entry->slot(scope));

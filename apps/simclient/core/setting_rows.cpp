@@ -27,7 +27,7 @@ const Setting* find_setting(std::string_view path) {
   return found == all.end() ? nullptr : &*found;
 }
 
-SettingRow make_row(const Node& node, const std::string& table) {
+SettingRow make_row(const SchemaNode& node, const std::string& table) {
   SettingRow row;
   row.node = &node;
   row.path = node.path;
@@ -47,8 +47,8 @@ SettingRow make_row(const Node& node, const std::string& table) {
   return row;
 }
 
-void collect(const Node& node, const std::string& table, std::vector<SettingRow>& rows) {
-  for (const Node& child : node.children) {
+void collect(const SchemaNode& node, const std::string& table, std::vector<SettingRow>& rows) {
+  for (const SchemaNode& child : node.children) {
     if (child.entry != nullptr)
       rows.push_back(make_row(child, table));
     else
@@ -104,7 +104,7 @@ std::string SettingRow::tooltip() const {
 
 std::vector<SettingRow> setting_rows(std::string_view table) {
   std::vector<SettingRow> rows;
-  if (const Node* node = find_node(table)) collect(*node, std::string(table), rows);
+  if (const SchemaNode* node = find_node(table)) collect(*node, std::string(table), rows);
   return rows;
 }
 

@@ -11,7 +11,7 @@
 
 namespace physim {
 struct Entry;
-struct Node;
+struct SchemaNode;
 }  // namespace physim
 
 namespace physim::client {
@@ -20,7 +20,7 @@ namespace physim::client {
 struct SettingRow {
   enum class Kind { text, vector, choice, boolean };
 
-  const Node* node = nullptr;
+  const SchemaNode* node = nullptr;
   std::string path;   // "shot.drag.table"
   std::string name;   // "table"
   std::string group;  // "drag"; empty: of the shot itself
