@@ -74,17 +74,16 @@ std::vector<double> per_flight(const Entrant& e, const std::vector<double>& take
   return list;
 }
 
-/// `odeint`: what its contenders, the first three, take for a flight.
-std::vector<Cell> row_of(const Entrant& e, const std::vector<double>& flight, const std::vector<double> (&odeint)[3]) {
+std::vector<Cell> row_of(const Entrant& e, const std::vector<double>& flight, const std::vector<double>& native,
+                         const std::vector<double>& portable) {
   const std::string low = rate(1 / quantile(flight, 0.75)).text;
   const std::string high = rate(1 / quantile(flight, 0.25)).text;
   Cell probes = metres(e.calibration.probe_error);
   if (!e.calibration.reached) probes.text += " (!)";
   Cell setting = e.contender.by_pilot ? metres(e.calibration.setting) : power(e.calibration.setting);
   if (e.contender.by_pilot) setting.text = "pilot " + setting.text;
-  return {times(median(ratios(odeint[0], flight))),
-          times(median(ratios(odeint[1], flight))),
-          times(median(ratios(odeint[2], flight))),
+  return {times(median(ratios(native, flight))),
+          times(median(ratios(portable, flight))),
           e.contender.name,
           e.contender.kernel,
           rate(1 / median(flight)),
@@ -111,18 +110,17 @@ Section equal_error_section(const Options& options, double target, double* toler
     turns.emplace_back([&e, &flown] { e.contender.fly(flown, e.count, e.calibration.setting, nullptr); });
   const auto taken = take_turns(options.clock, options.rounds, turns);
 
-  const std::vector<double> odeint[] = {per_flight(entrants[0], taken[0]), per_flight(entrants[1], taken[1]),
-                                        per_flight(entrants[2], taken[2])};
+  const std::vector<double> native = per_flight(entrants[0], taken[0]);
+  const std::vector<double> portable = per_flight(entrants[1], taken[1]);
   Section s;
   s.title = ".308 168 gr G7 to 1000 m at " + metres(target).text;
   s.intro =
-      "How many times faster than Boost.odeint, compiled for this machine with fused multiply-add; compiled as "
-      "PhySim's portable files are; and compiled for this machine with the air by its laws: medians of the ratios "
-      "within each round.";
-  s.columns = {"vs native",     "vs portable", "vs laws",   "solver",    "kernel", "flights/s",  "quartiles",
-               "probes' error", "worst flown", "rms flown", "tolerance", "steps",  "evaluations"};
+      "How many times faster than Boost.odeint, compiled for this machine with fused multiply-add, and compiled as "
+      "PhySim's portable files are: medians of the ratios within each round.";
+  s.columns = {"vs native",     "vs portable", "solver",    "kernel",    "flights/s", "quartiles",
+               "probes' error", "worst flown", "rms flown", "tolerance", "steps",     "evaluations"};
   for (std::size_t i = 0; i < entrants.size(); ++i) {
-    s.rows.push_back(row_of(entrants[i], per_flight(entrants[i], taken[i]), odeint));
+    s.rows.push_back(row_of(entrants[i], per_flight(entrants[i], taken[i]), native, portable));
     const Contender& c = entrants[i].contender;
     const bool tsit5_packs = c.name == "PhySim adaptive Tsit5" && c.kernel == kernels().front();
     if (tsit5_packs && tolerance) *tolerance = entrants[i].calibration.setting;
