@@ -14,7 +14,7 @@ enum class Motion {
   force,        ///< the resultant of all forces, divided by mass
 };
 
-/// How the equations of motion are stepped through time.
+/// How the equations of motion are stepped through time. The adaptive ones come last.
 enum class Integrator {
   classic,              ///< the original PhySim frame loop: position, then velocity, then damping
   explicit_euler,       ///< order 1

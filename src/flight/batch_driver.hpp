@@ -216,7 +216,7 @@ class Court {
   std::size_t shot_[kLanes<R>];
   Verdict verdict_[kLanes<R>];
   int filled_ = 0;
-  bool some_go_on_ = false;  // flights that wait may come again
+  bool some_go_on_ = false;  // some step here is of a flight that goes on: its shot may come again
   int touched_ = 0;          // lanes before it have held a step
 };
 

@@ -17,8 +17,8 @@ void fly_bodies(const BatchJob<double>& job) {
   fly_lanes<Pack<double, kDoubleRegisters * kNativeBytes / 8>, 4 / kDoubleRegisters>(job);
 }
 
-#ifndef __AVX512F__
-// One number at a time, for comparison and for equivalence tests; wider registers make no difference.
+#if !PHYSIM_PACKS_ALONE
+// One number at a time, for comparison and for equivalence tests.
 void fly_bodies_singly(const BatchJob<float>& job) { fly_lanes<float, 4>(job); }
 void fly_bodies_singly(const BatchJob<double>& job) { fly_lanes<double, 4>(job); }
 #endif

@@ -158,7 +158,7 @@ PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>
   Vec3<R> moment{zero, zero, zero};
   if (c.has_aero || c.fidelity.drag != DragModel::off) {
     const Vec3<R> u = air_velocity(c, s);
-    const AirState<R> air = air_state(c, s.x);
+    const AirState<R> air = air_state(c, s.x);  // simple drag does not need it, and is not worth a copy of all this
     a += drag_now_in(c, b, t, air, u);
     if (c.has_aero) {
       const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);

@@ -3,14 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace physim {
 namespace {
 
 using Row = std::array<double, 4>;
 
-constexpr double kNever = 1e30;  // a border that nothing passes
-constexpr int kFinest = 14;      // buckets are 2^-14 wide at most finely
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();  // a border that nothing passes, not infinity
+constexpr int kFinest = 14;                                          // buckets are 2^-14 wide at most finely
 
 const std::array<AeroCoefficient AeroDef::*, 10> kCoefficients = {
     &AeroDef::drag_yaw,       &AeroDef::lift,         &AeroDef::lift_cubic,    &AeroDef::pitching,

@@ -16,7 +16,8 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Of a profile, as it blows at the origin; `w` is that of its first point. Behind a call: it is long.
+/// Of a profile, as it blows at the origin; `w` comes as that of its first point. Behind a call: it is
+/// long.
 template <class R, class S>
 [[gnu::noinline]] void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
   const WindField<S>& field = c.wind;

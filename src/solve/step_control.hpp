@@ -1,7 +1,8 @@
 // Step control of adaptive integrators.
 //
 // Proportional-integral control: h_new = h * safety * e^-alpha * e_previous^beta with e the error over tolerance,
-// alpha = 0.7 / q and beta = 0.4 / q for an integrator of order q; after a rejected step h_new = h * safety * e^(-1/q).
+// alpha = 0.7 / q and beta = 0.4 / q where the estimate of a step's error falls as h^q; after a rejected step h_new =
+// h * safety * e^(-1/q).
 // The integral part keeps the step from oscillating where the drag curve bends.
 //
 // Sources: K. Gustafsson, "Control theoretic techniques for stepsize selection in explicit Runge-Kutta methods", ACM
@@ -20,8 +21,8 @@ struct StepControl {
   R h;             // next step to try [s]
 };
 
-/// With the error of a step falling as the h^order: of the embedded method's, one higher than its own order.
-PHYSIM_INLINE double order_of(Integrator integrator) {
+/// The power of h with which the estimate of a step's error falls.
+PHYSIM_INLINE double error_order_of(Integrator integrator) {
   if (integrator == Integrator::rk43) return 4;
   return integrator == Integrator::dop853 ? 8 : 5;
 }
@@ -31,7 +32,7 @@ template <class R>
 PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, const MaskOf<R>& accepted,
                           StepControl<R>& control) {
   using S = ScalarOf<R>;
-  const double q = order_of(integrator);
+  const double q = error_order_of(integrator);
   // Errors are squared, hence the factor 1/2. An error that is not a number counts as huge.
   const R huge = constant<R>(1e16);
   const R e = log_of_normal(clamp(select(error < huge, error, huge), constant<R>(1e-16), huge));
@@ -50,7 +51,7 @@ PHYSIM_INLINE R first_step(Integrator integrator, const State<R>& start, const V
   const R speed = length(start.v);
   const R tolerance = relative + absolute / max(speed, constant<R>(1e-3));
   const R reach =
-      exp_bounded(log_of_normal(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / order_of(integrator)));
+      exp_bounded(log_of_normal(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / error_order_of(integrator)));
   const R h = reach * max(speed, constant<R>(1e-3)) / max(length(a), tiny);
   return min(max(h, constant<R>(1e-6)), R(S(1)));
 }

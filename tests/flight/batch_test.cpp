@@ -291,6 +291,41 @@ TEST_F(BatchTest, a_result_is_used_again) {
   expect_same(result, first, "again");
 }
 
+TEST_F(BatchTest, a_result_used_again_holds_nothing_of_before) {
+  std::vector<Launch> launches;
+  for (int i = 0; i < 50; ++i) launches.push_back({.position = {0, 2, 0}, .speed = 100.0 + i, .elevation = 0.1});
+  std::vector<Launch> some_bad = launches;
+  some_bad[3].speed = kNan;
+  ProjectileDef brick;
+  brick.mass = 2;
+  brick.inertia.moments = {0.002, 0.006, 0.007};
+  Fidelity turning = Fidelity::simulation();
+  turning.rotation = RotationModel::rigid_body;
+  Fidelity fixed = Fidelity::simulation();
+  fixed.integrator = Integrator::rk4;
+  Environment bad;
+  bad.altitude = kNan;
+  BatchResult result;
+  const auto flies_as_anew = [&](const char* what, const ProjectileDef& p, const std::vector<Launch>& list,
+                                 const Environment& e, const Fidelity& f, const Tolerance& t = {}) {
+    fly_batch(brick, launches, {}, turning, {}, {}, result);
+    ASSERT_NE(result.shots[3].orientation, Quatd{}) << what;
+    fly_batch(p, list, e, f, t, {}, result);
+    const BatchResult anew = fly_batch(p, list, e, f, t, {});
+    expect_same(result, anew, what);
+    for (std::size_t i = 0; i < result.shots.size(); ++i) {
+      EXPECT_EQ(result.shots[i].orientation, anew.shots[i].orientation) << what << i;
+      EXPECT_EQ(result.shots[i].angular_velocity, anew.shots[i].angular_velocity) << what << i;
+    }
+    EXPECT_EQ(result.error.has_value(), anew.error.has_value()) << what;
+  };
+  flies_as_anew("points", bullet_308(), launches, {}, Fidelity::simulation());
+  flies_as_anew("one refused", bullet_308(), some_bad, {}, Fidelity::simulation());
+  flies_as_anew("no step found", bullet_308(), launches, {}, fixed, {.position_error = 1e-300});
+  flies_as_anew("a bad environment", bullet_308(), launches, bad, Fidelity::simulation());
+  flies_as_anew("a bad projectile", {.mass = -1}, launches, {}, Fidelity::simulation());
+}
+
 TEST_F(BatchTest, kernels_are_listed_best_first_and_can_be_chosen) {
   const auto list = kernels();
   ASSERT_GE(list.size(), 2u);

@@ -36,6 +36,21 @@ ProjectileDef shell() {
 }
 constexpr double kArea = 0.25 * 3.14159265358979323846 * 0.01;
 
+// A body that flies off to infinity was given a cell behind the last one: a row beyond the end of its table.
+TEST(AeroTables, no_number_is_in_a_cell_behind_the_last) {
+  AeroDef aero;
+  aero.lift = {{.mach = 0.5, .value = 1}, {.mach = 1.5, .value = 2}};
+  CurvePool pool;
+  Rotor<double> r{};
+  add_aero(aero, pool, r);
+  const auto cell = [&](double mach) { return cell_of(pool.rows().data(), r.mach, mach); };
+  EXPECT_EQ(cell(0.4), 0);
+  EXPECT_EQ(cell(0.5), 1);
+  for (const double mach : {1.5, 1e29, 1e31, 1e300, kInfinity}) EXPECT_EQ(cell(mach), 2) << mach;
+  EXPECT_EQ(cell(-kInfinity), 0);
+  EXPECT_LE(cell(kNan), 2);
+}
+
 AeroCoefficient random_coefficient(Random& r, bool angles) {
   AeroCoefficient c;
   double mach = r.one_in(2) ? 0 : 0.3;
