@@ -12,6 +12,11 @@ function(physim_flags target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} -ffp-contract=off -fno-math-errno -fno-trapping-math)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # Where g++ 12 joins scalars to vectors it fuses alternating sums and differences of products (vfmaddsub),
+      # whatever -ffp-contract says, if the whole build is for processors that can.
+      target_compile_options(${target} PRIVATE -fno-tree-slp-vectorize)
+    endif()
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
       target_compile_options(${target} PRIVATE -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
     endif()

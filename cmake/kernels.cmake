@@ -80,8 +80,9 @@ function(physim_add_kernels target)
     physim_flags(${kernels})
     target_compile_definitions(${kernels} PRIVATE PHYSIM_ISA=${isa} PHYSIM_PACKS_ALONE=$<STREQUAL:${isa},avx512>)
     if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+      # Their vectors are written out; `./dev determinism` sees to it that nothing in them is fused.
       target_compile_options(${kernels} PRIVATE ${physim_isa_flags_${isa}} $<$<CONFIG:Release,RelWithDebInfo>:-O3>
-                                                $<$<CONFIG:Debug>:-O2>)
+                                                $<$<CONFIG:Debug>:-O2> -ftree-slp-vectorize)
     endif()
     target_include_directories(${kernels} PRIVATE include src)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
