@@ -64,6 +64,7 @@ set(physim_isa_flags_base "")
 set(physim_isa_flags_avx2 -march=x86-64-v3)
 set(physim_isa_flags_avx512 -march=x86-64-v4)
 
+# PHYSIM_PACKS_ALONE: 1 in the copies that go without a loop over plain numbers, which those of base and avx2 have.
 function(physim_add_kernels target)
   physim_isas_asked(isas)
   foreach(isa IN ITEMS avx2 avx512)

@@ -62,6 +62,16 @@ struct Prepared {
   }
 };
 
+inline constexpr Integrator kIntegrators[] = {Integrator::classic,
+                                              Integrator::explicit_euler,
+                                              Integrator::semi_implicit_euler,
+                                              Integrator::heun,
+                                              Integrator::rk4,
+                                              Integrator::rk43,
+                                              Integrator::tsit5,
+                                              Integrator::dop853};
+inline constexpr Integrator kAdaptive[] = {Integrator::rk43, Integrator::tsit5, Integrator::dop853};
+
 /// Force, constant gravity, nothing else: the rung that the other tests change field by field.
 inline Fidelity vacuum(Integrator integrator = Integrator::tsit5) {
   return {.integrator = integrator,

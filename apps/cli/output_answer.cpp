@@ -23,11 +23,17 @@ Json solution_json(const AimSolution& s) {
           {"flights", s.flights}};
 }
 
+/// What every answer about a shot begins with.
+Json begin_answer(const AskedShot& asked) {
+  Json out = provenance(asked.scenario);
+  out["shot"] = asked.shot().projectile.name;
+  return out;
+}
+
 }  // namespace
 
 std::string aim_json(const AskedShot& asked, const Target& target, double tolerance, const Aim& aim) {
-  Json out = provenance(asked.scenario);
-  out["shot"] = asked.shot().projectile.name;
+  Json out = begin_answer(asked);
   out["target"] = {{"position [m]", vector_json(target.position)},
                    {"velocity [m/s]", vector_json(target.velocity)},
                    {"acceleration [m/s^2]", vector_json(target.acceleration)},
@@ -42,9 +48,8 @@ std::string aim_json(const AskedShot& asked, const Target& target, double tolera
 }
 
 std::string fit_json(const AskedShot& asked, bool fits_speed, const Fit& fit) {
-  Json out = provenance(asked.scenario);
+  Json out = begin_answer(asked);
   const DragDef& d = fit.projectile.drag;
-  out["shot"] = asked.shot().projectile.name;
   out["scale"] = fit.scale;
   out["scale_error"] = fit.scale_error;
   out["drag"] = {{"ballistic_coefficient [kg/m^2]", d.ballistic_coefficient},
@@ -66,20 +71,18 @@ std::string fit_json(const AskedShot& asked, bool fits_speed, const Fit& fit) {
 }
 
 std::string max_range_json(const AskedShot& asked, const MaxRange& far) {
-  Json out = provenance(asked.scenario);
-  out["shot"] = asked.shot().projectile.name;
+  Json out = begin_answer(asked);
   out["elevation [rad]"] = far.elevation;
   out["range [m]"] = far.range;
   out["time [s]"] = far.time;
-  out["position [m]"] = {far.position.x, far.position.y, far.position.z};
-  out["velocity [m/s]"] = {far.velocity.x, far.velocity.y, far.velocity.z};
+  out["position [m]"] = vector_json(far.position);
+  out["velocity [m/s]"] = vector_json(far.velocity);
   out["flights"] = far.flights;
   return json_text(out);
 }
 
 std::string danger_space_json(const AskedShot& asked, double range, double height, const DangerSpace& space) {
-  Json out = provenance(asked.scenario);
-  out["shot"] = asked.shot().projectile.name;
+  Json out = begin_answer(asked);
   out["range [m]"] = range;
   out["height [m]"] = height;
   out["from [m]"] = space.from;

@@ -221,8 +221,7 @@ struct BatchResult {
 [[nodiscard]] BatchResult fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches,
                                     const Environment& environment, const Fidelity& fidelity,
                                     const Tolerance& tolerance = {}, const Until& until = {});
-/// The same two into a result of before: all of it is written anew, its memory is used again. Nothing that is given may
-/// lie in it.
+/// The same two into a result of before: all of it is written anew, its memory is used again.
 void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
                const Tolerance& tolerance, const Until& until, BatchResult& result);
 void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,

@@ -346,7 +346,7 @@ class Batch {
 
   const ShotList& shots_;
   const Environment& environment_;
-  const Fidelity& fidelity_;
+  const Fidelity fidelity_;  // a copy: it may lie in the result
   const Tolerance& tolerance_;
   const Until& until_;
   WatchList watch_{};

@@ -2,8 +2,8 @@
 //
 // The classic loop: straight lines. Tsit5 and DOP853: their own interpolants. The others: the quintic through position,
 // velocity and acceleration at both ends, and the cubic through velocity and acceleration: no less accurate than the
-// methods themselves. Computed in double at every precision, so that fly() and
-// fly_batch() share it; there, packs of steps at once.
+// methods themselves. Computed in double at every precision, so that fly() and fly_batch() share it; there, packs of
+// steps at once.
 //
 // Sources: see solve/explicit_runge_kutta.hpp; the form of DOP853's is Hairer, Norsett and Wanner (1993), sec. II.6.
 #pragma once

@@ -6,8 +6,8 @@
 //
 // Sources: J. C. Butcher, Numerical Methods for Ordinary Differential Equations (2008), sec. 23 (Heun, RK4);
 //   C. Tsitouras, "Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption", Computers
-//   & Mathematics with Applications 62 (2011) 770-775, table 1 and sec. 4 (dense output); M.
-//   Sofroniou, G. Spaletta, "Construction of explicit Runge-Kutta pairs with stiffness detection", Mathematical and
+//   & Mathematics with Applications 62 (2011) 770-775, table 1 and sec. 4 (dense output);
+//   M. Sofroniou, G. Spaletta, "Construction of explicit Runge-Kutta pairs with stiffness detection", Mathematical and
 //   Computer Modelling 40 (2004) 1157-1169 (the pair 4(3)); E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
 //   Differential Equations I (1993), sec. II.5, II.6 and the coefficients of their code DOP853 (8(5,3) pair of Dormand
 //   and Prince, dense output of order 7).

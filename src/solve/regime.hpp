@@ -63,6 +63,7 @@ PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const
   return cell;
 }
 
+/// Where lanes are. Behind a call: it is long, and flights without corners never come here.
 template <class R, class S>
 [[gnu::noinline]] Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                    const State<R>& s) {

@@ -324,6 +324,11 @@ TEST_F(BatchTest, a_result_used_again_holds_nothing_of_before) {
   flies_as_anew("no step found", bullet_308(), launches, {}, fixed, {.position_error = 1e-300});
   flies_as_anew("a bad environment", bullet_308(), launches, bad, Fidelity::simulation());
   flies_as_anew("a bad projectile", {.mass = -1}, launches, {}, Fidelity::simulation());
+
+  fly_batch(bullet_308(), launches, {}, fixed, {}, {}, result);
+  const BatchResult first = result;
+  fly_batch(bullet_308(), launches, {}, result.fidelity_in_use.fidelity, {}, {}, result);
+  expect_same(result, first, "with the fidelity of the result itself");
 }
 
 TEST_F(BatchTest, kernels_are_listed_best_first_and_can_be_chosen) {

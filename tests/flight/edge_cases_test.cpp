@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physim/physim.hpp"
+#include "support.hpp"
 
 namespace physim {
 namespace {
@@ -74,7 +75,7 @@ TEST(EdgeCases, a_speed_passed_twice_in_one_step_is_seen_twice) {
   const double slowest = 100 * std::cos(0.5235987755982988);
   Until until;
   until.events = {{EventKind::speed, slowest + 0.1}};
-  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : test::kAdaptive) {
     Fidelity f = Fidelity::simulation();
     f.integrator = integrator;
     f.drag = DragModel::off;

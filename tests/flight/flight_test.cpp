@@ -8,15 +8,6 @@ namespace {
 
 using namespace test;
 
-constexpr Integrator kAll[] = {Integrator::classic,
-                               Integrator::explicit_euler,
-                               Integrator::semi_implicit_euler,
-                               Integrator::heun,
-                               Integrator::rk4,
-                               Integrator::rk43,
-                               Integrator::tsit5,
-                               Integrator::dop853};
-
 Flight shot(const Fidelity& f, const Until& until = {}) {
   return fly(bullet_308(), {.position = {0, 1.5, 0}, .speed = 800, .elevation = 0.01}, {}, f, {1e-10, 1e-10, 1e-3},
              until);
@@ -130,7 +121,7 @@ TEST(Flight, a_refused_one_answers_everything_harmlessly) {
 }
 
 TEST(Flight, step_times_rise_from_zero_to_the_end) {
-  for (const Integrator integrator : kAll) {
+  for (const Integrator integrator : kIntegrators) {
     Fidelity f = vacuum(integrator);
     const Flight flight = fly({}, {.speed = 30, .elevation = 1}, constant_gravity(), f, {.step = 0.01});
     const auto times = flight.step_times();
@@ -157,7 +148,7 @@ TEST(Flight, a_planar_one_never_leaves_the_vertical_plane_of_fire) {
   p.drag.damping = 0.7;
   p.force = {0.01, 0.01, 0.05};
   for (const double azimuth : {0.0, 0.9})
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kIntegrators)
       for (const Motion motion : {Motion::closed_form, Motion::velocity, Motion::force})
         for (const DragModel drag : {DragModel::damping, DragModel::linear_quadratic, DragModel::equation}) {
           Fidelity f = Fidelity::simulation();
@@ -185,7 +176,7 @@ TEST(Flight, planar_changes_nothing_where_nothing_acts_sideways) {
 }
 
 TEST(Flight, float32_agrees_with_float64_to_its_rounding) {
-  for (const Integrator integrator : kAll) {
+  for (const Integrator integrator : kIntegrators) {
     Fidelity f;
     f.integrator = integrator;
     const Until until{.ground = {}, .time = 1.2};

@@ -119,7 +119,7 @@ TEST(RigidBody, dense_output_is_no_less_accurate_than_the_steps) {
                fine = error(spun(Integrator::rk4, 10, {.step = 0.05}));
   EXPECT_GT(observed_order(coarse, fine, 2), 3.8) << coarse << ' ' << fine;
   for (const double tolerance : {1e-6, 1e-9, 1e-12})
-    for (const Integrator i : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
+    for (const Integrator i : kAdaptive)
       EXPECT_LT(error(spun(i, 10, {tolerance, tolerance})), 300 * tolerance) << text(i);
 }
 
@@ -179,7 +179,7 @@ TEST(RigidBody, a_step_that_overflows_is_not_accepted) {
   p.inertia.moments = {0.007, 0.025, 0.025};
   Launch launch{.speed = 400};
   launch.attitude = {.yaw = 0.1, .rates = {0, 1, 2}};
-  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : kAdaptive) {
     Fidelity f = rigid(integrator, BodyForm::axis);
     f.precision = Precision::float32;
     const Flight flight = fly(p, launch, still_place(), f, {1e-4, 1e-4}, {.ground = {}, .time = 0.05});

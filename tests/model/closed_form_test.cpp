@@ -67,7 +67,7 @@ TEST(ClosedForm, linear_drag_with_wind) {
     // Integrators must find the same.
     Fidelity force = closed(DragModel::linear_quadratic);
     force.motion = Motion::force;
-    for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
+    for (const Integrator integrator : test::kAdaptive) {
       force.integrator = integrator;
       const Flight flown = fly(p, launch, e, force, {1e-13, 1e-13});
       EXPECT_TRUE(near(flown.end().position, {row.range, 0, 0}, 1e-9, 1e-9)) << test::text(integrator);

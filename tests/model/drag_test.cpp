@@ -200,7 +200,7 @@ TEST(Drag, flights_with_quadratic_drag_in_a_plane) {
     p.drag.ballistic_coefficient = 1.2 * kPi / (8 * row.k);
     Fidelity f = with(DragModel::equation);
     f.gravity = GravityModel::constant;
-    for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
+    for (const Integrator integrator : test::kAdaptive) {
       f.integrator = integrator;
       const Flight flight =
           fly(p, {.speed = row.v, .elevation = row.elevation * test::kDegree}, air_of(1.2), f, {1e-13, 1e-13});

@@ -14,8 +14,6 @@ namespace {
 
 using namespace test;
 
-constexpr Integrator kAdaptive[] = {Integrator::rk43, Integrator::tsit5, Integrator::dop853};
-
 double next(double error_squared, bool accepted, double log_previous = 0, Integrator integrator = Integrator::tsit5) {
   StepControl<double> control{log_previous, 1};
   return next_step(integrator, 1.0, error_squared, accepted, control);

@@ -5,15 +5,6 @@
 
 namespace physim {
 
-inline constexpr Integrator kAll[] = {Integrator::classic,
-                                      Integrator::explicit_euler,
-                                      Integrator::semi_implicit_euler,
-                                      Integrator::heun,
-                                      Integrator::rk4,
-                                      Integrator::rk43,
-                                      Integrator::tsit5,
-                                      Integrator::dop853};
-
 inline Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
   Fidelity f = test::vacuum(integrator);
   f.precision = precision;

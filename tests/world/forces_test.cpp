@@ -159,7 +159,7 @@ TEST(WorldForces, frozen_axes_and_parts_of_gravity_hold) {
 
 // --------------------------------------------------------------------------------------------------- times
 TEST(WorldForces, a_push_over_whole_steps_has_its_exact_impulse) {
-  for (const Integrator i : kAll) {
+  for (const Integrator i : test::kIntegrators) {
     World world = make(empty_space());
     const ProjectileId id = world.spawn(ball(rung(i), 2), at({}));
     ForceDef push = force(ConstantForce{{6, 0, 0}}, {.ids = {id}, .kind = {}});
@@ -256,7 +256,7 @@ TEST(WorldForces, only_motion_force_feels_them_and_notes_say_so) {
 }
 
 TEST(WorldForces, user_functions_see_all_at_once_in_every_stage) {
-  for (const Integrator i : kAll) {
+  for (const Integrator i : test::kIntegrators) {
     World world = make(empty_space());
     int calls = 0;
     std::vector<ProjectileId> seen;
@@ -410,7 +410,9 @@ World busy_world(unsigned threads, bool backwards, std::vector<ProjectileId>& id
     const int k = backwards ? 89 - n : n;
     const Precision p = k % 2 == 0 ? Precision::float32 : Precision::float64;
     const Launch launch = at({0.3 * k, 1 + 0.1 * (k % 7), 0.01 * k * k}, {0.1 * k, 2, -0.05 * k});
-    ids[static_cast<std::size_t>(k)] = world.spawn(ball(rung(kAll[k % 7], p), 1 + 0.1 * k), launch);
+    ids[static_cast<std::size_t>(k)] = world.spawn(
+        ball(rung(test::kIntegrators[static_cast<std::size_t>(k) % std::size(test::kIntegrators)], p), 1 + 0.1 * k),
+        launch);
   }
   for (unsigned k = 0; k + 7 < 90; k += 3) {
     Spring law;
@@ -487,7 +489,7 @@ TEST(WorldForces, the_hash_knows_what_generators_will_do) {
 
 // --------------------------------------------------------------------------------------------------- bad numbers
 TEST(WorldForces, what_is_no_number_retires_only_whom_it_hits) {
-  for (const Integrator i : kAll) {
+  for (const Integrator i : test::kIntegrators) {
     for (const double bad : {kNan, kInfinity}) {
       World world = make(empty_space());
       std::vector<ProjectileId> ids;

@@ -201,7 +201,7 @@ TEST(Independence, worlds_say_that_they_show_no_spin_drift) {
 }
 
 TEST(Independence, adaptive_integrators_keep_their_tolerance_inside_a_frame) {
-  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : test::kAdaptive) {
     WorldDef def;
     def.ground.mode = GroundMode::none;
     def.tolerance.relative = 1e-10;

@@ -86,7 +86,7 @@ TEST(WorldMotor, flies_the_bits_of_a_flight) {
 }
 
 TEST(WorldMotor, adaptive_integrators_follow_the_flight) {
-  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853}) {
+  for (const Integrator integrator : kAdaptive) {
     World world = make_world({});
     const ProjectileDef p = rocket(rung(integrator));
     const ProjectileId id = world.spawn(p, from_rail());
