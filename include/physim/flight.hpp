@@ -193,8 +193,12 @@ struct ShotResult {
   Vec3d position;                      ///< at the end [m]
   Vec3d velocity;                      ///< at the end [m/s]
   FlightCost cost;                     ///< [-]
-  Quatd orientation;                   ///< at the end, as Sample::orientation [-]
-  Vec3d angular_velocity;              ///< at the end, as Sample::angular_velocity [rad/s]
+};
+
+/// How one shot of a batch points and turns at its end.
+struct ShotAttitude {
+  Quatd orientation;       ///< as Sample::orientation [-]
+  Vec3d angular_velocity;  ///< as Sample::angular_velocity [rad/s]
 };
 
 /// An event of one shot of a batch.
@@ -204,11 +208,12 @@ struct ShotEvent {
 };
 
 struct BatchResult {
-  std::vector<ShotResult> shots;  ///< in the order given [-]
-  std::vector<ShotEvent> events;  ///< by shot, then by time [-]
-  std::string kernel;             ///< that flew the batch: "base", "avx2", "avx512" or "scalar" [-]
-  FidelityInUse fidelity_in_use;  ///< of the first shot that was not refused [-]
-  std::optional<Error> error;     ///< the first error among refused shots [-]
+  std::vector<ShotResult> shots;        ///< in the order given [-]
+  std::vector<ShotAttitude> attitudes;  ///< of each shot, where rotation is flown; else empty [-]
+  std::vector<ShotEvent> events;        ///< by shot, then by time [-]
+  std::string kernel;                   ///< that flew the batch: "base", "avx2", "avx512" or "scalar" [-]
+  FidelityInUse fidelity_in_use;        ///< of the first shot that was not refused [-]
+  std::optional<Error> error;           ///< the first error among refused shots [-]
 };
 
 /// Flies many shots at once, in packs of lanes that are refilled as shots end. The numbers are those of fly(), bit for

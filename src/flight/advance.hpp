@@ -25,14 +25,15 @@ std::optional<double> cut_at_corner(const Course<S>& course, const Lanes<R>& l, 
   copy_step(*course.conditions, l, lane, alone, 0, body_fields<R>(*course.conditions));
   DenseLanes<S> at;
   dense_lanes(course, alone, at);
+  const Body<double> whole_body = at.whole_body();
   const auto rates = [&](double theta) {
     const State<double> s = at(theta);
-    return edge_rates(c, at.body, s, at.acceleration(theta, s));
+    return edge_rates(c, whole_body, s, at.acceleration(theta, s));
   };
   const double h = at.n1.t - at.n0.t;
   // A corner in the first millionth of a step is the one that the last step was cut at. A rail is never left late.
   const double before = by_rail ? 0 : 1e-6;
-  double cut_h = h * first_corner(c, at.body, at.turn->rotor, at.n0.t, h, before, at, rates);
+  double cut_h = h * first_corner(c, whole_body, at.turn->rotor, at.n0.t, h, before, at, rates);
   // A corner within some roundings of the clock is as good as passed: a cut to it would stand still.
   const double shortest = 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t;
   if (by_rail) cut_h = max(cut_h, 2 * shortest);

@@ -24,12 +24,13 @@ struct ShotGroup {
   std::vector<Rotor<double>> rotors;                   // of rungs that turn
   std::vector<SpinDrift> drifts;                       // of the rung of that name ...
   std::vector<Vec3d> right;                            // ... and where they point
-  std::vector<RawEnd> ends;
+  std::vector<Turn<double>> turned;                    // how they turn at their ends
   std::vector<RawEvent> events;
 
-  void add(const Body<double>& body) {
-    const auto* from = reinterpret_cast<const double*>(&body);
-    own_numbers.insert(own_numbers.end(), from, from + own_count);
+  void add(std::uint32_t shot, const Body<double>& body) {
+    shots.push_back(shot);
+    own_numbers.resize(shots.size() * own_count);
+    std::copy_n(reinterpret_cast<const double*>(&body), own_count, own_numbers.end() - own_count);
   }
   [[nodiscard]] Body<double> body(std::size_t i) const {
     Body<double> b = common;
@@ -106,6 +107,7 @@ class Batch {
   void run() {
     result_.kernel = batch_kernel().name;
     result_.shots.resize(shots_.size());  // each is written once: how it ended, or that it was refused
+    result_.attitudes.clear();
     result_.events.clear();
     result_.fidelity_in_use = {};
     result_.error.reset();
@@ -155,12 +157,10 @@ class Batch {
     return kind_;
   }
 
-  /// Whether a launch gives a Body no number but the first ones: what else put_launch() sets is not read.
-  [[nodiscard]] bool differ_by_launch_alone(const Conditions<double>& c) const {
-    const auto has_rail = [](const Launch& launch) { return launch.rail_length > 0; };
+  /// Whether a launch without a rail gives a Body only the first numbers: what else put_launch() sets is not read.
+  static bool differ_by_launch_alone(const Conditions<double>& c) {
     return !spins(c.fidelity) && !is_in_repose(c.fidelity) && !c.has_motor &&
-           c.fidelity.drag != DragModel::linear_quadratic &&
-           std::none_of(shots_.launches.begin(), shots_.launches.end(), has_rail);
+           c.fidelity.drag != DragModel::linear_quadratic;
   }
 
   void prepare(std::uint32_t i) {
@@ -181,6 +181,10 @@ class Batch {
     const Fidelity& granted = cohort.in_use.fidelity;
     if (!some_accepted_) result_.fidelity_in_use = cohort.in_use;
     some_accepted_ = true;
+    if (launch.rail_length > 0 && group->own_count < unsigned(kBodyFields<double>)) {
+      fly(*group);  // those without a rail
+      group->own_count = unsigned(kBodyFields<double>);
+    }
     Body<double>& body = kind.body;
     put_launch(projectile, launch, elevation, cohort.conditions, body);
     jump_in_crosswind(projectile, environment_, cohort.conditions, body);
@@ -189,10 +193,9 @@ class Batch {
       end_at_once(i, body, *outcome);
       if (!turns(granted)) return;
       const Rotor<double>& rotor = kind.rotor;
-      return set_attitude(result_.shots[i], attitude_of(cohort.conditions, body, rotor, 0, body.launch, rotor.launch));
+      return put_attitude(i, attitude_of(cohort.conditions, body, rotor, 0, body.launch, rotor.launch));
     }
-    group->shots.push_back(i);
-    group->add(body);
+    group->add(i, body);
     if (turns(granted)) group->rotors.push_back(kind.rotor);
     if (drifts(granted)) {
       group->drifts.push_back(prepare_spin_drift(projectile, length(body.launch.v), environment_, granted));
@@ -235,13 +238,13 @@ class Batch {
     return known;
   }
 
-  static void set_attitude(ShotResult& result, const Attitude& attitude) {
-    result.orientation = attitude.q_WB;
-    result.angular_velocity = attitude.omega;
+  void put_attitude(std::uint32_t i, const Attitude& attitude) {
+    result_.attitudes.resize(shots_.size());
+    result_.attitudes[i] = {attitude.q_WB, attitude.omega};
   }
 
   void end_at_once(std::uint32_t i, const Body<double>& body, Outcome outcome) {
-    result_.shots[i] = {outcome, 0, body.launch.x, body.launch.v, {}, {}, {}};
+    result_.shots[i] = {outcome, 0, body.launch.x, body.launch.v, {}};
     if (outcome != Outcome::landed) return;
     result_.events.push_back(
         {i, {EventKind::ground, *until_.ground, Crossing::falling, 0, body.launch.x, body.launch.v}});
@@ -308,12 +311,13 @@ class Batch {
     const std::size_t count = group.shots.size();
     watch_ = prepare_watch(until_, group.cohort.conditions, false);
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
-    group.ends.resize(count);
+    if (turns(group.cohort.in_use.fidelity)) group.turned.resize(count);
     const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
-    kernel({&course, group.own_numbers.data(), group.own_count, &group.common, group.rotors.data(), count,
-            group.ends.data(), emit, &group});
+    kernel({&course, group.own_numbers.data(), group.own_count, &group.common, group.rotors.data(), group.shots.data(),
+            count, result_.shots.data(), group.turned.data(), emit, &group});
     for (const std::uint32_t i : by_shot_.order(group.events, count)) keep(group, group.events[i]);
-    for (std::size_t i = 0; i < count; ++i) keep(group, i, group.ends[i]);
+    if (drifts(group.cohort.in_use.fidelity)) add_drift(group);
+    if (turns(group.cohort.in_use.fidelity)) keep_attitudes(group);
   }
 
   static bool drifts(const Fidelity& granted) { return granted.rotation == RotationModel::spin_drift; }
@@ -330,18 +334,25 @@ class Batch {
     result_.events.push_back({group.shots[e.shot], {spec.kind, spec.value, direction, e.time, s.x, s.v}});
   }
 
-  void keep(const ShotGroup& group, std::size_t i, const RawEnd& end) {
-    const State<double> s = shown(group, i, end.state, end.time);
-    const auto steps = static_cast<std::int64_t>(end.steps);
-    const auto tries = static_cast<std::int64_t>(end.tries);
-    result_.shots[group.shots[i]] = {
-        end.outcome, end.time, s.x, s.v, {steps, tries - steps, evaluations(group.cohort.in_use.fidelity, tries)}};
+  void add_drift(const ShotGroup& group) {
+    for (std::size_t i = 0; i < group.shots.size(); ++i) {
+      ShotResult& result = result_.shots[group.shots[i]];
+      const State<double> s = shown(group, i, {result.position, result.velocity}, result.time);
+      result.position = s.x;
+      result.velocity = s.v;
+    }
+  }
+
+  void keep_attitudes(const ShotGroup& group) {
     const Conditions<double>& c = group.cohort.conditions;
-    if (!turns(c.fidelity)) return;
-    Body<double> body = group.body(i);
-    State<double> start = end.state;
-    if (has_stops(c)) pass_stops(c, end.time, true, start, body);
-    set_attitude(result_.shots[group.shots[i]], attitude_of(c, body, group.rotors[i], end.time, end.state, end.turn));
+    for (std::size_t i = 0; i < group.shots.size(); ++i) {
+      const ShotResult& result = result_.shots[group.shots[i]];
+      const State<double> end{result.position, result.velocity};
+      Body<double> body = group.body(i);
+      State<double> start = end;
+      if (has_stops(c)) pass_stops(c, result.time, true, start, body);
+      put_attitude(group.shots[i], attitude_of(c, body, group.rotors[i], result.time, end, group.turned[i]));
+    }
   }
 
   const ShotList& shots_;

@@ -153,11 +153,21 @@ class Court {
   /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
   [[nodiscard]] bool stays(int i) const { return !accepted_[i] || verdict_[i].outcome == Outcome::non_finite; }
 
+  [[nodiscard]] ShotResult& result_of(int i) const { return job_.results[job_.places[shot_[i]]]; }
+
   void begin_end(int i) {
-    RawEnd& end = job_.ends[shot_[i]];
-    end.outcome = verdict_[i].outcome;
-    end.steps = static_cast<double>(lane_of(steps_.count + steps_.parts, i)) + (stays(i) ? 0 : 1);
-    end.tries = static_cast<double>(lane_of(steps_.tries, i));
+    ShotResult& result = result_of(i);
+    const auto steps = static_cast<std::int64_t>(lane_of(steps_.count + steps_.parts, i)) + (stays(i) ? 0 : 1);
+    const auto tries = static_cast<std::int64_t>(lane_of(steps_.tries, i));
+    result.outcome = verdict_[i].outcome;
+    result.cost = {steps, tries - steps, evaluations(job_.course->conditions->fidelity, tries)};
+  }
+
+  void put_end(int i, double time, const State<double>& state) {
+    ShotResult& result = result_of(i);
+    result.time = time;
+    result.position = state.x;
+    result.velocity = state.v;
   }
 
   /// In turns: the first crossing of every lane, the second, ...
@@ -174,17 +184,17 @@ class Court {
       const W time = judgement_.at.time(theta);
       const State<W> state = judgement_.at.at_time(time);
       const bool turning = turns(job_.course->conditions->fidelity);
-      const Turn<W> turned = turning ? judgement_.at.turn_at_time(time) : Turn<W>{};
+      Unset<Turn<W>> turned;
+      if (turning) *turned = judgement_.at.turn_at_time(time);
       for (int i = 0; i < filled_; ++i) {
         if (turn >= judgement_.crossings[i].count) continue;
         const Found& found = judgement_.crossings[i].found[turn];
-        RawEvent event{shot_[i], found.index, found.rising, lane_of(time, i), {}};
+        RawEvent event{std::uint32_t(shot_[i]), std::int16_t(found.index), found.rising, lane_of(time, i), {}};
         copy_lane(state, i, event.state, 0);
         job_.emit(job_.sink, event);
         if (!verdict_[i].ended) continue;
-        job_.ends[shot_[i]].time = event.time;  // of the last crossing, where the flight ends with one
-        job_.ends[shot_[i]].state = event.state;
-        if (turning) copy_lane(turned, i, job_.ends[shot_[i]].turn, 0);
+        put_end(i, event.time, event.state);  // of the last crossing, where the flight ends with one
+        if (turning) copy_lane(*turned, i, job_.turns[shot_[i]], 0);
       }
     }
   }
@@ -195,16 +205,15 @@ class Court {
       const CrossingList& crossings = judgement_.crossings[i];
       const bool at_crossing = crossings.count > 0 && crossings.found[crossings.count - 1].theta == verdict_[i].theta;
       if (at_crossing && !stays(i)) continue;
-      RawEnd& end = job_.ends[shot_[i]];
       const bool at_start = stays(i);  // else the verdict lets it take the whole step
-      end.time = static_cast<double>(lane_of(at_start ? steps_.step.t : steps_.step.t_end, i));
+      const double time = static_cast<double>(lane_of(at_start ? steps_.step.t : steps_.step.t_end, i));
       State<S> state;
       copy_lane(at_start ? steps_.step.start : steps_.step.end, i, state, 0);
-      end.state = {vec_cast<double>(state.x), vec_cast<double>(state.v)};
+      put_end(i, time, {vec_cast<double>(state.x), vec_cast<double>(state.v)});
       if (!turns(job_.course->conditions->fidelity)) continue;
       Turn<S> turn;
       copy_lane(at_start ? steps_.step.turn->start : steps_.step.turn->end, i, turn, 0);
-      widen(turn, end.turn);
+      widen(turn, job_.turns[shot_[i]]);
     }
   }
 

@@ -2,24 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "flight/judge.hpp"
 
 namespace physim {
 
-/// How a shot ended, before spin drift is added.
-struct RawEnd {
-  Outcome outcome;
-  double time;
-  State<double> state;
-  double steps;
-  double tries;
-  Turn<double> turn;  // of rungs that turn
-};
-
+/// Without spin drift, as an event of a batch.
 struct RawEvent {
-  std::size_t shot;
-  int index;  // in the watch list
+  std::uint32_t shot;
+  std::int16_t index;  // in the watch list
   bool rising;
   double time;
   State<double> state;
@@ -33,8 +25,10 @@ struct BatchJob {
   unsigned own_count;           // so many of each shot
   const Body<double>* common;   // has the others
   const Rotor<double>* rotors;  // of rungs that turn
+  const std::uint32_t* places;  // of the shots in the results
   std::size_t count;
-  RawEnd* ends;
+  ShotResult* results;  // how each ended, without spin drift
+  Turn<double>* turns;  // of rungs that turn: how it turned at its end
   void (*emit)(void* sink, const RawEvent& event);
   void* sink;
 };

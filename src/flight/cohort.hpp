@@ -115,11 +115,6 @@ struct Cohort {
   [[nodiscard]] bool corners_matter() const;
 };
 
-/// Evaluations of the acceleration that a number of tried steps took, the one at launch included.
-[[nodiscard]] inline std::int64_t evaluations(const Fidelity& granted, std::int64_t tries) {
-  return 1 + tries * (granted.motion == Motion::closed_form ? 1 : end_slope(granted.integrator));
-}
-
 /// The bore elevation that a launch asks for: its own, or that of its zero range.
 [[nodiscard]] Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch,
                                           const Environment& environment, const Fidelity& fidelity);

@@ -31,7 +31,7 @@ struct DenseLanes {
   const Conditions<S>* conditions;
   const Conditions<double>* conditions_double;
   const Lanes<R>* lanes;  // must outlive this
-  Body<W> body;
+  Body<W> body;           // what watched values read of it; whole_body() has all
   NodeOf<W> n0;
   NodeOf<W> n1;
   State<W> coefficient[kMaxDenseCoefficients];
@@ -54,10 +54,15 @@ struct DenseLanes {
     return dense_turn(conditions->fidelity, turn->n0, turn->n1, turn->coefficient, theta);
   }
   PHYSIM_INLINE Turn<W> turn_at_time(const W& t) const { return turn_at(place_between(n0, n1, t)); }
+  PHYSIM_INLINE Body<W> whole_body() const {
+    Body<W> b;
+    widen(lanes->body, b, body_fields<R>(*conditions));
+    return b;
+  }
   PHYSIM_INLINE Vec3<W> acceleration(const W& theta, const State<W>& s) const {
-    if (!turns(conditions->fidelity)) return evaluated(*conditions_double, body, time(theta), s);
+    if (!turns(conditions->fidelity)) return evaluated(*conditions_double, whole_body(), time(theta), s);
     Turn<W> slope;
-    return evaluated(*conditions_double, body, turn->rotor, time(theta), s, turn_at(theta), slope);
+    return evaluated(*conditions_double, whole_body(), turn->rotor, time(theta), s, turn_at(theta), slope);
   }
 
   /// A watched value at the ends of the step in the flight's own precision: the end of one step is the start of the
@@ -70,7 +75,7 @@ struct DenseLanes {
   }
 };
 
-/// The same for rotation; `s` holds the rest of the steps already.
+/// The same for rotation; `s` is the rest of the steps.
 template <class R, class S>
 void dense_turns(const Course<S>& course, const Lanes<R>& l, Step<Cast<double, R>>& s, DenseLanes<R>& out) {
   using W = Cast<double, R>;
@@ -87,38 +92,49 @@ void dense_turns(const Course<S>& course, const Lanes<R>& l, Step<Cast<double, R
   to.n1 = {out.n1.t, turn.end, turn.slope[last]};
   if (fidelity.integrator == Integrator::dop853)
     add_dop853_slopes<true>(s, [&](const W& t, const State<W>& y, const Turn<W>& at, Turn<W>& slope) {
-      return evaluated(*course.conditions_double, out.body, to.rotor, t, y, at, slope);
+      return evaluated(*course.conditions_double, out.whole_body(), to.rotor, t, y, at, slope);
     });
   dense_sums(fidelity.integrator, s, s.h, out.coefficient);
   dense_sums(fidelity.integrator, turn, s.h, to.coefficient);
 }
 
-/// The dense output of steps just taken.
+/// The coefficients of interpolants that have some.
 template <class R, class S>
-void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) {
+void add_coefficients(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) {
   using W = Cast<double, R>;
   const Fidelity& fidelity = course.conditions->fidelity;
-  const int last = last_slope(fidelity);
-  Step<W> s;
-  s.t = cast<double>(l.step.t);
+  Unset<Step<W>> wide;
+  Step<W>& s = *wide;
+  s.t = out.n0.t;
   s.h = cast<double>(l.step.h);
-  widen(l.step.start, s.start);
-  widen(l.step.end, s.end);
-  for_dense_slopes(fidelity.integrator, last, [&](int i) { widen(l.step.slope[i], s.slope[i]); });
-  widen(l.body, out.body, body_fields<R>(*course.conditions));
-  out.conditions = course.conditions;
-  out.conditions_double = course.conditions_double;
-  out.lanes = &l;
-  out.n0 = {s.t, s.start, s.slope[0].v};
-  out.n1 = {cast<double>(l.step.t_end), s.end, s.slope[last].v};
-  if (fidelity.motion == Motion::closed_form) return;
+  s.start = out.n0.y;
+  s.end = out.n1.y;
+  for_dense_slopes(fidelity.integrator, last_slope(fidelity), [&](int i) { widen(l.step.slope[i], s.slope[i]); });
   if (turns(fidelity)) return dense_turns(course, l, s, out);
   const auto f = [&](const W& t, const State<W>& y) {
     Vec3<W> a;
-    evaluate(*course.conditions_double, out.body, t, y, a);
+    evaluate(*course.conditions_double, out.whole_body(), t, y, a);
     return a;
   };
   dense_coefficients(fidelity.integrator, s, f, out.coefficient);
+}
+
+/// The dense output of steps just taken.
+template <class R, class S>
+void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) {
+  const Conditions<S>& c = *course.conditions;
+  out.conditions = course.conditions;
+  out.conditions_double = course.conditions_double;
+  out.lanes = &l;
+  widen(l.body, out.body, has_stops(c) ? body_fields<R>(c) : unsigned(kLaunchFields));
+  out.n0.t = cast<double>(l.step.t);
+  out.n1.t = cast<double>(l.step.t_end);
+  widen(l.step.start, out.n0.y);
+  widen(l.step.end, out.n1.y);
+  widen(l.step.slope[0].v, out.n0.a);
+  widen(l.step.slope[last_slope(c.fidelity)].v, out.n1.a);
+  if (c.fidelity.motion == Motion::closed_form) return;
+  if (turns(c.fidelity) || dense_coefficient_count(c.fidelity.integrator) > 0) add_coefficients(course, l, out);
 }
 
 PHYSIM_ISA_END

@@ -4,6 +4,7 @@
 // begin() here, try_steps() and accept() in flight/advance.hpp, judge() in flight/judge.hpp.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "flight/watch.hpp"
@@ -128,6 +129,11 @@ PHYSIM_INLINE void copy_lane(const R& from, int from_lane, Into& into, int lane)
 /// Number of the last slope that a step leaves.
 PHYSIM_INLINE int last_slope(const Fidelity& f) {
   return f.motion == Motion::closed_form ? 1 : end_slope(f.integrator);
+}
+
+/// Evaluations of the acceleration that a number of tried steps took, the one at launch included.
+PHYSIM_INLINE std::int64_t evaluations(const Fidelity& granted, std::int64_t tries) {
+  return 1 + tries * last_slope(granted);
 }
 
 /// Copies the finished step of one lane with all that judging it takes, and the first `numbers` ones of its body.

@@ -285,8 +285,8 @@ TEST(RigidBody, batches_fly_as_single_flights) {
         const BatchResult batch = fly_batch(shots, {}, f, tolerance);
         for (std::size_t k = 0; k < shots.size(); ++k) {
           const Sample end = fly(shots[k].projectile, shots[k].launch, {}, f, tolerance).end();
-          const ShotResult& r = batch.shots[k];
-          ASSERT_TRUE(same_bits(r.position, end.position)) << kernel << text(i) << k;
+          const ShotAttitude& r = batch.attitudes[k];
+          ASSERT_TRUE(same_bits(batch.shots[k].position, end.position)) << kernel << text(i) << k;
           ASSERT_TRUE(same_bits(r.angular_velocity, end.angular_velocity)) << kernel << text(i) << k;
           ASSERT_TRUE(same_bits(r.orientation.w, end.orientation.w) && same_bits(r.orientation.y, end.orientation.y));
         }

@@ -126,11 +126,13 @@ void add_flight(Hash& hash, const Flight& flight) {
 }
 
 void add_batch(Hash& hash, const BatchResult& batch) {
-  for (const ShotResult& s : batch.shots) {
+  for (std::size_t i = 0; i < batch.shots.size(); ++i) {
+    const ShotResult& s = batch.shots[i];
+    const ShotAttitude a = batch.attitudes.empty() ? ShotAttitude{} : batch.attitudes[i];
     hash.add_bits(static_cast<std::uint64_t>(s.outcome));
     hash.add(s.time), hash.add(s.position), hash.add(s.velocity), hash.add(s.cost);
-    for (const double x : {s.orientation.w, s.orientation.x, s.orientation.y, s.orientation.z}) hash.add(x);
-    hash.add(s.angular_velocity);
+    for (const double x : {a.orientation.w, a.orientation.x, a.orientation.y, a.orientation.z}) hash.add(x);
+    hash.add(a.angular_velocity);
   }
   for (const ShotEvent& e : batch.events) {
     hash.add_bits(e.shot);

@@ -269,7 +269,7 @@ void expect_same_everywhere(RotationModel rotation) {
         const Sample end = fly(shots[k].projectile, shots[k].launch, {}, f, tolerance, until).end();
         ASSERT_EQ(world.fidelity_in_use(ids[k]).fidelity.rotation, rotation) << k;
         ASSERT_TRUE(same_bits(batch.shots[k].position, end.position)) << kernel << k;
-        ASSERT_TRUE(same_bits(batch.shots[k].angular_velocity, end.angular_velocity)) << kernel << k;
+        ASSERT_TRUE(same_bits(batch.attitudes[k].angular_velocity, end.angular_velocity)) << kernel << k;
         ASSERT_TRUE(same_bits(world.position(ids[k]), end.position)) << kernel << k;
         const double gate = precision == Precision::float32 ? 1e-4 : 1e-12;
         EXPECT_TRUE(near(world.accelerations(ids[k]).total, end.acceleration, gate)) << kernel << k;
