@@ -31,7 +31,7 @@ class Random {
 
 inline DragDef random_drag(Random& r) {
   DragDef d;
-  d.table = static_cast<DragTable>(r.below(13));
+  d.table = static_cast<DragTable>(r.below(12));
   d.coefficient = r.in(0.1, 1);
   if (d.table == DragTable::custom) {
     const bool odd = r.one_in(2);

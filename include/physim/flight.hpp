@@ -23,7 +23,8 @@ namespace physim {
 struct Tolerance {
   std::optional<double> relative;  ///< adaptive integrators: error per step, relative to |position| and |velocity|;
                                    ///< none: 1e-9, in float32 1e-5 [-]
-  double absolute = 1e-9;          ///< adaptive integrators: error per step, added to the relative part [m, m/s]
+  double absolute = 1e-9;          ///< adaptive integrators: error per step where these are near zero: the whole is
+                                   ///< sqrt(absolute^2 + (relative |y|)^2) [m, m/s]
   double step = 0;                 ///< fixed-step integrators; 0: heun and rk4 by a pilot flight, others 1/60 s [s]
   double position_error = 1e-3;    ///< what the pilot flight aims for at the end of the flight [m]
   double max_step = std::numeric_limits<double>::infinity();  ///< adaptive integrators never step further [s]

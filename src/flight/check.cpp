@@ -14,6 +14,17 @@ namespace {
 
 constexpr double kRightAngle = 1.5707963267948968;
 
+void check_fidelity(Checker& c, const Fidelity& f) {
+  c.named(f.motion, Motion::force, "fidelity.motion").named(f.integrator, Integrator::dop853, "fidelity.integrator");
+  c.named(f.gravity, GravityModel::wgs84, "fidelity.gravity").named(f.drag, DragModel::equation, "fidelity.drag");
+  c.named(f.air, AirModel::isa, "fidelity.air").named(f.wind, WindModel::profile, "fidelity.wind");
+  c.named(f.earth, EarthModel::ellipsoid, "fidelity.earth");
+  c.named(f.rotation, RotationModel::rigid_body, "fidelity.rotation");
+  c.named(f.body_form, BodyForm::axis, "fidelity.body_form");
+  c.named(f.precision, Precision::float64, "fidelity.precision");
+  c.named(f.interpolation, Interpolation::cubic, "fidelity.interpolation");
+}
+
 void check_curve(Checker& c, const std::vector<DragPoint>& curve, const std::string& name) {
   c.require(!curve.empty(), name, "is empty", "give at least one point (Mach, Cd)");
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -50,6 +61,8 @@ void check_coefficient(Checker& c, const AeroCoefficient& points, const char* na
 }
 
 void check_aero(Checker& c, const AeroDef& a) {
+  c.named(a.rate_norm, RateNorm::twice_speed, "projectile.aero.rate_norm");
+  c.named(a.damping_frame, DampingFrame::inertial, "projectile.aero.damping_frame");
   c.not_negative(a.area, "projectile.aero.area", "0: from the diameter");
   c.not_negative(a.length, "projectile.aero.length", "0: the diameter");
   c.not_negative(a.span, "projectile.aero.span", "0: the length");
@@ -120,6 +133,7 @@ void check_motor(Checker& c, const ProjectileDef& p) {
 }
 
 void check_magnus(Checker& c, const MagnusDef& m) {
+  c.named(m.measure, SpinMeasure::parameter, "projectile.magnus.measure");
   c.is_number(m.lift, "projectile.magnus.lift").positive(m.lift_base, "projectile.magnus.lift_base", "");
   c.not_negative(m.lift_saturation, "projectile.magnus.lift_saturation", "");
   c.not_negative(m.drag_per_spin, "projectile.magnus.drag_per_spin", "");
@@ -153,7 +167,9 @@ Status check(const ProjectileDef& p) {
   c.positive(p.mass, "projectile.mass", "in kg");
   c.positive(p.diameter, "projectile.diameter", "in m");
   c.not_negative(p.length, "projectile.length", "0 where it is not known").is_number(p.twist, "projectile.twist");
+  check_fidelity(c, p.fidelity);
   const DragDef& d = p.drag;
+  c.named(d.table, DragTable::custom, "projectile.drag.table");
   c.not_negative(d.coefficient, "projectile.drag.coefficient", "");
   c.not_negative(d.ballistic_coefficient, "projectile.drag.ballistic_coefficient", "0: from mass and diameter");
   c.positive(d.form_factor, "projectile.drag.form_factor", "");
@@ -183,6 +199,8 @@ Status check(const Launch& l) {
   c.is_number(l.elevation, "launch.elevation").is_number(l.azimuth, "launch.azimuth");
   if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
   const LaunchAttitude& a = l.attitude;
+  c.named(a.frame, AttitudeFrame::world, "launch.attitude.frame");
+  c.named(a.rate_frame, RateFrame::inertial, "launch.attitude.rate_frame");
   c.is_number(a.yaw, "launch.attitude.yaw").is_number(a.pitch, "launch.attitude.pitch");
   c.is_number(a.roll, "launch.attitude.roll").is_vector(a.rates, "launch.attitude.rates");
   c.is_number(l.sight.height, "launch.sight.height").is_number(l.sight.cant, "launch.sight.cant");
@@ -201,6 +219,10 @@ Status check(const Environment& e) {
   Checker c;
   c.require(e.altitude >= kLowestAltitude && e.altitude <= 1e9, "environment.altitude",
             "must lie between -5000 m and 1e9 m", "");
+  c.named(e.gravity.model, GravityModel::wgs84, "environment.gravity.model");
+  c.named(e.atmosphere.model, AirModel::isa, "environment.atmosphere.model");
+  c.named(e.wind.by, WindAxis::range, "environment.wind.by");
+  c.named(e.wind.interpolation, WindInterpolation::step, "environment.wind.interpolation");
   c.is_number(e.gravity.acceleration, "environment.gravity.acceleration");
   c.positive(e.gravity.radius, "environment.gravity.radius", "in m");
   const Atmosphere& a = e.atmosphere;
@@ -246,6 +268,7 @@ Status check(const Environment& e) {
 
 Status check(const Tolerance& t, const Fidelity& f) {
   Checker c;
+  check_fidelity(c, f);
   // An adaptive integrator cannot reach an error below a few roundings: it would only shrink its step for ever.
   const double rounding = f.precision == Precision::float32 ? 1.1920929e-7 : 2.220446049250313e-16;
   c.not_negative(t.relative.value_or(0), "tolerance.relative", "").not_negative(t.absolute, "tolerance.absolute", "");
@@ -265,8 +288,12 @@ Status check(const Until& u) {
   if (u.range) c.positive(*u.range, "until.range", "in m");
   c.positive(u.time, "until.time", "a flight needs an end");
   c.require(u.events.size() <= 24, "until.events", "has too many events", "at most 24");
-  for (std::size_t i = 0; i < u.events.size(); ++i)
-    c.is_number(u.events[i].value, "until.events[" + std::to_string(i) + "].value");
+  for (std::size_t i = 0; i < u.events.size(); ++i) {
+    const std::string place = "until.events[" + std::to_string(i) + "]";
+    c.is_number(u.events[i].value, place + ".value");
+    c.named(u.events[i].kind, EventKind::rail_exit, place + ".kind");
+    c.named(u.events[i].direction, Crossing::falling, place + ".direction");
+  }
   return c.status();
 }
 

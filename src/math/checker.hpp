@@ -40,6 +40,11 @@ class Checker {
   PHYSIM_INLINE Checker& is_vector(const Vec3d& v, Text place) {
     return require(finite(v), place, "must have three finite components");
   }
+  /// An enumerator: a cast can make other values, which tables must not be read by. `last` is the last one.
+  template <class Enum>
+  PHYSIM_INLINE Checker& named(Enum value, Enum last, Text place) {
+    return require(static_cast<unsigned>(value) <= static_cast<unsigned>(last), place, "is none of the named values");
+  }
   /// What another check said.
   Checker& also(Status other) {
     if (!status_) status_ = std::move(other);

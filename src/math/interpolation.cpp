@@ -80,6 +80,7 @@ PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y,
     return curve;
   }
   const std::size_t n = x.size() - 1;
+  curve.pieces.reserve(n);
   std::vector<double> h(n), secant(n);
   for (std::size_t i = 0; i < n; ++i) {
     h[i] = x[i + 1] - x[i];
@@ -119,6 +120,7 @@ std::optional<UniformCubic> on_uniform_cells(const PiecewiseCubic& curve, int ma
     if (!every_knot_on_grid(knots, cell)) continue;
     const int cells = static_cast<int>(std::lround(span / cell));
     UniformCubic out{knots.front(), span / cells, {}};
+    out.rows.reserve(static_cast<std::size_t>(cells));
     std::size_t piece = 0;
     for (int i = 0; i < cells; ++i) {
       const double x = out.start + (i + 0.5) * out.cell;

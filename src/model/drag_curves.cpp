@@ -2,6 +2,7 @@
 #include "model/drag_curves.hpp"
 
 #include <algorithm>
+#include <mutex>
 
 #include "model/sphere_drag.hpp"
 #include "physim/drag_curve.hpp"
@@ -29,6 +30,22 @@ PiecewiseCubic curve_of(const DragDef& drag, Interpolation interpolation) {
   if (!points.empty()) return through(points, interpolation);
   const DragPoint unit{0, 1};  // a constant Cd is part of the area; see half_area_per_mass()
   return through({&unit, 1}, interpolation);
+}
+
+/// The curve of a table that is not custom, on equal cells. Each is fitted once: it takes as long as a short flight.
+const UniformCubic& standard_cells(DragTable table, Interpolation interpolation) {
+  struct Fitted {
+    std::once_flag once;
+    UniformCubic cells;
+  };
+  static Fitted fitted[std::size_t(DragTable::custom)][std::size_t(Interpolation::cubic) + 1];
+  Fitted& f = fitted[std::size_t(table)][std::size_t(interpolation)];
+  std::call_once(f.once, [&] {
+    DragDef drag;
+    drag.table = table;
+    f.cells = on_uniform_cells(curve_of(drag, interpolation), kMaxCells).value();
+  });
+  return f.cells;
 }
 
 /// Whether a curve leaves the span of its neighbouring points by a quarter of them, or goes below zero.
@@ -60,26 +77,27 @@ CurvePlace CurvePool::add(const DragDef& drag, Interpolation interpolation) {
     return e.place;
   }
   const auto own_points = drag.table == DragTable::custom ? drag.curve : std::vector<DragPoint>{};
-  entries_.push_back({drag.table, own_points, place_of(curve_of(drag, interpolation))});
+  entries_.push_back({drag.table, own_points, place_of(drag, interpolation)});
   return entries_.back().place;
 }
 
-CurvePlace CurvePool::place_of(const PiecewiseCubic& curve) {
-  const auto uniform = on_uniform_cells(curve, kMaxCells);
-  if (!uniform) {
-    searched_.push_back(curve);
-    if (rows_.empty()) rows_.assign(4, 0);  // lanes with searched curves still read some row
-    return {-static_cast<double>(searched_.size()), 0, 1, 0};
-  }
-  const CurvePlace place{static_cast<double>(rows_.size() / 4), uniform->start, 1 / uniform->cell,
-                         static_cast<double>(uniform->rows.size() - 1)};
-  for (const auto& row : uniform->rows) rows_.insert(rows_.end(), row.begin(), row.end());
-  return place;
+CurvePlace CurvePool::place_of(const DragDef& drag, Interpolation interpolation) {
+  if (drag.table != DragTable::custom) return place_of(standard_cells(drag.table, interpolation));
+  const PiecewiseCubic curve = curve_of(drag, interpolation);
+  if (const auto cells = on_uniform_cells(curve, kMaxCells)) return place_of(*cells);
+  searched_.push_back(curve);
+  if (rows_.empty()) rows_.assign(4, 0);  // lanes with searched curves still read some row
+  return {-static_cast<double>(searched_.size()), 0, 1, 0};
+}
+
+CurvePlace CurvePool::place_of(const UniformCubic& curve) {
+  return {add_rows(curve.rows), curve.start, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
 }
 
 double CurvePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
   const auto first = static_cast<double>(rows_.size() / 4);
-  for (const auto& row : rows) rows_.insert(rows_.end(), row.begin(), row.end());
+  const auto* numbers = reinterpret_cast<const double*>(rows.data());
+  rows_.insert(rows_.end(), numbers, numbers + 4 * rows.size());
   return first;
 }
 

@@ -59,7 +59,8 @@ class CurvePool {
     std::vector<DragPoint> curve;
     CurvePlace place;
   };
-  CurvePlace place_of(const PiecewiseCubic& curve);
+  CurvePlace place_of(const DragDef& drag, Interpolation interpolation);
+  CurvePlace place_of(const UniformCubic& curve);
 
   std::vector<double> rows_;
   std::vector<PiecewiseCubic> searched_;

@@ -83,10 +83,17 @@ struct Station {
 
 double dry_sound_speed(double t) { return sqrt(kHeatRatio * kGasConstant * t / kMolarMass); }
 
+const Profile& standard_profile() {
+  static const Profile profile = profile_through(0, kSeaLevelPressure, 0, 1);
+  return profile;
+}
+
+bool is_standard(const Atmosphere& given) { return !given.temperature && !given.pressure && !given.humidity; }
+
 Station station_of(const Environment& environment) {
   const Atmosphere& given = environment.atmosphere;
-  const Profile standard = profile_through(0, kSeaLevelPressure, 0, 1);
-  if (!given.temperature && !given.pressure && !given.humidity) return {standard, 1};
+  const Profile& standard = standard_profile();
+  if (is_standard(given)) return {standard, 1};
   const double h = geopotential(given.station_altitude.value_or(environment.altitude));
   const double t = given.temperature.value_or(standard.temperature_at(h));
   const double p = given.pressure.value_or(standard.pressure_at(h));
@@ -110,7 +117,9 @@ void fit_low(const Air<double>& air, const F& f, double (&out)[N]) {
   std::copy(powers.begin(), powers.end(), out);
 }
 
-void prepare_layers(const Station& station, Air<double>& air) {
+/// The layers of an Air, and the polynomials of the lowest one.
+Air<double> layers_of(const Station& station) {
+  Air<double> air{};
   const Profile& profile = station.profile;
   const auto per_sound = [&](double t) { return 1 / (station.sound_factor * dry_sound_speed(t)); };
   air.layers = kAirLayers;
@@ -136,6 +145,13 @@ void prepare_layers(const Station& station, Air<double>& air) {
   fit_low(
       air, [&](double z) { return per_sound(profile.temperature[0] + kLapse[0] * geopotential(z)); },
       air.low_per_sound);
+  return air;
+}
+
+/// Fitting takes some microseconds, and most air is standard.
+Air<double> layers_of(const Station& station, const Atmosphere& given) {
+  static const Air<double> standard = layers_of({standard_profile(), 1});
+  return is_standard(given) ? standard : layers_of(station);
 }
 
 }  // namespace
@@ -144,19 +160,16 @@ Air<double> prepare_air(const Environment& environment, AirModel model) {
   const Station station = station_of(environment);
   const Profile& profile = station.profile;
   const double h = geopotential(environment.altitude);
-  Air<double> air{};
+  const Atmosphere& given = environment.atmosphere;
+  Air<double> air = model == AirModel::isa ? layers_of(station, given) : Air<double>{};
   air.temperature = profile.temperature_at(h);
   air.density = profile.density(profile.pressure_at(h), air.temperature);
   air.per_sound_speed = 1 / (station.sound_factor * dry_sound_speed(air.temperature));
   air.kelvin_per_sound = air.temperature * air.per_sound_speed * air.per_sound_speed;
-  air.per_scale_height = 1 / environment.atmosphere.scale_height;
-  const Atmosphere& given = environment.atmosphere;
-  if (model == AirModel::isa) {
-    prepare_layers(station, air);
-  } else {
-    air.density = model == AirModel::vacuum ? 0 : given.density.value_or(air.density);
-    if (given.sound_speed) air.per_sound_speed = 1 / *given.sound_speed;
-  }
+  air.per_scale_height = 1 / given.scale_height;
+  if (model == AirModel::isa) return air;
+  air.density = model == AirModel::vacuum ? 0 : given.density.value_or(air.density);
+  if (given.sound_speed) air.per_sound_speed = 1 / *given.sound_speed;
   return air;
 }
 

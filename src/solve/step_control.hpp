@@ -9,7 +9,7 @@
 // Trans. Math. Softw. 17 (1991) 533-554; E. Hairer, G. Wanner, Solving ODEs II (1996), sec. IV.2, eq. 2.43c.
 #pragma once
 
-#include "math/elementary.hpp"
+#include "math/rough_power.hpp"
 #include "physim/fidelity.hpp"
 #include "solve/explicit_runge_kutta.hpp"
 
@@ -17,7 +17,7 @@ PHYSIM_ISA_BEGIN
 
 template <class R>
 struct StepControl {
-  R log_previous;  // ln of the last accepted error, squared
+  R log_previous;  // log2 of the last accepted error, squared
   R h;             // next step to try [s]
 };
 
@@ -35,10 +35,10 @@ PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, con
   const double q = error_order_of(integrator);
   // Errors are squared, hence the factor 1/2. An error that is not a number counts as huge.
   const R huge = constant<R>(1e16);
-  const R e = log_of_normal(clamp(select(error < huge, error, huge), constant<R>(1e-16), huge));
+  const R e = log2_roughly(clamp(select(error < huge, error, huge), constant<R>(1e-16), huge));
   const R with_memory = constant<R>(-0.35 / q) * e + constant<R>(0.2 / q) * control.log_previous;
   const R after_rejection = constant<R>(-0.5 / q) * e;
-  const R factor = constant<R>(0.9) * exp_bounded(select(accepted, with_memory, after_rejection));
+  const R factor = constant<R>(0.9) * exp2_roughly(select(accepted, with_memory, after_rejection));
   control.log_previous = select(accepted, e, control.log_previous);
   return h * clamp(factor, R(S(0.1)), R(S(5)));
 }
@@ -51,7 +51,7 @@ PHYSIM_INLINE R first_step(Integrator integrator, const State<R>& start, const V
   const R speed = length(start.v);
   const R tolerance = relative + absolute / max(speed, constant<R>(1e-3));
   const R reach =
-      exp_bounded(log_of_normal(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / error_order_of(integrator)));
+      exp2_roughly(log2_roughly(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / error_order_of(integrator)));
   const R h = reach * max(speed, constant<R>(1e-3)) / max(length(a), tiny);
   return min(max(h, constant<R>(1e-6)), R(S(1)));
 }

@@ -73,8 +73,7 @@ PHYSIM_INLINE void euler_turn(const Conditions<S>& c, const Rotor<R>& rotor, Ste
 
 template <class R, class S>
 PHYSIM_INLINE R squared_ratio(const Vec3<R>& error, const Vec3<R>& value, S relative, S absolute) {
-  const R scale = absolute + relative * length(value);
-  return length_squared(error) / (scale * scale);
+  return length_squared(error) / (absolute * absolute + relative * relative * length_squared(value));
 }
 
 template <class Tableau, int Which>

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "physim/names.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -29,6 +30,12 @@ struct BadInput {
   const char* message;  // part of it
   std::function<void(Input&)> spoil;
 };
+
+/// The first value behind those of an enumeration.
+template <class Enum>
+void spoil(Enum& value) {
+  value = static_cast<Enum>(names_of<Enum>().size());
+}
 
 const BadInput kBad[] = {
     {"mass NaN", "projectile.mass", "positive", [](Input& i) { i.projectile.mass = kNan; }},
@@ -154,6 +161,13 @@ const BadInput kBad[] = {
     {"range negative", "until.range", "positive", [](Input& i) { i.until.range = -100; }},
     {"event at NaN", "until.events[1].value", "finite",
      [](Input& i) { i.until.events = {{EventKind::height, 1}, {EventKind::mach, kNan}}; }},
+    {"no such rung", "fidelity.integrator", "named", [](Input& i) { spoil(i.fidelity.integrator); }},
+    {"no such drag", "fidelity.drag", "named", [](Input& i) { spoil(i.fidelity.drag); }},
+    {"no such rung of its own", "fidelity.earth", "named", [](Input& i) { spoil(i.projectile.fidelity.earth); }},
+    {"no such table", "projectile.drag.table", "named", [](Input& i) { spoil(i.projectile.drag.table); }},
+    {"no such wind", "environment.wind.by", "named", [](Input& i) { spoil(i.environment.wind.by); }},
+    {"no such frame", "launch.attitude.frame", "named", [](Input& i) { spoil(i.launch.attitude.frame); }},
+    {"no such event", "until.events[0].kind", "named", [](Input& i) { spoil(i.until.events.emplace_back().kind); }},
     {"25 events", "until.events", "too many", [](Input& i) { i.until.events.assign(25, {}); }},
 };
 
@@ -181,6 +195,31 @@ TEST(Check, a_batch_refuses_the_same) {
     ASSERT_TRUE(batch.error) << bad.what;
     EXPECT_EQ(batch.error->place, bad.place) << bad.what;
   }
+}
+
+template <class Enum>
+void expect_all_but_one_more_known(Enum Fidelity::*field, const char* what) {
+  Input input;
+  const auto count = names_of<Enum>().size();
+  for (std::size_t i = 0; i <= count; ++i) {
+    input.fidelity.*field = static_cast<Enum>(i);
+    const auto error = fly(input).error();
+    EXPECT_EQ(error && error->place == std::string("fidelity.") + what, i == count) << what << ' ' << i;
+  }
+}
+
+TEST(Check, every_rung_that_has_a_name_is_known_and_no_other) {
+  expect_all_but_one_more_known(&Fidelity::motion, "motion");
+  expect_all_but_one_more_known(&Fidelity::integrator, "integrator");
+  expect_all_but_one_more_known(&Fidelity::gravity, "gravity");
+  expect_all_but_one_more_known(&Fidelity::drag, "drag");
+  expect_all_but_one_more_known(&Fidelity::air, "air");
+  expect_all_but_one_more_known(&Fidelity::wind, "wind");
+  expect_all_but_one_more_known(&Fidelity::earth, "earth");
+  expect_all_but_one_more_known(&Fidelity::rotation, "rotation");
+  expect_all_but_one_more_known(&Fidelity::body_form, "body_form");
+  expect_all_but_one_more_known(&Fidelity::precision, "precision");
+  expect_all_but_one_more_known(&Fidelity::interpolation, "interpolation");
 }
 
 TEST(Check, errors_read_place_error_message_hint) {

@@ -176,8 +176,10 @@ TEST(EdgeCases, a_path_that_peeks_over_an_edge_of_the_wind_feels_it) {
   e.wind.interpolation = WindInterpolation::step;
   const Sample exact = end_within(ball, launch, e, 1e-13);
   EXPECT_GT(exact.position.z, calm.end().position.z + 0.1);
-  for (const double tolerance : {1e-6, 1e-9})
-    EXPECT_NEAR(end_within(ball, launch, e, tolerance).position.z, exact.position.z, 2e-3) << tolerance;
+  // Where in a step the edge lies is known to the dense output's accuracy, and 60 m/s stand behind it.
+  for (const double tolerance : {1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 1e-8, 1e-9})
+    EXPECT_NEAR(end_within(ball, launch, e, tolerance).position.z, exact.position.z, std::min(2e4 * tolerance, 0.025))
+        << tolerance;
   const Shot shot{ball, launch};
   EXPECT_EQ(fly_batch({&shot, 1}, e, Fidelity::simulation()).shots[0].position,
             fly(ball, launch, e, Fidelity::simulation()).end().position);
