@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kCharacterWidth = 0.66, kLineHeight = 1.45;  // parts of the font size
 constexpr double kBoldWidth = 1.13;                           // of a regular character
+constexpr double kGap = 6;                                    // [px] between texts, so that two do not read as one
 constexpr double kNear = 14;                                  // [px] from a point: no leader is needed
 constexpr std::array<double, 5> kDistances = {10, 14, 28, 48, 74};
 
@@ -105,7 +106,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
     if (std::isfinite(best_dislike)) {
       const double middle = (best.box.bottom + best.box.top) / 2;
       label = {true, {best.box.left, middle}, best.distance > kNear, best.leader_end};
-      taken.push_back(best.box);
+      taken.push_back({best.box.left - kGap, best.box.right + kGap, best.box.bottom, best.box.top});
       labels.push_back(best.box);
       if (label.has_leader) lines.emplace_back(request.at, best.leader_end);
     }

@@ -50,7 +50,7 @@ std::vector<fs::path> pages() {
   return all;
 }
 
-/// A fenced block with the comment that stands before it: "from examples/batch.cpp", "output of run scenarios/...".
+/// A fenced block with the comment that stands before it: "from examples/batch.cpp", "output of physim run ...".
 struct Block {
   std::string language, comment, text;
   std::size_t line = 0;
@@ -97,8 +97,8 @@ TEST(Docs, QuotedCodeIsInTheFilesItIsQuotedFrom) {
 }
 
 #ifdef PHYSIM_CLI
-std::string output_of(const std::string& arguments) {
-  const std::string command = "cd '" + kRoot.string() + "' && NO_COLOR=1 '" PHYSIM_CLI "' " + arguments + " 2>&1";
+std::string output_of(const std::string& arguments, const fs::path& folder = kRoot) {
+  const std::string command = "cd '" + folder.string() + "' && NO_COLOR=1 '" PHYSIM_CLI "' " + arguments + " 2>&1";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
   std::string out;
   char part[4096];
@@ -106,16 +106,44 @@ std::string output_of(const std::string& arguments) {
   return out;
 }
 
+void expect_printed(const std::vector<std::string>& quoted, const std::string& output, const fs::path& page,
+                    const Block& block) {
+  const auto printed = lines_of(output);
+  for (const std::string& line : quoted) {
+    const bool is_printed = line == "..." || std::find(printed.begin(), printed.end(), line) != printed.end();
+    EXPECT_TRUE(is_printed) << page.filename() << ":" << block.line << ": not printed: " << line;
+  }
+}
+
 TEST(Docs, QuotedOutputIsWhatTheProgramPrints) {
   for (const fs::path& page : pages())
     for (const Block& block : blocks_of(content_of(page))) {
       if (!block.comment.starts_with("output of physim ")) continue;
-      const auto printed = lines_of(output_of(block.comment.substr(17)));
-      for (const std::string& line : lines_of(block.text)) {
-        const bool is_printed = line == "..." || std::find(printed.begin(), printed.end(), line) != printed.end();
-        EXPECT_TRUE(is_printed) << page.filename() << ":" << block.line << ": not printed: " << line;
-      }
+      expect_printed(lines_of(block.text), output_of(block.comment.substr(17)), page, block);
     }
+}
+
+// A page may give a file, <!-- file NAME -->, and commands with what they print: <!-- output --> before "$ physim ...".
+TEST(Docs, CommandsPrintWhatStandsBelowThem) {
+  const fs::path folder = fs::path(testing::TempDir()) / "physim_docs_commands";
+  int commands = 0;
+  for (const fs::path& page : pages()) {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    fs::create_directory_symlink(kRoot / "scenarios", folder / "scenarios");
+    for (const Block& block : blocks_of(content_of(page))) {
+      if (block.comment.starts_with("file ")) std::ofstream(folder / block.comment.substr(5)) << block.text;
+      if (block.comment != "output") continue;
+      auto lines = lines_of(block.text);
+      ASSERT_TRUE(!lines.empty() && lines[0].starts_with("$ physim ")) << page << ":" << block.line;
+      const std::string printed = output_of(lines[0].substr(9), folder);
+      lines.erase(lines.begin());
+      expect_printed(lines, printed, page, block);
+      ++commands;
+    }
+  }
+  fs::remove_all(folder);
+  EXPECT_GT(commands, 3);
 }
 #endif
 
