@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "math/kernel_copies.hpp"
+#include "base/kernel_copies.hpp"
 #include "sections.hpp"
 
 namespace physim {

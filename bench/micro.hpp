@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "flight/lanes.hpp"
+#include "solve/lanes.hpp"
 
 namespace physim::bench {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "flight/cohort.hpp"
 #include "peers.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim::bench {
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
-#include "flight/cohort.hpp"
 #include "physim/names.hpp"
 #include "physim/physim.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim::test {
 

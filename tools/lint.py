@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-LAYERS = ["math", "model", "solve", "flight", "world", "collide", "emit", "scenario", "capi"]  # ground first
+LAYERS = ["base", "math", "model", "solve", "prepare", "flight", "collide", "world", "emit", "scenario", "capi"]  # ground first
 MAX_LINES, MAX_COLUMNS, MAX_BYTES = 600, 120, 1_000_000
 CPP = (".hpp", ".cpp", ".h")
 

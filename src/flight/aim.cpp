@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "flight/cohort.hpp"
+#include "base/checker.hpp"
+#include "base/text.hpp"
 #include "flight/neighbours.hpp"
 #include "flight/required_speed.hpp"
-#include "math/checker.hpp"
 #include "math/elementary.hpp"
-#include "math/text.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 namespace {

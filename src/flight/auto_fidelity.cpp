@@ -8,11 +8,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/text.hpp"
 #include "flight/fidelity_candidates.hpp"
-#include "flight/fidelity_cost.hpp"
 #include "flight/flight_record.hpp"
-#include "math/text.hpp"
 #include "physim/names.hpp"
+#include "prepare/fidelity_cost.hpp"
 
 namespace physim {
 namespace {

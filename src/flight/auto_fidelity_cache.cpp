@@ -4,9 +4,9 @@
 #include <type_traits>
 #include <unordered_map>
 
-#include "flight/cohort.hpp"
 #include "math/elementary.hpp"
 #include "physim/auto_fidelity.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "flight/judge.hpp"
+#include "solve/judge.hpp"
 
 namespace physim {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "flight/cohort.hpp"
 #include "physim/auto_fidelity.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 

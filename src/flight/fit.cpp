@@ -11,9 +11,9 @@
 #include <cmath>
 #include <limits>
 
-#include "math/checker.hpp"
+#include "base/checker.hpp"
+#include "base/text.hpp"
 #include "math/elementary.hpp"
-#include "math/text.hpp"
 
 namespace physim {
 namespace {

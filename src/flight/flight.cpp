@@ -1,8 +1,8 @@
 // Flight: answers questions about a computed trajectory.
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "flight/flight_record.hpp"
-#include "math/text.hpp"
 #include "model/stability.hpp"
 
 namespace physim {

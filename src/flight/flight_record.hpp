@@ -1,8 +1,8 @@
 // FlightRecord: a computed trajectory with everything needed to answer questions about it.
 #pragma once
 
-#include "flight/cohort.hpp"
 #include "model/attitude.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 

@@ -1,6 +1,6 @@
 // fly(): computes one flight and keeps its dense output.
 #include "flight/flight_record.hpp"
-#include "flight/judge.hpp"
+#include "solve/judge.hpp"
 
 namespace physim {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "math/kernel_copies.hpp"
+#include "base/kernel_copies.hpp"
 
 namespace physim {
 

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <limits>
 
-#include "flight/cohort.hpp"
-#include "math/checker.hpp"
+#include "base/checker.hpp"
+#include "base/text.hpp"
 #include "math/elementary.hpp"
 #include "math/minimum.hpp"
 #include "math/root.hpp"
-#include "math/text.hpp"
 #include "physim/aim.hpp"
 #include "physim/names.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "flight/cohort.hpp"
+#include "base/text.hpp"
 #include "math/elementary.hpp"
-#include "math/text.hpp"
 #include "physim/names.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 namespace {

@@ -15,7 +15,7 @@
 #include <immintrin.h>
 #endif
 
-#include "math/isa.hpp"
+#include "base/isa.hpp"
 
 PHYSIM_ISA_BEGIN
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/text.hpp"
 #include "math/chebyshev.hpp"
 #include "math/elementary.hpp"
-#include "math/text.hpp"
 #include "model/air.hpp"
 #include "model/humid_air.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "flight/cohort.hpp"
+#include "prepare/cohort.hpp"
 #include "scenario/checks_world.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"

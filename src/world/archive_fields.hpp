@@ -2,8 +2,8 @@
 // and raise kRecordingFormat (include/physim/recording.hpp).
 #pragma once
 
+#include "base/archive.hpp"
 #include "physim/world_def.hpp"
-#include "world/archive.hpp"
 
 namespace physim {
 

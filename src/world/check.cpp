@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/checker.hpp"
+#include "base/checker.hpp"
 #include "world/registry.hpp"
 
 namespace physim {

@@ -1,7 +1,7 @@
 // Refuses force generators that make no sense.
 #include <variant>
 
-#include "math/checker.hpp"
+#include "base/checker.hpp"
 #include "world/force_eval.hpp"
 
 namespace physim {

@@ -1,6 +1,6 @@
 #include "world/forced_step.hpp"
 
-#include "flight/judge.hpp"
+#include "solve/judge.hpp"
 #include "solve/stages.hpp"
 #include "world/kernels.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
+#include "base/kernel_copies.hpp"
 #include "flight/kernels.hpp"
-#include "math/kernel_copies.hpp"
 
 namespace physim {
 

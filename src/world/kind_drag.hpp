@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "flight/cohort.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 

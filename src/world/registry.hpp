@@ -7,8 +7,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "flight/cohort.hpp"
 #include "physim/world_def.hpp"
+#include "prepare/cohort.hpp"
 #include "world/check.hpp"
 #include "world/fields.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "flight/judge.hpp"
 #include "model/contact.hpp"
+#include "solve/judge.hpp"
 #include "world/forced_rows.hpp"
 
 namespace physim {

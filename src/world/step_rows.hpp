@@ -1,8 +1,8 @@
 // The world's loop over rows, pack by pack.
 #pragma once
 
-#include "flight/judge.hpp"
-#include "world/frame.hpp"
+#include "solve/frame.hpp"
+#include "solve/judge.hpp"
 #include "world/world_job.hpp"
 
 PHYSIM_ISA_BEGIN

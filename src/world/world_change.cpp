@@ -1,7 +1,7 @@
 // Changes to projectiles between steps: state, switches, sleep, fidelity, things carried along.
 #include <cmath>
 
-#include "math/checker.hpp"
+#include "base/checker.hpp"
 #include "physim/names.hpp"
 #include "world/world_impl.hpp"
 

@@ -1,7 +1,7 @@
 // What the world's kernels are given: plain data, the same for every instruction set.
 #pragma once
 
-#include "flight/lanes.hpp"
+#include "solve/lanes.hpp"
 #include "world/rows.hpp"
 
 namespace physim {

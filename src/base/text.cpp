@@ -1,4 +1,4 @@
-#include "math/text.hpp"
+#include "base/text.hpp"
 
 #include <charconv>
 

@@ -1,15 +1,15 @@
 // Lanes: flights under way, one per lane, each with its own time and step. R is a number (one flight) or a pack.
 //
 // fly() runs one lane, fly_batch() runs packs; both through the same functions, so a shot's numbers are the same:
-// begin() here, try_steps() and accept() in flight/advance.hpp, judge() in flight/judge.hpp.
+// begin() here, try_steps() and accept() in solve/advance.hpp, judge() in solve/judge.hpp.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 
-#include "flight/watch.hpp"
 #include "solve/step_control.hpp"
 #include "solve/stops.hpp"
+#include "solve/watch.hpp"
 
 namespace physim {
 

@@ -1,9 +1,9 @@
 // Decides what of an asked fidelity can be had, and says why where it is less.
 #include <algorithm>
 
-#include "flight/cohort.hpp"
 #include "model/attitude.hpp"
 #include "physim/names.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 namespace {

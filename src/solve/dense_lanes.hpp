@@ -1,7 +1,7 @@
 // The dense output of lanes' last steps, in double whatever the flight's own precision.
 #pragma once
 
-#include "flight/lanes.hpp"
+#include "solve/lanes.hpp"
 
 PHYSIM_ISA_BEGIN
 

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <string>
 
-#include "flight/cohort.hpp"
-#include "math/checker.hpp"
+#include "base/checker.hpp"
 #include "model/aero_tables.hpp"
 #include "model/attitude.hpp"
 #include "model/humid_air.hpp"
 #include "model/standard_atmosphere.hpp"
+#include "prepare/cohort.hpp"
 
 namespace physim {
 namespace {

@@ -1,7 +1,7 @@
 // Declares what a kernel file offers, once for each instruction set that it was compiled for (cmake/kernels.cmake).
 #pragma once
 
-#include "math/isa.hpp"
+#include "base/isa.hpp"
 
 #ifndef PHYSIM_HAVE_AVX2
 #define PHYSIM_HAVE_AVX2 0

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "flight/lanes.hpp"
 #include "model/drag_curves.hpp"
 #include "model/sight.hpp"
 #include "model/spin_drift.hpp"
 #include "physim/air.hpp"
 #include "physim/flight.hpp"
+#include "solve/lanes.hpp"
 
 namespace physim {
 

@@ -4,7 +4,7 @@
 // one step too and divide it where their error estimate asks for it; nothing is remembered from frame to frame.
 #pragma once
 
-#include "flight/lanes.hpp"
+#include "solve/lanes.hpp"
 
 namespace physim {
 

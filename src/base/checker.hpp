@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "math/text.hpp"
+#include "base/text.hpp"
 #include "physim/result.hpp"
 #include "physim/vec3.hpp"
 

@@ -1,6 +1,6 @@
-#include "flight/fidelity_cost.hpp"
+#include "prepare/fidelity_cost.hpp"
 
-#include "flight/cohort.hpp"
+#include "prepare/cohort.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {

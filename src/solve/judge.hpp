@@ -1,7 +1,7 @@
 // What a step means for its flight: does it go on, what has it crossed, where does it end?
 #pragma once
 
-#include "flight/advance.hpp"
+#include "solve/advance.hpp"
 
 namespace physim {
 

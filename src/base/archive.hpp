@@ -14,9 +14,9 @@
 #include <variant>
 #include <vector>
 
+#include "base/hash.hpp"
 #include "physim/forces.hpp"
 #include "physim/names.hpp"
-#include "world/hash.hpp"
 
 namespace physim {
 

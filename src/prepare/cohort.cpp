@@ -1,5 +1,5 @@
 // Turns what a user gives into what the models compute with.
-#include "flight/cohort.hpp"
+#include "prepare/cohort.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "flight/dense_lanes.hpp"
+#include "solve/dense_lanes.hpp"
 #include "solve/step_control.hpp"
 
 PHYSIM_ISA_BEGIN

@@ -1,5 +1,5 @@
 // Numbers as people read them.
-#include "math/text.hpp"
+#include "base/text.hpp"
 
 #include <gtest/gtest.h>
 
