@@ -10,6 +10,7 @@ set(PHYSIM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverl
 function(physim_flags target)
   target_compile_features(${target} PRIVATE cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_compile_definitions(${target} PRIVATE PHYSIM_ASSERTS=$<OR:$<BOOL:${PHYSIM_ASSERTS}>,$<CONFIG:Debug>>)
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} -ffp-contract=off -fno-math-errno -fno-trapping-math)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
