@@ -50,7 +50,7 @@ struct Bench {
       bodies.push_back(
           prepare_body(shot.projectile, shot.launch, shot.launch.elevation, cohort.pool, cohort.conditions));
     cohort.finish();
-    watch = prepare_watch(bench_until(), cohort.conditions, false);
+    watch = prepare_watch(bench_until(), cohort.conditions, {.apex = false, .stops = false});
     bodies_float.resize(bodies.size());
     cast_fields(reinterpret_cast<const double*>(bodies.data()), reinterpret_cast<float*>(bodies_float.data()),
                 static_cast<unsigned>(bodies.size()) * kBodyFields<float>);

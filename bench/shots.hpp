@@ -6,6 +6,10 @@
 
 #include "peers.hpp"
 #include "prepare/cohort.hpp"
+#include "prepare/conditions.hpp"
+#include "prepare/grant.hpp"
+#include "prepare/launch.hpp"
+#include "prepare/watch_list.hpp"
 
 namespace physim::bench {
 

@@ -10,6 +10,10 @@
 #include "physim/names.hpp"
 #include "physim/physim.hpp"
 #include "prepare/cohort.hpp"
+#include "prepare/conditions.hpp"
+#include "prepare/grant.hpp"
+#include "prepare/launch.hpp"
+#include "prepare/watch_list.hpp"
 
 namespace physim::test {
 

@@ -17,9 +17,12 @@
 #include "base/checker.hpp"
 #include "base/text.hpp"
 #include "flight/neighbours.hpp"
+#include "flight/pilot.hpp"
 #include "flight/required_speed.hpp"
 #include "math/elementary.hpp"
-#include "prepare/cohort.hpp"
+#include "prepare/check.hpp"
+#include "prepare/conditions.hpp"
+#include "prepare/grant.hpp"
 
 namespace physim {
 namespace {

@@ -12,7 +12,10 @@
 #include "flight/fidelity_candidates.hpp"
 #include "flight/flight_record.hpp"
 #include "physim/names.hpp"
+#include "prepare/check.hpp"
+#include "prepare/conditions.hpp"
 #include "prepare/fidelity_cost.hpp"
+#include "prepare/grant.hpp"
 
 namespace physim {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "math/elementary.hpp"
 #include "physim/auto_fidelity.hpp"
-#include "prepare/cohort.hpp"
+#include "prepare/check.hpp"
 
 namespace physim {
 namespace {

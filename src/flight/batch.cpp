@@ -6,6 +6,14 @@
 
 #include "flight/flight_record.hpp"
 #include "flight/kernels.hpp"
+#include "flight/pilot.hpp"
+#include "flight/zero.hpp"
+#include "model/drag_curves.hpp"
+#include "prepare/check.hpp"
+#include "prepare/conditions.hpp"
+#include "prepare/grant.hpp"
+#include "prepare/launch.hpp"
+#include "prepare/watch_list.hpp"
 
 namespace physim {
 namespace {
@@ -309,7 +317,7 @@ class Batch {
   template <class S>
   void fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&)) {
     const std::size_t count = group.shots.size();
-    watch_ = prepare_watch(until_, group.cohort.conditions, false);
+    watch_ = prepare_watch(until_, group.cohort.conditions, {.apex = false, .stops = false});
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
     if (turns(group.cohort.in_use.fidelity)) group.turned.resize(count);
     const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };

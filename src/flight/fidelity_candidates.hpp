@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "model/earth.hpp"
 #include "physim/auto_fidelity.hpp"
-#include "prepare/cohort.hpp"
+#include "prepare/grant.hpp"
 
 namespace physim {
 

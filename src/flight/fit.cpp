@@ -14,6 +14,7 @@
 #include "base/checker.hpp"
 #include "base/text.hpp"
 #include "math/elementary.hpp"
+#include "prepare/check.hpp"
 
 namespace physim {
 namespace {

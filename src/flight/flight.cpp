@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "flight/flight_record.hpp"
 #include "model/stability.hpp"
+#include "prepare/grant.hpp"
 
 namespace physim {
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "model/attitude.hpp"
+#include "model/sight.hpp"
+#include "model/spin_drift.hpp"
 #include "prepare/cohort.hpp"
 
 namespace physim {

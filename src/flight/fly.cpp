@@ -1,5 +1,12 @@
 // fly(): computes one flight and keeps its dense output.
 #include "flight/flight_record.hpp"
+#include "flight/pilot.hpp"
+#include "flight/zero.hpp"
+#include "prepare/check.hpp"
+#include "prepare/conditions.hpp"
+#include "prepare/grant.hpp"
+#include "prepare/launch.hpp"
+#include "prepare/watch_list.hpp"
 #include "solve/judge.hpp"
 
 namespace physim {
@@ -99,7 +106,7 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
 }
 
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
-  const WatchList watch = prepare_watch(until, record.cohort.conditions, true);
+  const WatchList watch = prepare_watch(until, record.cohort.conditions, {});
   cast_fields(reinterpret_cast<const double*>(&record.body), reinterpret_cast<float*>(&record.body_float),
               kBodyFields<double>);
   if (const auto outcome = ends_at_once(record.cohort.conditions, record.body, until)) {

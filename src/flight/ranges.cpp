@@ -10,7 +10,7 @@
 #include "math/root.hpp"
 #include "physim/aim.hpp"
 #include "physim/names.hpp"
-#include "prepare/cohort.hpp"
+#include "prepare/check.hpp"
 
 namespace physim {
 namespace {

@@ -54,7 +54,7 @@ bool holds_two(const std::vector<double>& borders, double scale) {
 }
 
 /// Buckets from 0 on that lead to the number of borders passed.
-Buckets<double> add_buckets(const std::vector<double>& borders, CurvePool& pool) {
+Buckets<double> add_buckets(const std::vector<double>& borders, TablePool& pool) {
   double scale = 1;
   for (int power = 0; power < kFinest && holds_two(borders, scale); ++power) scale *= 2;
   const double last = borders.empty() ? 0 : std::floor(borders.back() * scale) + 1;
@@ -82,7 +82,7 @@ Line line_in_cell(const std::vector<double>& borders, std::size_t i, const F& f)
   return {f(x0) - slope * x0, slope};
 }
 
-AngleTable<double> add_angle_table(const AeroCoefficient& c, const std::vector<double>& mach, CurvePool& pool) {
+AngleTable<double> add_angle_table(const AeroCoefficient& c, const std::vector<double>& mach, TablePool& pool) {
   const auto angles = angle_borders(c);
   AngleTable<double> table;
   table.buckets = add_buckets(angles, pool);
@@ -152,7 +152,7 @@ bool has_aero_angles(const AeroDef& aero, const Fidelity& rung) {
   return moment || angle_borders(aero.magnus_force).size() > 1;
 }
 
-void add_aero(const AeroDef& aero, CurvePool& pool, Rotor<double>& r) {
+void add_aero(const AeroDef& aero, TablePool& pool, Rotor<double>& r) {
   auto* constants = reinterpret_cast<double*>(&r.coefficient);
   for (std::size_t i = 0; i < kCoefficients.size(); ++i) constants[i] = coefficient_at(coefficient(aero, i), 0, 0);
   if (const AeroPlace* known = pool.find(aero)) {

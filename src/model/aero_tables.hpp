@@ -12,8 +12,8 @@
 
 #include <optional>
 
-#include "model/drag_curves.hpp"
 #include "model/rotor.hpp"
+#include "model/table_pool.hpp"
 
 namespace physim {
 
@@ -38,6 +38,6 @@ struct ClosePair {
 [[nodiscard]] bool has_aero_angles(const AeroDef& aero, const Fidelity& rung);
 
 /// Adds the tables of a projectile to the pool and fills in where they are, as AeroPlace.
-void add_aero(const AeroDef& aero, CurvePool& pool, Rotor<double>& rotor);
+void add_aero(const AeroDef& aero, TablePool& pool, Rotor<double>& rotor);
 
 }  // namespace physim

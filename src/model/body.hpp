@@ -81,7 +81,7 @@ struct Body {
 
 template <class R>
 inline constexpr int kBodyFields = sizeof(Body<R>) / sizeof(R);
-/// Members that a launch gives come first. Some cohorts get more from it (put_launch() in prepare/cohort.hpp): a rail,
+/// Members that a launch gives come first. Some cohorts get more from it (put_launch() in prepare/launch.hpp): a rail,
 /// spin, and the k2 that stands in for the drag equation.
 inline constexpr int kLaunchFields = 12;
 static_assert(offsetof(Body<double>, damping_rate) == kLaunchFields * sizeof(double));

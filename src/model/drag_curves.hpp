@@ -1,72 +1,20 @@
-// The drag curves of a cohort, as rows of cubic coefficients side by side in one pool.
+// Drag curves: Cd by Mach number, of standard functions and of points that a user gives.
 //
-// What it models: Cd by Mach number for every projectile of a cohort: a constant is a curve of one cell, Cd = 1; the
-// standard
-//   functions and curves whose points fit equal cells become rows; other curves are searched (exact, but slower).
+// What it models: curves through tabulated points; see math/interpolation.hpp for what goes between them.
 // Source: math/interpolation.hpp for the interpolation; model/standard_drag_functions.cpp for the figures.
 #pragma once
 
-#include <vector>
-
 #include "math/interpolation.hpp"
-#include "model/magnus_grid.hpp"
-#include "model/motor_table.hpp"
-#include "model/rotor.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
 
-/// Tables of balls that spin, each once.
-class MagnusPool {
- public:
-  /// Index of a table, which is found again where it is known.
-  std::size_t add(const MagnusDef& magnus);
+inline constexpr int kMaxCurveCells = 16384;  // half a megabyte of rows at most for one curve
 
-  [[nodiscard]] const std::vector<MagnusGrid>& grids() const { return grids_; }
-
- private:
-  std::vector<MagnusGrid> grids_;
-};
-
-/// The same of a projectile's aerodynamic coefficients; fields as in Rotor.
-struct AeroPlace {
-  Buckets<double> mach;
-  double mach_row;
-  AngleTable<double> magnus_force;
-  AngleTable<double> magnus_moment;
-};
-
-class CurvePool {
- public:
-  /// Adds a curve, or finds it when an equal one is there.
-  CurvePlace add(const DragDef& drag, Interpolation interpolation);
-
-  /// Rows of anything else; returns the number of the first.
-  double add_rows(const std::vector<std::array<double, 4>>& rows);
-  /// Where equal coefficients lie already; null where they do not.
-  [[nodiscard]] const AeroPlace* find(const AeroDef& aero) const;
-  void remember(const AeroDef& aero, const AeroPlace& place) { aero_.emplace_back(aero, place); }
-
-  [[nodiscard]] const std::vector<double>& rows() const { return rows_; }
-  [[nodiscard]] const std::vector<PiecewiseCubic>& searched() const { return searched_; }
-
-  MotorPool motors;  // their pieces name curves
-  MagnusPool magnus;
-
- private:
-  struct Entry {
-    DragTable table;
-    std::vector<DragPoint> curve;
-    CurvePlace place;
-  };
-  CurvePlace place_of(const DragDef& drag, Interpolation interpolation);
-  CurvePlace place_of(const UniformCubic& curve);
-
-  std::vector<double> rows_;
-  std::vector<PiecewiseCubic> searched_;
-  std::vector<Entry> entries_;
-  std::vector<std::pair<AeroDef, AeroPlace>> aero_;
-};
+/// The curve of a table; of constants Cd = 1.
+[[nodiscard]] PiecewiseCubic drag_curve(const DragDef& drag, Interpolation interpolation);
+/// The curve of a table that is not custom, on equal cells. Each is fitted once: it takes as long as a short flight.
+[[nodiscard]] const UniformCubic& standard_drag_cells(DragTable table, Interpolation interpolation);
 
 /// Whether a cubic spline through a custom curve would swing out between its points: sparse points around Mach 1 do it.
 [[nodiscard]] bool spline_overshoots(const DragDef& drag);

@@ -7,7 +7,9 @@
 #include "model/attitude.hpp"
 #include "model/humid_air.hpp"
 #include "model/standard_atmosphere.hpp"
-#include "prepare/cohort.hpp"
+#include "prepare/check.hpp"
+#include "prepare/grant.hpp"
+#include "solve/take_step.hpp"
 
 namespace physim {
 namespace {

@@ -1,6 +1,6 @@
 #include "prepare/fidelity_cost.hpp"
 
-#include "prepare/cohort.hpp"
+#include "prepare/grant.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {

@@ -2,8 +2,9 @@
 #include <algorithm>
 
 #include "model/attitude.hpp"
+#include "model/drag_curves.hpp"
 #include "physim/names.hpp"
-#include "prepare/cohort.hpp"
+#include "prepare/grant.hpp"
 
 namespace physim {
 namespace {
@@ -174,6 +175,14 @@ class Granting {
 };
 
 }  // namespace
+
+bool has_motor(const ProjectileDef& p) { return !p.motor.thrust.empty(); }
+
+bool has_magnus(const ProjectileDef& p) { return p.magnus.lift != 0 || !p.magnus.table.empty(); }
+
+bool flies_motors(const Fidelity& granted) {
+  return granted.motion == Motion::force && granted.integrator != Integrator::classic;
+}
 
 FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment) {
   return Granting(asked, projectile, environment).run();

@@ -3,7 +3,8 @@
 
 #include <map>
 
-#include "prepare/cohort.hpp"
+#include "prepare/check.hpp"
+#include "prepare/grant.hpp"
 #include "scenario/checks_world.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"

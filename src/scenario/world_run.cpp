@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flight/zero.hpp"
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
-#include "prepare/cohort.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/volley.hpp"
 

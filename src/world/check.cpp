@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/checker.hpp"
+#include "prepare/check.hpp"
 #include "world/registry.hpp"
 
 namespace physim {

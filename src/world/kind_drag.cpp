@@ -1,5 +1,9 @@
 #include "world/kind_drag.hpp"
 
+#include "model/acceleration.hpp"
+#include "prepare/conditions.hpp"
+#include "prepare/launch.hpp"
+
 namespace physim {
 namespace {
 
@@ -17,8 +21,7 @@ KindDrag::KindDrag() : conditions_(prepare_conditions({}, drag_alone())) {}
 
 std::uint32_t KindDrag::add(const ProjectileDef& projectile) {
   bodies_.push_back(prepare_body(projectile, {}, 0, pool_, conditions_));
-  conditions_.curve_rows = pool_.rows().data();
-  conditions_.searched_curves = pool_.searched().data();
+  pool_.point(conditions_);
   return static_cast<std::uint32_t>(bodies_.size() - 1);
 }
 

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "prepare/cohort.hpp"
+#include "model/body.hpp"
+#include "model/table_pool.hpp"
 
 namespace physim {
 
@@ -23,7 +24,7 @@ class KindDrag {
   [[nodiscard]] Vec3d force(std::uint32_t index, double mass, double density, const Vec3d& u) const;
 
  private:
-  CurvePool pool_;
+  TablePool pool_;
   Conditions<double> conditions_;
   std::vector<Body<double>> bodies_;
 };

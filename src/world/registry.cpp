@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "math/elementary.hpp"
-#include "model/standard_atmosphere.hpp"
+#include "prepare/check.hpp"
+#include "prepare/conditions.hpp"
+#include "prepare/grant.hpp"
+#include "prepare/launch.hpp"
+#include "prepare/watch_list.hpp"
 
 namespace physim {
 namespace {
@@ -63,17 +68,10 @@ void set_flags(Conditions<double>& c, const Features& f) {
 
 /// The events that are looked for inside a step.
 WatchList watch_of(const WorldDef& def, const Conditions<double>& c) {
-  WatchList watch{};
-  const auto add = [&](const EventSpec& spec, Outcome outcome) { watch.item[watch.count++] = {spec, outcome}; };
-  if (def.ground.mode != GroundMode::none)
-    add({EventKind::ground, def.ground.height, Crossing::falling, true}, Outcome::landed);
-  if (has_lowest_altitude(c.fidelity))
-    add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
-  if (def.apex_events) add({EventKind::apex, 0, Crossing::falling, false}, Outcome::event);
-  const auto tell = [&](EventKind kind) { add({kind, 0, Crossing::rising, false}, Outcome::event); };
-  if (c.has_motor) tell(EventKind::ignition), tell(EventKind::burnout);
-  if (c.has_rail) tell(EventKind::rail_exit);
-  return watch;
+  Until frames;
+  frames.time = std::numeric_limits<double>::infinity();
+  frames.ground = def.ground.mode == GroundMode::none ? std::nullopt : std::optional(def.ground.height);
+  return prepare_watch(frames, c, {.apex = def.apex_events});
 }
 
 }  // namespace
@@ -124,15 +122,12 @@ void Registry::prepare(Kind& k, Prepared& r) {
   if (r.chosen) r.in_use.notes.push_back(*r.chosen);
   const Fidelity& granted = r.in_use.fidelity;
   Conditions<double> probe = prepare_conditions(environment, granted);
-  CurvePool& pool = curves(granted.interpolation).pool;
-  const auto size = [&] {
-    return pool.rows().size() + pool.searched().size() + pool.motors.pieces().size() + pool.magnus.grids().size();
-  };
-  const std::size_t size_before = size();
+  TablePool& pool = tables(granted.interpolation);
+  const std::size_t size_before = pool.size();
   r.body = prepare_body(k.flown, Launch{}, 0, pool, probe);
   r.rotor = turns(granted) ? prepare_rotor(k.flown, Launch{}, 0, r.body, pool, probe) : Rotor<double>{};
-  if (size() != size_before)
-    for (WorldCohort& cohort : cohorts_) point_to_curves(cohort);
+  if (pool.size() != size_before)
+    for (WorldCohort& cohort : cohorts_) point_to_tables(cohort);
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;
   r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.flown, r.body, probe) : nullptr;
   r.features = features_of(probe, k.body);
@@ -183,21 +178,13 @@ void Registry::prepare(WorldCohort& cohort) {
                          prepare_plan<float>(def_.tolerance, key.fidelity, 0), watch, key.features.rail};
   cohort.course_double = {&cohort.conditions, &cohort.conditions, prepare_plan<double>(def_.tolerance, key.fidelity, 0),
                           watch, key.features.rail};
-  point_to_curves(cohort);
+  point_to_tables(cohort);
 }
 
-void Registry::point_to_curves(WorldCohort& cohort) {
-  Curves& c = curves(cohort.key.fidelity.interpolation);
-  if (c.rows_float.size() != c.pool.rows().size()) {
-    c.rows_float.resize(c.pool.rows().size());
-    std::transform(c.pool.rows().begin(), c.pool.rows().end(), c.rows_float.begin(),
-                   [](double x) { return static_cast<float>(x); });
-  }
-  cohort.conditions.curve_rows = c.pool.rows().data();
-  cohort.conditions_float.curve_rows = c.rows_float.data();
-  cohort.conditions.motor_pieces = cohort.conditions_float.motor_pieces = c.pool.motors.pieces().data();
-  cohort.conditions.magnus_grids = cohort.conditions_float.magnus_grids = c.pool.magnus.grids().data();
-  cohort.conditions.searched_curves = cohort.conditions_float.searched_curves = c.pool.searched().data();
+void Registry::point_to_tables(WorldCohort& cohort) {
+  TablePool& pool = tables(cohort.key.fidelity.interpolation);
+  pool.point(cohort.conditions);
+  pool.point(cohort.conditions_float);
 }
 
 Result<std::uint32_t> Registry::add_environment(const Environment& environment) {

@@ -9,6 +9,7 @@
 
 #include "physim/world_def.hpp"
 #include "prepare/cohort.hpp"
+#include "prepare/equivalent_drag.hpp"
 #include "world/check.hpp"
 #include "world/fields.hpp"
 
@@ -120,21 +121,17 @@ class Registry {
   std::uint16_t find_or_add(const CohortKey& key);
   void prepare(Kind& kind, Prepared& rung);
   void prepare(WorldCohort& cohort);
-  void point_to_curves(WorldCohort& cohort);
+  void point_to_tables(WorldCohort& cohort);
 
-  /// Drag curves of one interpolation, shared by all cohorts.
-  struct Curves {
-    CurvePool pool;
-    std::vector<float> rows_float;
-  };
-  [[nodiscard]] Curves& curves(Interpolation i) { return curves_[static_cast<unsigned>(i)]; }
+  /// The tables of one interpolation, shared by all cohorts.
+  [[nodiscard]] TablePool& tables(Interpolation i) { return tables_[static_cast<unsigned>(i)]; }
 
   WorldDef def_;
   std::vector<Environment> environments_;
   std::deque<Kind> kinds_;
   std::unordered_multimap<std::size_t, std::uint32_t> kind_by_hash_;
   std::deque<WorldCohort> cohorts_;
-  Curves curves_[3];
+  TablePool tables_[3];
 };
 
 }  // namespace physim

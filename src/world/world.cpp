@@ -4,8 +4,10 @@
 #include <cmath>
 #include <new>
 
+#include "flight/zero.hpp"
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
+#include "prepare/check.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {

@@ -3,6 +3,8 @@
 
 #include "base/checker.hpp"
 #include "physim/names.hpp"
+#include "prepare/check.hpp"
+#include "prepare/grant.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {

@@ -1,6 +1,7 @@
 // Level of detail: projectiles move between rungs by their distance to an observer and their age.
 #include <cmath>
 
+#include "prepare/check.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {

@@ -1,5 +1,5 @@
 // Where projectiles lie: their rows in cohorts, and moves between them.
-#include "model/sight.hpp"
+#include "prepare/launch.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {

@@ -40,7 +40,7 @@ constexpr double kArea = 0.25 * 3.14159265358979323846 * 0.01;
 TEST(AeroTables, no_number_is_in_a_cell_behind_the_last) {
   AeroDef aero;
   aero.lift = {{.mach = 0.5, .value = 1}, {.mach = 1.5, .value = 2}};
-  CurvePool pool;
+  TablePool pool;
   Rotor<double> r{};
   add_aero(aero, pool, r);
   const auto cell = [&](double mach) { return cell_of(pool.rows().data(), r.mach, mach); };

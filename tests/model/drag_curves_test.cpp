@@ -1,6 +1,8 @@
 // Drag curves: the published points, and that the way a curve is stored changes nothing.
 #include "model/drag_curves.hpp"
 
+#include "model/table_pool.hpp"
+
 #include <gtest/gtest.h>
 
 #include "model/drag.hpp"
@@ -87,7 +89,7 @@ DragDef odd_curve() {
 }
 
 TEST(DragCurves, points_that_fit_no_grid_are_searched) {
-  CurvePool pool;
+  TablePool pool;
   EXPECT_LT(pool.add(odd_curve(), Interpolation::pchip).row, 0);
   EXPECT_EQ(pool.searched().size(), 1u);
   EXPECT_GE(pool.add({.table = DragTable::g7}, Interpolation::pchip).row, 0);
@@ -104,7 +106,7 @@ TEST(DragCurves, searched_and_uniform_storage_give_one_curve) {
   const DragDef even{.table = DragTable::custom, .curve = {{0.5, 0.2}, {1, 0.5}, {1.5, 0.4}, {3, 0.3}}};
   DragDef odd = even;
   odd.curve.insert(odd.curve.begin() + 3, {2.1415926535, 0.4 - 0.1 * 0.6415926535 / 1.5});
-  CurvePool pool;
+  TablePool pool;
   ASSERT_GE(pool.add(even, Interpolation::linear).row, 0);
   ASSERT_LT(pool.add(odd, Interpolation::linear).row, 0);
   for (double mach = 0.01; mach < 4; mach += 0.0371)
@@ -112,7 +114,7 @@ TEST(DragCurves, searched_and_uniform_storage_give_one_curve) {
 }
 
 TEST(DragCurves, the_pool_keeps_equal_curves_once_and_different_ones_apart) {
-  CurvePool pool;
+  TablePool pool;
   const auto g7 = pool.add({.table = DragTable::g7}, Interpolation::pchip);
   EXPECT_EQ(pool.add({.table = DragTable::g7, .form_factor = 2}, Interpolation::pchip).row, g7.row);
   EXPECT_NE(pool.add({.table = DragTable::g1}, Interpolation::pchip).row, g7.row);

@@ -1,0 +1,12 @@
+// The bore elevation of a launch.
+#pragma once
+
+#include "physim/flight.hpp"
+
+namespace physim {
+
+/// Its own, or that of its zero range.
+[[nodiscard]] Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch,
+                                          const Environment& environment, const Fidelity& fidelity);
+
+}  // namespace physim

@@ -1,0 +1,79 @@
+// Source: model/table_pool.hpp.
+#include "model/table_pool.hpp"
+
+#include <algorithm>
+
+#include "base/assert.hpp"
+#include "model/drag_curves.hpp"
+
+namespace physim {
+
+std::size_t MagnusPool::add(const MagnusDef& magnus) {
+  const MagnusGrid grid = magnus_grid(magnus);
+  const auto known = std::find(grids_.begin(), grids_.end(), grid);
+  const auto index = static_cast<std::size_t>(known - grids_.begin());
+  if (known == grids_.end()) grids_.push_back(grid);
+  return index;
+}
+
+CurvePlace TablePool::add(const DragDef& drag, Interpolation interpolation) {
+  for (const Entry& e : entries_) {
+    if (e.table != drag.table) continue;
+    if (drag.table == DragTable::custom && e.curve != drag.curve) continue;
+    return e.place;
+  }
+  const auto own_points = drag.table == DragTable::custom ? drag.curve : std::vector<DragPoint>{};
+  entries_.push_back({drag.table, own_points, place_of(drag, interpolation)});
+  return entries_.back().place;
+}
+
+CurvePlace TablePool::place_of(const DragDef& drag, Interpolation interpolation) {
+  if (drag.table != DragTable::custom) return place_of(standard_drag_cells(drag.table, interpolation));
+  const PiecewiseCubic curve = drag_curve(drag, interpolation);
+  if (const auto cells = on_uniform_cells(curve, kMaxCurveCells)) return place_of(*cells);
+  searched_.push_back(curve);
+  if (rows_.empty()) rows_.assign(4, 0);  // lanes with searched curves still read some row
+  return {-static_cast<double>(searched_.size()), 0, 1, 0};
+}
+
+CurvePlace TablePool::place_of(const UniformCubic& curve) {
+  return {add_rows(curve.rows), curve.start, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
+}
+
+double TablePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
+  const auto first = static_cast<double>(rows_.size() / 4);
+  for (const std::array<double, 4>& row : rows) rows_.insert(rows_.end(), row.begin(), row.end());
+  return first;
+}
+
+const AeroPlace* TablePool::find(const AeroDef& aero) const {
+  for (const auto& [known, place] : aero_)
+    if (known == aero) return &place;
+  return nullptr;
+}
+
+std::size_t TablePool::size() const {
+  return rows_.size() + searched_.size() + motors.pieces().size() + magnus.grids().size();
+}
+
+namespace {
+
+template <class S>
+void point_to(const TablePool& pool, const std::vector<S>& rows, Conditions<S>& c) {
+  c.curve_rows = rows.data();
+  c.searched_curves = pool.searched().data();
+  c.motor_pieces = pool.motors.pieces().data();
+  c.magnus_grids = pool.magnus.grids().data();
+}
+
+}  // namespace
+
+void TablePool::point(Conditions<double>& c) const { point_to(*this, rows_, c); }
+
+void TablePool::point(Conditions<float>& c) {
+  PHYSIM_ASSERT(rows_float_.size() <= rows_.size());
+  for (std::size_t i = rows_float_.size(); i < rows_.size(); ++i) rows_float_.push_back(static_cast<float>(rows_[i]));
+  point_to(*this, rows_float_, c);
+}
+
+}  // namespace physim

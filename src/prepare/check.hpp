@@ -1,0 +1,16 @@
+// What users give is refused where it is bad, with a place and a hint; nothing is returned where all is well.
+#pragma once
+
+#include "physim/flight.hpp"
+
+namespace physim {
+
+[[nodiscard]] Status check(const ProjectileDef& projectile);
+[[nodiscard]] Status check(const Launch& launch);
+/// What neither of them can say alone, where each is sound by itself.
+[[nodiscard]] Status check(const ProjectileDef& projectile, const Launch& launch);
+[[nodiscard]] Status check(const Environment& environment);
+[[nodiscard]] Status check(const Tolerance& tolerance, const Fidelity& fidelity);
+[[nodiscard]] Status check(const Until& until);
+
+}  // namespace physim

@@ -1,0 +1,12 @@
+// Environment and granted rungs, ready to compute.
+#pragma once
+
+#include "model/conditions.hpp"
+
+namespace physim {
+
+/// Pools of curves and flags of what some projectile has come with the projectiles.
+[[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
+[[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions);
+
+}  // namespace physim

@@ -1,0 +1,23 @@
+// The drag equation, evaluated for one state.
+#include "prepare/equivalent_drag.hpp"
+
+#include "model/acceleration.hpp"
+#include "prepare/projectile.hpp"
+
+namespace physim {
+
+EquivalentDrag::EquivalentDrag(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c)
+    : body_(b), conditions_(c) {
+  conditions_.fidelity.drag = DragModel::equation;
+  prepare_curve(p, pool_, conditions_, body_);
+}
+
+double EquivalentDrag::k2_per_mass(const State<double>& s) {
+  pool_.point(conditions_);
+  const Vec3d u = air_velocity(conditions_, s);
+  const double speed = length(u);
+  if (speed == 0) return 0;
+  return length(drag_equation(conditions_, body_, air_state(conditions_, s.x), u)) / (speed * speed);
+}
+
+}  // namespace physim

@@ -1,0 +1,100 @@
+// Direction, rail, spin, attitude, jump and drift of a launch.
+#include "prepare/launch.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "math/elementary.hpp"
+#include "model/attitude.hpp"
+#include "model/magnus.hpp"
+#include "model/motor.hpp"
+#include "model/standard_atmosphere.hpp"
+#include "physim/air.hpp"
+#include "prepare/equivalent_drag.hpp"
+#include "prepare/grant.hpp"
+
+namespace physim {
+
+void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right, Body<double>& b) {
+  const Vec3d up = cross(right, forward);
+  b.spin = right * launch.spin.backspin - up * launch.spin.sidespin + forward * launch.spin.gyrospin;
+}
+
+void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c, Body<double>& b) {
+  b.rail = bore;
+  b.rail_phase = kOffRail;
+  if (launch.rail_length == 0 || !flies_motors(c.fidelity)) return;
+  b.rail_end = dot(launch.position, bore) + launch.rail_length;
+  b.rail_phase = kSliding;
+  c.has_rail = true;
+}
+
+void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, Conditions<double>& c,
+                Body<double>& b) {
+  const SightFrame sight = sight_frame(launch);
+  const Vec3d bore = launch_direction(launch, sight, elevation);
+  b.launch = {launch.position, velocity_along(launch, bore)};
+  b.sight = sight.forward;
+  b.plane = sight.right;
+  if (c.fidelity.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
+  if (c.fidelity.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
+    b.k2_per_mass = EquivalentDrag(p, b, c).k2_per_mass(b.launch);
+  if (spins(c.fidelity)) prepare_spin(launch, bore, sight.right, b);
+  prepare_rail(launch, bore, c, b);
+}
+
+Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double elevation, TablePool& pool,
+                          Conditions<double>& c) {
+  Body<double> b = prepare_kind(p, pool, c);
+  put_launch(p, launch, elevation, c, b);
+  return b;
+}
+
+void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
+                const Conditions<double>& c, Rotor<double>& rotor) {
+  Launch bore = launch;
+  bore.velocity.reset();
+  bore.speed = 1;
+  const Vec3d direction = launch_velocity(bore, sight_frame(launch), elevation);
+  rotor.launch = turn_of(c.fidelity, rotor, launch_attitude(p, launch, b.launch.v, direction, c));
+}
+
+Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
+                            TablePool& pool, Conditions<double>& c) {
+  Rotor<double> rotor = prepare_rotor_kind(p, pool, c);
+  put_launch(p, launch, elevation, b, c, rotor);
+  return rotor;
+}
+
+namespace {
+
+/// Miller's, where it has a meaning.
+std::optional<double> stability_at_launch(const ProjectileDef& p, double speed, const Environment& environment) {
+  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
+  if (!air) return std::nullopt;
+  const double stability = miller_stability(p, speed, air->temperature, air->pressure);
+  return stability < kMostStable ? std::optional(stability) : std::nullopt;
+}
+
+}  // namespace
+
+SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const Environment& environment,
+                             const Fidelity& granted) {
+  if (granted.rotation != RotationModel::spin_drift) return {};
+  const auto stability = stability_at_launch(p, launch_speed, environment);
+  return stability ? litz_spin_drift(*stability, p.twist) : SpinDrift{};
+}
+
+void jump_in_crosswind(const ProjectileDef& p, const Environment& environment, const Conditions<double>& c,
+                       Body<double>& b) {
+  if (!c.fidelity.aerodynamic_jump) return;
+  const double speed = length(b.launch.v);
+  if (speed == 0) return;
+  const auto stability = stability_at_launch(p, speed, environment);
+  if (!stability) return;
+  const double from_right = -dot(wind(c, b.launch.x), b.plane);
+  const auto turn = sincos(litz_aerodynamic_jump(*stability, p.length / p.diameter, p.twist, from_right));
+  b.launch.v = b.launch.v * turn.cos + cross(b.plane, b.launch.v) * turn.sin;
+}
+
+}  // namespace physim

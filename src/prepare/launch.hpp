@@ -1,0 +1,35 @@
+// Launches: what of Body and Rotor a launch gives, for flights, batches and worlds alike.
+#pragma once
+
+#include "model/sight.hpp"
+#include "model/spin_drift.hpp"
+#include "physim/environment.hpp"
+#include "prepare/projectile.hpp"
+
+namespace physim {
+
+/// Launches a projectile with a bore elevation above the horizon [rad]; a rail comes with the launch, and its flag.
+void put_launch(const ProjectileDef& projectile, const Launch& launch, double elevation, Conditions<double>& conditions,
+                Body<double>& body);
+/// A projectile launched: prepare_kind() and put_launch().
+[[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
+                                        TablePool& pool, Conditions<double>& conditions);
+/// Turns the spin of a launch into W.
+void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right, Body<double>& body);
+/// Puts a body on its launch rail, which lies along the bore; without one the bore says where a resting nose points.
+void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& conditions, Body<double>& body);
+
+/// The attitude at launch; `body` is launched already.
+void put_launch(const ProjectileDef& projectile, const Launch& launch, double elevation, const Body<double>& body,
+                const Conditions<double>& conditions, Rotor<double>& rotor);
+/// A rotor launched: prepare_rotor_kind() and put_launch().
+[[nodiscard]] Rotor<double> prepare_rotor(const ProjectileDef& projectile, const Launch& launch, double elevation,
+                                          const Body<double>& body, TablePool& pool, Conditions<double>& conditions);
+
+/// Litz's aerodynamic jump, where it is granted: turns the launch velocity up or down.
+void jump_in_crosswind(const ProjectileDef& projectile, const Environment& environment,
+                       const Conditions<double>& conditions, Body<double>& body);
+[[nodiscard]] SpinDrift prepare_spin_drift(const ProjectileDef& projectile, double launch_speed,
+                                           const Environment& environment, const Fidelity& granted);
+
+}  // namespace physim

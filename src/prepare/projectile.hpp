@@ -1,0 +1,20 @@
+// Body and Rotor of a projectile, ready to compute but for its launch.
+#pragma once
+
+#include "model/body.hpp"
+#include "model/conditions.hpp"
+#include "model/table_pool.hpp"
+
+namespace physim {
+
+/// Adds the projectile's tables to the pool and its flags to the conditions.
+[[nodiscard]] Body<double> prepare_kind(const ProjectileDef& projectile, TablePool& pool,
+                                        Conditions<double>& conditions);
+/// What of it only rungs that fly the attitude read, its tables added to the pool.
+[[nodiscard]] Rotor<double> prepare_rotor_kind(const ProjectileDef& projectile, TablePool& pool,
+                                               Conditions<double>& conditions);
+/// The drag curve alone, with its flags: part of prepare_kind().
+void prepare_curve(const ProjectileDef& projectile, TablePool& pool, Conditions<double>& conditions,
+                   Body<double>& body);
+
+}  // namespace physim
