@@ -138,9 +138,10 @@ Result<int> run(const AimCommand& command) {
   const Result<Aim> found = aim(shot.projectile, launch, asked->scenario.environment, shot.projectile.fidelity,
                                 target->target, target->options);
   if (!found) return about(*asked, found.error());
-  if (Status bad = answer(command.question, aim_text(*asked, *target, *found, Style(stdout)),
-                          aim_json(*asked, target->target, target->options.tolerance, *found)))
-    return *bad;
+  if (Status status = answer(command.question, aim_text(*asked, *target, *found, Style(stdout)),
+                             aim_json(*asked, target->target, target->options.tolerance, *found));
+      !status)
+    return status.error();
   return found->in_reach() ? kExitOk : kExitCheckMissed;
 }
 

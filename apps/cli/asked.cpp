@@ -34,7 +34,7 @@ Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wante
 
 Result<AskedShot> ask(const Question& question) {
   if (!question.json.empty())
-    if (Status bad = check_writable(question.json)) return *bad;
+    if (Status status = check_writable(question.json); !status) return status.error();
   Result<Scenario> scenario = load_scenario(question.input.file, question.input.overrides);
   if (!scenario) return scenario.error();
   const Result<std::size_t> index = find_shot(*scenario, question.shot);
@@ -79,8 +79,8 @@ Result<std::optional<Vec3d>> option_vector(const char* option, const std::string
 
 Status answer(const Question& question, const std::string& text, const std::string& json) {
   if (!question.json.empty())
-    if (Status bad = write_output(question.json, json)) return bad;
-  return question.json == "-" ? std::nullopt : print(text);
+    if (Status status = write_output(question.json, json); !status) return status;
+  return question.json == "-" ? Status() : print(text);
 }
 
 int exit_code(const Result<int>& result) {

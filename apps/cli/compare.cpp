@@ -22,7 +22,7 @@ struct CompareOptions {
 };
 
 Status compare(const CompareOptions& options) {
-  if (Status bad = check(options.outputs, options.input.file)) return bad;
+  if (Status status = check(options.outputs, options.input.file); !status) return status;
   const Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
   const Result<std::size_t> shot = find_shot(*scenario, options.shot);
@@ -33,14 +33,14 @@ Status compare(const CompareOptions& options) {
   const OutputMakers makers{.csv = [&] { return ladder_csv(*ladder); },
                             .json = [&] { return ladder_json(*scenario, *ladder); },
                             .plot = [&] { return ladder_picture(title_of(*scenario), *ladder); }};
-  if (Status bad = write(options.outputs, makers)) return bad;
+  if (Status status = write(options.outputs, makers); !status) return status;
   return options.outputs.use_stdout() ? Status() : print(ladder_text(*scenario, *ladder, Style(stdout)));
 }
 
 int exit_code_of(const CompareOptions& options) {
-  const Status bad = compare(options);
-  if (bad) print_error(*bad);
-  return bad ? kExitBadInput : kExitOk;
+  const Status status = compare(options);
+  if (!status) print_error(status.error());
+  return status ? kExitOk : kExitBadInput;
 }
 
 }  // namespace

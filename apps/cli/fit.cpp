@@ -31,11 +31,14 @@ Result<FitOptions> options_of(const FitCommand& command) {
     if (!value) return value.error();
     if (*value && !(**value > 0)) return Error{.message = "must be positive", .place = name};
     if (*value) target = **value;
-    return std::nullopt;
+    return {};
   };
-  if (Status bad = read("--speed-error", command.speed_error, Quantity::speed, options.speed_error)) return *bad;
-  if (Status bad = read("--drop-error", command.drop_error, Quantity::length, options.drop_error)) return *bad;
-  if (Status bad = read("--time-error", command.time_error, Quantity::time, options.time_error)) return *bad;
+  if (Status status = read("--speed-error", command.speed_error, Quantity::speed, options.speed_error); !status)
+    return status.error();
+  if (Status status = read("--drop-error", command.drop_error, Quantity::length, options.drop_error); !status)
+    return status.error();
+  if (Status status = read("--time-error", command.time_error, Quantity::time, options.time_error); !status)
+    return status.error();
   return options;
 }
 
@@ -113,9 +116,10 @@ Result<int> run(const FitCommand& command) {
   const Result<Fit> fit = fit_drag(shot.projectile, shot.launch, asked->scenario.environment, shot.projectile.fidelity,
                                    data->measurements, *options);
   if (!fit) return located(command, *asked, *data, fit.error());
-  if (Status bad = answer(command.question, fit_text(*asked, *data, *options, *fit, Style(stdout)),
-                          fit_json(*asked, options->muzzle_speed, *fit)))
-    return *bad;
+  if (Status status = answer(command.question, fit_text(*asked, *data, *options, *fit, Style(stdout)),
+                             fit_json(*asked, options->muzzle_speed, *fit));
+      !status)
+    return status.error();
   return kExitOk;
 }
 

@@ -52,8 +52,8 @@ class Reader {
       if (!line.empty() && line.back() == '\r') line.pop_back();
       const std::string_view content = trimmed(line);
       if (content.empty() || content.front() == '#') continue;
-      const Status bad = columns_.empty() ? read_header(line) : read_row(line);
-      if (bad) return *bad;
+      const Status status = columns_.empty() ? read_header(line) : read_row(line);
+      if (!status) return status.error();
     }
     if (in.bad()) return Error{.message = "the file cannot be read", .place = file_};
     if (columns_.empty())
@@ -101,7 +101,7 @@ class Reader {
       return Error{.message = has_range ? "there is a range and nothing else" : "there is no column \"range\"",
                    .place = place(1),
                    .hint = "as in range [yd], speed [ft/s], drop [in]"};
-    return std::nullopt;
+    return {};
   }
 
   Status read_row(const std::string& line) {
@@ -128,7 +128,7 @@ class Reader {
     }
     data_.measurements.push_back(m);
     data_.places.push_back(place(1));
-    return std::nullopt;
+    return {};
   }
 
   std::string file_;

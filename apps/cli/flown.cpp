@@ -55,7 +55,7 @@ Status fly_all(FlownScenario& flown) {
     progress.advance();
   }
   flown.checks = check(scenario, flown.shots);
-  return std::nullopt;
+  return {};
 }
 
 std::string place_text(const Expectation& expectation) {

@@ -129,9 +129,9 @@ std::string units_text() {
 }
 
 int show(const std::string& text) {
-  const Status bad = print(text);
-  if (bad) print_error(*bad);
-  return bad ? kExitBadInput : kExitOk;
+  const Status status = print(text);
+  if (!status) print_error(status.error());
+  return status ? kExitOk : kExitBadInput;
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ constexpr const char* kExamples =
 Status check_kernel() {
   const char* wanted = std::getenv("PHYSIM_KERNEL");
   const std::vector<std::string> known = kernels();
-  if (wanted == nullptr || *wanted == '\0' || std::ranges::count(known, wanted) > 0) return std::nullopt;
+  if (wanted == nullptr || *wanted == '\0' || std::ranges::count(known, wanted) > 0) return {};
   std::string names;
   for (const std::string& kernel : known) names += (names.empty() ? "" : ", ") + kernel;
   return Error{.message = "unknown kernel " + in_quotes(wanted),
@@ -53,8 +53,8 @@ void add_commands(Command& program) {
 }
 
 int run(int argc, char** argv) {
-  if (const Status bad = check_kernel()) {
-    print_error(*bad);
+  if (const Status status = check_kernel(); !status) {
+    print_error(status.error());
     return kExitBadInput;
   }
   return run_program({.name = "physim",

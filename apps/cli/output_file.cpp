@@ -47,7 +47,7 @@ std::string target_of(const std::string& path) {
 
 // May we write into this file or folder? As far as can be told beforehand.
 Status check_permission(const std::string& path, const std::string& file_or_folder) {
-  if (::access(file_or_folder.c_str(), W_OK) == 0) return std::nullopt;
+  if (::access(file_or_folder.c_str(), W_OK) == 0) return {};
   return cannot_write(path, errno);
 }
 
@@ -60,7 +60,7 @@ bool is_special(const std::string& path) {
 }  // namespace
 
 Status check_writable(const std::string& path) {
-  if (path == "-") return std::nullopt;
+  if (path == "-") return {};
   std::error_code ignored;
   if (path.empty()) return Error{.message = "the name of an output file is empty"};
   if (fs::is_directory(path, ignored)) return Error{.message = "cannot write: it is a directory", .place = path};
@@ -74,16 +74,16 @@ Status check_writable(const std::string& path) {
 
 Status write_output(const std::string& path, std::string_view content) {
   if (path == "-") return print(content);
-  if (Status bad = check_writable(path)) return bad;
+  if (Status status = check_writable(path); !status) return status;
   const std::string target = target_of(path);
   if (is_special(target)) {
     const int error_number = write_to(target, 0, content);
-    return error_number == 0 ? std::nullopt : Status(cannot_write(path, error_number));
+    return error_number == 0 ? Status() : Status(cannot_write(path, error_number));
   }
   const std::string temporary = target + ".tmp-" + std::to_string(::getpid());
   int error_number = write_to(temporary, O_CREAT | O_TRUNC, content);
   if (error_number == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) error_number = errno;
-  if (error_number == 0) return std::nullopt;
+  if (error_number == 0) return {};
   ::unlink(temporary.c_str());
   return cannot_write(path, error_number);
 }
@@ -95,7 +95,7 @@ Status make_folder(const std::string& path) {
     return Error{.message = "it is a file, not a directory", .place = path};
   fs::create_directories(path, error);
   if (error) return Error{.message = "cannot make the directory: " + error.message(), .place = path};
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace physim::cli

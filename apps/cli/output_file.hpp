@@ -22,7 +22,7 @@ namespace physim::cli {
 template <class... Steps>
 [[nodiscard]] Status in_turn(Steps&&... steps) {
   Status status;
-  static_cast<void>((... || (status = steps()).has_value()));
+  static_cast<void>((... && (status = steps()).ok()));
   return status;
 }
 

@@ -182,7 +182,7 @@ Status check_round(const FlownScenario& flown) {
       return Error{.message = "shot \"" + shot.name + "\" flew over a flat Earth, which globes do not know",
                    .place = flown.scenario.file,
                    .hint = "--set shot.fidelity.earth=ellipsoid, or fidelity = { earth = \"ellipsoid\" }"};
-  return std::nullopt;
+  return {};
 }
 
 std::string globe_kml(const FlownScenario& flown, const SampleTimes& times) {

@@ -57,15 +57,15 @@ Status check(const OutputPaths& paths, const std::string& scenario_file) {
   }
   for (const auto& [option, path] : all)
     if (const bool is_text = &path != &paths.plot; is_text && !path.empty())
-      if (Status bad = check_writable(path)) return bad;
-  return paths.plot.empty() ? std::nullopt : check_plot(paths.plot);
+      if (Status status = check_writable(path); !status) return status;
+  return paths.plot.empty() ? Status() : check_plot(paths.plot);
 }
 
 Status write(const OutputPaths& paths, const OutputMakers& makers) {
   const auto text = [](const std::string& path, const std::function<std::string()>& make) {
-    return path.empty() ? std::nullopt : write_output(path, make());
+    return path.empty() ? Status() : write_output(path, make());
   };
-  return in_turn([&] { return paths.plot.empty() ? std::nullopt : draw(paths.plot, makers.plot()); },
+  return in_turn([&] { return paths.plot.empty() ? Status() : draw(paths.plot, makers.plot()); },
                  [&] { return text(paths.csv, makers.csv); }, [&] { return text(paths.json, makers.json); },
                  [&] { return text(paths.kml, makers.kml); }, [&] { return text(paths.czml, makers.czml); },
                  [&] { return text(paths.geojson, makers.geojson); },

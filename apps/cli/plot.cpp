@@ -96,10 +96,10 @@ Result<std::string> render(Format format, const Picture& picture) {
 
 Status check_gnuplot() {
   const char* folders = std::getenv("PATH");
-  if (folders == nullptr) return std::nullopt;  // the system has its own idea then
+  if (folders == nullptr) return {};  // the system has its own idea then
   std::istringstream in(folders);
   for (std::string folder; std::getline(in, folder, ':');)
-    if (::access(((folder.empty() ? "." : folder) + "/gnuplot").c_str(), X_OK) == 0) return std::nullopt;
+    if (::access(((folder.empty() ? "." : folder) + "/gnuplot").c_str(), X_OK) == 0) return {};
   return missing_gnuplot();
 }
 
@@ -112,7 +112,7 @@ Status check_plot(const std::string& path) {
 }
 
 Status draw(const std::string& path, const Picture& picture) {
-  if (Status bad = check_plot(path)) return bad;
+  if (Status status = check_plot(path); !status) return status;
   const Result<std::string> content = render(format_of(path), picture);
   return content ? write_output(path, *content) : Status(content.error());
 }

@@ -48,7 +48,7 @@ Result<int> run(const MaxRangeCommand& command) {
           readable(far->position.y, 5) + ", " + readable(far->position.z, 5) + ") m, " +
           fixed(length(far->velocity), 2) + " m/s\n";
   text += "  " + std::to_string(far->flights) + " trajectories flown\n";
-  if (Status bad = answer(command.question, text, max_range_json(*asked, *far))) return *bad;
+  if (Status status = answer(command.question, text, max_range_json(*asked, *far)); !status) return status.error();
   return kExitOk;
 }
 
@@ -66,7 +66,8 @@ Result<int> run(const DangerCommand& command) {
   const std::string text = heading(*asked, Style(stdout)) + "  a target " + as_typed(**height) + " m high at " +
                            as_typed(**range) + " m is hit from " + fixed(space->from, 2) + " m to " +
                            fixed(space->to, 2) + " m: over " + fixed(space->to - space->from, 2) + " m\n";
-  if (Status bad = answer(command.question, text, danger_space_json(*asked, **range, **height, *space))) return *bad;
+  if (Status status = answer(command.question, text, danger_space_json(*asked, **range, **height, *space)); !status)
+    return status.error();
   return kExitOk;
 }
 

@@ -71,7 +71,7 @@ std::string text_of(const ReplayCommand& command, const Replay& player, const St
 }
 
 Status play(const ReplayCommand& command, bool& equal) {
-  if (Status bad = check_outputs(command)) return bad;
+  if (Status status = check_outputs(command); !status) return status;
   Result<Replay> opened = open(command);
   if (!opened) return opened.error();
   Replay& player = *opened;
@@ -83,15 +83,15 @@ Status play(const ReplayCommand& command, bool& equal) {
                   "; it was played as far as it goes");
   const OutputMakers makers{
       .csv = [&] { return csv; }, .json = [&] { return replay_json(command.file, player); }, .plot = nullptr};
-  if (Status bad = write(command.outputs, makers)) return bad;
-  if (command.outputs.use_stdout()) return std::nullopt;
+  if (Status status = write(command.outputs, makers); !status) return status;
+  if (command.outputs.use_stdout()) return {};
   return print(text_of(command, player, Style(stdout)));
 }
 
 int exit_code_of(const ReplayCommand& command) {
   bool equal = true;
-  if (const Status bad = play(command, equal)) {
-    print_error(*bad);
+  if (const Status status = play(command, equal); !status) {
+    print_error(status.error());
     return kExitBadInput;
   }
   return equal ? kExitOk : kExitCheckMissed;

@@ -70,13 +70,13 @@ Status write_folder(const RunOptions& options, const FlownScenario& flown, const
   const OutputPaths paths{.csv = path(stem + ".csv"), .json = path(stem + ".json"), .plot = path(stem + ".png")};
   Status status = in_turn([&] { return make_folder(options.folder); }, [&] { return check(paths, options.input.file); },
                           [&] { return write(paths, makers_of(flown, times)); });
-  if (status || flown.shots.size() == 1) return status;
+  if (!status || flown.shots.size() == 1) return status;
   const std::size_t count = std::min(flown.shots.size(), kMostShotPlots);
   if (count < flown.shots.size())
     print_warning("only the first " + std::to_string(count) + " shots get their own plot");
   Progress progress("drawing", count);
   std::set<std::string> names;
-  for (std::size_t i = 0; i < count && !status; ++i) {
+  for (std::size_t i = 0; i < count && status; ++i) {
     std::string name = stem + "_" + file_part(flown.shots[i].name);
     if (!names.insert(name).second) name += "_" + std::to_string(i + 1);
     status = draw(path(name + ".png"), flights_picture(title_of(flown.scenario), {&flown.shots[i], 1}));
@@ -122,9 +122,9 @@ void warn_of_missed(const std::vector<Check>& checks) {
 
 // Everything but the exit code of the checks.
 Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
-  if (Status bad = check(options.outputs, options.input.file)) return bad;
+  if (Status status = check(options.outputs, options.input.file); !status) return status;
   if (!options.folder.empty())
-    if (Status bad = check_gnuplot()) return bad;
+    if (Status status = check_gnuplot(); !status) return status;
   const auto interval = interval_of(options);
   if (!interval) return interval.error();
   Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
@@ -136,11 +136,11 @@ Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
   if (const std::string option = options.world.given(options.outputs); !option.empty())
     return Error{.message = "the scenario has no [world]", .place = option, .hint = "it is for worlds only"};
   flown.scenario = std::move(*scenario);
-  if (Status bad = fly_all(flown)) return bad;
+  if (Status status = fly_all(flown); !status) return status;
   all_met = std::ranges::all_of(flown.checks, [](const Check& check) { return check.met; });
 
   if (options.outputs.has_globe())
-    if (Status bad = check_round(flown)) return bad;
+    if (Status status = check_round(flown); !status) return status;
   const bool writes_samples = !options.outputs.csv.empty() || !options.outputs.json.empty() ||
                               options.outputs.has_globe() || !options.folder.empty();
   SampleTimes times;
@@ -149,14 +149,13 @@ Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
     if (!found) return found.error();
     times = std::move(*found);
   }
-  const Status bad =
-      in_turn([&] { return options.folder.empty() ? std::nullopt : write_folder(options, flown, times); },
-              [&] { return write(options.outputs, makers_of(flown, times)); });
-  if (bad) return bad;
+  Status status = in_turn([&] { return options.folder.empty() ? Status() : write_folder(options, flown, times); },
+                          [&] { return write(options.outputs, makers_of(flown, times)); });
+  if (!status) return status;
   warn_of_odd_ends(flown.shots);
   if (options.outputs.use_stdout()) {
     warn_of_missed(flown.checks);
-    return std::nullopt;
+    return {};
   }
   return print(summary_text(flown, Style(stdout)));
 }
@@ -164,8 +163,8 @@ Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
 int exit_code_of(const RunOptions& options) {
   FlownScenario flown;
   bool all_met = true;
-  if (const Status bad = run(options, flown, all_met)) {
-    print_error(*bad);
+  if (const Status status = run(options, flown, all_met); !status) {
+    print_error(status.error());
     return kExitBadInput;
   }
   return all_met ? kExitOk : kExitCheckMissed;

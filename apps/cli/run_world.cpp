@@ -72,13 +72,13 @@ Status run_in_world(Scenario scenario, const OutputPaths& outputs, const std::st
   const Result<WorldLog> log = run_world(scenario, wishes);
   if (!log) return log.error();
   all_met = std::ranges::all_of(log->checks, [](const Check& check) { return check.met; });
-  const Status bad = in_turn([&] { return all ? write_folder(folder, *log) : std::nullopt; },
-                             [&] { return write(outputs, makers_of(*log)); });
-  if (bad) return bad;
+  Status status = in_turn([&] { return all ? write_folder(folder, *log) : Status(); },
+                          [&] { return write(outputs, makers_of(*log)); });
+  if (!status) return status;
   warn_of_refusals(log->groups);
   if (!outputs.use_stdout()) return print(world_text(*log, Style(stdout)));
   if (!all_met) print_warning("checks were missed");
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace physim::cli

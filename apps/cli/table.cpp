@@ -198,7 +198,7 @@ Result<Card> make_card(const TableCommand& command, const AskedShot& asked) {
 }
 
 Result<int> run(const TableCommand& command) {
-  if (Status bad = check_writable(command.to)) return *bad;
+  if (Status status = check_writable(command.to); !status) return status.error();
   Question question = command.question;
   if (!command.ranges.empty()) question.input.overrides.push_back("output.ranges=" + command.ranges);
   const Result<AskedShot> asked = ask(question);
@@ -211,7 +211,7 @@ Result<int> run(const TableCommand& command) {
                      : command.format == "markdown" ? table_of(*card).markdown()
                                                     : table_of(*card).text();
   if (command.format == "text") text = one_line(title_of(asked->scenario)) + "\n\n" + text;
-  if (Status bad = write_output(command.to, text)) return *bad;
+  if (Status status = write_output(command.to, text); !status) return status.error();
   return kExitOk;
 }
 

@@ -36,7 +36,7 @@ void print_warning(std::string_view text) {
 
 Status print(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (written) return std::nullopt;
+  if (written) return {};
   return Error{.message = std::string("cannot write to the standard output: ") + std::strerror(errno)};
 }
 

@@ -135,12 +135,13 @@ Status show(const Options& options, const std::vector<SuiteResult>& results) {
 
 int run(const Options& options) try {
   if (!options.report.empty())
-    if (const Status status = check_writable(options.report)) return print_error(*status), kExitBadInput;
+    if (const Status status = check_writable(options.report); !status)
+      return print_error(status.error()), kExitBadInput;
   const std::vector<SuiteResult> results = run_all(find_jobs(options));
   Status status = show(options, results);
-  if (!status && !options.report.empty())
+  if (status && !options.report.empty())
     status = write_output(options.report, report_text(command_text(options), results));
-  if (status) return print_error(*status), kExitBadInput;
+  if (!status) return print_error(status.error()), kExitBadInput;
   const bool pass = std::all_of(results.begin(), results.end(), [](const SuiteResult& r) { return r.missed() == 0; });
   return pass ? kExitOk : kExitCheckMissed;
 } catch (const DataError& error) {

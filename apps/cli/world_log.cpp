@@ -36,7 +36,7 @@ class Logger {
   Status run() {
     Progress progress("stepping", log_.steps);
     take(run_.events());
-    if (Status bad = sample()) return bad;
+    if (Status status = sample(); !status) return status;
     for (std::uint64_t step = 1; step <= log_.steps; ++step) {
       const std::size_t launched = step == 1 ? run_.events().size() : 0;  // these are taken already
       run_.step();
@@ -44,10 +44,10 @@ class Logger {
       for (const WallHit& hit : run_.hits()) take(hit);
       if (wishes_.paths && (step % draw_every_ == 0 || step == log_.steps)) draw();
       if (step % sample_every_ == 0 || step == log_.steps)
-        if (Status bad = sample()) return bad;
+        if (Status status = sample(); !status) return status;
       progress.advance();
     }
-    return std::nullopt;
+    return {};
   }
 
   WorldLog finish() {
@@ -115,11 +115,11 @@ class Logger {
   }
 
   Status sample() {
-    if (!wishes_.samples) return std::nullopt;
+    if (!wishes_.samples) return {};
     for (const ProjectileId id : run_.world().ids())
       if (const auto launched = run_.launched(id))
         log_.samples.push_back({*launched, run_.world().time(), run_.world().state(id)});
-    if (log_.samples.size() <= kMaxSamples) return std::nullopt;
+    if (log_.samples.size() <= kMaxSamples) return {};
     return Error{.message = "there are more than " + std::to_string(kMaxSamples) + " samples",
                  .place = "--interval",
                  .hint = "take a longer interval"};
@@ -141,9 +141,9 @@ Result<WorldLog> run_world(const Scenario& scenario, const LogWishes& wishes) {
   if (!made) return made.error();
   WorldRun& run = *made;
   Logger logger(run, wishes);
-  if (Status bad = logger.run()) return *bad;
+  if (Status status = logger.run(); !status) return status.error();
   if (!wishes.record.empty())
-    if (Status bad = run.world().stop_recording()) return *bad;
+    if (Status status = run.world().stop_recording(); !status) return status.error();
   return logger.finish();
 }
 

@@ -32,12 +32,12 @@ App::~App() {
 }
 
 Status App::run() {
-  if (Status bad = open()) return bad;
+  if (Status status = open(); !status) return status;
   while (!client_.leaves && glfwWindowShouldClose(window_.get()) == GLFW_FALSE) {
-    if (Status bad = frame()) return bad;
+    if (Status status = frame(); !status) return status;
     if (is_last_frame()) break;
   }
-  return std::nullopt;
+  return {};
 }
 
 Status App::open() {
@@ -45,7 +45,7 @@ Status App::open() {
     state_.open(options_.state);
     if (!state_) return Error{"cannot write the file", options_.state, "is there such a folder?"};
   }
-  if (Status bad = glfw_.start()) return bad;
+  if (Status status = glfw_.start(); !status) return status;
   Result<Window> window = open_window(options_.width, options_.height, options_.hidden);
   if (!window) return window.error();
   window_ = std::move(*window);
@@ -70,7 +70,7 @@ Status App::open() {
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.fit_view();
   last_time_ = glfwGetTime();
-  return std::nullopt;
+  return {};
 }
 
 // --------------------------------------------------------------------------------------------------------------- frame
@@ -86,7 +86,7 @@ Status App::frame() {
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.scene_corner = {layout.scene.x, layout.scene.y};
   read_inputs();
-  if (Status bad = script_.run(client_)) return bad;
+  if (Status status = script_.run(client_); !status) return status;
   client_.advance(frame_time());
   build_scene(client_, ui_->scale(), scene_);
   ui_->set_mouse(on_scene(mouse_x_, mouse_y_), is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0);
@@ -94,12 +94,12 @@ Status App::frame() {
   ImGui::Render();
   render(scene_);
   ++frame_;
-  if (Status bad = take_pictures()) return bad;
+  if (Status status = take_pictures(); !status) return status;
   if (!target_) glfwSwapBuffers(window_.get());
   client_.frame_times.push_back(static_cast<float>(glfwGetTime() - start));
   if (client_.frame_times.size() > 240) client_.frame_times.pop_front();
   if (state_.is_open()) state_ << state_line(client_, frame_) << std::endl;
-  return std::nullopt;
+  return {};
 }
 
 double App::frame_time() {
@@ -153,19 +153,19 @@ Status App::take_pictures() {
   client_.pictures.clear();
   for (const PictureWish& wish : wishes) {
     const std::string path = wish.path.empty() ? free_name("picture", ".png") : wish.path;
-    Status bad = std::nullopt;
+    Status status;
     if (wish.of_plots && ui_->layout().bottom.height <= 0)
-      bad = Error{"there are no plots to be seen", "picture-of-plots", "open them first: plots"};
+      status = Error{"there are no plots to be seen", "picture-of-plots", "open them first: plots"};
     else
-      bad = save_png(picture(wish.of_plots), path);
-    if (bad && options_.hidden) return bad;
-    if (bad)
-      client_.complain(*bad);
+      status = save_png(picture(wish.of_plots), path);
+    if (!status && options_.hidden) return status;
+    if (!status)
+      client_.complain(status.error());
     else
       client_.say("saved " + path);
   }
   const bool is_last = client_.leaves || is_last_frame();
-  return is_last && !options_.screenshot.empty() ? save_png(picture(false), options_.screenshot) : std::nullopt;
+  return is_last && !options_.screenshot.empty() ? save_png(picture(false), options_.screenshot) : Status();
 }
 
 // --------------------------------------------------------------------------------------------------------------- input
@@ -195,7 +195,7 @@ void App::install_callbacks() {
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
     Client& client = app_of(w).client_;
     if (count > 0)
-      if (Status bad = client.open(paths[0])) client.complain(*bad);
+      if (Status status = client.open(paths[0]); !status) client.complain(status.error());
   });
 }
 

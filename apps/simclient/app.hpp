@@ -20,7 +20,7 @@ class App {
       : options_(options), client_(std::move(client)), script_(std::move(script)) {}
   ~App();
   /// Opens the window and stays until somebody leaves; an error where it cannot.
-  Status run();
+  [[nodiscard]] Status run();
 
  private:
   /// Something that a hand did, in the order in which it was done.
@@ -35,11 +35,11 @@ class App {
     double x = 0, y = 0, moved = 0;
   };
 
-  Status open();
+  [[nodiscard]] Status open();
   void install_callbacks();
-  Status frame();
+  [[nodiscard]] Status frame();
   [[nodiscard]] Picture picture(bool of_plots);
-  Status take_pictures();
+  [[nodiscard]] Status take_pictures();
   void read_inputs();
   void on_key(const Input& input);
   void on_button(const Input& input);

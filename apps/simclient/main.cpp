@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   try {
     const client::CommandLine line = client::parse_command_line(argc, argv);
     if (line.is_answered) return line.exit_code;
-    if (const Status bad = client::run(line.options)) return client::tell(*bad);
+    if (const Status status = client::run(line.options); !status) return client::tell(status.error());
     return client::kExitOk;
   } catch (const std::exception& problem) {  // of the libraries: memory is full, ...
     return client::tell({problem.what(), "simclient", ""});

@@ -54,7 +54,7 @@ class Replay {
  public:
   /// Checks all of the recording before anything is played. One that was cut, as by a crash, is played as far as it
   /// goes; one that is damaged, of another format, or lacks custom forces is refused. Errors name the byte.
-  static Result<Replay> open(std::vector<std::byte> recording, const ReplayOptions& options = {});
+  [[nodiscard]] static Result<Replay> open(std::vector<std::byte> recording, const ReplayOptions& options = {});
   Replay(Replay&&) noexcept;
   Replay& operator=(Replay&&) noexcept;
   ~Replay();

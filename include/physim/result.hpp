@@ -1,7 +1,8 @@
 // Result<T>: a value, or an error that says what is wrong, where, and what to do about it.
 #pragma once
 
-#include <cassert>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,9 +23,17 @@ struct Error {
   }
 };
 
-/// Either a T or an Error. Nothing in the library throws; ask before you take.
+namespace result_detail {
+/// Asked for what is not there: says so and ends the program, in every build.
+[[noreturn]] inline void end(const char* what, const std::string& text) {
+  std::fprintf(stderr, "physim: %s\n%s\n", what, text.c_str());
+  std::abort();
+}
+}  // namespace result_detail
+
+/// Either a T or an Error; true where it is a T. Nothing in the library throws; ask before you take.
 template <class T>
-class [[nodiscard]] Result {
+class Result {
  public:
   Result(T value) : content_(std::move(value)) {}      // NOLINT: a value is a result
   Result(Error error) : content_(std::move(error)) {}  // NOLINT: an error is a result
@@ -32,23 +41,58 @@ class [[nodiscard]] Result {
   [[nodiscard]] bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  /// The value; calling this on an error is a bug in the caller.
-  [[nodiscard]] const T& value() const& { return assert(ok()), *std::get_if<0>(&content_); }
-  [[nodiscard]] T& value() & { return assert(ok()), *std::get_if<0>(&content_); }
-  [[nodiscard]] T&& value() && { return assert(ok()), std::move(*std::get_if<0>(&content_)); }
+  /// The value. Calling this on an error is a bug in the caller: it prints the error and ends the program.
+  [[nodiscard]] const T& value() const& {
+    check();
+    return *std::get_if<0>(&content_);
+  }
+  [[nodiscard]] T& value() & {
+    check();
+    return *std::get_if<0>(&content_);
+  }
+  [[nodiscard]] T&& value() && {
+    check();
+    return std::move(*std::get_if<0>(&content_));
+  }
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
   T&& operator*() && { return std::move(*this).value(); }
   const T* operator->() const { return &value(); }
+  T* operator->() { return &value(); }
 
-  /// The error; calling this on a value is a bug in the caller.
-  [[nodiscard]] const Error& error() const { return assert(!ok()), *std::get_if<1>(&content_); }
+  /// The error. Calling this on a value is a bug in the caller, which ends the program.
+  [[nodiscard]] const Error& error() const {
+    if (ok()) result_detail::end("error() of a result that has a value", "");
+    return *std::get_if<1>(&content_);
+  }
 
  private:
+  void check() const {
+    if (!ok()) result_detail::end("value() of a result that has none", error().text());
+  }
   std::variant<T, Error> content_;
 };
 
-/// Success without a value, or an error.
-using Status = std::optional<Error>;
+/// Success without a value, or an Error; true on success, as with other results.
+template <>
+class Result<void> {
+ public:
+  Result() = default;                                ///< success
+  Result(Error error) : error_(std::move(error)) {}  // NOLINT: an error is a result
+
+  [[nodiscard]] bool ok() const { return !error_.has_value(); }
+  explicit operator bool() const { return ok(); }
+
+  /// The error. Calling this on a success is a bug in the caller, which ends the program.
+  [[nodiscard]] const Error& error() const {
+    if (ok()) result_detail::end("error() of a success", "");
+    return *error_;
+  }
+
+ private:
+  std::optional<Error> error_;
+};
+
+using Status = Result<void>;
 
 }  // namespace physim

@@ -118,7 +118,7 @@ class World {
  public:
   World();  ///< with WorldDef{}
   /// An error where the definition makes no sense.
-  static Result<World> create(const WorldDef& def);
+  [[nodiscard]] static Result<World> create(const WorldDef& def);
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
   ~World();
@@ -127,7 +127,7 @@ class World {
   /// Prepares a kind of projectile, so that each of it is spawned quickly. Equal definitions give the same kind.
   KindId add_kind(const ProjectileDef& projectile, const BodyDef& body = {});
   /// Another place to fly in; its index for BodyDef::environment.
-  Result<std::uint32_t> add_environment(const Environment& environment);
+  [[nodiscard]] Result<std::uint32_t> add_environment(const Environment& environment);
   /// Changes an environment from the next step on (a gust, a new day).
   Status set_environment(std::uint32_t index, const Environment& environment);
 
@@ -253,9 +253,9 @@ class World {
   // ------------------------------------------------------------------------------------------- recordings
   /// Every call that changes this world goes to `sink` from now on, until stop_recording() or its end; Replay makes
   /// them again. Only for a world to which nothing was done yet. Where the sink fails the world goes on without.
-  Status record(RecordSink sink, const RecordOptions& options = {});
+  [[nodiscard]] Status record(RecordSink sink, const RecordOptions& options = {});
   /// Completes the recording; an error where part of it was lost.
-  Status stop_recording();
+  [[nodiscard]] Status stop_recording();
   [[nodiscard]] bool is_recording() const;  ///< and it has not failed
 
   // ------------------------------------------------------------------------------------------- threads

@@ -93,7 +93,7 @@ class WorldRun {
  public:
   /// An error where the scenario has no [world], or where the world refuses part of it. With a path the run is recorded
   /// into that file (record_to_file()).
-  static Result<WorldRun> create(Scenario scenario, const std::string& recording = "");
+  [[nodiscard]] static Result<WorldRun> create(Scenario scenario, const std::string& recording = "");
   WorldRun(WorldRun&&) noexcept;
   WorldRun& operator=(WorldRun&&) noexcept;
   ~WorldRun();

@@ -47,7 +47,7 @@ class Checker {
   }
   /// What another check said.
   Checker& also(Status other) {
-    if (!status_) status_ = std::move(other);
+    if (status_) status_ = std::move(other);
     return *this;
   }
   [[nodiscard]] const Status& status_so_far() const { return status_; }
@@ -57,7 +57,7 @@ class Checker {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   [[gnu::noinline]] void fail(Text place, const std::string& message, Text hint) {
-    if (!status_) status_ = Error{message, std::string(place), std::string(hint)};
+    if (status_) status_ = Error{message, std::string(place), std::string(hint)};
   }
   Status status_;
 };

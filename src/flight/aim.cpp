@@ -390,9 +390,9 @@ Status check(const Launch& launch, const Target& target, const AimOptions& optio
 
 Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                 const Fidelity& fidelity, const Target& target, const AimOptions& options) {
-  for (const Status& bad :
+  for (const Status& status :
        {check(launch, target, options), check(projectile), check(environment), check(options.flight, fidelity)})
-    if (bad) return *bad;
+    if (!status) return status.error();
   return Aimer(projectile, launch, environment, fidelity, target, options).run();
 }
 

@@ -87,7 +87,7 @@ class Search {
 
   Result<AutoFidelity> run() {
     for (const Launch& launch : launches_)
-      if (Status bad = fly_truth(launch)) return *bad;
+      if (Status status = fly_truth(launch); !status) return status.error();
     if (total_time_ == 0)
       return Error{"the flight ends where it begins", "launch", "launch it above purpose.ground, or upwards"};
     if (purpose_.error <= 2 * answer_.truth_error) return too_small();
@@ -122,7 +122,7 @@ class Search {
   Status fly_truth(const Launch& launch) {
     Tolerance tight{.relative = kTruthTolerance, .absolute = kTruthTolerance};
     const Flight flight = fly(projectile_, launch, environment_, ladder_.truth(), tight, until(purpose_.time));
-    if (flight.error()) return flight.error();
+    if (flight.error()) return *flight.error();
     const Outcome outcome = flight.outcome();
     if (outcome != Outcome::landed && outcome != Outcome::time_limit && outcome != Outcome::left_domain)
       return Error{"the true flight ended as " + std::string(name(outcome)), "launch",
@@ -139,7 +139,7 @@ class Search {
     answer_.time = std::max(answer_.time, path.duration);
     total_time_ += path.duration;
     paths_.push_back(std::move(path));
-    return std::nullopt;
+    return {};
   }
 
   [[nodiscard]] Measured measure(const TruePath& path, const Fidelity& fidelity, const Tolerance& tolerance) const {
@@ -283,7 +283,7 @@ Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, std::span<
                                      const Environment& environment, const Purpose& purpose) {
   if (launches.empty()) return Error{"there is no launch", "launches", "give at least one"};
   for (const Status& status : {check_purpose(purpose), check(projectile), check(environment)})
-    if (status) return *status;
+    if (!status) return status.error();
   return Search(projectile, launches, environment, purpose).run();
 }
 

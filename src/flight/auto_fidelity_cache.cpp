@@ -187,7 +187,7 @@ Launch by_angles(const Launch& launch) {
 }  // namespace
 
 std::vector<Launch> launch_class(const Launch& launch, std::optional<double> ground) {
-  if (check(launch)) return {launch};  // whoever flies it says what is wrong
+  if (!check(launch)) return {launch};  // whoever flies it says what is wrong
   Launch corner = by_angles(launch);
   const Bin speed = speed_bin(corner.speed);
   Bin elevation = angle_bin(corner.elevation);

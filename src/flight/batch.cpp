@@ -71,7 +71,7 @@ struct ShotList {
 /// A projectile checked and prepared; each of its shots writes its launch over that of the one before.
 struct ShotKind {
   const ProjectileDef* projectile = nullptr;
-  Status error;
+  Status status;
   ShotGroup* group = nullptr;
   Body<double> body;
   Rotor<double> rotor;  // of rungs that turn
@@ -120,9 +120,9 @@ class Batch {
     result_.fidelity_in_use = {};
     result_.error.reset();
     for (const Status& status : {check(environment_), check(tolerance_, fidelity_), check(until_)})
-      if (status) return refuse_all(*status);
+      if (!status) return refuse_all(status.error());
     if (shots_.one_projectile)
-      if (const Status status = check(*shots_.one_projectile)) return refuse_all(*status);
+      if (const Status status = check(*shots_.one_projectile); !status) return refuse_all(status.error());
     result_.events.reserve(shots_.size());
     for (std::uint32_t i = 0; i < shots_.size(); ++i) prepare(i);
     for (ShotGroup& group : groups_) fly(group);
@@ -152,8 +152,8 @@ class Batch {
     const ProjectileDef& projectile = shots_.projectile(i);
     if (kind_.projectile == &projectile) return kind_;
     kind_.projectile = &projectile;
-    kind_.error = check(projectile);
-    if (kind_.error) return kind_;
+    kind_.status = check(projectile);
+    if (!kind_.status) return kind_;
     kind_.group = group_of(projectile);
     ShotGroup& group = *kind_.group;
     Cohort& cohort = group.cohort;
@@ -173,11 +173,11 @@ class Batch {
 
   void prepare(std::uint32_t i) {
     ShotKind& kind = kind_of(i);
-    if (kind.error) return refuse(i, *kind.error);
+    if (!kind.status) return refuse(i, kind.status.error());
     const ProjectileDef& projectile = *kind.projectile;
     const Launch& launch = shots_.launch(i);
-    if (const auto status = check(launch)) return refuse(i, *status);
-    if (const auto status = check(projectile, launch)) return refuse(i, *status);
+    if (const auto status = check(launch); !status) return refuse(i, status.error());
+    if (const auto status = check(projectile, launch); !status) return refuse(i, status.error());
     double elevation = launch.elevation;
     if (launch.sight.zero_range > 0) {
       const auto found = elevation_of(projectile, launch, environment_, fidelity_);
@@ -264,7 +264,7 @@ class Batch {
   Status choose_step(ShotGroup& group) {
     const Fidelity& granted = group.cohort.in_use.fidelity;
     group.step = step_without_pilot(granted, tolerance_);
-    if (group.step) return std::nullopt;
+    if (group.step) return {};
     double step = std::numeric_limits<double>::infinity();
     for (const std::size_t i : pilots(group)) {
       const auto found = step_within(shots_.projectile(i), shots_.launch(i), environment_, granted, tolerance_, until_,
@@ -273,7 +273,7 @@ class Batch {
       step = std::min(step, *found);
     }
     group.step = step;
-    return std::nullopt;
+    return {};
   }
 
   std::vector<std::size_t> pilots(const ShotGroup& group) {
@@ -301,8 +301,8 @@ class Batch {
   void fly(ShotGroup& group) {
     if (group.shots.empty()) return;
     if (!group.step) {
-      if (const auto status = choose_step(group)) {
-        for (const std::uint32_t i : group.shots) refuse(i, *status);
+      if (const auto status = choose_step(group); !status) {
+        for (const std::uint32_t i : group.shots) refuse(i, status.error());
         return group.clear();
       }
     }

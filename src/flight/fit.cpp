@@ -262,17 +262,17 @@ Status check_sense(std::span<const Measurement> measurements, const Fit& fit, co
                    "measurements[" + std::to_string(b.measurement) + "].speed",
                    "no flight of this projectile does that; check the ranges"};
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
 
 Result<Fit> fit_drag(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                      const Fidelity& fidelity, std::span<const Measurement> measurements, const FitOptions& options) {
-  if (const Status bad = check(measurements, options)) return *bad;
+  if (const Status status = check(measurements, options); !status) return status.error();
   Result<Fit> fit = Fitter(projectile, launch, environment, fidelity, measurements, options).run();
   if (!fit) return fit;
-  if (const Status bad = check_sense(measurements, *fit, options)) return *bad;
+  if (const Status status = check_sense(measurements, *fit, options); !status) return status.error();
   return fit;
 }
 

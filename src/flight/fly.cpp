@@ -137,8 +137,8 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   };
   for (const Status& status :
        {check(projectile), check(launch), check(environment), check(tolerance, fidelity), check(until)})
-    if (status) return refuse(*status);
-  if (const Status status = check(projectile, launch)) return refuse(*status);
+    if (!status) return refuse(status.error());
+  if (const Status status = check(projectile, launch); !status) return refuse(status.error());
   const auto elevation = elevation_of(projectile, launch, environment, fidelity);
   if (!elevation) return refuse(elevation.error());
   record->elevation = *elevation;

@@ -121,7 +121,7 @@ Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch
   c.require(std::abs(slope) < kRightAngle, "slope", "must lie between -90 and 90 degrees", "angles are in radians");
   c.require(!(launch.position.y < ground), "ground", "lies above the muzzle", "the shot has to start over it");
   c.positive(launch.velocity ? length(*launch.velocity) : launch.speed, "launch.speed", "a shot needs one");
-  if (const Status bad = c.status()) return *bad;
+  if (const Status status = c.status(); !status) return status.error();
   Carry carry(projectile, launch, environment, fidelity, ground, slope, time);
   constexpr double kScan = 5 * kDegree;
   MaxRange best{.range = -1};

@@ -113,7 +113,7 @@ void check_motor(Checker& c, const ProjectileDef& p) {
             "must lie between 0 and 1e6 s", "");
   c.require(m.drag_factor >= 0 && m.drag_factor <= 1000, "projectile.motor.drag_factor", "must lie between 0 and 1000",
             "1 means the same drag");
-  if (c.status_so_far()) return;
+  if (!c.status_so_far()) return;
   c.require(std::isfinite(total_impulse(m)) && total_impulse(m) > 0, "projectile.motor.thrust", "gives no impulse",
             "leave the table empty where there is no motor");
   if (!m.propellant.empty()) {
@@ -148,7 +148,7 @@ void check_magnus(Checker& c, const MagnusDef& m) {
     c.not_negative(p.speed, point, "").not_negative(p.spin, point, "spins have no direction here");
     c.not_negative(p.drag, point, "drag coefficients are not negative").is_number(p.lift, point);
   }
-  if (m.table.empty() || c.status_so_far()) return;
+  if (m.table.empty() || !c.status_so_far()) return;
   c.require(is_full(magnus_grid(m), m.table.size()), "projectile.magnus.table", "is no full grid",
             "give every speed with every spin, once");
 }
@@ -156,7 +156,7 @@ void check_magnus(Checker& c, const MagnusDef& m) {
 }  // namespace
 
 Status check(const ProjectileDef& p, const Launch& l) {
-  if (!has_motor(p)) return std::nullopt;
+  if (!has_motor(p)) return {};
   Checker c;
   const bool at_rest = l.velocity ? *l.velocity == Vec3d{} : l.speed == 0;
   c.require(!at_rest || l.rail_length > 0, "launch.rail_length", "a rocket that starts from rest needs a rail",
@@ -237,7 +237,7 @@ Status check(const Environment& e) {
   if (a.humidity)
     c.require(*a.humidity >= 0 && *a.humidity <= 1, "environment.atmosphere.humidity", "must lie between 0 and 1",
               "60 % is 0.6");
-  if (a.humidity && *a.humidity > 0 && !c.status_so_far()) {
+  if (a.humidity && *a.humidity > 0 && c.status_so_far()) {
     const double t = a.temperature.value_or(288.15);
     const double p = a.pressure.value_or(101325);
     c.require(vapour_fraction(t, p, *a.humidity) < 0.5, "environment.atmosphere.humidity",

@@ -42,11 +42,11 @@ Status check_direction(const Launch& launch, const Value& shot) {
   if (launch.elevation != 0 && launch.sight.zero_range > 0)
     return Error{"shot.elevation: given together with sight.zero_range", place_of(shot, {"elevation"}),
                  "the zero range finds the elevation; give one of them"};
-  return std::nullopt;
+  return {};
 }
 
 Status check_bands(const DragDef& drag, const Value& shot) {
-  if (drag.bands.empty()) return std::nullopt;
+  if (drag.bands.empty()) return {};
   if (drag.ballistic_coefficient > 0)
     return Error{"shot.drag.bands: given together with ballistic_coefficient", place_of(shot, {"drag", "bands"}),
                  "give one of them"};
@@ -56,7 +56,7 @@ Status check_bands(const DragDef& drag, const Value& shot) {
       if (drag.bands[i].above == drag.bands[j].above)
         return Error{"shot.drag.bands: two bands from " + quantity_text(drag.bands[i].above, Quantity::speed),
                      place_of((*array)[i], {"above"}), "each band needs its own speed"};
-  return std::nullopt;
+  return {};
 }
 
 Status check_drag(const DragDef& drag, const Value& shot) {
@@ -73,14 +73,15 @@ Status check_drag(const DragDef& drag, const Value& shot) {
 /// A motor and a rail are judged by the library; where it objects, the table is told.
 Status check_motor(const ScenarioShot& shot, const Value& table) {
   const Value* given = table.find("motor");
-  if (given == nullptr || shot.projectile.motor == MotorDef{}) return std::nullopt;
+  if (given == nullptr || shot.projectile.motor == MotorDef{}) return {};
   const std::string place = given->place.text();
   if (!has_motor(shot.projectile)) return Error{"shot.motor: there is no thrust", place, "give file or thrust"};
-  Status bad = check(shot.projectile);
-  if (!bad) bad = check(shot.launch);
-  if (!bad) bad = check(shot.projectile, shot.launch);
-  if (!bad) return std::nullopt;
-  return Error{"shot.motor (" + bad->place + "): " + bad->message, place, bad->hint};
+  Status status = check(shot.projectile);
+  if (status) status = check(shot.launch);
+  if (status) status = check(shot.projectile, shot.launch);
+  if (status) return {};
+  const Error& bad = status.error();
+  return Error{"shot.motor (" + bad.place + "): " + bad.message, place, bad.hint};
 }
 
 /// Names go into overrides ("shot.NAME.mass=...") and into columns of files.
@@ -91,7 +92,7 @@ Status check_name(const std::string& name, const Value& shot) {
                    place_of(shot, {"name"}), "leave out =, \" and control characters"};
   if (trimmed(name) != name)
     return Error{"shot.name: " + in_quotes(name) + " begins or ends with a space", place_of(shot, {"name"}), ""};
-  return std::nullopt;
+  return {};
 }
 
 using NamesSeen = std::map<std::string_view, std::string>;  // name, place
@@ -100,16 +101,16 @@ Status check_shots(const Scenario& scenario, const Value& document, NamesSeen& s
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const ScenarioShot& shot = scenario.shots[i];
     const Value& table = element(document, "shot", i);
-    if (Status bad = check_name(shot.projectile.name, table)) return bad;
+    if (Status status = check_name(shot.projectile.name, table); !status) return status;
     const auto [first, is_new] = seen.emplace(shot.projectile.name, place_of(table, {"name"}));
     if (!is_new)
       return Error{"shot.name: two shots are named " + in_quotes(shot.projectile.name), place_of(table, {"name"}),
                    "the first is at " + first->second};
-    if (Status bad = check_direction(shot.launch, table)) return bad;
-    if (Status bad = check_drag(shot.projectile.drag, table)) return bad;
-    if (Status bad = check_motor(shot, table)) return bad;
+    if (Status status = check_direction(shot.launch, table); !status) return status;
+    if (Status status = check_drag(shot.projectile.drag, table); !status) return status;
+    if (Status status = check_motor(shot, table); !status) return status;
   }
-  return std::nullopt;
+  return {};
 }
 
 // ------------------------------------------------------------------------------------------------------------ the rest
@@ -121,7 +122,7 @@ Status check_wind(const Wind& wind, const Value& document) {
                      quantity_text(wind.profile[i - 1].at, Quantity::length),
                  place_of((*list.get<Array>())[i], {"at"}), "places must rise"};
   }
-  return std::nullopt;
+  return {};
 }
 
 Status check_expectations(const Scenario& scenario, const Value& document, const NamesSeen& seen) {
@@ -142,17 +143,17 @@ Status check_expectations(const Scenario& scenario, const Value& document, const
       return Error{"expect.at: " + std::to_string(places->size()) + " places", at->place.text(),
                    "give one of time, range, height or a moment"};
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
 
 Status check_scenario(const Scenario& scenario, const Value& document) {
   NamesSeen seen;
-  if (Status bad = check_shots(scenario, document, seen)) return bad;
-  if (Status bad = check_wind(scenario.environment.wind, document)) return bad;
-  if (Status bad = check_world(scenario, document)) return bad;
-  return scenario.world.given ? std::nullopt : check_expectations(scenario, document, seen);
+  if (Status status = check_shots(scenario, document, seen); !status) return status;
+  if (Status status = check_wind(scenario.environment.wind, document); !status) return status;
+  if (Status status = check_world(scenario, document); !status) return status;
+  return scenario.world.given ? Status() : check_expectations(scenario, document, seen);
 }
 
 }  // namespace physim

@@ -42,7 +42,7 @@ bool is_in_volley(const Scenario& scenario, std::string_view shot) {
 Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,
                        const std::string& place) {
   const std::vector<std::string_view> names = shot_names(scenario);
-  if (std::ranges::count(names, name) > 0) return std::nullopt;
+  if (std::ranges::count(names, name) > 0) return {};
   return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names, "shots")};
 }
 
@@ -55,7 +55,7 @@ Status check_absence(const Scenario& scenario, const Value& document) {
     if (const Value* value = document.find(key)) return needs_world(std::string(key), *value);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i)
     if (const Value* body = element(document, "shot", i).find("body")) return needs_world("shot.body", *body);
-  return std::nullopt;
+  return {};
 }
 
 Status check_unused(const Value& document) {
@@ -64,7 +64,7 @@ Status check_unused(const Value& document) {
                  "world.duration and shot.body.despawn end things"};
   if (const Value* output = document.find("output"))
     return Error{"output: not used in a [world]", output->place.text(), "ranges are of single flights"};
-  return std::nullopt;
+  return {};
 }
 
 // --------------------------------------------------------------------------------------------------------------- parts
@@ -85,18 +85,18 @@ Status check_pools(const Scenario& scenario, const Value& document) {
                  names.empty() ? "write pools = [{ name = \"...\", maximum = 100 }] into [world]"
                                : suggestion(pool, names, "pools")};
   }
-  return std::nullopt;
+  return {};
 }
 
 Status check_bodies(const Scenario& scenario, const Value& document) {
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
-    const Status bad = check(scenario.shots[i].body, scenario.world.def, 1);
-    if (!bad) continue;
+    const Status status = check(scenario.shots[i].body, scenario.world.def, 1);
+    if (status) continue;
     const Value& shot = element(document, "shot", i);
     const Value* body = shot.find("body");
-    return in_file(*bad, "shot", body ? *body : shot);
+    return in_file(status.error(), "shot", body ? *body : shot);
   }
-  return std::nullopt;
+  return {};
 }
 
 Status check_volleys(const Scenario& scenario, const Value& document) {
@@ -106,7 +106,8 @@ Status check_volleys(const Scenario& scenario, const Value& document) {
   for (std::size_t i = 0; i < scenario.volleys.size(); ++i) {
     const Volley& volley = scenario.volleys[i];
     const Value& table = element(document, "volley", i);
-    if (Status bad = check_shot_name(scenario, volley.shot, "volley.shot", place_in(table, "shot"))) return bad;
+    if (Status status = check_shot_name(scenario, volley.shot, "volley.shot", place_in(table, "shot")); !status)
+      return status;
     if (std::ranges::count(names, volley.name) > 0)
       return Error{"volley.name: another volley or shot is named " + in_quotes(volley.name), place_in(table, "name"),
                    "give it a name of its own"};
@@ -116,7 +117,7 @@ Status check_volleys(const Scenario& scenario, const Value& document) {
     if (rate && !(text && *text == "none") && table.find("interval"))
       return Error{"volley.rate: given together with interval", rate->place.text(), "give one of them"};
   }
-  return std::nullopt;
+  return {};
 }
 
 // -------------------------------------------------------------------------------------------------------------- forces
@@ -138,8 +139,8 @@ std::vector<std::string_view> law_names() {
 
 Status check_other(const Scenario& scenario, const ScenarioForce& force, const Member& law) {
   const std::string path = "force." + law.key + ".other", place = place_in(law.value, "other");
-  if (Status bad = check_shot_name(scenario, force.other, path, place)) return bad;
-  if (!is_in_volley(scenario, force.other)) return std::nullopt;
+  if (Status status = check_shot_name(scenario, force.other, path, place); !status) return status;
+  if (!is_in_volley(scenario, force.other)) return {};
   return Error{path + ": " + in_quotes(force.other) + " is fired by a volley", place,
                "name a shot that no volley fires: there is one of it"};
 }
@@ -152,13 +153,15 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
     return Error{"force: it has two laws, " + laws[0]->key + " and " + laws[1]->key, laws[1]->key_place.text(),
                  "write a [[force]] for each"};
   for (const std::string& shot : force.shots)
-    if (Status bad = check_shot_name(scenario, shot, "force.shots", place_in(table, "shots"))) return bad;
+    if (Status status = check_shot_name(scenario, shot, "force.shots", place_in(table, "shots")); !status)
+      return status;
   if (!force.other.empty() || std::holds_alternative<Spring>(force.law))
-    if (Status bad = check_other(scenario, force, *laws[0])) return bad;
+    if (Status status = check_other(scenario, force, *laws[0]); !status) return status;
   ForceDef def{.law = force.law, .target = ForceTarget::everything(), .delay = force.delay, .duration = force.duration};
   if (auto* spring = std::get_if<Spring>(&def.law)) spring->other = {1, 1};  // somebody
-  if (const Status bad = check(def)) return in_file(*bad, "force." + laws[0]->key, laws[0]->value);
-  return std::nullopt;
+  if (const Status status = check(def); !status)
+    return in_file(status.error(), "force." + laws[0]->key, laws[0]->value);
+  return {};
 }
 
 // -------------------------------------------------------------------------------------------------------- expectations
@@ -173,7 +176,7 @@ Status check_group_expectation(const Scenario& scenario, const Expectation& expe
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
                  place_in(table, "quantity"),
                  suggestion(expect.quantity, group_figure_names(), "in a world there are")};
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -204,16 +207,19 @@ void complete_world(Scenario& scenario, const Value& document) {
 
 Status check_world(const Scenario& scenario, const Value& document) {
   if (!scenario.world.given) return check_absence(scenario, document);
-  if (Status bad = check_unused(document)) return bad;
-  if (const Status bad = check(scenario.world.def)) return in_file(*bad, "world", *document.find("world"));
-  if (Status bad = check_pools(scenario, document)) return bad;
-  if (Status bad = check_bodies(scenario, document)) return bad;
-  if (Status bad = check_volleys(scenario, document)) return bad;
+  if (Status status = check_unused(document); !status) return status;
+  if (const Status status = check(scenario.world.def); !status)
+    return in_file(status.error(), "world", *document.find("world"));
+  if (Status status = check_pools(scenario, document); !status) return status;
+  if (Status status = check_bodies(scenario, document); !status) return status;
+  if (Status status = check_volleys(scenario, document); !status) return status;
   for (std::size_t i = 0; i < scenario.forces.size(); ++i)
-    if (Status bad = check_force(scenario, scenario.forces[i], element(document, "force", i))) return bad;
+    if (Status status = check_force(scenario, scenario.forces[i], element(document, "force", i)); !status)
+      return status;
   for (std::size_t i = 0; i < scenario.expect.size(); ++i)
-    if (Status bad = check_group_expectation(scenario, scenario.expect[i], element(document, "expect", i))) return bad;
-  return std::nullopt;
+    if (Status status = check_group_expectation(scenario, scenario.expect[i], element(document, "expect", i)); !status)
+      return status;
+  return {};
 }
 
 }  // namespace physim

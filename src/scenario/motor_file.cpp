@@ -46,20 +46,20 @@ class MotorReader {
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_;
-      if (Status bad = read_line(text.substr(0, end))) return *bad;
+      if (Status status = read_line(text.substr(0, end)); !status) return status.error();
       text.remove_prefix(std::min(end + 1, text.size()));
     }
-    if (open_) return *never_ends();
+    if (open_) return never_ends();
     if (motors_.empty()) return Error{"there is no motor in it", file_, std::string(kHeaderHint)};
     return motors_;
   }
 
  private:
   [[nodiscard]] std::string place() const { return file_ + ":" + std::to_string(line_); }
-  [[nodiscard]] Status fault(const std::string& message, std::string_view hint) const {
+  [[nodiscard]] Error fault(const std::string& message, std::string_view hint) const {
     return Error{message, place(), std::string(hint)};
   }
-  [[nodiscard]] Status never_ends() const {
+  [[nodiscard]] Error never_ends() const {
     return fault("the thrust of " + in_quotes(motors_.back().motor.name) + " does not end at zero",
                  "the last point of a motor has a thrust of 0; is the file cut off?");
   }
@@ -67,7 +67,7 @@ class MotorReader {
   Status read_line(std::string_view line) {
     line = line.substr(0, line.find(';'));
     const auto words = words_of(line);
-    if (words.empty()) return std::nullopt;
+    if (words.empty()) return {};
     const bool is_point = words.size() == 2 && number_of(words[0]) && number_of(words[1]);
     if (!open_ && is_point)
       return fault(motors_.empty() ? "a point of thrust before any motor"
@@ -99,7 +99,7 @@ class MotorReader {
     entry.delays = words[3];
     entry.manufacturer = words[6];
     open_ = true;
-    return std::nullopt;
+    return {};
   }
 
   Status read_point(const std::vector<std::string_view>& words) {
@@ -115,10 +115,10 @@ class MotorReader {
       return fault("time " + number_text(time) + " after " + number_text(thrust.back().time), "times must rise");
     if (thrust.size() == kMostPoints) return fault("too many points", "at most " + std::to_string(kMostPoints));
     thrust.push_back({time, force});
-    if (force > 0 || time == 0) return std::nullopt;
+    if (force > 0 || time == 0) return {};
     open_ = false;
     if (!(total_impulse(motors_.back().motor) > 0)) return fault("the motor gives no impulse", "its thrust is zero");
-    return std::nullopt;
+    return {};
   }
 
   const std::string& file_;

@@ -70,11 +70,11 @@ Result<Addressed> target_of(const Value& document, std::string_view path, const 
 
 /// Makes a table of a value that stands for one: gravity = "off" becomes { model = "off" }.
 Status make_table(const SchemaNode& node, Value& value) {
-  if (value.get<Table>() != nullptr) return std::nullopt;
+  if (value.get<Table>() != nullptr) return {};
   if (node.shorthand.empty()) return not_a_table(node, value);
   Value inner = value;
   value.content = Table{{node.shorthand, value.place, std::move(inner)}};
-  return std::nullopt;
+  return {};
 }
 
 Value& member_of(Value& table, const std::string& key, const Place& place) {
@@ -92,18 +92,18 @@ Status put_into_list(Value& list, const SchemaNode& node, std::string_view rest,
     return Error{"there is no [[" + node.path + "]] to change", value.place.text(), "set the list as a whole"};
   for (std::size_t i = 0; i < array->size(); ++i) {
     if (node.path == "shot" && target.shot && shot_name((*array)[i], i) != *target.shot) continue;
-    if (Status bad = put((*array)[i], node, rest, target, value)) return bad;
+    if (Status status = put((*array)[i], node, rest, target, value); !status) return status;
   }
-  return std::nullopt;
+  return {};
 }
 
 /// Walks from a table to the target, making tables on the way.
 Status put(Value& here, const SchemaNode& node, std::string_view rest, const Addressed& target, const Value& value) {
-  if (Status bad = make_table(node, here)) return bad;
+  if (Status status = make_table(node, here); !status) return status;
   const std::size_t dot = rest.find('.');
   const SchemaNode& child = *node.find(rest.substr(0, dot));
   Value& member = member_of(here, child.name, value.place);
-  if (dot == rest.npos) return member = value, std::nullopt;
+  if (dot == rest.npos) return member = value, Status();
   rest.remove_prefix(dot + 1);
   if (child.is_list_of_tables()) return put_into_list(member, child, rest, target, value);
   return put(member, child, rest, target, value);

@@ -82,7 +82,7 @@ Status read_integer(const Entry& entry, const Value& value, std::int64_t& target
   }
   const auto number = static_cast<double>(target);
   if (!entry.range.contains(number)) return out_of_range({entry.path, Quantity::number, entry.range}, value, number);
-  return std::nullopt;
+  return {};
 }
 
 // --------------------------------------------------------------------------------------------------------------- texts
@@ -117,21 +117,21 @@ Status read_text(const Entry& entry, const Value& value, std::string& target) {
   else
     return fault(entry.path, value, "found " + std::string(kind_of(value)), "expected a text in quotes");
   if (!is_utf8(target)) return fault(entry.path, value, "the text is not UTF-8", "");
-  return std::nullopt;
+  return {};
 }
 
 Status read_choice(const Entry& entry, const Value& value, const Choice& choice) {
   const auto* text = value.get<std::string>();
   if (text != nullptr)
     for (std::size_t i = 0; i < choice.names.size(); ++i)
-      if (choice.names[i] == *text) return choice.set(i), std::nullopt;
+      if (choice.names[i] == *text) return choice.set(i), Status();
   return fault(entry.path, value, "unknown value " + shown(value),
                suggestion(text ? *text : std::string{}, choice.names, "known values"));
 }
 
 // --------------------------------------------------------------------------------------------------------------- lists
 Status check_length(std::string_view path, const Value& value, std::size_t length, const Range& range) {
-  if (range.contains(static_cast<double>(length))) return std::nullopt;
+  if (range.contains(static_cast<double>(length))) return {};
   return fault(
       path, value,
       std::to_string(length) + " entries are " + (static_cast<double>(length) < range.low ? "too few" : "too many"),
@@ -144,7 +144,7 @@ Status read_points(const Entry& entry, const Value& value, const Points& points)
   const std::string wanted = "points [[" + first + ", " + second + "], ...]";
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(entry.path, value, wanted);
-  if (Status bad = check_length(entry.path, value, array->size(), entry.range)) return bad;
+  if (Status status = check_length(entry.path, value, array->size(), entry.range); !status) return status;
   Points::Pairs pairs;
   for (const Value& point : *array) {
     const Array* pair = point.get<Array>();
@@ -159,7 +159,7 @@ Status read_points(const Entry& entry, const Value& value, const Points& points)
     pairs.emplace_back(*x, *y);
   }
   points.set(pairs);
-  return std::nullopt;
+  return {};
 }
 
 /// A number, or points at rising Mach numbers; the angle in square degrees.
@@ -171,7 +171,7 @@ Status read_aero(const Entry& entry, const Value& value, AeroCoefficient& coeffi
     const Result<double> constant = read_number(plain, value);
     if (!constant) return fault(entry.path, value, "found " + std::string(kind_of(value)), "expected " + wanted);
     coefficient = {{0, 0, *constant}};
-    return std::nullopt;
+    return {};
   }
   coefficient.clear();
   for (const Value& point : *array) {
@@ -194,16 +194,17 @@ Status read_aero(const Entry& entry, const Value& value, AeroCoefficient& coeffi
                    "Mach numbers must rise, and angles at each");
     coefficient.push_back(next);
   }
-  return std::nullopt;
+  return {};
 }
 
 Status read_reference(const Entry& entry, const Value& value, const Reference& reference) {
   std::string text;
-  if (Status bad = read_text(entry, value, text)) return bad;
-  Status bad = reference.follow(text);
-  if (!bad) return std::nullopt;
-  return Error{std::string(entry.path) + ": " + bad->message, bad->place.empty() ? value.place.text() : bad->place,
-               bad->hint};
+  if (Status status = read_text(entry, value, text); !status) return status;
+  const Status status = reference.follow(text);
+  if (status) return {};
+  const Error& bad = status.error();
+  return Error{std::string(entry.path) + ": " + bad.message, bad.place.empty() ? value.place.text() : bad.place,
+               bad.hint};
 }
 
 /// from, from + step, ... up to and including `to`.
@@ -215,7 +216,7 @@ Status fill_steps(const Wanted& wanted, const Value& value, double from, double 
   if (!(count <= static_cast<double>(kMostRanges)))
     return fault(wanted.path, value, "too many steps", "at most " + std::to_string(kMostRanges));
   for (int i = 0; i < static_cast<int>(count); ++i) list.push_back(from + i * step);
-  return std::nullopt;
+  return {};
 }
 
 /// { from = "100 m", to = "1000 m", step = "100 m" }
@@ -258,7 +259,7 @@ Status read_steps_text(const Wanted& wanted, const Value& value, std::vector<dou
   }
   if (numbers.size() == 3) return fill_steps(wanted, value, numbers[0], numbers[1], numbers[2], list);
   list = numbers;
-  return std::nullopt;
+  return {};
 }
 
 Status read_numbers(const Wanted& wanted, const Value& value, std::vector<double>& list) {
@@ -267,13 +268,14 @@ Status read_numbers(const Wanted& wanted, const Value& value, std::vector<double
   if (value.get<std::string>()) return read_steps_text(wanted, value, list);
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(wanted.path, value, "a list such as [\"100 m\", \"200 m\"]");
-  if (Status bad = check_length(wanted.path, value, array->size(), {.low = 0, .high = double{kMostRanges}})) return bad;
+  if (Status status = check_length(wanted.path, value, array->size(), {.low = 0, .high = double{kMostRanges}}); !status)
+    return status;
   for (const Value& element : *array) {
     const Result<double> number = read_number(wanted, element);
     if (!number) return number.error();
     list.push_back(*number);
   }
-  return std::nullopt;
+  return {};
 }
 
 /// ["a", "b"], or one text alone.
@@ -283,19 +285,19 @@ Status read_texts(const Entry& entry, const Value& value, std::vector<std::strin
   if (array == nullptr && value.get<std::string>() == nullptr)
     return wrong_kind(entry.path, value, "a list of texts such as [\"a\", \"b\"]");
   for (std::size_t i = 0; i < (array ? array->size() : 1); ++i)
-    if (Status bad = read_text(entry, array ? (*array)[i] : value, list.emplace_back())) return bad;
-  return std::nullopt;
+    if (Status status = read_text(entry, array ? (*array)[i] : value, list.emplace_back()); !status) return status;
+  return {};
 }
 
 Status read_records(const SchemaNode& node, const Records& records, const Value& value) {
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]");
-  if (Status bad = check_length(node.path, value, array->size(), node.entry->range)) return bad;
+  if (Status status = check_length(node.path, value, array->size(), node.entry->range); !status) return status;
   records.resize(0);  // old elements go, so that new ones start from defaults
   records.resize(array->size());
   for (std::size_t i = 0; i < array->size(); ++i)
-    if (Status bad = read_table(node, records.element(i), (*array)[i])) return bad;
-  return std::nullopt;
+    if (Status status = read_table(node, records.element(i), (*array)[i]); !status) return status;
+  return {};
 }
 
 // ------------------------------------------------------------------------------------------------------------ settings
@@ -303,7 +305,7 @@ template <class T>
 Status store(const Result<T>& read, T& target) {
   if (!read) return read.error();
   target = *read;
-  return std::nullopt;
+  return {};
 }
 
 bool is_none(const Entry& entry, const Value& value) {
@@ -319,25 +321,25 @@ Status read_setting(const SchemaNode& node, const Scope& scope, const Value& val
   return std::visit(Overloaded{
                         [&](double* target) { return store(read_number(wanted, value), *target); },
                         [&](const OptionalNumber& target) -> Status {
-                          if (is_none(entry, value)) return target.set(std::nullopt), std::nullopt;
+                          if (is_none(entry, value)) return target.set(std::nullopt), Status();
                           const Result<double> number = read_number(wanted, value);
                           if (!number) return number.error();
-                          return target.set(*number), std::nullopt;
+                          return target.set(*number), Status();
                         },
                         [&](Vec3d* target) { return store(read_vector(wanted, value), *target); },
                         [&](std::optional<Vec3d>* target) -> Status {
-                          if (is_none(entry, value)) return target->reset(), std::nullopt;
+                          if (is_none(entry, value)) return target->reset(), Status();
                           return store(read_vector(wanted, value), target->emplace());
                         },
                         [&](std::int64_t* target) { return read_integer(entry, value, *target); },
                         [&](const Integer& target) -> Status {
                           std::int64_t number = 0;
-                          if (Status bad = read_integer(entry, value, number)) return bad;
-                          return target.set(number), std::nullopt;
+                          if (Status status = read_integer(entry, value, number); !status) return status;
+                          return target.set(number), Status();
                         },
                         [&](bool* target) -> Status {
                           if (value.get<bool>() == nullptr) return wrong_kind(entry.path, value, "true or false");
-                          return *target = *value.get<bool>(), std::nullopt;
+                          return *target = *value.get<bool>(), Status();
                         },
                         [&](std::string* target) { return read_text(entry, value, *target); },
                         [&](const Choice& choice) { return read_choice(entry, value, choice); },
@@ -403,9 +405,9 @@ Status read_table(const SchemaNode& node, const Scope& scope, const Value& value
       return Error{"missing key " + in_quotes(child.name) + " in " + table_name(node), value.place.text(),
                    std::string(child.entry->doc)};
     }
-    if (Status bad = read_child(child, scope, *found)) return bad;
+    if (Status status = read_child(child, scope, *found); !status) return status;
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace physim

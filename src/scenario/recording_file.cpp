@@ -31,13 +31,13 @@ class NewFile {
     if (fs::is_directory(target_, ignored)) return Error{"cannot write: it is a folder", path_, "name a file in it"};
     errno = 0;
     out_.open(written_, std::ios::binary | std::ios::trunc);
-    return out_.is_open() ? std::nullopt : cannot_write();
+    return out_.is_open() ? Status() : cannot_write();
   }
   Status write(std::span<const std::byte> bytes) {
     errno = 0;
     out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     out_.flush();  // from here on it survives the end of the program
-    return out_.good() ? std::nullopt : cannot_write();
+    return out_.good() ? Status() : cannot_write();
   }
   Status complete() {
     errno = 0;
@@ -46,7 +46,7 @@ class NewFile {
     std::error_code failure;
     if (written_ != target_) fs::rename(written_, target_, failure);
     if (failure) return Error{"cannot write: " + failure.message(), path_, "it is left as " + written_};
-    return std::nullopt;
+    return {};
   }
   void give_up() {
     std::error_code ignored;
@@ -67,22 +67,22 @@ class NewFile {
 
 Status record_to_file(World& world, const std::string& path, const RecordOptions& options) {
   const auto file = std::make_shared<NewFile>(path);
-  if (Status bad = file->open()) return bad;
+  if (Status status = file->open(); !status) return status;
   const auto sink = [file](std::span<const std::byte> bytes) {
     return bytes.empty() ? file->complete() : file->write(bytes);
   };
-  Status bad = world.record(sink, options);
-  if (bad) file->give_up();
-  return bad;
+  Status status = world.record(sink, options);
+  if (!status) file->give_up();
+  return status;
 }
 
 Status save_recording(const std::string& path, std::span<const std::byte> recording) {
   NewFile file(path);
-  if (Status bad = file.open()) return bad;
-  Status bad = file.write(recording);
-  if (!bad) bad = file.complete();
-  if (bad) file.give_up();
-  return bad;
+  if (Status status = file.open(); !status) return status;
+  Status status = file.write(recording);
+  if (status) status = file.complete();
+  if (!status) file.give_up();
+  return status;
 }
 
 Result<std::vector<std::byte>> load_recording(const std::string& path) {

@@ -23,7 +23,7 @@ Status check_format(const Value& document, const std::string& file) {
   if (version == nullptr || *version != kFormat)
     return Error{"physim: unknown format version " + shown(*format), format->place.text(),
                  "this program reads version 1"};
-  return std::nullopt;
+  return {};
 }
 
 /// What a table cannot say about itself: default names, and where expectations stand.
@@ -48,8 +48,8 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   Result<Value> document = parse_document(text, file);
   if (!document) return document.error();
   for (const std::string& override_text : overrides)
-    if (Status bad = apply_override(*document, override_text)) return *bad;
-  if (Status bad = check_format(*document, file)) return *bad;
+    if (Status status = apply_override(*document, override_text); !status) return status.error();
+  if (Status status = check_format(*document, file); !status) return status.error();
   const Value* shots = document->find("shot");
   const Array* array = shots ? shots->get<Array>() : nullptr;
   if (shots == nullptr || (array != nullptr && array->empty()))
@@ -60,9 +60,9 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   Scope scope;
   scope.format = &format;
   scope.scenario = &scenario;
-  if (Status bad = read_table(schema(), scope, *document)) return *bad;
+  if (Status status = read_table(schema(), scope, *document); !status) return status.error();
   complete(scenario, *document);
-  if (Status bad = check_scenario(scenario, *document)) return *bad;
+  if (Status status = check_scenario(scenario, *document); !status) return status.error();
   return scenario;
 }
 

@@ -18,7 +18,7 @@ Slot file_slot(const Scope& scope) {
     const auto picked = pick_motor(*motors, motor.name, file);
     if (!picked) return picked.error();
     motor = picked->motor;
-    return std::nullopt;
+    return {};
   }};
 }
 

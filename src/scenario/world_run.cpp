@@ -93,12 +93,12 @@ Status WorldRun::Impl::load() {
   for (const Volley& volley : scenario.volleys) in_volley[index_of(scenario.shots, volley.shot)] = true;
   for (std::size_t i = 0; i < scenario.shots.size(); ++i)
     if (!in_volley[i])
-      if (Status bad = add_group(scenario.shots[i].projectile.name, i, Volley{})) return bad;
+      if (Status status = add_group(scenario.shots[i].projectile.name, i, Volley{}); !status) return status;
   for (const Volley& volley : scenario.volleys)
-    if (Status bad = add_group(volley.name, index_of(scenario.shots, volley.shot), volley)) return bad;
+    if (Status status = add_group(volley.name, index_of(scenario.shots, volley.shot), volley); !status) return status;
   world.set_observer(scenario.world.observer);
   // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
-  if (Status bad = add_forces(false)) return bad;
+  if (Status status = add_forces(false); !status) return status;
   fire();
   is_loaded = true;
   return add_forces(true);
@@ -107,8 +107,9 @@ Status WorldRun::Impl::load() {
 Status WorldRun::Impl::add_forces(bool to_shots) {
   for (const ScenarioForce& force : scenario.forces)
     if (force.other.empty() != to_shots)
-      if (Status bad = add_force(force)) return with_place(*bad, scenario.file + ": force " + in_quotes(force.name));
-  return std::nullopt;
+      if (Status status = add_force(force); !status)
+        return with_place(status.error(), scenario.file + ": force " + in_quotes(force.name));
+  return {};
 }
 
 Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, const Volley& volley) {
@@ -132,7 +133,7 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   }
   groups.push_back(std::move(group));
   magazines.push_back(std::move(magazine));
-  return std::nullopt;
+  return {};
 }
 
 Status WorldRun::Impl::add_force(const ScenarioForce& force) {
@@ -157,7 +158,7 @@ Status WorldRun::Impl::add_force(const ScenarioForce& force) {
     def.target = std::move(target);
     if (!world.add_force(def)) return world.error().value_or(Error{"it was refused", "", ""});
   }
-  return std::nullopt;
+  return {};
 }
 
 // ------------------------------------------------------------------------------------------------------------- firing
@@ -303,9 +304,9 @@ Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recordin
   Result<World> world = World::create(scenario.world.def);
   if (!world) return with_place(world.error(), scenario.file);
   if (!recording.empty())
-    if (Status bad = record_to_file(*world, recording)) return *bad;
+    if (Status status = record_to_file(*world, recording); !status) return status.error();
   auto impl = std::make_unique<Impl>(std::move(scenario), std::move(*world));
-  if (Status bad = impl->load()) return *bad;
+  if (Status status = impl->load(); !status) return status.error();
   return WorldRun(std::move(impl));
 }
 

@@ -49,7 +49,7 @@ void Recorder::close_frame() {
 void Recorder::flush() {
   if (!is_good() || bytes_.empty()) return;
   try {
-    error_ = sink_(bytes_);
+    status_ = sink_(bytes_);
   } catch (...) {
     fail({"its sink threw something", "recording", "sinks return their errors"});
   }
@@ -57,22 +57,22 @@ void Recorder::flush() {
 }
 
 void Recorder::fail(Error why) {
-  if (!error_) error_ = std::move(why);
+  if (status_) status_ = std::move(why);
   bytes_.clear();
 }
 
 Status Recorder::finish() {
-  if (finished_) return error_;
+  if (finished_) return status_;
   frame(Call::end);
   flush();
   finished_ = true;
-  if (error_) return error_;
+  if (!status_) return status_;
   try {
-    error_ = sink_({});
+    status_ = sink_({});
   } catch (...) {
     fail({"its sink threw something", "recording", "sinks return their errors"});
   }
-  return error_;
+  return status_;
 }
 
 // --------------------------------------------------------------------------------------------- of a world
@@ -87,7 +87,7 @@ Status World::record(RecordSink sink, const RecordOptions& options) {
   recorder->begin(w.def);
   if (!recorder->is_good()) return recorder->finish();
   Recorder::attach(*this, std::move(recorder));
-  return std::nullopt;
+  return {};
 }
 
 Status World::stop_recording() {
@@ -102,7 +102,7 @@ bool World::is_recording() const { return impl_->recorder && impl_->recorder->is
 RecordSink record_into(std::vector<std::byte>& bytes) {
   return [&bytes](std::span<const std::byte> more) -> Status {
     bytes.insert(bytes.end(), more.begin(), more.end());
-    return std::nullopt;
+    return {};
   };
 }
 

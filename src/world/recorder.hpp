@@ -41,7 +41,7 @@ class Recorder {
   void go_on(std::uint64_t chained) { chain_ = chained; }
   /// Completes the recording, once; what went wrong with it.
   Status finish();
-  [[nodiscard]] bool is_good() const { return !finished_ && !error_; }
+  [[nodiscard]] bool is_good() const { return !finished_ && status_; }
 
   /// Calls may make other calls, which are not recorded. Every enter has its leave.
   bool enter() { return depth_++ == 0; }
@@ -90,7 +90,7 @@ class Recorder {
   std::uint64_t steps_ = 0;
   int depth_ = 0;
   bool finished_ = false;
-  Status error_;
+  Status status_;
 };
 
 /// A call that changes a world, from its first line to its end:

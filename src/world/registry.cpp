@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
@@ -83,8 +84,8 @@ Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef
     const Kind& known = kind(at->second);
     if (known.projectile == projectile && known.body == body) return KindId{at->second};
   }
-  if (const Status status = check(projectile)) return *status;
-  if (const Status status = check(body, def_, environments_.size())) return *status;
+  if (const Status status = check(projectile); !status) return status.error();
+  if (const Status status = check(body, def_, environments_.size()); !status) return status.error();
   if (kinds_.size() >= kMostKinds) return Error{"there are too many kinds of projectiles", "world", "reuse kinds"};
   Kind& added = kinds_.emplace_back();
   added.projectile = projectile;
@@ -188,31 +189,35 @@ void Registry::point_to_tables(WorldCohort& cohort) {
 }
 
 Result<std::uint32_t> Registry::add_environment(const Environment& environment) {
-  if (const Status status = check(environment)) return *status;
+  if (const Status status = check(environment); !status) return status.error();
   if (environments_.size() >= 4096) return Error{"there are too many environments", "world", "at most 4096"};
   const auto index = static_cast<std::uint32_t>(environments_.size());
   environments_.push_back(environment);
-  if (const Status bad = set_environment(index, environment)) return *bad;  // for kinds of before a restore
+  if (const Status status = set_environment(index, environment); !status)
+    return status.error();  // for kinds of before a restore
   return index;
 }
 
 Status Registry::set_environment(std::uint32_t index, const Environment& environment) {
   if (index >= environments_.size()) return Error{"there is no such environment", "environment", "add it first"};
-  if (Status status = check(environment)) return status;
+  if (Status status = check(environment); !status) return status;
   environments_[index] = environment;
   for (WorldCohort& cohort : cohorts_)
     if (cohort.key.environment == index) prepare(cohort);
   for (Kind& k : kinds_)
     if (k.body.environment == index)
       for (Prepared& r : k.rungs) prepare(k, r);
-  return std::nullopt;
+  return {};
 }
 
 void Registry::restore_environments(const std::vector<Environment>& then) {
   const std::size_t known = environments_.size();
   environments_.resize(then.size());
   for (std::uint32_t i = 0; i < then.size(); ++i)
-    if (i >= known || !(then[i] == environments_[i])) set_environment(i, then[i]);
+    if (i >= known || !(then[i] == environments_[i])) {
+      [[maybe_unused]] const Status status = set_environment(i, then[i]);
+      PHYSIM_ASSERT(status.ok());  // what a snapshot holds was checked when it was set
+    }
 }
 
 }  // namespace physim

@@ -95,7 +95,7 @@ class Registry {
  public:
   explicit Registry(const WorldDef& def) : def_(def), environments_{def.environment} {}
 
-  Result<KindId> add_kind(const ProjectileDef& projectile, const BodyDef& body);
+  [[nodiscard]] Result<KindId> add_kind(const ProjectileDef& projectile, const BodyDef& body);
   [[nodiscard]] Kind& kind(std::uint32_t index) { return kinds_[index - 1]; }
   [[nodiscard]] const Kind& kind(std::uint32_t index) const { return kinds_[index - 1]; }
   [[nodiscard]] bool has_kind(KindId id) const { return id.index > 0 && id.index <= kinds_.size(); }
@@ -108,7 +108,7 @@ class Registry {
   [[nodiscard]] std::size_t cohorts() const { return cohorts_.size(); }
   [[nodiscard]] const WorldCohort& cohort(std::uint16_t index) const { return cohorts_[index]; }
 
-  Result<std::uint32_t> add_environment(const Environment& environment);
+  [[nodiscard]] Result<std::uint32_t> add_environment(const Environment& environment);
   Status set_environment(std::uint32_t index, const Environment& environment);
   /// Back to what they were. Kinds that fly in one that is not there then have none until it is added again.
   void restore_environments(const std::vector<Environment>& then);

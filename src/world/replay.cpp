@@ -68,7 +68,7 @@ Status check_head(std::span<const std::byte> bytes) {
   if (format != kRecordingFormat)
     return Error{"the recording is of format " + std::to_string(format), "byte " + std::to_string(known),
                  "this library reads format " + std::to_string(kRecordingFormat)};
-  return std::nullopt;
+  return {};
 }
 
 /// What is known of a recording before it is played.
@@ -167,12 +167,12 @@ Status Replay::Impl::read_begin(const Frame& frame) {
   if (frame.call != Call::begin || !reader.complete()) return damaged(frame.place, "the recording has no beginning");
   chained = frame.chained;
   at = end = frame.next();
-  return std::nullopt;
+  return {};
 }
 
 /// Looks at every frame.
 Status Replay::Impl::survey() {
-  if (Status bad = check_head(bytes)) return bad;
+  if (Status status = check_head(bytes); !status) return status;
   Frames frames(bytes);
   frames.start();
   Survey found;
@@ -184,7 +184,7 @@ Status Replay::Impl::survey() {
     const Frame& f = **frame;
     const Handler& handler = kHandlers[static_cast<std::size_t>(f.call)];
     if (first) {
-      if (Status bad = read_begin(f)) return bad;
+      if (Status status = read_begin(f); !status) return status;
       continue;
     }
     const bool known = handler.check ? handler.check(f.content, found) : f.call != Call::begin;
@@ -200,7 +200,7 @@ Status Replay::Impl::survey() {
     return Error{"the recording has " + std::to_string(found.custom_forces) + " custom forces, and " +
                      std::to_string(given) + " functions were given",
                  "custom_forces", "functions cannot be recorded: give them in the order in which they were added"};
-  return std::nullopt;
+  return {};
 }
 
 // --------------------------------------------------------------------------------------------- while it is played
@@ -223,9 +223,9 @@ Frame Replay::Impl::frame_at(std::span<const std::byte> from, std::size_t place)
 
 /// One frame of the replay, against that of the recording.
 Status Replay::Impl::compare(std::span<const std::byte> frame) {
-  if (frame.empty() || report.difference || at == end) return std::nullopt;
+  if (frame.empty() || report.difference || at == end) return {};
   if (end - at < frame.size() || !std::equal(frame.begin(), frame.end(), bytes.begin() + static_cast<long>(at)))
-    return differ(frame), std::nullopt;
+    return differ(frame), Status();
   const Frame same = frame_at(bytes, at);
   at += frame.size();
   if (same.call == Call::stepped) {
@@ -234,7 +234,7 @@ Status Replay::Impl::compare(std::span<const std::byte> frame) {
   } else if (same.call == Call::returned) {
     count_spawned(same.content);
   }
-  return std::nullopt;
+  return {};
 }
 
 void Replay::Impl::count_spawned(std::span<const std::byte> returned) {
@@ -295,7 +295,7 @@ Replay::~Replay() = default;
 
 Result<Replay> Replay::open(std::vector<std::byte> recording, const ReplayOptions& options) {
   auto impl = std::make_unique<Impl>(std::move(recording), options);
-  if (Status bad = impl->survey()) return *bad;
+  if (Status status = impl->survey(); !status) return status.error();
   impl->def.threading = options.threading;
   Result<World> world = World::create(impl->def);
   if (!world) return world.error();

@@ -29,7 +29,7 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(const WorldDef& def) {
-  if (const Status status = check(def)) return *status;
+  if (const Status status = check(def); !status) return status.error();
   return World(def);
 }
 
@@ -57,10 +57,10 @@ Result<std::uint32_t> World::add_environment(const Environment& environment) {
 Status World::set_environment(std::uint32_t index, const Environment& environment) {
   Impl& w = *impl_;
   const Recorded<Call::set_environment> call(w.recorder, index, environment);
-  if (Status status = w.registry.set_environment(index, environment)) return status;
+  if (Status status = w.registry.set_environment(index, environment); !status) return status;
   for (std::uint32_t slot = 1; slot < w.state.slots.size(); ++slot)
     if (w.state.slots[slot].is(kAlive) && w.kind_of(w.state.slots[slot]).body.environment == index) w.relocate(slot);
-  return std::nullopt;
+  return {};
 }
 
 // ------------------------------------------------------------------------------------------- slots
@@ -185,9 +185,9 @@ Result<std::uint16_t> World::Impl::rung_for(std::uint32_t kind_index, const Laun
 ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, double delay) {
   const Kind& kind = registry.kind(kind_index);
   Status status = check(launch);
-  if (!status) status = check(kind.flown, launch);
-  if (!status && !(delay >= 0 && delay < 1e15)) status = Error{"must be zero or positive", "delay", "in s"};
-  if (status) return refuse(*status), ProjectileId{};
+  if (status) status = check(kind.flown, launch);
+  if (status && !(delay >= 0 && delay < 1e15)) status = Error{"must be zero or positive", "delay", "in s"};
+  if (!status) return refuse(status.error()), ProjectileId{};
   BodyState at{launch.position, {}};
   if (launch.velocity) {
     at.velocity = *launch.velocity;

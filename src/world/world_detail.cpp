@@ -50,7 +50,7 @@ void World::Impl::apply_detail() {
 
 bool World::set_detail(const DetailRule& rule) {
   const Recorded<Call::set_detail> call(impl_->recorder, rule);
-  if (const Status status = check(rule)) return impl_->refuse(*status);
+  if (const Status status = check(rule); !status) return impl_->refuse(status.error());
   impl_->state.detail = rule;
   return true;
 }

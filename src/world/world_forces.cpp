@@ -119,8 +119,8 @@ void World::Impl::end_generators() {
 }
 
 // --------------------------------------------------------------------------------------------------- the public door
-std::optional<Error> World::Impl::refuses(const ForceDef& force) const {
-  if (Status status = check(force)) return status;
+Status World::Impl::refuses(const ForceDef& force) const {
+  if (Status status = check(force); !status) return status;
   const ForceTarget& target = force.target;
   if (target.kind && !registry.has_kind(target.kind))
     return Error{"there is no such kind", "force.target.kind", "add_kind() makes one"};
@@ -129,13 +129,13 @@ std::optional<Error> World::Impl::refuses(const ForceDef& force) const {
       return Error{"it is gone", "force.target.ids[" + std::to_string(i) + "]", "is_alive() tells"};
   const ProjectileId other = other_end(force.law);
   if (other && !find(other)) return Error{"it is gone", "force.other", "is_alive() tells"};
-  return std::nullopt;
+  return {};
 }
 
 ForceId World::add_force(const ForceDef& force) {
   Impl& w = *impl_;
   const Recorded<Call::add_force> call(w.recorder, force);
-  if (auto why = w.refuses(force)) return w.refuse(std::move(*why)), ForceId{};
+  if (const Status status = w.refuses(force); !status) return w.refuse(status.error()), ForceId{};
   WorldState& state = w.state;
   std::uint32_t index;
   if (state.free_generators.empty()) {

@@ -135,7 +135,7 @@ struct World::Impl {
   void stir_targets(const Generator& generator);
   void stir(std::uint32_t slot);
   void count_targets(const Generator& generator, bool on);
-  [[nodiscard]] std::optional<Error> refuses(const ForceDef& force) const;
+  [[nodiscard]] Status refuses(const ForceDef& force) const;
   [[nodiscard]] Generator* find(ForceId force);
   bool remove_target(ForceId force, ProjectileId id);
   /// By all generators on one projectile now [N].

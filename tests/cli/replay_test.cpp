@@ -23,7 +23,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 /// Two seconds of a few balls, some of it taken back.
 std::string recorded(const std::string& path, int steps = 120, bool stop = true) {
   World world;
-  EXPECT_FALSE(record_to_file(world, path));
+  EXPECT_TRUE(record_to_file(world, path));
   const ProjectileDef ball{.mass = 0.5, .diameter = 0.1};
   for (int i = 0; i < 5; ++i)
     world.spawn(ball, {.position = {0, 1.0 + i, 0}, .speed = 5.0 * i, .elevation = 0.3}, {}, 0.1 * i);
@@ -32,7 +32,7 @@ std::string recorded(const std::string& path, int steps = 120, bool stop = true)
   world.restore(start);
   for (int i = 0; i < steps; ++i) world.step(1.0 / 60);
   if (!stop) std::filesystem::copy_file(path + ".part", path + ".crashed");
-  EXPECT_FALSE(world.stop_recording());
+  EXPECT_TRUE(world.stop_recording());
   return path;
 }
 
@@ -74,7 +74,7 @@ TEST(CliReplay, TellsTheFirstDifference) {
   const std::size_t place = places.frame[static_cast<std::size_t>(places.call.rend() - last_step - 1)];
   bytes[place + kFrameHead + 6] ^= std::byte{1};  // of dt
   test::sign(bytes);
-  ASSERT_FALSE(save_recording(folder / "b.rec", bytes));
+  ASSERT_TRUE(save_recording(folder / "b.rec", bytes));
   const Ran ran = replay({folder / "b.rec"});
   EXPECT_EQ(ran.code, 1) << ran.err;
   EXPECT_TRUE(has(ran.out, "hashes       129 equal, then a difference")) << ran.out;
@@ -128,11 +128,11 @@ TEST(RecordingFile, IsThereWhenItIsComplete) {
   const Folder folder;
   const std::string path = folder.write("a.rec", "what stood there before");
   World world;
-  ASSERT_FALSE(record_to_file(world, path));
+  ASSERT_TRUE(record_to_file(world, path));
   world.step(0.1);
   EXPECT_EQ(read(path), "what stood there before");
   EXPECT_GT(read(path + ".part").size(), 100u);
-  ASSERT_FALSE(world.stop_recording());
+  ASSERT_TRUE(world.stop_recording());
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.rec"}));
   EXPECT_TRUE(physim::replay(*load_recording(path))->complete);
 }
@@ -140,24 +140,24 @@ TEST(RecordingFile, IsThereWhenItIsComplete) {
 TEST(RecordingFile, NamesWhatItCannotDo) {
   const Folder folder;
   World world;
-  EXPECT_EQ(record_to_file(world, "")->message, "the name of the recording is empty");
-  EXPECT_TRUE(has(record_to_file(world, folder / "no/a.rec")->text(), "No such file"));
-  EXPECT_TRUE(has(record_to_file(world, folder / ".")->text(), "it is a folder"));
+  EXPECT_EQ(record_to_file(world, "").error().message, "the name of the recording is empty");
+  EXPECT_TRUE(has(record_to_file(world, folder / "no/a.rec").error().text(), "No such file"));
+  EXPECT_TRUE(has(record_to_file(world, folder / ".").error().text(), "it is a folder"));
   world.step(0.1);
-  EXPECT_TRUE(has(record_to_file(world, folder / "a.rec")->text(), "something was done"));
+  EXPECT_TRUE(has(record_to_file(world, folder / "a.rec").error().text(), "something was done"));
   EXPECT_TRUE(folder.names().empty());  // nothing is left behind
   World full;
-  EXPECT_TRUE(has(record_to_file(full, "/dev/full")->text(), "cannot write: No space left on device"));
+  EXPECT_TRUE(has(record_to_file(full, "/dev/full").error().text(), "cannot write: No space left on device"));
 }
 
 TEST(RecordingFile, SavesWhatIsInMemory) {
   const Folder folder;
   std::vector<std::byte> bytes;
   World world;
-  ASSERT_FALSE(world.record(record_into(bytes)));
+  ASSERT_TRUE(world.record(record_into(bytes)));
   world.step(0.1);
-  ASSERT_FALSE(world.stop_recording());
-  ASSERT_FALSE(save_recording(folder / "a.rec", bytes));
+  ASSERT_TRUE(world.stop_recording());
+  ASSERT_TRUE(save_recording(folder / "a.rec", bytes));
   EXPECT_EQ(*load_recording(folder / "a.rec"), bytes);
   EXPECT_EQ(folder.names().size(), 1u);
 }

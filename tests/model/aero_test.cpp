@@ -72,7 +72,7 @@ TEST(Aero, kernels_read_the_tables_as_they_are) {
       if (!r.one_in(5)) p.aero.*member = random_coefficient(r, false);
     p.aero.magnus_force = random_coefficient(r, true);
     p.aero.magnus_moment = random_coefficient(r, true);
-    ASSERT_FALSE(check(p)) << check(p)->text();
+    ASSERT_TRUE(check(p)) << check(p).error().text();
     const Prepared prepared(p, {}, plain_air(), in_air(BodyForm::axis));
     const Conditions<double>& c = prepared.conditions();
     using P = Pack<double, 4>;
@@ -222,8 +222,8 @@ TEST(Aero, bad_tables_are_refused_with_their_place) {
   const auto place = [](const AeroDef& aero) {
     ProjectileDef p = shell();
     p.aero = aero;
-    const Status bad = check(p);
-    return bad ? bad->place : std::string();
+    const Status status = check(p);
+    return status ? std::string() : status.error().place;
   };
   EXPECT_EQ(place({.area = -1}), "projectile.aero.area");
   EXPECT_EQ(place({.lift = {{1, 0, 1}, {0.5, 0, 1}}}), "projectile.aero.lift[1]");

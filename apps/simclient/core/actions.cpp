@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTurn = 0.0174532925199433;  // one degree [rad]
 
-Status done() { return std::nullopt; }
+Status done() { return {}; }
 
 Status select_type(Client& client, const std::string& name) {
   if (client.launcher.select(name)) return done();
@@ -214,7 +214,7 @@ std::string actions_table() {
 }
 
 void run_action(Client& client, const Action& action, const std::string& argument) {
-  if (Status bad = action.run(client, argument)) client.complain(*bad);
+  if (Status status = action.run(client, argument); !status) client.complain(status.error());
 }
 
 }  // namespace physim::client

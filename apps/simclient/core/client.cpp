@@ -19,7 +19,7 @@ constexpr double kRightAngle = 1.5707963267948966;
 
 Status write_file(const std::string& path, const std::string& content) {
   std::ofstream file(path, std::ios::binary);
-  if (file << content << std::flush) return std::nullopt;
+  if (file << content << std::flush) return {};
   return Error{"cannot write the file", path, "is there such a folder, and may you write there?"};
 }
 
@@ -83,9 +83,9 @@ void Client::advance(double real_dt) {
 }
 
 Status Client::open(const std::string& file) {
-  if (Status bad = use_session(open_session(file, {}))) return bad;
+  if (Status status = use_session(open_session(file, {})); !status) return status;
   if (!session.is_replay()) scenario_file_ = file;
-  return say("opened " + file), std::nullopt;
+  return say("opened " + file), Status();
 }
 
 Status Client::use_session(Result<Session> opened) {
@@ -96,7 +96,7 @@ Status Client::use_session(Result<Session> opened) {
   tape = {};
   ++session_version_;
   fit_view();
-  return std::nullopt;
+  return {};
 }
 
 Status Client::restart() {
@@ -109,7 +109,7 @@ Status Client::fire() {
   const Result<ProjectileId> fired = session.fire(launcher.shot());
   if (!fired) return fired.error();
   selected = *fired;
-  return std::nullopt;
+  return {};
 }
 
 Status Client::fire_scenario() {
@@ -120,7 +120,7 @@ Status Client::fire_scenario() {
   if (session.scenario().shots.empty()) return Error{"the scenario has no shots", session.scenario().file, ""};
   selected = {};
   fit_view();
-  return std::nullopt;
+  return {};
 }
 
 Status Client::fire_compared() {
@@ -133,7 +133,7 @@ Status Client::fire_compared() {
     const Result<ProjectileId> fired = session.fire(shot);
     if (!fired) return fired.error();
   }
-  return std::nullopt;
+  return {};
 }
 
 const std::vector<ComparedRung>& Client::comparison() {
@@ -164,28 +164,28 @@ Status Client::save(const std::string& file) {
     scenario.shots = shots;
   }
   const std::string path = file.empty() ? free_name("scenario", ".toml") : file;
-  if (Status bad = write_file(path, scenario_text(scenario))) return bad;
-  return say("saved " + path), std::nullopt;
+  if (Status status = write_file(path, scenario_text(scenario)); !status) return status;
+  return say("saved " + path), Status();
 }
 
 Status Client::save_csv(const std::string& file) {
   const std::string path = file.empty() ? free_name("flights", ".csv") : file;
-  if (Status bad = write_file(path, tracks_csv(session.tracks()))) return bad;
-  return say("saved " + path), std::nullopt;
+  if (Status status = write_file(path, tracks_csv(session.tracks())); !status) return status;
+  return say("saved " + path), Status();
 }
 
 Status Client::record(const std::string& file) {
   if (session.is_recording()) {
-    if (Status bad = session.stop_recording()) return bad;
-    return say("recorded " + recorded_), std::nullopt;
+    if (Status status = session.stop_recording(); !status) return status;
+    return say("recorded " + recorded_), Status();
   }
   if (session.is_replay()) return Error{"a replay cannot be recorded", "record", "come back from it first: replay"};
   const std::string path = file.empty() ? free_name("recording", ".rec") : file;
-  if (Status bad = session.restart(path)) return bad;
+  if (Status status = session.restart(path); !status) return status;
   recorded_ = path;
   selected = {};
   ++session_version_;
-  return say("started again, recording into " + path), std::nullopt;
+  return say("started again, recording into " + path), Status();
 }
 
 Status Client::replay() {
@@ -196,27 +196,27 @@ Status Client::replay() {
   }
   if (recorded_.empty()) return Error{"nothing was recorded yet", "replay", "record first, or open FILE.rec"};
   if (session.is_recording())
-    if (Status bad = session.stop_recording()) return bad;
+    if (Status status = session.stop_recording(); !status) return status;
   return open(recorded_);
 }
 
 Status Client::set(const std::string& assignment) {
   Scenario scenario = session.scenario();
   ScenarioShot shot = launcher.shot();
-  if (Status bad = set_value(assignment, scenario, shot)) return bad;
+  if (Status status = set_value(assignment, scenario, shot); !status) return status;
   return use(scenario, shot);
 }
 
 Status Client::set(const SettingRow& row, const std::string& text) {
   Scenario scenario = session.scenario();
   ScenarioShot shot = launcher.shot();
-  if (Status bad = set_value(row, text, scenario, shot)) return bad;
+  if (Status status = set_value(row, text, scenario, shot); !status) return status;
   return use(scenario, shot);
 }
 
 Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
   launcher.set_shot(shot);
-  if (scenario.environment == session.scenario().environment) return std::nullopt;
+  if (scenario.environment == session.scenario().environment) return {};
   ++session_version_;
   return session.set_environment(scenario.environment);
 }
@@ -252,7 +252,7 @@ std::optional<Client::Arrow> Client::arrow() {
 
 void Client::click(const Pixel& pixel) {
   if (tool == Tool::fire) {
-    if (Status bad = fire()) complain(*bad);
+    if (Status status = fire(); !status) complain(status.error());
     return;
   }
   const std::optional<Vec3d> point = point_under(pixel);

@@ -79,26 +79,26 @@ class Client {
   /// Time has passed on the screen [s].
   void advance(double real_dt);
   /// Another scenario or recording instead of this one; what was there stays where it cannot be.
-  Status open(const std::string& file);
-  Status restart();
-  Status fire();
+  [[nodiscard]] Status open(const std::string& file);
+  [[nodiscard]] Status restart();
+  [[nodiscard]] Status fire();
   /// All shots of the scenario at once.
-  Status fire_scenario();
+  [[nodiscard]] Status fire_scenario();
   /// The next shot on every rung of the comparison at once.
-  Status fire_compared();
+  [[nodiscard]] Status fire_compared();
   /// The next shot on the rungs that are compared; flown again only when something changed.
   [[nodiscard]] const std::vector<ComparedRung>& comparison();
-  Status save(const std::string& file);
-  Status save_csv(const std::string& file);
+  [[nodiscard]] Status save(const std::string& file);
+  [[nodiscard]] Status save_csv(const std::string& file);
   /// Starts again and records everything into a file; completes the file when it is recording.
-  Status record(const std::string& file);
+  [[nodiscard]] Status record(const std::string& file);
   /// Plays what was recorded last, and comes back from it.
-  Status replay();
+  [[nodiscard]] Status replay();
   void show_bottom(BottomPanel panel) { bottom = bottom == panel ? BottomPanel::none : panel; }
   /// Changes a setting of the next shot or of the environment: "shot.mass=170 gr".
-  Status set(const std::string& assignment);
+  [[nodiscard]] Status set(const std::string& assignment);
   /// The same by its row.
-  Status set(const SettingRow& row, const std::string& text);
+  [[nodiscard]] Status set(const SettingRow& row, const std::string& text);
 
   /// What the next shot would do; flown again only when something changed.
   [[nodiscard]] const Prediction& prediction();
@@ -128,8 +128,8 @@ class Client {
 
  private:
   void follow();
-  Status use_session(Result<Session> opened);
-  Status use(const Scenario& scenario, const ScenarioShot& shot);
+  [[nodiscard]] Status use_session(Result<Session> opened);
+  [[nodiscard]] Status use(const Scenario& scenario, const ScenarioShot& shot);
   [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
 
   Prediction prediction_;

@@ -37,11 +37,11 @@ Status open_original_test(Client& client, std::string_view name) {
   for (const OriginalTest& test : kTests) {
     names.push_back(test.name);
     if (test.name != name) continue;
-    if (Status bad = client.open(shipped_scenario(test.file))) return bad;
-    if (Status bad = client.fire_scenario()) return bad;
+    if (Status status = client.open(shipped_scenario(test.file)); !status) return status;
+    if (Status status = client.fire_scenario(); !status) return status;
     client.plots = *parse_plots("z y vz vy");  // z is downrange there
     client.bottom = BottomPanel::plots;
-    return std::nullopt;
+    return {};
   }
   return Error{"there is no test " + in_quotes(name), "test", suggestion(name, names, "tests")};
 }

@@ -55,19 +55,20 @@ Result<Script> Script::parse(std::string_view text) {
 }
 
 Status Script::run(Client& client) {
-  if (waiting_ > 0 && --waiting_ > 0) return std::nullopt;
+  if (waiting_ > 0 && --waiting_ > 0) return {};
   while (next_ < steps_.size()) {
     const ScriptStep& step = steps_[next_++];
     if (step.action == nullptr) {
       waiting_ = step.frames;
-      return std::nullopt;
+      return {};
     }
-    if (Status bad = step.action->run(client, step.argument)) {
-      if (bad->place.empty()) bad->place = "script: " + std::string(step.action->name);
-      return bad;
+    if (Status status = step.action->run(client, step.argument); !status) {
+      Error error = status.error();
+      if (error.place.empty()) error.place = "script: " + std::string(step.action->name);
+      return error;
     }
   }
-  return std::nullopt;
+  return {};
 }
 
 int Script::frames() const {

@@ -23,10 +23,10 @@ class Script {
  public:
   Script() = default;
   /// An error where it asks for something that there is not, with its place.
-  static Result<Script> parse(std::string_view text);
+  [[nodiscard]] static Result<Script> parse(std::string_view text);
 
   /// Called at the start of each frame: does what is due. The first error ends the script.
-  Status run(Client& client);
+  [[nodiscard]] Status run(Client& client);
   [[nodiscard]] bool is_done() const { return next_ == steps_.size() && waiting_ == 0; }
   /// Frames until everything is done.
   [[nodiscard]] int frames() const;

@@ -60,7 +60,7 @@ Scenario with_world(Scenario scenario) {
 Result<Session> Session::create(Scenario scenario, const std::string& recording) {
   Session session;
   session.scenario_ = std::move(scenario);
-  if (Status bad = session.start(recording)) return *bad;
+  if (Status status = session.start(recording); !status) return status.error();
   return session;
 }
 
@@ -93,7 +93,7 @@ Status Session::start(const std::string& recording) {
   cost_ = {};
   look();
   remember_moment(true);
-  return std::nullopt;
+  return {};
 }
 
 Status Session::restart(const std::string& recording) {
@@ -105,7 +105,7 @@ Status Session::restart(const std::string& recording) {
   step_ = 0;
   leftover_ = 0;
   over_ = false;
-  return std::nullopt;
+  return {};
 }
 
 // --------------------------------------------------------------------------------------------------------------- clock
@@ -168,7 +168,7 @@ bool Session::step_back() {
   if (step_ == 0) return false;
   const std::uint64_t target = step_ - 1;
   if (is_replay()) {
-    if (restart()) return false;
+    if (!restart()) return false;
     while (step_ < target && !over_) take_step();
     return true;
   }
@@ -224,10 +224,10 @@ void Session::edited(ProjectileId id) {
 
 Status Session::set_environment(const Environment& environment) {
   if (is_replay()) return cannot_change();
-  if (Status bad = run_->world().set_environment(0, environment)) return bad;
+  if (Status status = run_->world().set_environment(0, environment); !status) return status;
   scenario_.environment = environment;
   remember_moment(true);
-  return std::nullopt;
+  return {};
 }
 
 Status Session::stop_recording() {

@@ -36,9 +36,9 @@ struct DeterminismCheck {
 class Session {
  public:
   /// Plays a scenario. Without a [world], its shots are there to be fired by hand. With a path everything is recorded.
-  static Result<Session> create(Scenario scenario, const std::string& recording = "");
+  [[nodiscard]] static Result<Session> create(Scenario scenario, const std::string& recording = "");
   /// Plays a recording; nothing can be changed then.
-  static Result<Session> replay(std::vector<std::byte> recording, const std::string& file);
+  [[nodiscard]] static Result<Session> replay(std::vector<std::byte> recording, const std::string& file);
 
   // ---------------------------------------------------------------------------------------------------------- clock
   /// Time has passed on the screen [s]: takes the steps that fit into it; returns how many.
@@ -50,7 +50,7 @@ class Session {
   /// Pauses, and goes one step back; false at the start, or as far back as is remembered.
   bool step_back();
   /// Everything as at the start, with nothing fired by hand. With a path the new run is recorded.
-  Status restart(const std::string& recording = "");
+  [[nodiscard]] Status restart(const std::string& recording = "");
   [[nodiscard]] double time_scale() const { return time_scale_; }
   void set_time_scale(double scale) { time_scale_ = scale; }
   [[nodiscard]] double time() const { return world().time(); }
@@ -59,13 +59,13 @@ class Session {
 
   // --------------------------------------------------------------------------------------------------------- firing
   /// Fires a shot now; its settings are bound to it from here on.
-  Result<ProjectileId> fire(const ScenarioShot& shot);
+  [[nodiscard]] Result<ProjectileId> fire(const ScenarioShot& shot);
   /// Changes a projectile in flight; `change` is one call of the world that tells whether it did.
   template <class Change>
   Status edit(ProjectileId id, const Change& change) {
     if (is_replay()) return cannot_change();
     if (!change(run_->world())) return run_->world().error().value_or(Error{"it was refused", "", ""});
-    return edited(id), std::nullopt;
+    return edited(id), Status();
   }
 
   // -------------------------------------------------------------------------------------------------------- reading
@@ -85,9 +85,9 @@ class Session {
 
   // ---------------------------------------------------------------------------------------------------------- tools
   /// Completes a recording and gives the file its name.
-  Status stop_recording();
+  [[nodiscard]] Status stop_recording();
   /// Steps, goes back, steps again, and compares the hashes of every step; then stands where it stood.
-  Result<DeterminismCheck> check_determinism(std::uint64_t steps = 60);
+  [[nodiscard]] Result<DeterminismCheck> check_determinism(std::uint64_t steps = 60);
   Status set_environment(const Environment& environment);
   /// Forgets the tracks of those that have left.
   void clear_tracks();
@@ -99,7 +99,7 @@ class Session {
   };
 
   Session() = default;
-  Status start(const std::string& recording);
+  [[nodiscard]] Status start(const std::string& recording);
   void take_step();
   bool replay_step();
   void look();

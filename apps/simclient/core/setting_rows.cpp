@@ -123,10 +123,10 @@ Status set_value(const SettingRow& row, const std::string& text, Scenario& scena
   Scenario changed_scenario = scenario;
   const std::string typed = row.kind == SettingRow::Kind::vector ? with_brackets(text) : text;
   const Value value = parse_override_value(typed, Place{std::make_shared<const std::string>(row.path), 0, 0});
-  if (Status bad = read_setting(*row.node, scope_of(changed_scenario, changed), value)) return bad;
+  if (Status status = read_setting(*row.node, scope_of(changed_scenario, changed), value); !status) return status;
   shot = std::move(changed);
   scenario = std::move(changed_scenario);
-  return std::nullopt;
+  return {};
 }
 
 Status set_value(std::string_view assignment, Scenario& scenario, ScenarioShot& shot) {

@@ -16,7 +16,7 @@ struct Viewport {
 
 class Renderer {
  public:
-  static Result<Renderer> make();
+  [[nodiscard]] static Result<Renderer> make();
   Renderer(Renderer&& other) noexcept;
   Renderer& operator=(Renderer&&) = delete;
   ~Renderer();

@@ -10,7 +10,7 @@ namespace physim::client {
 class Shader {
  public:
   Shader() = default;
-  static Result<Shader> make(const char* name, const char* vertex, const char* fragment);
+  [[nodiscard]] static Result<Shader> make(const char* name, const char* vertex, const char* fragment);
   Shader(Shader&& other) noexcept : program_(other.program_) { other.program_ = 0; }
   Shader& operator=(Shader&& other) noexcept {
     std::swap(program_, other.program_);

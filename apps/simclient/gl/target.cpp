@@ -35,7 +35,7 @@ Picture read_picture(int x, int y, int width, int height) {
 
 Status save_png(const Picture& picture, const std::string& path) {
   if (stbi_write_png(path.c_str(), picture.width, picture.height, 3, picture.pixels.data(), picture.width * 3) != 0)
-    return std::nullopt;
+    return {};
   return Error{"cannot write the picture", path, "is there such a folder, and may you write there?"};
 }
 

@@ -14,7 +14,7 @@ void remember_problem(int, const char* text) { last_problem = text; }
 Status Glfw::start() {
   glfwSetErrorCallback(remember_problem);
   started_ = glfwInit() == GLFW_TRUE;
-  if (started_) return std::nullopt;
+  if (started_) return {};
   return Error{"there is no display: " + last_problem, "simclient",
                "set DISPLAY, or run it under xvfb-run -a where there is no screen"};
 }

@@ -17,7 +17,7 @@ namespace physim::client {
 class Glfw {
  public:
   Glfw() = default;
-  Status start();
+  [[nodiscard]] Status start();
   ~Glfw();
   Glfw(const Glfw&) = delete;
   Glfw& operator=(const Glfw&) = delete;

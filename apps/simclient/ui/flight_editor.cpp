@@ -31,8 +31,8 @@ bool vector_input(const char* label, Vec3d& v) {
 template <class Change>
 void apply(Client& client, const Track& track, const Change& change) {
   const std::string title = track.title();
-  if (Status bad = client.session.edit(track.id, change))
-    client.complain(*bad);
+  if (Status status = client.session.edit(track.id, change); !status)
+    client.complain(status.error());
   else
     client.say(title + " was changed in flight");
 }

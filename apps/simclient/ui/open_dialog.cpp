@@ -8,7 +8,7 @@ namespace physim::client {
 
 void OpenDialog::open(Client& client, const std::string& path) {
   client.show.open_dialog = false;
-  if (Status bad = client.open(path)) client.complain(*bad);
+  if (Status status = client.open(path); !status) client.complain(status.error());
 }
 
 void OpenDialog::draw(Client& client, const Box& scene, float scale) {

@@ -86,7 +86,7 @@ void SettingsPanel::draw_sheet(Client& client, Sheet& sheet, bool is_shot) {
   }
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##filter", "search settings", &filter_);
-  if (refused_) coloured_text(colours::kWarning, refused_->text());
+  if (!changed_) coloured_text(colours::kWarning, changed_.error().text());
   if (ImGui::BeginChild("rows")) {
     std::vector<std::string> groups;
     for (const SettingRow& row : sheet.rows)
@@ -157,7 +157,7 @@ void SettingsPanel::draw_text(Client& client, const SettingRow& row, const std::
 }
 
 void SettingsPanel::change(Client& client, const SettingRow& row, const std::string& text) {
-  refused_ = client.set(row, text);
+  changed_ = client.set(row, text);
 }
 
 }  // namespace physim::client

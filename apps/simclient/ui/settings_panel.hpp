@@ -2,7 +2,6 @@
 // from the list of settings.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +38,7 @@ class SettingsPanel {
   FlightEditor flight_;
   std::string filter_;
   std::string editing_, typed_;  // the row that is being typed into
-  std::optional<Error> refused_;
+  Status changed_;               // the last change; an error where it was refused
 };
 
 }  // namespace physim::client

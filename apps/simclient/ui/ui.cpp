@@ -100,7 +100,7 @@ void Ui::draw_tests_menu(Client& client) {
   if (!ImGui::BeginMenu("tests of the original")) return;
   for (const OriginalTest& test : original_tests())
     if (ImGui::MenuItem(std::string(test.title).c_str()))
-      if (Status bad = open_original_test(client, test.name)) client.complain(*bad);
+      if (Status status = open_original_test(client, test.name); !status) client.complain(status.error());
   ImGui::EndMenu();
 }
 
