@@ -72,7 +72,7 @@ World world_of(const WorldDef& def, std::span<const Fidelity> fidelities, std::s
   World world = std::move(World::create(def).value());
   std::vector<KindId> kinds;
   for (const Fidelity& f : fidelities) {
-    kinds.push_back(world.add_kind(world_bullet(f)));
+    kinds.push_back(*world.add_kind(world_bullet(f)));
     world.reserve(kinds.back(), count / fidelities.size() + 1);
   }
   for (std::size_t i = 0; i < count; ++i) world.spawn(kinds[i % kinds.size()], volley_launch(i));

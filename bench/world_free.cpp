@@ -37,7 +37,7 @@ double distance_from_world(PeerWorld& peer) {
   for (std::size_t i = 0; i < kCount; ++i) {
     float x[3];
     peer.position(i, x);
-    worst = std::max(worst, length(world.position(ids[i]) - Vec3d{x[0], x[1], x[2]}));
+    worst = std::max(worst, length(world[ids[i]].position() - Vec3d{x[0], x[1], x[2]}));
   }
   return worst;
 }

@@ -18,11 +18,11 @@ class Life {
 
   void run() {
     World world = std::move(World::create(free_flight()).value());
-    const KindId kind = world.add_kind(world_bullet(game_));
+    const KindId kind = *world.add_kind(world_bullet(game_));
     world.reserve(kind, count_);
     ids_.resize(count_);
     time("spawn, one by one", [&] {
-      for (std::size_t i = 0; i < count_; ++i) ids_[i] = world.spawn(kind, launches_[i]);
+      for (std::size_t i = 0; i < count_; ++i) ids_[i] = *world.spawn(kind, launches_[i]);
     });
     bytes_ = static_cast<double>(world.memory()) / static_cast<double>(count_);
     world.step(kFrame);
@@ -35,22 +35,22 @@ class Life {
     snapshot_ = {};
     std::vector<BodyState> states(count_);
     time("read many states, in order", [&] { world.states(ids_, states); });
-    world.set_fidelity(ids_, other_);  // its columns grow
-    world.set_fidelity(ids_, game_);
+    world[ids_].set_fidelity(other_);  // its columns grow
+    world[ids_].set_fidelity(game_);
     world.step(kFrame);
-    time("move many to another rung, in order", [&] { world.set_fidelity(ids_, other_); });
+    time("move many to another rung, in order", [&] { world[ids_].set_fidelity(other_); });
     world.step(kFrame);
     time("move many to another rung, at random", [&] { world.set_fidelity(shuffled, game_); });
     world.step(kFrame);
     time("move to another rung, one by one, in order", [&] {
-      for (const ProjectileId id : ids_) world.set_fidelity(id, other_);
+      for (const ProjectileId id : ids_) world[id].set_fidelity(other_);
     });
     world.step(kFrame);
     time("despawn, at random", [&] { world.despawn(shuffled); });
     world.step(kFrame);
     time("spawn many, into used slots", [&] { world.spawn(kind, launches_, ids_); });
     world.step(kFrame);
-    time("despawn, in order", [&] { world.despawn(ids_); });
+    time("despawn, in order", [&] { world[ids_].despawn(); });
   }
 
   void add_rows(Section& s) const {
@@ -70,7 +70,7 @@ class Life {
   void read(const World& world, const std::string& name, const std::vector<ProjectileId>& ids) {
     time(name, [&] {
       double sum = 0;
-      for (const ProjectileId id : ids) sum += world.position(id).x;
+      for (const ProjectileId id : ids) sum += world[id].position().x;
       sum_ = sum;
     });
   }

@@ -34,7 +34,7 @@ Entry bouncing_entry() {
   body.restitution = 0.999;
   body.friction = 0;
   body.can_sleep = false;
-  const KindId kind = world.add_kind(world_bullet(Fidelity::game()), body);
+  const KindId kind = *world.add_kind(world_bullet(Fidelity::game()), body);
   world.reserve(kind, kCount);
   for (std::size_t i = 0; i < kCount; ++i) {
     Launch launch = volley_launch(i);
@@ -51,7 +51,7 @@ Entry apex_entry() {
   WorldDef def = free_flight();
   def.apex_events = true;
   World world = std::move(World::create(def).value());
-  const KindId kind = world.add_kind(world_bullet(Fidelity::game()));
+  const KindId kind = *world.add_kind(world_bullet(Fidelity::game()));
   world.reserve(kind, kCount);
   for (std::size_t i = 0; i < kCount; ++i) {
     Launch launch = volley_launch(i);
@@ -66,7 +66,7 @@ Entry landing_entry() {
   WorldDef def = free_flight();
   def.ground.mode = GroundMode::land;
   World world = std::move(World::create(def).value());
-  const KindId kind = world.add_kind(world_bullet(Fidelity::game()));
+  const KindId kind = *world.add_kind(world_bullet(Fidelity::game()));
   world.reserve(kind, 2 * kCount);
   const auto fire = [kind](World& w, std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i) {

@@ -28,7 +28,7 @@ Input script(int player, int frame) {
 class Machine {
  public:
   explicit Machine(int player) : player_(player) {
-    shell_ = world_.add_kind({.name = "shell", .mass = 5, .diameter = 0.09, .fidelity = Fidelity::game()});
+    shell_ = *world_.add_kind({.name = "shell", .mass = 5, .diameter = 0.09, .fidelity = Fidelity::game()});
   }
 
   /// One frame: what arrived of the other player, and what this one does.

@@ -18,11 +18,11 @@ int main() {
   ball.fidelity = Fidelity::sport_ball();  // forces need motion `force`: closed forms do not feel them
   const BodyDef metal{.layers = kMetal};
   const double r = 10, v = 2;
-  const ProjectileId moon = world.spawn(ball, {.position = {r, 0, 0}, .velocity = Vec3d{0, v, 0}}, metal);
-  const ProjectileId wood = world.spawn(ball, {.position = {-r, 0, 0}});
+  const ProjectileId moon = *world.spawn(ball, {.position = {r, 0, 0}, .velocity = Vec3d{0, v, 0}}, metal);
+  const ProjectileId wood = *world.spawn(ball, {.position = {-r, 0, 0}});
 
-  const ForceId magnet = world.add_force({.law = PointAttractor{.centre = {}, .strength = r * v * v},
-                                          .target = {.ids = {}, .kind = {}, .layers = kMetal}});
+  const ForceId magnet = *world.add_force({.law = PointAttractor{.centre = {}, .strength = r * v * v},
+                                           .target = {.ids = {}, .kind = {}, .layers = kMetal}});
   world.add_force({.law = Explosion{.centre = {-r, -1, 0}, .force = 500, .radius = 5},
                    .target = ForceTarget::everything(),
                    .delay = 1,
@@ -30,14 +30,14 @@ int main() {
 
   const double turn = 2 * 3.14159265358979 * r / v;  // of the orbit that the magnet keeps up [s]
   while (world.time() < turn - 1e-9) world.step(turn / 2000);
-  const double error = length(world.position(moon) - Vec3d{r, 0, 0});
+  const double error = length(world[moon].position() - Vec3d{r, 0, 0});
   std::printf("the moon is back to %.2g mm after a turn of %.2f s\n", error * 1000, turn);
-  std::printf("the explosion left wood flying at %.2f m/s\n", world.velocity(wood).y);
+  std::printf("the explosion left wood flying at %.2f m/s\n", world[wood].velocity().y);
 
   world.remove_force(magnet);
-  const Vec3d free = world.velocity(moon);
+  const Vec3d free = world[moon].velocity();
   world.step(0.1);
-  const bool is_free = world.velocity(moon) == free;
+  const bool is_free = world[moon].velocity() == free;
   std::printf("without the magnet the moon flies straight on: %s\n", is_free ? "yes" : "no");
-  return error < 1_mm && world.velocity(wood).y > 1 && is_free ? 0 : 1;
+  return error < 1_mm && world[wood].velocity().y > 1 && is_free ? 0 : 1;
 }

@@ -33,7 +33,7 @@ World busy_world() {
   World world = World::create(def).value();
   ProjectileDef spark{.mass = 1_g, .diameter = 5_mm};
   spark.fidelity = Fidelity::game();
-  const KindId kind = world.add_kind(spark);
+  const KindId kind = *world.add_kind(spark);
   for (int i = 0; i < 20'000; ++i)
     world.spawn(kind, {.position = {0, 1, 0}, .speed = 10 + i * 1e-3, .elevation = 1, .azimuth = i * 0.01});
   return world;

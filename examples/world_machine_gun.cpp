@@ -14,7 +14,7 @@ int main() {
   ProjectilePreset preset = presets::rifle_bullet();
   preset.projectile.fidelity = Fidelity::game();
   preset.body.despawn = {.farther = 1500, .older = 3};  // whichever comes first
-  const KindId round = world.add_kind(preset.projectile, preset.body);
+  const KindId round = *world.add_kind(preset.projectile, preset.body);
   world.reserve(round, 32);  // spawning does not allocate from here on
 
   std::mt19937 random(7);

@@ -18,9 +18,9 @@ int main() {
   ProjectileId ids[4];
   for (int i = 0; const char* rung : {"arcade", "game", "small_arms", "simulation"}) {
     bullet.fidelity = *fidelity_preset(rung);
-    ids[i++] = world.spawn(bullet, launch);
+    ids[i++] = *world.spawn(bullet, launch);
   }
-  const ProjectileId watched = world.spawn(bullet, launch, {.layers = 2});
+  const ProjectileId watched = *world.spawn(bullet, launch, {.layers = 2});
   world.set_observer({0, 2, 0});
 
   std::size_t changes = 0;
@@ -31,12 +31,12 @@ int main() {
   }
   for (const ProjectileId id : ids)
     std::printf("%-20s %7.2f m, %5.2f m high, %5.2f m to the left\n",
-                name(world.fidelity_in_use(id).fidelity.integrator).data(), world.position(id).x, world.position(id).y,
-                -world.position(id).z);
+                name(world[id].fidelity_in_use().fidelity.integrator).data(), world[id].position().x,
+                world[id].position().y, -world[id].position().z);
   std::printf("%zu cohorts; the watched one changed its rung %zu time: now %s\n", world.cohorts().size(), changes,
-              name(world.fidelity_in_use(watched).fidelity.integrator).data());
+              name(world[watched].fidelity_in_use().fidelity.integrator).data());
 
-  const Vec3d before = world.position(ids[1]);
-  world.set_fidelity(ids[1], Fidelity::reference());  // where it is and how it moves stays as it was
-  return changes == 1 && world.position(ids[1]) == before ? 0 : 1;
+  const Vec3d before = world[ids[1]].position();
+  world[ids[1]].set_fidelity(Fidelity::reference());  // where it is and how it moves stays as it was
+  return changes == 1 && world[ids[1]].position() == before ? 0 : 1;
 }

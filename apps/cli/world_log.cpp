@@ -74,8 +74,8 @@ class Logger {
 
   void greet(const RunEvent& spawned) {
     const std::size_t group = spawned.launched.group;
-    if (!met_[group] && run_.world().is_alive(spawned.event.id)) {
-      log_.in_use[group] = run_.world().fidelity_in_use(spawned.event.id);
+    if (!met_[group] && run_.world()[spawned.event.id].is_alive()) {
+      log_.in_use[group] = run_.world()[spawned.event.id].fidelity_in_use();
       met_[group] = true;
     }
     if (!wishes_.paths || paths_left_[group] == 0) return;
@@ -111,14 +111,14 @@ class Logger {
   void draw() {
     for (const ProjectileId id : run_.world().ids())
       if (const auto launched = run_.launched(id))
-        if (auto* path = path_of(*launched)) path->push_back(run_.world().position(id));
+        if (auto* path = path_of(*launched)) path->push_back(run_.world()[id].position());
   }
 
   Status sample() {
     if (!wishes_.samples) return {};
     for (const ProjectileId id : run_.world().ids())
       if (const auto launched = run_.launched(id))
-        log_.samples.push_back({*launched, run_.world().time(), run_.world().state(id)});
+        log_.samples.push_back({*launched, run_.world().time(), run_.world()[id].state()});
     if (log_.samples.size() <= kMaxSamples) return {};
     return Error{.message = "there are more than " + std::to_string(kMaxSamples) + " samples",
                  .place = "--interval",

@@ -27,3 +27,4 @@
 #include "physim/version.hpp"
 #include "physim/world.hpp"
 #include "physim/world_def.hpp"
+#include "physim/world_projectile.hpp"

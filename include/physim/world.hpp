@@ -4,16 +4,15 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "physim/forces.hpp"
-#include "physim/quat.hpp"
 #include "physim/result.hpp"
 #include "physim/task_runner.hpp"
 #include "physim/world_def.hpp"
+#include "physim/world_projectile.hpp"
 
 namespace physim {
 
@@ -55,14 +54,6 @@ struct WorldEvent {
   double time = 0;                                ///< of the world [s]
   Vec3d position;                                 ///< [m]
   Vec3d velocity;                                 ///< [m/s]
-};
-
-/// Where a projectile is and how it moves.
-struct BodyState {
-  Vec3d position;  ///< [m]
-  Vec3d velocity;  ///< [m/s]
-
-  bool operator==(const BodyState&) const = default;
 };
 
 /// Where a projectile went in the last step: what a scene query needs.
@@ -112,8 +103,8 @@ class Snapshot {
   std::shared_ptr<const WorldState> state_;
 };
 
-/// Many projectiles in real time. Nothing throws; what cannot be done is refused, and error() says why. Not to be used
-/// from two threads at once.
+/// Many projectiles in real time. Nothing throws; what cannot be done is refused, with a reason. Not to be used from
+/// two threads at once.
 class World {
  public:
   World();  ///< with WorldDef{}
@@ -125,112 +116,61 @@ class World {
 
   // ------------------------------------------------------------------------------------------- what there is
   /// Prepares a kind of projectile, so that each of it is spawned quickly. Equal definitions give the same kind.
-  KindId add_kind(const ProjectileDef& projectile, const BodyDef& body = {});
+  Result<KindId> add_kind(const ProjectileDef& projectile, const BodyDef& body = {});
   /// Another place to fly in; its index for BodyDef::environment.
-  [[nodiscard]] Result<std::uint32_t> add_environment(const Environment& environment);
+  Result<std::uint32_t> add_environment(const Environment& environment);
   /// Changes an environment from the next step on (a gust, a new day).
   Status set_environment(std::uint32_t index, const Environment& environment);
 
   // ------------------------------------------------------------------------------------------- coming and going
-  /// A projectile of a kind. `delay` [s]: it is pending until then. Null where it is refused.
-  ProjectileId spawn(KindId kind, const Launch& launch, double delay = 0);
+  /// A projectile of a kind. `delay` [s]: it is pending until then.
+  Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay = 0);
   /// The same, for a definition that need not be a kind yet.
-  ProjectileId spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body = {}, double delay = 0);
+  Result<ProjectileId> spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body = {},
+                             double delay = 0);
   /// Many of one kind; ids in the order of the launches, null where one is refused. Returns how many were spawned.
   std::size_t spawn(KindId kind, std::span<const Launch> launches, std::span<ProjectileId> ids);
   /// Room for so many more, so that spawning does not allocate.
-  void reserve(KindId kind, std::size_t count);
-  bool despawn(ProjectileId id);  ///< false where it was gone already
+  Status reserve(KindId kind, std::size_t count);
+  /// Takes many out; returns how many were there.
   std::size_t despawn(std::span<const ProjectileId> ids);
   void clear();  ///< despawns all
 
-  [[nodiscard]] bool is_alive(ProjectileId id) const;
-  /// Also of one that is gone, until its slot is used again.
-  [[nodiscard]] LifeStatus status(ProjectileId id) const;
   [[nodiscard]] std::size_t size() const;               ///< alive
   [[nodiscard]] std::vector<ProjectileId> ids() const;  ///< of all alive, by index
-  /// Why the last call that returned nothing, null or false was refused.
-  [[nodiscard]] const std::optional<Error>& error() const;
 
-  // ------------------------------------------------------------------------------------------- reading
-  // Of an id that is gone: zeros.
-  [[nodiscard]] Vec3d position(ProjectileId id) const;  ///< [m]
-  [[nodiscard]] Vec3d velocity(ProjectileId id) const;  ///< [m/s]
-  [[nodiscard]] BodyState state(ProjectileId id) const;
+  // ------------------------------------------------------------------------------------------- one of them
+  /// To read and change one: `world[id].position()`, `world[id].set_fidelity(...)`.
+  [[nodiscard]] Projectile operator[](ProjectileId id) { return {impl_.get(), id}; }
+  [[nodiscard]] ProjectileView operator[](ProjectileId id) const { return {impl_.get(), id}; }
+
+  // ------------------------------------------------------------------------------------------- all or many of them
   void states(std::span<const ProjectileId> ids, std::span<BodyState> into) const;
-  [[nodiscard]] Vec3d previous_position(ProjectileId id) const;  ///< before the last step [m]
-  /// To draw, by its Smoothing: between steps by the leftover fraction of advance() [m].
-  [[nodiscard]] Vec3d render_position(ProjectileId id) const;
   /// Segments of the last step, of all that moved, by cohort; `into` is cleared.
   void segments(std::vector<Segment>& into) const;
-  [[nodiscard]] double age(ProjectileId id) const;           ///< since launch [s]
-  [[nodiscard]] double mass(ProjectileId id) const;          ///< infinite where nothing moves it [kg]
-  [[nodiscard]] double inverse_mass(ProjectileId id) const;  ///< [1/kg]
-  /// Mass times acceleration now: of all models and generators [N].
-  [[nodiscard]] Vec3d resultant_force(ProjectileId id) const;
-  /// Acceleration by effect now; `applied` holds the generators too.
-  [[nodiscard]] Accelerations accelerations(ProjectileId id) const;
-  [[nodiscard]] double mach(ProjectileId id) const;  ///< [-]
-  [[nodiscard]] KindId kind(ProjectileId id) const;
-  [[nodiscard]] const ProjectileDef* definition(ProjectileId id) const;  ///< null where it is gone
-  [[nodiscard]] Quatd orientation(ProjectileId id) const;                ///< takes body axes into W [-]
-  [[nodiscard]] Vec3d angular_velocity(ProjectileId id) const;           ///< [rad/s]
-
-  // ------------------------------------------------------------------------------------------- changing
-  // Each wakes the projectile; false where it is gone or the value makes no sense.
-  bool set_position(ProjectileId id, const Vec3d& position);
-  bool set_velocity(ProjectileId id, const Vec3d& velocity);
-  bool set_state(ProjectileId id, const BodyState& state);
-  bool apply_impulse(ProjectileId id, const Vec3d& impulse);  ///< [N s]
-  bool set_angular_velocity(ProjectileId id, const Vec3d& omega);
-  bool set_gravity_scale(ProjectileId id, double scale);
-  bool set_use_gravity(ProjectileId id, bool use);
-  bool set_kinematic(ProjectileId id, bool kinematic);
-  bool set_frozen(ProjectileId id, Axes position_axes, Axes rotation_axes);
-  bool set_can_sleep(ProjectileId id, bool can);
-  bool sleep(ProjectileId id);
-  bool wake(ProjectileId id);
-  [[nodiscard]] bool is_asleep(ProjectileId id) const;
-  [[nodiscard]] bool is_kinematic(ProjectileId id) const;
-  bool set_smoothing(ProjectileId id, Smoothing smoothing);
-  bool set_user_data(ProjectileId id, std::uint64_t data);
-  [[nodiscard]] std::uint64_t user_data(ProjectileId id) const;
-  bool set_layers(ProjectileId id, std::uint32_t layers);
-  [[nodiscard]] std::uint32_t layers(ProjectileId id) const;
-  bool set_colour(ProjectileId id, std::uint32_t rgba);
-  [[nodiscard]] std::uint32_t colour(ProjectileId id) const;
-  bool set_label(ProjectileId id, const std::string& label);
-  [[nodiscard]] std::string label(ProjectileId id) const;
-
-  // ------------------------------------------------------------------------------------------- fidelity
   /// Moves projectiles to another rung, as they are; returns how many.
   std::size_t set_fidelity(std::span<const ProjectileId> ids, const Fidelity& fidelity);
-  bool set_fidelity(ProjectileId id, const Fidelity& fidelity);
-  /// What it really uses, and why.
-  [[nodiscard]] FidelityInUse fidelity_in_use(ProjectileId id) const;
-  bool set_detail(const DetailRule& rule);   ///< false where it makes no sense
-  void set_observer(const Vec3d& position);  ///< of DetailRule distances [m]
+  Status set_detail(const DetailRule& rule);
+  Status set_observer(const Vec3d& position);  ///< of DetailRule distances [m]
 
   // ------------------------------------------------------------------------------------------- forces
-  /// A generator; null where it is refused. Only projectiles in motion `force` feel it.
-  ForceId add_force(const ForceDef& force);
-  /// The same for one projectile.
-  ForceId add_force(ProjectileId id, ForceLaw law, double duration = std::numeric_limits<double>::infinity());
-  bool remove_force(ForceId force);
-  bool remove_force(ForceId force, ProjectileId id);  ///< from one of its projectiles only
+  /// A generator. Only projectiles in motion `force` feel it.
+  Result<ForceId> add_force(const ForceDef& force);
+  Status remove_force(ForceId force);
   [[nodiscard]] bool is_active(ForceId force) const;
   [[nodiscard]] std::size_t force_count() const;
 
   // ------------------------------------------------------------------------------------------- time
-  /// One step of dt [s], now; false where dt is not a positive number. Fastest where dt stays the same.
-  bool step(double dt);
-  /// Real time has passed: takes as many steps of WorldDef::step as fit; returns how many. Nothing while paused.
+  /// One step of dt [s], now. Fastest where dt stays the same.
+  Status step(double dt);
+  /// Real time has passed: takes as many steps of WorldDef::step as fit; returns how many. None while paused, nor of
+  /// time that is no number or runs backwards.
   int advance(double real_dt);
   void set_paused(bool paused);
   [[nodiscard]] bool is_paused() const;
   /// One fixed step, paused or not.
-  bool single_step();
-  bool set_time_scale(double scale);
+  void single_step();
+  Status set_time_scale(double scale);
   [[nodiscard]] double time_scale() const;
   [[nodiscard]] double time() const;      ///< of the simulation [s]
   [[nodiscard]] double fraction() const;  ///< of a step that advance() has left over, 0..1 [-]
@@ -243,8 +183,8 @@ class World {
 
   // ------------------------------------------------------------------------------------------- moments
   [[nodiscard]] Snapshot snapshot() const;
-  /// Back to a moment of this world, bit for bit; false for a snapshot of another world.
-  bool restore(const Snapshot& snapshot);
+  /// Back to a moment of this world, bit for bit; an error for a snapshot of another world.
+  Status restore(const Snapshot& snapshot);
   /// Of everything that decides what happens next, and what is carried along; not of what is only shown, nor of how
   /// the world came here. The same on every machine, with any kernel and number of threads. Costs about 15 ns per
   /// projectile.
@@ -267,8 +207,7 @@ class World {
  private:
   explicit World(const WorldDef& def);
   friend class Recorder;
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<WorldImpl> impl_;
 };
 
 }  // namespace physim

@@ -121,8 +121,9 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   group.name = name;
   group.shot = index;
   shot.body.cheapest_within = shot.cheapest_within.value_or(0);
-  group.kind = world.add_kind(shot.projectile, shot.body);
-  if (!group.kind) return with_place(*world.error(), place);
+  const Result<KindId> kind = world.add_kind(shot.projectile, shot.body);
+  if (!kind) return with_place(kind.error(), place);
+  group.kind = *kind;
   Magazine magazine{groups.size(), 0, volley, shot.launch};
   if (!magazine.launch.velocity) {
     const auto elevation = elevation_of(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
@@ -156,7 +157,7 @@ Status WorldRun::Impl::add_force(const ScenarioForce& force) {
   }
   for (ForceTarget& target : targets) {
     def.target = std::move(target);
-    if (!world.add_force(def)) return world.error().value_or(Error{"it was refused", "", ""});
+    if (const Result<ForceId> added = world.add_force(def); !added) return added.error();
   }
   return {};
 }
@@ -175,13 +176,14 @@ void WorldRun::Impl::fire(Magazine& magazine) {
     if (volley.start + static_cast<double>(magazine.fired) * volley.interval > world.time() + slack) return;
     const Launch launch = scattered(magazine.launch, volley, magazine.fired++);
     const std::size_t known = world.events().size();
-    const ProjectileId id = world.spawn(group.kind, launch);
+    const Result<ProjectileId> spawned = world.spawn(group.kind, launch);
     const std::span<const WorldEvent> news = world.events().subspan(known);
-    if (!id) {
-      if (group.refused++ == 0 && world.error()) group.refusal = world.error()->message;
+    if (!spawned) {
+      if (group.refused++ == 0) group.refusal = spawned.error().message;
       count(news);
       continue;
     }
+    const ProjectileId id = *spawned;
     count(news.first(news.size() - 1));  // it may have taken the place of another, whose track ends here
     if (tracks.size() <= id.index) tracks.resize(id.index + std::size_t{1});
     tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time(), launch.position};
@@ -255,9 +257,9 @@ void WorldRun::Impl::look_at_wall(double dt) {
     Track* track = track_of(s.id);
     if (track == nullptr) continue;
     const double part = (wall - s.from.x) / (s.to.x - s.from.x), rest = (1 - part) * dt;
-    const Vec3d a = world.accelerations(s.id).total;
+    const Vec3d a = world[s.id].accelerations().total;
     WallHit hit{track->launched, s.id, world.time() - rest,
-                s.from + (s.to - s.from) * part - a * (part * dt * rest / 2), world.velocity(s.id) - a * rest};
+                s.from + (s.to - s.from) * part - a * (part * dt * rest / 2), world[s.id].velocity() - a * rest};
     hit.position.x = wall;
     hits.push_back(hit);
     stopped.push_back(s.id);
@@ -332,7 +334,7 @@ std::vector<WorldGroup> WorldRun::groups() const {
     const Track* track = impl_->track_of(id);
     if (track == nullptr) continue;
     WorldGroup& group = groups[track->launched.group];
-    const BodyState at = impl_->world.state(id);
+    const BodyState at = impl_->world[id].state();
     const double part = 1 / static_cast<double>(++group.alive);
     group.position += (at.position - group.position) * part;
     group.velocity += (at.velocity - group.velocity) * part;

@@ -77,7 +77,7 @@ Status Recorder::finish() {
 
 // --------------------------------------------------------------------------------------------- of a world
 Status World::record(RecordSink sink, const RecordOptions& options) {
-  Impl& w = *impl_;
+  WorldImpl& w = *impl_;
   if (!sink) return Error{"there is nothing to record into", "sink", "give a function that takes bytes"};
   if (w.recorder) return Error{"a recording is under way", "world", "stop_recording() ends it"};
   const bool untouched = !w.registry.has_kind({1}) && hash() == World(w.def).hash();

@@ -12,7 +12,7 @@
 
 namespace physim {
 
-World::Impl::Impl(const WorldDef& definition) : def(definition), registry(definition) {
+WorldImpl::WorldImpl(const WorldDef& definition) : def(definition), registry(definition) {
   if (def.pools.empty()) def.pools.emplace_back();
   static std::atomic<std::uint64_t> worlds = 0;
   state.owner = ++worlds;
@@ -23,7 +23,7 @@ World::Impl::Impl(const WorldDef& definition) : def(definition), registry(defini
 }
 
 World::World() : World(WorldDef{}) {}
-World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
+World::World(const WorldDef& def) : impl_(std::make_unique<WorldImpl>(def)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
@@ -33,18 +33,12 @@ Result<World> World::create(const WorldDef& def) {
   return World(def);
 }
 
-bool World::Impl::refuse(Error why) {
-  error = std::move(why);
-  return false;
-}
-
 // ------------------------------------------------------------------------------------------- kinds and environments
-KindId World::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
+Result<KindId> World::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
   const Recorded<Call::add_kind> call(impl_->recorder, projectile, body);
-  auto added = impl_->registry.add_kind(projectile, body);
-  if (added) return call.returns(*added);
-  impl_->refuse(added.error());
-  return {};
+  Result<KindId> added = impl_->registry.add_kind(projectile, body);
+  if (added) call.returns(*added);
+  return added;
 }
 
 Result<std::uint32_t> World::add_environment(const Environment& environment) {
@@ -55,7 +49,7 @@ Result<std::uint32_t> World::add_environment(const Environment& environment) {
 }
 
 Status World::set_environment(std::uint32_t index, const Environment& environment) {
-  Impl& w = *impl_;
+  WorldImpl& w = *impl_;
   const Recorded<Call::set_environment> call(w.recorder, index, environment);
   if (Status status = w.registry.set_environment(index, environment); !status) return status;
   for (std::uint32_t slot = 1; slot < w.state.slots.size(); ++slot)
@@ -64,13 +58,13 @@ Status World::set_environment(std::uint32_t index, const Environment& environmen
 }
 
 // ------------------------------------------------------------------------------------------- slots
-const Own& World::Impl::own_of(std::uint32_t slot) const {
+const Own& WorldImpl::own_of(std::uint32_t slot) const {
   static const Own none{};
   const auto found = state.own.find(slot);
   return found == state.own.end() ? none : found->second;
 }
 
-Own& World::Impl::own(std::uint32_t slot) {
+Own& WorldImpl::own(std::uint32_t slot) {
   const auto [at, added] = state.own.try_emplace(slot);
   if (added) {
     const BodyDef& body = kind_of(state.slots[slot]).body;
@@ -79,7 +73,7 @@ Own& World::Impl::own(std::uint32_t slot) {
   return at->second;
 }
 
-Tags& World::Impl::tags(std::uint32_t slot) {
+Tags& WorldImpl::tags(std::uint32_t slot) {
   const auto [at, added] = state.tags.try_emplace(slot);
   if (added) {
     const BodyDef& body = kind_of(state.slots[slot]).body;
@@ -88,9 +82,9 @@ Tags& World::Impl::tags(std::uint32_t slot) {
   return at->second;
 }
 
-std::uint32_t World::Impl::layers_of(std::uint32_t slot) const { return physim::layers_of(registry, state, slot); }
+std::uint32_t WorldImpl::layers_of(std::uint32_t slot) const { return physim::layers_of(registry, state, slot); }
 
-std::uint32_t World::Impl::take_slot() {
+std::uint32_t WorldImpl::take_slot() {
   if (state.first_free != 0) {
     const std::uint32_t slot = state.first_free;
     state.first_free = state.slots[slot].row;
@@ -109,7 +103,7 @@ std::uint32_t World::Impl::take_slot() {
 }
 
 /// Slots are used again in the order they became free, so that what became of a projectile is known for long.
-void World::Impl::free_slot(std::uint32_t slot) {
+void WorldImpl::free_slot(std::uint32_t slot) {
   state.slots[slot].row = 0;
   if (state.last_free != 0)
     state.slots[state.last_free].row = slot;
@@ -119,7 +113,7 @@ void World::Impl::free_slot(std::uint32_t slot) {
 }
 
 // ------------------------------------------------------------------------------------------- pools
-void World::Impl::link_to_pool(std::uint32_t slot, std::uint32_t index) {
+void WorldImpl::link_to_pool(std::uint32_t slot, std::uint32_t index) {
   Pool& pool = state.pools[index];
   ++pool.count;
   if (def.pools[index].when_full != WhenFull::replace_oldest) return;
@@ -130,7 +124,7 @@ void World::Impl::link_to_pool(std::uint32_t slot, std::uint32_t index) {
   if (pool.oldest == 0) pool.oldest = slot;
 }
 
-void World::Impl::unlink_from_pool(std::uint32_t slot, std::uint32_t index) {
+void WorldImpl::unlink_from_pool(std::uint32_t slot, std::uint32_t index) {
   Pool& pool = state.pools[index];
   --pool.count;
   if (def.pools[index].when_full != WhenFull::replace_oldest) return;
@@ -139,27 +133,27 @@ void World::Impl::unlink_from_pool(std::uint32_t slot, std::uint32_t index) {
   (link.newer != 0 ? state.links[link.newer].older : pool.newest) = link.older;
 }
 
-bool World::Impl::make_room(std::uint32_t index) {
+Status WorldImpl::make_room(std::uint32_t index) {
   const PoolDef& pool = def.pools[index];
   if (state.pools[index].count >= pool.maximum) {
     if (pool.when_full == WhenFull::refuse)
-      return refuse(
-          {"the pool '" + pool.name + "' is full", "body.pool", "raise its maximum, or let it replace the oldest"});
+      return Error{"the pool '" + pool.name + "' is full", "body.pool",
+                   "raise its maximum, or let it replace the oldest"};
     retire(state.pools[index].oldest, Reason::replaced);
   }
   if (state.alive >= def.max_projectiles)
-    return refuse({"the world is full", "world.max_projectiles", "raise it, or despawn some"});
-  return true;
+    return Error{"the world is full", "world.max_projectiles", "raise it, or despawn some"};
+  return {};
 }
 
 // ------------------------------------------------------------------------------------------- coming
-void World::Impl::push_due(std::vector<Due>& heap, double time, std::uint32_t slot) {
+void WorldImpl::push_due(std::vector<Due>& heap, double time, std::uint32_t slot) {
   heap.push_back({time, id_of(slot)});
   std::push_heap(heap.begin(), heap.end(), is_later);
 }
 
 /// The cheapest rung for a launch, where the kind asks for it; its own otherwise.
-Result<std::uint16_t> World::Impl::rung_for(std::uint32_t kind_index, const Launch& launch) {
+Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch) {
   const Kind& kind = registry.kind(kind_index);
   if (kind.body.cheapest_within == 0) return std::uint16_t{0};
   Environment environment = registry.environments()[kind.body.environment];
@@ -182,27 +176,29 @@ Result<std::uint16_t> World::Impl::rung_for(std::uint32_t kind_index, const Laun
   return *rung;
 }
 
-ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, double delay) {
+Result<ProjectileId> WorldImpl::spawn(std::uint32_t kind_index, const Launch& launch, double delay) {
   const Kind& kind = registry.kind(kind_index);
   Status status = check(launch);
   if (status) status = check(kind.flown, launch);
   if (status && !(delay >= 0 && delay < 1e15)) status = Error{"must be zero or positive", "delay", "in s"};
-  if (!status) return refuse(status.error()), ProjectileId{};
+  if (!status) return status.error();
   BodyState at{launch.position, {}};
   if (launch.velocity) {
     at.velocity = *launch.velocity;
   } else {
     const Environment& environment = registry.environments()[kind.body.environment];
     const auto elevation = elevation_of(kind.flown, launch, environment, kind.projectile.fidelity);
-    if (!elevation) return refuse(elevation.error()), ProjectileId{};
+    if (!elevation) return elevation.error();
     at.velocity = launch_velocity(launch, sight_frame(launch), *elevation);
   }
   const auto rung = rung_for(kind_index, launch);
-  if (!rung) return refuse(rung.error()), ProjectileId{};
+  if (!rung) return rung.error();
   Slot wanted;
   wanted.kind = kind_index;
   wanted.rung = *rung;
-  if (!fits(wanted, at) || !make_room(kind.body.pool)) return {};
+  status = fits(wanted, at);
+  if (status) status = make_room(kind.body.pool);
+  if (!status) return status.error();
   const std::uint32_t index = take_slot();
   Slot& slot = state.slots[index];
   ++slot.generation;
@@ -221,7 +217,7 @@ ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, 
   if (cohort == kNoCohort) {
     slot.flags = 0;
     free_slot(index);
-    return refuse({"there are too many different rungs and rules", "world", "at most 65535"}), ProjectileId{};
+    return Error{"there are too many different rungs and rules", "world", "at most 65535"};
   }
   slot.cohort = cohort;
   const double now = state.clock.time();
@@ -242,31 +238,41 @@ ProjectileId World::Impl::spawn(std::uint32_t kind_index, const Launch& launch, 
   return id_of(index);
 }
 
-ProjectileId World::spawn(KindId kind, const Launch& launch, double delay) {
-  ProjectileId id;
-  Impl& w = *impl_;
-  const Recorded<Call::spawn> call(w.recorder, kind, launch, delay);
-  if (!w.registry.has_kind(kind)) {
-    w.refuse({"there is no such kind", "kind", "add_kind() makes one"});
-  } else if (!w.registry.has_environment_of(kind)) {
-    w.refuse({"its environment is no longer there", "kind", "restore() took it back: add it again"});
-  } else {
+/// The same, with a look at the kind first, and counted where it is refused.
+Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double delay) {
+  Result<ProjectileId> id = [&]() -> Result<ProjectileId> {
+    if (!registry.has_kind(kind)) return Error{"there is no such kind", "kind", "add_kind() makes one"};
+    if (!registry.has_environment_of(kind))
+      return Error{"its environment is no longer there", "kind", "restore() took it back: add it again"};
     try {
-      id = w.spawn(kind.index, launch, delay);
+      return spawn(kind.index, launch, delay);
     } catch (const std::bad_alloc&) {
-      w.refuse({"no memory for another projectile", "world", "lower max_projectiles"});
+      return Error{"no memory for another projectile", "world", "lower max_projectiles"};
     }
-  }
-  if (!id) ++w.state.counters.refused;
-  return call.returns(id);
+  }();
+  if (!id) ++state.counters.refused;
+  return id;
 }
 
-ProjectileId World::spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body, double delay) {
+Result<ProjectileId> World::spawn(KindId kind, const Launch& launch, double delay) {
+  WorldImpl& w = *impl_;
+  const Recorded<Call::spawn> call(w.recorder, kind, launch, delay);
+  Result<ProjectileId> id = w.spawn(kind, launch, delay);
+  call.returns(id ? *id : ProjectileId{});
+  return id;
+}
+
+Result<ProjectileId> World::spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body,
+                                  double delay) {
   const Recorded<Call::spawn_def> call(impl_->recorder, projectile, launch, body, delay);
-  const KindId kind = add_kind(projectile, body);
-  if (kind) return call.returns(spawn(kind, launch, delay));
-  ++impl_->state.counters.refused;
-  return {};
+  const Result<KindId> kind = add_kind(projectile, body);
+  if (!kind) {
+    ++impl_->state.counters.refused;
+    return kind.error();
+  }
+  Result<ProjectileId> id = spawn(*kind, launch, delay);
+  call.returns(id ? *id : ProjectileId{});
+  return id;
 }
 
 std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::span<ProjectileId> ids) {
@@ -274,17 +280,17 @@ std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::spa
   const Recorded<Call::spawn_many> call(impl_->recorder, kind, launches, std::uint64_t{ids.size()});
   std::size_t spawned = 0;
   for (std::size_t i = 0; i < launches.size(); ++i) {
-    const ProjectileId id = spawn(kind, launches[i]);
-    if (i < ids.size()) ids[i] = id;
+    const Result<ProjectileId> id = impl_->spawn(kind, launches[i], 0);
+    if (i < ids.size()) ids[i] = id ? *id : ProjectileId{};
     if (id) ++spawned;
   }
   call.returns(std::span<const ProjectileId>(ids));
   return spawned;
 }
 
-void World::reserve(KindId kind, std::size_t count) {
-  Impl& w = *impl_;
-  if (!w.registry.has_environment_of(kind)) return;
+Status World::reserve(KindId kind, std::size_t count) {
+  WorldImpl& w = *impl_;
+  if (!w.registry.has_environment_of(kind)) return Error{"there is no such kind", "kind", "add_kind() makes one"};
   try {
     const std::size_t slots = w.state.slots.size() + count;
     w.state.slots.reserve(slots);
@@ -300,17 +306,18 @@ void World::reserve(KindId kind, std::size_t count) {
     const std::uint16_t cohort = w.cohort_for(slot);
     if (cohort != kNoCohort) w.state.rows[cohort].reserve(w.state.rows[cohort].size() + count);
   } catch (const std::bad_alloc&) {
-    w.refuse({"no memory for so many projectiles", "world.reserve", "reserve fewer"});
+    return Error{"no memory for so many projectiles", "world.reserve", "reserve fewer"};
   }
+  return {};
 }
 
 // ------------------------------------------------------------------------------------------- going
-void World::Impl::retire(std::uint32_t index, Reason reason) {
+void WorldImpl::retire(std::uint32_t index, Reason reason) {
   tell(WorldEventKind::retired, index, reason);
   remove(index, LifeStatus::retired);
 }
 
-void World::Impl::remove(std::uint32_t index, LifeStatus status) {
+void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
   Slot& slot = state.slots[index];
   take_out(slot);
   unlink_from_pool(index, kind_of(slot).body.pool);
@@ -324,11 +331,11 @@ void World::Impl::remove(std::uint32_t index, LifeStatus status) {
   free_slot(index);
 }
 
-bool World::despawn(ProjectileId id) {
-  const Recorded<Call::despawn> call(impl_->recorder, id);
-  if (!impl_->find(id)) return impl_->refuse({"it is gone already", "id", ""});
-  impl_->retire(id.index, Reason::despawned);
-  return true;
+Status Projectile::despawn() {
+  const Recorded<Call::despawn> call(world().recorder, id_);
+  if (!world().find(id_)) return Error{"it is gone already", "id", ""};
+  world().retire(id_.index, Reason::despawned);
+  return {};
 }
 
 std::size_t World::despawn(std::span<const ProjectileId> ids) {
@@ -336,7 +343,9 @@ std::size_t World::despawn(std::span<const ProjectileId> ids) {
   std::size_t gone = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     impl_->prefetch(ids, i);
-    if (despawn(ids[i])) ++gone;
+    if (!impl_->find(ids[i])) continue;
+    impl_->retire(ids[i].index, Reason::despawned);
+    ++gone;
   }
   return gone;
 }

@@ -29,7 +29,7 @@ std::size_t next_rung(const DetailRule& rule, std::size_t current, double distan
 
 }  // namespace
 
-void World::Impl::apply_detail() {
+void WorldImpl::apply_detail() {
   if (!uses_detail()) return;
   const double now = state.clock.time();
   const DetailRule& rule = state.detail;
@@ -48,11 +48,11 @@ void World::Impl::apply_detail() {
   }
 }
 
-bool World::set_detail(const DetailRule& rule) {
+Status World::set_detail(const DetailRule& rule) {
   const Recorded<Call::set_detail> call(impl_->recorder, rule);
-  if (const Status status = check(rule); !status) return impl_->refuse(status.error());
+  if (Status status = check(rule); !status) return status;
   impl_->state.detail = rule;
-  return true;
+  return {};
 }
 
 }  // namespace physim

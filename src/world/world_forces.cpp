@@ -30,20 +30,20 @@ void each_target(const Generator& g, const Registry& registry, const WorldState&
 }  // namespace
 
 // --------------------------------------------------------------------------------------------------- who is forced
-bool World::Impl::is_target(std::uint32_t slot) const {
+bool WorldImpl::is_target(std::uint32_t slot) const {
   if (state.force_order.empty()) return false;
   if (state.forces_on.contains(slot)) return true;
   return std::any_of(state.group_forces.begin(), state.group_forces.end(),
                      [&](std::uint32_t index) { return is_in_group(state.generators[index], registry, state, slot); });
 }
 
-bool World::Impl::feels_forces(std::uint32_t index) const {
+bool WorldImpl::feels_forces(std::uint32_t index) const {
   if (state.force_order.empty()) return false;
   const Slot& slot = state.slots[index];
   return kind_of(slot).rungs[slot.rung].in_use.fidelity.motion == Motion::force && is_target(index);
 }
 
-void World::Impl::update_forced(std::uint32_t index) {
+void WorldImpl::update_forced(std::uint32_t index) {
   Slot& slot = state.slots[index];
   const bool forced = feels_forces(index);
   if (slot.is(kForced) == forced) return;
@@ -51,17 +51,17 @@ void World::Impl::update_forced(std::uint32_t index) {
   if (!relocate(index)) slot.set(kForced, !forced);
 }
 
-void World::Impl::stir(std::uint32_t index) {
+void WorldImpl::stir(std::uint32_t index) {
   const bool felt = state.slots[index].is(kForced);
   update_forced(index);
   if (state.slots[index].is(kAsleep) && (felt || state.slots[index].is(kForced))) wake(index);
 }
 
-void World::Impl::stir_targets(const Generator& g) {
+void WorldImpl::stir_targets(const Generator& g) {
   each_target(g, registry, state, [this](std::uint32_t slot) { stir(slot); });
 }
 
-void World::Impl::count_targets(const Generator& g, bool on) {
+void WorldImpl::count_targets(const Generator& g, bool on) {
   const auto count = [&](ProjectileId id) {
     if (!find(id)) return;
     if (on) {
@@ -75,7 +75,7 @@ void World::Impl::count_targets(const Generator& g, bool on) {
 }
 
 // --------------------------------------------------------------------------------------------------- begin and end
-void World::Impl::begin_generator(std::uint32_t index) {
+void WorldImpl::begin_generator(std::uint32_t index) {
   Generator& g = state.generators[index];
   g.begun = true;
   count_targets(g, true);
@@ -83,7 +83,7 @@ void World::Impl::begin_generator(std::uint32_t index) {
   stir_targets(g);
 }
 
-void World::Impl::end_generator(std::uint32_t index) {
+void WorldImpl::end_generator(std::uint32_t index) {
   Generator& g = state.generators[index];
   std::erase(state.force_order, index);
   if (g.begun) {
@@ -97,14 +97,14 @@ void World::Impl::end_generator(std::uint32_t index) {
   state.free_generators.push_back(index);
 }
 
-void World::Impl::begin_generators(double dt) {
+void WorldImpl::begin_generators(double dt) {
   for (const std::uint32_t index : state.force_order) {
     const Generator& g = state.generators[index];
     if (!g.begun && g.start - state.clock.time() < (1 - kSameTime) * dt) begin_generator(index);
   }
 }
 
-void World::Impl::end_generators() {
+void WorldImpl::end_generators() {
   forced_scratch.over.clear();
   for (const std::uint32_t index : state.force_order) {
     const Generator& g = state.generators[index];
@@ -119,7 +119,7 @@ void World::Impl::end_generators() {
 }
 
 // --------------------------------------------------------------------------------------------------- the public door
-Status World::Impl::refuses(const ForceDef& force) const {
+Status WorldImpl::refuses(const ForceDef& force) const {
   if (Status status = check(force); !status) return status;
   const ForceTarget& target = force.target;
   if (target.kind && !registry.has_kind(target.kind))
@@ -132,11 +132,8 @@ Status World::Impl::refuses(const ForceDef& force) const {
   return {};
 }
 
-ForceId World::add_force(const ForceDef& force) {
-  Impl& w = *impl_;
-  const Recorded<Call::add_force> call(w.recorder, force);
-  if (const Status status = w.refuses(force); !status) return w.refuse(status.error()), ForceId{};
-  WorldState& state = w.state;
+Result<ForceId> WorldImpl::add_force(const ForceDef& force) {
+  if (const Status status = refuses(force); !status) return status.error();
   std::uint32_t index;
   if (state.free_generators.empty()) {
     index = static_cast<std::uint32_t>(state.generators.size());
@@ -155,59 +152,72 @@ ForceId World::add_force(const ForceDef& force) {
   g.end = g.start + force.duration;
   const ForceId id{index, g.generation};
   state.force_order.push_back(index);
-  if (force.delay == 0) w.begin_generator(index);
-  return call.returns(id);
+  if (force.delay == 0) begin_generator(index);
+  return id;
 }
 
-ForceId World::add_force(ProjectileId id, ForceLaw law, double duration) {
-  const Recorded<Call::add_force_on> call(impl_->recorder, id, law, duration);
+Result<ForceId> World::add_force(const ForceDef& force) {
+  const Recorded<Call::add_force> call(impl_->recorder, force);
+  Result<ForceId> added = impl_->add_force(force);
+  if (added) call.returns(*added);
+  return added;
+}
+
+Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
+  WorldImpl& w = world();
+  const Recorded<Call::add_force_on> call(w.recorder, id_, law, duration);
   ForceDef force;
   force.law = std::move(law);
-  force.target.ids = {id};
+  force.target.ids = {id_};
   force.duration = duration;
-  return call.returns(add_force(force));
+  Result<ForceId> added = w.add_force(force);
+  if (added) call.returns(*added);
+  return added;
 }
 
-Generator* World::Impl::find(ForceId force) {
+Generator* WorldImpl::find(ForceId force) {
   if (force.index == 0 || force.index >= state.generators.size()) return nullptr;
   Generator& g = state.generators[force.index];
   return g.active && g.generation == force.generation ? &g : nullptr;
 }
 
-bool World::remove_force(ForceId force) {
+Status World::remove_force(ForceId force) {
   const Recorded<Call::remove_force> call(impl_->recorder, force);
-  if (!impl_->find(force)) return impl_->refuse({"it is gone already", "force", "is_active() tells"});
+  if (!impl_->find(force)) return Error{"it is gone already", "force", "is_active() tells"};
   impl_->end_generator(force.index);
-  return true;
+  return {};
 }
 
-bool World::remove_force(ForceId force, ProjectileId id) {
-  const Recorded<Call::remove_force_from> call(impl_->recorder, force, id);
-  if (!impl_->find(force)) return impl_->refuse({"it is gone already", "force", "is_active() tells"});
-  if (!impl_->find(id)) return impl_->refuse({"it is gone", "id", "is_alive() tells"});
-  return impl_->remove_target(force, id);
+Status Projectile::remove_force(ForceId force) {
+  const Recorded<Call::remove_force_from> call(world().recorder, force, id_);
+  if (!world().find(force)) return Error{"it is gone already", "force", "is_active() tells"};
+  if (!world().find(id_)) return Error{"it is gone", "id", "is_alive() tells"};
+  return world().remove_target(force, id_);
 }
 
-bool World::Impl::remove_target(ForceId force, ProjectileId id) {
+Status WorldImpl::remove_target(ForceId force, ProjectileId id) {
   Generator& g = *find(force);
   auto& ids = g.def.target.ids;
   const bool named = contains(ids, id);
   const bool in_group = is_in_group(g, registry, state, id.index);
-  if (!named && !in_group) return refuse({"it does not act on it", "id", "it acts on its targets"});
-  if (named && ids.size() == 1 && !has_group(g.def.target)) return end_generator(force.index), true;
+  if (!named && !in_group) return Error{"it does not act on it", "id", "it acts on its targets"};
+  if (named && ids.size() == 1 && !has_group(g.def.target)) {
+    end_generator(force.index);
+    return {};
+  }
   if (g.begun) count_targets(g, false);
   if (named) ids.erase(std::lower_bound(ids.begin(), ids.end(), id, by_slot));
   if (in_group) g.except.push_back(id);
   if (g.begun) count_targets(g, true);
   if (g.begun) stir(id.index);
-  return true;
+  return {};
 }
 
 bool World::is_active(ForceId force) const { return impl_->find(force) != nullptr; }
 std::size_t World::force_count() const { return impl_->state.force_order.size(); }
 
 // --------------------------------------------------------------------------------------------------- in a step
-Vec3d World::Impl::generator_force(std::uint32_t index) const {
+Vec3d WorldImpl::generator_force(std::uint32_t index) const {
   if (!is_target(index)) return {};
   ForceRows rows;
   rows.add(registry, state, index);
@@ -220,7 +230,7 @@ Vec3d World::Impl::generator_force(std::uint32_t index) const {
   return rows.force[0];
 }
 
-void World::Impl::step_forced(double dt) {
+void WorldImpl::step_forced(double dt) {
   const SettleContext context{&def, &registry, &state, dt, state.clock.now(), state.clock.time()};
   state.counters.projectile_steps += step_forced_rows(context, forced_scratch);
 }

@@ -1,4 +1,4 @@
-// World::Impl: the parts of a world and what its files share.
+// WorldImpl: the parts of a world and what its files share.
 #pragma once
 
 #include "model/attitude.hpp"
@@ -11,14 +11,13 @@
 
 namespace physim {
 
-struct World::Impl {
-  explicit Impl(const WorldDef& definition);
+struct WorldImpl {
+  explicit WorldImpl(const WorldDef& definition);
 
   WorldDef def;
   Registry registry;
   WorldState state;
   AutoFidelityCache answers;  // remembers what it would answer anyway
-  std::optional<Error> error;
   TaskRunner* lent = nullptr;
   std::unique_ptr<TaskRunner> own_threads;
   StepScratch scratch;
@@ -55,9 +54,10 @@ struct World::Impl {
   [[nodiscard]] std::uint32_t layers_of(std::uint32_t slot) const;
 
   // ------------------------------------------------------------------------------------------- coming and going
-  ProjectileId spawn(std::uint32_t kind, const Launch& launch, double delay);
+  Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay);
+  Result<ProjectileId> spawn(std::uint32_t kind, const Launch& launch, double delay);
   /// Refuses a state whose numbers the rung's precision cannot hold.
-  bool fits(const Slot& slot, const BodyState& at);
+  [[nodiscard]] Status fits(const Slot& slot, const BodyState& at) const;
   [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch);
   void push_due(std::vector<Due>& heap, double time, std::uint32_t slot);
   /// Takes out the next one alive that is due by now; null where there is none.
@@ -67,17 +67,16 @@ struct World::Impl {
   /// Takes a projectile out of the world; the event is told before.
   void remove(std::uint32_t slot, LifeStatus status);
   void retire(std::uint32_t slot, Reason reason);
-  bool make_room(std::uint32_t pool);
+  [[nodiscard]] Status make_room(std::uint32_t pool);
   void link_to_pool(std::uint32_t slot, std::uint32_t pool);
   void unlink_from_pool(std::uint32_t slot, std::uint32_t pool);
-  bool refuse(Error why);
 
   // ------------------------------------------------------------------------------------------- rows
   std::uint16_t cohort_for(const Slot& slot);
   /// Puts a projectile that has no row yet into its cohort.
   void place(std::uint32_t slot, const BodyState& at, const Launch& launch);
   /// Moves a projectile to where it belongs after its flags or rung changed.
-  bool relocate(std::uint32_t slot);
+  Status relocate(std::uint32_t slot);
   void take_out(Slot& slot);
   /// How a projectile points and turns at a launch; how it does now, and setting it, where its rung turns.
   [[nodiscard]] Attitude attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const;
@@ -114,10 +113,10 @@ struct World::Impl {
   void tell_launch(std::uint32_t slot);
   bool put_to_sleep(std::uint32_t slot);
   bool wake(std::uint32_t slot);
-  bool change_state(ProjectileId id, const BodyState& to);
-  bool set_flag(ProjectileId id, std::uint32_t flag, bool on);
-  bool change_fidelity(std::uint32_t slot, const Fidelity& asked);
-  bool change_rung(std::uint32_t slot, std::uint16_t rung);
+  Status change_state(ProjectileId id, const BodyState& to);
+  Status set_flag(ProjectileId id, std::uint32_t flag, bool on);
+  Status change_fidelity(std::uint32_t slot, const Fidelity& asked);
+  Status change_rung(std::uint32_t slot, std::uint16_t rung);
   bool uses_detail() const { return !state.detail.rungs.empty(); }
   void apply_detail();
 
@@ -135,9 +134,10 @@ struct World::Impl {
   void stir_targets(const Generator& generator);
   void stir(std::uint32_t slot);
   void count_targets(const Generator& generator, bool on);
+  Result<ForceId> add_force(const ForceDef& force);
   [[nodiscard]] Status refuses(const ForceDef& force) const;
   [[nodiscard]] Generator* find(ForceId force);
-  bool remove_target(ForceId force, ProjectileId id);
+  Status remove_target(ForceId force, ProjectileId id);
   /// By all generators on one projectile now [N].
   [[nodiscard]] Vec3d generator_force(std::uint32_t slot) const;
 

@@ -16,20 +16,20 @@ Snapshot World::snapshot() const {
   return Snapshot(std::move(copy));
 }
 
-bool World::restore(const Snapshot& snapshot) {
-  Impl& w = *impl_;
-  if (!snapshot) return w.refuse({"the snapshot is empty", "snapshot", "World::snapshot() makes one"});
+Status World::restore(const Snapshot& snapshot) {
+  WorldImpl& w = *impl_;
+  if (!snapshot) return Error{"the snapshot is empty", "snapshot", "World::snapshot() makes one"};
   const WorldState& then = *snapshot.state_;
-  if (then.owner != w.state.owner) return w.refuse({"the snapshot is of another world", "snapshot", ""});
+  if (then.owner != w.state.owner) return Error{"the snapshot is of another world", "snapshot", ""};
   const Recorded<Call::restore> call(w.recorder, w.recorded_moment(then.moment));
   w.state = then;
   w.registry.restore_environments(then.environments);
-  return true;
+  return {};
 }
 
-std::uint64_t World::Impl::next_moment() const { return recorder ? moments + 1 - recorder->first_moment : 0; }
+std::uint64_t WorldImpl::next_moment() const { return recorder ? moments + 1 - recorder->first_moment : 0; }
 
-std::uint64_t World::Impl::recorded_moment(std::uint64_t moment) {
+std::uint64_t WorldImpl::recorded_moment(std::uint64_t moment) {
   if (!recorder) return 0;
   if (moment <= recorder->first_moment)
     recorder->fail({"a snapshot was restored that was taken before the recording began", "recording",
@@ -133,7 +133,7 @@ void add_generators(Hash& h, const WorldState& s) {
 
 }  // namespace
 
-std::uint64_t World::Impl::hash() {
+std::uint64_t WorldImpl::hash() {
   if (def_hash == 0) def_hash = hash_of(def);
   for (std::uint32_t i = 1; registry.has_kind({i}); ++i) {
     const Kind& kind = registry.kind(i);

@@ -7,13 +7,13 @@
 
 namespace physim {
 
-bool World::is_alive(ProjectileId id) const { return impl_->find(id) != nullptr; }
+bool ProjectileView::is_alive() const { return world_->find(id_) != nullptr; }
 
-LifeStatus World::status(ProjectileId id) const {
-  const auto& slots = impl_->state.slots;
-  if (id.index == 0 || id.index >= slots.size() || slots[id.index].generation != id.generation)
+LifeStatus ProjectileView::status() const {
+  const auto& slots = world_->state.slots;
+  if (id_.index == 0 || id_.index >= slots.size() || slots[id_.index].generation != id_.generation)
     return LifeStatus::unknown;
-  return slots[id.index].status();
+  return slots[id_.index].status();
 }
 
 std::size_t World::size() const { return impl_->state.alive; }
@@ -26,41 +26,39 @@ std::vector<ProjectileId> World::ids() const {
   return all;
 }
 
-const std::optional<Error>& World::error() const { return impl_->error; }
-
-Vec3d World::position(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
-  return slot ? impl_->rows_of(*slot).position(slot->row) : Vec3d{};
+Vec3d ProjectileView::position() const {
+  const Slot* slot = world_->find(id_);
+  return slot ? world_->rows_of(*slot).position(slot->row) : Vec3d{};
 }
-Vec3d World::velocity(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
-  return slot ? impl_->rows_of(*slot).velocity(slot->row) : Vec3d{};
+Vec3d ProjectileView::velocity() const {
+  const Slot* slot = world_->find(id_);
+  return slot ? world_->rows_of(*slot).velocity(slot->row) : Vec3d{};
 }
-BodyState World::state(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
-  return slot ? impl_->state_of(*slot) : BodyState{};
+BodyState ProjectileView::state() const {
+  const Slot* slot = world_->find(id_);
+  return slot ? world_->state_of(*slot) : BodyState{};
 }
 void World::states(std::span<const ProjectileId> ids, std::span<BodyState> into) const {
   const std::size_t count = std::min(ids.size(), into.size());
-  for (std::size_t i = 0; i < count; ++i) into[i] = state(ids[i]);
+  for (std::size_t i = 0; i < count; ++i) into[i] = (*this)[ids[i]].state();
 }
-Vec3d World::previous_position(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
+Vec3d ProjectileView::previous_position() const {
+  const Slot* slot = world_->find(id_);
   if (!slot) return {};
-  return slot->is(kStill) ? impl_->rows_of(*slot).position(slot->row) : impl_->rows_of(*slot).previous(slot->row);
+  return slot->is(kStill) ? world_->rows_of(*slot).position(slot->row) : world_->rows_of(*slot).previous(slot->row);
 }
 
-Vec3d World::render_position(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
+Vec3d ProjectileView::render_position() const {
+  const Slot* slot = world_->find(id_);
   if (!slot) return {};
-  const Rows& rows = impl_->rows_of(*slot);
+  const Rows& rows = world_->rows_of(*slot);
   const Vec3d now = rows.position(slot->row);
   if (slot->is(kStill)) return now;
-  const Clock& clock = impl_->state.clock;
+  const Clock& clock = world_->state.clock;
   if (slot->smoothing() == Smoothing::extrapolate) return now + rows.velocity(slot->row) * clock.left_over;
   if (slot->smoothing() == Smoothing::none) return now;
   const Vec3d before = rows.previous(slot->row);
-  return before + (now - before) * std::min(clock.left_over / impl_->def.step, 1.0);
+  return before + (now - before) * std::min(clock.left_over / world_->def.step, 1.0);
 }
 
 void World::segments(std::vector<Segment>& into) const {
@@ -73,31 +71,31 @@ void World::segments(std::vector<Segment>& into) const {
   }
 }
 
-double World::age(ProjectileId id) const {
-  return impl_->find(id) ? std::max(0.0, time() - impl_->state.birth[id.index]) : 0.0;
+double ProjectileView::age() const {
+  return world_->find(id_) ? std::max(0.0, world_->state.clock.time() - world_->state.birth[id_.index]) : 0.0;
 }
-double World::mass(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
+double ProjectileView::mass() const {
+  const Slot* slot = world_->find(id_);
   if (!slot) return 0;
   if (slot->is(kInfiniteMass)) return std::numeric_limits<double>::infinity();
-  return mass_of(impl_->registry, impl_->state, *slot);
+  return mass_of(world_->registry, world_->state, *slot);
 }
-double World::inverse_mass(ProjectileId id) const {
-  const double m = mass(id);
+double ProjectileView::inverse_mass() const {
+  const double m = mass();
   return m > 0 ? 1 / m : 0;
 }
 
-Accelerations World::accelerations(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
+Accelerations ProjectileView::accelerations() const {
+  const Slot* slot = world_->find(id_);
   if (!slot || slot->is(kInfiniteMass)) return {};
-  const Body<double> b = impl_->body_of(*slot);
-  const Conditions<double>& c = impl_->registry.cohort(slot->cohort).conditions;
+  const Body<double> b = world_->body_of(*slot);
+  const Conditions<double>& c = world_->registry.cohort(slot->cohort).conditions;
   const Fidelity& f = c.fidelity;
-  const BodyState now = impl_->state_of(*slot);
+  const BodyState now = world_->state_of(*slot);
   const State<double> s{now.position, now.velocity};
   Accelerations a;
   a.gravity = weight_per_mass(c, b, s.x);
-  const double t = impl_->clock_of(*slot);
+  const double t = world_->clock_of(*slot);
   if (f.drag != DragModel::off) a.drag = air_now(c, b, t, s);
   if (spins(f)) {
     SpinningAir<double> air;
@@ -105,17 +103,17 @@ Accelerations World::accelerations(ProjectileId id) const {
     a.lift = air.lift * lighter(c, b, t);
     a.drag -= a.lift;
   }
-  const Rows& rows = impl_->rows_of(*slot);
+  const Rows& rows = world_->rows_of(*slot);
   if (turns(f) && c.has_aero) a.body = attitude_force(c, b, rows.rotor(slot->row), t, s, rows.turn(slot->row));
   if (is_turning(f.earth)) a.coriolis = coriolis(c, s.v);
   if (throws_out(f)) a.centrifugal = centrifugal(c, s.x);
-  if (impl_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied_now(c, b, t);
+  if (world_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied_now(c, b, t);
   if (c.has_motor) {
     const bool turning = turns(f);
     const Rotor<double> rotor = turning ? rows.rotor(slot->row) : Rotor<double>{};
     a.thrust = thrust(b, t, nose(c, b, rotor, t, s, turning ? rows.turn(slot->row) : Turn<double>{}));
   }
-  if (f.motion == Motion::force) a.applied += impl_->generator_force(id.index) * inverse_mass(id);
+  if (f.motion == Motion::force) a.applied += world_->generator_force(id_.index) * inverse_mass();
   a.total = a.gravity + a.drag + a.coriolis + a.centrifugal + a.applied + a.body;
   if (spins(f)) a.total += a.lift;
   if (c.has_motor) a.total += a.thrust;
@@ -124,57 +122,57 @@ Accelerations World::accelerations(ProjectileId id) const {
   a.total += a.rail;
   return a;
 }
-Vec3d World::resultant_force(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
-  return slot ? accelerations(id).total * (slot->is(kInfiniteMass) ? 0 : mass(id)) : Vec3d{};
+Vec3d ProjectileView::resultant_force() const {
+  const Slot* slot = world_->find(id_);
+  return slot ? accelerations().total * (slot->is(kInfiniteMass) ? 0 : mass()) : Vec3d{};
 }
-double World::mach(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
+double ProjectileView::mach() const {
+  const Slot* slot = world_->find(id_);
   if (!slot) return 0;
-  const Conditions<double>& c = impl_->registry.cohort(slot->cohort).conditions;
-  const BodyState now = impl_->state_of(*slot);
+  const Conditions<double>& c = world_->registry.cohort(slot->cohort).conditions;
+  const BodyState now = world_->state_of(*slot);
   const State<double> s{now.position, now.velocity};
   return length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed;
 }
 
-KindId World::kind(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
+KindId ProjectileView::kind() const {
+  const Slot* slot = world_->find(id_);
   return {slot ? slot->kind : 0};
 }
-const ProjectileDef* World::definition(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
-  return slot ? &impl_->kind_of(*slot).projectile : nullptr;
+const ProjectileDef* ProjectileView::definition() const {
+  const Slot* slot = world_->find(id_);
+  return slot ? &world_->kind_of(*slot).projectile : nullptr;
 }
-Quatd World::orientation(ProjectileId id) const {
-  if (impl_->find(id))
-    if (const auto flown = impl_->attitude(id.index)) return flown->q_WB;
-  const auto found = impl_->find(id) ? impl_->state.turning.find(id.index) : impl_->state.turning.end();
-  return found == impl_->state.turning.end() ? Quatd{} : found->second.orientation;
+Quatd ProjectileView::orientation() const {
+  if (world_->find(id_))
+    if (const auto flown = world_->attitude(id_.index)) return flown->q_WB;
+  const auto found = world_->find(id_) ? world_->state.turning.find(id_.index) : world_->state.turning.end();
+  return found == world_->state.turning.end() ? Quatd{} : found->second.orientation;
 }
-Vec3d World::angular_velocity(ProjectileId id) const {
-  if (const Slot* slot = impl_->find(id))
-    if (const auto flown = impl_->attitude(id.index))
-      return rotate(flown->q_WB, flown->omega - impl_->omega_of_W(*slot, flown->q_WB));
-  const auto found = impl_->find(id) ? impl_->state.turning.find(id.index) : impl_->state.turning.end();
-  return found == impl_->state.turning.end() ? Vec3d{} : found->second.angular_velocity;
+Vec3d ProjectileView::angular_velocity() const {
+  if (const Slot* slot = world_->find(id_))
+    if (const auto flown = world_->attitude(id_.index))
+      return rotate(flown->q_WB, flown->omega - world_->omega_of_W(*slot, flown->q_WB));
+  const auto found = world_->find(id_) ? world_->state.turning.find(id_.index) : world_->state.turning.end();
+  return found == world_->state.turning.end() ? Vec3d{} : found->second.angular_velocity;
 }
 
-std::uint64_t World::user_data(ProjectileId id) const {
-  const auto found = impl_->find(id) ? impl_->state.tags.find(id.index) : impl_->state.tags.end();
-  return found == impl_->state.tags.end() ? 0 : found->second.user_data;
+std::uint64_t ProjectileView::user_data() const {
+  const auto found = world_->find(id_) ? world_->state.tags.find(id_.index) : world_->state.tags.end();
+  return found == world_->state.tags.end() ? 0 : found->second.user_data;
 }
-std::uint32_t World::layers(ProjectileId id) const { return impl_->find(id) ? impl_->layers_of(id.index) : 0; }
-std::uint32_t World::colour(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
+std::uint32_t ProjectileView::layers() const { return world_->find(id_) ? world_->layers_of(id_.index) : 0; }
+std::uint32_t ProjectileView::colour() const {
+  const Slot* slot = world_->find(id_);
   if (!slot) return 0;
-  const auto found = impl_->state.tags.find(id.index);
-  return found == impl_->state.tags.end() ? impl_->kind_of(*slot).body.colour : found->second.colour;
+  const auto found = world_->state.tags.find(id_.index);
+  return found == world_->state.tags.end() ? world_->kind_of(*slot).body.colour : found->second.colour;
 }
-std::string World::label(ProjectileId id) const {
-  const Slot* slot = impl_->find(id);
+std::string ProjectileView::label() const {
+  const Slot* slot = world_->find(id_);
   if (!slot) return {};
-  const auto found = impl_->state.tags.find(id.index);
-  return found == impl_->state.tags.end() ? impl_->kind_of(*slot).body.label : found->second.label;
+  const auto found = world_->state.tags.find(id_.index);
+  return found == world_->state.tags.end() ? world_->kind_of(*slot).body.label : found->second.label;
 }
 
 std::span<const WorldEvent> World::events() const { return impl_->state.events; }

@@ -39,7 +39,7 @@ void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<doub
 
 }  // namespace
 
-std::uint16_t World::Impl::cohort_for(const Slot& slot) {
+std::uint16_t WorldImpl::cohort_for(const Slot& slot) {
   const std::uint16_t known = registry.kind(slot.kind).rungs[slot.rung].cohort[slot.variant().index()];
   if (known < state.rows.size()) return known;
   const std::uint16_t index = registry.cohort(slot.kind, slot.rung, slot.variant());
@@ -49,7 +49,7 @@ std::uint16_t World::Impl::cohort_for(const Slot& slot) {
   return index;
 }
 
-void World::Impl::place(std::uint32_t index, const BodyState& at, const Launch& launch) {
+void WorldImpl::place(std::uint32_t index, const BodyState& at, const Launch& launch) {
   Slot& slot = state.slots[index];
   slot.row = rows_of(slot).push(index);
   write_row(index, at, {.previous = at.position, .launch = &launch});
@@ -57,7 +57,7 @@ void World::Impl::place(std::uint32_t index, const BodyState& at, const Launch& 
 }
 
 // ------------------------------------------------------------------------------------------- rotation
-Attitude World::Impl::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const {
+Attitude WorldImpl::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const {
   Launch bore = launch;
   bore.velocity.reset();
   bore.speed = 1;
@@ -65,7 +65,7 @@ Attitude World::Impl::attitude_at_launch(const Slot& slot, const Vec3d& velocity
   return launch_attitude(kind_of(slot).flown, launch, velocity, direction, registry.cohort(slot.cohort).conditions);
 }
 
-std::optional<Attitude> World::Impl::attitude(std::uint32_t index) const {
+std::optional<Attitude> WorldImpl::attitude(std::uint32_t index) const {
   const Slot& slot = state.slots[index];
   const Rows& rows = rows_of(slot);
   if (!rows.layout().turning) return std::nullopt;
@@ -74,23 +74,23 @@ std::optional<Attitude> World::Impl::attitude(std::uint32_t index) const {
                      {now.position, now.velocity}, rows.turn(slot.row));
 }
 
-void World::Impl::set_attitude(std::uint32_t index, const Attitude& attitude) {
+void WorldImpl::set_attitude(std::uint32_t index, const Attitude& attitude) {
   const Slot& slot = state.slots[index];
   const Rows& rows = rows_of(slot);
   rows.put_turn(slot.row,
                 turn_of(registry.cohort(slot.cohort).key.fidelity, kind_of(slot).rungs[slot.rung].rotor, attitude));
 }
 
-void World::Impl::stop_turning(std::uint32_t index) {
+void WorldImpl::stop_turning(std::uint32_t index) {
   if (auto now = attitude(index)) set_attitude(index, {now->q_WB, omega_of_W(state.slots[index], now->q_WB)});
 }
 
-Vec3d World::Impl::omega_of_W(const Slot& slot, const Quatd& q_WB) const {
+Vec3d WorldImpl::omega_of_W(const Slot& slot, const Quatd& q_WB) const {
   const Conditions<double>& c = registry.cohort(slot.cohort).conditions;
   return is_turning(c.fidelity.earth) ? rotate(conjugate(q_WB), c.omega) : Vec3d{};
 }
 
-void World::Impl::write_row(std::uint32_t index, const BodyState& given, const RowStart& start) {
+void WorldImpl::write_row(std::uint32_t index, const BodyState& given, const RowStart& start) {
   const Slot& slot = state.slots[index];
   const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
   const RowNumbers numbers{state.clock.now(), start.age, start.previous, rung.rotor};
@@ -104,7 +104,7 @@ void World::Impl::write_row(std::uint32_t index, const BodyState& given, const R
 
 /// The numbers of a projectile that differ from others of its kind and rung: by its switches or by its launch. What of
 /// its velocity its rung does not have is taken away.
-Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const RowStart& start) {
+Body<double> WorldImpl::special_body(std::uint32_t index, BodyState& at, const RowStart& start) {
   const Slot& slot = state.slots[index];
   const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
   const bool planar = rung.in_use.fidelity.planar;
@@ -124,7 +124,7 @@ Body<double> World::Impl::special_body(std::uint32_t index, BodyState& at, const
 }
 
 /// The spin of the launch, or what it was. A rung that knows no spin forgets it.
-void World::Impl::start_spin(const BodyState& at, const RowStart& start, Body<double>& body) {
+void WorldImpl::start_spin(const BodyState& at, const RowStart& start, Body<double>& body) {
   if (start.old) body.spin = start.old->spin;
   if (!start.launch) return;
   Launch bore = *start.launch;
@@ -135,8 +135,8 @@ void World::Impl::start_spin(const BodyState& at, const RowStart& start, Body<do
 
 /// The piece of the motor's table and the place on the rail that a row starts with. A rung that knows no rail forgets
 /// it.
-void World::Impl::start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start,
-                              Body<double>& body) {
+void WorldImpl::start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start,
+                            Body<double>& body) {
   if (start.launch) {
     Launch bore = *start.launch;
     if (at.velocity != Vec3d{}) bore.velocity = at.velocity;
@@ -153,7 +153,7 @@ void World::Impl::start_motor(const Conditions<double>& c, const BodyState& at, 
   pass_stops(c, start.age, true, s, body);
 }
 
-void World::Impl::set_row_state(std::uint32_t index, const BodyState& given) {
+void WorldImpl::set_row_state(std::uint32_t index, const BodyState& given) {
   const Slot& slot = state.slots[index];
   BodyState at = given;
   if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, free_axes(own_of(index).frozen));
@@ -165,16 +165,16 @@ void World::Impl::set_row_state(std::uint32_t index, const BodyState& given) {
   });
 }
 
-void World::Impl::take_out(Slot& slot) {
+void WorldImpl::take_out(Slot& slot) {
   const std::uint32_t moved = rows_of(slot).swap_remove(slot.row);
   if (moved != 0) state.slots[moved].row = slot.row;
 }
 
-bool World::Impl::relocate(std::uint32_t index) {
+Status WorldImpl::relocate(std::uint32_t index) {
   Slot& slot = state.slots[index];
   const std::uint16_t to = cohort_for(slot);
-  if (to == kNoCohort) return refuse({"there are too many different rungs and rules", "world", "at most 65535"});
-  if (to == slot.cohort) return true;
+  if (to == kNoCohort) return Error{"there are too many different rungs and rules", "world", "at most 65535"};
+  if (to == slot.cohort) return {};
   const std::uint16_t from = slot.cohort;
   const std::uint32_t old_row = slot.row;
   Rows& source = state.rows[from];
@@ -191,7 +191,7 @@ bool World::Impl::relocate(std::uint32_t index) {
     take_out(slot);
     slot.cohort = to;
     slot.row = row;
-    return true;
+    return {};
   }
   const RowLayout& layout = state.rows[to].layout();
   const bool goes_on = layout.clocked && registry.cohort(to).key.fidelity.motion != Motion::closed_form;
@@ -211,10 +211,10 @@ bool World::Impl::relocate(std::uint32_t index) {
   write_row(index, at, {.previous = previous, .old = old, .age = age});
   if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}));
   if (layout.launched) state.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
-  return true;
+  return {};
 }
 
-void World::Impl::rewrite_row(std::uint32_t index) {
+void WorldImpl::rewrite_row(std::uint32_t index) {
   const Slot& slot = state.slots[index];
   const bool goes_on =
       rows_of(slot).layout().clocked && registry.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form;
@@ -223,13 +223,13 @@ void World::Impl::rewrite_row(std::uint32_t index) {
             {.previous = rows_of(slot).previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
 }
 
-Body<double> World::Impl::body_of(const Slot& slot) const {
+Body<double> WorldImpl::body_of(const Slot& slot) const {
   Body<double> body = kind_of(slot).rungs[slot.rung].body;
   rows_of(slot).read_fields(slot.row, body);
   return body;
 }
 
-double World::Impl::clock_of(const Slot& slot) const {
+double WorldImpl::clock_of(const Slot& slot) const {
   return rows_of(slot).layout().clocked
              ? state.row_clock(slot)
              : state.clock.time() - state.birth[static_cast<std::size_t>(&slot - state.slots.data())];
@@ -237,7 +237,7 @@ double World::Impl::clock_of(const Slot& slot) const {
 
 /// Rows count steps of one length, as whole numbers that a float holds: when the length changes, or the numbers grow
 /// too large, they count from now on.
-void World::Impl::rebase(double new_dt) {
+void WorldImpl::rebase(double new_dt) {
   Clock& clock = state.clock;
   const bool new_length = new_dt != clock.dt;
   constexpr std::uint64_t kMostSteps = 1u << 22;

@@ -115,7 +115,7 @@ class NoThreads final : public TaskRunner {
 
 }  // namespace
 
-TaskRunner& World::Impl::runner(std::size_t rows) {
+TaskRunner& WorldImpl::runner(std::size_t rows) {
   static NoThreads none;
   const std::size_t wanted = rows / std::max<std::size_t>(def.threading.rows_per_thread, 1);
   if (wanted <= 1 || def.threading.threads == 1) return none;
@@ -126,7 +126,7 @@ TaskRunner& World::Impl::runner(std::size_t rows) {
 
 void World::set_task_runner(TaskRunner* runner) { impl_->lent = runner; }
 
-ProjectileId World::Impl::take_due(std::vector<Due>& heap) {
+ProjectileId WorldImpl::take_due(std::vector<Due>& heap) {
   const double now = state.clock.time();
   while (!heap.empty() && heap.front().time <= now) {
     const ProjectileId id = heap.front().id;
@@ -137,7 +137,7 @@ ProjectileId World::Impl::take_due(std::vector<Due>& heap) {
   return {};
 }
 
-void World::Impl::launch_pending() {
+void WorldImpl::launch_pending() {
   while (const ProjectileId id = take_due(state.pending)) {
     Slot& slot = *find(id);
     slot.set(kPending, false);
@@ -150,14 +150,14 @@ void World::Impl::launch_pending() {
   }
 }
 
-void World::Impl::expire_old() {
+void WorldImpl::expire_old() {
   while (const ProjectileId id = take_due(state.old_age)) {
     tell(WorldEventKind::expired, id.index, Reason::older);
     remove(id.index, LifeStatus::expired);
   }
 }
 
-void World::Impl::step_free(double dt) {
+void WorldImpl::step_free(double dt) {
   scratch.chunk_count = 0;
   scratch.words_before.assign(state.rows.size(), 0);
   std::size_t words = 0;
@@ -197,7 +197,7 @@ void World::Impl::step_free(double dt) {
 }
 
 /// Does what settling decided, in order of slots, so that neither threads nor the order of rows matter.
-void World::Impl::finish_step() {
+void WorldImpl::finish_step() {
   scratch.changes.clear();
   const auto collect = [this](const Chunk& chunk) {
     scratch.changes.insert(scratch.changes.end(), chunk.changes.begin(), chunk.changes.end());
@@ -229,7 +229,7 @@ void World::Impl::finish_step() {
   }
 }
 
-void World::Impl::step(double dt) {
+void WorldImpl::step(double dt) {
   rebase(dt);
   launch_pending();
   begin_generators(dt);
@@ -252,21 +252,20 @@ void World::Impl::step(double dt) {
 }
 
 // --------------------------------------------------------------------------------------------------- time
-bool World::step(double dt) {
+Status World::step(double dt) {
   const Recorded<Call::step> call(impl_->recorder, dt);
-  if (!(dt > 0 && dt < 1e6)) return impl_->refuse({"a step must be a positive time", "dt", "in s"});
+  if (!(dt > 0 && dt < 1e6)) return Error{"must be a positive time", "dt", "in s"};
   impl_->state.events.clear();
   impl_->step(dt);
-  return true;
+  return {};
 }
 
 int World::advance(double real_dt) {
-  Impl& w = *impl_;
+  WorldImpl& w = *impl_;
   const Recorded<Call::advance> call(w.recorder, real_dt);
   Clock& clock = w.state.clock;
   w.state.events.clear();
-  if (!(real_dt >= 0 && real_dt < 1e9)) return w.refuse({"time passes forwards", "real_dt", "in s, not negative"}), 0;
-  if (clock.paused) return 0;
+  if (!(real_dt >= 0 && real_dt < 1e9) || clock.paused) return 0;
   clock.left_over += real_dt * clock.time_scale;
   int steps = 0;
   while (clock.left_over >= w.def.step && static_cast<std::uint32_t>(steps) < w.def.max_steps) {
@@ -282,11 +281,10 @@ int World::advance(double real_dt) {
   return steps;
 }
 
-bool World::single_step() {
+void World::single_step() {
   const Recorded<Call::single_step> call(impl_->recorder);
   impl_->state.events.clear();
   impl_->step(impl_->def.step);
-  return true;
 }
 
 void World::set_paused(bool paused) {
@@ -294,11 +292,11 @@ void World::set_paused(bool paused) {
   impl_->state.clock.paused = paused;
 }
 bool World::is_paused() const { return impl_->state.clock.paused; }
-bool World::set_time_scale(double scale) {
+Status World::set_time_scale(double scale) {
   const Recorded<Call::set_time_scale> call(impl_->recorder, scale);
-  if (!(scale >= 0 && scale <= 1000)) return impl_->refuse({"must lie between 0 and 1000", "time_scale", ""});
+  if (!(scale >= 0 && scale <= 1000)) return Error{"must lie between 0 and 1000", "time_scale", ""};
   impl_->state.clock.time_scale = scale;
-  return true;
+  return {};
 }
 double World::time_scale() const { return impl_->state.clock.time_scale; }
 double World::time() const { return impl_->state.clock.time(); }

@@ -4,7 +4,7 @@
 
 namespace physim {
 
-void World::Impl::turn(double dt) {
+void WorldImpl::turn(double dt) {
   for (auto& [index, turning] : state.turning) {
     const Slot& slot = state.slots[index];
     if (slot.is(kStill)) continue;

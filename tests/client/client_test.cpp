@@ -414,7 +414,7 @@ TEST(Scene, VectorsPointAlongWhatTheyShow) {
   Scene scene;
   build_scene(client, 1, scene);
   const Vec3d at = client.session.shown_position(client.selected_track()->id);
-  const Vec3d v = client.session.world().velocity(client.selected_track()->id);
+  const Vec3d v = client.session.world()[client.selected_track()->id].velocity();
   bool found = false;
   for (const SceneLine& line : scene.lines)
     if (line.colour == colours::kVelocity && length(line.a - at) < 1e-9)

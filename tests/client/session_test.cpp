@@ -66,8 +66,8 @@ TEST(Session, SettingsBindWhenTheShotIsFired) {
   const ProjectileId first = *session.fire(shot);
   shot.projectile.mass = 7;
   const ProjectileId second = *session.fire(shot);
-  EXPECT_EQ(session.world().mass(first), 1);
-  EXPECT_EQ(session.world().mass(second), 7);
+  EXPECT_EQ(session.world()[first].mass(), 1);
+  EXPECT_EQ(session.world()[second].mass(), 7);
   EXPECT_NE(session.track(first)->colour, session.track(second)->colour);
 }
 
@@ -160,10 +160,10 @@ TEST(Session, EditsInFlightAreMarked) {
   Session session = range();
   const ProjectileId id = *session.fire(laser());
   session.single_step();
-  ASSERT_TRUE(session.edit(id, [&](World& world) { return world.set_velocity(id, {0, 10, 0}); }));
+  ASSERT_TRUE(session.edit(id, [](Projectile p) { return p.set_velocity({0, 10, 0}); }));
   EXPECT_TRUE(session.track(id)->edited);
-  EXPECT_EQ(session.world().velocity(id).y, 10);
-  const Status status = session.edit(id, [&](World& world) { return world.set_velocity(id, {NAN, 0, 0}); });
+  EXPECT_EQ(session.world()[id].velocity().y, 10);
+  const Status status = session.edit(id, [](Projectile p) { return p.set_velocity({NAN, 0, 0}); });
   EXPECT_FALSE(status);
 }
 
@@ -212,7 +212,7 @@ TEST(Prediction, IsTheFlightItself) {
     ASSERT_FALSE(prediction.error) << prediction.error->text();
     ASSERT_TRUE(session.restart());
     const ProjectileId id = *session.fire(type.shot);
-    EXPECT_EQ(session.world().velocity(id), prediction.velocity) << type.name;
+    EXPECT_EQ(session.world()[id].velocity(), prediction.velocity) << type.name;
     for (std::size_t i = 1; i < 30 && i + 1 < prediction.path.size(); ++i) {
       session.single_step();
       EXPECT_EQ(session.tracks()[0].samples[i].position, prediction.path[i].position) << type.name << " step " << i;
@@ -230,7 +230,7 @@ TEST(Prediction, FeelsTheForcesOfTheScenario) {
   const Prediction prediction = predict(session, dart->shot, 2);
   const ProjectileId id = *session.fire(dart->shot);
   for (std::size_t i = 1; i < 30; ++i) session.single_step();
-  EXPECT_LT(length(session.world().position(id) - prediction.path[29].position), 1e-6);
+  EXPECT_LT(length(session.world()[id].position() - prediction.path[29].position), 1e-6);
 }
 
 /// The six tests of the original, flown in the client's world, over the rows that were published.

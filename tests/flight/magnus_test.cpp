@@ -293,17 +293,17 @@ TEST(Magnus, a_world_flies_the_bits_of_a_flight) {
   p.fidelity = spinning(Integrator::rk4);
   Launch launch{.speed = 70, .elevation = 0.2, .azimuth = 0.3};
   launch.spin = {300, 50, 10};
-  const ProjectileId id = world.spawn(p, launch);
-  const ProjectileId later = world.spawn(p, launch, {}, 0.25);
+  const ProjectileId id = *world.spawn(p, launch);
+  const ProjectileId later = *world.spawn(p, launch, {}, 0.25);
   constexpr double kStep = 1.0 / 64;
   const Flight flight = fly(p, launch, {}, p.fidelity, {1e-9, 1e-9, kStep});
   for (int i = 1; i <= 128; ++i) {
     world.step(kStep);
-    ASSERT_TRUE(same_bits(world.position(id), flight.at(i * kStep).position)) << i;
+    ASSERT_TRUE(same_bits(world[id].position(), flight.at(i * kStep).position)) << i;
     if (i > 16) {
-      ASSERT_TRUE(near(world.position(later), flight.at((i - 16) * kStep).position, 1e-12)) << i;
+      ASSERT_TRUE(near(world[later].position(), flight.at((i - 16) * kStep).position, 1e-12)) << i;
     }
-    ASSERT_TRUE(near(world.accelerations(id).total, flight.at(i * kStep).acceleration, 1e-12));
+    ASSERT_TRUE(near(world[id].accelerations().total, flight.at(i * kStep).acceleration, 1e-12));
   }
 }
 

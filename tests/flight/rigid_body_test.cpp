@@ -306,20 +306,20 @@ TEST(RigidBody, worlds_turn_as_flights_do) {
       for (const Shot& s : shots) {
         ProjectileDef p = s.projectile;
         p.fidelity = falling(i, precision);
-        ids.push_back(world.spawn(p, s.launch));
+        ids.push_back(*world.spawn(p, s.launch));
         ASSERT_TRUE(ids.back());
       }
       for (int step = 0; step < 16; ++step) ASSERT_TRUE(world.step(h));
       for (std::size_t k = 0; k < shots.size(); ++k) {
-        if (!world.is_alive(ids[k])) continue;
+        if (!world[ids[k]].is_alive()) continue;
         const Flight flight =
             fly(shots[k].projectile, shots[k].launch, {}, falling(i, precision), {.step = h}, {.time = 16 * h});
         const Sample end = flight.end();
-        ASSERT_TRUE(same_bits(world.position(ids[k]), end.position)) << text(i) << k;
-        const Quatd q = world.orientation(ids[k]);
+        ASSERT_TRUE(same_bits(world[ids[k]].position(), end.position)) << text(i) << k;
+        const Quatd q = world[ids[k]].orientation();
         ASSERT_TRUE(same_bits(q.w, end.orientation.w) && same_bits(q.x, end.orientation.x)) << text(i) << k;
         const Conditions<double> c = prepare_conditions({}, flight.fidelity_in_use().fidelity);
-        EXPECT_TRUE(near(world.angular_velocity(ids[k]), rotate(q, end.angular_velocity) - c.omega, 1e-6));
+        EXPECT_TRUE(near(world[ids[k]].angular_velocity(), rotate(q, end.angular_velocity) - c.omega, 1e-6));
       }
     }
 }

@@ -27,8 +27,8 @@ void add_forces(World& world, Random& r, const std::vector<ProjectileId>& ids) {
   f.law = LinearQuadraticDragForce{.k1 = 0.01, .k2 = 0.001, .wind = r.vector(10)};
   f.duration = 0.4;
   world.add_force(f);
-  world.add_force(ids[2], AnchoredSpring{r.vector(10), 3, 2, 0.1});
-  world.add_force(ids[3], Spring{.other = ids[5], .stiffness = 2, .rest_length = 1, .damping = 0.05});
+  world[ids[2]].add_force(AnchoredSpring{r.vector(10), 3, 2, 0.1});
+  world[ids[3]].add_force(Spring{.other = ids[5], .stiffness = 2, .rest_length = 1, .damping = 0.05});
   f.target = ForceTarget::everything();
   f.law = PointAttractor{r.vector(20), 100, 2};
   f.delay = 0.3;
@@ -51,7 +51,7 @@ std::uint64_t run_world(std::uint64_t seed, unsigned threads) {
     body.restitution = r.unit();
     if (r.one_in(6)) body.frozen = Axes::z;
     if (r.one_in(3)) body.despawn.farther = r.in(50, 500);
-    ids.push_back(world.spawn(p, launch, body, r.one_in(5) ? 0.2 : 0));
+    ids.push_back(*world.spawn(p, launch, body, r.one_in(5) ? 0.2 : 0));
   }
   if (r.one_in(2)) add_forces(world, r, ids);
   std::uint64_t hash = 0;
@@ -63,8 +63,8 @@ std::uint64_t run_world(std::uint64_t seed, unsigned threads) {
   const Snapshot now = world.snapshot();
   for (int i = 0; i < 3; ++i) world.step(0.013);
   world.restore(now);
-  world.set_fidelity(ids[0], Fidelity::game());
-  world.despawn(ids[6]);
+  world[ids[0]].set_fidelity(Fidelity::game());
+  world[ids[6]].despawn();
   for (int i = 0; i < 15; ++i) step();
   return hash;
 }

@@ -267,12 +267,12 @@ void expect_same_everywhere(RotationModel rotation) {
       const auto ids = world.ids();
       for (std::size_t k = 0; k < shots.size(); ++k) {
         const Sample end = fly(shots[k].projectile, shots[k].launch, {}, f, tolerance, until).end();
-        ASSERT_EQ(world.fidelity_in_use(ids[k]).fidelity.rotation, rotation) << k;
+        ASSERT_EQ(world[ids[k]].fidelity_in_use().fidelity.rotation, rotation) << k;
         ASSERT_TRUE(same_bits(batch.shots[k].position, end.position)) << kernel << k;
         ASSERT_TRUE(same_bits(batch.attitudes[k].angular_velocity, end.angular_velocity)) << kernel << k;
-        ASSERT_TRUE(same_bits(world.position(ids[k]), end.position)) << kernel << k;
+        ASSERT_TRUE(same_bits(world[ids[k]].position(), end.position)) << kernel << k;
         const double gate = precision == Precision::float32 ? 1e-4 : 1e-12;
-        EXPECT_TRUE(near(world.accelerations(ids[k]).total, end.acceleration, gate)) << kernel << k;
+        EXPECT_TRUE(near(world[ids[k]].accelerations().total, end.acceleration, gate)) << kernel << k;
       }
     }
   }

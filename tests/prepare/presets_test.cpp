@@ -29,12 +29,12 @@ TEST(Presets, ArtilleryFliesAsTheOriginals) {
   World world = World::create(def).value();
   const ProjectilePreset shell = presets::artillery();
   const ProjectileId id =
-      world.spawn(shell.projectile, {.position = {0, 1.5, 0}, .velocity = Vec3d{40, 4, 0}}, shell.body);
+      *world.spawn(shell.projectile, {.position = {0, 1.5, 0}, .velocity = Vec3d{40, 4, 0}}, shell.body);
   for (int frame = 0; frame < 30; ++frame) world.single_step();
-  EXPECT_NEAR(world.position(id).x, 19.499438, 5e-4);  // as scenarios/original_artillery.toml
-  EXPECT_NEAR(world.position(id).y, 1.233497, 5e-4);
-  while (world.is_alive(id)) world.single_step();
-  EXPECT_EQ(world.status(id), LifeStatus::expired);  // 5 m below
+  EXPECT_NEAR(world[id].position().x, 19.499438, 5e-4);  // as scenarios/original_artillery.toml
+  EXPECT_NEAR(world[id].position().y, 1.233497, 5e-4);
+  while (world[id].is_alive()) world.single_step();
+  EXPECT_EQ(world[id].status(), LifeStatus::expired);  // 5 m below
 }
 
 }  // namespace

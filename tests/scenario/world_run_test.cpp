@@ -232,7 +232,7 @@ ground = "none"
 
 TEST(WorldRun, AVelocityTakesThePlaceOfAPresetsSpeed) {
   WorldRun run = run_of("[[shot]]\npreset = \"arrow\"\nvelocity = [1, 2, 3]\n[world]\n");
-  EXPECT_EQ(run.world().velocity(run.world().ids().at(0)), (Vec3d{1, 2, 3}));
+  EXPECT_EQ(run.world()[run.world().ids().at(0)].velocity(), (Vec3d{1, 2, 3}));
 }
 
 // --------------------------------------------------------------------------------------------------------- scatter

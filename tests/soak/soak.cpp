@@ -69,10 +69,10 @@ class Soak {
     stone.drag.damping = 0.95;
     for (const Fidelity& f : rungs_) {
       bullet.fidelity = stone.fidelity = f;
-      kinds_.push_back(world_.add_kind(bullet));
+      kinds_.push_back(*world_.add_kind(bullet));
       BodyDef body;
       body.despawn.older = 3;
-      kinds_.push_back(world_.add_kind(stone, body));
+      kinds_.push_back(*world_.add_kind(stone, body));
     }
   }
 
@@ -94,7 +94,7 @@ class Soak {
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] bool all_finite() const {
     for (const ProjectileId id : world_.ids()) {
-      const BodyState s = world_.state(id);
+      const BodyState s = world_[id].state();
       for (const double x : {s.position.x, s.position.y, s.position.z, s.velocity.x, s.velocity.y, s.velocity.z})
         if (!std::isfinite(x)) return false;
     }
@@ -132,7 +132,7 @@ class Soak {
     // One in a thousand overflows.
     launch.velocity = direction() * (pick(1000) == 0 ? 1e306 : 200 * uniform());
     const double delay = pick(20) == 0 ? uniform() : 0;
-    if (const ProjectileId id = world_.spawn(some_kind(), launch, delay)) ids_.push_back(id);
+    if (const auto id = world_.spawn(some_kind(), launch, delay)) ids_.push_back(*id);
   }
 
   void change() {
@@ -140,28 +140,28 @@ class Soak {
     const ProjectileId id = ids_[pick(static_cast<unsigned>(ids_.size()))];
     switch (pick(12)) {
       case 0:
-        return void(world_.despawn(id));
+        return void(world_[id].despawn());
       case 1:
       case 2:
-        return void(world_.set_fidelity(id, rungs_[pick(static_cast<unsigned>(std::size(rungs_)))]));
+        return void(world_[id].set_fidelity(rungs_[pick(static_cast<unsigned>(std::size(rungs_)))]));
       case 3:
-        return void(world_.apply_impulse(id, direction()));
+        return void(world_[id].apply_impulse(direction()));
       case 4:
-        return void(world_.set_gravity_scale(id, 2 * uniform()));
+        return void(world_[id].set_gravity_scale(2 * uniform()));
       case 5:
-        return void(world_.set_kinematic(id, pick(2) == 0));
+        return void(world_[id].set_kinematic(pick(2) == 0));
       case 6:
-        return void(world_.set_frozen(id, pick(4) == 0 ? Axes::z : Axes::none, Axes::none));
+        return void(world_[id].set_frozen(pick(4) == 0 ? Axes::z : Axes::none, Axes::none));
       case 7:
-        return void(pick(2) == 0 ? world_.sleep(id) : world_.wake(id));
+        return void(pick(2) == 0 ? world_[id].sleep() : world_[id].wake());
       case 8:
-        return void(world_.set_layers(id, 1u << pick(3)));
+        return void(world_[id].set_layers(1u << pick(3)));
       case 9:
-        return void(world_.set_angular_velocity(id, direction()));
+        return void(world_[id].set_angular_velocity(direction()));
       case 10:
-        return void(world_.set_label(id, "marked"));
+        return void(world_[id].set_label("marked"));
       default:
-        return void(world_.set_state(id, {direction() * 10.0, direction() * 30.0}));
+        return void(world_[id].set_state({direction() * 10.0, direction() * 30.0}));
     }
   }
 
@@ -193,7 +193,7 @@ class Soak {
           for (std::size_t i = 0; i < b.force.size(); ++i) b.force[i] += b.velocity[i] * (-0.01 * b.mass[i]);
         }};
     }
-    if (const ForceId id = world_.add_force(f)) forces_.push_back(id);
+    if (const auto id = world_.add_force(f)) forces_.push_back(*id);
   }
 
   void drop_force() {
@@ -215,7 +215,7 @@ class Soak {
   }
 
   void forget_the_gone() {
-    std::erase_if(ids_, [this](ProjectileId id) { return !world_.is_alive(id); });
+    std::erase_if(ids_, [this](ProjectileId id) { return !world_[id].is_alive(); });
     std::erase_if(forces_, [this](ForceId id) { return !world_.is_active(id); });
   }
 

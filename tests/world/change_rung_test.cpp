@@ -21,12 +21,12 @@ TEST(World, a_rung_of_another_interpolation_reads_its_own_curves) {
   p.fidelity = rung;
   p.fidelity.interpolation = Interpolation::cubic;
   const Launch launch{.position = {0, 100, 0}, .speed = 400};
-  const ProjectileId changed = world.spawn(p, launch);
+  const ProjectileId changed = *world.spawn(p, launch);
   p.fidelity = rung;
-  const ProjectileId from_start = world.spawn(p, launch);
-  ASSERT_TRUE(world.set_fidelity(changed, rung));
+  const ProjectileId from_start = *world.spawn(p, launch);
+  ASSERT_TRUE(world[changed].set_fidelity(rung));
   for (int i = 0; i < 10; ++i) world.step(0.01);
-  EXPECT_EQ(world.state(changed), world.state(from_start));
+  EXPECT_EQ(world[changed].state(), world[from_start].state());
 }
 
 }  // namespace

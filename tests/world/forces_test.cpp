@@ -23,11 +23,11 @@ double spring_error(Integrator integrator, int count) {
   const Vec3d x0{1, 0.5, 0};
   const Vec3d v0{0, 1, -2};
   World world = make(empty_space());
-  const ProjectileId id = world.spawn(ball(rung(integrator), 2), at(x0, v0));
-  world.add_force(id, spring_to_origin(2 * kOmega * kOmega));
+  const ProjectileId id = *world.spawn(ball(rung(integrator), 2), at(x0, v0));
+  world[id].add_force(spring_to_origin(2 * kOmega * kOmega));
   steps(world, count, 1.0 / count);
   const Vec3d exact = x0 * std::cos(kOmega) + v0 * (std::sin(kOmega) / kOmega);
-  return length(world.position(id) - exact);
+  return length(world[id].position() - exact);
 }
 
 TEST(WorldForces, every_integrator_keeps_its_order) {
@@ -62,14 +62,14 @@ TEST(WorldForces, a_constant_force_is_the_force_of_the_projectile) {
       carried.drag.k2 = 0.03;
       const ProjectileDef pushed = carried;
       carried.force = push;
-      const ProjectileId a = world.spawn(carried, at({1, 2, 3}, {5, 6, 7}));
-      const ProjectileId b = world.spawn(pushed, at({1, 2, 3}, {5, 6, 7}));
-      world.add_force(b, ConstantForce{push});
+      const ProjectileId a = *world.spawn(carried, at({1, 2, 3}, {5, 6, 7}));
+      const ProjectileId b = *world.spawn(pushed, at({1, 2, 3}, {5, 6, 7}));
+      world[b].add_force(ConstantForce{push});
       steps(world, 50, 1.0 / 60);
-      EXPECT_EQ(world.state(a), world.state(b)) << test::text(i);
+      EXPECT_EQ(world[a].state(), world[b].state()) << test::text(i);
       // A force of its own and a generator add up.
-      ASSERT_TRUE(world.add_force(a, ConstantForce{push * -1.0}));
-      EXPECT_TRUE(near(world.accelerations(a).applied, {}, 0, 1e-6));
+      ASSERT_TRUE(world[a].add_force(ConstantForce{push * -1.0}));
+      EXPECT_TRUE(near(world[a].accelerations().applied, {}, 0, 1e-6));
     }
   }
 }
@@ -81,18 +81,19 @@ struct Pair {
   ForceId spring;
 
   Pair(const Fidelity& fa, const Fidelity& fb) {
-    a = world.spawn(ball(fa, 1), at({0, 0, 0}, {0, 1, 0}));
-    b = world.spawn(ball(fb, 3), at({2, 0, 0}, {0, 0, 0.5}));
+    a = *world.spawn(ball(fa, 1), at({0, 0, 0}, {0, 1, 0}));
+    b = *world.spawn(ball(fb, 3), at({2, 0, 0}, {0, 0, 0.5}));
     Spring law;
     law.other = b;
     law.stiffness = 10;
     law.rest_length = 1.5;
-    spring = world.add_force(a, law);
+    spring = *world[a].add_force(law);
   }
-  [[nodiscard]] Vec3d momentum() const { return world.velocity(a) * 1.0 + world.velocity(b) * 3.0; }
+  [[nodiscard]] Vec3d momentum() const { return world[a].velocity() * 1.0 + world[b].velocity() * 3.0; }
   [[nodiscard]] double energy() const {
-    const double stretch = length(world.position(a) - world.position(b)) - 1.5;
-    return 0.5 * length_squared(world.velocity(a)) + 1.5 * length_squared(world.velocity(b)) + 5 * stretch * stretch;
+    const double stretch = length(world[a].position() - world[b].position()) - 1.5;
+    return 0.5 * length_squared(world[a].velocity()) + 1.5 * length_squared(world[b].velocity()) +
+           5 * stretch * stretch;
   }
 };
 
@@ -112,7 +113,7 @@ TEST(WorldForces, rungs_and_precisions_of_one_integrator_push_each_other) {
   steps(mixed.world, 500, 1.0 / 200);
   steps(same.world, 500, 1.0 / 200);
   EXPECT_TRUE(near(mixed.momentum(), {0, 1, 1.5}, 0, 1e-5));
-  EXPECT_TRUE(near(mixed.world.position(mixed.a), same.world.position(same.a), 0, 1e-4));
+  EXPECT_TRUE(near(mixed.world[mixed.a].position(), same.world[same.a].position(), 0, 1e-4));
   EXPECT_EQ(mixed.world.cohorts().size(), 2u);
 }
 
@@ -121,28 +122,28 @@ TEST(WorldForces, under_two_integrators_both_ends_feel_a_spring) {
   Pair same(rung(Integrator::rk4), rung(Integrator::rk4));
   steps(mixed.world, 2000, 1.0 / 2000);
   steps(same.world, 2000, 1.0 / 2000);
-  EXPECT_TRUE(near(mixed.world.position(mixed.a), same.world.position(same.a), 0, 5e-3));
-  EXPECT_TRUE(near(mixed.world.position(mixed.b), same.world.position(same.b), 0, 5e-3));
+  EXPECT_TRUE(near(mixed.world[mixed.a].position(), same.world[same.a].position(), 0, 5e-3));
+  EXPECT_TRUE(near(mixed.world[mixed.b].position(), same.world[same.b].position(), 0, 5e-3));
 }
 
 TEST(WorldForces, what_nothing_moves_pulls_and_is_not_pulled) {
   World world = make(empty_space());
   BodyDef heavy;
   heavy.infinite_mass = true;
-  const ProjectileId rock = world.spawn(ball(rung(Integrator::rk4)), at({0, 0, 0}), heavy);
-  const ProjectileId a = world.spawn(ball(rung(Integrator::rk4)), at({1, 0, 0}));
-  const ProjectileId b = world.spawn(ball(rung(Integrator::rk4)), at({1, 0, 0}));
+  const ProjectileId rock = *world.spawn(ball(rung(Integrator::rk4)), at({0, 0, 0}), heavy);
+  const ProjectileId a = *world.spawn(ball(rung(Integrator::rk4)), at({1, 0, 0}));
+  const ProjectileId b = *world.spawn(ball(rung(Integrator::rk4)), at({1, 0, 0}));
   Spring law;
   law.stiffness = 4;
   law.other = rock;
-  world.add_force(a, law);  // from the free end
+  world[a].add_force(law);  // from the free end
   law.other = b;
-  world.add_force(rock, law);  // and from the fixed one
+  world[rock].add_force(law);  // and from the fixed one
   steps(world, 100, 1.0 / 100);
-  EXPECT_EQ(world.position(rock), Vec3d{});
-  EXPECT_EQ(world.state(a), world.state(b));
-  EXPECT_TRUE(near(world.position(a).x, std::cos(2.0), 0, 1e-7));
-  EXPECT_EQ(world.resultant_force(rock), Vec3d{});
+  EXPECT_EQ(world[rock].position(), Vec3d{});
+  EXPECT_EQ(world[a].state(), world[b].state());
+  EXPECT_TRUE(near(world[a].position().x, std::cos(2.0), 0, 1e-7));
+  EXPECT_EQ(world[rock].resultant_force(), Vec3d{});
 }
 
 TEST(WorldForces, frozen_axes_and_parts_of_gravity_hold) {
@@ -150,57 +151,57 @@ TEST(WorldForces, frozen_axes_and_parts_of_gravity_hold) {
   BodyDef body;
   body.frozen = Axes::x | Axes::z;
   body.gravity_scale = 0.5;
-  const ProjectileId id = world.spawn(ball(rung(Integrator::rk4), 2), at({0, 0, 0}, {1, 1, 1}), body);
-  world.add_force(id, ConstantForce{{4, 4, 4}});
+  const ProjectileId id = *world.spawn(ball(rung(Integrator::rk4), 2), at({0, 0, 0}, {1, 1, 1}), body);
+  world[id].add_force(ConstantForce{{4, 4, 4}});
   steps(world, 100, 1.0 / 100);
-  EXPECT_EQ(world.position(id).x, 0);
-  EXPECT_TRUE(near(world.position(id).y, 1 + 0.5 * (2 - 0.5 * 9.80665), 1e-9));
+  EXPECT_EQ(world[id].position().x, 0);
+  EXPECT_TRUE(near(world[id].position().y, 1 + 0.5 * (2 - 0.5 * 9.80665), 1e-9));
 }
 
 // --------------------------------------------------------------------------------------------------- times
 TEST(WorldForces, a_push_over_whole_steps_has_its_exact_impulse) {
   for (const Integrator i : test::kIntegrators) {
     World world = make(empty_space());
-    const ProjectileId id = world.spawn(ball(rung(i), 2), at({}));
+    const ProjectileId id = *world.spawn(ball(rung(i), 2), at({}));
     ForceDef push = force(ConstantForce{{6, 0, 0}}, {.ids = {id}, .kind = {}});
     push.delay = 0.1;
     push.duration = 0.4;
-    const ForceId f = world.add_force(push);
+    const ForceId f = *world.add_force(push);
     steps(world, 6, 1.0 / 60);
-    EXPECT_EQ(world.velocity(id).x, 0) << test::text(i);
+    EXPECT_EQ(world[id].velocity().x, 0) << test::text(i);
     steps(world, 23, 1.0 / 60);
     EXPECT_TRUE(world.is_active(f));
     steps(world, 1, 1.0 / 60);
     EXPECT_FALSE(world.is_active(f)) << "its duration is over";
     steps(world, 3, 1.0 / 60);  // the original loop feels it one frame late
-    EXPECT_TRUE(near(world.velocity(id).x, 3 * 0.4, 1e-12)) << test::text(i);
+    EXPECT_TRUE(near(world[id].velocity().x, 3 * 0.4, 1e-12)) << test::text(i);
     EXPECT_FALSE(world.cohorts()[0].forced && world.force_count() > 0);
   }
 }
 
 TEST(WorldForces, stay_until_removed_from_one_or_all) {
   World world = make(empty_space());
-  const ProjectileId a = world.spawn(ball(rung(Integrator::rk4)), at({}));
-  const ProjectileId b = world.spawn(ball(rung(Integrator::rk4)), at({}));
-  const ForceId f = world.add_force(force(ConstantForce{{1, 0, 0}}, {.ids = {b, a, b}, .kind = {}}));
+  const ProjectileId a = *world.spawn(ball(rung(Integrator::rk4)), at({}));
+  const ProjectileId b = *world.spawn(ball(rung(Integrator::rk4)), at({}));
+  const ForceId f = *world.add_force(force(ConstantForce{{1, 0, 0}}, {.ids = {b, a, b}, .kind = {}}));
   steps(world, 60, 1.0 / 60);
-  EXPECT_TRUE(near(world.velocity(a).x, 1, 1e-12));
-  EXPECT_TRUE(near(world.velocity(b).x, 1, 1e-12)) << "named twice, pushed once";
-  EXPECT_TRUE(world.remove_force(f, a));
-  EXPECT_FALSE(world.remove_force(f, a));
+  EXPECT_TRUE(near(world[a].velocity().x, 1, 1e-12));
+  EXPECT_TRUE(near(world[b].velocity().x, 1, 1e-12)) << "named twice, pushed once";
+  EXPECT_TRUE(world[a].remove_force(f));
+  EXPECT_FALSE(world[a].remove_force(f));
   steps(world, 60, 1.0 / 60);
-  EXPECT_TRUE(near(world.velocity(a).x, 1, 1e-12));
-  EXPECT_TRUE(near(world.velocity(b).x, 2, 1e-12));
+  EXPECT_TRUE(near(world[a].velocity().x, 1, 1e-12));
+  EXPECT_TRUE(near(world[b].velocity().x, 2, 1e-12));
   EXPECT_TRUE(world.remove_force(f));
   EXPECT_FALSE(world.remove_force(f));
   EXPECT_FALSE(world.is_active(f));
   EXPECT_EQ(world.force_count(), 0u);
   steps(world, 60, 1.0 / 60);
-  EXPECT_TRUE(near(world.velocity(b).x, 2, 1e-12));
-  const ForceId next = world.add_force(a, ConstantForce{{1, 0, 0}});
+  EXPECT_TRUE(near(world[b].velocity().x, 2, 1e-12));
+  const ForceId next = *world[a].add_force(ConstantForce{{1, 0, 0}});
   EXPECT_EQ(next.index, f.index);
   EXPECT_FALSE(world.is_active(f)) << "its place was used again";
-  EXPECT_TRUE(world.despawn(a));
+  EXPECT_TRUE(world[a].despawn());
   steps(world, 1, 1.0 / 60);
   EXPECT_FALSE(world.is_active(next)) << "its only target is gone";
 }
@@ -210,26 +211,26 @@ TEST(WorldForces, act_on_kinds_and_layers_now_and_later) {
   World world = make(empty_space());
   BodyDef in_layer_2;
   in_layer_2.layers = 2;
-  const KindId one = world.add_kind(ball(rung(Integrator::rk4)));
-  const KindId two = world.add_kind(ball(rung(Integrator::rk4)), in_layer_2);
-  std::vector<ProjectileId> ids{world.spawn(one, at({})), world.spawn(two, at({}))};
-  const ForceId x = world.add_force(force(ConstantAcceleration{{1, 0, 0}}, {.ids = {}, .kind = one}));
-  const ForceId y = world.add_force(force(ConstantAcceleration{{0, 1, 0}}, {.ids = {}, .kind = {}, .layers = 2}));
-  const ForceId z = world.add_force(force(ConstantAcceleration{{0, 0, 1}}, ForceTarget::everything()));
-  ids.push_back(world.spawn(one, at({})));
-  ids.push_back(world.spawn(two, at({})));
-  ids.push_back(world.spawn(one, at({})));
-  EXPECT_TRUE(world.set_layers(ids[4], 2));
+  const KindId one = *world.add_kind(ball(rung(Integrator::rk4)));
+  const KindId two = *world.add_kind(ball(rung(Integrator::rk4)), in_layer_2);
+  std::vector<ProjectileId> ids{*world.spawn(one, at({})), *world.spawn(two, at({}))};
+  const ForceId x = *world.add_force(force(ConstantAcceleration{{1, 0, 0}}, {.ids = {}, .kind = one}));
+  const ForceId y = *world.add_force(force(ConstantAcceleration{{0, 1, 0}}, {.ids = {}, .kind = {}, .layers = 2}));
+  const ForceId z = *world.add_force(force(ConstantAcceleration{{0, 0, 1}}, ForceTarget::everything()));
+  ids.push_back(*world.spawn(one, at({})));
+  ids.push_back(*world.spawn(two, at({})));
+  ids.push_back(*world.spawn(one, at({})));
+  EXPECT_TRUE(world[ids[4]].set_layers(2));
   const Vec3d expected[] = {{1, 0, 1}, {0, 1, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(world.accelerations(ids[i]).applied, expected[i]) << i;
+  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(world[ids[i]].accelerations().applied, expected[i]) << i;
   steps(world, 64, 1.0 / 64);
-  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_TRUE(near(world.velocity(ids[i]), expected[i], 1e-12)) << i;
-  EXPECT_TRUE(world.set_layers(ids[4], 1));
-  EXPECT_TRUE(world.remove_force(z, ids[0]));
+  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_TRUE(near(world[ids[i]].velocity(), expected[i], 1e-12)) << i;
+  EXPECT_TRUE(world[ids[4]].set_layers(1));
+  EXPECT_TRUE(world[ids[0]].remove_force(z));
   EXPECT_TRUE(world.remove_force(x));
   steps(world, 64, 1.0 / 64);
   const Vec3d later[] = {{1, 0, 1}, {0, 2, 2}, {1, 0, 2}, {0, 2, 2}, {1, 1, 2}};
-  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_TRUE(near(world.velocity(ids[i]), later[i], 1e-12)) << i;
+  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_TRUE(near(world[ids[i]].velocity(), later[i], 1e-12)) << i;
   world.clear();
   steps(world, 1, 1.0 / 64);
   EXPECT_TRUE(world.is_active(y)) << "groups wait for those to come";
@@ -239,20 +240,20 @@ TEST(WorldForces, only_motion_force_feels_them_and_notes_say_so) {
   World world = make(empty_space(true));
   Fidelity velocity = rung(Integrator::rk4);
   velocity.motion = Motion::velocity;
-  const ProjectileId a = world.spawn(ball(velocity), at({}));
-  const ProjectileId b = world.spawn(ball(rung(Integrator::tsit5)), at({}));
-  EXPECT_TRUE(world.fidelity_in_use(b).notes.empty());
+  const ProjectileId a = *world.spawn(ball(velocity), at({}));
+  const ProjectileId b = *world.spawn(ball(rung(Integrator::tsit5)), at({}));
+  EXPECT_TRUE(world[b].fidelity_in_use().notes.empty());
   world.add_force(force(ConstantForce{{1, 0, 0}}, ForceTarget::everything()));
   steps(world, 10, 0.1);
-  EXPECT_EQ(world.velocity(a).x, 0);
-  EXPECT_TRUE(near(world.velocity(b).x, 1, 1e-12));
-  ASSERT_EQ(world.fidelity_in_use(a).notes.size(), 1u);
-  EXPECT_EQ(world.fidelity_in_use(a).notes[0].effect, "motion");
-  ASSERT_EQ(world.fidelity_in_use(b).notes.size(), 1u);
-  EXPECT_EQ(world.fidelity_in_use(b).notes[0].effect, "integrator");
-  EXPECT_TRUE(world.set_fidelity(a, rung(Integrator::rk4)));
+  EXPECT_EQ(world[a].velocity().x, 0);
+  EXPECT_TRUE(near(world[b].velocity().x, 1, 1e-12));
+  ASSERT_EQ(world[a].fidelity_in_use().notes.size(), 1u);
+  EXPECT_EQ(world[a].fidelity_in_use().notes[0].effect, "motion");
+  ASSERT_EQ(world[b].fidelity_in_use().notes.size(), 1u);
+  EXPECT_EQ(world[b].fidelity_in_use().notes[0].effect, "integrator");
+  EXPECT_TRUE(world[a].set_fidelity(rung(Integrator::rk4)));
   steps(world, 10, 0.1);
-  EXPECT_TRUE(near(world.velocity(a).x, 1, 1e-12));
+  EXPECT_TRUE(near(world[a].velocity().x, 1, 1e-12));
 }
 
 TEST(WorldForces, user_functions_see_all_at_once_in_every_stage) {
@@ -268,15 +269,15 @@ TEST(WorldForces, user_functions_see_all_at_once_in_every_stage) {
     std::vector<ProjectileId> ids;
     for (int k = 0; k < 70; ++k) {
       const Precision p = k % 3 == 0 ? Precision::float32 : Precision::float64;
-      ids.push_back(world.spawn(ball(rung(i, p), 1 + k), at({1.0 * k, 0, 0})));
+      ids.push_back(*world.spawn(ball(rung(i, p), 1 + k), at({1.0 * k, 0, 0})));
     }
-    for (const std::size_t gone : {5u, 17u, 20u}) world.despawn(ids[gone]);
+    for (const std::size_t gone : {5u, 17u, 20u}) world[ids[gone]].despawn();
     world.add_force(force(wind, ForceTarget::everything()));
     world.step(0.5);
     EXPECT_EQ(calls, end_slope(i)) << test::text(i);
     EXPECT_EQ(seen, world.ids()) << "by slot, whatever the rows";
     if (i == Integrator::classic) continue;  // a frame late
-    for (const ProjectileId id : seen) EXPECT_TRUE(near(world.velocity(id).x, 0.5, 1e-6));
+    for (const ProjectileId id : seen) EXPECT_TRUE(near(world[id].velocity().x, 0.5, 1e-6));
   }
 }
 
@@ -287,7 +288,7 @@ TEST(WorldForces, zones_thrust_and_the_rest_reach_the_world) {
   ProjectileDef p = ball(rung(Integrator::rk4));
   p.fidelity.air = AirModel::constant;
   p.drag.coefficient = 0.5;
-  const KindId kind = world.add_kind(p);
+  const KindId kind = *world.add_kind(p);
   WindZone zone;
   zone.velocity = {0, 0, 10};
   zone.low = {-kInfinity, -kInfinity, -kInfinity};
@@ -298,38 +299,38 @@ TEST(WorldForces, zones_thrust_and_the_rest_reach_the_world) {
   thrust.direction = {1, 0, 0};
   world.add_force(force(thrust, {.ids = {}, .kind = kind}));
   steps(world, 60, 1.0 / 60);
-  const ProjectileId late = world.spawn(kind, at({}));
-  EXPECT_GT(world.accelerations(late).applied.z, 0.1);
-  EXPECT_TRUE(near(world.accelerations(late).applied.x, 5, 1e-3));
+  const ProjectileId late = *world.spawn(kind, at({}));
+  EXPECT_GT(world[late].accelerations().applied.z, 0.1);
+  EXPECT_TRUE(near(world[late].accelerations().applied.x, 5, 1e-3));
   steps(world, 90, 1.0 / 60);
-  EXPECT_LT(world.velocity(late).x, 5);
-  EXPECT_GT(world.velocity(late).x, 4.5);
+  EXPECT_LT(world[late].velocity().x, 5);
+  EXPECT_GT(world[late].velocity().x, 4.5);
 }
 
 // --------------------------------------------------------------------------------------------------- sleep
 TEST(WorldForces, wake_sleepers_when_they_come_and_when_they_go) {
   World world = make(empty_space());
-  const ProjectileId id = world.spawn(ball(rung(Integrator::semi_implicit_euler)), at({1, 0, 0}));
+  const ProjectileId id = *world.spawn(ball(rung(Integrator::semi_implicit_euler)), at({1, 0, 0}));
   AnchoredSpring law;
   law.rest_length = 1;
   steps(world, 60, 1.0 / 60);
-  ASSERT_TRUE(world.is_asleep(id));
-  const ForceId f = world.add_force(id, law);
-  EXPECT_FALSE(world.is_asleep(id));
+  ASSERT_TRUE(world[id].is_asleep());
+  const ForceId f = *world[id].add_force(law);
+  EXPECT_FALSE(world[id].is_asleep());
   EXPECT_EQ(kinds(world).back(), WorldEventKind::woke);
   steps(world, 60, 1.0 / 60);
-  EXPECT_TRUE(world.is_asleep(id)) << "at rest under a spring it may sleep";
+  EXPECT_TRUE(world[id].is_asleep()) << "at rest under a spring it may sleep";
   ForceDef later = force(ConstantForce{{1, 0, 0}}, {.ids = {id}, .kind = {}});
   later.delay = 0.5;
   world.add_force(later);
   steps(world, 29, 1.0 / 60);
-  EXPECT_TRUE(world.is_asleep(id)) << "a push to come does not wake it yet";
+  EXPECT_TRUE(world[id].is_asleep()) << "a push to come does not wake it yet";
   steps(world, 2, 1.0 / 60);
-  EXPECT_FALSE(world.is_asleep(id));
-  EXPECT_GT(world.velocity(id).x, 0);
-  world.sleep(id);
+  EXPECT_FALSE(world[id].is_asleep());
+  EXPECT_GT(world[id].velocity().x, 0);
+  world[id].sleep();
   EXPECT_TRUE(world.remove_force(f));
-  EXPECT_FALSE(world.is_asleep(id));
+  EXPECT_FALSE(world[id].is_asleep());
 }
 
 // --------------------------------------------------------------------------------------------------- ground
@@ -340,13 +341,13 @@ TEST(WorldForces, landings_lie_on_the_real_step) {
     def.ground.mode = GroundMode::land;
     World world = make(def);
     // y = cos(3 t) - 0.2 comes down to the ground; the spring is anchored below it.
-    const ProjectileId id = world.spawn(ball(rung(i)), at({0, 0.8, 0}, {2, 0, 0}));
+    const ProjectileId id = *world.spawn(ball(rung(i)), at({0, 0.8, 0}, {2, 0, 0}));
     AnchoredSpring law = spring_to_origin(9);
     law.anchor = {0, -0.2, 0};
-    world.add_force(id, law);
+    world[id].add_force(law);
     const double exact = std::acos(0.2) / 3;
-    for (int k = 0; k < 60 && world.is_alive(id); ++k) world.step(1.0 / 60);
-    ASSERT_EQ(world.status(id), LifeStatus::landed);
+    for (int k = 0; k < 60 && world[id].is_alive(); ++k) world.step(1.0 / 60);
+    ASSERT_EQ(world[id].status(), LifeStatus::landed);
     ASSERT_EQ(world.events().size(), 1u);
     const double tolerance = i == Integrator::heun ? 1e-3 : 2e-7;
     EXPECT_TRUE(near(world.events()[0].time, exact, 0, tolerance)) << test::text(i);
@@ -362,19 +363,19 @@ TEST(WorldForces, bounces_and_rest_under_a_gravity_generator) {
     without.environment.gravity.model = GravityModel::off;
     World natural = make(with);
     World pushed = make(without);
-    const ProjectileId a = natural.spawn(ball(rung(Integrator::rk4, p)), at({0, 3, 0}, {1, 0, 0}));
-    const ProjectileId b = pushed.spawn(ball(rung(Integrator::rk4, p)), at({0, 3, 0}, {1, 0, 0}));
+    const ProjectileId a = *natural.spawn(ball(rung(Integrator::rk4, p)), at({0, 3, 0}, {1, 0, 0}));
+    const ProjectileId b = *pushed.spawn(ball(rung(Integrator::rk4, p)), at({0, 3, 0}, {1, 0, 0}));
     pushed.add_force(force(GravityForce{}, ForceTarget::everything()));
     for (int k = 0; k < 600; ++k) {
       natural.step(1.0 / 60);
       pushed.step(1.0 / 60);
       ASSERT_EQ(kinds(natural), kinds(pushed)) << k;
-      ASSERT_TRUE(near(pushed.position(b), natural.position(a), 0, 1e-4)) << k;
+      ASSERT_TRUE(near(pushed[b].position(), natural[a].position(), 0, 1e-4)) << k;
     }
-    EXPECT_TRUE(pushed.is_asleep(b));
-    pushed.add_force(b, ConstantForce{{0, 20, 0}}, 0.5);
+    EXPECT_TRUE(pushed[b].is_asleep());
+    pushed[b].add_force(ConstantForce{{0, 20, 0}}, 0.5);
     pushed.step(1.0 / 60);
-    EXPECT_GT(pushed.velocity(b).y, 0) << "something lifts it off the ground";
+    EXPECT_GT(pushed[b].velocity().y, 0) << "something lifts it off the ground";
   }
 }
 
@@ -384,8 +385,8 @@ TEST(WorldForces, rules_and_apexes_are_seen) {
   World world = make(def);
   BodyDef body;
   body.despawn.farther = 50;
-  const ProjectileId id = world.spawn(ball(rung(Integrator::rk4)), at({0, 0, 0}, {1, 10, 0}), body);
-  world.add_force(id, GravityForce{{0, -10, 0}});
+  const ProjectileId id = *world.spawn(ball(rung(Integrator::rk4)), at({0, 0, 0}, {1, 10, 0}), body);
+  world[id].add_force(GravityForce{{0, -10, 0}});
   std::vector<WorldEvent> events;
   for (int k = 0; k < 600; ++k) {
     world.step(1.0 / 60);
@@ -410,7 +411,7 @@ World busy_world(unsigned threads, bool backwards, std::vector<ProjectileId>& id
     const int k = backwards ? 89 - n : n;
     const Precision p = k % 2 == 0 ? Precision::float32 : Precision::float64;
     const Launch launch = at({0.3 * k, 1 + 0.1 * (k % 7), 0.01 * k * k}, {0.1 * k, 2, -0.05 * k});
-    ids[static_cast<std::size_t>(k)] = world.spawn(
+    ids[static_cast<std::size_t>(k)] = *world.spawn(
         ball(rung(test::kIntegrators[static_cast<std::size_t>(k) % std::size(test::kIntegrators)], p), 1 + 0.1 * k),
         launch);
   }
@@ -419,7 +420,7 @@ World busy_world(unsigned threads, bool backwards, std::vector<ProjectileId>& id
     law.other = ids[k + (k % 2 == 0 ? 7 : 5)];
     law.stiffness = 2;
     law.damping = 0.1;
-    world.add_force(ids[k], law);
+    world[ids[k]].add_force(law);
   }
   ForceDef gust = force(LinearQuadraticDragForce{0.1, 0.02, {3, 0, 0}}, ForceTarget::everything());
   gust.delay = 0.3;
@@ -439,7 +440,7 @@ TEST(WorldForces, neither_threads_nor_the_order_of_coming_matter) {
     for (World& w : worlds) ASSERT_TRUE(w.step(1.0 / 60));
     ASSERT_EQ(worlds[0].hash(), worlds[1].hash()) << k;
     for (std::size_t i = 0; i < ids[0].size(); ++i)
-      ASSERT_EQ(worlds[0].state(ids[0][i]), worlds[2].state(ids[2][i])) << k << " " << i;
+      ASSERT_EQ(worlds[0][ids[0][i]].state(), worlds[2][ids[2][i]].state()) << k << " " << i;
   }
 }
 
@@ -464,8 +465,8 @@ TEST(WorldForces, go_on_from_a_snapshot_bit_for_bit) {
   const std::uint64_t hash = world.hash();
   std::vector<std::uint64_t> hashes;
   for (int k = 0; k < 100; ++k) world.step(1.0 / 60), hashes.push_back(world.hash());
-  world.add_force(ids[3], ConstantForce{{1, 2, 3}});
-  world.despawn(ids[6]);
+  world[ids[3]].add_force(ConstantForce{{1, 2, 3}});
+  world[ids[6]].despawn();
   steps(world, 10, 1.0 / 60);
   ASSERT_TRUE(world.restore(then));
   EXPECT_EQ(world.hash(), hash);
@@ -478,8 +479,8 @@ TEST(WorldForces, go_on_from_a_snapshot_bit_for_bit) {
 TEST(WorldForces, the_hash_knows_what_generators_will_do) {
   const auto hash_with = [](double duration, double size) {
     World world = make(empty_space());
-    const ProjectileId id = world.spawn(ball(rung(Integrator::rk4)), at({}));
-    world.add_force(id, ConstantForce{{size, 0, 0}}, duration);
+    const ProjectileId id = *world.spawn(ball(rung(Integrator::rk4)), at({}));
+    world[id].add_force(ConstantForce{{size, 0, 0}}, duration);
     return world.hash();
   };
   EXPECT_EQ(hash_with(1, 1), hash_with(1, 1));
@@ -493,12 +494,12 @@ TEST(WorldForces, what_is_no_number_retires_only_whom_it_hits) {
     for (const double bad : {kNan, kInfinity}) {
       World world = make(empty_space());
       std::vector<ProjectileId> ids;
-      for (int k = 0; k < 20; ++k) ids.push_back(world.spawn(ball(rung(i)), at({1.0 * k, 0, 0}, {0, 1, 0})));
+      for (int k = 0; k < 20; ++k) ids.push_back(*world.spawn(ball(rung(i)), at({1.0 * k, 0, 0}, {0, 1, 0})));
       Spring law;
       law.other = ids[8];
-      const ForceId to_bad = world.add_force(ids[9], law);
+      const ForceId to_bad = *world[ids[9]].add_force(law);
       law.other = ids[7];
-      const ForceId from_bad = world.add_force(ids[8], law);
+      const ForceId from_bad = *world[ids[8]].add_force(law);
       world.add_force(force(CustomForce{[&](const ForceBatch& b) {
                               for (std::size_t k = 0; k < b.force.size(); ++k)
                                 if (b.id[k] == ids[8]) b.force[k] = {0, bad, 0};
@@ -506,8 +507,8 @@ TEST(WorldForces, what_is_no_number_retires_only_whom_it_hits) {
                             ForceTarget::everything()));
       steps(world, 3, 0.1);
       EXPECT_EQ(world.size(), 19u) << test::text(i);
-      EXPECT_EQ(world.status(ids[8]), LifeStatus::retired);
-      for (const ProjectileId id : world.ids()) EXPECT_TRUE(std::isfinite(length(world.position(id))));
+      EXPECT_EQ(world[ids[8]].status(), LifeStatus::retired);
+      for (const ProjectileId id : world.ids()) EXPECT_TRUE(std::isfinite(length(world[id].position())));
       EXPECT_FALSE(world.is_active(to_bad));
       EXPECT_FALSE(world.is_active(from_bad));
       EXPECT_EQ(world.counters().retired, 1u);
@@ -517,12 +518,12 @@ TEST(WorldForces, what_is_no_number_retires_only_whom_it_hits) {
 
 TEST(WorldForces, refuse_what_makes_no_sense) {
   World world = make(empty_space());
-  const ProjectileId a = world.spawn(ball(rung(Integrator::rk4)), at({}));
-  const ProjectileId b = world.spawn(ball(rung(Integrator::rk4)), at({}));
-  ASSERT_TRUE(world.despawn(b));
+  const ProjectileId a = *world.spawn(ball(rung(Integrator::rk4)), at({}));
+  const ProjectileId b = *world.spawn(ball(rung(Integrator::rk4)), at({}));
+  ASSERT_TRUE(world[b].despawn());
   const auto place_of = [&](const ForceDef& f) {
-    EXPECT_FALSE(world.add_force(f));
-    return world.error()->place;
+    const auto added = world.add_force(f);
+    return added ? "it was added" : added.error().place;
   };
   EXPECT_EQ(place_of(force(ConstantForce{{kNan, 0, 0}}, {.ids = {a}, .kind = {}})), "force.force");
   EXPECT_EQ(place_of(force(ConstantForce{}, {})), "force.target");
@@ -540,8 +541,8 @@ TEST(WorldForces, refuse_what_makes_no_sense) {
   EXPECT_FALSE(world.remove_force(ForceId{}));
   EXPECT_FALSE(world.remove_force(ForceId{5, 1}));
   EXPECT_EQ(world.force_count(), 0u);
-  const ForceId f = world.add_force(a, ConstantForce{});
-  EXPECT_FALSE(world.remove_force(f, b));
+  const ForceId f = *world[a].add_force(ConstantForce{});
+  EXPECT_FALSE(world[b].remove_force(f));
   EXPECT_EQ(world.force_count(), 1u);
 }
 

@@ -26,7 +26,7 @@ TEST(Ground, landing_has_the_exact_time_and_place_of_a_flight) {
       p.fidelity.integrator = integrator;
       p.fidelity.precision = precision;
       const Launch launch{.position = {0, 1.5, 0}, .speed = 100, .elevation = 0.05};
-      const ProjectileId id = world.spawn(p, launch);
+      const ProjectileId id = *world.spawn(p, launch);
       const auto events = run_for(world, 3);
       const auto landed =
           std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::landed; });
@@ -39,8 +39,8 @@ TEST(Ground, landing_has_the_exact_time_and_place_of_a_flight) {
       EXPECT_NEAR(landed->position.x, flight.end().position.x, 1e-6 * flight.end().position.x);
       EXPECT_NEAR(landed->position.y, 0, 1e-5);
       EXPECT_EQ(landed->id, id);
-      EXPECT_FALSE(world.is_alive(id));
-      EXPECT_EQ(world.status(id), LifeStatus::landed);
+      EXPECT_FALSE(world[id].is_alive());
+      EXPECT_EQ(world[id].status(), LifeStatus::landed);
       EXPECT_EQ(world.size(), 0u);
     }
   }
@@ -76,7 +76,7 @@ TEST(Ground, closed_forms_bounce_too) {
   ProjectileDef p = stone();
   p.fidelity.motion = Motion::closed_form;
   World world = make_world(on_ground(GroundMode::bounce));
-  const ProjectileId id = world.spawn(p, {.position = {0, 2, 0}, .velocity = Vec3d{3, 0, 0}}, body);
+  const ProjectileId id = *world.spawn(p, {.position = {0, 2, 0}, .velocity = Vec3d{3, 0, 0}}, body);
   const auto events = run_for(world, 1);
   const double fall = std::sqrt(2 * 2 / kG);
   ASSERT_FALSE(events.empty());
@@ -86,7 +86,7 @@ TEST(Ground, closed_forms_bounce_too) {
   EXPECT_NEAR(bounce->time, fall, 1e-9);
   const double after = 1 - fall;
   const double up = 0.5 * kG * fall;
-  EXPECT_NEAR(world.position(id).y, up * after - 0.5 * kG * after * after, 1e-9);
+  EXPECT_NEAR(world[id].position().y, up * after - 0.5 * kG * after * after, 1e-9);
 }
 
 TEST(Ground, friction_slows_a_bounce_as_coulomb_says) {
@@ -110,12 +110,12 @@ TEST(Ground, a_ball_rolls_to_rest_and_sleeps_where_resistance_stops_it) {
   body.rolling_resistance = 0.1;
   body.sleep_time = 0.25;
   World world = make_world(on_ground(GroundMode::bounce));
-  const ProjectileId id = world.spawn(stone(), {.velocity = Vec3d{5, 0, 0}}, body);
+  const ProjectileId id = *world.spawn(stone(), {.velocity = Vec3d{5, 0, 0}}, body);
   const auto events = run_for(world, 8);
-  EXPECT_TRUE(world.is_asleep(id));
-  EXPECT_EQ(world.position(id).y, 0);
-  EXPECT_EQ(world.velocity(id), Vec3d{});
-  EXPECT_NEAR(world.position(id).x, 25 / (2 * 0.1 * kG), 1e-3);
+  EXPECT_TRUE(world[id].is_asleep());
+  EXPECT_EQ(world[id].position().y, 0);
+  EXPECT_EQ(world[id].velocity(), Vec3d{});
+  EXPECT_NEAR(world[id].position().x, 25 / (2 * 0.1 * kG), 1e-3);
   const auto slept =
       std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::slept; });
   ASSERT_NE(slept, events.end());
@@ -140,38 +140,38 @@ TEST(Ground, an_impulse_wakes_a_sleeper) {
   BodyDef body;
   body.sleep_time = 0.1;
   World world = make_world(on_ground(GroundMode::bounce));
-  const ProjectileId id = world.spawn(stone(), {}, body);
+  const ProjectileId id = *world.spawn(stone(), {}, body);
   run_for(world, 1);
-  ASSERT_TRUE(world.is_asleep(id));
-  EXPECT_TRUE(world.apply_impulse(id, {0, 3, 0}));
-  EXPECT_FALSE(world.is_asleep(id));
+  ASSERT_TRUE(world[id].is_asleep());
+  EXPECT_TRUE(world[id].apply_impulse({0, 3, 0}));
+  EXPECT_FALSE(world[id].is_asleep());
   EXPECT_EQ(events_of(world, WorldEventKind::woke).size(), 1u);
   world.step(1.0 / 64);
-  EXPECT_GT(world.position(id).y, 0);
+  EXPECT_GT(world[id].position().y, 0);
 }
 
 TEST(Ground, stuck_arrows_stay_where_they_struck) {
   World world = make_world(on_ground(GroundMode::stick));
-  const ProjectileId id = world.spawn(stone(), {.position = {0, 1, 0}, .velocity = Vec3d{30, 0, 0}});
+  const ProjectileId id = *world.spawn(stone(), {.position = {0, 1, 0}, .velocity = Vec3d{30, 0, 0}});
   run_for(world, 2);
-  ASSERT_TRUE(world.is_alive(id));
-  EXPECT_EQ(world.status(id), LifeStatus::landed);
-  EXPECT_NEAR(world.position(id).y, 0, 1e-9);
-  EXPECT_EQ(world.velocity(id), Vec3d{});
-  const Vec3d there = world.position(id);
+  ASSERT_TRUE(world[id].is_alive());
+  EXPECT_EQ(world[id].status(), LifeStatus::landed);
+  EXPECT_NEAR(world[id].position().y, 0, 1e-9);
+  EXPECT_EQ(world[id].velocity(), Vec3d{});
+  const Vec3d there = world[id].position();
   run_for(world, 1);
-  EXPECT_EQ(world.position(id), there);
+  EXPECT_EQ(world[id].position(), there);
 }
 
 TEST(Ground, spawned_in_the_ground_and_falling_lands_at_once) {
   World world = make_world(on_ground(GroundMode::land));
-  const ProjectileId id = world.spawn(stone(), {.position = {0, -1, 0}, .velocity = Vec3d{0, -1, 0}});
+  const ProjectileId id = *world.spawn(stone(), {.position = {0, -1, 0}, .velocity = Vec3d{0, -1, 0}});
   world.step(1.0 / 64);
-  EXPECT_EQ(world.status(id), LifeStatus::landed);
-  const ProjectileId rising = world.spawn(stone(), {.position = {0, -1, 0}, .velocity = Vec3d{0, 10, 0}});
+  EXPECT_EQ(world[id].status(), LifeStatus::landed);
+  const ProjectileId rising = *world.spawn(stone(), {.position = {0, -1, 0}, .velocity = Vec3d{0, 10, 0}});
   run_for(world, 0.5);
-  EXPECT_TRUE(world.is_alive(rising));
-  EXPECT_GT(world.position(rising).y, 0);
+  EXPECT_TRUE(world[rising].is_alive());
+  EXPECT_GT(world[rising].position().y, 0);
 }
 
 TEST(Ground, apex_is_told_where_it_is) {
@@ -197,12 +197,12 @@ TEST(Ground, a_roll_that_overflows_ends_in_the_same_step) {
   ProjectileDef p;
   p.fidelity = Fidelity::game();
   p.fidelity.drag = DragModel::off;
-  const ProjectileId id = world.spawn(p, Launch{.position = {2e38, 0, 0}, .velocity = Vec3d{1e38, 0, 0}});
-  const ProjectileId other = world.spawn(p, Launch{.position = {0, 10, 0}, .speed = 5});
+  const ProjectileId id = *world.spawn(p, Launch{.position = {2e38, 0, 0}, .velocity = Vec3d{1e38, 0, 0}});
+  const ProjectileId other = *world.spawn(p, Launch{.position = {0, 10, 0}, .speed = 5});
   ASSERT_TRUE(id);
   ASSERT_TRUE(world.step(3));
-  EXPECT_FALSE(world.is_alive(id));
-  EXPECT_TRUE(world.is_alive(other));
+  EXPECT_FALSE(world[id].is_alive());
+  EXPECT_TRUE(world[other].is_alive());
 }
 
 }  // namespace

@@ -64,14 +64,14 @@ TEST(KnownRungs, agree_with_any_rung_and_with_flights) {
     World other = std::move(World::create(general).value());
     std::vector<ProjectileId> ids;
     for (std::size_t i = 0; i < kCount; ++i) {
-      ids.push_back(world.spawn(projectile(i, rung), launch(i)));
-      ASSERT_EQ(other.spawn(projectile(i, rung), launch(i)), ids.back());
+      ids.push_back(*world.spawn(projectile(i, rung), launch(i)));
+      ASSERT_EQ(*other.spawn(projectile(i, rung), launch(i)), ids.back());
     }
     ASSERT_EQ(world.cohorts().size(), 1u);
     for (int i = 0; i < kSteps; ++i) world.step(kStep), other.step(kStep);
     for (std::size_t i = 0; i < kCount; ++i) {
-      const BodyState b = world.state(ids[i]);
-      ASSERT_EQ(b, other.state(ids[i])) << name(rung.drag) << " " << name(rung.wind) << " " << i;
+      const BodyState b = world[ids[i]].state();
+      ASSERT_EQ(b, other[ids[i]].state()) << name(rung.drag) << " " << name(rung.wind) << " " << i;
       const Flight flight = fly(projectile(i, rung), launch(i), def.environment, rung, tolerance, until);
       ASSERT_FALSE(flight.error()) << flight.error()->text();
       const Sample s = flight.at(kSteps * kStep);

@@ -23,7 +23,7 @@ TEST(Moments, restore_goes_back_bit_for_bit) {
       std::vector<std::uint64_t> hashes;
       for (int i = 0; i < 30; ++i) world.advance(0.02), hashes.push_back(world.hash());
       std::vector<Vec3d> places;
-      for (const ProjectileId id : world.ids()) places.push_back(world.render_position(id));
+      for (const ProjectileId id : world.ids()) places.push_back(world[id].render_position());
       return std::pair(hashes, places);
     };
     const auto first = run();
@@ -45,8 +45,8 @@ TEST(Moments, rolled_back_worlds_equal_those_that_were_not) {
     for (int i = 0; i < 5; ++i) w->spawn(ball(), {.position = {1.0 * i, 2, 0}, .speed = 20, .elevation = 0.5});
   const auto input = [](World& w, const Fidelity& f) {
     const ProjectileId id = w.ids().front();
-    w.set_fidelity(id, f);
-    w.apply_impulse(id, {0, 1, 0});
+    w[id].set_fidelity(f);
+    w[id].apply_impulse({0, 1, 0});
     w.spawn(ball(), {.speed = 30, .elevation = 0.3});
   };
   const Snapshot agreed = predicts.snapshot();
@@ -79,18 +79,18 @@ TEST(Moments, snapshots_belong_to_their_world) {
 
 TEST(Moments, hash_is_that_of_the_state_not_of_the_way_there) {
   World a = made(), b = made();
-  const KindId kind_a = a.add_kind(ball());
+  const KindId kind_a = *a.add_kind(ball());
   b.add_kind({.mass = 3});  // never used, and kinds of other numbers
-  const KindId kind_b = b.add_kind(ball());
+  const KindId kind_b = *b.add_kind(ball());
   const Launch near{.position = {0, 9, 0}, .speed = 5}, far{.position = {50, 9, 0}, .speed = 5};
   for (const auto& [world, kind] : {std::pair(&a, kind_a), std::pair(&b, kind_b)})
     for (const Launch& l : {near, far, near}) world->spawn(kind, l);
   EXPECT_EQ(a.hash(), b.hash());
   // To another cohort and back: rows stand in another order now.
   const std::vector<ProjectileId> ids = b.ids();
-  b.set_fidelity(ids[0], Fidelity::sport_ball());
+  b[ids[0]].set_fidelity(Fidelity::sport_ball());
   EXPECT_NE(a.hash(), b.hash());
-  b.set_fidelity(ids[0], ball().fidelity);
+  b[ids[0]].set_fidelity(ball().fidelity);
   EXPECT_EQ(a.hash(), b.hash());
   for (World* w : {&a, &b}) w->step(0.01);
   EXPECT_EQ(a.hash(), b.hash());
@@ -107,29 +107,29 @@ TEST(Moments, whatever_decides_the_future_is_in_the_hash) {
   const std::vector<std::function<void(World&)>> changes = {
       [](World&) {},
       [&](World& w) {
-        w.set_velocity(first(w), {1, 2, 3});
+        w[first(w)].set_velocity({1, 2, 3});
       },
       [&](World& w) {
-        w.set_position(first(w), {1, 2, 3});
+        w[first(w)].set_position({1, 2, 3});
       },
-      [&](World& w) { w.set_gravity_scale(first(w), 0.5); },
-      [&](World& w) { w.set_frozen(first(w), Axes::z, Axes::none); },
-      [&](World& w) { w.set_frozen(first(w), Axes::none, Axes::z); },
-      [&](World& w) { w.set_kinematic(first(w), true); },
-      [&](World& w) { w.set_can_sleep(first(w), false); },
-      [&](World& w) { w.sleep(first(w)); },
-      [&](World& w) { w.set_smoothing(first(w), Smoothing::none); },
-      [&](World& w) { w.set_user_data(first(w), 7); },
-      [&](World& w) { w.set_layers(first(w), 6); },
-      [&](World& w) { w.set_colour(first(w), 6); },
-      [&](World& w) { w.set_label(first(w), "x"); },
+      [&](World& w) { w[first(w)].set_gravity_scale(0.5); },
+      [&](World& w) { w[first(w)].set_frozen(Axes::z, Axes::none); },
+      [&](World& w) { w[first(w)].set_frozen(Axes::none, Axes::z); },
+      [&](World& w) { w[first(w)].set_kinematic(true); },
+      [&](World& w) { w[first(w)].set_can_sleep(false); },
+      [&](World& w) { w[first(w)].sleep(); },
+      [&](World& w) { w[first(w)].set_smoothing(Smoothing::none); },
+      [&](World& w) { w[first(w)].set_user_data(7); },
+      [&](World& w) { w[first(w)].set_layers(6); },
+      [&](World& w) { w[first(w)].set_colour(6); },
+      [&](World& w) { w[first(w)].set_label("x"); },
       [&](World& w) {
-        w.set_angular_velocity(first(w), {1, 0, 0});
+        w[first(w)].set_angular_velocity({1, 0, 0});
       },
-      [&](World& w) { w.set_fidelity(first(w), Fidelity::reference()); },
-      [&](World& w) { w.despawn(first(w)); },
+      [&](World& w) { w[first(w)].set_fidelity(Fidelity::reference()); },
+      [&](World& w) { w[first(w)].despawn(); },
       [&](World& w) {
-        w.despawn(first(w)), w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4});
+        w[first(w)].despawn(), w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4});
       },
       [&](World& w) {
         w.spawn(ball(), {.position = {0, 5, 0}, .speed = 4}, {}, 3);
@@ -139,16 +139,16 @@ TEST(Moments, whatever_decides_the_future_is_in_the_hash) {
       },
       [&](World& w) { w.clear(); },
       [&](World& w) {
-        w.add_force(first(w), ConstantForce{{1, 0, 0}});
+        w[first(w)].add_force(ConstantForce{{1, 0, 0}});
       },
       [&](World& w) {
-        w.add_force(first(w), ConstantForce{{2, 0, 0}});
+        w[first(w)].add_force(ConstantForce{{2, 0, 0}});
       },
       [&](World& w) {
-        w.add_force(first(w), ConstantForce{{2, 0, 0}}, 3);
+        w[first(w)].add_force(ConstantForce{{2, 0, 0}}, 3);
       },
       [&](World& w) {
-        w.remove_force(w.add_force(first(w), ConstantForce{{2, 0, 0}}));
+        w.remove_force(*w[first(w)].add_force(ConstantForce{{2, 0, 0}}));
       },
       [](World& w) { w.set_paused(true); },
       [](World& w) { w.set_time_scale(2); },
@@ -186,8 +186,8 @@ TEST(Moments, the_order_of_free_slots_is_in_the_hash) {
   for (World* w : {&a, &b})
     for (int i = 0; i < 3; ++i) w->spawn(ball(), {.position = {0, 5, 0}});
   const auto ids = a.ids();
-  a.despawn(ids[0]), a.despawn(ids[1]);
-  b.despawn(ids[1]), b.despawn(ids[0]);
+  a[ids[0]].despawn(), a[ids[1]].despawn();
+  b[ids[1]].despawn(), b[ids[0]].despawn();
   EXPECT_NE(a.hash(), b.hash());
 }
 

@@ -57,8 +57,8 @@ TEST(WorldMotor, flies_the_bits_of_a_flight) {
       SCOPED_TRACE(text(integrator) + " " + std::string(name(precision)));
       World world = make_world({.environment = windy});
       const ProjectileDef p = rocket(rung(integrator, precision));
-      const ProjectileId id = world.spawn(p, from_rail());
-      const ProjectileId other = world.spawn(p, from_rail(1.1));
+      const ProjectileId id = *world.spawn(p, from_rail());
+      const ProjectileId other = *world.spawn(p, from_rail(1.1));
       ASSERT_TRUE(id && other);
       const Flight flight = fly(p, from_rail(), windy, p.fidelity, {1e-9, 1e-9, kStep}, {.time = 30});
       std::vector<WorldEvent> events;
@@ -67,11 +67,11 @@ TEST(WorldMotor, flies_the_bits_of_a_flight) {
         for (const WorldEvent& e : world.events())
           if (e.id == id) events.push_back(e);
         const Sample s = flight.at(i * kStep);
-        ASSERT_TRUE(same_bits(world.position(id), s.position)) << i;
-        ASSERT_TRUE(same_bits(world.velocity(id), s.velocity)) << i;
-        ASSERT_TRUE(near(world.mass(id), s.mass, 1e-6)) << i;
+        ASSERT_TRUE(same_bits(world[id].position(), s.position)) << i;
+        ASSERT_TRUE(same_bits(world[id].velocity(), s.velocity)) << i;
+        ASSERT_TRUE(near(world[id].mass(), s.mass, 1e-6)) << i;
         const double rounding = precision == Precision::float64 ? 1e-12 : 1e-3;
-        ASSERT_TRUE(near(world.accelerations(id).total, s.acceleration, rounding, rounding)) << i;
+        ASSERT_TRUE(near(world[id].accelerations().total, s.acceleration, rounding, rounding)) << i;
       }
       const auto of_flight = stops_of(flight);
       const auto of_world = stops_of(events);
@@ -89,10 +89,10 @@ TEST(WorldMotor, adaptive_integrators_follow_the_flight) {
   for (const Integrator integrator : kAdaptive) {
     World world = make_world({});
     const ProjectileDef p = rocket(rung(integrator));
-    const ProjectileId id = world.spawn(p, from_rail());
+    const ProjectileId id = *world.spawn(p, from_rail());
     const Flight flight = fly(p, from_rail(), {}, p.fidelity, {1e-11, 1e-11});
     run_for(world, 3, kStep);
-    EXPECT_TRUE(near(world.position(id), flight.at(world.time()).position, 1e-6));
+    EXPECT_TRUE(near(world[id].position(), flight.at(world.time()).position, 1e-6));
   }
 }
 
@@ -100,9 +100,9 @@ TEST(WorldMotor, a_launch_without_delay_ignites_at_once) {
   World world = make_world({});
   ProjectileDef p = rocket(rung(Integrator::rk4));
   p.motor.ignition_delay = 0;
-  const ProjectileId now = world.spawn(p, from_rail());
+  const ProjectileId now = *world.spawn(p, from_rail());
   EXPECT_EQ(events_of(world, WorldEventKind::ignition).size(), 1u);
-  const ProjectileId later = world.spawn(p, from_rail(), {}, 0.5);
+  const ProjectileId later = *world.spawn(p, from_rail(), {}, 0.5);
   const auto events = run_for(world, 2.6, kStep);
   std::vector<double> ignitions, burnouts, exits;
   for (const WorldEvent& e : events) {
@@ -116,7 +116,7 @@ TEST(WorldMotor, a_launch_without_delay_ignites_at_once) {
   EXPECT_EQ(ignitions[0], 0.5);
   EXPECT_NEAR(burnouts[0], 0.5 + 1.8937, 1e-12);
   EXPECT_NEAR(exits[1] - exits[0], 0.5, 1e-12);
-  EXPECT_TRUE(world.is_alive(now));
+  EXPECT_TRUE(world[now].is_alive());
 }
 
 TEST(WorldMotor, goes_on_when_the_projectile_changes_its_rung_or_switches) {
@@ -125,20 +125,20 @@ TEST(WorldMotor, goes_on_when_the_projectile_changes_its_rung_or_switches) {
   for (const double at : {0.04, 0.1, 0.16, 0.3, 1.0}) {
     SCOPED_TRACE(at);
     World world = make_world({});
-    const ProjectileId id = world.spawn(p, from_rail());
+    const ProjectileId id = *world.spawn(p, from_rail());
     run_for(world, at, kStep);
     Fidelity other = p.fidelity;
     other.interpolation = Interpolation::linear;
     other.planar = true;
-    ASSERT_TRUE(world.set_fidelity(id, other));
-    ASSERT_TRUE(world.set_can_sleep(id, false));
+    ASSERT_TRUE(world[id].set_fidelity(other));
+    ASSERT_TRUE(world[id].set_can_sleep(false));
     run_for(world, 0.1, kStep);
-    ASSERT_TRUE(world.set_gravity_scale(id, 0.5));
-    ASSERT_TRUE(world.set_gravity_scale(id, 1));
-    ASSERT_TRUE(world.set_fidelity(id, p.fidelity));
+    ASSERT_TRUE(world[id].set_gravity_scale(0.5));
+    ASSERT_TRUE(world[id].set_gravity_scale(1));
+    ASSERT_TRUE(world[id].set_fidelity(p.fidelity));
     run_for(world, 2 - world.time(), kStep);
-    EXPECT_TRUE(near(world.position(id), flight.at(2).position, 1e-3));
-    EXPECT_TRUE(near(world.mass(id), flight.at(2).mass, 1e-12));
+    EXPECT_TRUE(near(world[id].position(), flight.at(2).position, 1e-3));
+    EXPECT_TRUE(near(world[id].mass(), flight.at(2).mass, 1e-12));
   }
 }
 
@@ -148,30 +148,30 @@ TEST(WorldMotor, generators_push_the_mass_that_is_left) {
   World world = make_world(def);
   ProjectileDef p = rocket(vacuum(Integrator::rk4));
   p.mass = 0.02;  // more than half of it burns
-  const ProjectileId id = world.spawn(p, {.elevation = 90 * kDegree, .rail_length = 0.9});
+  const ProjectileId id = *world.spawn(p, {.elevation = 90 * kDegree, .rail_length = 0.9});
   run_for(world, 2.5, kStep);
-  const Vec3d before = world.velocity(id);
+  const Vec3d before = world[id].velocity();
   ForceDef push;
   push.law = ConstantForce{{0.1, 0, 0}};
   push.target.ids = {id};
   ASSERT_TRUE(world.add_force(push));
   run_for(world, 1, kStep);
-  EXPECT_NEAR(world.velocity(id).x - before.x, 0.1 / (0.02 - 0.0108), 1e-9);
-  EXPECT_NEAR(world.velocity(id).y - before.y, -9.80665, 1e-9);
+  EXPECT_NEAR(world[id].velocity().x - before.x, 0.1 / (0.02 - 0.0108), 1e-9);
+  EXPECT_NEAR(world[id].velocity().y - before.y, -9.80665, 1e-9);
 }
 
 TEST(WorldMotor, burns_under_generators_too) {
   World world = make_world({});
   const ProjectileDef p = rocket(rung(Integrator::rk4));
-  const ProjectileId id = world.spawn(p, from_rail());
+  const ProjectileId id = *world.spawn(p, from_rail());
   ForceDef nothing;
   nothing.law = ConstantForce{};
   nothing.target.ids = {id};
   ASSERT_TRUE(world.add_force(nothing));
   run_for(world, 3, 1.0 / 1000);
   const Flight flight = fly(p, from_rail(), {}, p.fidelity, {1e-9, 1e-9, kStep});
-  EXPECT_TRUE(near(world.position(id), flight.at(3).position, 2e-3));  // pieces change with its steps
-  EXPECT_TRUE(near(world.mass(id), flight.at(3).mass, 1e-12));
+  EXPECT_TRUE(near(world[id].position(), flight.at(3).position, 2e-3));  // pieces change with its steps
+  EXPECT_TRUE(near(world[id].mass(), flight.at(3).mass, 1e-12));
 }
 
 TEST(WorldMotor, waits_on_its_rail_without_falling_asleep) {
@@ -184,30 +184,30 @@ TEST(WorldMotor, waits_on_its_rail_without_falling_asleep) {
   body.can_sleep = true;
   body.sleep_speed = 0.1;
   body.sleep_time = 0.5;
-  const ProjectileId id = world.spawn(p, from_rail(), body);
+  const ProjectileId id = *world.spawn(p, from_rail(), body);
   const auto events = run_for(world, 8, kStep);
   EXPECT_TRUE(
       std::none_of(events.begin(), events.end(), [](const WorldEvent& e) { return e.kind == WorldEventKind::slept; }));
-  EXPECT_GT(world.position(id).y, 100);
+  EXPECT_GT(world[id].position().y, 100);
 }
 
 TEST(WorldMotor, snapshots_hold_it) {
   World world = make_world({});
-  const ProjectileId id = world.spawn(rocket(rung(Integrator::rk4)), from_rail());
+  const ProjectileId id = *world.spawn(rocket(rung(Integrator::rk4)), from_rail());
   run_for(world, 0.1, kStep);
   const Snapshot now = world.snapshot();
   run_for(world, 1, kStep);
-  const Vec3d there = world.position(id);
+  const Vec3d there = world[id].position();
   world.restore(now);
   run_for(world, 1, kStep);
-  EXPECT_TRUE(same_bits(world.position(id), there));
+  EXPECT_TRUE(same_bits(world[id].position(), there));
 }
 
 TEST(WorldMotor, a_rocket_at_rest_without_a_rail_is_refused) {
   World world = make_world({});
-  EXPECT_FALSE(world.spawn(rocket(rung(Integrator::rk4)), {.elevation = 1}));
-  ASSERT_TRUE(world.error());
-  EXPECT_EQ(world.error()->place, "launch.rail_length");
+  const auto id = world.spawn(rocket(rung(Integrator::rk4)), {.elevation = 1});
+  ASSERT_FALSE(id);
+  EXPECT_EQ(id.error().place, "launch.rail_length");
 }
 
 }  // namespace

@@ -38,19 +38,19 @@ struct OriginalWorld {
       p.fidelity.drag = DragModel::linear_quadratic;
       p.drag.k2 = o.k2;
     }
-    id = world.spawn(p, at({0, 1.5, 0}));
-    world.add_force(id, ConstantForce{o.push}, 1);
-    world.add_force(id, GravityForce{o.gravity});
-    if (drag == DragBy::generator) world.add_force(id, LinearQuadraticDragForce{0, o.k2, {}});
+    id = *world.spawn(p, at({0, 1.5, 0}));
+    world[id].add_force(ConstantForce{o.push}, 1);
+    world[id].add_force(GravityForce{o.gravity});
+    if (drag == DragBy::generator) world[id].add_force(LinearQuadraticDragForce{0, o.k2, {}});
   }
-  [[nodiscard]] double speed() const { return length(world.velocity(id)); }
+  [[nodiscard]] double speed() const { return length(world[id].velocity()); }
 };
 
 /// The second of the push: speed as it must be, and an acceleration that falls.
 void expect_push(const Original& o, OriginalWorld& w, double tolerance) {
   double before = kInfinity;
   for (int k = 1; k <= 60; ++k) {
-    const double acceleration = length(w.world.accelerations(w.id).total);
+    const double acceleration = length(w.world[w.id].accelerations().total);
     EXPECT_LT(acceleration, before + 1e-12) << "falls with speed";
     before = acceleration;
     w.world.step(1.0 / 60);
@@ -88,9 +88,9 @@ TEST(OriginalForces, the_originals_test_6_approaches_terminal_velocity) {
     OriginalWorld w(test_6, c.integrator, c.drag);
     expect_push(test_6, w, c.tolerance);
     steps(w.world, 240, 1.0 / 60);
-    EXPECT_TRUE(near(w.world.velocity(w.id).y, -10, 0, 1e-4)) << test::text(c.integrator);
-    EXPECT_TRUE(near(w.world.velocity(w.id).z, 0, 0, 0.01));
-    EXPECT_LT(w.world.position(w.id).y, -40) << "it falls";
+    EXPECT_TRUE(near(w.world[w.id].velocity().y, -10, 0, 1e-4)) << test::text(c.integrator);
+    EXPECT_TRUE(near(w.world[w.id].velocity().z, 0, 0, 0.01));
+    EXPECT_LT(w.world[w.id].position().y, -40) << "it falls";
   }
 }
 

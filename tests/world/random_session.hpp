@@ -22,6 +22,12 @@ inline WorldDef session_world() {
   return def;
 }
 
+/// What there is; nobody where there is an error.
+template <class T>
+T or_null(const Result<T>& result) {
+  return result ? *result : T{};
+}
+
 class RandomSession {
  public:
   RandomSession(World& world, unsigned seed) : world_(world), random_(seed) {}
@@ -34,7 +40,7 @@ class RandomSession {
     if (what < 16) return moment();
     if (what < 19) return surroundings();
     if (what < 22) return force();
-    if (what == 22) return void(world_.despawn(some()));
+    if (what == 22) return void(world_[some()].despawn());
     if (what == 23) return void(world_.despawn(several()));
     if (what == 24 && below(20) == 0) return world_.clear();
     change(what % 19);
@@ -90,9 +96,10 @@ class RandomSession {
 
   void spawn() {
     const double delay = below(4) == 0 ? real(0, 1) : 0;
-    if (kinds_.empty() || below(6) == 0) return ids_.push_back(world_.spawn(projectile(), launch(), body(), delay));
+    if (kinds_.empty() || below(6) == 0)
+      return ids_.push_back(or_null(world_.spawn(projectile(), launch(), body(), delay)));
     const KindId kind = kinds_[static_cast<std::size_t>(below(static_cast<int>(kinds_.size())))];
-    if (below(6) != 0) return ids_.push_back(world_.spawn(kind, launch(), delay));
+    if (below(6) != 0) return ids_.push_back(or_null(world_.spawn(kind, launch(), delay)));
     std::vector<Launch> launches(static_cast<std::size_t>(below(8)));
     for (Launch& l : launches) l = launch();
     std::vector<ProjectileId> ids(static_cast<std::size_t>(below(10)));
@@ -128,11 +135,11 @@ class RandomSession {
       case 1:
         return void(world_.set_environment(static_cast<std::uint32_t>(below(3)), e));
       case 2:
-        return world_.set_observer(vector(100));
+        return void(world_.set_observer(vector(100)));
       case 3:
         return void(world_.set_detail(coin() ? session_world().detail : DetailRule{}));
       default:
-        return kinds_.push_back(world_.add_kind(projectile(), body()));
+        return kinds_.push_back(or_null(world_.add_kind(projectile(), body())));
     }
   }
   void force() {
@@ -152,13 +159,14 @@ class RandomSession {
     const ForceLaw& law = laws[below(static_cast<int>(std::size(laws)))];
     switch (below(4)) {
       case 0:
-        return forces_.push_back(world_.add_force(some(), law, real(0.1, 2)));
+        return forces_.push_back(or_null(world_[some()].add_force(law, real(0.1, 2))));
       case 1:
-        return forces_.push_back(world_.add_force({law, {several(), {}, static_cast<unsigned>(below(3))}, 0.1, 1.5}));
+        return forces_.push_back(
+            or_null(world_.add_force({law, {several(), {}, static_cast<unsigned>(below(3))}, 0.1, 1.5})));
       case 2:
-        return void(forces_.empty() || world_.remove_force(forces_.back()));
+        return void(forces_.empty() || world_.remove_force(forces_.back()).ok());
       default:
-        return void(forces_.empty() || world_.remove_force(forces_.front(), some()));
+        return void(forces_.empty() || world_[some()].remove_force(forces_.front()).ok());
     }
   }
   void change(int what) {
@@ -166,41 +174,41 @@ class RandomSession {
     const auto bits = static_cast<std::uint32_t>(random_());
     switch (what) {
       case 0:
-        return void(world_.set_position(id, {real(-20, 20), real(1, 40), 0}));
+        return void(world_[id].set_position({real(-20, 20), real(1, 40), 0}));
       case 1:
-        return void(world_.set_velocity(id, vector(30)));
+        return void(world_[id].set_velocity(vector(30)));
       case 2:
-        return void(world_.set_state(id, {{1, 20, 2}, vector(10)}));
+        return void(world_[id].set_state({{1, 20, 2}, vector(10)}));
       case 3:
-        return void(world_.apply_impulse(id, vector(1)));
+        return void(world_[id].apply_impulse(vector(1)));
       case 4:
-        return void(world_.set_angular_velocity(id, vector(3)));
+        return void(world_[id].set_angular_velocity(vector(3)));
       case 5:
-        return void(world_.set_gravity_scale(id, real(0, 2)));
+        return void(world_[id].set_gravity_scale(real(0, 2)));
       case 6:
-        return void(world_.set_use_gravity(id, coin()));
+        return void(world_[id].set_use_gravity(coin()));
       case 7:
-        return void(world_.set_kinematic(id, below(3) == 0));
+        return void(world_[id].set_kinematic(below(3) == 0));
       case 8:
-        return void(world_.set_frozen(id, static_cast<Axes>(below(8)), static_cast<Axes>(below(8))));
+        return void(world_[id].set_frozen(static_cast<Axes>(below(8)), static_cast<Axes>(below(8))));
       case 9:
-        return void(world_.set_can_sleep(id, coin()));
+        return void(world_[id].set_can_sleep(coin()));
       case 10:
-        return void(world_.sleep(id));
+        return void(world_[id].sleep());
       case 11:
-        return void(world_.wake(id));
+        return void(world_[id].wake());
       case 12:
-        return void(world_.set_smoothing(id, static_cast<Smoothing>(below(3))));
+        return void(world_[id].set_smoothing(static_cast<Smoothing>(below(3))));
       case 13:
-        return void(world_.set_user_data(id, bits));
+        return void(world_[id].set_user_data(bits));
       case 14:
-        return void(world_.set_layers(id, bits % 4));
+        return void(world_[id].set_layers(bits % 4));
       case 15:
-        return void(world_.set_colour(id, bits));
+        return void(world_[id].set_colour(bits));
       case 16:
-        return void(world_.set_label(id, "number " + std::to_string(bits)));
+        return void(world_[id].set_label("number " + std::to_string(bits)));
       case 17:
-        return void(world_.set_fidelity(id, fidelity()));
+        return void(world_[id].set_fidelity(fidelity()));
       default:
         return void(world_.set_fidelity(several(), fidelity()));
     }

@@ -46,12 +46,12 @@ Bytes small_recording() {
   Bytes bytes;
   World world = made({});
   EXPECT_TRUE(world.record(record_into(bytes)));
-  const ProjectileId id = world.spawn(ProjectileDef{.name = "ball"}, Launch{.position = {0, 2, 0}, .speed = 10});
-  world.set_colour(id, 0xff0000ff);
+  const ProjectileId id = *world.spawn(ProjectileDef{.name = "ball"}, Launch{.position = {0, 2, 0}, .speed = 10});
+  world[id].set_colour(0xff0000ff);
   const Snapshot start = world.snapshot();
   world.advance(0.04);
   world.restore(start);
-  world.set_velocity(id, {3, 3, 0});
+  world[id].set_velocity({3, 3, 0});
   world.step(0.02);
   EXPECT_TRUE(world.stop_recording());
   return bytes;
@@ -244,8 +244,8 @@ TEST(Recording, custom_forces_need_their_functions) {
   Bytes bytes;
   World world = made({});
   ASSERT_TRUE(world.record(record_into(bytes)));
-  const ProjectileId id = world.spawn(ProjectileDef{}, Launch{.position = {0, 90, 0}});
-  world.add_force(id, with_functions(1).custom_forces[0]);
+  const ProjectileId id = *world.spawn(ProjectileDef{}, Launch{.position = {0, 90, 0}});
+  world[id].add_force(with_functions(1).custom_forces[0]);
   world.step(0.01);
   ASSERT_TRUE(world.stop_recording());
   const auto refused = replay(bytes);
@@ -278,7 +278,7 @@ TEST(Recording, begins_with_the_world_and_once) {
            [](World& w) {
              w.set_observer({1, 0, 0});
            },
-           [](World& w) { w.despawn(w.spawn(ProjectileDef{}, Launch{})); }}) {
+           [](World& w) { w[*w.spawn(ProjectileDef{}, Launch{})].despawn(); }}) {
     World touched = made({});
     change(touched);
     const Status refused = touched.record(record_into(bytes));

@@ -26,8 +26,8 @@ Launch thrown() {
 }
 
 bool same_turn(const World& a, ProjectileId x, const World& b, ProjectileId y) {
-  const Quatd p = a.orientation(x), q = b.orientation(y);
-  return same_bits(a.angular_velocity(x), b.angular_velocity(y)) && same_bits(p.w, q.w) && same_bits(p.x, q.x) &&
+  const Quatd p = a[x].orientation(), q = b[y].orientation();
+  return same_bits(a[x].angular_velocity(), b[y].angular_velocity()) && same_bits(p.w, q.w) && same_bits(p.x, q.x) &&
          same_bits(p.y, q.y) && same_bits(p.z, q.z);
 }
 
@@ -36,30 +36,31 @@ TEST(RigidWorld, generators_do_not_change_how_it_turns) {
                              Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853})
     for (const Precision precision : {Precision::float32, Precision::float64}) {
       World free, pushed;
-      const ProjectileId a = free.spawn(brick_on(i, precision), thrown());
-      const ProjectileId b = pushed.spawn(brick_on(i, precision), thrown());
-      ASSERT_TRUE(pushed.add_force(b, ConstantForce{{1, 2, 3}}));
+      const ProjectileId a = *free.spawn(brick_on(i, precision), thrown());
+      const ProjectileId b = *pushed.spawn(brick_on(i, precision), thrown());
+      ASSERT_TRUE(pushed[b].add_force(ConstantForce{{1, 2, 3}}));
       for (int step = 0; step < 100; ++step) {
         ASSERT_TRUE(free.step(0.01));
         ASSERT_TRUE(pushed.step(0.01));
       }
       // Adaptive integrators divide the steps of the free one.
       if (is_adaptive(i))
-        EXPECT_TRUE(
-            near(free.angular_velocity(a), pushed.angular_velocity(b), precision == Precision::float32 ? 1e-4 : 1e-7));
+        EXPECT_TRUE(near(free[a].angular_velocity(), pushed[b].angular_velocity(),
+                         precision == Precision::float32 ? 1e-4 : 1e-7));
       else
         EXPECT_TRUE(same_turn(free, a, pushed, b)) << text(i);
-      EXPECT_GT(length(free.position(a) - pushed.position(b)), 0.1);
+      EXPECT_GT(length(free[a].position() - pushed[b].position()), 0.1);
     }
 }
 
 TEST(RigidWorld, adaptive_integrators_divide_frames) {
   World world;
-  const ProjectileId id = world.spawn(brick_on(Integrator::dop853), thrown());
+  const ProjectileId id = *world.spawn(brick_on(Integrator::dop853), thrown());
   for (int step = 0; step < 2; ++step) ASSERT_TRUE(world.step(1.0));
   const Flight flight =
       fly(nasa_brick(), thrown(), {}, rigid(Integrator::dop853), {1e-13, 1e-13}, {.ground = {}, .time = 2});
-  EXPECT_TRUE(near(world.angular_velocity(id), rotate(flight.end().orientation, flight.end().angular_velocity), 1e-8));
+  EXPECT_TRUE(
+      near(world[id].angular_velocity(), rotate(flight.end().orientation, flight.end().angular_velocity), 1e-8));
 }
 
 TEST(RigidWorld, a_landing_is_found_where_a_flight_finds_it_and_a_bounce_goes_on_turning) {
@@ -68,12 +69,13 @@ TEST(RigidWorld, a_landing_is_found_where_a_flight_finds_it_and_a_bounce_goes_on
   World world = make_world(def);
   BodyDef body;
   body.can_sleep = false;
-  const ProjectileId id = world.spawn(brick_on(Integrator::rk4), thrown(), body);
+  const ProjectileId id = *world.spawn(brick_on(Integrator::rk4), thrown(), body);
   for (int step = 0; step < 700; ++step) ASSERT_TRUE(world.step(0.01));
   const Flight flight =
       fly(nasa_brick(), thrown(), {}, rigid(Integrator::rk4), {.step = 0.01}, {.ground = {}, .time = 7});
-  EXPECT_GT(length(world.position(id) - flight.end().position), 1);  // it bounced
-  EXPECT_TRUE(near(world.angular_velocity(id), rotate(flight.end().orientation, flight.end().angular_velocity), 1e-6));
+  EXPECT_GT(length(world[id].position() - flight.end().position), 1);  // it bounced
+  EXPECT_TRUE(
+      near(world[id].angular_velocity(), rotate(flight.end().orientation, flight.end().angular_velocity), 1e-6));
 }
 
 TEST(RigidWorld, attitude_survives_a_change_of_form_and_of_precision) {
@@ -81,24 +83,24 @@ TEST(RigidWorld, attitude_survives_a_change_of_form_and_of_precision) {
   ProjectileDef shell = brick_on(Integrator::rk4);
   shell.inertia.moments = {0.02, 0.2, 0.2};
   shell.fidelity.body_form = BodyForm::axis;
-  const ProjectileId id = world.spawn(shell, thrown());
+  const ProjectileId id = *world.spawn(shell, thrown());
   for (int step = 0; step < 50; ++step) ASSERT_TRUE(world.step(0.01));
-  const Quatd q = world.orientation(id);
-  const Vec3d omega = world.angular_velocity(id);
+  const Quatd q = world[id].orientation();
+  const Vec3d omega = world[id].angular_velocity();
   Fidelity f = shell.fidelity;
   f.body_form = BodyForm::quaternion;
-  ASSERT_TRUE(world.set_fidelity(id, f));
-  EXPECT_TRUE(near(world.angular_velocity(id), omega, 1e-13));
-  EXPECT_TRUE(near(rotate(world.orientation(id), Vec3d{1, 2, 3}), rotate(q, Vec3d{1, 2, 3}), 1e-13));
+  ASSERT_TRUE(world[id].set_fidelity(f));
+  EXPECT_TRUE(near(world[id].angular_velocity(), omega, 1e-13));
+  EXPECT_TRUE(near(rotate(world[id].orientation(), Vec3d{1, 2, 3}), rotate(q, Vec3d{1, 2, 3}), 1e-13));
   f.precision = Precision::float32;
-  ASSERT_TRUE(world.set_fidelity(id, f));
-  EXPECT_TRUE(near(world.angular_velocity(id), omega, 1e-6));
+  ASSERT_TRUE(world[id].set_fidelity(f));
+  EXPECT_TRUE(near(world[id].angular_velocity(), omega, 1e-6));
   f.rotation = RotationModel::none;
-  ASSERT_TRUE(world.set_fidelity(id, f));
-  EXPECT_EQ(world.angular_velocity(id), Vec3d{});
+  ASSERT_TRUE(world[id].set_fidelity(f));
+  EXPECT_EQ(world[id].angular_velocity(), Vec3d{});
   f.rotation = RotationModel::rigid_body;
-  ASSERT_TRUE(world.set_fidelity(id, f));
-  EXPECT_TRUE(near(rotate(world.orientation(id), Vec3d{1, 0, 0}), normalized(world.velocity(id)), 1e-6));
+  ASSERT_TRUE(world[id].set_fidelity(f));
+  EXPECT_TRUE(near(rotate(world[id].orientation(), Vec3d{1, 0, 0}), normalized(world[id].velocity()), 1e-6));
 }
 
 // Both rungs hold seven numbers, with other meanings.
@@ -117,17 +119,19 @@ TEST(RigidWorld, spin_and_direction_survive_a_change_between_rigid_body_and_modi
   repose.body_form = rigid.body_form = BodyForm::axis;
   p.fidelity = repose;
   World world;
-  const ProjectileId id = world.spawn(p, {.speed = 300, .elevation = 0.6});
+  const ProjectileId id = *world.spawn(p, {.speed = 300, .elevation = 0.6});
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(world.step(0.001));
-  const auto spin_now = [&] { return dot(world.angular_velocity(id), rotate(world.orientation(id), Vec3d{1, 0, 0})); };
+  const auto spin_now = [&] {
+    return dot(world[id].angular_velocity(), rotate(world[id].orientation(), Vec3d{1, 0, 0}));
+  };
   const double spin = spin_now();
   EXPECT_NEAR(spin, 2 * 3.14159265358979323846 * 300 / 2, 1);
   for (const Fidelity& next : {rigid, repose}) {
-    const Vec3d nose = rotate(world.orientation(id), Vec3d{1, 0, 0});
-    ASSERT_TRUE(world.set_fidelity(id, next));
-    ASSERT_EQ(world.fidelity_in_use(id).fidelity.rotation, next.rotation);
+    const Vec3d nose = rotate(world[id].orientation(), Vec3d{1, 0, 0});
+    ASSERT_TRUE(world[id].set_fidelity(next));
+    ASSERT_EQ(world[id].fidelity_in_use().fidelity.rotation, next.rotation);
     EXPECT_NEAR(spin_now(), spin, 1e-9 * spin);
-    EXPECT_TRUE(near(rotate(world.orientation(id), Vec3d{1, 0, 0}), nose, 1e-9));
+    EXPECT_TRUE(near(rotate(world[id].orientation(), Vec3d{1, 0, 0}), nose, 1e-9));
   }
   ASSERT_TRUE(world.step(0.001));
   EXPECT_NEAR(spin_now(), spin, 1e-6 * spin);
@@ -135,27 +139,27 @@ TEST(RigidWorld, spin_and_direction_survive_a_change_between_rigid_body_and_modi
 
 TEST(RigidWorld, angular_velocity_can_be_set_and_sleep_stops_it) {
   World world;
-  const ProjectileId id = world.spawn(brick_on(Integrator::rk4), thrown());
-  ASSERT_TRUE(world.set_angular_velocity(id, {1, 2, 3}));
-  EXPECT_TRUE(near(world.angular_velocity(id), Vec3d{1, 2, 3}, 1e-14));
-  ASSERT_TRUE(world.sleep(id));
-  EXPECT_LT(length(world.angular_velocity(id)), 1e-15);
+  const ProjectileId id = *world.spawn(brick_on(Integrator::rk4), thrown());
+  ASSERT_TRUE(world[id].set_angular_velocity({1, 2, 3}));
+  EXPECT_TRUE(near(world[id].angular_velocity(), Vec3d{1, 2, 3}, 1e-14));
+  ASSERT_TRUE(world[id].sleep());
+  EXPECT_LT(length(world[id].angular_velocity()), 1e-15);
 }
 
 TEST(RigidWorld, snapshots_hold_it_and_the_hash_sees_it) {
   World world;
-  const ProjectileId id = world.spawn(brick_on(Integrator::rk4), thrown());
+  const ProjectileId id = *world.spawn(brick_on(Integrator::rk4), thrown());
   ASSERT_TRUE(world.step(0.01));
   const Snapshot then = world.snapshot();
   const std::uint64_t hash = world.hash();
   ASSERT_TRUE(world.step(0.01));
-  const Quatd q = world.orientation(id);
+  const Quatd q = world[id].orientation();
   ASSERT_TRUE(world.restore(then));
   EXPECT_EQ(world.hash(), hash);
   ASSERT_TRUE(world.step(0.01));
-  EXPECT_TRUE(same_bits(world.orientation(id).w, q.w));
+  EXPECT_TRUE(same_bits(world[id].orientation().w, q.w));
   ASSERT_TRUE(world.restore(then));
-  ASSERT_TRUE(world.set_angular_velocity(id, {1, 2, 3}));
+  ASSERT_TRUE(world[id].set_angular_velocity({1, 2, 3}));
   EXPECT_NE(world.hash(), hash);
 }
 

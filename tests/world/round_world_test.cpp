@@ -36,15 +36,14 @@ TEST(RoundWorld, agrees_with_flight_bit_for_bit) {
           .integrator = Integrator::rk4, .gravity = GravityModel::wgs84, .earth = earth, .precision = precision};
       const Launch launch{.position = {5, 100, 3}, .speed = 400, .elevation = 0.3, .azimuth = 0.1};
       World world = std::move(World::create(def).value());
-      const ProjectileId id = world.spawn(p, launch);
-      ASSERT_TRUE(id) << world.error()->text();
+      const ProjectileId id = *world.spawn(p, launch);
       for (int i = 0; i < kSteps; ++i) world.step(kStep);
       const Until until{.ground = {}, .time = 10};
       const Flight flight = fly(p, launch, def.environment, p.fidelity, {.step = kStep}, until);
       const Sample s = flight.at(kSteps * kStep);
-      EXPECT_EQ(world.state(id).position, s.position);
-      EXPECT_EQ(world.state(id).velocity, s.velocity);
-      const Accelerations a = world.accelerations(id), b = flight.accelerations(kSteps * kStep);
+      EXPECT_EQ(world[id].state().position, s.position);
+      EXPECT_EQ(world[id].state().velocity, s.velocity);
+      const Accelerations a = world[id].accelerations(), b = flight.accelerations(kSteps * kStep);
       EXPECT_EQ(a.coriolis, b.coriolis);
       EXPECT_EQ(a.centrifugal, b.centrifugal);
       // Where a float32 world tells accelerations, it has the projectile's data rounded to floats.

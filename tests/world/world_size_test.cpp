@@ -51,9 +51,9 @@ TEST(WorldSize, large_worlds_give_the_numbers_of_small_ones) {
   World large = std::move(World::create(small_def()).value());
   World small = std::move(World::create(small_def()).value());
   std::vector<ProjectileId> ids(kCount);
-  ASSERT_EQ(large.spawn(large.add_kind(ball(Fidelity::game())), launches(kCount, 1), ids), kCount);
+  ASSERT_EQ(large.spawn(*large.add_kind(ball(Fidelity::game())), launches(kCount, 1), ids), kCount);
   std::vector<ProjectileId> few(launches(kCount, kStride).size());
-  small.spawn(small.add_kind(ball(Fidelity::game())), launches(kCount, kStride), few);
+  small.spawn(*small.add_kind(ball(Fidelity::game())), launches(kCount, kStride), few);
   std::size_t landed = 0;
   for (int step = 0; step < 4; ++step) {
     large.step(1.0 / 60);
@@ -63,9 +63,9 @@ TEST(WorldSize, large_worlds_give_the_numbers_of_small_ones) {
   EXPECT_GT(landed, few.size() / 20);
   for (std::size_t i = 0; i < few.size(); ++i) {
     const ProjectileId id = ids[i * kStride];
-    ASSERT_EQ(large.status(id), small.status(few[i])) << i;
-    ASSERT_EQ(large.state(id), small.state(few[i])) << i;
-    ASSERT_EQ(large.previous_position(id), small.previous_position(few[i])) << i;
+    ASSERT_EQ(large[id].status(), small[few[i]].status()) << i;
+    ASSERT_EQ(large[id].state(), small[few[i]].state()) << i;
+    ASSERT_EQ(large[id].previous_position(), small[few[i]].previous_position()) << i;
   }
 }
 
@@ -77,29 +77,29 @@ TEST(WorldSize, calls_for_many_do_what_calls_for_each_do) {
   std::vector<ProjectileId> ids(2 * kCount);
   for (const Fidelity& f : {Fidelity::game(), Fidelity::sport_ball()}) {
     const std::size_t first = f == Fidelity::game() ? 0 : kCount;
-    const KindId kind = each.add_kind(ball(f));
-    many.spawn(many.add_kind(ball(f)), shots, std::span(ids).subspan(first, kCount));
-    for (std::size_t i = 0; i < kCount; ++i) EXPECT_EQ(each.spawn(kind, shots[i]), ids[first + i]);
+    const KindId kind = *each.add_kind(ball(f));
+    many.spawn(*many.add_kind(ball(f)), shots, std::span(ids).subspan(first, kCount));
+    for (std::size_t i = 0; i < kCount; ++i) EXPECT_EQ(*each.spawn(kind, shots[i]), ids[first + i]);
   }
   const auto compare = [&] {
     many.step(1.0 / 240);
     each.step(1.0 / 240);
     ASSERT_EQ(many.size(), each.size());
     for (const ProjectileId id : ids) {
-      ASSERT_EQ(many.status(id), each.status(id));
-      ASSERT_EQ(many.state(id), each.state(id));
-      ASSERT_EQ(many.fidelity_in_use(id).fidelity, each.fidelity_in_use(id).fidelity);
+      ASSERT_EQ(many[id].status(), each[id].status());
+      ASSERT_EQ(many[id].state(), each[id].state());
+      ASSERT_EQ(many[id].fidelity_in_use().fidelity, each[id].fidelity_in_use().fidelity);
     }
   };
   std::vector<ProjectileId> some;  // of both kinds in turns, some of them twice
   for (std::size_t i = 0; i < kCount; i += 3) some.insert(some.end(), {ids[i], ids[2 * kCount - 1 - i], ids[i / 2]});
   compare();
   std::size_t moved = 0;
-  for (const ProjectileId id : some) moved += each.set_fidelity(id, without_drag()) ? 1u : 0u;
+  for (const ProjectileId id : some) moved += each[id].set_fidelity(without_drag()) ? 1u : 0u;
   EXPECT_EQ(many.set_fidelity(some, without_drag()), moved);
   compare();
   std::size_t gone = 0;
-  for (const ProjectileId id : some) gone += each.despawn(id) ? 1u : 0u;
+  for (const ProjectileId id : some) gone += each[id].despawn() ? 1u : 0u;
   EXPECT_EQ(many.despawn(some), gone);
   EXPECT_LT(gone, some.size());
   compare();

@@ -67,8 +67,7 @@ TEST(World, agrees_with_flight_bit_for_bit) {
                           .speed = 300.0 + 10 * i,
                           .elevation = angle(random),
                           .azimuth = angle(random)});
-      ids.push_back(world.spawn(p, launches.back()));
-      ASSERT_TRUE(ids.back()) << world.error()->text();
+      ids.push_back(*world.spawn(p, launches.back()));
     }
     Until until;
     until.ground.reset();
@@ -80,7 +79,7 @@ TEST(World, agrees_with_flight_bit_for_bit) {
       const Flight flight = fly(p, launches[i], def.environment, rung, tolerance, until);
       ASSERT_FALSE(flight.error()) << flight.error()->text();
       const Sample s = flight.at(kSteps * kStep);
-      const BodyState b = world.state(ids[i]);
+      const BodyState b = world[ids[i]].state();
       EXPECT_EQ(b.position, s.position) << name(rung.integrator) << " " << name(rung.drag) << " " << name(rung.motion)
                                         << " " << name(rung.precision) << " " << i;
       EXPECT_EQ(b.velocity, s.velocity);

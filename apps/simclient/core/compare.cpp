@@ -51,10 +51,10 @@ double measure_cost(const Session& session, const ScenarioShot& shot) {
   BodyDef body = shot.body;
   body.pool = 0;
   body.despawn = {};
-  const KindId kind = world.add_kind(shot.projectile, body);
+  const Result<KindId> kind = world.add_kind(shot.projectile, body);
   const std::vector<Launch> launches(kMany, shot.launch);
   std::vector<ProjectileId> ids(kMany);
-  if (!kind || world.spawn(kind, launches, ids) != kMany) return 0;
+  if (!kind || world.spawn(*kind, launches, ids) != kMany) return 0;
   return time_step(world, def.step, kMany);
 }
 

@@ -23,8 +23,8 @@ void add_forces(World& world, const Session& session, const ScenarioShot& shot) 
 }
 
 TrackSample sample(const World& world, ProjectileId id) {
-  const BodyState at = world.state(id);
-  return {world.age(id), at.position, at.velocity, world.accelerations(id).total, world.mach(id)};
+  const BodyState at = world[id].state();
+  return {world[id].age(), at.position, at.velocity, world[id].accelerations().total, world[id].mach()};
 }
 
 void look(Prediction& prediction, const WorldEvent& event) {
@@ -52,22 +52,23 @@ Prediction predict(const Session& session, const ScenarioShot& shot, double max_
   BodyDef body = shot.body;
   body.pool = 0;
   body.cheapest_within = shot.cheapest_within.value_or(0);
-  const ProjectileId id = world.spawn(shot.projectile, shot.launch, body);
-  if (!id) return prediction.error = world.error(), prediction;
-  prediction.muzzle = world.position(id);
-  prediction.velocity = world.velocity(id);
-  prediction.granted = world.fidelity_in_use(id);
+  const Result<ProjectileId> fired = world.spawn(shot.projectile, shot.launch, body);
+  if (!fired) return prediction.error = fired.error(), prediction;
+  const ProjectileId id = *fired;
+  prediction.muzzle = world[id].position();
+  prediction.velocity = world[id].velocity();
+  prediction.granted = world[id].fidelity_in_use();
   prediction.path.push_back(sample(world, id));
   const auto limit = std::min(kMaxSteps, static_cast<std::uint64_t>(std::ceil(max_time / def.step)));
   const auto start = std::chrono::steady_clock::now();
-  while (world.is_alive(id) && !world.is_asleep(id) && prediction.steps < limit) {
+  while (world[id].is_alive() && !world[id].is_asleep() && prediction.steps < limit) {
     world.step(def.step);
     ++prediction.steps;
     for (const WorldEvent& event : world.events()) look(prediction, event);
-    if (world.is_alive(id)) prediction.path.push_back(sample(world, id));
+    if (world[id].is_alive()) prediction.path.push_back(sample(world, id));
   }
   prediction.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  prediction.complete = !world.is_alive(id) || world.is_asleep(id);
+  prediction.complete = !world[id].is_alive() || world[id].is_asleep();
   return prediction;
 }
 

@@ -51,7 +51,7 @@ void add_crowd(const Session& session, double scale, Scene& scene) {
   scene.crowd_size = static_cast<float>((ids.size() > 20000 ? 2 : ids.size() > 200 ? 3 : 6) * scale);
   scene.crowd.reserve(ids.size());
   for (const ProjectileId id : ids) {
-    const Colour colour = world.colour(id);
+    const Colour colour = world[id].colour();
     scene.crowd.push_back({session.shown_position(id), colour == kNoColour ? colours::kVelocity : colour});
   }
 }
@@ -70,7 +70,7 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
     const Vec3d at = client.session.shown_position(track.id);
     if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width);
     const float pixels = static_cast<float>((&track == selected ? 6.5 : 5.5) * scale);
-    scene.balls.push_back({at, track.colour, radius_of(world.definition(track.id)), pixels});
+    scene.balls.push_back({at, track.colour, radius_of(world[track.id].definition()), pixels});
     scene.label(at, "#" + std::to_string(track.number), track.colour, -1);
   }
 }
@@ -100,8 +100,8 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
   const Track* track = client.selected_track();
   if (track == nullptr || !track->is_flying()) return;
   const World& world = client.session.world();
-  const Vec3d at = client.session.shown_position(track->id), velocity = world.velocity(track->id);
-  const Accelerations a = world.accelerations(track->id);
+  const Vec3d at = client.session.shown_position(track->id), velocity = world[track->id].velocity();
+  const Accelerations a = world[track->id].accelerations();
   const double longest = client.camera.distance * 0.22;
   const auto draw = [&](const Vec3d& v, double unit, Colour colour, const std::string& what) {
     if (!(length(v) * unit > 0)) return;

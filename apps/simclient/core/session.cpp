@@ -203,11 +203,12 @@ Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
   const std::vector<PoolDef>& pools = world.def().pools;
   for (std::uint32_t i = 0; i < pools.size() && !shot.pool.empty(); ++i)
     if (pools[i].name == shot.pool) body.pool = i;
-  const ProjectileId id = world.spawn(shot.projectile, shot.launch, body);
-  if (!id) return world.error().value_or(Error{"the shot was refused", "", ""});
+  const Result<ProjectileId> fired = world.spawn(shot.projectile, shot.launch, body);
+  if (!fired) return fired;
+  const ProjectileId id = *fired;
   const bool has_colour = body.colour != kNoColour;
   begin_track(id, shot.projectile.name, has_colour ? body.colour : palette(fired_), true);
-  if (!has_colour) world.set_colour(id, tracks_.back().colour);
+  if (!has_colour) world[id].set_colour(tracks_.back().colour);
   remember_moment(true);
   return id;
 }
@@ -215,8 +216,8 @@ Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
 void Session::edited(ProjectileId id) {
   if (Track* track = find(id)) {
     track->edited = true;
-    track->granted = world().fidelity_in_use(id);
-    track->mass = world().mass(id);
+    track->granted = world()[id].fidelity_in_use();
+    track->mass = world()[id].mass();
     track->samples.push_back(sample(*track));
   }
   remember_moment(true);
@@ -270,7 +271,7 @@ Track* Session::find(ProjectileId id) { return const_cast<Track*>(track(id)); }
 
 /// Ahead of the last step by its velocity: exact where no time is left over.
 Vec3d Session::shown_position(ProjectileId id) const {
-  const BodyState at = world().state(id);
+  const BodyState at = world()[id].state();
   Vec3d shown = at.position + at.velocity * leftover_;
   if (const auto height = ground(); height && at.position.y >= *height) shown.y = std::max(shown.y, *height);
   return shown;
@@ -278,9 +279,9 @@ Vec3d Session::shown_position(ProjectileId id) const {
 
 // -------------------------------------------------------------------------------------------------------------- tracks
 TrackSample Session::sample(const Track& track) const {
-  const BodyState at = world().state(track.id);
-  return {world().time() - track.born, at.position, at.velocity, world().accelerations(track.id).total,
-          world().mach(track.id)};
+  const BodyState at = world()[track.id].state();
+  return {world().time() - track.born, at.position, at.velocity, world()[track.id].accelerations().total,
+          world()[track.id].mach()};
 }
 
 void Session::begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand) {
@@ -294,10 +295,10 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
   track.number = ++fired_;
   track.name = name.empty() ? "shot" : name;
   track.colour = colour;
-  track.mass = world().mass(id);
-  track.born = world().time() - world().age(id);
+  track.mass = world()[id].mass();
+  track.born = world().time() - world()[id].age();
   track.by_hand = by_hand;
-  track.granted = world().fidelity_in_use(id);
+  track.granted = world()[id].fidelity_in_use();
   if (!by_hand) add_launch(track);
   track.samples.push_back(sample(track));
   tracks_.push_back(std::move(track));
@@ -305,11 +306,11 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
 
 /// The start of what the run has launched within its last step.
 void Session::add_launch(Track& track) const {
-  if (is_replay() || !(world().age(track.id) > kInstant)) return;
+  if (is_replay() || !(world()[track.id].age() > kInstant)) return;
   for (const RunEvent& each : run_->events())
     if (each.event.id == track.id && each.event.kind == WorldEventKind::spawned)
-      track.samples.push_back(
-          {0, each.event.position, each.event.velocity, world().accelerations(track.id).total, world().mach(track.id)});
+      track.samples.push_back({0, each.event.position, each.event.velocity, world()[track.id].accelerations().total,
+                               world()[track.id].mach()});
 }
 
 void Session::look() {
@@ -317,8 +318,8 @@ void Session::look() {
   if (!is_replay()) look_at_wall();
   for (Track& track : tracks_) {
     if (!track.is_flying()) continue;
-    if (!world().is_alive(track.id)) {
-      track.status = world().status(track.id);
+    if (!world()[track.id].is_alive()) {
+      track.status = world()[track.id].status();
       continue;
     }
     const TrackSample now = sample(track);
@@ -333,9 +334,9 @@ void Session::look() {
 /// Begins the track of what nobody fired by hand, where it is new and there is room for one more.
 void Session::follow_new(ProjectileId id) {
   const bool has_room = tracks_.size() < most_tracks_of_run_;
-  if (!has_room || world().status(id) != LifeStatus::in_flight || track(id) != nullptr) return;
-  const Colour own = world().colour(id);
-  const ProjectileDef* what = world().definition(id);
+  if (!has_room || world()[id].status() != LifeStatus::in_flight || track(id) != nullptr) return;
+  const Colour own = world()[id].colour();
+  const ProjectileDef* what = world()[id].definition();
   begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
 }
 
@@ -368,7 +369,7 @@ void Session::forget_after(double time) {
     while (track.samples.size() > 1 && is_late(track.samples.back())) track.samples.pop_back();
     if (track.apex && is_late(*track.apex)) track.apex.reset();
     if (track.impact && is_late(*track.impact)) track.impact.reset();
-    track.status = world().status(track.id);
+    track.status = world()[track.id].status();
   }
 }
 

@@ -60,12 +60,13 @@ class Session {
   // --------------------------------------------------------------------------------------------------------- firing
   /// Fires a shot now; its settings are bound to it from here on.
   [[nodiscard]] Result<ProjectileId> fire(const ScenarioShot& shot);
-  /// Changes a projectile in flight; `change` is one call of the world that tells whether it did.
+  /// Changes a projectile in flight; `change` is one call of it that says whether it was done.
   template <class Change>
   Status edit(ProjectileId id, const Change& change) {
     if (is_replay()) return cannot_change();
-    if (!change(run_->world())) return run_->world().error().value_or(Error{"it was refused", "", ""});
-    return edited(id), Status();
+    Status status = change(run_->world()[id]);
+    if (status) edited(id);
+    return status;
   }
 
   // -------------------------------------------------------------------------------------------------------- reading

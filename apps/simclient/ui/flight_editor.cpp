@@ -41,9 +41,10 @@ void apply(Client& client, const Track& track, const Change& change) {
 
 void FlightEditor::take(const World& world, const Track& track) {
   id_ = track.id;
-  fidelity_ = world.fidelity_in_use(id_).fidelity;
-  position_ = world.position(id_);
-  velocity_ = world.velocity(id_);
+  const ProjectileView projectile = world[id_];
+  fidelity_ = projectile.fidelity_in_use().fidelity;
+  position_ = projectile.position();
+  velocity_ = projectile.velocity();
   impulse_ = {};
 }
 
@@ -71,9 +72,8 @@ void FlightEditor::draw_fidelity(Client& client, const Track& track) {
   pick("earth", fidelity_.earth);
   pick("precision", fidelity_.precision);
   ImGui::PopItemWidth();
-  if (ImGui::Button("Change its rungs"))
-    apply(client, track, [&](World& world) { return world.set_fidelity(id_, fidelity_); });
-  for (const FidelityNote& note : client.session.world().fidelity_in_use(id_).notes)
+  if (ImGui::Button("Change its rungs")) apply(client, track, [&](Projectile p) { return p.set_fidelity(fidelity_); });
+  for (const FidelityNote& note : client.session.world()[id_].fidelity_in_use().notes)
     coloured_text(colours::kWarning, note.effect + ": granted " + note.granted + ": " + note.reason);
 }
 
@@ -84,17 +84,17 @@ void FlightEditor::draw_state(Client& client, const Track& track) {
   ImGui::TextDisabled("velocity [m/s]");
   vector_input("##velocity", velocity_);
   if (ImGui::Button("Move it there"))
-    apply(client, track, [&](World& world) { return world.set_state(id_, {position_, velocity_}); });
+    apply(client, track, [&](Projectile p) { return p.set_state({position_, velocity_}); });
   ImGui::TextDisabled("impulse [N s]");
   vector_input("##impulse", impulse_);
-  if (ImGui::Button("Kick it")) apply(client, track, [&](World& world) { return world.apply_impulse(id_, impulse_); });
+  if (ImGui::Button("Kick it")) apply(client, track, [&](Projectile p) { return p.apply_impulse(impulse_); });
   ImGui::TextDisabled("gravity, times [-]");
   ImGui::InputDouble("##gravity", &gravity_scale_, 0.1, 1, "%.3f");
   ImGui::PopItemWidth();
   if (ImGui::Button("Change its gravity"))
-    apply(client, track, [&](World& world) { return world.set_gravity_scale(id_, gravity_scale_); });
+    apply(client, track, [&](Projectile p) { return p.set_gravity_scale(gravity_scale_); });
   ImGui::SameLine();
-  if (ImGui::Button("Take it out")) apply(client, track, [&](World& world) { return world.despawn(id_); });
+  if (ImGui::Button("Take it out")) apply(client, track, [&](Projectile p) { return p.despawn(); });
 }
 
 }  // namespace physim::client

@@ -1,0 +1,104 @@
+// Projectile: a projectile of a world, by its id. What it does, and how to change it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "physim/forces.hpp"
+#include "physim/quat.hpp"
+#include "physim/result.hpp"
+#include "physim/world_def.hpp"
+
+namespace physim {
+
+/// Where a projectile is and how it moves.
+struct BodyState {
+  Vec3d position;  ///< [m]
+  Vec3d velocity;  ///< [m/s]
+
+  bool operator==(const BodyState&) const = default;
+};
+
+struct WorldImpl;
+
+/// A projectile of a world, to be read: `world[id]`. It is an id and a place to look it up, as cheap to make as to
+/// copy, and holds as long as its world. Of a projectile that is gone all is zero.
+class ProjectileView {
+ public:
+  ProjectileView(const WorldImpl* world, ProjectileId id) : world_(world), id_(id) {}
+
+  [[nodiscard]] ProjectileId id() const { return id_; }
+  [[nodiscard]] bool is_alive() const;
+  /// Also of one that is gone, until its slot is used again.
+  [[nodiscard]] LifeStatus status() const;
+  [[nodiscard]] bool is_asleep() const;
+  [[nodiscard]] bool is_kinematic() const;
+
+  [[nodiscard]] Vec3d position() const;  ///< [m]
+  [[nodiscard]] Vec3d velocity() const;  ///< [m/s]
+  [[nodiscard]] BodyState state() const;
+  [[nodiscard]] Vec3d previous_position() const;  ///< before the last step [m]
+  /// To draw, by its Smoothing: between steps by the leftover fraction of World::advance() [m].
+  [[nodiscard]] Vec3d render_position() const;
+  [[nodiscard]] Quatd orientation() const;       ///< takes body axes into W [-]
+  [[nodiscard]] Vec3d angular_velocity() const;  ///< [rad/s]
+  [[nodiscard]] double age() const;              ///< since launch [s]
+  [[nodiscard]] double mach() const;             ///< [-]
+  [[nodiscard]] double mass() const;             ///< infinite where nothing moves it [kg]
+  [[nodiscard]] double inverse_mass() const;     ///< [1/kg]
+  /// Mass times acceleration now: of all models and generators [N].
+  [[nodiscard]] Vec3d resultant_force() const;
+  /// Acceleration by effect now; `applied` holds the generators too.
+  [[nodiscard]] Accelerations accelerations() const;
+
+  [[nodiscard]] KindId kind() const;
+  [[nodiscard]] const ProjectileDef* definition() const;  ///< null where it is gone
+  /// What it really uses, and why.
+  [[nodiscard]] FidelityInUse fidelity_in_use() const;
+  [[nodiscard]] std::uint64_t user_data() const;
+  [[nodiscard]] std::uint32_t layers() const;
+  [[nodiscard]] std::uint32_t colour() const;
+  [[nodiscard]] std::string label() const;
+
+ protected:
+  const WorldImpl* world_;
+  ProjectileId id_;
+};
+
+/// A projectile of a world, to be changed too. What cannot be done is refused, with a reason: the projectile is gone,
+/// or the value makes no sense. A change of how it moves wakes it.
+class Projectile : public ProjectileView {
+ public:
+  Projectile(WorldImpl* world, ProjectileId id) : ProjectileView(world, id) {}
+
+  Status despawn();
+  Status set_position(const Vec3d& position);
+  Status set_velocity(const Vec3d& velocity);
+  Status set_state(const BodyState& state);
+  Status apply_impulse(const Vec3d& impulse);  ///< [N s]
+  Status set_angular_velocity(const Vec3d& omega);
+  /// Moves it to another rung, as it is.
+  Status set_fidelity(const Fidelity& fidelity);
+  Status set_gravity_scale(double scale);
+  Status set_use_gravity(bool use);
+  Status set_kinematic(bool kinematic);
+  Status set_frozen(Axes position_axes, Axes rotation_axes);
+  Status set_can_sleep(bool can);
+  Status sleep();  ///< an error where it stands still already
+  Status wake();   ///< an error where it neither sleeps nor sticks
+  Status set_smoothing(Smoothing smoothing);
+  Status set_user_data(std::uint64_t data);
+  Status set_layers(std::uint32_t layers);
+  Status set_colour(std::uint32_t rgba);
+  Status set_label(const std::string& label);
+  /// A generator that acts on this one alone.
+  Result<ForceId> add_force(ForceLaw law, double duration = std::numeric_limits<double>::infinity());
+  /// Takes it out of a generator's targets.
+  Status remove_force(ForceId force);
+
+ private:
+  [[nodiscard]] WorldImpl& world() const { return const_cast<WorldImpl&>(*world_); }
+};
+
+}  // namespace physim
