@@ -52,8 +52,7 @@ struct Bench {
     cohort.finish();
     watch = prepare_watch(bench_until(), cohort.conditions, {.apex = false, .stops = false});
     bodies_float.resize(bodies.size());
-    cast_fields(reinterpret_cast<const double*>(bodies.data()), reinterpret_cast<float*>(bodies_float.data()),
-                static_cast<unsigned>(bodies.size()) * kBodyFields<float>);
+    for (std::size_t i = 0; i < bodies.size(); ++i) cast_numbers(bodies[i], bodies_float[i]);
   }
 };
 

@@ -43,7 +43,7 @@ std::size_t run(Part part, const MicroJob<S>& job) {
   const Course<S>& course = *job.course;
   const Conditions<S>& c = *course.conditions;
   static Lanes<R> lanes;
-  for (int lane = 0; lane < kLanes<R>; ++lane) put_lane(lanes.body, lane, job.bodies[lane]);
+  for (int lane = 0; lane < kLanes<R>; ++lane) copy_lane(job.bodies[lane], 0, lanes.body, lane);
   begin(course, lanes);
   lanes.control.h = R(S(0.05));
   try_step(course, lanes);
@@ -89,7 +89,7 @@ std::size_t run(Part part, const MicroJob<S>& job) {
     }
     case Part::enter:
       return repeat(job, lanes.step.start.x.x, [&] {
-        for (int lane = 0; lane < kLanes<R>; ++lane) put_lane(lanes.body, lane, job.bodies[lane]);
+        for (int lane = 0; lane < kLanes<R>; ++lane) copy_lane(job.bodies[lane], 0, lanes.body, lane);
         begin(course, lanes);
       });
   }

@@ -21,30 +21,33 @@ namespace {
 /// Shots that fly together at a time: few enough to stay in the cache between preparing, flying and gathering.
 constexpr std::size_t kChunk = 2048;
 
+constexpr unsigned kLaunchNumbers = kLaunchParts.runs().numbers();
+static_assert(kLaunchParts.runs().count == 1 && kLaunchParts.runs().run[0].first == 0, "a Body begins with them");
+
 /// Shots whose granted rungs are equal, gathered until there is a chunk of them.
 struct ShotGroup {
   Cohort cohort;
   std::optional<double> step;
   std::vector<std::uint32_t> shots;
-  Body<double> common{};                               // what all bodies have ...
-  unsigned own_count = unsigned(kBodyFields<double>);  // ... but for so many numbers, the first ones of a Body ...
-  std::vector<double> own_numbers;                     // ... which are here
-  std::vector<Rotor<double>> rotors;                   // of rungs that turn
-  std::vector<SpinDrift> drifts;                       // of the rung of that name ...
-  std::vector<Vec3d> right;                            // ... and where they point
-  std::vector<Turn<double>> turned;                    // how they turn at their ends
+  Body<double> common{};              // what all bodies have ...
+  PartSet own = PartSet::all();       // ... but for these parts, the first ones of a Body ...
+  std::vector<double> own_numbers;    // ... which are here
+  std::vector<Rotor<double>> rotors;  // of rungs that turn
+  std::vector<SpinDrift> drifts;      // of the rung of that name ...
+  std::vector<Vec3d> right;           // ... and where they point
+  std::vector<Turn<double>> turned;   // how they turn at their ends
   std::vector<RawEvent> events;
 
   void add(std::uint32_t shot, const Body<double>& body) {
     shots.push_back(shot);
-    own_numbers.resize(shots.size() * own_count);
-    std::copy_n(reinterpret_cast<const double*>(&body), own_count, own_numbers.end() - own_count);
+    own_numbers.insert(own_numbers.end(), numbers(body), numbers(body) + own_stride());
   }
   [[nodiscard]] Body<double> body(std::size_t i) const {
     Body<double> b = common;
-    std::copy_n(own_numbers.data() + i * own_count, own_count, reinterpret_cast<double*>(&b));
+    std::copy_n(own_numbers.data() + i * own_stride(), own_stride(), numbers(b));
     return b;
   }
+  [[nodiscard]] unsigned own_stride() const { return own == kLaunchParts ? kLaunchNumbers : kNumbers<Body>; }
   void clear() {
     shots.clear();
     own_numbers.clear();
@@ -161,7 +164,7 @@ class Batch {
     if (turns(cohort.in_use.fidelity)) kind_.rotor = prepare_rotor_kind(projectile, cohort.pool, cohort.conditions);
     if (!shots_.one_projectile) return kind_;
     group.common = kind_.body;
-    if (differ_by_launch_alone(cohort.conditions)) group.own_count = unsigned(kLaunchFields);
+    if (differ_by_launch_alone(cohort.conditions)) group.own = kLaunchParts;
     return kind_;
   }
 
@@ -189,9 +192,9 @@ class Batch {
     const Fidelity& granted = cohort.in_use.fidelity;
     if (!some_accepted_) result_.fidelity_in_use = cohort.in_use;
     some_accepted_ = true;
-    if (launch.rail_length > 0 && group->own_count < unsigned(kBodyFields<double>)) {
+    if (launch.rail_length > 0 && group->own == kLaunchParts) {
       fly(*group);  // those without a rail
-      group->own_count = unsigned(kBodyFields<double>);
+      group->own = PartSet::all();
     }
     Body<double>& body = kind.body;
     put_launch(projectile, launch, elevation, cohort.conditions, body);
@@ -321,8 +324,9 @@ class Batch {
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
     if (turns(group.cohort.in_use.fidelity)) group.turned.resize(count);
     const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
-    kernel({&course, group.own_numbers.data(), group.own_count, &group.common, group.rotors.data(), group.shots.data(),
-            count, result_.shots.data(), group.turned.data(), emit, &group});
+    const NumberRuns own = (group.own & parts_flown(group.cohort.in_use.fidelity, group.cohort.conditions)).runs();
+    kernel({&course, group.own_numbers.data(), group.own_stride(), own, &group.common, group.rotors.data(),
+            group.shots.data(), count, result_.shots.data(), group.turned.data(), emit, &group});
     for (const std::uint32_t i : by_shot_.order(group.events, count)) keep(group, group.events[i]);
     if (drifts(group.cohort.in_use.fidelity)) add_drift(group);
     if (turns(group.cohort.in_use.fidelity)) keep_attitudes(group);

@@ -5,22 +5,13 @@
 
 PHYSIM_ISA_BEGIN
 
-/// How many numbers of a Body differ from shot to shot.
-template <class R, class S>
-PHYSIM_INLINE unsigned own_fields(const BatchJob<S>& job) {
-  const unsigned all = body_fields<R>(*job.course->conditions);
-  return job.own_count < all ? job.own_count : all;
-}
-
 /// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than
 /// one.
 template <class R, class S>
 class ReadyShots {
  public:
-  explicit ReadyShots(const BatchJob<S>& job) : job_(job), own_(own_fields<R>(job)) {
-    const auto* from = reinterpret_cast<const double*>(job.common);
-    auto* to = reinterpret_cast<R*>(&ready_.body);
-    for (unsigned i = own_; i < body_fields<R>(*job.course->conditions); ++i) to[i] = R(static_cast<S>(from[i]));
+  explicit ReadyShots(const BatchJob<S>& job) : job_(job) {
+    for (int lane = 0; lane < kLanes<R>; ++lane) put_lane(numbers(*job.common), ready_.body, lane, job.course->body);
   }
 
   /// Puts the next shot into a lane; false where none is left.
@@ -50,13 +41,9 @@ class ReadyShots {
     // Unused lanes repeat the last shot, so that they hold sound numbers.
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       const std::size_t shot = next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1);
-      const double* from = job_.own_numbers + shot * job_.own_count;
-      auto* to = reinterpret_cast<S*>(&ready_.body) + lane;
-      for (unsigned i = 0; i < own_; ++i) to[i * unsigned(kLanes<R>)] = static_cast<S>(from[i]);
-      if (!turns(job_.course->conditions->fidelity)) continue;
-      from = reinterpret_cast<const double*>(&job_.rotors[shot]);
-      to = reinterpret_cast<S*>(&*ready_.rotor) + lane;
-      for (int i = 0; i < kRotorFields<double>; ++i) to[i * kLanes<R>] = static_cast<S>(from[i]);
+      const double* from = job_.own_numbers + shot * job_.own_stride;
+      put_lane(from, ready_.body, lane, job_.own);
+      if (turns(job_.course->conditions->fidelity)) put_lane(job_.rotors[shot], *ready_.rotor, lane);
     }
     begin(*job_.course, ready_);
     next_ += static_cast<std::size_t>(filled_);
@@ -67,7 +54,7 @@ class ReadyShots {
   /// Copies what begin() has set; slopes beyond the first are written before they are read. What shots have in common
   /// is there since take_all().
   void enter(Lanes<R>& into, int lane) {
-    copy_lane(ready_.body, used_, into.body, lane, own_);
+    copy_lane(ready_.body, used_, into.body, lane, job_.own);
     copy_lane(ready_.step.start, used_, into.step.start, lane);
     copy_lane(ready_.step.slope[0], used_, into.step.slope[0], lane);
     copy_lane(ready_.control, used_, into.control, lane);
@@ -84,7 +71,6 @@ class ReadyShots {
   }
 
   const BatchJob<S>& job_;
-  const unsigned own_;
   Lanes<R> ready_;
   std::size_t next_ = 0;  // first shot not yet prepared
   int filled_ = 0;
@@ -96,13 +82,13 @@ class ReadyShots {
 template <class R, class S>
 class Court {
  public:
-  explicit Court(const BatchJob<S>& job) : job_(job), own_(own_fields<R>(job)) {}
+  explicit Court(const BatchJob<S>& job) : job_(job) {}
 
   /// Takes in a lane's last step; one at a time of each flight, so that its crossings are reported in order.
   void add(const Lanes<R>& from, int lane, bool accepted, bool ends, std::size_t shot) {
     if (filled_ == kLanes<R> || (some_go_on_ && waits(shot))) settle();
     some_go_on_ = some_go_on_ || !ends;
-    take_step(from, lane, filled_, filled_ < touched_ ? own_ : body_fields<R>(*job_.course->conditions));
+    take_step(from, lane, filled_, filled_ < touched_ ? job_.own : job_.course->body);
     accepted_[filled_] = accepted;
     shot_[filled_] = shot;
     ++filled_;
@@ -140,14 +126,14 @@ class Court {
     return false;
   }
 
-  void take_step(const Lanes<R>& from, int from_lane, int lane, unsigned numbers) {
-    copy_step(*job_.course->conditions, from, from_lane, steps_, lane, numbers);
+  void take_step(const Lanes<R>& from, int from_lane, int lane, const NumberRuns& body) {
+    copy_step(*job_.course->conditions, from, from_lane, steps_, lane, body);
   }
 
   /// Lanes that never held a step repeat one, so that they hold sound numbers: what of them tables are read by.
   void fill_untouched() {
     for (; touched_ < kLanes<R>; ++touched_)
-      if (touched_ >= filled_) take_step(steps_, 0, touched_, body_fields<R>(*job_.course->conditions));
+      if (touched_ >= filled_) take_step(steps_, 0, touched_, job_.course->body);
   }
 
   /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
@@ -213,12 +199,11 @@ class Court {
       if (!turns(job_.course->conditions->fidelity)) continue;
       Turn<S> turn;
       copy_lane(at_start ? steps_.step.turn->start : steps_.step.turn->end, i, turn, 0);
-      widen(turn, job_.turns[shot_[i]]);
+      cast_numbers(turn, job_.turns[shot_[i]]);
     }
   }
 
   const BatchJob<S>& job_;
-  const unsigned own_;
   Lanes<R> steps_{};
   Judgement<R> judgement_;
   bool accepted_[kLanes<R>];

@@ -21,9 +21,10 @@ struct RawEvent {
 template <class S>
 struct BatchJob {
   const Course<S>* course;
-  const double* own_numbers;    // the first ones of each shot's Body, which the kernel rounds as it takes them in
-  unsigned own_count;           // so many of each shot
-  const Body<double>* common;   // has the others
+  const double* own_numbers;   // of each shot's Body, from its first one on; the kernel rounds them as it takes them in
+  unsigned own_stride;         // from shot to shot
+  NumberRuns own;              // those that lanes hold
+  const Body<double>* common;  // has the others
   const Rotor<double>* rotors;  // of rungs that turn
   const std::uint32_t* places;  // of the shots in the results
   std::size_t count;

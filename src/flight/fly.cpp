@@ -33,14 +33,14 @@ void keep_event(FlightRecord& record, const Watched& watched, bool rising, doubl
 template <class S>
 Node first_node(const Step<S>& s) {
   Node n{0, {}, vec_cast<double>(s.slope[0].v)};
-  widen(s.start, n.y);
+  cast_numbers(s.start, n.y);
   return n;
 }
 template <class S>
 TurnNode first_turn_node(const Step<S>& s) {
   TurnNode n{};
-  widen(s.turn->start, n.y);
-  widen(s.turn->slope[0], n.slope);
+  cast_numbers(s.turn->start, n.y);
+  cast_numbers(s.turn->slope[0], n.slope);
   return n;
 }
 
@@ -65,9 +65,7 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
   Lanes<S> lane{};
   const bool turn = turns(course.conditions->fidelity);
   lane.body = body;
-  if (turn)
-    cast_fields(reinterpret_cast<const double*>(&record.rotor), reinterpret_cast<S*>(&*lane.rotor),
-                kRotorFields<double>);
+  if (turn) cast_numbers(record.rotor, *lane.rotor);
   begin(course, lane);
   record.nodes.push_back(first_node(lane.step));
   if (turn) record.turn_nodes.push_back(first_turn_node(lane.step));
@@ -107,8 +105,7 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
 
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
   const WatchList watch = prepare_watch(until, record.cohort.conditions, {});
-  cast_fields(reinterpret_cast<const double*>(&record.body), reinterpret_cast<float*>(&record.body_float),
-              kBodyFields<double>);
+  cast_numbers(record.body, record.body_float);
   if (const auto outcome = ends_at_once(record.cohort.conditions, record.body, until)) {
     record.outcome = *outcome;
     const Vec3d a = acceleration(record.cohort.conditions, record.body, 0.0, record.body.launch);

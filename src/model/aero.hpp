@@ -42,14 +42,15 @@ PHYSIM_INLINE R magnus_coefficient(const Conditions<S>& c, const AngleTable<R>& 
   return (f[0] + f[1] * angle_squared) + mach * (f[2] + f[3] * angle_squared);
 }
 
-/// The first `kCount` coefficients by Mach number.
-template <int kCount, class R, class S>
+/// Some of the coefficients by Mach number, the first ones of each row.
+template <template <class> class Some, class R, class S>
 PHYSIM_INLINE void coefficients_by_mach(const Conditions<S>& c, const Rotor<R>& b, const R& mach_cell, const R& mach,
-                                        AeroCoefficients<R>& k) {
-  static_assert(kCount % 2 == 0 && kCount <= kRowCoefficients);
-  R* value = reinterpret_cast<R*>(&k);
-  const R row = b.mach_row + mach_cell * S(kRowCoefficients / 2);
-  for (int pair = 0; pair < kCount / 2; ++pair) {
+                                        Some<R>& k) {
+  constexpr int kPairs = int(kNumbers<Some> / 2);
+  static_assert(kNumbers<Some> % 2 == 0 && kNumbers<Some> <= kNumbers<RowCoefficients>);
+  R* value = numbers(k);
+  const R row = b.mach_row + mach_cell * S(kNumbers<RowCoefficients> / 2);
+  for (int pair = 0; pair < kPairs; ++pair) {
     R f[4];
     row_columns(c.curve_rows, row + S(pair), f);
     value[2 * pair] = f[0] + f[1] * mach;
@@ -63,7 +64,7 @@ template <class R, class S>
   AeroCoefficients<R> k = b.coefficient;
   if (!c.has_aero_tables) return k;
   const R cell = cell_of(c.curve_rows, b.mach, mach);
-  coefficients_by_mach<kRowCoefficients>(c, b, cell, mach, k);
+  coefficients_by_mach<RowCoefficients>(c, b, cell, mach, k);
   k.magnus_force = magnus_coefficient(c, b.magnus_force, cell, mach, angle_squared);
   k.magnus_moment = magnus_coefficient(c, b.magnus_moment, cell, mach, angle_squared);
   return k;

@@ -153,7 +153,8 @@ bool has_aero_angles(const AeroDef& aero, const Fidelity& rung) {
 }
 
 void add_aero(const AeroDef& aero, TablePool& pool, Rotor<double>& r) {
-  auto* constants = reinterpret_cast<double*>(&r.coefficient);
+  static_assert(kCoefficients.size() == kNumbers<physim::AeroCoefficients>);
+  double* constants = numbers(r.coefficient);
   for (std::size_t i = 0; i < kCoefficients.size(); ++i) constants[i] = coefficient_at(coefficient(aero, i), 0, 0);
   if (const AeroPlace* known = pool.find(aero)) {
     r.mach = known->mach, r.mach_row = known->mach_row;
@@ -164,7 +165,7 @@ void add_aero(const AeroDef& aero, TablePool& pool, Rotor<double>& r) {
   r.mach = add_buckets(mach, pool);
   std::vector<Row> rows;
   for (std::size_t cell = 0; cell <= mach.size(); ++cell)
-    for (std::size_t pair = 0; pair < kRowCoefficients; pair += 2) {
+    for (std::size_t pair = 0; pair < kNumbers<RowCoefficients>; pair += 2) {
       const auto line = [&](std::size_t i) {
         return line_in_cell(mach, cell, [&](double m) { return coefficient_at(coefficient(aero, i), m, 0); });
       };

@@ -81,8 +81,26 @@ struct Globe {
 struct MotorPiece;
 struct MagnusGrid;
 
+/// What some projectiles of a cohort have beside the plain models; the others pay nothing for it.
+struct Features {
+  bool has_applied = false;          // an applied force
+  bool has_motor = false;            // a motor
+  bool has_rail = false;             // it starts on a rail
+  bool has_magnus_tables = false;    // a table of lift by spin
+  bool has_spheres = false;          // Cd by Reynolds number
+  bool has_bands = false;            // banded ballistic coefficients
+  bool has_searched_curves = false;  // a drag curve that fits no equal cells
+  bool has_aero = false;             // aerodynamic coefficients beside drag
+  bool has_aero_tables = false;      // ... that change with the Mach number
+  bool has_aero_angles = false;      // ... or with the angle of attack
+  bool has_gravity_scale = false;    // its own part of gravity
+  bool has_frozen = false;           // it does not move along some axis
+
+  bool operator==(const Features&) const = default;
+};
+
 template <class S>
-struct Conditions {
+struct Conditions : Features {
   Fidelity fidelity;  // as granted
   S gravity;          // at sea level [m/s^2]
   S radius;           // of sea level from the Earth's centre [m]
@@ -93,20 +111,8 @@ struct Conditions {
   WindField<S> wind;
   const S* curve_rows;                    // pool of cubic rows of all drag curves in use
   const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
-  bool has_searched_curves;
-  bool has_spheres;                // some projectile has Cd by Reynolds number
-  bool has_bands;                  // some projectile has banded ballistic coefficients
-  const MotorPiece* motor_pieces;  // pool of the tables of all motors in use
-  const MagnusGrid* magnus_grids;  // tables of balls that spin
-  bool has_magnus_tables;          // some projectile has one
-  bool has_motor;                  // some projectile has a motor
-  bool has_rail;                   // some projectile starts on a rail
-  bool has_applied;                // some projectile carries an applied force
-  bool has_gravity_scale;          // some projectile has its own part of gravity
-  bool has_frozen;                 // some projectile does not move along some axis
-  bool has_aero;                   // some projectile has aerodynamic coefficients beside drag
-  bool has_aero_tables;            // ... that change with the Mach number
-  bool has_aero_angles;            // ... or with the angle of attack
+  const MotorPiece* motor_pieces;         // pool of the tables of all motors in use
+  const MagnusGrid* magnus_grids;         // tables of balls that spin
 };
 
 }  // namespace physim

@@ -91,7 +91,7 @@ PHYSIM_INLINE Repose<R> repose(const Conditions<S>& c, const Rotor<R>& b, const 
   R cell(S(0));
   if (c.has_aero_tables) {
     cell = cell_of(c.curve_rows, b.mach, mach);
-    coefficients_by_mach<kReposeCoefficients>(c, b, cell, mach, k);
+    coefficients_by_mach<ReposeCoefficients>(c, b, cell, mach, k);
     k.magnus_force = magnus_coefficient(c, b.magnus_force, cell, mach, straight);
   }
   YawEffects<R> at = yaw_effects(b, air, speed_squared, spin, lighter, k, straight);

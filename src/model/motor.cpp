@@ -56,7 +56,7 @@ Burn<double> burning_piece(const MotorDef& motor, double impulse_before, double 
 std::size_t hash_of(const std::vector<MotorPiece>& pieces) {
   std::size_t h = pieces.size();
   for (const MotorPiece& p : pieces)
-    for (const double x : {p.burn.end, p.burn.thrust, p.burn.burned, p.burn.drag_factor, p.curve.row})
+    for (const double x : {p.burn.end, p.burn.thrust, p.burn.burned, p.burn.drag_factor, p.curve.curve_row})
       h = h * 1000003 ^ std::hash<double>()(x);
   return h;
 }
@@ -95,7 +95,7 @@ double propellant_left(const MotorDef& motor, double time) {
   return motor.propellant_mass * (1 - impulse / total_impulse(motor));
 }
 
-std::size_t MotorPool::add(const MotorDef& motor, const CurvePlace& coasting, const CurvePlace& burning,
+std::size_t MotorPool::add(const MotorDef& motor, const CurvePart<double>& coasting, const CurvePart<double>& burning,
                            double drag_factor) {
   const double never = std::numeric_limits<double>::infinity();
   std::vector<MotorPiece> pieces;

@@ -13,21 +13,11 @@
 
 namespace physim {
 
-/// Where a drag curve lies in the pool of curves; fields as in Body.
-struct CurvePlace {
-  double row = 0;
-  double start = 0;
-  double cells = 1;
-  double last = 0;
-
-  bool operator==(const CurvePlace&) const = default;
-};
-
 /// A piece of a motor's table, with the drag curve that holds in it. What a body has of it (Body::burn and the place of
 /// the curve) changes where the piece ends.
 struct MotorPiece {
   Burn<double> burn;
-  CurvePlace curve;
+  CurvePart<double> curve;
 
   bool operator==(const MotorPiece&) const = default;
 };
@@ -37,7 +27,8 @@ class MotorPool {
  public:
   /// Index of the first piece of a motor, which is found again where it is known. `burning` is the drag curve while it
   /// burns, with a factor; `coasting` that before and after.
-  std::size_t add(const MotorDef& motor, const CurvePlace& coasting, const CurvePlace& burning, double drag_factor);
+  std::size_t add(const MotorDef& motor, const CurvePart<double>& coasting, const CurvePart<double>& burning,
+                  double drag_factor);
 
   [[nodiscard]] const std::vector<MotorPiece>& pieces() const { return pieces_; }
 

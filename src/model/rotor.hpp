@@ -6,9 +6,7 @@
 // Source: none of its own; the models that read them say what the numbers mean.
 #pragma once
 
-#include <cstddef>
-
-#include "math/pack.hpp"
+#include "math/numbers.hpp"
 #include "physim/fidelity.hpp"
 #include "physim/quat.hpp"
 
@@ -44,31 +42,31 @@ struct AngleTable {
   R cells;             // by angle, of each cell by Mach number
 };
 
-/// Coefficients of AeroDef at one Mach number and angle.
+/// Coefficients of AeroDef at one Mach number and angle: what a yaw of repose needs; with the damping across the axis,
+/// which stand in rows by Mach number, two to a row; with Magnus' ones, which stand in tables of their own.
 template <class R>
-struct AeroCoefficients {
+struct ReposeCoefficients {
   R drag_yaw;
   R lift;
   R lift_cubic;
   R pitching;
   R pitching_cubic;
   R roll_damping;
+};
+template <class R>
+struct RowCoefficients : ReposeCoefficients<R> {
   R pitch_damping;
   R yaw_damping;
+};
+template <class R>
+struct AeroCoefficients : RowCoefficients<R> {
   R magnus_force;
   R magnus_moment;
 };
-/// Of them in rows by Mach number, two to a row; Magnus' come after them, in tables of their own.
-inline constexpr int kRowCoefficients = 8;
-/// Of these, without the damping across the axis, which comes last.
-inline constexpr int kReposeCoefficients = 6;
-static_assert(offsetof(AeroCoefficients<double>, pitch_damping) == kReposeCoefficients * sizeof(double));
-static_assert(offsetof(AeroCoefficients<double>, magnus_force) == kRowCoefficients * sizeof(double));
 
-/// Every member is an R, so that a lane can be copied in and out field by field.
+/// What a rotation model reads of a projectile but its launch.
 template <class R>
-struct Rotor {
-  Turn<R> launch;            // at time 0
+struct RotorConstants {
   Vec3<R> moments;           // Ixx, Iyy, Izz [kg m^2]
   Vec3<R> products;          // Ixy, Ixz, Iyz of the tensor [kg m^2]
   Vec3<R> inverse_moments;   // of the inverse tensor, the same members [1/(kg m^2)]
@@ -77,7 +75,7 @@ struct Rotor {
   R force_scale;                    // S / 2m [m^2/kg]
   R moment_scale;                   // S d / 2 [m^3]
   R pitch_scale;                    // k S d^2 / 2 [m^4]
-  R yaw_scale;                      // the same, of the span where there is a yaw damping of its own [m^4]
+  R yaw_scale;                      // pitch_scale, of the span where there is a yaw damping of its own [m^4]
   R roll_scale;                     // of the span [m^4]
   R magnus_force_scale;             // k S d / 2m [m^3/kg]
   R magnus_moment_scale;            // k S d^2 / 2 [m^4]
@@ -88,10 +86,10 @@ struct Rotor {
   AngleTable<R> magnus_force;
   AngleTable<R> magnus_moment;
 };
-
 template <class R>
-inline constexpr int kRotorFields = sizeof(Rotor<R>) / sizeof(R);
-inline constexpr unsigned kTurnFields = 7;
+struct Rotor : RotorConstants<R> {
+  Turn<R> launch;  // at time 0
+};
 
 /// Memory that is not set to zero and holds nothing until it is written: what only some rungs use of a large structure.
 template <class T>

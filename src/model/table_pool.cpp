@@ -16,7 +16,7 @@ std::size_t MagnusPool::add(const MagnusDef& magnus) {
   return index;
 }
 
-CurvePlace TablePool::add(const DragDef& drag, Interpolation interpolation) {
+CurvePart<double> TablePool::add(const DragDef& drag, Interpolation interpolation) {
   for (const Entry& e : entries_) {
     if (e.table != drag.table) continue;
     if (drag.table == DragTable::custom && e.curve != drag.curve) continue;
@@ -27,7 +27,7 @@ CurvePlace TablePool::add(const DragDef& drag, Interpolation interpolation) {
   return entries_.back().place;
 }
 
-CurvePlace TablePool::place_of(const DragDef& drag, Interpolation interpolation) {
+CurvePart<double> TablePool::place_of(const DragDef& drag, Interpolation interpolation) {
   if (drag.table != DragTable::custom) return place_of(standard_drag_cells(drag.table, interpolation));
   const PiecewiseCubic curve = drag_curve(drag, interpolation);
   if (const auto cells = on_uniform_cells(curve, kMaxCurveCells)) return place_of(*cells);
@@ -36,7 +36,7 @@ CurvePlace TablePool::place_of(const DragDef& drag, Interpolation interpolation)
   return {-static_cast<double>(searched_.size()), 0, 1, 0};
 }
 
-CurvePlace TablePool::place_of(const UniformCubic& curve) {
+CurvePart<double> TablePool::place_of(const UniformCubic& curve) {
   return {add_rows(curve.rows), curve.start, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
 }
 

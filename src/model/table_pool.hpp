@@ -43,7 +43,7 @@ struct AeroPlace {
 class TablePool {
  public:
   /// Adds a curve, or finds it when an equal one is there.
-  CurvePlace add(const DragDef& drag, Interpolation interpolation);
+  CurvePart<double> add(const DragDef& drag, Interpolation interpolation);
 
   /// Rows of anything else; returns the number of the first.
   double add_rows(const std::vector<std::array<double, 4>>& rows);
@@ -66,10 +66,10 @@ class TablePool {
   struct Entry {
     DragTable table;
     std::vector<DragPoint> curve;
-    CurvePlace place;
+    CurvePart<double> place;
   };
-  CurvePlace place_of(const DragDef& drag, Interpolation interpolation);
-  CurvePlace place_of(const UniformCubic& curve);
+  CurvePart<double> place_of(const DragDef& drag, Interpolation interpolation);
+  CurvePart<double> place_of(const UniformCubic& curve);
 
   std::vector<double> rows_;
   std::vector<float> rows_float_;  // of those that conditions in float asked for

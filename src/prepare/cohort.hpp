@@ -27,7 +27,11 @@ struct Cohort {
   }
   template <class S>
   [[nodiscard]] Course<S> course(const Tolerance& tolerance, double step, const WatchList& watch) const {
-    return {&conditions_in<S>(), &conditions, prepare_plan<S>(tolerance, in_use.fidelity, step), watch,
+    return {&conditions_in<S>(),
+            &conditions,
+            parts_flown(in_use.fidelity, conditions).runs(),
+            prepare_plan<S>(tolerance, in_use.fidelity, step),
+            watch,
             corners_matter()};
   }
   [[nodiscard]] bool corners_matter() const;

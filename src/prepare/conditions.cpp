@@ -77,20 +77,9 @@ Conditions<float> to_float(const Conditions<double>& c) {
     f.wind.slope[i] = vec_cast<float>(Vec3d(c.wind.slope[i]));
   }
   f.searched_curves = c.searched_curves;
-  f.has_searched_curves = c.has_searched_curves;
-  f.has_spheres = c.has_spheres;
-  f.has_bands = c.has_bands;
   f.motor_pieces = c.motor_pieces;
-  f.has_motor = c.has_motor;
   f.magnus_grids = c.magnus_grids;
-  f.has_magnus_tables = c.has_magnus_tables;
-  f.has_rail = c.has_rail;
-  f.has_applied = c.has_applied;
-  f.has_gravity_scale = c.has_gravity_scale;
-  f.has_frozen = c.has_frozen;
-  f.has_aero = c.has_aero;
-  f.has_aero_tables = c.has_aero_tables;
-  f.has_aero_angles = c.has_aero_angles;
+  static_cast<Features&>(f) = c;
   return f;
 }
 

@@ -74,15 +74,15 @@ void prepare_motor(const ProjectileDef& p, TablePool& pool, Conditions<double>& 
   b.mass = p.mass;
   b.ignition = b.burnout = never;
   if (!has_motor(p) || !flies_motors(c.fidelity)) return;
-  const CurvePlace coasting{b.curve_row, b.curve_start, b.curve_cells, b.curve_last};
-  CurvePlace burning = coasting;
+  const CurvePart<double>& coasting = b;
+  CurvePart<double> burning = coasting;
   double factor = p.motor.drag_factor;
   if (c.fidelity.drag == DragModel::equation && !p.motor.drag_curve.empty()) {
     DragDef on;
     on.table = DragTable::custom;
     on.curve = p.motor.drag_curve;
     burning = pool.add(on, c.fidelity.interpolation);
-    c.has_searched_curves = c.has_searched_curves || burning.row < 0;
+    c.has_searched_curves = c.has_searched_curves || burning.curve_row < 0;
     factor /= constant_cd(p.drag);
   }
   const std::size_t piece = pool.motors.add(p.motor, coasting, burning, factor);
@@ -111,15 +111,11 @@ void prepare_magnus(const ProjectileDef& p, TablePool& pool, Conditions<double>&
 }  // namespace
 
 void prepare_curve(const ProjectileDef& p, TablePool& pool, Conditions<double>& c, Body<double>& b) {
-  const CurvePlace place = pool.add(p.drag, c.fidelity.interpolation);
-  b.curve_row = place.row;
-  b.curve_start = place.start;
-  b.curve_cells = place.cells;
-  b.curve_last = place.last;
+  static_cast<CurvePart<double>&>(b) = pool.add(p.drag, c.fidelity.interpolation);
   b.reynolds_length = p.drag.table == DragTable::sphere ? p.diameter : 0;
   c.has_spheres = c.has_spheres || p.drag.table == DragTable::sphere;
   c.has_bands = c.has_bands || !p.drag.bands.empty();
-  c.has_searched_curves = c.has_searched_curves || place.row < 0;
+  c.has_searched_curves = c.has_searched_curves || b.curve_row < 0;
 }
 
 Body<double> prepare_kind(const ProjectileDef& p, TablePool& pool, Conditions<double>& c) {

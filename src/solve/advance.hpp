@@ -22,7 +22,7 @@ template <class R, class S>
 std::optional<double> cut_at_corner(const Course<S>& course, const Lanes<R>& l, int lane, bool by_rail) {
   const Conditions<double>& c = *course.conditions_double;
   Lanes<S> alone{};
-  copy_step(*course.conditions, l, lane, alone, 0, body_fields<R>(*course.conditions));
+  copy_step(*course.conditions, l, lane, alone, 0, course.body);
   DenseLanes<S> at;
   dense_lanes(course, alone, at);
   const Body<double> whole_body = at.whole_body();

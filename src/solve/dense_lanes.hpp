@@ -5,15 +5,6 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Reads a structure of R's as one of doubles.
-template <template <class> class Struct, class R>
-PHYSIM_INLINE void widen(const Struct<R>& from, Struct<Cast<double, R>>& into,
-                         unsigned count = sizeof(Struct<R>) / sizeof(R)) {
-  const auto* source = reinterpret_cast<const R*>(&from);
-  auto* to = reinterpret_cast<Cast<double, R>*>(&into);
-  for (unsigned i = 0; i < count; ++i) to[i] = cast<double>(source[i]);
-}
-
 /// The dense output of a rotation.
 template <class W>
 struct DenseTurn {
@@ -30,8 +21,9 @@ struct DenseLanes {
 
   const Conditions<S>* conditions;
   const Conditions<double>* conditions_double;
-  const Lanes<R>* lanes;  // must outlive this
-  Body<W> body;           // what watched values read of it; whole_body() has all
+  const Lanes<R>* lanes;      // must outlive this
+  const NumberRuns* numbers;  // of their bodies
+  Body<W> body;               // what watched values read of it; whole_body() has all
   NodeOf<W> n0;
   NodeOf<W> n1;
   State<W> coefficient[kMaxDenseCoefficients];
@@ -42,7 +34,7 @@ struct DenseLanes {
     if (f.motion != Motion::closed_form) return dense_state(f.integrator, n0, n1, coefficient, theta);
     const State<R> s = closed_form(*conditions, lanes->body, cast<S>(time(theta)));
     State<W> wide;
-    widen(s, wide);
+    cast_numbers(s, wide);
     return wide;
   }
   PHYSIM_INLINE W time(const W& theta) const { return n0.t + theta * (n1.t - n0.t); }
@@ -56,7 +48,7 @@ struct DenseLanes {
   PHYSIM_INLINE Turn<W> turn_at_time(const W& t) const { return turn_at(place_between(n0, n1, t)); }
   PHYSIM_INLINE Body<W> whole_body() const {
     Body<W> b;
-    widen(lanes->body, b, body_fields<R>(*conditions));
+    cast_numbers(lanes->body, b, *numbers);
     return b;
   }
   PHYSIM_INLINE Vec3<W> acceleration(const W& theta, const State<W>& s) const {
@@ -83,11 +75,11 @@ void dense_turns(const Course<S>& course, const Lanes<R>& l, Step<Cast<double, R
   const int last = last_slope(fidelity);
   const TurnStep<R>& from = *l.step.turn;
   TurnStep<W>& turn = *s.turn;
-  widen(from.start, turn.start);
-  widen(from.end, turn.end);
-  for_dense_slopes(fidelity.integrator, last, [&](int i) { widen(from.slope[i], turn.slope[i]); });
+  cast_numbers(from.start, turn.start);
+  cast_numbers(from.end, turn.end);
+  for_dense_slopes(fidelity.integrator, last, [&](int i) { cast_numbers(from.slope[i], turn.slope[i]); });
   DenseTurn<W>& to = *out.turn;
-  widen(*l.rotor, to.rotor);
+  cast_numbers(*l.rotor, to.rotor);
   to.n0 = {out.n0.t, turn.start, turn.slope[0]};
   to.n1 = {out.n1.t, turn.end, turn.slope[last]};
   if (fidelity.integrator == Integrator::dop853)
@@ -109,7 +101,8 @@ void add_coefficients(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>&
   s.h = cast<double>(l.step.h);
   s.start = out.n0.y;
   s.end = out.n1.y;
-  for_dense_slopes(fidelity.integrator, last_slope(fidelity), [&](int i) { widen(l.step.slope[i], s.slope[i]); });
+  for_dense_slopes(fidelity.integrator, last_slope(fidelity),
+                   [&](int i) { cast_numbers(l.step.slope[i], s.slope[i]); });
   if (turns(fidelity)) return dense_turns(course, l, s, out);
   const auto f = [&](const W& t, const State<W>& y) {
     Vec3<W> a;
@@ -126,13 +119,16 @@ void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out)
   out.conditions = course.conditions;
   out.conditions_double = course.conditions_double;
   out.lanes = &l;
-  widen(l.body, out.body, has_stops(c) ? body_fields<R>(c) : unsigned(kLaunchFields));
+  constexpr PartSet kStops = kLaunchParts | PartSet::of<MotorPart, RailPart>();
+  constexpr NumberRuns kWatched = kLaunchParts.runs(), kWatchedWithStops = kStops.runs();
+  out.numbers = &course.body;
+  cast_numbers(l.body, out.body, has_stops(c) ? kWatchedWithStops : kWatched);
   out.n0.t = cast<double>(l.step.t);
   out.n1.t = cast<double>(l.step.t_end);
-  widen(l.step.start, out.n0.y);
-  widen(l.step.end, out.n1.y);
-  widen(l.step.slope[0].v, out.n0.a);
-  widen(l.step.slope[last_slope(c.fidelity)].v, out.n1.a);
+  cast_numbers(l.step.start, out.n0.y);
+  cast_numbers(l.step.end, out.n1.y);
+  cast_numbers(l.step.slope[0].v, out.n0.a);
+  cast_numbers(l.step.slope[last_slope(c.fidelity)].v, out.n1.a);
   if (c.fidelity.motion == Motion::closed_form) return;
   if (turns(c.fidelity) || dense_coefficient_count(c.fidelity.integrator) > 0) add_coefficients(course, l, out);
 }

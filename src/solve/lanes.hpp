@@ -28,6 +28,7 @@ template <class S>
 struct Course {
   const Conditions<S>* conditions;
   const Conditions<double>* conditions_double;  // for dense output and events
+  NumberRuns body;                              // the numbers of a Body that lanes hold
   StepPlan<S> plan;
   WatchList watch;
   bool corners;  // steps must end at corners of piecewise data
@@ -98,34 +99,6 @@ PHYSIM_INLINE void note_rail(const Conditions<S>& c, Lanes<R>& l) {
   if (c.has_rail) l.regime.rail = l.body.rail_phase;
 }
 
-template <class To, class From>
-PHYSIM_INLINE void cast_fields(const From* from, To* to, unsigned count) {
-  for (unsigned i = 0; i < count; ++i) to[i] = static_cast<To>(from[i]);
-}
-
-/// Motor, rail, spin and bands come last in a body, and few cohorts have them.
-template <class R, class S>
-PHYSIM_INLINE unsigned body_fields(const Conditions<S>& c) {
-  if (c.has_bands) return unsigned(kBodyFields<R>);
-  const unsigned without_bands = unsigned(kBodyFields<R>) - 2 * kMaxBands;
-  if (spins(c.fidelity)) return without_bands;
-  return without_bands - kMagnusFields - (has_stops(c) ? 0 : kMotorFields);
-}
-
-/// Copies one lane of a structure of R's to a lane of another; R and Into differ where a lane is taken out of its pack.
-template <class R, class Into, template <class> class Struct>
-PHYSIM_INLINE void copy_lane(const Struct<R>& from, int from_lane, Struct<Into>& into, int lane,
-                             unsigned count = sizeof(Struct<R>) / sizeof(R)) {
-  using S = ScalarOf<R>;
-  const auto* source = reinterpret_cast<const char*>(&from) + sizeof(S) * unsigned(from_lane);
-  auto* to = reinterpret_cast<char*>(&into) + sizeof(S) * unsigned(lane);
-  for (unsigned i = 0; i < count; ++i) std::memcpy(to + i * sizeof(Into), source + i * sizeof(R), sizeof(S));
-}
-template <class R, class Into>
-PHYSIM_INLINE void copy_lane(const R& from, int from_lane, Into& into, int lane) {
-  set_lane(into, lane, lane_of(from, from_lane));
-}
-
 /// Number of the last slope that a step leaves.
 PHYSIM_INLINE int last_slope(const Fidelity& f) {
   return f.motion == Motion::closed_form ? 1 : end_slope(f.integrator);
@@ -136,12 +109,12 @@ PHYSIM_INLINE std::int64_t evaluations(const Fidelity& granted, std::int64_t tri
   return 1 + tries * last_slope(granted);
 }
 
-/// Copies the finished step of one lane with all that judging it takes, and the first `numbers` ones of its body.
+/// Copies the finished step of one lane with all that judging it takes, and some numbers of its body.
 template <class R, class Into, class S>
 PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int from_lane, Lanes<Into>& into, int lane,
-                             unsigned numbers) {
+                             const NumberRuns& body) {
   const Integrator integrator = c.fidelity.integrator;
-  copy_lane(from.body, from_lane, into.body, lane, numbers);
+  copy_lane(from.body, from_lane, into.body, lane, body);
   copy_lane(from.step.start, from_lane, into.step.start, lane);
   copy_lane(from.step.end, from_lane, into.step.end, lane);
   for_dense_slopes(integrator, last_slope(c.fidelity),

@@ -35,16 +35,10 @@ template <class R, class S>
 /// Gives one lane's body a piece of its motor's table.
 template <class R>
 PHYSIM_INLINE void put_piece(const MotorPiece* pieces, int piece, Body<R>& b, int lane) {
-  using S = ScalarOf<R>;
   const MotorPiece& p = pieces[piece];
-  const auto* from = reinterpret_cast<const double*>(&p.burn);
-  auto* to = reinterpret_cast<R*>(&b.burn);
-  for (unsigned i = 0; i < sizeof(p.burn) / sizeof(double); ++i) set_lane(to[i], lane, static_cast<S>(from[i]));
-  set_lane(b.burn_piece, lane, static_cast<S>(piece));
-  set_lane(b.curve_row, lane, static_cast<S>(p.curve.row));
-  set_lane(b.curve_start, lane, static_cast<S>(p.curve.start));
-  set_lane(b.curve_cells, lane, static_cast<S>(p.curve.cells));
-  set_lane(b.curve_last, lane, static_cast<S>(p.curve.last));
+  put_lane(p.burn, b.burn, lane);
+  put_lane(p.curve, static_cast<CurvePart<R>&>(b), lane);
+  set_lane(b.burn_piece, lane, static_cast<ScalarOf<R>>(piece));
 }
 
 /// Passes on to the piece that a time is in; returns the lanes in which that is another one.

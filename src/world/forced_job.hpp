@@ -17,7 +17,7 @@ enum ForcedColumn : unsigned {
 /// Of rungs that turn, behind the slopes: the Turn of the stage, at last of the end; then the slopes of all stages.
 [[nodiscard]] constexpr unsigned turn_column(int stages) { return kSlopes + 6 * static_cast<unsigned>(stages); }
 [[nodiscard]] constexpr unsigned turn_slope_column(int stages, int stage) {
-  return turn_column(stages) + kTurnFields * (1 + static_cast<unsigned>(stage));
+  return turn_column(stages) + kNumbers<Turn> * (1 + static_cast<unsigned>(stage));
 }
 [[nodiscard]] constexpr unsigned forced_columns(int stages, bool turning) {
   return turning ? turn_slope_column(stages, stages) : turn_column(stages);

@@ -28,11 +28,11 @@ PHYSIM_INLINE void store_scratch(const Vec3<R>& v, const ForcedJob<S>& job, unsi
 
 template <class R, class S>
 PHYSIM_INLINE void load_scratch_turn(const ForcedJob<S>& job, unsigned k, std::uint32_t row, Turn<R>& turn) {
-  for (unsigned i = 0; i < kTurnFields; ++i) reinterpret_cast<R*>(&turn)[i] = load<R>(job.column(k + i), row);
+  for (unsigned i = 0; i < kNumbers<Turn>; ++i) numbers(turn)[i] = load<R>(job.column(k + i), row);
 }
 template <class R, class S>
 PHYSIM_INLINE void store_scratch_turn(const Turn<R>& turn, const ForcedJob<S>& job, unsigned k, std::uint32_t row) {
-  for (unsigned i = 0; i < kTurnFields; ++i) reinterpret_cast<const R*>(&turn)[i].store(job.column(k + i) + row);
+  for (unsigned i = 0; i < kNumbers<Turn>; ++i) numbers(turn)[i].store(job.column(k + i) + row);
 }
 
 /// The rotation's part of a stage: `y` is the state there; gives the acceleration.

@@ -143,7 +143,7 @@ class ForcedStep {
   template <class S>
   ForcedJob<S> job(const ForcedRun& r, int stage) {
     ForcedJob<S> j{rows_job<S>(context_, r.cohort), s_.template memory<S>().data() + r.memory, padded(r.count), stage,
-                   key(r.cohort).features.applied};
+                   key(r.cohort).features.has_applied};
     j.rows.first = 0;
     j.rows.last = r.count;
     j.rows.attention = s_.attention.data() + r.words;
@@ -173,7 +173,7 @@ class ForcedStep {
     }
     if (!turns(key(r.cohort).fidelity)) return;
     const unsigned first = turn_column(end_slope(key(r.cohort).fidelity.integrator));
-    for (unsigned i = 0; i < kTurnFields; ++i)
+    for (unsigned i = 0; i < kNumbers<Turn>; ++i)
       for (std::uint32_t row = 0; row < r.count; ++row)
         if (!(r.attention && is_marked(r, row))) c.turn[i][row] = j.column(first + i)[row];
   }
@@ -222,9 +222,9 @@ class ForcedStep {
     const ForcedJob<S> j = job<S>(r, 0);
     const int stages = end_slope(key(r.cohort).fidelity.integrator);
     const auto read = [&](unsigned first, Turn<S>& into) {
-      for (unsigned i = 0; i < kTurnFields; ++i) reinterpret_cast<S*>(&into)[i] = j.column(first + i)[row];
+      for (unsigned i = 0; i < kNumbers<Turn>; ++i) numbers(into)[i] = j.column(first + i)[row];
     };
-    Rows::get(j.rows.columns.turn, row, reinterpret_cast<S*>(&turn.start));
+    Rows::get(j.rows.columns.turn, row, turn.start);
     read(turn_column(stages), turn.end);
     for (int i = 0; i < stages; ++i) read(turn_slope_column(stages, i), turn.slope[i]);
   }

@@ -24,21 +24,6 @@ std::size_t hash_of(const ProjectileDef& p, const BodyDef& b) {
   return h * 31 + static_cast<std::size_t>(p.fidelity.integrator) + 8 * b.colour;
 }
 
-Features features_of(const Conditions<double>& c, const BodyDef& body) {
-  Features f;
-  f.applied = c.has_applied;
-  f.motor = c.has_motor;
-  f.magnus_tables = c.has_magnus_tables;
-  f.spheres = c.has_spheres;
-  f.bands = c.has_bands;
-  f.searched = c.has_searched_curves;
-  f.aero = c.has_aero;
-  f.aero_tables = c.has_aero_tables;
-  f.aero_angles = c.has_aero_angles;
-  f.launch_place = std::isfinite(body.despawn.farther);
-  return f;
-}
-
 /// A projectile with so many times the drag, on every rung.
 ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {
   if (scale == 1) return p;
@@ -50,21 +35,6 @@ ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {
   for (AeroPoint& point : p.aero.drag_yaw) point.value *= scale;
   p.drag.damping = pow(p.drag.damping, scale);
   return p;
-}
-
-void set_flags(Conditions<double>& c, const Features& f) {
-  c.has_applied = f.applied;
-  c.has_motor = f.motor;
-  c.has_rail = f.rail;
-  c.has_magnus_tables = f.magnus_tables;
-  c.has_spheres = f.spheres;
-  c.has_bands = f.bands;
-  c.has_searched_curves = f.searched;
-  c.has_gravity_scale = f.gravity_scale;
-  c.has_frozen = f.frozen;
-  c.has_aero = f.aero;
-  c.has_aero_tables = f.aero_tables;
-  c.has_aero_angles = f.aero_angles;
 }
 
 /// The events that are looked for inside a step.
@@ -131,7 +101,7 @@ void Registry::prepare(Kind& k, Prepared& r) {
     for (WorldCohort& cohort : cohorts_) point_to_tables(cohort);
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;
   r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.flown, r.body, probe) : nullptr;
-  r.features = features_of(probe, k.body);
+  r.features = probe;
   std::fill(std::begin(r.cohort), std::end(r.cohort), kNoCohort);
 }
 
@@ -144,9 +114,10 @@ std::uint16_t Registry::cohort(std::uint32_t index, std::uint16_t rung, const Va
   key.environment = k.body.environment;
   key.fidelity = r.in_use.fidelity;
   key.features = r.features;
-  key.features.gravity_scale = variant.scaled;
-  key.features.frozen = variant.frozen;
-  key.features.rail = variant.railed && flies_motors(key.fidelity);
+  key.features.has_gravity_scale = variant.scaled;
+  key.features.has_frozen = variant.frozen;
+  key.features.has_rail = variant.railed && flies_motors(key.fidelity);
+  key.launch_place = std::isfinite(k.body.despawn.farther);
   key.rules.despawn = k.body.despawn;
   if (k.body.can_sleep && !variant.sleepless) {
     key.rules.sleep_speed = k.body.sleep_speed;
@@ -163,7 +134,7 @@ std::uint16_t Registry::find_or_add(const CohortKey& key) {
   if (cohorts_.size() >= kMostCohorts) return kNoCohort;
   WorldCohort& added = cohorts_.emplace_back();
   added.key = key;
-  added.layout = layout_of(key.fidelity, key.features);
+  added.layout = layout_of(key.fidelity, key.features, key.launch_place);
   prepare(added);
   return static_cast<std::uint16_t>(cohorts_.size() - 1);
 }
@@ -171,14 +142,24 @@ std::uint16_t Registry::find_or_add(const CohortKey& key) {
 void Registry::prepare(WorldCohort& cohort) {
   const CohortKey& key = cohort.key;
   cohort.conditions = prepare_conditions(environments_[key.environment], key.fidelity);
-  set_flags(cohort.conditions, key.features);
+  static_cast<Features&>(cohort.conditions) = key.features;
   cohort.conditions.has_applied = cohort.conditions.has_applied || key.forced;
   cohort.conditions_float = to_float(cohort.conditions);
   const WatchList watch = watch_of(def_, cohort.conditions);
-  cohort.course_float = {&cohort.conditions_float, &cohort.conditions,
-                         prepare_plan<float>(def_.tolerance, key.fidelity, 0), watch, key.features.rail};
-  cohort.course_double = {&cohort.conditions, &cohort.conditions, prepare_plan<double>(def_.tolerance, key.fidelity, 0),
-                          watch, key.features.rail};
+  const NumberRuns flown = parts_flown(key.fidelity, cohort.conditions).runs();
+  const bool corners = key.features.has_rail;
+  cohort.course_float = {&cohort.conditions_float,
+                         &cohort.conditions,
+                         flown,
+                         prepare_plan<float>(def_.tolerance, key.fidelity, 0),
+                         watch,
+                         corners};
+  cohort.course_double = {&cohort.conditions,
+                          &cohort.conditions,
+                          flown,
+                          prepare_plan<double>(def_.tolerance, key.fidelity, 0),
+                          watch,
+                          corners};
   point_to_tables(cohort);
 }
 

@@ -32,6 +32,7 @@ struct CohortKey {
   std::uint32_t environment = 0;
   Fidelity fidelity;
   Features features;
+  bool launch_place = false;  // a rule asks how far a projectile is from there
   CohortRules rules;
   bool forced = false;  // generators act on it
   bool still = false;   // asleep, kinematic, pending or stuck: not stepped

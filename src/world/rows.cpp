@@ -9,7 +9,7 @@ namespace {
 
 unsigned count_columns(const RowLayout& l) {
   return 9 + (l.carried ? 3u : 0) + (l.launched ? 3u : 0) + (l.clocked ? 2u : 0) +
-         (l.turning ? kTurnFields + kRotorColumns : 0) + static_cast<unsigned>(l.fields.size());
+         (l.turning ? kNumbers<Turn> + kNumbers<RotorConstants> : 0) + static_cast<unsigned>(l.fields.size());
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void Rows::reserve(std::size_t rows) {
   // Columns that begin at equal places of a page would all fall into the same few sets of the cache.
   const std::size_t stride = (capacity * number_size() + 63) / 64 * 64 + 3 * 64;
   std::vector<Line> lines((stride * (numbers_ + 1)) / 64);
-  auto* to = reinterpret_cast<std::byte*>(lines.data());
+  std::byte* const to = lines.data()->bytes;
   for (unsigned k = 0; k <= numbers_ && size_ > 0; ++k)
     std::memcpy(to + k * stride, column(k), size_ * (k == numbers_ ? sizeof(std::uint32_t) : number_size()));
   lines_ = std::move(lines);
@@ -59,7 +59,7 @@ void Rows::reserve(std::size_t rows) {
 
 std::uint32_t Rows::push(std::uint32_t slot) {
   if (size_ == capacity_) reserve(std::max<std::size_t>(64, std::size_t(capacity_) * 3 / 2));
-  reinterpret_cast<std::uint32_t*>(column(numbers_))[size_] = slot;
+  column_of<std::uint32_t>(numbers_)[size_] = slot;
   return size_++;
 }
 
@@ -76,7 +76,7 @@ std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
 }
 
 void Rows::write_fields(std::uint32_t row, const Body<double>& body) {
-  const auto* number = reinterpret_cast<const double*>(&body);
+  const double* number = numbers(body);
   visit([&]<class S>(const RowColumns<S>& c) {
     for (const std::uint8_t field : layout_.fields) c.field[field][row] = static_cast<S>(number[field]);
   });
@@ -100,9 +100,8 @@ std::uint32_t Rows::swap_remove(std::uint32_t row) {
   if (row == last) return 0;
   const std::size_t bytes = number_size();
   for (unsigned k = 0; k < numbers_; ++k) std::memcpy(column(k) + row * bytes, column(k) + last * bytes, bytes);
-  auto* slots = reinterpret_cast<std::uint32_t*>(column(numbers_));
-  slots[row] = slots[last];
-  return slots[row];
+  auto* all = column_of<std::uint32_t>(numbers_);
+  return all[row] = all[last];
 }
 
 void Rows::swap_positions() {
@@ -116,8 +115,9 @@ void Rows::swap_positions() {
 template <class S>
 void Rows::find_columns(RowColumns<S>& c) const {
   c = {};
+  if (lines_.empty()) return;
   unsigned k = 0;
-  const auto next = [&] { return reinterpret_cast<S*>(column(k++)); };
+  const auto next = [&] { return column_of<S>(k++); };
   for (S*& p : swapped_ ? c.previous : c.position) p = next();
   for (S*& p : swapped_ ? c.position : c.previous) p = next();
   for (S*& p : c.velocity) p = next();

@@ -14,16 +14,13 @@ namespace physim {
 /// Rows are stored in multiples of the widest pack, so that packs never read past a column's end.
 inline constexpr std::size_t kRowsPerWord = 32;
 
-/// The numbers of a Rotor but its launch, which come first.
-inline constexpr unsigned kRotorColumns = unsigned(kRotorFields<double>) - kTurnFields;
-
 /// Which columns the projectiles of a cohort have.
 struct RowLayout {
   bool float32 = false;
   bool clocked = false;              // time since launch: closed forms, forces that end
   bool carried = false;              // the original loop's acceleration register
   bool launched = false;             // the place of launch
-  bool turning = false;              // a Turn and a Rotor
+  bool turning = false;              // a Turn and RotorConstants
   std::vector<std::uint8_t> fields;  // members of Body that the models read, as indices of its numbers
 
   bool operator==(const RowLayout&) const = default;
@@ -40,14 +37,14 @@ struct RowColumns {
   S* launch[3];
   S* offset;  // of the clock: time since launch = offset + (now - born) h
   S* born;    // step at which the clock started
-  S* field[kBodyFields<S>];
-  S* turn[kTurnFields];
-  S* rotor[kRotorColumns];
+  S* field[kNumbers<Body>];
+  S* turn[kNumbers<Turn>];
+  S* rotor[kNumbers<RotorConstants>];
 };
 
 /// What a row number is taken with before a column of Body's numbers is read: ~0, or 0 where all rows have the same
 /// number. Such a column is read in its first rows only, which stay in the nearest cache.
-using RowMasks = std::array<std::uint32_t, kBodyFields<double>>;
+using RowMasks = std::array<std::uint32_t, kNumbers<Body>>;
 
 class Rows {
  public:
@@ -76,7 +73,7 @@ class Rows {
   }
 
   [[nodiscard]] std::uint32_t slot(std::uint32_t row) const { return slots()[row]; }
-  [[nodiscard]] const std::uint32_t* slots() const { return reinterpret_cast<const std::uint32_t*>(column(numbers_)); }
+  [[nodiscard]] const std::uint32_t* slots() const { return column_of<std::uint32_t>(numbers_); }
   template <class S>
   [[nodiscard]] const RowColumns<S>& columns() const {
     if constexpr (sizeof(S) == 4) return float_;
@@ -102,7 +99,7 @@ class Rows {
   /// The numbers of a row that the models read.
   void read_fields(std::uint32_t row, Body<double>& body) const {
     visit([&](const auto& c) {
-      auto* number = reinterpret_cast<double*>(&body);
+      double* number = numbers(body);
       for (const std::uint8_t field : layout_.fields) number[field] = static_cast<double>(c.field[field][row]);
     });
   }
@@ -112,29 +109,31 @@ class Rows {
   /// The rotation of a row of a rung that turns.
   [[nodiscard]] Turn<double> turn(std::uint32_t row) const {
     Turn<double> t;
-    visit([&](const auto& c) { get(c.turn, row, reinterpret_cast<double*>(&t)); });
+    visit([&](const auto& c) { get(c.turn, row, t); });
     return t;
   }
   void put_turn(std::uint32_t row, const Turn<double>& t) const {
-    visit([&](const auto& c) { put(c.turn, row, reinterpret_cast<const double*>(&t)); });
+    visit([&](const auto& c) { put(c.turn, row, t); });
   }
   /// Its rotor; of the launch nothing is kept.
   [[nodiscard]] Rotor<double> rotor(std::uint32_t row) const {
     Rotor<double> r{};
-    visit([&](const auto& c) { get(c.rotor, row, reinterpret_cast<double*>(&r) + kTurnFields); });
+    visit([&](const auto& c) { get<RotorConstants>(c.rotor, row, r); });
     return r;
   }
   void put_rotor(std::uint32_t row, const Rotor<double>& r) const {
-    visit([&](const auto& c) { put(c.rotor, row, reinterpret_cast<const double*>(&r) + kTurnFields); });
+    visit([&](const auto& c) { put<RotorConstants>(c.rotor, row, r); });
   }
-  /// Numbers of a row, from columns or into them.
-  template <class S, class To, std::size_t N>
-  static void get(S* const (&columns)[N], std::uint32_t row, To* numbers) {
-    for (std::size_t i = 0; i < N; ++i) numbers[i] = static_cast<To>(columns[i][row]);
+  /// A structure of a row's numbers, from columns or into them.
+  template <template <class> class Struct, class S, class To, std::size_t N>
+  static void get(S* const (&columns)[N], std::uint32_t row, Struct<To>& into) {
+    static_assert(N == kNumbers<Struct>);
+    for (std::size_t i = 0; i < N; ++i) numbers(into)[i] = static_cast<To>(columns[i][row]);
   }
-  template <class S, class From, std::size_t N>
-  static void put(S* const (&columns)[N], std::uint32_t row, const From* numbers) {
-    for (std::size_t i = 0; i < N; ++i) columns[i][row] = static_cast<S>(numbers[i]);
+  template <template <class> class Struct, class S, class From, std::size_t N>
+  static void put(S* const (&columns)[N], std::uint32_t row, const Struct<From>& from) {
+    static_assert(N == kNumbers<Struct>);
+    for (std::size_t i = 0; i < N; ++i) columns[i][row] = static_cast<S>(numbers(from)[i]);
   }
   template <class S>
   [[nodiscard]] static Vec3d at(S* const (&column)[3], std::uint32_t row) {
@@ -150,7 +149,12 @@ class Rows {
     std::byte bytes[64];
   };
   [[nodiscard]] std::byte* column(unsigned k) const {
-    return const_cast<std::byte*>(reinterpret_cast<const std::byte*>(lines_.data())) + k * stride_;
+    PHYSIM_ASSERT(k <= numbers_ && !lines_.empty());
+    return const_cast<std::byte*>(lines_.data()->bytes) + k * stride_;
+  }
+  template <class T>
+  [[nodiscard]] T* column_of(unsigned k) const {
+    return static_cast<T*>(static_cast<void*>(column(k)));
   }
   [[nodiscard]] std::size_t number_size() const { return layout_.float32 ? sizeof(float) : sizeof(double); }
   /// Looks which numbers of a row just filled in differ from those of the others.

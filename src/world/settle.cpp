@@ -53,7 +53,7 @@ class Settling {
  private:
   void read() {
     lane_.body = {};
-    auto* number = reinterpret_cast<S*>(&lane_.body);
+    S* number = numbers(lane_.body);
     for (const std::uint8_t field : rows_.layout().fields) number[field] = columns_.field[field][row_];
     for (int axis = 0; axis < 3; ++axis) {
       part(lane_.step.start.x, axis) = columns_.position[axis][row_];
@@ -69,8 +69,8 @@ class Settling {
     }
     from_row_ = lane_.body;
     if (rows_.layout().turning) {
-      Rows::get(columns_.rotor, row_, reinterpret_cast<S*>(&*lane_.rotor) + kTurnFields);
-      Rows::get(columns_.turn, row_, reinterpret_cast<S*>(&turn_));
+      Rows::get<RotorConstants>(columns_.rotor, row_, *lane_.rotor);
+      Rows::get(columns_.turn, row_, turn_);
     }
     if (taken_) feel(taken_->push[0], t_start_);
   }
@@ -78,9 +78,6 @@ class Settling {
   void feel(const Vec3<S>& push, S t) {
     lane_.body = from_row_;
     add_push(*course_.conditions, t, push, taken_->own_force, lane_.body);
-  }
-  static void narrow(const Turn<double>& from, Turn<S>& into) {
-    cast_fields(reinterpret_cast<const double*>(&from), reinterpret_cast<S*>(&into), kTurnFields);
   }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -99,13 +96,13 @@ class Settling {
 
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
     Body<double> body;
-    cast_fields(reinterpret_cast<const S*>(&lane_.body), reinterpret_cast<double*>(&body), kBodyFields<S>);
+    cast_numbers(lane_.body, body);
     const double t = static_cast<double>(t_start_) + after;
     if (!rows_.layout().turning) return acceleration(conditions(), body, t, s);
     Rotor<double> rotor;
     Turn<double> turn, slope;
-    widen(*lane_.rotor, rotor);
-    widen(turn_, turn);
+    cast_numbers(*lane_.rotor, rotor);
+    cast_numbers(turn_, turn);
     return turning_acceleration(conditions(), body, rotor, t, s, turn, slope);
   }
 
@@ -229,7 +226,7 @@ class Settling {
       const double passed = t + clock;
       switch (course_.watch.item[crossings.found[i].index].outcome) {
         case Outcome::landed:
-          if (rows_.layout().turning) narrow(at.turn_at_time(t), turn_);
+          if (rows_.layout().turning) cast_numbers(at.turn_at_time(t), turn_);
           if (taken_) {
             const S part = static_cast<S>(passed / context_.dt);
             feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, t_start_ + static_cast<S>(passed));
@@ -359,13 +356,13 @@ class Settling {
       columns_.velocity[axis][row_] = part(end_.v, axis);
       if (rows_.layout().carried) columns_.carried[axis][row_] = part(carried_, axis);
     }
-    if (rows_.layout().turning) Rows::put(columns_.turn, row_, reinterpret_cast<const S*>(&turn_));
+    if (rows_.layout().turning) Rows::put(columns_.turn, row_, turn_);
     if (!relaunched_ && !changed_) return;
     if (taken_) {  // what generators gave is not its own
       lane_.body.applied = from_row_.applied;
       lane_.body.applied_until = from_row_.applied_until;
     }
-    const auto* number = reinterpret_cast<const S*>(&lane_.body);
+    const S* number = numbers(lane_.body);
     for (const std::uint8_t field : rows_.layout().fields) columns_.field[field][row_] = number[field];
     if (!relaunched_) return;
     columns_.offset[row_] = t_end_;

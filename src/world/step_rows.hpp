@@ -49,11 +49,10 @@ struct Moved {
 /// Rows on a rail, and rows whose piece of a motor's table ends in this step.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> stop_here(const WorldJob<S>& job, std::uint32_t row) {
-  const auto field = [&](std::size_t at) { return load<R>(job.columns.field[at / sizeof(S)], row); };
+  const auto field = [&](unsigned number) { return load<R>(job.columns.field[number], row); };
   const R steps = R(job.now) - load<R>(job.columns.born, row);
   const R t_end = load<R>(job.columns.offset, row) + (steps + S(1)) * job.h;
-  return (field(offsetof(Body<S>, burn) + offsetof(Burn<S>, end)) <= t_end) |
-         (field(offsetof(Body<S>, rail_phase)) < constant<R>(kOffRail));
+  return (field(kBodyNumber.burn.end) <= t_end) | (field(kBodyNumber.rail_phase) < constant<R>(kOffRail));
 }
 
 /// Rows that need a closer look: something may have happened to them inside the step. `m` has a start and an end. A
@@ -90,24 +89,37 @@ PHYSIM_INLINE R load_field(const WorldJob<S>& job, std::size_t field, std::uint3
 }
 template <class R, class S>
 PHYSIM_INLINE void load_body(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
-  auto* number = reinterpret_cast<R*>(&b);
+  R* number = numbers(b);
   for (unsigned i = 0; i < job.field_count; ++i) number[job.fields[i]] = load_field<R>(job, job.fields[i], row);
 }
 
-/// Numbers of a pack of rows, from their columns into a structure of R's or back.
-template <class R, class S, std::size_t N>
-PHYSIM_INLINE void load_numbers(S* const (&columns)[N], std::uint32_t row, R* numbers) {
-  for (std::size_t i = 0; i < N; ++i) numbers[i] = load<R>(columns[i], row);
+/// A part of their bodies, unrolled so that it stays in registers.
+template <template <class> class Part, class R, class S>
+PHYSIM_INLINE void load_part(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
+  constexpr unsigned kFirst = BodyParts::first(BodyParts::index<Part>());
+  R* number = numbers(static_cast<Part<R>&>(b));
+  const auto load_each = [&]<unsigned... I>(std::integer_sequence<unsigned, I...>) __attribute__((always_inline)) {
+    ((number[I] = load_field<R>(job, kFirst + I, row)), ...);
+  };
+  load_each(std::make_integer_sequence<unsigned, kNumbers<Part>>());
 }
-template <class R, class S, std::size_t N>
-PHYSIM_INLINE void store_numbers(const R* numbers, S* const (&columns)[N], std::uint32_t row) {
-  for (std::size_t i = 0; i < N; ++i) numbers[i].store(columns[i] + row);
+
+/// A structure of a pack of rows, from its columns or into them.
+template <template <class> class Struct, class R, class S, std::size_t N>
+PHYSIM_INLINE void load_numbers(S* const (&columns)[N], std::uint32_t row, Struct<R>& into) {
+  static_assert(N == kNumbers<Struct>);
+  for (std::size_t i = 0; i < N; ++i) numbers(into)[i] = load<R>(columns[i], row);
+}
+template <template <class> class Struct, class R, class S, std::size_t N>
+PHYSIM_INLINE void store_numbers(const Struct<R>& from, S* const (&columns)[N], std::uint32_t row) {
+  static_assert(N == kNumbers<Struct>);
+  for (std::size_t i = 0; i < N; ++i) numbers(from)[i].store(columns[i] + row);
 }
 /// Of rungs that turn.
 template <class R, class S>
 PHYSIM_INLINE void load_turn(const WorldJob<S>& job, std::uint32_t row, Rotor<R>& rotor, Turn<R>& turn) {
-  load_numbers(job.columns.rotor, row, reinterpret_cast<R*>(&rotor) + kTurnFields);
-  load_numbers(job.columns.turn, row, reinterpret_cast<R*>(&turn));
+  load_numbers<RotorConstants>(job.columns.rotor, row, rotor);
+  load_numbers(job.columns.turn, row, turn);
 }
 
 template <class R, class S>
@@ -182,7 +194,7 @@ struct AnyRung {
   PHYSIM_INLINE void finish(std::uint32_t row, const MaskOf<R>& left) const {
     if (job.columns.turn[0] == nullptr) return;
     const Turn<R> end = select(left, step.turn->start, step.turn->end);
-    store_numbers(reinterpret_cast<const R*>(&end), job.columns.turn, row);
+    store_numbers(end, job.columns.turn, row);
   }
 };
 
@@ -207,9 +219,8 @@ struct KnownRung {
     const Fidelity& f = c.fidelity;
     return f.motion != Motion::closed_form && f.integrator == Integrator::semi_implicit_euler &&
            f.gravity == GravityModel::constant && f.earth == EarthModel::flat && f.drag == drag && f.wind == wind &&
-           (!kCurve || f.air == air) && !f.planar && !has_stops(c) && !c.has_applied && !c.has_gravity_scale &&
-           !c.has_frozen && !turns(f) && !spins(f) &&
-           !(kCurve && (c.has_spheres || c.has_bands || c.has_searched_curves));
+           (!kCurve || f.air == air) && !f.planar && !turns(f) && !spins(f) &&
+           static_cast<const Features&>(c) == Features{};
   }
   /// The conditions that this rung reads.
   template <class S>
@@ -222,8 +233,6 @@ struct KnownRung {
     k.fidelity.air = air;
     k.fidelity.planar = false;
     k.fidelity.rotation = RotationModel::none;
-    k.has_motor = k.has_rail = false;
-    k.has_applied = k.has_gravity_scale = k.has_frozen = k.has_spheres = k.has_bands = k.has_searched_curves = false;
     k.gravity = c.gravity;
     k.wind.velocity[0] = c.wind.velocity[0];
     if (kCurve) k.altitude = c.altitude, k.air = c.air, k.curve_rows = c.curve_rows;
@@ -232,20 +241,10 @@ struct KnownRung {
   /// The numbers of a body that this rung reads.
   template <class R, class S>
   PHYSIM_INLINE static Body<R> load_body(const WorldJob<S>& job, std::uint32_t row) {
-    const auto field = [&](std::size_t at) { return load_field<R>(job, at / sizeof(S), row); };
     Body<R> b;
-    if constexpr (drag == DragModel::damping) b.damping_rate = field(offsetof(Body<S>, damping_rate));
-    if constexpr (drag == DragModel::linear_quadratic) {
-      b.k1_per_mass = field(offsetof(Body<S>, k1_per_mass));
-      b.k2_per_mass = field(offsetof(Body<S>, k2_per_mass));
-    }
-    if constexpr (kCurve) {
-      b.half_area_per_mass = field(offsetof(Body<S>, half_area_per_mass));
-      b.curve_row = field(offsetof(Body<S>, curve_row));
-      b.curve_start = field(offsetof(Body<S>, curve_start));
-      b.curve_cells = field(offsetof(Body<S>, curve_cells));
-      b.curve_last = field(offsetof(Body<S>, curve_last));
-    }
+    if constexpr (drag == DragModel::damping) load_part<DampingPart>(job, row, b);
+    if constexpr (drag == DragModel::linear_quadratic) load_part<QuadraticPart>(job, row, b);
+    if constexpr (kCurve) load_part<AreaPart>(job, row, b), load_part<CurvePart>(job, row, b);
     return b;
   }
 

@@ -59,7 +59,7 @@ void add_row(Hash& h, const RowLayout& layout, const RowColumns<S>& c, std::uint
     h.add(c.field[layout.fields[i]][row], c.field[layout.fields[i + 1]][row]);
   if (fields % 2 != 0) h.add(c.field[layout.fields[fields - 1]][row], S(0));
   if (!layout.turning) return;
-  for (unsigned i = 0; i < kTurnFields; ++i) h.add(c.turn[i][row], S(0));
+  for (unsigned i = 0; i < kNumbers<Turn>; ++i) h.add(c.turn[i][row], S(0));
 }
 
 /// The projectiles. Each is hashed by itself and the sum taken, so that the order of rows and cohorts does not matter,

@@ -107,7 +107,7 @@ Accelerations ProjectileView::accelerations() const {
   if (turns(f) && c.has_aero) a.body = attitude_force(c, b, rows.rotor(slot->row), t, s, rows.turn(slot->row));
   if (is_turning(f.earth)) a.coriolis = coriolis(c, s.v);
   if (throws_out(f)) a.centrifugal = centrifugal(c, s.x);
-  if (world_->registry.cohort(slot->cohort).key.features.applied) a.applied = applied_now(c, b, t);
+  if (world_->registry.cohort(slot->cohort).key.features.has_applied) a.applied = applied_now(c, b, t);
   if (c.has_motor) {
     const bool turning = turns(f);
     const Rotor<double> rotor = turning ? rows.rotor(slot->row) : Rotor<double>{};

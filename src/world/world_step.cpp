@@ -19,8 +19,8 @@ constexpr std::size_t kCacheBytes = 24u << 20;
 bool only_falls(const WorldCohort& cohort) {
   const Fidelity& f = cohort.key.fidelity;
   const Features& features = cohort.key.features;
-  const bool pushed = cohort.key.forced || features.applied || features.gravity_scale || features.motor ||
-                      features.rail || cohort.key.fidelity.rotation == RotationModel::magnus;
+  const bool pushed = cohort.key.forced || features.has_applied || features.has_gravity_scale || features.has_motor ||
+                      features.has_rail || cohort.key.fidelity.rotation == RotationModel::magnus;
   const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity[0].y > 0;
   return f.earth == EarthModel::flat && !pushed && !updraught && !turns(f);
 }

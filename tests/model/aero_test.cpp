@@ -4,6 +4,7 @@
 #include "model/aero_tables.hpp"
 #include "model/stability.hpp"
 #include "physim/world.hpp"
+#include "prepare/check.hpp"
 #include "random_shots.hpp"
 #include "rigid.hpp"
 
@@ -77,7 +78,7 @@ TEST(Aero, kernels_read_the_tables_as_they_are) {
     const Conditions<double>& c = prepared.conditions();
     using P = Pack<double, 4>;
     Rotor<P> rotors;
-    for (int lane = 0; lane < 4; ++lane) put_lane(rotors, lane, prepared.rotor);
+    for (int lane = 0; lane < 4; ++lane) put_lane(prepared.rotor, rotors, lane);
     for (int k = 0; k < 100; ++k) {
       const double mach = r.in(0, 4), angle = r.in(0, 0.5);
       const AeroCoefficients<double> found = aero_coefficients(c, prepared.rotor, mach, angle);

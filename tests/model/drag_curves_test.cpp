@@ -90,9 +90,9 @@ DragDef odd_curve() {
 
 TEST(DragCurves, points_that_fit_no_grid_are_searched) {
   TablePool pool;
-  EXPECT_LT(pool.add(odd_curve(), Interpolation::pchip).row, 0);
+  EXPECT_LT(pool.add(odd_curve(), Interpolation::pchip).curve_row, 0);
   EXPECT_EQ(pool.searched().size(), 1u);
-  EXPECT_GE(pool.add({.table = DragTable::g7}, Interpolation::pchip).row, 0);
+  EXPECT_GE(pool.add({.table = DragTable::g7}, Interpolation::pchip).curve_row, 0);
   ASSERT_TRUE(spline_overshoots(odd_curve()));  // so that a flight is granted pchip where it asks for a spline
   for (const Interpolation how : kAll) {
     const Interpolation granted = how == Interpolation::cubic ? Interpolation::pchip : how;
@@ -107,8 +107,8 @@ TEST(DragCurves, searched_and_uniform_storage_give_one_curve) {
   DragDef odd = even;
   odd.curve.insert(odd.curve.begin() + 3, {2.1415926535, 0.4 - 0.1 * 0.6415926535 / 1.5});
   TablePool pool;
-  ASSERT_GE(pool.add(even, Interpolation::linear).row, 0);
-  ASSERT_LT(pool.add(odd, Interpolation::linear).row, 0);
+  ASSERT_GE(pool.add(even, Interpolation::linear).curve_row, 0);
+  ASSERT_LT(pool.add(odd, Interpolation::linear).curve_row, 0);
   for (double mach = 0.01; mach < 4; mach += 0.0371)
     EXPECT_NEAR(felt_cd(odd, Interpolation::linear, mach), felt_cd(even, Interpolation::linear, mach), 1e-14) << mach;
 }
@@ -116,15 +116,15 @@ TEST(DragCurves, searched_and_uniform_storage_give_one_curve) {
 TEST(DragCurves, the_pool_keeps_equal_curves_once_and_different_ones_apart) {
   TablePool pool;
   const auto g7 = pool.add({.table = DragTable::g7}, Interpolation::pchip);
-  EXPECT_EQ(pool.add({.table = DragTable::g7, .form_factor = 2}, Interpolation::pchip).row, g7.row);
-  EXPECT_NE(pool.add({.table = DragTable::g1}, Interpolation::pchip).row, g7.row);
+  EXPECT_EQ(pool.add({.table = DragTable::g7, .form_factor = 2}, Interpolation::pchip).curve_row, g7.curve_row);
+  EXPECT_NE(pool.add({.table = DragTable::g1}, Interpolation::pchip).curve_row, g7.curve_row);
   // Constants share one curve, Cd = 1: their coefficient is part of the area.
   const auto half = pool.add({.coefficient = 0.5}, Interpolation::pchip);
-  EXPECT_EQ(pool.add({.coefficient = 0.25}, Interpolation::pchip).row, half.row);
+  EXPECT_EQ(pool.add({.coefficient = 0.25}, Interpolation::pchip).curve_row, half.curve_row);
   DragDef custom = odd_curve();
   const auto first = pool.add(custom, Interpolation::pchip);
   custom.curve[2].coefficient += 0.01;
-  EXPECT_NE(pool.add(custom, Interpolation::pchip).row, first.row);
+  EXPECT_NE(pool.add(custom, Interpolation::pchip).curve_row, first.curve_row);
 }
 
 // Morrison 2013, figures of sphere_drag/sphere_cd.csv (8 digits).

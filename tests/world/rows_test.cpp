@@ -12,7 +12,7 @@ constexpr std::uint32_t kOwn = ~0u;
 RowLayout quadratic_drag() {
   RowLayout layout;
   layout.float32 = true;
-  layout.fields = {body_field(&Body<double>::k1_per_mass), body_field(&Body<double>::k2_per_mass)};
+  layout.fields = {kBodyNumber.k1_per_mass, kBodyNumber.k2_per_mass};
   return layout;
 }
 
@@ -29,8 +29,8 @@ class SharedNumbers : public testing::Test {
     body.k2_per_mass = k2;
     rows.write_fields(row, body);
   }
-  [[nodiscard]] std::uint32_t k1_mask() const { return rows.field_masks()[body_field(&Body<double>::k1_per_mass)]; }
-  [[nodiscard]] std::uint32_t k2_mask() const { return rows.field_masks()[body_field(&Body<double>::k2_per_mass)]; }
+  [[nodiscard]] std::uint32_t k1_mask() const { return rows.field_masks()[kBodyNumber.k1_per_mass]; }
+  [[nodiscard]] std::uint32_t k2_mask() const { return rows.field_masks()[kBodyNumber.k2_per_mass]; }
 
   Rows rows{quadratic_drag()};
 };
@@ -76,8 +76,8 @@ TEST_F(SharedNumbers, are_compared_in_copied_rows_too) {
   other.push_copy(rows, 0);
   write(0, 1, 7);
   other.push_copy(rows, 0);
-  EXPECT_EQ(other.field_masks()[body_field(&Body<double>::k1_per_mass)], 0u);
-  EXPECT_EQ(other.field_masks()[body_field(&Body<double>::k2_per_mass)], kOwn);
+  EXPECT_EQ(other.field_masks()[kBodyNumber.k1_per_mass], 0u);
+  EXPECT_EQ(other.field_masks()[kBodyNumber.k2_per_mass], kOwn);
 }
 
 TEST_F(SharedNumbers, are_equal_in_every_bit) {
