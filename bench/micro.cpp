@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/kernel_copies.hpp"
+#include "prepare/watch_list.hpp"
 #include "sections.hpp"
 
 namespace physim {
@@ -50,7 +51,7 @@ struct Bench {
       bodies.push_back(
           prepare_body(shot.projectile, shot.launch, shot.launch.elevation, cohort.pool, cohort.conditions));
     cohort.finish();
-    watch = prepare_watch(bench_until(), cohort.conditions, {.apex = false, .stops = false});
+    watch = prepare_watch(bench_until(), cohort.conditions, Watcher::batch);
     bodies_float.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) cast_numbers(bodies[i], bodies_float[i]);
   }

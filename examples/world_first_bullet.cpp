@@ -19,9 +19,8 @@ int main() {
       std::printf("frame %3d: %6.1f m, %.2f m high, Mach %.2f\n", frame, at.x, at.y, tracer.mach());
     }
     world.advance(1.0 / 144);  // seconds that have passed on the screen
-    for (const WorldEvent& event : world.events())
-      if (event.kind == WorldEventKind::landed)
-        std::printf("landed after %.4f s at %.2f m\n", event.time, event.position.x);
+    for (const Event& event : world.events())
+      if (event.kind == EventKind::landed) std::printf("landed after %.4f s at %.2f m\n", event.time, event.position.x);
   }
   return tracer.status() == LifeStatus::landed ? 0 : 1;
 }

@@ -27,12 +27,12 @@ int main() {
         ++fired;
     }
     // What happened since the last step, spawning included: look before the next step forgets it.
-    for (const WorldEvent& event : world.events())
+    for (const Event& event : world.events())
       if (event.reason == Reason::replaced) ++replaced;
     world.single_step();
-    for (const WorldEvent& event : world.events()) {
-      if (event.kind == WorldEventKind::landed) ++landed;
-      if (event.kind == WorldEventKind::expired) ++expired;
+    for (const Event& event : world.events()) {
+      if (event.kind == EventKind::landed) ++landed;
+      if (event.kind == EventKind::expired) ++expired;
     }
   }
   std::printf("%zu fired: %zu landed, %zu expired, %zu made room, %zu in the air\n", fired, landed, expired, replaced,

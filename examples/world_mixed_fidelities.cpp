@@ -26,8 +26,8 @@ int main() {
   std::size_t changes = 0;
   for (int frame = 0; frame < 60; ++frame) {
     world.single_step();
-    for (const WorldEvent& event : world.events())
-      if (event.kind == WorldEventKind::fidelity_changed) ++changes;
+    for (const Event& event : world.events())
+      if (event.kind == EventKind::fidelity_changed) ++changes;
   }
   for (const ProjectileId id : ids)
     std::printf("%-20s %7.2f m, %5.2f m high, %5.2f m to the left\n",

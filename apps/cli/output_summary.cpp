@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/event_table.hpp"
 #include "fidelity_text.hpp"
 #include "output_number.hpp"
 #include "output_table.hpp"
@@ -118,7 +119,7 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
   if (!motor.thrust.empty()) out += line("motor", motor_text(motor));
   for (const Event& event : flight.events()) {
     if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(flight, event));
-    if (event.kind >= EventKind::ignition) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
+    if (is_of_motor_or_rail(event.kind)) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
   }
   if (turns(in_use.fidelity)) out += line("stability", stability_text(flight));
   out += line("elevation", fixed(flight.elevation() / kDegree, 4) + " deg");

@@ -87,12 +87,12 @@ class Logger {
 
   void take(std::span<const RunEvent> events) {
     for (const RunEvent& each : events) {
-      const WorldEvent& event = each.event;
-      if (event.kind == WorldEventKind::spawned) greet(each);
+      const Event& event = each.event;
+      if (event.kind == EventKind::spawned) greet(each);
       const bool is_at_wall = event.reason == Reason::despawned;  // its hit is told instead
       if (is_at_wall) continue;
       if (auto* path = path_of(each.launched)) path->push_back(event.position);
-      const bool is_impact = event.kind == WorldEventKind::landed || event.kind == WorldEventKind::bounced;
+      const bool is_impact = event.kind == EventKind::landed || event.kind == EventKind::bounced;
       std::vector<Vec3d>& impacts = log_.impacts[each.launched.group];
       if (wishes_.paths && is_impact && impacts.size() < kMostImpacts) impacts.push_back(event.position);
       if (wishes_.events)

@@ -25,7 +25,7 @@ struct WorldSample {
 };
 
 struct LoggedEvent {
-  std::string_view kind;  // name of a WorldEventKind, or "hit"
+  std::string_view kind;  // name of a EventKind, or "hit"
   std::string_view reason;
   Launched launched;
   double time = 0;

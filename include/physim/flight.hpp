@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physim/environment.hpp"
+#include "physim/event.hpp"
 #include "physim/fidelity.hpp"
 #include "physim/frames.hpp"
 #include "physim/projectile.hpp"
@@ -29,31 +30,6 @@ struct Tolerance {
   double position_error = 1e-3;    ///< what the pilot flight aims for at the end of the flight [m]
   double max_step = std::numeric_limits<double>::infinity();  ///< adaptive integrators never step further [s]
   std::int64_t max_steps = 1'000'000;                         ///< then the flight ends with Outcome::step_limit [-]
-};
-
-/// What an event watches.
-enum class EventKind {
-  ground,     ///< height above the ground
-  apex,       ///< vertical velocity through zero
-  range,      ///< distance along the line of sight (horizontal when the look angle is 0) [m]
-  height,     ///< above the origin of the world frame [m]
-  mach,       ///< Mach number [-]
-  speed,      ///< |velocity| in W [m/s]
-  time,       ///< since launch [s]
-  ignition,   ///< of the motor; waits for no value
-  burnout,    ///< of the motor; waits for no value
-  rail_exit,  ///< the end of the launch rail; waits for no value
-};
-
-/// Which crossings count.
-enum class Crossing { any, rising, falling };
-
-/// An event to look for.
-struct EventSpec {
-  EventKind kind = EventKind::height;  ///< [-]
-  double value = 0;                    ///< that is crossed [unit of the kind]
-  Crossing direction = Crossing::any;  ///< [-]
-  bool terminal = false;               ///< ends the flight [-]
 };
 
 /// When a flight ends. Ground and time always guard it; the earliest terminal event ends it.
@@ -114,16 +90,6 @@ struct Accelerations {
   Vec3d thrust;       ///< of the motor [m/s^2]
   Vec3d rail;         ///< by the launch rail, which takes up what would push the projectile off it or back [m/s^2]
   Vec3d total;        ///< [m/s^2]
-};
-
-/// An event that happened.
-struct Event {
-  EventKind kind = EventKind::ground;      ///< [-]
-  double value = 0;                        ///< that was crossed [unit of the kind]
-  Crossing direction = Crossing::falling;  ///< of this crossing [-]
-  double time = 0;                         ///< since launch [s]
-  Vec3d position;                          ///< [m]
-  Vec3d velocity;                          ///< [m/s]
 };
 
 /// Work done.

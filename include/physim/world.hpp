@@ -16,46 +16,6 @@
 
 namespace physim {
 
-enum class WorldEventKind : std::uint8_t {
-  spawned,           ///< at its launch
-  landed,            ///< on the ground: exact time and place inside the step
-  apex,              ///< its highest point (WorldDef::apex_events)
-  bounced,           ///< off the ground: the velocity is that after the bounce
-  slept,             ///< came to rest and sleeps
-  woke,              ///< was woken by a force or a change
-  expired,           ///< left by its despawn rules
-  retired,           ///< taken out
-  fidelity_changed,  ///< moved to another rung
-  ignition,          ///< of its motor
-  burnout,           ///< of its motor
-  rail_exit,         ///< left its launch rail
-};
-
-/// Why a projectile left.
-enum class Reason : std::uint8_t {
-  none,
-  below,        ///< DespawnRules::below
-  farther,      ///< DespawnRules::farther
-  older,        ///< DespawnRules::older
-  slower,       ///< DespawnRules::slower
-  outside_box,  ///< DespawnRules::box_low, box_high
-  despawned,    ///< World::despawn()
-  replaced,     ///< by a newer one in a full pool
-  non_finite,   ///< its numbers were no longer numbers
-  left_domain,  ///< fell below the lower end of the standard atmosphere
-  stalled,      ///< an adaptive integrator could not get through a step
-};
-
-/// Something that happened. Events are in order of time, then of id.
-struct WorldEvent {
-  WorldEventKind kind = WorldEventKind::spawned;  ///< [-]
-  Reason reason = Reason::none;                   ///< of expired and retired [-]
-  ProjectileId id;                                ///< [-]
-  double time = 0;                                ///< of the world [s]
-  Vec3d position;                                 ///< [m]
-  Vec3d velocity;                                 ///< [m/s]
-};
-
 /// Where a projectile went in the last step: what a scene query needs.
 struct Segment {
   ProjectileId id;  ///< [-]
@@ -175,8 +135,8 @@ class World {
   [[nodiscard]] double time() const;      ///< of the simulation [s]
   [[nodiscard]] double fraction() const;  ///< of a step that advance() has left over, 0..1 [-]
 
-  /// What happened in the last step() or advance(), and in calls since.
-  [[nodiscard]] std::span<const WorldEvent> events() const;
+  /// What happened in the last step() or advance(), and in calls since, in order of time, then of id.
+  [[nodiscard]] std::span<const Event> events() const;
   [[nodiscard]] const WorldCounters& counters() const;
   [[nodiscard]] std::vector<CohortInfo> cohorts() const;
   [[nodiscard]] std::size_t memory() const;  ///< of all projectiles [bytes]

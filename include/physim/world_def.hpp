@@ -8,36 +8,10 @@
 
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
+#include "physim/ids.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
-
-/// Names a projectile: the number of its slot and how often that slot was used. Index 0 is nobody. Ids of projectiles
-/// that are gone are detected; every call ignores them or says so.
-struct ProjectileId {
-  std::uint32_t index = 0;       ///< of the slot; 0: nobody [-]
-  std::uint32_t generation = 0;  ///< of the slot's use [-]
-
-  explicit operator bool() const { return index != 0; }
-  bool operator==(const ProjectileId&) const = default;
-};
-
-/// Names a kind of projectile of one world; 0 is none.
-struct KindId {
-  std::uint32_t index = 0;  ///< [-]
-
-  explicit operator bool() const { return index != 0; }
-  bool operator==(const KindId&) const = default;
-};
-
-/// Names a force generator of one world.
-struct ForceId {
-  std::uint32_t index = 0;       ///< 0: none [-]
-  std::uint32_t generation = 0;  ///< [-]
-
-  explicit operator bool() const { return index != 0; }
-  bool operator==(const ForceId&) const = default;
-};
 
 /// Axes of the world frame, to be joined with |.
 enum class Axes : std::uint8_t { none = 0, x = 1, y = 2, z = 4, all = 7 };

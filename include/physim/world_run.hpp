@@ -61,7 +61,7 @@ struct Launched {
 /// An event of one of the run's projectiles.
 struct RunEvent {
   Launched launched;  ///< [-]
-  WorldEvent event;   ///< [-]
+  Event event;        ///< [-]
 };
 
 /// Where a projectile met the wall.

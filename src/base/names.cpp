@@ -1,7 +1,10 @@
 // Names of enumerators: exactly as they are spelled in the headers, in the order of their values.
 #include "physim/names.hpp"
 
+#include <array>
 #include <iterator>
+
+#include "base/event_table.hpp"
 
 namespace physim {
 
@@ -34,8 +37,6 @@ PHYSIM_NAMES(DragTable, custom, "constant", "g1", "g2", "g5", "g6", "g7", "g8", 
 PHYSIM_NAMES(SpinMeasure, parameter, "rate", "parameter")
 PHYSIM_NAMES(WindAxis, range, "height", "range")
 PHYSIM_NAMES(WindInterpolation, step, "linear", "step")
-PHYSIM_NAMES(EventKind, rail_exit, "ground", "apex", "range", "height", "mach", "speed", "time", "ignition", "burnout",
-             "rail_exit")
 PHYSIM_NAMES(Crossing, falling, "any", "rising", "falling")
 PHYSIM_NAMES(Arc, both, "low", "high", "both")
 PHYSIM_NAMES(Outcome, refused, "landed", "reached_range", "event", "time_limit", "step_limit", "left_domain",
@@ -44,11 +45,19 @@ PHYSIM_NAMES(GroundMode, bounce, "none", "land", "stick", "bounce")
 PHYSIM_NAMES(Smoothing, extrapolate, "none", "interpolate", "extrapolate")
 PHYSIM_NAMES(WhenFull, replace_oldest, "refuse", "replace_oldest")
 PHYSIM_NAMES(LifeStatus, retired, "unknown", "pending", "in_flight", "landed", "expired", "retired")
-PHYSIM_NAMES(WorldEventKind, rail_exit, "spawned", "landed", "apex", "bounced", "slept", "woke", "expired", "retired",
-             "fidelity_changed", "ignition", "burnout", "rail_exit")
 PHYSIM_NAMES(Reason, stalled, "none", "below", "farther", "older", "slower", "outside_box", "despawned", "replaced",
              "non_finite", "left_domain", "stalled")
 
 #undef PHYSIM_NAMES
+
+template <>
+std::span<const std::string_view> names_of<EventKind>() {
+  static constexpr auto names = [] {
+    std::array<std::string_view, kEventKinds> list;
+    for (std::size_t i = 0; i < kEventKinds; ++i) list[i] = kEventTable[i].name;
+    return list;
+  }();
+  return names;
+}
 
 }  // namespace physim

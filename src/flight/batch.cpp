@@ -258,7 +258,8 @@ class Batch {
     result_.shots[i] = {outcome, 0, body.launch.x, body.launch.v, {}};
     if (outcome != Outcome::landed) return;
     result_.events.push_back(
-        {i, {EventKind::ground, *until_.ground, Crossing::falling, 0, body.launch.x, body.launch.v}});
+        {i,
+         {.kind = EventKind::ground, .value = *until_.ground, .position = body.launch.x, .velocity = body.launch.v}});
   }
 
   /// The fixed step of a group: what pilot flights of its first shot and of the batch's middle, last, slowest and
@@ -320,7 +321,7 @@ class Batch {
   template <class S>
   void fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&)) {
     const std::size_t count = group.shots.size();
-    watch_ = prepare_watch(until_, group.cohort.conditions, {.apex = false, .stops = false});
+    watch_ = prepare_watch(until_, group.cohort.conditions, Watcher::batch);
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
     if (turns(group.cohort.in_use.fidelity)) group.turned.resize(count);
     const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
@@ -343,7 +344,13 @@ class Batch {
     const State<double> s = shown(group, e.shot, e.state, e.time);
     const EventSpec& spec = watch_.item[e.index].spec;
     const Crossing direction = e.rising ? Crossing::rising : Crossing::falling;
-    result_.events.push_back({group.shots[e.shot], {spec.kind, spec.value, direction, e.time, s.x, s.v}});
+    result_.events.push_back({group.shots[e.shot],
+                              {.kind = spec.kind,
+                               .direction = direction,
+                               .value = spec.value,
+                               .time = e.time,
+                               .position = s.x,
+                               .velocity = s.v}});
   }
 
   void add_drift(const ShotGroup& group) {

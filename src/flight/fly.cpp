@@ -26,8 +26,12 @@ void keep_step(FlightRecord& record, const DenseLanes<S>& at) {
 }
 void keep_event(FlightRecord& record, const Watched& watched, bool rising, double time, const State<double>& flown) {
   const State<double> s = with_drift(flown, record.drift, record.sight.right, time);
-  record.events.push_back(
-      {watched.spec.kind, watched.spec.value, rising ? Crossing::rising : Crossing::falling, time, s.x, s.v});
+  record.events.push_back({.kind = watched.spec.kind,
+                           .direction = rising ? Crossing::rising : Crossing::falling,
+                           .value = watched.spec.value,
+                           .time = time,
+                           .position = s.x,
+                           .velocity = s.v});
 }
 
 template <class S>
@@ -104,7 +108,7 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
 }
 
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
-  const WatchList watch = prepare_watch(until, record.cohort.conditions, {});
+  const WatchList watch = prepare_watch(until, record.cohort.conditions, Watcher::flight);
   cast_numbers(record.body, record.body_float);
   if (const auto outcome = ends_at_once(record.cohort.conditions, record.body, until)) {
     record.outcome = *outcome;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/checker.hpp"
+#include "base/event_table.hpp"
 #include "model/aero_tables.hpp"
 #include "model/attitude.hpp"
 #include "model/humid_air.hpp"
@@ -293,7 +294,7 @@ Status check(const Until& u) {
   for (std::size_t i = 0; i < u.events.size(); ++i) {
     const std::string place = "until.events[" + std::to_string(i) + "]";
     c.is_number(u.events[i].value, place + ".value");
-    c.named(u.events[i].kind, EventKind::rail_exit, place + ".kind");
+    c.require(is_watchable(u.events[i].kind), place + ".kind", "is none of the named values");
     c.named(u.events[i].direction, Crossing::falling, place + ".direction");
   }
   return c.status();

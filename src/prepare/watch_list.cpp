@@ -10,39 +10,57 @@
 namespace physim {
 namespace {
 
-bool waits_for_no_value(EventKind kind) { return kind == EventKind::apex || kind >= EventKind::ignition; }
-
 /// What cannot happen is not looked for: without motors and rails their numbers are not there.
-bool may_happen(EventKind kind, const Conditions<double>& c) {
-  if (kind == EventKind::ignition || kind == EventKind::burnout) return c.has_motor;
-  return kind != EventKind::rail_exit || c.has_rail;
+bool may_happen(const EventRow& row, const Conditions<double>& c) {
+  switch (row.needs) {
+    case Needs::motor:
+      return c.has_motor;
+    case Needs::rail:
+      return c.has_rail;
+    case Needs::nothing:
+      break;
+  }
+  return true;
+}
+
+/// Whether it is told though nobody asked for it.
+bool is_told(const EventRow& row, Watcher watcher) {
+  switch (watcher) {
+    case Watcher::batch:
+      return false;
+    case Watcher::flight:
+      return row.in_flights;
+    case Watcher::world:
+      return row.in_worlds == InWorlds::always;
+    case Watcher::world_with_apexes:
+      break;
+  }
+  return row.in_worlds != InWorlds::never;
 }
 
 }  // namespace
 
 bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f.drag == DragModel::equation; }
 
-WatchList prepare_watch(const Until& until, const Conditions<double>& c, const ToldEvents& told) {
+WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher watcher) {
   WatchList watch{};
   const auto add = [&](const EventSpec& spec, Outcome outcome) {
     PHYSIM_ASSERT(watch.count < kMaxWatched);
     watch.item[watch.count++] = {spec, outcome};
-  };
-  const auto tell = [&](EventKind kind, Crossing direction) {
-    if (may_happen(kind, c)) add({kind, 0, direction, false}, Outcome::event);
   };
   if (until.ground) add({EventKind::ground, *until.ground, Crossing::falling, true}, Outcome::landed);
   if (until.range) add({EventKind::range, *until.range, Crossing::rising, true}, Outcome::reached_range);
   if (std::isfinite(until.time)) add({EventKind::time, until.time, Crossing::rising, true}, Outcome::time_limit);
   if (has_lowest_altitude(c.fidelity))
     add({EventKind::height, kLowestAltitude - c.altitude, Crossing::falling, true}, Outcome::left_domain);
-  if (told.apex) tell(EventKind::apex, Crossing::falling);
-  if (told.stops)
-    for (const EventKind kind : {EventKind::ignition, EventKind::burnout, EventKind::rail_exit})
-      tell(kind, Crossing::rising);
+  for (const EventRow& row : kEventTable)
+    if (row.watch != Watch::none && is_told(row, watcher) && may_happen(row, c))
+      add({row.kind, row.value, row.direction, false}, Outcome::event);
   for (EventSpec spec : until.events) {
-    if (!may_happen(spec.kind, c)) continue;
-    if (waits_for_no_value(spec.kind)) spec.value = 0;
+    PHYSIM_ASSERT(is_watchable(spec.kind));
+    const EventRow& row = row_of(spec.kind);
+    if (!may_happen(row, c)) continue;
+    if (!row.waits_for_value) spec.value = row.value;
     add(spec, Outcome::event);
   }
   return watch;

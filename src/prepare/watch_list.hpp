@@ -10,15 +10,12 @@ namespace physim {
 /// Whether a flight ends at the lower end of the standard atmosphere.
 [[nodiscard]] bool has_lowest_altitude(const Fidelity& granted);
 
-/// What is told though nobody asked for it.
-struct ToldEvents {
-  bool apex = true;
-  bool stops = true;  // ignition, burnout and the end of the rail
-};
+/// Who looks for events. Some are told though nobody asked for them: the table of events says to whom.
+enum class Watcher : std::uint8_t { batch, flight, world, world_with_apexes };
 
 /// Ground, range, time (where it is finite) and the lower end of the air as terminal events; what is told; then the
 /// events asked for.
-[[nodiscard]] WatchList prepare_watch(const Until& until, const Conditions<double>& conditions, const ToldEvents& told);
+[[nodiscard]] WatchList prepare_watch(const Until& until, const Conditions<double>& conditions, Watcher watcher);
 
 /// How a flight ends that is over before it begins: it starts on or below the ground and descends, or below the air.
 [[nodiscard]] std::optional<Outcome> ends_at_once(const Conditions<double>& conditions, const Body<double>& body,

@@ -1,4 +1,5 @@
 // The list of all settings of scenario files: one entry each. Adding a setting is adding an entry here.
+#include "base/event_table.hpp"
 #include "physim/presets.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/settings_parts.hpp"
@@ -70,22 +71,29 @@ Slot moment_slot(const Scope& scope) {
                 [&expect](std::size_t i) { expect.at = kMoments[i], expect.at_value = 0; }};
 }
 
+Slot event_kind_slot(const Scope& scope) {
+  EventKind& kind = scope.event->kind;
+  return Choice{names_of<EventKind>().first(watchable_kinds()),
+                [&kind] { return std::optional(static_cast<std::size_t>(kind)); },
+                [&kind](std::size_t i) { kind = static_cast<EventKind>(i); }};
+}
+
 // ------------------------------------------------------------------------------------ quantities that others decide
 Quantity quantity_of_event(const Scope& scope) {
-  switch (scope.event->kind) {
-    case EventKind::ground:
-    case EventKind::range:
-    case EventKind::height:
+  switch (row_of(scope.event->kind).watch) {
+    case Watch::height:
+    case Watch::range:
       return Quantity::length;
-    case EventKind::speed:
+    case Watch::speed:
       return Quantity::speed;
-    case EventKind::time:
+    case Watch::time:
       return Quantity::time;
-    case EventKind::apex:
-    case EventKind::mach:
-    case EventKind::ignition:
-    case EventKind::burnout:
-    case EventKind::rail_exit:
+    case Watch::none:
+    case Watch::climb_rate:
+    case Watch::mach:
+    case Watch::ignition:
+    case Watch::burnout:
+    case Watch::rail:
       break;
   }
   return Quantity::number;
@@ -441,7 +449,7 @@ constexpr Entry kRunSettings[] = {
      .slot = PHYSIM_RECORDS(scenario->until.events, event),
      .doc = "further events to look for",
      .range = at_most(24)},
-    {.path = "until.events.kind", .slot = PHYSIM_FIELD(event->kind), .doc = "what is watched", .required = true},
+    {.path = "until.events.kind", .slot = event_kind_slot, .doc = "what is watched", .required = true},
     {.path = "until.events.value",
      .slot = PHYSIM_FIELD(event->value),
      .doc = "that is crossed",

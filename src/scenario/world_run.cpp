@@ -81,7 +81,7 @@ struct WorldRun::Impl : RunState {
   void fire();
   void fire(Magazine& magazine);
   void look_at_wall(double dt);
-  void count(std::span<const WorldEvent> news);
+  void count(std::span<const Event> news);
   void touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity);
   void step();
   [[nodiscard]] Track* track_of(ProjectileId id);
@@ -177,7 +177,7 @@ void WorldRun::Impl::fire(Magazine& magazine) {
     const Launch launch = scattered(magazine.launch, volley, magazine.fired++);
     const std::size_t known = world.events().size();
     const Result<ProjectileId> spawned = world.spawn(group.kind, launch);
-    const std::span<const WorldEvent> news = world.events().subspan(known);
+    const std::span<const Event> news = world.events().subspan(known);
     if (!spawned) {
       if (group.refused++ == 0) group.refusal = spawned.error().message;
       count(news);
@@ -207,41 +207,37 @@ void WorldRun::Impl::touch(Track& track, WorldGroup& group, double time, const V
   group.speed.add(length(velocity));
 }
 
-void WorldRun::Impl::count(std::span<const WorldEvent> news) {
-  for (const WorldEvent& event : news) {
+void WorldRun::Impl::count(std::span<const Event> news) {
+  for (const Event& event : news) {
     Track* track = track_of(event.id);
     if (track == nullptr) continue;
     events.push_back({track->launched, event});
     WorldGroup& group = groups[track->launched.group];
     switch (event.kind) {
-      case WorldEventKind::spawned:
+      case EventKind::spawned:
         ++group.spawned;
         break;
-      case WorldEventKind::landed:
+      case EventKind::landed:
         ++group.landed;
         touch(*track, group, event.time, event.position, event.velocity);
         break;
-      case WorldEventKind::bounced:
+      case EventKind::bounced:
         ++group.bounces;
         touch(*track, group, event.time, event.position, event.velocity);
         break;
-      case WorldEventKind::apex:
+      case EventKind::apex:
         group.apex.add(event.position.y);
         break;
-      case WorldEventKind::slept:
+      case EventKind::slept:
         ++group.slept;
         break;
-      case WorldEventKind::expired:
+      case EventKind::expired:
         ++group.expired;
         break;
-      case WorldEventKind::retired:
+      case EventKind::retired:
         ++group.retired;
         break;
-      case WorldEventKind::woke:
-      case WorldEventKind::fidelity_changed:
-      case WorldEventKind::ignition:
-      case WorldEventKind::burnout:
-      case WorldEventKind::rail_exit:
+      default:  // kept in the list of events, and not counted
         break;
     }
   }

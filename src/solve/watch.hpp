@@ -5,6 +5,7 @@
 // bit.
 #pragma once
 
+#include "base/event_table.hpp"
 #include "math/root.hpp"
 #include "physim/flight.hpp"
 #include "solve/regime.hpp"
@@ -50,28 +51,28 @@ template <class R, class S>
 PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t,
                               const State<R>& s) {
   const R value = constant<R>(spec.value);
-  switch (spec.kind) {
-    case EventKind::ground:
-    case EventKind::height:
+  switch (row_of(spec.kind).watch) {
+    case Watch::height:
       return height(c, s.x) - value;
-    case EventKind::apex:
+    case Watch::climb_rate:
       return climb_rate(c, s);
-    case EventKind::range:
+    case Watch::range:
       return dot(s.x - b.launch.x, b.sight) - value;
-    case EventKind::mach: {
+    case Watch::mach: {
       R mach;
       mach_number(c, s, mach);
       return mach - value;
     }
-    case EventKind::speed:
+    case Watch::speed:
       return length(s.v) - value;
-    case EventKind::ignition:
+    case Watch::ignition:
       return t - b.ignition;
-    case EventKind::burnout:
+    case Watch::burnout:
       return t - b.burnout;
-    case EventKind::rail_exit:
+    case Watch::rail:
       return select(b.rail_phase < constant<R>(kOffRail), dot(s.x, b.rail) - b.rail_end, R(S(1)));
-    case EventKind::time:
+    case Watch::none:
+    case Watch::time:
       break;
   }
   return t - value;
@@ -93,22 +94,23 @@ PHYSIM_INLINE MaskOf<R> crosses(Crossing direction, const R& from, const R& to) 
 template <class R, class S>
 PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const State<R>& s,
                              const Vec3<R>& a) {
-  switch (spec.kind) {
-    case EventKind::ground:
-    case EventKind::height:
+  switch (row_of(spec.kind).watch) {
+    case Watch::height:
       return climb_rate(c, s);
-    case EventKind::range:
+    case Watch::range:
       return dot(s.v, b.sight);
-    case EventKind::speed:
+    case Watch::speed:
       return dot(s.v, a);
-    default:
-      return R(S(0));
+    case Watch::none:
+    case Watch::climb_rate:
+    case Watch::mach:
+    case Watch::time:
+    case Watch::ignition:
+    case Watch::burnout:
+    case Watch::rail:
+      break;
   }
-}
-
-/// Whether turning points of the quantity are looked for.
-PHYSIM_INLINE bool may_turn(EventKind kind) {
-  return kind == EventKind::ground || kind == EventKind::height || kind == EventKind::range || kind == EventKind::speed;
+  return R(S(0));
 }
 
 /// A step in which the quantity turns on the far side of the value: it may cross it twice and end where it began.
@@ -140,7 +142,7 @@ PHYSIM_INLINE Detected<R> detect(const Conditions<S>& c, const Body<R>& b, const
     const R from = watched_value(c, b, spec, s.t, s.start);
     const R to = watched_value(c, b, spec, s.t_end, s.end);
     MaskOf<R> twice = none;
-    if (may_turn(spec.kind))
+    if (may_turn(row_of(spec.kind).watch))
       twice =
           may_cross_twice(from, to, watched_rate(c, b, spec, s.start, a_start), watched_rate(c, b, spec, s.end, a_end));
     const MaskOf<R> once = crosses(spec.direction, from, to);

@@ -42,7 +42,7 @@ WatchList watch_of(const WorldDef& def, const Conditions<double>& c) {
   Until frames;
   frames.time = std::numeric_limits<double>::infinity();
   frames.ground = def.ground.mode == GroundMode::none ? std::nullopt : std::optional(def.ground.height);
-  return prepare_watch(frames, c, {.apex = def.apex_events});
+  return prepare_watch(frames, c, def.apex_events ? Watcher::world_with_apexes : Watcher::world);
 }
 
 }  // namespace

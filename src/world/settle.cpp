@@ -237,16 +237,10 @@ class Settling {
           leave(LifeStatus::retired, Reason::left_domain);
           return true;
         default:
-          tell(event_of(course_.watch.item[crossings.found[i].index].spec.kind), Reason::none, passed, s);
+          tell(course_.watch.item[crossings.found[i].index].spec.kind, Reason::none, passed, s);
       }
     }
     return false;
-  }
-
-  [[nodiscard]] static WorldEventKind event_of(EventKind kind) {
-    if (kind == EventKind::ignition) return WorldEventKind::ignition;
-    if (kind == EventKind::burnout) return WorldEventKind::burnout;
-    return kind == EventKind::rail_exit ? WorldEventKind::rail_exit : WorldEventKind::apex;
   }
 
   /// Reached the ground, `passed` into the step.
@@ -255,7 +249,7 @@ class Settling {
     const Vec3d n = normal_at(c, s.x);
     if (passed > 0) s.x -= n * (height(c, s.x) - ground().height);
     if (ground().mode != GroundMode::bounce) {
-      tell(WorldEventKind::landed, Reason::none, passed, s);
+      tell(EventKind::landed, Reason::none, passed, s);
       end_ = {vec_cast<S>(s.x), {}};
       if (ground().mode == GroundMode::land) return leave(LifeStatus::landed, Reason::none);
       chunk_.changes.push_back({slot_index_, Change::Kind::stick, LifeStatus::landed, Reason::none});
@@ -269,7 +263,7 @@ class Settling {
     const double left = context_.dt - passed;
     // A bounce that would be over within this step does not lift it any more.
     if (dot(v, n) > -dot(a, n) * (0.5 * context_.dt) && bounces_++ < kMostBounces) {
-      tell(WorldEventKind::bounced, Reason::none, passed, {s.x, v});
+      tell(EventKind::bounced, Reason::none, passed, {s.x, v});
       lane_.step.start = {vec_cast<S>(s.x), vec_cast<S>(v)};
       relaunch(lane_.step.start, passed);
       return go(static_cast<S>(left), passed);
@@ -280,8 +274,7 @@ class Settling {
       return bounces_++ < kMostBounces ? go(static_cast<S>(left), passed) : void(end_ = lane_.step.start);
     }
     // What falls from higher than a step's fall struck the ground, even where nothing of its speed is left.
-    if (dot(s.v, n) < dot(a, n) * context_.dt)
-      tell(WorldEventKind::bounced, Reason::none, passed, {s.x, v - n * dot(v, n)});
+    if (dot(s.v, n) < dot(a, n) * context_.dt) tell(EventKind::bounced, Reason::none, passed, {s.x, v - n * dot(v, n)});
     const Rolled r = rolled(v, a, n, surface, left);
     Vec3d x = s.x + r.way;
     x -= normal_at(c, x) * (height(c, x) - ground().height);
@@ -334,19 +327,24 @@ class Settling {
 
   void expire(Reason reason) {
     const State<double> s{vec_cast<double>(end_.x), vec_cast<double>(end_.v)};
-    tell(WorldEventKind::expired, reason, context_.dt, s);
+    tell(EventKind::expired, reason, context_.dt, s);
     chunk_.changes.push_back({slot_index_, Change::Kind::remove, LifeStatus::expired, reason});
   }
 
   /// Leaves the world; it keeps the last sound state that it had.
   void leave(LifeStatus status, Reason reason) {
     gone_ = true;
-    if (status == LifeStatus::retired) tell(WorldEventKind::retired, reason, 0, start_);
+    if (status == LifeStatus::retired) tell(EventKind::retired, reason, 0, start_);
     chunk_.changes.push_back({slot_index_, Change::Kind::remove, status, reason});
   }
 
-  void tell(WorldEventKind kind, Reason reason, double passed, const State<double>& s) {
-    chunk_.events.push_back({kind, reason, {slot_index_, slot_.generation}, context_.time + passed, s.x, s.v});
+  void tell(EventKind kind, Reason reason, double passed, const State<double>& s) {
+    chunk_.events.push_back({.kind = kind,
+                             .reason = reason,
+                             .id = {slot_index_, slot_.generation},
+                             .time = context_.time + passed,
+                             .position = s.x,
+                             .velocity = s.v});
   }
 
   void write() {

@@ -24,7 +24,7 @@ struct Chunk {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
   bool attention = false;
-  std::vector<WorldEvent> events;
+  std::vector<Event> events;
   std::vector<Change> changes;
 };
 

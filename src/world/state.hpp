@@ -85,7 +85,7 @@ class WorldState {
   std::vector<std::uint32_t> force_order;                      // active generators, in the order they were added
   std::vector<std::uint32_t> group_forces;                     // those begun that have a kind or layers
   std::unordered_map<std::uint32_t, std::uint32_t> forces_on;  // by slot: begun generators that name it
-  std::vector<WorldEvent> events;
+  std::vector<Event> events;
   WorldCounters counters;
   Vec3d observer;
   DetailRule detail;

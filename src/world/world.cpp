@@ -313,7 +313,7 @@ Status World::reserve(KindId kind, std::size_t count) {
 
 // ------------------------------------------------------------------------------------------- going
 void WorldImpl::retire(std::uint32_t index, Reason reason) {
-  tell(WorldEventKind::retired, index, reason);
+  tell(EventKind::retired, index, reason);
   remove(index, LifeStatus::retired);
 }
 

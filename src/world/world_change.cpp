@@ -15,16 +15,21 @@ Error not_finite(const char* place) { return {"must have three finite components
 
 }  // namespace
 
-void WorldImpl::tell(WorldEventKind kind, std::uint32_t slot, Reason reason) {
+void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason) {
   const BodyState at = state_of(state.slots[slot]);
-  state.events.push_back({kind, reason, id_of(slot), state.clock.time(), at.position, at.velocity});
+  state.events.push_back({.kind = kind,
+                          .reason = reason,
+                          .id = id_of(slot),
+                          .time = state.clock.time(),
+                          .position = at.position,
+                          .velocity = at.velocity});
 }
 
 void WorldImpl::tell_launch(std::uint32_t index) {
-  tell(WorldEventKind::spawned, index);
+  tell(EventKind::spawned, index);
   const Kind& kind = kind_of(state.slots[index]);
   const bool burns = registry.cohort(state.slots[index].cohort).conditions.has_motor && has_motor(kind.projectile);
-  if (burns && kind.projectile.motor.ignition_delay == 0) tell(WorldEventKind::ignition, index);
+  if (burns && kind.projectile.motor.ignition_delay == 0) tell(EventKind::ignition, index);
 }
 
 // ------------------------------------------------------------------------------------------- sleep
@@ -35,7 +40,7 @@ bool WorldImpl::put_to_sleep(std::uint32_t index) {
   relocate(index);
   set_row_state(index, {state_of(slot).position, {}});
   stop_turning(index);
-  tell(WorldEventKind::slept, index);
+  tell(EventKind::slept, index);
   return true;
 }
 
@@ -46,7 +51,7 @@ bool WorldImpl::wake(std::uint32_t index) {
   slot.set(kAsleep | kStuck, false);
   slot.set_status(LifeStatus::in_flight);
   relocate(index);
-  tell(WorldEventKind::woke, index);
+  tell(EventKind::woke, index);
   return true;
 }
 
@@ -233,7 +238,7 @@ Status WorldImpl::change_rung(std::uint32_t index, std::uint16_t rung) {
     slot = before;
     return status;
   }
-  tell(WorldEventKind::fidelity_changed, index);
+  tell(EventKind::fidelity_changed, index);
   return status;
 }
 

@@ -108,7 +108,7 @@ struct WorldImpl {
   void rebase(double new_dt);
 
   // ------------------------------------------------------------------------------------------- changes
-  void tell(WorldEventKind kind, std::uint32_t slot, Reason reason = Reason::none);
+  void tell(EventKind kind, std::uint32_t slot, Reason reason = Reason::none);
   /// It is launched now; where its motor needs no waiting for, it burns.
   void tell_launch(std::uint32_t slot);
   bool put_to_sleep(std::uint32_t slot);

@@ -175,7 +175,7 @@ std::string ProjectileView::label() const {
   return found == world_->state.tags.end() ? world_->kind_of(*slot).body.label : found->second.label;
 }
 
-std::span<const WorldEvent> World::events() const { return impl_->state.events; }
+std::span<const Event> World::events() const { return impl_->state.events; }
 const WorldCounters& World::counters() const { return impl_->state.counters; }
 const WorldDef& World::def() const { return impl_->def; }
 

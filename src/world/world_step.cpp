@@ -152,7 +152,7 @@ void WorldImpl::launch_pending() {
 
 void WorldImpl::expire_old() {
   while (const ProjectileId id = take_due(state.old_age)) {
-    tell(WorldEventKind::expired, id.index, Reason::older);
+    tell(EventKind::expired, id.index, Reason::older);
     remove(id.index, LifeStatus::expired);
   }
 }
@@ -243,10 +243,10 @@ void WorldImpl::step(double dt) {
   finish_step();
   expire_old();
   end_generators();
-  std::sort(state.events.begin(), state.events.end(), [](const WorldEvent& a, const WorldEvent& b) {
+  std::sort(state.events.begin(), state.events.end(), [](const Event& a, const Event& b) {
     if (a.time != b.time) return a.time < b.time;
     if (a.id.index != b.id.index) return a.id.index < b.id.index;
-    return a.kind < b.kind;
+    return row_of(a.kind).order < row_of(b.kind).order;
   });
   if (recorder) recorder->stepped([this] { return hash(); });
 }

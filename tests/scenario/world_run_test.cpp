@@ -162,7 +162,7 @@ TEST(WorldRun, FiresOnTime) {
   for (std::uint64_t step = 0; step < run.steps(); ++step) {
     run.step();
     for (const RunEvent& each : run.events())
-      if (each.event.kind == WorldEventKind::spawned) times.push_back(each.event.time);
+      if (each.event.kind == EventKind::spawned) times.push_back(each.event.time);
   }
   ASSERT_EQ(times.size(), 50u);
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], 1 + 0.5 * static_cast<double>(i), 1e-9);

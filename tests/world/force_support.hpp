@@ -54,9 +54,9 @@ inline void steps(World& world, int count, double dt) {
   for (int i = 0; i < count; ++i) ASSERT_TRUE(world.step(dt));
 }
 
-inline std::vector<WorldEventKind> kinds(const World& world) {
-  std::vector<WorldEventKind> list;
-  for (const WorldEvent& e : world.events()) list.push_back(e.kind);
+inline std::vector<EventKind> kinds(const World& world) {
+  std::vector<EventKind> list;
+  for (const Event& e : world.events()) list.push_back(e.kind);
   return list;
 }
 

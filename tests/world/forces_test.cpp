@@ -317,7 +317,7 @@ TEST(WorldForces, wake_sleepers_when_they_come_and_when_they_go) {
   ASSERT_TRUE(world[id].is_asleep());
   const ForceId f = *world[id].add_force(law);
   EXPECT_FALSE(world[id].is_asleep());
-  EXPECT_EQ(kinds(world).back(), WorldEventKind::woke);
+  EXPECT_EQ(kinds(world).back(), EventKind::woke);
   steps(world, 60, 1.0 / 60);
   EXPECT_TRUE(world[id].is_asleep()) << "at rest under a spring it may sleep";
   ForceDef later = force(ConstantForce{{1, 0, 0}}, {.ids = {id}, .kind = {}});
@@ -387,13 +387,13 @@ TEST(WorldForces, rules_and_apexes_are_seen) {
   body.despawn.farther = 50;
   const ProjectileId id = *world.spawn(ball(rung(Integrator::rk4)), at({0, 0, 0}, {1, 10, 0}), body);
   world[id].add_force(GravityForce{{0, -10, 0}});
-  std::vector<WorldEvent> events;
+  std::vector<Event> events;
   for (int k = 0; k < 600; ++k) {
     world.step(1.0 / 60);
     events.insert(events.end(), world.events().begin(), world.events().end());
   }
   ASSERT_EQ(events.size(), 2u);
-  EXPECT_EQ(events[0].kind, WorldEventKind::apex);
+  EXPECT_EQ(events[0].kind, EventKind::apex);
   EXPECT_TRUE(near(events[0].time, 1, 1e-9));
   EXPECT_TRUE(near(events[0].position, {1, 5, 0}, 1e-9));
   EXPECT_EQ(events[1].reason, Reason::farther);

@@ -29,7 +29,7 @@ TEST(Ground, landing_has_the_exact_time_and_place_of_a_flight) {
       const ProjectileId id = *world.spawn(p, launch);
       const auto events = run_for(world, 3);
       const auto landed =
-          std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::landed; });
+          std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == EventKind::landed; });
       ASSERT_NE(landed, events.end());
       Tolerance tolerance;
       tolerance.step = 1.0 / 64;
@@ -58,8 +58,8 @@ TEST(Ground, a_bouncing_ball_follows_the_closed_form) {
   double time = std::sqrt(2 * 2 / kG);
   double speed = kG * time;
   int bounces = 0;
-  for (const WorldEvent& e : events) {
-    if (e.kind != WorldEventKind::bounced) continue;
+  for (const Event& e : events) {
+    if (e.kind != EventKind::bounced) continue;
     speed *= 0.8;
     EXPECT_NEAR(e.time, time, 1e-9);
     EXPECT_NEAR(e.velocity.y, speed, 1e-9);
@@ -81,7 +81,7 @@ TEST(Ground, closed_forms_bounce_too) {
   const double fall = std::sqrt(2 * 2 / kG);
   ASSERT_FALSE(events.empty());
   const auto bounce =
-      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::bounced; });
+      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == EventKind::bounced; });
   ASSERT_NE(bounce, events.end());
   EXPECT_NEAR(bounce->time, fall, 1e-9);
   const double after = 1 - fall;
@@ -97,7 +97,7 @@ TEST(Ground, friction_slows_a_bounce_as_coulomb_says) {
   world.spawn(stone(), {.position = {0, 1, 0}, .velocity = Vec3d{10, -4, 0}}, body);
   const auto events = run_for(world, 0.5);
   const auto bounce =
-      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::bounced; });
+      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == EventKind::bounced; });
   ASSERT_NE(bounce, events.end());
   const double down = bounce->velocity.y / 0.5;
   EXPECT_NEAR(bounce->velocity.x, 10 - 0.3 * 1.5 * down, 1e-9);
@@ -117,7 +117,7 @@ TEST(Ground, a_ball_rolls_to_rest_and_sleeps_where_resistance_stops_it) {
   EXPECT_EQ(world[id].velocity(), Vec3d{});
   EXPECT_NEAR(world[id].position().x, 25 / (2 * 0.1 * kG), 1e-3);
   const auto slept =
-      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::slept; });
+      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == EventKind::slept; });
   ASSERT_NE(slept, events.end());
   EXPECT_NEAR(slept->time, (5 - 0.05) / (0.1 * kG) + 0.25, 0.05);
 }
@@ -128,9 +128,9 @@ TEST(Ground, a_dead_impact_is_told_once) {
   World world = make_world(on_ground(GroundMode::bounce));
   world.spawn(stone(), {.position = {0, 3, 0}, .velocity = Vec3d{1, 0, 0}}, body);
   const auto events = run_for(world, 3);
-  std::vector<WorldEvent> impacts;
-  for (const WorldEvent& e : events)
-    if (e.kind == WorldEventKind::bounced) impacts.push_back(e);
+  std::vector<Event> impacts;
+  for (const Event& e : events)
+    if (e.kind == EventKind::bounced) impacts.push_back(e);
   ASSERT_EQ(impacts.size(), 1u);
   EXPECT_NEAR(impacts[0].time, std::sqrt(2 * 3 / kG), 0.02);
   EXPECT_EQ(impacts[0].velocity.y, 0);
@@ -145,7 +145,7 @@ TEST(Ground, an_impulse_wakes_a_sleeper) {
   ASSERT_TRUE(world[id].is_asleep());
   EXPECT_TRUE(world[id].apply_impulse({0, 3, 0}));
   EXPECT_FALSE(world[id].is_asleep());
-  EXPECT_EQ(events_of(world, WorldEventKind::woke).size(), 1u);
+  EXPECT_EQ(events_of(world, EventKind::woke).size(), 1u);
   world.step(1.0 / 64);
   EXPECT_GT(world[id].position().y, 0);
 }
@@ -182,8 +182,7 @@ TEST(Ground, apex_is_told_where_it_is) {
   p.fidelity.integrator = Integrator::rk4;
   world.spawn(p, {.velocity = Vec3d{2, 10, 0}});
   const auto events = run_for(world, 1.5);
-  const auto apex =
-      std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::apex; });
+  const auto apex = std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == EventKind::apex; });
   ASSERT_NE(apex, events.end());
   EXPECT_NEAR(apex->time, 10 / kG, 1e-9);
   EXPECT_NEAR(apex->position.y, 50 / kG, 1e-9);

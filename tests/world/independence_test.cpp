@@ -70,8 +70,8 @@ Done run(const Scene& scene, const std::vector<std::size_t>& order, int steps, b
       EXPECT_EQ(world.hash(), hash);
     }
     world.step(1.0 / 64);
-    for (const WorldEvent& e : world.events())
-      if (e.kind != WorldEventKind::spawned) done.events.insert({shot[e.id.index], {e.time, e.position}});
+    for (const Event& e : world.events())
+      if (e.kind != EventKind::spawned) done.events.insert({shot[e.id.index], {e.time, e.position}});
   }
   for (const ProjectileId id : ids) done.states.push_back(world[id].state());
   done.hash = world.hash();
@@ -184,9 +184,9 @@ TEST(Independence, fidelity_moves_keep_the_state) {
     x = world[id].position().x;
     EXPECT_GT(x, before.x + 2);
   }
-  EXPECT_EQ(events_of(world, WorldEventKind::fidelity_changed).size(), 0u);  // told before the last step
+  EXPECT_EQ(events_of(world, EventKind::fidelity_changed).size(), 0u);  // told before the last step
   world[id].set_fidelity(Fidelity::game());
-  EXPECT_EQ(events_of(world, WorldEventKind::fidelity_changed).size(), 1u);
+  EXPECT_EQ(events_of(world, EventKind::fidelity_changed).size(), 1u);
   EXPECT_EQ(world[id].fidelity_in_use().fidelity.integrator, Integrator::semi_implicit_euler);
 }
 
@@ -272,7 +272,7 @@ TEST(Detail, moves_between_rungs_with_hysteresis) {
     const Vec3d x = world[id].position();
     EXPECT_LT(x.x - last, 4);  // no jump
     last = x.x;
-    if (!events_of(world, WorldEventKind::fidelity_changed).empty()) where.push_back(length(x));
+    if (!events_of(world, EventKind::fidelity_changed).empty()) where.push_back(length(x));
   }
   ASSERT_EQ(where.size(), 2u);
   EXPECT_GT(where[0], 110);

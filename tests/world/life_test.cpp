@@ -137,7 +137,7 @@ TEST(Life, despawn_rules) {
     const ProjectileId other = *world.spawn(stone(), {.position = {0, 90, 0}});
     const auto events = run_for(world, 1);
     const auto end =
-        std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == WorldEventKind::expired; });
+        std::find_if(events.begin(), events.end(), [](const auto& e) { return e.kind == EventKind::expired; });
     ASSERT_NE(end, events.end());
     EXPECT_EQ(end->reason, c.reason);
     EXPECT_EQ(end->id, id);
@@ -158,7 +158,7 @@ TEST(Life, pending_shots_start_later) {
   EXPECT_EQ(world[id].status(), LifeStatus::in_flight);
   EXPECT_NEAR(world[id].age(), 0.25, 1e-12);
   EXPECT_LT(world[id].position().y, 50);
-  EXPECT_EQ(std::count_if(events.begin(), events.end(), [](auto& e) { return e.kind == WorldEventKind::spawned; }), 1);
+  EXPECT_EQ(std::count_if(events.begin(), events.end(), [](auto& e) { return e.kind == EventKind::spawned; }), 1);
 }
 
 TEST(Life, switches_of_a_body) {

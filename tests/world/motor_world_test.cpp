@@ -1,6 +1,7 @@
 // Motors and launch rails in a world: the numbers of flights, whatever else happens to the projectile.
 #include <gtest/gtest.h>
 
+#include "base/event_table.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"
 
@@ -34,17 +35,10 @@ Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
 
 Launch from_rail(double elevation = 1.4) { return {.elevation = elevation, .rail_length = 0.9}; }
 
-std::vector<Event> stops_of(const Flight& flight) {
+std::vector<Event> stops_of(std::span<const Event> events) {
   std::vector<Event> stops;
-  for (const Event& e : flight.events())
-    if (e.kind >= EventKind::ignition) stops.push_back(e);
-  return stops;
-}
-
-std::vector<WorldEvent> stops_of(const std::vector<WorldEvent>& events) {
-  std::vector<WorldEvent> stops;
-  for (const WorldEvent& e : events)
-    if (e.kind >= WorldEventKind::ignition) stops.push_back(e);
+  for (const Event& e : events)
+    if (is_of_motor_or_rail(e.kind)) stops.push_back(e);
   return stops;
 }
 
@@ -61,10 +55,10 @@ TEST(WorldMotor, flies_the_bits_of_a_flight) {
       const ProjectileId other = *world.spawn(p, from_rail(1.1));
       ASSERT_TRUE(id && other);
       const Flight flight = fly(p, from_rail(), windy, p.fidelity, {1e-9, 1e-9, kStep}, {.time = 30});
-      std::vector<WorldEvent> events;
+      std::vector<Event> events;
       for (int i = 1; i < 500 && i * kStep < flight.duration(); ++i) {
         world.step(kStep);
-        for (const WorldEvent& e : world.events())
+        for (const Event& e : world.events())
           if (e.id == id) events.push_back(e);
         const Sample s = flight.at(i * kStep);
         ASSERT_TRUE(same_bits(world[id].position(), s.position)) << i;
@@ -73,12 +67,12 @@ TEST(WorldMotor, flies_the_bits_of_a_flight) {
         const double rounding = precision == Precision::float64 ? 1e-12 : 1e-3;
         ASSERT_TRUE(near(world[id].accelerations().total, s.acceleration, rounding, rounding)) << i;
       }
-      const auto of_flight = stops_of(flight);
+      const auto of_flight = stops_of(flight.events());
       const auto of_world = stops_of(events);
       ASSERT_EQ(of_flight.size(), 3u);
       ASSERT_EQ(of_world.size(), 3u);
       for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(name(of_flight[i].kind), name(of_world[i].kind));
+        EXPECT_EQ(of_flight[i].kind, of_world[i].kind);
         EXPECT_NEAR(of_flight[i].time, of_world[i].time, 1e-12);
         EXPECT_TRUE(same_bits(of_flight[i].position, of_world[i].position));
       }
@@ -101,14 +95,14 @@ TEST(WorldMotor, a_launch_without_delay_ignites_at_once) {
   ProjectileDef p = rocket(rung(Integrator::rk4));
   p.motor.ignition_delay = 0;
   const ProjectileId now = *world.spawn(p, from_rail());
-  EXPECT_EQ(events_of(world, WorldEventKind::ignition).size(), 1u);
+  EXPECT_EQ(events_of(world, EventKind::ignition).size(), 1u);
   const ProjectileId later = *world.spawn(p, from_rail(), {}, 0.5);
   const auto events = run_for(world, 2.6, kStep);
   std::vector<double> ignitions, burnouts, exits;
-  for (const WorldEvent& e : events) {
-    if (e.id == later && e.kind == WorldEventKind::ignition) ignitions.push_back(e.time);
-    if (e.id == later && e.kind == WorldEventKind::burnout) burnouts.push_back(e.time);
-    if (e.kind == WorldEventKind::rail_exit) exits.push_back(e.time);
+  for (const Event& e : events) {
+    if (e.id == later && e.kind == EventKind::ignition) ignitions.push_back(e.time);
+    if (e.id == later && e.kind == EventKind::burnout) burnouts.push_back(e.time);
+    if (e.kind == EventKind::rail_exit) exits.push_back(e.time);
   }
   ASSERT_EQ(ignitions.size(), 1u);
   ASSERT_EQ(burnouts.size(), 1u);
@@ -186,8 +180,7 @@ TEST(WorldMotor, waits_on_its_rail_without_falling_asleep) {
   body.sleep_time = 0.5;
   const ProjectileId id = *world.spawn(p, from_rail(), body);
   const auto events = run_for(world, 8, kStep);
-  EXPECT_TRUE(
-      std::none_of(events.begin(), events.end(), [](const WorldEvent& e) { return e.kind == WorldEventKind::slept; }));
+  EXPECT_TRUE(std::none_of(events.begin(), events.end(), [](const Event& e) { return e.kind == EventKind::slept; }));
   EXPECT_GT(world[id].position().y, 100);
 }
 

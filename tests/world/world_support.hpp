@@ -16,9 +16,9 @@ inline World make_world(const WorldDef& def) {
   return made ? std::move(made.value()) : World();
 }
 
-inline std::vector<WorldEvent> events_of(const World& world, WorldEventKind kind) {
-  std::vector<WorldEvent> found;
-  for (const WorldEvent& e : world.events())
+inline std::vector<Event> events_of(const World& world, EventKind kind) {
+  std::vector<Event> found;
+  for (const Event& e : world.events())
     if (e.kind == kind) found.push_back(e);
   return found;
 }
@@ -45,8 +45,8 @@ inline ProjectileDef bullet() {
 }
 
 /// Steps until `seconds` have passed and gathers the events.
-inline std::vector<WorldEvent> run_for(World& world, double seconds, double step = 1.0 / 64) {
-  std::vector<WorldEvent> all(world.events().begin(), world.events().end());
+inline std::vector<Event> run_for(World& world, double seconds, double step = 1.0 / 64) {
+  std::vector<Event> all(world.events().begin(), world.events().end());
   const double end = world.time() + seconds - 0.5 * step;
   while (world.time() < end) {
     world.step(step);

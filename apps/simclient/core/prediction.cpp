@@ -27,13 +27,13 @@ TrackSample sample(const World& world, ProjectileId id) {
   return {world[id].age(), at.position, at.velocity, world[id].accelerations().total, world[id].mach()};
 }
 
-void look(Prediction& prediction, const WorldEvent& event) {
+void look(Prediction& prediction, const Event& event) {
   TrackSample at = prediction.path.back();
   at.time = event.time, at.position = event.position, at.velocity = event.velocity;
-  if (event.kind == WorldEventKind::apex && !prediction.apex) prediction.apex = at;
-  const bool touched = event.kind == WorldEventKind::landed || event.kind == WorldEventKind::bounced;
+  if (event.kind == EventKind::apex && !prediction.apex) prediction.apex = at;
+  const bool touched = event.kind == EventKind::landed || event.kind == EventKind::bounced;
   if (touched && !prediction.impact) prediction.impact = at;
-  if (event.kind == WorldEventKind::landed || event.kind == WorldEventKind::expired) prediction.path.push_back(at);
+  if (event.kind == EventKind::landed || event.kind == EventKind::expired) prediction.path.push_back(at);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ Prediction predict(const Session& session, const ScenarioShot& shot, double max_
   while (world[id].is_alive() && !world[id].is_asleep() && prediction.steps < limit) {
     world.step(def.step);
     ++prediction.steps;
-    for (const WorldEvent& event : world.events()) look(prediction, event);
+    for (const Event& event : world.events()) look(prediction, event);
     if (world[id].is_alive()) prediction.path.push_back(sample(world, id));
   }
   prediction.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -150,8 +150,8 @@ bool Session::replay_step() {
     if (world().time() < time) forget_after(world().time());  // the recorded session went back
     time = world().time();
     if (replay_->report().steps != steps) return true;
-    for (const WorldEvent& event : world().events())
-      if (event.kind == WorldEventKind::spawned) follow_new(event.id);
+    for (const Event& event : world().events())
+      if (event.kind == EventKind::spawned) follow_new(event.id);
   }
   return false;
 }
@@ -308,7 +308,7 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
 void Session::add_launch(Track& track) const {
   if (is_replay() || !(world()[track.id].age() > kInstant)) return;
   for (const RunEvent& each : run_->events())
-    if (each.event.id == track.id && each.event.kind == WorldEventKind::spawned)
+    if (each.event.id == track.id && each.event.kind == EventKind::spawned)
       track.samples.push_back({0, each.event.position, each.event.velocity, world()[track.id].accelerations().total,
                                world()[track.id].mach()});
 }
@@ -340,14 +340,14 @@ void Session::follow_new(ProjectileId id) {
   begin_track(id, what ? what->name : "", own != kNoColour ? own : palette(fired_), false);
 }
 
-void Session::look_at_events(std::span<const WorldEvent> events) {
-  for (const WorldEvent& event : events) {
+void Session::look_at_events(std::span<const Event> events) {
+  for (const Event& event : events) {
     Track* track = find(event.id);
     if (track == nullptr || track->samples.empty()) continue;
     const TrackSample at = within_step(*track, event.time, event.position, event.velocity);
-    const bool ends = event.kind == WorldEventKind::landed;
-    if (event.kind == WorldEventKind::apex && !track->apex) track->apex = at;
-    if ((ends || event.kind == WorldEventKind::bounced) && !track->impact) track->impact = at;
+    const bool ends = event.kind == EventKind::landed;
+    if (event.kind == EventKind::apex && !track->apex) track->apex = at;
+    if ((ends || event.kind == EventKind::bounced) && !track->impact) track->impact = at;
     if (ends && at.time > track->samples.back().time + kInstant) track->samples.push_back(at);
   }
 }

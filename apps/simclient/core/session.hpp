@@ -105,7 +105,7 @@ class Session {
   bool replay_step();
   void look();
   void follow_new(ProjectileId id);
-  void look_at_events(std::span<const WorldEvent> events);
+  void look_at_events(std::span<const Event> events);
   void look_at_wall();
   void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
   void remember_moment(bool changed);

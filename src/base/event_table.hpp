@@ -1,0 +1,134 @@
+// The table of events: a row for each EventKind. What an event is called, what it watches, who tells it, and in which
+// order events of one moment stand follow from here.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "base/assert.hpp"
+#include "physim/event.hpp"
+
+namespace physim {
+
+/// The number that an event waits for, less the value that it waits for, changes its sign in it.
+enum class Watch : std::uint8_t {
+  none,  // nothing is watched: a rule or a call of a world tells it
+  height,
+  climb_rate,
+  range,
+  mach,
+  speed,
+  time,
+  ignition,
+  burnout,
+  rail,
+};
+
+/// Whether turning points of the number are looked for inside steps.
+[[nodiscard]] PHYSIM_INLINE constexpr bool may_turn(Watch watch) {
+  return watch == Watch::height || watch == Watch::range || watch == Watch::speed;
+}
+
+/// What must be there for it to happen.
+enum class Needs : std::uint8_t { nothing, motor, rail };
+
+/// Whether worlds tell it without having been asked.
+enum class InWorlds : std::uint8_t { never, always, with_apexes };  // WorldDef::apex_events
+
+struct EventRow {
+  EventKind kind;
+  std::string_view name;
+  Watch watch = Watch::none;
+  bool waits_for_value = false;  // of the EventSpec that asks for it; else for `value`
+  double value = 0;              // [unit of what is watched]
+  Needs needs = Needs::nothing;
+  bool in_flights = false;  // flights tell it without having been asked
+  InWorlds in_worlds = InWorlds::never;
+  Crossing direction = Crossing::any;  // which crossings count where nobody asked
+  std::uint8_t order = 0;              // in worlds, among events of one projectile at one time
+};
+
+constexpr auto kEventTable = [] {
+  using K = EventKind;
+  // What is told where an EventSpec asks for it, and nowhere else.
+  const auto asked = [](EventKind kind, std::string_view name, Watch watch) {
+    return EventRow{.kind = kind, .name = name, .watch = watch, .waits_for_value = true};
+  };
+  // What happens to every projectile that has a motor or a rail.
+  const auto stop = [](EventKind kind, std::string_view name, Watch watch, Needs needs, std::uint8_t order) {
+    return EventRow{.kind = kind,
+                    .name = name,
+                    .watch = watch,
+                    .needs = needs,
+                    .in_flights = true,
+                    .in_worlds = InWorlds::always,
+                    .direction = Crossing::rising,
+                    .order = order};
+  };
+  // What a rule or a call of a world tells.
+  const auto rule = [](EventKind kind, std::string_view name, std::uint8_t order) {
+    return EventRow{.kind = kind, .name = name, .in_worlds = InWorlds::always, .order = order};
+  };
+  return std::array{
+      asked(K::ground, "ground", Watch::height),
+      EventRow{.kind = K::apex,
+               .name = "apex",
+               .watch = Watch::climb_rate,
+               .in_flights = true,
+               .in_worlds = InWorlds::with_apexes,
+               .direction = Crossing::falling,
+               .order = 3},
+      asked(K::range, "range", Watch::range),
+      asked(K::height, "height", Watch::height),
+      asked(K::mach, "mach", Watch::mach),
+      asked(K::speed, "speed", Watch::speed),
+      asked(K::time, "time", Watch::time),
+      stop(K::ignition, "ignition", Watch::ignition, Needs::motor, 10),
+      stop(K::burnout, "burnout", Watch::burnout, Needs::motor, 11),
+      stop(K::rail_exit, "rail_exit", Watch::rail, Needs::rail, 12),
+      rule(K::spawned, "spawned", 1),
+      rule(K::landed, "landed", 2),
+      rule(K::bounced, "bounced", 4),
+      rule(K::slept, "slept", 5),
+      rule(K::woke, "woke", 6),
+      rule(K::expired, "expired", 7),
+      rule(K::retired, "retired", 8),
+      rule(K::fidelity_changed, "fidelity_changed", 9),
+  };
+}();
+constexpr std::size_t kEventKinds = kEventTable.size();
+
+/// Rows stand in the order of their kinds, and those that an EventSpec may ask for come first.
+constexpr bool is_in_order() {
+  bool asked_before = true;
+  for (std::size_t i = 0; i < kEventKinds; ++i) {
+    if (static_cast<std::size_t>(kEventTable[i].kind) != i) return false;
+    const bool may_be_asked = kEventTable[i].watch != Watch::none;
+    if (may_be_asked && !asked_before) return false;
+    asked_before = may_be_asked;
+  }
+  return true;
+}
+static_assert(is_in_order());
+
+/// How many kinds an EventSpec may ask for: the first ones.
+constexpr std::size_t watchable_kinds() {
+  std::size_t count = 0;
+  while (count < kEventKinds && kEventTable[count].watch != Watch::none) ++count;
+  return count;
+}
+
+[[nodiscard]] PHYSIM_INLINE constexpr const EventRow& row_of(EventKind kind) {
+  PHYSIM_ASSERT(static_cast<std::size_t>(kind) < kEventKinds);
+  return kEventTable[static_cast<std::size_t>(kind)];
+}
+
+/// Ignition, burnout or the end of the rail.
+[[nodiscard]] constexpr bool is_of_motor_or_rail(EventKind kind) { return row_of(kind).needs != Needs::nothing; }
+
+/// Whether an EventSpec may ask for it.
+[[nodiscard]] constexpr bool is_watchable(EventKind kind) { return static_cast<std::size_t>(kind) < watchable_kinds(); }
+
+}  // namespace physim
