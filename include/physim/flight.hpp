@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "physim/accelerations.hpp"
 #include "physim/environment.hpp"
 #include "physim/event.hpp"
 #include "physim/fidelity.hpp"
@@ -76,20 +77,6 @@ struct Sample {
 struct Stability {
   double gyroscopic = 0;  ///< Sg: above 1 the spin holds the axis; negative where fins do [-]
   double dynamic = 0;     ///< Sd: yaw dies away where 1 / Sg < Sd (2 - Sd) [-]
-};
-
-/// Acceleration by effect.
-struct Accelerations {
-  Vec3d gravity;      ///< [m/s^2]
-  Vec3d drag;         ///< [m/s^2]
-  Vec3d body;         ///< by the attitude of a rigid body: drag of yaw, lift, Magnus force [m/s^2]
-  Vec3d lift;         ///< by spin [m/s^2]
-  Vec3d coriolis;     ///< [m/s^2]
-  Vec3d centrifugal;  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
-  Vec3d applied;      ///< by ProjectileDef::force [m/s^2]
-  Vec3d thrust;       ///< of the motor [m/s^2]
-  Vec3d rail;         ///< by the launch rail, which takes up what would push the projectile off it or back [m/s^2]
-  Vec3d total;        ///< [m/s^2]
 };
 
 /// Work done.

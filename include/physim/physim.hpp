@@ -1,6 +1,7 @@
 // PhySim: projectile motion with dynamic accuracy. This header brings everything.
 #pragma once
 
+#include "physim/accelerations.hpp"
 #include "physim/aim.hpp"
 #include "physim/air.hpp"
 #include "physim/auto_fidelity.hpp"

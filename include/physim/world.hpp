@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "physim/accelerations.hpp"
 #include "physim/forces.hpp"
 #include "physim/result.hpp"
 #include "physim/task_runner.hpp"

@@ -23,14 +23,13 @@ std::vector<Node>::const_iterator later_node(const std::vector<Node>& nodes, dou
 
 }  // namespace
 
-Vec3d FlightRecord::acceleration_at(double time) const {
+Accelerations FlightRecord::accelerations_at(double time) const {
   const Fidelity& f = cohort.in_use.fidelity;
+  const Turn<double> turned = turns(f) ? turn(time) : Turn<double>{};
+  Accelerations a = accelerations_of(cohort.conditions, body_at(time), rotor, time, state(time), turned);
   if (f.motion != Motion::closed_form && f.integrator == Integrator::classic && nodes.size() > 1)
-    return (later_node(nodes, time) - 1)->a;
-  const Body<double> b = body_at(time);
-  if (!turns(f)) return acceleration(cohort.conditions, b, time, state(time));
-  Turn<double> slope;
-  return turning_acceleration(cohort.conditions, b, rotor, time, state(time), turn(time), slope);
+    a.total = (later_node(nodes, time) - 1)->a;
+  return a;
 }
 
 Body<double> FlightRecord::body_at(double time) const {
@@ -88,35 +87,8 @@ double Flight::step() const { return record_->step; }
 
 Accelerations Flight::accelerations(double time) const {
   const FlightRecord& r = *record_;
-  Accelerations a;
-  if (r.outcome == Outcome::refused) return a;
-  time = std::clamp(time, 0.0, r.duration);
-  const State<double> s = r.state(time);
-  const Conditions<double>& c = r.cohort.conditions;
-  const Body<double> b = r.body_at(time);
-  const auto in_plane = [&](const Vec3d& effect) {
-    return c.fidelity.planar ? effect - b.plane * dot(b.plane, effect) : effect;
-  };
-  a.gravity = in_plane(gravity(c, s.x));
-  if (c.fidelity.drag != DragModel::off) a.drag = in_plane(air_now(c, b, time, s));
-  if (spins(c.fidelity)) {
-    SpinningAir<double> air;
-    spinning_air(c, b, time, s, air);
-    a.lift = in_plane(air.lift * lighter(c, b, time));
-    a.drag -= a.lift;
-  }
-  if (turns(c.fidelity) && c.has_aero) a.body = attitude_force(c, b, r.rotor, time, s, r.turn(time));
-  if (is_turning(c.fidelity.earth)) a.coriolis = in_plane(coriolis(c, s.v));
-  if (throws_out(c.fidelity)) a.centrifugal = in_plane(centrifugal(c, s.x));
-  if (c.has_applied) a.applied = in_plane(applied_now(c, b, time));
-  if (c.has_motor) {
-    const Turn<double> turn = turns(c.fidelity) ? r.turn(time) : Turn<double>{};
-    a.thrust = in_plane(thrust(b, time, nose(c, b, r.rotor, time, s, turn)));
-  }
-  a.total = r.acceleration_at(time);
-  if (b.rail_phase < kOffRail)
-    a.rail = a.total - (a.gravity + a.drag + a.lift + a.coriolis + a.centrifugal + a.applied + a.thrust);
-  return a;
+  if (r.outcome == Outcome::refused) return {};
+  return r.accelerations_at(std::clamp(time, 0.0, r.duration));
 }
 
 std::optional<Stability> Flight::stability(double time) const {
@@ -136,7 +108,7 @@ Sample Flight::at(double time) const {
   out.time = time;
   out.position = s.x;
   out.velocity = s.v;
-  out.acceleration = r.acceleration_at(time);
+  out.acceleration = r.accelerations_at(time).total;
   out.speed = length(s.v);
   const bool has_air = c.fidelity.air != AirModel::vacuum;
   out.mach = has_air ? length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed : 0;

@@ -32,8 +32,8 @@ struct FlightRecord {
   [[nodiscard]] State<double> state(double time) const;
   /// Of rungs that turn.
   [[nodiscard]] Turn<double> turn(double time) const;
-  /// By the models; the classic loop has a register for it, which one-shot forces make differ from the models.
-  [[nodiscard]] Vec3d acceleration_at(double time) const;
+  /// By the models. The total of the classic loop is its register: the sum where the frame before began.
+  [[nodiscard]] Accelerations accelerations_at(double time) const;
   /// The body at a time, when its motor and its rail have changed it.
   [[nodiscard]] Body<double> body_at(double time) const;
   /// With spin drift.

@@ -112,7 +112,9 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
   cast_numbers(record.body, record.body_float);
   if (const auto outcome = ends_at_once(record.cohort.conditions, record.body, until)) {
     record.outcome = *outcome;
-    const Vec3d a = acceleration(record.cohort.conditions, record.body, 0.0, record.body.launch);
+    const Vec3d a = accelerations_of(record.cohort.conditions, record.body, record.rotor, 0, record.body.launch,
+                                     record.rotor.launch)
+                        .total;
     record.nodes.push_back({0, record.body.launch, a});
     if (turns(record.cohort.in_use.fidelity)) record.turn_nodes.push_back({0, record.rotor.launch, {}});
     if (outcome == Outcome::landed) keep_event(record, watch.item[0], false, 0, record.body.launch);

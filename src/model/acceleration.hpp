@@ -1,16 +1,22 @@
 // The acceleration of a projectile: the sum of all effects, each on its granted rung.
 //
-// What it models: D'Alembert's principle for a point mass: the resultant of gravity, drag and applied forces, and the
-//   Coriolis and centrifugal forces of a frame that turns with the Earth, divided by the mass.
+// What it models: D'Alembert's principle: the resultant of gravity, air, thrust and applied forces, and the Coriolis
+// and
+//   centrifugal forces of a frame that turns with the Earth, divided by the mass, less what constraints take up
+//   (model/constraint.hpp). sum_effects() is the one list of effects: kernels add them up, Flight and World also tell
+//   them one by one (model/ledger.hpp). A new effect is one row there and one member of Accelerations.
 // Symbols: t time [s]; x position, v velocity in W; r from the Earth's centre; a acceleration [m/s^2].
 // Equation: a = gravity(x) + drag(x, v) - 2 Omega x v - Omega x (Omega x r) + F / m. Where a motor burns, m falls and
 //   drag and F are taken from the mass at launch to the mass that is left (model/motor.hpp).
 // Source: R. L. McCoy, Modern Exterior Ballistics (1999), eq. 8.27 (point mass with Coriolis).
 #pragma once
 
+#include <limits>
+
 #include "model/aero.hpp"
 #include "model/drag.hpp"
 #include "model/gravity.hpp"
+#include "model/ledger.hpp"
 #include "model/magnus.hpp"
 #include "model/modified_point_mass.hpp"
 #include "model/motor.hpp"
@@ -18,9 +24,10 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Constant applied acceleration until its time is over.
+/// Constant applied acceleration until its time is over; the original's one-shot force never is.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> applied(const Conditions<S>&, const Body<R>& b, const R& t) {
+PHYSIM_INLINE Vec3<R> applied(const Conditions<S>& c, const Body<R>& b, const R& t) {
+  if (c.fidelity.original_one_shot_forces) return b.applied;
   const R zero(S(0));
   const auto on = t < b.applied_until;
   return {select(on, b.applied.x, zero), select(on, b.applied.y, zero), select(on, b.applied.z, zero)};
@@ -32,17 +39,19 @@ PHYSIM_INLINE R lighter(const Conditions<S>& c, const Body<R>& b, const R& t) {
   return c.has_motor ? b.mass / mass_at(b, t) : R(S(1));
 }
 
+/// Lets a body feel what force generators give per mass at a time: with its own force, where it has one, it stands in
+/// the place of that. Generators know the mass at the start of the frame; applied_now() takes what stands here from the
+/// mass at launch to that left.
+template <class R, class S>
+PHYSIM_INLINE void add_push(const Conditions<S>& c, const R& t, const Vec3<R>& push, bool own_force, Body<R>& b) {
+  Vec3<R> sum = c.has_motor ? push * (mass_at(b, t) / b.mass) : push;
+  if (own_force) sum += applied(c, b, t);
+  b.applied = sum;
+  b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
+}
+
 /// Whether balls feel their spin.
 PHYSIM_INLINE constexpr bool spins(const Fidelity& f) { return f.rotation == RotationModel::magnus; }
-
-/// Acceleration by drag and lift.
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> air_force(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  if (!spins(c.fidelity)) return drag(c, b, s);
-  SpinningAir<R> air;
-  spinning_air(c, b, t, s, air);
-  return air.drag + air.lift;
-}
 
 /// Drag `d` of the mass at launch over the mass that is left. Damping acts on the velocity whatever the mass.
 template <class R, class S>
@@ -50,18 +59,13 @@ PHYSIM_INLINE Vec3<R> drag_now(const Conditions<S>& c, const Body<R>& b, const R
   if (!c.has_motor || c.fidelity.drag == DragModel::damping) return d;
   return d * (lighter(c, b, t) * b.burn.drag_factor);
 }
-/// The same in air whose state is known, without spin.
+/// Drag in air whose state is known, of the mass that is left.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag_now_in(const Conditions<S>& c, const Body<R>& b, const R& t, const AirState<R>& air,
                                   const Vec3<R>& u) {
   const bool equation = c.fidelity.drag == DragModel::equation;
   return drag_now(c, b, t, equation ? drag_equation(c, b, air, u) : simple_drag(c, b, u));
 }
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> air_now(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  return drag_now(c, b, t, air_force(c, b, t, s));
-}
-
 /// Acceleration by the applied force, over the mass that is left.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> applied_now(const Conditions<S>& c, const Body<R>& b, const R& t) {
@@ -74,30 +78,144 @@ PHYSIM_INLINE Vec3<R> thrust(const Body<R>& b, const R& t, const Vec3<R>& nose) 
   return nose * (thrust_at(b, t) / mass_at(b, t));
 }
 
-/// What comes on top of weight, air and thrust. The switches are uniform over all lanes: one predictable branch per
-/// effect for a whole pack.
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> with_other_effects(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
-                                         Vec3<R> a) {
-  if (is_turning(c.fidelity.earth)) a += coriolis(c, s.v);
-  if (throws_out(c.fidelity)) a += centrifugal(c, s.x);
-  if (c.has_applied) a += applied_now(c, b, t);
-  if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
-  if (c.has_frozen) a = component_product(a, b.free);
-  if (c.has_rail) a = on_rail(b, a);
-  return a;
+// ------------------------------------------------------------------------------------------- what the air does
+// How a projectile stands in the air decides what the air does to it and where its nose, and with it the thrust,
+// points. Sums of effects are told of the air by one of these.
+
+/// A point mass: drag along its path; of a ball that spins, lift too.
+struct PointInAir {
+  template <class R, class S, class AnySum>
+  PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                             AnySum& sum) const {
+    if (c.fidelity.drag == DragModel::off) return;
+    if (!spins(c.fidelity)) return sum.add(&Accelerations::drag, drag_now(c, b, t, drag(c, b, s)));
+    SpinningAir<R> air;
+    spinning_air(c, b, t, s, air);
+    sum.add(&Accelerations::drag, drag_now(c, b, t, air.drag + air.lift));
+    sum.tell_apart(&Accelerations::drag, &Accelerations::lift, drag_now(c, b, t, air.lift));
+  }
+  template <class R, class S>
+  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>& b, const State<R>& s) const {
+    return nose_in_air(b, air_velocity(c, s));
+  }
+};
+
+/// A point mass that the air does nothing to.
+struct PointInVacuum : PointInAir {
+  template <class... Given>
+  PHYSIM_INLINE void add_air(const Given&...) const {}
+};
+
+/// The original loop's: damping acts on its velocity by itself, and one-shot forces are those at the launch.
+struct OriginalInAir : PointInAir {
+  template <class R, class S, class AnySum>
+  PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R&, const State<R>& s, AnySum& sum) const {
+    if (c.fidelity.drag != DragModel::linear_quadratic && c.fidelity.drag != DragModel::equation) return;
+    sum.add(&Accelerations::drag, drag(c, b, c.fidelity.original_one_shot_forces ? b.launch : s));
+  }
+};
+
+/// A shell but for its yaw of repose, which follows from the sum of all effects.
+template <class R>
+struct ShellInAir {
+  Vec3<R> u;  // through the air [m/s]
+  AirState<R> air;
+
+  template <class S, class AnySum>
+  PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, AnySum& sum) {
+    u = air_velocity(c, s);
+    air = air_state(c, s.x);
+    sum.add(&Accelerations::drag, drag_now_in(c, b, t, air, u));
+  }
+  template <class S>
+  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>&, const Body<R>& b, const State<R>&) const {
+    return nose_in_air(b, u);
+  }
+};
+
+/// A rigid body: what its attitude does to force and moment.
+template <class R>
+struct BodyInAir {
+  const Rotor<R>& rotor;
+  const Turn<R>& turn;
+  Vec3<R> moment;  // [N m]
+
+  template <class S, class AnySum>
+  PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, AnySum& sum) {
+    if (!c.has_aero && c.fidelity.drag == DragModel::off) return;
+    const Vec3<R> u = air_velocity(c, s);
+    const AirState<R> air = air_state(c, s.x);  // simple drag does not need it, and is not worth a copy of all this
+    sum.add(&Accelerations::drag, drag_now_in(c, b, t, air, u));
+    if (!c.has_aero) return;
+    const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);
+    sum.add(&Accelerations::body, c.has_motor ? load.acceleration * lighter(c, b, t) : load.acceleration);
+    moment = load.moment;
+  }
+  template <class S>
+  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>&, const State<R>&) const {
+    return forward(c.fidelity, turn);
+  }
+};
+
+// ------------------------------------------------------------------------------------------- the sum
+/// Every effect, once. The switches are uniform over all lanes: one predictable branch per effect for a whole pack.
+template <class R, class S, class InAir, class AnySum>
+PHYSIM_INLINE void sum_effects(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, InAir&& in_air,
+                               AnySum& sum) {
+  sum.begin(&Accelerations::gravity, weight_per_mass(c, b, s.x));
+  in_air.add_air(c, b, t, s, sum);
+  if (c.has_motor) sum.add(&Accelerations::thrust, thrust(b, t, in_air.nose(c, b, s)));
+  if (is_turning(c.fidelity.earth)) sum.add(&Accelerations::coriolis, coriolis(c, s.v));
+  if (throws_out(c.fidelity)) sum.add(&Accelerations::centrifugal, centrifugal(c, s.x));
+  if (c.has_applied) sum.add(&Accelerations::applied, applied_now(c, b, t));
+  sum.constrain(c, b);
 }
 
+/// Of a shell in its yaw of repose, which is returned.
+template <class R, class S, class AnySum>
+PHYSIM_INLINE Repose<R> sum_reposed(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                    const State<R>& s, const R& spin, AnySum& sum) {
+  ShellInAir<R> shell;
+  sum_effects(c, b, t, s, shell, sum);
+  const Vec3<R>& u = shell.u;
+  Vec3<R> turning = sum.total;
+  if (is_turning(c.fidelity.earth)) turning += cross(Vec3<R>{R(c.omega.x), R(c.omega.y), R(c.omega.z)}, u);
+  const R thrust_per_mass = c.has_motor ? thrust_at(b, t) / mass_at(b, t) : R(S(0));
+  const Repose<R> r = repose(c, rotor, shell.air, u, spin, turning, lighter(c, b, t), thrust_per_mass);
+  if (!c.has_motor) return sum.add_constrained(c, b, &Accelerations::body, r.acceleration), r;
+  const Vec3<R> along = nose_in_air(b, u);
+  const Vec3<R> push = thrust(b, t, yawed_axis(along, r.yaw) - along);
+  sum.add_constrained(c, b, &Accelerations::body, r.acceleration + push);
+  sum.tell_apart(&Accelerations::body, &Accelerations::thrust, push);
+  return r;
+}
+
+/// Of what turns, with the slope of its Turn.
+template <class R, class S, class AnySum>
+PHYSIM_INLINE void sum_effects(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                               const State<R>& s, const Turn<R>& turn, Turn<R>& slope, AnySum& sum) {
+  const R zero(S(0));
+  if (is_in_repose(c.fidelity)) {
+    const Repose<R> r = sum_reposed(c, b, rotor, t, s, turn.h.x, sum);
+    slope = {turn.h.x, {zero, zero, zero}, {r.spin_slope, zero, zero}};
+    return;
+  }
+  BodyInAir<R> body{rotor, turn, {zero, zero, zero}};
+  sum_effects(c, b, t, s, body, sum);
+  slope = turn_slope(c, rotor, turn, body.moment);
+  if (c.has_rail) slope = slope * free_to_turn(c, b);
+}
+
+// ------------------------------------------------------------------------------------------- what is asked for
 /// Of a point mass.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
-  Vec3<R> a = weight_per_mass(c, b, s.x);
-  if (c.fidelity.drag != DragModel::off) a += air_now(c, b, t, s);
-  if (c.has_motor) a += thrust(b, t, nose_in_air(b, air_velocity(c, s)));
-  return with_other_effects(c, b, t, s, a);
+  Sum<R> sum;
+  sum_effects(c, b, t, s, PointInAir{}, sum);
+  return sum.total;
 }
 
-/// The same behind one call, so that twelve stages do not become twelve copies of all models.
+/// As acceleration(), behind one call, so that twelve stages do not become twelve copies of all models.
 template <class R, class S>
 [[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
   a = acceleration(c, b, t, s);
@@ -109,74 +227,13 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
   return a;
 }
 
-/// A shell and its yaw of repose.
-template <class R>
-struct ReposedShell {
-  Vec3<R> through_air;  // u [m/s]
-  Vec3<R> without_yaw;  // what accelerates it but the yaw [m/s^2]
-  Repose<R> repose;
-};
-template <class R, class S>
-PHYSIM_INLINE ReposedShell<R> reposed_shell(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                            const State<R>& s, const R& spin) {
-  const Vec3<R> u = air_velocity(c, s);
-  const AirState<R> air = air_state(c, s.x);
-  Vec3<R> a = weight_per_mass(c, b, s.x) + drag_now_in(c, b, t, air, u);
-  if (c.has_motor) a += thrust(b, t, nose_in_air(b, u));
-  a = with_other_effects(c, b, t, s, a);
-  Vec3<R> turning = a;
-  if (is_turning(c.fidelity.earth)) turning += cross(Vec3<R>{R(c.omega.x), R(c.omega.y), R(c.omega.z)}, u);
-  const R thrust_per_mass = c.has_motor ? thrust_at(b, t) / mass_at(b, t) : R(S(0));
-  return {u, a, repose(c, rotor, air, u, spin, turning, lighter(c, b, t), thrust_per_mass)};
-}
-
-/// Of a shell in its yaw of repose, with the slope of its Turn.
-template <class R, class S>
-[[gnu::noinline]] Vec3<R> reposed_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor,
-                                               const R& t, const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
-  const R zero(S(0));
-  const ReposedShell<R> shell = reposed_shell(c, b, rotor, t, s, turn.h.x);
-  const Repose<R>& r = shell.repose;
-  Vec3<R> a = r.acceleration;
-  if (c.has_motor) {
-    const Vec3<R> along = nose_in_air(b, shell.through_air);
-    a += thrust(b, t, yawed_axis(along, r.yaw) - along);
-  }
-  if (c.has_frozen) a = component_product(a, b.free);
-  if (c.has_rail) a = on_rail(b, a);
-  slope = {turn.h.x, {zero, zero, zero}, {r.spin_slope, zero, zero}};
-  return shell.without_yaw + a;
-}
-
-/// Of what turns, with the slope of its Turn.
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> turning_acceleration(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                           const State<R>& s, const Turn<R>& turn, Turn<R>& slope) {
-  if (is_in_repose(c.fidelity)) return reposed_acceleration(c, b, rotor, t, s, turn, slope);
-  const R zero(S(0));
-  Vec3<R> a = weight_per_mass(c, b, s.x);
-  Vec3<R> moment{zero, zero, zero};
-  if (c.has_aero || c.fidelity.drag != DragModel::off) {
-    const Vec3<R> u = air_velocity(c, s);
-    const AirState<R> air = air_state(c, s.x);  // simple drag does not need it, and is not worth a copy of all this
-    a += drag_now_in(c, b, t, air, u);
-    if (c.has_aero) {
-      const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);
-      a += c.has_motor ? load.acceleration * lighter(c, b, t) : load.acceleration;
-      moment = load.moment;
-    }
-  }
-  if (c.has_motor) a += thrust(b, t, forward(c.fidelity, turn));
-  slope = turn_slope(c, rotor, turn, moment);
-  if (c.has_rail) slope = slope * select(b.rail_phase < R(S(kOffRail)), zero, R(S(1)));  // it holds the body straight
-  return with_other_effects(c, b, t, s, a);
-}
-
-/// The same behind one call.
+/// Of what turns, behind one call.
 template <class R, class S>
 [[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                 const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
-  a = turning_acceleration(c, b, rotor, t, s, turn, slope);
+  Sum<R> sum;
+  sum_effects(c, b, rotor, t, s, turn, slope, sum);
+  a = sum.total;
 }
 
 /// The slopes at a time and state of what turns: that of its Turn, and the acceleration by value.
@@ -188,22 +245,26 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
   return a;
 }
 
-/// The part of the acceleration that comes with the attitude: aerodynamics beyond drag at zero yaw.
+/// The acceleration that the original loop's next frame begins with, behind one call.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> attitude_force(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                     const State<R>& s, const Turn<R>& turn) {
-  if (is_in_repose(c.fidelity)) return reposed_shell(c, b, rotor, t, s, turn.h.x).repose.acceleration;
-  return body_aero(c, rotor, air_state(c, s.x), air_velocity(c, s), turn).acceleration * lighter(c, b, t);
-}
-
-/// Where the nose of any body points, a unit vector in W [-].
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                           const State<R>& s, const Turn<R>& turn) {
-  if (turns(c.fidelity) && !is_in_repose(c.fidelity)) return forward(c.fidelity, turn);
-  const Vec3<R> along = nose_in_air(b, air_velocity(c, s));
-  if (!turns(c.fidelity)) return along;
-  return yawed_axis(along, reposed_shell(c, b, rotor, t, s, turn.h.x).repose.yaw);
+[[gnu::noinline]] void evaluate_original(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                         Vec3<R>& a) {
+  Sum<R> sum;
+  sum_effects(c, b, t, s, OriginalInAir{}, sum);
+  a = sum.total;
 }
 
 PHYSIM_ISA_END
+
+namespace physim {
+
+/// The effects on a projectile on any rung, one by one; `rotor` and `turn` are read by rungs that turn.
+[[nodiscard]] Accelerations accelerations_of(const Conditions<double>& c, const Body<double>& b,
+                                             const Rotor<double>& rotor, double t, const State<double>& s,
+                                             const Turn<double>& turn);
+
+/// Where the nose of any body points, a unit vector in W [-].
+[[nodiscard]] Vec3d nose_of(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double t,
+                            const State<double>& s, const Turn<double>& turn);
+
+}  // namespace physim

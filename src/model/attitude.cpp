@@ -34,7 +34,7 @@ Attitude attitude_of(const Conditions<double>& c, const Body<double>& b, const R
                      const State<double>& s, const Turn<double>& t) {
   const Fidelity& f = c.fidelity;
   if (!is_axis_form(f)) return {normalized(Quatd{t.w, t.u.x, t.u.y, t.u.z}), t.h};
-  const Vec3d x = nose(c, b, rotor, time, s, t);
+  const Vec3d x = nose_of(c, b, rotor, time, s, t);
   const auto half = sincos(0.5 * t.w);
   const Quatd q = normalized(shortest_turn_to(x) * Quatd{half.cos, half.sin, 0, 0});
   Vec3d omega{};

@@ -1,20 +1,20 @@
-// Motor: thrust and the mass that is left, and the launch rail.
+// Motor: thrust and the mass that is left.
 //
 // What it models: a motor whose thrust is a table over time, straight lines between its points; propellant that goes in
-//   proportion to the impulse delivered (or by a table of its own); drag that differs while it burns; a rail along
-//   which the projectile moves, only forwards, until it has come as far as the rail is long.
+//   proportion to the impulse delivered (or by a table of its own); drag that differs while it burns.
 // When to use it: rockets whose thrust curve is known: certified model rocket motors, sounding rockets, boosters of
-//   shells. When it is wrong: the rocket flies at zero angle of attack: its nose, and with it the thrust, points along
+//   shells.
+// When it is wrong: the rocket flies at zero angle of attack: its nose, and with it the thrust, points along
 //   the velocity through the air, at once and always. Real rockets turn into the wind with a delay and swing about it,
 //   most of all while they are slow; in gusts and just above the rail that is the largest error. Above the air there is
 //   nothing to hold the nose to the path. Thrust is as measured at sea level: it does not rise as the air gets thin
-//   (some 10 % more impulse in vacuum). The rail has no friction.
+//   (some 10 % more impulse in vacuum).
 // Symbols: t time [s], s since the start of a piece of the table; F thrust [N]; m mass, m0 at launch, mp propellant
-//   burned [kg]; I impulse delivered, It in all [N s]; u = v - w velocity through the air [m/s]; d unit vector of the
-//   rail [-]; g gravity, a acceleration [m/s^2].
+//   burned [kg]; I impulse delivered, It in all [N s]; u = v - w velocity through the air [m/s]; g
+//   gravity, a acceleration [m/s^2].
 // Equations: m = m0 - mp_total I(t) / It; a = g + (D + F u / |u|) / m, where every force that was divided by m0 is
 //   divided by m; on each piece F = F0 + F1 s and so I = I0 + F0 s + F1 s^2 / 2, exactly.
-//   On the rail: a = d (d . a), F along d; held (a = 0) at rest while d . a is not positive.
+//   On the launch rail (model/constraint.hpp) F points along it.
 //   Specific impulse: It / (mp_total g0), g0 = 9.80665 m/s^2.
 // Stops: F, I and the drag have corners at the table's points, at ignition, burnout and rail exit. Steps end there
 //   (solve/stops.hpp), so that in each step a piece is smooth and integrators keep their order.
@@ -22,14 +22,7 @@
 //   (flight; Tsiolkovsky's equation is their integral in vacuum without gravity).
 #pragma once
 
-#include "model/body.hpp"
-
-namespace physim {
-
-/// Where a projectile is on its rail: values of Body::rail_phase.
-inline constexpr double kHeld = 0, kSliding = 1, kOffRail = 2;
-
-}  // namespace physim
+#include "model/constraint.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -62,16 +55,6 @@ PHYSIM_INLINE Vec3<R> nose_in_air(const Body<R>& b, const Vec3<R>& u) {
   const R per_speed = S(1) / select(along_air, speed, R(S(1)));
   return {select(along_air, u.x * per_speed, b.rail.x), select(along_air, u.y * per_speed, b.rail.y),
           select(along_air, u.z * per_speed, b.rail.z)};
-}
-
-/// What the rail leaves of an acceleration.
-template <class R>
-PHYSIM_INLINE Vec3<R> on_rail(const Body<R>& b, const Vec3<R>& a) {
-  using S = ScalarOf<R>;
-  const auto free = b.rail_phase >= R(S(kOffRail));
-  const R along = select(b.rail_phase < R(S(kSliding)), R(S(0)), dot(a, b.rail));
-  return {select(free, a.x, b.rail.x * along), select(free, a.y, b.rail.y * along),
-          select(free, a.z, b.rail.z * along)};
 }
 
 PHYSIM_ISA_END

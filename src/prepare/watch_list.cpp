@@ -71,10 +71,10 @@ std::optional<Outcome> ends_at_once(const Conditions<double>& c, const Body<doub
   if (!until.ground || height(c, b.launch.x) > *until.ground) return std::nullopt;
   if (b.rail_phase < kOffRail && b.rail.y >= 0) return std::nullopt;  // its rail stands on the ground
   const double climb = climb_rate(c, b.launch);
-  // Level at the start: weight against thrust decides.
-  const Vec3d push = c.has_applied ? applied(c, b, 0.0) : Vec3d{};
-  const Vec3d swing = throws_out(c.fidelity) ? centrifugal(c, b.launch.x) : Vec3d{};
-  const double climb_later = climb_rate(c, State<double>{b.launch.x, gravity(c, b.launch.x) + swing + push});
+  // Level at the start: weight against what lifts it decides. Drag does not, and its tables may not be there yet.
+  Sum<double> sum;
+  sum_effects(c, b, 0.0, b.launch, PointInVacuum{}, sum);
+  const double climb_later = climb_rate(c, State<double>{b.launch.x, sum.total});
   if (climb < 0 || (climb == 0 && climb_later < 0)) return Outcome::landed;
   return std::nullopt;
 }

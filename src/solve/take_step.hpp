@@ -40,14 +40,8 @@ template <class R, class S>
   s.end.x = s.start.x + s.start.v * s.h;
   s.end.v = s.start.v + s.slope[0].v * s.h;
   if (c.fidelity.drag == DragModel::damping) s.end.v *= exp(-(b.damping_rate * s.h));
-  Vec3<R> a = weight_per_mass(c, b, s.start.x);
-  if (c.fidelity.motion == Motion::force) {
-    const State<R>& felt = c.fidelity.original_one_shot_forces ? b.launch : s.start;
-    if (c.fidelity.drag == DragModel::linear_quadratic || c.fidelity.drag == DragModel::equation) a += drag(c, b, felt);
-    if (c.has_applied) a += c.fidelity.original_one_shot_forces ? b.applied : applied(c, b, s.t);
-  }
-  if (c.fidelity.planar) a -= b.plane * dot(b.plane, a);
-  if (c.has_frozen) a = component_product(a, b.free);
+  Vec3<R> a;
+  evaluate_original(c, b, s.t, s.start, a);
   s.slope[1] = {s.end.v, a};
 }
 

@@ -202,7 +202,9 @@ Vec3d ForceField::own_drag(std::uint32_t row) const {
   state_.rows[slot.cohort].read_fields(slot.row, body);
   const State<double> s{rows_.position[row], rows_.velocity[row]};
   const double t = c.has_motor ? state_.row_clock(slot) : 0;
-  return air_now(c, body, t, s) * rows_.mass[row];
+  Sum<double> air{};
+  PointInAir{}.add_air(c, body, t, s, air);
+  return air.total * rows_.mass[row];
 }
 
 }  // namespace physim

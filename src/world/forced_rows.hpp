@@ -7,16 +7,6 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Lets the models feel generators: what a body's own force and they give together at a time stands in its place.
-/// Generators know the mass at the start of the frame; models take what is here from the mass at launch to that left.
-template <class R, class S>
-PHYSIM_INLINE void add_push(const Conditions<S>& c, const R& t, const Vec3<R>& push, bool own_force, Body<R>& b) {
-  Vec3<R> sum = c.has_motor ? push * (mass_at(b, t) / b.mass) : push;
-  if (own_force) sum += c.fidelity.original_one_shot_forces ? b.applied : applied(c, b, t);
-  b.applied = sum;
-  b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
-}
-
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> load_scratch(const ForcedJob<S>& job, unsigned k, std::uint32_t row) {
   return {load<R>(job.column(k), row), load<R>(job.column(k + 1), row), load<R>(job.column(k + 2), row)};

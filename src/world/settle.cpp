@@ -103,7 +103,7 @@ class Settling {
     Turn<double> turn, slope;
     cast_numbers(*lane_.rotor, rotor);
     cast_numbers(turn_, turn);
-    return turning_acceleration(conditions(), body, rotor, t, s, turn, slope);
+    return evaluated(conditions(), body, rotor, t, s, turn, slope);
   }
 
   /// Flies on for a time h, `passed` into the step, as far as nothing stops it.

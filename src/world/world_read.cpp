@@ -88,39 +88,17 @@ double ProjectileView::inverse_mass() const {
 Accelerations ProjectileView::accelerations() const {
   const Slot* slot = world_->find(id_);
   if (!slot || slot->is(kInfiniteMass)) return {};
-  const Body<double> b = world_->body_of(*slot);
-  const Conditions<double>& c = world_->registry.cohort(slot->cohort).conditions;
-  const Fidelity& f = c.fidelity;
-  const BodyState now = world_->state_of(*slot);
-  const State<double> s{now.position, now.velocity};
-  Accelerations a;
-  a.gravity = weight_per_mass(c, b, s.x);
+  const WorldCohort& cohort = world_->registry.cohort(slot->cohort);
+  const Conditions<double>& c = cohort.conditions;
   const double t = world_->clock_of(*slot);
-  if (f.drag != DragModel::off) a.drag = air_now(c, b, t, s);
-  if (spins(f)) {
-    SpinningAir<double> air;
-    spinning_air(c, b, t, s, air);
-    a.lift = air.lift * lighter(c, b, t);
-    a.drag -= a.lift;
-  }
+  Body<double> b = world_->body_of(*slot);
+  if (cohort.key.forced)
+    add_push(c, t, world_->generator_force(id_.index) * inverse_mass(), cohort.key.features.has_applied, b);
+  const BodyState now = world_->state_of(*slot);
   const Rows& rows = world_->rows_of(*slot);
-  if (turns(f) && c.has_aero) a.body = attitude_force(c, b, rows.rotor(slot->row), t, s, rows.turn(slot->row));
-  if (is_turning(f.earth)) a.coriolis = coriolis(c, s.v);
-  if (throws_out(f)) a.centrifugal = centrifugal(c, s.x);
-  if (world_->registry.cohort(slot->cohort).key.features.has_applied) a.applied = applied_now(c, b, t);
-  if (c.has_motor) {
-    const bool turning = turns(f);
-    const Rotor<double> rotor = turning ? rows.rotor(slot->row) : Rotor<double>{};
-    a.thrust = thrust(b, t, nose(c, b, rotor, t, s, turning ? rows.turn(slot->row) : Turn<double>{}));
-  }
-  if (f.motion == Motion::force) a.applied += world_->generator_force(id_.index) * inverse_mass();
-  a.total = a.gravity + a.drag + a.coriolis + a.centrifugal + a.applied + a.body;
-  if (spins(f)) a.total += a.lift;
-  if (c.has_motor) a.total += a.thrust;
-  if (c.has_frozen) a.total = component_product(a.total, b.free);
-  if (c.has_rail) a.rail = on_rail(b, a.total) - a.total;
-  a.total += a.rail;
-  return a;
+  const bool turning = rows.layout().turning;
+  return accelerations_of(c, b, turning ? rows.rotor(slot->row) : Rotor<double>{}, t, {now.position, now.velocity},
+                          turning ? rows.turn(slot->row) : Turn<double>{});
 }
 Vec3d ProjectileView::resultant_force() const {
   const Slot* slot = world_->find(id_);

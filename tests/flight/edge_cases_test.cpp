@@ -155,7 +155,10 @@ TEST(EdgeCases, planar_effects_add_up) {
   Fidelity f = Fidelity::artillery();
   f.planar = true;
   const Accelerations a = fly({}, {.speed = 300, .elevation = 0.7}, e, f).accelerations(3);
-  EXPECT_LT(length(a.gravity + a.drag + a.coriolis + a.applied - a.total), 1e-13);
+  EXPECT_LT(length(a.gravity + a.drag + a.coriolis + a.applied + a.constraint - a.total), 1e-13);
+  EXPECT_NEAR(a.total.z, 0, 1e-13);
+  EXPECT_NEAR(a.constraint.z, -(a.drag.z + a.coriolis.z), 1e-13) << "it takes up crosswind and Coriolis";
+  EXPECT_GT(std::abs(a.constraint.z), 1);
 }
 
 /// The end of a shot at a tolerance.

@@ -263,7 +263,7 @@ TEST(Motor, thrust_points_along_the_velocity_through_the_air) {
     EXPECT_LT(length(cross(a.thrust, u)) / (length(a.thrust) * length(u)), 1e-12);
     EXPECT_GT(dot(a.thrust, u), 0);
     EXPECT_TRUE(near(a.total, a.gravity + a.drag + a.coriolis + a.centrifugal + a.thrust, 1e-12));
-    EXPECT_EQ(a.rail, Vec3d());
+    EXPECT_EQ(a.constraint, Vec3d());
   }
 }
 
@@ -347,7 +347,7 @@ TEST(Rail, a_constant_push_along_it) {
     EXPECT_NEAR(exit[0].time, std::sqrt(14 / a), exact ? 1e-9 : 0.02);
     EXPECT_TRUE(near(exit[0].velocity, bore * std::sqrt(14 * a), exact ? 1e-9 : 0.02));
     EXPECT_TRUE(near(exit[0].position, Vec3d{5, 1, 2} + bore * 7.0, 1e-9));
-    const Vec3d held = flight.accelerations(0.5 * exit[0].time).rail;
+    const Vec3d held = flight.accelerations(0.5 * exit[0].time).constraint;
     EXPECT_NEAR(dot(held, bore), 0, 1e-12);
     EXPECT_NEAR(length(held), kG * std::cos(elevation), 1e-12);
   }
