@@ -29,8 +29,8 @@ double mass_of(const Registry& registry, const WorldState& state, const Slot& sl
 }
 
 std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::uint32_t slot) {
-  const auto tags = state.tags.find(slot);
-  return tags == state.tags.end() ? registry.kind(state.slots[slot].kind).body.layers : tags->second.layers;
+  const Tags* tags = state.extras.find_tags(slot);
+  return tags ? tags->layers : registry.kind(state.slots[slot].kind).body.layers;
 }
 
 ProjectileId other_end(const ForceLaw& law) {
@@ -46,8 +46,7 @@ bool is_in_group(const Generator& g, const Registry& registry, const WorldState&
                       target.kind.index == state.slots[slot].kind ||
                       (target.layers & layers_of(registry, state, slot)) != 0;
   if (!inside || g.except.empty()) return inside;
-  return std::find(g.except.begin(), g.except.end(), ProjectileId{slot, state.slots[slot].generation}) ==
-         g.except.end();
+  return std::find(g.except.begin(), g.except.end(), state.slots.id_of(slot)) == g.except.end();
 }
 
 void ForceRows::clear() {
@@ -59,13 +58,13 @@ void ForceRows::clear() {
 
 void ForceRows::add(const Registry& registry, const WorldState& state, std::uint32_t slot) {
   const ProjectileDef& projectile = registry.kind(state.slots[slot].kind).projectile;
-  id.push_back({slot, state.slots[slot].generation});
+  id.push_back(state.slots.id_of(slot));
   mass.push_back(mass_of(registry, state, state.slots[slot]));
   def.push_back(&projectile);
 }
 
 std::uint32_t ForceField::row_of(ProjectileId id) const {
-  const Slot* slot = state_.find(id);
+  const Slot* slot = state_.slots.find(id);
   if (!slot) return kNotInStage;
   if (rows_.first_of_cohort.empty()) return rows_.id[0] == id ? 0 : kNotInStage;
   const std::uint32_t first = rows_.first_of_cohort[slot->cohort];
@@ -83,7 +82,7 @@ void ForceField::begin_step(double dt) {
   rows_.velocity.resize(rows);
   rows_.force.resize(rows);
   has_zones_ = has_ages_ = false;
-  for (const std::uint32_t index : state_.force_order) {
+  for (const std::uint32_t index : state_.generators.order()) {
     const Generator& g = state_.generators[index];
     const bool comes = (g.start - time_) / dt < 1 - kSameTime;
     const bool over = (g.end - time_) / dt <= kSameTime;
@@ -118,7 +117,7 @@ void ForceField::list_backwards(std::uint32_t index, ProjectileId other) {
   const std::uint32_t row = row_of(other);
   if (row == kNotInStage) return;
   for (const ProjectileId id : state_.generators[index].def.target.ids) {
-    if (!state_.find(id) || row_of(id) != kNotInStage) continue;
+    if (!state_.slots.find(id) || row_of(id) != kNotInStage) continue;
     const auto first = static_cast<std::uint32_t>(rows_.members.size());
     rows_.members.push_back(row);
     rows_.pushes.push_back({index, first, first + 1, id});
@@ -133,7 +132,8 @@ void ForceField::evaluate(double place) {
   if (has_zones_) rows_.in_zone.assign(rows_.id.size(), 0);
   if (has_ages_) {
     rows_.age.resize(rows_.id.size());
-    for (std::size_t row = 0; row < rows_.id.size(); ++row) rows_.age[row] = time - state_.birth[rows_.id[row].index];
+    for (std::size_t row = 0; row < rows_.id.size(); ++row)
+      rows_.age[row] = time - state_.slots.birth(rows_.id[row].index);
   }
   ForceStage stage{time,      rows_.id,  rows_.position, rows_.velocity, rows_.mass,
                    rows_.age, rows_.def, rows_.in_zone,  rows_.force};
@@ -177,7 +177,7 @@ std::span<const std::uint32_t> ForceField::members_of(const Push& push) {
 // --------------------------------------------------------------------------------------------------- surroundings
 /// One that is not among the rows is taken to go straight on for the step.
 Partner ForceField::partner(ProjectileId id) const {
-  const Slot* slot = state_.find(id);
+  const Slot* slot = state_.slots.find(id);
   if (!slot) return {};
   const std::uint32_t row = row_of(id);
   if (row != kNotInStage) return rows_.sound || is_sound(row) ? Partner{true, row, {}} : Partner{};

@@ -316,7 +316,7 @@ class Settling {
 
   /// Counts the time at rest; enough of it, without a break, and it sleeps.
   void rest(double enough) {
-    Rest& rest = context_.state->rest[slot_index_];
+    Rest& rest = context_.state->slots.rest(slot_index_);
     const auto step = static_cast<std::uint32_t>(context_.state->clock.steps);
     if (rest.step + 1 != step) rest.time = 0;
     rest.step = step;

@@ -2,7 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
 
+#include "base/assert.hpp"
+#include "model/turning.hpp"
 #include "physim/world_def.hpp"
 #include "world/registry.hpp"
 
@@ -56,6 +62,69 @@ struct Rest {
   float time = 0;          // [s]
 };
 
+/// The slots of a world: who is there, who was, and which are free. Index 0 is nobody's.
+class SlotTable {
+ public:
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(slots_.size()); }
+  [[nodiscard]] std::uint32_t alive() const { return alive_; }
+  [[nodiscard]] Slot& operator[](std::uint32_t index) {
+    PHYSIM_ASSERT(index > 0 && index < slots_.size());
+    return slots_[index];
+  }
+  [[nodiscard]] const Slot& operator[](std::uint32_t index) const {
+    PHYSIM_ASSERT(index > 0 && index < slots_.size());
+    return slots_[index];
+  }
+  /// The slot of a projectile that is alive; null otherwise.
+  [[nodiscard]] const Slot* find(ProjectileId id) const {
+    if (id.index >= slots_.size()) return nullptr;
+    const Slot& slot = slots_[id.index];
+    return slot.generation == id.generation && slot.is(kAlive) ? &slot : nullptr;
+  }
+  [[nodiscard]] ProjectileId id_of(std::uint32_t index) const { return {index, (*this)[index].generation}; }
+  [[nodiscard]] std::uint32_t index_of(const Slot& slot) const {
+    PHYSIM_ASSERT(&slot > slots_.data() && &slot < slots_.data() + slots_.size());
+    return static_cast<std::uint32_t>(&slot - slots_.data());
+  }
+  /// Time of launch [s].
+  [[nodiscard]] double& birth(std::uint32_t index) { return birth_[index]; }
+  [[nodiscard]] double birth(std::uint32_t index) const { return birth_[index]; }
+  [[nodiscard]] Rest& rest(std::uint32_t index) { return rest_[index]; }
+  [[nodiscard]] const Rest& rest(std::uint32_t index) const { return rest_[index]; }
+
+  /// A slot for a new projectile, of a new generation. It is not alive before come_alive().
+  std::uint32_t take();
+  /// `flags` of a projectile that is there from now on.
+  void come_alive(std::uint32_t index, std::uint32_t flags);
+  /// Its projectile is gone, or never came alive.
+  void release(std::uint32_t index, LifeStatus status);
+  void reserve(std::size_t more);
+  [[nodiscard]] std::size_t bytes() const;
+  void prefetch(std::uint32_t index) const {
+    if (index < slots_.size()) __builtin_prefetch(&slots_[index]);
+  }
+
+  /// Calls f with the index of every slot that is alive, in order.
+  template <class F>
+  void each_alive(const F& f) const {
+    for (std::uint32_t index = 1; index < slots_.size(); ++index)
+      if (slots_[index].is(kAlive)) f(index);
+  }
+  /// Calls f with the index of every free slot, in the order in which they are used again.
+  template <class F>
+  void each_free(const F& f) const {
+    for (std::uint32_t index = first_free_; index != 0; index = slots_[index].row) f(index);
+  }
+
+ private:
+  std::vector<Slot> slots_{1};
+  std::vector<double> birth_{0.0};
+  std::vector<Rest> rest_{1};
+  std::uint32_t first_free_ = 0;
+  std::uint32_t last_free_ = 0;
+  std::uint32_t alive_ = 0;
+};
+
 /// 1 along the axes that are free, 0 along frozen ones.
 [[nodiscard]] inline Vec3d free_axes(Axes frozen) {
   return {has(frozen, Axes::x) ? 0.0 : 1.0, has(frozen, Axes::y) ? 0.0 : 1.0, has(frozen, Axes::z) ? 0.0 : 1.0};
@@ -74,6 +143,35 @@ struct Tags {
   std::uint32_t layers = 1;
   std::uint32_t colour = 0xffffffff;
   std::string label;
+};
+
+/// What few projectiles have of their own, by slot.
+struct Extras {
+  std::unordered_map<std::uint32_t, Own> own;
+  std::unordered_map<std::uint32_t, Tags> tags;
+  std::map<std::uint32_t, Turning> turning;  // in order
+
+  [[nodiscard]] const Own* find_own(std::uint32_t slot) const { return find(own, slot); }
+  /// Its own, or none.
+  [[nodiscard]] const Own& own_of(std::uint32_t slot) const {
+    static const Own none{};
+    const Own* found = find_own(slot);
+    return found ? *found : none;
+  }
+  [[nodiscard]] const Tags* find_tags(std::uint32_t slot) const { return find(tags, slot); }
+  [[nodiscard]] const Turning* find_turning(std::uint32_t slot) const { return find(turning, slot); }
+  void forget(std::uint32_t slot) {
+    own.erase(slot);
+    tags.erase(slot);
+    turning.erase(slot);
+  }
+
+ private:
+  template <class Map>
+  static const typename Map::mapped_type* find(const Map& map, std::uint32_t slot) {
+    const auto found = map.find(slot);
+    return found == map.end() ? nullptr : &found->second;
+  }
 };
 
 }  // namespace physim

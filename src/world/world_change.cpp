@@ -16,10 +16,10 @@ Error not_finite(const char* place) { return {"must have three finite components
 }  // namespace
 
 void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason) {
-  const BodyState at = state_of(state.slots[slot]);
+  const BodyState at = state.state_of(state.slots[slot]);
   state.events.push_back({.kind = kind,
                           .reason = reason,
-                          .id = id_of(slot),
+                          .id = state.slots.id_of(slot),
                           .time = state.clock.time(),
                           .position = at.position,
                           .velocity = at.velocity});
@@ -27,7 +27,7 @@ void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason) {
 
 void WorldImpl::tell_launch(std::uint32_t index) {
   tell(EventKind::spawned, index);
-  const Kind& kind = kind_of(state.slots[index]);
+  const Kind& kind = registry.kind(state.slots[index].kind);
   const bool burns = registry.cohort(state.slots[index].cohort).conditions.has_motor && has_motor(kind.projectile);
   if (burns && kind.projectile.motor.ignition_delay == 0) tell(EventKind::ignition, index);
 }
@@ -37,20 +37,20 @@ bool WorldImpl::put_to_sleep(std::uint32_t index) {
   Slot& slot = state.slots[index];
   if (slot.is(kStill)) return false;
   slot.set(kAsleep, true);
-  relocate(index);
-  set_row_state(index, {state_of(slot).position, {}});
-  stop_turning(index);
+  placement.relocate(index);
+  placement.set_row_state(index, {state.state_of(slot).position, {}});
+  placement.stop_turning(index);
   tell(EventKind::slept, index);
   return true;
 }
 
 bool WorldImpl::wake(std::uint32_t index) {
   Slot& slot = state.slots[index];
-  state.rest[index] = {};
+  state.slots.rest(index) = {};
   if (!slot.is(kAsleep | kStuck)) return false;
   slot.set(kAsleep | kStuck, false);
   slot.set_status(LifeStatus::in_flight);
-  relocate(index);
+  placement.relocate(index);
   tell(EventKind::woke, index);
   return true;
 }
@@ -74,7 +74,7 @@ bool ProjectileView::is_asleep() const {
 
 // ------------------------------------------------------------------------------------------- state
 Status WorldImpl::fits(const Slot& slot, const BodyState& at) const {
-  if (kind_of(slot).rungs[slot.rung].in_use.fidelity.precision == Precision::float64) return {};
+  if (registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.precision == Precision::float64) return {};
   const BodyState rounded{vec_cast<double>(vec_cast<float>(at.position)),
                           vec_cast<double>(vec_cast<float>(at.velocity))};
   if (finite(rounded.position) && finite(rounded.velocity)) return {};
@@ -88,19 +88,19 @@ Status WorldImpl::change_state(ProjectileId id, const BodyState& to) {
   if (!finite(to.velocity)) return not_finite("velocity");
   if (Status status = fits(*slot, to); !status) return status;
   wake(id.index);
-  set_row_state(id.index, to);
+  placement.set_row_state(id.index, to);
   return {};
 }
 
 Status Projectile::set_position(const Vec3d& position) {
   const Recorded<Call::set_position> call(world().recorder, id_, position);
   const Slot* slot = world().find(id_);
-  return world().change_state(id_, {position, slot ? world().state_of(*slot).velocity : Vec3d{}});
+  return world().change_state(id_, {position, slot ? world().state.state_of(*slot).velocity : Vec3d{}});
 }
 Status Projectile::set_velocity(const Vec3d& velocity) {
   const Recorded<Call::set_velocity> call(world().recorder, id_, velocity);
   const Slot* slot = world().find(id_);
-  return world().change_state(id_, {slot ? world().state_of(*slot).position : Vec3d{}, velocity});
+  return world().change_state(id_, {slot ? world().state.state_of(*slot).position : Vec3d{}, velocity});
 }
 Status Projectile::set_state(const BodyState& state) {
   const Recorded<Call::set_state> call(world().recorder, id_, state);
@@ -114,7 +114,7 @@ Status Projectile::apply_impulse(const Vec3d& impulse) {
   if (!finite(impulse)) return not_finite("impulse");
   if (slot->is(kKinematic | kInfiniteMass | kPending))
     return Error{"nothing pushes it", "id", "it is kinematic, pending or of infinite mass"};
-  const BodyState at = world().state_of(*slot);
+  const BodyState at = world().state.state_of(*slot);
   return world().change_state(id_, {at.position, at.velocity + impulse * inverse_mass()});
 }
 
@@ -123,14 +123,14 @@ Status Projectile::set_angular_velocity(const Vec3d& omega) {
   Slot* slot = world().find(id_);
   if (!slot) return gone();
   if (!finite(omega)) return not_finite("omega");
-  if (auto flown = world().attitude(id_.index)) {
-    flown->omega = rotate(conjugate(flown->q_WB), omega) + world().omega_of_W(*slot, flown->q_WB);
+  if (auto flown = world().placement.attitude(id_.index)) {
+    flown->omega = rotate(conjugate(flown->q_WB), omega) + world().placement.omega_of_W(*slot, flown->q_WB);
     world().wake(id_.index);
-    world().set_attitude(id_.index, *flown);
+    world().placement.set_attitude(id_.index, *flown);
     return {};
   }
   slot->set(kTurning, true);
-  world().state.turning[id_.index].angular_velocity = omega;
+  world().state.extras.turning[id_.index].angular_velocity = omega;
   return {};
 }
 
@@ -140,7 +140,7 @@ Status WorldImpl::set_flag(ProjectileId id, std::uint32_t flag, bool on) {
   if (!slot) return gone();
   wake(id.index);
   slot->set(flag, on);
-  return relocate(id.index);
+  return placement.relocate(id.index);
 }
 
 Status Projectile::set_gravity_scale(double scale) {
@@ -149,14 +149,14 @@ Status Projectile::set_gravity_scale(double scale) {
   if (!std::isfinite(scale)) return Error{"must be a finite number", "scale", "1 is all of gravity"};
   world().own(id_.index).gravity_scale = scale;
   if (Status status = world().set_flag(id_, kScaled, scale != 1); !status) return status;
-  world().rewrite_row(id_.index);
+  world().placement.rewrite_row(id_.index);
   return {};
 }
 Status Projectile::set_use_gravity(bool use) {
   const Recorded<Call::set_use_gravity> call(world().recorder, id_, use);
   const Slot* slot = world().find(id_);
   if (!slot) return gone();
-  const double scale = world().kind_of(*slot).body.gravity_scale;
+  const double scale = world().registry.kind(slot->kind).body.gravity_scale;
   return set_gravity_scale(use ? (scale == 0 ? 1 : scale) : 0);
 }
 Status Projectile::set_kinematic(bool kinematic) {
@@ -174,7 +174,7 @@ Status Projectile::set_frozen(Axes position_axes, Axes rotation_axes) {
   own.frozen = position_axes;
   own.frozen_rotation = rotation_axes;
   if (Status status = world().set_flag(id_, kFrozen, position_axes != Axes::none); !status) return status;
-  world().rewrite_row(id_.index);
+  world().placement.rewrite_row(id_.index);
   return {};
 }
 Status Projectile::set_can_sleep(bool can) {
@@ -229,10 +229,10 @@ Status WorldImpl::change_rung(std::uint32_t index, std::uint16_t rung) {
   slot.rung = rung;
   Status status;
   // What lies in float32 now fits every rung.
-  if (!rows_of(slot).layout().float32) status = fits(slot, state_of(slot));
+  if (!state.rows_of(slot).layout().float32) status = fits(slot, state.state_of(slot));
   if (status) {
     slot.set(kForced, feels_forces(index));
-    status = relocate(index);
+    status = placement.relocate(index);
   }
   if (!status) {
     slot = before;
@@ -267,7 +267,7 @@ std::size_t World::set_fidelity(std::span<const ProjectileId> ids, const Fidelit
 FidelityInUse ProjectileView::fidelity_in_use() const {
   const Slot* slot = world_->find(id_);
   if (!slot) return {};
-  FidelityInUse in_use = world_->kind_of(*slot).rungs[slot->rung].in_use;
+  FidelityInUse in_use = world_->registry.kind(slot->kind).rungs[slot->rung].in_use;
   const Fidelity& f = in_use.fidelity;
   const std::string integrator(name(f.integrator));
   const std::string motion(name(f.motion));

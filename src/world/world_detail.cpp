@@ -33,19 +33,19 @@ void WorldImpl::apply_detail() {
   if (!uses_detail()) return;
   const double now = state.clock.time();
   const DetailRule& rule = state.detail;
-  for (std::uint32_t index = 1; index < state.slots.size(); ++index) {
+  state.slots.each_alive([&](std::uint32_t index) {
     const Slot& slot = state.slots[index];
-    if (!slot.is(kAlive) || slot.is(kStill)) continue;
-    const double age = now - state.birth[index];
-    if (std::llround(age / state.clock.dt) % kStepsBetweenLooks != 0) continue;
-    if ((layers_of(index) & rule.layers) == 0) continue;
-    const Fidelity& asked = kind_of(slot).rungs[slot.rung].asked;
+    if (slot.is(kStill)) return;
+    const double age = now - state.slots.birth(index);
+    if (std::llround(age / state.clock.dt) % kStepsBetweenLooks != 0) return;
+    if ((layers_of(index) & rule.layers) == 0) return;
+    const Fidelity& asked = registry.kind(slot.kind).rungs[slot.rung].asked;
     std::size_t current = 0;
     while (current < rule.rungs.size() && !(rule.rungs[current].fidelity == asked)) ++current;
-    const double distance = length(rows_of(slot).position(slot.row) - state.observer);
+    const double distance = length(state.rows_of(slot).position(slot.row) - state.observer);
     const std::size_t next = next_rung(rule, current, distance, age);
     if (next != current) change_fidelity(index, rule.rungs[next].fidelity);
-  }
+  });
 }
 
 Status World::set_detail(const DetailRule& rule) {

@@ -19,28 +19,29 @@ bool contains(const std::vector<ProjectileId>& ids, ProjectileId id) {
 template <class F>
 void each_target(const Generator& g, const Registry& registry, const WorldState& state, const F& f) {
   for (const ProjectileId id : g.def.target.ids)
-    if (state.find(id)) f(id.index);
+    if (state.slots.find(id)) f(id.index);
   const ProjectileId other = other_end(g.def.law);
-  if (other && state.find(other)) f(other.index);
+  if (other && state.slots.find(other)) f(other.index);
   if (!has_group(g.def.target)) return;
-  for (std::uint32_t slot = 1; slot < state.slots.size(); ++slot)
-    if (state.slots[slot].is(kAlive) && is_in_group(g, registry, state, slot)) f(slot);
+  state.slots.each_alive([&](std::uint32_t slot) {
+    if (is_in_group(g, registry, state, slot)) f(slot);
+  });
 }
 
 }  // namespace
 
 // --------------------------------------------------------------------------------------------------- who is forced
 bool WorldImpl::is_target(std::uint32_t slot) const {
-  if (state.force_order.empty()) return false;
-  if (state.forces_on.contains(slot)) return true;
-  return std::any_of(state.group_forces.begin(), state.group_forces.end(),
+  if (state.generators.empty()) return false;
+  if (state.generators.is_named(slot)) return true;
+  return std::any_of(state.generators.groups().begin(), state.generators.groups().end(),
                      [&](std::uint32_t index) { return is_in_group(state.generators[index], registry, state, slot); });
 }
 
 bool WorldImpl::feels_forces(std::uint32_t index) const {
-  if (state.force_order.empty()) return false;
+  if (state.generators.empty()) return false;
   const Slot& slot = state.slots[index];
-  return kind_of(slot).rungs[slot.rung].in_use.fidelity.motion == Motion::force && is_target(index);
+  return registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.motion == Motion::force && is_target(index);
 }
 
 void WorldImpl::update_forced(std::uint32_t index) {
@@ -48,7 +49,7 @@ void WorldImpl::update_forced(std::uint32_t index) {
   const bool forced = feels_forces(index);
   if (slot.is(kForced) == forced) return;
   slot.set(kForced, forced);
-  if (!relocate(index)) slot.set(kForced, !forced);
+  if (!placement.relocate(index)) slot.set(kForced, !forced);
 }
 
 void WorldImpl::stir(std::uint32_t index) {
@@ -63,12 +64,7 @@ void WorldImpl::stir_targets(const Generator& g) {
 
 void WorldImpl::count_targets(const Generator& g, bool on) {
   const auto count = [&](ProjectileId id) {
-    if (!find(id)) return;
-    if (on) {
-      ++state.forces_on[id.index];
-    } else if (const auto at = state.forces_on.find(id.index); at != state.forces_on.end() && --at->second == 0) {
-      state.forces_on.erase(at);
-    }
+    if (find(id)) state.generators.count(id.index, on);
   };
   for (const ProjectileId id : g.def.target.ids) count(id);
   if (const ProjectileId other = other_end(g.def.law)) count(other);
@@ -76,29 +72,23 @@ void WorldImpl::count_targets(const Generator& g, bool on) {
 
 // --------------------------------------------------------------------------------------------------- begin and end
 void WorldImpl::begin_generator(std::uint32_t index) {
-  Generator& g = state.generators[index];
-  g.begun = true;
+  const Generator& g = state.generators[index];
+  state.generators.begin(index, has_group(g.def.target));
   count_targets(g, true);
-  if (has_group(g.def.target)) state.group_forces.push_back(index);
   stir_targets(g);
 }
 
 void WorldImpl::end_generator(std::uint32_t index) {
-  Generator& g = state.generators[index];
-  std::erase(state.force_order, index);
-  if (g.begun) {
-    count_targets(g, false);
-    std::erase(state.group_forces, index);
-    stir_targets(g);
-  }
-  const std::uint32_t generation = g.generation + 1;
-  g = {};
-  g.generation = generation;
-  state.free_generators.push_back(index);
+  const Generator gone = std::move(state.generators[index]);
+  state.generators[index] = {.generation = gone.generation, .active = true};
+  state.generators.erase(index);
+  if (!gone.begun) return;
+  count_targets(gone, false);
+  stir_targets(gone);
 }
 
 void WorldImpl::begin_generators(double dt) {
-  for (const std::uint32_t index : state.force_order) {
+  for (const std::uint32_t index : state.generators.order()) {
     const Generator& g = state.generators[index];
     if (!g.begun && g.start - state.clock.time() < (1 - kSameTime) * dt) begin_generator(index);
   }
@@ -106,7 +96,7 @@ void WorldImpl::begin_generators(double dt) {
 
 void WorldImpl::end_generators() {
   forced_scratch.over.clear();
-  for (const std::uint32_t index : state.force_order) {
+  for (const std::uint32_t index : state.generators.order()) {
     const Generator& g = state.generators[index];
     const ForceTarget& target = g.def.target;
     const ProjectileId other = other_end(g.def.law);
@@ -134,25 +124,11 @@ Status WorldImpl::refuses(const ForceDef& force) const {
 
 Result<ForceId> WorldImpl::add_force(const ForceDef& force) {
   if (const Status status = refuses(force); !status) return status.error();
-  std::uint32_t index;
-  if (state.free_generators.empty()) {
-    index = static_cast<std::uint32_t>(state.generators.size());
-    state.generators.emplace_back();
-  } else {
-    index = state.free_generators.back();
-    state.free_generators.pop_back();
-  }
-  Generator& g = state.generators[index];
-  g.active = true;
-  g.def = force;
-  auto& ids = g.def.target.ids;
+  const ForceId id = state.generators.add(force, state.clock.time());
+  auto& ids = state.generators[id.index].def.target.ids;
   std::sort(ids.begin(), ids.end(), by_slot);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  g.start = state.clock.time() + force.delay;
-  g.end = g.start + force.duration;
-  const ForceId id{index, g.generation};
-  state.force_order.push_back(index);
-  if (force.delay == 0) begin_generator(index);
+  if (force.delay == 0) begin_generator(id.index);
   return id;
 }
 
@@ -175,28 +151,22 @@ Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
   return added;
 }
 
-Generator* WorldImpl::find(ForceId force) {
-  if (force.index == 0 || force.index >= state.generators.size()) return nullptr;
-  Generator& g = state.generators[force.index];
-  return g.active && g.generation == force.generation ? &g : nullptr;
-}
-
 Status World::remove_force(ForceId force) {
   const Recorded<Call::remove_force> call(impl_->recorder, force);
-  if (!impl_->find(force)) return Error{"it is gone already", "force", "is_active() tells"};
+  if (!impl_->state.generators.find(force)) return Error{"it is gone already", "force", "is_active() tells"};
   impl_->end_generator(force.index);
   return {};
 }
 
 Status Projectile::remove_force(ForceId force) {
   const Recorded<Call::remove_force_from> call(world().recorder, force, id_);
-  if (!world().find(force)) return Error{"it is gone already", "force", "is_active() tells"};
+  if (!world().state.generators.find(force)) return Error{"it is gone already", "force", "is_active() tells"};
   if (!world().find(id_)) return Error{"it is gone", "id", "is_alive() tells"};
   return world().remove_target(force, id_);
 }
 
 Status WorldImpl::remove_target(ForceId force, ProjectileId id) {
-  Generator& g = *find(force);
+  Generator& g = state.generators[force.index];
   auto& ids = g.def.target.ids;
   const bool named = contains(ids, id);
   const bool in_group = is_in_group(g, registry, state, id.index);
@@ -213,8 +183,8 @@ Status WorldImpl::remove_target(ForceId force, ProjectileId id) {
   return {};
 }
 
-bool World::is_active(ForceId force) const { return impl_->find(force) != nullptr; }
-std::size_t World::force_count() const { return impl_->state.force_order.size(); }
+bool World::is_active(ForceId force) const { return impl_->state.generators.find(force) != nullptr; }
+std::size_t World::force_count() const { return impl_->state.generators.order().size(); }
 
 // --------------------------------------------------------------------------------------------------- in a step
 Vec3d WorldImpl::generator_force(std::uint32_t index) const {
@@ -223,7 +193,7 @@ Vec3d WorldImpl::generator_force(std::uint32_t index) const {
   rows.add(registry, state, index);
   ForceField field(registry, state, rows, forced_scratch.zones);
   field.begin_step(state.clock.dt);
-  const BodyState now = state_of(state.slots[index]);
+  const BodyState now = state.state_of(state.slots[index]);
   rows.position[0] = now.position;
   rows.velocity[0] = now.velocity;
   field.evaluate(0);

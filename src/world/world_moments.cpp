@@ -73,11 +73,11 @@ std::uint64_t sum_of_rows(const WorldState& s, const std::vector<std::vector<std
       for (std::uint32_t row = 0; row < rows.size(); ++row) {
         const std::uint32_t index = rows.slot(row);
         const Slot& slot = s.slots[index];
-        const Rest& rest = s.rest[index];
+        const Rest& rest = s.slots.rest(index);
         Hash h(kinds[slot.kind][slot.rung]);
         h.add(index, slot.generation);
         h.add(slot.flags, std::bit_cast<std::uint32_t>(rest.step + 1 == last_step ? rest.time : 0.0f));
-        h.add(s.birth[index]);  // pending launches and the ends of old ages follow from it
+        h.add(s.slots.birth(index));  // pending launches and the ends of old ages follow from it
         add_row(h, rows.layout(), c, row, now);
         sum += h.value();
       }
@@ -89,9 +89,10 @@ std::uint64_t sum_of_rows(const WorldState& s, const std::vector<std::vector<std
 /// What few projectiles have of their own: sums again, as these tables have no order.
 std::uint64_t sum_of_few(const WorldState& s) {
   std::uint64_t sum = 0;
-  for (const auto& [slot, own] : s.own) sum += hash_of(slot, own.gravity_scale, own.frozen, own.frozen_rotation);
-  for (const auto& [slot, tags] : s.tags) sum += hash_of(slot, tags.user_data, tags.layers, tags.colour, tags.label);
-  for (const auto& [slot, t] : s.turning) {
+  for (const auto& [slot, own] : s.extras.own) sum += hash_of(slot, own.gravity_scale, own.frozen, own.frozen_rotation);
+  for (const auto& [slot, tags] : s.extras.tags)
+    sum += hash_of(slot, tags.user_data, tags.layers, tags.colour, tags.label);
+  for (const auto& [slot, t] : s.extras.turning) {
     const Quatd& q = t.orientation;
     sum += hash_of(slot, t.angular_velocity, q.w, q.x, q.y, q.z);
   }
@@ -106,29 +107,11 @@ void add_clock(Hash& h, const Clock& c) {
 
 /// Which slots come next, and which ids they give; what became of the projectiles that were there.
 void add_free_slots(Hash& h, const WorldState& s) {
-  for (std::uint32_t slot = s.first_free; slot != 0; slot = s.slots[slot].row) {
+  s.slots.each_free([&](std::uint32_t slot) {
     h.add(slot, s.slots[slot].generation);
     h.add(s.slots[slot].flags, 0u);
-  }
+  });
   h.add(std::uint64_t{s.slots.size()});
-}
-
-/// Who is replaced next where a pool is full.
-void add_pools(Hash& h, const WorldState& s) {
-  for (const Pool& pool : s.pools) {
-    h.add(pool.count, pool.oldest);
-    for (std::uint32_t slot = pool.oldest; slot != 0; slot = s.links[slot].newer) h.add(slot, pool.newest);
-  }
-}
-
-/// In the order in which they act, and that in which their places are used again.
-void add_generators(Hash& h, const WorldState& s) {
-  for (const std::uint32_t index : s.force_order) {
-    const Generator& g = s.generators[index];
-    h.add(hash_of(index, g.begun, g.start, g.end, g.def, g.except));
-  }
-  for (const Generator& g : s.generators) h.add(std::uint64_t{g.generation});
-  for (const std::uint32_t free : s.free_generators) h.add(std::uint64_t{free});
 }
 
 }  // namespace
@@ -146,8 +129,8 @@ std::uint64_t WorldImpl::hash() {
   h.add(sum_of_rows(state, kind_hashes));
   h.add(sum_of_few(state));
   add_free_slots(h, state);
-  add_pools(h, state);
-  add_generators(h, state);
+  state.pools.add_to(h);
+  state.generators.add_to(h);
   h.add(hash_of(state.observer, state.detail, registry.environments()));
   return h.value();
 }

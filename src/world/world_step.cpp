@@ -126,32 +126,21 @@ TaskRunner& WorldImpl::runner(std::size_t rows) {
 
 void World::set_task_runner(TaskRunner* runner) { impl_->lent = runner; }
 
-ProjectileId WorldImpl::take_due(std::vector<Due>& heap) {
-  const double now = state.clock.time();
-  while (!heap.empty() && heap.front().time <= now) {
-    const ProjectileId id = heap.front().id;
-    std::pop_heap(heap.begin(), heap.end(), is_later);
-    heap.pop_back();
-    if (find(id)) return id;
-  }
-  return {};
-}
-
 void WorldImpl::launch_pending() {
-  while (const ProjectileId id = take_due(state.pending)) {
+  while (const ProjectileId id = state.launches.take_due(state.clock.time(), state.slots)) {
     Slot& slot = *find(id);
     slot.set(kPending, false);
     slot.set_status(LifeStatus::in_flight);
-    const BodyState at = state_of(slot);
-    const Body<double> old = body_of(slot);
-    relocate(id.index);
-    write_row(id.index, at, {.previous = at.position, .old = &old});  // its clock starts now
+    const BodyState at = state.state_of(slot);
+    const Body<double> old = placement.body_of(slot);
+    placement.relocate(id.index);
+    placement.write_row(id.index, at, {.previous = at.position, .old = &old});  // its clock starts now
     tell_launch(id.index);
   }
 }
 
 void WorldImpl::expire_old() {
-  while (const ProjectileId id = take_due(state.old_age)) {
+  while (const ProjectileId id = state.old_age.take_due(state.clock.time(), state.slots)) {
     tell(EventKind::expired, id.index, Reason::older);
     remove(id.index, LifeStatus::expired);
   }
@@ -216,11 +205,11 @@ void WorldImpl::finish_step() {
         remove(change.slot, change.status);
         break;
       case Change::Kind::stick:
-        set_row_state(change.slot, {state_of(slot).position, {}});
-        stop_turning(change.slot);
+        placement.set_row_state(change.slot, {state.state_of(slot).position, {}});
+        placement.stop_turning(change.slot);
         slot.set(kStuck, true);
         slot.set_status(LifeStatus::landed);
-        relocate(change.slot);
+        placement.relocate(change.slot);
         break;
       case Change::Kind::sleep:
         put_to_sleep(change.slot);
@@ -230,15 +219,17 @@ void WorldImpl::finish_step() {
 }
 
 void WorldImpl::step(double dt) {
-  rebase(dt);
+  PHYSIM_ASSERT(dt > 0);
+  [[maybe_unused]] const double before = state.clock.time();
+  placement.rebase(dt);
   launch_pending();
   begin_generators(dt);
   apply_detail();
   step_forced(dt);  // before the others move: its springs may end at them
   step_free(dt);
   turn(dt);
-  ++state.clock.steps;
-  ++state.clock.run_steps;
+  state.clock.tick();
+  PHYSIM_ASSERT(state.clock.time() >= before);
   ++state.counters.steps;
   finish_step();
   expire_old();

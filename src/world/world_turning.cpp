@@ -5,11 +5,12 @@
 namespace physim {
 
 void WorldImpl::turn(double dt) {
-  for (auto& [index, turning] : state.turning) {
+  for (auto& [index, turning] : state.extras.turning) {
     const Slot& slot = state.slots[index];
     if (slot.is(kStill)) continue;
-    const BodyDef& body = kind_of(slot).body;
-    const Axes frozen = state.own.contains(index) ? own_of(index).frozen_rotation : body.frozen_rotation;
+    const BodyDef& body = registry.kind(slot.kind).body;
+    const Own* own = state.extras.find_own(index);
+    const Axes frozen = own ? own->frozen_rotation : body.frozen_rotation;
     turning.angular_velocity = component_product(turning.angular_velocity, free_axes(frozen));
     turning = turned(turning, body.angular_drag, dt);
   }

@@ -1,6 +1,6 @@
 // Where projectiles lie: their rows in cohorts, and moves between them.
+#include "world/placement.hpp"
 #include "prepare/launch.hpp"
-#include "world/world_impl.hpp"
 
 namespace physim {
 namespace {
@@ -39,76 +39,78 @@ void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<doub
 
 }  // namespace
 
-std::uint16_t WorldImpl::cohort_for(const Slot& slot) {
-  const std::uint16_t known = registry.kind(slot.kind).rungs[slot.rung].cohort[slot.variant().index()];
-  if (known < state.rows.size()) return known;
-  const std::uint16_t index = registry.cohort(slot.kind, slot.rung, slot.variant());
+std::uint16_t Placement::cohort_for(const Slot& slot) {
+  const std::uint16_t known = registry_.kind(slot.kind).rungs[slot.rung].cohort[slot.variant().index()];
+  if (known < state_.rows.size()) return known;
+  const std::uint16_t index = registry_.cohort(slot.kind, slot.rung, slot.variant());
   if (index == kNoCohort) return index;
-  while (state.rows.size() < registry.cohorts())
-    state.rows.emplace_back(registry.cohort(static_cast<std::uint16_t>(state.rows.size())).layout);
+  while (state_.rows.size() < registry_.cohorts())
+    state_.rows.emplace_back(registry_.cohort(static_cast<std::uint16_t>(state_.rows.size())).layout);
   return index;
 }
 
-void WorldImpl::place(std::uint32_t index, const BodyState& at, const Launch& launch) {
-  Slot& slot = state.slots[index];
-  slot.row = rows_of(slot).push(index);
+void Placement::place(std::uint32_t index, const BodyState& at, const Launch& launch) {
+  Slot& slot = state_.slots[index];
+  PHYSIM_ASSERT(slot.is(kAlive) && slot.cohort < state_.rows.size());
+  slot.row = state_.rows[slot.cohort].push(index);
   write_row(index, at, {.previous = at.position, .launch = &launch});
-  if (rows_of(slot).layout().turning) set_attitude(index, attitude_at_launch(slot, at.velocity, launch));
+  if (state_.rows_of(slot).layout().turning) set_attitude(index, attitude_at_launch(slot, at.velocity, launch));
 }
 
 // ------------------------------------------------------------------------------------------- rotation
-Attitude WorldImpl::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const {
+Attitude Placement::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const {
   Launch bore = launch;
   bore.velocity.reset();
   bore.speed = 1;
   const Vec3d direction = launch_velocity(bore, sight_frame(launch), launch.elevation);
-  return launch_attitude(kind_of(slot).flown, launch, velocity, direction, registry.cohort(slot.cohort).conditions);
+  return launch_attitude(registry_.kind(slot.kind).flown, launch, velocity, direction,
+                         registry_.cohort(slot.cohort).conditions);
 }
 
-std::optional<Attitude> WorldImpl::attitude(std::uint32_t index) const {
-  const Slot& slot = state.slots[index];
-  const Rows& rows = rows_of(slot);
+std::optional<Attitude> Placement::attitude(std::uint32_t index) const {
+  const Slot& slot = state_.slots[index];
+  const Rows& rows = state_.rows_of(slot);
   if (!rows.layout().turning) return std::nullopt;
-  const BodyState now = state_of(slot);
-  return attitude_of(registry.cohort(slot.cohort).conditions, body_of(slot), rows.rotor(slot.row), clock_of(slot),
+  const BodyState now = state_.state_of(slot);
+  return attitude_of(registry_.cohort(slot.cohort).conditions, body_of(slot), rows.rotor(slot.row), clock_of(slot),
                      {now.position, now.velocity}, rows.turn(slot.row));
 }
 
-void WorldImpl::set_attitude(std::uint32_t index, const Attitude& attitude) {
-  const Slot& slot = state.slots[index];
-  const Rows& rows = rows_of(slot);
-  rows.put_turn(slot.row,
-                turn_of(registry.cohort(slot.cohort).key.fidelity, kind_of(slot).rungs[slot.rung].rotor, attitude));
+void Placement::set_attitude(std::uint32_t index, const Attitude& attitude) {
+  const Slot& slot = state_.slots[index];
+  const Rows& rows = state_.rows_of(slot);
+  rows.put_turn(slot.row, turn_of(registry_.cohort(slot.cohort).key.fidelity,
+                                  registry_.kind(slot.kind).rungs[slot.rung].rotor, attitude));
 }
 
-void WorldImpl::stop_turning(std::uint32_t index) {
-  if (auto now = attitude(index)) set_attitude(index, {now->q_WB, omega_of_W(state.slots[index], now->q_WB)});
+void Placement::stop_turning(std::uint32_t index) {
+  if (auto now = attitude(index)) set_attitude(index, {now->q_WB, omega_of_W(state_.slots[index], now->q_WB)});
 }
 
-Vec3d WorldImpl::omega_of_W(const Slot& slot, const Quatd& q_WB) const {
-  const Conditions<double>& c = registry.cohort(slot.cohort).conditions;
+Vec3d Placement::omega_of_W(const Slot& slot, const Quatd& q_WB) const {
+  const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
   return is_turning(c.fidelity.earth) ? rotate(conjugate(q_WB), c.omega) : Vec3d{};
 }
 
-void WorldImpl::write_row(std::uint32_t index, const BodyState& given, const RowStart& start) {
-  const Slot& slot = state.slots[index];
-  const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
-  const RowNumbers numbers{state.clock.now(), start.age, start.previous, rung.rotor};
+void Placement::write_row(std::uint32_t index, const BodyState& given, const RowStart& start) {
+  const Slot& slot = state_.slots[index];
+  const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
+  const RowNumbers numbers{state_.clock.now(), start.age, start.previous, rung.rotor};
   const bool special = slot.is(kFrozen | kScaled) || rung.in_use.fidelity.planar || rung.equivalent_drag ||
-                       rows_of(slot).layout().clocked;
-  if (!special) return put_row(rows_of(slot), slot.row, given, rung.body, numbers);
+                       state_.rows_of(slot).layout().clocked;
+  if (!special) return put_row(state_.rows_of(slot), slot.row, given, rung.body, numbers);
   BodyState at = given;
   const Body<double> body = special_body(index, at, start);
-  put_row(rows_of(slot), slot.row, at, body, numbers);
+  put_row(state_.rows_of(slot), slot.row, at, body, numbers);
 }
 
 /// The numbers of a projectile that differ from others of its kind and rung: by its switches or by its launch. What of
 /// its velocity its rung does not have is taken away.
-Body<double> WorldImpl::special_body(std::uint32_t index, BodyState& at, const RowStart& start) {
-  const Slot& slot = state.slots[index];
-  const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
+Body<double> Placement::special_body(std::uint32_t index, BodyState& at, const RowStart& start) {
+  const Slot& slot = state_.slots[index];
+  const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
   const bool planar = rung.in_use.fidelity.planar;
-  const Own& mine = own_of(index);
+  const Own& mine = state_.extras.own_of(index);
   Body<double> body = rung.body;
   if (slot.is(kFrozen)) body.free = free_axes(mine.frozen);
   if (slot.is(kScaled)) body.gravity_scale = mine.gravity_scale;
@@ -117,14 +119,14 @@ Body<double> WorldImpl::special_body(std::uint32_t index, BodyState& at, const R
   if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, body.free);
   body.launch = {at.position, at.velocity};
   if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch);
-  const Conditions<double>& c = registry.cohort(slot.cohort).conditions;
+  const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
   if (spins(c.fidelity)) start_spin(at, start, body);
   if (has_stops(c)) start_motor(c, at, start, body);
   return body;
 }
 
 /// The spin of the launch, or what it was. A rung that knows no spin forgets it.
-void WorldImpl::start_spin(const BodyState& at, const RowStart& start, Body<double>& body) {
+void Placement::start_spin(const BodyState& at, const RowStart& start, Body<double>& body) {
   if (start.old) body.spin = start.old->spin;
   if (!start.launch) return;
   Launch bore = *start.launch;
@@ -135,7 +137,7 @@ void WorldImpl::start_spin(const BodyState& at, const RowStart& start, Body<doub
 
 /// The piece of the motor's table and the place on the rail that a row starts with. A rung that knows no rail forgets
 /// it.
-void WorldImpl::start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start,
+void Placement::start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start,
                             Body<double>& body) {
   if (start.launch) {
     Launch bore = *start.launch;
@@ -153,50 +155,50 @@ void WorldImpl::start_motor(const Conditions<double>& c, const BodyState& at, co
   pass_stops(c, start.age, true, s, body);
 }
 
-void WorldImpl::set_row_state(std::uint32_t index, const BodyState& given) {
-  const Slot& slot = state.slots[index];
+void Placement::set_row_state(std::uint32_t index, const BodyState& given) {
+  const Slot& slot = state_.slots[index];
   BodyState at = given;
-  if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, free_axes(own_of(index).frozen));
-  const bool closed = registry.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
+  if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, free_axes(state_.extras.own_of(index).frozen));
+  const bool closed = registry_.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
   if (closed) return write_row(index, at, {.previous = at.position});  // the clock starts anew
-  rows_of(slot).visit([&](const auto& c) {
+  state_.rows_of(slot).visit([&](const auto& c) {
     Rows::put(c.position, slot.row, at.position);
     Rows::put(c.velocity, slot.row, at.velocity);
   });
 }
 
-void WorldImpl::take_out(Slot& slot) {
-  const std::uint32_t moved = rows_of(slot).swap_remove(slot.row);
-  if (moved != 0) state.slots[moved].row = slot.row;
+void Placement::take_out(Slot& slot) {
+  const std::uint32_t moved = state_.rows_of(slot).swap_remove(slot.row);
+  if (moved != 0) state_.slots[moved].row = slot.row;
 }
 
-Status WorldImpl::relocate(std::uint32_t index) {
-  Slot& slot = state.slots[index];
+Status Placement::relocate(std::uint32_t index) {
+  Slot& slot = state_.slots[index];
   const std::uint16_t to = cohort_for(slot);
   if (to == kNoCohort) return Error{"there are too many different rungs and rules", "world", "at most 65535"};
   if (to == slot.cohort) return {};
   const std::uint16_t from = slot.cohort;
   const std::uint32_t old_row = slot.row;
-  Rows& source = state.rows[from];
+  Rows& source = state_.rows[from];
   // Each interpolation has curves of its own: a row's place among them does not hold for another.
-  const auto curves = [this](std::uint16_t cohort) { return registry.cohort(cohort).key.fidelity.interpolation; };
+  const auto curves = [this](std::uint16_t cohort) { return registry_.cohort(cohort).key.fidelity.interpolation; };
   // Nor does a Turn for another rotation model.
   const auto rotation = [this](std::uint16_t cohort) {
-    const Fidelity& f = registry.cohort(cohort).key.fidelity;
+    const Fidelity& f = registry_.cohort(cohort).key.fidelity;
     return std::pair(f.rotation, f.body_form);
   };
   const bool same_turn = !source.layout().turning || rotation(from) == rotation(to);
-  if (source.layout() == state.rows[to].layout() && curves(from) == curves(to) && same_turn) {
-    const std::uint32_t row = state.rows[to].push_copy(source, old_row);
+  if (source.layout() == state_.rows[to].layout() && curves(from) == curves(to) && same_turn) {
+    const std::uint32_t row = state_.rows[to].push_copy(source, old_row);
     take_out(slot);
     slot.cohort = to;
     slot.row = row;
     return {};
   }
-  const RowLayout& layout = state.rows[to].layout();
-  const bool goes_on = layout.clocked && registry.cohort(to).key.fidelity.motion != Motion::closed_form;
+  const RowLayout& layout = state_.rows[to].layout();
+  const bool goes_on = layout.clocked && registry_.cohort(to).key.fidelity.motion != Motion::closed_form;
   const double age = goes_on ? clock_of(slot) : 0;
-  const Conditions<double>& there = registry.cohort(to).conditions;
+  const Conditions<double>& there = registry_.cohort(to).conditions;
   Unset<Body<double>> body;  // not cleared: that alone would be a third of a move
   const Body<double>* old = nullptr;
   if (spins(there.fidelity) || has_stops(there)) *body = body_of(slot), old = &*body;  // spin and rail go along
@@ -207,43 +209,42 @@ Status WorldImpl::relocate(std::uint32_t index) {
   if (source.layout().launched) launch = source.visit([&](const auto& c) { return Rows::at(c.launch, old_row); });
   take_out(slot);
   slot.cohort = to;
-  slot.row = state.rows[to].push(index);
+  slot.row = state_.rows[to].push(index);
   write_row(index, at, {.previous = previous, .old = old, .age = age});
   if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}));
-  if (layout.launched) state.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
+  if (layout.launched) state_.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
   return {};
 }
 
-void WorldImpl::rewrite_row(std::uint32_t index) {
-  const Slot& slot = state.slots[index];
+void Placement::rewrite_row(std::uint32_t index) {
+  const Slot& slot = state_.slots[index];
   const bool goes_on =
-      rows_of(slot).layout().clocked && registry.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form;
+      state_.rows_of(slot).layout().clocked && registry_.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form;
   const Body<double> old = body_of(slot);
-  write_row(index, state_of(slot),
-            {.previous = rows_of(slot).previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
+  write_row(index, state_.state_of(slot),
+            {.previous = state_.rows_of(slot).previous(slot.row), .old = &old, .age = goes_on ? clock_of(slot) : 0});
 }
 
-Body<double> WorldImpl::body_of(const Slot& slot) const {
-  Body<double> body = kind_of(slot).rungs[slot.rung].body;
-  rows_of(slot).read_fields(slot.row, body);
+Body<double> Placement::body_of(const Slot& slot) const {
+  Body<double> body = registry_.kind(slot.kind).rungs[slot.rung].body;
+  state_.rows_of(slot).read_fields(slot.row, body);
   return body;
 }
 
-double WorldImpl::clock_of(const Slot& slot) const {
-  return rows_of(slot).layout().clocked
-             ? state.row_clock(slot)
-             : state.clock.time() - state.birth[static_cast<std::size_t>(&slot - state.slots.data())];
+double Placement::clock_of(const Slot& slot) const {
+  return state_.rows_of(slot).layout().clocked ? state_.row_clock(slot)
+                                               : state_.clock.time() - state_.slots.birth(state_.slots.index_of(slot));
 }
 
 /// Rows count steps of one length, as whole numbers that a float holds: when the length changes, or the numbers grow
 /// too large, they count from now on.
-void WorldImpl::rebase(double new_dt) {
-  Clock& clock = state.clock;
+void Placement::rebase(double new_dt) {
+  Clock& clock = state_.clock;
   const bool new_length = new_dt != clock.dt;
   constexpr std::uint64_t kMostSteps = 1u << 22;
   const std::uint64_t shift = clock.steps - clock.epoch;
   if (!new_length && shift < kMostSteps) return;
-  for (Rows& rows : state.rows) {
+  for (Rows& rows : state_.rows) {
     if (!rows.layout().clocked) continue;
     rows.visit([&]<class S>(const RowColumns<S>& c) {
       const S now = static_cast<S>(shift);
@@ -257,11 +258,8 @@ void WorldImpl::rebase(double new_dt) {
       }
     });
   }
-  clock.epoch = clock.steps;
-  if (!new_length) return;
-  clock.run_start = clock.time();
-  clock.run_steps = 0;
-  clock.dt = new_dt;
+  clock.start_epoch();
+  if (new_length) clock.start_run(new_dt);
 }
 
 }  // namespace physim

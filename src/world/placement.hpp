@@ -1,0 +1,61 @@
+// Placement: where projectiles lie, in rows of cohorts, and their moves between them.
+#pragma once
+
+#include <optional>
+
+#include "model/attitude.hpp"
+#include "world/registry.hpp"
+#include "world/state.hpp"
+
+namespace physim {
+
+/// Fills and moves the rows of a world's state. It keeps nothing of its own.
+class Placement {
+ public:
+  Placement(Registry& registry, WorldState& state) : registry_(registry), state_(state) {}
+
+  /// The cohort of a slot's kind, rung and switches; kNoCohort where there are too many.
+  std::uint16_t cohort_for(const Slot& slot);
+  /// Puts a projectile that has no row yet into its cohort.
+  void place(std::uint32_t slot, const BodyState& at, const Launch& launch);
+  /// Moves a projectile to where it belongs after its flags or rung changed.
+  Status relocate(std::uint32_t slot);
+  /// Takes its row out of its cohort.
+  void take_out(Slot& slot);
+  /// How a projectile points and turns at a launch; how it does now, and setting it, where its rung turns.
+  [[nodiscard]] Attitude attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const;
+  [[nodiscard]] std::optional<Attitude> attitude(std::uint32_t slot) const;
+  void set_attitude(std::uint32_t slot, const Attitude& attitude);
+  /// It stands still in W.
+  void stop_turning(std::uint32_t slot);
+  /// Of W in I, along body axes.
+  [[nodiscard]] Vec3d omega_of_W(const Slot& slot, const Quatd& q_WB) const;
+  /// What a row is filled from, beside the state.
+  struct RowStart {
+    Vec3d previous;                     // position
+    const Launch* launch = nullptr;     // gives the plane of fire and the rail; else the velocity gives the plane ...
+    const Body<double>* old = nullptr;  // ... and what the row was, the rail
+    double age = 0;                     // time since launch as motors count it [s]
+  };
+  /// Fills a row anew: the models start from here.
+  void write_row(std::uint32_t slot, const BodyState& at, const RowStart& start);
+  /// Fills a row anew where its switches changed: its clock and its motor go on.
+  void rewrite_row(std::uint32_t slot);
+  /// Puts a state into its row; closed forms start anew from it.
+  void set_row_state(std::uint32_t slot, const BodyState& at);
+  /// The numbers that the models read of one projectile, and its time since launch as they count it.
+  [[nodiscard]] Body<double> body_of(const Slot& slot) const;
+  [[nodiscard]] double clock_of(const Slot& slot) const;
+  /// Before a step: rows count steps of this length from here on, where it is another one than before.
+  void rebase(double new_dt);
+
+ private:
+  Body<double> special_body(std::uint32_t slot, BodyState& at, const RowStart& start);
+  static void start_spin(const BodyState& at, const RowStart& start, Body<double>& body);
+  static void start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start, Body<double>& body);
+
+  Registry& registry_;
+  WorldState& state_;
+};
+
+}  // namespace physim

@@ -1,0 +1,36 @@
+#include "world/pools.hpp"
+
+namespace physim {
+
+void Pools::join(std::uint32_t index, std::uint32_t slot) {
+  PHYSIM_ASSERT(index < pools_.size());
+  Pool& pool = pools_[index];
+  PHYSIM_ASSERT(pool.count < pool.maximum);
+  ++pool.count;
+  if (!pool.replaces) return;
+  if (links_.size() <= slot) links_.resize(slot + std::size_t{1});
+  links_[slot] = {pool.newest, 0};
+  if (pool.newest != 0) links_[pool.newest].newer = slot;
+  pool.newest = slot;
+  if (pool.oldest == 0) pool.oldest = slot;
+}
+
+void Pools::leave(std::uint32_t index, std::uint32_t slot) {
+  Pool& pool = pools_[index];
+  PHYSIM_ASSERT(pool.count > 0);
+  --pool.count;
+  if (!pool.replaces) return;
+  PHYSIM_ASSERT(slot < links_.size());
+  const Link link = links_[slot];
+  (link.older != 0 ? links_[link.older].newer : pool.oldest) = link.newer;
+  (link.newer != 0 ? links_[link.newer].older : pool.newest) = link.older;
+}
+
+void Pools::add_to(Hash& hash) const {
+  for (const Pool& pool : pools_) {
+    hash.add(pool.count, pool.oldest);
+    for (std::uint32_t slot = pool.oldest; slot != 0; slot = links_[slot].newer) hash.add(slot, pool.newest);
+  }
+}
+
+}  // namespace physim

@@ -1,0 +1,48 @@
+// Pools: limits on how many projectiles of some kinds are there, and who makes room.
+#pragma once
+
+#include <vector>
+
+#include "base/assert.hpp"
+#include "base/hash.hpp"
+#include "physim/world_def.hpp"
+
+namespace physim {
+
+class Pools {
+ public:
+  Pools() = default;
+  explicit Pools(const std::vector<PoolDef>& defs) {
+    for (const PoolDef& def : defs) pools_.push_back({def.maximum, def.when_full == WhenFull::replace_oldest});
+  }
+
+  [[nodiscard]] bool is_full(std::uint32_t pool) const { return pools_[pool].count >= pools_[pool].maximum; }
+  [[nodiscard]] bool replaces(std::uint32_t pool) const { return pools_[pool].replaces; }
+  /// The slot that was spawned first, of a pool that replaces it.
+  [[nodiscard]] std::uint32_t oldest(std::uint32_t pool) const {
+    PHYSIM_ASSERT(pools_[pool].replaces);
+    return pools_[pool].oldest;
+  }
+  void join(std::uint32_t pool, std::uint32_t slot);
+  void leave(std::uint32_t pool, std::uint32_t slot);
+  [[nodiscard]] std::size_t bytes() const { return links_.capacity() * sizeof(Link); }
+  /// Who is replaced next where a pool is full.
+  void add_to(Hash& hash) const;
+
+ private:
+  struct Pool {
+    std::uint32_t maximum = 0;
+    bool replaces = false;
+    std::uint32_t count = 0;
+    std::uint32_t oldest = 0;
+    std::uint32_t newest = 0;
+  };
+  struct Link {
+    std::uint32_t older = 0;
+    std::uint32_t newer = 0;
+  };
+  std::vector<Pool> pools_;
+  std::vector<Link> links_;  // by slot, as far as one of a pool that replaces was spawned
+};
+
+}  // namespace physim

@@ -1,0 +1,40 @@
+// Schedules: what is due for projectiles at a time. Launches that wait, and the ends of those that grow old.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "world/slots.hpp"
+
+namespace physim {
+
+class Schedule {
+ public:
+  void add(double time, ProjectileId id) {
+    heap_.push_back({time, id});
+    std::push_heap(heap_.begin(), heap_.end(), is_later);
+  }
+  /// Takes out the next one alive that is due by now; null where there is none.
+  ProjectileId take_due(double now, const SlotTable& slots) {
+    while (!heap_.empty() && heap_.front().time <= now) {
+      const ProjectileId id = heap_.front().id;
+      std::pop_heap(heap_.begin(), heap_.end(), is_later);
+      heap_.pop_back();
+      if (slots.find(id)) return id;
+    }
+    return {};
+  }
+  [[nodiscard]] std::size_t bytes() const { return heap_.capacity() * sizeof(Due); }
+
+ private:
+  struct Due {
+    double time;
+    ProjectileId id;
+  };
+  static bool is_later(const Due& a, const Due& b) {
+    return a.time != b.time ? a.time > b.time : a.id.index > b.id.index;
+  }
+  std::vector<Due> heap_;  // the first one is due next
+};
+
+}  // namespace physim
