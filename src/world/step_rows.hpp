@@ -55,6 +55,22 @@ PHYSIM_INLINE MaskOf<R> stop_here(const WorldJob<S>& job, std::uint32_t row) {
   return (field(kBodyNumber.burn.end) <= t_end) | (field(kBodyNumber.rail_phase) < constant<R>(kOffRail));
 }
 
+/// Rows in which any other watched number crosses its value from the start of the step to its end. Behind a call: few
+/// worlds watch some.
+template <class R, class S>
+[[gnu::noinline]] void crosses_watched(const WorldJob<S>& job, const Conditions<S>& c, const State<R>& start,
+                                       const State<R>& end, MaskOf<R>& found) {
+  const Body<R> none{};  // numbers of worlds are those of the state
+  const R t(S(0));
+  const WatchList& watch = job.course->watch;
+  for (int i = 0; i < watch.count; ++i) {
+    if (is_seen_by_watchdog(watch.item[i])) continue;
+    const EventSpec& spec = watch.item[i].spec;
+    found =
+        found | crosses(spec.direction, watched_value(c, none, spec, t, start), watched_value(c, none, spec, t, end));
+  }
+}
+
 /// Rows that need a closer look: something may have happened to them inside the step. `m` has a start and an end. A
 /// closer look at a row to which nothing happened changes nothing, so the tests are as few as can be.
 template <class S, class M>
@@ -74,6 +90,7 @@ PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, co
   // A step that sinks and rises again may have touched the ground in between.
   found = found | ((climb < zero) & (climb_later > zero));
   if (w.apex) found = found | ((climb > zero) & (climb_later <= zero));
+  if (w.watched) crosses_watched(job, c, m.start, m.end, found);
   if (job.launched)
     found = found | (length_squared(m.end.x - load_vector<R>(job.columns.launch, row)) > R(w.farthest * w.farthest));
   if (w.box)

@@ -6,6 +6,13 @@
 
 namespace physim {
 
+/// Events of the watch list that the numbers of a Watchdog find: the ground, the end of the air and apexes, and
+/// what happens to motors and on rails.
+PHYSIM_INLINE bool is_seen_by_watchdog(const Watched& watched) {
+  return watched.outcome != Outcome::event || watched.spec.kind == EventKind::apex ||
+         row_of(watched.spec.kind).needs != Needs::nothing;
+}
+
 /// What makes a row worth a second look after a step. Everything is the same for a whole cohort.
 template <class S>
 struct Watchdog {
@@ -14,7 +21,8 @@ struct Watchdog {
   S farthest;   // distance from the launch [m]
   Vec3<S> low;  // corners of the box [m]
   Vec3<S> high;
-  bool apex;  // the highest point is told
+  bool apex;     // the highest point is told
+  bool watched;  // further events of the course's watch list are told, see is_seen_by_watchdog()
   bool box;
   bool simple;  // nothing but floor and slowest is watched
 };

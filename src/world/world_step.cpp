@@ -42,8 +42,9 @@ Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
   w.low = vec_cast<S>(d.box_low);
   w.high = vec_cast<S>(d.box_high);
   w.apex = def.apex_events;
+  for (int i = 0; i < watch.count; ++i) w.watched = w.watched || !is_seen_by_watchdog(watch.item[i]);
   w.box = d.outside_box;
-  w.simple = only_falls(cohort) && !w.apex && !w.box && !cohort.layout.launched;
+  w.simple = only_falls(cohort) && !w.apex && !w.watched && !w.box && !cohort.layout.launched;
   return w;
 }
 
