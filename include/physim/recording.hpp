@@ -14,7 +14,7 @@
 namespace physim {
 
 inline constexpr char kRecordingMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'R', '\n'};
-/// Of the bytes of a recording; others are refused.
+/// The format of a recording's bytes; others are refused.
 inline constexpr std::uint32_t kRecordingFormat = 4;
 
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.

@@ -86,7 +86,7 @@ class World {
   // ------------------------------------------------------------------------------------------- coming and going
   /// A projectile of a kind. `delay` [s]: it is pending until then.
   Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay = 0);
-  /// The same, for a definition that need not be a kind yet.
+  /// A projectile of a definition that need not be a kind yet.
   Result<ProjectileId> spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body = {},
                              double delay = 0);
   /// Many of one kind; ids in the order of the launches, null where one is refused. Returns how many were spawned.
@@ -146,7 +146,7 @@ class World {
   [[nodiscard]] Snapshot snapshot() const;
   /// Back to a moment of this world, bit for bit; an error for a snapshot of another world.
   Status restore(const Snapshot& snapshot);
-  /// Of everything that decides what happens next, and what is carried along; not of what is only shown, nor of how
+  /// A hash of all that decides what happens next, and of what is carried along; not of what is only shown, nor of how
   /// the world came here. The same on every machine, with any kernel and number of threads. Costs about 15 ns per
   /// projectile.
   [[nodiscard]] std::uint64_t hash() const;

@@ -30,7 +30,7 @@ void plant(SchemaNode& root, const Entry& entry) {
   node->entry = &entry;
 }
 
-std::string type_of(const Slot& slot) {
+std::string type_of(const ValueRef& slot) {
   return std::visit(Overloaded{[](double*) { return "quantity"; }, [](const OptionalNumber&) { return "quantity"; },
                                [](Vec3d*) { return "vector"; }, [](std::optional<Vec3d>*) { return "vector"; },
                                [](std::int64_t*) { return "integer"; }, [](const Integer&) { return "integer"; },
@@ -42,7 +42,7 @@ std::string type_of(const Slot& slot) {
                     slot);
 }
 
-std::string range_of(const Entry& entry, const Slot& slot) {
+std::string range_of(const Entry& entry, const ValueRef& slot) {
   const Choice* choice = std::get_if<Choice>(&slot);
   if (choice == nullptr) return entry.range.text();
   std::string out;
@@ -52,7 +52,7 @@ std::string range_of(const Entry& entry, const Slot& slot) {
 
 Setting public_setting(const Entry& entry) {
   Defaults defaults;
-  const Slot slot = entry.slot(defaults.scope());
+  const ValueRef slot = entry.slot(defaults.scope());
   return {.path = std::string(entry.path),
           .type = type_of(slot),
           .quantity = entry.quantity,

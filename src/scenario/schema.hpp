@@ -77,7 +77,7 @@ struct Records {
 };
 
 /// Where a setting's value is, and of which type it is.
-using Slot =
+using ValueRef =
     std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, Integer, bool*, std::string*,
                  Reference, Choice, Points, AeroCoefficient*, std::vector<double>*, std::vector<std::string>*, Records>;
 
@@ -96,7 +96,7 @@ struct Range {
 /// One setting.
 struct Entry {
   std::string_view path;
-  Slot (*slot)(const Scope&) = nullptr;
+  ValueRef (*slot)(const Scope&) = nullptr;
   std::string_view doc;
   Quantity quantity = Quantity::number;
   Range range;

@@ -9,13 +9,13 @@ namespace {
 
 constexpr Range kAltitude = {.low = -5000, .high = 1e9};
 
-Slot preset_slot(const Scope& scope) {
+ValueRef preset_slot(const Scope& scope) {
   Fidelity& fidelity = scope.shot->projectile.fidelity;
   return Choice{fidelity_presets(), [] { return std::optional<std::size_t>(); },  // its fields say all that it says
                 [&fidelity](std::size_t i) { fidelity = *fidelity_preset(fidelity_presets()[i]); }};
 }
 
-Slot projectile_preset_slot(const Scope& scope) {
+ValueRef projectile_preset_slot(const Scope& scope) {
   ScenarioShot& shot = *scope.shot;
   return Choice{projectile_presets(), [] { return std::optional<std::size_t>(); },  // its fields say all that it says
                 [&shot](std::size_t i) {
@@ -29,7 +29,7 @@ Slot projectile_preset_slot(const Scope& scope) {
 }
 
 /// Comes before the other keys of the table, which then say what errors are measured against.
-Slot cheapest_within_slot(const Scope& scope) {
+ValueRef cheapest_within_slot(const Scope& scope) {
   ScenarioShot& shot = *scope.shot;
   return OptionalNumber{[&shot] { return shot.cheapest_within; },
                         [&shot](std::optional<double> error) {
@@ -38,7 +38,7 @@ Slot cheapest_within_slot(const Scope& scope) {
                         }};
 }
 
-Slot figure_slot(const Scope& scope) {
+ValueRef figure_slot(const Scope& scope) {
   std::string& quantity = scope.expect->quantity;
   return Choice{figure_names(),
                 [&quantity] {
@@ -50,7 +50,7 @@ Slot figure_slot(const Scope& scope) {
 
 /// expect.at.time and the like: present when the expectation looks there.
 template <ExpectAt at>
-Slot at_slot(const Scope& scope) {
+ValueRef at_slot(const Scope& scope) {
   Expectation& expect = *scope.expect;
   return OptionalNumber{[&expect] { return expect.at == at ? std::optional(expect.at_value) : std::nullopt; },
                         [&expect](std::optional<double> value) {
@@ -58,7 +58,7 @@ Slot at_slot(const Scope& scope) {
                         }};
 }
 
-Slot moment_slot(const Scope& scope) {
+ValueRef moment_slot(const Scope& scope) {
   static constexpr std::string_view kNames[] = {"end", "apex", "rail_exit", "burnout"};
   static constexpr ExpectAt kMoments[] = {ExpectAt::end, ExpectAt::apex, ExpectAt::rail_exit, ExpectAt::burnout};
   Expectation& expect = *scope.expect;
@@ -71,7 +71,7 @@ Slot moment_slot(const Scope& scope) {
                 [&expect](std::size_t i) { expect.at = kMoments[i], expect.at_value = 0; }};
 }
 
-Slot event_kind_slot(const Scope& scope) {
+ValueRef event_kind_slot(const Scope& scope) {
   EventKind& kind = scope.event->kind;
   return Choice{names_of<EventKind>().first(watchable_kinds()),
                 [&kind] { return std::optional(static_cast<std::size_t>(kind)); },

@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view kAxes[] = {"none", "x", "y", "xy", "z", "xz", "yz", "xyz"};
 
 template <Axes BodyDef::*axes>
-Slot axes_slot(const Scope& scope) {
+ValueRef axes_slot(const Scope& scope) {
   Axes& value = scope.shot->body.*axes;
   return Choice{kAxes, [&value] { return std::optional(static_cast<std::size_t>(value)); },
                 [&value](std::size_t i) { value = static_cast<Axes>(i); }};

@@ -20,7 +20,7 @@ bool is_law(const Scope& scope) {
 #define PHYSIM_LAW(Law, field) [](const Scope& s) { return slot_of(law_of<Law>(s).field); }
 #define PHYSIM_OTHER(Law) [](const Scope& s) { return law_of<Law>(s), slot_of(s.force->other); }
 
-Slot thrust_slot(const Scope& scope) { return records(scope, law_of<Thrust>(scope).curve, &Scope::thrust_point); }
+ValueRef thrust_slot(const Scope& scope) { return records(scope, law_of<Thrust>(scope).curve, &Scope::thrust_point); }
 
 constexpr Entry kForceSettings[] = {
     {.path = "force",

@@ -9,7 +9,7 @@ namespace {
 
 /// A motor file, found from where the scenario is. It comes after the name, which picks one of its motors, and before
 /// the other keys, which change it.
-Slot file_slot(const Scope& scope) {
+ValueRef file_slot(const Scope& scope) {
   return Reference{[scope](const std::string& given) -> Status {
     const std::string file = (std::filesystem::path(scope.scenario->file).parent_path() / given).string();
     const auto motors = read_motor_file(file);
@@ -22,12 +22,12 @@ Slot file_slot(const Scope& scope) {
   }};
 }
 
-Slot thrust_slot(const Scope& scope) {
+ValueRef thrust_slot(const Scope& scope) {
   return points(scope.shot->projectile.motor.thrust, &ThrustPoint::time, &ThrustPoint::force,
                 {{"time", "thrust"}, {Quantity::time, Quantity::force}, {}, {}});
 }
 
-Slot propellant_slot(const Scope& scope) {
+ValueRef propellant_slot(const Scope& scope) {
   return points(scope.shot->projectile.motor.propellant, &PropellantPoint::time, &PropellantPoint::mass,
                 {{"time", "mass"}, {Quantity::time, Quantity::mass}, {}, {}});
 }

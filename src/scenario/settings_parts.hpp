@@ -22,7 +22,7 @@ inline constexpr Range kBits = {.low = 0, .high = 4294967295.0};
 
 // --------------------------------------------------------------------------------------------- slots from field types
 template <class T>
-Slot slot_of(T& value) {
+ValueRef slot_of(T& value) {
   if constexpr (std::is_enum_v<T>) {
     return Choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
                   [&value](std::size_t i) { value = static_cast<T>(i); }};
@@ -38,7 +38,7 @@ Slot slot_of(T& value) {
 
 /// Points as pairs of two of their fields.
 template <class Point>
-Slot points(std::vector<Point>& list, double Point::*first, double Point::*second, Points described) {
+ValueRef points(std::vector<Point>& list, double Point::*first, double Point::*second, Points described) {
   described.get = [&list, first, second] {
     Points::Pairs pairs;
     for (const Point& point : list) pairs.emplace_back(point.*first, point.*second);
@@ -50,14 +50,14 @@ Slot points(std::vector<Point>& list, double Point::*first, double Point::*secon
   };
   return described;
 }
-inline Slot curve_slot(std::vector<DragPoint>& curve) {
+inline ValueRef curve_slot(std::vector<DragPoint>& curve) {
   return points(curve, &DragPoint::mach, &DragPoint::coefficient,
                 {{"Mach number", "drag coefficient"}, {Quantity::number, Quantity::number}, {}, {}});
 }
 
 /// A list of tables; in the scope of an element, the pointer for its kind points to it.
 template <class T>
-Slot records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
+ValueRef records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
   return Records{[&list] { return list.size(); }, [&list](std::size_t size) { list.resize(size); },
                  [&list, outer, pointer](std::size_t i) {
                    Scope inner = outer;

@@ -12,7 +12,7 @@ std::span<const std::string_view> names_of<SpreadShape>() {
 namespace {
 
 /// Another way to say interval, which says all that it says.
-Slot rate_slot(const Scope& scope) {
+ValueRef rate_slot(const Scope& scope) {
   Volley& volley = *scope.volley;
   return OptionalNumber{[] { return std::optional<double>(); },
                         [&volley](std::optional<double> rate) {

@@ -4,7 +4,7 @@
 namespace physim {
 namespace {
 
-Slot rung_slot(const Scope& scope) {
+ValueRef rung_slot(const Scope& scope) {
   Fidelity& fidelity = scope.rung->fidelity;
   return Choice{fidelity_presets(),
                 [&fidelity]() -> std::optional<std::size_t> {

@@ -7,7 +7,7 @@
 namespace physim {
 namespace {
 
-/// Of springs of every kind.
+/// The numbers that springs of every kind have.
 template <class Law>
 void check_elastic(Checker& c, const Law& law) {
   c.not_negative(law.stiffness, "force.stiffness", "a spring pulls back when it is stretched");

@@ -14,7 +14,8 @@ enum ForcedColumn : unsigned {
   kSlopes = 12,    // of stage i from 6 i on: velocity, acceleration
 };
 
-/// Of rungs that turn, behind the slopes: the Turn of the stage, at last of the end; then the slopes of all stages.
+/// Rungs that turn have further columns behind the slopes: the Turn of the stage, at last that of the end, then its
+/// slopes in all stages.
 [[nodiscard]] constexpr unsigned turn_column(int stages) { return kSlopes + 6 * static_cast<unsigned>(stages); }
 [[nodiscard]] constexpr unsigned turn_slope_column(int stages, int stage) {
   return turn_column(stages) + kNumbers<Turn> * (1 + static_cast<unsigned>(stage));

@@ -44,15 +44,15 @@ class Generators {
   }
 
   ForceId add(const ForceDef& def, double now);
-  /// It acts from now on; `in_group`: on a kind or on layers.
+  /// A generator acts from now on; `in_group`: on a kind or on layers.
   void begin(std::uint32_t index, bool in_group);
-  /// It is gone; its place is used again.
+  /// A generator is gone; its place is used again.
   void erase(std::uint32_t index);
 
   /// A generator that has begun names this slot, once more or once less.
   void count(std::uint32_t slot, bool on);
   [[nodiscard]] bool is_named(std::uint32_t slot) const { return named_.contains(slot); }
-  /// Its projectile is gone.
+  /// The projectile of a slot is gone.
   void forget(std::uint32_t slot) {
     if (!named_.empty()) named_.erase(slot);
   }

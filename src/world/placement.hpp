@@ -26,9 +26,9 @@ class Placement {
   [[nodiscard]] Attitude attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const;
   [[nodiscard]] std::optional<Attitude> attitude(std::uint32_t slot) const;
   void set_attitude(std::uint32_t slot, const Attitude& attitude);
-  /// It stands still in W.
+  /// Makes a projectile whose attitude is flown stand still in W.
   void stop_turning(std::uint32_t slot);
-  /// Of W in I, along body axes.
+  /// Angular velocity of W in inertial space, along body axes.
   [[nodiscard]] Vec3d omega_of_W(const Slot& slot, const Quatd& q_WB) const;
   /// What a row is filled from, beside the state.
   struct RowStart {

@@ -132,7 +132,7 @@ PHYSIM_INLINE void store_numbers(const Struct<R>& from, S* const (&columns)[N], 
   static_assert(N == kNumbers<Struct>);
   for (std::size_t i = 0; i < N; ++i) numbers(from)[i].store(columns[i] + row);
 }
-/// Of rungs that turn.
+/// The rotation of a pack of rows, of rungs that turn.
 template <class R, class S>
 PHYSIM_INLINE void load_turn(const WorldJob<S>& job, std::uint32_t row, Rotor<R>& rotor, Turn<R>& turn) {
   load_numbers<RotorConstants>(job.columns.rotor, row, rotor);

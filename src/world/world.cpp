@@ -194,7 +194,7 @@ Result<ProjectileId> WorldImpl::spawn(std::uint32_t kind_index, const Launch& la
   return id;
 }
 
-/// The same, with a look at the kind first, and counted where it is refused.
+/// Spawns after a look at the kind, and counts what is refused.
 Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double delay) {
   Result<ProjectileId> id = [&]() -> Result<ProjectileId> {
     if (!registry.has_kind(kind)) return Error{"there is no such kind", "kind", "add_kind() makes one"};

@@ -17,8 +17,8 @@ std::size_t wanted_rung(const DetailRule& rule, double distance, double age) {
   return rule.rungs.size() - 1;
 }
 
-/// The same, but the rung that it is on holds until it is left by more than the hysteresis, and a finer one is taken
-/// only when it is reached by as much.
+/// The rung that is wanted with hysteresis: the one that it is on holds until it is left by more than the hysteresis,
+/// and a finer one is taken only when it is reached by as much.
 std::size_t next_rung(const DetailRule& rule, std::size_t current, double distance, double age) {
   const std::size_t wanted = wanted_rung(rule, distance, age);
   if (current >= rule.rungs.size() || wanted == current) return wanted;

@@ -58,7 +58,7 @@ struct WorldImpl {
 
   // ------------------------------------------------------------------------------------------- changes
   void tell(EventKind kind, std::uint32_t slot, Reason reason = Reason::none);
-  /// It is launched now; where its motor needs no waiting for, it burns.
+  /// A projectile is launched now; where its motor has no delay, it is ignited.
   void tell_launch(std::uint32_t slot);
   bool put_to_sleep(std::uint32_t slot);
   bool wake(std::uint32_t slot);

@@ -39,7 +39,7 @@ SettingRow make_row(const SchemaNode& node, const std::string& table) {
     row.default_value = setting->default_value;
   }
   Defaults defaults;
-  const Slot slot = node.entry->slot(defaults.scope());
+  const ValueRef slot = node.entry->slot(defaults.scope());
   if (std::holds_alternative<bool*>(slot)) row.kind = SettingRow::Kind::boolean;
   if (std::holds_alternative<Vec3d*>(slot) || std::holds_alternative<std::optional<Vec3d>*>(slot))
     row.kind = SettingRow::Kind::vector;
