@@ -96,7 +96,7 @@ struct Features {
   bool has_gravity_scale = false;    // its own part of gravity
   bool has_frozen = false;           // it does not move along some axis
 
-  bool operator==(const Features&) const = default;
+  PHYSIM_INLINE bool operator==(const Features&) const = default;
 };
 
 template <class S>
