@@ -12,7 +12,7 @@ add_library(physim_client_core STATIC ${client_core_sources})
 physim_flags(physim_client_core)
 physim_compile_sooner(physim_client_core)
 target_include_directories(physim_client_core PUBLIC apps PRIVATE src)
-target_link_libraries(physim_client_core PUBLIC physim_scenario)
+target_link_libraries(physim_client_core PUBLIC physim_report PRIVATE nlohmann_json::nlohmann_json)
 target_compile_definitions(physim_client_core PRIVATE PHYSIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
 # Tests of the logic; and in a window: on a screen in memory (xvfb), with events as from a hand (libxtst-dev).

@@ -1,8 +1,12 @@
-# `cmake --install build/release --prefix DIR`, then find_package(physim) and link physim::physim.
+# `cmake --install build/release --prefix DIR`, then find_package(physim) and link physim::physim, or physim::scenario
+# for scenario, motor and recording files.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS physim EXPORT physim_targets)
+if(TARGET physim_scenario)
+  install(TARGETS physim_scenario EXPORT physim_targets)
+endif()
 install(DIRECTORY include/physim TYPE INCLUDE)
 install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/physim/data)
 if(TARGET physim_cli)

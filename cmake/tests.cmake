@@ -33,8 +33,18 @@ set_target_properties(physim_fuzz PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_
 add_test(NAME fuzz COMMAND physim_fuzz 500)
 set_tests_properties(fuzz PROPERTIES TIMEOUT 900)
 
+# What is installed compiles and links in a project that knows the package alone.
+if(TARGET physim_scenario)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" config)
+  add_test(NAME install
+           COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR} -DGENERATOR=${CMAKE_GENERATOR}
+                   -DCOMPILER=${CMAKE_CXX_COMPILER} "-DFLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${config}}" -P
+                   ${PROJECT_SOURCE_DIR}/tests/install/check.cmake)
+  set_tests_properties(install PROPERTIES TIMEOUT 300)
+endif()
+
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS tests/*.cpp)
-list(FILTER test_sources EXCLUDE REGEX "/tests/(fuzz|golden|soak|client|window)/")
+list(FILTER test_sources EXCLUDE REGEX "/tests/(fuzz|golden|soak|client|window|install)/")
 if(test_sources)
   find_package(GTest QUIET)
 endif()

@@ -12,7 +12,9 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-LAYERS = ["base", "math", "model", "solve", "prepare", "flight", "collide", "world", "emit", "scenario", "capi"]  # ground first
+LAYERS = ["base", "math", "model", "solve", "prepare", "flight", "collide", "world", "emit", "scenario", "report", "study",
+          "validation", "capi"]  # ground first
+KNOW_FILES = {"scenario", "report", "study", "validation", "capi"}
 MAX_LINES, MAX_COLUMNS, MAX_BYTES = 600, 120, 1_000_000
 CPP = (".hpp", ".cpp", ".h")
 
@@ -58,7 +60,7 @@ def check_includes(name, lines):
         find(name, 1, f"src/{layer} is no known layer; add it to LAYERS in tools/lint.py, in its place")
         return
     allowed = [] if public else LAYERS[: LAYERS.index(layer) + 1]
-    knows_files = layer in ("scenario", "capi")
+    knows_files = layer in KNOW_FILES
     for number, line in enumerate(lines, 1):
         match = INCLUDE.match(line)
         if not match:
@@ -178,6 +180,20 @@ def check_units(name, text, lines):
             find(name, first, f"public field `{field}` has no unit; end its comment with one, [m/s], or [-] for none")
 
 
+APART = re.compile(r"\b(isatty|ttyname|stdout|std::cout|std::cin|std::cerr|argc|argv|getopt|termios)\b"
+                   r"|#\s*include\s*<(CLI/|GLFW/|imgui|epoxy/|termios)")
+
+
+def check_apart(name, text):
+    """Nothing below apps/ knows windows, terminals or command lines."""
+    if not name.startswith(("src/", "include/")):
+        return
+    for number, line in enumerate(COMMENT_OR_STRING.sub(blank, text).split("\n"), 1):
+        if match := APART.search(line):
+            find(name, number, f"`{match.group().strip()}`: only the programs in apps/ know windows, terminals and "
+                               "command lines; hand in what is needed")
+
+
 def check_client_core(name, lines):
     """The client without a window knows neither OpenGL nor Dear ImGui: it is tested without them."""
     if not name.startswith("apps/simclient/core/"):
@@ -258,6 +274,7 @@ def main():
         lines = text.splitlines()
         check_includes(name, lines)
         check_units(name, text, lines)
+        check_apart(name, text)
         check_client_core(name, lines)
         check_source_named(name, lines)
         check_size(name, lines)

@@ -3,21 +3,16 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "asked.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "output_answer.hpp"
-#include "output_number.hpp"
-#include "output_table.hpp"
 #include "physim/names.hpp"
+#include "report/answer.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 struct AimCommand {
   Question question;
@@ -89,44 +84,6 @@ Result<Wanted> wanted(const AimCommand& command, const AskedShot& asked) {
   return out;
 }
 
-std::string vector_text(const Vec3d& v) {
-  return "(" + as_typed(v.x) + ", " + as_typed(v.y) + ", " + as_typed(v.z) + ")";
-}
-
-Table solutions_table(const std::vector<std::pair<std::string, const AimSolution*>>& list) {
-  Table table({{"", Align::left},
-               {"elevation [deg]"},
-               {"azimuth [deg]"},
-               {"time [s]"},
-               {"speed [m/s]"},
-               {"descent [deg]"},
-               {"miss [mm]"},
-               {"flights"}});
-  for (const auto& [name, s] : list)
-    table.add_row({name, fixed(s->launch.elevation / kDegree, 5), fixed(s->launch.azimuth / kDegree, 5),
-                   fixed(s->time, 4), fixed(s->speed, 2), fixed(s->descent / kDegree, 2), readable(s->miss * 1e3, 3),
-                   s->flights > 0 ? std::to_string(s->flights) : ""});
-  return table;
-}
-
-std::string aim_text(const AskedShot& asked, const Wanted& wanted, const Aim& aim, const Style& style) {
-  std::string out =
-      style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name)) + "\n";
-  const Target& t = wanted.target;
-  out += "  target at " + vector_text(t.position) + " m";
-  if (t.velocity != Vec3d{}) out += ", moving at " + vector_text(t.velocity) + " m/s";
-  if (t.acceleration != Vec3d{}) out += ", accelerating by " + vector_text(t.acceleration) + " m/s^2";
-  out += "\n\n";
-  std::vector<std::pair<std::string, const AimSolution*>> list;
-  const bool one = aim.low && aim.high && aim.low->launch.elevation == aim.high->launch.elevation;
-  if (aim.low) list.emplace_back(one ? "only" : "low", &*aim.low);
-  if (aim.high && !one) list.emplace_back("high", &*aim.high);
-  if (list.empty()) list.emplace_back("nearest", &aim.nearest);
-  out += solutions_table(list).text(2);
-  if (!aim.in_reach()) out += "\n  " + style.bad(aim.explanation()) + "\n";
-  return out + "\n  " + std::to_string(aim.flights) + " trajectories flown\n";
-}
-
 Result<int> run(const AimCommand& command) {
   const Result<AskedShot> asked = ask(command.question);
   if (!asked) return asked.error();
@@ -138,7 +95,7 @@ Result<int> run(const AimCommand& command) {
   const Result<Aim> found = aim(shot.projectile, launch, asked->scenario.environment, shot.projectile.fidelity,
                                 target->target, target->options);
   if (!found) return about(*asked, found.error());
-  if (Status status = answer(command.question, aim_text(*asked, *target, *found, Style(stdout)),
+  if (Status status = answer(command.question, aim_text(*asked, target->target, *found, style_of(stdout)),
                              aim_json(*asked, target->target, target->options.tolerance, *found));
       !status)
     return status.error();

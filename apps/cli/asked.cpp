@@ -4,11 +4,21 @@
 
 #include "command.hpp"
 #include "commands.hpp"
-#include "output_file.hpp"
+#include "outputs.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
+
+void add_scenario_options(Command& command, ScenarioInput& input) {
+  command.add_option("FILE", input.file, "Scenario file (TOML)").required();
+  command
+      .add_option("--set", input.overrides,
+                  "Replace a setting of the file: --set shot.mass=\"170 gr\" for every shot, --set shot.NAME.mass=... "
+                  "for one; `physim list settings` names them all. May be given many times")
+      .type_name("KEY=VALUE")
+      .one_value_each();
+}
 
 void add_question_options(Command& command, Question& question, bool json) {
   add_scenario_options(command, question.input);
@@ -21,31 +31,14 @@ void add_question_options(Command& command, Question& question, bool json) {
       .refuse_empty();
 }
 
-Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wanted) {
-  std::string names;
-  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
-    const std::string& name = scenario.shots[i].projectile.name;
-    if (wanted.empty() || name == wanted) return i;
-    names += (names.empty() ? "\"" : ", \"") + name + "\"";
-  }
-  return Error{
-      .message = "there is no shot \"" + wanted + "\"", .place = scenario.file, .hint = "its shots are " + names};
-}
-
 Result<AskedShot> ask(const Question& question) {
   if (!question.json.empty())
-    if (Status status = check_writable(question.json); !status) return status.error();
+    if (Status status = check_output(question.json); !status) return status.error();
   Result<Scenario> scenario = load_scenario(question.input.file, question.input.overrides);
   if (!scenario) return scenario.error();
   const Result<std::size_t> index = find_shot(*scenario, question.shot);
   if (!index) return index.error();
   return AskedShot{*std::move(scenario), *index};
-}
-
-Error about(const AskedShot& asked, Error error) {
-  const std::string field = error.place.empty() ? "" : ": " + error.place;
-  error.place = asked.scenario.file + ": shot \"" + asked.shot().projectile.name + "\"" + field;
-  return error;
 }
 
 Result<std::optional<double>> option_value(const char* option, const std::string& text, Quantity quantity) {

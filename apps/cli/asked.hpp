@@ -3,12 +3,21 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "flown.hpp"
+#include "report/flown.hpp"
 
 namespace physim::cli {
 
 class Command;
+using namespace report;
+
+/// What commands about scenarios read: a file, and settings that replace some of its own.
+struct ScenarioInput {
+  std::string file;
+  std::vector<std::string> overrides;
+};
+void add_scenario_options(Command& command, ScenarioInput& input);
 
 /// A scenario, which of its shots, and where results go.
 struct Question {
@@ -19,18 +28,8 @@ struct Question {
 /// FILE, --set and --shot; with `json` also --json.
 void add_question_options(Command& command, Question& question, bool json = true);
 
-/// A scenario and the shot in it that was asked for.
-struct AskedShot {
-  Scenario scenario;
-  std::size_t index = 0;
-  [[nodiscard]] const ScenarioShot& shot() const { return scenario.shots[index]; }
-};
+/// The scenario, and the shot that was asked for.
 [[nodiscard]] Result<AskedShot> ask(const Question& question);
-/// The shot of a name, the first for an empty one.
-[[nodiscard]] Result<std::size_t> find_shot(const Scenario& scenario, const std::string& name);
-/// An error of the library about a shot, with scenario and name as its place.
-[[nodiscard]] Error about(const AskedShot& asked, Error error);
-
 /// The value of an option, "800 m" or a number in SI; nothing where the option was not given.
 [[nodiscard]] Result<std::optional<double>> option_value(const char* option, const std::string& text,
                                                          Quantity quantity);

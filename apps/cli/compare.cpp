@@ -5,11 +5,9 @@
 #include "asked.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "flown.hpp"
-#include "ladder.hpp"
-#include "output_ladder.hpp"
-#include "output_paths.hpp"
-#include "plot_ladder.hpp"
+#include "outputs.hpp"
+#include "progress.hpp"
+#include "report/ladder_text.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -17,24 +15,23 @@ namespace {
 
 struct CompareOptions {
   ScenarioInput input;
-  OutputPaths outputs;
+  Outputs outputs;
   std::string shot;
 };
 
 Status compare(const CompareOptions& options) {
-  if (Status status = check(options.outputs, options.input.file); !status) return status;
+  if (Status status = check(options.outputs, "the scenario", options.input.file); !status) return status;
   const Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
   const Result<std::size_t> shot = find_shot(*scenario, options.shot);
   if (!shot) return shot.error();
-  const Result<Ladder> ladder = climb(*scenario, scenario->shots[*shot]);
+  const Result<Ladder> ladder = climb(*scenario, scenario->shots[*shot], progress_bar("comparing"));
   if (!ladder) return ladder.error();
-
-  const OutputMakers makers{.csv = [&] { return ladder_csv(*ladder); },
-                            .json = [&] { return ladder_json(*scenario, *ladder); },
-                            .plot = [&] { return ladder_picture(title_of(*scenario), *ladder); }};
-  if (Status status = write(options.outputs, makers); !status) return status;
-  return options.outputs.use_stdout() ? Status() : print(ladder_text(*scenario, *ladder, Style(stdout)));
+  const LadderOfShot subject{*scenario, *ladder};
+  if (Status status = write(options.outputs, [&](const Format& format) { return content_of(format, subject); });
+      !status)
+    return status;
+  return options.outputs.use_stdout() ? Status() : print(ladder_text(subject, style_of(stdout)));
 }
 
 int exit_code_of(const CompareOptions& options) {
@@ -50,8 +47,8 @@ void add_compare_command(Command& program) {
   auto options = std::make_shared<CompareOptions>();
   add_scenario_options(command, options->input);
   command.add_option("--shot", options->shot, "Which shot; without it the first").type_name("NAME").refuse_empty();
-  add_output_options(command, options->outputs, "Write the table as CSV; - is the standard output",
-                     "Write the table as JSON; - as above", "Draw error over cost");
+  constexpr Subject kSubjects[] = {Subject::ladder};
+  add_output_options(command, options->outputs, "the table", kSubjects);
   command.footer(
       "Every rung starts with the velocity of the reference (dop853, as exact as doubles allow) and flies until the "
       "scenario's end.\n"

@@ -2,16 +2,13 @@
 #include "physim/fit.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <memory>
 
 #include "asked.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "fit_data.hpp"
-#include "output_answer.hpp"
-#include "output_number.hpp"
-#include "output_table.hpp"
+#include "report/answer.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
@@ -54,57 +51,6 @@ Error located(const FitCommand& command, const AskedShot& asked, const FitData& 
   return error;
 }
 
-/// What was scaled, and what came out.
-std::vector<std::pair<std::string, std::string>> fitted_figures(const Fit& fit) {
-  std::vector<std::pair<std::string, std::string>> out;
-  const DragDef& d = fit.projectile.drag;
-  const double relative = fit.scale_error / fit.scale;
-  const auto add = [&](const char* setting, double value, const std::string& unit) {
-    std::string text = significant(value, 6) + unit;
-    if (relative > 0) text += " +- " + significant(value * relative, 2);
-    out.emplace_back(setting, text);
-  };
-  constexpr double kPoundPerSquareInch = 0.45359237 / (0.0254 * 0.0254);
-  if (d.ballistic_coefficient > 0) {
-    add("drag.ballistic_coefficient", d.ballistic_coefficient, " kg/m^2");
-    add("", d.ballistic_coefficient / kPoundPerSquareInch, " lb/in^2");
-  } else if (!d.bands.empty()) {
-    for (const BallisticBand& band : d.bands)
-      add("drag.bands", band.ballistic_coefficient, " kg/m^2 above " + significant(band.above, 4) + " m/s");
-  } else {
-    add("drag.form_factor", d.form_factor, "");
-  }
-  if (d.k1 > 0) add("drag.k1", d.k1, " kg/s");
-  if (d.k2 > 0) add("drag.k2", d.k2, " kg/m");
-  if (d.damping < 1) out.emplace_back("drag.damping", significant(d.damping, 6));
-  return out;
-}
-
-std::string fit_text(const AskedShot& asked, const FitData& data, const FitOptions& options, const Fit& fit,
-                     const Style& style) {
-  std::string out =
-      style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name)) + "\n";
-  out += "  drag is " + significant(fit.scale, 6) + " of the scenario's";
-  if (fit.scale_error > 0) out += " +- " + significant(fit.scale_error, 2);
-  out += "\n\n";
-  Table figures({{"fitted", Align::left}, {"value", Align::left}});
-  for (const auto& [setting, text] : fitted_figures(fit)) figures.add_row({setting, text});
-  if (options.muzzle_speed) {
-    std::string text = significant(fit.launch.speed, 6) + " m/s";
-    if (fit.muzzle_speed_error > 0) text += " +- " + significant(fit.muzzle_speed_error, 2);
-    figures.add_row({"speed", text});
-  }
-  out += figures.text(2) + "\n";
-  Table table({{"range [m]"}, {"quantity", Align::left}, {"measured"}, {"computed"}, {"off"}, {"unit", Align::left}});
-  for (const FitResidual& r : fit.residuals) {
-    const char* unit = r.quantity == "speed" ? "m/s" : r.quantity == "drop" ? "m" : "s";
-    table.add_row({as_typed(data.measurements[r.measurement].range), r.quantity, significant(r.measured, 6),
-                   significant(r.computed, 6), significant(r.computed - r.measured, 2), unit});
-  }
-  return out + table.text(2) + "\n  off by " + significant(fit.rms, 3) +
-         " of the errors that were given, root mean square; " + std::to_string(fit.flights) + " trajectories flown\n";
-}
-
 Result<int> run(const FitCommand& command) {
   const Result<FitOptions> options = options_of(command);
   if (!options) return options.error();
@@ -116,8 +62,9 @@ Result<int> run(const FitCommand& command) {
   const Result<Fit> fit = fit_drag(shot.projectile, shot.launch, asked->scenario.environment, shot.projectile.fidelity,
                                    data->measurements, *options);
   if (!fit) return located(command, *asked, *data, fit.error());
-  if (Status status = answer(command.question, fit_text(*asked, *data, *options, *fit, Style(stdout)),
-                             fit_json(*asked, options->muzzle_speed, *fit));
+  if (Status status =
+          answer(command.question, fit_text(*asked, data->measurements, options->muzzle_speed, *fit, style_of(stdout)),
+                 fit_json(*asked, options->muzzle_speed, *fit));
       !status)
     return status.error();
   return kExitOk;

@@ -4,19 +4,20 @@
 
 #include "command.hpp"
 #include "commands.hpp"
-#include "fidelity_text.hpp"
-#include "output_number.hpp"
-#include "output_table.hpp"
 #include "physim/drag_curve.hpp"
 #include "physim/names.hpp"
 #include "physim/presets.hpp"
 #include "physim/scenario.hpp"
+#include "report/fidelity_text.hpp"
+#include "report/number.hpp"
+#include "report/table.hpp"
 #include "rungs.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
 namespace {
+using namespace report;
 
 Table settings_table(bool in_code_marks) {
   Table table({{"setting", Align::left},

@@ -1,20 +1,15 @@
 // physim max-range and physim danger-space.
 #include <memory>
-#include <numbers>
 
 #include "asked.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "output_answer.hpp"
-#include "output_number.hpp"
-#include "output_table.hpp"
 #include "physim/aim.hpp"
+#include "report/answer.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 struct MaxRangeCommand {
   Question question;
@@ -25,10 +20,6 @@ struct DangerCommand {
   Question question;
   std::string range, height;
 };
-
-std::string heading(const AskedShot& asked, const Style& style) {
-  return style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name)) + "\n";
-}
 
 Result<int> run(const MaxRangeCommand& command) {
   const auto slope = option_value("--slope", command.slope, Quantity::angle);
@@ -41,14 +32,10 @@ Result<int> run(const MaxRangeCommand& command) {
   const auto far = max_range(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity, ground,
                              slope->value_or(0));
   if (!far) return about(*asked, far.error());
-  std::string text = heading(*asked, Style(stdout));
-  text += "  farthest   " + readable(far->range, 7) + " m along the ground, at an elevation of " +
-          fixed(far->elevation / kDegree, 3) + " deg\n";
-  text += "  impact     after " + fixed(far->time, 4) + " s at (" + readable(far->position.x, 7) + ", " +
-          readable(far->position.y, 5) + ", " + readable(far->position.z, 5) + ") m, " +
-          fixed(length(far->velocity), 2) + " m/s\n";
-  text += "  " + std::to_string(far->flights) + " trajectories flown\n";
-  if (Status status = answer(command.question, text, max_range_json(*asked, *far)); !status) return status.error();
+  if (Status status =
+          answer(command.question, max_range_text(*asked, *far, style_of(stdout)), max_range_json(*asked, *far));
+      !status)
+    return status.error();
   return kExitOk;
 }
 
@@ -63,10 +50,9 @@ Result<int> run(const DangerCommand& command) {
   if (flight.error()) return refusal(asked->scenario, asked->shot(), flight);
   const auto space = danger_space(flight, **range, **height);
   if (!space) return about(*asked, space.error());
-  const std::string text = heading(*asked, Style(stdout)) + "  a target " + as_typed(**height) + " m high at " +
-                           as_typed(**range) + " m is hit from " + fixed(space->from, 2) + " m to " +
-                           fixed(space->to, 2) + " m: over " + fixed(space->to - space->from, 2) + " m\n";
-  if (Status status = answer(command.question, text, danger_space_json(*asked, **range, **height, *space)); !status)
+  if (Status status = answer(command.question, danger_space_text(*asked, **range, **height, *space, style_of(stdout)),
+                             danger_space_json(*asked, **range, **height, *space));
+      !status)
     return status.error();
   return kExitOk;
 }

@@ -6,18 +6,17 @@
 #include <memory>
 #include <set>
 
+#include "asked.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "flown.hpp"
-#include "output_file.hpp"
-#include "output_globe.hpp"
-#include "output_paths.hpp"
-#include "output_summary.hpp"
-#include "output_table.hpp"
-#include "output_trajectory.hpp"
+#include "outputs.hpp"
 #include "physim/names.hpp"
-#include "plot_flights.hpp"
 #include "progress.hpp"
+#include "report/file.hpp"
+#include "report/gnuplot.hpp"
+#include "report/plot_flights.hpp"
+#include "report/summary.hpp"
+#include "report/table.hpp"
 #include "run_world.hpp"
 #include "terminal.hpp"
 
@@ -28,7 +27,7 @@ constexpr std::size_t kMostShotPlots = 50;  // in a folder; each takes about hal
 
 struct RunOptions {
   ScenarioInput input;
-  OutputPaths outputs;
+  Outputs outputs;
   WorldOptions world;
   std::string folder, interval;
 };
@@ -54,35 +53,58 @@ std::string file_part(const std::string& name) {
   return out;
 }
 
-OutputMakers makers_of(const FlownScenario& flown, const SampleTimes& times) {
-  return {.csv = [&] { return trajectories_csv(flown.shots, times); },
-          .json = [&] { return trajectories_json(flown, times); },
-          .plot = [&] { return flights_picture(title_of(flown.scenario), flown.shots); },
-          .kml = [&] { return globe_kml(flown, times); },
-          .czml = [&] { return globe_czml(flown, times); },
-          .geojson = [&] { return globe_geojson(flown, times); }};
+/// The formats that can show these flights, each with a file in the folder.
+Outputs outputs_in_folder(const RunOptions& options, const FlownScenario& flown) {
+  if (options.folder.empty()) return {};
+  const std::string stem = file_part(std::filesystem::path(flown.scenario.file).stem().string());
+  Outputs outputs = outputs_in(options.folder, stem, Subject::flights);
+  for (const Format* format : outputs.asked())
+    if (format->check != nullptr && !format->check(flown)) outputs.forget(*format);
+  return outputs;
 }
 
-Status write_folder(const RunOptions& options, const FlownScenario& flown, const SampleTimes& times) {
-  const std::filesystem::path folder = options.folder;
-  const std::string stem = file_part(std::filesystem::path(flown.scenario.file).stem().string());
-  const auto path = [&](const std::string& name) { return (folder / name).string(); };
-  const OutputPaths paths{.csv = path(stem + ".csv"), .json = path(stem + ".json"), .plot = path(stem + ".png")};
-  Status status = in_turn([&] { return make_folder(options.folder); }, [&] { return check(paths, options.input.file); },
-                          [&] { return write(paths, makers_of(flown, times)); });
-  if (!status || flown.shots.size() == 1) return status;
+/// A picture for each shot, where there are several.
+Status draw_each(const std::string& folder, const FlownScenario& flown) {
+  if (flown.shots.size() == 1) return {};
   const std::size_t count = std::min(flown.shots.size(), kMostShotPlots);
   if (count < flown.shots.size())
     print_warning("only the first " + std::to_string(count) + " shots get their own plot");
-  Progress progress("drawing", count);
+  const std::string stem = file_part(std::filesystem::path(flown.scenario.file).stem().string());
+  const Progress bar = progress_bar("drawing");
   std::set<std::string> names;
-  for (std::size_t i = 0; i < count && status; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     std::string name = stem + "_" + file_part(flown.shots[i].name);
     if (!names.insert(name).second) name += "_" + std::to_string(i + 1);
-    status = draw(path(name + ".png"), flights_picture(title_of(flown.scenario), {&flown.shots[i], 1}));
-    progress.advance();
+    const std::string path = (std::filesystem::path(folder) / (name + ".png")).string();
+    if (Status status = draw(path, shots_picture(title_of(flown.scenario), {&flown.shots[i], 1})); !status)
+      return status;
+    bar(i + 1, count);
   }
-  return status;
+  return {};
+}
+
+Status write_all(const RunOptions& options, const FlownScenario& flown, std::optional<double> interval) {
+  for (const Format* format : options.outputs.asked())
+    if (Status status = format->check != nullptr ? format->check(flown) : Status(); !status) {
+      Error error = status.error();
+      error.hint = "--set " + error.hint;
+      return error;
+    }
+  const Outputs in_folder = outputs_in_folder(options, flown);
+  LogParts parts;
+  for (const Outputs* each : {&options.outputs, &in_folder})
+    for (const Format* format : each->asked()) parts.add(format->world_parts);
+  const Result<SampleTimes> times = parts.samples ? sample_times(flown.shots, interval) : SampleTimes{};
+  if (!times) return times.error();
+  const Flights flights{flown, *times};
+  const auto make = [&](const Format& format) { return content_of(format, flights); };
+  if (!options.folder.empty()) {
+    Status status = in_turn([&] { return make_folder(options.folder); },
+                            [&] { return check(in_folder, "the scenario", options.input.file); },
+                            [&] { return write(in_folder, make); }, [&] { return draw_each(options.folder, flown); });
+    if (!status) return status;
+  }
+  return write(options.outputs, make);
 }
 
 // Why a flight ended before its time, in words; empty where it did not.
@@ -120,51 +142,48 @@ void warn_of_missed(const std::vector<Check>& checks) {
     print_warning(std::to_string(missed) + " of " + std::to_string(checks.size()) + " checks were missed");
 }
 
+Status run_flights(const RunOptions& options, Scenario scenario, std::optional<double> interval, bool& all_met) {
+  FlownScenario flown{.scenario = std::move(scenario), .shots = {}, .checks = {}};
+  if (Status status = fly_all(flown, progress_bar("flying")); !status) return status;
+  all_met = std::ranges::all_of(flown.checks, [](const Check& check) { return check.met; });
+  if (Status status = write_all(options, flown, interval); !status) return status;
+  warn_of_odd_ends(flown.shots);
+  if (!options.outputs.use_stdout()) return print(summary_text(flown, style_of(stdout)));
+  warn_of_missed(flown.checks);
+  return {};
+}
+
+constexpr const char* kNoWorld = "the scenario has no [world]";
+constexpr const char* kForWorlds = "it is for worlds only";
+
 // Everything but the exit code of the checks.
-Status run(const RunOptions& options, FlownScenario& flown, bool& all_met) {
-  if (Status status = check(options.outputs, options.input.file); !status) return status;
+Status run(const RunOptions& options, bool& all_met) {
+  if (Status status = check(options.outputs, "the scenario", options.input.file); !status) return status;
   if (!options.folder.empty())
     if (Status status = check_gnuplot(); !status) return status;
   const auto interval = interval_of(options);
   if (!interval) return interval.error();
   Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
-  if (scenario->world.given && options.outputs.has_globe())
-    return Error{.message = "KML, CZML and GeoJSON are of single flights", .hint = "take [world] out of the scenario"};
-  if (scenario->world.given)
+  if (scenario->world.given) {
+    if (Status status = check_subject(options.outputs, Subject::world, "it is of single flights",
+                                      "take [world] out of the scenario");
+        !status)
+      return status;
     return run_in_world(std::move(*scenario), options.outputs, options.folder, *interval, options.world, all_met);
-  if (const std::string option = options.world.given(options.outputs); !option.empty())
-    return Error{.message = "the scenario has no [world]", .place = option, .hint = "it is for worlds only"};
-  flown.scenario = std::move(*scenario);
-  if (Status status = fly_all(flown); !status) return status;
-  all_met = std::ranges::all_of(flown.checks, [](const Check& check) { return check.met; });
-
-  if (options.outputs.has_globe())
-    if (Status status = check_round(flown); !status) return status;
-  const bool writes_samples = !options.outputs.csv.empty() || !options.outputs.json.empty() ||
-                              options.outputs.has_globe() || !options.folder.empty();
-  SampleTimes times;
-  if (writes_samples) {
-    Result<SampleTimes> found = sample_times(flown.shots, *interval);
-    if (!found) return found.error();
-    times = std::move(*found);
   }
-  Status status = in_turn([&] { return options.folder.empty() ? Status() : write_folder(options, flown, times); },
-                          [&] { return write(options.outputs, makers_of(flown, times)); });
-  if (!status) return status;
-  warn_of_odd_ends(flown.shots);
-  if (options.outputs.use_stdout()) {
-    warn_of_missed(flown.checks);
-    return {};
-  }
-  return print(summary_text(flown, Style(stdout)));
+  if (Status status = check_subject(options.outputs, Subject::flights, kNoWorld, kForWorlds); !status) return status;
+  const std::string option = !options.outputs.record.empty() ? "--record" : options.world.given();
+  if (!option.empty()) return Error{.message = kNoWorld, .place = option, .hint = kForWorlds};
+  return run_flights(options, std::move(*scenario), *interval, all_met);
 }
 
 int exit_code_of(const RunOptions& options) {
-  FlownScenario flown;
   bool all_met = true;
-  if (const Status status = run(options, flown, all_met); !status) {
-    print_error(status.error());
+  if (Status status = run(options, all_met); !status) {
+    Error error = status.error();
+    if (error.place == "interval") error.place = "--interval";
+    print_error(error);
     return kExitBadInput;
   }
   return all_met ? kExitOk : kExitCheckMissed;
@@ -176,10 +195,8 @@ void add_run_command(Command& program) {
   Command command = program.add_command("run", "Fly the shots of a scenario, or run its world; print, write and plot");
   auto options = std::make_shared<RunOptions>();
   add_scenario_options(command, options->input);
-  add_output_options(command, options->outputs, "Write the trajectories as CSV; - is the standard output",
-                     "Write trajectories, events and all settings as JSON; - as above",
-                     "Draw path, speed, and each axis over time");
-  add_globe_options(command, options->outputs);
+  constexpr Subject kSubjects[] = {Subject::flights, Subject::world};
+  add_output_options(command, options->outputs, "the trajectories", kSubjects);
   command.add_option("--out", options->folder, "Write all of these into a directory, with a plot for each shot")
       .type_name("DIR")
       .refuse_empty();

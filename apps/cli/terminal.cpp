@@ -10,28 +10,23 @@ namespace physim::cli {
 
 bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
-Style::Style(std::FILE* stream) {
+report::Style style_of(std::FILE* stream) {
   const char* no_color = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
-  const bool unwanted = no_color != nullptr && *no_color != '\0';
-  const bool unable = terminal == nullptr || std::strcmp(terminal, "dumb") == 0;
-  enabled_ = is_terminal(stream) && !unwanted && !unable;
-}
-
-std::string Style::wrap(const char* code, std::string_view text) const {
-  if (!enabled_) return std::string(text);
-  return std::string("\033[") + code + "m" + std::string(text) + "\033[0m";
+  const bool is_unwanted = no_color != nullptr && *no_color != '\0';
+  const bool is_unable = terminal == nullptr || std::strcmp(terminal, "dumb") == 0;
+  return report::Style(is_terminal(stream) && !is_unwanted && !is_unable);
 }
 
 void print_error(const Error& error) {
   const std::string head = error.place.empty() ? "" : error.place + ": ";
   const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
-  std::fprintf(stderr, "%s%s %s%s\n", head.c_str(), Style(stderr).bad("error:").c_str(), error.message.c_str(),
+  std::fprintf(stderr, "%s%s %s%s\n", head.c_str(), style_of(stderr).bad("error:").c_str(), error.message.c_str(),
                hint.c_str());
 }
 
 void print_warning(std::string_view text) {
-  std::fprintf(stderr, "%s %s\n", Style(stderr).warn("warning:").c_str(), std::string(text).c_str());
+  std::fprintf(stderr, "%s %s\n", style_of(stderr).warn("warning:").c_str(), std::string(text).c_str());
 }
 
 Status print(std::string_view text) {

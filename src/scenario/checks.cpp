@@ -25,8 +25,7 @@ const Value& element(const Value& document, std::string_view list, std::size_t i
   return (*document.find(list)->get<Array>())[index];
 }
 
-// ----------------------------------------------------------------------------------------------------------------
-// shots
+// --------------------------------------------------------------------------------------------------------------- shots
 Status check_direction(const Launch& launch, const Value& shot) {
   if (launch.velocity) {
     for (const auto& [key, value] : {std::pair<std::string_view, double>{"speed", launch.speed},

@@ -43,14 +43,14 @@ Error unknown_setting(std::string_view path, std::string_view known_prefix, cons
 Result<Addressed> named_target(const Value& document, std::string_view path, const Place& place) {
   const std::vector<std::string> names = shot_names(document);
   const std::string_view rest = path.substr(kShot.size());
-  std::optional<std::string> stranger, namesake;
+  std::optional<std::string> unknown, namesake;
   for (std::size_t dot = rest.find('.'); dot != rest.npos; dot = rest.find('.', dot + 1)) {
     const std::string name(rest.substr(0, dot));
     const SchemaNode* node = find_node(std::string(kShot) + std::string(rest.substr(dot + 1)));
     const bool known = std::find(names.begin(), names.end(), name) != names.end();
     if (known && node != nullptr) return Addressed{node, name};
     if (known) namesake = name;
-    if (node != nullptr && !stranger) stranger = name;
+    if (node != nullptr && !unknown) unknown = name;
   }
   if (namesake) {
     const std::string bare = std::string(kShot) + std::string(rest.substr(namesake->size() + 1));
@@ -58,7 +58,7 @@ Result<Addressed> named_target(const Value& document, std::string_view path, con
     error.message += " of shot " + in_quotes(*namesake);
     return error;
   }
-  if (stranger) return unknown_shot(*stranger, names, place);
+  if (unknown) return unknown_shot(*unknown, names, place);
   return unknown_setting(path, "", place);
 }
 

@@ -69,8 +69,7 @@ ValueRef records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
 #define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s.__VA_ARGS__); }
 #define PHYSIM_RECORDS(list, pointer) [](const Scope& s) { return records(s, s.list, &Scope::pointer); }
 
-// ------------------------------------------------------------------------------- parts of the list in files of their
-// own
+// ------------------------------------------------------------------------- parts of the list in files of their own
 [[nodiscard]] std::span<const Entry> magnus_settings();    // [shot.magnus], [shot.spin]
 [[nodiscard]] std::span<const Entry> motor_settings();     // [shot.motor]
 [[nodiscard]] std::span<const Entry> rotation_settings();  // [shot.inertia], [shot.aero], [shot.attitude]
@@ -79,5 +78,6 @@ ValueRef records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
 [[nodiscard]] std::span<const Entry> volley_settings();    // [[volley]]
 [[nodiscard]] std::span<const Entry> force_settings();     // [[force]]
 [[nodiscard]] std::span<const Entry> target_settings();    // [target]
+[[nodiscard]] std::span<const Entry> expect_settings();    // [[expect]]
 
 }  // namespace physim

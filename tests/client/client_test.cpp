@@ -8,6 +8,8 @@
 #include <set>
 
 #include "cli/program.hpp"
+#include "report/format.hpp"
+#include "report/ladder.hpp"
 #include "simclient/core/actions.hpp"
 #include "simclient/core/layout.hpp"
 #include "simclient/core/original_tests.hpp"
@@ -227,11 +229,23 @@ TEST(Save, CsvHasEverySample) {
   std::istringstream in(testing_cli::read(folder / "a.csv"));
   std::string line;
   std::getline(in, line);
-  EXPECT_EQ(line.substr(0, 30), "number,name,time [s],x [m],y [");
+  EXPECT_EQ(line.substr(0, 34), "number, name, time [s], x [m], y [");
   std::size_t lines = 0;
   for (std::string next; std::getline(in, next); ++lines) line = next;
   EXPECT_EQ(lines, client.session.tracks()[0].samples.size() - 1);  // one step more was taken after it was saved
   EXPECT_NEAR(std::stod(line.substr(line.find("laser,") + 6)), 10.0 / 60, 1e-9);
+}
+
+TEST(Save, EveryFormatOfRecordsByItsEnding) {
+  const testing_cli::Folder folder;
+  Client client = client_of();
+  ASSERT_TRUE(run(client, "laser; fire; wait 10"));
+  for (const report::Format& format : report::formats()) {
+    const std::string file = folder / ("flights" + std::string(format.ending));
+    const bool is_known = can_write(format, report::Subject::records) || format.ending.ends_with(".csv");
+    EXPECT_EQ(client.save_flights(file).ok(), is_known) << format.name;
+    EXPECT_EQ(testing_cli::read(file).size() > 100, is_known) << format.name;
+  }
 }
 
 TEST(Record, ReplaysAndComesBack) {
@@ -315,6 +329,23 @@ TEST(Compare, MeasuresAgainstTheTruth) {
   ASSERT_EQ(client.session.tracks().size(), 5U);
   EXPECT_EQ(client.session.tracks()[1].colour, rungs[1].colour);
   EXPECT_EQ(client.session.tracks()[1].granted.fidelity.drag, DragModel::linear_quadratic);
+}
+
+TEST(Compare, HasTheFiguresOfTheCommandLine) {
+  Client client = client_of("308_168gr_g7");
+  const std::vector<ComparedRung>& rungs = client.comparison();
+  const auto ladder = report::climb(client.session.scenario(), client.launcher.shot());
+  ASSERT_TRUE(ladder);
+  int compared = 0;
+  for (const ComparedRung& rung : rungs)
+    for (const report::RungResult& other : ladder->rungs)
+      if (other.rung.name() == rung.name) {
+        EXPECT_EQ(rung.at_end, other.error) << rung.name;
+        EXPECT_EQ(std::abs(rung.later), other.time_error) << rung.name;
+        EXPECT_EQ(rung.path.back().position, other.flight.end().position) << rung.name;
+        ++compared;
+      }
+  EXPECT_EQ(compared, 4) << "all but the shot as it is set";
 }
 
 // -------------------------------------------------------------------------------------------------------------- camera

@@ -235,8 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"[[shot]]\n[[expect]]\nat = { time = 1, range = 2 }\nquantity = \"drop\"\nequals = 1\nwithin = 1",
             "f.toml:4:6: error: expect.at: 2 places; give one of time, range, height or a moment"}));
 
-// ---------------------------------------------------------------------------------------------------------------
-// limits
+// -------------------------------------------------------------------------------------------------------------- limits
 std::string list_of(std::size_t count, const std::string& element) {
   std::string out;
   for (std::size_t i = 0; i < count; ++i) out += (i ? "," : "") + element;
@@ -256,8 +255,7 @@ TEST(BadLists, HaveLimits) {
   EXPECT_EQ(error_of("physim = 1\nshot = " + list_of(100000, "{}")), "no error");
 }
 
-// ------------------------------------------------------------------------------------------------------------
-// overrides
+// ----------------------------------------------------------------------------------------------------------- overrides
 class BadOverrideTest : public testing::TestWithParam<Bad> {};
 TEST_P(BadOverrideTest, SaysWhereAndWhy) {
   const std::string file = "physim = 1\n[[shot]]\nname = \"308\"\n[[shot]]\nname = \"22 LR\"\n";

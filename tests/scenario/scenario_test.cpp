@@ -220,8 +220,7 @@ TEST(Scenario, ExpectationsLookAtPlacesAndMoments) {
   EXPECT_EQ(expectation("at = { height = \"-2 m\" }").at_value, -2);
 }
 
-// ------------------------------------------------------------------------------------------------------------
-// overrides
+// ----------------------------------------------------------------------------------------------------------- overrides
 const std::string kTwoShots = R"(physim = 1
 [environment]
 gravity = "constant"
@@ -292,8 +291,7 @@ TEST(Overrides, FindShotsByTheirDefaultNames) {
   EXPECT_EQ(s.shots[1].projectile.mass, 5);
 }
 
-// ----------------------------------------------------------------------------------------------------------------
-// files
+// --------------------------------------------------------------------------------------------------------------- files
 class ScenarioFile : public testing::Test {
  protected:
   void SetUp() override {

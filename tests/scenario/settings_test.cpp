@@ -146,8 +146,7 @@ TEST(Settings, RefuseWhatIsOutOfRange) {
   EXPECT_GT(checked, 30);
 }
 
-// --------------------------------------------------------------------------------------------------- effective
-// settings
+// -------------------------------------------------------------------------------------------------- effective settings
 const std::string kEverything = R"(physim = 1
 title = "with \"quotes\", a \\ and\na line break"
 source = "7"
@@ -310,8 +309,7 @@ TEST(EffectiveSettings, NameEveryShotAndSetting) {
   }
 }
 
-// ----------------------------------------------------------------------------------------------------------
-// suggestions
+// --------------------------------------------------------------------------------------------------------- suggestions
 TEST(Suggestions, CountEdits) {
   EXPECT_EQ(edit_distance("", ""), 0U);
   EXPECT_EQ(edit_distance("", "abc"), 3U);

@@ -288,8 +288,7 @@ TEST_F(Leaving, NoTimePassesDuringAPause) {
   EXPECT_NEAR(b["position"][0].get<double>() - a["position"][0].get<double>(), 35 * passed, 1e-3);
 }
 
-// ----------------------------------------------------------------------------------------------------- beyond the
-// table
+// ---------------------------------------------------------------------------------------------------- beyond the table
 using InWindow = Leaving;
 
 TEST_F(InWindow, TheMouseTurnsTheViewAndNeverFiresByIt) {

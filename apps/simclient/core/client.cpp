@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "physim/recording_file.hpp"
+#include "report/file.hpp"
+#include "report/format.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/scene.hpp"
 
@@ -16,12 +17,6 @@ namespace {
 constexpr double kReach = 12;       // of the mouse [pixels]
 constexpr double kMessageTime = 6;  // [s]
 constexpr double kRightAngle = 1.5707963267948966;
-
-Status write_file(const std::string& path, const std::string& content) {
-  std::ofstream file(path, std::ios::binary);
-  if (file << content << std::flush) return {};
-  return Error{"cannot write the file", path, "is there such a folder, and may you write there?"};
-}
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -164,13 +159,16 @@ Status Client::save(const std::string& file) {
     scenario.shots = shots;
   }
   const std::string path = file.empty() ? free_name("scenario", ".toml") : file;
-  if (Status status = write_file(path, scenario_text(scenario)); !status) return status;
+  if (Status status = report::write_file(path, scenario_text(scenario)); !status) return status;
   return say("saved " + path), Status();
 }
 
-Status Client::save_csv(const std::string& file) {
+Status Client::save_flights(const std::string& file) {
   const std::string path = file.empty() ? free_name("flights", ".csv") : file;
-  if (Status status = write_file(path, tracks_csv(session.tracks())); !status) return status;
+  const auto format = report::format_of_file(path, report::Subject::records);
+  if (!format) return format.error();
+  const report::Content content = report::content_of(**format, records_of(session.tracks()));
+  if (Status status = report::write_content(path, content); !status) return status;
   return say("saved " + path), Status();
 }
 

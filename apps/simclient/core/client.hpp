@@ -89,7 +89,8 @@ class Client {
   /// The next shot on the rungs that are compared; flown again only when something changed.
   [[nodiscard]] const std::vector<ComparedRung>& comparison();
   [[nodiscard]] Status save(const std::string& file);
-  [[nodiscard]] Status save_csv(const std::string& file);
+  /// All that flew, sample by sample; the format is that of the file's ending.
+  [[nodiscard]] Status save_flights(const std::string& file);
   /// Starts again and records everything into a file; completes the file when it is recording.
   [[nodiscard]] Status record(const std::string& file);
   /// Plays what was recorded last, and comes back from it.
@@ -97,7 +98,7 @@ class Client {
   void show_bottom(BottomPanel panel) { bottom = bottom == panel ? BottomPanel::none : panel; }
   /// Changes a setting of the next shot or of the environment: "shot.mass=170 gr".
   [[nodiscard]] Status set(const std::string& assignment);
-  /// The same by its row.
+  /// Changes the setting of a row.
   [[nodiscard]] Status set(const SettingRow& row, const std::string& text);
 
   /// What the next shot would do; flown again only when something changed.

@@ -3,31 +3,37 @@
 #include <algorithm>
 #include <chrono>
 
+#include "physim/compare.hpp"
 #include "physim/names.hpp"
+#include "report/ladder.hpp"
 
 namespace physim::client {
 namespace {
 
-/// After so many steps. One that has landed stays where it landed; one that left otherwise is not there any more.
-std::optional<Vec3d> position_at(const Prediction& flight, std::size_t step) {
-  if (step + 1 < flight.path.size()) return flight.path[step].position;
-  return flight.impact ? std::optional(flight.path.back().position) : std::nullopt;
-}
+constexpr const char* kTruth = "reference";
+constexpr int kPathPoints = 400;  // of what is drawn
 
-void measure_against(const Prediction& truth, ComparedRung& rung) {
-  if (truth.path.empty() || rung.flight.path.empty()) return;
-  const std::size_t steps = std::max(truth.path.size(), rung.flight.path.size());
-  for (std::size_t i = 0; i < steps; ++i) {
-    const auto a = position_at(truth, i), b = position_at(rung.flight, i);
-    if (!a || !b) break;
-    rung.at_end = length(*b - *a);
-    rung.farthest = std::max(rung.farthest, rung.at_end);
+std::vector<TrackSample> path_of(const Flight& flight) {
+  std::vector<TrackSample> path;
+  for (int i = 0; i <= kPathPoints; ++i) {
+    const Sample at = flight.at(flight.duration() * i / kPathPoints);
+    path.push_back({at.time, at.position, at.velocity, at.acceleration, at.mach});
   }
-  rung.later = rung.flight.path.back().time - truth.path.back().time;
+  return path;
 }
 
-/// Of one step of each of a crowd [s].
-double time_step(World& world, double dt, std::size_t crowd) {
+void fill(ComparedRung& rung, const ComparedFlight& flown) {
+  rung.problem = flown.problem;
+  rung.granted = flown.flight.fidelity_in_use();
+  if (!rung.problem.empty()) return;
+  rung.path = path_of(flown.flight);
+  rung.farthest = flown.largest_distance;
+  rung.at_end = flown.end_distance;
+  rung.later = flown.end_delay;
+}
+
+/// Time of one step of one among so many projectiles [s].
+double time_step(World& world, double dt, std::size_t count) {
   constexpr int kSteps = 12;
   double best = 1e9;
   for (int i = 0; i < kSteps; ++i) {
@@ -35,7 +41,7 @@ double time_step(World& world, double dt, std::size_t crowd) {
     world.step(dt);
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  return best / static_cast<double>(crowd);
+  return best / static_cast<double>(count);
 }
 
 double measure_cost(const Session& session, const ScenarioShot& shot) {
@@ -62,20 +68,31 @@ double measure_cost(const Session& session, const ScenarioShot& shot) {
 
 std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
                                         const std::vector<std::string>& presets, CostTable& costs) {
+  const Scenario& scenario = session.scenario();
   std::vector<ComparedRung> rungs;
-  const auto add = [&](const std::string& name, const Fidelity& fidelity) {
-    ScenarioShot changed = shot;
-    changed.projectile.fidelity = fidelity;
-    changed.cheapest_within.reset();
-    ComparedRung rung{name, fidelity, palette(rungs.size()), predict(session, changed)};
-    if (!rung.flight.error) rung.per_step = costs.of(session, changed);
-    rungs.push_back(std::move(rung));
+  std::vector<FlightSetting> settings;
+  const auto add = [&](const std::string& name, const FlightSetting& setting) {
+    rungs.push_back({.name = name, .asked = setting.fidelity, .colour = palette(rungs.size())});
+    settings.push_back(setting);
   };
-  add("as set", shot.projectile.fidelity);
+  add("as set", {shot.projectile.fidelity, scenario.tolerance});
   for (const std::string& name : presets)
-    if (const auto fidelity = fidelity_preset(name)) add(name, *fidelity);
+    if (name != kTruth && fidelity_preset(name)) add(name, report::preset_setting(scenario, name));
+  const FlightSetting truth = report::reference_setting(shot);
+  const Result<Comparison> compared =
+      compare(shot.projectile, shot.launch, scenario.environment, settings, truth, scenario.until);
+  add(kTruth, truth);
   rungs.back().is_truth = true;
-  for (ComparedRung& rung : rungs) measure_against(rungs.back().flight, rung);
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    ComparedRung& rung = rungs[i];
+    if (!compared)
+      rung.problem = compared.error().message;
+    else
+      fill(rung, rung.is_truth ? ComparedFlight{compared->reference, {}} : compared->flights[i]);
+    ScenarioShot changed = shot;
+    changed.projectile.fidelity = rung.asked;
+    if (rung.problem.empty()) rung.per_step = costs.of(session, changed);
+  }
   return rungs;
 }
 

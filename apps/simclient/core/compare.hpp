@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "simclient/core/prediction.hpp"
+#include "simclient/core/session.hpp"
 
 namespace physim::client {
 
@@ -12,18 +12,15 @@ struct ComparedRung {
   std::string name;  // of the preset, or "as set"
   Fidelity asked;
   Colour colour = 0xFFFFFFFF;
-  Prediction flight;
   bool is_truth = false;  // the others are measured against it
-  double farthest = 0;    // largest distance from the truth at any equal time [m]
-  double at_end = 0;      // distance from the truth at the end of what both flew [m]
-  double later = 0;       // end of its flight after that of the truth [s]
-  double per_step = 0;    // cost of a step, among many of its kind, on this machine [s]
+  std::string problem;    // why it cannot be compared; empty: it can
+  FidelityInUse granted;
+  std::vector<TrackSample> path;
+  double farthest = 0;  // largest distance from the truth at any equal time [m]
+  double at_end = 0;    // distance between its end and that of the truth [m]
+  double later = 0;     // end of its flight after that of the truth [s]
+  double per_step = 0;  // cost of a step, among many of its kind, on this machine [s]
 };
-
-/// Flies a shot on presets of fidelity, and as it is set. The last of the presets is the truth.
-class CostTable;
-[[nodiscard]] std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
-                                                      const std::vector<std::string>& presets, CostTable& costs);
 
 /// Time of one step of one projectile, measured on a thousand of them and remembered: aiming changes it little.
 class CostTable {
@@ -33,5 +30,10 @@ class CostTable {
  private:
   std::vector<std::pair<ProjectileDef, double>> known_;
 };
+
+/// Flies a shot as it is set and on presets of fidelity, with the figures of `physim compare`: single flights until the
+/// scenario ends them, without the forces of its world. The last is the truth, the reference of the ladder.
+[[nodiscard]] std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
+                                                      const std::vector<std::string>& presets, CostTable& costs);
 
 }  // namespace physim::client

@@ -15,7 +15,7 @@ namespace physim::client {
 struct ShotType {
   std::string name, doc;
   ScenarioShot shot;
-  /// Of the original's shots, that of its elevation setting e: the velocity is (forward, up e).
+  /// Shots of the original alone: at its elevation setting e the velocity is (forward, up e).
   double forward = 0, up = 0;  // [m/s]
 
   [[nodiscard]] bool is_original() const { return forward > 0; }

@@ -17,7 +17,7 @@ inline constexpr std::array<Colour, 7> kPalette = {0xE69F00FF, 0x56B4E9FF, 0x009
 
 constexpr Colour palette(std::size_t i) { return kPalette[i % kPalette.size()]; }
 
-/// The same colour, less opaque.
+/// A colour made less opaque.
 constexpr Colour faded(Colour colour, double opacity) {
   return (colour & 0xFFFFFF00U) | static_cast<Colour>(static_cast<double>(colour & 0xFFU) * opacity);
 }

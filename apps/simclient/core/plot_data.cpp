@@ -163,17 +163,18 @@ std::optional<PlotHit> nearest_point(const Plot& plot, const PlotPoint& place, d
   return best;
 }
 
-std::string tracks_csv(std::span<const Track> tracks) {
-  std::string out = "number,name";
-  for (const PlotQuantity& q : kQuantities) out += "," + std::string(q.name) + " [" + std::string(q.unit) + "]";
-  out += "\n";
-  for (const Track& track : tracks)
-    for (const TrackSample& sample : track.samples) {
-      out += std::to_string(track.number) + "," + track.name;
-      for (const PlotQuantity& q : kQuantities) out += "," + number_text(q.of(track, sample));
-      out += "\n";
-    }
-  return out;
+report::Records records_of(std::span<const Track> tracks) {
+  report::Records records{{"number", "name"}, [tracks](const auto& take) {
+                            std::vector<report::Cell> row;
+                            for (const Track& track : tracks)
+                              for (const TrackSample& sample : track.samples) {
+                                row = {track.number, std::string_view(track.name)};
+                                for (const PlotQuantity& q : kQuantities) row.emplace_back(q.of(track, sample));
+                                take(row);
+                              }
+                          }};
+  for (const PlotQuantity& q : kQuantities) records.columns.push_back(label_of(q));
+  return records;
 }
 
 }  // namespace physim::client

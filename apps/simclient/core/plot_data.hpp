@@ -9,6 +9,7 @@
 
 #include "physim/result.hpp"
 #include "physim/scenario.hpp"
+#include "report/records.hpp"
 #include "simclient/core/track.hpp"
 
 namespace physim::client {
@@ -77,7 +78,7 @@ struct PlotHit {
 [[nodiscard]] std::optional<PlotHit> nearest_point(const Plot& plot, const PlotPoint& place, double aspect,
                                                    double reach);
 
-/// Every sample of every projectile, with all quantities as columns.
-[[nodiscard]] std::string tracks_csv(std::span<const Track> tracks);
+/// A row for each sample of each projectile, with all quantities as columns.
+[[nodiscard]] report::Records records_of(std::span<const Track> tracks);
 
 }  // namespace physim::client

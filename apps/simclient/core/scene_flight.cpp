@@ -79,9 +79,9 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
 void build_comparison(Client& client, double scale, Scene& scene) {
   int line = 0;
   for (const ComparedRung& rung : client.comparison()) {
-    if (rung.flight.path.empty()) continue;
-    scene.polyline(rung.flight.path, rung.colour, (rung.is_truth ? 3 : 2) * scale);
-    scene.label(rung.flight.path.back().position, rung.name, rung.colour, line++);
+    if (rung.path.empty()) continue;
+    scene.polyline(rung.path, rung.colour, (rung.is_truth ? 3 : 2) * scale);
+    scene.label(rung.path.back().position, rung.name, rung.colour, line++);
   }
 }
 

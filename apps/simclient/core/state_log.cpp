@@ -3,13 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "physim/names.hpp"
+#include "report/json.hpp"
 
 namespace physim::client {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vector(const Vec3d& v) { return {v.x, v.y, v.z}; }
+using report::vector_json;
 
 Json shot_state(const Launcher& launcher) {
   const Fidelity& fidelity = launcher.shot().projectile.fidelity;
@@ -37,9 +37,9 @@ Json track_state(const Client& client, const Track& track) {
           {"colour", track.colour},
           {"status", name(track.status)},
           {"time", s.time},
-          {"position", vector(s.position)},
-          {"velocity", vector(s.velocity)},
-          {"acceleration", vector(s.acceleration)},
+          {"position", vector_json(s.position)},
+          {"velocity", vector_json(s.velocity)},
+          {"acceleration", vector_json(s.acceleration)},
           {"speed", length(s.velocity)},
           {"mass", track.mass},
           {"mach", s.mach},
@@ -60,7 +60,7 @@ std::string state_line(Client& client, std::uint64_t frame) {
   if (const auto arrow = client.arrow())
     line["arrow"] = {{"from", pixel(client, arrow->from)}, {"to", pixel(client, arrow->to)}};
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return report::json_line(line);
 }
 
 }  // namespace physim::client

@@ -11,7 +11,7 @@
 
 namespace physim::client {
 
-/// Of a body that was given no colour.
+/// The colour of a body that was given none.
 inline constexpr Colour kNoColour = 0xFFFFFFFF;
 
 /// A projectile after one step of the world, or at an event within it.

@@ -29,7 +29,7 @@ struct Picture {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Of the framebuffer in use, from its lower left corner.
+/// The pixels of the framebuffer in use, from its lower left corner.
 [[nodiscard]] Picture read_picture(int x, int y, int width, int height);
 [[nodiscard]] Status save_png(const Picture& picture, const std::string& path);
 

@@ -21,12 +21,12 @@ void draw_rung(const ComparedRung& rung) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextColored(tint(rung.colour), "%s%s", rung.name.c_str(), rung.is_truth ? " (truth)" : "");
-  tooltip(short_fidelity(rung.flight.granted.fidelity));
-  if (rung.flight.error) {
+  tooltip(short_fidelity(rung.granted.fidelity));
+  if (!rung.problem.empty()) {
     ImGui::TableNextColumn();
-    return coloured_text(colours::kWarning, rung.flight.error->message);
+    return coloured_text(colours::kWarning, rung.problem);
   }
-  const TrackSample& end = rung.flight.path.back();
+  const TrackSample& end = rung.path.back();
   for (const double value : {rung.farthest, rung.at_end, rung.later, end.position.x, end.position.y, end.time}) {
     ImGui::TableNextColumn();
     ImGui::Text("%.4g", value);
@@ -34,7 +34,7 @@ void draw_rung(const ComparedRung& rung) {
   ImGui::TableNextColumn();
   ImGui::Text("%.1f", rung.per_step * 1e9);
   ImGui::TableNextColumn();
-  for (const FidelityNote& note : rung.flight.granted.notes) {
+  for (const FidelityNote& note : rung.granted.notes) {
     ImGui::TextColored(tint(colours::kWarning), "%s %s", note.effect.c_str(), note.granted.c_str());
     tooltip(note.reason);
     ImGui::SameLine();
@@ -67,6 +67,7 @@ void pick_rungs(Client& client) {
 void draw_comparison(Client& client) {
   if (client.session.is_replay()) return ImGui::TextWrapped("A replay fires by itself.");
   pick_rungs(client);
+  if (!client.session.scenario().forces.empty()) ImGui::TextDisabled("without the forces of the scenario");
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("rungs", 9, flags)) return;

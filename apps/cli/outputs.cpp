@@ -1,0 +1,124 @@
+#include "outputs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "command.hpp"
+#include "report/file.hpp"
+#include "report/gnuplot.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+namespace {
+namespace fs = std::filesystem;
+
+// Do two paths lead to one file? A device may well be written to twice.
+bool is_same_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  if (a == "-" || b == "-") return a == b;
+  std::error_code failure;
+  const fs::path first = fs::weakly_canonical(fs::absolute(a), failure);
+  if (failure || fs::is_character_file(first, failure)) return false;
+  const fs::path second = fs::weakly_canonical(fs::absolute(b), failure);
+  return first == second || fs::equivalent(first, second, failure);
+}
+
+std::string type_name_of(const Format& format) {
+  if (!format.is_picture) return "FILE";
+  const std::string other(format.other_ending);
+  return "FILE" + std::string(format.ending) + (other.empty() ? "" : "|" + other.substr(1));
+}
+
+std::string help_of(const Format& format, const std::string& what, std::span<const Subject> subjects) {
+  std::string text = "Write " + (format.what.empty() ? what : std::string(format.what)) + " " + std::string(format.doc);
+  const auto is_unable = [&](Subject subject) { return !can_write(format, subject); };
+  if (std::ranges::any_of(subjects, is_unable)) text += is_unable(Subject::world) ? "; not of worlds" : "; of worlds";
+  return format.is_picture ? text : text + "; - is the standard output";
+}
+
+}  // namespace
+
+bool Outputs::use_stdout() const { return std::ranges::count(paths, "-") > 0; }
+
+std::vector<const Format*> Outputs::asked() const {
+  std::vector<const Format*> out;
+  for (const Format& format : formats())
+    if (!path_of(format).empty()) out.push_back(&format);
+  return out;
+}
+
+const std::string& Outputs::path_of(const Format& format) const {
+  return paths[static_cast<std::size_t>(&format - formats().data())];
+}
+
+void Outputs::forget(const Format& format) { paths[static_cast<std::size_t>(&format - formats().data())].clear(); }
+
+std::string option_of(const Format& format) { return "--" + std::string(format.name); }
+
+void add_output_options(Command& command, Outputs& outputs, const std::string& what,
+                        std::span<const Subject> subjects) {
+  for (std::size_t i = 0; i < formats().size(); ++i) {
+    const Format& format = formats()[i];
+    if (std::ranges::none_of(subjects, [&](Subject subject) { return can_write(format, subject); })) continue;
+    command.add_option(option_of(format).c_str(), outputs.paths[i], help_of(format, what, subjects).c_str())
+        .type_name(type_name_of(format).c_str())
+        .refuse_empty();
+  }
+}
+
+Status check(const Outputs& outputs, const std::string& what, const std::string& input_file) {
+  std::vector<std::pair<std::string, std::string>> all;  // option and path
+  for (const Format* format : outputs.asked()) all.emplace_back(option_of(*format), outputs.path_of(*format));
+  if (!outputs.record.empty()) all.emplace_back("--record", outputs.record);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [option, path] = all[i];
+    if (is_same_file(path, input_file))
+      return Error{.message = "cannot write: it is " + what + " itself", .place = path};
+    for (std::size_t k = 0; k < i; ++k)
+      if (is_same_file(path, all[k].second))
+        return Error{.message = all[k].first + " and " + option + " cannot both go to " + path};
+  }
+  for (const Format* format : outputs.asked())
+    if (Status status = format->is_picture ? Status() : check_output(outputs.path_of(*format)); !status) return status;
+  if (!outputs.record.empty())
+    if (Status status = check_output(outputs.record); !status) return status;
+  for (const Format* format : outputs.asked())
+    if (Status status = format->is_picture ? check_plot(outputs.path_of(*format)) : Status(); !status) return status;
+  return {};
+}
+
+Status check_subject(const Outputs& outputs, Subject subject, const std::string& why, const std::string& hint) {
+  for (const Format* format : outputs.asked())
+    if (!can_write(*format, subject)) return Error{.message = why, .place = option_of(*format), .hint = hint};
+  return {};
+}
+
+Status write(const Outputs& outputs, const std::function<Content(const Format&)>& make) {
+  std::vector<const Format*> asked = outputs.asked();
+  std::ranges::stable_partition(asked, [](const Format* format) { return format->is_picture; });
+  for (const Format* format : asked) {
+    const std::string& path = outputs.path_of(*format);
+    const Content content = make(*format);
+    const auto* text = std::get_if<std::string>(&content);
+    if (Status status = text != nullptr && path == "-" ? print(*text) : write_content(path, content); !status)
+      return status;
+  }
+  return {};
+}
+
+Status write_output(const std::string& path, std::string_view content) {
+  return path == "-" ? print(content) : write_file(path, content);
+}
+
+Status check_output(const std::string& path) { return path == "-" ? Status() : check_writable(path); }
+
+Outputs outputs_in(const std::string& folder, const std::string& stem, Subject subject) {
+  Outputs outputs;
+  for (std::size_t i = 0; i < formats().size(); ++i)
+    if (const Format& format = formats()[i]; can_write(format, subject))
+      outputs.paths[i] = (fs::path(folder) / (stem + std::string(format.ending))).string();
+  return outputs;
+}
+
+}  // namespace physim::cli

@@ -1,0 +1,89 @@
+#include "physim/compare.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "physim/names.hpp"
+
+namespace physim {
+namespace {
+
+constexpr int kTimes = 1000;  // at which two paths are compared
+
+bool ends_as_planned(const Flight& flight) {
+  switch (flight.outcome()) {
+    case Outcome::landed:
+    case Outcome::reached_range:
+    case Outcome::event:
+    case Outcome::time_limit:
+      return true;
+    case Outcome::step_limit:
+    case Outcome::left_domain:
+    case Outcome::non_finite:
+    case Outcome::stalled:
+    case Outcome::refused:
+      return false;
+  }
+  return false;
+}
+
+/// Up to when a flight has a place: one that has landed stays where it landed.
+double last_time(const Flight& flight) {
+  return flight.outcome() == Outcome::landed ? std::numeric_limits<double>::infinity() : flight.duration();
+}
+
+double largest_distance(const Flight& a, const Flight& b) {
+  const double end = std::min({last_time(a), last_time(b), std::max(a.duration(), b.duration())});
+  double largest = 0;
+  for (int i = 0; i <= kTimes; ++i) {
+    const double time = end * i / kTimes;
+    largest = std::max(largest, length(a.at(time).position - b.at(time).position));
+  }
+  return largest;
+}
+
+ComparedFlight beside(const Flight& reference, Flight flight) {
+  ComparedFlight out{std::move(flight), {}};
+  if (out.flight.error()) {
+    out.problem = out.flight.error()->message;
+  } else if (!ends_as_planned(out.flight)) {
+    out.problem = "its flight ended with " + std::string(name(out.flight.outcome()));
+  } else {
+    out.end_distance = length(out.flight.end().position - reference.end().position);
+    out.largest_distance = largest_distance(out.flight, reference);
+    out.end_delay = out.flight.duration() - reference.duration();
+  }
+  return out;
+}
+
+/// A launch with the velocity that a flight started with: the bore's elevation is known and no longer looked for.
+Launch launch_as_flown(Launch launch, const Flight& flight) {
+  launch.velocity = flight.at(0).velocity;
+  launch.speed = launch.elevation = launch.azimuth = 0;
+  launch.sight.zero_range = 0;
+  return launch;
+}
+
+}  // namespace
+
+Result<Comparison> compare(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                           std::span<const FlightSetting> settings, const FlightSetting& reference, const Until& until,
+                           const Progress& progress) {
+  const auto flight_of = [&](const Launch& start, const FlightSetting& setting) {
+    return fly(projectile, start, environment, setting.fidelity, setting.tolerance, until);
+  };
+  const Flight aimed = flight_of(launch, reference);
+  if (aimed.error()) return *aimed.error();
+  if (!ends_as_planned(aimed))
+    return Error{"the reference flight ended with " + std::string(name(aimed.outcome())), "until",
+                 "give it an end that it reaches, as until.ground, until.range or until.time"};
+  const Launch start = launch_as_flown(launch, aimed);
+  Comparison out{flight_of(start, reference), start, {}};
+  for (const FlightSetting& setting : settings) {
+    out.flights.push_back(beside(out.reference, flight_of(start, setting)));
+    if (progress) progress(out.flights.size(), settings.size());
+  }
+  return out;
+}
+
+}  // namespace physim

@@ -1,0 +1,97 @@
+#include "report/file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace physim::report {
+namespace fs = std::filesystem;
+namespace {
+
+Error cannot_write(const std::string& path, int error_number) {
+  return {.message = std::string("cannot write: ") + std::strerror(error_number), .place = path};
+}
+
+// The number of the error, 0 for success.
+int write_all(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+int write_to(const std::string& path, int flags, std::string_view content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+  if (file < 0) return errno;
+  const int write_error = write_all(file, content);
+  const int close_error = ::close(file) == 0 ? 0 : errno;
+  return write_error != 0 ? write_error : close_error;
+}
+
+// Where a path leads: the file itself behind symbolic links, so that a link is kept and its target replaced.
+std::string target_of(const std::string& path) {
+  std::error_code ignored;
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);
+  return target.empty() ? path : target.string();
+}
+
+// May we write into this file or folder? As far as can be told beforehand.
+Status check_permission(const std::string& path, const std::string& file_or_folder) {
+  if (::access(file_or_folder.c_str(), W_OK) == 0) return {};
+  return cannot_write(path, errno);
+}
+
+// A device or a pipe is written to; it must never be replaced by a file.
+bool is_special(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+}
+
+}  // namespace
+
+Status check_writable(const std::string& path) {
+  std::error_code ignored;
+  if (path.empty()) return Error{.message = "the name of an output file is empty"};
+  if (fs::is_directory(path, ignored)) return Error{.message = "cannot write: it is a directory", .place = path};
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, ignored))
+    return Error{
+        .message = "cannot write: no such directory", .place = path, .hint = "make " + folder.string() + " first"};
+  if (fs::exists(path, ignored)) return check_permission(path, path);
+  return check_permission(path, folder.empty() ? "." : folder.string());
+}
+
+Status write_file(const std::string& path, std::string_view content) {
+  if (Status status = check_writable(path); !status) return status;
+  const std::string target = target_of(path);
+  if (is_special(target)) {
+    const int error_number = write_to(target, 0, content);
+    return error_number == 0 ? Status() : Status(cannot_write(path, error_number));
+  }
+  const std::string temporary = target + ".tmp-" + std::to_string(::getpid());
+  int error_number = write_to(temporary, O_CREAT | O_TRUNC, content);
+  if (error_number == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) error_number = errno;
+  if (error_number == 0) return {};
+  ::unlink(temporary.c_str());
+  return cannot_write(path, error_number);
+}
+
+Status make_folder(const std::string& path) {
+  std::error_code error;
+  if (path.empty()) return Error{.message = "the name of the output directory is empty"};
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+    return Error{.message = "it is a file, not a directory", .place = path};
+  fs::create_directories(path, error);
+  if (error) return Error{.message = "cannot make the directory: " + error.message(), .place = path};
+  return {};
+}
+
+}  // namespace physim::report

@@ -1,0 +1,20 @@
+// Files that are written whole or not at all: to a temporary name beside the target, then renamed.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "physim/result.hpp"
+
+namespace physim::report {
+
+/// Writes a file. What stood there before stays until the new is complete.
+[[nodiscard]] Status write_file(const std::string& path, std::string_view content);
+
+/// An error where a file of this path could not be written: a folder, or a place in no folder.
+[[nodiscard]] Status check_writable(const std::string& path);
+
+/// Makes a folder and those above it.
+[[nodiscard]] Status make_folder(const std::string& path);
+
+}  // namespace physim::report

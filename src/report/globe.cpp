@@ -1,0 +1,224 @@
+#include "report/globe.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "physim/names.hpp"
+#include "report/json.hpp"
+#include "report/number.hpp"
+
+namespace physim::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+
+/// A place at a time, in degrees as files have it.
+struct GlobePoint {
+  double time, longitude, latitude, height;
+};
+
+GlobePoint point_of(const EarthFrames& frames, double time, const Vec3d& position) {
+  const Geodetic g = frames.geodetic(position);
+  return {time, g.longitude * kDegrees, g.latitude * kDegrees, g.height};
+}
+
+std::vector<GlobePoint> path_of(const Flight& flight, const std::vector<double>& times) {
+  const EarthFrames frames = flight.earth_frames();
+  std::vector<GlobePoint> points;
+  points.reserve(times.size());
+  for (const double time : times) points.push_back(point_of(frames, time, flight.at(time).position));
+  return points;
+}
+
+/// What happened where: the launch, the events and the end.
+struct Mark {
+  std::string name;
+  GlobePoint point;
+  double speed;
+};
+
+std::vector<Mark> marks_of(const Flight& flight) {
+  const EarthFrames frames = flight.earth_frames();
+  const auto mark = [&](const std::string& what, double time, const Vec3d& x, const Vec3d& v) {
+    return Mark{what, point_of(frames, time, x), std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)};
+  };
+  const Sample start = flight.at(0), end = flight.end();
+  std::vector<Mark> marks{mark("launch", 0, start.position, start.velocity)};
+  for (const Event& e : flight.events())
+    if (e.time < flight.duration()) marks.push_back(mark(std::string(name(e.kind)), e.time, e.position, e.velocity));
+  marks.push_back(mark(std::string(name(flight.outcome())), end.time, end.position, end.velocity));
+  return marks;
+}
+
+// ---------------------------------------------------------------------------------------------------------------- KML
+std::string xml(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string kml_coordinates(const GlobePoint& p) {
+  return shortest(p.longitude) + "," + shortest(p.latitude) + "," + shortest(p.height);
+}
+
+std::string kml_shot(const FlownShot& shot, const std::vector<double>& times) {
+  std::string out = " <Folder>\n  <name>" + xml(shot.name) +
+                    "</name>\n  <Placemark>\n   <name>path</name>\n   <styleUrl>#path</styleUrl>\n"
+                    "   <LineString>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>\n";
+  for (const GlobePoint& p : path_of(shot.flight, times)) out += "     " + kml_coordinates(p) + "\n";
+  out += "    </coordinates>\n   </LineString>\n  </Placemark>\n";
+  for (const Mark& mark : marks_of(shot.flight))
+    out += "  <Placemark>\n   <name>" + xml(mark.name) + "</name>\n   <description>" + significant(mark.point.time, 6) +
+           " s, " + significant(mark.speed, 6) +
+           " m/s</description>\n   <Point>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>" +
+           kml_coordinates(mark.point) + "</coordinates>\n   </Point>\n  </Placemark>\n";
+  return out + " </Folder>\n";
+}
+
+// --------------------------------------------------------------------------------------------------------------- CZML
+/// A time since the launch, which a file without a date puts at noon of 1 January 2000.
+std::string utc(double seconds) {
+  using namespace std::chrono;
+  const auto whole = sys_days{2000y / January / 1} + hours{12} + std::chrono::seconds{std::llround(std::ceil(seconds))};
+  const auto day = floor<days>(whole);
+  const year_month_day date{day};
+  const hh_mm_ss clock{whole - day};
+  char text[40];
+  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02dZ", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
+                static_cast<int>(clock.seconds().count()));
+  return text;
+}
+
+Json czml_shot(const FlownShot& shot, const std::vector<double>& times) {
+  Json numbers = Json::array();
+  for (const GlobePoint& p : path_of(shot.flight, times))
+    for (const double number : {p.time, p.longitude, p.latitude, p.height}) numbers.push_back(number);
+  const Json colour = {{"solidColor", {{"color", {{"rgba", {255, 160, 0, 255}}}}}}};
+  return {{"id", "shot/" + shot.name},
+          {"name", shot.name},
+          {"availability", utc(0) + "/" + utc(shot.flight.duration())},
+          {"position",
+           {{"epoch", utc(0)},
+            {"interpolationAlgorithm", "LAGRANGE"},
+            {"interpolationDegree", 3},
+            {"cartographicDegrees", std::move(numbers)}}},
+          {"point", {{"pixelSize", 8}, {"color", {{"rgba", {255, 160, 0, 255}}}}}},
+          {"path", {{"width", 2}, {"material", colour}}}};
+}
+
+// ------------------------------------------------------------------------------------------------------------ GeoJSON
+Json position_json(const GlobePoint& p) { return Json::array({p.longitude, p.latitude, p.height}); }
+
+/// The point between two others where the path leaves the map, on the side of the first.
+GlobePoint at_antimeridian(const GlobePoint& from, const GlobePoint& to) {
+  const double side = from.longitude > 0 ? 180 : -180;
+  const double beyond = to.longitude + 2 * side;  // the second without the jump
+  const double part = (side - from.longitude) / (beyond - from.longitude);
+  return {from.time + part * (to.time - from.time), side, from.latitude + part * (to.latitude - from.latitude),
+          from.height + part * (to.height - from.height)};
+}
+
+/// Parts that do not cross the antimeridian. A path over a pole jumps too: it runs along the edge of the map there.
+std::vector<std::vector<GlobePoint>> cut_at_antimeridian(const std::vector<GlobePoint>& path) {
+  std::vector<std::vector<GlobePoint>> parts(1);
+  for (const GlobePoint& p : path) {
+    if (!parts.back().empty() && std::abs(p.longitude - parts.back().back().longitude) > 180) {
+      GlobePoint edge = at_antimeridian(parts.back().back(), p);
+      parts.back().push_back(edge);
+      edge.longitude = -edge.longitude;
+      parts.push_back({edge});
+    }
+    parts.back().push_back(p);
+  }
+  return parts;
+}
+
+Json path_feature(const FlownShot& shot, const std::vector<double>& times) {
+  Json lines = Json::array(), clocks = Json::array();
+  for (const auto& part : cut_at_antimeridian(path_of(shot.flight, times))) {
+    Json line = Json::array(), clock = Json::array();
+    for (const GlobePoint& p : part) line.push_back(position_json(p)), clock.push_back(p.time);
+    if (line.size() == 1) line.push_back(line[0]), clock.push_back(clock[0]);  // a line has two points at least
+    lines.push_back(std::move(line));
+    clocks.push_back(std::move(clock));
+  }
+  const bool whole = lines.size() == 1;
+  return {
+      {"type", "Feature"},
+      {"properties",
+       {{"shot", shot.name},
+        {"what", "path"},
+        {"outcome", name(shot.flight.outcome())},
+        {"times [s]", whole ? clocks[0] : clocks}}},
+      {"geometry", {{"type", whole ? "LineString" : "MultiLineString"}, {"coordinates", whole ? lines[0] : lines}}}};
+}
+
+Json mark_feature(const FlownShot& shot, const Mark& mark) {
+  return {{"type", "Feature"},
+          {"properties",
+           {{"shot", shot.name}, {"what", mark.name}, {"time [s]", mark.point.time}, {"speed [m/s]", mark.speed}}},
+          {"geometry", {{"type", "Point"}, {"coordinates", position_json(mark.point)}}}};
+}
+
+}  // namespace
+
+Status check_round(const FlownScenario& flown) {
+  for (const FlownShot& shot : flown.shots)
+    if (shot.flight.fidelity_in_use().fidelity.earth < EarthModel::sphere)
+      return Error{.message = "shot \"" + shot.name + "\" flew over a flat Earth, which globes do not know",
+                   .place = flown.scenario.file,
+                   .hint = "shot.fidelity.earth=ellipsoid, or fidelity = { earth = \"ellipsoid\" }"};
+  return {};
+}
+
+Content globe_kml(const Flights& flights) {
+  const auto& [flown, times] = flights;
+  std::string out =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n "
+      "<name>" +
+      xml(title_of(flown.scenario)) + "</name>\n <description>" + xml(flown.scenario.source) +
+      "</description>\n <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n";
+  for (std::size_t i = 0; i < flown.shots.size(); ++i) out += kml_shot(flown.shots[i], times[i]);
+  return out + "</Document>\n</kml>\n";
+}
+
+Content globe_czml(const Flights& flights) {
+  const auto& [flown, times] = flights;
+  double last = 0;
+  for (const FlownShot& shot : flown.shots) last = std::max(last, shot.flight.duration());
+  Json out = Json::array();
+  out.push_back({{"id", "document"},
+                 {"name", title_of(flown.scenario)},
+                 {"version", "1.0"},
+                 {"clock", {{"interval", utc(0) + "/" + utc(last)}, {"currentTime", utc(0)}, {"multiplier", 1}}}});
+  for (std::size_t i = 0; i < flown.shots.size(); ++i) out.push_back(czml_shot(flown.shots[i], times[i]));
+  return json_text(out);
+}
+
+Content globe_geojson(const Flights& flights) {
+  const auto& [flown, times] = flights;
+  Json features = Json::array();
+  for (std::size_t i = 0; i < flown.shots.size(); ++i) {
+    const FlownShot& shot = flown.shots[i];
+    features.push_back(path_feature(shot, times[i]));
+    for (const Mark& mark : marks_of(shot.flight)) features.push_back(mark_feature(shot, mark));
+  }
+  return json_text({{"type", "FeatureCollection"}, {"features", std::move(features)}});
+}
+
+}  // namespace physim::report

@@ -1,0 +1,87 @@
+#include "report/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "physim/names.hpp"
+#include "physim/version.hpp"
+#include "report/fidelity_text.hpp"
+
+namespace physim::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json fidelity_json(const Fidelity& fidelity) {
+  Json out;
+  for (const auto& [effect, rung] : fidelity_fields(fidelity)) {
+    if (rung == "true" || rung == "false")
+      out[std::string(effect)] = rung == "true";
+    else
+      out[std::string(effect)] = rung;
+  }
+  return out;
+}
+
+}  // namespace
+
+Json checks_json(const std::vector<Check>& checks) {
+  Json out = Json::array();
+  for (const Check& check : checks) {
+    const Expectation& expectation = *check.expectation;
+    Json entry = {{"shot", check.shot},
+                  {"at", place_text(expectation)},
+                  {"quantity", expectation.quantity},
+                  {"unit", unit_of(expectation.quantity)},
+                  {"value", check.value ? Json(*check.value) : Json()},
+                  {"equals", expectation.equals},
+                  {"within", expectation.within},
+                  {"met", check.met},
+                  {"source", expectation.source},
+                  {"place", expectation.place}};
+    if (!check.value) entry["error"] = check.value.error().message;
+    out.push_back(std::move(entry));
+  }
+  return out;
+}
+
+Json vector_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json provenance(const Scenario& scenario) {
+  Json values;
+  for (const auto& [path, value] : effective_settings(scenario)) values[path] = value;
+  return {{"program", "physim"},
+          {"version", kVersion},
+          {"scenario", {{"file", scenario.file}, {"title", scenario.title}, {"source", scenario.source}}},
+          {"settings", std::move(values)}};
+}
+
+Json flight_json(const Flight& flight, const Fidelity& asked) {
+  const FidelityInUse& in_use = flight.fidelity_in_use();
+  Json notes = Json::array(), events = Json::array();
+  for (const FidelityNote& note : in_use.notes)
+    notes.push_back(
+        {{"effect", note.effect}, {"asked", note.asked}, {"granted", note.granted}, {"reason", note.reason}});
+  for (const Event& event : flight.events())
+    events.push_back({{"kind", name(event.kind)},
+                      {"value", event.value},
+                      {"direction", name(event.direction)},
+                      {"time [s]", event.time},
+                      {"position [m]", vector_json(event.position)},
+                      {"velocity [m/s]", vector_json(event.velocity)}});
+  const FlightCost& cost = flight.cost();
+  return {{"outcome", name(flight.outcome())},
+          {"duration [s]", flight.duration()},
+          {"elevation [rad]", flight.elevation()},
+          {"fidelity_asked", fidelity_json(asked)},
+          {"fidelity_granted", fidelity_json(in_use.fidelity)},
+          {"fidelity_notes", std::move(notes)},
+          {"step [s]", flight.step()},
+          {"cost", {{"steps", cost.steps}, {"rejected", cost.rejected}, {"evaluations", cost.evaluations}}},
+          {"events", std::move(events)}};
+}
+
+std::string json_text(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+std::string json_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace physim::report

@@ -1,0 +1,25 @@
+// What JSON files of results have in common.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "report/flown.hpp"
+
+namespace physim::report {
+
+/// Program, version, scenario and all its settings: where a result came from.
+[[nodiscard]] nlohmann::ordered_json provenance(const Scenario& scenario);
+/// Outcome, fidelity, events and cost of a flight.
+[[nodiscard]] nlohmann::ordered_json flight_json(const Flight& flight, const Fidelity& asked);
+/// The verdicts of the scenario's expectations.
+[[nodiscard]] nlohmann::ordered_json checks_json(const std::vector<Check>& checks);
+/// A list of the three components.
+[[nodiscard]] nlohmann::ordered_json vector_json(const Vec3d& v);
+/// JSON as text; characters that are not UTF-8 are replaced.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
+/// JSON without line breaks.
+[[nodiscard]] std::string json_line(const nlohmann::ordered_json& json);
+
+}  // namespace physim::report

@@ -1,0 +1,213 @@
+#include "report/plot_flights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physim/names.hpp"
+#include "report/fidelity_text.hpp"
+#include "report/number.hpp"
+#include "report/plot_extent.hpp"
+#include "report/table.hpp"
+
+namespace physim::report {
+namespace {
+
+constexpr int kWidth = 1600, kHeight = 1300;  // [px]
+constexpr int kPoints = 400;                  // of each curve
+
+// Columns of a datablock, counted from 1 as gnuplot does: those of a sample row, and then these.
+constexpr int kTime = 1, kPosition = 2, kVelocity = 5, kAcceleration = 8, kSpeed = 11;
+constexpr int kRange = 13, kHeightColumn = 14;
+constexpr int kColumns = 14;
+
+struct Curve {
+  std::string name;
+  std::string block;  // of gnuplot: "$shot0"
+  std::vector<std::array<double, kColumns>> rows;
+};
+
+Curve curve_of(const FlownShot& shot, std::size_t index) {
+  Curve curve{shot.name, "$shot" + std::to_string(index), {}};
+  const double duration = shot.flight.duration();
+  for (int k = 0; k <= kPoints; ++k) {
+    const Sample sample = shot.flight.at(duration * k / kPoints);
+    std::array<double, kColumns> row{};
+    std::ranges::copy(row_of(sample), row.begin());
+    row[kRange - 1] = std::hypot(sample.position.x, sample.position.z);
+    row[kHeightColumn - 1] = sample.position.y;
+    curve.rows.push_back(row);
+  }
+  return curve;
+}
+
+std::string datablock(const Curve& curve) {
+  std::string out = curve.block + " << EndOfData\n";
+  for (const auto& row : curve.rows) {
+    for (const double value : row) out += (std::isfinite(value) ? significant(value, 9) : "NaN") + " ";
+    out += "\n";
+  }
+  return out + "EndOfData\n";
+}
+
+Extent extent_of(const std::vector<Curve>& curves, int column) {
+  Extent extent;
+  for (const Curve& curve : curves)
+    for (const auto& row : curve.rows) extent.add(row[static_cast<std::size_t>(column - 1)]);
+  return extent.or_zero();
+}
+
+std::string line_style(std::size_t index, std::string_view colour) {
+  const bool is_second_round = index >= kPalette.size();
+  return " lw 2.5 dt " + std::string(is_second_round ? "(14,6)" : "1") + " lc rgb " + literal(colour);
+}
+
+class FlightsPicture {
+ public:
+  FlightsPicture(const std::string& title, std::span<const FlownShot> shots)
+      : title_(title), shots_(shots.first(std::min(shots.size(), kMaxDrawnShots))), all_(shots.size()) {
+    for (std::size_t i = 0; i < shots_.size(); ++i) curves_.push_back(curve_of(shots_[i], i));
+  }
+
+  [[nodiscard]] std::string script() const {
+    std::string out = axes_style();
+    for (const Curve& curve : curves_) out += datablock(curve);
+    out += "set multiplot\n" + path_panel() + "unset arrow\n" + speed_panel();
+    const std::array<std::string_view, 3> axes = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string name(axes[static_cast<std::size_t>(axis)]);
+      out += axis_panel(axis, 0, kPosition + axis, name + " [m]");
+      out += axis_panel(axis, 1, kVelocity + axis, "v" + name + " [m/s]");
+      out += axis_panel(axis, 2, kAcceleration + axis, "a" + name + " [m/s²]");
+    }
+    return out + "unset multiplot\n";
+  }
+
+ private:
+  static constexpr double kLeft = 0.055, kRight = 0.985, kPanelGap = 0.062;  // parts of the width
+  static constexpr double kTopLow = 0.665, kTopHigh = 0.875;                 // parts of the height
+  static constexpr double kRowLow = 0.055, kRowHeight = 0.141, kRowGap = 0.047;
+  static constexpr double kPanelWidth = (kRight - kLeft - 2 * kPanelGap) / 3;
+
+  static constexpr double kHeaderLeft = 0.02, kLegendTop = 0.938, kLegendRow = 0.0215;      // parts of the picture
+  static constexpr double kLegendLine = 40, kLegendGap = 26, kLegendCharacter = 13 * 0.72;  // [px]
+
+  static double column_left(int column) { return kLeft + column * (kPanelWidth + kPanelGap); }
+
+  [[nodiscard]] std::string header() const {
+    std::string out = title_at(kHeaderLeft, 0.968, title_, kWidth);
+    if (shots_.size() == 1) {
+      const Fidelity& asked = shots_[0].shot->projectile.fidelity;
+      out +=
+          text_at(kHeaderLeft, kLegendTop, one_line(shots_[0].name) + ", fidelity " + preset_name(asked), 15, kQuiet);
+      return out;
+    }
+    const std::string count =
+        all_ == shots_.size() ? std::to_string(all_) + " shots"
+                              : "the first " + std::to_string(shots_.size()) + " of " + std::to_string(all_) + " shots";
+    return out + text_at(kHeaderLeft, kLegendTop, count, 15, kQuiet) + legend(static_cast<double>(count.size()) * 10);
+  }
+
+  struct LegendItem {
+    std::string name;
+    double x = 0;  // [px]
+    int row = 0;
+  };
+
+  // The names of the shots in rows, from `indent` px on; none longer than so many characters.
+  [[nodiscard]] std::vector<LegendItem> legend_items(double indent, std::size_t characters) const {
+    std::vector<LegendItem> items;
+    double x = kHeaderLeft * kWidth + indent + kLegendGap;
+    int row = 0;
+    for (const Curve& curve : curves_) {
+      const std::string name = shortened(one_line(curve.name), characters);
+      const double width = kLegendLine + static_cast<double>(display_width(name)) * kLegendCharacter;
+      if (x + width > (1 - kHeaderLeft) * kWidth && !items.empty()) x = kHeaderLeft * kWidth, ++row;
+      items.push_back({name, x, row});
+      x += width + kLegendGap;
+    }
+    return items;
+  }
+
+  // Below the title, so that neither is ever in the other's way; names are shortened until they fit into two rows.
+  [[nodiscard]] std::string legend(double indent) const {
+    std::size_t characters = 60;
+    while (characters > 4 && legend_items(indent, characters).back().row > 1) --characters;
+    const std::vector<LegendItem> items = legend_items(indent, characters);
+    std::string out;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const double y = kLegendTop - items[i].row * kLegendRow;
+      const double left = items[i].x / kWidth, right = (items[i].x + kLegendLine - 8) / kWidth;
+      out += "set arrow from screen " + shortest(left) + "," + shortest(y) + " to screen " + shortest(right) + "," +
+             shortest(y) + " nohead" + line_style(i, colour_of(i, 0)) + "\n";
+      out += text_at((items[i].x + kLegendLine) / kWidth, y, items[i].name, 13, kInk);
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string colour_of(std::size_t shot, int row) const {
+    return std::string(kPalette[shots_.size() == 1 ? static_cast<std::size_t>(row) : shot % kPalette.size()]);
+  }
+
+  // plot ...: one curve for each shot. `row` colours a single shot.
+  [[nodiscard]] std::string curves(int x, int y, int row) const {
+    std::string out = "plot ";
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      out += (i == 0 ? "" : ", ") + curves_[i].block + " using " + std::to_string(x) + ":" + std::to_string(y) +
+             " with lines" + line_style(i, colour_of(i, row)) + " notitle";
+    return out + "\n";
+  }
+
+  // Height over distance: to scale where the curve keeps a visible shape, else stretched, and the picture says so.
+  [[nodiscard]] std::string path_panel() const {
+    const double right = column_left(1) + kPanelWidth;
+    Extent x = padded(extent_of(curves_, kRange)), y = padded(extent_of(curves_, kHeightColumn));
+    const double panel_width = (right - kLeft) * kWidth, panel_height = (kTopHigh - kTopLow) * kHeight;
+    std::string note = to_scale(x, y, panel_width, panel_height, 0, {"distances", "heights"});
+    const bool is_line = is_constant(extent_of(curves_, kRange)) || is_constant(extent_of(curves_, kHeightColumn));
+    if (is_line && note != ", to scale") note = "";
+    return panel_at(kLeft, right, kTopLow, kTopHigh) + range_of("x", x) + range_of("y", y) +
+           "set xlabel 'distance [m]' offset 0,0.5\nunset label\n" + panel_title("height [m] over distance" + note) +
+           header() + curves(kRange, kHeightColumn, 0);
+  }
+
+  [[nodiscard]] std::string time_panel(double left, double low, double high, int column, const std::string& label,
+                                       int row) const {
+    return panel_at(left, left + kPanelWidth, low, high) + range_of("x", time_extent()) +
+           range_of("y", padded(extent_of(curves_, column))) + "unset label\n" + panel_title(label) +
+           curves(kTime, column, row);
+  }
+
+  [[nodiscard]] std::string speed_panel() const {
+    return "set xlabel 't [s]' offset 0,0.5\n" +
+           time_panel(column_left(2), kTopLow, kTopHigh, kSpeed, "speed [m/s]", 3);
+  }
+
+  [[nodiscard]] std::string axis_panel(int column, int row, int data_column, const std::string& label) const {
+    const double low = kRowLow + (2 - row) * (kRowHeight + kRowGap);
+    const std::string below =  // the three panels of a column share their time axis
+        row == 2 ? "set xlabel 't [s]' offset 0,0.5\nset format x '%g'\n" : "unset xlabel\nset format x ''\n";
+    return below + time_panel(column_left(column), low, low + kRowHeight, data_column, label, row);
+  }
+
+  [[nodiscard]] Extent time_extent() const {
+    const Extent extent = extent_of(curves_, kTime);
+    return extent.high > 0 ? Extent{0, extent.high} : Extent{0, 1};
+  }
+
+  std::string title_;
+  std::span<const FlownShot> shots_;
+  std::size_t all_;
+  std::vector<Curve> curves_;
+};
+
+}  // namespace
+
+Picture shots_picture(const std::string& title, std::span<const FlownShot> shots) {
+  return {kWidth, kHeight, FlightsPicture(title, shots).script()};
+}
+
+Content flights_picture(const Flights& flights) {
+  return shots_picture(title_of(flights.flown.scenario), flights.flown.shots);
+}
+
+}  // namespace physim::report

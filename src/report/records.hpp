@@ -1,0 +1,28 @@
+// Records: rows of named columns, the common ground of all results. A format that writes records writes every result.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace physim::report {
+
+using Cell = std::variant<std::string_view, double, std::uint64_t>;
+using Row = std::span<const Cell>;
+
+struct Records {
+  std::vector<std::string> columns;  // with their units: "x [m]"
+  /// Hands over row after row, with a cell for each column: there may be too many to keep them.
+  std::function<void(const std::function<void(Row)>& take)> rows;
+};
+
+/// A header line and a line for each row, RFC 4180 but for the space behind each comma.
+[[nodiscard]] std::string csv_text(const Records& records);
+/// An object with a list for each column.
+[[nodiscard]] std::string columns_json_text(const Records& records);
+
+}  // namespace physim::report

@@ -1,0 +1,178 @@
+#include "report/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/event_table.hpp"
+#include "physim/names.hpp"
+#include "report/fidelity_text.hpp"
+#include "report/number.hpp"
+#include "report/table.hpp"
+
+namespace physim::report {
+namespace {
+
+constexpr int kIndent = 2;
+constexpr double kDegree = std::numbers::pi / 180;
+
+// A line of the summary: its subject in a column of its own.
+std::string line(const std::string& subject, const std::string& text) {
+  constexpr std::size_t kSubject = 15;
+  return "  " + subject + std::string(kSubject - std::min(kSubject - 1, display_width(subject)), ' ') + text + "\n";
+}
+
+// The correction that brings the shot back to the line of sight [mil = mrad].
+std::string hold(double offset, double range) { return range > 0 ? fixed(-std::atan2(offset, range) * 1e3, 2) : "-"; }
+
+// A time [s] of a flight; four decimals, more for a flight that lasts no longer than those show.
+std::string time_text(double time, const Flight& flight) {
+  const double duration = flight.duration();
+  const int needed = duration > 0 ? 4 - static_cast<int>(std::floor(std::log10(duration))) : 0;
+  return fixed(time, std::clamp(needed, 4, 12));
+}
+
+std::string range_card(const FlownShot& flown, const std::vector<double>& ranges) {
+  const bool with_holds = flown.shot->launch.sight.zero_range > 0;
+  std::vector<Column> columns = {{"range [m]"}, {"drop [m]"}, {"windage [m]"}};
+  if (with_holds) columns.insert(columns.end(), {{"hold up [mil]"}, {"hold right [mil]"}});
+  columns.insert(columns.end(), {{"time [s]"}, {"speed [m/s]"}, {"mach [-]"}, {"energy [J]"}});
+  Table table(columns);
+  for (const double range : ranges) {
+    const Result<Sample> found = flown.flight.at_range(range);
+    if (!found) {
+      table.add_row({as_typed(range), "not reached"});
+      continue;
+    }
+    const Sample& s = *found;
+    std::vector<std::string> row = {as_typed(range), fixed(s.drop, 3), fixed(s.windage, 3)};
+    if (with_holds) row.insert(row.end(), {hold(s.drop, range), hold(s.windage, range)});
+    row.insert(row.end(),
+               {time_text(s.time, flown.flight), fixed(s.speed, 2), fixed(s.mach, 3), readable(s.energy, 4)});
+    table.add_row(std::move(row));
+  }
+  return table.empty() ? "" : "\n" + table.text(kIndent) + "\n";
+}
+
+std::string end_text(const Flight& flight) {
+  const Sample s = flight.end();
+  const double horizontal = std::hypot(s.velocity.x, s.velocity.z);
+  const double angle = std::atan2(s.velocity.y, horizontal) / kDegree;
+  std::string text = time_text(s.time, flight) + " s: " + readable(s.range, 6) + " m downrange, height " +
+                     readable(s.position.y, 5) + " m, windage " + readable(s.windage, 4) + " m; " +
+                     readable(s.speed, 5) + " m/s";
+  if (s.mach > 0) text += " (Mach " + fixed(s.mach, 3) + ")";
+  return text + ", " + readable(s.energy, 4) + " J, " + fixed(std::abs(angle), 2) + " deg " +
+         (angle < 0 ? "down" : "up");
+}
+
+std::string apex_text(const Flight& flight, const Event& apex) {
+  return time_text(apex.time, flight) + " s: " + readable(apex.position.x, 6) + " m downrange, height " +
+         readable(apex.position.y, 5) + " m";
+}
+
+// How a rigid body is stable at the muzzle and at the end, and how far it points off its path there.
+std::string stability_text(const Flight& flight) {
+  std::string text;
+  for (const double time : {0.0, flight.duration()}) {
+    if (const auto s = flight.stability(time))
+      text += "Sg " + significant(s->gyroscopic, 4) + ", Sd " + significant(s->dynamic, 4) + ", ";
+    text += "yaw " + fixed(flight.at(time).angle_of_attack / kDegree, 3) + " deg";
+    text += time == 0 ? " at the muzzle; " : " at the end";
+    if (flight.duration() == 0) break;
+  }
+  return text;
+}
+
+std::string motor_text(const MotorDef& motor) {
+  const std::string named = motor.name.empty() ? "" : one_line(motor.name) + ": ";
+  return named + readable(total_impulse(motor), 4) + " N s in " + readable(burn_time(motor), 4) +
+         " s, specific impulse " + readable(specific_impulse(motor), 4) + " s";
+}
+
+/// Ignition, burnout or the end of the rail.
+std::string stop_text(const Flight& flight, const Event& stop) {
+  return time_text(stop.time, flight) + " s: height " + readable(stop.position.y, 5) + " m, " +
+         readable(length(stop.velocity), 5) + " m/s, " + readable(flight.at(stop.time).mass, 4) + " kg";
+}
+
+std::string cost_text(const Flight& flight) {
+  const FlightCost& cost = flight.cost();
+  std::string text = std::to_string(cost.steps) + " steps";
+  if (flight.step() > 0) text += " of " + significant(flight.step(), 4) + " s";
+  if (cost.rejected > 0) text += " (" + std::to_string(cost.rejected) + " more rejected)";
+  return text + ", " + std::to_string(cost.evaluations) + " evaluations of the acceleration";
+}
+
+std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_ranges, const Style& style) {
+  const Flight& flight = flown.flight;
+  const FidelityInUse& in_use = flight.fidelity_in_use();
+  std::string out = style.bold(one_line(flown.name)) + "\n";
+  const std::string preset = preset_name(flown.shot->projectile.fidelity);
+  const auto& within = flown.shot->cheapest_within;
+  out += line("fidelity", within ? "cheapest within " + significant(*within, 4) + " m of " + preset : preset);
+  out += line("granted", in_words(in_use.fidelity));
+  for (const FidelityNote& note : in_use.notes) out += line(style.warn("note"), note_text(note));
+  out += range_card(flown, asked_ranges.empty() ? default_ranges(flight.end().range) : asked_ranges);
+  out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
+  const MotorDef& motor = flown.shot->projectile.motor;
+  if (!motor.thrust.empty()) out += line("motor", motor_text(motor));
+  for (const Event& event : flight.events()) {
+    if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(flight, event));
+    if (is_of_motor_or_rail(event.kind)) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
+  }
+  if (turns(in_use.fidelity)) out += line("stability", stability_text(flight));
+  out += line("elevation", fixed(flight.elevation() / kDegree, 4) + " deg");
+  out += line("cost", cost_text(flight));
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> default_ranges(double end_range) {
+  std::vector<double> ranges;
+  constexpr double kShortest = 1e-3;  // [m]; straight up and down there is no range
+  if (!(end_range > kShortest) || !std::isfinite(end_range)) return ranges;
+  const double power = std::pow(10.0, std::floor(std::log10(end_range)));
+  double step = power;
+  for (const double part : {0.5, 0.2, 0.1})
+    if (end_range / step < 5) step = part * power;
+  for (int k = 1; k * step <= end_range && k <= 10; ++k) ranges.push_back(k * step);
+  return ranges;
+}
+
+std::string checks_text(const std::vector<Check>& checks, const Style& style) {
+  Table table({{"verdict", Align::left},
+               {"shot", Align::left},
+               {"at", Align::left},
+               {"quantity", Align::left},
+               {"value"},
+               {"expected"},
+               {"within"},
+               {"unit", Align::left},
+               {"source", Align::left}});
+  std::size_t missed = 0;
+  for (const Check& check : checks) {
+    const Expectation& expectation = *check.expectation;
+    missed += check.met ? 0 : 1;
+    table.add_row({check.met ? style.good("ok") : style.bad("MISSED"), one_line(check.shot), place_text(expectation),
+                   expectation.quantity, check.value ? significant(*check.value, 7) : "none",
+                   as_typed(expectation.equals), as_typed(expectation.within),
+                   std::string(unit_of(expectation.quantity)), one_line(expectation.source)});
+  }
+  std::string out = style.bold("checks") + "\n" + table.text(kIndent);
+  for (const Check& check : checks)
+    if (!check.value) out += line("none", check.expectation->place + ": " + check.value.error().message);
+  const std::string verdict = std::to_string(checks.size() - missed) + " of " + std::to_string(checks.size()) + " met";
+  return out + "  " + (missed == 0 ? style.good(verdict) : style.bad(verdict)) + "\n";
+}
+
+std::string summary_text(const FlownScenario& flown, const Style& style) {
+  const Scenario& scenario = flown.scenario;
+  std::string out = style.bold(one_line(title_of(scenario))) + "\n";
+  for (const FlownShot& shot : flown.shots) out += "\n" + shot_text(shot, scenario.ranges, style);
+  if (!flown.checks.empty()) out += "\n" + checks_text(flown.checks, style);
+  return out;
+}
+
+}  // namespace physim::report

@@ -1,0 +1,119 @@
+#include "report/trajectory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/json.hpp"
+#include "report/number.hpp"
+
+namespace physim::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr double kDefaultSamples = 200;  // at least, for each shot
+
+// The largest of 1, 2, 5 times a power of ten that is not larger than `value`.
+double round_down(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double digit : {5.0, 2.0})
+    if (digit * power <= value) return digit * power;
+  return power;
+}
+
+// The k-th multiple of an interval; 3 times 0.1 is 0.3.
+double multiple(double interval, std::size_t k) {
+  const double rate = std::round(1 / interval);
+  const bool is_whole_rate = std::abs(rate * interval - 1) < 1e-12;
+  return is_whole_rate ? static_cast<double>(k) / rate : static_cast<double>(k) * interval;
+}
+
+std::vector<double> times_of(double duration, double interval) {
+  std::vector<double> times;
+  const auto count = static_cast<std::size_t>(duration / interval);
+  for (std::size_t k = 0; k <= count; ++k)
+    if (const double time = multiple(interval, k); time < duration) times.push_back(time);
+  times.push_back(duration);
+  return times;
+}
+
+Json sample_json(const Sample& sample) {
+  return {{"range [m]", sample.range},   {"drop [m]", sample.drop},     {"windage [m]", sample.windage},
+          {"time [s]", sample.time},     {"speed [m/s]", sample.speed}, {"mach [-]", sample.mach},
+          {"energy [J]", sample.energy}, {"x [m]", sample.position.x},  {"y [m]", sample.position.y},
+          {"z [m]", sample.position.z}};
+}
+
+Json trajectory_json(const Flight& flight, const std::vector<double>& times) {
+  Json columns;
+  for (const std::string_view name : kSampleColumns) columns[std::string(name)] = Json::array();
+  for (const double time : times) {
+    const SampleRow row = row_of(flight.at(time));
+    for (std::size_t i = 0; i < row.size(); ++i) columns[std::string(kSampleColumns[i])].push_back(row[i]);
+  }
+  return columns;
+}
+
+Json range_card_json(const Flight& flight, const std::vector<double>& ranges) {
+  Json card = Json::array();
+  for (const double range : ranges)
+    if (const Result<Sample> sample = flight.at_range(range)) card.push_back(sample_json(*sample));
+  return card;
+}
+
+}  // namespace
+
+SampleRow row_of(const Sample& s) {
+  return {s.time,           s.position.x,     s.position.y,     s.position.z, s.velocity.x, s.velocity.y, s.velocity.z,
+          s.acceleration.x, s.acceleration.y, s.acceleration.z, s.speed,      s.mach,       s.mass,       s.thrust};
+}
+
+Result<SampleTimes> sample_times(const std::vector<FlownShot>& shots, std::optional<double> interval) {
+  const auto interval_of = [&](const FlownShot& shot) {
+    const double duration = shot.flight.duration();
+    return interval.value_or(duration > 0 ? round_down(duration / kDefaultSamples) : 1.0);
+  };
+  double total = 0;
+  for (const FlownShot& shot : shots) total += std::floor(shot.flight.duration() / interval_of(shot)) + 2;
+  if (!(total <= static_cast<double>(kMaxSamples)))
+    return Error{.message = "there would be " + significant(total, 3) + " samples, and " + std::to_string(kMaxSamples) +
+                            " are allowed",
+                 .place = "interval",
+                 .hint = "take a longer interval"};
+  SampleTimes times;
+  for (const FlownShot& shot : shots) times.push_back(times_of(shot.flight.duration(), interval_of(shot)));
+  return times;
+}
+
+Records records_of(const Flights& flights) {
+  Records records{{"shot"}, [flights](const auto& take) {
+                    std::array<Cell, kSampleColumns.size() + 1> row;
+                    for (std::size_t i = 0; i < flights.flown.shots.size(); ++i) {
+                      row[0] = flights.flown.shots[i].name;
+                      for (const double time : flights.times[i]) {
+                        std::ranges::copy(row_of(flights.flown.shots[i].flight.at(time)), row.begin() + 1);
+                        take(row);
+                      }
+                    }
+                  }};
+  records.columns.insert(records.columns.end(), kSampleColumns.begin(), kSampleColumns.end());
+  return records;
+}
+
+Content flights_json(const Flights& flights) {
+  const auto& [flown, times] = flights;
+  Json out = provenance(flown.scenario);
+  out["shots"] = Json::array();
+  for (std::size_t i = 0; i < flown.shots.size(); ++i) {
+    const FlownShot& from = flown.shots[i];
+    Json shot = {{"name", from.name}};
+    shot.update(flight_json(from.flight, from.shot->projectile.fidelity));
+    shot["range_card"] = range_card_json(from.flight, flown.scenario.ranges);
+    shot["trajectory"] = trajectory_json(from.flight, times[i]);
+    out["shots"].push_back(std::move(shot));
+  }
+  out["expect"] = checks_json(flown.checks);
+  return json_text(out);
+}
+
+}  // namespace physim::report

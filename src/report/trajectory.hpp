@@ -1,0 +1,41 @@
+// Trajectories as samples: which times, which numbers, and the files of them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "physim/result.hpp"
+#include "report/flown.hpp"
+#include "report/picture.hpp"
+#include "report/records.hpp"
+
+namespace physim::report {
+
+inline constexpr std::size_t kMaxSamples = 1'000'000;  // of all shots of a file together
+
+/// The numbers of one row, in the order of the columns.
+inline constexpr std::array<std::string_view, 14> kSampleColumns = {
+    "t [s]",      "x [m]",      "y [m]",      "z [m]",       "vx [m/s]", "vy [m/s]",  "vz [m/s]",
+    "ax [m/s^2]", "ay [m/s^2]", "az [m/s^2]", "speed [m/s]", "mach [-]", "mass [kg]", "thrust [N]"};
+using SampleRow = std::array<double, kSampleColumns.size()>;
+[[nodiscard]] SampleRow row_of(const Sample& sample);
+
+using SampleTimes = std::vector<std::vector<double>>;
+
+/// Times of the samples of each shot: every multiple of the interval [s], and the end. Without an interval each shot
+/// has a round one that gives 200 to 500 samples. An error with the place "interval" where there would be too many.
+[[nodiscard]] Result<SampleTimes> sample_times(const std::vector<FlownShot>& shots, std::optional<double> interval);
+
+/// Flights, and when each is sampled.
+struct Flights {
+  const FlownScenario& flown;
+  const SampleTimes& times;
+};
+
+/// A row for each sample of each shot.
+[[nodiscard]] Records records_of(const Flights& flights);
+[[nodiscard]] Content flights_json(const Flights& flights);
+
+}  // namespace physim::report

@@ -1,0 +1,72 @@
+// A scenario's world, run to its end, with what outputs need of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physim/world_run.hpp"
+#include "report/flown.hpp"
+
+namespace physim::report {
+
+/// What is kept of a run.
+struct LogParts {
+  bool samples = false, events = false, paths = false;
+  void add(const LogParts& more) {
+    samples = samples || more.samples;
+    events = events || more.events;
+    paths = paths || more.paths;
+  }
+};
+
+/// How a run is logged.
+struct LogOptions {
+  LogParts parts;
+  std::optional<double> interval;      // between samples [s]
+  std::optional<std::uint64_t> steps;  // instead of the scenario's duration
+  std::string record = {};             // into this file; empty: nowhere
+};
+
+struct WorldSample {
+  Launched launched;
+  double time = 0;
+  BodyState state;
+};
+
+struct LoggedEvent {
+  std::string_view kind;  // name of a EventKind, or "hit"
+  std::string_view reason;
+  Launched launched;
+  double time = 0;
+  BodyState state;
+};
+
+/// The way of one projectile, corners at bounces included.
+struct LoggedPath {
+  std::size_t group = 0;
+  std::vector<Vec3d> points;
+};
+
+struct WorldLog {
+  Scenario scenario;
+  std::vector<WorldGroup> groups;
+  std::vector<FidelityInUse> in_use;  // by group; of the first projectile
+  std::uint64_t steps = 0;
+  double time = 0;
+  std::uint64_t hash = 0;
+  WorldCounters counters;
+  std::vector<Check> checks;
+
+  std::vector<WorldSample> samples;
+  std::vector<LoggedEvent> events;
+  std::vector<LoggedPath> paths;
+  std::vector<std::vector<Vec3d>> impacts;  // by group
+  std::vector<std::vector<Vec3d>> hits;     // by group
+};
+
+/// Runs a scenario that has a [world]. An error with the place "interval" where there are too many samples.
+[[nodiscard]] Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options,
+                                         const Progress& progress = {});
+
+}  // namespace physim::report

@@ -1,0 +1,96 @@
+// Suite gravity: what a projectile at rest on the turning ellipsoid feels, against exact normal gravity and J2.
+#include <algorithm>
+#include <cmath>
+
+#include "report/number.hpp"
+#include "validation/csv.hpp"
+#include "validation/suite.hpp"
+
+namespace physim::validation {
+using report::significant;
+namespace {
+
+constexpr double kGate = 1e-9;  // [m/s^2]
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
+
+/// Up and north, in the local frame of the ellipsoid.
+struct Felt {
+  double up = kNaN, north = kNaN;
+  std::string problem;
+};
+
+/// The acceleration of a projectile that is let go: gravitation and centrifugal acceleration, as a flight has them.
+Felt felt_at(double latitude, double height, GravityModel gravity) {
+  Environment environment;
+  environment.altitude = height;
+  environment.earth.latitude = latitude * kRadiansPerDegree;
+  const Fidelity fidelity{.gravity = gravity,
+                          .drag = DragModel::off,
+                          .air = AirModel::vacuum,
+                          .wind = WindModel::off,
+                          .earth = EarthModel::ellipsoid};
+  const Launch launch{.velocity = Vec3d{}};
+  const Flight flight = fly({}, launch, environment, fidelity, {}, {.ground = std::nullopt, .time = 0.01});
+  Felt felt{.problem = complaint(flight, fidelity)};
+  if (felt.problem.empty() && flight.fidelity_in_use().fidelity.gravity != gravity)
+    felt.problem = "granted other gravity";
+  if (!felt.problem.empty()) return felt;
+  const Vec3d a = flight.accelerations(0).total;  // W: x north, y up
+  felt.up = a.y;
+  felt.north = a.x;
+  return felt;
+}
+
+struct Model {
+  GravityModel gravity;
+  const char *name, *up, *north;  // and its columns
+};
+constexpr Model kModels[] = {{GravityModel::wgs84, "wgs84", "gamma_up", "gamma_north"},
+                             {GravityModel::j2, "j2", "J2_up", "J2_north"}};
+
+void compare_file(const CsvFile& file, SuiteResult& result) {
+  file.require({"lat_deg", "h_m"});
+  for (const CsvRow& row : file.rows()) {
+    const double latitude = file.needed(row, "lat_deg"), height = file.needed(row, "h_m");
+    const std::string place = " at " + significant(latitude, 8) + " deg, " + significant(height, 8) + " m";
+    for (const Model& model : kModels) {
+      const auto up = file.number(row, model.up), north = file.number(row, model.north);
+      if (!up && !north) continue;
+      const Felt felt = felt_at(latitude, height, model.gravity);
+      const auto add = [&](const char* column, std::optional<double> expected, double actual) {
+        if (!expected) return;
+        result.figures.push_back({.case_name = model.name,
+                                  .figure = column + place,
+                                  .expected = *expected,
+                                  .actual = actual,
+                                  .gate = kGate,
+                                  .note = felt.problem});
+      };
+      add(model.up, up, felt.up);
+      add(model.north, north, felt.north);
+    }
+  }
+}
+
+constexpr std::string_view kFiles[] = {"wgs84_normal_gravity.csv"};
+
+void run(const std::filesystem::path& folder, SuiteResult& result) {
+  for (const auto& path : files_in(folder, kFiles, ".csv")) {
+    const CsvFile file = CsvFile::read(path);
+    if (!file.has("lat_deg") || !file.has("h_m")) {
+      result.skipped.push_back(file.name() + ": no table of gravity by latitude and height");
+      continue;
+    }
+    result.sources.push_back({file.name(), file.comments()});
+    compare_file(file, result);
+  }
+}
+
+}  // namespace
+
+const Suite kGravitySuite = {
+    "gravity",    "Gravity on the turning ellipsoid: normal gravity of WGS-84, and point mass with J2",
+    "1e-9 m/s^2", "gravity",
+    kFiles,       run};
+
+}  // namespace physim::validation

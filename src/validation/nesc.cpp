@@ -1,0 +1,245 @@
+// Suite nesc: the atmospheric check-cases 1 to 10 of NASA's Engineering and Safety Center, against converged solutions.
+//
+// The definitions are those of E. B. Jackson et al., Check-Cases for Verification of 6-Degree-of-Freedom Flight Vehicle
+// Simulations, NASA/TM-2015-218675. All cases start over latitude 0, longitude 0; W points north there.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "validation/csv.hpp"
+#include "validation/suite.hpp"
+
+namespace physim::validation {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kFoot = 0.3048, kSlug = 14.5939029372;
+constexpr double kSphereRadius = 6371007.1809, kGm = 3.986004418e14;
+
+struct Case {
+  std::string name;  // "03_dampinertial"
+  ProjectileDef body;
+  Environment place;
+  Launch launch;
+  Fidelity fidelity;
+};
+
+ProjectileDef sphere() {
+  ProjectileDef p;
+  p.mass = kSlug;
+  p.diameter = kFoot * std::sqrt(4 * 0.1963495 / 3.14159265358979323846);
+  p.drag.coefficient = 0.1;
+  p.inertia.moments = Vec3d{3.6, 3.6, 3.6} * (kSlug * kFoot * kFoot);
+  return p;
+}
+
+ProjectileDef brick() {
+  ProjectileDef p;
+  p.mass = 0.155404754 * kSlug;
+  p.drag.coefficient = 0;
+  p.inertia.moments = Vec3d{0.001894220, 0.007194665, 0.006211019} * (kSlug * kFoot * kFoot);
+  p.aero.area = 0.22222 * kFoot * kFoot;
+  p.aero.length = 0.66667 * kFoot;
+  p.aero.span = 0.33333 * kFoot;
+  p.aero.rate_norm = RateNorm::twice_speed;
+  return p;
+}
+
+void damp(AeroDef& aero, DampingFrame frame) {
+  aero.damping_frame = frame;
+  aero.roll_damping = aero.pitch_damping = aero.yaw_damping = {{0, 0, -1}};
+}
+
+/// Rates about forward, right and down.
+Vec3d body_rates(double p, double q, double r) { return Vec3d{p, -r, q} * kDegree; }
+
+Wind wind_of(int number) {
+  Wind wind;  // z is east
+  if (number == 7) wind.velocity = {0, 0, 20 * kFoot};
+  if (number == 8) wind.profile = {{-30000 * kFoot, {0, 0, -20 * kFoot}}, {0, {0, 0, 70 * kFoot}}};
+  return wind;
+}
+
+/// The case of a number, in one of its variants; nothing where there is none.
+std::optional<Case> case_of(int number, const std::string& variant) {
+  if (number < 1 || number > 10) return std::nullopt;
+  if (!variant.empty() && !(number == 3 && variant == "dampinertial")) return std::nullopt;
+  Case c{.name = format("%02d", number) + (variant.empty() ? "" : "_" + variant)};
+  c.body = number == 2 || number == 3 ? brick() : sphere();
+  if (number == 1) c.body.drag.coefficient = 0;
+  if (number == 3) damp(c.body.aero, variant.empty() ? DampingFrame::air : DampingFrame::inertial);
+  c.place.altitude = number < 9 ? 30000 * kFoot : 0;
+  c.place.wind = wind_of(number);
+  c.fidelity = {.integrator = Integrator::dop853,
+                .gravity = GravityModel::j2,
+                .earth = EarthModel::ellipsoid,
+                .rotation = RotationModel::rigid_body};
+  if (number == 4 || number == 5) {
+    c.place.gravity.radius = kSphereRadius;
+    c.place.gravity.acceleration = kGm / (kSphereRadius * kSphereRadius);
+    c.fidelity.gravity = GravityModel::inverse_square;
+    c.fidelity.earth = number == 4 ? EarthModel::sphere : EarthModel::sphere_rotating;
+  }
+  c.launch.velocity = Vec3d{};
+  if (number == 9) c.launch.velocity = Vec3d{0, 1000 * kFoot, 1000 * kFoot};
+  if (number == 10) c.launch.velocity = Vec3d{1000 * kFoot, 1000 * kFoot, 0};
+  LaunchAttitude& attitude = c.launch.attitude;
+  attitude.frame = AttitudeFrame::world;
+  attitude.yaw = number == 9 ? 90 * kDegree : 0;
+  attitude.rate_frame = number < 9 ? RateFrame::inertial : RateFrame::world;
+  if (number >= 2 && number <= 5) attitude.rates = body_rates(10, 20, 30);
+  return c;
+}
+
+// ------------------------------------------------------------------------------------------------ columns and gates
+struct ColumnGate {
+  const char* column;
+  double gate;
+  bool is_angle;  // differences are taken the shorter way round
+};
+constexpr ColumnGate kColumns[] = {
+    {"altitude_m", 3e-6, false},  {"latitude_deg", 1e-11, false}, {"longitude_deg", 1e-11, true},
+    {"v_north_m_s", 3e-7, false}, {"v_east_m_s", 3e-7, false},    {"v_down_m_s", 3e-7, false},
+    {"yaw_deg", 1e-6, true},      {"pitch_deg", 1e-6, false},     {"roll_deg", 1e-6, true},
+    {"p_deg_s", 1e-6, false},     {"q_deg_s", 1e-6, false},       {"r_deg_s", 1e-6, false},
+    {"mach", 1e-9, false}};
+constexpr std::size_t kColumnCount = std::size(kColumns);
+
+/// The numbers of the columns at a time.
+std::vector<double> state_at(const Flight& flight, double time) {
+  const EarthFrames frames = flight.earth_frames();
+  const Sample s = flight.at(time);
+  const Geodetic place = frames.geodetic(s.position);
+  const Vec3d v = frames.local(s.position, s.velocity);
+  const YawPitchRoll a = frames.yaw_pitch_roll(s.position, s.orientation);
+  const Vec3d& w = s.angular_velocity;
+  return {place.height,
+          place.latitude / kDegree,
+          place.longitude / kDegree,
+          v.y,
+          v.x,
+          -v.z,
+          a.yaw / kDegree,
+          a.pitch / kDegree,
+          a.roll / kDegree,
+          w.x / kDegree,
+          w.z / kDegree,
+          -w.y / kDegree,
+          s.mach};
+}
+
+double difference(const ColumnGate& column, double actual, double expected) {
+  const double d = actual - expected;
+  return column.is_angle ? std::remainder(d, 360.0) : d;
+}
+
+Flight flown(const Case& c, double time) {
+  return fly(c.body, c.launch, c.place, c.fidelity, {.relative = 1e-13, .absolute = 1e-13},
+             {.ground = {}, .time = time});
+}
+
+std::string complaint_of(const Case& c, const Flight& flight) {
+  const std::string other = complaint(flight, c.fidelity);
+  if (!other.empty()) return other;
+  const Fidelity& granted = flight.fidelity_in_use().fidelity;
+  if (granted.rotation != c.fidelity.rotation) return "granted no rigid body";
+  return granted.gravity == c.fidelity.gravity ? "" : "granted other gravity";
+}
+
+void add_state(const Case& c, const Flight& flight, SuiteResult& result) {
+  StateRow row{.name = "case" + c.name, .columns = {{"t_s", flight.duration()}}};
+  const auto state = state_at(flight, flight.duration());
+  for (std::size_t i = 0; i < kColumnCount; ++i) row.columns.emplace_back(kColumns[i].column, state[i]);
+  result.states.push_back(std::move(row));
+}
+
+void compare_row(const Case& c, const Flight& flight, const std::string& problem, const CsvFile& file,
+                 const CsvRow& row, SuiteResult& result) {
+  const double time = file.needed(row, "t_s");
+  const auto state = state_at(flight, time);
+  for (std::size_t i = 0; i < kColumnCount; ++i) {
+    const auto expected = file.number(row, kColumns[i].column);
+    if (!expected) continue;
+    result.figures.push_back(
+        {.case_name = "case " + c.name,
+         .figure = kColumns[i].column + format(" at %g s", time),
+         .expected = *expected,
+         .actual = problem.empty() ? *expected + difference(kColumns[i], state[i], *expected) : kNaN,
+         .gate = kColumns[i].gate,
+         .note = problem});
+  }
+}
+
+/// "case03_dampinertial.csv": the case and its variant.
+std::optional<Case> case_of_file(const std::string& name) {
+  if (!name.starts_with("case") || name.size() < 10) return std::nullopt;
+  const auto number = parse_number(name.substr(4, 2));
+  const std::string rest = name.substr(6, name.size() - 10);
+  if (!number || (!rest.empty() && rest.front() != '_')) return std::nullopt;
+  return case_of(static_cast<int>(*number), rest.empty() ? "" : rest.substr(1));
+}
+
+// ------------------------------------------------------------------------------------------------ NASA's simulations
+void compare_simulations(const CsvFile& file, SuiteResult& result) {
+  file.require({"case", "nasa_sim", "t_s"});
+  for (const CsvRow& row : file.rows()) {
+    const auto number = parse_number(file.text(row, "case"));
+    const auto c = number ? case_of(static_cast<int>(*number), "") : std::nullopt;
+    if (!c) file.fail(row, "there is no case \"" + file.text(row, "case") + "\"");
+    const double time = file.needed(row, "t_s");
+    const auto state = state_at(flown(*c, time), time);
+    StateRow distance{.name = "case" + c->name + ", NASA simulation " + file.text(row, "nasa_sim"), .columns = {}};
+    for (std::size_t i = 0; i < 9; ++i) {
+      const auto theirs = file.number(row, kColumns[i].column);
+      distance.columns.emplace_back(kColumns[i].column, theirs ? difference(kColumns[i], *theirs, state[i]) : kNaN);
+    }
+    result.beside.push_back(std::move(distance));
+  }
+}
+
+constexpr std::string_view kSimulations = "nasa_sims_final.csv";
+constexpr std::string_view kFiles[] = {"case01.csv", "case02.csv", "case03.csv", "case03_dampinertial.csv",
+                                       "case04.csv", "case05.csv", "case06.csv", "case07.csv",
+                                       "case08.csv", "case09.csv", "case10.csv"};
+
+void run(const std::filesystem::path& folder, SuiteResult& result) {
+  std::vector<std::string> judged;
+  for (const auto& path : files_in(folder, kFiles, ".csv")) {
+    const CsvFile file = CsvFile::read(path);
+    if (file.name() == kSimulations) {
+      compare_simulations(file, result);
+      continue;
+    }
+    const auto c = case_of_file(file.name());
+    if (!c) {
+      result.skipped.push_back(file.name() + ": no case of this name");
+      continue;
+    }
+    file.require({"t_s"});
+    result.sources.push_back({file.name(), file.comments()});
+    double last = 0;
+    for (const CsvRow& row : file.rows()) last = std::max(last, file.needed(row, "t_s"));
+    const Flight flight = flown(*c, std::max(last, 1e-3));
+    const std::string problem = complaint_of(*c, flight);
+    for (const CsvRow& row : file.rows()) compare_row(*c, flight, problem, file, row, result);
+    add_state(*c, flight, result);
+    judged.push_back(c->name);
+  }
+  for (int number = 1; number <= 10; ++number) {
+    const Case c = *case_of(number, "");
+    if (std::find(judged.begin(), judged.end(), c.name) == judged.end()) add_state(c, flown(c, 30), result);
+  }
+  std::sort(result.states.begin(), result.states.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+}
+
+}  // namespace
+
+const Suite kNescSuite = {
+    "nesc",
+    "NASA/NESC atmospheric check-cases 1 to 10, six degrees of freedom",
+    "altitude 3e-6 m, latitude and longitude 1e-11 deg, velocity 3e-7 m/s, attitude 1e-6 deg, rates 1e-6 deg/s",
+    "nesc",
+    kFiles,
+    run};
+
+}  // namespace physim::validation

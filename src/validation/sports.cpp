@@ -1,0 +1,178 @@
+// Suite sports: balls that spin, against published flights and tour averages. The golf ball is the table that the
+// folder holds, or the preset's; nothing is tuned.
+#include <cmath>
+
+#include "physim/presets.hpp"
+#include "validation/csv.hpp"
+#include "validation/suite.hpp"
+
+namespace physim::validation {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRpm = kPi / 30, kDegree = kPi / 180;
+constexpr double kMph = 0.44704, kYard = 0.9144, kFoot = 0.3048;
+
+Fidelity spinning() {
+  Fidelity f = Fidelity::sport_ball();
+  f.integrator = Integrator::dop853;
+  f.rotation = RotationModel::magnus;
+  return f;
+}
+
+Environment air_at_temperature(double kelvin) {
+  Environment e;
+  e.gravity.model = GravityModel::constant;
+  e.atmosphere.model = AirModel::constant;
+  e.atmosphere.temperature = kelvin;
+  return e;
+}
+
+// ---------------------------------------------------------------------------------------------------- golf
+constexpr double kCarryGate = 7;  // of the root mean square over a tour [yd]
+
+bool is_golf_table(const CsvFile& file) {
+  return file.has("v_m_s") && file.has("rpm") && file.has("CD") && file.has("CL");
+}
+
+MagnusDef table_of(const CsvFile& file) {
+  MagnusDef magnus = presets::golf_ball().projectile.magnus;
+  magnus.table.clear();
+  for (const CsvRow& row : file.rows())
+    magnus.table.push_back(
+        {file.needed(row, "v_m_s"), file.needed(row, "rpm") * kRpm, file.needed(row, "CD"), file.needed(row, "CL")});
+  return magnus;
+}
+
+/// The errors of one tour, gathered.
+struct Tour {
+  std::string name;
+  double squares = 0;
+  int rows = 0;
+  std::string problem;
+};
+
+/// Carries in calm air of 77 degF at sea level, which TrackMan normalizes its averages to; judged by their root mean
+/// square, since rows are averages of many players with many clubs.
+void compare_carries(const CsvFile& file, const MagnusDef& magnus, const std::string& table, SuiteResult& result) {
+  file.require({"ball_speed_mph", "launch_deg", "spin_rpm", "carry_yd"});
+  ProjectileDef ball = presets::golf_ball().projectile;
+  ball.magnus = magnus;
+  std::vector<Tour> tours;
+  Tour all{.name = "all tours"};
+  for (const CsvRow& row : file.rows()) {
+    Launch launch{.speed = file.needed(row, "ball_speed_mph") * kMph,
+                  .elevation = file.needed(row, "launch_deg") * kDegree};
+    launch.spin.backspin = file.needed(row, "spin_rpm") * kRpm;
+    const Flight flight = fly(ball, launch, air_at_temperature(298.15), spinning());
+    const double off = flight.end().position.x / kYard - file.needed(row, "carry_yd");
+    const std::string name = file.text(row, "tour").empty() ? "tour" : file.text(row, "tour");
+    if (tours.empty() || tours.back().name != name) tours.push_back({.name = name});
+    for (Tour* tour : {&tours.back(), &all}) {
+      tour->squares += off * off;
+      ++tour->rows;
+      if (tour->problem.empty()) tour->problem = complaint(flight, spinning());
+    }
+  }
+  tours.push_back(all);
+  for (const Tour& tour : tours)
+    result.figures.push_back({.case_name = "golf",
+                              .figure = "carry off by [yd], root mean square, " + tour.name + ", " + table,
+                              .expected = 0,
+                              .actual = std::sqrt(tour.squares / tour.rows),
+                              .gate = kCarryGate,
+                              .note = tour.problem});
+}
+
+// ---------------------------------------------------------------------------------------------------- baseball
+constexpr double kFlyBallGate = 1.4 * kFoot;
+
+/// 103 mph, 27.5 deg, 2500 rpm of backspin, 70 degF, 29.92 inHg, 50 %, 15 ft above the sea; x and height in feet.
+void compare_fly_ball(const CsvFile& file, SuiteResult& result) {
+  file.require({"t", "y", "z"});
+  Environment e = air_at_temperature(294.26);
+  e.gravity.acceleration = 32.174 * kFoot;
+  e.altitude = 15 * kFoot;
+  e.atmosphere.humidity = 0.5;
+  Launch launch{.position = {2 * kFoot, 3 * kFoot, 0}, .speed = 103 * kMph, .elevation = 27.5 * kDegree};
+  launch.spin.backspin = 2500 * kRpm;
+  const Flight flight = fly(presets::baseball().projectile, launch, e, spinning());
+  const std::string problem = complaint(flight, spinning());
+  for (const CsvRow& row : file.rows()) {
+    const double t = file.needed(row, "t");
+    const Vec3d x = flight.at(t).position;
+    const auto add = [&](const char* name, const char* column, double actual) {
+      result.figures.push_back({.case_name = "baseball",
+                                .figure = format("%s at %.2f s [m]", name, t),
+                                .expected = file.needed(row, column) * kFoot,
+                                .actual = t <= flight.duration() + 0.05 ? actual : kNaN,
+                                .gate = kFlyBallGate,
+                                .note = problem});
+    };
+    add("distance", "y", x.x);
+    add("height", "z", x.y);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------- football
+/// Cd of a ball that does not spin, as the preset reads it.
+void compare_football(const CsvFile& file, SuiteResult& result) {
+  file.require({"v_m_s", "CD"});
+  const ProjectileDef ball = presets::football().projectile;
+  for (const CsvRow& row : file.rows()) {
+    const double v = file.needed(row, "v_m_s");
+    const Flight flight =
+        fly(ball, {.speed = v}, air_at_temperature(288.15), spinning(), {}, {.ground = {}, .time = 0.01});
+    const double area = kPi / 4 * ball.diameter * ball.diameter;
+    const double cd = length(flight.accelerations(0).drag) * ball.mass / (0.5 * 1.225 * v * v * area);
+    result.figures.push_back({.case_name = "football",
+                              .figure = format("Cd without spin at %g m/s", v),
+                              .expected = file.needed(row, "CD"),
+                              .actual = cd,
+                              .gate = 0.012,  // straight lines between the points of the preset's table
+                              .note = complaint(flight, spinning())});
+  }
+}
+
+constexpr std::string_view kFiles[] = {"golf_carry.csv",        "golf_trackman_tour_averages.csv",
+                                       "baseball_fly_ball.csv", "baseball_nathan_fly_ball.csv",
+                                       "football_drag.csv",     "football_goff_carre_cd_nospin.csv"};
+
+void run(const std::filesystem::path& folder, SuiteResult& result) {
+  MagnusDef golf = presets::golf_ball().projectile.magnus;
+  std::string table = "the preset's table";
+  const auto paths = files_in(folder, kFiles, ".csv");
+  for (const auto& path : paths) {
+    const CsvFile file = CsvFile::read(path);
+    if (!is_golf_table(file)) continue;
+    golf = table_of(file);
+    table = file.name();
+    result.sources.push_back({file.name(), file.comments()});
+  }
+  for (const auto& path : paths) {
+    const CsvFile file = CsvFile::read(path);
+    if (is_golf_table(file)) continue;
+    if (file.has("carry_yd"))
+      compare_carries(file, golf, table, result);
+    else if (file.has("t") && file.has("y") && file.has("z"))
+      compare_fly_ball(file, result);
+    else if (file.has("v_m_s") && file.has("CD"))
+      compare_football(file, result);
+    else {
+      result.skipped.push_back(file.name() + ": no figures that this suite knows");
+      continue;
+    }
+    result.sources.push_back({file.name(), file.comments()});
+  }
+}
+
+}  // namespace
+
+const Suite kSportsSuite = {"sports",
+                            "Balls that spin: golf tour averages, a published baseball flight, the drag of a football",
+                            "carry 7 yd root mean square untuned, fly ball 1.4 ft, Cd 0.012",
+                            "sports",
+                            kFiles,
+                            run};
+
+}  // namespace physim::validation

@@ -1,0 +1,99 @@
+// What suites of figures share: judging a number, summing up, finding files.
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "physim/names.hpp"
+#include "validation/suite.hpp"
+
+namespace physim::validation {
+namespace fs = std::filesystem;
+
+double Figure::error() const { return std::abs(actual - expected); }
+
+bool Figure::pass() const { return error() <= gate; }  // false for NaN
+
+double Figure::badness() const {
+  const double e = error();
+  if (!std::isfinite(e)) return std::numeric_limits<double>::infinity();
+  if (gate > 0) return e / gate;
+  return e == 0 ? 0 : std::numeric_limits<double>::infinity();
+}
+
+std::size_t SuiteResult::missed() const {
+  return static_cast<std::size_t>(
+      std::count_if(figures.begin(), figures.end(), [](const Figure& f) { return !f.pass(); }));
+}
+
+std::vector<CaseSummary> summarize(const SuiteResult& result) {
+  std::vector<CaseSummary> cases;
+  for (const Figure& figure : result.figures) {
+    auto at =
+        std::find_if(cases.begin(), cases.end(), [&](const CaseSummary& c) { return c.name == figure.case_name; });
+    if (at == cases.end()) at = cases.insert(cases.end(), CaseSummary{.name = figure.case_name, .worst = &figure});
+    ++at->figures;
+    if (!figure.pass()) ++at->missed;
+    if (figure.badness() > at->worst->badness()) at->worst = &figure;
+  }
+  return cases;
+}
+
+std::span<const Suite* const> all_suites() {
+  static constexpr const Suite* kSuites[] = {&kClassicSuite,    &kAnalyticSuite, &kUs76Suite,  &kGravitySuite,
+                                             &kBallisticsSuite, &kNescSuite,     &kMccoySuite, &kSportsSuite};
+  return kSuites;
+}
+
+const Suite* find_suite(std::string_view name) {
+  for (const Suite* suite : all_suites())
+    if (suite->name == name) return suite;
+  return nullptr;
+}
+
+std::string format(const char* pattern, ...) {
+  va_list arguments, again;
+  va_start(arguments, pattern);
+  va_copy(again, arguments);
+  std::string text(static_cast<std::size_t>(std::max(0, std::vsnprintf(nullptr, 0, pattern, arguments))), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, pattern, again);
+  va_end(arguments);
+  va_end(again);
+  return text;
+}
+
+std::vector<fs::path> files_in(const fs::path& folder, std::span<const std::string_view> known,
+                               std::string_view extension) {
+  std::vector<fs::path> files, others;
+  for (const std::string_view name : known)
+    if (fs::is_regular_file(folder / name)) files.push_back(folder / name);
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
+    if (!is_known && entry.is_regular_file() && name.ends_with(extension)) others.push_back(entry.path());
+  }
+  if (code) throw DataError{{.message = code.message(), .place = folder.string()}};
+  std::sort(others.begin(), others.end());
+  files.insert(files.end(), others.begin(), others.end());
+  return files;
+}
+
+std::string complaint(const Flight& flight, const Fidelity& asked) {
+  if (flight.error()) return flight.error()->text();
+  const Outcome outcome = flight.outcome();
+  const bool broken = outcome == Outcome::step_limit || outcome == Outcome::left_domain ||
+                      outcome == Outcome::non_finite || outcome == Outcome::stalled || outcome == Outcome::refused;
+  if (broken) return "the flight ended: " + std::string(name(outcome));
+  const Fidelity& granted = flight.fidelity_in_use().fidelity;
+  if (granted.motion != asked.motion) return "granted other motion: " + std::string(name(granted.motion));
+  const bool steps = asked.motion != Motion::closed_form;
+  if (steps && granted.integrator != asked.integrator)
+    return "granted other integrator: " + std::string(name(granted.integrator));
+  if (granted.drag != asked.drag) return "granted other drag: " + std::string(name(granted.drag));
+  if (granted.rotation != asked.rotation) return "granted other rotation: " + std::string(name(granted.rotation));
+  if (granted.earth != asked.earth) return "granted other earth: " + std::string(name(granted.earth));
+  return {};
+}
+
+}  // namespace physim::validation

@@ -1,0 +1,55 @@
+// What the suites share: what a suite is, and tools to judge its figures.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physim/flight.hpp"
+#include "physim/result.hpp"
+#include "validation/validate.hpp"
+
+namespace physim::validation {
+
+/// Data that cannot be read, with its place: "file:line".
+struct DataError {
+  Error error;
+};
+
+/// A suite: its name, what it shows, the folder it lives in, the files that tell such a folder, and how to run it.
+struct Suite {
+  std::string_view name;
+  std::string_view title;
+  std::string_view gate;    ///< in words
+  std::string_view folder;  ///< in the reference collection
+  std::span<const std::string_view> files;
+  void (*run)(const std::filesystem::path& folder, SuiteResult& result);
+};
+
+extern const Suite kClassicSuite;
+extern const Suite kAnalyticSuite;
+extern const Suite kUs76Suite;
+extern const Suite kGravitySuite;
+extern const Suite kBallisticsSuite;
+extern const Suite kNescSuite;
+extern const Suite kMccoySuite;
+extern const Suite kSportsSuite;
+
+/// All suites, in the order they run.
+[[nodiscard]] std::span<const Suite* const> all_suites();
+/// The suite of a name, or none.
+[[nodiscard]] const Suite* find_suite(std::string_view name);
+
+/// printf into a string.
+[[nodiscard]] [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
+/// Files of a folder with an extension, by name; those of `known` that are there come first, in that order.
+[[nodiscard]] std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
+                                                          std::span<const std::string_view> known,
+                                                          std::string_view extension);
+/// Why a flight cannot be judged: refused, ended otherwise than it should, or not flown the way that was asked for.
+/// Empty: it can.
+[[nodiscard]] std::string complaint(const Flight& flight, const Fidelity& asked);
+
+}  // namespace physim::validation

@@ -1,0 +1,143 @@
+// The table of formats: each row does what it says, and a row with a function is all that a format needs.
+#include "report/format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "physim/recording_file.hpp"
+
+namespace physim::report {
+namespace {
+
+constexpr const char* kRoundShot =
+    "physim = 1\n[[shot]]\nname = \"a, \\\"b\\\"\"\nmass = \"1 kg\"\ndiameter = \"5 cm\"\nspeed = \"100 m/s\"\n"
+    "elevation = \"20 deg\"\nfidelity = { preset = \"simulation\", earth = \"ellipsoid\" }\n";
+constexpr const char* kWorld =
+    "physim = 1\n[world]\nduration = \"1 s\"\n[[shot]]\nname = \"ball\"\nmass = \"1 kg\"\ndiameter = \"5 cm\"\n"
+    "speed = \"10 m/s\"\nfidelity = \"game\"\n";
+
+/// A result of each kind.
+struct Results {
+  FlownScenario flown{.scenario = parse_scenario(kRoundShot, "round.toml").value(), .shots = {}, .checks = {}};
+  SampleTimes times;
+  Scenario scenario = parse_scenario(kWorld, "world.toml").value();
+  std::optional<WorldLog> world;
+  Ladder ladder{.shot = "ball"};
+  std::optional<ReplayLog> replay;
+
+  Results() {
+    EXPECT_TRUE(fly_all(flown).ok());
+    times = sample_times(flown.shots, 0.5).value();
+    const std::string file = testing::TempDir() + "physim_format_test.rec";
+    world = run_world(scenario, {.parts = {true, true, true}, .record = file}).value();
+    const Flight& flight = flown.shots[0].flight;
+    ladder.rungs.push_back({{Family::preset, "reference", "", {}}, flight, "", 0, 0, 1e-6});
+    replay = play_recording(file, {}).value();
+  }
+  [[nodiscard]] Content content(const Format& format, Subject subject) const {
+    const Flights flights{flown, times};
+    switch (subject) {
+      case Subject::flights:
+        return content_of(format, flights);
+      case Subject::world:
+        return content_of(format, *world);
+      case Subject::ladder:
+        return content_of(format, LadderOfShot{scenario, ladder});
+      case Subject::replay:
+        return content_of(format, *replay);
+      case Subject::records:
+        return content_of(format, records_of(flights));
+    }
+    return "";
+  }
+};
+
+constexpr Subject kSubjects[] = {Subject::flights, Subject::world, Subject::ladder, Subject::replay, Subject::records};
+
+TEST(Formats, RowsAreComplete) {
+  std::set<std::string_view> names;
+  for (const Format& format : formats()) {
+    EXPECT_TRUE(names.insert(format.name).second) << format.name << " is there twice";
+    EXPECT_NE(format.ending.find('.'), std::string_view::npos) << format.name;
+    EXPECT_TRUE(format.doc.starts_with("as ")) << format.name;
+    EXPECT_TRUE(std::ranges::any_of(kSubjects, [&](Subject s) { return can_write(format, s); })) << format.name;
+    const bool shows_worlds = can_write(format, Subject::world);
+    const LogParts& parts = format.world_parts;
+    EXPECT_TRUE(!shows_worlds || parts.samples || parts.events || parts.paths) << format.name << " reads nothing";
+  }
+}
+
+TEST(Formats, EachWritesEverySubjectThatItCan) {
+  const Results results;
+  for (const Format& format : formats())
+    for (const Subject subject : kSubjects) {
+      if (!can_write(format, subject)) continue;
+      const Content content = results.content(format, subject);
+      const auto* picture = std::get_if<Picture>(&content);
+      EXPECT_EQ(picture != nullptr, format.is_picture) << format.name;
+      const std::string& text = picture != nullptr ? picture->script : std::get<std::string>(content);
+      EXPECT_GT(text.size(), 20U) << format.name;
+      EXPECT_EQ(text.back(), '\n') << format.name;
+    }
+}
+
+/// A format for this test alone: the numbers of each row, a line each.
+std::string numbers_text(const Records& records) {
+  std::string out;
+  records.rows([&](Row row) {
+    for (const Cell& cell : row)
+      if (const auto* number = std::get_if<double>(&cell)) out += std::to_string(*number) + " ";
+    out += "\n";
+  });
+  return out;
+}
+
+TEST(Formats, ARowAndAFunctionAreAllThatAFormatNeeds) {
+  constexpr Format kNumbers{.name = "numbers", .ending = ".txt", .doc = "as numbers", .records = numbers_text};
+  const Results results;
+  for (const Subject subject : kSubjects) {
+    ASSERT_TRUE(can_write(kNumbers, subject));
+    const std::string text = std::get<std::string>(results.content(kNumbers, subject));
+    EXPECT_GT(std::ranges::count(text, '\n'), 0);
+    EXPECT_NE(text.find_first_of("0123456789"), std::string::npos);
+  }
+}
+
+TEST(Formats, EndingsTellTheFormat) {
+  EXPECT_EQ((*format_of_file("a/b.csv", Subject::records))->name, "csv");
+  EXPECT_EQ((*format_of_file("b.json", Subject::ladder))->name, "json");
+  EXPECT_EQ((*format_of_file("b.svg", Subject::flights))->name, "plot");
+  EXPECT_EQ((*format_of_file("b.kml", Subject::flights))->name, "kml");
+  const auto unable = format_of_file("b.kml", Subject::records);
+  ASSERT_FALSE(unable);
+  EXPECT_EQ(unable.error().hint, "it may end with .csv, .json");
+}
+
+TEST(Formats, GlobesNeedARoundEarth) {
+  const Results results;
+  Scenario flat = results.scenario;
+  FlownScenario flown{.scenario = flat, .shots = {}, .checks = {}};
+  ASSERT_TRUE(fly_all(flown).ok());
+  for (const Format& format : formats()) {
+    if (format.check == nullptr) continue;
+    EXPECT_TRUE(format.check(results.flown).ok()) << format.name;
+    EXPECT_FALSE(format.check(flown).ok()) << format.name;
+  }
+}
+
+TEST(Records, CsvQuotesWhatNeedsIt) {
+  const Results results;
+  const std::string text = csv_text(records_of(Flights{results.flown, results.times}));
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_TRUE(line.starts_with("shot, t [s], x [m]"));
+  std::getline(lines, line);
+  EXPECT_TRUE(line.starts_with("\"a, \"\"b\"\"\", 0, 0, 0, 0, ")) << line;
+}
+
+}  // namespace
+}  // namespace physim::report
