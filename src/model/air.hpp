@@ -71,14 +71,11 @@ template <class R, class S>
 PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const Vec3<R>& x) {
   const Air<S>& air = c.air;
   switch (c.fidelity.air) {
-    case AirModel::isa:
-      return standard_air<R>(air, altitude(c, x));
+    case AirModel::isa: return standard_air<R>(air, altitude(c, x));
     case AirModel::exponential:
       return {air.density * exp_bounded(-(height(c, x) * air.per_scale_height)), R(air.per_sound_speed)};
-    case AirModel::constant:
-      return {R(air.density), R(air.per_sound_speed)};
-    case AirModel::vacuum:
-      break;
+    case AirModel::constant: return {R(air.density), R(air.per_sound_speed)};
+    case AirModel::vacuum: break;
   }
   return {R(S(0)), R(air.per_sound_speed)};
 }
