@@ -12,6 +12,7 @@
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/projectile.hpp"
+#include "physim/quantity.hpp"
 #include "physim/result.hpp"
 #include "physim/scenario_world.hpp"
 
@@ -92,33 +93,6 @@ struct Scenario {
 
 /// The value of an expectation on a flown shot [SI unit of the quantity], or why there is none.
 [[nodiscard]] Result<double> measure(const Flight& flight, const Expectation& expectation);
-
-/// What a setting measures; decides the units that are accepted at the door.
-enum class Quantity {
-  number,
-  length,
-  mass,
-  time,
-  speed,
-  angle,
-  acceleration,
-  force,
-  pressure,
-  temperature,
-  density,
-  ballistic_coefficient,
-  linear_drag,
-  quadratic_drag,
-  angular_rate,
-  energy,
-  frequency,
-  stiffness,
-  volume,
-  attraction,
-  moment_of_inertia,
-  area,
-};
-inline constexpr Quantity kLastQuantity = Quantity::area;
 
 /// The units that are accepted for a quantity, the SI unit first; "%" for plain numbers.
 [[nodiscard]] std::vector<std::string> units_of(Quantity quantity);

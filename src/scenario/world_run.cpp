@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flight/zero.hpp"
+#include "model/force_laws.hpp"
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
 #include "scenario/suggest.hpp"
@@ -139,11 +140,8 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
 
 Status WorldRun::Impl::add_force(const ScenarioForce& force) {
   ForceDef def{.law = force.law, .target = {}, .delay = force.delay, .duration = force.duration};
-  if (!force.other.empty()) {
-    const ProjectileId other = lone[index_of(scenario.shots, force.other)];
-    if (auto* spring = std::get_if<Spring>(&def.law)) spring->other = other;
-    if (auto* bungee = std::get_if<Bungee>(&def.law)) bungee->other = other;
-  }
+  if (ProjectileId* end = other_end_of(def.law); end != nullptr && !force.other.empty())
+    *end = lone[index_of(scenario.shots, force.other)];
   std::vector<ForceTarget> targets;
   if (force.shots.empty() && force.layers == 0) targets.push_back(ForceTarget::everything());
   if (force.layers != 0) targets.push_back({{}, {}, force.layers});

@@ -24,27 +24,27 @@ std::span<const T> gather(std::span<const T> column, Members members, bool in_pl
   return scratch;
 }
 
+/// A projectile of the stage, as laws see it.
+struct Member {
+  const ForceStage& stage;
+  std::uint32_t row;
+
+  [[nodiscard]] const Vec3d& position() const { return stage.position[row]; }
+  [[nodiscard]] const Vec3d& velocity() const { return stage.velocity[row]; }
+  [[nodiscard]] double mass() const { return stage.mass[row]; }
+  [[nodiscard]] double diameter() const { return stage.def[row]->diameter; }
+};
+
 class Evaluation {
  public:
   Evaluation(const ForceClock& clock, Members members, const Surroundings& surroundings, ForceStage& stage,
              ForceScratch& scratch)
       : clock_(clock), members_(members), surroundings_(surroundings), stage_(stage), scratch_(scratch) {}
 
-  bool operator()(const ConstantForce& law) const {
-    return each([&](std::uint32_t) { return law.force; });
-  }
-  bool operator()(const ConstantAcceleration& law) const {
-    return each([&](std::uint32_t row) { return law.acceleration * stage_.mass[row]; });
-  }
-  bool operator()(const GravityForce& law) const {
-    return each([&](std::uint32_t row) { return law.gravity * stage_.mass[row]; });
-  }
-  bool operator()(const LinearQuadraticDragForce& law) const {
-    return each([&](std::uint32_t row) { return drag_force(law, stage_.velocity[row]); });
-  }
-  bool operator()(const AnchoredSpring& law) const {
-    return each(
-        [&](std::uint32_t row) { return spring_force(law, stage_.position[row] - law.anchor, stage_.velocity[row]); });
+  /// Laws that one projectile alone decides.
+  template <class Law>
+  bool operator()(const Law& law) const {
+    return each([&](std::uint32_t row) { return force_on(law, Member{stage_, row}); });
   }
   bool operator()(const Spring& law) const {
     return between(law.other, [&](const Vec3d& d, const Vec3d& v_rel) { return spring_force(law, d, v_rel); });
@@ -55,12 +55,6 @@ class Evaluation {
     return each(
         [&](std::uint32_t row) { return bungee_force(law, stage_.position[row] - law.anchor, stage_.velocity[row]); });
   }
-  bool operator()(const Buoyancy& law) const {
-    return each([&](std::uint32_t row) { return buoyancy_force(law, stage_.def[row]->diameter, state(row)); });
-  }
-  bool operator()(const PointAttractor& law) const {
-    return each([&](std::uint32_t row) { return attractor_force(law, stage_.mass[row], stage_.position[row]); });
-  }
   bool operator()(const WindZone& zone) const {
     return each([&](std::uint32_t row) {
       if (stage_.in_zone[row] != 0 || !is_inside(zone, stage_.position[row])) return Vec3d{};
@@ -69,9 +63,6 @@ class Evaluation {
       const Vec3d u = stage_.velocity[row] - zone.velocity;
       return surroundings_.drag_equation(row, zone.density, u) - surroundings_.own_drag(row);
     });
-  }
-  bool operator()(const Explosion& law) const {
-    return each([&](std::uint32_t row) { return explosion_force(law, stage_.position[row]); });
   }
   bool operator()(const Thrust& law) const {
     const double common = clock_.from_launch ? 0 : thrust_at(law.curve, clock_.since_start);
