@@ -7,9 +7,11 @@
 
 #include "fidelity_text.hpp"
 #include "flown.hpp"
+#include "model/ladder.hpp"
 #include "output_number.hpp"
 #include "physim/names.hpp"
 #include "progress.hpp"
+#include "solve/explicit_runge_kutta.hpp"
 
 namespace physim::cli {
 namespace {
@@ -29,8 +31,16 @@ void add_presets(const Scenario& scenario, std::vector<Rung>& rungs) {
 
 /// A fidelity with the rotation that the shot asks for, where that is more.
 Fidelity rotating(Fidelity fidelity, const ScenarioShot& shot) {
-  fidelity.rotation = std::max(fidelity.rotation, shot.projectile.fidelity.rotation);
+  fidelity.rotation = higher_of(fidelity.rotation, shot.projectile.fidelity.rotation);
   return fidelity;
+}
+
+// Integrators with a step of their own choice, or with a given one; the original loop is no method to compare.
+std::vector<Integrator> stepped_by(bool themselves) {
+  std::vector<Integrator> list;
+  for (const Integrator integrator : all_rungs<Integrator>())
+    if (integrator != Integrator::classic && is_adaptive(integrator) == themselves) list.push_back(integrator);
+  return list;
 }
 
 void add_integrators(const Scenario& scenario, const ScenarioShot& shot, std::vector<Rung>& rungs) {
@@ -43,14 +53,13 @@ void add_integrators(const Scenario& scenario, const ScenarioShot& shot, std::ve
     const char* text;
     double value;
   };
-  for (const Integrator integrator :
-       {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4})
+  for (const Integrator integrator : stepped_by(false))
     for (const auto& [text, step] : {Setting{"1/60 s", 1.0 / 60}, {"10 ms", 0.01}, {"1 ms", 0.001}}) {
       Tolerance tolerance = scenario.tolerance;
       tolerance.step = step;
       add(integrator, text, tolerance);
     }
-  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
+  for (const Integrator integrator : stepped_by(true))
     for (const auto& [text, error] : {Setting{"1e-3", 1e-3}, {"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}}) {
       Tolerance tolerance = scenario.tolerance;
       tolerance.relative = tolerance.absolute = error;
@@ -71,7 +80,7 @@ void add_effects(const Scenario& scenario, const ScenarioShot& shot, std::vector
   const bool only_drift = best.rotation == RotationModel::spin_drift;
   without(only_drift ? "no spin drift" : "no rotation", [](Fidelity& f) { f.rotation = RotationModel::none; });
   if (!only_drift) without("spin drift only", [](Fidelity& f) { f.rotation = RotationModel::spin_drift; });
-  if (best.rotation > RotationModel::modified_point_mass)
+  if (best.rotation == RotationModel::rigid_body)
     without("modified point mass", [](Fidelity& f) { f.rotation = RotationModel::modified_point_mass; });
   without("no Coriolis", [](Fidelity& f) { f.earth = EarthModel::flat; });
   without("constant gravity", [](Fidelity& f) { f.gravity = GravityModel::constant; });
@@ -156,22 +165,10 @@ RungResult result_of(const Climber& climber, const Flight& reference, Rung rung,
   return {std::move(rung), std::move(flight), std::move(leaves_out), error, time_error, cost};
 }
 
-bool ends_as_planned(const Flight& flight) {
-  switch (flight.outcome()) {
-    case Outcome::landed:
-    case Outcome::reached_range:
-    case Outcome::event:
-    case Outcome::time_limit:
-      return true;
-    default:
-      return false;
-  }
-}
-
 // Why a flight has no place in the table; empty where it has one.
 std::string reason_to_leave_out(const Rung& rung, const Flight& flight, const Flight& simulation) {
   if (flight.error()) return flight.error()->message;
-  if (!ends_as_planned(flight)) return "its flight ended with " + std::string(name(flight.outcome()));
+  if (!ended_as_planned(flight.outcome())) return "its flight ended with " + std::string(name(flight.outcome()));
   const bool is_the_same =
       flight.fidelity_in_use().fidelity == simulation.fidelity_in_use().fidelity ||
       (flight.end().position == simulation.end().position && flight.duration() == simulation.duration());
@@ -190,7 +187,7 @@ Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot) {
   const Fidelity truest = rotating(Fidelity::reference(), shot);
   Flight reference = climber.fly_rung(truest, kReferenceTolerance);
   if (reference.outcome() == Outcome::refused) return refusal(scenario, shot, reference);
-  if (!ends_as_planned(reference))
+  if (!ended_as_planned(reference.outcome()))
     return Error{.message = "the reference flight ended with " + std::string(name(reference.outcome())),
                  .place = scenario.file,
                  .hint = "give it an end that it reaches, as until.ground, until.range or until.time"};

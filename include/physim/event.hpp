@@ -30,6 +30,8 @@ enum class EventKind : std::uint8_t {
   fidelity_changed,  ///< in a world: moved to another rung
 };
 
+PHYSIM_UNORDERED(EventKind)
+
 /// Which crossings count.
 enum class Crossing : std::uint8_t { any, rising, falling };
 

@@ -54,6 +54,24 @@ enum class Outcome {
   refused,        ///< bad input; see Flight::error()
 };
 
+PHYSIM_UNORDERED(Outcome)
+
+/// The flight went as far as it was asked to go.
+constexpr bool ended_as_planned(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::landed:
+    case Outcome::reached_range:
+    case Outcome::event:
+    case Outcome::time_limit: return true;
+    case Outcome::step_limit:
+    case Outcome::left_domain:
+    case Outcome::non_finite:
+    case Outcome::stalled:
+    case Outcome::refused: return false;
+  }
+  return false;
+}
+
 /// The state at one time.
 struct Sample {
   double time = 0;             ///< since launch [s]

@@ -73,8 +73,12 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
 /// Drag that reads nothing of the air but its velocity.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> simple_drag(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& u) {
-  if (c.fidelity.drag == DragModel::damping) return u * -b.damping_rate;
-  if (c.fidelity.drag == DragModel::linear_quadratic) return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
+  switch (c.fidelity.drag) {
+    case DragModel::damping: return u * -b.damping_rate;
+    case DragModel::linear_quadratic: return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
+    case DragModel::off:
+    case DragModel::equation: break;
+  }
   return {R(S(0)), R(S(0)), R(S(0))};
 }
 

@@ -1,6 +1,7 @@
 // What the parts of the list of settings are written with: ranges, slots made from the types of fields.
 #pragma once
 
+#include "model/ladder.hpp"
 #include "scenario/schema.hpp"
 
 namespace physim {
@@ -24,8 +25,10 @@ inline constexpr Range kBits = {.low = 0, .high = 4294967295.0};
 template <class T>
 ValueRef slot_of(T& value) {
   if constexpr (std::is_enum_v<T>) {
-    return Choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
+    Choice choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
                   [&value](std::size_t i) { value = static_cast<T>(i); }};
+    if constexpr (requires { row(T{}).doc; }) choice.doc = [](std::size_t i) { return row(static_cast<T>(i)).doc; };
+    return choice;
   } else if constexpr (std::is_same_v<T, std::optional<double>>) {
     return OptionalNumber{[&value] { return value; }, [&value](std::optional<double> v) { value = v; }};
   } else if constexpr (std::is_same_v<T, std::uint32_t>) {

@@ -26,6 +26,7 @@ struct SettingRow {
   std::string group;  // "drag"; empty: of the shot itself
   Kind kind = Kind::text;
   std::span<const std::string_view> choices;
+  std::vector<std::string_view> choice_docs;  // of each choice; empty where they are not known
   std::string doc, unit, range, default_value;
 
   /// What a person is told about it: documentation, unit, range, default.
