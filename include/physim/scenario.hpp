@@ -81,7 +81,7 @@ struct Scenario {
 /// "shot.mass=170 gr" for every shot, "shot.NAME.mass=170 gr" for one. Overrides replace what the file says before it
 /// is checked; later ones win. Errors carry file:line:col, or "--set path=value".
 [[nodiscard]] Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides = {});
-/// The same from text; `file` only names it in errors.
+/// Reads a scenario from the text of a file; `file` only names it in errors.
 [[nodiscard]] Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                               std::span<const std::string> overrides = {});
 

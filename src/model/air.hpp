@@ -5,9 +5,8 @@
 // When to use it: constant for flat fire within a few hundred metres of height; exponential for games with aircraft and
 //   mountains; isa for everything that should be right.
 // When it is wrong: real days differ from the standard lapse rate; humidity is measured at the station and its effect
-// is
-//   kept at all heights; above 86 km the last layer goes on isothermally (density there is below 1e-5 of sea level's);
-//   below -5 km a flight ends with Outcome::left_domain.
+//   is kept at all heights; above 86 km the last layer goes on isothermally (density there is below 1e-5 of sea
+//   level's); below -5 km a flight ends with Outcome::left_domain.
 // Symbols: Z geometric altitude, H geopotential altitude, r0 = 6356766 m; T temperature [K]; L lapse rate [K/m];
 //   rho density [kg/m^3]; a sound speed [m/s]; index b: at the base of the layer.
 // Equations: H = r0 Z / (r0 + Z);  T = T_b + L (H - H_b);

@@ -25,9 +25,9 @@
 //   blast      F = F0 (1 - r / R) n for r < R;  at the very centre no direction is known: F = 0
 //   thrust     F(t) on straight lines between the points of its table, from the first until before the last
 // Source: I. Millington, Game Physics Engine Development (2010), sec. 5.2 (drag) and 6.2 (spring, bungee, buoyancy,
-// whose
-//   linear law is that of the box); R. Hooke, De Potentia Restitutiva (1678); Archimedes, On Floating Bodies, I, prop.
-//   5-7 (lift) and On the Sphere and Cylinder (cap); H. C. Plummer, MNRAS 71 (1911) 460 (softening). The blast is ours.
+//   whose linear law is that of the box); R. Hooke, De Potentia Restitutiva (1678); Archimedes, On Floating Bodies, I,
+//   prop. 5-7 (lift) and On the Sphere and Cylinder (cap); H. C. Plummer, MNRAS 71 (1911) 460 (softening). The blast is
+//   ours.
 #pragma once
 
 #include <algorithm>

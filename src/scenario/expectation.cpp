@@ -74,7 +74,7 @@ constexpr Figure kFigures[] = {
     {"spin_rate", Quantity::angular_rate, nullptr, nullptr, nullptr, spin_rate},
     {"angle_of_attack", Quantity::angle, nullptr, nullptr, nullptr, angle_of_attack},
     {"gyroscopic_stability", Quantity::number, nullptr, nullptr, nullptr, gyroscopic_stability},
-    // Of groups of projectiles in a world: counts, and figures of their impacts.
+    // Figures of groups of projectiles in a world: counts, and figures of their impacts.
     {"spawned", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::spawned>},
     {"refused", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::refused>},
     {"landed", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::landed>},

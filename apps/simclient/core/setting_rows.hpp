@@ -43,7 +43,7 @@ struct SettingRow {
                                                   const ScenarioShot& shot);
 /// Changes a setting as a file would: units are accepted, and errors are those of files.
 [[nodiscard]] Status set_value(const SettingRow& row, const std::string& text, Scenario& scenario, ScenarioShot& shot);
-/// The same for "shot.mass=170 gr".
+/// Changes a setting by an assignment, "shot.mass=170 gr".
 [[nodiscard]] Status set_value(std::string_view assignment, Scenario& scenario, ScenarioShot& shot);
 
 }  // namespace physim::client
