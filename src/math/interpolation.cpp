@@ -75,6 +75,7 @@ Slopes slopes(Interpolation how, const std::vector<double>& h, const std::vector
 
 double PiecewiseCubic::operator()(double x) const {
   if (pieces.empty()) return 0;
+  PHYSIM_ASSERT(knots.size() == pieces.size() + 1);
   x = std::clamp(x, knots.front(), knots.back());
   const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
   const auto i = static_cast<std::size_t>(next - knots.begin()) - 1;
@@ -84,6 +85,7 @@ double PiecewiseCubic::operator()(double x) const {
 }
 
 PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y, Interpolation how) {
+  PHYSIM_ASSERT(!x.empty() && x.size() == y.size());
   PiecewiseCubic curve;
   curve.knots.assign(x.begin(), x.end());
   if (x.size() == 1) {
@@ -123,6 +125,7 @@ bool every_knot_on_grid(const std::vector<double>& knots, double cell) {
 }  // namespace
 
 std::optional<UniformCubic> on_uniform_cells(const PiecewiseCubic& curve, int max_cells) {
+  PHYSIM_ASSERT(max_cells > 0 && curve.knots.size() == curve.pieces.size() + 1);
   const auto& knots = curve.knots;
   const double span = knots.back() - knots.front();
   double smallest = span;

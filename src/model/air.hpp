@@ -19,6 +19,7 @@
 // Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), eq. 18, 23, 33a, 33b, 42, 50, 51.
 #pragma once
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "model/earth.hpp"
 
@@ -33,6 +34,7 @@ struct AirState {
 /// Any layer, by its law. Behind a call, as most shots stay below.
 template <class R, class S>
 [[gnu::noinline]] void layered_air(const Air<S>& air, const R& z, AirState<R>& out) {
+  PHYSIM_ASSERT(air.layers >= 1 && air.layers <= kAirLayers);
   const S r0 = static_cast<S>(kGeopotentialRadius);
   const R h = r0 * z / (r0 + z);
   R base(air.base[0]), lapse(air.lapse[0]), power(air.power[0]), decay(air.decay[0]);

@@ -5,6 +5,7 @@
 // and R such that g (R / (R + h))^2 also meets the weight at 10 km; at 100 km it is then off by 1e-5 of g.
 #include "model/earth.hpp"
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "model/normal_gravity.hpp"
 
@@ -43,6 +44,7 @@ void prepare_ellipsoid(const Environment& environment, bool own, Globe<double>& 
 
 /// Weight at a height over the origin's latitude: gravitation and centrifugal acceleration, along the vertical.
 double weight(const Environment& environment, GravityModel model, double height) {
+  PHYSIM_ASSERT(row(model).field == GravityField::flattened);
   const Vec3d axis = axis_in_W(environment.earth);
   const Vec3d r = origin_from_centre(axis, height);
   const Vec3d pull = flattened_gravitation(model, axis, r);

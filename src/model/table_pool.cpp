@@ -37,6 +37,7 @@ CurvePart<double> TablePool::place_of(const DragDef& drag, Interpolation interpo
 }
 
 CurvePart<double> TablePool::place_of(const UniformCubic& curve) {
+  PHYSIM_ASSERT(!curve.rows.empty() && curve.cell > 0);
   return {add_rows(curve.rows), curve.start, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
 }
 

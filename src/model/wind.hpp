@@ -12,6 +12,7 @@
 //   ch. 7.
 #pragma once
 
+#include "base/assert.hpp"
 #include "model/earth.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -21,6 +22,7 @@ PHYSIM_ISA_BEGIN
 template <class R, class S>
 [[gnu::noinline]] void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
   const WindField<S>& field = c.wind;
+  PHYSIM_ASSERT(field.points >= 2 && field.points <= kMaxWindPoints);
   const R u = field.by_range ? x.x : height(c, x);
   for (int i = 0; i + 1 < field.points; ++i) {
     if (field.stepped) {

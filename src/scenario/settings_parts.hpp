@@ -1,6 +1,7 @@
 // What the parts of the list of settings are written with: ranges, slots made from the types of fields.
 #pragma once
 
+#include "base/assert.hpp"
 #include "model/ladder.hpp"
 #include "scenario/schema.hpp"
 
@@ -26,7 +27,10 @@ template <class T>
 ValueRef slot_of(T& value) {
   if constexpr (std::is_enum_v<T>) {
     Choice choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
-                  [&value](std::size_t i) { value = static_cast<T>(i); }};
+                  [&value](std::size_t i) {
+                    PHYSIM_ASSERT(i < names_of<T>().size());
+                    value = static_cast<T>(i);
+                  }};
     if constexpr (requires { row(T{}).doc; }) choice.doc = [](std::size_t i) { return row(static_cast<T>(i)).doc; };
     return choice;
   } else if constexpr (std::is_same_v<T, std::optional<double>>) {
@@ -63,6 +67,7 @@ template <class T>
 ValueRef records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
   return Records{[&list] { return list.size(); }, [&list](std::size_t size) { list.resize(size); },
                  [&list, outer, pointer](std::size_t i) {
+                   PHYSIM_ASSERT(i < list.size());
                    Scope inner = outer;
                    inner.*pointer = &list[i];
                    return inner;

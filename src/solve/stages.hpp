@@ -2,12 +2,14 @@
 // arithmetic is that of a step taken at once; a step has end_slope() stages.
 #pragma once
 
+#include "base/assert.hpp"
 #include "solve/take_step.hpp"
 
 PHYSIM_ISA_BEGIN
 
 /// Where a stage lies in its step, 0..1 [-].
 PHYSIM_INLINE double stage_place(Integrator integrator, int stage) {
+  PHYSIM_ASSERT(stage >= 0 && stage < end_slope(integrator));
   return with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA { return double(method.c[stage]); });
 }
 
@@ -15,6 +17,7 @@ PHYSIM_INLINE double stage_place(Integrator integrator, int stage) {
 /// a Step or its TurnStep. Methods without a tableau have no such stage.
 template <class AnyStep, class R>
 PHYSIM_INLINE auto next_stage(Integrator integrator, int stage, const AnyStep& s, const R& h) {
+  PHYSIM_ASSERT(stage >= 1 && stage <= end_slope(integrator));
   auto y = s.start;
   with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);

@@ -9,6 +9,7 @@
 // Trans. Math. Softw. 17 (1991) 533-554; E. Hairer, G. Wanner, Solving ODEs II (1996), sec. IV.2, eq. 2.43c.
 #pragma once
 
+#include "base/assert.hpp"
 #include "math/rough_power.hpp"
 #include "physim/fidelity.hpp"
 #include "solve/explicit_runge_kutta.hpp"
@@ -26,6 +27,7 @@ template <class R>
 PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, const MaskOf<R>& accepted,
                           StepControl<R>& control) {
   using S = ScalarOf<R>;
+  PHYSIM_ASSERT(is_adaptive(integrator));
   const double q = order_of(integrator);
   // Errors are squared, hence the factor 1/2. An error that is not a number counts as huge.
   const R huge = constant<R>(1e16);

@@ -1,6 +1,7 @@
 // One function per law; the law is the same for a whole batch, so it is chosen once.
 #include "world/force_eval.hpp"
 
+#include "base/assert.hpp"
 #include "model/force_laws.hpp"
 
 namespace physim {
@@ -89,7 +90,10 @@ class Evaluation {
 
   template <class Law>
   bool each(const Law& force_on) const {
-    for (const std::uint32_t row : members_) stage_.force[row] += force_on(row);
+    for (const std::uint32_t row : members_) {
+      PHYSIM_ASSERT(row < stage_.force.size());
+      stage_.force[row] += force_on(row);
+    }
     return true;
   }
 
@@ -120,6 +124,8 @@ class Evaluation {
 
 bool add_force(const ForceLaw& law, const ForceClock& clock, std::span<const std::uint32_t> members,
                const Surroundings& surroundings, ForceStage& stage, ForceScratch& scratch) {
+  PHYSIM_ASSERT(stage.position.size() == stage.force.size() && stage.velocity.size() == stage.force.size() &&
+                stage.mass.size() == stage.force.size());
   return std::visit(Evaluation(clock, members, surroundings, stage, scratch), law);
 }
 
