@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "physim/ids.hpp"
+#include "physim/macros.hpp"
 #include "physim/vec3.hpp"
 
 namespace physim {

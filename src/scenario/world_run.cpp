@@ -212,9 +212,7 @@ void WorldRun::Impl::count(std::span<const Event> news) {
     events.push_back({track->launched, event});
     WorldGroup& group = groups[track->launched.group];
     switch (event.kind) {
-      case EventKind::spawned:
-        ++group.spawned;
-        break;
+      case EventKind::spawned: ++group.spawned; break;
       case EventKind::landed:
         ++group.landed;
         touch(*track, group, event.time, event.position, event.velocity);
@@ -223,20 +221,21 @@ void WorldRun::Impl::count(std::span<const Event> news) {
         ++group.bounces;
         touch(*track, group, event.time, event.position, event.velocity);
         break;
-      case EventKind::apex:
-        group.apex.add(event.position.y);
-        break;
-      case EventKind::slept:
-        ++group.slept;
-        break;
-      case EventKind::expired:
-        ++group.expired;
-        break;
-      case EventKind::retired:
-        ++group.retired;
-        break;
-      default:  // kept in the list of events, and not counted
-        break;
+      case EventKind::apex: group.apex.add(event.position.y); break;
+      case EventKind::slept: ++group.slept; break;
+      case EventKind::expired: ++group.expired; break;
+      case EventKind::retired: ++group.retired; break;
+      case EventKind::ground:  // all others are kept in the list of events, and not counted
+      case EventKind::range:
+      case EventKind::height:
+      case EventKind::mach:
+      case EventKind::speed:
+      case EventKind::time:
+      case EventKind::ignition:
+      case EventKind::burnout:
+      case EventKind::rail_exit:
+      case EventKind::woke:
+      case EventKind::fidelity_changed: break;
     }
   }
 }

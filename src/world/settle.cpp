@@ -240,8 +240,7 @@ class Settling {
         case Outcome::step_limit:
         case Outcome::non_finite:
         case Outcome::stalled:
-        case Outcome::refused:
-          tell(course_.watch.item[crossings.found[i].index].spec.kind, Reason::none, passed, s);
+        case Outcome::refused: tell(course_.watch.item[crossings.found[i].index].spec.kind, Reason::none, passed, s);
       }
     }
     return false;
