@@ -1,10 +1,10 @@
 // Decides what of an asked fidelity can be had, and says why where it is less.
 #include "prepare/grant.hpp"
-#include "solve/take_step.hpp"
 #include "model/attitude.hpp"
 #include "model/drag_curves.hpp"
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
+#include "solve/take_step.hpp"
 
 namespace physim {
 namespace {
