@@ -42,6 +42,7 @@ CurvePart<double> TablePool::place_of(const UniformCubic& curve) {
 }
 
 double TablePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
+  PHYSIM_ASSERT(!rows.empty() && rows_.size() % 4 == 0);
   const auto first = static_cast<double>(rows_.size() / 4);
   for (const std::array<double, 4>& row : rows) rows_.insert(rows_.end(), row.begin(), row.end());
   return first;
