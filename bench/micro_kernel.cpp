@@ -50,12 +50,9 @@ std::size_t run(Part part, const MicroJob<S>& job) {
   R x = lanes.step.start.v.x * S(1.0 / 300);
   R y = x;
   switch (part) {
-    case Part::exp:
-      return repeat(job, y, [&] { touch(x), y = exp(x); });
-    case Part::log:
-      return repeat(job, y, [&] { touch(x), y = log(x); });
-    case Part::cd_lookup:
-      return repeat(job, y, [&] { touch(x), y = curve_cd(c, lanes.body, x); });
+    case Part::exp: return repeat(job, y, [&] { touch(x), y = exp(x); });
+    case Part::log: return repeat(job, y, [&] { touch(x), y = log(x); });
+    case Part::cd_lookup: return repeat(job, y, [&] { touch(x), y = curve_cd(c, lanes.body, x); });
     case Part::air:
       return repeat(job, y, [&] {
         touch(x);
@@ -70,12 +67,9 @@ std::size_t run(Part part, const MicroJob<S>& job) {
         y = a.x + a.y;
       });
     }
-    case Part::rk4_step:
-      return repeat_step(job, lanes, Integrator::rk4);
-    case Part::tsit5_step:
-      return repeat_step(job, lanes, Integrator::tsit5);
-    case Part::dop853_step:
-      return repeat_step(job, lanes, Integrator::dop853);
+    case Part::rk4_step: return repeat_step(job, lanes, Integrator::rk4);
+    case Part::tsit5_step: return repeat_step(job, lanes, Integrator::tsit5);
+    case Part::dop853_step: return repeat_step(job, lanes, Integrator::dop853);
     case Part::watch: {
       const MaskOf<R> all_lanes = x == x;
       return repeat(job, y, [&] {

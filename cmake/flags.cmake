@@ -3,9 +3,10 @@
 # Determinism rests on three of them: -ffp-contract=off (no fused multiply-add behind our back) and never -ffast-math.
 # -fno-math-errno and -fno-trapping-math change no bit of a result; they let the compilers vectorise sqrt and select.
 
+# A switch over an enumeration names every enumerator, so that a new one does not compile until each says what it does.
 # Wide vectors in signatures make g++ note an ABI change (psabi); designated initialisers leave fields out on purpose.
 set(PHYSIM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
-    -Wvla -Wundef -Wno-psabi -Wno-missing-field-initializers)
+    -Wvla -Wundef -Werror=switch -Werror=switch-enum -Wno-psabi -Wno-missing-field-initializers)
 
 function(physim_flags target)
   target_compile_features(${target} PRIVATE cxx_std_20)

@@ -44,7 +44,7 @@ if(TARGET physim_scenario)
 endif()
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS tests/*.cpp)
-list(FILTER test_sources EXCLUDE REGEX "/tests/(fuzz|golden|soak|client|window|install)/")
+list(FILTER test_sources EXCLUDE REGEX "/tests/(additions|install|fuzz|golden|soak|client|window)/")
 if(test_sources)
   find_package(GTest QUIET)
 endif()
@@ -66,6 +66,14 @@ elseif(test_sources)
     physim_add_client_tests()
   endif()
   gtest_discover_tests(physim_tests DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endif()
+
+# Tests of additions, which are there in a copy of the sources that tools/additions.py patches.
+file(GLOB addition_sources CONFIGURE_DEPENDS tests/additions/*.cpp)
+if(addition_sources AND GTest_FOUND)
+  physim_add_executable(physim_additions ${addition_sources})
+  target_include_directories(physim_additions PRIVATE tests)
+  target_link_libraries(physim_additions PRIVATE GTest::gtest_main)
 endif()
 
 file(GLOB example_sources CONFIGURE_DEPENDS examples/*.cpp)

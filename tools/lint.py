@@ -11,6 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import additions
+
 ROOT = Path(__file__).resolve().parent.parent
 LAYERS = ["base", "math", "model", "solve", "prepare", "flight", "collide", "world", "emit", "scenario", "report", "study",
           "validation", "capi"]  # ground first
@@ -219,6 +221,32 @@ def check_size(name, lines):
                 find(name, number, f"{len(line)} columns, the house has {MAX_COLUMNS}; break the line")
 
 
+def enumerations(files):
+    """The names of all enum classes of the library."""
+    names = set()
+    for name in files:
+        if name.startswith(("include/", "src/")):
+            names.update(re.findall(r"\benum class (\w+)", read(name)))
+    return names
+
+
+def check_enumerators(name, text, enums):
+    """Enumerators are names: their values mean nothing, and switches over them name each."""
+    if not name.startswith(("src/", "include/", "apps/")):
+        return
+    code = COMMENT_OR_STRING.sub(blank, text)
+    enum = r"(?:\w+::)*(?:%s)::\w+" % "|".join(sorted(enums))
+    compared = rf"\s[<>]=?\s+{enum}\b|\b{enum}\s+[<>]=?\s|std::(?:min|max)\((?:[^;()]|\([^()]*\))*\b{enum}\b"
+    for number, line in enumerate(code.split("\n"), 1):
+        if re.search(compared, line) and not re.match(r"\s*(template|using)\b", line):
+            find(name, number, "compares an enumerator by its value; ask for what it is, or for the level of a rung")
+    for match in re.finditer(r"\bdefault:", code):
+        opening = code.rfind("switch (", 0, match.start())
+        if re.search(r"\bcase \w+(::\w+)+:", code[opening:match.start()]):
+            find(name, code.count("\n", 0, match.start()) + 1,
+                 "a default in a switch over an enumeration; name the rest, so that a new one does not compile")
+
+
 def check_kernel_symbols():
     """A weak symbol outside its own namespace may be shared by the linker with code for older processors."""
     nm = shutil.which("nm")
@@ -269,6 +297,7 @@ def main():
         size = os.path.getsize(ROOT / name)
         if size > MAX_BYTES:
             find(name, 1, f"{size / 1e6:.1f} MB; a file here has at most 1 MB: make it smaller or generate it")
+    enums = enumerations(cpp)
     for name in cpp:
         text = read(name)
         lines = text.splitlines()
@@ -278,6 +307,8 @@ def main():
         check_client_core(name, lines)
         check_source_named(name, lines)
         check_size(name, lines)
+        check_enumerators(name, text, enums)
+    additions.check(find)
     kernels = check_kernel_symbols()
     for finding in findings:
         print(finding)

@@ -11,7 +11,6 @@
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
-#include "rungs.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
 
@@ -104,8 +103,9 @@ std::string drag_tables_text() {
 
 std::string models_text() {
   Table table({{"effect", Align::left}, {"rung", Align::left}, {"what it is", Align::left}});
-  for (const RungDoc& rung : rung_docs())
-    table.add_row({std::string(rung.effect), std::string(rung.rung), std::string(rung.doc)});
+  for (const EffectRungs& of : all_effects())
+    for (const RungInfo& rung : of.rungs)
+      table.add_row({std::string(of.effect), std::string(rung.name), std::string(rung.doc)});
   return table.text();
 }
 

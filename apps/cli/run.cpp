@@ -110,17 +110,17 @@ Status write_all(const RunOptions& options, const FlownScenario& flown, std::opt
 // Why a flight ended before its time, in words; empty where it did not.
 std::string_view odd_end(Outcome outcome) {
   switch (outcome) {
-    case Outcome::step_limit:
-      return ", it took tolerance.max_steps steps";
-    case Outcome::left_domain:
-      return ", it went where a model does not hold";
-    case Outcome::non_finite:
-      return ", its numbers grew beyond all bounds";
-    case Outcome::stalled:
-      return ", its steps became too small to go on";
-    default:
-      return {};
+    case Outcome::step_limit: return ", it took tolerance.max_steps steps";
+    case Outcome::left_domain: return ", it went where a model does not hold";
+    case Outcome::non_finite: return ", its numbers grew beyond all bounds";
+    case Outcome::stalled: return ", its steps became too small to go on";
+    case Outcome::landed:
+    case Outcome::reached_range:
+    case Outcome::event:
+    case Outcome::time_limit:
+    case Outcome::refused: break;
   }
+  return {};
 }
 
 void warn_of_odd_ends(const std::vector<FlownShot>& shots) {

@@ -203,18 +203,10 @@ void App::read_inputs() {
   std::vector<Input> inputs;
   inputs.swap(inputs_);
   for (const Input& input : inputs) switch (input.kind) {
-      case Input::Kind::key:
-        on_key(input);
-        break;
-      case Input::Kind::button:
-        on_button(input);
-        break;
-      case Input::Kind::move:
-        on_move(input);
-        break;
-      case Input::Kind::scroll:
-        on_scroll(input);
-        break;
+      case Input::Kind::key: on_key(input); break;
+      case Input::Kind::button: on_button(input); break;
+      case Input::Kind::move: on_move(input); break;
+      case Input::Kind::scroll: on_scroll(input); break;
     }
 }
 

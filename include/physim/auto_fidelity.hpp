@@ -56,7 +56,7 @@ struct AutoFidelity {
 
   /// "the cheapest within 1 cm over 2 s: measured 4.2 mm, 38 times cheaper than the reference".
   [[nodiscard]] std::string explanation() const;
-  /// The same as a note for FidelityInUse.
+  /// The explanation as a note for FidelityInUse.
   [[nodiscard]] FidelityNote note() const;
   /// With which fly() flies it as it was measured.
   [[nodiscard]] Tolerance tolerance() const;
@@ -67,7 +67,7 @@ struct AutoFidelity {
 /// no sense, where the truth itself is not known so well, or where no fidelity comes so near.
 [[nodiscard]] Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, const Launch& launch,
                                                    const Environment& environment, const Purpose& purpose);
-/// The same for several launches at once; errors are the worst of them.
+/// The cheapest fidelity for several launches at once; errors are the worst of them.
 [[nodiscard]] Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, std::span<const Launch> launches,
                                                    const Environment& environment, const Purpose& purpose);
 

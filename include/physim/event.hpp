@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "physim/ids.hpp"
+#include "physim/macros.hpp"
 #include "physim/vec3.hpp"
 
 namespace physim {
@@ -29,6 +30,8 @@ enum class EventKind : std::uint8_t {
   retired,           ///< in a world: taken out
   fidelity_changed,  ///< in a world: moved to another rung
 };
+
+PHYSIM_UNORDERED(EventKind)
 
 /// Which crossings count.
 enum class Crossing : std::uint8_t { any, rising, falling };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 #include "physim/macros.hpp"
 
@@ -14,7 +15,7 @@ enum class Motion {
   force,        ///< the resultant of all forces, divided by mass
 };
 
-/// How the equations of motion are stepped through time. The adaptive ones come last.
+/// How the equations of motion are stepped through time.
 enum class Integrator {
   classic,              ///< the original PhySim frame loop: position, then velocity, then damping
   explicit_euler,       ///< order 1
@@ -86,6 +87,18 @@ enum class Interpolation {
 
 enum class Precision { float32, float64 };
 
+PHYSIM_UNORDERED(Motion)
+PHYSIM_UNORDERED(Integrator)
+PHYSIM_UNORDERED(GravityModel)
+PHYSIM_UNORDERED(DragModel)
+PHYSIM_UNORDERED(AirModel)
+PHYSIM_UNORDERED(WindModel)
+PHYSIM_UNORDERED(EarthModel)
+PHYSIM_UNORDERED(RotationModel)
+PHYSIM_UNORDERED(BodyForm)
+PHYSIM_UNORDERED(Interpolation)
+PHYSIM_UNORDERED(Precision)
+
 /// The rung of the ladder that each effect stands on.
 struct Fidelity {
   Motion motion = Motion::force;                       ///< equations of motion [-]
@@ -116,7 +129,23 @@ struct Fidelity {
 };
 
 /// The rotation is part of what is flown: a flight knows where the projectile points and how fast it turns.
-PHYSIM_INLINE constexpr bool turns(const Fidelity& f) { return f.rotation >= RotationModel::modified_point_mass; }
+PHYSIM_INLINE constexpr bool turns(const Fidelity& f) {
+  switch (f.rotation) {
+    case RotationModel::none:
+    case RotationModel::spin_drift:
+    case RotationModel::magnus: return false;
+    case RotationModel::modified_point_mass:
+    case RotationModel::rigid_body: return true;
+  }
+  return false;
+}
+
+/// What can be told of a rung of the ladder.
+struct RungInfo {
+  std::string_view name;  ///< as its enumerator is spelled [-]
+  std::string_view doc;   ///< one line [-]
+  int level;              ///< its place among the rungs of its effect, from cheap to true [-]
+};
 
 /// One answer of fidelity_in_use(): what was asked for, what was granted, and why they differ.
 struct FidelityNote {

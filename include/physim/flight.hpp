@@ -54,6 +54,24 @@ enum class Outcome {
   refused,        ///< bad input; see Flight::error()
 };
 
+PHYSIM_UNORDERED(Outcome)
+
+/// The flight went as far as it was asked to go.
+constexpr bool ended_as_planned(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::landed:
+    case Outcome::reached_range:
+    case Outcome::event:
+    case Outcome::time_limit: return true;
+    case Outcome::step_limit:
+    case Outcome::left_domain:
+    case Outcome::non_finite:
+    case Outcome::stalled:
+    case Outcome::refused: return false;
+  }
+  return false;
+}
+
 /// The state at one time.
 struct Sample {
   double time = 0;             ///< since launch [s]
@@ -131,7 +149,7 @@ class Flight {
 /// Computes one flight. Bad input gives a flight with Outcome::refused and an error; nothing throws.
 [[nodiscard]] Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                          const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
-/// The same at the projectile's own fidelity.
+/// Computes one flight at the projectile's own fidelity.
 [[nodiscard]] Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment = {});
 
 /// One shot of a batch.
@@ -176,11 +194,11 @@ struct BatchResult {
 /// of a few of the shots, which makes it shorter than the step that fly() would find for one of them.
 [[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
                                     const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {});
-/// The same for many launches of one projectile, which is checked and prepared once; where it is bad, all are refused.
+/// Flies many launches of one projectile, which is checked and prepared once; where it is bad, all are refused.
 [[nodiscard]] BatchResult fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches,
                                     const Environment& environment, const Fidelity& fidelity,
                                     const Tolerance& tolerance = {}, const Until& until = {});
-/// The same two into a result of before: all of it is written anew, its memory is used again.
+/// Flies into a result of before: all of it is written anew, its memory is used again.
 void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
                const Tolerance& tolerance, const Until& until, BatchResult& result);
 void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,

@@ -24,7 +24,7 @@ struct MotorFileEntry {
 /// in mm, length in mm, delays, propellant in kg, mass in kg, manufacturer) and lines of time in s and thrust in N, up
 /// to a thrust of zero. Thrust rises from zero at time 0, which the format leaves out. Errors carry file:line.
 [[nodiscard]] Result<std::vector<MotorFileEntry>> read_motor_file(const std::string& file);
-/// The same from text; `file` only names it in errors.
+/// Reads motors from the text of a RASP file; `file` only names it in errors.
 [[nodiscard]] Result<std::vector<MotorFileEntry>> parse_motor_file(const std::string& text, const std::string& file);
 /// The motor of a name, or the only one where the name is empty.
 [[nodiscard]] Result<MotorFileEntry> pick_motor(const std::vector<MotorFileEntry>& motors, const std::string& name,

@@ -34,21 +34,10 @@ template <class Enum>
 #define PHYSIM_NAMED_ENUM(Enum) \
   template <>                   \
   std::span<const std::string_view> names_of<Enum>();
-PHYSIM_NAMED_ENUM(Motion)
-PHYSIM_NAMED_ENUM(Integrator)
-PHYSIM_NAMED_ENUM(GravityModel)
-PHYSIM_NAMED_ENUM(DragModel)
-PHYSIM_NAMED_ENUM(AirModel)
-PHYSIM_NAMED_ENUM(WindModel)
-PHYSIM_NAMED_ENUM(EarthModel)
-PHYSIM_NAMED_ENUM(RotationModel)
-PHYSIM_NAMED_ENUM(BodyForm)
 PHYSIM_NAMED_ENUM(AttitudeFrame)
 PHYSIM_NAMED_ENUM(RateFrame)
 PHYSIM_NAMED_ENUM(RateNorm)
 PHYSIM_NAMED_ENUM(DampingFrame)
-PHYSIM_NAMED_ENUM(Interpolation)
-PHYSIM_NAMED_ENUM(Precision)
 PHYSIM_NAMED_ENUM(DragTable)
 PHYSIM_NAMED_ENUM(SpinMeasure)
 PHYSIM_NAMED_ENUM(WindAxis)
@@ -63,6 +52,36 @@ PHYSIM_NAMED_ENUM(WhenFull)
 PHYSIM_NAMED_ENUM(LifeStatus)
 PHYSIM_NAMED_ENUM(Reason)
 #undef PHYSIM_NAMED_ENUM
+
+/// All rungs of an effect (an enumeration that Fidelity has a field of), cheap to true.
+template <class Enum>
+[[nodiscard]] std::span<const RungInfo> rungs_of();
+
+#define PHYSIM_RUNG_ENUM(Enum)                        \
+  template <>                                         \
+  std::span<const std::string_view> names_of<Enum>(); \
+  template <>                                         \
+  std::span<const RungInfo> rungs_of<Enum>();
+PHYSIM_RUNG_ENUM(Motion)
+PHYSIM_RUNG_ENUM(Integrator)
+PHYSIM_RUNG_ENUM(GravityModel)
+PHYSIM_RUNG_ENUM(DragModel)
+PHYSIM_RUNG_ENUM(AirModel)
+PHYSIM_RUNG_ENUM(WindModel)
+PHYSIM_RUNG_ENUM(EarthModel)
+PHYSIM_RUNG_ENUM(RotationModel)
+PHYSIM_RUNG_ENUM(BodyForm)
+PHYSIM_RUNG_ENUM(Precision)
+PHYSIM_RUNG_ENUM(Interpolation)
+#undef PHYSIM_RUNG_ENUM
+
+/// The rungs of one effect, cheap to true.
+struct EffectRungs {
+  std::string_view effect;          ///< field of Fidelity [-]
+  std::span<const RungInfo> rungs;  ///< [-]
+};
+/// The whole ladder of fidelity, in the order of Fidelity's fields.
+[[nodiscard]] std::span<const EffectRungs> all_effects();
 
 /// The preset of a name ("small_arms"), if it is one.
 [[nodiscard]] std::optional<Fidelity> fidelity_preset(std::string_view text);

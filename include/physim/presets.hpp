@@ -23,7 +23,8 @@ struct ProjectilePreset {
 
 namespace presets {
 
-// Of the original PhySim (2017): damping and a gravity of their own, in its own frame loop (Fidelity::classic()).
+// The projectiles of the original PhySim (2017): damping and a gravity of their own, in its own frame loop
+// (Fidelity::classic()).
 [[nodiscard]] ProjectilePreset artillery();
 [[nodiscard]] ProjectilePreset bullet();
 [[nodiscard]] ProjectilePreset laser();

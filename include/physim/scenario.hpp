@@ -12,6 +12,7 @@
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/projectile.hpp"
+#include "physim/quantity.hpp"
 #include "physim/result.hpp"
 #include "physim/scenario_world.hpp"
 
@@ -80,7 +81,7 @@ struct Scenario {
 /// "shot.mass=170 gr" for every shot, "shot.NAME.mass=170 gr" for one. Overrides replace what the file says before it
 /// is checked; later ones win. Errors carry file:line:col, or "--set path=value".
 [[nodiscard]] Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides = {});
-/// The same from text; `file` only names it in errors.
+/// Reads a scenario from the text of a file; `file` only names it in errors.
 [[nodiscard]] Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                               std::span<const std::string> overrides = {});
 
@@ -92,33 +93,6 @@ struct Scenario {
 
 /// The value of an expectation on a flown shot [SI unit of the quantity], or why there is none.
 [[nodiscard]] Result<double> measure(const Flight& flight, const Expectation& expectation);
-
-/// What a setting measures; decides the units that are accepted at the door.
-enum class Quantity {
-  number,
-  length,
-  mass,
-  time,
-  speed,
-  angle,
-  acceleration,
-  force,
-  pressure,
-  temperature,
-  density,
-  ballistic_coefficient,
-  linear_drag,
-  quadratic_drag,
-  angular_rate,
-  energy,
-  frequency,
-  stiffness,
-  volume,
-  attraction,
-  moment_of_inertia,
-  area,
-};
-inline constexpr Quantity kLastQuantity = Quantity::area;
 
 /// The units that are accepted for a quantity, the SI unit first; "%" for plain numbers.
 [[nodiscard]] std::vector<std::string> units_of(Quantity quantity);

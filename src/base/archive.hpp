@@ -1,5 +1,6 @@
-// Archives: values taken apart into whole numbers and put together again. How each struct is taken apart stands once,
-// in archive_fields.hpp; from that a recording is written (Writer), read (Reader), and definitions are hashed (Hasher).
+// Archives: values taken apart into whole numbers and put together again, structs member by member. So a recording is
+// written (Writer) and read (Reader), and definitions are hashed (Hasher). A struct that gains a member changes what
+// recordings hold: raise kRecordingFormat (include/physim/recording.hpp) with it.
 //
 // Format: little-endian; doubles as their bits; bool and enumerators 1 byte; texts and lists with their length in
 // 4 bytes before them; optionals with a bool before them; variants with their index in 1 byte.
@@ -15,8 +16,10 @@
 #include <vector>
 
 #include "base/hash.hpp"
+#include "base/members.hpp"
 #include "physim/forces.hpp"
 #include "physim/names.hpp"
+#include "physim/world_def.hpp"
 
 namespace physim {
 
@@ -101,9 +104,13 @@ class Archive {
     ((I == index ? static_cast<void>(v.template emplace<I>()) : void()), ...);
   }
   void take(CustomForce& force) { self().function(force); }
+  /// It changes no result: who replays has another machine.
+  void take(Threading&) {}
   template <class T>
   requires std::is_class_v<T>
-  void take(T& x) { fields(self(), x); }
+  void take(T& x) {
+    with_members(x, [this](auto&... members) { (this->take(members), ...); });
+  }
 };
 
 /// Appends to bytes.
@@ -125,8 +132,8 @@ class Writer : public Archive<Writer> {
   void count(std::size_t n) { number(n, 4); }
   void text(const std::string& s) {
     count(s.size());
-    const auto* bytes = reinterpret_cast<const std::byte*>(s.data());
-    to_.insert(to_.end(), bytes, bytes + s.size());
+    const auto bytes = std::as_bytes(std::span(s));
+    to_.insert(to_.end(), bytes.begin(), bytes.end());
   }
   void function(const CustomForce& force) { number(force.function ? 1 : 0, 1); }
   [[nodiscard]] static bool good() { return true; }
@@ -161,7 +168,7 @@ class Reader : public Archive<Reader> {
   void text(std::string& s) {
     std::size_t n = 0;
     count(n);
-    s.assign(reinterpret_cast<const char*>(from_.data()), n);
+    s.assign(static_cast<const char*>(static_cast<const void*>(from_.data())), n);
     from_ = from_.subspan(n);
   }
   void function(CustomForce& force) {

@@ -20,6 +20,9 @@ namespace physim {
 #if PHYSIM_ASSERTS
 #define PHYSIM_ASSERT(...) \
   (static_cast<bool>(__VA_ARGS__) ? void(0) : ::physim::assertion_failed(#__VA_ARGS__, __FILE__, __LINE__))
+/// Behind a switch that names every enumerator.
+#define PHYSIM_UNREACHABLE() ::physim::assertion_failed("an enumerator has a name", __FILE__, __LINE__)
 #else
 #define PHYSIM_ASSERT(...) void(sizeof(static_cast<bool>(__VA_ARGS__)))
+#define PHYSIM_UNREACHABLE() __builtin_unreachable()
 #endif

@@ -1,4 +1,5 @@
-// Names of enumerators: exactly as they are spelled in the headers, in the order of their values.
+// Names of enumerators: exactly as they are spelled in the headers, in the order of their values. Those of rungs stand
+// in their table, model/ladder.hpp.
 #include "physim/names.hpp"
 
 #include <array>
@@ -17,22 +18,10 @@ namespace physim {
     return names;                                                                                     \
   }
 
-PHYSIM_NAMES(Motion, force, "closed_form", "velocity", "force")
-PHYSIM_NAMES(Integrator, dop853, "classic", "explicit_euler", "semi_implicit_euler", "heun", "rk4", "rk43", "tsit5",
-             "dop853")
-PHYSIM_NAMES(GravityModel, wgs84, "off", "constant", "inverse_square", "j2", "wgs84")
-PHYSIM_NAMES(DragModel, equation, "off", "damping", "linear_quadratic", "equation")
-PHYSIM_NAMES(AirModel, isa, "vacuum", "constant", "exponential", "isa")
-PHYSIM_NAMES(WindModel, profile, "off", "constant", "profile")
-PHYSIM_NAMES(EarthModel, ellipsoid, "flat", "flat_coriolis", "sphere", "sphere_rotating", "ellipsoid")
-PHYSIM_NAMES(RotationModel, rigid_body, "none", "spin_drift", "magnus", "modified_point_mass", "rigid_body")
-PHYSIM_NAMES(BodyForm, axis, "automatic", "quaternion", "axis")
 PHYSIM_NAMES(AttitudeFrame, world, "bore", "world")
 PHYSIM_NAMES(RateFrame, inertial, "world", "inertial")
 PHYSIM_NAMES(RateNorm, twice_speed, "speed", "twice_speed")
 PHYSIM_NAMES(DampingFrame, inertial, "air", "inertial")
-PHYSIM_NAMES(Interpolation, cubic, "linear", "pchip", "cubic")
-PHYSIM_NAMES(Precision, float64, "float32", "float64")
 PHYSIM_NAMES(DragTable, custom, "constant", "g1", "g2", "g5", "g6", "g7", "g8", "gi", "gs", "ra4", "sphere", "custom")
 PHYSIM_NAMES(SpinMeasure, parameter, "rate", "parameter")
 PHYSIM_NAMES(WindAxis, range, "height", "range")

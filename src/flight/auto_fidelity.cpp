@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "flight/fidelity_candidates.hpp"
 #include "flight/flight_record.hpp"
+#include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
@@ -58,7 +59,7 @@ Status check_purpose(const Purpose& p) {
     return bad("step", p.step, "must be at least a millionth of the time", "0: steps are free");
   if (p.ground && !std::isfinite(*p.ground))
     return bad("ground", *p.ground, "must be a finite number", "none: no ground");
-  if (p.least_motion > p.truth.motion)
+  if (level(p.least_motion) > level(p.truth.motion))
     return Error{"is more than the truth has, '" + std::string(name(p.truth.motion)) + "'", "purpose.least_motion",
                  "raise purpose.truth.motion"};
   return check(p.tolerance, p.truth);
@@ -146,7 +147,7 @@ class Search {
     if (path.duration == 0) return {};
     const double end = path.landed ? kLate * path.duration : path.duration;
     const Flight flight = fly(projectile_, path.launch, environment_, fidelity, tolerance, until(end));
-    if (flight.error() || flight.outcome() > Outcome::left_domain || flight.outcome() == Outcome::step_limit)
+    if (flight.error() || !(ended_as_planned(flight.outcome()) || flight.outcome() == Outcome::left_domain))
       return {kInfinity, 0};
     Measured m{0, static_cast<double>(flight.cost().steps + flight.cost().rejected)};
     const auto compare = [&](double time, const Vec3d& truth) {

@@ -1,9 +1,9 @@
 // AutoFidelityCache: answers of cheapest_within() by everything that they depend on, and the classes of launches.
 #include <cmath>
 #include <mutex>
-#include <type_traits>
 #include <unordered_map>
 
+#include "base/archive.hpp"
 #include "math/elementary.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "prepare/check.hpp"
@@ -12,128 +12,18 @@ namespace physim {
 namespace {
 
 // ------------------------------------------------------------------------------------------------------------ the key
-/// Everything that an answer depends on, as bytes. Structs are taken apart by structured bindings: a new field does not
-/// compile until it is put in here.
-class Key {
- public:
-  template <class T>
-  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void add(const T& value) { text_.append(reinterpret_cast<const char*>(&value), sizeof value); }
-  template <class T>
-  void add(const std::optional<T>& value) {
-    add(value.has_value());
-    if (value) add(*value);
-  }
-  template <class T>
-  void add(const std::vector<T>& list) {
-    add(list.size());
-    for (const T& element : list) add(element);
-  }
-  void add(const Vec3d& v) { all(v.x, v.y, v.z); }
-  void add(const DragPoint& point) {
-    const auto& [mach, coefficient] = point;
-    all(mach, coefficient);
-  }
-  void add(const BallisticBand& band) {
-    const auto& [above, ballistic_coefficient] = band;
-    all(above, ballistic_coefficient);
-  }
-  void add(const DragDef& drag) {
-    const auto& [table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2] = drag;
-    all(table, coefficient, curve, ballistic_coefficient, bands, form_factor, damping, k1, k2);
-  }
-  void add(const ThrustPoint& point) {
-    const auto& [time, force] = point;
-    all(time, force);
-  }
-  void add(const PropellantPoint& point) {
-    const auto& [time, mass] = point;
-    all(time, mass);
-  }
-  void add(const MotorDef& motor) {
-    const auto& [name, thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve] = motor;
-    all(thrust, propellant_mass, propellant, ignition_delay, drag_factor, drag_curve);
-  }
-  void add(const MagnusPoint& point) {
-    const auto& [speed, spin, drag, lift] = point;
-    all(speed, spin, drag, lift);
-  }
-  void add(const MagnusDef& magnus) {
-    const auto& [lift, base, saturation, drag_per_spin, table, measure, decay_time] = magnus;
-    all(lift, base, saturation, drag_per_spin, table, measure, decay_time);
-  }
-  void add(const LaunchSpin& spin) {
-    const auto& [backspin, sidespin, gyrospin] = spin;
-    all(backspin, sidespin, gyrospin);
-  }
-  void add(const ProjectileDef& projectile) {
-    // Its name changes nothing, and its own fidelity is not asked.
-    const auto& [name, mass, diameter, length, twist, drag, magnus, inertia, aero, force, force_duration, motor,
-                 fidelity] = projectile;
-    all(mass, diameter, length, twist, drag, magnus, inertia, aero, force, force_duration, motor);
-  }
-  void add(const AeroPoint& point) {
-    const auto& [mach, angle_squared, value] = point;
-    all(mach, angle_squared, value);
-  }
-  void add(const AeroDef& aero) {
-    const auto& [area, length, span, norm, frame, drag_yaw, lift, lift_cubic, pitching, pitching_cubic, pitch_damping,
-                 yaw_damping, roll_damping, magnus_force, magnus_moment] = aero;
-    all(area, length, span, norm, frame, drag_yaw, lift, lift_cubic, pitching, pitching_cubic, pitch_damping,
-        yaw_damping, roll_damping, magnus_force, magnus_moment);
-  }
-  void add(const Inertia& inertia) {
-    const auto& [moments, products] = inertia;
-    all(moments, products);
-  }
-  void add(const Sight& sight) {
-    const auto& [height, look_angle, cant, zero_range, zero_in_calm_air] = sight;
-    all(height, look_angle, cant, zero_range, zero_in_calm_air);
-  }
-  void add(const Launch& launch) {
-    const auto& [position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin] = launch;
-    all(position, speed, elevation, azimuth, velocity, rail_length, sight, attitude, spin);
-  }
-  void add(const LaunchAttitude& attitude) {
-    const auto& [frame, yaw, pitch, roll, rate_frame, rates] = attitude;
-    all(frame, yaw, pitch, roll, rate_frame, rates);
-  }
-  void add(const WindPoint& point) {
-    const auto& [at, velocity] = point;
-    all(at, velocity);
-  }
-  void add(const Environment& environment) {
-    const auto& [altitude, gravity, atmosphere, wind, earth] = environment;
-    const auto& [gravity_model, acceleration, radius] = gravity;
-    const auto& [air_model, temperature, pressure, humidity, station, density, sound_speed, scale_height] = atmosphere;
-    const auto& [velocity, profile, by, interpolation] = wind;
-    const auto& [latitude, longitude, azimuth, rotation_rate] = earth;
-    all(altitude, gravity_model, acceleration, radius, air_model, temperature, pressure, humidity, station, density,
-        sound_speed, scale_height, velocity, profile, by, interpolation, latitude, azimuth, rotation_rate);
-  }
-  void add(const Fidelity& fidelity) {
-    const auto& [motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar,
-                 jump, one_shot] = fidelity;
-    all(motion, integrator, gravity, drag, air, wind, earth, rotation, form, precision, interpolation, planar, jump,
-        one_shot);
-  }
-  void add(const Tolerance& tolerance) {
-    const auto& [relative, absolute, step, position_error, max_step, max_steps] = tolerance;
-    all(relative, absolute, step, position_error, max_step, max_steps);
-  }
-  void add(const Purpose& purpose) {
-    const auto& [error, time, step, ground, least_motion, least_precision, truth, tolerance] = purpose;
-    all(error, time, step, ground, least_motion, least_precision, truth, tolerance);
-  }
-  template <class... Parts>
-  void all(const Parts&... parts) {
-    (add(parts), ...);
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
+/// Everything that an answer depends on, as bytes.
+std::string key_of(ProjectileDef projectile, const std::vector<Launch>& corners, Environment environment,
+                   const Purpose& purpose) {
+  // Names and longitude change nothing, and the projectile's own fidelity is not asked.
+  projectile.name.clear();
+  projectile.motor.name.clear();
+  projectile.fidelity = {};
+  environment.earth.longitude = 0;
+  std::vector<std::byte> bytes;
+  Writer(bytes).write(projectile, corners, environment, purpose);
+  return {static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size()};
+}
 
 // -------------------------------------------------------------------------------------------------- classes of launch
 struct Bin {
@@ -244,9 +134,7 @@ AutoFidelityCache& AutoFidelityCache::operator=(AutoFidelityCache&&) noexcept = 
 AutoFidelityCache::Answer AutoFidelityCache::cheapest_within(const ProjectileDef& projectile, const Launch& launch,
                                                              const Environment& environment, const Purpose& purpose) {
   const std::vector<Launch> corners = launch_class(launch, purpose.ground);
-  Key key;
-  key.all(projectile, corners, environment, purpose);
-  const std::shared_ptr<Impl::Slot> slot = impl_->slot(key.text());
+  const std::shared_ptr<Impl::Slot> slot = impl_->slot(key_of(projectile, corners, environment, purpose));
   std::call_once(slot->once, [&] {
     auto found = physim::cheapest_within(projectile, corners, environment, purpose);
     if (found)

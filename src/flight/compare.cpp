@@ -10,23 +10,6 @@ namespace {
 
 constexpr int kTimes = 1000;  // at which two paths are compared
 
-bool ends_as_planned(const Flight& flight) {
-  switch (flight.outcome()) {
-    case Outcome::landed:
-    case Outcome::reached_range:
-    case Outcome::event:
-    case Outcome::time_limit:
-      return true;
-    case Outcome::step_limit:
-    case Outcome::left_domain:
-    case Outcome::non_finite:
-    case Outcome::stalled:
-    case Outcome::refused:
-      return false;
-  }
-  return false;
-}
-
 /// Up to when a flight has a place: one that has landed stays where it landed.
 double last_time(const Flight& flight) {
   return flight.outcome() == Outcome::landed ? std::numeric_limits<double>::infinity() : flight.duration();
@@ -46,7 +29,7 @@ ComparedFlight beside(const Flight& reference, Flight flight) {
   ComparedFlight out{std::move(flight), {}};
   if (out.flight.error()) {
     out.problem = out.flight.error()->message;
-  } else if (!ends_as_planned(out.flight)) {
+  } else if (!ended_as_planned(out.flight.outcome())) {
     out.problem = "its flight ended with " + std::string(name(out.flight.outcome()));
   } else {
     out.end_distance = length(out.flight.end().position - reference.end().position);
@@ -74,7 +57,7 @@ Result<Comparison> compare(const ProjectileDef& projectile, const Launch& launch
   };
   const Flight aimed = flight_of(launch, reference);
   if (aimed.error()) return *aimed.error();
-  if (!ends_as_planned(aimed))
+  if (!ended_as_planned(aimed.outcome()))
     return Error{"the reference flight ended with " + std::string(name(aimed.outcome())), "until",
                  "give it an end that it reaches, as until.ground, until.range or until.time"};
   const Launch start = launch_as_flown(launch, aimed);

@@ -2,30 +2,28 @@
 
 #include <algorithm>
 
+#include "model/ladder.hpp"
+#include "solve/take_step.hpp"
+
 namespace physim {
 namespace {
 
-/// The rungs from `low` up to and including `high`.
-template <class Enum>
-std::vector<Enum> rungs(Enum low, Enum high) {
-  std::vector<Enum> list;
-  for (int i = std::min(static_cast<int>(low), static_cast<int>(high)); i <= static_cast<int>(high); ++i)
-    list.push_back(static_cast<Enum>(i));
+/// Coriolis over a flat Earth is a lower rung of an Earth that turns, and none of a sphere at rest.
+std::vector<EarthModel> earths(EarthModel truth) {
+  std::vector<EarthModel> list;
+  for (const EarthModel earth : rungs_between(EarthModel::flat, truth))
+    if (earth == truth || (!is_round(earth) && (is_turning(truth) || !is_turning(earth)))) list.push_back(earth);
   return list;
 }
 
-std::vector<EarthModel> earths(EarthModel truth) {
-  if (truth == EarthModel::flat) return {truth};
-  // Coriolis over a flat Earth is a lower rung of an Earth that turns, and none of a sphere at rest.
-  if (is_turning(truth) && is_round(truth)) return {EarthModel::flat, EarthModel::flat_coriolis, truth};
-  return {EarthModel::flat, truth};
-}
+/// The integrator that comes closest to the truth.
+constexpr Integrator kTruest = all_rungs<Integrator>().back();
 
 }  // namespace
 
 FidelityLadder::FidelityLadder(const ProjectileDef& projectile, const Environment& environment, const Purpose& purpose)
     : projectile_(projectile), environment_(environment), purpose_(purpose), truth_(purpose.truth) {
-  truth_.integrator = Integrator::dop853;
+  truth_.integrator = kTruest;
   truth_.precision = Precision::float64;
   truth_ = grant(truth_, projectile, environment).fidelity;
   truth_ = without_idle_rungs(truth_);
@@ -41,7 +39,7 @@ Fidelity FidelityLadder::without_idle_rungs(Fidelity f) const {
   if (f.drag == DragModel::damping && projectile_.drag.damping == 1) f.drag = DragModel::off;
   if (f.drag != DragModel::equation && !turns(f)) {
     const bool reads_air = f.drag == DragModel::linear_quadratic || f.rotation != RotationModel::none;
-    f.air = std::min(f.air, reads_air ? AirModel::constant : AirModel::vacuum);
+    f.air = lower_of(f.air, reads_air ? AirModel::constant : AirModel::vacuum);
   }
   if (f.drag == DragModel::off && !turns(f)) f.wind = WindModel::off;
   if (f.rotation != RotationModel::spin_drift || f.wind == WindModel::off) f.aerodynamic_jump = false;
@@ -57,14 +55,14 @@ std::vector<Lowered> FidelityLadder::lowered() const {
     f = without_idle_rungs(f);
     if (!idle && !(f == truth_) && granted_as_asked(f)) list.push_back({effect, f});
   };
-  for (const DragModel drag : rungs(DragModel::off, truth_.drag)) add("drag", drag, &Fidelity::drag);
+  for (const DragModel drag : rungs_between(DragModel::off, truth_.drag)) add("drag", drag, &Fidelity::drag);
   if (truth_.drag == DragModel::equation)
-    for (const AirModel air : rungs(AirModel::constant, truth_.air)) add("air", air, &Fidelity::air);
-  for (const WindModel wind : rungs(WindModel::off, truth_.wind)) add("wind", wind, &Fidelity::wind);
-  for (const GravityModel gravity : rungs(GravityModel::constant, truth_.gravity))
+    for (const AirModel air : rungs_between(AirModel::constant, truth_.air)) add("air", air, &Fidelity::air);
+  for (const WindModel wind : rungs_between(WindModel::off, truth_.wind)) add("wind", wind, &Fidelity::wind);
+  for (const GravityModel gravity : rungs_between(GravityModel::constant, truth_.gravity))
     add("gravity", gravity, &Fidelity::gravity);
   for (const EarthModel earth : earths(truth_.earth)) add("earth", earth, &Fidelity::earth);
-  for (const RotationModel rotation : rungs(RotationModel::none, truth_.rotation))
+  for (const RotationModel rotation : rungs_between(RotationModel::none, truth_.rotation))
     add("rotation", rotation, &Fidelity::rotation);
   return list;
 }
@@ -87,12 +85,12 @@ std::vector<Fidelity> FidelityLadder::models() const {
     if (granted_as_asked(f) && std::find(list.begin(), list.end(), f) == list.end()) list.push_back(f);
   };
   Fidelity f = truth_;
-  for (const RotationModel rotation : rungs(RotationModel::none, truth_.rotation))
+  for (const RotationModel rotation : rungs_between(RotationModel::none, truth_.rotation))
     for (const EarthModel earth : earths(truth_.earth))
-      for (const GravityModel gravity : rungs(GravityModel::constant, truth_.gravity))
-        for (const DragModel drag : rungs(DragModel::off, truth_.drag))
-          for (const AirModel air : rungs(AirModel::constant, truth_.air))
-            for (const WindModel wind : rungs(WindModel::off, truth_.wind)) {
+      for (const GravityModel gravity : rungs_between(GravityModel::constant, truth_.gravity))
+        for (const DragModel drag : rungs_between(DragModel::off, truth_.drag))
+          for (const AirModel air : rungs_between(AirModel::constant, truth_.air))
+            for (const WindModel wind : rungs_between(WindModel::off, truth_.wind)) {
               f.rotation = rotation, f.earth = earth, f.gravity = gravity;
               f.drag = drag, f.air = air, f.wind = wind;
               add(f);
@@ -103,22 +101,23 @@ std::vector<Fidelity> FidelityLadder::models() const {
 std::vector<Stepper> FidelityLadder::steppers(double longest) const {
   std::vector<Stepper> list;
   const auto add = [&](Motion motion, Integrator integrator, double step) {
-    if (motion < purpose_.least_motion || motion > truth_.motion) return;
-    const bool exact = integrator == Integrator::dop853;  // wasted on float32
-    for (const Precision precision : {Precision::float32, Precision::float64})
-      if (precision >= purpose_.least_precision && !(exact && precision == Precision::float32))
-        list.push_back({motion, integrator, precision, step});
+    if (level(motion) < level(purpose_.least_motion) || level(motion) > level(truth_.motion)) return;
+    const bool exact = integrator == kTruest;  // wasted on float32
+    for (const Precision precision : rungs_between(purpose_.least_precision, Precision::float64))
+      if (!(exact && precision == Precision::float32)) list.push_back({motion, integrator, precision, step});
   };
   constexpr int kFewest = 4, kMost = 1 << 16;  // free steps in a flight
   std::vector<double> steps = {purpose_.step};
   if (purpose_.step == 0) steps.clear();
   for (int n = kFewest; purpose_.step == 0 && n <= kMost; n *= 2) steps.push_back(longest / n);
   add(Motion::closed_form, Integrator::semi_implicit_euler, 0);
-  for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4})
-    for (const double step : steps)
-      for (const Motion motion : {Motion::velocity, Motion::force}) add(motion, integrator, step);
-  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
-    for (const Motion motion : {Motion::velocity, Motion::force}) add(motion, integrator, 0);
+  const std::vector<double> chosen = {0};  // adaptive ones choose their steps
+  for (const bool adaptive : {false, true})
+    for (const Integrator integrator : all_rungs<Integrator>()) {
+      if (!row(integrator).is_candidate || is_adaptive(integrator) != adaptive) continue;
+      for (const double step : adaptive ? chosen : steps)
+        for (const Motion motion : {Motion::velocity, Motion::force}) add(motion, integrator, step);
+    }
   return list;
 }
 

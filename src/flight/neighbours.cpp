@@ -46,7 +46,7 @@ Neighbours::Neighbours(const Flight& flight, const Environment& environment,
   if (granted.air == AirModel::exponential) per_height_ = 1 / environment.atmosphere.scale_height;
   if (granted.air == AirModel::isa) per_height_ = 1 / kDensityHeight;
   if (granted.drag != DragModel::equation) per_height_ = 0;
-  if (is_round(granted.earth) && granted.gravity >= GravityModel::inverse_square) {
+  if (is_round(granted.earth) && falls(granted.gravity)) {
     radius_ = environment.gravity.radius + environment.altitude;
     gravity_ = length(flight.accelerations(0).gravity);
   }

@@ -11,15 +11,6 @@
 #include "solve/take_step.hpp"
 
 namespace physim {
-namespace {
-
-int order_of_fixed(Integrator integrator) {
-  if (integrator == Integrator::rk4) return 4;
-  return integrator == Integrator::heun ? 2 : 1;
-}
-
-}  // namespace
-
 Result<double> step_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                            const Fidelity& fidelity, const Tolerance& tolerance, const Until& until,
                            double error_allowed, double longest) {
@@ -32,10 +23,10 @@ Result<double> step_within(const ProjectileDef& projectile, const Launch& launch
   if (reference.error()) return *reference.error();
   if (reference.outcome() == Outcome::step_limit)
     return Error{"the pilot flight took all steps allowed", "tolerance.max_steps", "allow more, or give a step"};
-  if (reference.outcome() > Outcome::time_limit)
+  if (!ended_as_planned(reference.outcome()))
     return Error{"the pilot flight ended as " + std::string(name(reference.outcome())), "launch",
                  "check the figures of projectile and launch, or give a step"};
-  const double order = order_of_fixed(fidelity.integrator);
+  const double order = order_of(fidelity.integrator);
   Fidelity coarse = fidelity;
   coarse.precision = Precision::float64;
   const auto error_at = [&](double step) {
@@ -66,7 +57,7 @@ Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch,
 std::optional<double> step_without_pilot(const Fidelity& granted, const Tolerance& tolerance) {
   if (steps_itself(granted)) return 0.0;
   if (tolerance.step > 0) return tolerance.step;
-  if (granted.integrator < Integrator::heun) return 1.0 / 60;  // a game's frame; accuracy is not what these are for
+  if (order_of(granted.integrator) == 1) return 1.0 / 60;  // a game's frame; accuracy is not what these are for
   return std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 #include "math/chebyshev.hpp"
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
@@ -22,6 +23,7 @@ std::vector<std::vector<double>> chebyshev_polynomials(std::size_t n) {
 }  // namespace
 
 ChebyshevFit::ChebyshevFit(int terms) {
+  PHYSIM_ASSERT(terms > 0);
   const auto n = static_cast<std::size_t>(terms);
   const auto t = chebyshev_polynomials(n);
   matrix_.assign(n * n, 0.0);
@@ -38,6 +40,7 @@ ChebyshevFit::ChebyshevFit(int terms) {
 
 std::vector<double> ChebyshevFit::powers(const std::vector<double>& values) const {
   const std::size_t n = points_.size();
+  PHYSIM_ASSERT(values.size() == n);
   std::vector<double> out(n, 0.0);
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i) out[j] += matrix_[j * n + i] * values[i];

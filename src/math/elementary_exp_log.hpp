@@ -183,7 +183,7 @@ struct ExponentMantissa {
   R k;
   R m;
 };
-/// The same for a normal x; `bias` is that of the exponent field.
+/// Splits a normal x into exponent and mantissa; `bias` is that of the exponent field.
 template <class R>
 PHYSIM_INLINE ExponentMantissa<R> split_normal(const R& x, const R& bias) {
   constexpr int kBits = kMantissaBits<R>;

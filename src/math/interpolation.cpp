@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/assert.hpp"
+
 namespace physim {
 namespace {
 
@@ -59,10 +61,21 @@ Slopes natural_slopes(std::span<const double> h, std::span<const double> secant)
   return m;
 }
 
+/// The slopes at the points of a curve that is smooth there.
+Slopes slopes(Interpolation how, const std::vector<double>& h, const std::vector<double>& secant) {
+  switch (how) {
+    case Interpolation::pchip: return pchip_slopes(h, secant);
+    case Interpolation::cubic: return natural_slopes(h, secant);
+    case Interpolation::linear: break;
+  }
+  PHYSIM_UNREACHABLE();
+}
+
 }  // namespace
 
 double PiecewiseCubic::operator()(double x) const {
   if (pieces.empty()) return 0;
+  PHYSIM_ASSERT(knots.size() == pieces.size() + 1);
   x = std::clamp(x, knots.front(), knots.back());
   const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
   const auto i = static_cast<std::size_t>(next - knots.begin()) - 1;
@@ -72,6 +85,7 @@ double PiecewiseCubic::operator()(double x) const {
 }
 
 PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y, Interpolation how) {
+  PHYSIM_ASSERT(!x.empty() && x.size() == y.size());
   PiecewiseCubic curve;
   curve.knots.assign(x.begin(), x.end());
   if (x.size() == 1) {
@@ -86,11 +100,11 @@ PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y,
     h[i] = x[i + 1] - x[i];
     secant[i] = (y[i + 1] - y[i]) / h[i];
   }
-  if (how == Interpolation::linear) {
+  if (how == Interpolation::linear) {  // whose slope jumps at the points
     for (std::size_t i = 0; i < n; ++i) curve.pieces.push_back({y[i], secant[i], 0, 0});
     return curve;
   }
-  const Slopes m = how == Interpolation::pchip ? pchip_slopes(h, secant) : natural_slopes(h, secant);
+  const Slopes m = slopes(how, h, secant);
   for (std::size_t i = 0; i < n; ++i) {
     const double c2 = (3 * secant[i] - 2 * m[i] - m[i + 1]) / h[i];
     const double c3 = (m[i] + m[i + 1] - 2 * secant[i]) / (h[i] * h[i]);
@@ -111,6 +125,7 @@ bool every_knot_on_grid(const std::vector<double>& knots, double cell) {
 }  // namespace
 
 std::optional<UniformCubic> on_uniform_cells(const PiecewiseCubic& curve, int max_cells) {
+  PHYSIM_ASSERT(max_cells > 0 && curve.knots.size() == curve.pieces.size() + 1);
   const auto& knots = curve.knots;
   const double span = knots.back() - knots.front();
   double smallest = span;

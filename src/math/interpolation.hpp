@@ -25,7 +25,7 @@ struct PiecewiseCubic {
 /// The curve through (x[i], y[i]); x strictly rising, at least one point.
 [[nodiscard]] PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y, Interpolation how);
 
-/// The same polynomial on equal cells: y = r0 + r1 t + r2 t^2 + r3 t^3, t = (x - start) / cell - i, in cell i.
+/// A piecewise cubic on equal cells: y = r0 + r1 t + r2 t^2 + r3 t^3, t = (x - start) / cell - i, in cell i.
 struct UniformCubic {
   double start = 0;
   double cell = 1;

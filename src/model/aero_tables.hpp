@@ -1,8 +1,7 @@
 // Tables of aerodynamic coefficients, as rows that a kernel reads without a search.
 //
 // What it models: the coefficients of AeroDef by Mach number, those of Magnus also by the square of the angle of
-// attack:
-//   straight lines between their points, exactly.
+//   attack: straight lines between their points, exactly.
 // How: all Mach numbers at which some coefficient has a point are the borders of cells; in a cell every coefficient is
 //   a + b M, two to a row of four numbers. Equal buckets, so narrow that none holds two borders, lead to the cell: a
 //   bucket's row tells how many borders lie at or below its start, and the one inside. In cells of Mach and angle a

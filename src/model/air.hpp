@@ -5,9 +5,8 @@
 // When to use it: constant for flat fire within a few hundred metres of height; exponential for games with aircraft and
 //   mountains; isa for everything that should be right.
 // When it is wrong: real days differ from the standard lapse rate; humidity is measured at the station and its effect
-// is
-//   kept at all heights; above 86 km the last layer goes on isothermally (density there is below 1e-5 of sea level's);
-//   below -5 km a flight ends with Outcome::left_domain.
+//   is kept at all heights; above 86 km the last layer goes on isothermally (density there is below 1e-5 of sea
+//   level's); below -5 km a flight ends with Outcome::left_domain.
 // Symbols: Z geometric altitude, H geopotential altitude, r0 = 6356766 m; T temperature [K]; L lapse rate [K/m];
 //   rho density [kg/m^3]; a sound speed [m/s]; index b: at the base of the layer.
 // Equations: H = r0 Z / (r0 + Z);  T = T_b + L (H - H_b);
@@ -20,6 +19,7 @@
 // Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), eq. 18, 23, 33a, 33b, 42, 50, 51.
 #pragma once
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "model/earth.hpp"
 
@@ -34,6 +34,7 @@ struct AirState {
 /// Any layer, by its law. Behind a call, as most shots stay below.
 template <class R, class S>
 [[gnu::noinline]] void layered_air(const Air<S>& air, const R& z, AirState<R>& out) {
+  PHYSIM_ASSERT(air.layers >= 1 && air.layers <= kAirLayers);
   const S r0 = static_cast<S>(kGeopotentialRadius);
   const R h = r0 * z / (r0 + z);
   R base(air.base[0]), lapse(air.lapse[0]), power(air.power[0]), decay(air.decay[0]);
@@ -71,14 +72,11 @@ template <class R, class S>
 PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const Vec3<R>& x) {
   const Air<S>& air = c.air;
   switch (c.fidelity.air) {
-    case AirModel::isa:
-      return standard_air<R>(air, altitude(c, x));
+    case AirModel::isa: return standard_air<R>(air, altitude(c, x));
     case AirModel::exponential:
       return {air.density * exp_bounded(-(height(c, x) * air.per_scale_height)), R(air.per_sound_speed)};
-    case AirModel::constant:
-      return {R(air.density), R(air.per_sound_speed)};
-    case AirModel::vacuum:
-      break;
+    case AirModel::constant: return {R(air.density), R(air.per_sound_speed)};
+    case AirModel::vacuum: break;
   }
   return {R(S(0)), R(air.per_sound_speed)};
 }

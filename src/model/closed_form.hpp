@@ -8,8 +8,7 @@
 //   E1(z) = (1 - e^-z) / z,  E2(z) = (z - 1 + e^-z) / z^2 = (1 - E1(z)) / z; k = 0 gives v0 t + g t^2 / 2.
 //   E1 and E2 lose digits for small z; there Taylor's series is used.
 // Source: R. L. McCoy, Modern Exterior Ballistics (1999), ch. 3 (vacuum); N. de Mestre, The Mathematics of Projectiles
-// in
-//   Sport (1990), ch. 2 (drag proportional to velocity).
+//   in Sport (1990), ch. 2 (drag proportional to velocity).
 #pragma once
 
 #include "math/elementary.hpp"

@@ -27,14 +27,14 @@ struct Air {
   S temperature;       // at the origin [K]
   S per_scale_height;  // exponential air [1/m]
   S kelvin_per_sound;  // temperature over the square of the sound speed [K s^2/m^2]
-  // Of the lowest layer, in powers of u = (Z - low_middle) low_scale, -1 <= u <= 1:
+  // The lowest layer, in powers of u = (Z - low_middle) low_scale, -1 <= u <= 1:
   S low_middle;                     // [m]
   S low_scale;                      // [1/m]
   S low_top;                        // geometric altitude up to which they hold [m]
   S low_density[kDensityTerms];     // [kg/m^3]
   S low_per_sound[kPerSoundTerms];  // [s/m]
   int layers;                       // of the standard atmosphere
-  // Of layer i from its base at geopotential height base[i]:
+  // Layer i from its base at geopotential height base[i]:
   S base[kAirLayers];            // H_b [m]
   S lapse[kAirLayers];           // L_b / T_b [1/m]
   S power[kAirLayers];           // density ~ (T/T_b)^power [-]
@@ -71,7 +71,7 @@ struct Globe {
   S gm;            // of a point mass under the ellipsoid [m^3/s^2]
   Vec3<S> origin;  // of W from the Earth's centre, in W [m]
   Vec3<S> axis;    // unit vector towards the north pole, in W [-]
-  // Of the ellipsoid at the origin:
+  // The ellipsoid at the origin:
   S to_axis;            // N + h0: along the vertical down to the axis [m]
   S axis_offset;        // kappa of the origin [m]
   Vec3<S> squeezed_up;  // l(u0) [-]

@@ -5,8 +5,7 @@
 //   number, the projectile given by its area and mass or by a ballistic coefficient (one, or one per band of speed).
 // When to use it: damping for sparks and debris; linear_quadratic where k1 and k2 were tuned by hand; the equation
 // else. When it is wrong: drag is taken along the path: no lift, no yaw. A ballistic coefficient holds for the drag
-// function
-//   it was measured against, in the range of speeds it was measured in.
+//   function it was measured against, in the range of speeds it was measured in.
 // Symbols: u = v - w velocity through the air [m/s]; d part of the velocity kept per second [-], k = -ln d [1/s];
 //   k1 [kg/s], k2 [kg/m]; rho density [kg/m^3]; a sound speed [m/s]; M = |u| / a; Cd drag coefficient [-];
 //   A = pi D^2 / 4 reference area [m^2]; m mass [kg]; i form factor [-]; BC = m / (i D^2) [kg/m^2].
@@ -73,8 +72,12 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
 /// Drag that reads nothing of the air but its velocity.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> simple_drag(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& u) {
-  if (c.fidelity.drag == DragModel::damping) return u * -b.damping_rate;
-  if (c.fidelity.drag == DragModel::linear_quadratic) return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
+  switch (c.fidelity.drag) {
+    case DragModel::damping: return u * -b.damping_rate;
+    case DragModel::linear_quadratic: return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
+    case DragModel::off:
+    case DragModel::equation: break;
+  }
   return {R(S(0)), R(S(0)), R(S(0))};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "model/ladder.hpp"
 #include "model/sphere_drag.hpp"
 #include "physim/drag_curve.hpp"
 
@@ -49,7 +50,7 @@ const UniformCubic& standard_drag_cells(DragTable table, Interpolation interpola
     std::once_flag once;
     UniformCubic cells;
   };
-  static Fitted fitted[std::size_t(DragTable::custom)][std::size_t(Interpolation::cubic) + 1];
+  static Fitted fitted[std::size_t(DragTable::custom)][kRungCount<Interpolation>];
   Fitted& f = fitted[std::size_t(table)][std::size_t(interpolation)];
   std::call_once(f.once, [&] {
     DragDef drag;

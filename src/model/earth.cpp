@@ -5,6 +5,7 @@
 // and R such that g (R / (R + h))^2 also meets the weight at 10 km; at 100 km it is then off by 1e-5 of g.
 #include "model/earth.hpp"
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "model/normal_gravity.hpp"
 
@@ -43,9 +44,10 @@ void prepare_ellipsoid(const Environment& environment, bool own, Globe<double>& 
 
 /// Weight at a height over the origin's latitude: gravitation and centrifugal acceleration, along the vertical.
 double weight(const Environment& environment, GravityModel model, double height) {
+  PHYSIM_ASSERT(row(model).field == GravityField::flattened);
   const Vec3d axis = axis_in_W(environment.earth);
   const Vec3d r = origin_from_centre(axis, height);
-  const Vec3d pull = model == GravityModel::j2 ? j2_gravitation(axis, r) : ellipsoid_gravitation(axis, r);
+  const Vec3d pull = flattened_gravitation(model, axis, r);
   const Vec3d omega = rotation_in_W(environment.earth);
   return -(pull + cross(omega, cross(r, omega))).y;
 }
@@ -61,7 +63,6 @@ bool has_own_gravity(const Environment& environment) {
 void prepare_earth(const Environment& environment, const Fidelity& granted, Conditions<double>& c) {
   const EarthModel earth = granted.earth;
   const bool own = has_own_gravity(environment);
-  const bool newton = granted.gravity >= GravityModel::inverse_square;
   c.gravity = environment.gravity.acceleration;
   c.radius = environment.gravity.radius;
   c.altitude = environment.altitude;
@@ -70,9 +71,9 @@ void prepare_earth(const Environment& environment, const Fidelity& granted, Cond
   if (earth == EarthModel::ellipsoid) prepare_ellipsoid(environment, own, g);
   if (earth == EarthModel::sphere_rotating && !own) {
     c.radius = wgs84::kMeanRadius;
-    if (newton) c.gravity = wgs84::kGM / (c.radius * c.radius);
+    if (falls(granted.gravity)) c.gravity = wgs84::kGM / (c.radius * c.radius);
   }
-  if (!is_round(earth) && granted.gravity >= GravityModel::j2) {
+  if (!is_round(earth) && row(granted.gravity).field == GravityField::flattened) {
     constexpr double kHigh = 10000;
     c.gravity = weight(environment, granted.gravity, 0);
     c.radius = kHigh / (sqrt(c.gravity / weight(environment, granted.gravity, kHigh)) - 1);

@@ -2,7 +2,7 @@
 //
 // What it models: `flat`: height is y. `flat_coriolis`: also the Coriolis acceleration of the turning Earth.
 //   `sphere`: heights are above a sphere whose centre lies (R + h0) below the origin; it does not rotate.
-//   `sphere_rotating`: the same, and W turns with it. `ellipsoid`: heights are above WGS-84, and W turns with it.
+//   `sphere_rotating`: a sphere, and W turns with it. `ellipsoid`: heights are above WGS-84, and W turns with it.
 // When to use it: flat below 5 km of range, flat_coriolis to some 50 km, ellipsoid beyond; the spheres to meet the
 //   figures of others.
 // When it is wrong: flat_coriolis leaves out the centrifugal acceleration (it is part of g) and the curvature, which
@@ -21,24 +21,26 @@
 // Source: R. L. McCoy, Modern Exterior Ballistics (1999), ch. 8, eq. 8.28-8.30 (Coriolis); the rest is geometry.
 #pragma once
 
+#include "base/assert.hpp"
 #include "model/body.hpp"
 #include "model/geodesy.hpp"
+#include "model/ladder.hpp"
 
 namespace physim {
 
 /// Heights are above a curved surface.
-PHYSIM_INLINE constexpr bool is_round(EarthModel earth) { return earth >= EarthModel::sphere; }
-PHYSIM_INLINE constexpr bool is_sphere(EarthModel earth) {
-  return earth == EarthModel::sphere || earth == EarthModel::sphere_rotating;
-}
+PHYSIM_INLINE constexpr bool is_round(EarthModel earth) { return row(earth).shape != EarthShape::flat; }
+PHYSIM_INLINE constexpr bool is_sphere(EarthModel earth) { return row(earth).shape == EarthShape::sphere; }
 /// W turns with the Earth.
-PHYSIM_INLINE constexpr bool is_turning(EarthModel earth) {
-  return earth != EarthModel::flat && earth != EarthModel::sphere;
+PHYSIM_INLINE constexpr bool is_turning(EarthModel earth) { return row(earth).turning; }
+/// Gravity falls with height.
+PHYSIM_INLINE constexpr bool falls(GravityModel gravity) {
+  return row(gravity).field == GravityField::central || row(gravity).field == GravityField::flattened;
 }
 
 /// W turns, and the centrifugal acceleration is no part of gravity.
 PHYSIM_INLINE constexpr bool throws_out(const Fidelity& f) {
-  return is_turning(f.earth) && is_round(f.earth) && f.gravity != GravityModel::constant;
+  return is_turning(f.earth) && is_round(f.earth) && row(f.gravity).field != GravityField::uniform;
 }
 
 /// The environment gives a gravity of its own, which only `constant` and `inverse_square` can have.
@@ -59,51 +61,70 @@ PHYSIM_INLINE Vec3<R> from_centre(const Conditions<S>& c, const Vec3<R>& x) {
   return {x.x, x.y + (c.radius + c.altitude), x.z};
 }
 
+/// The vertical of the ellipsoid at a place, and the height above the origin.
+template <class R, class S>
+PHYSIM_INLINE Vertical<R> ellipsoid_vertical_at(const Conditions<S>& c, const Vec3<R>& x) {
+  Vertical<R> vertical;
+  ellipsoid_vertical(c.globe, c.altitude, x, vertical);
+  return vertical;
+}
+
+/// Altitude above a spherical sea level [m].
+template <class R, class S>
+PHYSIM_INLINE R sphere_altitude(const Conditions<S>& c, const Vec3<R>& x) {
+  const R up = x.y + c.altitude;
+  const R difference = x.x * x.x + x.z * x.z + up * (up + S(2) * c.radius);  // |r|^2 - R^2
+  return difference / (length(from_centre(c, x)) + c.radius);
+}
+
 /// Altitude above sea level [m].
 template <class R, class S>
 PHYSIM_INLINE R altitude(const Conditions<S>& c, const Vec3<R>& x) {
-  const R up = x.y + c.altitude;
-  if (!is_round(c.fidelity.earth)) return up;
-  if (c.fidelity.earth == EarthModel::ellipsoid) {
-    Vertical<R> vertical;
-    ellipsoid_vertical(c.globe, c.altitude, x, vertical);
-    return vertical.height + c.altitude;
+  switch (row(c.fidelity.earth).shape) {
+    case EarthShape::flat: return x.y + c.altitude;
+    case EarthShape::sphere: return sphere_altitude(c, x);
+    case EarthShape::ellipsoid: return ellipsoid_vertical_at(c, x).height + c.altitude;
   }
-  const R difference = x.x * x.x + x.z * x.z + up * (up + S(2) * c.radius);  // |r|^2 - R^2
-  return difference / (length(from_centre(c, x)) + c.radius);
+  PHYSIM_UNREACHABLE();
 }
 
 /// Height above the origin of W [m]; events and the ground use it.
 template <class R, class S>
 PHYSIM_INLINE R height(const Conditions<S>& c, const Vec3<R>& x) {
-  if (!is_round(c.fidelity.earth)) return x.y;
-  if (c.fidelity.earth == EarthModel::ellipsoid) {
-    Vertical<R> vertical;
-    ellipsoid_vertical(c.globe, c.altitude, x, vertical);
-    return vertical.height;
+  switch (row(c.fidelity.earth).shape) {
+    case EarthShape::flat: return x.y;
+    case EarthShape::sphere: return sphere_altitude(c, x) - c.altitude;
+    case EarthShape::ellipsoid: return ellipsoid_vertical_at(c, x).height;
   }
-  return altitude(c, x) - c.altitude;
+  PHYSIM_UNREACHABLE();
 }
 
-/// The vertical at a place over a round Earth, a unit vector [-].
+/// The vertical at a place, a unit vector [-].
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> vertical_at(const Conditions<S>& c, const Vec3<R>& x) {
-  if (c.fidelity.earth == EarthModel::ellipsoid) {
-    Vertical<R> vertical;
-    ellipsoid_vertical(c.globe, c.altitude, x, vertical);
-    return vertical.up;
+  switch (row(c.fidelity.earth).shape) {
+    case EarthShape::flat: return {R(S(0)), R(S(1)), R(S(0))};
+    case EarthShape::sphere: {
+      const Vec3<R> r = from_centre(c, x);
+      return r * (S(1) / length(r));
+    }
+    case EarthShape::ellipsoid: return ellipsoid_vertical_at(c, x).up;
   }
-  const Vec3<R> r = from_centre(c, x);
-  return r * (S(1) / length(r));
+  PHYSIM_UNREACHABLE();
 }
 
 /// Rate of climb [m/s].
 template <class R, class S>
 PHYSIM_INLINE R climb_rate(const Conditions<S>& c, const State<R>& s) {
-  if (!is_round(c.fidelity.earth)) return s.v.y;
-  if (c.fidelity.earth == EarthModel::ellipsoid) return dot(vertical_at(c, s.x), s.v);
-  const Vec3<R> r = from_centre(c, s.x);
-  return dot(r, s.v) / length(r);
+  switch (row(c.fidelity.earth).shape) {
+    case EarthShape::flat: return s.v.y;
+    case EarthShape::sphere: {
+      const Vec3<R> r = from_centre(c, s.x);
+      return dot(r, s.v) / length(r);
+    }
+    case EarthShape::ellipsoid: return dot(vertical_at(c, s.x), s.v);
+  }
+  PHYSIM_UNREACHABLE();
 }
 
 /// A vector given at the origin of W, turned by the shortest way with the vertical.

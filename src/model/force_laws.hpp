@@ -25,17 +25,23 @@
 //   blast      F = F0 (1 - r / R) n for r < R;  at the very centre no direction is known: F = 0
 //   thrust     F(t) on straight lines between the points of its table, from the first until before the last
 // Source: I. Millington, Game Physics Engine Development (2010), sec. 5.2 (drag) and 6.2 (spring, bungee, buoyancy,
-// whose
-//   linear law is that of the box); R. Hooke, De Potentia Restitutiva (1678); Archimedes, On Floating Bodies, I, prop.
-//   5-7 (lift) and On the Sphere and Cylinder (cap); H. C. Plummer, MNRAS 71 (1911) 460 (softening). The blast is ours.
+//   whose linear law is that of the box); R. Hooke, De Potentia Restitutiva (1678); Archimedes, On Floating Bodies, I,
+//   prop. 5-7 (lift) and On the Sphere and Cylinder (cap); H. C. Plummer, MNRAS 71 (1911) 460 (softening). The blast is
+//   ours.
 #pragma once
 
 #include <algorithm>
 #include <span>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include "math/pack.hpp"
 #include "model/body.hpp"
 #include "physim/forces.hpp"
+#include "physim/quantity.hpp"
 
 namespace physim {
 
@@ -45,8 +51,8 @@ namespace physim {
   return u * -(law.k1 + law.k2 * length(u));
 }
 
-/// Of a spring (any law with stiffness, rest_length and damping) on its end at d from the other, which moves at v_rel
-/// relative to it [N].
+/// The pull of a spring (any law with stiffness, rest_length and damping) on its end at d from the other, which moves
+/// at v_rel relative to it [N].
 template <class Law>
 [[nodiscard]] Vec3d spring_force(const Law& law, const Vec3d& d, const Vec3d& v_rel) {
   const double now = length(d);
@@ -55,7 +61,8 @@ template <class Law>
   return n * -(law.stiffness * (now - law.rest_length) + law.damping * dot(v_rel, n));
 }
 
-/// Of an elastic rope; as above [N]. Comparisons are such that what is no number stays so, for the world to see.
+/// The pull of an elastic rope; d and v_rel as for springs [N]. Comparisons are such that what is no number stays so,
+/// for the world to see.
 [[nodiscard]] inline Vec3d bungee_force(const Bungee& law, const Vec3d& d, const Vec3d& v_rel) {
   const double now = length(d);
   if (now <= law.rest_length || now == 0) return {};
@@ -118,6 +125,219 @@ template <class Law>
 /// Unit vector that a thrust acts along [-]; none at rest where it follows the velocity.
 [[nodiscard]] inline Vec3d thrust_direction(const Thrust& law, const Vec3d& v) {
   return normalized(law.direction == Vec3d{} ? v : law.direction);
+}
+
+// ------------------------------------------------------------------------------ laws that one projectile alone decides
+// `p` is the projectile: position(), velocity() [m, m/s], mass() [kg], diameter() [m]. Springs between two, zones of
+// wind, thrust by time and user functions know more (world/force_eval.cpp).
+
+template <class P>
+[[nodiscard]] Vec3d force_on(const ConstantForce& law, const P&) {
+  return law.force;
+}
+template <class P>
+[[nodiscard]] Vec3d force_on(const ConstantAcceleration& law, const P& p) {
+  return law.acceleration * p.mass();
+}
+template <class P>
+[[nodiscard]] Vec3d force_on(const GravityForce& law, const P& p) {
+  return law.gravity * p.mass();
+}
+template <class P>
+[[nodiscard]] Vec3d force_on(const LinearQuadraticDragForce& law, const P& p) {
+  return drag_force(law, p.velocity());
+}
+template <class P>
+[[nodiscard]] Vec3d force_on(const AnchoredSpring& law, const P& p) {
+  return spring_force(law, p.position() - law.anchor, p.velocity());
+}
+template <class P>
+[[nodiscard]] Vec3d force_on(const Buoyancy& law, const P& p) {
+  return buoyancy_force(law, p.diameter(), {p.position(), p.velocity()});
+}
+template <class P>
+[[nodiscard]] Vec3d force_on(const PointAttractor& law, const P& p) {
+  return attractor_force(law, p.mass(), p.position());
+}
+template <class P>
+[[nodiscard]] Vec3d force_on(const Explosion& law, const P& p) {
+  return explosion_force(law, p.position());
+}
+
+// ------------------------------------------------------------------------------------------------- the table of laws
+/// Which values a member of a law may have.
+enum class Limit {
+  any,           // every number; a projectile, or none
+  not_negative,  // 0 or more
+  positive,      // more than 0
+  infinite,      // every number, and infinities
+  needed,        // a projectile
+};
+
+/// A member of a law: a setting, and a check.
+template <auto kPointer>
+struct LawMember {
+  static constexpr auto pointer = kPointer;
+  std::string_view name;  // as it is spelled
+  std::string_view doc;   // one line
+  Quantity quantity = Quantity::number;
+  Limit limit = Limit::any;
+  std::string_view hint = {};  // to whom a value is refused
+};
+
+/// A law: the name of its table in scenario files, and its members.
+template <class... Member>
+struct LawRow {
+  std::string_view name;
+  std::tuple<Member...> members;
+};
+template <class... Member>
+constexpr LawRow<Member...> law_row(std::string_view name, const Member&... members) {
+  return {name, {members...}};
+}
+
+namespace laws {
+using Q = Quantity;
+using enum Limit;
+template <auto kPointer>
+using M = LawMember<kPointer>;
+
+// clang-format off
+template <class Law>
+constexpr M<&Law::stiffness> stiffness{"stiffness", "force for each metre of stretch", Q::stiffness, not_negative,
+                                       "a spring pulls back when it is stretched"};
+template <class Law>
+constexpr M<&Law::rest_length> rest_length{"rest_length", "at which it is slack", Q::length, not_negative, "in m"};
+constexpr std::string_view kFeedsEnergy = "negative damping would feed energy in";
+template <class Law>
+constexpr M<&Law::damping> damping{"damping", "of the rate at which its length changes", Q::linear_drag, not_negative,
+                                   kFeedsEnergy};
+
+constexpr auto row(const ConstantForce*) {
+  return law_row("constant_force", M<&ConstantForce::force>{"force", "the force", Q::force});
+}
+constexpr auto row(const ConstantAcceleration*) {
+  return law_row("constant_acceleration",
+      M<&ConstantAcceleration::acceleration>{"acceleration", "of every mass", Q::acceleration});
+}
+constexpr auto row(const GravityForce*) {
+  return law_row("gravity_force",
+      M<&GravityForce::gravity>{"gravity", "proportional to mass, in any direction", Q::acceleration});
+}
+constexpr auto row(const LinearQuadraticDragForce*) {
+  using Law = LinearQuadraticDragForce;
+  constexpr std::string_view kHint = "negative drag would feed energy in";
+  return law_row("linear_quadratic_drag_force",
+      M<&Law::k1>{"k1", "linear part of -(k1 + k2 |u|) u", Q::linear_drag, not_negative, kHint},
+      M<&Law::k2>{"k2", "quadratic part", Q::quadratic_drag, not_negative, kHint},
+      M<&Law::wind>{"wind", "velocity that u is relative to", Q::speed});
+}
+constexpr auto row(const AnchoredSpring*) {
+  using Law = AnchoredSpring;
+  return law_row("anchored_spring", M<&Law::anchor>{"anchor", "fixed end of the spring", Q::length},
+      stiffness<Law>, rest_length<Law>, damping<Law>);
+}
+constexpr auto row(const Spring*) {
+  using Law = Spring;
+  return law_row("spring",
+      M<&Law::other>{"other", "name of the shot at its other end, which is fired once", Q::number, needed,
+                     "a spring to a fixed point is an AnchoredSpring"},
+      stiffness<Law>, rest_length<Law>, damping<Law>);
+}
+constexpr auto row(const Bungee*) {
+  using Law = Bungee;
+  return law_row("bungee",
+      M<&Law::other>{"other", "name of the shot at its other end, which is fired once; empty: the anchor"},
+      M<&Law::anchor>{"anchor", "fixed end of a spring that only pulls", Q::length},
+      stiffness<Law>, rest_length<Law>, damping<Law>);
+}
+constexpr auto row(const Buoyancy*) {
+  using Law = Buoyancy;
+  return law_row("buoyancy",
+      M<&Law::surface>{"surface", "height of the liquid", Q::length},
+      M<&Law::volume>{"volume", "of the projectile; 0: the sphere of its diameter", Q::volume, not_negative,
+                      "0: that of a sphere"},
+      M<&Law::depth>{"depth", "half the height of an upright cylinder; 0: a sphere", Q::length, not_negative,
+                     "0: a sphere"},
+      M<&Law::density>{"density", "of the liquid", Q::density, not_negative, "in kg/m^3"},
+      M<&Law::damping>{"damping", "of the velocity in the liquid", Q::linear_drag, not_negative, kFeedsEnergy},
+      M<&Law::gravity>{"gravity", "that weighs the liquid", Q::acceleration, not_negative, "its size, downwards"});
+}
+constexpr auto row(const PointAttractor*) {
+  using Law = PointAttractor;
+  return law_row("point_attractor",
+      M<&Law::centre>{"centre", "that it pulls to", Q::length},
+      M<&Law::strength>{"strength", "G M of the attracting mass; negative: it repels", Q::attraction},
+      M<&Law::softening>{"softening", "keeps the force finite near the centre", Q::length, not_negative, "in m"});
+}
+constexpr auto row(const WindZone*) {
+  using Law = WindZone;
+  return law_row("wind_zone",
+      M<&Law::velocity>{"velocity", "of the air in the box", Q::speed},
+      M<&Law::low>{"low", "corner of the box; may be infinite", Q::length, infinite},
+      M<&Law::high>{"high", "opposite corner", Q::length, infinite},
+      M<&Law::density>{"density", "of its air", Q::density, not_negative, "in kg/m^3"});
+}
+constexpr auto row(const Explosion*) {
+  using Law = Explosion;
+  return law_row("explosion",
+      M<&Law::centre>{"centre", "of the blast", Q::length},
+      M<&Law::force>{"force", "outwards at the centre, falling linearly to the radius", Q::force},
+      M<&Law::radius>{"radius", "that it reaches to", Q::length, positive, "in m"});
+}
+constexpr auto row(const Thrust*) {
+  return law_row("thrust",
+      M<&Thrust::direction>{"direction", "of the thrust; zero: along the velocity"},
+      M<&Thrust::curve>{"curve", "thrust by time, straight lines between; nothing before and after"});
+}
+/// No file can hold a function.
+constexpr auto row(const CustomForce*) {
+  return law_row("custom_force", M<&CustomForce::function>{"function", ""});
+}
+// clang-format on
+}  // namespace laws
+
+/// The row of a law.
+template <class Law>
+inline constexpr auto kLaw = laws::row(static_cast<const Law*>(nullptr));
+
+/// Calls f with each member of a law. Members stand side by side, so that a forgotten one shows in the size.
+template <class Law, class F>
+constexpr void for_each_member(const F& f) {
+  std::apply(
+      [&](const auto&... member) {
+        static_assert((sizeof(std::declval<Law>().*member.pointer) + ...) == sizeof(Law), "a member is not in the row");
+        (f(member), ...);
+      },
+      kLaw<Law>.members);
+}
+
+/// Calls f with a null pointer to each law that can be had.
+template <class F>
+constexpr void for_each_law(const F& f) {
+  [&]<class... Law>(const std::variant<Law...>*) {
+    (f(static_cast<const Law*>(nullptr)), ...);
+  }(static_cast<const ForceLaw*>(nullptr));
+}
+
+/// Who is at the other end of a law between two; null for other laws.
+template <class AnyLaw>  // a ForceLaw, const or not
+[[nodiscard]] auto* other_end_of(AnyLaw& law) {
+  using Id = std::conditional_t<std::is_const_v<AnyLaw>, const ProjectileId, ProjectileId>;
+  return std::visit(
+      [](auto& each) -> Id* {
+        if constexpr (requires { each.other; }) return &each.other;
+        return nullptr;
+      },
+      law);
+}
+/// Whether a law cannot be without somebody at its other end.
+[[nodiscard]] inline bool needs_other_end(const ForceLaw& law) {
+  bool needs = false;
+  std::visit(
+      [&]<class Law>(const Law&) { for_each_member<Law>([&](const auto& m) { needs |= m.limit == Limit::needed; }); },
+      law);
+  return needs;
 }
 
 }  // namespace physim

@@ -17,6 +17,7 @@
 // Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), eq. 17 and p. 8.
 #pragma once
 
+#include "base/assert.hpp"
 #include "model/earth.hpp"
 #include "model/normal_gravity.hpp"
 
@@ -26,22 +27,23 @@ PHYSIM_ISA_BEGIN
 template <class R, class S>
 [[gnu::noinline]] void ellipsoid_gravity(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& a) {
   const Vec3<R> r = from_centre(c, x);
-  if (c.fidelity.gravity == GravityModel::constant) {
-    a = vertical_at(c, x) * R(-c.gravity);
-  } else if (c.fidelity.gravity == GravityModel::inverse_square) {
-    const R inverse = S(1) / length(r);
-    a = r * -(c.globe.gm * inverse * inverse * inverse);
-  } else if (c.fidelity.gravity == GravityModel::j2) {
-    a = j2_gravitation(c.globe.axis, r);
-  } else {
-    a = ellipsoid_gravitation(c.globe.axis, r);
+  switch (row(c.fidelity.gravity).field) {
+    case GravityField::none: break;  // gravity() has answered
+    case GravityField::uniform: a = vertical_at(c, x) * R(-c.gravity); return;
+    case GravityField::central: {
+      const R inverse = S(1) / length(r);
+      a = r * -(c.globe.gm * inverse * inverse * inverse);
+      return;
+    }
+    case GravityField::flattened: a = flattened_gravitation(c.fidelity.gravity, c.globe.axis, r); return;
   }
+  PHYSIM_UNREACHABLE();
 }
 
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> gravity(const Conditions<S>& c, const Vec3<R>& x) {
   const R zero(S(0));
-  const bool newton = c.fidelity.gravity >= GravityModel::inverse_square;
+  const bool newton = falls(c.fidelity.gravity);
   if (c.fidelity.gravity == GravityModel::off) return {zero, zero, zero};
   if (is_sphere(c.fidelity.earth)) {
     const Vec3<R> r = from_centre(c, x);

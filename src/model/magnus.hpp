@@ -16,9 +16,9 @@
 //   Table: bilinear in |u| and the spin across the path |omega x u| / |u| (or S), held at its borders; below the lowest
 //   spin the lift falls to zero with it.
 // Source: P. W. Bearman, J. K. Harvey, "Golf ball aerodynamics", Aeronautical Quarterly 27 (1976) 112-122; A. M.
-// Nathan,
-//   "The effect of spin on the flight of a baseball", American Journal of Physics 76 (2008) 119-124 and his trajectory
-//   calculator (the formula); R. D. Mehta, "Aerodynamics of sports balls", Annual Review of Fluid Mechanics 17 (1985).
+//   Nathan, "The effect of spin on the flight of a baseball", American Journal of Physics 76 (2008) 119-124 and his
+//   trajectory calculator (the formula); R. D. Mehta, "Aerodynamics of sports balls", Annual Review of Fluid Mechanics
+//   17 (1985).
 #pragma once
 
 #include "model/drag.hpp"

@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "base/assert.hpp"
+
 namespace physim {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr double kStandardGravity = 9.80665;
 /// Straight lines through points with a time and a value.
 template <class Point>
 double line_at(const std::vector<Point>& points, double Point::*value, double time) {
+  PHYSIM_ASSERT(!points.empty());
   const auto later =
       std::upper_bound(points.begin(), points.end(), time, [](double t, const Point& point) { return t < point.time; });
   if (later == points.begin()) return points.front().*value;
@@ -35,6 +38,7 @@ std::vector<double> knots(const MotorDef& motor) {
 
 /// The piece from t0 to t1 after ignition.
 Burn<double> burning_piece(const MotorDef& motor, double impulse_before, double impulse, double t0, double t1) {
+  PHYSIM_ASSERT(t0 >= 0 && t1 > t0);
   Burn<double> b{};
   b.start = motor.ignition_delay + t0;
   b.end = motor.ignition_delay + t1;

@@ -22,7 +22,9 @@
 //   Applications (2007), eq. 8-25 to 8-27.
 #pragma once
 
+#include "base/assert.hpp"
 #include "model/geodesy.hpp"
+#include "physim/fidelity.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -81,6 +83,19 @@ PHYSIM_INLINE Vec3<R> ellipsoid_gravitation(const Vec3<S>& axis, const Vec3<R>& 
   const R across = -(per_d * (u * k / (u2 + constant<R>(e2)) + q * sine2));
   const R axial = (-(per_d * (k / u - q * (S(1) - sine2))) - across) * z;
   return {r.x * across + axial * axis.x, r.y * across + axial * axis.y, r.z * across + axial * axis.z};
+}
+
+/// The models whose field is GravityField::flattened.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> flattened_gravitation(GravityModel model, const Vec3<S>& axis, const Vec3<R>& r) {
+  switch (model) {
+    case GravityModel::j2: return j2_gravitation(axis, r);
+    case GravityModel::wgs84: return ellipsoid_gravitation(axis, r);
+    case GravityModel::off:
+    case GravityModel::constant:
+    case GravityModel::inverse_square: break;
+  }
+  PHYSIM_UNREACHABLE();
 }
 
 PHYSIM_ISA_END

@@ -2,9 +2,8 @@
 //
 // What it models: a sight above the bore, its line inclined by the look angle, launcher and sight rolled by the cant.
 // Symbols: f unit vector along the line of sight, r horizontal to its right, u perpendicular to both, upwards; A
-// azimuth,
-//   L look angle, c cant (clockwise from behind), e elevation of the bore above the line of sight [rad]; h sight height
-//   [m].
+//   azimuth, L look angle, c cant (clockwise from behind), e elevation of the bore above the line of sight [rad]; h
+//   sight height [m].
 // Equations: f = (cos L cos A, sin L, cos L sin A), r = (-sin A, 0, cos A), u = r x f; canted up n = u cos c + r sin c;
 //   bore = f cos e + n sin e; the line of sight starts at muzzle + h n.
 //   range = (x - muzzle) . f, drop = (x - start) . u, windage = (x - start) . r.

@@ -1,9 +1,8 @@
 // Spin drift and aerodynamic jump: what the spin of a bullet does to its path, by empirical formulas.
 //
 // What it models: Miller's gyroscopic stability factor; Litz's drift, added to the flown path: a right-hand twist
-// drifts
-//   to the right; Litz's aerodynamic jump: crosswind at the muzzle turns the launch up or down, with a right-hand twist
-//   up where it comes from the right.
+//   drifts to the right; Litz's aerodynamic jump: crosswind at the muzzle turns the launch up or down, with a
+//   right-hand twist up where it comes from the right.
 // When to use it: small-arms bullets in flat fire, supersonic most of the way.
 // When it is wrong: shells, high angles, unstable or over-stabilised bullets (it is a fit to Sg between about 1.2 and
 //   2.5); drift does not feed back on drag or drop. Modified point mass and 6-DOF do this by physics.

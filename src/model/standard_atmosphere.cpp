@@ -167,8 +167,12 @@ Air<double> prepare_air(const Environment& environment, AirModel model) {
   air.per_sound_speed = 1 / (station.sound_factor * dry_sound_speed(air.temperature));
   air.kelvin_per_sound = air.temperature * air.per_sound_speed * air.per_sound_speed;
   air.per_scale_height = 1 / given.scale_height;
-  if (model == AirModel::isa) return air;
-  air.density = model == AirModel::vacuum ? 0 : given.density.value_or(air.density);
+  switch (model) {
+    case AirModel::isa: return air;
+    case AirModel::vacuum: air.density = 0; break;
+    case AirModel::constant:
+    case AirModel::exponential: air.density = given.density.value_or(air.density); break;
+  }
   if (given.sound_speed) air.per_sound_speed = 1 / *given.sound_speed;
   return air;
 }

@@ -1,8 +1,7 @@
 // Prepares the air of an environment for computing: the layers of the US Standard Atmosphere 1976 through a station.
 //
 // What it models: the standard temperature profile moved by T_station - T_standard(H_station) at all heights, pressure
-// in
-//   hydrostatic equilibrium through the station's pressure, and the density of the station's moist air by CIPM-2007.
+//   in hydrostatic equilibrium through the station's pressure, and the density of the station's moist air by CIPM-2007.
 // When it is wrong: the standard lapse rate need not be the day's; see model/air.hpp.
 // Symbols: as in model/air.hpp; f = rho_station R* T / (p M), density over that of the standard's dry ideal gas [-].
 // Equations: p = p_b (T / T_b)^-(f g0 M / (R* L)) or p_b exp(-f g0 M (H - H_b) / (R* T_b)); rho = f p M / (R* T).

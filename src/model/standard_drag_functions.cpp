@@ -145,28 +145,18 @@ constexpr DragPoint kRa4[] = {
 
 std::span<const DragPoint> drag_points(DragTable table) {
   switch (table) {
-    case DragTable::g1:
-      return kG1;
-    case DragTable::g2:
-      return kG2;
-    case DragTable::g5:
-      return kG5;
-    case DragTable::g6:
-      return kG6;
-    case DragTable::g7:
-      return kG7;
-    case DragTable::g8:
-      return kG8;
-    case DragTable::gi:
-      return kGi;
-    case DragTable::gs:
-      return kGs;
-    case DragTable::ra4:
-      return kRa4;
+    case DragTable::g1: return kG1;
+    case DragTable::g2: return kG2;
+    case DragTable::g5: return kG5;
+    case DragTable::g6: return kG6;
+    case DragTable::g7: return kG7;
+    case DragTable::g8: return kG8;
+    case DragTable::gi: return kGi;
+    case DragTable::gs: return kGs;
+    case DragTable::ra4: return kRa4;
     case DragTable::constant:
     case DragTable::sphere:
-    case DragTable::custom:
-      break;
+    case DragTable::custom: break;
   }
   return {};
 }

@@ -37,10 +37,12 @@ CurvePart<double> TablePool::place_of(const DragDef& drag, Interpolation interpo
 }
 
 CurvePart<double> TablePool::place_of(const UniformCubic& curve) {
+  PHYSIM_ASSERT(!curve.rows.empty() && curve.cell > 0);
   return {add_rows(curve.rows), curve.start, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
 }
 
 double TablePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
+  PHYSIM_ASSERT(!rows.empty() && rows_.size() % 4 == 0);
   const auto first = static_cast<double>(rows_.size() / 4);
   for (const std::array<double, 4>& row : rows) rows_.insert(rows_.end(), row.begin(), row.end());
   return first;

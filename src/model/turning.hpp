@@ -3,8 +3,7 @@
 // What it models: an angular velocity of fixed axis that dies away.
 // When to use it: tumbling debris, thrown axes and spinning balls of games, where no rotation model is asked for.
 // When it is wrong: a body of unequal moments of inertia precesses and tumbles; air turns and damps it by its shape;
-// and
-//   what turns is pushed aside (Magnus). Here nothing of that happens.
+//   and what turns is pushed aside (Magnus). Here nothing of that happens.
 // Symbols: q orientation, body axes into W [-]; omega angular velocity in W [rad/s]; k angular drag [1/s]; t time [s].
 // Equations: d omega / dt = -k omega, so omega(t) = omega_0 e^(-k t); the axis stays, so the turn is by the angle
 //   |omega_0| (1 - e^(-k t)) / k about it, |omega_0| t where k = 0.

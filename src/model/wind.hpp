@@ -9,18 +9,20 @@
 // Equation: w(u) = w_0 + sum_i slope_i clamp(u - u_i, 0, u_{i+1} - u_i): straight lines without a search, equal for all
 //   lanes.
 // Source: linear interpolation; the convention of signs is that of R. L. McCoy, Modern Exterior Ballistics (1999),
-// ch. 7.
+//   ch. 7.
 #pragma once
 
+#include "base/assert.hpp"
 #include "model/earth.hpp"
 
 PHYSIM_ISA_BEGIN
 
-/// Of a profile, as it blows at the origin; `w` comes as that of its first point. Behind a call: it is
+/// The wind of a profile as it blows at the origin; `w` comes as that of its first point. Behind a call: it is
 /// long.
 template <class R, class S>
 [[gnu::noinline]] void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
   const WindField<S>& field = c.wind;
+  PHYSIM_ASSERT(field.points >= 2 && field.points <= kMaxWindPoints);
   const R u = field.by_range ? x.x : height(c, x);
   for (int i = 0; i + 1 < field.points; ++i) {
     if (field.stepped) {

@@ -7,6 +7,7 @@
 #include "model/aero_tables.hpp"
 #include "model/attitude.hpp"
 #include "model/humid_air.hpp"
+#include "model/ladder.hpp"
 #include "model/standard_atmosphere.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
@@ -18,14 +19,8 @@ namespace {
 constexpr double kRightAngle = 1.5707963267948968;
 
 void check_fidelity(Checker& c, const Fidelity& f) {
-  c.named(f.motion, Motion::force, "fidelity.motion").named(f.integrator, Integrator::dop853, "fidelity.integrator");
-  c.named(f.gravity, GravityModel::wgs84, "fidelity.gravity").named(f.drag, DragModel::equation, "fidelity.drag");
-  c.named(f.air, AirModel::isa, "fidelity.air").named(f.wind, WindModel::profile, "fidelity.wind");
-  c.named(f.earth, EarthModel::ellipsoid, "fidelity.earth");
-  c.named(f.rotation, RotationModel::rigid_body, "fidelity.rotation");
-  c.named(f.body_form, BodyForm::axis, "fidelity.body_form");
-  c.named(f.precision, Precision::float64, "fidelity.precision");
-  c.named(f.interpolation, Interpolation::cubic, "fidelity.interpolation");
+  for_each_effect(
+      [&]<class Enum>(const char* place, Enum Fidelity::*rung) { c.named(f.*rung, kLastRung<Enum>, place); });
 }
 
 void check_curve(Checker& c, const std::vector<DragPoint>& curve, const std::string& name) {
@@ -222,8 +217,8 @@ Status check(const Environment& e) {
   Checker c;
   c.require(e.altitude >= kLowestAltitude && e.altitude <= 1e9, "environment.altitude",
             "must lie between -5000 m and 1e9 m", "");
-  c.named(e.gravity.model, GravityModel::wgs84, "environment.gravity.model");
-  c.named(e.atmosphere.model, AirModel::isa, "environment.atmosphere.model");
+  c.named(e.gravity.model, kLastRung<GravityModel>, "environment.gravity.model");
+  c.named(e.atmosphere.model, kLastRung<AirModel>, "environment.atmosphere.model");
   c.named(e.wind.by, WindAxis::range, "environment.wind.by");
   c.named(e.wind.interpolation, WindInterpolation::step, "environment.wind.interpolation");
   c.is_number(e.gravity.acceleration, "environment.gravity.acceleration");
@@ -272,11 +267,12 @@ Status check(const Environment& e) {
 Status check(const Tolerance& t, const Fidelity& f) {
   Checker c;
   check_fidelity(c, f);
+  if (!c.status_so_far()) return c.status();
   // An adaptive integrator cannot reach an error below a few roundings: it would only shrink its step for ever.
-  const double rounding = f.precision == Precision::float32 ? 1.1920929e-7 : 2.220446049250313e-16;
   c.not_negative(t.relative.value_or(0), "tolerance.relative", "").not_negative(t.absolute, "tolerance.absolute", "");
   const bool adaptive = is_adaptive(f.integrator) && f.motion != Motion::closed_form;
-  c.require(!adaptive || !t.relative || *t.relative >= 4 * rounding, "tolerance.relative", "lies below rounding",
+  c.require(!adaptive || !t.relative || *t.relative >= 4 * row(f.precision).rounding, "tolerance.relative",
+            "lies below rounding",
             f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best");
   c.not_negative(t.step, "tolerance.step", "0: found by a pilot flight");
   c.positive(t.position_error, "tolerance.position_error", "in m");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/assert.hpp"
 #include "prepare/conditions.hpp"
 
 namespace physim {
@@ -21,6 +22,8 @@ template StepPlan<double> prepare_plan<double>(const Tolerance&, const Fidelity&
 
 void Cohort::finish() {
   conditions.fidelity = in_use.fidelity;
+  PHYSIM_ASSERT(!conditions.has_motor || !pool.motors.pieces().empty());
+  PHYSIM_ASSERT(!conditions.has_magnus_tables || !pool.magnus.grids().empty());
   pool.point(conditions);
   if (in_use.fidelity.precision == Precision::float64) return;
   conditions_float = to_float(conditions);

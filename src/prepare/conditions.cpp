@@ -2,6 +2,7 @@
 #include "prepare/conditions.hpp"
 
 #include "model/earth.hpp"
+#include "model/ladder.hpp"
 #include "model/standard_atmosphere.hpp"
 
 namespace physim {
@@ -12,12 +13,14 @@ WindField<double> prepare_wind(const Wind& wind, WindModel model) {
   field.points = 1;
   field.by_range = wind.by == WindAxis::range;
   field.stepped = wind.interpolation == WindInterpolation::step;
-  if (model == WindModel::off) return field;
-  field.velocity[0] = wind.velocity;
-  if (model == WindModel::constant || wind.profile.empty()) {
-    // A low rung has one wind: the profile's first point stands for it where no other is given.
-    if (!wind.profile.empty() && wind.velocity == Vec3d{}) field.velocity[0] = wind.profile.front().velocity;
-    return field;
+  switch (wind.profile.empty() ? lower_of(model, WindModel::constant) : model) {
+    case WindModel::off: return field;
+    case WindModel::constant:
+      // A low rung has one wind: the profile's first point stands for it where no other is given.
+      field.velocity[0] = wind.velocity;
+      if (!wind.profile.empty() && wind.velocity == Vec3d{}) field.velocity[0] = wind.profile.front().velocity;
+      return field;
+    case WindModel::profile: break;
   }
   field.points = static_cast<int>(wind.profile.size());
   for (int i = 0; i < field.points; ++i) {

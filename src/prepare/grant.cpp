@@ -1,10 +1,10 @@
 // Decides what of an asked fidelity can be had, and says why where it is less.
-#include <algorithm>
-
+#include "prepare/grant.hpp"
 #include "model/attitude.hpp"
 #include "model/drag_curves.hpp"
+#include "model/ladder.hpp"
 #include "physim/names.hpp"
-#include "prepare/grant.hpp"
+#include "solve/take_step.hpp"
 
 namespace physim {
 namespace {
@@ -39,11 +39,11 @@ class Granting {
   }
 
   void by_environment() {
-    set("gravity", f_.gravity, std::min(f_.gravity, environment_.gravity.model),
+    set("gravity", f_.gravity, lower_of(f_.gravity, environment_.gravity.model),
         "the environment's gravity field is simpler");
-    set("air", f_.air, std::min(f_.air, environment_.atmosphere.model), "the environment's air is simpler");
+    set("air", f_.air, lower_of(f_.air, environment_.atmosphere.model), "the environment's air is simpler");
     const Wind& wind = environment_.wind;
-    if (wind.profile.empty()) f_.wind = std::min(f_.wind, WindModel::constant);  // nothing is lost: no note
+    if (wind.profile.empty()) f_.wind = lower_of(f_.wind, WindModel::constant);  // nothing is lost: no note
     if (wind.profile.empty() && wind.velocity == Vec3d{}) f_.wind = WindModel::off;
     const Atmosphere& air = environment_.atmosphere;
     if (f_.air == AirModel::isa && (air.density || air.sound_speed))
@@ -58,14 +58,14 @@ class Granting {
   void by_motion() {
     if (f_.motion == Motion::closed_form) {
       const bool linear = f_.drag == DragModel::linear_quadratic && projectile_.drag.k2 == 0 && projectile_.drag.k1 > 0;
-      if (f_.drag > DragModel::damping && !linear)
+      if (row(f_.drag).is_force && !linear)
         set("drag", f_.drag, projectile_.drag.damping < 1 ? DragModel::damping : DragModel::off,
             "a closed form exists only in vacuum or with drag linear in velocity");
       limit_to_constants("the closed form knows only constant gravity over a flat Earth");
-      set("wind", f_.wind, std::min(f_.wind, WindModel::constant), "the closed form knows only constant wind");
+      set("wind", f_.wind, lower_of(f_.wind, WindModel::constant), "the closed form knows only constant wind");
     }
     if (f_.motion == Motion::velocity) {
-      set("drag", f_.drag, std::min(f_.drag, DragModel::damping), "motion 'velocity' knows no drag force");
+      set("drag", f_.drag, lower_of(f_.drag, DragModel::damping), "motion 'velocity' knows no drag force");
       limit_to_constants("motion 'velocity' knows only constant gravity over a flat Earth");
     }
     if (f_.motion != Motion::force && projectile_.force != Vec3d{})
@@ -76,7 +76,7 @@ class Granting {
   }
 
   void by_integrator() {
-    const bool classic = f_.motion != Motion::closed_form && f_.integrator == Integrator::classic;
+    const bool classic = is_classic(f_);
     if (classic && f_.motion == Motion::force && has_motor(projectile_))
       remark("integrator", f_.integrator, "the motor is left out: the original loop knows none");
     if (classic) limit_to_constants("the original loop knows only constant gravity over a flat Earth");
@@ -88,16 +88,18 @@ class Granting {
     }
   }
 
+  [[nodiscard]] bool is_flattened() const { return row(f_.gravity).field == GravityField::flattened; }
+
   /// After the shape of the Earth is settled: whose gravity it can have.
   void by_earth() {
     const bool own = has_own_gravity(environment_);
-    if (f_.gravity >= GravityModel::j2 && own)
+    if (is_flattened() && own)
       set("gravity", f_.gravity, GravityModel::inverse_square,
           "the environment gives its own acceleration or radius, and no flattening goes with them");
-    if (f_.gravity >= GravityModel::j2 && is_sphere(f_.earth))
+    if (is_flattened() && is_sphere(f_.earth))
       set("gravity", f_.gravity, GravityModel::inverse_square,
           "a spherical Earth has the field of a point mass; the flattened one's goes with earth 'ellipsoid'");
-    if (f_.gravity >= GravityModel::j2 && !is_round(f_.earth))
+    if (is_flattened() && !is_round(f_.earth))
       remark("gravity", f_.gravity, "over a flat Earth it is the weight at the origin's latitude, falling with height");
     if (f_.gravity == GravityModel::inverse_square && is_turning(f_.earth) && is_round(f_.earth) && !own)
       remark("gravity", f_.gravity,
@@ -164,7 +166,7 @@ class Granting {
   }
 
   void limit_to_constants(const char* reason) {
-    set("gravity", f_.gravity, std::min(f_.gravity, GravityModel::constant), reason);
+    set("gravity", f_.gravity, lower_of(f_.gravity, GravityModel::constant), reason);
     set("earth", f_.earth, EarthModel::flat, reason);
   }
 

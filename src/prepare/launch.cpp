@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "model/attitude.hpp"
 #include "model/magnus.hpp"
@@ -31,6 +32,7 @@ void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c
 
 void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, Conditions<double>& c,
                 Body<double>& b) {
+  PHYSIM_ASSERT(elevation - elevation == 0 && launch.rail_length >= 0);
   const SightFrame sight = sight_frame(launch);
   const Vec3d bore = launch_direction(launch, sight, elevation);
   b.launch = {launch.position, velocity_along(launch, bore)};
@@ -50,13 +52,17 @@ Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double e
   return b;
 }
 
-void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
-                const Conditions<double>& c, Rotor<double>& rotor) {
+Attitude prepare_attitude(const ProjectileDef& p, const Launch& launch, double elevation, const Vec3d& velocity,
+                          const Conditions<double>& c) {
   Launch bore = launch;
   bore.velocity.reset();
-  bore.speed = 1;
-  const Vec3d direction = launch_velocity(bore, sight_frame(launch), elevation);
-  rotor.launch = turn_of(c.fidelity, rotor, launch_attitude(p, launch, b.launch.v, direction, c));
+  const Vec3d direction = launch_direction(bore, sight_frame(launch), elevation);
+  return launch_attitude(p, launch, velocity, direction, c);
+}
+
+void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
+                const Conditions<double>& c, Rotor<double>& rotor) {
+  rotor.launch = turn_of(c.fidelity, rotor, prepare_attitude(p, launch, elevation, b.launch.v, c));
 }
 
 Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,

@@ -1,6 +1,7 @@
 // Launches: what of Body and Rotor a launch gives, for flights, batches and worlds alike.
 #pragma once
 
+#include "model/attitude.hpp"
 #include "model/sight.hpp"
 #include "model/spin_drift.hpp"
 #include "physim/environment.hpp"
@@ -19,7 +20,10 @@ void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right
 /// Puts a body on its launch rail, which lies along the bore; without one the bore says where a resting nose points.
 void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& conditions, Body<double>& body);
 
-/// The attitude at launch; `body` is launched already.
+/// The attitude at launch: as given, or along the bore.
+[[nodiscard]] Attitude prepare_attitude(const ProjectileDef& projectile, const Launch& launch, double elevation,
+                                        const Vec3d& velocity, const Conditions<double>& conditions);
+/// Puts it into a rotor; `body` is launched already.
 void put_launch(const ProjectileDef& projectile, const Launch& launch, double elevation, const Body<double>& body,
                 const Conditions<double>& conditions, Rotor<double>& rotor);
 /// A rotor launched: prepare_rotor_kind() and put_launch().

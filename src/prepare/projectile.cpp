@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "model/aero_tables.hpp"
 #include "model/attitude.hpp"
@@ -41,6 +42,7 @@ void prepare_bands(const DragDef& drag, Body<double>& b) {
     b.band_half_area_per_mass[i] =
         used ? factor / bands[static_cast<std::size_t>(i)].ballistic_coefficient : b.half_area_per_mass;
   }
+  PHYSIM_ASSERT(bands.size() <= std::size_t(kMaxBands));
   b.half_area_per_mass = factor / bands.front().ballistic_coefficient;
 }
 
@@ -119,6 +121,7 @@ void prepare_curve(const ProjectileDef& p, TablePool& pool, Conditions<double>& 
 }
 
 Body<double> prepare_kind(const ProjectileDef& p, TablePool& pool, Conditions<double>& c) {
+  PHYSIM_ASSERT(p.mass > 0);
   Body<double> b{};
   b.rail_phase = kOffRail;
   b.half_area_per_mass = half_area_per_mass(p);

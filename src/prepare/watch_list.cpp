@@ -13,12 +13,9 @@ namespace {
 /// What cannot happen is not looked for: without motors and rails their numbers are not there.
 bool may_happen(const EventRow& row, const Conditions<double>& c) {
   switch (row.needs) {
-    case Needs::motor:
-      return c.has_motor;
-    case Needs::rail:
-      return c.has_rail;
-    case Needs::nothing:
-      break;
+    case Needs::motor: return c.has_motor;
+    case Needs::rail: return c.has_rail;
+    case Needs::nothing: break;
   }
   return true;
 }
@@ -26,14 +23,10 @@ bool may_happen(const EventRow& row, const Conditions<double>& c) {
 /// Whether it is told though nobody asked for it.
 bool is_told(const EventRow& row, Watcher watcher) {
   switch (watcher) {
-    case Watcher::batch:
-      return false;
-    case Watcher::flight:
-      return row.in_flights;
-    case Watcher::world:
-      return row.in_worlds == InWorlds::always;
-    case Watcher::world_with_apexes:
-      break;
+    case Watcher::batch: return false;
+    case Watcher::flight: return row.in_flights;
+    case Watcher::world: return row.in_worlds == InWorlds::always;
+    case Watcher::world_with_apexes: break;
   }
   return row.in_worlds != InWorlds::never;
 }

@@ -64,20 +64,13 @@ Status fly_all(FlownScenario& flown, const Progress& progress) {
 std::string place_text(const Expectation& expectation) {
   const std::string value = as_typed(expectation.at_value);
   switch (expectation.at) {
-    case ExpectAt::end:
-      return "end";
-    case ExpectAt::apex:
-      return "apex";
-    case ExpectAt::rail_exit:
-      return "rail_exit";
-    case ExpectAt::burnout:
-      return "burnout";
-    case ExpectAt::time:
-      return "time " + value + " s";
-    case ExpectAt::range:
-      return "range " + value + " m";
-    case ExpectAt::height:
-      return "height " + value + " m";
+    case ExpectAt::end: return "end";
+    case ExpectAt::apex: return "apex";
+    case ExpectAt::rail_exit: return "rail_exit";
+    case ExpectAt::burnout: return "burnout";
+    case ExpectAt::time: return "time " + value + " s";
+    case ExpectAt::range: return "range " + value + " m";
+    case ExpectAt::height: return "height " + value + " m";
   }
   return "";
 }

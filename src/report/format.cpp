@@ -73,16 +73,11 @@ std::span<const Format> formats() { return kFormats; }
 bool can_write(const Format& format, Subject subject) {
   if (format.records != nullptr) return true;
   switch (subject) {
-    case Subject::flights:
-      return format.flights != nullptr;
-    case Subject::world:
-      return format.world != nullptr;
-    case Subject::ladder:
-      return format.ladder != nullptr;
-    case Subject::replay:
-      return format.replay != nullptr;
-    case Subject::records:
-      return false;
+    case Subject::flights: return format.flights != nullptr;
+    case Subject::world: return format.world != nullptr;
+    case Subject::ladder: return format.ladder != nullptr;
+    case Subject::replay: return format.replay != nullptr;
+    case Subject::records: return false;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
@@ -179,7 +180,7 @@ Json mark_feature(const FlownShot& shot, const Mark& mark) {
 
 Status check_round(const FlownScenario& flown) {
   for (const FlownShot& shot : flown.shots)
-    if (shot.flight.fidelity_in_use().fidelity.earth < EarthModel::sphere)
+    if (row(shot.flight.fidelity_in_use().fidelity.earth).shape == EarthShape::flat)
       return Error{.message = "shot \"" + shot.name + "\" flew over a flat Earth, which globes do not know",
                    .place = flown.scenario.file,
                    .hint = "shot.fidelity.earth=ellipsoid, or fidelity = { earth = \"ellipsoid\" }"};

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <functional>
 
+#include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/flown.hpp"
 #include "report/number.hpp"
+#include "solve/explicit_runge_kutta.hpp"
 
 namespace physim::report {
 namespace {
@@ -21,8 +23,16 @@ void add_presets(const Scenario& scenario, std::vector<Rung>& rungs) {
 
 /// A fidelity with the rotation that the shot asks for, where that is more.
 Fidelity rotating(Fidelity fidelity, const ScenarioShot& shot) {
-  fidelity.rotation = std::max(fidelity.rotation, shot.projectile.fidelity.rotation);
+  fidelity.rotation = higher_of(fidelity.rotation, shot.projectile.fidelity.rotation);
   return fidelity;
+}
+
+// Integrators with a step of their own choice, or with a given one; the original loop is no method to compare.
+std::vector<Integrator> stepped_by(bool themselves) {
+  std::vector<Integrator> list;
+  for (const Integrator integrator : all_rungs<Integrator>())
+    if (integrator != Integrator::classic && is_adaptive(integrator) == themselves) list.push_back(integrator);
+  return list;
 }
 
 void add_integrators(const Scenario& scenario, const ScenarioShot& shot, std::vector<Rung>& rungs) {
@@ -35,14 +45,13 @@ void add_integrators(const Scenario& scenario, const ScenarioShot& shot, std::ve
     const char* text;
     double value;
   };
-  for (const Integrator integrator :
-       {Integrator::explicit_euler, Integrator::semi_implicit_euler, Integrator::heun, Integrator::rk4})
+  for (const Integrator integrator : stepped_by(false))
     for (const auto& [text, step] : {Setting{"1/60 s", 1.0 / 60}, {"10 ms", 0.01}, {"1 ms", 0.001}}) {
       Tolerance tolerance = scenario.tolerance;
       tolerance.step = step;
       add(integrator, text, tolerance);
     }
-  for (const Integrator integrator : {Integrator::rk43, Integrator::tsit5, Integrator::dop853})
+  for (const Integrator integrator : stepped_by(true))
     for (const auto& [text, error] : {Setting{"1e-3", 1e-3}, {"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}}) {
       Tolerance tolerance = scenario.tolerance;
       tolerance.relative = tolerance.absolute = error;
@@ -63,7 +72,7 @@ void add_effects(const Scenario& scenario, const ScenarioShot& shot, std::vector
   const bool only_drift = best.rotation == RotationModel::spin_drift;
   without(only_drift ? "no spin drift" : "no rotation", [](Fidelity& f) { f.rotation = RotationModel::none; });
   if (!only_drift) without("spin drift only", [](Fidelity& f) { f.rotation = RotationModel::spin_drift; });
-  if (best.rotation > RotationModel::modified_point_mass)
+  if (best.rotation == RotationModel::rigid_body)
     without("modified point mass", [](Fidelity& f) { f.rotation = RotationModel::modified_point_mass; });
   without("no Coriolis", [](Fidelity& f) { f.earth = EarthModel::flat; });
   without("constant gravity", [](Fidelity& f) { f.gravity = GravityModel::constant; });

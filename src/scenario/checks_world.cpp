@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/force_laws.hpp"
 #include "physim/world_run.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/schema.hpp"
@@ -155,10 +156,10 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
   for (const std::string& shot : force.shots)
     if (Status status = check_shot_name(scenario, shot, "force.shots", place_in(table, "shots")); !status)
       return status;
-  if (!force.other.empty() || std::holds_alternative<Spring>(force.law))
+  if (!force.other.empty() || needs_other_end(force.law))
     if (Status status = check_other(scenario, force, *laws[0]); !status) return status;
   ForceDef def{.law = force.law, .target = ForceTarget::everything(), .delay = force.delay, .duration = force.duration};
-  if (auto* spring = std::get_if<Spring>(&def.law)) spring->other = {1, 1};  // somebody
+  if (needs_other_end(def.law)) *other_end_of(def.law) = {1, 1};  // somebody
   if (const Status status = check(def); !status)
     return in_file(status.error(), "force." + laws[0]->key, laws[0]->value);
   return {};

@@ -18,21 +18,15 @@ Result<Sample> sample_at_event(const Flight& flight, EventKind kind) {
 
 Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
   switch (expectation.at) {
-    case ExpectAt::end:
-      return flight.end();
-    case ExpectAt::apex:
-      return sample_at_event(flight, EventKind::apex);
-    case ExpectAt::rail_exit:
-      return sample_at_event(flight, EventKind::rail_exit);
-    case ExpectAt::burnout:
-      return sample_at_event(flight, EventKind::burnout);
+    case ExpectAt::end: return flight.end();
+    case ExpectAt::apex: return sample_at_event(flight, EventKind::apex);
+    case ExpectAt::rail_exit: return sample_at_event(flight, EventKind::rail_exit);
+    case ExpectAt::burnout: return sample_at_event(flight, EventKind::burnout);
     case ExpectAt::time:
       if (expectation.at_value <= flight.duration()) return flight.at(expectation.at_value);
       return Error{"the flight ends after " + quantity_text(flight.duration(), Quantity::time), "", ""};
-    case ExpectAt::range:
-      return flight.at_range(expectation.at_value);
-    case ExpectAt::height:
-      return flight.at_height(expectation.at_value);
+    case ExpectAt::range: return flight.at_range(expectation.at_value);
+    case ExpectAt::height: return flight.at_height(expectation.at_value);
   }
   return Error{"an expectation at no known place", "", ""};
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "scenario/units.hpp"
 #include "scenario/writer.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 /// Puts an entry into the tree, making the tables above it where they are not there yet.
 void plant(SchemaNode& root, const Entry& entry) {
+  PHYSIM_ASSERT(entry.slot != nullptr && !entry.path.empty() && !entry.doc.empty());
   SchemaNode* node = &root;
   std::string_view rest = entry.path;
   while (!rest.empty()) {
@@ -27,6 +29,7 @@ void plant(SchemaNode& root, const Entry& entry) {
     }
     node = const_cast<SchemaNode*>(child);  // of our own tree
   }
+  PHYSIM_ASSERT(node->entry == nullptr);  // no two settings have one path
   node->entry = &entry;
 }
 

@@ -52,6 +52,7 @@ struct Choice {
   std::span<const std::string_view> names;
   std::function<std::optional<std::size_t>()> get;
   std::function<void(std::size_t)> set;
+  std::string_view (*doc)(std::size_t) = nullptr;  // of a name, where it is known
 };
 
 /// Points of two numbers each; the first ones rise. Both have a name for messages: "Mach number".

@@ -47,19 +47,15 @@ ValueRef event_kind_slot(const Scope& scope) {
 Quantity quantity_of_event(const Scope& scope) {
   switch (row_of(scope.event->kind).watch) {
     case Watch::height:
-    case Watch::range:
-      return Quantity::length;
-    case Watch::speed:
-      return Quantity::speed;
-    case Watch::time:
-      return Quantity::time;
+    case Watch::range: return Quantity::length;
+    case Watch::speed: return Quantity::speed;
+    case Watch::time: return Quantity::time;
     case Watch::none:
     case Watch::climb_rate:
     case Watch::mach:
     case Watch::ignition:
     case Watch::burnout:
-    case Watch::rail:
-      break;
+    case Watch::rail: break;
   }
   return Quantity::number;
 }

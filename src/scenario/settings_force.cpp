@@ -1,4 +1,9 @@
 // Settings of [[force]]: a table for each law, of which a force has one.
+#include <deque>
+#include <iterator>
+#include <type_traits>
+
+#include "model/force_laws.hpp"
 #include "scenario/settings_parts.hpp"
 
 namespace physim {
@@ -16,11 +21,6 @@ template <class Law>
 bool is_law(const Scope& scope) {
   return std::holds_alternative<Law>(scope.force->law);
 }
-
-#define PHYSIM_LAW(Law, field) [](const Scope& s) { return slot_of(law_of<Law>(s).field); }
-#define PHYSIM_OTHER(Law) [](const Scope& s) { return law_of<Law>(s), slot_of(s.force->other); }
-
-ValueRef thrust_slot(const Scope& scope) { return records(scope, law_of<Thrust>(scope).curve, &Scope::thrust_point); }
 
 constexpr Entry kForceSettings[] = {
     {.path = "force",
@@ -45,210 +45,9 @@ constexpr Entry kForceSettings[] = {
      .doc = "then it ends",
      .quantity = Quantity::time,
      .range = or_infinite(above(0))},
-    {.path = "force.constant_force.force",
-     .slot = PHYSIM_LAW(ConstantForce, force),
-     .doc = "the force",
-     .quantity = Quantity::force,
-     .is_there = is_law<ConstantForce>},
-    {.path = "force.constant_acceleration.acceleration",
-     .slot = PHYSIM_LAW(ConstantAcceleration, acceleration),
-     .doc = "of every mass",
-     .quantity = Quantity::acceleration,
-     .is_there = is_law<ConstantAcceleration>},
-    {.path = "force.gravity_force.gravity",
-     .slot = PHYSIM_LAW(GravityForce, gravity),
-     .doc = "proportional to mass, in any direction",
-     .quantity = Quantity::acceleration,
-     .is_there = is_law<GravityForce>},
-    {.path = "force.linear_quadratic_drag_force.k1",
-     .slot = PHYSIM_LAW(LinearQuadraticDragForce, k1),
-     .doc = "linear part of -(k1 + k2 |u|) u",
-     .quantity = Quantity::linear_drag,
-     .range = at_least(0),
-     .is_there = is_law<LinearQuadraticDragForce>},
-    {.path = "force.linear_quadratic_drag_force.k2",
-     .slot = PHYSIM_LAW(LinearQuadraticDragForce, k2),
-     .doc = "quadratic part",
-     .quantity = Quantity::quadratic_drag,
-     .range = at_least(0),
-     .is_there = is_law<LinearQuadraticDragForce>},
-    {.path = "force.linear_quadratic_drag_force.wind",
-     .slot = PHYSIM_LAW(LinearQuadraticDragForce, wind),
-     .doc = "velocity that u is relative to",
-     .quantity = Quantity::speed,
-     .is_there = is_law<LinearQuadraticDragForce>},
-    {.path = "force.anchored_spring.anchor",
-     .slot = PHYSIM_LAW(AnchoredSpring, anchor),
-     .doc = "fixed end of the spring",
-     .quantity = Quantity::length,
-     .is_there = is_law<AnchoredSpring>},
-    {.path = "force.anchored_spring.stiffness",
-     .slot = PHYSIM_LAW(AnchoredSpring, stiffness),
-     .doc = "force for each metre of stretch",
-     .quantity = Quantity::stiffness,
-     .range = at_least(0),
-     .is_there = is_law<AnchoredSpring>},
-    {.path = "force.anchored_spring.rest_length",
-     .slot = PHYSIM_LAW(AnchoredSpring, rest_length),
-     .doc = "at which it is slack",
-     .quantity = Quantity::length,
-     .range = at_least(0),
-     .is_there = is_law<AnchoredSpring>},
-    {.path = "force.anchored_spring.damping",
-     .slot = PHYSIM_LAW(AnchoredSpring, damping),
-     .doc = "of the rate at which its length changes",
-     .quantity = Quantity::linear_drag,
-     .range = at_least(0),
-     .is_there = is_law<AnchoredSpring>},
-    {.path = "force.spring.other",
-     .slot = PHYSIM_OTHER(Spring),
-     .doc = "name of the shot at its other end, which is fired once",
-     .required = true,
-     .is_there = is_law<Spring>},
-    {.path = "force.spring.stiffness",
-     .slot = PHYSIM_LAW(Spring, stiffness),
-     .doc = "force for each metre of stretch",
-     .quantity = Quantity::stiffness,
-     .range = at_least(0),
-     .is_there = is_law<Spring>},
-    {.path = "force.spring.rest_length",
-     .slot = PHYSIM_LAW(Spring, rest_length),
-     .doc = "at which it is slack",
-     .quantity = Quantity::length,
-     .range = at_least(0),
-     .is_there = is_law<Spring>},
-    {.path = "force.spring.damping",
-     .slot = PHYSIM_LAW(Spring, damping),
-     .doc = "of the rate at which its length changes",
-     .quantity = Quantity::linear_drag,
-     .range = at_least(0),
-     .is_there = is_law<Spring>},
-    {.path = "force.bungee.other",
-     .slot = PHYSIM_OTHER(Bungee),
-     .doc = "name of the shot at its other end, which is fired once; empty: the anchor",
-     .is_there = is_law<Bungee>},
-    {.path = "force.bungee.anchor",
-     .slot = PHYSIM_LAW(Bungee, anchor),
-     .doc = "fixed end of a spring that only pulls",
-     .quantity = Quantity::length,
-     .is_there = is_law<Bungee>},
-    {.path = "force.bungee.stiffness",
-     .slot = PHYSIM_LAW(Bungee, stiffness),
-     .doc = "force for each metre of stretch",
-     .quantity = Quantity::stiffness,
-     .range = at_least(0),
-     .is_there = is_law<Bungee>},
-    {.path = "force.bungee.rest_length",
-     .slot = PHYSIM_LAW(Bungee, rest_length),
-     .doc = "at which it is slack",
-     .quantity = Quantity::length,
-     .range = at_least(0),
-     .is_there = is_law<Bungee>},
-    {.path = "force.bungee.damping",
-     .slot = PHYSIM_LAW(Bungee, damping),
-     .doc = "of the rate at which its length changes",
-     .quantity = Quantity::linear_drag,
-     .range = at_least(0),
-     .is_there = is_law<Bungee>},
-    {.path = "force.buoyancy.surface",
-     .slot = PHYSIM_LAW(Buoyancy, surface),
-     .doc = "height of the liquid",
-     .quantity = Quantity::length,
-     .is_there = is_law<Buoyancy>},
-    {.path = "force.buoyancy.volume",
-     .slot = PHYSIM_LAW(Buoyancy, volume),
-     .doc = "of the projectile; 0: the sphere of its diameter",
-     .quantity = Quantity::volume,
-     .range = at_least(0),
-     .is_there = is_law<Buoyancy>},
-    {.path = "force.buoyancy.depth",
-     .slot = PHYSIM_LAW(Buoyancy, depth),
-     .doc = "half the height of an upright cylinder; 0: a sphere",
-     .quantity = Quantity::length,
-     .range = at_least(0),
-     .is_there = is_law<Buoyancy>},
-    {.path = "force.buoyancy.density",
-     .slot = PHYSIM_LAW(Buoyancy, density),
-     .doc = "of the liquid",
-     .quantity = Quantity::density,
-     .range = at_least(0),
-     .is_there = is_law<Buoyancy>},
-    {.path = "force.buoyancy.damping",
-     .slot = PHYSIM_LAW(Buoyancy, damping),
-     .doc = "of the velocity in the liquid",
-     .quantity = Quantity::linear_drag,
-     .range = at_least(0),
-     .is_there = is_law<Buoyancy>},
-    {.path = "force.buoyancy.gravity",
-     .slot = PHYSIM_LAW(Buoyancy, gravity),
-     .doc = "that weighs the liquid",
-     .quantity = Quantity::acceleration,
-     .range = at_least(0),
-     .is_there = is_law<Buoyancy>},
-    {.path = "force.point_attractor.centre",
-     .slot = PHYSIM_LAW(PointAttractor, centre),
-     .doc = "that it pulls to",
-     .quantity = Quantity::length,
-     .is_there = is_law<PointAttractor>},
-    {.path = "force.point_attractor.strength",
-     .slot = PHYSIM_LAW(PointAttractor, strength),
-     .doc = "G M of the attracting mass; negative: it repels",
-     .quantity = Quantity::attraction,
-     .is_there = is_law<PointAttractor>},
-    {.path = "force.point_attractor.softening",
-     .slot = PHYSIM_LAW(PointAttractor, softening),
-     .doc = "keeps the force finite near the centre",
-     .quantity = Quantity::length,
-     .range = at_least(0),
-     .is_there = is_law<PointAttractor>},
-    {.path = "force.wind_zone.velocity",
-     .slot = PHYSIM_LAW(WindZone, velocity),
-     .doc = "of the air in the box",
-     .quantity = Quantity::speed,
-     .is_there = is_law<WindZone>},
-    {.path = "force.wind_zone.low",
-     .slot = PHYSIM_LAW(WindZone, low),
-     .doc = "corner of the box; may be infinite",
-     .quantity = Quantity::length,
-     .range = or_infinite({}),
-     .is_there = is_law<WindZone>},
-    {.path = "force.wind_zone.high",
-     .slot = PHYSIM_LAW(WindZone, high),
-     .doc = "opposite corner",
-     .quantity = Quantity::length,
-     .range = or_infinite({}),
-     .is_there = is_law<WindZone>},
-    {.path = "force.wind_zone.density",
-     .slot = PHYSIM_LAW(WindZone, density),
-     .doc = "of its air",
-     .quantity = Quantity::density,
-     .range = at_least(0),
-     .is_there = is_law<WindZone>},
-    {.path = "force.explosion.centre",
-     .slot = PHYSIM_LAW(Explosion, centre),
-     .doc = "of the blast",
-     .quantity = Quantity::length,
-     .is_there = is_law<Explosion>},
-    {.path = "force.explosion.force",
-     .slot = PHYSIM_LAW(Explosion, force),
-     .doc = "outwards at the centre, falling linearly to the radius",
-     .quantity = Quantity::force,
-     .is_there = is_law<Explosion>},
-    {.path = "force.explosion.radius",
-     .slot = PHYSIM_LAW(Explosion, radius),
-     .doc = "that it reaches to",
-     .quantity = Quantity::length,
-     .range = above(0),
-     .is_there = is_law<Explosion>},
-    {.path = "force.thrust.direction",
-     .slot = PHYSIM_LAW(Thrust, direction),
-     .doc = "of the thrust; zero: along the velocity",
-     .is_there = is_law<Thrust>},
-    {.path = "force.thrust.curve",
-     .slot = thrust_slot,
-     .doc = "thrust by time, straight lines between; nothing before and after",
-     .range = at_most(1000),
-     .is_there = is_law<Thrust>},
+};
+
+constexpr Entry kThrustCurve[] = {
     {.path = "force.thrust.curve.time",
      .slot = PHYSIM_FIELD(thrust_point->time),
      .doc = "since the force started, or since each launch",
@@ -260,11 +59,61 @@ constexpr Entry kForceSettings[] = {
      .quantity = Quantity::force},
 };
 
-#undef PHYSIM_LAW
-#undef PHYSIM_OTHER
+constexpr Range range_of(Limit limit) {
+  switch (limit) {
+    case Limit::any:
+    case Limit::needed: return {};
+    case Limit::not_negative: return at_least(0);
+    case Limit::positive: return above(0);
+    case Limit::infinite: return or_infinite({});
+  }
+  return {};
+}
+
+template <class Law, auto kMember>
+ValueRef member_slot(const Scope& scope) {
+  auto& value = law_of<Law>(scope).*kMember;
+  using T = std::decay_t<decltype(value)>;
+  if constexpr (std::is_same_v<T, ProjectileId>)
+    return slot_of(scope.force->other);
+  else if constexpr (std::is_same_v<T, std::vector<Thrust::Point>>)
+    return records(scope, value, &Scope::thrust_point);
+  else
+    return slot_of(value);
+}
+
+/// The settings of a law, out of its row; `paths` keeps what the entries refer to.
+template <class Law>
+void add_law(std::vector<Entry>& list, std::deque<std::string>& paths) {
+  for_each_member<Law>([&]<auto kMember>(const LawMember<kMember>& member) {
+    paths.push_back("force." + std::string(kLaw<Law>.name) + "." + std::string(member.name));
+    list.push_back({.path = paths.back(),
+                    .slot = member_slot<Law, kMember>,
+                    .doc = member.doc,
+                    .quantity = member.quantity,
+                    .range = range_of(member.limit),
+                    .required = member.limit == Limit::needed,
+                    .is_there = is_law<Law>});
+    if constexpr (std::is_same_v<Law, Thrust>)
+      if (member.name == "curve") list.back().range = at_most(1000);
+  });
+}
+
+std::vector<Entry> all_settings(std::deque<std::string>& paths) {
+  std::vector<Entry> list(std::begin(kForceSettings), std::end(kForceSettings));
+  for_each_law([&]<class Law>(const Law*) {
+    if constexpr (!std::is_same_v<Law, CustomForce>) add_law<Law>(list, paths);  // no file can hold a function
+  });
+  list.insert(list.end(), std::begin(kThrustCurve), std::end(kThrustCurve));
+  return list;
+}
 
 }  // namespace
 
-std::span<const Entry> force_settings() { return kForceSettings; }
+std::span<const Entry> force_settings() {
+  static std::deque<std::string> paths;
+  static const std::vector<Entry> all = all_settings(paths);
+  return all;
+}
 
 }  // namespace physim

@@ -1,6 +1,8 @@
 // What the parts of the list of settings are written with: ranges, slots made from the types of fields.
 #pragma once
 
+#include "base/assert.hpp"
+#include "model/ladder.hpp"
 #include "scenario/schema.hpp"
 
 namespace physim {
@@ -24,8 +26,13 @@ inline constexpr Range kBits = {.low = 0, .high = 4294967295.0};
 template <class T>
 ValueRef slot_of(T& value) {
   if constexpr (std::is_enum_v<T>) {
-    return Choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
-                  [&value](std::size_t i) { value = static_cast<T>(i); }};
+    Choice choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
+                  [&value](std::size_t i) {
+                    PHYSIM_ASSERT(i < names_of<T>().size());
+                    value = static_cast<T>(i);
+                  }};
+    if constexpr (requires { row(T{}).doc; }) choice.doc = [](std::size_t i) { return row(static_cast<T>(i)).doc; };
+    return choice;
   } else if constexpr (std::is_same_v<T, std::optional<double>>) {
     return OptionalNumber{[&value] { return value; }, [&value](std::optional<double> v) { value = v; }};
   } else if constexpr (std::is_same_v<T, std::uint32_t>) {
@@ -60,6 +67,7 @@ template <class T>
 ValueRef records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
   return Records{[&list] { return list.size(); }, [&list](std::size_t size) { list.resize(size); },
                  [&list, outer, pointer](std::size_t i) {
+                   PHYSIM_ASSERT(i < list.size());
                    Scope inner = outer;
                    inner.*pointer = &list[i];
                    return inner;

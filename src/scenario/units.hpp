@@ -39,7 +39,7 @@ struct QuantityInfo {
 
 /// The shortest text that reads back as the same number.
 [[nodiscard]] std::string number_text(double value);
-/// A value with its SI unit: "0.0109 kg".
+/// The shortest text that reads back as the same quantity, with the SI unit: "0.0109 kg".
 [[nodiscard]] std::string quantity_text(double value, Quantity quantity);
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);

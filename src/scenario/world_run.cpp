@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flight/zero.hpp"
+#include "model/force_laws.hpp"
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
 #include "scenario/suggest.hpp"
@@ -139,11 +140,8 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
 
 Status WorldRun::Impl::add_force(const ScenarioForce& force) {
   ForceDef def{.law = force.law, .target = {}, .delay = force.delay, .duration = force.duration};
-  if (!force.other.empty()) {
-    const ProjectileId other = lone[index_of(scenario.shots, force.other)];
-    if (auto* spring = std::get_if<Spring>(&def.law)) spring->other = other;
-    if (auto* bungee = std::get_if<Bungee>(&def.law)) bungee->other = other;
-  }
+  if (ProjectileId* end = other_end_of(def.law); end != nullptr && !force.other.empty())
+    *end = lone[index_of(scenario.shots, force.other)];
   std::vector<ForceTarget> targets;
   if (force.shots.empty() && force.layers == 0) targets.push_back(ForceTarget::everything());
   if (force.layers != 0) targets.push_back({{}, {}, force.layers});
@@ -214,9 +212,7 @@ void WorldRun::Impl::count(std::span<const Event> news) {
     events.push_back({track->launched, event});
     WorldGroup& group = groups[track->launched.group];
     switch (event.kind) {
-      case EventKind::spawned:
-        ++group.spawned;
-        break;
+      case EventKind::spawned: ++group.spawned; break;
       case EventKind::landed:
         ++group.landed;
         touch(*track, group, event.time, event.position, event.velocity);
@@ -225,20 +221,21 @@ void WorldRun::Impl::count(std::span<const Event> news) {
         ++group.bounces;
         touch(*track, group, event.time, event.position, event.velocity);
         break;
-      case EventKind::apex:
-        group.apex.add(event.position.y);
-        break;
-      case EventKind::slept:
-        ++group.slept;
-        break;
-      case EventKind::expired:
-        ++group.expired;
-        break;
-      case EventKind::retired:
-        ++group.retired;
-        break;
-      default:  // kept in the list of events, and not counted
-        break;
+      case EventKind::apex: group.apex.add(event.position.y); break;
+      case EventKind::slept: ++group.slept; break;
+      case EventKind::expired: ++group.expired; break;
+      case EventKind::retired: ++group.retired; break;
+      case EventKind::ground:  // all others are kept in the list of events, and not counted
+      case EventKind::range:
+      case EventKind::height:
+      case EventKind::mach:
+      case EventKind::speed:
+      case EventKind::time:
+      case EventKind::ignition:
+      case EventKind::burnout:
+      case EventKind::rail_exit:
+      case EventKind::woke:
+      case EventKind::fidelity_changed: break;
     }
   }
 }

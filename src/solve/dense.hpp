@@ -1,12 +1,14 @@
 // Dense output: the state anywhere inside a step, from what the step left behind.
 //
-// The classic loop: straight lines. Tsit5 and DOP853: their own interpolants. The others: the quintic through position,
-// velocity and acceleration at both ends, and the cubic through velocity and acceleration: no less accurate than the
-// methods themselves. Computed in double at every precision, so that fly() and fly_batch() share it; there, packs of
-// steps at once.
+// The classic loop: straight lines. Methods whose tableau has an interpolant: that one. The others: the quintic through
+// position, velocity and acceleration at both ends, and the cubic through velocity and acceleration: no less accurate
+// than the methods themselves. Computed in double at every precision, so that fly() and fly_batch() share it; there,
+// packs of steps at once.
 //
 // Sources: see solve/explicit_runge_kutta.hpp; the form of DOP853's is Hairer, Norsett and Wanner (1993), sec. II.6.
 #pragma once
+
+#include <iterator>
 
 #include "solve/take_step.hpp"
 
@@ -14,9 +16,17 @@ PHYSIM_ISA_BEGIN
 
 inline constexpr int kMaxDenseCoefficients = 7;
 
+template <class Method>
+constexpr int dense_coefficients_of() {
+  if constexpr (HasDenseStages<Method>) return 3 + int(std::size(Method::kDense));
+  if constexpr (HasDensePolynomials<Method>) return int(std::size(Method::kDense[0]));
+  return 0;
+}
+
 /// How many states a step's interpolant needs beside both ends.
 PHYSIM_INLINE int dense_coefficient_count(Integrator integrator) {
-  return integrator == Integrator::tsit5 ? 4 : integrator == Integrator::dop853 ? 7 : 0;
+  return with_method(integrator,
+                     [](auto method) PHYSIM_INLINE_LAMBDA { return dense_coefficients_of<decltype(method)>(); });
 }
 
 /// Calls f with the number of each slope of a step that its interpolant reads; `last` is that of the slope at the end.
@@ -34,7 +44,7 @@ struct NodeOf {
 };
 using Node = NodeOf<double>;
 
-/// The same of a rotation: a Turn and its slope.
+/// A Turn and its slope at a time, at both ends of a step.
 template <class W>
 struct TurnNodeOf {
   W t;
@@ -49,46 +59,65 @@ PHYSIM_INLINE W place_between(const NodeOf<W>& n0, const NodeOf<W>& n1, const W&
   return select(n1.t > n0.t, (t - n0.t) / (n1.t - n0.t), W(1.0));
 }
 
-template <int Power>
-struct Tsit5DenseWeights {
-  static constexpr double at(int j) { return Tsit5::kDense[j][Power]; }
+/// The weights of a power of theta, of an interpolant made of polynomials.
+template <class Tableau, int Power>
+struct PolynomialWeights {
+  static constexpr double at(int j) { return Tableau::kDense[j][Power]; }
 };
-template <int Row>
-struct Dop853DenseWeights {
-  static constexpr double at(int j) { return Dop853::kDense[Row][j]; }
+/// The weights of a row of an interpolant with stages of its own.
+template <class Tableau, int Row>
+struct DenseRowWeights {
+  static constexpr double at(int j) { return Tableau::kDense[Row][j]; }
 };
 
-/// Three more slopes; `f` is the acceleration, or where it turns gives the slope of the Turn too.
+/// Adds the slopes that the interpolant needs beside those of the step; `f` is the acceleration, or where it turns
+/// gives the slope of the Turn too.
 template <bool kTurns, class W, class F>
-PHYSIM_INLINE void add_dop853_slopes(Step<W>& s, const F& f) {
-  static_for<3>([&](auto i) {
-    constexpr int stage = 13 + i;
-    const State<W> y = stage_state<Dop853, stage>(s, s.h);
-    const W t = s.t + s.h * Dop853::c[stage];
-    if constexpr (kTurns)
-      s.slope[stage] = {y.v, f(t, y, stage_state<Dop853, stage>(*s.turn, s.h), s.turn->slope[stage])};
-    else
-      s.slope[stage] = {y.v, f(t, y)};
+PHYSIM_INLINE void add_dense_slopes(Integrator integrator, Step<W>& s, const F& f) {
+  with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
+    using Method = decltype(method);
+    if constexpr (HasDenseStages<Method>) {
+      constexpr int kOwn = Method::kStages + 1;
+      static_assert(Method::kDenseStages <= kMaxSlopes);
+      static_for<Method::kDenseStages - kOwn>([&](auto i) {
+        constexpr int stage = kOwn + i;
+        const State<W> y = stage_state<Method, stage>(s, s.h);
+        const W t = s.t + s.h * Method::c[stage];
+        if constexpr (kTurns)
+          s.slope[stage] = {y.v, f(t, y, stage_state<Method, stage>(*s.turn, s.h), s.turn->slope[stage])};
+        else
+          s.slope[stage] = {y.v, f(t, y)};
+      });
+    }
   });
 }
 
 /// Fills the interpolant's coefficients of a finished step with all its slopes; `s` is a Step or its TurnStep.
 template <class AnyStep, class W, template <class> class Y>
 PHYSIM_INLINE void dense_sums(Integrator integrator, const AnyStep& s, const W& h, Y<W>* out) {
-  if (integrator == Integrator::tsit5)
-    static_for<4>([&](auto power) { out[power] = weighted_sum<Tsit5DenseWeights<power>, 7>(s.slope) * h; });
-  if (integrator != Integrator::dop853) return;
-  const Y<W> change = s.end - s.start;
-  out[0] = change;
-  out[1] = s.slope[0] * h - change;
-  out[2] = change - s.slope[12] * h - out[1];
-  static_for<4>([&](auto row) { out[3 + row] = weighted_sum<Dop853DenseWeights<row>, 16>(s.slope) * h; });
+  with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
+    using Method = decltype(method);
+    static_assert(dense_coefficients_of<Method>() <= kMaxDenseCoefficients);
+    if constexpr (HasDensePolynomials<Method>) {
+      static_for<dense_coefficients_of<Method>()>([&](auto power) {
+        out[power] = weighted_sum<PolynomialWeights<Method, power>, Method::kStages + 1>(s.slope) * h;
+      });
+    } else if constexpr (HasDenseStages<Method>) {
+      const Y<W> change = s.end - s.start;
+      out[0] = change;
+      out[1] = s.slope[0] * h - change;
+      out[2] = change - s.slope[Method::kStages] * h - out[1];
+      static_for<dense_coefficients_of<Method>() - 3>([&](auto row) {
+        out[3 + row] = weighted_sum<DenseRowWeights<Method, row>, Method::kDenseStages>(s.slope) * h;
+      });
+    }
+  });
 }
 
 /// Adds the slopes that the interpolant needs, and fills its coefficients.
 template <class W, class F>
 PHYSIM_INLINE void dense_coefficients(Integrator integrator, Step<W>& s, const F& f, State<W>* out) {
-  if (integrator == Integrator::dop853) add_dop853_slopes<false>(s, f);
+  add_dense_slopes<false>(integrator, s, f);
   dense_sums(integrator, s, s.h, out);
 }
 
@@ -123,15 +152,23 @@ PHYSIM_INLINE Turn<W> hermite(const TurnNodeOf<W>& n0, const TurnNodeOf<W>& n1, 
 template <template <class> class AnyNode, template <class> class Y, class W>
 PHYSIM_INLINE Y<W> state_inside(Integrator integrator, const AnyNode<W>& n0, const AnyNode<W>& n1, const Y<W>* c,
                                 const W& theta) {
-  if (integrator == Integrator::tsit5) return n0.y + (c[0] + (c[1] + (c[2] + c[3] * theta) * theta) * theta) * theta;
-  if (integrator == Integrator::dop853) {
-    const W u = 1 - theta;
-    return n0.y +
-           (c[0] + (c[1] + (c[2] + (c[3] + (c[4] + (c[5] + c[6] * theta) * u) * theta) * u) * theta) * u) * theta;
-  }
-  // The original knew frames only, and its damping is no slope: straight lines between them.
-  if (integrator == Integrator::classic) return n0.y + (n1.y - n0.y) * theta;
-  return hermite(n0, n1, theta);
+  return with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA -> Y<W> {
+    using Method = decltype(method);
+    if constexpr (HasDensePolynomials<Method>) {
+      constexpr int kCount = dense_coefficients_of<Method>();
+      Y<W> sum = c[kCount - 1];
+      static_for<kCount - 1>([&](auto below) { sum = c[kCount - 2 - below] + sum * theta; });
+      return n0.y + sum * theta;
+    } else if constexpr (HasDenseStages<Method>) {
+      const W u = 1 - theta;
+      return n0.y +
+             (c[0] + (c[1] + (c[2] + (c[3] + (c[4] + (c[5] + c[6] * theta) * u) * theta) * u) * theta) * u) * theta;
+    } else if constexpr (std::is_same_v<Method, ClassicLoop>) {
+      return n0.y + (n1.y - n0.y) * theta;  // it knew frames only, and its damping is no slope
+    } else {
+      return hermite(n0, n1, theta);
+    }
+  });
 }
 
 /// The state at t = n0.t + theta h, 0 <= theta <= 1; at both ends the nodes themselves, to the bit.
@@ -142,7 +179,7 @@ PHYSIM_INLINE State<W> dense_state(Integrator integrator, const NodeOf<W>& n0, c
   return select(theta == 0.0, n0.y, select(theta == 1.0, n1.y, inside));
 }
 
-/// The same for a rotation, with what points at length one.
+/// The Turn at t = n0.t + theta h, with what points at length one; at both ends the nodes themselves, to the bit.
 template <class W>
 PHYSIM_INLINE Turn<W> dense_turn(const Fidelity& f, const TurnNodeOf<W>& n0, const TurnNodeOf<W>& n1, const Turn<W>* c,
                                  const W& theta) {

@@ -82,10 +82,10 @@ void dense_turns(const Course<S>& course, const Lanes<R>& l, Step<Cast<double, R
   cast_numbers(*l.rotor, to.rotor);
   to.n0 = {out.n0.t, turn.start, turn.slope[0]};
   to.n1 = {out.n1.t, turn.end, turn.slope[last]};
-  if (fidelity.integrator == Integrator::dop853)
-    add_dop853_slopes<true>(s, [&](const W& t, const State<W>& y, const Turn<W>& at, Turn<W>& slope) {
-      return evaluated(*course.conditions_double, out.whole_body(), to.rotor, t, y, at, slope);
-    });
+  const auto f = [&](const W& t, const State<W>& y, const Turn<W>& at, Turn<W>& slope) {
+    return evaluated(*course.conditions_double, out.whole_body(), to.rotor, t, y, at, slope);
+  };
+  add_dense_slopes<true>(fidelity.integrator, s, f);
   dense_sums(fidelity.integrator, s, s.h, out.coefficient);
   dense_sums(fidelity.integrator, turn, s.h, to.coefficient);
 }

@@ -15,9 +15,32 @@
 
 #include <utility>
 
+#include "base/assert.hpp"
+#include "physim/fidelity.hpp"
 #include "solve/step.hpp"
 
 PHYSIM_ISA_BEGIN
+
+/// The original frame loop and semi-implicit Euler have no tableau: one slope, and ends of their own
+/// (solve/take_step.hpp).
+struct ClassicLoop {
+  static constexpr int kStages = 1;
+  static constexpr int kOrder = 1;
+  static constexpr double c[1] = {0};
+};
+struct SemiImplicitEuler {
+  static constexpr int kStages = 1;
+  static constexpr int kOrder = 1;
+  static constexpr double c[1] = {0};
+};
+
+struct ExplicitEuler {
+  static constexpr int kStages = 1;
+  static constexpr int kOrder = 1;
+  static constexpr double a[1][1] = {{}};
+  static constexpr double b[1] = {1};
+  static constexpr double c[1] = {0};
+};
 
 struct Heun {
   static constexpr int kStages = 2;
@@ -135,6 +158,68 @@ struct Dop853 {
 };
 // clang-format on
 
+// What a method is follows from what its tableau has.
+
+template <class Method>
+concept RungeKutta = requires {
+  Method::b;
+};
+/// An embedded method of one lower order: kError is its difference, over all slopes and that at the end.
+template <class Method>
+concept HasErrorWeights = requires {
+  Method::kError;
+};
+/// Two estimates over the stages, combined as in DOP853.
+template <class Method>
+concept HasTwoErrors = requires {
+  Method::kError5;
+  Method::kError3;
+};
+template <class Method>
+concept Adaptive = HasErrorWeights<Method> || HasTwoErrors<Method>;
+/// DOP853's interpolant, with slopes of its own.
+template <class Method>
+concept HasDenseStages = requires {
+  Method::kDenseStages;
+};
+/// An interpolant whose weights are polynomials over all slopes and that at the end.
+template <class Method>
+concept HasDensePolynomials = requires {
+  Method::kDense;
+}
+&&!HasDenseStages<Method>;
+
+/// Calls f with the method of an integrator, a type: the one place that says which tableau belongs to which name.
+template <class F>
+PHYSIM_INLINE auto with_method(Integrator integrator, const F& f) {
+  switch (integrator) {
+    case Integrator::classic: return f(ClassicLoop{});
+    case Integrator::explicit_euler: return f(ExplicitEuler{});
+    case Integrator::semi_implicit_euler: return f(SemiImplicitEuler{});
+    case Integrator::heun: return f(Heun{});
+    case Integrator::rk4: return f(Rk4{});
+    case Integrator::rk43: return f(Rk43{});
+    case Integrator::tsit5: return f(Tsit5{});
+    case Integrator::dop853: return f(Dop853{});
+  }
+  PHYSIM_UNREACHABLE();
+}
+
+/// Number of the slope at the end of a step, which is the first slope of the next one.
+PHYSIM_INLINE int end_slope(Integrator integrator) {
+  return with_method(integrator, [](auto method) PHYSIM_INLINE_LAMBDA { return method.kStages; });
+}
+
+/// The error of a flight falls with this power of a fixed step, and the estimate of an adaptive step's error with this
+/// power of its length.
+PHYSIM_INLINE int order_of(Integrator integrator) {
+  return with_method(integrator, [](auto method) PHYSIM_INLINE_LAMBDA { return method.kOrder; });
+}
+
+PHYSIM_INLINE bool is_adaptive(Integrator integrator) {
+  return with_method(integrator, [](auto method) PHYSIM_INLINE_LAMBDA { return Adaptive<decltype(method)>; });
+}
+
 /// Calls f with 0, 1, ... N - 1 as compile-time constants.
 template <int N, class F>
 PHYSIM_INLINE void static_for(F&& f) {
@@ -201,6 +286,7 @@ PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
 /// each other, so the processor fills one's waiting with the other's work.
 template <class Tableau, bool kTurns, class R, class F>
 PHYSIM_INLINE void runge_kutta_ends(Step<R>* const* steps, int count, const F& f) {
+  static_assert(Tableau::kStages < kMaxSlopes, "a Step has no room for the slopes of this method");
   static_for<Tableau::kStages - 1>([&](auto before) {
     constexpr int stage = before + 1;
     for (int i = 0; i < count; ++i) {

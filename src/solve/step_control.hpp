@@ -9,6 +9,7 @@
 // Trans. Math. Softw. 17 (1991) 533-554; E. Hairer, G. Wanner, Solving ODEs II (1996), sec. IV.2, eq. 2.43c.
 #pragma once
 
+#include "base/assert.hpp"
 #include "math/rough_power.hpp"
 #include "physim/fidelity.hpp"
 #include "solve/explicit_runge_kutta.hpp"
@@ -21,18 +22,13 @@ struct StepControl {
   R h;             // next step to try [s]
 };
 
-/// The power of h with which the estimate of a step's error falls.
-PHYSIM_INLINE double error_order_of(Integrator integrator) {
-  if (integrator == Integrator::rk43) return 4;
-  return integrator == Integrator::dop853 ? 8 : 5;
-}
-
 /// The step to try after one of length h with error squared `error`; `accepted` lanes use the integral part too.
 template <class R>
 PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, const MaskOf<R>& accepted,
                           StepControl<R>& control) {
   using S = ScalarOf<R>;
-  const double q = error_order_of(integrator);
+  PHYSIM_ASSERT(is_adaptive(integrator));
+  const double q = order_of(integrator);
   // Errors are squared, hence the factor 1/2. An error that is not a number counts as huge.
   const R huge = constant<R>(1e16);
   const R e = log2_roughly(clamp(select(error < huge, error, huge), constant<R>(1e-16), huge));
@@ -51,16 +47,16 @@ PHYSIM_INLINE R first_step(Integrator integrator, const State<R>& start, const V
   const R speed = length(start.v);
   const R tolerance = relative + absolute / max(speed, constant<R>(1e-3));
   const R reach =
-      exp2_roughly(log2_roughly(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / error_order_of(integrator)));
+      exp2_roughly(log2_roughly(max(tolerance, constant<R>(1e-16))) * constant<R>(1.0 / order_of(integrator)));
   const R h = reach * max(speed, constant<R>(1e-3)) / max(length(a), tiny);
   return min(max(h, constant<R>(1e-6)), R(S(1)));
 }
 
-/// The same for a rotation: a small part of the time of one turn.
+/// First step of a rotation: a small part of the time of one turn.
 template <class R>
 PHYSIM_INLINE R first_turn_step(Integrator integrator, const TurnStep<R>& s) {
   const R rate = length(s.slope[0].u);
-  const R part = constant<R>(integrator == Integrator::dop853 ? 0.1 : 0.03);
+  const R part = constant<R>(order_of(integrator) >= 8 ? 0.1 : 0.03);
   return max(part / max(rate, constant<R>(1e-6)), constant<R>(1e-6));
 }
 

@@ -1,35 +1,23 @@
 // Takes one step with any integrator, chosen at run time: one switch per step, uniform over all lanes.
 #pragma once
 
+#include <type_traits>
+
+#include "base/assert.hpp"
 #include "model/acceleration.hpp"
 #include "model/closed_form.hpp"
 #include "solve/explicit_runge_kutta.hpp"
 
 PHYSIM_ISA_BEGIN
 
-/// Number of the slope at the end of a step, which is the first slope of the next one.
-PHYSIM_INLINE int end_slope(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::heun:
-      return Heun::kStages;
-    case Integrator::rk4:
-      return Rk4::kStages;
-    case Integrator::rk43:
-      return Rk43::kStages;
-    case Integrator::tsit5:
-      return Tsit5::kStages;
-    case Integrator::dop853:
-      return Dop853::kStages;
-    default:
-      return 1;
-  }
-}
-
-PHYSIM_INLINE bool is_adaptive(Integrator integrator) { return integrator >= Integrator::rk43; }
-
 /// Closed forms and adaptive integrators choose their steps; the others need one given.
 PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
+}
+
+/// The original's frame loop.
+PHYSIM_INLINE bool is_classic(const Fidelity& granted) {
+  return granted.motion != Motion::closed_form && granted.integrator == Integrator::classic;
 }
 
 /// The original's frame, in its order: position, then velocity, both from the old state; then damping; then the
@@ -45,19 +33,19 @@ template <class R, class S>
   s.slope[1] = {s.end.v, a};
 }
 
-/// Euler's methods: with the old velocity, or with the new one.
+/// Semi-implicit Euler: positions move with the new velocity.
 template <class R>
-PHYSIM_INLINE void euler_end(Integrator integrator, Step<R>& s) {
+PHYSIM_INLINE void semi_implicit_end(Step<R>& s) {
   s.end.v = s.start.v + s.slope[0].v * s.h;
-  s.end.x = s.start.x + (integrator == Integrator::explicit_euler ? s.slope[0].x : s.end.v) * s.h;
+  s.end.x = s.start.x + s.end.v * s.h;
 }
 
-/// The same for the rotation; the second one turns what points by the new rates.
+/// Semi-implicit Euler of a rotation: what points is turned by the new rates.
 template <class R, class S>
-PHYSIM_INLINE void euler_turn(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {
+PHYSIM_INLINE void semi_implicit_turn(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {
   TurnStep<R>& t = *s.turn;
   t.end = t.start + t.slope[0] * s.h;
-  if (c.fidelity.integrator == Integrator::explicit_euler || is_in_repose(c.fidelity)) return;
+  if (is_in_repose(c.fidelity)) return;
   const R zero(S(0));
   const Turn<R> pointing =
       turn_slope(c, rotor, Turn<R>{t.start.w, t.start.u, t.end.h}, Vec3<R>{zero, zero, zero}) * s.h;
@@ -120,19 +108,25 @@ PHYSIM_INLINE R combined_error_squared(const R& e5, const R& e3) {
   return select(sum > R(S(0)), e5 * e5 / max(sum, R(S(1e-37))), sum);
 }
 
-template <class AnyStep, class R, class S>
-[[gnu::noinline]] R dop853_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
-  const auto e5 = squared_errors(weighted_sum<ErrorWeights<Dop853, 5>, 12>(s.slope) * h, s.end, relative, absolute);
-  const auto e3 = squared_errors(weighted_sum<ErrorWeights<Dop853, 3>, 12>(s.slope) * h, s.end, relative, absolute);
+template <class Tableau, class AnyStep, class R, class S>
+[[gnu::noinline]] R two_errors_squared(const AnyStep& s, const R& h, S relative, S absolute) {
+  constexpr int kSlopes = Tableau::kStages;
+  const auto e5 =
+      squared_errors(weighted_sum<ErrorWeights<Tableau, 5>, kSlopes>(s.slope) * h, s.end, relative, absolute);
+  const auto e3 =
+      squared_errors(weighted_sum<ErrorWeights<Tableau, 3>, kSlopes>(s.slope) * h, s.end, relative, absolute);
   return worse(combined_error_squared(e5.first, e3.first), combined_error_squared(e5.second, e3.second));
 }
 
-/// Of an adaptive integrator's step.
+/// The estimated error of an adaptive integrator's step over tolerance, squared; zero of the others.
 template <class AnyStep, class R, class S>
 PHYSIM_INLINE R error_squared(Integrator integrator, const AnyStep& s, const R& h, S relative, S absolute) {
-  if (integrator == Integrator::rk43) return embedded_error_squared<Rk43>(s, h, relative, absolute);
-  if (integrator == Integrator::tsit5) return embedded_error_squared<Tsit5>(s, h, relative, absolute);
-  return dop853_error_squared(s, h, relative, absolute);
+  return with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA -> R {
+    using Method = decltype(method);
+    if constexpr (HasErrorWeights<Method>) return embedded_error_squared<Method>(s, h, relative, absolute);
+    if constexpr (HasTwoErrors<Method>) return two_errors_squared<Method>(s, h, relative, absolute);
+    if constexpr (!Adaptive<Method>) return R(S(0));
+  });
 }
 
 /// Who takes steps side by side. `rotors` is read by rungs that turn.
@@ -144,34 +138,26 @@ struct Walkers {
   int count;
 };
 
-/// Runs the stages of the Runge-Kutta methods.
-template <bool kTurns, class R, class F>
-PHYSIM_INLINE void runge_kutta_ends(Integrator integrator, const Walkers<R>& w, const F& f) {
-  if (integrator == Integrator::heun) {
-    runge_kutta_ends<Heun, kTurns>(w.steps, w.count, f);
-  } else if (integrator == Integrator::rk4) {
-    runge_kutta_ends<Rk4, kTurns>(w.steps, w.count, f);
-  } else if (integrator == Integrator::rk43) {
-    runge_kutta_ends<Rk43, kTurns>(w.steps, w.count, f);
-  } else if (integrator == Integrator::tsit5) {
-    runge_kutta_ends<Tsit5, kTurns>(w.steps, w.count, f);
-  } else {
-    runge_kutta_ends<Dop853, kTurns>(w.steps, w.count, f);
-  }
-}
-
-/// The same as reach_ends() for what turns.
+/// Reaches the ends of steps that turn; see reach_ends().
 template <class R, class S>
 [[gnu::noinline]] void reach_turning_ends(const Conditions<S>& c, const Walkers<R>& w) {
-  const Integrator integrator = c.fidelity.integrator;
-  if (integrator < Integrator::heun) {
-    for (int i = 0; i < w.count; ++i) euler_end(integrator, *w.steps[i]), euler_turn(c, *w.rotors[i], *w.steps[i]);
-  } else {
-    runge_kutta_ends<true>(integrator, w,
-                           [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
-                             return evaluated(c, *w.bodies[i], *w.rotors[i], t, y, turn, slope);
-                           });
-  }
+  const auto f = [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
+    return evaluated(c, *w.bodies[i], *w.rotors[i], t, y, turn, slope);
+  };
+  with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
+    using Method = decltype(method);
+    if constexpr (RungeKutta<Method>) {
+      runge_kutta_ends<Method, true>(w.steps, w.count, f);
+    } else if constexpr (std::is_same_v<Method, SemiImplicitEuler>) {
+      for (int i = 0; i < w.count; ++i) {
+        semi_implicit_end(*w.steps[i]);
+        semi_implicit_turn(c, *w.rotors[i], *w.steps[i]);
+      }
+    } else {
+      static_assert(std::is_same_v<Method, ClassicLoop>);  // is not granted with a rotation
+      PHYSIM_UNREACHABLE();
+    }
+  });
   for (int i = 0; i < w.count; ++i) w.steps[i]->turn->end = on_unit_length(c.fidelity, w.steps[i]->turn->end);
 }
 
@@ -180,17 +166,22 @@ template <class R, class S>
 template <class R, class S>
 PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const Walkers<R>& w) {
   if (turns(c.fidelity)) return reach_turning_ends(c, w);
-  const Integrator integrator = c.fidelity.integrator;
   if (c.fidelity.motion == Motion::closed_form) {
     for (int i = 0; i < w.count; ++i) w.steps[i]->end = closed_form(c, *w.bodies[i], w.steps[i]->t_end);
-  } else if (integrator == Integrator::classic) {
-    for (int i = 0; i < w.count; ++i) classic_frame(c, *w.bodies[i], *w.steps[i]);
-  } else if (integrator < Integrator::heun) {
-    for (int i = 0; i < w.count; ++i) euler_end(integrator, *w.steps[i]);
-  } else {
-    runge_kutta_ends<false>(integrator, w,
-                            [&](int i, const R& t, const State<R>& y) { return evaluated(c, *w.bodies[i], t, y); });
+    return;
   }
+  const auto f = [&](int i, const R& t, const State<R>& y) { return evaluated(c, *w.bodies[i], t, y); };
+  with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
+    using Method = decltype(method);
+    if constexpr (RungeKutta<Method>) {
+      runge_kutta_ends<Method, false>(w.steps, w.count, f);
+    } else if constexpr (std::is_same_v<Method, SemiImplicitEuler>) {
+      for (int i = 0; i < w.count; ++i) semi_implicit_end(*w.steps[i]);
+    } else {
+      static_assert(std::is_same_v<Method, ClassicLoop>);
+      for (int i = 0; i < w.count; ++i) classic_frame(c, *w.bodies[i], *w.steps[i]);
+    }
+  });
 }
 template <class R, class S>
 PHYSIM_INLINE void reach_end(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, Step<R>& s) {
@@ -213,7 +204,7 @@ PHYSIM_INLINE void set_slope(const Conditions<S>& c, const Body<R>& b, const Rot
   }
 }
 
-/// The same with the slope at the end; adaptive integrators also leave the error, squared.
+/// Takes steps as reach_ends() does, with the slopes at their ends; adaptive integrators also leave the error, squared.
 template <class R, class S>
 PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Walkers<R>& w, S relative, S absolute) {
   reach_ends(c, w);

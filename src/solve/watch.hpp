@@ -52,28 +52,20 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
                               const State<R>& s) {
   const R value = constant<R>(spec.value);
   switch (row_of(spec.kind).watch) {
-    case Watch::height:
-      return height(c, s.x) - value;
-    case Watch::climb_rate:
-      return climb_rate(c, s);
-    case Watch::range:
-      return dot(s.x - b.launch.x, b.sight) - value;
+    case Watch::height: return height(c, s.x) - value;
+    case Watch::climb_rate: return climb_rate(c, s);
+    case Watch::range: return dot(s.x - b.launch.x, b.sight) - value;
     case Watch::mach: {
       R mach;
       mach_number(c, s, mach);
       return mach - value;
     }
-    case Watch::speed:
-      return length(s.v) - value;
-    case Watch::ignition:
-      return t - b.ignition;
-    case Watch::burnout:
-      return t - b.burnout;
-    case Watch::rail:
-      return select(b.rail_phase < constant<R>(kOffRail), dot(s.x, b.rail) - b.rail_end, R(S(1)));
+    case Watch::speed: return length(s.v) - value;
+    case Watch::ignition: return t - b.ignition;
+    case Watch::burnout: return t - b.burnout;
+    case Watch::rail: return select(b.rail_phase < constant<R>(kOffRail), dot(s.x, b.rail) - b.rail_end, R(S(1)));
     case Watch::none:
-    case Watch::time:
-      break;
+    case Watch::time: break;
   }
   return t - value;
 }
@@ -95,20 +87,16 @@ template <class R, class S>
 PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const State<R>& s,
                              const Vec3<R>& a) {
   switch (row_of(spec.kind).watch) {
-    case Watch::height:
-      return climb_rate(c, s);
-    case Watch::range:
-      return dot(s.v, b.sight);
-    case Watch::speed:
-      return dot(s.v, a);
+    case Watch::height: return climb_rate(c, s);
+    case Watch::range: return dot(s.v, b.sight);
+    case Watch::speed: return dot(s.v, a);
     case Watch::none:
     case Watch::climb_rate:
     case Watch::mach:
     case Watch::time:
     case Watch::ignition:
     case Watch::burnout:
-    case Watch::rail:
-      break;
+    case Watch::rail: break;
   }
   return R(S(0));
 }

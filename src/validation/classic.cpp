@@ -27,18 +27,12 @@ struct Setup {
 
 Setup setup_of(int test) {
   switch (test) {
-    case 1:
-      return {.mass = 2, .velocity = {0, 2, 35}, .gravity = 1, .damping = 0.9};
-    case 2:
-      return {.mass = 2, .velocity = {0, 0, 35}, .gravity = 1, .damping = 0.9};
-    case 3:
-      return {.mass = 2, .applied_acceleration = {0, -4, 10}};
-    case 4:
-      return {.mass = 1, .velocity = {0, 1, 35}};
-    case 5:
-      return {.mass = 200, .velocity = {0, 2, 40}, .gravity = 20, .damping = 0.9};
-    default:
-      return {.mass = 200, .applied_acceleration = {0, 0, 10}};  // 6
+    case 1: return {.mass = 2, .velocity = {0, 2, 35}, .gravity = 1, .damping = 0.9};
+    case 2: return {.mass = 2, .velocity = {0, 0, 35}, .gravity = 1, .damping = 0.9};
+    case 3: return {.mass = 2, .applied_acceleration = {0, -4, 10}};
+    case 4: return {.mass = 1, .velocity = {0, 1, 35}};
+    case 5: return {.mass = 200, .velocity = {0, 2, 40}, .gravity = 20, .damping = 0.9};
+    default: return {.mass = 200, .applied_acceleration = {0, 0, 10}};  // 6
   }
 }
 

@@ -58,18 +58,12 @@ double viscosity_at(double temperature) {
 
 double property_of(const AirSample& air, Property property, double height) {
   switch (property) {
-    case Property::temperature:
-      return air.temperature;
-    case Property::pressure:
-      return air.pressure;
-    case Property::density:
-      return air.density;
-    case Property::sound_speed:
-      return air.sound_speed;
-    case Property::viscosity:
-      return air.viscosity;
-    case Property::gravity:
-      break;
+    case Property::temperature: return air.temperature;
+    case Property::pressure: return air.pressure;
+    case Property::density: return air.density;
+    case Property::sound_speed: return air.sound_speed;
+    case Property::viscosity: return air.viscosity;
+    case Property::gravity: break;
   }
   return gravity_at(height);
 }

@@ -6,8 +6,9 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "base/archive.hpp"
 #include "physim/world.hpp"
-#include "world/archive_fields.hpp"
+#include "physim/world_def.hpp"
 
 namespace physim {
 

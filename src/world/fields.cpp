@@ -1,5 +1,6 @@
 #include "world/fields.hpp"
 
+#include "base/assert.hpp"
 #include "model/attitude.hpp"
 
 namespace physim {
@@ -16,6 +17,7 @@ RowLayout layout_of(const Fidelity& granted, const Features& features, bool laun
   add(read - kPlane - kBehind);
   add(read & kPlane);
   add(read & kBehind);
+  PHYSIM_ASSERT(layout.fields.size() == read.runs().numbers());
   const bool closed = granted.motion == Motion::closed_form;
   layout.float32 = granted.precision == Precision::float32;
   layout.clocked = closed || features.has_applied || features.has_motor || features.has_rail ||

@@ -1,6 +1,7 @@
 // One function per law; the law is the same for a whole batch, so it is chosen once.
 #include "world/force_eval.hpp"
 
+#include "base/assert.hpp"
 #include "model/force_laws.hpp"
 
 namespace physim {
@@ -24,27 +25,27 @@ std::span<const T> gather(std::span<const T> column, Members members, bool in_pl
   return scratch;
 }
 
+/// A projectile of the stage, as laws see it.
+struct Member {
+  const ForceStage& stage;
+  std::uint32_t row;
+
+  [[nodiscard]] const Vec3d& position() const { return stage.position[row]; }
+  [[nodiscard]] const Vec3d& velocity() const { return stage.velocity[row]; }
+  [[nodiscard]] double mass() const { return stage.mass[row]; }
+  [[nodiscard]] double diameter() const { return stage.def[row]->diameter; }
+};
+
 class Evaluation {
  public:
   Evaluation(const ForceClock& clock, Members members, const Surroundings& surroundings, ForceStage& stage,
              ForceScratch& scratch)
       : clock_(clock), members_(members), surroundings_(surroundings), stage_(stage), scratch_(scratch) {}
 
-  bool operator()(const ConstantForce& law) const {
-    return each([&](std::uint32_t) { return law.force; });
-  }
-  bool operator()(const ConstantAcceleration& law) const {
-    return each([&](std::uint32_t row) { return law.acceleration * stage_.mass[row]; });
-  }
-  bool operator()(const GravityForce& law) const {
-    return each([&](std::uint32_t row) { return law.gravity * stage_.mass[row]; });
-  }
-  bool operator()(const LinearQuadraticDragForce& law) const {
-    return each([&](std::uint32_t row) { return drag_force(law, stage_.velocity[row]); });
-  }
-  bool operator()(const AnchoredSpring& law) const {
-    return each(
-        [&](std::uint32_t row) { return spring_force(law, stage_.position[row] - law.anchor, stage_.velocity[row]); });
+  /// Laws that one projectile alone decides.
+  template <class Law>
+  bool operator()(const Law& law) const {
+    return each([&](std::uint32_t row) { return force_on(law, Member{stage_, row}); });
   }
   bool operator()(const Spring& law) const {
     return between(law.other, [&](const Vec3d& d, const Vec3d& v_rel) { return spring_force(law, d, v_rel); });
@@ -55,12 +56,6 @@ class Evaluation {
     return each(
         [&](std::uint32_t row) { return bungee_force(law, stage_.position[row] - law.anchor, stage_.velocity[row]); });
   }
-  bool operator()(const Buoyancy& law) const {
-    return each([&](std::uint32_t row) { return buoyancy_force(law, stage_.def[row]->diameter, state(row)); });
-  }
-  bool operator()(const PointAttractor& law) const {
-    return each([&](std::uint32_t row) { return attractor_force(law, stage_.mass[row], stage_.position[row]); });
-  }
   bool operator()(const WindZone& zone) const {
     return each([&](std::uint32_t row) {
       if (stage_.in_zone[row] != 0 || !is_inside(zone, stage_.position[row])) return Vec3d{};
@@ -69,9 +64,6 @@ class Evaluation {
       const Vec3d u = stage_.velocity[row] - zone.velocity;
       return surroundings_.drag_equation(row, zone.density, u) - surroundings_.own_drag(row);
     });
-  }
-  bool operator()(const Explosion& law) const {
-    return each([&](std::uint32_t row) { return explosion_force(law, stage_.position[row]); });
   }
   bool operator()(const Thrust& law) const {
     const double common = clock_.from_launch ? 0 : thrust_at(law.curve, clock_.since_start);
@@ -98,7 +90,10 @@ class Evaluation {
 
   template <class Law>
   bool each(const Law& force_on) const {
-    for (const std::uint32_t row : members_) stage_.force[row] += force_on(row);
+    for (const std::uint32_t row : members_) {
+      PHYSIM_ASSERT(row < stage_.force.size());
+      stage_.force[row] += force_on(row);
+    }
     return true;
   }
 
@@ -129,6 +124,8 @@ class Evaluation {
 
 bool add_force(const ForceLaw& law, const ForceClock& clock, std::span<const std::uint32_t> members,
                const Surroundings& surroundings, ForceStage& stage, ForceScratch& scratch) {
+  PHYSIM_ASSERT(stage.position.size() == stage.force.size() && stage.velocity.size() == stage.force.size() &&
+                stage.mass.size() == stage.force.size());
   return std::visit(Evaluation(clock, members, surroundings, stage, scratch), law);
 }
 

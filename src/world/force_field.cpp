@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
+#include "model/force_laws.hpp"
+
 namespace physim {
 namespace {
 
@@ -34,9 +37,8 @@ std::uint32_t layers_of(const Registry& registry, const WorldState& state, std::
 }
 
 ProjectileId other_end(const ForceLaw& law) {
-  if (const auto* spring = std::get_if<Spring>(&law)) return spring->other;
-  if (const auto* rope = std::get_if<Bungee>(&law)) return rope->other;
-  return {};
+  const ProjectileId* other = other_end_of(law);
+  return other != nullptr ? *other : ProjectileId{};
 }
 
 bool is_in_group(const Generator& g, const Registry& registry, const WorldState& state, std::uint32_t slot) {
@@ -145,13 +147,10 @@ void ForceField::evaluate(double place) {
     const auto add = [&](const ForceLaw& law) { add_force(law, clock, members_of(push), *this, stage, rows_.scratch); };
     if (!push.from) {
       add(g.def.law);
-    } else if (const auto* spring = std::get_if<Spring>(&g.def.law)) {
-      Spring backwards = *spring;
-      backwards.other = push.from;
-      add(backwards);
-    } else if (const auto* rope = std::get_if<Bungee>(&g.def.law)) {
-      Bungee backwards = *rope;
-      backwards.other = push.from;
+    } else {
+      ForceLaw backwards = g.def.law;
+      PHYSIM_ASSERT(other_end_of(backwards) != nullptr);
+      *other_end_of(backwards) = push.from;
       add(backwards);
     }
   }

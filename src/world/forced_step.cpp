@@ -1,5 +1,6 @@
 #include "world/forced_step.hpp"
 
+#include "model/ladder.hpp"
 #include "solve/judge.hpp"
 #include "solve/stages.hpp"
 #include "world/kernels.hpp"
@@ -50,8 +51,7 @@ class ForcedStep {
     std::size_t doubles = 0;
     std::size_t words = 0;
     std::size_t count = 0;
-    for (int i = 0; i <= static_cast<int>(Integrator::dop853); ++i) {
-      const auto integrator = static_cast<Integrator>(i);
+    for (const Integrator integrator : all_rungs<Integrator>()) {
       ForcedGroup group{integrator, s_.runs.size(), 0};
       std::uint32_t first = 0;
       for (std::uint16_t c = 0; c < context_.state->rows.size(); ++c) {

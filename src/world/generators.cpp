@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "world/archive_fields.hpp"
+#include "base/archive.hpp"
 
 namespace physim {
 

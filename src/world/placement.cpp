@@ -1,5 +1,6 @@
 // Where projectiles lie: their rows in cohorts, and moves between them.
 #include "world/placement.hpp"
+#include "base/assert.hpp"
 #include "prepare/launch.hpp"
 
 namespace physim {
@@ -22,6 +23,7 @@ struct RowNumbers {
 };
 
 void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<double>& body, const RowNumbers& n) {
+  PHYSIM_ASSERT(row < rows.size());
   const RowLayout& layout = rows.layout();
   rows.visit([&]<class S>(const RowColumns<S>& c) {
     Rows::put(c.position, row, at.position);
@@ -59,12 +61,8 @@ void Placement::place(std::uint32_t index, const BodyState& at, const Launch& la
 
 // ------------------------------------------------------------------------------------------- rotation
 Attitude Placement::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const {
-  Launch bore = launch;
-  bore.velocity.reset();
-  bore.speed = 1;
-  const Vec3d direction = launch_velocity(bore, sight_frame(launch), launch.elevation);
-  return launch_attitude(registry_.kind(slot.kind).flown, launch, velocity, direction,
-                         registry_.cohort(slot.cohort).conditions);
+  return prepare_attitude(registry_.kind(slot.kind).flown, launch, launch.elevation, velocity,
+                          registry_.cohort(slot.cohort).conditions);
 }
 
 std::optional<Attitude> Placement::attitude(std::uint32_t index) const {
@@ -95,6 +93,7 @@ Vec3d Placement::omega_of_W(const Slot& slot, const Quatd& q_WB) const {
 void Placement::write_row(std::uint32_t index, const BodyState& given, const RowStart& start) {
   const Slot& slot = state_.slots[index];
   const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
+  PHYSIM_ASSERT(state_.rows_of(slot).slot(slot.row) == index);
   const RowNumbers numbers{state_.clock.now(), start.age, start.previous, rung.rotor};
   const bool special = slot.is(kFrozen | kScaled) || rung.in_use.fidelity.planar || rung.equivalent_drag ||
                        state_.rows_of(slot).layout().clocked;
@@ -168,6 +167,7 @@ void Placement::set_row_state(std::uint32_t index, const BodyState& given) {
 }
 
 void Placement::take_out(Slot& slot) {
+  PHYSIM_ASSERT(&state_.slots[state_.rows_of(slot).slot(slot.row)] == &slot);
   const std::uint32_t moved = state_.rows_of(slot).swap_remove(slot.row);
   if (moved != 0) state_.slots[moved].row = slot.row;
 }

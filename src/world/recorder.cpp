@@ -22,8 +22,8 @@ void Recorder::attach(World& world, std::unique_ptr<Recorder> recorder) {
 }
 
 void Recorder::begin(const WorldDef& def) {
-  const auto* magic = reinterpret_cast<const std::byte*>(kRecordingMagic);
-  bytes_.assign(magic, magic + sizeof kRecordingMagic);
+  const auto magic = std::as_bytes(std::span(kRecordingMagic));
+  bytes_.assign(magic.begin(), magic.end());
   Writer(bytes_).write(kRecordingFormat);
   chain_ = 0;
   frame(Call::begin, std::string(kVersion), options_.hash_every, def);

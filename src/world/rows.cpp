@@ -4,6 +4,8 @@
 #include <cstring>
 #include <utility>
 
+#include "base/assert.hpp"
+
 namespace physim {
 namespace {
 
@@ -64,6 +66,7 @@ std::uint32_t Rows::push(std::uint32_t slot) {
 }
 
 std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
+  PHYSIM_ASSERT(row < from.size_ && from.layout_ == layout_);
   const std::uint32_t at = push(from.slot(row));
   const std::size_t bytes = number_size();
   const bool turned = from.swapped_ != swapped_;  // positions and previous ones lie the other way round
@@ -76,6 +79,7 @@ std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
 }
 
 void Rows::write_fields(std::uint32_t row, const Body<double>& body) {
+  PHYSIM_ASSERT(row < size_);
   const double* number = numbers(body);
   visit([&]<class S>(const RowColumns<S>& c) {
     for (const std::uint8_t field : layout_.fields) c.field[field][row] = static_cast<S>(number[field]);
@@ -96,6 +100,7 @@ void Rows::compare_fields(std::uint32_t row) {
 }
 
 std::uint32_t Rows::swap_remove(std::uint32_t row) {
+  PHYSIM_ASSERT(row < size_);
   const std::uint32_t last = --size_;
   if (row == last) return 0;
   const std::size_t bytes = number_size();
@@ -127,9 +132,11 @@ void Rows::find_columns(RowColumns<S>& c) const {
     for (S*& p : c.launch) p = next();
   if (layout_.clocked) c.offset = next(), c.born = next();
   for (const std::uint8_t field : layout_.fields) c.field[field] = next();
-  if (!layout_.turning) return;
-  for (S*& p : c.turn) p = next();
-  for (S*& p : c.rotor) p = next();
+  if (layout_.turning) {
+    for (S*& p : c.turn) p = next();
+    for (S*& p : c.rotor) p = next();
+  }
+  PHYSIM_ASSERT(k == numbers_);
 }
 
 void Rows::find_columns() {

@@ -233,11 +233,14 @@ class Settling {
           }
           contact(s, passed);
           return true;
-        case Outcome::left_domain:
-          leave(LifeStatus::retired, Reason::left_domain);
-          return true;
-        default:
-          tell(course_.watch.item[crossings.found[i].index].spec.kind, Reason::none, passed, s);
+        case Outcome::left_domain: leave(LifeStatus::retired, Reason::left_domain); return true;
+        case Outcome::reached_range:
+        case Outcome::event:
+        case Outcome::time_limit:
+        case Outcome::step_limit:
+        case Outcome::non_finite:
+        case Outcome::stalled:
+        case Outcome::refused: tell(course_.watch.item[crossings.found[i].index].spec.kind, Reason::none, passed, s);
       }
     }
     return false;

@@ -89,9 +89,8 @@ std::uint64_t sum_of_rows(const WorldState& s, const std::vector<std::vector<std
 /// What few projectiles have of their own: sums again, as these tables have no order.
 std::uint64_t sum_of_few(const WorldState& s) {
   std::uint64_t sum = 0;
-  for (const auto& [slot, own] : s.extras.own) sum += hash_of(slot, own.gravity_scale, own.frozen, own.frozen_rotation);
-  for (const auto& [slot, tags] : s.extras.tags)
-    sum += hash_of(slot, tags.user_data, tags.layers, tags.colour, tags.label);
+  for (const auto& [slot, own] : s.extras.own) sum += hash_of(slot, own);
+  for (const auto& [slot, tags] : s.extras.tags) sum += hash_of(slot, tags);
   for (const auto& [slot, t] : s.extras.turning) {
     const Quatd& q = t.orientation;
     sum += hash_of(slot, t.angular_velocity, q.w, q.x, q.y, q.z);

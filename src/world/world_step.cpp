@@ -212,9 +212,7 @@ void WorldImpl::finish_step() {
         slot.set_status(LifeStatus::landed);
         placement.relocate(change.slot);
         break;
-      case Change::Kind::sleep:
-        put_to_sleep(change.slot);
-        break;
+      case Change::Kind::sleep: put_to_sleep(change.slot); break;
     }
   }
 }

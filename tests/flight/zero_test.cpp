@@ -106,7 +106,7 @@ TEST(PilotStep, keeps_the_position_error) {
     Tolerance tolerance{.position_error = error};
     const auto step = pilot_step(bullet_308(), launch, {}, f, tolerance, until);
     ASSERT_TRUE(step) << text(integrator) << ' ' << error;
-    if (integrator >= Integrator::heun) {
+    if (integrator != Integrator::semi_implicit_euler) {
       EXPECT_EQ(fly(bullet_308(), launch, {}, f, tolerance, until).step(), *step);
     }
     tolerance.step = *step;

@@ -107,7 +107,7 @@ void make_special(Random& r, Case& c) {
 
 /// Whether a shot means anything: fixed steps may be far too long for light projectiles.
 bool is_sound(const Case& c, const Flight& flight) {
-  if (flight.error() || flight.duration() == 0 || flight.outcome() > Outcome::time_limit) return false;
+  if (flight.error() || flight.duration() == 0 || !ended_as_planned(flight.outcome())) return false;
   if (flight.step() == 0) return true;
   Tolerance half = c.options.flight;
   half.step *= 0.5;

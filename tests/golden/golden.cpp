@@ -54,14 +54,10 @@ template <class S>
 S grid_value(Random& r) {
   const double u = r.in(-1, 1);
   switch (r.below(4)) {
-    case 0:
-      return static_cast<S>(u);
-    case 1:
-      return static_cast<S>(u * 20);
-    case 2:
-      return static_cast<S>(u * 1000);
-    default:
-      return static_cast<S>(u * u * u * u * u * u * u * u * 1e-3);
+    case 0: return static_cast<S>(u);
+    case 1: return static_cast<S>(u * 20);
+    case 2: return static_cast<S>(u * 1000);
+    default: return static_cast<S>(u * u * u * u * u * u * u * u * 1e-3);
   }
 }
 

@@ -310,18 +310,12 @@ T any_number(Random& random) {
                         T(-1e-40),
                         T(1e-310)};
   switch (random.bits() % 8) {
-    case 0:
-      return from_bits<T>(static_cast<BitsOf<T>>(random.bits()));
-    case 1:
-      return specials[random.bits() % std::size(specials)];
-    case 2:
-      return T(random.between(-1, 1));
-    case 3:
-      return T(random.between(-800, 800));
-    case 4:
-      return T(std::fabs(random.of_any_size(-30, 30)));
-    default:
-      return T(random.between(-10, 10));
+    case 0: return from_bits<T>(static_cast<BitsOf<T>>(random.bits()));
+    case 1: return specials[random.bits() % std::size(specials)];
+    case 2: return T(random.between(-1, 1));
+    case 3: return T(random.between(-800, 800));
+    case 4: return T(std::fabs(random.of_any_size(-30, 30)));
+    default: return T(random.between(-10, 10));
   }
 }
 

@@ -40,16 +40,11 @@ struct Results {
   [[nodiscard]] Content content(const Format& format, Subject subject) const {
     const Flights flights{flown, times};
     switch (subject) {
-      case Subject::flights:
-        return content_of(format, flights);
-      case Subject::world:
-        return content_of(format, *world);
-      case Subject::ladder:
-        return content_of(format, LadderOfShot{scenario, ladder});
-      case Subject::replay:
-        return content_of(format, *replay);
-      case Subject::records:
-        return content_of(format, records_of(flights));
+      case Subject::flights: return content_of(format, flights);
+      case Subject::world: return content_of(format, *world);
+      case Subject::ladder: return content_of(format, LadderOfShot{scenario, ladder});
+      case Subject::replay: return content_of(format, *replay);
+      case Subject::records: return content_of(format, records_of(flights));
     }
     return "";
   }

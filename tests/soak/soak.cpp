@@ -139,29 +139,18 @@ class Soak {
     if (ids_.empty()) return;
     const ProjectileId id = ids_[pick(static_cast<unsigned>(ids_.size()))];
     switch (pick(12)) {
-      case 0:
-        return void(world_[id].despawn());
+      case 0: return void(world_[id].despawn());
       case 1:
-      case 2:
-        return void(world_[id].set_fidelity(rungs_[pick(static_cast<unsigned>(std::size(rungs_)))]));
-      case 3:
-        return void(world_[id].apply_impulse(direction()));
-      case 4:
-        return void(world_[id].set_gravity_scale(2 * uniform()));
-      case 5:
-        return void(world_[id].set_kinematic(pick(2) == 0));
-      case 6:
-        return void(world_[id].set_frozen(pick(4) == 0 ? Axes::z : Axes::none, Axes::none));
-      case 7:
-        return void(pick(2) == 0 ? world_[id].sleep() : world_[id].wake());
-      case 8:
-        return void(world_[id].set_layers(1u << pick(3)));
-      case 9:
-        return void(world_[id].set_angular_velocity(direction()));
-      case 10:
-        return void(world_[id].set_label("marked"));
-      default:
-        return void(world_[id].set_state({direction() * 10.0, direction() * 30.0}));
+      case 2: return void(world_[id].set_fidelity(rungs_[pick(static_cast<unsigned>(std::size(rungs_)))]));
+      case 3: return void(world_[id].apply_impulse(direction()));
+      case 4: return void(world_[id].set_gravity_scale(2 * uniform()));
+      case 5: return void(world_[id].set_kinematic(pick(2) == 0));
+      case 6: return void(world_[id].set_frozen(pick(4) == 0 ? Axes::z : Axes::none, Axes::none));
+      case 7: return void(pick(2) == 0 ? world_[id].sleep() : world_[id].wake());
+      case 8: return void(world_[id].set_layers(1u << pick(3)));
+      case 9: return void(world_[id].set_angular_velocity(direction()));
+      case 10: return void(world_[id].set_label("marked"));
+      default: return void(world_[id].set_state({direction() * 10.0, direction() * 30.0}));
     }
   }
 
@@ -173,21 +162,11 @@ class Soak {
     if (pick(4) == 0) f.target.layers = 4;
     f.duration = 2 * uniform();
     switch (pick(6)) {
-      case 0:
-        f.law = ConstantForce{direction()};
-        break;
-      case 1:
-        f.law = Spring{any(), 0.5, 2, 0.01};
-        break;
-      case 2:
-        f.law = PointAttractor{direction(), 50, 1};
-        break;
-      case 3:
-        f.law = WindZone{{10, 0, 0}, {-20, 0, -20}, {20, 20, 20}};
-        break;
-      case 4:
-        f.law = Explosion{direction(), 5, 10};
-        break;
+      case 0: f.law = ConstantForce{direction()}; break;
+      case 1: f.law = Spring{any(), 0.5, 2, 0.01}; break;
+      case 2: f.law = PointAttractor{direction(), 50, 1}; break;
+      case 3: f.law = WindZone{{10, 0, 0}, {-20, 0, -20}, {20, 20, 20}}; break;
+      case 4: f.law = Explosion{direction(), 5, 10}; break;
       default:
         f.law = CustomForce{[](const ForceBatch& b) {
           for (std::size_t i = 0; i < b.force.size(); ++i) b.force[i] += b.velocity[i] * (-0.01 * b.mass[i]);

@@ -19,18 +19,16 @@ struct Promise {
 
 constexpr Promise promise_of(Integrator integrator) {
   switch (integrator) {
-    case Integrator::heun:
-      return {2, 0, 64, 64, 64};
+    case Integrator::heun: return {2, 0, 64, 64, 64};
     case Integrator::rk4:
-    case Integrator::rk43:
-      return {4, 0, 16, 32, 32};
-    case Integrator::tsit5:
-      return {5, 4, 32, 64, 64};
-    case Integrator::dop853:
-      return {8, 7, 4, 8, 8};
-    default:
-      return {1, 0, 256, 512, 256};
+    case Integrator::rk43: return {4, 0, 16, 32, 32};
+    case Integrator::tsit5: return {5, 4, 32, 64, 64};
+    case Integrator::dop853: return {8, 7, 4, 8, 8};
+    case Integrator::classic:
+    case Integrator::explicit_euler:
+    case Integrator::semi_implicit_euler: break;
   }
+  return {1, 0, 256, 512, 256};
 }
 
 /// The observed order over n and 2n steps. With e(h) = A h^p + B h^(p+1) + ..., 2^(p+1) e(h/2) - e(h) is rid of the

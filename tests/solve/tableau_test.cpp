@@ -20,7 +20,7 @@ class TableauTest : public testing::Test {
     return total;
   }
 };
-using Tableaus = testing::Types<Heun, Rk4, Rk43, Tsit5, Dop853>;
+using Tableaus = testing::Types<ExplicitEuler, Heun, Rk4, Rk43, Tsit5, Dop853>;
 TYPED_TEST_SUITE(TableauTest, Tableaus);
 
 constexpr double kRounding = 3e-14;  // coefficients up to 43, each good to 1e-16 of itself

@@ -109,16 +109,11 @@ class RandomSession {
   }
   void time() {
     switch (below(8)) {
-      case 0:
-        return world_.set_paused(below(3) == 0);
-      case 1:
-        return void(world_.set_time_scale(real(0.2, 2)));
-      case 2:
-        return void(world_.single_step());
-      case 3:
-        return void(world_.step(coin() ? 1.0 / 60 : real(0.001, 0.05)));
-      default:
-        return void(world_.advance(real(0, 0.1)));
+      case 0: return world_.set_paused(below(3) == 0);
+      case 1: return void(world_.set_time_scale(real(0.2, 2)));
+      case 2: return void(world_.single_step());
+      case 3: return void(world_.step(coin() ? 1.0 / 60 : real(0.001, 0.05)));
+      default: return void(world_.advance(real(0, 0.1)));
     }
   }
   void moment() {
@@ -132,14 +127,10 @@ class RandomSession {
       case 0:
         if (environments_ < 4 && world_.add_environment(e)) ++environments_;
         return;
-      case 1:
-        return void(world_.set_environment(static_cast<std::uint32_t>(below(3)), e));
-      case 2:
-        return void(world_.set_observer(vector(100)));
-      case 3:
-        return void(world_.set_detail(coin() ? session_world().detail : DetailRule{}));
-      default:
-        return kinds_.push_back(or_null(world_.add_kind(projectile(), body())));
+      case 1: return void(world_.set_environment(static_cast<std::uint32_t>(below(3)), e));
+      case 2: return void(world_.set_observer(vector(100)));
+      case 3: return void(world_.set_detail(coin() ? session_world().detail : DetailRule{}));
+      default: return kinds_.push_back(or_null(world_.add_kind(projectile(), body())));
     }
   }
   void force() {
@@ -158,59 +149,37 @@ class RandomSession {
                              }}};
     const ForceLaw& law = laws[below(static_cast<int>(std::size(laws)))];
     switch (below(4)) {
-      case 0:
-        return forces_.push_back(or_null(world_[some()].add_force(law, real(0.1, 2))));
+      case 0: return forces_.push_back(or_null(world_[some()].add_force(law, real(0.1, 2))));
       case 1:
         return forces_.push_back(
             or_null(world_.add_force({law, {several(), {}, static_cast<unsigned>(below(3))}, 0.1, 1.5})));
-      case 2:
-        return void(forces_.empty() || world_.remove_force(forces_.back()).ok());
-      default:
-        return void(forces_.empty() || world_[some()].remove_force(forces_.front()).ok());
+      case 2: return void(forces_.empty() || world_.remove_force(forces_.back()).ok());
+      default: return void(forces_.empty() || world_[some()].remove_force(forces_.front()).ok());
     }
   }
   void change(int what) {
     const ProjectileId id = some();
     const auto bits = static_cast<std::uint32_t>(random_());
     switch (what) {
-      case 0:
-        return void(world_[id].set_position({real(-20, 20), real(1, 40), 0}));
-      case 1:
-        return void(world_[id].set_velocity(vector(30)));
-      case 2:
-        return void(world_[id].set_state({{1, 20, 2}, vector(10)}));
-      case 3:
-        return void(world_[id].apply_impulse(vector(1)));
-      case 4:
-        return void(world_[id].set_angular_velocity(vector(3)));
-      case 5:
-        return void(world_[id].set_gravity_scale(real(0, 2)));
-      case 6:
-        return void(world_[id].set_use_gravity(coin()));
-      case 7:
-        return void(world_[id].set_kinematic(below(3) == 0));
-      case 8:
-        return void(world_[id].set_frozen(static_cast<Axes>(below(8)), static_cast<Axes>(below(8))));
-      case 9:
-        return void(world_[id].set_can_sleep(coin()));
-      case 10:
-        return void(world_[id].sleep());
-      case 11:
-        return void(world_[id].wake());
-      case 12:
-        return void(world_[id].set_smoothing(static_cast<Smoothing>(below(3))));
-      case 13:
-        return void(world_[id].set_user_data(bits));
-      case 14:
-        return void(world_[id].set_layers(bits % 4));
-      case 15:
-        return void(world_[id].set_colour(bits));
-      case 16:
-        return void(world_[id].set_label("number " + std::to_string(bits)));
-      case 17:
-        return void(world_[id].set_fidelity(fidelity()));
-      default:
-        return void(world_.set_fidelity(several(), fidelity()));
+      case 0: return void(world_[id].set_position({real(-20, 20), real(1, 40), 0}));
+      case 1: return void(world_[id].set_velocity(vector(30)));
+      case 2: return void(world_[id].set_state({{1, 20, 2}, vector(10)}));
+      case 3: return void(world_[id].apply_impulse(vector(1)));
+      case 4: return void(world_[id].set_angular_velocity(vector(3)));
+      case 5: return void(world_[id].set_gravity_scale(real(0, 2)));
+      case 6: return void(world_[id].set_use_gravity(coin()));
+      case 7: return void(world_[id].set_kinematic(below(3) == 0));
+      case 8: return void(world_[id].set_frozen(static_cast<Axes>(below(8)), static_cast<Axes>(below(8))));
+      case 9: return void(world_[id].set_can_sleep(coin()));
+      case 10: return void(world_[id].sleep());
+      case 11: return void(world_[id].wake());
+      case 12: return void(world_[id].set_smoothing(static_cast<Smoothing>(below(3))));
+      case 13: return void(world_[id].set_user_data(bits));
+      case 14: return void(world_[id].set_layers(bits % 4));
+      case 15: return void(world_[id].set_colour(bits));
+      case 16: return void(world_[id].set_label("number " + std::to_string(bits)));
+      case 17: return void(world_[id].set_fidelity(fidelity()));
+      default: return void(world_.set_fidelity(several(), fidelity()));
     }
   }
 

@@ -12,14 +12,10 @@ constexpr double kRightAngle = 1.5707963267948966;
 /// The axis of the world that the shot flies along most: scale lines do not turn with every touch of the aim.
 Vec3d main_axis(double azimuth) {
   switch (static_cast<int>(std::lround(azimuth / kRightAngle)) & 3) {
-    case 0:
-      return {1, 0, 0};
-    case 1:
-      return {0, 0, 1};
-    case 2:
-      return {-1, 0, 0};
-    default:
-      return {0, 0, -1};
+    case 0: return {1, 0, 0};
+    case 1: return {0, 0, 1};
+    case 2: return {-1, 0, 0};
+    default: return {0, 0, -1};
   }
 }
 

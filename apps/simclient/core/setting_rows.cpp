@@ -43,7 +43,12 @@ SettingRow make_row(const SchemaNode& node, const std::string& table) {
   if (std::holds_alternative<bool*>(slot)) row.kind = SettingRow::Kind::boolean;
   if (std::holds_alternative<Vec3d*>(slot) || std::holds_alternative<std::optional<Vec3d>*>(slot))
     row.kind = SettingRow::Kind::vector;
-  if (const auto* choice = std::get_if<Choice>(&slot)) row.kind = SettingRow::Kind::choice, row.choices = choice->names;
+  if (const auto* choice = std::get_if<Choice>(&slot)) {
+    row.kind = SettingRow::Kind::choice;
+    row.choices = choice->names;
+    for (std::size_t i = 0; choice->doc != nullptr && i < choice->names.size(); ++i)
+      row.choice_docs.push_back(choice->doc(i));
+  }
   return row;
 }
 

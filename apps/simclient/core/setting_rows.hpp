@@ -26,6 +26,7 @@ struct SettingRow {
   std::string group;  // "drag"; empty: of the shot itself
   Kind kind = Kind::text;
   std::span<const std::string_view> choices;
+  std::vector<std::string_view> choice_docs;  // of each choice; empty where they are not known
   std::string doc, unit, range, default_value;
 
   /// What a person is told about it: documentation, unit, range, default.
@@ -42,7 +43,7 @@ struct SettingRow {
                                                   const ScenarioShot& shot);
 /// Changes a setting as a file would: units are accepted, and errors are those of files.
 [[nodiscard]] Status set_value(const SettingRow& row, const std::string& text, Scenario& scenario, ScenarioShot& shot);
-/// Sets the setting that "shot.mass=170 gr" names.
+/// Changes a setting by an assignment, "shot.mass=170 gr".
 [[nodiscard]] Status set_value(std::string_view assignment, Scenario& scenario, ScenarioShot& shot);
 
 }  // namespace physim::client

@@ -24,7 +24,7 @@ void bytes(Colour colour, std::uint8_t (&out)[4]) {
 void attribute(GLuint index, GLint count, GLenum type, GLsizei stride, std::size_t offset) {
   glEnableVertexAttribArray(index);
   glVertexAttribPointer(index, count, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, stride,
-                        reinterpret_cast<const void*>(offset));
+                        static_cast<const char*>(nullptr) + offset);
   if (index > 0) glVertexAttribDivisor(index, 1);
 }
 

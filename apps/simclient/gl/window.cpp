@@ -43,31 +43,19 @@ std::optional<std::string> key_name(int key, int scancode) {
     return std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(name[0]))));
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
   switch (key) {
-    case GLFW_KEY_SPACE:
-      return "Space";
-    case GLFW_KEY_ESCAPE:
-      return "Esc";
+    case GLFW_KEY_SPACE: return "Space";
+    case GLFW_KEY_ESCAPE: return "Esc";
     case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      return "Enter";
-    case GLFW_KEY_TAB:
-      return "Tab";
-    case GLFW_KEY_LEFT:
-      return "Left";
-    case GLFW_KEY_RIGHT:
-      return "Right";
-    case GLFW_KEY_UP:
-      return "Up";
-    case GLFW_KEY_DOWN:
-      return "Down";
-    case GLFW_KEY_HOME:
-      return "Home";
-    case GLFW_KEY_PAGE_UP:
-      return "PageUp";
-    case GLFW_KEY_PAGE_DOWN:
-      return "PageDown";
-    default:
-      return std::nullopt;
+    case GLFW_KEY_KP_ENTER: return "Enter";
+    case GLFW_KEY_TAB: return "Tab";
+    case GLFW_KEY_LEFT: return "Left";
+    case GLFW_KEY_RIGHT: return "Right";
+    case GLFW_KEY_UP: return "Up";
+    case GLFW_KEY_DOWN: return "Down";
+    case GLFW_KEY_HOME: return "Home";
+    case GLFW_KEY_PAGE_UP: return "PageUp";
+    case GLFW_KEY_PAGE_DOWN: return "PageDown";
+    default: return std::nullopt;
   }
 }
 

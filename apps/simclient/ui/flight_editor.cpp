@@ -9,8 +9,10 @@ namespace {
 template <class Enum>
 void pick(const char* label, Enum& value) {
   if (!ImGui::BeginCombo(label, std::string(name(value)).c_str(), ImGuiComboFlags_HeightLarge)) return;
-  for (const std::string_view each : names_of<Enum>())
-    if (ImGui::Selectable(std::string(each).c_str(), each == name(value))) value = *value_of<Enum>(each);
+  for (const RungInfo& rung : rungs_of<Enum>()) {
+    if (ImGui::Selectable(std::string(rung.name).c_str(), rung.name == name(value))) value = *value_of<Enum>(rung.name);
+    tooltip(std::string(rung.doc));
+  }
   ImGui::EndCombo();
 }
 

@@ -141,8 +141,11 @@ void SettingsPanel::draw_row(Client& client, const SettingRow& row, const std::s
 
 void SettingsPanel::draw_choice(Client& client, const SettingRow& row, const std::string& value) {
   if (!ImGui::BeginCombo("##value", value.empty() ? "choose" : value.c_str(), ImGuiComboFlags_HeightLarge)) return;
-  for (const std::string_view name : row.choices)
-    if (ImGui::Selectable(std::string(name).c_str(), name == value)) change(client, row, std::string(name));
+  for (std::size_t i = 0; i < row.choices.size(); ++i) {
+    const std::string name(row.choices[i]);
+    if (ImGui::Selectable(name.c_str(), name == value)) change(client, row, name);
+    if (!row.choice_docs.empty()) tooltip(std::string(row.choice_docs[i]));
+  }
   ImGui::EndCombo();
 }
 

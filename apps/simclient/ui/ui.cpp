@@ -17,12 +17,9 @@ constexpr const char* kMenu = "scene menu";
 
 const char* mode_text(CameraMode mode) {
   switch (mode) {
-    case CameraMode::orbit:
-      return "orbit";
-    case CameraMode::follow:
-      return "follow";
-    case CameraMode::side:
-      return "side";
+    case CameraMode::orbit: return "orbit";
+    case CameraMode::follow: return "follow";
+    case CameraMode::side: return "side";
   }
   return "";
 }

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Additions: what a new rung, law ... costs, held by patches that add one for the tests alone.
+
+tests/additions/NAME.patch adds one to the sources, with its test; its first lines say what it is and how many files it
+may touch beside tests and docs (`Files: 4`). A patch is the honest measure: a rung that is compiled in for tests would
+be a rung of the library, and one that is made of test hooks would not pass through the places that real ones touch.
+
+`./dev lint` checks that every patch still applies and touches no more files than it may: cheap, at every change.
+`./dev additions` applies all of them to a copy of the sources, builds the library and their tests, and runs them.
+`./dev additions --write NAME` writes a patch anew from the files changed in the working tree.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PATCHES = ROOT / "tests" / "additions"
+COPY = ROOT / "build" / "additions"
+FREE = ("tests/", "docs/", "CHANGELOG.md", "scenarios/")  # not counted
+
+
+def patches():
+    return sorted(PATCHES.glob("*.patch"))
+
+
+def touched(patch):
+    """The files of the library and the apps that a patch changes or adds."""
+    files = re.findall(r"^diff --git a/\S+ b/(\S+)$", patch.read_text(encoding="utf-8"), re.M)
+    return [name for name in files if not name.startswith(FREE)]
+
+
+def limit(patch):
+    match = re.search(r"^Files: (\d+)$", patch.read_text(encoding="utf-8"), re.M)
+    return int(match.group(1)) if match else 0
+
+
+def apply(patch, folder, *options):
+    # One line of context must agree: neighbours may change without a patch being written anew.
+    return subprocess.run(["git", "apply", "-C1", "--recount", *options, str(patch)], cwd=folder, capture_output=True,
+                          text=True)
+
+
+def check(find):
+    """For tools/lint.py: find(path, line, message)."""
+    for patch in patches():
+        name = str(patch.relative_to(ROOT))
+        files = touched(patch)
+        if len(files) > limit(patch):
+            find(name, 1, f"the addition touches {len(files)} files, it may {limit(patch)}: {', '.join(files)}")
+        result = apply(patch, ROOT, "--check")
+        if result.returncode != 0:
+            find(name, 1, "does not apply any more; make the addition again and ./dev additions --write "
+                          f"{patch.stem}: {result.stderr.strip().splitlines()[0]}")
+
+
+def write(name):
+    """The working tree's changes, with the head of the old patch."""
+    path = PATCHES / f"{name}.patch"
+    head = path.read_text(encoding="utf-8").split("diff --git")[0] if path.exists() else f"{name}\n\nFiles: 4\n\n"
+    subprocess.run(["git", "add", "--intent-to-add", "."], cwd=ROOT, check=True)
+    diff = subprocess.run(["git", "diff", "--", ".", f":!tests/additions/{name}.patch"], cwd=ROOT, check=True,
+                          capture_output=True, text=True).stdout
+    path.write_text(head + diff, encoding="utf-8")
+    print(f"{path.relative_to(ROOT)}: {', '.join(touched(path))}")
+
+
+def copy_sources():
+    tree = COPY / "tree"
+    names = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
+                           capture_output=True, text=True).stdout.split("\0")
+    wanted = {n for n in names if n and (ROOT / n).is_file()}
+    for old in [p for p in tree.rglob("*") if p.is_file() and str(p.relative_to(tree)) not in wanted]:
+        old.unlink()
+    return tree, wanted
+
+
+def fill(tree, wanted):
+    """Patched sources into the copy; files that are as they were keep their times, so that little is built again."""
+    fresh = COPY / "fresh"
+    shutil.rmtree(fresh, ignore_errors=True)
+    for name in wanted:
+        target = fresh / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / name, target)
+    subprocess.run(["git", "init", "-q", "."], cwd=fresh, check=True)  # or git apply would look at the tree around it
+    for patch in patches():
+        result = apply(patch, fresh)
+        if result.returncode != 0:
+            sys.exit(f"additions: {patch.name} does not apply: {result.stderr}")
+    for source in (p for p in fresh.rglob("*") if p.is_file() and ".git" not in p.relative_to(fresh).parts):
+        target = tree / source.relative_to(fresh)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if not target.exists() or target.read_bytes() != source.read_bytes():
+            shutil.copyfile(source, target)
+    shutil.rmtree(fresh)
+
+
+def build_and_test():
+    tree, wanted = copy_sources()
+    fill(tree, wanted)
+    build = COPY / "build"
+    subprocess.run(["cmake", "-S", str(tree), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
+                    "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_WERROR=ON"],
+                   check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", str(build), "-j", str(os.cpu_count() or 2), "--target", "physim_additions"],
+                   check=True)
+    for patch in patches():
+        print(f"{patch.stem}: {len(touched(patch))} files of at most {limit(patch)}: {', '.join(touched(patch))}")
+    return subprocess.run([str(build / "bin" / "physim_additions")], check=False).returncode
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--write"]:
+        write(sys.argv[2])
+    else:
+        sys.exit(build_and_test())
