@@ -44,7 +44,7 @@ TEST(Members, come_in_the_order_of_the_definition) {
 }
 
 template <class S>
-struct Sample {
+struct Twin {
   S number;
   S list[2];
   int whole;
@@ -54,13 +54,13 @@ struct Sample {
 }  // namespace
 
 template <class S>
-inline constexpr std::size_t kMemberCount<Sample<S>> = 4;
+inline constexpr std::size_t kMemberCount<Twin<S>> = 4;
 
 namespace {
 
 TEST(Members, are_cast_to_their_twins) {
-  const Sample<double> from{0.1, {0.2, 0.3}, 7, {1, 2, 0.7}};
-  Sample<float> to{};
+  const Twin<double> from{0.1, {0.2, 0.3}, 7, {1, 2, 0.7}};
+  Twin<float> to{};
   cast_members(from, to);
   EXPECT_EQ(to.number, 0.1f);
   EXPECT_EQ(to.list[1], 0.3f);
