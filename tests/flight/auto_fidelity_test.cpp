@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "model/ladder.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -157,7 +158,7 @@ TEST(AutoFidelity, ABulletInAGameGetsSomethingCheap) {
   const auto choice = chosen(c, 1);
   ASSERT_TRUE(choice.ok()) << choice.error().text();
   EXPECT_EQ(choice->fidelity.integrator, Integrator::semi_implicit_euler);
-  EXPECT_LT(choice->fidelity.drag, DragModel::equation);
+  EXPECT_LT(level(choice->fidelity.drag), level(DragModel::equation));
   EXPECT_EQ(choice->fidelity.precision, Precision::float32);
   EXPECT_GT(choice->truth_cost, 50 * choice->cost);
 }

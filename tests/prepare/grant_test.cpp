@@ -1,6 +1,7 @@
 // What of an asked fidelity is granted, and that it is told why where it is less.
 #include <gtest/gtest.h>
 
+#include "model/ladder.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -197,11 +198,11 @@ TEST(Grant, never_raises_a_rung) {
     Asked asked;
     asked.fidelity = *fidelity_preset(preset);
     const Fidelity f = granted(asked).fidelity;
-    EXPECT_LE(f.gravity, asked.fidelity.gravity) << preset;
-    EXPECT_LE(f.air, asked.fidelity.air) << preset;
-    EXPECT_LE(f.wind, asked.fidelity.wind) << preset;
-    EXPECT_LE(f.earth, asked.fidelity.earth) << preset;
-    EXPECT_LE(f.rotation, asked.fidelity.rotation) << preset;
+    EXPECT_LE(level(f.gravity), level(asked.fidelity.gravity)) << preset;
+    EXPECT_LE(level(f.air), level(asked.fidelity.air)) << preset;
+    EXPECT_LE(level(f.wind), level(asked.fidelity.wind)) << preset;
+    EXPECT_LE(level(f.earth), level(asked.fidelity.earth)) << preset;
+    EXPECT_LE(level(f.rotation), level(asked.fidelity.rotation)) << preset;
     EXPECT_EQ(f.integrator, asked.fidelity.integrator) << preset;
     EXPECT_EQ(f.precision, asked.fidelity.precision) << preset;
   }
