@@ -27,6 +27,7 @@ void expect_written(const std::string& command, const std::string& input, Subjec
   for (const Format& format : formats()) {
     const std::string where = command + " " + option_of(format);
     const std::string path = folder / (command + file_of(format));
+    std::filesystem::remove(path);
     const Ran ran = run_program(PHYSIM_CLI, {command, input, option_of(format), path});
     if (can_write(format, subject)) {
       EXPECT_NE(help.find(option_of(format) + " FILE"), std::string::npos) << where;
