@@ -1,8 +1,7 @@
 // The acceleration of a projectile: the sum of all effects, each on its granted rung.
 //
 // What it models: D'Alembert's principle: the resultant of gravity, air, thrust and applied forces, and the Coriolis
-// and
-//   centrifugal forces of a frame that turns with the Earth, divided by the mass, less what constraints take up
+//   and centrifugal forces of a frame that turns with the Earth, divided by the mass, less what constraints take up
 //   (model/constraint.hpp). sum_effects() is the one list of effects: kernels add them up, Flight and World also tell
 //   them one by one (model/ledger.hpp). A new effect is one row there and one member of Accelerations.
 // Symbols: t time [s]; x position, v velocity in W; r from the Earth's centre; a acceleration [m/s^2].
@@ -110,7 +109,8 @@ struct PointInVacuum : PointInAir {
 struct OriginalInAir : PointInAir {
   template <class R, class S, class AnySum>
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R&, const State<R>& s, AnySum& sum) const {
-    if (c.fidelity.drag != DragModel::linear_quadratic && c.fidelity.drag != DragModel::equation) return;
+    if (c.fidelity.drag == DragModel::off) return;
+    if (c.fidelity.drag == DragModel::damping) return sum.tell(&Accelerations::drag, drag(c, b, s));
     sum.add(&Accelerations::drag, drag(c, b, c.fidelity.original_one_shot_forces ? b.launch : s));
   }
 };

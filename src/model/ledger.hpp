@@ -26,6 +26,8 @@ struct Sum {
   PHYSIM_INLINE void add(Effect, const Vec3<R>& a) { total += a; }
   /// Part of what was added as one effect is another one.
   PHYSIM_INLINE void tell_apart(Effect, Effect, const Vec3<R>&) {}
+  /// An effect that a step brings about by other means than the sum.
+  PHYSIM_INLINE void tell(Effect, const Vec3<R>&) {}
   /// Ends the sum of what acts at once.
   template <class S>
   PHYSIM_INLINE void constrain(const Conditions<S>& c, const Body<R>& b) {
@@ -43,6 +45,7 @@ struct Ledger : Accelerations {
   void begin(Effect effect, const Vec3d& a) { this->*effect = total = a; }
   void add(Effect effect, const Vec3d& a) { this->*effect += a, total += a; }
   void tell_apart(Effect whole, Effect part, const Vec3d& a) { this->*whole -= a, this->*part += a; }
+  void tell(Effect effect, const Vec3d& a) { add(effect, a); }
   void constrain(const Conditions<double>& c, const Body<double>& b) {
     const Vec3d free = total;
     total = constrained(c, b, free);

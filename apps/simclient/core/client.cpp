@@ -165,7 +165,8 @@ Status Client::save(const std::string& file) {
 
 Status Client::save_flights(const std::string& file) {
   const std::string path = file.empty() ? free_name("flights", ".csv") : file;
-  const auto format = report::format_of_file(path, report::Subject::records);
+  const bool has_ending = std::filesystem::path(path).has_extension();  // else what the action's name says
+  const auto format = report::format_of_file(has_ending ? path : ".csv", report::Subject::records);
   if (!format) return format.error();
   const report::Content content = report::content_of(**format, records_of(session.tracks()));
   if (Status status = report::write_content(path, content); !status) return status;
