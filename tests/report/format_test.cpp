@@ -55,7 +55,7 @@ constexpr Subject kSubjects[] = {Subject::flights, Subject::world, Subject::ladd
 TEST(Formats, RowsAreComplete) {
   std::set<std::string_view> names;
   for (const Format& format : formats()) {
-    EXPECT_TRUE(names.insert(format.name).second) << format.name << " is there twice";
+    EXPECT_TRUE(!format.name.empty() && names.insert(format.name).second) << format.name << " is there twice";
     EXPECT_NE(format.ending.find('.'), std::string_view::npos) << format.name;
     EXPECT_TRUE(format.doc.starts_with("as ")) << format.name;
     EXPECT_TRUE(std::ranges::any_of(kSubjects, [&](Subject s) { return can_write(format, s); })) << format.name;
@@ -108,7 +108,8 @@ TEST(Formats, EndingsTellTheFormat) {
   EXPECT_EQ((*format_of_file("b.kml", Subject::flights))->name, "kml");
   const auto unable = format_of_file("b.kml", Subject::records);
   ASSERT_FALSE(unable);
-  EXPECT_EQ(unable.error().hint, "it may end with .csv, .json");
+  EXPECT_TRUE(unable.error().hint.starts_with("it may end with .csv")) << unable.error().hint;
+  EXPECT_EQ(unable.error().hint.find(".kml"), std::string::npos);
 }
 
 TEST(Formats, GlobesNeedARoundEarth) {
