@@ -27,14 +27,16 @@ std::size_t repeat(const MicroJob<S>& job, R& result, const F& f) {
 
 /// One step tried from where the lanes are, again and again.
 template <class R, class S>
-std::size_t repeat_step(const MicroJob<S>& job, Lanes<R>& lanes, Integrator integrator) {
+std::size_t repeat_step(const MicroJob<S>& job, const Lanes<R>& from, Integrator integrator) {
   Conditions<S> c = *job.course->conditions;
   c.fidelity.integrator = integrator;
   Course<S> course = *job.course;
   course.conditions = &c;
-  return repeat(job, lanes.step.end.x.x, [&] {
-    lanes.control.h = R(S(0.05));
-    try_step(course, lanes);
+  March<R> march(course);
+  march.lanes = from;
+  return repeat(job, march.lanes.step.end.x.x, [&] {
+    march.lanes.control.h = R(S(0.05));
+    march.try_step();
   });
 }
 
@@ -42,11 +44,13 @@ template <class R, class S>
 std::size_t run(Part part, const MicroJob<S>& job) {
   const Course<S>& course = *job.course;
   const Conditions<S>& c = *course.conditions;
-  static Lanes<R> lanes;
+  static March<R> march;
+  march = March<R>(course);
+  Lanes<R>& lanes = march.lanes;
   for (int lane = 0; lane < kLanes<R>; ++lane) copy_lane(job.bodies[lane], 0, lanes.body, lane);
-  begin(course, lanes);
+  march.launch();
   lanes.control.h = R(S(0.05));
-  try_step(course, lanes);
+  march.try_step();
   R x = lanes.step.start.v.x * S(1.0 / 300);
   R y = x;
   switch (part) {
@@ -79,12 +83,12 @@ std::size_t run(Part part, const MicroJob<S>& job) {
     }
     case Part::accept: {
       const MaskOf<R> all_lanes = x == x;
-      return repeat(job, lanes.step.start.x.x, [&] { accept(course, lanes, all_lanes); });
+      return repeat(job, lanes.step.start.x.x, [&] { march.accept(all_lanes); });
     }
     case Part::enter:
       return repeat(job, lanes.step.start.x.x, [&] {
         for (int lane = 0; lane < kLanes<R>; ++lane) copy_lane(job.bodies[lane], 0, lanes.body, lane);
-        begin(course, lanes);
+        march.launch();
       });
   }
   return 0;

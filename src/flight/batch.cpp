@@ -323,14 +323,15 @@ class Batch {
     const std::size_t count = group.shots.size();
     watch_ = prepare_watch(until_, group.cohort.conditions, Watcher::batch);
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
-    if (turns(group.cohort.in_use.fidelity)) group.turned.resize(count);
+    group.turned.resize(group.rotors.size());
     const auto emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
     const NumberRuns own = (group.own & parts_flown(group.cohort.in_use.fidelity, group.cohort.conditions)).runs();
     kernel({&course, group.own_numbers.data(), group.own_stride(), own, &group.common, group.rotors.data(),
-            group.shots.data(), count, result_.shots.data(), group.turned.data(), emit, &group});
+            group.shots.data(), count, result_.shots.data(), group.turned.empty() ? nullptr : group.turned.data(), emit,
+            &group});
     for (const std::uint32_t i : by_shot_.order(group.events, count)) keep(group, group.events[i]);
     if (drifts(group.cohort.in_use.fidelity)) add_drift(group);
-    if (turns(group.cohort.in_use.fidelity)) keep_attitudes(group);
+    if (!group.turned.empty()) keep_attitudes(group);
   }
 
   static bool drifts(const Fidelity& granted) { return granted.rotation == RotationModel::spin_drift; }

@@ -1,6 +1,7 @@
 // The batch loop: all lanes step together, each at its own time; a lane whose flight ends takes the next shot.
 #pragma once
 
+#include "base/assert.hpp"
 #include "flight/batch_job.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -10,14 +11,16 @@ PHYSIM_ISA_BEGIN
 template <class R, class S>
 class ReadyShots {
  public:
-  explicit ReadyShots(const BatchJob<S>& job) : job_(job) {
+  explicit ReadyShots(const BatchJob<S>& job) : job_(job), march_(*job.course) {
     for (int lane = 0; lane < kLanes<R>; ++lane) put_lane(numbers(*job.common), ready_.body, lane, job.course->body);
   }
 
   /// Puts the next shot into a lane; false where none is left.
   bool take(Lanes<R>& into, int lane, std::size_t& shot) {
+    PHYSIM_ASSERT(used_ <= filled_ && filled_ <= kLanes<R>);
     if (used_ == filled_ && !refill()) return false;
-    enter(into, lane);
+    copy_start(*job_.course, ready_, used_, into, lane,
+               job_.own);  // what shots have in common is there since take_all()
     shot = next_ - static_cast<std::size_t>(filled_ - used_);
     ++used_;
     return true;
@@ -43,35 +46,18 @@ class ReadyShots {
       const std::size_t shot = next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1);
       const double* from = job_.own_numbers + shot * job_.own_stride;
       put_lane(from, ready_.body, lane, job_.own);
-      if (turns(job_.course->conditions->fidelity)) put_lane(job_.rotors[shot], *ready_.rotor, lane);
+      const auto take_rotor = [&](auto& rotor) { put_lane(job_.rotors[shot], rotor, lane); };
+      for_rotors(job_.course->conditions->fidelity, take_rotor, ready_);
     }
-    begin(*job_.course, ready_);
+    march_.launch();
     next_ += static_cast<std::size_t>(filled_);
     used_ = 0;
     return true;
   }
 
-  /// Copies what begin() has set; slopes beyond the first are written before they are read. What shots have in common
-  /// is there since take_all().
-  void enter(Lanes<R>& into, int lane) {
-    copy_lane(ready_.body, used_, into.body, lane, job_.own);
-    copy_lane(ready_.step.start, used_, into.step.start, lane);
-    copy_lane(ready_.step.slope[0], used_, into.step.slope[0], lane);
-    copy_lane(ready_.control, used_, into.control, lane);
-    if (job_.course->corners) copy_lane(ready_.regime, used_, into.regime, lane);
-    set_lane(into.step.t, lane, S(0));
-    set_lane(into.count, lane, S(0));
-    set_lane(into.parts, lane, S(0));
-    set_lane(into.tries, lane, S(0));
-    set_lane(into.cut, lane, S(0));
-    if (!turns(job_.course->conditions->fidelity)) return;
-    copy_lane(*ready_.rotor, used_, *into.rotor, lane);
-    copy_lane(ready_.step.turn->start, used_, into.step.turn->start, lane);
-    copy_lane(ready_.step.turn->slope[0], used_, into.step.turn->slope[0], lane);
-  }
-
   const BatchJob<S>& job_;
-  Lanes<R> ready_;
+  March<R> march_;
+  Lanes<R>& ready_ = march_.lanes;
   std::size_t next_ = 0;  // first shot not yet prepared
   int filled_ = 0;
   int used_ = 0;
@@ -80,12 +66,13 @@ class ReadyShots {
 /// Steps that need judging, copied from the lanes that took them. Finding a crossing costs a pack of lanes little more
 /// than one, so lanes whose fate is known before wait here until a pack has gathered.
 template <class R, class S>
-class Court {
+class JudgedSteps {
  public:
-  explicit Court(const BatchJob<S>& job) : job_(job) {}
+  explicit JudgedSteps(const BatchJob<S>& job) : job_(job) {}
 
   /// Takes in a lane's last step; one at a time of each flight, so that its crossings are reported in order.
   void add(const Lanes<R>& from, int lane, bool accepted, bool ends, std::size_t shot) {
+    PHYSIM_ASSERT(lane >= 0 && lane < kLanes<R> && shot < job_.count);
     if (filled_ == kLanes<R> || (some_go_on_ && waits(shot))) settle();
     some_go_on_ = some_go_on_ || !ends;
     take_step(from, lane, filled_, filled_ < touched_ ? job_.own : job_.course->body);
@@ -156,25 +143,25 @@ class Court {
     result.velocity = state.v;
   }
 
-  /// In turns: the first crossing of every lane, the second, ...
+  /// The first crossing of every lane, the second, ...
   void report_crossings() {
-    for (int turn = 0;; ++turn) {
+    for (int rank = 0;; ++rank) {
       W theta(0.0);
       bool some = false;
       for (int i = 0; i < filled_; ++i) {
-        if (turn >= judgement_.crossings[i].count) continue;
-        set_lane(theta, i, judgement_.crossings[i].found[turn].theta);
+        if (rank >= judgement_.crossings[i].count) continue;
+        set_lane(theta, i, judgement_.crossings[i].found[rank].theta);
         some = true;
       }
       if (!some) return;
       const W time = judgement_.at.time(theta);
       const State<W> state = judgement_.at.at_time(time);
-      const bool turning = turns(job_.course->conditions->fidelity);
+      const bool turning = job_.turns != nullptr;
       Unset<Turn<W>> turned;
       if (turning) *turned = judgement_.at.turn_at_time(time);
       for (int i = 0; i < filled_; ++i) {
-        if (turn >= judgement_.crossings[i].count) continue;
-        const Found& found = judgement_.crossings[i].found[turn];
+        if (rank >= judgement_.crossings[i].count) continue;
+        const Found& found = judgement_.crossings[i].found[rank];
         RawEvent event{std::uint32_t(shot_[i]), std::int16_t(found.index), found.rising, lane_of(time, i), {}};
         copy_lane(state, i, event.state, 0);
         job_.emit(job_.sink, event);
@@ -196,7 +183,7 @@ class Court {
       State<S> state;
       copy_lane(at_start ? steps_.step.start : steps_.step.end, i, state, 0);
       put_end(i, time, {vec_cast<double>(state.x), vec_cast<double>(state.v)});
-      if (!turns(job_.course->conditions->fidelity)) continue;
+      if (job_.turns == nullptr) continue;
       Turn<S> turn;
       copy_lane(at_start ? steps_.step.turn->start : steps_.step.turn->end, i, turn, 0);
       cast_numbers(turn, job_.turns[shot_[i]]);
@@ -216,39 +203,40 @@ class Court {
 
 /// Flights in a set of lanes.
 template <class R, class S>
-class Company {
+class LaneSet {
  public:
   /// False where no shot is left.
   bool begin(const BatchJob<S>& job, ReadyShots<R, S>& ready) {
     job_ = &job;
-    flying_ = ready.take_all(lanes, shot_);
+    march = March<R>(*job.course);
+    flying_ = ready.take_all(march.lanes, shot_);
     return flying_ != 0;
   }
 
   /// Goes on from a step tried: flights that end make room for the next shots. False when all have ended.
-  bool go_on(const MaskOf<R>& accepted, ReadyShots<R, S>& ready, Court<R, S>& court) {
-    const Attention<R> attention = needs_attention(*job_->course, lanes, accepted);
+  bool go_on(const MaskOf<R>& accepted, ReadyShots<R, S>& ready, JudgedSteps<R, S>& judged) {
+    const Attention<R> attention = needs_attention(*job_->course, march.lanes, accepted);
     unsigned ended = 0;
-    if (any(attention.special)) ended = hand_over(attention, lane_bits(accepted), court);
-    accept(*job_->course, lanes, accepted);
+    if (any(attention.special)) ended = hand_over(attention, lane_bits(accepted), judged);
+    march.accept(accepted);
     for (; ended != 0; ended &= ended - 1) {
       const int lane = __builtin_ctz(ended);
-      if (!ready.take(lanes, lane, shot_[lane])) flying_ &= ~(1u << lane);
+      if (!ready.take(march.lanes, lane, shot_[lane])) flying_ &= ~(1u << lane);
     }
     return flying_ != 0;
   }
 
-  Lanes<R> lanes{};
+  March<R> march;
 
  private:
   /// Hands steps over for judgement; returns the lanes whose flight ends. What is not sure before is judged at once.
-  unsigned hand_over(const Attention<R>& attention, unsigned accepted, Court<R, S>& court) {
+  unsigned hand_over(const Attention<R>& attention, unsigned accepted, JudgedSteps<R, S>& judged) {
     unsigned ended = lane_bits(attention.surely_ends) & flying_;
     const unsigned sure = ended | lane_bits(attention.surely_goes_on);
     for (unsigned left = lane_bits(attention.special) & flying_; left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
-      court.add(lanes, lane, (accepted >> lane & 1u) != 0, (ended >> lane & 1u) != 0, shot_[lane]);
-      if ((sure >> lane & 1u) == 0 && court.settle()) ended |= 1u << lane;
+      judged.add(march.lanes, lane, (accepted >> lane & 1u) != 0, (ended >> lane & 1u) != 0, shot_[lane]);
+      if ((sure >> lane & 1u) == 0 && judged.settle()) ended |= 1u << lane;
     }
     return ended;
   }
@@ -263,23 +251,23 @@ template <class R, int kSets, class S>
 void fly_lanes(const BatchJob<S>& job) {
   static_assert(kSets <= kMostSets);
   ReadyShots<R, S> ready(job);
-  Court<R, S> court(job);
-  Company<R, S> companies[kSets];
-  Company<R, S>* flying[kSets];
+  JudgedSteps<R, S> judged(job);
+  LaneSet<R, S> sets[kSets];
+  LaneSet<R, S>* flying[kSets];
   int count = 0;
-  for (Company<R, S>& company : companies)
-    if (company.begin(job, ready)) flying[count++] = &company;
+  for (LaneSet<R, S>& set : sets)
+    if (set.begin(job, ready)) flying[count++] = &set;
   while (count > 0) {
-    Lanes<R>* lanes[kSets];
+    March<R>* marches[kSets];
     MaskOf<R> accepted[kSets];
-    for (int i = 0; i < count; ++i) lanes[i] = &flying[i]->lanes;
-    try_steps(*job.course, lanes, count, accepted);
+    for (int i = 0; i < count; ++i) marches[i] = &flying[i]->march;
+    March<R>::try_steps(marches, count, accepted);
     int left = 0;
     for (int i = 0; i < count; ++i)
-      if (flying[i]->go_on(accepted[i], ready, court)) flying[left++] = flying[i];
+      if (flying[i]->go_on(accepted[i], ready, judged)) flying[left++] = flying[i];
     count = left;
   }
-  court.settle();
+  judged.settle();
 }
 
 PHYSIM_ISA_END

@@ -25,11 +25,11 @@ struct BatchJob {
   unsigned own_stride;         // from shot to shot
   NumberRuns own;              // those that lanes hold
   const Body<double>* common;  // has the others
-  const Rotor<double>* rotors;  // of rungs that turn
+  const Rotor<double>* rotors;  // where the rotation is flown
   const std::uint32_t* places;  // of the shots in the results
   std::size_t count;
   ShotResult* results;  // how each ended, without spin drift
-  Turn<double>* turns;  // of rungs that turn: how it turned at its end
+  Turn<double>* turns;  // how each turned at its end; null where the rotation is not flown
   void (*emit)(void* sink, const RawEvent& event);
   void* sink;
 };

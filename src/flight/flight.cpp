@@ -1,6 +1,7 @@
 // Flight: answers questions about a computed trajectory.
 #include <algorithm>
 
+#include "base/assert.hpp"
 #include "base/text.hpp"
 #include "flight/flight_record.hpp"
 #include "model/stability.hpp"
@@ -24,11 +25,8 @@ std::vector<Node>::const_iterator later_node(const std::vector<Node>& nodes, dou
 }  // namespace
 
 Accelerations FlightRecord::accelerations_at(double time) const {
-  const Fidelity& f = cohort.in_use.fidelity;
-  const Turn<double> turned = turns(f) ? turn(time) : Turn<double>{};
-  Accelerations a = accelerations_of(cohort.conditions, body_at(time), rotor, time, state(time), turned);
-  if (f.motion != Motion::closed_form && f.integrator == Integrator::classic && nodes.size() > 1)
-    a.total = (later_node(nodes, time) - 1)->a;
+  Accelerations a = accelerations_of(cohort.conditions, body_at(time), rotor, time, state(time), turn(time));
+  if (is_classic(cohort.in_use.fidelity) && path.nodes.size() > 1) a.total = (later_node(path.nodes, time) - 1)->a;
   return a;
 }
 
@@ -50,24 +48,27 @@ State<double> FlightRecord::state(double time) const {
     const State<float> s = closed_form(cohort.conditions_float, body_float, static_cast<float>(time));
     return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
   }
+  const auto& nodes = path.nodes;
   if (nodes.size() < 2) return nodes.empty() ? body.launch : nodes.front().y;
   const auto later = later_node(nodes, time);
   const Node& n1 = *later;
   const Node& n0 = *(later - 1);
   const auto index = static_cast<std::size_t>(later - nodes.begin()) - 1;
   const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
-  const State<double>* c = count > 0 ? coefficients.data() + index * count : nullptr;
+  const State<double>* c = count > 0 ? path.coefficients.data() + index * count : nullptr;
   return dense_state(f.integrator, n0, n1, c, place_between(n0, n1, time));
 }
 
 Turn<double> FlightRecord::turn(double time) const {
-  if (nodes.size() < 2) return rotor.launch;
+  const auto& nodes = path.nodes;
+  if (!path.turn || nodes.size() < 2) return rotor.launch;
   const Fidelity& f = cohort.in_use.fidelity;
   const auto index = static_cast<std::size_t>(later_node(nodes, time) - nodes.begin());
-  const TurnNode& n1 = turn_nodes[index];
-  const TurnNode& n0 = turn_nodes[index - 1];
+  PHYSIM_ASSERT(path.turn->nodes.size() == nodes.size());
+  const TurnNode& n1 = path.turn->nodes[index];
+  const TurnNode& n0 = path.turn->nodes[index - 1];
   const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
-  const Turn<double>* c = count > 0 ? turn_coefficients.data() + (index - 1) * count : nullptr;
+  const Turn<double>* c = count > 0 ? path.turn->coefficients.data() + (index - 1) * count : nullptr;
   return dense_turn(f, n0, n1, c, place_between(nodes[index - 1], nodes[index], time));
 }
 
@@ -93,7 +94,7 @@ Accelerations Flight::accelerations(double time) const {
 
 std::optional<Stability> Flight::stability(double time) const {
   const FlightRecord& r = *record_;
-  if (r.outcome == Outcome::refused || !turns(r.cohort.in_use.fidelity)) return std::nullopt;
+  if (r.outcome == Outcome::refused || !r.path.turn) return std::nullopt;
   time = std::clamp(time, 0.0, r.duration);
   return stability_of(r.cohort.conditions, r.body, r.rotor, r.state(time), r.turn(time));
 }
@@ -119,7 +120,7 @@ Sample Flight::at(double time) const {
   out.range = dot(s.x - r.sight.muzzle, r.sight.forward);
   out.drop = dot(s.x - r.sight.start, r.sight.up);
   out.windage = dot(s.x - r.sight.start, r.sight.right);
-  if (!turns(c.fidelity)) return out;
+  if (!r.path.turn) return out;
   const Attitude attitude = attitude_of(c, b, r.rotor, time, s, r.turn(time));
   out.orientation = attitude.q_WB;
   out.angular_velocity = attitude.omega;
@@ -133,7 +134,7 @@ namespace {
 std::vector<double> borders(const FlightRecord& r) {
   std::vector<double> times;
   if (r.cohort.in_use.fidelity.motion == Motion::closed_form) times.push_back(0);
-  for (const Node& node : r.nodes) times.push_back(std::min(node.t, r.duration));
+  for (const Node& node : r.path.nodes) times.push_back(std::min(node.t, r.duration));
   for (const Event& e : r.events)
     if (e.kind == EventKind::apex) times.push_back(e.time);
   std::sort(times.begin(), times.end());
@@ -189,7 +190,7 @@ Result<Sample> Flight::at_height(double level, Crossing direction) const {
 
 std::vector<double> Flight::step_times() const {
   std::vector<double> times;
-  for (const Node& node : record_->nodes) times.push_back(std::min(node.t, record_->duration));
+  for (const Node& node : record_->path.nodes) times.push_back(std::min(node.t, record_->duration));
   times.erase(std::unique(times.begin(), times.end()), times.end());  // nodes where the acceleration jumps
   return times;
 }

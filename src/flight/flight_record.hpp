@@ -8,6 +8,17 @@
 
 namespace physim {
 
+/// The dense output of a whole flight.
+struct TurnPath {
+  std::vector<TurnNode> nodes;
+  std::vector<Turn<double>> coefficients;
+};
+struct FlownPath {
+  std::vector<Node> nodes;                  // at both ends of every step; the last may lie beyond the end
+  std::vector<State<double>> coefficients;  // of the interpolants, step by step
+  std::optional<TurnPath> turn;             // where the rotation is flown
+};
+
 struct FlightRecord {
   Outcome outcome = Outcome::refused;
   std::optional<Error> error;
@@ -21,16 +32,13 @@ struct FlightRecord {
   double elevation = 0;
   double step = 0;
   double duration = 0;
-  std::vector<Node> nodes;                  // at both ends of every step; the last may lie beyond the end
-  std::vector<State<double>> coefficients;  // of the dense output, step by step
-  std::vector<TurnNode> turn_nodes;         // the same of the rotation, where it is flown
-  std::vector<Turn<double>> turn_coefficients;
+  FlownPath path;
   std::vector<Event> events;
   FlightCost cost;
 
   /// State on the flown path, without spin drift, 0 <= time <= duration.
   [[nodiscard]] State<double> state(double time) const;
-  /// Of rungs that turn.
+  /// All zero where the rotation is not flown.
   [[nodiscard]] Turn<double> turn(double time) const;
   /// By the models. The total of the classic loop is its register: the sum where the frame before began.
   [[nodiscard]] Accelerations accelerations_at(double time) const;

@@ -12,17 +12,19 @@
 namespace physim {
 namespace {
 
+std::size_t coefficient_count(const FlightRecord& record) {
+  const Fidelity& f = record.cohort.in_use.fidelity;
+  return f.motion == Motion::closed_form ? 0 : static_cast<std::size_t>(dense_coefficient_count(f.integrator));
+}
+
 template <class S>
 void keep_step(FlightRecord& record, const DenseLanes<S>& at) {
-  record.nodes.back().t = at.n0.t;  // fixed steps count their time, which may differ from start + step by a rounding
-  record.nodes.push_back(at.n1);
-  const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
-  if (record.cohort.in_use.fidelity.motion == Motion::closed_form) return;
-  record.coefficients.insert(record.coefficients.end(), at.coefficient, at.coefficient + count);
-  if (!turns(record.cohort.in_use.fidelity)) return;
-  record.turn_nodes.back().t = at.turn->n0.t;
-  record.turn_nodes.push_back(at.turn->n1);
-  record.turn_coefficients.insert(record.turn_coefficients.end(), at.turn->coefficient, at.turn->coefficient + count);
+  const auto keep = [count = coefficient_count(record)](const auto& dense, auto& path) {
+    path.nodes.back().t = dense.n0.t;  // fixed steps count their time, which may differ from start + step by a rounding
+    path.nodes.push_back(dense.n1);
+    path.coefficients.insert(path.coefficients.end(), dense.coefficient, dense.coefficient + count);
+  };
+  for_parts(record.cohort.in_use.fidelity, keep, at, record.path);
 }
 void keep_event(FlightRecord& record, const Watched& watched, bool rising, double time, const State<double>& flown) {
   const State<double> s = with_drift(flown, record.drift, record.sight.right, time);
@@ -34,48 +36,54 @@ void keep_event(FlightRecord& record, const Watched& watched, bool rising, doubl
                            .velocity = s.v});
 }
 
+/// Of a state the acceleration is kept alone.
 template <class S>
-Node first_node(const Step<S>& s) {
-  Node n{0, {}, vec_cast<double>(s.slope[0].v)};
-  cast_numbers(s.start, n.y);
-  return n;
+void set_rate(const State<S>& slope, Node& node) {
+  node.a = vec_cast<double>(slope.v);
 }
 template <class S>
-TurnNode first_turn_node(const Step<S>& s) {
-  TurnNode n{};
-  cast_numbers(s.turn->start, n.y);
-  cast_numbers(s.turn->slope[0], n.slope);
-  return n;
+void set_rate(const Turn<S>& slope, TurnNode& node) {
+  cast_numbers(slope, node.slope);
+}
+
+/// Keeps where a step starts.
+template <class S>
+void keep_start(FlightRecord& record, const Step<S>& step, double time) {
+  const auto keep = [time](const auto& part, auto& path) {
+    path.nodes.push_back({});
+    auto& node = path.nodes.back();
+    node.t = time;
+    cast_numbers(part.start, node.y);
+    set_rate(part.slope[0], node);
+  };
+  for_parts(record.cohort.in_use.fidelity, keep, step, record.path);
 }
 
 /// Where a stop makes the acceleration jump, the next step starts from a node of its own, after a step of no length.
 template <class S>
 void keep_jump(FlightRecord& record, const Lanes<S>& lane) {
-  const Vec3d a = vec_cast<double>(lane.step.slope[0].v);
-  if (a == record.nodes.back().a) return;
-  record.nodes.push_back(
-      {record.nodes.back().t, {vec_cast<double>(lane.step.start.x), vec_cast<double>(lane.step.start.v)}, a});
-  const int count = dense_coefficient_count(record.cohort.in_use.fidelity.integrator);
-  record.coefficients.insert(record.coefficients.end(), static_cast<std::size_t>(count), State<double>{});
-  if (!turns(record.cohort.in_use.fidelity)) return;
-  record.turn_nodes.push_back(first_turn_node(lane.step));
-  record.turn_nodes.back().t = record.nodes.back().t;
-  record.turn_coefficients.insert(record.turn_coefficients.end(), static_cast<std::size_t>(count), Turn<double>{});
+  const Node& last = record.path.nodes.back();
+  if (vec_cast<double>(lane.step.slope[0].v) == last.a) return;
+  keep_start(record, lane.step, last.t);
+  const auto no_change = [count = coefficient_count(record)](auto& path) {
+    path.coefficients.resize(path.coefficients.size() + count);
+  };
+  for_parts(record.cohort.in_use.fidelity, no_change, record.path);
 }
 
 /// Flies a single lane to its end; the loop is that of the batch kernels (flight/batch_driver.hpp) with a record kept.
 template <class S>
 void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body) {
-  Lanes<S> lane{};
-  const bool turn = turns(course.conditions->fidelity);
+  March<S> march(course);
+  Lanes<S>& lane = march.lanes;
   lane.body = body;
-  if (turn) cast_numbers(record.rotor, *lane.rotor);
-  begin(course, lane);
-  record.nodes.push_back(first_node(lane.step));
-  if (turn) record.turn_nodes.push_back(first_turn_node(lane.step));
+  const auto take_rotor = [&](auto& rotor) { cast_numbers(record.rotor, rotor); };
+  for_rotors(course.conditions->fidelity, take_rotor, lane);
+  march.launch();
+  keep_start(record, lane.step, 0);
   Judgement<S> j{};
   for (bool ended = false; !ended;) {
-    const bool accepted = try_step(course, lane);
+    const bool accepted = march.try_step();
     const bool special = needs_attention(course, lane, accepted).special;
     const bool sound = accepted && ends_finite(course.conditions->fidelity, lane.step);
     Verdict verdict{false, Outcome::step_limit, 1};
@@ -94,10 +102,10 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
     ended = verdict.ended;
     if (ended) {
       record.outcome = verdict.outcome;
-      record.duration = sound ? j.at.time(verdict.theta) : record.nodes.back().t;
+      record.duration = sound ? j.at.time(verdict.theta) : record.path.nodes.back().t;
       if (sound) lane.count += S(1);
     } else {
-      accept(course, lane, accepted);
+      march.accept(accepted);
       if (sound && has_stops(*course.conditions)) keep_jump(record, lane);
     }
   }
@@ -115,8 +123,8 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
     const Vec3d a = accelerations_of(record.cohort.conditions, record.body, record.rotor, 0, record.body.launch,
                                      record.rotor.launch)
                         .total;
-    record.nodes.push_back({0, record.body.launch, a});
-    if (turns(record.cohort.in_use.fidelity)) record.turn_nodes.push_back({0, record.rotor.launch, {}});
+    record.path.nodes.push_back({0, record.body.launch, a});
+    if (record.path.turn) record.path.turn->nodes.push_back({0, record.rotor.launch, {}});
     if (outcome == Outcome::landed) keep_event(record, watch.item[0], false, 0, record.body.launch);
     return;
   }
@@ -160,9 +168,11 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   record->cohort.conditions = prepare_conditions(environment, granted);
   record->body = prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
   jump_in_crosswind(projectile, environment, record->cohort.conditions, record->body);
-  if (turns(granted))
+  if (turns(granted)) {
+    record->path.turn.emplace();
     record->rotor = prepare_rotor(projectile, launch, record->elevation, record->body, record->cohort.pool,
                                   record->cohort.conditions);
+  }
   record->cohort.finish();
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);

@@ -30,9 +30,8 @@ void Cohort::finish() {
   pool.point(conditions_float);
 }
 
-bool Cohort::corners_matter() const {
-  const Fidelity& f = in_use.fidelity;
-  return f.motion != Motion::closed_form && (conditions.has_rail || (steps_itself(f) && has_corners(conditions)));
+bool corners_matter(const Conditions<double>& c) {
+  return c.fidelity.motion != Motion::closed_form && (c.has_rail || (steps_itself(c.fidelity) && has_corners(c)));
 }
 
 }  // namespace physim

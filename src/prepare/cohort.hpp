@@ -10,6 +10,9 @@ namespace physim {
 template <class S>
 [[nodiscard]] StepPlan<S> prepare_plan(const Tolerance& tolerance, const Fidelity& granted, double step);
 
+/// Whether steps must end at corners of what is piecewise.
+[[nodiscard]] bool corners_matter(const Conditions<double>& conditions);
+
 /// Bodies with the data they point to, in the cohort's precision.
 struct Cohort {
   FidelityInUse in_use;
@@ -32,9 +35,8 @@ struct Cohort {
             parts_flown(in_use.fidelity, conditions).runs(),
             prepare_plan<S>(tolerance, in_use.fidelity, step),
             watch,
-            corners_matter()};
+            corners_matter(conditions)};
   }
-  [[nodiscard]] bool corners_matter() const;
 };
 
 }  // namespace physim

@@ -1,6 +1,9 @@
 // The dense output of lanes' last steps, in double whatever the flight's own precision.
 #pragma once
 
+#include <algorithm>
+
+#include "base/assert.hpp"
 #include "solve/lanes.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -67,7 +70,7 @@ struct DenseLanes {
   }
 };
 
-/// The same for rotation; `s` is the rest of the steps.
+/// The dense output of the rotation; `s` is the rest of the steps.
 template <class R, class S>
 void dense_turns(const Course<S>& course, const Lanes<R>& l, Step<Cast<double, R>>& s, DenseLanes<R>& out) {
   using W = Cast<double, R>;
@@ -112,6 +115,17 @@ void add_coefficients(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>&
   dense_coefficients(fidelity.integrator, s, f, out.coefficient);
 }
 
+/// Without what the additional slopes of dop853 give: for steps whose models did not tell all.
+template <class R>
+void drop_higher_terms(DenseLanes<R>& at) {
+  const Fidelity& f = at.conditions->fidelity;
+  if (f.integrator != Integrator::dop853) return;
+  const auto drop = [](auto& part) {
+    std::fill(part.coefficient + 3, part.coefficient + 7, std::remove_reference_t<decltype(part.coefficient[0])>{});
+  };
+  for_parts(f, drop, at);
+}
+
 /// The dense output of steps just taken.
 template <class R, class S>
 void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) {
@@ -125,6 +139,7 @@ void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out)
   cast_numbers(l.body, out.body, has_stops(c) ? kWatchedWithStops : kWatched);
   out.n0.t = cast<double>(l.step.t);
   out.n1.t = cast<double>(l.step.t_end);
+  PHYSIM_ASSERT(!any(out.n1.t < out.n0.t));
   cast_numbers(l.step.start, out.n0.y);
   cast_numbers(l.step.end, out.n1.y);
   cast_numbers(l.step.slope[0].v, out.n0.a);

@@ -1,7 +1,7 @@
 // What a step means for its flight: does it go on, what has it crossed, where does it end?
 #pragma once
 
-#include "solve/advance.hpp"
+#include "solve/march.hpp"
 
 namespace physim {
 
@@ -28,13 +28,10 @@ PHYSIM_INLINE MaskOf<R> is_finite(const Turn<R>& t) {
 /// The end of a step.
 template <class R>
 PHYSIM_INLINE MaskOf<R> ends_finite(const Fidelity& f, const Step<R>& s) {
-  const MaskOf<R> finite = is_finite(s.end);
-  return turns(f) ? finite & is_finite(s.turn->end) : finite;
-}
-
-template <class R>
-PHYSIM_INLINE MaskOf<R> stands_still(const Lanes<R>& l) {
-  return (l.step.t_end <= l.step.t) | !(l.step.h > R(ScalarOf<R>(0)));
+  MaskOf<R> finite = R(ScalarOf<R>(0)) == R(ScalarOf<R>(0));
+  for_parts(
+      f, [&](const auto& part) { finite = finite & is_finite(part.end); }, s);
+  return finite;
 }
 
 /// Lanes that cannot just go on, and what is sure about them before the crossings are found.

@@ -1,7 +1,6 @@
-// Lanes: flights under way, one per lane, each with its own time and step. R is a number (one flight) or a pack.
+// Lanes: projectiles under way, one per lane, each with its own time and step. R is a number (one lane) or a pack.
 //
-// fly() runs one lane, fly_batch() runs packs; both through the same functions, so a shot's numbers are the same:
-// begin() here, try_steps() and accept() in solve/advance.hpp, judge() in solve/judge.hpp.
+// A March (solve/march.hpp) moves them on; solve/judge.hpp says what a step means for a flight.
 #pragma once
 
 #include <cstdint>
@@ -35,10 +34,7 @@ struct Course {
 };
 
 template <class R>
-struct Lanes {
-  Body<R> body;
-  Unset<Rotor<R>> rotor;  // of rungs that turn
-  Step<R> step;
+struct Lanes : Flyer<R> {
   StepControl<R> control;
   Regime<R> regime;  // at the start of the step
   R count;           // steps accepted; of fixed steps, whole ones
@@ -50,54 +46,6 @@ struct Lanes {
 }  // namespace physim
 
 PHYSIM_ISA_BEGIN
-
-/// Closed forms need steps only to look for events in: the first a part of the time to the apex, each twice the last,
-/// so that a few cover flights of any length; with drag short enough that nothing turns twice in one.
-template <class R, class S>
-PHYSIM_INLINE R longest_closed_form_step(const Conditions<S>& c, const Body<R>& b) {
-  const R sixty(S(60));
-  return c.fidelity.drag == DragModel::off ? sixty : min(S(0.5) / max(b.damping_rate, R(S(1e-6))), sixty);
-}
-template <class R, class S>
-PHYSIM_INLINE R closed_form_step(const Conditions<S>& c, const Body<R>& b) {
-  const R speed = length(b.launch.v);
-  const R rise = speed / max(R(c.gravity), R(S(1e-3)));  // time to the apex of a shot straight up
-  const R first = select(speed > R(S(0)), clamp(rise * S(0.5), R(S(1e-12)), R(S(10))), R(S(1e-3)));
-  return min(first, longest_closed_form_step(c, b));
-}
-
-/// Prepares lanes whose `body`, and `rotor` where they turn, is set for their first step.
-template <class R, class S>
-PHYSIM_INLINE void begin(const Course<S>& course, Lanes<R>& l) {
-  const Conditions<S>& c = *course.conditions;
-  const R zero(S(0));
-  l.step.t = zero;
-  l.step.start = l.body.launch;
-  if (has_stops(c)) pass_stops(c, zero, zero == zero, l.step.start, l.body);
-  if (turns(c.fidelity)) l.step.turn->start = l.rotor->launch;
-  set_slope(c, l.body, *l.rotor, 0, l.step);
-  Vec3<R>& a = l.step.slope[0].v;
-  const bool classic = c.fidelity.motion != Motion::closed_form && c.fidelity.integrator == Integrator::classic;
-  if (classic) a = {zero, zero, zero};
-  l.control.log_previous = zero;
-  if (course.plan.step > S(0)) {
-    l.control.h = R(course.plan.step);
-  } else if (c.fidelity.motion == Motion::closed_form) {
-    l.control.h = closed_form_step(c, l.body);
-  } else {
-    l.control.h = min(first_step(c.fidelity.integrator, l.step.start, a, course.plan.relative, course.plan.absolute),
-                      R(course.plan.max_step));
-    if (turns(c.fidelity)) l.control.h = min(l.control.h, first_turn_step(c.fidelity.integrator, *l.step.turn));
-  }
-  if (course.corners) l.regime = regime(c, l.body, *l.rotor, zero, l.step.start);
-  l.count = l.parts = l.tries = l.cut = zero;
-}
-
-/// Where a lane has been let go by its rail, its regime is another one. Without rails the regime knows none.
-template <class R, class S>
-PHYSIM_INLINE void note_rail(const Conditions<S>& c, Lanes<R>& l) {
-  if (c.has_rail) l.regime.rail = l.body.rail_phase;
-}
 
 /// Number of the last slope that a step leaves.
 PHYSIM_INLINE int last_slope(const Fidelity& f) {
@@ -113,25 +61,44 @@ PHYSIM_INLINE std::int64_t evaluations(const Fidelity& granted, std::int64_t tri
 template <class R, class Into, class S>
 PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int from_lane, Lanes<Into>& into, int lane,
                              const NumberRuns& body) {
-  const Integrator integrator = c.fidelity.integrator;
+  const auto copy = [&](const auto& source, auto& to) { copy_lane(source, from_lane, to, lane); };
   copy_lane(from.body, from_lane, into.body, lane, body);
-  copy_lane(from.step.start, from_lane, into.step.start, lane);
-  copy_lane(from.step.end, from_lane, into.step.end, lane);
-  for_dense_slopes(integrator, last_slope(c.fidelity),
-                   [&](int i) { copy_lane(from.step.slope[i], from_lane, into.step.slope[i], lane); });
-  copy_lane(from.step.t, from_lane, into.step.t, lane);
-  copy_lane(from.step.h, from_lane, into.step.h, lane);
-  copy_lane(from.step.t_end, from_lane, into.step.t_end, lane);
-  copy_lane(from.step.error, from_lane, into.step.error, lane);
-  copy_lane(from.count, from_lane, into.count, lane);
-  copy_lane(from.parts, from_lane, into.parts, lane);
-  copy_lane(from.tries, from_lane, into.tries, lane);
-  if (!turns(c.fidelity)) return;
-  copy_lane(*from.rotor, from_lane, *into.rotor, lane);
-  copy_lane(from.step.turn->start, from_lane, into.step.turn->start, lane);
-  copy_lane(from.step.turn->end, from_lane, into.step.turn->end, lane);
-  for_dense_slopes(integrator, last_slope(c.fidelity),
-                   [&](int i) { copy_lane(from.step.turn->slope[i], from_lane, into.step.turn->slope[i], lane); });
+  for_rotors(c.fidelity, copy, from, into);
+  const auto copy_part = [&](const auto& source, auto& to) {
+    copy(source.start, to.start);
+    copy(source.end, to.end);
+    for_dense_slopes(c.fidelity.integrator, last_slope(c.fidelity), [&](int i) { copy(source.slope[i], to.slope[i]); });
+  };
+  for_parts(c.fidelity, copy_part, from.step, into.step);
+  copy(from.step.t, into.step.t);
+  copy(from.step.h, into.step.h);
+  copy(from.step.t_end, into.step.t_end);
+  copy(from.step.error, into.step.error);
+  copy(from.count, into.count);
+  copy(from.parts, into.parts);
+  copy(from.tries, into.tries);
+}
+
+/// Copies one lane that has not begun its first step yet; what is not set then is written before it is read.
+template <class R, class S>
+PHYSIM_INLINE void copy_start(const Course<S>& course, const Lanes<R>& from, int from_lane, Lanes<R>& into, int lane,
+                              const NumberRuns& body) {
+  const Fidelity& f = course.conditions->fidelity;
+  const auto copy = [&](const auto& source, auto& to) { copy_lane(source, from_lane, to, lane); };
+  copy_lane(from.body, from_lane, into.body, lane, body);
+  for_rotors(f, copy, from, into);
+  const auto copy_part = [&](const auto& source, auto& to) {
+    copy(source.start, to.start);
+    copy(source.slope[0], to.slope[0]);
+  };
+  for_parts(f, copy_part, from.step, into.step);
+  copy(from.control, into.control);
+  if (course.corners) copy(from.regime, into.regime);
+  set_lane(into.step.t, lane, S(0));
+  set_lane(into.count, lane, S(0));
+  set_lane(into.parts, lane, S(0));
+  set_lane(into.tries, lane, S(0));
+  set_lane(into.cut, lane, S(0));
 }
 
 PHYSIM_ISA_END

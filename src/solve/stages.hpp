@@ -13,6 +13,12 @@ PHYSIM_INLINE double stage_place(Integrator integrator, int stage) {
   return with_method(integrator, [&](auto method) PHYSIM_INLINE_LAMBDA { return double(method.c[stage]); });
 }
 
+/// When a stage is [s].
+template <class R>
+PHYSIM_INLINE R stage_time(Integrator integrator, int stage, const Step<R>& s) {
+  return s.t + s.h * constant<R>(stage_place(integrator, stage));
+}
+
 /// The state of a stage after the first, from the slopes before it; with all slopes there, the end of the step. `s` is
 /// a Step or its TurnStep. Methods without a tableau have no such stage.
 template <class AnyStep, class R>
@@ -35,22 +41,21 @@ PHYSIM_INLINE auto next_stage(Integrator integrator, int stage, const AnyStep& s
   return y;
 }
 
-/// Ends a step whose slopes are there.
-template <class R>
-PHYSIM_INLINE void finish_stages(Integrator integrator, Step<R>& s) {
-  PHYSIM_ASSERT(integrator != Integrator::classic);  // a frame ends itself
-  if (integrator == Integrator::semi_implicit_euler) return semi_implicit_end(s);
-  s.end = next_stage(integrator, end_slope(integrator), s, s.h);
-}
-/// Ends a rotation's step whose slopes are there.
+/// Goes on from a stage to the next: the slope of the stage, then the state of the next one, or the end of the step.
+/// The state of the stage is where the step starts, or step.end.
 template <class R, class S>
-PHYSIM_INLINE void finish_turn_stages(const Conditions<S>& c, const Rotor<R>& rotor, Step<R>& s) {
+PHYSIM_INLINE void advance_stage(const Conditions<S>& c, int stage, Flyer<R>& l) {
   const Integrator integrator = c.fidelity.integrator;
+  PHYSIM_ASSERT(stage >= 0 && stage < end_slope(integrator) && c.fidelity.motion != Motion::closed_form);
+  Step<R>& s = l.step;
+  if (integrator == Integrator::classic) return classic_frame(c, l.body, s);
+  set_slope(c, l, stage, stage_time(integrator, stage, s));
   if (integrator == Integrator::semi_implicit_euler)
-    semi_implicit_turn(c, rotor, s);
+    take_semi_implicit_step(c, l);
   else
-    s.turn->end = next_stage(integrator, end_slope(integrator), *s.turn, s.h);
-  s.turn->end = on_unit_length(c.fidelity, s.turn->end);
+    for_parts(
+        c.fidelity, [&](auto& part) { part.end = next_stage(integrator, stage + 1, part, s.h); }, s);
+  if (stage + 1 == end_slope(integrator)) set_unit_length(c.fidelity, s);
 }
 
 PHYSIM_ISA_END

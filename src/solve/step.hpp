@@ -1,4 +1,7 @@
 // One step of a flight: what an integrator is given, what it leaves, and what its dense output needs.
+//
+// What is flown has two parts: the state, and where the rotation is flown a Turn. Whatever is done to both alike is
+// written once, with for_parts(); memory of a part that is not flown is neither set nor read.
 #pragma once
 
 #include "model/body.hpp"
@@ -30,9 +33,30 @@ struct Step {
   Unset<TurnStep<R>> turn;     // of rungs that turn
 };
 
+/// What the models read of a projectile, and its step under way. R is a number, or a pack: one projectile per lane.
+template <class R>
+struct Flyer {
+  Body<R> body;
+  Unset<Rotor<R>> rotor;  // of rungs that turn
+  Step<R> step;
+};
+
 }  // namespace physim
 
 PHYSIM_ISA_BEGIN
+
+/// Calls f with steps, and with what they do to the rotation where that is flown. `whole` are Steps, or what else has a
+/// `turn` with members of the same names.
+template <class F, class... Whole>
+PHYSIM_INLINE void for_parts(const Fidelity& granted, const F& f, Whole&... whole) {
+  f(whole...);
+  if (turns(granted)) f(*whole.turn...);
+}
+/// Calls f with the rotors of flyers whose rotation is flown.
+template <class F, class... Flyers>
+PHYSIM_INLINE void for_rotors(const Fidelity& granted, const F& f, Flyers&... flyers) {
+  if (turns(granted)) f(*flyers.rotor...);
+}
 
 template <class R>
 PHYSIM_INLINE State<R> operator+(const State<R>& a, const State<R>& b) {

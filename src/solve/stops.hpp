@@ -7,6 +7,7 @@
 // where a phase ends is found as corners are (solve/regime.hpp).
 #pragma once
 
+#include "base/assert.hpp"
 #include "model/motor_table.hpp"
 #include "solve/take_step.hpp"
 
@@ -35,6 +36,7 @@ template <class R, class S>
 /// Gives one lane's body a piece of its motor's table.
 template <class R>
 PHYSIM_INLINE void put_piece(const MotorPiece* pieces, int piece, Body<R>& b, int lane) {
+  PHYSIM_ASSERT(pieces != nullptr && piece >= 0);
   const MotorPiece& p = pieces[piece];
   put_lane(p.burn, b.burn, lane);
   put_lane(p.curve, static_cast<CurvePart<R>&>(b), lane);

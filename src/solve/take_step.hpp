@@ -15,7 +15,7 @@ PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
 }
 
-/// The original's frame loop.
+/// The original frame loop: its slope[0].v is not that of the state but what its last frame left.
 PHYSIM_INLINE bool is_classic(const Fidelity& granted) {
   return granted.motion != Motion::closed_form && granted.integrator == Integrator::classic;
 }
@@ -51,6 +51,13 @@ PHYSIM_INLINE void semi_implicit_turn(const Conditions<S>& c, const Rotor<R>& ro
       turn_slope(c, rotor, Turn<R>{t.start.w, t.start.u, t.end.h}, Vec3<R>{zero, zero, zero}) * s.h;
   t.end.w = t.start.w + pointing.w;
   t.end.u = t.start.u + pointing.u;
+}
+
+/// A semi-implicit Euler step of all that is flown, but for the length of what points.
+template <class R, class S>
+PHYSIM_INLINE void take_semi_implicit_step(const Conditions<S>& c, Flyer<R>& l) {
+  semi_implicit_end(l.step);
+  if (turns(c.fidelity)) semi_implicit_turn(c, *l.rotor, l.step);
 }
 
 template <class R, class S>
@@ -129,48 +136,58 @@ PHYSIM_INLINE R error_squared(Integrator integrator, const AnyStep& s, const R& 
   });
 }
 
-/// Who takes steps side by side. `rotors` is read by rungs that turn.
+/// Flyers whose steps are taken side by side; more at a time hide no more latency.
+inline constexpr int kMostSets = 4;
 template <class R>
-struct Walkers {
-  const Body<R>* const* bodies;
-  const Rotor<R>* const* rotors;
-  Step<R>* const* steps;
+struct FlyerSet {
+  Flyer<R>* flyer[kMostSets];
+  Step<R>* steps[kMostSets];
   int count;
+
+  PHYSIM_INLINE explicit FlyerSet(Flyer<R>& alone) : count(0) { add(alone); }
+  PHYSIM_INLINE FlyerSet() : count(0) {}
+  PHYSIM_INLINE void add(Flyer<R>& f) {
+    flyer[count] = &f;
+    steps[count++] = &f.step;
+  }
 };
+
+/// Sets what points at the end of a step back to length one, where the rotation is flown.
+template <class R>
+PHYSIM_INLINE void set_unit_length(const Fidelity& f, Step<R>& s) {
+  if (turns(f)) s.turn->end = on_unit_length(f, s.turn->end);
+}
 
 /// Reaches the ends of steps that turn; see reach_ends().
 template <class R, class S>
-[[gnu::noinline]] void reach_turning_ends(const Conditions<S>& c, const Walkers<R>& w) {
+[[gnu::noinline]] void reach_turning_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
   const auto f = [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
-    return evaluated(c, *w.bodies[i], *w.rotors[i], t, y, turn, slope);
+    return evaluated(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, slope);
   };
   with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);
     if constexpr (RungeKutta<Method>) {
       runge_kutta_ends<Method, true>(w.steps, w.count, f);
     } else if constexpr (std::is_same_v<Method, SemiImplicitEuler>) {
-      for (int i = 0; i < w.count; ++i) {
-        semi_implicit_end(*w.steps[i]);
-        semi_implicit_turn(c, *w.rotors[i], *w.steps[i]);
-      }
+      for (int i = 0; i < w.count; ++i) take_semi_implicit_step(c, *w.flyer[i]);
     } else {
       static_assert(std::is_same_v<Method, ClassicLoop>);  // is not granted with a rotation
       PHYSIM_UNREACHABLE();
     }
   });
-  for (int i = 0; i < w.count; ++i) w.steps[i]->turn->end = on_unit_length(c.fidelity, w.steps[i]->turn->end);
+  for (int i = 0; i < w.count; ++i) set_unit_length(c.fidelity, *w.steps[i]);
 }
 
 /// Takes some steps of a cohort side by side, each from its start at t to its end at t_end = t + h, without the slopes
 /// there; slope[0] is given.
 template <class R, class S>
-PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const Walkers<R>& w) {
+PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
   if (turns(c.fidelity)) return reach_turning_ends(c, w);
   if (c.fidelity.motion == Motion::closed_form) {
-    for (int i = 0; i < w.count; ++i) w.steps[i]->end = closed_form(c, *w.bodies[i], w.steps[i]->t_end);
+    for (int i = 0; i < w.count; ++i) w.steps[i]->end = closed_form(c, w.flyer[i]->body, w.steps[i]->t_end);
     return;
   }
-  const auto f = [&](int i, const R& t, const State<R>& y) { return evaluated(c, *w.bodies[i], t, y); };
+  const auto f = [&](int i, const R& t, const State<R>& y) { return evaluated(c, w.flyer[i]->body, t, y); };
   with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);
     if constexpr (RungeKutta<Method>) {
@@ -179,34 +196,31 @@ PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const Walkers<R>& w) {
       for (int i = 0; i < w.count; ++i) semi_implicit_end(*w.steps[i]);
     } else {
       static_assert(std::is_same_v<Method, ClassicLoop>);
-      for (int i = 0; i < w.count; ++i) classic_frame(c, *w.bodies[i], *w.steps[i]);
+      for (int i = 0; i < w.count; ++i) classic_frame(c, w.flyer[i]->body, *w.steps[i]);
     }
   });
 }
-template <class R, class S>
-PHYSIM_INLINE void reach_end(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, Step<R>& s) {
-  const Body<R>* body = &b;
-  const Rotor<R>* its_rotor = &rotor;
-  Step<R>* step = &s;
-  reach_ends(c, Walkers<R>{&body, &its_rotor, &step, 1});
-}
 
-/// The slope at a place of a step, 0 at its start.
+/// The slope at a time, as slope[place]: place 0 where the step starts, else at the state that it has come to.
 template <class R, class S>
-PHYSIM_INLINE void set_slope(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, int place, Step<R>& s) {
-  const R& t = place == 0 ? s.t : s.t_end;
+PHYSIM_INLINE void set_slope(const Conditions<S>& c, Flyer<R>& l, int place, const R& t) {
+  Step<R>& s = l.step;
   const State<R>& y = place == 0 ? s.start : s.end;
   if (turns(c.fidelity)) {
     const Turn<R>& turn = place == 0 ? s.turn->start : s.turn->end;
-    s.slope[place] = {y.v, evaluated(c, b, rotor, t, y, turn, s.turn->slope[place])};
+    s.slope[place] = {y.v, evaluated(c, l.body, *l.rotor, t, y, turn, s.turn->slope[place])};
   } else {
-    s.slope[place] = {y.v, evaluated(c, b, t, y)};
+    s.slope[place] = {y.v, evaluated(c, l.body, t, y)};
   }
 }
-
-/// Takes steps as reach_ends() does, with the slopes at their ends; adaptive integrators also leave the error, squared.
 template <class R, class S>
-PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Walkers<R>& w, S relative, S absolute) {
+PHYSIM_INLINE void set_slope(const Conditions<S>& c, Flyer<R>& l, int place) {
+  set_slope(c, l, place, place == 0 ? l.step.t : l.step.t_end);
+}
+
+/// As reach_ends(), with the slope at the end; adaptive integrators also leave the error, squared.
+template <class R, class S>
+PHYSIM_INLINE void take_steps(const Conditions<S>& c, const FlyerSet<R>& w, S relative, S absolute) {
   reach_ends(c, w);
   const bool closed = c.fidelity.motion == Motion::closed_form;
   const Integrator integrator = c.fidelity.integrator;
@@ -214,7 +228,7 @@ PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Walkers<R>& w, S rel
   const int last = closed ? 1 : end_slope(integrator);
   for (int i = 0; i < w.count; ++i) {
     Step<R>& s = *w.steps[i];
-    set_slope(c, *w.bodies[i], *w.rotors[i], last, s);
+    set_slope(c, *w.flyer[i], last);
     if (closed || !is_adaptive(integrator)) continue;
     s.error = error_squared(integrator, s, s.h, relative, absolute);
     if (turns(c.fidelity)) s.error = worse(s.error, error_squared(integrator, *s.turn, s.h, relative, absolute));
@@ -223,12 +237,8 @@ PHYSIM_INLINE void take_steps(const Conditions<S>& c, const Walkers<R>& w, S rel
 
 /// Takes one step; see take_steps().
 template <class R, class S>
-PHYSIM_INLINE void take_step(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, S relative, S absolute,
-                             Step<R>& s) {
-  const Body<R>* body = &b;
-  const Rotor<R>* its_rotor = &rotor;
-  Step<R>* step = &s;
-  take_steps(c, Walkers<R>{&body, &its_rotor, &step, 1}, relative, absolute);
+PHYSIM_INLINE void take_step(const Conditions<S>& c, Flyer<R>& flyer, S relative, S absolute) {
+  take_steps(c, FlyerSet<R>(flyer), relative, absolute);
 }
 
 PHYSIM_ISA_END

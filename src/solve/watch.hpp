@@ -5,6 +5,7 @@
 // bit.
 #pragma once
 
+#include "base/assert.hpp"
 #include "base/event_table.hpp"
 #include "math/root.hpp"
 #include "physim/flight.hpp"
@@ -123,6 +124,7 @@ struct Detected {
 template <class R, class S>
 PHYSIM_INLINE Detected<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s,
                                  const Vec3<R>& a_start, const Vec3<R>& a_end) {
+  PHYSIM_ASSERT(watch.count >= 0 && watch.count <= kMaxWatched);
   const MaskOf<R> none = R(S(0)) != R(S(0));
   Detected<R> d{none, none, none};
   for (int i = 0; i < watch.count; ++i) {

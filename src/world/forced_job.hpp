@@ -10,18 +10,33 @@ enum ForcedColumn : unsigned {
   kStagePosition = 0,  // of the stage; at last of the end
   kStageVelocity = 3,
   kPush = 6,       // acceleration by generators in the stage
-  kFirstPush = 9,  // the same in the first stage
+  kFirstPush = 9,  // acceleration by generators in the first stage
   kSlopes = 12,    // of stage i from 6 i on: velocity, acceleration
 };
 
 /// Rungs that turn have further columns behind the slopes: the Turn of the stage, at last that of the end, then its
 /// slopes in all stages.
 [[nodiscard]] constexpr unsigned turn_column(int stages) { return kSlopes + 6 * static_cast<unsigned>(stages); }
-[[nodiscard]] constexpr unsigned turn_slope_column(int stages, int stage) {
-  return turn_column(stages) + kNumbers<Turn> * (1 + static_cast<unsigned>(stage));
-}
 [[nodiscard]] constexpr unsigned forced_columns(int stages, bool turning) {
-  return turning ? turn_slope_column(stages, stages) : turn_column(stages);
+  return turn_column(stages) + (turning ? kNumbers<Turn> * (1 + static_cast<unsigned>(stages)) : 0);
+}
+
+/// The columns of a part of what is flown: the state or the Turn.
+struct PartColumns {
+  unsigned stage;   // of the stage; at last of the end
+  unsigned slopes;  // of stage i from slopes + width i on
+  unsigned width;
+
+  [[nodiscard]] PHYSIM_INLINE unsigned slope(int i) const { return slopes + width * static_cast<unsigned>(i); }
+};
+/// Where the two parts of what is flown have their scratch columns.
+template <class R>
+PHYSIM_INLINE PartColumns columns_of(const Step<R>&, int) {
+  return {kStagePosition, kSlopes, 6};
+}
+template <class R>
+PHYSIM_INLINE PartColumns columns_of(const TurnStep<R>&, int stages) {
+  return {turn_column(stages), turn_column(stages) + kNumbers<Turn>, kNumbers<Turn>};
 }
 
 /// Rows of one cohort in one stage.

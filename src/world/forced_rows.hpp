@@ -7,77 +7,38 @@
 
 PHYSIM_ISA_BEGIN
 
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> load_scratch(const ForcedJob<S>& job, unsigned k, std::uint32_t row) {
-  return {load<R>(job.column(k), row), load<R>(job.column(k + 1), row), load<R>(job.column(k + 2), row)};
+template <class S, template <class> class Y, class R>
+PHYSIM_INLINE void load_scratch(const ForcedJob<S>& job, unsigned first, std::uint32_t row, Y<R>& y) {
+  for (unsigned i = 0; i < kNumbers<Y>; ++i) numbers(y)[i] = load<R>(job.column(first + i), row);
 }
-template <class R, class S>
-PHYSIM_INLINE void store_scratch(const Vec3<R>& v, const ForcedJob<S>& job, unsigned k, std::uint32_t row) {
-  v.x.store(job.column(k) + row), v.y.store(job.column(k + 1) + row), v.z.store(job.column(k + 2) + row);
-}
-
-template <class R, class S>
-PHYSIM_INLINE void load_scratch_turn(const ForcedJob<S>& job, unsigned k, std::uint32_t row, Turn<R>& turn) {
-  for (unsigned i = 0; i < kNumbers<Turn>; ++i) numbers(turn)[i] = load<R>(job.column(k + i), row);
-}
-template <class R, class S>
-PHYSIM_INLINE void store_scratch_turn(const Turn<R>& turn, const ForcedJob<S>& job, unsigned k, std::uint32_t row) {
-  for (unsigned i = 0; i < kNumbers<Turn>; ++i) numbers(turn)[i].store(job.column(k + i) + row);
-}
-
-/// The rotation's part of a stage: `y` is the state there; gives the acceleration.
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> advance_turn(const ForcedJob<S>& job, const Conditions<S>& c, std::uint32_t row, const R& t,
-                                   const State<R>& y, const Body<R>& b, Step<R>& s) {
-  const Integrator integrator = c.fidelity.integrator;
-  const int stage = job.stage, stages = end_slope(integrator);
-  TurnStep<R>& turn = *s.turn;
-  Rotor<R> rotor;
-  load_turn(job.rows, row, rotor, turn.start);
-  Turn<R> at = turn.start;
-  if (stage > 0) load_scratch_turn(job, turn_column(stages), row, at);
-  for (int i = 0; i < stage; ++i) load_scratch_turn(job, turn_slope_column(stages, i), row, turn.slope[i]);
-  const Vec3<R> a = evaluated(c, b, rotor, t, y, at, turn.slope[stage]);
-  store_scratch_turn(turn.slope[stage], job, turn_slope_column(stages, stage), row);
-  if (stage + 1 < stages)
-    turn.end = next_stage(integrator, stage + 1, turn, s.h);
-  else
-    finish_turn_stages(c, rotor, s);
-  store_scratch_turn(turn.end, job, turn_column(stages), row);
-  return a;
+template <class S, template <class> class Y, class R>
+PHYSIM_INLINE void store_scratch(const ForcedJob<S>& job, unsigned first, std::uint32_t row, const Y<R>& y) {
+  for (unsigned i = 0; i < kNumbers<Y>; ++i) numbers(y)[i].store(job.column(first + i) + row);
 }
 
 /// The slope of the stage at hand, then the state of the next one, or the end of the step.
 template <class R, class S>
-PHYSIM_INLINE void advance_stage(const ForcedJob<S>& job, const Conditions<S>& c, std::uint32_t row, Body<R>& b,
-                                 Step<R>& s) {
-  const Integrator integrator = c.fidelity.integrator;
-  const int stage = job.stage;
-  const unsigned slope = kSlopes + 6 * static_cast<unsigned>(stage);
-  const R t = s.t + s.h * constant<R>(stage_place(integrator, stage));
-  add_push(c, t, load_scratch<R>(job, stage == 0 ? kFirstPush : kPush, row), job.own_force, b);
-  if (integrator == Integrator::classic) {
-    s.slope[0] = {s.start.v, load_vector<R>(job.rows.columns.carried, row)};
-    classic_frame(c, b, s);
-    store_scratch(s.slope[1].v, job, slope + 3, row);
-    return;
-  }
-  State<R> y = s.start;
-  if (stage > 0) y = {load_scratch<R>(job, kStagePosition, row), load_scratch<R>(job, kStageVelocity, row)};
-  for (unsigned i = 0; i < static_cast<unsigned>(stage); ++i)
-    s.slope[i] = {load_scratch<R>(job, kSlopes + 6 * i, row), load_scratch<R>(job, kSlopes + 6 * i + 3, row)};
-  s.slope[stage] = {y.v, turns(c.fidelity) ? advance_turn(job, c, row, t, y, b, s) : evaluated(c, b, t, y)};
-  store_scratch(s.slope[stage].x, job, slope, row);
-  store_scratch(s.slope[stage].v, job, slope + 3, row);
-  if (stage + 1 < end_slope(integrator))
-    s.end = next_stage(integrator, stage + 1, s, s.h);
-  else
-    finish_stages(integrator, s);
-}
-
-template <class R, class S>
-PHYSIM_INLINE MaskOf<R> turned_bad(const Conditions<S>& c, const Step<R>& s) {
-  return turns(c.fidelity) ? !is_finite(s.turn->end) : R(S(0)) != R(S(0));
+PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c, std::uint32_t row, Flyer<R>& l) {
+  const Fidelity& f = c.fidelity;
+  const int stage = job.stage, stages = end_slope(f.integrator);
+  Step<R>& s = l.step;
+  Vec3<R> push;
+  load_scratch(job, stage == 0 ? kFirstPush : kPush, row, push);
+  add_push(c, stage_time(f.integrator, stage, s), push, job.own_force, l.body);
+  const auto load_part = [&](auto& part) {
+    const PartColumns at = columns_of(part, stages);
+    if (stage > 0) load_scratch(job, at.stage, row, part.end);
+    for (int i = 0; i < stage; ++i) load_scratch(job, at.slope(i), row, part.slope[i]);
+  };
+  for_parts(f, load_part, s);
+  if (is_classic(f)) s.slope[0] = {s.start.v, load_vector<R>(job.rows.columns.carried, row)};
+  advance_stage(c, stage, l);
+  const auto store_part = [&](const auto& part) {
+    const PartColumns at = columns_of(part, stages);
+    store_scratch(job, at.slope(stage), row, part.slope[is_classic(f) ? 1 : stage]);
+    store_scratch(job, at.stage, row, part.end);
+  };
+  for_parts(f, store_part, s);
 }
 
 /// All rows of a job. After the last stage true where rows need a closer look; they are marked.
@@ -85,19 +46,18 @@ template <class R, class S>
 bool advance_packs(const ForcedJob<S>& job) {
   const Conditions<S>& c = *job.rows.course->conditions;
   const bool last = job.stage + 1 == end_slope(c.fidelity.integrator);
-  Body<R> body{};
-  Step<R> s;
+  Flyer<R> flyer{};
+  Step<R>& s = flyer.step;
   bool attention = false;
   for (std::uint32_t row = job.rows.first; row < job.rows.last; row += unsigned(kLanes<R>)) {
-    load_body(job.rows, row, body);
+    load_body(job.rows, row, flyer.body);
     load_clock(job.rows, row, s);
-    s.start = {load_vector<R>(job.rows.columns.position, row), load_vector<R>(job.rows.columns.velocity, row)};
-    advance_stage(job, c, row, body, s);
-    store_scratch(s.end.x, job, kStagePosition, row);
-    store_scratch(s.end.v, job, kStageVelocity, row);
+    load_turn(job.rows, row, flyer);
+    s.start = load_state<R>(job.rows, row);
+    advance_rows(job, c, row, flyer);
     if (!last) continue;
     const unsigned bits =
-        lane_bits(noteworthy(job.rows, c, s, row) | turned_bad(c, s)) & filled_lanes<R>(job.rows.last - row);
+        lane_bits(noteworthy(job.rows, c, s, row) | turned_bad(c, flyer)) & filled_lanes<R>(job.rows.last - row);
     const unsigned shift = row % kRowsPerWord;
     std::uint32_t& word = job.rows.attention[row / kRowsPerWord];
     word = shift == 0 ? bits : word | bits << shift;

@@ -1,5 +1,6 @@
 #include "world/forced_step.hpp"
 
+#include "base/assert.hpp"
 #include "model/ladder.hpp"
 #include "solve/judge.hpp"
 #include "solve/stages.hpp"
@@ -59,7 +60,7 @@ class ForcedStep {
         if (size == 0 || !key(c).forced || key(c).still || key(c).fidelity.integrator != integrator) continue;
         std::size_t& memory = context_.state->rows[c].layout().float32 ? floats : doubles;
         s_.runs.push_back({c, first, size, memory, words, false});
-        memory += padded(size) * forced_columns(end_slope(integrator), turns(key(c).fidelity));
+        memory += padded(size) * forced_columns(end_slope(integrator), context_.state->rows[c].layout().turning);
         words += padded(size) / kRowsPerWord;
         first += size;
       }
@@ -89,6 +90,7 @@ class ForcedStep {
   // ------------------------------------------------------------------------------------------- stages
   void step(const ForcedGroup& group) {
     list_rows(group);
+    PHYSIM_ASSERT(group.first_run < group.last_run && group.last_run <= s_.runs.size());
     field_.begin_step(context_.dt);
     bool attention = false;
     for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
@@ -171,7 +173,7 @@ class ForcedStep {
         if (c.carried[0]) c.carried[axis][row] = carried[row];
       }
     }
-    if (!turns(key(r.cohort).fidelity)) return;
+    if (!rows_of(r).layout().turning) return;
     const unsigned first = turn_column(end_slope(key(r.cohort).fidelity.integrator));
     for (unsigned i = 0; i < kNumbers<Turn>; ++i)
       for (std::uint32_t row = 0; row < r.count; ++row)
@@ -192,41 +194,33 @@ class ForcedStep {
 
   template <class S>
   TakenStep<S> taken_by(const ForcedRun& r, std::uint32_t row) {
+    PHYSIM_ASSERT(row < r.count && r.count == rows_of(r).size());  // nobody left meanwhile
     const ForcedJob<S> j = job<S>(r, 0);
     const RowColumns<S>& c = j.rows.columns;
-    const bool classic = key(r.cohort).fidelity.integrator == Integrator::classic;
-    const auto vector = [&](unsigned k) {
-      return Vec3<S>{j.column(k)[row], j.column(k + 1)[row], j.column(k + 2)[row]};
+    const Fidelity& f = key(r.cohort).fidelity;
+    const bool original = is_classic(f);
+    const int stages = end_slope(f.integrator);
+    const auto read = [&](unsigned first, auto& into) {
+      for (unsigned i = 0; i < sizeof(into) / sizeof(S); ++i) numbers(into)[i] = j.column(first + i)[row];
     };
     TakenStep<S> taken{};
     taken.own_force = j.own_force;
     Step<S>& s = taken.step;
+    const auto read_part = [&](auto& part) {
+      const PartColumns at = columns_of(part, stages);
+      read(at.stage, part.end);
+      for (int i = 0; i < stages; ++i) read(at.slope(i), part.slope[original ? 1 : i]);
+    };
+    for_parts(f, read_part, s);
     s.start = {{c.position[0][row], c.position[1][row], c.position[2][row]},
                {c.velocity[0][row], c.velocity[1][row], c.velocity[2][row]}};
-    s.end = {vector(kStagePosition), vector(kStageVelocity)};
-    for (unsigned i = 0; !classic && i < static_cast<unsigned>(end_slope(key(r.cohort).fidelity.integrator)); ++i)
-      s.slope[i] = {vector(kSlopes + 6 * i), vector(kSlopes + 6 * i + 3)};
-    if (classic) {
-      s.slope[0] = {s.start.v, {c.carried[0][row], c.carried[1][row], c.carried[2][row]}};
-      s.slope[1] = {s.end.v, vector(kSlopes + 3)};
-    }
-    if (turns(key(r.cohort).fidelity)) read_turn<S>(r, row, *s.turn);
-    taken.push[0] = vector(kFirstPush);
-    taken.push[1] = classic ? taken.push[0] : vector(kPush);
+    if (original) s.slope[0] = {s.start.v, {c.carried[0][row], c.carried[1][row], c.carried[2][row]}};
+    if (rows_of(r).layout().turning) Rows::get(c.turn, row, s.turn->start);
+    read(kFirstPush, taken.push[0]);
+    taken.push[1] = taken.push[0];
+    if (!original) read(kPush, taken.push[1]);
     if (!is_finite(State<S>{taken.push[1], {}})) taken.push[1] = taken.push[0];  // for the next step to find
     return taken;
-  }
-
-  template <class S>
-  void read_turn(const ForcedRun& r, std::uint32_t row, TurnStep<S>& turn) {
-    const ForcedJob<S> j = job<S>(r, 0);
-    const int stages = end_slope(key(r.cohort).fidelity.integrator);
-    const auto read = [&](unsigned first, Turn<S>& into) {
-      for (unsigned i = 0; i < kNumbers<Turn>; ++i) numbers(into)[i] = j.column(first + i)[row];
-    };
-    Rows::get(j.rows.columns.turn, row, turn.start);
-    read(turn_column(stages), turn.end);
-    for (int i = 0; i < stages; ++i) read(turn_slope_column(stages, i), turn.slope[i]);
   }
 
   const SettleContext& context_;

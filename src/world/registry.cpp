@@ -16,6 +16,9 @@
 namespace physim {
 namespace {
 
+/// Parts that an adaptive integrator may divide a frame into before it is given up.
+constexpr int kMostPartsOfFrame = 1000;
+
 std::size_t hash_of(const ProjectileDef& p, const BodyDef& b) {
   std::size_t h = std::hash<std::string>()(p.name) ^ std::hash<std::string>()(b.label);
   for (const double x : {p.mass, p.diameter, p.twist, p.drag.coefficient, p.drag.ballistic_coefficient, p.drag.damping,
@@ -43,6 +46,15 @@ WatchList watch_of(const WorldDef& def, const Conditions<double>& c) {
   frames.time = std::numeric_limits<double>::infinity();
   frames.ground = def.ground.mode == GroundMode::none ? std::nullopt : std::optional(def.ground.height);
   return prepare_watch(frames, c, def.apex_events ? Watcher::world_with_apexes : Watcher::world);
+}
+
+/// Frames are steps of their own length, divided a limited number of times.
+template <class S>
+StepPlan<S> frame_plan(const WorldDef& def, const Fidelity& granted) {
+  StepPlan<S> plan = prepare_plan<S>(def.tolerance, granted, 0);
+  plan.max_step = S(1e30);
+  plan.max_tries = S(kMostPartsOfFrame);
+  return plan;
 }
 
 }  // namespace
@@ -147,19 +159,11 @@ void Registry::prepare(WorldCohort& cohort) {
   cohort.conditions_float = to_float(cohort.conditions);
   const WatchList watch = watch_of(def_, cohort.conditions);
   const NumberRuns flown = parts_flown(key.fidelity, cohort.conditions).runs();
-  const bool corners = key.features.has_rail;
-  cohort.course_float = {&cohort.conditions_float,
-                         &cohort.conditions,
-                         flown,
-                         prepare_plan<float>(def_.tolerance, key.fidelity, 0),
-                         watch,
-                         corners};
-  cohort.course_double = {&cohort.conditions,
-                          &cohort.conditions,
-                          flown,
-                          prepare_plan<double>(def_.tolerance, key.fidelity, 0),
-                          watch,
-                          corners};
+  const bool corners = corners_matter(cohort.conditions);
+  cohort.course_float = {
+      &cohort.conditions_float, &cohort.conditions, flown, frame_plan<float>(def_, key.fidelity), watch, corners};
+  cohort.course_double = {
+      &cohort.conditions, &cohort.conditions, flown, frame_plan<double>(def_, key.fidelity), watch, corners};
   point_to_tables(cohort);
 }
 

@@ -1,7 +1,7 @@
 // The world's loop over rows, pack by pack.
 #pragma once
 
-#include "solve/frame.hpp"
+#include "base/assert.hpp"
 #include "solve/judge.hpp"
 #include "world/world_job.hpp"
 
@@ -106,6 +106,7 @@ PHYSIM_INLINE R load_field(const WorldJob<S>& job, std::size_t field, std::uint3
 }
 template <class R, class S>
 PHYSIM_INLINE void load_body(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
+  PHYSIM_ASSERT(job.field_count <= kNumbers<Body>);
   R* number = numbers(b);
   for (unsigned i = 0; i < job.field_count; ++i) number[job.fields[i]] = load_field<R>(job, job.fields[i], row);
 }
@@ -132,11 +133,21 @@ PHYSIM_INLINE void store_numbers(const Struct<R>& from, S* const (&columns)[N], 
   static_assert(N == kNumbers<Struct>);
   for (std::size_t i = 0; i < N; ++i) numbers(from)[i].store(columns[i] + row);
 }
-/// The rotation of a pack of rows, of rungs that turn.
+/// What a rung that turns reads beside the body: the rotor, and the Turn at the start of the step.
 template <class R, class S>
-PHYSIM_INLINE void load_turn(const WorldJob<S>& job, std::uint32_t row, Rotor<R>& rotor, Turn<R>& turn) {
-  load_numbers<RotorConstants>(job.columns.rotor, row, rotor);
-  load_numbers(job.columns.turn, row, turn);
+PHYSIM_INLINE void load_turn(const WorldJob<S>& job, std::uint32_t row, Flyer<R>& flyer) {
+  if (job.columns.turn[0] == nullptr) return;
+  load_numbers<RotorConstants>(job.columns.rotor, row, *flyer.rotor);
+  load_numbers(job.columns.turn, row, flyer.step.turn->start);
+}
+
+/// Lanes whose Turn, where there is one, is no number at the end of the step; of the state noteworthy() knows.
+template <class R, class S>
+PHYSIM_INLINE MaskOf<R> turned_bad(const Conditions<S>& c, const Flyer<R>& flyer) {
+  MaskOf<R> bad = R(S(0)) != R(S(0));
+  for_rotors(
+      c.fidelity, [&](const auto&) { bad = !is_finite(flyer.step.turn->end); }, flyer);
+  return bad;
 }
 
 template <class R, class S>
@@ -160,6 +171,7 @@ PHYSIM_INLINE unsigned filled_lanes(std::uint32_t rows) {
 template <class R, class S, class Frame>
 PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, const Frame& frame) {
   constexpr unsigned kN = unsigned(kLanes<R>);
+  PHYSIM_ASSERT(job.first % kRowsPerWord == 0 && kRowsPerWord % kN == 0);  // a pack's marks lie in one word
   bool attention = false;
   for (std::uint32_t row = job.first; row < job.last; row += kN) {
     Moved<R> m = frame(row);
@@ -189,40 +201,37 @@ PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, co
 template <class R, class S>
 struct AnyRung {
   const WorldJob<S>& job;
-  Body<R>& body;
-  Rotor<R>& rotor;
-  Step<R>& step;
+  March<R>& march;
   R lane_number;
-  bool classic;
 
   PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
-    load_body(job, row, body);
-    load_clock(job, row, step);
-    step.start = load_state<R>(job, row);
-    const Vec3<R> carried = classic ? load_vector<R>(job.columns.carried, row) : Vec3<R>{};
-    const MaskOf<R> filled = lane_number < R(static_cast<S>(job.last - row));
-    const bool turning = job.columns.turn[0] != nullptr;
-    if (turning) load_turn(job, row, rotor, step.turn->start);
-    MaskOf<R> lost = take_frame(*job.course, body, rotor, carried, filled, step);
-    if (turning) lost = lost | !is_finite(step.turn->end);
-    return {step.start, step.end, step.slope[1].v, lost};
+    const Conditions<S>& c = *job.course->conditions;
+    Lanes<R>& l = march.lanes;
+    load_body(job, row, l.body);
+    load_clock(job, row, l.step);
+    load_turn(job, row, l);
+    const State<R> start = load_state<R>(job, row);
+    l.step.start = start;
+    if (is_classic(c.fidelity)) l.step.slope[0].v = load_vector<R>(job.columns.carried, row);
+    MaskOf<R> asked = lane_number < R(static_cast<S>(job.last - row));
+    if (has_stops(c)) asked = asked & !stop_here<R>(job, row);  // noteworthy, so it is settled anyway
+    const MaskOf<R> lost = march.take_frame(l.step.t_end, R(job.h), asked);
+    return {start, l.step.end, l.step.slope[1].v, lost | (asked & turned_bad(c, l))};
   }
   /// Keeps what Moved does not tell of.
   PHYSIM_INLINE void finish(std::uint32_t row, const MaskOf<R>& left) const {
     if (job.columns.turn[0] == nullptr) return;
-    const Turn<R> end = select(left, step.turn->start, step.turn->end);
+    Turn<R> start;
+    load_numbers(job.columns.turn, row, start);
+    const Turn<R> end = select(left, start, march.lanes.step.turn->end);
     store_numbers(end, job.columns.turn, row);
   }
 };
 
 template <class R, class S>
 bool step_any(const WorldJob<S>& job) {
-  const Conditions<S>& c = *job.course->conditions;
-  const bool classic = c.fidelity.motion != Motion::closed_form && c.fidelity.integrator == Integrator::classic;
-  Body<R> body{};
-  Rotor<R> rotor{};
-  Step<R> step;
-  return step_packs<R>(job, c, AnyRung<R, S>{job, body, rotor, step, lane_numbers<R>(), classic});
+  March<R> march(*job.course);
+  return step_packs<R>(job, *job.course->conditions, AnyRung<R, S>{job, march, lane_numbers<R>()});
 }
 
 /// Semi-implicit Euler with effects that are known at compile time, so that the models, the same functions, fold to a
@@ -236,7 +245,7 @@ struct KnownRung {
     const Fidelity& f = c.fidelity;
     return f.motion != Motion::closed_form && f.integrator == Integrator::semi_implicit_euler &&
            f.gravity == GravityModel::constant && f.earth == EarthModel::flat && f.drag == drag && f.wind == wind &&
-           (!kCurve || f.air == air) && !f.planar && !turns(f) && !spins(f) &&
+           (!kCurve || f.air == air) && !f.planar && f.rotation == RotationModel::none &&
            static_cast<const Features&>(c) == Features{};
   }
   /// The conditions that this rung reads.

@@ -22,7 +22,7 @@ bool only_falls(const WorldCohort& cohort) {
   const bool pushed = cohort.key.forced || features.has_applied || features.has_gravity_scale || features.has_motor ||
                       features.has_rail || cohort.key.fidelity.rotation == RotationModel::magnus;
   const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity[0].y > 0;
-  return f.earth == EarthModel::flat && !pushed && !updraught && !turns(f);
+  return f.earth == EarthModel::flat && !pushed && !updraught && !cohort.layout.turning;
 }
 
 template <class S>

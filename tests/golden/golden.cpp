@@ -15,7 +15,7 @@ namespace {
 
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
-constexpr std::uint64_t kExpected = 0x7f3701c8e26a9e8b;
+constexpr std::uint64_t kExpected = 0xe8fad523733adf36;
 
 /// FNV-1a over the bits of numbers; all NaNs count as one, since their bits are nobody's promise.
 class Hash {

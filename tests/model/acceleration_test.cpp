@@ -110,21 +110,21 @@ void expect_ledger_of(const FlightRecord& r) {
   ASSERT_NE(r.outcome, Outcome::refused) << r.error->text();
   const Fidelity& f = r.cohort.in_use.fidelity;
   const bool original = f.motion != Motion::closed_form && f.integrator == Integrator::classic;
-  for (std::size_t i = 0; i < r.nodes.size() && r.nodes[i].t <= r.duration; ++i) {
-    const bool jumps = i + 1 < r.nodes.size() && r.nodes[i + 1].t == r.nodes[i].t;
-    const Accelerations a = r.accelerations_at(r.nodes[i].t);
+  for (std::size_t i = 0; i < r.path.nodes.size() && r.path.nodes[i].t <= r.duration; ++i) {
+    const bool jumps = i + 1 < r.path.nodes.size() && r.path.nodes[i + 1].t == r.path.nodes[i].t;
+    const Accelerations a = r.accelerations_at(r.path.nodes[i].t);
     const double size = size_of(a);
     if (!std::isfinite(size)) continue;  // on its way to Outcome::non_finite
     if (original) {                      // what is summed here is felt in the next frame
-      if (i + 1 < r.nodes.size() && r.nodes[i + 1].t <= r.duration) {
+      if (i + 1 < r.path.nodes.size() && r.path.nodes[i + 1].t <= r.duration) {
         const Vec3d damping = f.drag == DragModel::damping ? a.drag : Vec3d{};  // acts on the velocity by itself
-        EXPECT_TRUE(near(sum_of(a) - damping, r.nodes[i + 1].a, 0, 1e-14 * size)) << i;
+        EXPECT_TRUE(near(sum_of(a) - damping, r.path.nodes[i + 1].a, 0, 1e-14 * size)) << i;
       }
       continue;
     }
     ASSERT_TRUE(near(sum_of(a), a.total, 0, 4e-15 * size)) << i;
     if (!jumps && f.motion != Motion::closed_form) {
-      ASSERT_TRUE(same_bits(a.total, r.nodes[i].a)) << i;
+      ASSERT_TRUE(same_bits(a.total, r.path.nodes[i].a)) << i;
     }
   }
 }

@@ -71,7 +71,12 @@ inline Step<double> first_step_of(const Prepared& p) {
 inline DenseStep step_once(const Prepared& p, Step<double>& s) {
   const Integrator integrator = p.conditions().fidelity.integrator;
   s.t_end = s.t + s.h;
-  take_step(p.conditions(), p.body, p.rotor, 1e-9, 1e-9, s);
+  Flyer<double> flyer;
+  flyer.body = p.body;
+  *flyer.rotor = p.rotor;
+  flyer.step = s;
+  take_step(p.conditions(), flyer, 1e-9, 1e-9);
+  s = flyer.step;
   DenseStep out{integrator, {s.t, s.start, s.slope[0].v}, {s.t_end, s.end, s.slope[end_slope(integrator)].v}, {}};
   dense_coefficients(
       integrator, s, [&](double t, const State<double>& y) { return p.acceleration(t, y); }, out.coefficient);

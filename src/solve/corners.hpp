@@ -1,0 +1,70 @@
+// Corners of the steps of lanes: steps that would cross one are cut to end just behind it (solve/regime.hpp says where
+// corners are).
+#pragma once
+
+#include <optional>
+
+#include "solve/dense_lanes.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// The common case: layers of the air are the only corners, and no lane leaves the first one.
+template <class R, class S>
+PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>& l) {
+  if (drag_has_corners(c) || c.fidelity.wind == WindModel::profile || c.has_applied || c.has_rail || c.has_aero_tables)
+    return false;
+  // Geopotential height is never above geometric height.
+  return all((altitude(c, l.step.end.x) < R(c.air.base[1])) & (l.regime.air_layer == R(S(0))) & (l.cut == R(S(0))));
+}
+
+/// How long the step of one lane may be to end behind its first corner [s]; nothing where it stands.
+template <class R, class S>
+std::optional<double> cut_at_corner(const Course<S>& course, const Lanes<R>& l, int lane, bool by_rail) {
+  const Conditions<double>& c = *course.conditions_double;
+  Lanes<S> alone{};
+  copy_step(*course.conditions, l, lane, alone, 0, course.body);
+  DenseLanes<S> at;
+  dense_lanes(course, alone, at);
+  const Body<double> whole_body = at.whole_body();
+  const auto rates = [&](double theta) {
+    const State<double> s = at(theta);
+    return edge_rates(c, whole_body, s, at.acceleration(theta, s));
+  };
+  const double h = at.n1.t - at.n0.t;
+  // A corner in the first millionth of a step is the one that the last step was cut at. A rail is never left late.
+  const double before = by_rail ? 0 : 1e-6;
+  double cut_h = h * first_corner(c, whole_body, at.turn->rotor, at.n0.t, h, before, at, rates);
+  // A corner within some roundings of the clock is as good as passed: a cut to it would stand still.
+  const double shortest = 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t;
+  if (by_rail) cut_h = max(cut_h, 2 * shortest);
+  if (cut_h >= h || cut_h <= shortest) return std::nullopt;
+  return cut_h;
+}
+
+/// Cuts the steps of lanes that would cross a corner; returns lanes whose step stands.
+template <class R, class S>
+MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>& accepted) {
+  const R one(S(1));
+  const R zero(S(0));
+  const Conditions<S>& c = *course.conditions;
+  if (only_below_first_layer(c, l)) return accepted;
+  const Regime<R> next = regime(c, l.body, *l.rotor, l.step.t_end, l.step.end);
+  const MaskOf<R> turning = turns_back(edge_rates(c, l.body, l.step.start, l.step.slope[0].v),
+                                       edge_rates(c, l.body, l.step.end, l.step.slope[last_slope(c.fidelity)].v));
+  const MaskOf<R> crossing = accepted & (l.cut == zero) & (differ(l.regime, next) | turning);
+  R cut = zero;
+  for (unsigned left = lane_bits(crossing); left != 0; left &= left - 1) {
+    const int lane = __builtin_ctz(left);
+    const bool by_rail = lane_of(l.regime.rail, lane) != lane_of(next.rail, lane);
+    const std::optional<double> cut_h = cut_at_corner(course, l, lane, by_rail);
+    if (!cut_h) continue;
+    set_lane(l.control.h, lane, static_cast<S>(*cut_h));
+    set_lane(cut, lane, S(1));
+  }
+  const MaskOf<R> stands = accepted & (cut == zero);
+  l.cut = select(stands, zero, select(cut == one, one, l.cut));
+  l.regime = select(stands, next, l.regime);
+  return stands;
+}
+
+PHYSIM_ISA_END

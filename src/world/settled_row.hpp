@@ -1,0 +1,166 @@
+// One row of a cohort, taken out of its columns to be stepped by itself, and put back. S is the cohort's number type.
+#pragma once
+
+#include <cmath>
+
+#include "base/assert.hpp"
+#include "solve/judge.hpp"
+#include "world/settle.hpp"
+
+namespace physim {
+
+template <class S>
+class SettledRow {
+ public:
+  SettledRow(const SettleContext& context, Chunk& chunk, std::uint32_t row)
+      : context_(context),
+        chunk_(chunk),
+        cohort_(context.registry->cohort(chunk.cohort)),
+        rows_(context.state->rows[chunk.cohort]),
+        columns_(rows_.columns<S>()),
+        row_(row),
+        slot_index_(rows_.slot(row)),
+        taken_(static_cast<const TakenStep<S>*>(context.taken)),
+        march(cohort_.course<S>()) {
+    PHYSIM_ASSERT(row < rows_.size());
+    read();
+    start_ = {vec_cast<double>(now().x), vec_cast<double>(now().v)};
+  }
+
+  // ------------------------------------------------------------------------------------------- where it is
+  [[nodiscard]] State<S>& now() { return march.lanes.step.start; }
+  [[nodiscard]] const State<S>& now() const { return march.lanes.step.start; }
+  [[nodiscard]] const State<double>& at_start() const { return start_; }
+  [[nodiscard]] bool gone() const { return gone_; }
+  [[nodiscard]] const Slot& slot() const { return context_.state->slots[slot_index_]; }
+  [[nodiscard]] std::uint32_t slot_index() const { return slot_index_; }
+  [[nodiscard]] const WorldCohort& cohort() const { return cohort_; }
+  [[nodiscard]] const Conditions<double>& conditions() const { return cohort_.conditions; }
+  [[nodiscard]] const TakenStep<S>* taken() const { return taken_; }
+  [[nodiscard]] bool turning() const { return rows_.layout().turning; }
+  [[nodiscard]] bool is_clocked() const { return rows_.layout().clocked; }
+  [[nodiscard]] S t_start() const { return t_start_; }
+  [[nodiscard]] S t_end() const { return t_end_; }
+  [[nodiscard]] bool has_launch_place() const { return rows_.layout().launched; }
+  [[nodiscard]] Vec3d launch_place() const { return Rows::at(columns_.launch, row_); }
+
+  /// Where it points and how it turns, where that is flown.
+  void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
+  [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
+    const Lanes<S>& lane = march.lanes;
+    Body<double> body;
+    cast_numbers(lane.body, body);
+    const double t = static_cast<double>(t_start_) + after;
+    if (!turning()) return acceleration(conditions(), body, t, s);
+    Rotor<double> rotor;
+    Turn<double> turn, slope;
+    cast_numbers(*lane.rotor, rotor);
+    cast_numbers(lane.step.turn->start, turn);
+    return evaluated(conditions(), body, rotor, t, s, turn, slope);
+  }
+
+  /// From now on the models feel this acceleration by generators.
+  void feel(const Vec3<S>& push, S t) {
+    march.lanes.body = from_row_;
+    add_push(*march.course().conditions, t, push, taken_->own_force, march.lanes.body);
+  }
+  /// Closed forms know only their launch: after a bounce it is where they bounced, and their clock starts there.
+  void relaunch(double passed) {
+    if (cohort_.key.fidelity.motion != Motion::closed_form) return;
+    march.lanes.body.launch = now();
+    t_start_ = -static_cast<S>(passed);
+    t_end_ = static_cast<S>(context_.dt - passed);
+    relaunched_ = true;
+  }
+
+  // ------------------------------------------------------------------------------------------- what happens to it
+  void tell(EventKind kind, Reason reason, double passed, const State<double>& s) {
+    chunk_.events.push_back({.kind = kind,
+                             .reason = reason,
+                             .id = {slot_index_, slot().generation},
+                             .time = context_.time + passed,
+                             .position = s.x,
+                             .velocity = s.v});
+  }
+  void change(Change::Kind kind, LifeStatus status, Reason reason) {
+    chunk_.changes.push_back({slot_index_, kind, status, reason});
+  }
+  /// Leaves the world; it keeps the last sound state that it had.
+  void leave(LifeStatus status, Reason reason) {
+    gone_ = true;
+    if (status == LifeStatus::retired) tell(EventKind::retired, reason, 0, start_);
+    change(Change::Kind::remove, status, reason);
+  }
+
+  void write() {
+    PHYSIM_ASSERT(!gone_);
+    // The current position of this step is the previous one of the next: the columns change places afterwards.
+    for (int axis = 0; axis < 3; ++axis) {
+      columns_.previous[axis][row_] = part(now().x, axis);
+      columns_.velocity[axis][row_] = part(now().v, axis);
+      if (rows_.layout().carried) columns_.carried[axis][row_] = part(march.lanes.step.slope[0].v, axis);
+    }
+    if (turning()) Rows::put(columns_.turn, row_, march.lanes.step.turn->start);
+    if (!relaunched_ && !has_passed_stops()) return;
+    Body<S>& body = march.lanes.body;
+    body.applied = from_row_.applied;  // what generators gave is not its own
+    body.applied_until = from_row_.applied_until;
+    const S* number = numbers(body);
+    for (const std::uint8_t field : rows_.layout().fields) columns_.field[field][row_] = number[field];
+    if (!relaunched_) return;
+    columns_.offset[row_] = t_end_;
+    columns_.born[row_] = static_cast<S>(context_.now + 1);
+  }
+
+ private:
+  void read() {
+    Lanes<S>& lane = march.lanes;
+    lane.body = {};
+    S* number = numbers(lane.body);
+    for (const std::uint8_t field : rows_.layout().fields) number[field] = columns_.field[field][row_];
+    for (int axis = 0; axis < 3; ++axis) {
+      part(now().x, axis) = columns_.position[axis][row_];
+      part(now().v, axis) = columns_.velocity[axis][row_];
+      if (rows_.layout().carried) part(lane.step.slope[0].v, axis) = columns_.carried[axis][row_];
+    }
+    if (is_clocked()) {
+      const S steps = static_cast<S>(context_.now) - columns_.born[row_];
+      t_start_ = columns_.offset[row_] + steps * static_cast<S>(context_.dt);
+      t_end_ = columns_.offset[row_] + (steps + S(1)) * static_cast<S>(context_.dt);
+    }
+    from_row_ = lane.body;
+    if (turning()) {
+      Rows::get<RotorConstants>(columns_.rotor, row_, *lane.rotor);
+      Rows::get(columns_.turn, row_, lane.step.turn->start);
+    }
+    if (taken_) feel(taken_->push[0], t_start_);
+  }
+  static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+  /// Another piece of its motor's table, another phase on the rail.
+  [[nodiscard]] bool has_passed_stops() const {
+    const Body<S>& body = march.lanes.body;
+    return has_stops(conditions()) &&
+           (body.burn_piece != from_row_.burn_piece || body.rail_phase != from_row_.rail_phase);
+  }
+
+  const SettleContext& context_;
+  Chunk& chunk_;
+  const WorldCohort& cohort_;
+  const Rows& rows_;
+  const RowColumns<S>& columns_;
+  std::uint32_t row_;
+  std::uint32_t slot_index_;
+  const TakenStep<S>* taken_;
+  Body<S> from_row_{};
+  State<double> start_{};
+  S t_start_ = 0;
+  S t_end_ = 0;
+  bool gone_ = false;
+  bool relaunched_ = false;
+
+ public:
+  March<S> march;
+};
+
+}  // namespace physim
