@@ -153,7 +153,8 @@ PHYSIM_INLINE MaskOf<R> turned_bad(const Conditions<S>& c, const Flyer<R>& flyer
 template <class R, class S>
 PHYSIM_INLINE void load_clock(const WorldJob<S>& job, std::uint32_t row, Step<R>& s) {
   s.h = R(job.h);
-  s.t = s.t_end = R(S(0));
+  s.t = R(S(0));
+  s.t_end = s.h;
   if (!job.clocked) return;
   const R offset = load<R>(job.columns.offset, row);
   const R steps = R(job.now) - load<R>(job.columns.born, row);
