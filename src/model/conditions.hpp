@@ -4,6 +4,7 @@
 // Source: none of its own; the model files say what the numbers mean.
 #pragma once
 
+#include "base/members.hpp"
 #include "math/interpolation.hpp"
 #include "physim/environment.hpp"
 #include "physim/fidelity.hpp"
@@ -99,8 +100,9 @@ struct Features {
   PHYSIM_INLINE bool operator==(const Features&) const = default;
 };
 
+/// Where they fly, on what rungs.
 template <class S>
-struct Conditions : Features {
+struct EnvironmentNumbers {
   Fidelity fidelity;  // as granted
   S gravity;          // at sea level [m/s^2]
   S radius;           // of sea level from the Earth's centre [m]
@@ -109,10 +111,24 @@ struct Conditions : Features {
   Globe<S> globe;
   Air<S> air;
   WindField<S> wind;
+};
+
+/// What they look up.
+template <class S>
+struct TablePointers {
   const S* curve_rows;                    // pool of cubic rows of all drag curves in use
   const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
   const MotorPiece* motor_pieces;         // pool of the tables of all motors in use
   const MagnusGrid* magnus_grids;         // tables of balls that spin
 };
+
+template <class S>
+struct Conditions : Features, EnvironmentNumbers<S>, TablePointers<S> {};
+
+/// Counted here, since they hold arrays.
+template <class S>
+inline constexpr std::size_t kMemberCount<Air<S>> = 17;
+template <class S>
+inline constexpr std::size_t kMemberCount<WindField<S>> = 6;
 
 }  // namespace physim

@@ -82,15 +82,10 @@ void prepare_earth(const Environment& environment, const Fidelity& granted, Cond
 
 Globe<float> to_float(const Globe<double>& g) {
   Globe<float> f{};
-  f.gm = static_cast<float>(g.gm);
-  f.origin = vec_cast<float>(g.origin);
-  f.axis = vec_cast<float>(g.axis);
-  f.to_axis = static_cast<float>(g.to_axis);
+  cast_members(g, f);
   // As floats give it, so that the origin itself has height 0.
   const float z = f.origin.x * f.axis.x + f.origin.y * f.axis.y + f.origin.z * f.axis.z;
   f.axis_offset = axis_offset(dot(f.origin, f.origin), z, kFlightRounds);
-  f.squeezed_up = vec_cast<float>(g.squeezed_up);
-  f.per_squeezed_up = static_cast<float>(g.per_squeezed_up);
   return f;
 }
 
