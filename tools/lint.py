@@ -17,7 +17,10 @@ ROOT = Path(__file__).resolve().parent.parent
 LAYERS = ["base", "math", "model", "solve", "prepare", "flight", "collide", "world", "emit", "scenario", "report", "study",
           "validation", "capi"]  # ground first
 KNOW_FILES = {"scenario", "report", "study", "validation", "capi"}
-MAX_LINES, MAX_COLUMNS, MAX_BYTES = 600, 120, 1_000_000
+MAX_LINES, MAX_TEST_LINES, MAX_COLUMNS, MAX_BYTES = 500, 600, 120, 1_000_000
+MAX_FUNCTION_LINES = 60
+MAX_CASTS, MAX_CAST_FILES = 10, 3  # reinterpret_cast in include, src and apps
+MIN_ASSERTS = 2  # PHYSIM_ASSERT per 1000 lines of include and src; 8 are wanted, and this only rises
 CPP = (".hpp", ".cpp", ".h")
 
 findings = []
@@ -214,8 +217,9 @@ def check_source_named(name, lines):
 
 def check_size(name, lines):
     if name.startswith(("src/", "include/", "apps/", "tests/")):
-        if len(lines) > MAX_LINES:
-            find(name, MAX_LINES + 1, f"{len(lines)} lines, the house has {MAX_LINES}; split the file by purpose")
+        most = MAX_TEST_LINES if name.startswith("tests/") else MAX_LINES
+        if len(lines) > most:
+            find(name, most + 1, f"{len(lines)} lines, the house has {most}; split the file by purpose")
         for number, line in enumerate(lines, 1):
             if len(line) > MAX_COLUMNS:
                 find(name, number, f"{len(line)} columns, the house has {MAX_COLUMNS}; break the line")
@@ -245,6 +249,73 @@ def check_enumerators(name, text, enums):
         if re.search(r"\bcase \w+(::\w+)+:", code[opening:match.start()]):
             find(name, code.count("\n", 0, match.start()) + 1,
                  "a default in a switch over an enumeration; name the rest, so that a new one does not compile")
+
+
+def function_bodies(code):
+    """(first line, lines, head) of each function's body in code without comments, strings and preprocessor lines."""
+    stack, start, depth = [], 0, 0
+    for at, c in enumerate(code):
+        if c in "([":
+            depth += 1
+        elif c in ")]":
+            depth -= 1
+        elif depth == 0 and c == "{":
+            head = code[start:at].strip()
+            if re.search(r"\b(namespace|extern|class|struct|union|enum)\b[^;=()]*$", head):
+                kind = "scope"
+            else:
+                kind = "function" if re.search(r"\)[^;=]*$", head) and "function" not in stack_kinds(stack) else "other"
+            stack.append((kind, at, head))
+            start = at + 1
+        elif depth == 0 and c == "}" and stack:
+            kind, begin, head = stack.pop()
+            start = at + 1
+            if kind == "function":
+                yield code.count("\n", 0, begin) + 1, code.count("\n", begin, at) + 1, head.split("\n")[-1].strip()
+        elif depth == 0 and c == ";":
+            start = at + 1
+
+
+def stack_kinds(stack):
+    return [kind for kind, _, _ in stack]
+
+
+def check_functions(name, text):
+    if not name.startswith(("src/", "include/", "apps/")):
+        return
+    code = COMMENT_OR_STRING.sub(blank, text)
+    code = re.sub(r"^[ \t]*#(?:.*\\\n)*.*", blank, code, flags=re.M)
+    for line, length, head in function_bodies(code):
+        if length > MAX_FUNCTION_LINES:
+            find(name, line, f"`{head[:60]}` has {length} lines, the house has {MAX_FUNCTION_LINES}; split it by purpose")
+
+
+LEANING = re.compile(r"\s*//+\s+(The same|Both|Of)\b")
+
+
+def check_comments(name, lines):
+    """A comment must survive being moved: it says what it speaks of, and does not lean on the line before it."""
+    if not name.startswith(("src/", "include/", "apps/")):
+        return
+    for number, line in enumerate(lines, 1):
+        before = lines[number - 2] if number > 1 else ""
+        if LEANING.match(line) and not before.lstrip().startswith("//"):
+            find(name, number, "this comment leans on what stands before it; name what it speaks of")
+
+
+def check_counts(texts):
+    """Counts over the whole house; texts: name -> text of each C++ file."""
+    casts = {n: t.count("reinterpret_cast<") for n, t in texts.items() if n.startswith(("include/", "src/", "apps/"))}
+    casts = {n: count for n, count in casts.items() if count}
+    if sum(casts.values()) > MAX_CASTS or len(casts) > MAX_CAST_FILES:
+        find(max(casts, key=casts.get), 1, f"{sum(casts.values())} reinterpret_cast in {len(casts)} files, the house has "
+             f"{MAX_CASTS} in {MAX_CAST_FILES}; structs list their members in src/base/members.hpp")
+    core = {n: t for n, t in texts.items() if n.startswith(("include/", "src/"))}
+    lines = sum(t.count("\n") for t in core.values())
+    asserts = sum(len(re.findall(r"\bPHYSIM_ASSERT\(", COMMENT_OR_STRING.sub(blank, t))) for t in core.values())
+    if asserts * 1000 < MIN_ASSERTS * lines:
+        find("src", 1, f"{asserts} asserts in {lines} lines, the house has {MIN_ASSERTS} per 1000; state what could be false")
+    return f"{lines} lines of core, {asserts} asserts, {sum(casts.values())} reinterpret_cast"
 
 
 def check_kernel_symbols():
@@ -298,6 +369,7 @@ def main():
         if size > MAX_BYTES:
             find(name, 1, f"{size / 1e6:.1f} MB; a file here has at most 1 MB: make it smaller or generate it")
     enums = enumerations(cpp)
+    texts = {}
     for name in cpp:
         text = read(name)
         lines = text.splitlines()
@@ -308,12 +380,16 @@ def main():
         check_source_named(name, lines)
         check_size(name, lines)
         check_enumerators(name, text, enums)
+        check_functions(name, text)
+        check_comments(name, lines)
+        texts[name] = text
     additions.check(find)
+    counts = check_counts(texts)
     kernels = check_kernel_symbols()
     for finding in findings:
         print(finding)
-    print(f"lint: {len(cpp)} source files, {kernels}: {len(findings)} findings" if findings else
-          f"lint: {len(cpp)} source files, {kernels}: clean")
+    print(f"lint: {len(cpp)} source files, {kernels}, {counts}: {len(findings)} findings" if findings else
+          f"lint: {len(cpp)} source files, {kernels}, {counts}: clean")
     return 1 if findings else 0
 
 

@@ -50,116 +50,48 @@ constexpr std::size_t count_members() {
 template <class T>
 inline constexpr std::size_t kMemberCount = detail::count_members<T>();
 
+// Where there are `count` members: their names in a structured binding, which takes as many as there are.
+#define PHYSIM_TAKE(count, ...) \
+  if constexpr (n == (count)) { \
+    auto& [__VA_ARGS__] = x;    \
+    return f(__VA_ARGS__);      \
+  }
+
 /// Calls f with all members of x.
 template <class T, class F>
 constexpr decltype(auto) with_members(T& x, F&& f) {
   constexpr std::size_t n = kMemberCount<std::remove_const_t<T>>;
   static_assert(n >= 1 && n <= 26, "one more line below");
-  if constexpr (n == 1) {
-    auto& [a] = x;
-    return f(a);
-  }
-  if constexpr (n == 2) {
-    auto& [a, b] = x;
-    return f(a, b);
-  }
-  if constexpr (n == 3) {
-    auto& [a, b, c] = x;
-    return f(a, b, c);
-  }
-  if constexpr (n == 4) {
-    auto& [a, b, c, d] = x;
-    return f(a, b, c, d);
-  }
-  if constexpr (n == 5) {
-    auto& [a, b, c, d, e] = x;
-    return f(a, b, c, d, e);
-  }
-  if constexpr (n == 6) {
-    auto& [a, b, c, d, e, g] = x;
-    return f(a, b, c, d, e, g);
-  }
-  if constexpr (n == 7) {
-    auto& [a, b, c, d, e, g, h] = x;
-    return f(a, b, c, d, e, g, h);
-  }
-  if constexpr (n == 8) {
-    auto& [a, b, c, d, e, g, h, i] = x;
-    return f(a, b, c, d, e, g, h, i);
-  }
-  if constexpr (n == 9) {
-    auto& [a, b, c, d, e, g, h, i, j] = x;
-    return f(a, b, c, d, e, g, h, i, j);
-  }
-  if constexpr (n == 10) {
-    auto& [a, b, c, d, e, g, h, i, j, k] = x;
-    return f(a, b, c, d, e, g, h, i, j, k);
-  }
-  if constexpr (n == 11) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l);
-  }
-  if constexpr (n == 12) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m);
-  }
-  if constexpr (n == 13) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o);
-  }
-  if constexpr (n == 14) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p);
-  }
-  if constexpr (n == 15) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q);
-  }
-  if constexpr (n == 16) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r);
-  }
-  if constexpr (n == 17) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s);
-  }
-  if constexpr (n == 18) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t);
-  }
-  if constexpr (n == 19) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u);
-  }
-  if constexpr (n == 20) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v);
-  }
-  if constexpr (n == 21) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w);
-  }
-  if constexpr (n == 22) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y);
-  }
-  if constexpr (n == 23) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z);
-  }
-  if constexpr (n == 24) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa);
-  }
-  if constexpr (n == 25) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb);
-  }
-  if constexpr (n == 26) {
-    auto& [a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb, cc] = x;
-    return f(a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb, cc);
-  }
+  // clang-format off
+  PHYSIM_TAKE(1, a)
+  PHYSIM_TAKE(2, a, b)
+  PHYSIM_TAKE(3, a, b, c)
+  PHYSIM_TAKE(4, a, b, c, d)
+  PHYSIM_TAKE(5, a, b, c, d, e)
+  PHYSIM_TAKE(6, a, b, c, d, e, g)
+  PHYSIM_TAKE(7, a, b, c, d, e, g, h)
+  PHYSIM_TAKE(8, a, b, c, d, e, g, h, i)
+  PHYSIM_TAKE(9, a, b, c, d, e, g, h, i, j)
+  PHYSIM_TAKE(10, a, b, c, d, e, g, h, i, j, k)
+  PHYSIM_TAKE(11, a, b, c, d, e, g, h, i, j, k, l)
+  PHYSIM_TAKE(12, a, b, c, d, e, g, h, i, j, k, l, m)
+  PHYSIM_TAKE(13, a, b, c, d, e, g, h, i, j, k, l, m, o)
+  PHYSIM_TAKE(14, a, b, c, d, e, g, h, i, j, k, l, m, o, p)
+  PHYSIM_TAKE(15, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q)
+  PHYSIM_TAKE(16, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r)
+  PHYSIM_TAKE(17, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s)
+  PHYSIM_TAKE(18, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t)
+  PHYSIM_TAKE(19, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u)
+  PHYSIM_TAKE(20, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v)
+  PHYSIM_TAKE(21, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w)
+  PHYSIM_TAKE(22, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y)
+  PHYSIM_TAKE(23, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z)
+  PHYSIM_TAKE(24, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa)
+  PHYSIM_TAKE(25, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb)
+  PHYSIM_TAKE(26, a, b, c, d, e, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, y, z, aa, bb, cc)
+  // clang-format on
 }
+#undef PHYSIM_TAKE
 
 /// Gives every member of a structure to its twin of another precision.
 template <class From, class To>

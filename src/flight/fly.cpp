@@ -36,7 +36,7 @@ void keep_event(FlightRecord& record, const Watched& watched, bool rising, doubl
                            .velocity = s.v});
 }
 
-/// Of a state the acceleration is kept alone.
+/// A node keeps the acceleration alone of a slope.
 template <class S>
 void set_rate(const State<S>& slope, Node& node) {
   node.a = vec_cast<double>(slope.v);

@@ -180,7 +180,8 @@ PHYSIM_INLINE R atan2(const R& y, const R& x) {
   const R a = abs(y), b = abs(x);
   const MaskOf<R> steep = a > b;
   R low = select(steep, b, a), high = select(steep, a, b);
-  // Both infinite counts as 45 degrees, both zero as 0; huge ones are halved, so that low + high stays finite.
+  // Two infinite components count as 45 degrees, two zero ones as 0; huge ones are halved, so that low + high stays
+  // finite.
   const MaskOf<R> infinite = high == infinity<R>();
   low = select(infinite, select(low == infinity<R>(), one, low * zero), low);
   high = select(infinite | (high == zero), one, high);

@@ -171,7 +171,7 @@ PHYSIM_INLINE void sum_effects(const Conditions<S>& c, const Body<R>& b, const R
   sum.constrain(c, b);
 }
 
-/// Of a shell in its yaw of repose, which is returned.
+/// The effects on a shell in its yaw of repose, which is returned.
 template <class R, class S, class AnySum>
 PHYSIM_INLINE Repose<R> sum_reposed(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                     const State<R>& s, const R& spin, AnySum& sum) {
@@ -190,7 +190,7 @@ PHYSIM_INLINE Repose<R> sum_reposed(const Conditions<S>& c, const Body<R>& b, co
   return r;
 }
 
-/// Of what turns, with the slope of its Turn.
+/// The effects on what turns, with the slope of its Turn.
 template <class R, class S, class AnySum>
 PHYSIM_INLINE void sum_effects(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                const State<R>& s, const Turn<R>& turn, Turn<R>& slope, AnySum& sum) {
@@ -207,7 +207,7 @@ PHYSIM_INLINE void sum_effects(const Conditions<S>& c, const Body<R>& b, const R
 }
 
 // ------------------------------------------------------------------------------------------- what is asked for
-/// Of a point mass.
+/// The acceleration of a point mass.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   Sum<R> sum;
@@ -227,7 +227,7 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
   return a;
 }
 
-/// Of what turns, behind one call.
+/// The acceleration of what turns, behind one call.
 template <class R, class S>
 [[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
                                 const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {

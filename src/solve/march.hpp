@@ -164,7 +164,7 @@ class March {
     if (course_->corners) l.regime = regime(conditions(), l.body, *l.rotor, l.step.t, l.step.start);
   }
 
-  /// Of the first step of a flight.
+  /// The length of a flight's first step.
   [[nodiscard]] PHYSIM_INLINE R first_length() const {
     const Conditions<S>& c = conditions();
     const StepPlan<S>& plan = course_->plan;

@@ -85,7 +85,7 @@ template <class R, class S>
 PHYSIM_INLINE ErrorPair<R> squared_errors(const State<R>& e, const State<R>& end, S relative, S absolute) {
   return {squared_ratio(e.x, end.x, relative, absolute), squared_ratio(e.v, end.v, relative, absolute)};
 }
-/// Of what points, a unit vector or quaternion, and of what turns. The roll of the axis form is only shown.
+/// The errors of what points, a unit vector or quaternion, and of what turns. The roll of the axis form is only shown.
 template <class R, class S>
 PHYSIM_INLINE ErrorPair<R> squared_errors(const Turn<R>& e, const Turn<R>& end, S relative, S absolute) {
   return {squared_ratio(e.u, end.u, relative, absolute), squared_ratio(e.h, end.h, relative, absolute)};
