@@ -157,8 +157,8 @@ class JudgedSteps {
       const W time = judgement_.at.time(theta);
       const State<W> state = judgement_.at.at_time(time);
       const bool turning = job_.turns != nullptr;
-      Unset<Turn<W>> turned;
-      if (turning) *turned = judgement_.at.turn_at_time(time);
+      Turn<W> turned{};
+      if (turning) turned = judgement_.at.turn_at_time(time);
       for (int i = 0; i < filled_; ++i) {
         if (rank >= judgement_.crossings[i].count) continue;
         const Found& found = judgement_.crossings[i].found[rank];
@@ -167,7 +167,7 @@ class JudgedSteps {
         job_.emit(job_.sink, event);
         if (!verdict_[i].ended) continue;
         put_end(i, event.time, event.state);  // of the last crossing, where the flight ends with one
-        if (turning) copy_lane(*turned, i, job_.turns[shot_[i]], 0);
+        if (turning) copy_lane(turned, i, job_.turns[shot_[i]], 0);
       }
     }
   }
