@@ -67,15 +67,18 @@ TEST(RigidBody, energy_momentum_and_the_length_of_the_quaternion_are_kept) {
 /// The brick after 10 s in n fixed steps.
 Attitude turned(Integrator integrator, int n) {
   const Prepared p(nasa_brick(), spun_launch(), still_place(), rigid(integrator));
-  Step<double> s{};
+  Flyer<double> flyer{};
+  flyer.body = p.body;
+  *flyer.rotor = p.rotor;
+  Step<double>& s = flyer.step;
   s.start = p.body.launch;
   s.turn->start = p.rotor.launch;
   s.h = 10.0 / n;
-  set_slope(p.conditions(), p.body, p.rotor, 0, s);
+  set_slope(p.conditions(), flyer, 0);
   for (int i = 0; i < n; ++i) {
     s.t = i * s.h;
     s.t_end = s.t + s.h;
-    take_step(p.conditions(), p.body, p.rotor, 1e-9, 1e-9, s);
+    take_step(p.conditions(), flyer, 1e-9, 1e-9);
     s.start = s.end;
     s.slope[0] = s.slope[end_slope(integrator)];
     s.turn->start = s.turn->end;
