@@ -52,7 +52,7 @@ class Archive {
   void take(double& x) {
     auto word = std::bit_cast<std::uint64_t>(x);
     bits(word, 8);
-    x = std::bit_cast<double>(word);
+    if constexpr (Self::kReads) x = std::bit_cast<double>(word);
   }
   template <class T>
   requires std::integral<T> || std::is_enum_v<T>
@@ -64,7 +64,7 @@ class Archive {
       bits(word, 1, enumerators(x));
     else
       bits(word, sizeof(T));
-    x = static_cast<T>(word);
+    if constexpr (Self::kReads) x = static_cast<T>(word);  // what is written may be a constant
   }
   void take(std::string& text) { self().text(text); }
   template <class T>

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "physim/recording.hpp"
+#include "physim/recording_file.hpp"
 #include "physim/world_run.hpp"
 
 namespace physim::test {
@@ -43,12 +44,14 @@ inline void expect_kept_at_every_door(const Scenario& scenario) {
   ASSERT_TRUE(run.restore(start));
   EXPECT_NE(run.world().hash(), hash);
 
-  std::vector<std::byte> bytes;
-  ASSERT_TRUE(run.world().record(record_into(bytes)));
-  for (std::uint64_t i = 1; i < run.steps(); ++i) run.step();
-  ASSERT_TRUE(run.world().stop_recording());
-  EXPECT_EQ(run.world().hash(), hash);
-  const Result<ReplayReport> report = replay(bytes);
+  const std::string file = testing::TempDir() + "physim_addition.rec";
+  WorldRun recorded = WorldRun::create(scenario, file).value();
+  for (std::uint64_t i = 0; i < recorded.steps(); ++i) recorded.step();
+  ASSERT_TRUE(recorded.world().stop_recording());
+  EXPECT_EQ(recorded.world().hash(), hash);
+  const auto bytes = load_recording(file);
+  ASSERT_TRUE(bytes.ok()) << bytes.error().text();
+  const Result<ReplayReport> report = replay(*bytes);
   ASSERT_TRUE(report.ok()) << report.error().text();
   EXPECT_TRUE(report->complete);
   EXPECT_FALSE(report->difference);
