@@ -35,10 +35,10 @@ class Life {
     snapshot_ = {};
     std::vector<BodyState> states(count_);
     time("read many states, in order", [&] { world.states(ids_, states); });
-    world[ids_].set_fidelity(other_);  // its columns grow
-    world[ids_].set_fidelity(game_);
+    world.set_fidelity(ids_, other_);  // its columns grow
+    world.set_fidelity(ids_, game_);
     world.step(kFrame);
-    time("move many to another rung, in order", [&] { world[ids_].set_fidelity(other_); });
+    time("move many to another rung, in order", [&] { world.set_fidelity(ids_, other_); });
     world.step(kFrame);
     time("move many to another rung, at random", [&] { world.set_fidelity(shuffled, game_); });
     world.step(kFrame);
@@ -50,7 +50,7 @@ class Life {
     world.step(kFrame);
     time("spawn many, into used slots", [&] { world.spawn(kind, launches_, ids_); });
     world.step(kFrame);
-    time("despawn, in order", [&] { world[ids_].despawn(); });
+    time("despawn, in order", [&] { world.despawn(ids_); });
   }
 
   void add_rows(Section& s) const {
