@@ -10,9 +10,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
+#include "base/members.hpp"
 #include "physim/names.hpp"
 #include "physim/scenario.hpp"
 
@@ -33,6 +35,11 @@ struct Scope {
   Volley* volley = nullptr;
   ScenarioForce* force = nullptr;
   Thrust::Point* thrust_point = nullptr;
+
+  /// All of them, to be found by what they point to.
+  [[nodiscard]] auto pointers() {
+    return with_members(*this, [](auto&... each) { return std::tie(each...); });
+  }
 };
 
 /// A number that may be absent.
@@ -134,25 +141,17 @@ struct SchemaNode {
 [[nodiscard]] const std::vector<std::string_view>& setting_paths();
 
 /// An object of each kind with nothing but defaults, to read defaults and types from.
-struct Defaults {
-  std::int64_t format = 1;
-  Scenario scenario;
-  ScenarioShot shot;
-  Expectation expect;
-  EventSpec event;
-  WindPoint wind_point;
-  BallisticBand band;
-  MagnusPoint magnus_point;
-  PoolDef pool;
-  DetailRung rung;
-  Volley volley;
-  ScenarioForce force;
-  Thrust::Point thrust_point;
-
+class Defaults {
+ public:
   [[nodiscard]] Scope scope() {
-    return {&format,       &scenario, &shot, &expect, &event, &wind_point,  &band,
-            &magnus_point, &pool,     &rung, &volley, &force, &thrust_point};
+    return std::apply([this](auto&... object) { return Scope{&format_, &object...}; }, objects_);
   }
+
+ private:
+  std::int64_t format_ = 1;
+  std::tuple<Scenario, ScenarioShot, Expectation, EventSpec, WindPoint, BallisticBand, MagnusPoint, PoolDef, DetailRung,
+             Volley, ScenarioForce, Thrust::Point>
+      objects_;  // in the order of Scope
 };
 
 /// For std::visit.

@@ -22,41 +22,21 @@ bool is_law(const Scope& scope) {
   return std::holds_alternative<Law>(scope.force->law);
 }
 
+#define PHYSIM_FORCE(field, ...) setting("force." #field, PHYSIM_FIELD(force->field), __VA_ARGS__)
+
 constexpr Entry kForceSettings[] = {
-    {.path = "force",
-     .slot = PHYSIM_RECORDS(scenario->forces, force),
-     .doc = "force generators; each has one law",
-     .range = at_most(10000)},
-    {.path = "force.name", .slot = PHYSIM_FIELD(force->name), .doc = "in messages; default: force-1, force-2, ..."},
-    {.path = "force.shots",
-     .slot = PHYSIM_FIELD(force->shots),
-     .doc = "names of the shots that it acts on; neither shots nor layers: everything"},
-    {.path = "force.layers",
-     .slot = PHYSIM_FIELD(force->layers),
-     .doc = "bits of shot.body.layers that it acts on",
-     .range = kBits},
-    {.path = "force.delay",
-     .slot = PHYSIM_FIELD(force->delay),
-     .doc = "before it starts",
-     .quantity = Quantity::time,
-     .range = at_least(0)},
-    {.path = "force.duration",
-     .slot = PHYSIM_FIELD(force->duration),
-     .doc = "then it ends",
-     .quantity = Quantity::time,
-     .range = or_infinite(above(0))},
+    setting("force", PHYSIM_FIELD(scenario->forces), "force generators; each has one law", at_most(10000)),
+    PHYSIM_FORCE(name, "in messages; default: force-1, force-2, ..."),
+    PHYSIM_FORCE(shots, "names of the shots that it acts on; neither shots nor layers: everything"),
+    PHYSIM_FORCE(layers, "bits of shot.body.layers that it acts on", kBits),
+    PHYSIM_FORCE(delay, "before it starts", Quantity::time, at_least(0)),
+    PHYSIM_FORCE(duration, "then it ends", Quantity::time, or_infinite(above(0))),
 };
 
 constexpr Entry kThrustCurve[] = {
-    {.path = "force.thrust.curve.time",
-     .slot = PHYSIM_FIELD(thrust_point->time),
-     .doc = "since the force started, or since each launch",
-     .quantity = Quantity::time,
-     .range = at_least(0)},
-    {.path = "force.thrust.curve.force",
-     .slot = PHYSIM_FIELD(thrust_point->force),
-     .doc = "along the direction",
-     .quantity = Quantity::force},
+    setting("force.thrust.curve.time", PHYSIM_FIELD(thrust_point->time),
+            "since the force started, or since each launch", Quantity::time, at_least(0)),
+    setting("force.thrust.curve.force", PHYSIM_FIELD(thrust_point->force), "along the direction", Quantity::force),
 };
 
 constexpr Range range_of(Limit limit) {
@@ -73,13 +53,10 @@ constexpr Range range_of(Limit limit) {
 template <class Law, auto kMember>
 ValueRef member_slot(const Scope& scope) {
   auto& value = law_of<Law>(scope).*kMember;
-  using T = std::decay_t<decltype(value)>;
-  if constexpr (std::is_same_v<T, ProjectileId>)
-    return slot_of(scope.force->other);
-  else if constexpr (std::is_same_v<T, std::vector<Thrust::Point>>)
-    return records(scope, value, &Scope::thrust_point);
+  if constexpr (std::is_same_v<std::decay_t<decltype(value)>, ProjectileId>)
+    return &scope.force->other;
   else
-    return slot_of(value);
+    return slot_of(scope, value);
 }
 
 /// The settings of a law, out of its row; `paths` keeps what the entries refer to.

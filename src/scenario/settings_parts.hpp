@@ -1,5 +1,7 @@
-// What the parts of the list of settings are written with: ranges, slots made from the types of fields.
+// What the list of settings is written with: ranges, slots made from the types of fields, rows.
 #pragma once
+
+#include <utility>
 
 #include "base/assert.hpp"
 #include "model/ladder.hpp"
@@ -21,28 +23,9 @@ constexpr Range or_infinite(Range range) {
 inline constexpr Range kHalfTurn = {.low = -kRightAngle, .high = kRightAngle, .words = "-90 deg .. 90 deg"};
 inline constexpr Range kTurn = {.low = -4 * kRightAngle, .high = 4 * kRightAngle, .words = "-360 deg .. 360 deg"};
 inline constexpr Range kBits = {.low = 0, .high = 4294967295.0};
+inline constexpr Range kToBothSides = {.low = 0, .high = 2 * kRightAngle, .words = "0 .. 180 deg"};
 
 // --------------------------------------------------------------------------------------------- slots from field types
-template <class T>
-ValueRef slot_of(T& value) {
-  if constexpr (std::is_enum_v<T>) {
-    Choice choice{names_of<T>(), [&value] { return std::optional(static_cast<std::size_t>(value)); },
-                  [&value](std::size_t i) {
-                    PHYSIM_ASSERT(i < names_of<T>().size());
-                    value = static_cast<T>(i);
-                  }};
-    if constexpr (requires { row(T{}).doc; }) choice.doc = [](std::size_t i) { return row(static_cast<T>(i)).doc; };
-    return choice;
-  } else if constexpr (std::is_same_v<T, std::optional<double>>) {
-    return OptionalNumber{[&value] { return value; }, [&value](std::optional<double> v) { value = v; }};
-  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
-    return Integer{[&value] { return std::int64_t{value}; },
-                   [&value](std::int64_t v) { value = static_cast<std::uint32_t>(v); }};
-  } else {
-    return &value;
-  }
-}
-
 /// Points as pairs of two of their fields.
 template <class Point>
 ValueRef points(std::vector<Point>& list, double Point::*first, double Point::*second, Points described) {
@@ -57,35 +40,101 @@ ValueRef points(std::vector<Point>& list, double Point::*first, double Point::*s
   };
   return described;
 }
-inline ValueRef curve_slot(std::vector<DragPoint>& curve) {
-  return points(curve, &DragPoint::mach, &DragPoint::coefficient,
+inline ValueRef points_of(std::vector<DragPoint>& list) {
+  return points(list, &DragPoint::mach, &DragPoint::coefficient,
                 {{"Mach number", "drag coefficient"}, {Quantity::number, Quantity::number}, {}, {}});
+}
+inline ValueRef points_of(std::vector<ThrustPoint>& list) {
+  return points(list, &ThrustPoint::time, &ThrustPoint::force,
+                {{"time", "thrust"}, {Quantity::time, Quantity::force}, {}, {}});
+}
+inline ValueRef points_of(std::vector<PropellantPoint>& list) {
+  return points(list, &PropellantPoint::time, &PropellantPoint::mass,
+                {{"time", "mass"}, {Quantity::time, Quantity::mass}, {}, {}});
 }
 
 /// A list of tables; in the scope of an element, the pointer for its kind points to it.
 template <class T>
-ValueRef records(const Scope& outer, std::vector<T>& list, T* Scope::*pointer) {
+ValueRef records(const Scope& outer, std::vector<T>& list) {
   return Records{[&list] { return list.size(); }, [&list](std::size_t size) { list.resize(size); },
-                 [&list, outer, pointer](std::size_t i) {
+                 [&list, outer](std::size_t i) {
                    PHYSIM_ASSERT(i < list.size());
                    Scope inner = outer;
-                   inner.*pointer = &list[i];
+                   std::get<T*&>(inner.pointers()) = &list[i];
                    return inner;
                  }};
 }
 
-#define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s.__VA_ARGS__); }
-#define PHYSIM_RECORDS(list, pointer) [](const Scope& s) { return records(s, s.list, &Scope::pointer); }
+/// One of several names, whose places in the list are the values.
+template <class T>
+Choice choice(std::span<const std::string_view> names, T& value) {
+  return {names, [&value] { return std::optional(static_cast<std::size_t>(value)); },
+          [names, &value](std::size_t i) {
+            PHYSIM_ASSERT(i < names.size());
+            value = static_cast<T>(i);
+          }};
+}
+
+template <class T>
+ValueRef slot_of(const Scope& scope, T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    Choice slot = choice(names_of<T>(), value);
+    if constexpr (requires { row(T{}).doc; }) slot.doc = [](std::size_t i) { return row(static_cast<T>(i)).doc; };
+    return slot;
+  } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+    return OptionalNumber{[&value] { return value; }, [&value](std::optional<double> v) { value = v; }};
+  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
+    return Integer{[&value] { return std::int64_t{value}; },
+                   [&value](std::int64_t v) {
+                     PHYSIM_ASSERT(std::in_range<std::uint32_t>(v));  // by the range of the setting
+                     value = static_cast<std::uint32_t>(v);
+                   }};
+  } else if constexpr (std::is_constructible_v<ValueRef, T*>) {
+    return &value;
+  } else if constexpr (requires { points_of(value); }) {
+    return points_of(value);
+  } else {
+    return records(scope, value);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------- rows
+/// A quantity that another setting decides; `unit` says which: "of the kind".
+struct QuantityBy {
+  Quantity (*quantity)(const Scope&);
+  std::string_view unit;
+};
+/// How the absence of a value is written.
+struct Absent {
+  std::string_view word;
+};
+enum class Trait { required, shorthand };
+inline constexpr Trait kRequired = Trait::required, kShorthand = Trait::shorthand;
+
+constexpr void say(Entry& entry, Quantity quantity) { entry.quantity = quantity; }
+constexpr void say(Entry& entry, const Range& range) { entry.range = range; }
+constexpr void say(Entry& entry, Absent absent) { entry.none = absent.word; }
+constexpr void say(Entry& entry, Trait trait) { (trait == Trait::required ? entry.required : entry.shorthand) = true; }
+constexpr void say(Entry& entry, QuantityBy by) {
+  entry.quantity_by = by.quantity;
+  entry.unit_by = by.unit;
+}
+
+/// A row of the list; `said` is what else there is to say about the setting, in any order.
+template <class... Said>
+constexpr Entry setting(std::string_view path, ValueRef (*slot)(const Scope&), std::string_view doc, Said... said) {
+  Entry entry{.path = path, .slot = slot, .doc = doc};
+  (say(entry, said), ...);
+  return entry;
+}
+
+#define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s, s.__VA_ARGS__); }
+/// A row of what a scenario calls as its file does.
+#define PHYSIM_SCENARIO(field, ...) setting(#field, PHYSIM_FIELD(scenario->field), __VA_ARGS__)
 
 // ------------------------------------------------------------------------- parts of the list in files of their own
-[[nodiscard]] std::span<const Entry> magnus_settings();    // [shot.magnus], [shot.spin]
-[[nodiscard]] std::span<const Entry> motor_settings();     // [shot.motor]
-[[nodiscard]] std::span<const Entry> rotation_settings();  // [shot.inertia], [shot.aero], [shot.attitude]
-[[nodiscard]] std::span<const Entry> body_settings();      // [shot.body]
-[[nodiscard]] std::span<const Entry> world_settings();     // [world]
-[[nodiscard]] std::span<const Entry> volley_settings();    // [[volley]]
-[[nodiscard]] std::span<const Entry> force_settings();     // [[force]]
-[[nodiscard]] std::span<const Entry> target_settings();    // [target]
-[[nodiscard]] std::span<const Entry> expect_settings();    // [[expect]]
+[[nodiscard]] std::span<const Entry> shot_settings();   // [[shot]], but for [shot.body]
+[[nodiscard]] std::span<const Entry> world_settings();  // [shot.body], [world], [[volley]]
+[[nodiscard]] std::span<const Entry> force_settings();  // [[force]]
 
 }  // namespace physim

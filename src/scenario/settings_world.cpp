@@ -1,7 +1,21 @@
-// Settings of [world].
+// Settings of worlds: [shot.body], how they treat a projectile; [world]; [[volley]].
 #include "scenario/settings_parts.hpp"
 
 namespace physim {
+
+template <>
+std::span<const std::string_view> names_of<SpreadShape>() {
+  static constexpr std::string_view names[] = {"normal", "uniform"};
+  return names;
+}
+
+/// Axes by their bits.
+template <>
+std::span<const std::string_view> names_of<Axes>() {
+  static constexpr std::string_view names[] = {"none", "x", "y", "xy", "z", "xz", "yz", "xyz"};
+  return names;
+}
+
 namespace {
 
 ValueRef rung_slot(const Scope& scope) {
@@ -15,98 +29,96 @@ ValueRef rung_slot(const Scope& scope) {
                 [&fidelity](std::size_t i) { fidelity = *fidelity_preset(fidelity_presets()[i]); }};
 }
 
+/// Another way to say interval, which says all that it says.
+ValueRef rate_slot(const Scope& scope) {
+  Volley& volley = *scope.volley;
+  return OptionalNumber{[] { return std::optional<double>(); },
+                        [&volley](std::optional<double> rate) {
+                          if (rate) volley.interval = 1 / *rate;
+                        }};
+}
+
+#define PHYSIM_SHOT(field, ...) setting("shot." #field, PHYSIM_FIELD(shot->field), __VA_ARGS__)
+#define PHYSIM_WORLD_DEF(field, ...) setting("world." #field, PHYSIM_FIELD(scenario->world.def.field), __VA_ARGS__)
+#define PHYSIM_VOLLEY(field, ...) setting("volley." #field, PHYSIM_FIELD(volley->field), __VA_ARGS__)
+
 constexpr Entry kWorldSettings[] = {
-    {.path = "world.duration",
-     .slot = PHYSIM_FIELD(scenario->world.duration),
-     .doc = "of the run",
-     .quantity = Quantity::time,
-     .range = above(0)},
-    {.path = "world.step",
-     .slot = PHYSIM_FIELD(scenario->world.def.step),
-     .doc = "fixed time step",
-     .quantity = Quantity::time,
-     .range = {.low = 0, .high = 10, .low_open = true}},
-    {.path = "world.ground.mode",
-     .slot = PHYSIM_FIELD(scenario->world.def.ground.mode),
-     .doc = "what happens where a projectile reaches the ground",
-     .shorthand = true},
-    {.path = "world.ground.height",
-     .slot = PHYSIM_FIELD(scenario->world.def.ground.height),
-     .doc = "of the ground above the origin",
-     .quantity = Quantity::length},
-    {.path = "world.ground.restitution",
-     .slot = PHYSIM_FIELD(scenario->world.def.ground.restitution),
-     .doc = "times that of the projectile",
-     .range = between(0, 1)},
-    {.path = "world.ground.friction",
-     .slot = PHYSIM_FIELD(scenario->world.def.ground.friction),
-     .doc = "times that of the projectile",
-     .range = at_least(0)},
-    {.path = "world.wall",
-     .slot = PHYSIM_FIELD(scenario->world.wall),
-     .doc = "distance downrange of a wall that stops what reaches it; off: none",
-     .quantity = Quantity::length,
-     .none = "off"},
-    {.path = "world.apex_events",
-     .slot = PHYSIM_FIELD(scenario->world.def.apex_events),
-     .doc = "tell when a projectile passes its highest point"},
-    {.path = "world.pools",
-     .slot = PHYSIM_RECORDS(scenario->world.def.pools, pool),
-     .doc = "limits on projectiles; the first is that of shots that name none",
-     .range = at_most(1000)},
-    {.path = "world.pools.name", .slot = PHYSIM_FIELD(pool->name), .doc = "for shot.body.pool", .required = true},
-    {.path = "world.pools.maximum",
-     .slot = PHYSIM_FIELD(pool->maximum),
-     .doc = "projectiles at once",
-     .range = between(1, 4294967295.0)},
-    {.path = "world.pools.when_full", .slot = PHYSIM_FIELD(pool->when_full), .doc = "what happens to the next one"},
-    {.path = "world.detail.rungs",
-     .slot = PHYSIM_RECORDS(scenario->world.def.detail.rungs, rung),
-     .doc = "two or three rungs of fidelity, finest first, between which projectiles are moved",
-     .range = at_most(3)},
-    {.path = "world.detail.rungs.fidelity", .slot = rung_slot, .doc = "preset of the rung", .required = true},
-    {.path = "world.detail.rungs.within",
-     .slot = PHYSIM_FIELD(rung->within),
-     .doc = "distance to the observer up to which it holds",
-     .quantity = Quantity::length,
-     .range = or_infinite(above(0))},
-    {.path = "world.detail.rungs.younger",
-     .slot = PHYSIM_FIELD(rung->younger),
-     .doc = "age up to which it holds",
-     .quantity = Quantity::time,
-     .range = or_infinite(above(0))},
-    {.path = "world.detail.hysteresis",
-     .slot = PHYSIM_FIELD(scenario->world.def.detail.hysteresis),
-     .doc = "part of a rung's distance by which it must be left before it changes",
-     .range = {.low = 0, .high = 0.99}},
-    {.path = "world.detail.layers",
-     .slot = PHYSIM_FIELD(scenario->world.def.detail.layers),
-     .doc = "bits of the projectiles that it rules",
-     .range = kBits},
-    {.path = "world.observer",
-     .slot = PHYSIM_FIELD(scenario->world.observer),
-     .doc = "that distances of detail are measured from",
-     .quantity = Quantity::length},
-    {.path = "world.threads",
-     .slot = PHYSIM_FIELD(scenario->world.def.threading.threads),
-     .doc = "0: all that the machine has; results do not depend on it",
-     .range = at_most(1024)},
-    {.path = "world.rows_per_thread",
-     .slot = PHYSIM_FIELD(scenario->world.def.threading.rows_per_thread),
-     .doc = "smaller worlds use fewer threads: one for every so many projectiles",
-     .range = between(1, 4294967295.0)},
-    {.path = "world.max_projectiles",
-     .slot = PHYSIM_FIELD(scenario->world.def.max_projectiles),
-     .doc = "at once; then no more are fired",
-     .range = between(1, 4294967295.0)},
-    {.path = "world.max_steps",
-     .slot = PHYSIM_FIELD(scenario->world.def.max_steps),
-     .doc = "of one frame in real time",
-     .range = between(1, 1000000)},
-    {.path = "world.time_scale",
-     .slot = PHYSIM_FIELD(scenario->world.def.time_scale),
-     .doc = "in real time: so many times as fast",
-     .range = between(0, 1000)},
+    PHYSIM_SHOT(body.gravity_scale, "times gravity; 0: none"),
+    PHYSIM_SHOT(body.use_gravity, "false is a gravity_scale of 0"),
+    PHYSIM_SHOT(body.drag_scale, "times every drag; 0: none", at_least(0)),
+    PHYSIM_SHOT(body.angular_drag, "rate at which turning dies away", Quantity::frequency, at_least(0)),
+    PHYSIM_SHOT(body.angular_velocity, "at launch; shown only: it moves nothing", Quantity::angular_rate),
+    PHYSIM_SHOT(body.kinematic, "moves only when told to"),
+    PHYSIM_SHOT(body.infinite_mass, "nothing ever moves it"),
+    PHYSIM_SHOT(body.frozen, "axes of the world along which it does not move"),
+    PHYSIM_SHOT(body.frozen_rotation, "axes of the world about which it does not turn"),
+    PHYSIM_SHOT(body.can_sleep, "goes to sleep after resting"),
+    PHYSIM_SHOT(body.sleep_speed, "slower than this is resting", Quantity::speed, at_least(0)),
+    PHYSIM_SHOT(body.sleep_time, "rest before it sleeps", Quantity::time, at_least(0)),
+    PHYSIM_SHOT(body.restitution, "speed kept by a bounce", between(0, 1)),
+    PHYSIM_SHOT(body.friction, "Coulomb's, of bounces and sliding", at_least(0)),
+    PHYSIM_SHOT(body.rolling_resistance, "part of the weight that resists rolling on the ground", at_least(0)),
+    PHYSIM_SHOT(body.despawn.below, "leaves below this height above the origin", Quantity::length, or_infinite({})),
+    PHYSIM_SHOT(body.despawn.farther, "leaves farther than this from its launch", Quantity::length,
+                or_infinite(above(0))),
+    PHYSIM_SHOT(body.despawn.older, "leaves this long after launch", Quantity::time, or_infinite(above(0))),
+    PHYSIM_SHOT(body.despawn.slower, "leaves when slower than this", Quantity::speed, at_least(0)),
+    PHYSIM_SHOT(body.despawn.outside_box, "leaves outside of the box"),
+    PHYSIM_SHOT(body.despawn.box_low, "corner of the box", Quantity::length),
+    PHYSIM_SHOT(body.despawn.box_high, "opposite corner of the box", Quantity::length),
+    PHYSIM_SHOT(body.smoothing, "how a position between two steps is shown"),
+    setting("shot.body.pool", PHYSIM_FIELD(shot->pool), "name of its pool, out of world.pools; empty: the first"),
+    PHYSIM_SHOT(body.within_time, "how long after its launch shot.fidelity.cheapest_within is kept", Quantity::time,
+                above(0)),
+    PHYSIM_SHOT(body.layers, "bits for forces and for the user's own use", kBits),
+    PHYSIM_SHOT(body.colour, "carried along, 0xRRGGBBAA", kBits),
+    PHYSIM_SHOT(body.label, "carried along"),
+    PHYSIM_SCENARIO(world.duration, "of the run", Quantity::time, above(0)),
+    PHYSIM_WORLD_DEF(step, "fixed time step", Quantity::time, Range{.low = 0, .high = 10, .low_open = true}),
+    PHYSIM_WORLD_DEF(ground.mode, "what happens where a projectile reaches the ground", kShorthand),
+    PHYSIM_WORLD_DEF(ground.height, "of the ground above the origin", Quantity::length),
+    PHYSIM_WORLD_DEF(ground.restitution, "times that of the projectile", between(0, 1)),
+    PHYSIM_WORLD_DEF(ground.friction, "times that of the projectile", at_least(0)),
+    PHYSIM_SCENARIO(world.wall, "distance downrange of a wall that stops what reaches it; off: none", Quantity::length,
+                    Absent{"off"}),
+    PHYSIM_WORLD_DEF(apex_events, "tell when a projectile passes its highest point"),
+    PHYSIM_WORLD_DEF(pools, "limits on projectiles; the first is that of shots that name none", at_most(1000)),
+    setting("world.pools.name", PHYSIM_FIELD(pool->name), "for shot.body.pool", kRequired),
+    setting("world.pools.maximum", PHYSIM_FIELD(pool->maximum), "projectiles at once", between(1, 4294967295.0)),
+    setting("world.pools.when_full", PHYSIM_FIELD(pool->when_full), "what happens to the next one"),
+    PHYSIM_WORLD_DEF(detail.rungs, "two or three rungs of fidelity, finest first, between which projectiles are moved",
+                     at_most(3)),
+    setting("world.detail.rungs.fidelity", rung_slot, "preset of the rung", kRequired),
+    setting("world.detail.rungs.within", PHYSIM_FIELD(rung->within), "distance to the observer up to which it holds",
+            Quantity::length, or_infinite(above(0))),
+    setting("world.detail.rungs.younger", PHYSIM_FIELD(rung->younger), "age up to which it holds", Quantity::time,
+            or_infinite(above(0))),
+    PHYSIM_WORLD_DEF(detail.hysteresis, "part of a rung's distance by which it must be left before it changes",
+                     between(0, 0.99)),
+    PHYSIM_WORLD_DEF(detail.layers, "bits of the projectiles that it rules", kBits),
+    PHYSIM_SCENARIO(world.observer, "that distances of detail are measured from", Quantity::length),
+    setting("world.threads", PHYSIM_FIELD(scenario->world.def.threading.threads),
+            "0: all that the machine has; results do not depend on it", at_most(1024)),
+    setting("world.rows_per_thread", PHYSIM_FIELD(scenario->world.def.threading.rows_per_thread),
+            "smaller worlds use fewer threads: one for every so many projectiles", between(1, 4294967295.0)),
+    PHYSIM_WORLD_DEF(max_projectiles, "at once; then no more are fired", between(1, 4294967295.0)),
+    PHYSIM_WORLD_DEF(max_steps, "of one frame in real time", between(1, 1000000)),
+    PHYSIM_WORLD_DEF(time_scale, "in real time: so many times as fast", between(0, 1000)),
+    setting("volley", PHYSIM_FIELD(scenario->volleys),
+            "shots fired many times; a shot of no volley is fired once, at the start", at_most(100000)),
+    PHYSIM_VOLLEY(name, "in tables; default: volley-1, volley-2, ..."),
+    PHYSIM_VOLLEY(shot, "name of the shot", kRequired),
+    PHYSIM_VOLLEY(count, "launches", between(1, 1e8)),
+    PHYSIM_VOLLEY(interval, "time between launches; 0: all at once", Quantity::time, at_least(0)),
+    setting("volley.rate", rate_slot, "launches in a time, instead of interval", Quantity::frequency, above(0)),
+    PHYSIM_VOLLEY(start, "time of the first launch", Quantity::time, at_least(0)),
+    PHYSIM_VOLLEY(spread.shape, "normal: the numbers are standard deviations; uniform: bounds"),
+    PHYSIM_VOLLEY(spread.horizontal, "of the direction, to both sides", Quantity::angle, kToBothSides),
+    PHYSIM_VOLLEY(spread.vertical, "of the direction, up and down", Quantity::angle, kToBothSides),
+    PHYSIM_VOLLEY(spread.speed, "of the speed; never below 0", Quantity::speed, at_least(0)),
+    PHYSIM_VOLLEY(spread.position, "of the muzzle, by axis", Quantity::length, at_least(0)),
+    PHYSIM_VOLLEY(seed, "of the spread: another seed, another scatter; each launch has numbers of its own",
+                  between(0, 9007199254740992.0)),
 };
 
 }  // namespace
