@@ -3,27 +3,15 @@
 
 #include <map>
 
+#include "base/assert.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
-#include "scenario/checks_world.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
 namespace physim {
 namespace {
-
-/// Where a setting of a table stands; where it is not given, where the table stands.
-std::string place_of(const Value& table, std::initializer_list<std::string_view> path) {
-  const Value* value = &table;
-  for (const std::string_view key : path)
-    if (const Value* next = value->find(key)) value = next;
-  return value->place.text();
-}
-
-const Value& element(const Value& document, std::string_view list, std::size_t index) {
-  return (*document.find(list)->get<Array>())[index];
-}
 
 // --------------------------------------------------------------------------------------------------------------- shots
 Status check_direction(const Launch& launch, const Value& shot) {
@@ -49,12 +37,13 @@ Status check_bands(const DragDef& drag, const Value& shot) {
   if (drag.ballistic_coefficient > 0)
     return Error{"shot.drag.bands: given together with ballistic_coefficient", place_of(shot, {"drag", "bands"}),
                  "give one of them"};
-  const Array* array = shot.find("drag")->find("bands")->get<Array>();
+  const Value* table = shot.find("drag");
+  PHYSIM_ASSERT(table != nullptr);  // no preset has bands
   for (std::size_t i = 0; i < drag.bands.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (drag.bands[i].above == drag.bands[j].above)
         return Error{"shot.drag.bands: two bands from " + quantity_text(drag.bands[i].above, Quantity::speed),
-                     place_of((*array)[i], {"above"}), "each band needs its own speed"};
+                     place_of(element(*table, "bands", i), {"above"}), "each band needs its own speed"};
   return {};
 }
 
@@ -63,6 +52,7 @@ Status check_drag(const DragDef& drag, const Value& shot) {
     return Error{"shot.drag.curve: table = \"custom\" without points", place_of(shot, {"drag", "curve"}),
                  "write curve = [[Mach number, drag coefficient], ...]"};
   const Value* table = shot.find("drag");
+  PHYSIM_ASSERT(table != nullptr || drag.curve.empty());  // no preset has one
   if (!drag.curve.empty() && table->find("table") == nullptr)
     return Error{"shot.drag.curve: not used by the default table = \"constant\"", place_of(shot, {"drag", "curve"}),
                  "write table = \"custom\""};
@@ -97,6 +87,7 @@ Status check_name(const std::string& name, const Value& shot) {
 using NamesSeen = std::map<std::string_view, std::string>;  // name, place
 
 Status check_shots(const Scenario& scenario, const Value& document, NamesSeen& seen) {
+  PHYSIM_ASSERT(seen.empty());
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const ScenarioShot& shot = scenario.shots[i];
     const Value& table = element(document, "shot", i);
@@ -116,10 +107,10 @@ Status check_shots(const Scenario& scenario, const Value& document, NamesSeen& s
 Status check_wind(const Wind& wind, const Value& document) {
   for (std::size_t i = 1; i < wind.profile.size(); ++i) {
     if (wind.profile[i].at > wind.profile[i - 1].at) continue;
-    const Value& list = *document.find("environment")->find("wind")->find("profile");
+    const Value& table = *document.find("environment")->find("wind");
     return Error{"environment.wind.profile: " + quantity_text(wind.profile[i].at, Quantity::length) + " after " +
                      quantity_text(wind.profile[i - 1].at, Quantity::length),
-                 place_of((*list.get<Array>())[i], {"at"}), "places must rise"};
+                 place_of(element(table, "profile", i), {"at"}), "places must rise"};
   }
   return {};
 }
@@ -134,7 +125,9 @@ Status check_expectations(const Scenario& scenario, const Value& document, const
       return Error{"expect.shot: no shot is named " + in_quotes(expect.shot), place_of(table, {"shot"}),
                    suggestion(expect.shot, names, "shots")};
     }
-    if (!find_figure(expect.quantity)->is_of_flights())
+    const Figure* figure = find_figure(expect.quantity);
+    PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
+    if (!figure->is_of_flights())
       return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of a [world]",
                    place_of(table, {"quantity"}), "write [world], and the shots fly in it"};
     const Value* at = table.find("at");

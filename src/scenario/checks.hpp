@@ -1,4 +1,4 @@
-// Checks that need more than one setting.
+// Checks that need more than one setting; of scenarios with a [world], what its tables cannot say about themselves.
 #pragma once
 
 #include "physim/scenario.hpp"
@@ -8,5 +8,14 @@ namespace physim {
 
 /// The first contradiction within a scenario; the document tells where its settings stand.
 [[nodiscard]] Status check_scenario(const Scenario& scenario, const Value& document);
+
+/// Contradictions of a [world], or of what there is without one.
+[[nodiscard]] Status check_world(const Scenario& scenario, const Value& document);
+
+/// Default names, laws without numbers, and whether there is a world at all.
+void complete_world(Scenario& scenario, const Value& document);
+
+/// Names of what is counted together: volleys, and shots that are in none.
+[[nodiscard]] std::vector<std::string_view> group_names(const Scenario& scenario);
 
 }  // namespace physim

@@ -1,7 +1,8 @@
-#include "scenario/checks_world.hpp"
+#include "scenario/checks.hpp"
 
 #include <algorithm>
 
+#include "base/assert.hpp"
 #include "model/force_laws.hpp"
 #include "physim/world_run.hpp"
 #include "scenario/expectation.hpp"
@@ -13,16 +14,6 @@
 
 namespace physim {
 namespace {
-
-/// The place of a key in a table; of the table where it has no such key.
-std::string place_in(const Value& table, std::string_view key) {
-  const Value* value = table.find(key);
-  return (value ? *value : table).place.text();
-}
-
-const Value& element(const Value& document, std::string_view list, std::size_t index) {
-  return (*document.find(list)->get<Array>())[index];
-}
 
 /// An error of the library about a part of the scenario, as one of the file.
 Error in_file(const Error& error, const std::string& path, const Value& where) {
@@ -38,6 +29,13 @@ std::vector<std::string_view> shot_names(const Scenario& scenario) {
 
 bool is_in_volley(const Scenario& scenario, std::string_view shot) {
   return std::ranges::any_of(scenario.volleys, [&](const Volley& volley) { return volley.shot == shot; });
+}
+
+/// Shots that no volley fires.
+std::vector<std::string_view> lone_shots(const Scenario& scenario) {
+  std::vector<std::string_view> names = shot_names(scenario);
+  std::erase_if(names, [&](std::string_view name) { return is_in_volley(scenario, name); });
+  return names;
 }
 
 Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,
@@ -73,16 +71,16 @@ Status check_pools(const Scenario& scenario, const Value& document) {
   const std::vector<PoolDef>& pools = scenario.world.def.pools;
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < pools.size(); ++i) {
-    const Value& table = (*document.find("world")->find("pools")->get<Array>())[i];
+    const Value& table = element(*document.find("world"), "pools", i);
     if (std::ranges::count(names, pools[i].name) > 0)
-      return Error{"world.pools.name: two pools are named " + in_quotes(pools[i].name), place_in(table, "name"), ""};
+      return Error{"world.pools.name: two pools are named " + in_quotes(pools[i].name), place_of(table, {"name"}), ""};
     names.push_back(pools[i].name);
   }
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
     const std::string& pool = scenario.shots[i].pool;
     if (pool.empty() || std::ranges::count(names, pool) > 0) continue;
     return Error{"shot.body.pool: no pool is named " + in_quotes(pool),
-                 place_in(*element(document, "shot", i).find("body"), "pool"),
+                 place_of(*element(document, "shot", i).find("body"), {"pool"}),
                  names.empty() ? "write pools = [{ name = \"...\", maximum = 100 }] into [world]"
                                : suggestion(pool, names, "pools")};
   }
@@ -101,16 +99,14 @@ Status check_bodies(const Scenario& scenario, const Value& document) {
 }
 
 Status check_volleys(const Scenario& scenario, const Value& document) {
-  std::vector<std::string_view> names;
-  for (const ScenarioShot& shot : scenario.shots)
-    if (!is_in_volley(scenario, shot.projectile.name)) names.push_back(shot.projectile.name);
+  std::vector<std::string_view> names = lone_shots(scenario);
   for (std::size_t i = 0; i < scenario.volleys.size(); ++i) {
     const Volley& volley = scenario.volleys[i];
     const Value& table = element(document, "volley", i);
-    if (Status status = check_shot_name(scenario, volley.shot, "volley.shot", place_in(table, "shot")); !status)
+    if (Status status = check_shot_name(scenario, volley.shot, "volley.shot", place_of(table, {"shot"})); !status)
       return status;
     if (std::ranges::count(names, volley.name) > 0)
-      return Error{"volley.name: another volley or shot is named " + in_quotes(volley.name), place_in(table, "name"),
+      return Error{"volley.name: another volley or shot is named " + in_quotes(volley.name), place_of(table, {"name"}),
                    "give it a name of its own"};
     names.push_back(volley.name);
     const Value* rate = table.find("rate");
@@ -124,6 +120,7 @@ Status check_volleys(const Scenario& scenario, const Value& document) {
 // -------------------------------------------------------------------------------------------------------------- forces
 /// The tables of laws in a [[force]].
 std::vector<const Member*> laws_of(const Value& force) {
+  PHYSIM_ASSERT(force.get<Table>() != nullptr);
   std::vector<const Member*> laws;
   for (const Member& member : *force.get<Table>())
     if (const SchemaNode* node = find_node("force." + member.key); node && node->entry == nullptr)
@@ -139,7 +136,7 @@ std::vector<std::string_view> law_names() {
 }
 
 Status check_other(const Scenario& scenario, const ScenarioForce& force, const Member& law) {
-  const std::string path = "force." + law.key + ".other", place = place_in(law.value, "other");
+  const std::string path = "force." + law.key + ".other", place = place_of(law.value, {"other"});
   if (Status status = check_shot_name(scenario, force.other, path, place); !status) return status;
   if (!is_in_volley(scenario, force.other)) return {};
   return Error{path + ": " + in_quotes(force.other) + " is fired by a volley", place,
@@ -147,6 +144,7 @@ Status check_other(const Scenario& scenario, const ScenarioForce& force, const M
 }
 
 Status check_force(const Scenario& scenario, const ScenarioForce& force, const Value& table) {
+  PHYSIM_ASSERT(!force.name.empty());  // given or made up by now
   const std::vector<const Member*> laws = laws_of(table);
   if (laws.empty())
     return Error{"force: it has no law", table.place.text(), suggestion("", law_names(), "give one of")};
@@ -154,7 +152,7 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
     return Error{"force: it has two laws, " + laws[0]->key + " and " + laws[1]->key, laws[1]->key_place.text(),
                  "write a [[force]] for each"};
   for (const std::string& shot : force.shots)
-    if (Status status = check_shot_name(scenario, shot, "force.shots", place_in(table, "shots")); !status)
+    if (Status status = check_shot_name(scenario, shot, "force.shots", place_of(table, {"shots"})); !status)
       return status;
   if (!force.other.empty() || needs_other_end(force.law))
     if (Status status = check_other(scenario, force, *laws[0]); !status) return status;
@@ -169,13 +167,15 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
 Status check_group_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
   const std::vector<std::string_view> names = group_names(scenario);
   if (!expect.shot.empty() && std::ranges::count(names, expect.shot) == 0)
-    return Error{"expect.shot: nothing is counted as " + in_quotes(expect.shot), place_in(table, "shot"),
+    return Error{"expect.shot: nothing is counted as " + in_quotes(expect.shot), place_of(table, {"shot"}),
                  suggestion(expect.shot, names, "there are")};
   if (expect.at != ExpectAt::end)
-    return Error{"expect.at: a world is looked at when its run is over", place_in(table, "at"), "leave it out"};
-  if (find_figure(expect.quantity)->of_group == nullptr)
+    return Error{"expect.at: a world is looked at when its run is over", place_of(table, {"at"}), "leave it out"};
+  const Figure* figure = find_figure(expect.quantity);
+  PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
+  if (figure->of_group == nullptr)
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
-                 place_in(table, "quantity"),
+                 place_of(table, {"quantity"}),
                  suggestion(expect.quantity, group_figure_names(), "in a world there are")};
   return {};
 }
@@ -183,9 +183,7 @@ Status check_group_expectation(const Scenario& scenario, const Expectation& expe
 }  // namespace
 
 std::vector<std::string_view> group_names(const Scenario& scenario) {
-  std::vector<std::string_view> names;
-  for (const ScenarioShot& shot : scenario.shots)
-    if (!is_in_volley(scenario, shot.projectile.name)) names.push_back(shot.projectile.name);
+  std::vector<std::string_view> names = lone_shots(scenario);
   for (const Volley& volley : scenario.volleys) names.push_back(volley.name);
   return names;
 }
@@ -199,8 +197,8 @@ void complete_world(Scenario& scenario, const Value& document) {
     if (force.name.empty()) force.name = "force-" + std::to_string(i + 1);
     // A law without a single number is read by nobody: its first setting makes it.
     for (const Member* law : laws_of(element(document, "force", i))) {
-      Scope scope;
-      scope.force = &force;
+      const Scope scope{.force = &force};
+      PHYSIM_ASSERT(law->value.get<Table>() != nullptr);
       if (law->value.get<Table>()->empty()) find_node("force." + law->key)->children.front().entry->slot(scope);
     }
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/assert.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
@@ -78,6 +79,7 @@ std::size_t too_deep_at(std::string_view text) {
 }
 
 Place place_at(std::string_view text, std::size_t offset, const Source& source) {
+  PHYSIM_ASSERT(offset < text.size());
   const std::string_view before = text.substr(0, offset);
   const auto lines = static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n'));
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
@@ -114,9 +116,26 @@ const Value* Value::find(std::string_view key) const {
 
 Value* Value::find(std::string_view key) { return const_cast<Value*>(std::as_const(*this).find(key)); }
 
+const Value& element(const Value& document, std::string_view list, std::size_t index) {
+  const Value* value = document.find(list);
+  PHYSIM_ASSERT(value != nullptr);
+  const Array* array = value->get<Array>();
+  PHYSIM_ASSERT(array != nullptr);
+  PHYSIM_ASSERT(index < array->size());
+  return (*array)[index];
+}
+
+std::string place_of(const Value& table, std::initializer_list<std::string_view> path) {
+  const Value* value = &table;
+  for (const std::string_view key : path)
+    if (const Value* next = value->find(key)) value = next;
+  return value->place.text();
+}
+
 std::string_view kind_of(const Value& value) {
   static constexpr std::string_view kKinds[] = {"a boolean", "a number", "a number", "a text",
                                                 "a date",    "an array", "a table"};
+  PHYSIM_ASSERT(value.content.index() < std::size(kKinds));
   return kKinds[value.content.index()];
 }
 
@@ -134,7 +153,9 @@ Result<Value> parse_document(std::string_view text, const std::string& file) {
     return Error{"a key of more than 500 parts", place_at(text, offset, source).text(), ""};
   const toml::parse_result parsed = toml::parse(text, std::string_view(file));
   if (!parsed) return syntax_error(parsed.error(), source);
-  return converted(parsed.table(), source);
+  Value document = converted(parsed.table(), source);
+  PHYSIM_ASSERT(document.get<Table>() != nullptr);
+  return document;
 }
 
 Value parse_override_value(std::string_view text, const Place& place) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -54,6 +55,11 @@ struct Member {
   Place key_place;
   Value value;
 };
+
+/// A table of a list of tables that is there.
+[[nodiscard]] const Value& element(const Value& document, std::string_view list, std::size_t index);
+/// Where a setting of a table stands; where it is not given, where the table stands.
+[[nodiscard]] std::string place_of(const Value& table, std::initializer_list<std::string_view> path);
 
 /// "a number", "a table", ...
 [[nodiscard]] std::string_view kind_of(const Value& value);

@@ -8,13 +8,9 @@ namespace {
 
 using Value = std::optional<double>;
 
-template <double Vec3d::*axis>
-Value position(const WorldGroup& g) {
-  return g.alive > 0 ? Value(g.position.*axis) : std::nullopt;
-}
-template <double Vec3d::*axis>
-Value velocity(const WorldGroup& g) {
-  return g.alive > 0 ? Value(g.velocity.*axis) : std::nullopt;
+template <Vec3d WorldGroup::*mean, double Vec3d::*axis>
+Value mean_of(const WorldGroup& g) {
+  return g.alive > 0 ? Value(g.*mean.*axis) : std::nullopt;
 }
 Value speed(const WorldGroup& g) { return g.alive > 0 ? Value(g.mean_speed) : std::nullopt; }
 
@@ -54,12 +50,18 @@ constexpr Figure kFigures[] = {
     {"range", Quantity::length, [](const Sample& s) { return s.range; }},
     {"speed", Quantity::speed, [](const Sample& s) { return s.speed; }, nullptr, speed},
     {"time", Quantity::time, [](const Sample& s) { return s.time; }},
-    {"x", Quantity::length, [](const Sample& s) { return s.position.x; }, nullptr, position<&Vec3d::x>},
-    {"y", Quantity::length, [](const Sample& s) { return s.position.y; }, nullptr, position<&Vec3d::y>},
-    {"z", Quantity::length, [](const Sample& s) { return s.position.z; }, nullptr, position<&Vec3d::z>},
-    {"vx", Quantity::speed, [](const Sample& s) { return s.velocity.x; }, nullptr, velocity<&Vec3d::x>},
-    {"vy", Quantity::speed, [](const Sample& s) { return s.velocity.y; }, nullptr, velocity<&Vec3d::y>},
-    {"vz", Quantity::speed, [](const Sample& s) { return s.velocity.z; }, nullptr, velocity<&Vec3d::z>},
+    {"x", Quantity::length, [](const Sample& s) { return s.position.x; }, nullptr,
+     mean_of<&WorldGroup::position, &Vec3d::x>},
+    {"y", Quantity::length, [](const Sample& s) { return s.position.y; }, nullptr,
+     mean_of<&WorldGroup::position, &Vec3d::y>},
+    {"z", Quantity::length, [](const Sample& s) { return s.position.z; }, nullptr,
+     mean_of<&WorldGroup::position, &Vec3d::z>},
+    {"vx", Quantity::speed, [](const Sample& s) { return s.velocity.x; }, nullptr,
+     mean_of<&WorldGroup::velocity, &Vec3d::x>},
+    {"vy", Quantity::speed, [](const Sample& s) { return s.velocity.y; }, nullptr,
+     mean_of<&WorldGroup::velocity, &Vec3d::y>},
+    {"vz", Quantity::speed, [](const Sample& s) { return s.velocity.z; }, nullptr,
+     mean_of<&WorldGroup::velocity, &Vec3d::z>},
     {"mach", Quantity::number, [](const Sample& s) { return s.mach; }},
     {"energy", Quantity::energy, [](const Sample& s) { return s.energy; }},
     {"mass", Quantity::mass, [](const Sample& s) { return s.mass; }},

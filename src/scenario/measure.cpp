@@ -1,6 +1,7 @@
 // What a flight says about an expectation.
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
@@ -28,7 +29,7 @@ Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
     case ExpectAt::range: return flight.at_range(expectation.at_value);
     case ExpectAt::height: return flight.at_height(expectation.at_value);
   }
-  return Error{"an expectation at no known place", "", ""};
+  PHYSIM_UNREACHABLE();
 }
 
 Result<double> measure_anywhere(const Flight& flight, const Expectation& expectation) {
@@ -44,6 +45,7 @@ Result<double> measure_anywhere(const Flight& flight, const Expectation& expecta
   if (!sample) return sample.error();
   if (figure->place != nullptr) return flight.earth_frames().geodetic(sample->position).*(figure->place);
   if (figure->value != nullptr) return figure->value(*sample);
+  PHYSIM_ASSERT(figure->of_rotation != nullptr);
   if (const auto value = figure->of_rotation(flight, *sample)) return *value;
   return Error{"there is no " + in_quotes(figure->name) + " where rotation is not flown", "",
                "ask for the rotation model \"rigid_body\" or \"modified_point_mass\""};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/assert.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/text_file.hpp"
 #include "scenario/units.hpp"
@@ -60,6 +61,7 @@ class MotorReader {
     return Error{message, place(), std::string(hint)};
   }
   [[nodiscard]] Error never_ends() const {
+    PHYSIM_ASSERT(open_);
     return fault("the thrust of " + in_quotes(motors_.back().motor.name) + " does not end at zero",
                  "the last point of a motor has a thrust of 0; is the file cut off?");
   }
@@ -78,6 +80,7 @@ class MotorReader {
   }
 
   Status read_header(const std::vector<std::string_view>& words) {
+    PHYSIM_ASSERT(!open_);
     if (words.size() != 7) return fault(std::to_string(words.size()) + " words are no header of a motor", kHeaderHint);
     double numbers[4];  // diameter, length, propellant, mass
     constexpr std::size_t kPlaces[] = {1, 2, 4, 5};
@@ -103,6 +106,7 @@ class MotorReader {
   }
 
   Status read_point(const std::vector<std::string_view>& words) {
+    PHYSIM_ASSERT(!motors_.empty());
     constexpr std::string_view kHint = "a point is a time [s] and a thrust [N]";
     if (words.size() != 2) return fault(std::to_string(words.size()) + " words are no point of thrust", kHint);
     for (const std::string_view word : words)
@@ -114,6 +118,7 @@ class MotorReader {
     if (!thrust.empty() && time <= thrust.back().time)
       return fault("time " + number_text(time) + " after " + number_text(thrust.back().time), "times must rise");
     if (thrust.size() == kMostPoints) return fault("too many points", "at most " + std::to_string(kMostPoints));
+    PHYSIM_ASSERT(thrust.empty() || thrust.back().time < time);
     thrust.push_back({time, force});
     if (force > 0 || time == 0) return {};
     open_ = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/assert.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
@@ -41,6 +42,7 @@ Error unknown_setting(std::string_view path, std::string_view known_prefix, cons
 
 /// "shot.NAME.mass": names may contain dots, so every dot may be the one after the name.
 Result<Addressed> named_target(const Value& document, std::string_view path, const Place& place) {
+  PHYSIM_ASSERT(path.starts_with(kShot));
   const std::vector<std::string> names = shot_names(document);
   const std::string_view rest = path.substr(kShot.size());
   std::optional<std::string> unknown, namesake;
@@ -78,6 +80,7 @@ Status make_table(const SchemaNode& node, Value& value) {
 }
 
 Value& member_of(Value& table, const std::string& key, const Place& place) {
+  PHYSIM_ASSERT(table.get<Table>() != nullptr);
   if (Value* found = table.find(key)) return *found;
   table.get<Table>()->push_back({key, place, Value{Table{}, place, {}}});
   return table.get<Table>()->back().value;
@@ -101,12 +104,13 @@ Status put_into_list(Value& list, const SchemaNode& node, std::string_view rest,
 Status put(Value& here, const SchemaNode& node, std::string_view rest, const Addressed& target, const Value& value) {
   if (Status status = make_table(node, here); !status) return status;
   const std::size_t dot = rest.find('.');
-  const SchemaNode& child = *node.find(rest.substr(0, dot));
-  Value& member = member_of(here, child.name, value.place);
+  const SchemaNode* child = node.find(rest.substr(0, dot));
+  PHYSIM_ASSERT(child != nullptr);  // the target is in the tree
+  Value& member = member_of(here, child->name, value.place);
   if (dot == rest.npos) return member = value, Status();
   rest.remove_prefix(dot + 1);
-  if (child.is_list_of_tables()) return put_into_list(member, child, rest, target, value);
-  return put(member, child, rest, target, value);
+  if (child->is_list_of_tables()) return put_into_list(member, *child, rest, target, value);
+  return put(member, *child, rest, target, value);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
@@ -37,7 +38,8 @@ Error out_of_range(const Wanted& wanted, const Value& value, double number) {
   return fault(wanted.path, value, shown(value) + " is out of range", hint);
 }
 
-Result<double> read_number(const Wanted& wanted, const Value& value) {
+/// A target is changed only where its value is good.
+Status read_number(const Wanted& wanted, const Value& value, double& target) {
   double number = 0;
   if (const auto* integer = value.get<std::int64_t>()) {
     number = static_cast<double>(*integer);
@@ -53,22 +55,21 @@ Result<double> read_number(const Wanted& wanted, const Value& value) {
                       std::string(quantity.with_article) + " such as " + in_quotes(quantity.example));
   }
   if (!wanted.range.contains(number)) return out_of_range(wanted, value, number);
-  return number;
+  target = number;
+  return {};
 }
 
-Result<Vec3d> read_vector(const Wanted& wanted, const Value& value) {
+Status read_vector(const Wanted& wanted, const Value& value, Vec3d& target) {
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(wanted.path, value, "three components [x, y, z]");
   if (array->size() != 3)
     return fault(wanted.path, value, "found " + std::to_string(array->size()) + " components",
                  "expected three components [x, y, z]");
   double v[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Result<double> component = read_number(wanted, (*array)[i]);
-    if (!component) return component.error();
-    v[i] = *component;
-  }
-  return Vec3d{v[0], v[1], v[2]};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (Status status = read_number(wanted, (*array)[i], v[i]); !status) return status;
+  target = {v[0], v[1], v[2]};
+  return {};
 }
 
 Status read_integer(const Entry& entry, const Value& value, std::int64_t& target) {
@@ -103,6 +104,7 @@ bool is_utf8(std::string_view text) {
       if ((next & 0xC0) != 0x80) return false;
       code = code << 6 | (next & 0x3FU);
     }
+    PHYSIM_ASSERT(i <= text.size());
     constexpr std::uint32_t kLeast[] = {0, 0x80, 0x800, 0x10000};
     if (code < kLeast[more] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return false;
   }
@@ -121,6 +123,7 @@ Status read_text(const Entry& entry, const Value& value, std::string& target) {
 }
 
 Status read_choice(const Entry& entry, const Value& value, const Choice& choice) {
+  PHYSIM_ASSERT(!choice.names.empty());
   const auto* text = value.get<std::string>();
   if (text != nullptr)
     for (std::size_t i = 0; i < choice.names.size(); ++i)
@@ -149,14 +152,15 @@ Status read_points(const Entry& entry, const Value& value, const Points& points)
   for (const Value& point : *array) {
     const Array* pair = point.get<Array>();
     if (pair == nullptr || pair->size() != 2) return fault(entry.path, point, "this is no point", "expected " + wanted);
-    const Result<double> x = read_number({entry.path, points.quantities[0], {.low = 0}}, (*pair)[0]);
-    if (!x) return x.error();
-    const Result<double> y = read_number({entry.path, points.quantities[1], {.low = 0}}, (*pair)[1]);
-    if (!y) return y.error();
-    if (!pairs.empty() && *x <= pairs.back().first)
-      return fault(entry.path, (*pair)[0], first + " " + number_text(*x) + " after " + number_text(pairs.back().first),
-                   "they must rise");
-    pairs.emplace_back(*x, *y);
+    double xy[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Wanted coordinate{entry.path, points.quantities[i], {.low = 0}};
+      if (Status status = read_number(coordinate, (*pair)[i], xy[i]); !status) return status;
+    }
+    if (!pairs.empty() && xy[0] <= pairs.back().first)
+      return fault(entry.path, (*pair)[0],
+                   first + " " + number_text(xy[0]) + " after " + number_text(pairs.back().first), "they must rise");
+    pairs.emplace_back(xy[0], xy[1]);
   }
   points.set(pairs);
   return {};
@@ -165,12 +169,13 @@ Status read_points(const Entry& entry, const Value& value, const Points& points)
 /// A number, or points at rising Mach numbers; the angle in square degrees.
 Status read_aero(const Entry& entry, const Value& value, AeroCoefficient& coefficient) {
   const std::string wanted = "a number, [[Mach number, value], ...] or [[Mach number, angle^2 in deg^2, value], ...]";
-  const Wanted plain{entry.path, Quantity::number, {}};
+  const Wanted plain{entry.path, Quantity::number, {}}, place{entry.path, Quantity::number, {.low = 0}};
   const Array* array = value.get<Array>();
   if (array == nullptr) {
-    const Result<double> constant = read_number(plain, value);
-    if (!constant) return fault(entry.path, value, "found " + std::string(kind_of(value)), "expected " + wanted);
-    coefficient = {{0, 0, *constant}};
+    double constant = 0;
+    if (!read_number(plain, value, constant))
+      return fault(entry.path, value, "found " + std::string(kind_of(value)), "expected " + wanted);
+    coefficient = {{0, 0, constant}};
     return {};
   }
   coefficient.clear();
@@ -181,11 +186,10 @@ Status read_aero(const Entry& entry, const Value& value, AeroCoefficient& coeffi
     double number[3] = {};
     for (std::size_t i = 0; i < numbers->size(); ++i) {
       const bool last = i + 1 == numbers->size();
-      const Result<double> read =
-          read_number(last ? plain : Wanted{entry.path, Quantity::number, {.low = 0}}, (*numbers)[i]);
-      if (!read) return read.error();
-      number[last ? 2 : i] = *read;
+      const Wanted& of_place = last ? plain : place;
+      if (Status status = read_number(of_place, (*numbers)[i], number[last ? 2 : i]); !status) return status;
     }
+    PHYSIM_ASSERT(number[1] >= 0);  // an angle, and never the value of a point of two numbers
     const AeroPoint next{number[0], number[1] * kSquareDegree, number[2]};
     const bool rises = coefficient.empty() || next.mach > coefficient.back().mach ||
                        (next.mach == coefficient.back().mach && next.angle_squared > coefficient.back().angle_squared);
@@ -211,6 +215,7 @@ Status read_reference(const Entry& entry, const Value& value, const Reference& r
 Status fill_steps(const Wanted& wanted, const Value& value, double from, double to, double step,
                   std::vector<double>& list) {
   constexpr double kSlack = 1e-9;  // of a step, so that 0.1 .. 1 step 0.1 reaches 1
+  PHYSIM_ASSERT(list.empty());
   if (!(step > 0) || to < from) return fault(wanted.path, value, "the steps lead nowhere", "from <= to and step > 0");
   const double count = std::floor((to - from) / step + kSlack) + 1;
   if (!(count <= static_cast<double>(kMostRanges)))
@@ -231,9 +236,7 @@ Status read_steps_table(const Wanted& wanted, const Value& value, std::vector<do
     const Value* number = value.find(kKeys[i]);
     if (number == nullptr)
       return fault(wanted.path, value, "missing key " + in_quotes(kKeys[i]), "expected { from, to, step }");
-    const Result<double> read = read_number(wanted, *number);
-    if (!read) return read.error();
-    numbers[i] = *read;
+    if (Status status = read_number(wanted, *number, numbers[i]); !status) return status;
   }
   return fill_steps(wanted, value, numbers[0], numbers[1], numbers[2], list);
 }
@@ -253,9 +256,7 @@ Status read_steps_text(const Wanted& wanted, const Value& value, std::vector<dou
   for (const std::string& part : parts) {
     Value piece = value;
     piece.content = part;
-    const Result<double> number = read_number(wanted, piece);
-    if (!number) return number.error();
-    numbers.push_back(*number);
+    if (Status status = read_number(wanted, piece, numbers.emplace_back()); !status) return status;
   }
   if (numbers.size() == 3) return fill_steps(wanted, value, numbers[0], numbers[1], numbers[2], list);
   list = numbers;
@@ -270,11 +271,8 @@ Status read_numbers(const Wanted& wanted, const Value& value, std::vector<double
   if (array == nullptr) return wrong_kind(wanted.path, value, "a list such as [\"100 m\", \"200 m\"]");
   if (Status status = check_length(wanted.path, value, array->size(), {.low = 0, .high = double{kMostRanges}}); !status)
     return status;
-  for (const Value& element : *array) {
-    const Result<double> number = read_number(wanted, element);
-    if (!number) return number.error();
-    list.push_back(*number);
-  }
+  for (const Value& element : *array)
+    if (Status status = read_number(wanted, element, list.emplace_back()); !status) return status;
   return {};
 }
 
@@ -295,19 +293,13 @@ Status read_records(const SchemaNode& node, const Records& records, const Value&
   if (Status status = check_length(node.path, value, array->size(), node.entry->range); !status) return status;
   records.resize(0);  // old elements go, so that new ones start from defaults
   records.resize(array->size());
+  PHYSIM_ASSERT(records.size() == array->size());
   for (std::size_t i = 0; i < array->size(); ++i)
     if (Status status = read_table(node, records.element(i), (*array)[i]); !status) return status;
   return {};
 }
 
 // ------------------------------------------------------------------------------------------------------------ settings
-template <class T>
-Status store(const Result<T>& read, T& target) {
-  if (!read) return read.error();
-  target = *read;
-  return {};
-}
-
 bool is_none(const Entry& entry, const Value& value) {
   const auto* text = value.get<std::string>();
   return text != nullptr && *text == entry.none;
@@ -316,20 +308,21 @@ bool is_none(const Entry& entry, const Value& value) {
 }  // namespace
 
 Status read_setting(const SchemaNode& node, const Scope& scope, const Value& value) {
+  PHYSIM_ASSERT(node.entry != nullptr);
   const Entry& entry = *node.entry;
   const Wanted wanted{entry.path, entry.quantity_in(scope), entry.range};
   return std::visit(Overloaded{
-                        [&](double* target) { return store(read_number(wanted, value), *target); },
+                        [&](double* target) { return read_number(wanted, value, *target); },
                         [&](const OptionalNumber& target) -> Status {
                           if (is_none(entry, value)) return target.set(std::nullopt), Status();
-                          const Result<double> number = read_number(wanted, value);
-                          if (!number) return number.error();
-                          return target.set(*number), Status();
+                          double number = 0;
+                          if (Status status = read_number(wanted, value, number); !status) return status;
+                          return target.set(number), Status();
                         },
-                        [&](Vec3d* target) { return store(read_vector(wanted, value), *target); },
+                        [&](Vec3d* target) { return read_vector(wanted, value, *target); },
                         [&](std::optional<Vec3d>* target) -> Status {
                           if (is_none(entry, value)) return target->reset(), Status();
-                          return store(read_vector(wanted, value), target->emplace());
+                          return read_vector(wanted, value, target->emplace());
                         },
                         [&](std::int64_t* target) { return read_integer(entry, value, *target); },
                         [&](const Integer& target) -> Status {
@@ -379,9 +372,10 @@ Error unknown_key(const SchemaNode& node, const Member& member) {
 
 Status read_child(const SchemaNode& child, const Scope& scope, const Value& value) {
   if (child.entry != nullptr) return read_setting(child, scope, value);
-  if (value.get<Table>() == nullptr && !child.shorthand.empty())
-    return read_setting(*child.find(child.shorthand), scope, value);
-  return read_table(child, scope, value);
+  if (value.get<Table>() != nullptr || child.shorthand.empty()) return read_table(child, scope, value);
+  const SchemaNode* shorthand = child.find(child.shorthand);
+  PHYSIM_ASSERT(shorthand != nullptr);
+  return read_setting(*shorthand, scope, value);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <memory>
 
+#include "base/assert.hpp"
+
 namespace physim {
 namespace {
 
@@ -34,12 +36,14 @@ class NewFile {
     return out_.is_open() ? Status() : cannot_write();
   }
   Status write(std::span<const std::byte> bytes) {
+    PHYSIM_ASSERT(out_.is_open());
     errno = 0;
     out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     out_.flush();  // from here on it survives the end of the program
     return out_.good() ? Status() : cannot_write();
   }
   Status complete() {
+    PHYSIM_ASSERT(out_.is_open());
     errno = 0;
     out_.close();
     if (out_.fail()) return cannot_write();

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "base/assert.hpp"
 #include "scenario/checks.hpp"
-#include "scenario/checks_world.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/text_file.hpp"
@@ -28,17 +28,15 @@ Status check_format(const Value& document, const std::string& file) {
 
 /// What a table cannot say about itself: default names, and where expectations stand.
 void complete(Scenario& scenario, const Value& document) {
-  const Array& shots = *document.find("shot")->get<Array>();
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
-    scenario.shots[i].projectile.name = shot_name(shots[i], i);
+    const Value& shot = element(document, "shot", i);
+    scenario.shots[i].projectile.name = shot_name(shot, i);
     // A velocity takes the place of the speed that a preset brought along.
-    if (shots[i].find("preset") && shots[i].find("velocity") && !shots[i].find("speed"))
-      scenario.shots[i].launch.speed = 0;
+    if (shot.find("preset") && shot.find("velocity") && !shot.find("speed")) scenario.shots[i].launch.speed = 0;
   }
   complete_world(scenario, document);
-  if (const Value* expect = document.find("expect"))
-    for (std::size_t i = 0; i < scenario.expect.size(); ++i)
-      scenario.expect[i].place = (*expect->get<Array>())[i].place.text();
+  for (std::size_t i = 0; i < scenario.expect.size(); ++i)
+    scenario.expect[i].place = element(document, "expect", i).place.text();
 }
 
 }  // namespace
@@ -57,10 +55,10 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   Scenario scenario;
   scenario.file = file;
   std::int64_t format = kFormat;
-  Scope scope;
-  scope.format = &format;
-  scope.scenario = &scenario;
+  const Scope scope{.format = &format, .scenario = &scenario};
   if (Status status = read_table(schema(), scope, *document); !status) return status.error();
+  PHYSIM_ASSERT(format == kFormat);
+  PHYSIM_ASSERT(scenario.shots.size() == array->size());
   complete(scenario, *document);
   if (Status status = check_scenario(scenario, *document); !status) return status.error();
   return scenario;

@@ -13,7 +13,11 @@ namespace {
 
 /// Puts an entry into the tree, making the tables above it where they are not there yet.
 void plant(SchemaNode& root, const Entry& entry) {
-  PHYSIM_ASSERT(entry.slot != nullptr && !entry.path.empty() && !entry.doc.empty());
+  PHYSIM_ASSERT(entry.slot != nullptr);
+  PHYSIM_ASSERT(!entry.path.empty());
+  PHYSIM_ASSERT(!entry.doc.empty());
+  PHYSIM_ASSERT(entry.range.low <= entry.range.high);
+  PHYSIM_ASSERT((entry.quantity_by == nullptr) == entry.unit_by.empty());
   SchemaNode* node = &root;
   std::string_view rest = entry.path;
   while (!rest.empty()) {

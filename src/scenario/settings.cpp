@@ -9,10 +9,7 @@ namespace {
 
 // -------------------------------------------------------------------------------------------------------------- events
 ValueRef event_kind_slot(const Scope& scope) {
-  EventKind& kind = scope.event->kind;
-  return Choice{names_of<EventKind>().first(watchable_kinds()),
-                [&kind] { return std::optional(static_cast<std::size_t>(kind)); },
-                [&kind](std::size_t i) { kind = static_cast<EventKind>(i); }};
+  return choice(names_of<EventKind>().first(watchable_kinds()), scope.event->kind);
 }
 
 Quantity quantity_of_event(const Scope& scope) {
@@ -39,7 +36,10 @@ ValueRef figure_slot(const Scope& scope) {
                   const Figure* figure = find_figure(quantity);
                   return figure ? std::optional<std::size_t>(figure - figures().data()) : std::nullopt;
                 },
-                [&quantity](std::size_t i) { quantity = figure_names()[i]; }};
+                [&quantity](std::size_t i) {
+                  PHYSIM_ASSERT(i < figure_names().size());
+                  quantity = figure_names()[i];
+                }};
 }
 
 /// expect.at.time and the like: present when the expectation looks there.
@@ -62,7 +62,10 @@ ValueRef moment_slot(const Scope& scope) {
                     if (expect.at == kMoments[i]) return i;
                   return std::nullopt;
                 },
-                [&expect](std::size_t i) { expect.at = kMoments[i], expect.at_value = 0; }};
+                [&expect](std::size_t i) {
+                  PHYSIM_ASSERT(i < std::size(kMoments));
+                  expect.at = kMoments[i], expect.at_value = 0;
+                }};
 }
 
 Quantity quantity_of_expectation(const Scope& scope) {
@@ -170,6 +173,7 @@ std::span<const Entry> entries() {
     for (const std::span<const Entry> part : {std::span<const Entry>(kFileSettings), shot_settings(), world_settings(),
                                               force_settings(), std::span<const Entry>(kRunSettings)})
       list.insert(list.end(), part.begin(), part.end());
+    PHYSIM_ASSERT(list.front().path == "physim");  // the version is read first
     return list;
   }();
   return all;

@@ -12,6 +12,7 @@ namespace {
 /// The law of a force as one of this kind; what else it was is forgotten.
 template <class Law>
 Law& law_of(const Scope& scope) {
+  PHYSIM_ASSERT(scope.force != nullptr);
   ForceLaw& law = scope.force->law;
   if (!std::holds_alternative<Law>(law)) law.emplace<Law>();
   return std::get<Law>(law);
@@ -81,6 +82,7 @@ std::vector<Entry> all_settings(std::deque<std::string>& paths) {
   for_each_law([&]<class Law>(const Law*) {
     if constexpr (!std::is_same_v<Law, CustomForce>) add_law<Law>(list, paths);  // no file can hold a function
   });
+  PHYSIM_ASSERT(paths.size() + std::size(kForceSettings) == list.size());
   list.insert(list.end(), std::begin(kThrustCurve), std::end(kThrustCurve));
   return list;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/assert.hpp"
+
 namespace physim {
 namespace {
 
@@ -37,6 +39,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     before.swap(above);
     above.swap(row);
   }
+  PHYSIM_ASSERT(above[b.size()] <= std::max(a.size(), b.size()));
   return above[b.size()];
 }
 
@@ -68,6 +71,7 @@ std::string in_quotes(std::string_view text) {
   for (const char c : text.substr(0, kLongestQuote)) out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   if (text.size() > kLongestQuote) {
     while (!out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0) == 0x80) out.pop_back();  // half a character
+    PHYSIM_ASSERT(!out.empty());  // the quote at the front is no half of anything
     if (static_cast<unsigned char>(out.back()) >= 0xC0) out.pop_back();
     out += "...";
   }

@@ -4,9 +4,12 @@
 #include <fstream>
 #include <vector>
 
+#include "base/assert.hpp"
+
 namespace physim {
 
 Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
+  PHYSIM_ASSERT(!kind.empty());
   const Error too_large{"larger than " + std::to_string(most_bytes >> 20) + " MiB", file, "this cannot be a " + kind};
   std::error_code failure;
   const auto status = std::filesystem::status(file, failure);

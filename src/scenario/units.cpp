@@ -8,6 +8,7 @@
 #include <iterator>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "scenario/suggest.hpp"
 
 namespace physim {
@@ -186,6 +187,7 @@ std::string number_text(double value) {
   const bool readable = value == 0 || (size >= 1e-3 && size < 1e9);  // without an exponent
   const auto done = readable ? std::to_chars(buffer, std::end(buffer), value, std::chars_format::fixed)
                              : std::to_chars(buffer, std::end(buffer), value);
+  PHYSIM_ASSERT(done.ec == std::errc());
   return {buffer, done.ptr};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "math/philox.hpp"
 
@@ -20,6 +21,7 @@ Pair pair_of(SpreadShape shape, std::uint32_t a, std::uint32_t b) {
   const double u = open_unit(a), turn = 2 * kPi * open_unit(b);
   // Box and Muller (1958) for normal numbers; equal areas of the circle for even ones. Our own functions: the same bits
   // everywhere.
+  PHYSIM_ASSERT(u > 0);  // its logarithm is taken
   const double radius = shape == SpreadShape::normal ? std::sqrt(-2 * log(u)) : std::sqrt(u);
   return {radius * cos(turn), radius * sin(turn)};
 }
@@ -41,6 +43,7 @@ Vec3d turned(const Vec3d& direction, double right_angle, double up_angle) {
 }  // namespace
 
 Launch scattered(const Launch& launch, const Volley& volley, std::uint64_t index) {
+  PHYSIM_ASSERT(launch.velocity.has_value());
   const Spread& spread = volley.spread;
   const auto seed = static_cast<std::uint64_t>(volley.seed);
   const PhiloxKey key = {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
@@ -50,9 +53,8 @@ Launch scattered(const Launch& launch, const Volley& volley, std::uint64_t index
   const Pair angles = pair_of(spread.shape, a[0], a[1]);
   const double faster = spread.speed * single_of(spread.shape, a[2], a[3]);
 
-  const Vec3d velocity = launch.velocity.value_or(Vec3d{});
-  const double speed = length(velocity);
-  const Vec3d direction = speed > 0 ? velocity * (1 / speed) : Vec3d{1, 0, 0};
+  const double speed = length(*launch.velocity);
+  const Vec3d direction = speed > 0 ? *launch.velocity * (1 / speed) : Vec3d{1, 0, 0};
   Launch out = launch;
   out.velocity = turned(direction, spread.horizontal * angles.first, spread.vertical * angles.second) *
                  std::max(0.0, speed + faster);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "flight/zero.hpp"
 #include "model/force_laws.hpp"
 #include "model/sight.hpp"
@@ -39,6 +40,7 @@ Error with_place(Error error, const std::string& place) {
 std::size_t index_of(const std::vector<ScenarioShot>& shots, const std::string& name) {
   std::size_t i = 0;
   while (i < shots.size() && shots[i].projectile.name != name) ++i;
+  PHYSIM_ASSERT(i < shots.size());  // names are checked when a scenario is read
   return i;
 }
 
@@ -114,6 +116,7 @@ Status WorldRun::Impl::add_forces(bool to_shots) {
 }
 
 Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, const Volley& volley) {
+  PHYSIM_ASSERT(index < scenario.shots.size());
   ScenarioShot& shot = scenario.shots[index];
   const std::string place = scenario.file + ": shot " + in_quotes(shot.projectile.name);
   for (std::uint32_t i = 0; i < scenario.world.def.pools.size() && !shot.pool.empty(); ++i)
@@ -133,6 +136,7 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
     magazine.launch.speed = magazine.launch.elevation = magazine.launch.azimuth = 0;
     magazine.launch.sight.zero_range = 0;
   }
+  PHYSIM_ASSERT(magazine.launch.velocity.has_value());
   groups.push_back(std::move(group));
   magazines.push_back(std::move(magazine));
   return {};
@@ -169,6 +173,7 @@ void WorldRun::Impl::fire() {
 void WorldRun::Impl::fire(Magazine& magazine) {
   const Volley& volley = magazine.volley;
   const double slack = 1e-9 * scenario.world.def.step;  // a launch at 0.1 s belongs to the step that starts there
+  PHYSIM_ASSERT(magazine.group < groups.size());
   WorldGroup& group = groups[magazine.group];
   while (magazine.fired < static_cast<std::uint64_t>(volley.count)) {
     if (volley.start + static_cast<double>(magazine.fired) * volley.interval > world.time() + slack) return;
@@ -182,10 +187,13 @@ void WorldRun::Impl::fire(Magazine& magazine) {
       continue;
     }
     const ProjectileId id = *spawned;
+    PHYSIM_ASSERT(!news.empty());
+    PHYSIM_ASSERT(news.back().id == id);
     count(news.first(news.size() - 1));  // it may have taken the place of another, whose track ends here
     if (tracks.size() <= id.index) tracks.resize(id.index + std::size_t{1});
     tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time(), launch.position};
     count(news.last(1));
+    PHYSIM_ASSERT(group.shot < lone.size());
     if (volley.shot.empty()) lone[group.shot] = id;
   }
 }
@@ -197,6 +205,7 @@ Track* WorldRun::Impl::track_of(ProjectileId id) {
 }
 
 void WorldRun::Impl::touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity) {
+  PHYSIM_ASSERT(time > track.since - scenario.world.def.step);  // the track of this flight, and of no later one
   if (track.touched) return;
   track.touched = true;
   const Vec3d way = position - track.from;
@@ -209,6 +218,7 @@ void WorldRun::Impl::count(std::span<const Event> news) {
   for (const Event& event : news) {
     Track* track = track_of(event.id);
     if (track == nullptr) continue;
+    PHYSIM_ASSERT(track->launched.group < groups.size());
     events.push_back({track->launched, event});
     WorldGroup& group = groups[track->launched.group];
     switch (event.kind) {
@@ -250,6 +260,7 @@ void WorldRun::Impl::look_at_wall(double dt) {
     Track* track = track_of(s.id);
     if (track == nullptr) continue;
     const double part = (wall - s.from.x) / (s.to.x - s.from.x), rest = (1 - part) * dt;
+    PHYSIM_ASSERT(part <= 1);
     const Vec3d a = world[s.id].accelerations().total;
     WallHit hit{track->launched, s.id, world.time() - rest,
                 s.from + (s.to - s.from) * part - a * (part * dt * rest / 2), world[s.id].velocity() - a * rest};
@@ -267,6 +278,7 @@ void WorldRun::Impl::look_at_wall(double dt) {
     group.hit_z.add(hit.position.z);
     touch(tracks[hit.id.index], group, hit.time, hit.position, hit.velocity);
   }
+  PHYSIM_ASSERT(hits.size() == stopped.size());
   const std::size_t known = world.events().size();
   std::sort(stopped.begin(), stopped.end(), [](ProjectileId a, ProjectileId b) { return a.index < b.index; });
   world.despawn(stopped);
@@ -281,6 +293,7 @@ void WorldRun::Impl::step() {
   is_loaded = false;
   hits.clear();
   const double dt = scenario.world.def.step;
+  PHYSIM_ASSERT(dt > 0);
   world.step(dt);
   count(world.events());
   if (scenario.world.wall) look_at_wall(dt);
@@ -345,6 +358,7 @@ RunSnapshot WorldRun::snapshot() const {
 
 bool WorldRun::restore(const RunSnapshot& snapshot) {
   if (!impl_->world.restore(snapshot.world_)) return false;
+  PHYSIM_ASSERT(snapshot.state_ != nullptr);  // it is taken with the world
   static_cast<RunState&>(*impl_) = *snapshot.state_;
   return true;
 }

@@ -1,6 +1,7 @@
 // Values of settings as text that reads back as the same value, bit for bit.
 #include "scenario/writer.hpp"
 
+#include "base/assert.hpp"
 #include "scenario/units.hpp"
 
 namespace physim {
@@ -87,9 +88,12 @@ std::string inline_table(const SchemaNode& node, const Scope& scope) {
 }
 
 std::string records_value(const Entry& entry, const Records& records) {
-  const SchemaNode& node = *find_node(entry.path);
+  const SchemaNode* node = find_node(entry.path);
+  PHYSIM_ASSERT(node != nullptr);
+  PHYSIM_ASSERT(node->is_list_of_tables());
   std::string out;
-  for (std::size_t i = 0; i < records.size(); ++i) out += (i == 0 ? "" : ", ") + inline_table(node, records.element(i));
+  for (std::size_t i = 0; i < records.size(); ++i)
+    out += (i == 0 ? "" : ", ") + inline_table(*node, records.element(i));
   return "[" + out + "]";
 }
 
@@ -121,6 +125,7 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                         [&](const std::string* value) -> Text { return text_value(*value, style); },
                         [&](const Choice& choice) -> Text {
                           const std::optional<std::size_t> index = choice.get();
+                          PHYSIM_ASSERT(!index || *index < choice.names.size());
                           return index ? Text(word(choice.names[*index], style)) : std::nullopt;
                         },
                         [](const Reference&) -> Text { return std::nullopt; },
@@ -183,9 +188,7 @@ std::string table_lines(const SchemaNode& node, const Scope& scope) {
 std::string scenario_text(const Scenario& scenario) {
   Scenario copy = scenario;  // slots are for reading and writing
   std::int64_t format = 1;
-  Scope scope;
-  scope.format = &format;
-  scope.scenario = &copy;
+  const Scope scope{.format = &format, .scenario = &copy};
   std::string keys, tables;
   for (const SchemaNode& child : schema().children) {
     if (is_left_out(child, copy)) continue;
@@ -210,9 +213,7 @@ std::optional<std::string> written(const Entry& entry, const Scope& scope) {
 std::vector<std::pair<std::string, std::string>> effective_settings(const Scenario& scenario) {
   Scenario copy = scenario;  // slots are for reading and writing
   std::int64_t format = 1;
-  Scope scope;
-  scope.format = &format;
-  scope.scenario = &copy;
+  const Scope scope{.format = &format, .scenario = &copy};
   Lines lines;
   write_table(schema(), scope, "", lines);
   return lines;
