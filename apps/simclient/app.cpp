@@ -55,9 +55,7 @@ Status App::open() {
   if (options_.scale > 0) scale = static_cast<float>(options_.scale);
   glfwSetWindowSizeLimits(window_.get(), static_cast<int>(kLeastWidth * scale), static_cast<int>(kLeastHeight * scale),
                           GLFW_DONT_CARE, GLFW_DONT_CARE);
-  Result<Renderer> renderer = Renderer::make();
-  if (!renderer) return renderer.error();
-  renderer_.emplace(std::move(*renderer));
+  if (Status status = renderer_.make(); !status) return status;
   install_callbacks();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -131,7 +129,7 @@ void App::render(const Scene& scene) {
   const Viewport viewport{pixels(box.x), height - pixels(box.y + box.height), pixels(box.width), pixels(box.height)};
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  renderer_->draw(scene, client_.camera, viewport);
+  renderer_.draw(scene, client_.camera, viewport);
   glViewport(0, 0, width, height);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -56,7 +56,7 @@ class App {
   Script script_;
   Glfw glfw_;
   Window window_;
-  std::optional<Renderer> renderer_;
+  Renderer renderer_;
   std::optional<Target> target_;
   std::optional<Ui> ui_;
   Scene scene_;

@@ -2,50 +2,48 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
+#include <type_traits>
 
 #include "scenario/suggest.hpp"
 #include "simclient/core/original_tests.hpp"
+#include "simclient/core/text.hpp"
 
 namespace physim::client {
 namespace {
 
-constexpr double kTurn = 0.0174532925199433;  // one degree [rad]
+constexpr double kDegree = 0.0174532925199433;  // [rad]
 
-Status done() { return {}; }
+/// An action out of what it does, a lambda that may leave out the argument and may answer nothing.
+template <class Deed>
+constexpr auto act(Deed) {
+  return +[](Client& client, const std::string& argument) -> Status {
+    const auto deed = [&] {
+      if constexpr (std::is_invocable_v<Deed, Client&>)
+        return Deed{}(client);
+      else
+        return Deed{}(client, argument);
+    };
+    if constexpr (std::is_same_v<decltype(deed()), Status>)
+      return deed();
+    else
+      return deed(), Status();
+  };
+}
+
+template <bool Shown::*what>
+constexpr auto kToggle = act([](Client& client) { client.show.*what = !(client.show.*what); });
+template <int right, int up>
+constexpr auto kTurn = act([](Client& client) { client.launcher.turn(right * kDegree, up * kDegree); });
 
 Status select_type(Client& client, const std::string& name) {
-  if (client.launcher.select(name)) return done();
+  if (client.launcher.select(name)) return {};
   std::vector<std::string_view> names;
   for (const ShotType& type : client.launcher.types()) names.push_back(type.name);
   return Error{"there is no shot type " + in_quotes(name), "", suggestion(name, names, "shot types")};
 }
 
-template <std::size_t type>
-Status original_type(Client& client, const std::string&) {
-  return client.launcher.select(type), done();
-}
-
-template <bool Shown::*what>
-Status toggle(Client& client, const std::string&) {
-  client.show.*what = !(client.show.*what);
-  return done();
-}
-
-template <int right, int up>
-Status turn(Client& client, const std::string&) {
-  return client.launcher.turn(right * kTurn, up * kTurn), done();
-}
-
-Status change_speed(Client& client, double factor) {
-  const double scale = std::clamp(client.session.time_scale() * factor, 1.0 / 64, 64.0);
-  client.session.set_time_scale(scale);
-  return done();
-}
-
-template <BottomPanel panel>
-Status toggle_bottom(Client& client, const std::string&) {
-  return client.show_bottom(panel), done();
+void change_speed(Client& client, double factor) {
+  client.session.set_time_scale(std::clamp(client.session.time_scale() * factor, 1.0 / 64, 64.0));
 }
 
 Status plot(Client& client, const std::string& what) {
@@ -53,126 +51,113 @@ Status plot(Client& client, const std::string& what) {
   if (!plots) return plots.error();
   client.plots = *plots;
   client.bottom = BottomPanel::plots;
-  return done();
+  return {};
 }
 
-template <bool of_plots>
-Status take_picture(Client& client, const std::string& file) {
-  client.pictures.push_back({file, of_plots});
-  return done();
-}
-
-Status step_back(Client& client, const std::string&) {
-  if (client.session.step_back()) return done();
+Status step_back(Client& client) {
+  if (client.session.step_back()) return {};
   return Error{"there is nothing to go back to", "", ""};
 }
 
 Status open_file(Client& client, const std::string& file) {
   if (!file.empty()) return client.open(file);
-  return client.show.open_dialog = true, done();
+  return client.show.open_dialog = true, Status();
 }
 
-Status use_tape(Client& client, const std::string&) {
+void use_tape(Client& client) {
   client.tool = client.tool == Tool::tape ? Tool::fire : Tool::tape;
   client.tape = {};
   if (client.tool == Tool::tape) client.say("tape measure: click two points on paths or on the ground");
-  return done();
 }
 
-Status check_determinism(Client& client, const std::string&) {
+Status check_determinism(Client& client) {
   const Result<DeterminismCheck> check = client.session.check_determinism();
   if (!check) return check.error();
-  char text[120];
-  std::snprintf(text, sizeof text, "%llu steps twice: hash %016llx and %016llx, %s",
-                static_cast<unsigned long long>(check->steps), static_cast<unsigned long long>(check->first),
-                static_cast<unsigned long long>(check->second), check->passed() ? "the same" : "different");
-  if (!check->passed()) return Error{text, "determinism", ""};
-  return client.say(text), done();
+  const std::string told =
+      text("%llu steps twice: hash %016llx and %016llx, %s", static_cast<unsigned long long>(check->steps),
+           static_cast<unsigned long long>(check->first), static_cast<unsigned long long>(check->second),
+           check->passed() ? "the same" : "different");
+  if (!check->passed()) return Error{told, "determinism", ""};
+  return client.say(told), Status();
 }
 
 // clang-format off
 constexpr Action kActions[] = {
     // the original's
     {"fire", "Enter", "Shot", "fires along the arrow; also a left click on the scene", "",
-     [](Client& c, const std::string&) { return c.fire(); }},
-    {"elevation", "E", "Shot", "next elevation", "",
-     [](Client& c, const std::string&) { return c.launcher.cycle_elevation(), done(); }},
-    {"artillery", "1", "Shot", "the original's artillery", "", original_type<0>},
-    {"bullet", "2", "Shot", "the original's bullet", "", original_type<1>},
-    {"laser", "3", "Shot", "the original's laser", "", original_type<2>},
-    {"sphere", "4", "Shot", "a smooth sphere", "", original_type<3>},
-    {"next-shot", "S", "Shot", "next type of shot", "",
-     [](Client& c, const std::string&) { return c.launcher.next_type(), done(); }},
+     act([](Client& c) { return c.fire(); })},
+    {"elevation", "E", "Shot", "next elevation", "", act([](Client& c) { c.launcher.cycle_elevation(); })},
+    {"artillery", "1", "Shot", "the original's artillery", "",
+     act([](Client& c) { c.launcher.select(0U); })},
+    {"bullet", "2", "Shot", "the original's bullet", "", act([](Client& c) { c.launcher.select(1U); })},
+    {"laser", "3", "Shot", "the original's laser", "", act([](Client& c) { c.launcher.select(2U); })},
+    {"sphere", "4", "Shot", "a smooth sphere", "", act([](Client& c) { c.launcher.select(3U); })},
+    {"next-shot", "S", "Shot", "next type of shot", "", act([](Client& c) { c.launcher.next_type(); })},
     {"shot", "", "", "chooses a type of shot", "NAME", select_type},
     {"set", "", "", "changes a setting of the next shot, or of the environment", "PATH=VALUE",
-     [](Client& c, const std::string& assignment) { return c.set(assignment); }},
-    {"motion", "F", "Shot", "next model of motion", "",
-     [](Client& c, const std::string&) { return c.launcher.cycle_motion(), done(); }},
-    {"drag", "D", "Shot", "next model of drag", "",
-     [](Client& c, const std::string&) { return c.launcher.cycle_drag(), done(); }},
-    {"gravity", "G", "Shot", "next model of gravity", "",
-     [](Client& c, const std::string&) { return c.launcher.cycle_gravity(), done(); }},
-    {"turn-left", "Left", "Shot", "turns the barrel to the left, 1 degree", "", turn<-1, 0>},
-    {"turn-right", "Right", "Shot", "turns the barrel to the right, 1 degree", "", turn<1, 0>},
-    {"turn-up", "Up", "Shot", "raises the barrel, 1 degree", "", turn<0, 1>},
-    {"turn-down", "Down", "Shot", "lowers the barrel, 1 degree", "", turn<0, -1>},
+     act([](Client& c, auto& s) { return c.set(s); })},
+    {"motion", "F", "Shot", "next model of motion", "", act([](Client& c) { c.launcher.cycle_motion(); })},
+    {"drag", "D", "Shot", "next model of drag", "", act([](Client& c) { c.launcher.cycle_drag(); })},
+    {"gravity", "G", "Shot", "next model of gravity", "", act([](Client& c) { c.launcher.cycle_gravity(); })},
+    {"turn-left", "Left", "Shot", "turns the barrel to the left, 1 degree", "", kTurn<-1, 0>},
+    {"turn-right", "Right", "Shot", "turns the barrel to the right, 1 degree", "", kTurn<1, 0>},
+    {"turn-up", "Up", "Shot", "raises the barrel, 1 degree", "", kTurn<0, 1>},
+    {"turn-down", "Down", "Shot", "lowers the barrel, 1 degree", "", kTurn<0, -1>},
     // time
     {"pause", "P Space", "Time", "pauses, and goes on", "",
-     [](Client& c, const std::string&) { return c.session.set_paused(!c.session.is_paused()), done(); }},
-    {"step", "N .", "Time", "pauses, and goes one step on", "",
-     [](Client& c, const std::string&) { return c.session.single_step(), done(); }},
-    {"back", "B ,", "Time", "pauses, and goes one step back", "", step_back},
-    {"slower", "-", "Time", "half as fast", "", [](Client& c, const std::string&) { return change_speed(c, 0.5); }},
-    {"faster", "+ =", "Time", "twice as fast", "", [](Client& c, const std::string&) { return change_speed(c, 2); }},
-    {"restart", "R", "Time", "starts again", "", [](Client& c, const std::string&) { return c.restart(); }},
+     act([](Client& c) { c.session.set_paused(!c.session.is_paused()); })},
+    {"step", "N .", "Time", "pauses, and goes one step on", "", act([](Client& c) { c.session.single_step(); })},
+    {"back", "B ,", "Time", "pauses, and goes one step back", "", act([](Client& c) { return step_back(c); })},
+    {"slower", "-", "Time", "half as fast", "", act([](Client& c) { change_speed(c, 0.5); })},
+    {"faster", "+ =", "Time", "twice as fast", "", act([](Client& c) { change_speed(c, 2); })},
+    {"restart", "R", "Time", "starts again", "", act([](Client& c) { return c.restart(); })},
     // view
-    {"camera", "C", "View", "next camera: orbit, follow, side", "",
-     [](Client& c, const std::string&) { return c.next_camera(), done(); }},
-    {"fit", "Home", "View", "looks at everything", "",
-     [](Client& c, const std::string&) { return c.fit_view(), done(); }},
-    {"zoom-in", "PageUp", "View", "nearer", "",
-     [](Client& c, const std::string&) { return c.camera.zoom(0.8), done(); }},
-    {"zoom-out", "PageDown", "View", "farther away", "",
-     [](Client& c, const std::string&) { return c.camera.zoom(1.25), done(); }},
-    {"select", "Tab", "View", "selects the next projectile", "",
-     [](Client& c, const std::string&) { return c.select_next(), done(); }},
-    {"trails", "T", "View", "trails", "", toggle<&Shown::trails>},
-    {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", toggle<&Shown::vectors>},
-    {"prediction", "A", "View", "predicted path of the next shot", "", toggle<&Shown::prediction>},
-    {"marks", "K", "View", "apex and impact marks", "", toggle<&Shown::marks>},
-    {"clear", "X", "View", "forgets those that have left", "",
-     [](Client& c, const std::string&) { return c.session.clear_tracks(), done(); }},
+    {"camera", "C", "View", "next camera: orbit, follow, side", "", act([](Client& c) { c.next_camera(); })},
+    {"fit", "Home", "View", "looks at everything", "", act([](Client& c) { c.fit_view(); })},
+    {"zoom-in", "PageUp", "View", "nearer", "", act([](Client& c) { c.camera.zoom(0.8); })},
+    {"zoom-out", "PageDown", "View", "farther away", "", act([](Client& c) { c.camera.zoom(1.25); })},
+    {"select", "Tab", "View", "selects the next projectile", "", act([](Client& c) { c.select_next(); })},
+    {"trails", "T", "View", "trails", "", kToggle<&Shown::trails>},
+    {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", kToggle<&Shown::vectors>},
+    {"prediction", "A", "View", "predicted path of the next shot", "", kToggle<&Shown::prediction>},
+    {"marks", "K", "View", "apex and impact marks", "", kToggle<&Shown::marks>},
+    {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
     // panels
-    {"settings", "F2", "Panels", "settings of the next shot", "", toggle<&Shown::settings>},
-    {"statistics", "F3", "Panels", "statistics of those in flight", "", toggle<&Shown::statistics>},
-    {"plots", "F4", "Panels", "plots", "", toggle_bottom<BottomPanel::plots>},
+    {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>},
+    {"statistics", "F3", "Panels", "statistics of those in flight", "", kToggle<&Shown::statistics>},
+    {"plots", "F4", "Panels", "plots", "", act([](Client& c) { c.show_bottom(BottomPanel::plots); })},
     {"plot", "", "", "plots quantities over others: y/x speed/time", "QUANTITIES", plot},
-    {"compare", "F5", "Panels", "the next shot on several rungs", "", toggle_bottom<BottomPanel::compare>},
-    {"performance", "F7", "Panels", "what steps and frames cost", "", toggle_bottom<BottomPanel::performance>},
+    {"compare", "F5", "Panels", "the next shot on several rungs", "",
+     act([](Client& c) { c.show_bottom(BottomPanel::compare); })},
+    {"performance", "F7", "Panels", "what steps and frames cost", "",
+     act([](Client& c) { c.show_bottom(BottomPanel::performance); })},
     {"panel-keys", "F8", "Panels", "arrows, Space, Enter and Ctrl+Tab go to the panels, Alt to the menu", "",
-     toggle<&Shown::panel_keys>},
-    {"help", "F1 H", "Help", "keys", "", toggle<&Shown::help>},
+     kToggle<&Shown::panel_keys>},
+    {"help", "F1 H", "Help", "keys", "", kToggle<&Shown::help>},
     // tools
-    {"tape", "M", "Tools", "tape measure: left clicks set its ends", "", use_tape},
+    {"tape", "M", "Tools", "tape measure: left clicks set its ends", "", act([](Client& c) { use_tape(c); })},
     {"fire-compared", "F6", "Tools", "fires the next shot on all rungs of the comparison", "",
-     [](Client& c, const std::string&) { return c.fire_compared(); }},
+     act([](Client& c) { return c.fire_compared(); })},
     {"fire-scenario", "", "Tools", "fires all shots of the scenario", "",
-     [](Client& c, const std::string&) { return c.fire_scenario(); }},
+     act([](Client& c) { return c.fire_scenario(); })},
     {"test", "", "", "opens and fires a test of the original: 1 2 3 3-drag 4 5 6 6-drag", "NAME",
-     [](Client& c, const std::string& name) { return open_original_test(c, name); }},
+     act([](Client& c, auto& s) { return open_original_test(c, s); })},
     {"record", "F9", "Tools", "starts again and records; completes the file when it records", "FILE",
-     [](Client& c, const std::string& file) { return c.record(file); }},
+     act([](Client& c, auto& s) { return c.record(s); })},
     {"replay", "F10", "Tools", "plays the last recording, and comes back", "",
-     [](Client& c, const std::string&) { return c.replay(); }},
-    {"determinism", "F11", "Tools", "steps, goes back, steps again, and compares", "", check_determinism},
+     act([](Client& c) { return c.replay(); })},
+    {"determinism", "F11", "Tools", "steps, goes back, steps again, and compares", "",
+     act([](Client& c) { return check_determinism(c); })},
     {"open", "Ctrl+O", "File", "opens a scenario or recording; also by dropping it on the window", "FILE", open_file},
     {"save", "Ctrl+S", "File", "saves the scenario with the next shot", "FILE",
-     [](Client& c, const std::string& file) { return c.save(file); }},
+     act([](Client& c, auto& s) { return c.save(s); })},
     {"save-csv", "Ctrl+D", "File", "saves all flights as a table; its format is that of the ending", "FILE",
-     [](Client& c, const std::string& file) { return c.save_flights(file); }},
-    {"picture", "F12", "File", "saves a picture of the window", "FILE", take_picture<false>},
-    {"picture-of-plots", "Ctrl+P", "File", "saves a picture of the plots", "FILE", take_picture<true>},
-    {"quit", "Esc", "File", "leaves", "", [](Client& c, const std::string&) { return c.leaves = true, done(); }},
+     act([](Client& c, auto& s) { return c.save_flights(s); })},
+    {"picture", "F12", "File", "saves a picture of the window", "FILE",
+     act([](Client& c, auto& s) { c.pictures.push_back({s, false}); })},
+    {"picture-of-plots", "Ctrl+P", "File", "saves a picture of the plots", "FILE",
+     act([](Client& c, auto& s) { c.pictures.push_back({s, true}); })},
+    {"quit", "Esc", "File", "leaves", "", act([](Client& c) { c.leaves = true; })},
 };
 // clang-format on
 

@@ -18,12 +18,10 @@ constexpr double kReach = 12;       // of the mouse [pixels]
 constexpr double kMessageTime = 6;  // [s]
 constexpr double kRightAngle = 1.5707963267948966;
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
+bool is_recording(const std::string& file) { return file.ends_with(".rec") || file.ends_with(".rec.part"); }
 
 Result<Session> open_session(const std::string& file, const std::vector<std::string>& overrides) {
-  if (ends_with(file, ".rec") || ends_with(file, ".rec.part")) {
+  if (is_recording(file)) {
     Result<std::vector<std::byte>> bytes = load_recording(file);
     if (!bytes) return bytes.error();
     return Session::replay(std::move(*bytes), file);
@@ -42,7 +40,7 @@ std::vector<std::string> files_at_hand() {
     std::error_code unreadable;
     for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
       const std::string path = entry.path().lexically_normal().string();
-      if (ends_with(path, ".toml") || ends_with(path, ".rec") || ends_with(path, ".rec.part")) files.push_back(path);
+      if (path.ends_with(".toml") || is_recording(path)) files.push_back(path);
     }
   }
   std::sort(files.begin(), files.end());
@@ -108,10 +106,8 @@ Status Client::fire() {
 }
 
 Status Client::fire_scenario() {
-  for (const ScenarioShot& shot : with_world(session.scenario()).shots) {
-    const Result<ProjectileId> fired = session.fire(shot);
-    if (!fired) return fired.error();
-  }
+  for (const ScenarioShot& shot : with_world(session.scenario()).shots)
+    if (const Result<ProjectileId> fired = session.fire(shot); !fired) return fired.error();
   if (session.scenario().shots.empty()) return Error{"the scenario has no shots", session.scenario().file, ""};
   selected = {};
   fit_view();
@@ -119,14 +115,13 @@ Status Client::fire_scenario() {
 }
 
 Status Client::fire_compared() {
+  ScenarioShot shot = launcher.shot();
+  shot.cheapest_within.reset();
   for (const ComparedRung& rung : comparison()) {
-    ScenarioShot shot = launcher.shot();
     shot.projectile.fidelity = rung.asked;
     shot.projectile.name = rung.name;
-    shot.cheapest_within.reset();
     shot.body.colour = rung.colour;
-    const Result<ProjectileId> fired = session.fire(shot);
-    if (!fired) return fired.error();
+    if (const Result<ProjectileId> fired = session.fire(shot); !fired) return fired.error();
   }
   return {};
 }
@@ -189,8 +184,7 @@ Status Client::record(const std::string& file) {
 
 Status Client::replay() {
   if (session.is_replay()) {
-    const std::string file = scenario_file_;
-    if (!file.empty()) return open(file);
+    if (!scenario_file_.empty()) return open(std::string(scenario_file_));
     return use_session(Session::create(open_range()));
   }
   if (recorded_.empty()) return Error{"nothing was recorded yet", "replay", "record first, or open FILE.rec"};

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "physim/names.hpp"
 #include "physim/presets.hpp"
 #include "physim/units.hpp"
 #include "simclient/core/session.hpp"
+#include "simclient/core/text.hpp"
 
 namespace physim::client {
 namespace {
@@ -124,15 +124,10 @@ double Launcher::azimuth() const {
 double Launcher::speed() const { return shot_.launch.velocity ? length(*shot_.launch.velocity) : shot_.launch.speed; }
 
 std::string Launcher::elevation_text() const {
-  char text[48];
   const double degrees = elevation() / kDegree, zero = shot_.launch.sight.zero_range;
-  if (zero > 0)
-    std::snprintf(text, sizeof text, "zeroed at %.6g m", zero);
-  else if (const auto setting = elevation_setting())
-    std::snprintf(text, sizeof text, "e = %d (%.1f\u00b0)", *setting, degrees);
-  else
-    std::snprintf(text, sizeof text, "%.2f\u00b0", degrees);
-  return text;
+  if (zero > 0) return text("zeroed at %.6g m", zero);
+  if (const auto setting = elevation_setting()) return text("e = %d (%.1f\u00b0)", *setting, degrees);
+  return text("%.2f\u00b0", degrees);
 }
 
 }  // namespace physim::client

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "scenario/suggest.hpp"
@@ -113,16 +112,11 @@ std::vector<double> PlotAxis::ticks() const {
 }
 
 std::string PlotAxis::text(double tick) const {
-  char out[32];
   if (std::abs(tick) < step * 1e-6) tick = 0;
   const double largest = std::max(std::abs(low), std::abs(high));
-  if (largest >= 1e6 || step < 1e-4) {
-    std::snprintf(out, sizeof out, "%.3g", tick);
-  } else {
-    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-    std::snprintf(out, sizeof out, "%.*f", digits, tick);
-  }
-  return out;
+  if (largest >= 1e6 || step < 1e-4) return client::text("%.3g", tick);
+  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  return client::text("%.*f", digits, tick);
 }
 
 // --------------------------------------------------------------------------------------------------------------- plots

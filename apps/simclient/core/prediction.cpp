@@ -22,11 +22,6 @@ void add_forces(World& world, const Session& session, const ScenarioShot& shot) 
   }
 }
 
-TrackSample sample(const World& world, ProjectileId id) {
-  const BodyState at = world[id].state();
-  return {world[id].age(), at.position, at.velocity, world[id].accelerations().total, world[id].mach()};
-}
-
 void look(Prediction& prediction, const Event& event) {
   TrackSample at = prediction.path.back();
   at.time = event.time, at.position = event.position, at.velocity = event.velocity;
@@ -54,21 +49,21 @@ Prediction predict(const Session& session, const ScenarioShot& shot, double max_
   body.cheapest_within = shot.cheapest_within.value_or(0);
   const Result<ProjectileId> fired = world.spawn(shot.projectile, shot.launch, body);
   if (!fired) return prediction.error = fired.error(), prediction;
-  const ProjectileId id = *fired;
-  prediction.muzzle = world[id].position();
-  prediction.velocity = world[id].velocity();
-  prediction.granted = world[id].fidelity_in_use();
-  prediction.path.push_back(sample(world, id));
+  const ProjectileView projectile = world[*fired];
+  prediction.muzzle = projectile.position();
+  prediction.velocity = projectile.velocity();
+  prediction.granted = projectile.fidelity_in_use();
+  prediction.path.push_back(sample_of(projectile, projectile.age()));
   const auto limit = std::min(kMaxSteps, static_cast<std::uint64_t>(std::ceil(max_time / def.step)));
   const auto start = std::chrono::steady_clock::now();
-  while (world[id].is_alive() && !world[id].is_asleep() && prediction.steps < limit) {
+  while (projectile.is_alive() && !projectile.is_asleep() && prediction.steps < limit) {
     world.step(def.step);
     ++prediction.steps;
     for (const Event& event : world.events()) look(prediction, event);
-    if (world[id].is_alive()) prediction.path.push_back(sample(world, id));
+    if (projectile.is_alive()) prediction.path.push_back(sample_of(projectile, projectile.age()));
   }
   prediction.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  prediction.complete = !world[id].is_alive() || world[id].is_asleep();
+  prediction.complete = !projectile.is_alive() || projectile.is_asleep();
   return prediction;
 }
 

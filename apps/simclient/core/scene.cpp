@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace physim::client {
 
@@ -13,8 +12,12 @@ void Scene::clear() {
   labels.clear();
 }
 
-void Scene::line(const Vec3d& a, const Vec3d& b, Colour colour, double width) {
-  lines.push_back({a, b, colour, static_cast<float>(width), 0});
+void Scene::line(const Vec3d& a, const Vec3d& b, Colour colour, double width, double fog) {
+  lines.push_back({a, b, colour, static_cast<float>(width), static_cast<float>(fog)});
+}
+
+void Scene::ball(const Vec3d& at, Colour colour, double pixels, double radius) {
+  balls.push_back({at, colour, static_cast<float>(radius), static_cast<float>(pixels)});
 }
 
 void Scene::polyline(const std::vector<TrackSample>& samples, Colour colour, double width) {
@@ -36,8 +39,7 @@ void Scene::dots(const std::vector<TrackSample>& samples, const Camera& camera, 
     if (!from || !to) continue;
     const double length = std::hypot(to->x - from->x, to->y - from->y);
     if (length > 4 * camera.width()) continue;
-    for (double at = gap - way; at <= length; at += gap)
-      balls.push_back({a + (b - a) * (at / length), colour, 0, static_cast<float>(1.6 * scale)});
+    for (double at = gap - way; at <= length; at += gap) ball(a + (b - a) * (at / length), colour, 1.6 * scale);
     way = std::fmod(way + length, gap);
   }
 }
@@ -69,10 +71,8 @@ double scale_step(double length, double wanted) {
 }
 
 std::string length_text(double metres) {
-  char text[32];
   const bool far = std::abs(metres) >= 10000;
-  std::snprintf(text, sizeof text, far ? "%.6g km" : "%.6g m", far ? metres / 1000 : metres);
-  return text;
+  return text(far ? "%.6g km" : "%.6g m", far ? metres / 1000 : metres);
 }
 
 void build_scene(Client& client, double scale, Scene& scene) {

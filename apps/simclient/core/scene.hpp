@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simclient/core/client.hpp"
+#include "simclient/core/text.hpp"
 
 namespace physim::client {
 
@@ -46,7 +47,8 @@ struct Scene {
   bool has_ground = true;  // there is one to land on
 
   void clear();
-  void line(const Vec3d& a, const Vec3d& b, Colour colour, double width);
+  void line(const Vec3d& a, const Vec3d& b, Colour colour, double width, double fog = 0);
+  void ball(const Vec3d& at, Colour colour, double pixels, double radius = 0);
   void polyline(const std::vector<TrackSample>& samples, Colour colour, double width);
   void dots(const std::vector<TrackSample>& samples, const Camera& camera, Colour colour, double scale);
   void arrow(const Vec3d& from, const Vec3d& to, Colour colour, double width, const Camera& camera);

@@ -1,21 +1,11 @@
 // What flies: projectiles, their trails, marks and vectors; and the aim.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {
 namespace {
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char out[120];
-  std::snprintf(out, sizeof out, format, values...);
-  return out;
-}
-
-float radius_of(const ProjectileDef* what) { return what ? static_cast<float>(what->diameter / 2) : 0.0F; }
 
 void cross(Scene& scene, const Camera& camera, double scale, const Vec3d& at, const Vec3d& one, const Vec3d& other,
            Colour colour) {
@@ -69,8 +59,8 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown_position(track.id);
     if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width);
-    const float pixels = static_cast<float>((&track == selected ? 6.5 : 5.5) * scale);
-    scene.balls.push_back({at, track.colour, radius_of(world[track.id].definition()), pixels});
+    const ProjectileDef* what = world[track.id].definition();
+    scene.ball(at, track.colour, (&track == selected ? 6.5 : 5.5) * scale, what ? what->diameter / 2 : 0);
     scene.label(at, "#" + std::to_string(track.number), track.colour, -1);
   }
 }
@@ -91,7 +81,7 @@ void build_aim(Client& client, double scale, Scene& scene) {
   const Prediction& prediction = client.prediction();
   if (prediction.error) return;
   if (client.show.prediction) scene.dots(prediction.path, client.camera, faded(colours::kText, 0.75), scale);
-  scene.balls.push_back({prediction.muzzle, colours::kArrow, 0, static_cast<float>(3 * scale)});
+  scene.ball(prediction.muzzle, colours::kArrow, 3 * scale);
   if (const auto arrow = client.arrow()) scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
 }
 
@@ -112,33 +102,27 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
   };
   const double speed = length(velocity);
   draw(velocity, speed > 0 ? longest / speed : 0, colours::kVelocity, text("v %.2f m/s", speed));
+  const std::pair<const char*, Vec3d> effects[] = {{"gravity", a.gravity},
+                                                   {"drag", a.drag},
+                                                   {"Coriolis", a.coriolis},
+                                                   {"centrifugal", a.centrifugal},
+                                                   {"applied", a.applied}};
   double strongest = length(a.total);
-  for (const Vec3d& each : {a.gravity, a.drag, a.coriolis, a.centrifugal, a.applied})
-    strongest = std::max(strongest, length(each));
+  for (const auto& [name, each] : effects) strongest = std::max(strongest, length(each));
   const double unit = strongest > 0 ? longest * 0.8 / strongest : 0;
   draw(a.total, unit, colours::kAcceleration, text("a %.3g m/s\u00b2", length(a.total)));
-  const struct {
-    const char* name;
-    Vec3d acceleration;
-  } effects[] = {{"gravity", a.gravity},
-                 {"drag", a.drag},
-                 {"Coriolis", a.coriolis},
-                 {"centrifugal", a.centrifugal},
-                 {"applied", a.applied}};
-  for (const auto& effect : effects) {
-    if (length(effect.acceleration) < 0.02 * strongest) continue;  // too short to be seen
-    draw(effect.acceleration, unit * 0.7, colours::kForce,
-         text("%s %.3g N", effect.name, length(effect.acceleration) * track->mass));
-  }
+  for (const auto& [name, each] : effects)
+    if (length(each) >= 0.02 * strongest)  // else too short to be seen
+      draw(each, unit * 0.7, colours::kForce, text("%s %.3g N", name, length(each) * track->mass));
 }
 
 // --------------------------------------------------------------------------------------------------------------- tools
 void build_tools(const Client& client, double scale, Scene& scene) {
   const Tape& tape = client.tape;
-  if (tape.from) scene.balls.push_back({*tape.from, colours::kForce, 0, static_cast<float>(4 * scale)});
+  if (tape.from) scene.ball(*tape.from, colours::kForce, 4 * scale);
   if (!tape.from || !tape.to) return;
   const Vec3d way = *tape.to - *tape.from;
-  scene.balls.push_back({*tape.to, colours::kForce, 0, static_cast<float>(4 * scale)});
+  scene.ball(*tape.to, colours::kForce, 4 * scale);
   scene.line(*tape.from, *tape.to, colours::kForce, 2 * scale);
   const Vec3d middle = (*tape.from + *tape.to) * 0.5;
   scene.label(middle, text("%.3f m", length(way)), colours::kForce, -1);

@@ -47,15 +47,14 @@ void build_ground(const Client& client, double scale, Scene& scene) {
     const double x = (middle + i) * step, z = (side + i) * step;
     const bool is_axis = std::lround(side) + i == 0;
     const Vec3d a = origin + along * x + across * (side * step), b = origin + across * z + along * (middle * step);
-    const auto fog = static_cast<float>(reach);
-    scene.lines.push_back({a - across * reach, a + across * reach, colours::kGrid, static_cast<float>(scale), fog});
-    scene.lines.push_back({b - along * reach, b + along * reach, is_axis ? colours::kDim : colours::kGrid,
-                           static_cast<float>(is_axis ? 2 * scale : scale), fog});
+    scene.line(a - across * reach, a + across * reach, colours::kGrid, scale, reach);
+    scene.line(b - along * reach, b + along * reach, is_axis ? colours::kDim : colours::kGrid,
+               is_axis ? 2 * scale : scale, reach);
     // Distances from the muzzle stand on the line of fire, with a thick mark.
     const Vec3d mark = origin + along * x;
     if (std::abs(i) > 14) continue;
-    scene.lines.push_back({mark - across * (step * 0.18), mark + across * (step * 0.18), colours::kText,
-                           static_cast<float>(2.5 * scale), fog});
+    const Vec3d half = across * (step * 0.18);
+    scene.line(mark - half, mark + half, colours::kText, 2.5 * scale, reach);
     scene.labels.push_back({mark + across * (step * 0.24), length_text(x), colours::kText, false, 0});
   }
   build_wall(client, scale, step, scene);

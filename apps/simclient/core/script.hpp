@@ -27,7 +27,6 @@ class Script {
 
   /// Called at the start of each frame: does what is due. The first error ends the script.
   [[nodiscard]] Status run(Client& client);
-  [[nodiscard]] bool is_done() const { return next_ == steps_.size() && waiting_ == 0; }
   /// Frames until everything is done.
   [[nodiscard]] int frames() const;
 

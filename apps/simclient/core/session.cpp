@@ -27,6 +27,10 @@ TrackSample within_step(const Track& track, double time, const Vec3d& position, 
   return at;
 }
 
+void add_later(Track& track, const TrackSample& sample) {
+  if (sample.time > track.samples.back().time + kInstant) track.samples.push_back(sample);
+}
+
 std::uint64_t launches(const Scenario& scenario) {
   std::uint64_t count = scenario.shots.size();
   for (const Volley& volley : scenario.volleys) count += static_cast<std::uint64_t>(volley.count);
@@ -85,7 +89,6 @@ Status Session::start(const std::string& recording) {
   Result<WorldRun> run = WorldRun::create(std::move(played), recording);
   if (!run) return run.error();
   run_ = std::move(*run);
-  recording_ = recording;
   tracks_.clear();
   moments_.clear();
   step_ = fired_ = 0;
@@ -279,9 +282,7 @@ Vec3d Session::shown_position(ProjectileId id) const {
 
 // -------------------------------------------------------------------------------------------------------------- tracks
 TrackSample Session::sample(const Track& track) const {
-  const BodyState at = world()[track.id].state();
-  return {world().time() - track.born, at.position, at.velocity, world()[track.id].accelerations().total,
-          world()[track.id].mach()};
+  return sample_of(world()[track.id], world().time() - track.born);
 }
 
 void Session::begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand) {
@@ -297,7 +298,6 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
   track.colour = colour;
   track.mass = world()[id].mass();
   track.born = world().time() - world()[id].age();
-  track.by_hand = by_hand;
   track.granted = world()[id].fidelity_in_use();
   if (!by_hand) add_launch(track);
   track.samples.push_back(sample(track));
@@ -322,8 +322,7 @@ void Session::look() {
       track.status = world()[track.id].status();
       continue;
     }
-    const TrackSample now = sample(track);
-    if (now.time > track.samples.back().time + kInstant) track.samples.push_back(now);
+    add_later(track, sample(track));
     if (track.samples.size() > kMaxSamples)  // every second one is enough from here on
       for (std::size_t i = 1; i < track.samples.size(); ++i) track.samples.erase(track.samples.begin() + i);
   }
@@ -348,7 +347,7 @@ void Session::look_at_events(std::span<const Event> events) {
     const bool ends = event.kind == EventKind::landed;
     if (event.kind == EventKind::apex && !track->apex) track->apex = at;
     if ((ends || event.kind == EventKind::bounced) && !track->impact) track->impact = at;
-    if (ends && at.time > track->samples.back().time + kInstant) track->samples.push_back(at);
+    if (ends) add_later(*track, at);
   }
 }
 
@@ -357,7 +356,7 @@ void Session::look_at_wall() {
     Track* track = find(hit.id);
     if (track == nullptr || track->impact) continue;
     track->impact = within_step(*track, hit.time, hit.position, hit.velocity);
-    if (track->impact->time > track->samples.back().time + kInstant) track->samples.push_back(*track->impact);
+    add_later(*track, *track->impact);
   }
 }
 

@@ -81,7 +81,6 @@ class Session {
   [[nodiscard]] bool is_replay() const { return replay_.has_value(); }
   [[nodiscard]] bool is_recording() const { return !is_replay() && run_->world().is_recording(); }
   [[nodiscard]] bool is_over() const { return over_; }  // of a replay: its end, or its first difference
-  [[nodiscard]] const std::string& recording() const { return recording_; }
   [[nodiscard]] const ReplayReport* replay_report() const { return replay_ ? &replay_->report() : nullptr; }
 
   // ---------------------------------------------------------------------------------------------------------- tools
@@ -120,7 +119,6 @@ class Session {
   std::optional<WorldRun> run_;
   std::optional<Replay> replay_;
   std::vector<std::byte> replayed_;  // to start again
-  std::string recording_;
   std::vector<Track> tracks_;
   std::deque<Moment> moments_;
   std::size_t most_tracks_of_run_ = 0;

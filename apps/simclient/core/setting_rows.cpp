@@ -14,19 +14,6 @@
 namespace physim::client {
 namespace {
 
-Scope scope_of(Scenario& scenario, ScenarioShot& shot) {
-  Scope scope;
-  scope.scenario = &scenario;
-  scope.shot = &shot;
-  return scope;
-}
-
-const Setting* find_setting(std::string_view path) {
-  const auto all = settings();
-  const auto found = std::find_if(all.begin(), all.end(), [path](const Setting& s) { return s.path == path; });
-  return found == all.end() ? nullptr : &*found;
-}
-
 SettingRow make_row(const SchemaNode& node, const std::string& table) {
   SettingRow row;
   row.node = &node;
@@ -34,10 +21,10 @@ SettingRow make_row(const SchemaNode& node, const std::string& table) {
   row.name = node.name;
   if (node.path.size() > table.size() + 1 + node.name.size())
     row.group = node.path.substr(table.size() + 1, node.path.size() - table.size() - node.name.size() - 2);
-  if (const Setting* setting = find_setting(node.path)) {
-    row.doc = setting->doc, row.unit = setting->unit, row.range = setting->range;
-    row.default_value = setting->default_value;
-  }
+  const auto all = settings();
+  const auto setting = std::find_if(all.begin(), all.end(), [&](const Setting& s) { return s.path == node.path; });
+  row.doc = setting->doc, row.unit = setting->unit, row.range = setting->range;
+  row.default_value = setting->default_value;
   Defaults defaults;
   const ValueRef slot = node.entry->slot(defaults.scope());
   if (std::holds_alternative<bool*>(slot)) row.kind = SettingRow::Kind::boolean;
@@ -118,7 +105,7 @@ std::optional<std::string> row_text(const SettingRow& row, const Scenario& scena
   of_scenario.environment = scenario.environment;
   of_scenario.world = scenario.world;
   ScenarioShot copy = shot;
-  std::optional<std::string> text = written(*row.node->entry, scope_of(of_scenario, copy));
+  std::optional<std::string> text = written(*row.node->entry, {.scenario = &of_scenario, .shot = &copy});
   if (text && row.kind == SettingRow::Kind::vector) return shortened(without_brackets(*text));
   return text && !row.unit.empty() ? shortened(*text) : text;
 }
@@ -128,7 +115,8 @@ Status set_value(const SettingRow& row, const std::string& text, Scenario& scena
   Scenario changed_scenario = scenario;
   const std::string typed = row.kind == SettingRow::Kind::vector ? with_brackets(text) : text;
   const Value value = parse_override_value(typed, Place{std::make_shared<const std::string>(row.path), 0, 0});
-  if (Status status = read_setting(*row.node, scope_of(changed_scenario, changed), value); !status) return status;
+  const Scope scope{.scenario = &changed_scenario, .shot = &changed};
+  if (Status status = read_setting(*row.node, scope, value); !status) return status;
   shot = std::move(changed);
   scenario = std::move(changed_scenario);
   return {};

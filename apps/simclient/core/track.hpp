@@ -23,14 +23,19 @@ struct TrackSample {
   bool operator==(const TrackSample&) const = default;
 };
 
+/// A projectile as it is now, so long after its launch.
+[[nodiscard]] inline TrackSample sample_of(const ProjectileView& projectile, double time) {
+  const BodyState at = projectile.state();
+  return {time, at.position, at.velocity, projectile.accelerations().total, projectile.mach()};
+}
+
 struct Track {
   ProjectileId id;
   std::uint64_t number = 0;  // of its launch in this session, from 1
   std::string name;
   Colour colour = 0xFFFFFFFF;
   double mass = 0;
-  double born = 0;  // [s] of the world
-  bool by_hand = false;
+  double born = 0;        // [s] of the world
   FidelityInUse granted;  // as it was at launch
   std::vector<TrackSample> samples;
   std::optional<TrackSample> apex, impact;

@@ -1,8 +1,7 @@
 #include "simclient/gl/renderer.hpp"
 
-#include <cmath>
-#include <cstddef>
-#include <utility>
+#include <initializer_list>
+#include <vector>
 
 #include "simclient/gl/shaders.hpp"
 
@@ -11,6 +10,23 @@ namespace {
 
 constexpr float kSky[3] = {0.075F, 0.086F, 0.105F};
 constexpr float kNear[3] = {0.135F, 0.150F, 0.160F}, kFar[3] = {0.085F, 0.096F, 0.115F};
+constexpr float kSquare[8] = {-1, -1, 1, -1, -1, 1, 1, 1}, kStrip[8] = {0, -1, 1, -1, 0, 1, 1, 1};
+
+// Instances as the shaders read them; positions are relative to the eye.
+struct LineInstance {
+  float a[3], b[3];
+  std::uint8_t colour[4];
+  float width, fog;
+};
+struct BallInstance {
+  float at[3];
+  std::uint8_t colour[4];
+  float radius, pixels;
+};
+struct DotInstance {
+  float at[3];
+  std::uint8_t colour[4];
+};
 
 void relative(const Vec3d& point, const Camera& camera, const Vec3d& eye, float (&out)[3]) {
   const Vec3d way = camera.shown(point) - eye;
@@ -21,98 +37,129 @@ void bytes(Colour colour, std::uint8_t (&out)[4]) {
   for (int i = 0; i < 4; ++i) out[i] = static_cast<std::uint8_t>(colour >> (24 - 8 * i));
 }
 
-void attribute(GLuint index, GLint count, GLenum type, GLsizei stride, std::size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, count, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, stride,
-                        static_cast<const char*>(nullptr) + offset);
-  if (index > 0) glVertexAttribDivisor(index, 1);
+/// Attributes one behind the other, from number `first` on: so many floats each; four are the bytes of a colour.
+void read_as(GLuint first, std::initializer_list<GLint> attributes, GLuint divisor) {
+  const auto size = [](GLint count) { return count == 4 ? 4 : count * static_cast<GLsizei>(sizeof(float)); };
+  GLsizei stride = 0;
+  for (const GLint count : attributes) stride += size(count);
+  const char* at = nullptr;
+  for (const GLint count : attributes) {
+    glEnableVertexAttribArray(first);
+    glVertexAttribPointer(first, count, count == 4 ? GL_UNSIGNED_BYTE : GL_FLOAT, count == 4 ? GL_TRUE : GL_FALSE,
+                          stride, at);
+    glVertexAttribDivisor(first++, divisor);
+    at += size(count);
+  }
 }
 
-template <class Instance>
-void upload(GLuint buffer, const std::vector<Instance>& data) {
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+/// Instances of a quad; without one, points.
+void make_arrays(Pass& pass, const float (*quad)[8], std::initializer_list<GLint> attributes) {
+  glGenVertexArrays(1, &pass.array);
+  glBindVertexArray(pass.array);
+  if (quad != nullptr) {
+    glGenBuffers(1, &pass.corners);
+    glBindBuffer(GL_ARRAY_BUFFER, pass.corners);
+    glBufferData(GL_ARRAY_BUFFER, sizeof *quad, *quad, GL_STATIC_DRAW);
+    read_as(0, {2}, 0);
+  }
+  glGenBuffers(1, &pass.instances);
+  glBindBuffer(GL_ARRAY_BUFFER, pass.instances);
+  read_as(quad != nullptr ? 1 : 0, attributes, quad != nullptr ? 1 : 0);
+  glBindVertexArray(0);
+}
+
+void begin(const Pass& pass, const Camera& camera, const Mat4& matrix) {
+  pass.shader.use();
+  glUniformMatrix4fv(pass.shader.uniform("matrix"), 1, GL_FALSE, matrix.data());
+  glUniform2f(pass.shader.uniform("size"), static_cast<float>(camera.width()), static_cast<float>(camera.height()));
+  glBindVertexArray(pass.array);
+}
+
+/// Hands instances of things to a pass; how many there are.
+template <class Instance, class Thing, class Fill>
+GLsizei upload(const Pass& pass, const std::vector<Thing>& things, const Fill& fill) {
+  std::vector<Instance> data(things.size());
+  for (std::size_t i = 0; i < things.size(); ++i) fill(things[i], data[i]);
+  glBindBuffer(GL_ARRAY_BUFFER, pass.instances);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(Instance)), data.data(), GL_STREAM_DRAW);
+  return static_cast<GLsizei>(data.size());
 }
 
-void set_common(const Shader& shader, const Mat4& matrix, const Camera& camera) {
-  shader.use();
-  glUniformMatrix4fv(shader.uniform("matrix"), 1, GL_FALSE, matrix.data());
-  glUniform2f(shader.uniform("size"), static_cast<float>(camera.width()), static_cast<float>(camera.height()));
+void draw_ground(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+  const Shader& shader = pass.shader;
+  begin(pass, camera, matrix);
+  glUniform1f(shader.uniform("height"), static_cast<float>(camera.shown({0, scene.ground, 0}).y - camera.eye().y));
+  glUniform1f(shader.uniform("reach"), static_cast<float>(camera.distance * 100));
+  glUniform3fv(shader.uniform("near_colour"), 1, kNear);
+  glUniform3fv(shader.uniform("far_colour"), 1, kFar);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void draw_lines(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+  begin(pass, camera, matrix);
+  glUniform1f(pass.shader.uniform("near"), static_cast<float>(camera.near_plane()));
+  const auto fill = [&camera, eye = camera.eye()](const SceneLine& line, LineInstance& out) {
+    relative(line.a, camera, eye, out.a);
+    relative(line.b, camera, eye, out.b);
+    bytes(line.colour, out.colour);
+    out.width = line.width, out.fog = line.fog;
+  };
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload<LineInstance>(pass, scene.lines, fill));
+}
+
+/// Opaque squares of a few pixels: software rendering draws them many times as fast as anything rounder.
+void draw_crowd(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+  if (scene.crowd.empty()) return;
+  begin(pass, camera, matrix);
+  glUniform1f(pass.shader.uniform("pixels"), scene.crowd_size);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glDisable(GL_BLEND);
+  const auto fill = [&camera, eye = camera.eye()](const SceneDot& dot, DotInstance& out) {
+    relative(dot.at, camera, eye, out.at);
+    bytes(dot.colour, out.colour);
+  };
+  glDrawArrays(GL_POINTS, 0, upload<DotInstance>(pass, scene.crowd, fill));
+  glEnable(GL_BLEND);
+}
+
+void draw_balls(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+  begin(pass, camera, matrix);
+  glUniform1f(pass.shader.uniform("focal"), static_cast<float>(camera.focal()));
+  const auto fill = [&camera, eye = camera.eye()](const SceneBall& ball, BallInstance& out) {
+    relative(ball.at, camera, eye, out.at);
+    bytes(ball.colour, out.colour);
+    out.radius = ball.radius, out.pixels = ball.pixels;
+  };
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload<BallInstance>(pass, scene.balls, fill));
 }
 
 }  // namespace
 
-Result<Renderer> Renderer::make() {
-  Renderer renderer;
+Pass::~Pass() {
+  if (array == 0) return;
+  glDeleteVertexArrays(1, &array);
+  glDeleteBuffers(1, &corners);
+  glDeleteBuffers(1, &instances);
+}
+
+Status Renderer::make() {
   const struct {
     const char *name, *vertex, *fragment;
-    Shader* shader;
-  } shaders[] = {{"ground", kGroundVertex, kGroundFragment, &renderer.ground_shader_},
-                 {"line", kLineVertex, kLineFragment, &renderer.line_shader_},
-                 {"ball", kBallVertex, kBallFragment, &renderer.ball_shader_},
-                 {"crowd", kCrowdVertex, kCrowdFragment, &renderer.crowd_shader_}};
-  for (const auto& each : shaders) {
-    Result<Shader> made = Shader::make(each.name, each.vertex, each.fragment);
-    if (!made) return made.error();
-    *each.shader = std::move(*made);
-  }
-  renderer.make_meshes();
-  return renderer;
+    Pass& pass;
+  } passes[] = {{"ground", kGroundVertex, kGroundFragment, ground_},
+                {"line", kLineVertex, kLineFragment, line_},
+                {"ball", kBallVertex, kBallFragment, ball_},
+                {"crowd", kCrowdVertex, kCrowdFragment, crowd_}};
+  for (const auto& each : passes)
+    if (Status status = each.pass.shader.make(each.name, each.vertex, each.fragment); !status) return status;
+  make_arrays(ground_, &kSquare, {});
+  make_arrays(line_, &kStrip, {3, 3, 4, 2});
+  make_arrays(ball_, &kSquare, {3, 4, 2});
+  make_arrays(crowd_, nullptr, {3, 4});
+  return {};
 }
 
-void Renderer::make_meshes() {
-  static constexpr float kSquare[] = {-1, -1, 1, -1, -1, 1, 1, 1};
-  static constexpr float kStrip[] = {0, -1, 1, -1, 0, 1, 1, 1};
-  for (Mesh* mesh : {&ground_, &line_, &ball_}) {
-    glGenVertexArrays(1, &mesh->array);
-    glBindVertexArray(mesh->array);
-    glGenBuffers(1, &mesh->corners);
-    glBindBuffer(GL_ARRAY_BUFFER, mesh->corners);
-    glBufferData(GL_ARRAY_BUFFER, sizeof kSquare, mesh == &line_ ? kStrip : kSquare, GL_STATIC_DRAW);
-    attribute(0, 2, GL_FLOAT, 2 * sizeof(float), 0);
-    glGenBuffers(1, &mesh->instances);
-    glBindBuffer(GL_ARRAY_BUFFER, mesh->instances);
-    if (mesh == &line_) {
-      attribute(1, 3, GL_FLOAT, sizeof(LineInstance), offsetof(LineInstance, a));
-      attribute(2, 3, GL_FLOAT, sizeof(LineInstance), offsetof(LineInstance, b));
-      attribute(3, 4, GL_UNSIGNED_BYTE, sizeof(LineInstance), offsetof(LineInstance, colour));
-      attribute(4, 2, GL_FLOAT, sizeof(LineInstance), offsetof(LineInstance, width));
-    } else if (mesh == &ball_) {
-      attribute(1, 3, GL_FLOAT, sizeof(BallInstance), offsetof(BallInstance, at));
-      attribute(2, 4, GL_UNSIGNED_BYTE, sizeof(BallInstance), offsetof(BallInstance, colour));
-      attribute(3, 2, GL_FLOAT, sizeof(BallInstance), offsetof(BallInstance, radius));
-    }
-  }
-  glGenVertexArrays(1, &crowd_.array);
-  glBindVertexArray(crowd_.array);
-  glGenBuffers(1, &crowd_.instances);
-  glBindBuffer(GL_ARRAY_BUFFER, crowd_.instances);
-  attribute(0, 3, GL_FLOAT, sizeof(DotInstance), offsetof(DotInstance, at));
-  attribute(1, 4, GL_UNSIGNED_BYTE, sizeof(DotInstance), offsetof(DotInstance, colour));
-  glVertexAttribDivisor(1, 0);
-  glBindVertexArray(0);
-}
-
-Renderer::Renderer(Renderer&& other) noexcept
-    : ground_shader_(std::move(other.ground_shader_)),
-      line_shader_(std::move(other.line_shader_)),
-      ball_shader_(std::move(other.ball_shader_)),
-      crowd_shader_(std::move(other.crowd_shader_)),
-      ground_(std::exchange(other.ground_, {})),
-      line_(std::exchange(other.line_, {})),
-      ball_(std::exchange(other.ball_, {})),
-      crowd_(std::exchange(other.crowd_, {})) {}
-
-Renderer::~Renderer() {
-  for (const Mesh& mesh : {ground_, line_, ball_, crowd_}) {
-    if (mesh.array == 0) continue;
-    glDeleteVertexArrays(1, &mesh.array);
-    glDeleteBuffers(1, &mesh.corners);
-    glDeleteBuffers(1, &mesh.instances);
-  }
-}
-
-void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& viewport) {
+void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& viewport) const {
   glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
   glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
   glEnable(GL_SCISSOR_TEST);
@@ -122,76 +169,12 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& vi
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const Mat4 matrix = camera.matrix();
-  if (scene.has_ground) draw_ground(scene, camera, matrix);
-  draw_crowd(scene, camera, matrix);
-  draw_lines(scene, camera, matrix);
-  draw_balls(scene, camera, matrix);
+  if (scene.has_ground) draw_ground(ground_, scene, camera, matrix);
+  draw_crowd(crowd_, scene, camera, matrix);
+  draw_lines(line_, scene, camera, matrix);
+  draw_balls(ball_, scene, camera, matrix);
   glBindVertexArray(0);
   glDisable(GL_SCISSOR_TEST);
-}
-
-void Renderer::draw_ground(const Scene& scene, const Camera& camera, const Mat4& matrix) {
-  set_common(ground_shader_, matrix, camera);
-  glUniform1f(ground_shader_.uniform("height"),
-              static_cast<float>(camera.shown({0, scene.ground, 0}).y - camera.eye().y));
-  glUniform1f(ground_shader_.uniform("reach"), static_cast<float>(camera.distance * 100));
-  glUniform3fv(ground_shader_.uniform("near_colour"), 1, kNear);
-  glUniform3fv(ground_shader_.uniform("far_colour"), 1, kFar);
-  glBindVertexArray(ground_.array);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-}
-
-void Renderer::draw_lines(const Scene& scene, const Camera& camera, const Mat4& matrix) {
-  const Vec3d eye = camera.eye();
-  line_data_.resize(scene.lines.size());
-  for (std::size_t i = 0; i < scene.lines.size(); ++i) {
-    const SceneLine& line = scene.lines[i];
-    relative(line.a, camera, eye, line_data_[i].a);
-    relative(line.b, camera, eye, line_data_[i].b);
-    bytes(line.colour, line_data_[i].colour);
-    line_data_[i].width = line.width, line_data_[i].fog = line.fog;
-  }
-  set_common(line_shader_, matrix, camera);
-  glUniform1f(line_shader_.uniform("near"), static_cast<float>(camera.near_plane()));
-  upload(line_.instances, line_data_);
-  glBindVertexArray(line_.array);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(line_data_.size()));
-}
-
-/// Opaque squares of a few pixels: software rendering draws them many times as fast as anything rounder.
-void Renderer::draw_crowd(const Scene& scene, const Camera& camera, const Mat4& matrix) {
-  if (scene.crowd.empty()) return;
-  const Vec3d eye = camera.eye();
-  crowd_data_.resize(scene.crowd.size());
-  for (std::size_t i = 0; i < scene.crowd.size(); ++i) {
-    relative(scene.crowd[i].at, camera, eye, crowd_data_[i].at);
-    bytes(scene.crowd[i].colour, crowd_data_[i].colour);
-  }
-  crowd_shader_.use();
-  glUniformMatrix4fv(crowd_shader_.uniform("matrix"), 1, GL_FALSE, matrix.data());
-  glUniform1f(crowd_shader_.uniform("pixels"), scene.crowd_size);
-  upload(crowd_.instances, crowd_data_);
-  glEnable(GL_PROGRAM_POINT_SIZE);
-  glDisable(GL_BLEND);
-  glBindVertexArray(crowd_.array);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(crowd_data_.size()));
-  glEnable(GL_BLEND);
-}
-
-void Renderer::draw_balls(const Scene& scene, const Camera& camera, const Mat4& matrix) {
-  const Vec3d eye = camera.eye();
-  ball_data_.resize(scene.balls.size());
-  for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-    const SceneBall& ball = scene.balls[i];
-    relative(ball.at, camera, eye, ball_data_[i].at);
-    bytes(ball.colour, ball_data_[i].colour);
-    ball_data_[i].radius = ball.radius, ball_data_[i].pixels = ball.pixels;
-  }
-  set_common(ball_shader_, matrix, camera);
-  glUniform1f(ball_shader_.uniform("focal"), static_cast<float>(camera.focal()));
-  upload(ball_.instances, ball_data_);
-  glBindVertexArray(ball_.array);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(ball_data_.size()));
 }
 
 }  // namespace physim::client

@@ -10,15 +10,12 @@ namespace physim::client {
 class Shader {
  public:
   Shader() = default;
-  [[nodiscard]] static Result<Shader> make(const char* name, const char* vertex, const char* fragment);
-  Shader(Shader&& other) noexcept : program_(other.program_) { other.program_ = 0; }
-  Shader& operator=(Shader&& other) noexcept {
-    std::swap(program_, other.program_);
-    return *this;
-  }
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
   ~Shader() {
     if (program_ != 0) glDeleteProgram(program_);
   }
+  [[nodiscard]] Status make(const char* name, const char* vertex, const char* fragment);
 
   void use() const { glUseProgram(program_); }
   [[nodiscard]] GLint uniform(const char* name) const { return glGetUniformLocation(program_, name); }
