@@ -5,10 +5,7 @@
 #include <memory>
 
 #include "asked.hpp"
-#include "command.hpp"
-#include "commands.hpp"
 #include "physim/names.hpp"
-#include "report/answer.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -70,11 +67,11 @@ Result<Wanted> wanted(const AimCommand& command, const AskedShot& asked) {
                  .hint = "write --target \"500 m, 20 m, 0 m\", --range \"500 m\", or a [target] into the scenario"};
   out.target = {*place, velocity->value_or(given.velocity), acceleration->value_or(given.acceleration)};
   const auto tolerance = option_value("--tolerance", command.tolerance, Quantity::length);
-  if (!tolerance) return tolerance.error();
-  if (*tolerance) out.options.tolerance = **tolerance;
   const auto time = option_value("--time", command.time, Quantity::time);
-  if (!time) return time.error();
-  if (*time) out.options.time = **time;
+  for (const auto* each : {&tolerance, &time})
+    if (!*each) return each->error();
+  out.options.tolerance = tolerance->value_or(out.options.tolerance);
+  out.options.time = time->value_or(out.options.time);
   if (!command.arc.empty()) {
     const auto arc = value_of<Arc>(command.arc);
     if (!arc)
@@ -95,11 +92,8 @@ Result<int> run(const AimCommand& command) {
   const Result<Aim> found = aim(shot.projectile, launch, asked->scenario.environment, shot.projectile.fidelity,
                                 target->target, target->options);
   if (!found) return about(*asked, found.error());
-  if (Status status = answer(command.question, aim_text(*asked, target->target, *found, style_of(stdout)),
-                             aim_json(*asked, target->target, target->options.tolerance, *found));
-      !status)
-    return status.error();
-  return found->in_reach() ? kExitOk : kExitCheckMissed;
+  const Answer answer = aim_answer(*asked, target->target, target->options.tolerance, *found, style_of(stdout));
+  return done(give(command.question, answer), found->in_reach() ? kExitOk : kExitCheckMissed);
 }
 
 }  // namespace
@@ -108,18 +102,19 @@ void add_aim_command(Command& program) {
   Command command = program.add_command("aim", "Find the elevation and azimuth that hit a target, standing or moving");
   auto options = std::make_shared<AimCommand>();
   add_question_options(command, options->question);
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* doc) {
-    command.add_option(name, value, doc).type_name(type).refuse_empty();
-  };
-  add("--target", options->position, "\"X, Y, Z\"", "Where it is when the shot is fired, as \"500 m, 20 m, 0 m\"");
-  add("--range", options->range, "LENGTH", "Instead: this far from the muzzle, ahead in the shot's azimuth");
-  add("--height", options->height, "LENGTH", "... this much above the muzzle");
-  add("--cross", options->cross, "LENGTH", "... this far to the right");
-  add("--target-velocity", options->velocity, "\"X, Y, Z\"", "How the target moves, as \"0 m/s, 0 m/s, 15 m/s\"");
-  add("--target-acceleration", options->acceleration, "\"X, Y, Z\"", "Its constant acceleration");
-  add("--tolerance", options->tolerance, "LENGTH", "A path that passes so near hits; without it 1 cm");
-  add("--time", options->time, "TIME", "Longest time of flight; without it 600 s");
-  add("--arc", options->arc, "low|high|both", "Which solutions: the shortest time of flight, the longest, or both");
+  command.add_option("--target", options->position, "\"X, Y, Z\"",
+                     "Where it is when the shot is fired, as \"500 m, 20 m, 0 m\"");
+  command.add_option("--range", options->range, "LENGTH",
+                     "Instead: this far from the muzzle, ahead in the shot's azimuth");
+  command.add_option("--height", options->height, "LENGTH", "... this much above the muzzle");
+  command.add_option("--cross", options->cross, "LENGTH", "... this far to the right");
+  command.add_option("--target-velocity", options->velocity, "\"X, Y, Z\"",
+                     "How the target moves, as \"0 m/s, 0 m/s, 15 m/s\"");
+  command.add_option("--target-acceleration", options->acceleration, "\"X, Y, Z\"", "Its constant acceleration");
+  command.add_option("--tolerance", options->tolerance, "LENGTH", "A path that passes so near hits; without it 1 cm");
+  command.add_option("--time", options->time, "TIME", "Longest time of flight; without it 600 s");
+  command.add_option("--arc", options->arc, "low|high|both",
+                     "Which solutions: the shortest time of flight, the longest, or both");
   command.footer(
       "Without --target and --range the [target] of the scenario is aimed at. Elevation, azimuth and sight of the shot "
       "are not read.\n"
@@ -129,7 +124,7 @@ void add_aim_command(Command& program) {
       "  physim aim scenarios/308_168gr_g7.toml --target \"400 m, 0 m, 30 m\" --target-velocity \"0 m/s, 0 m/s, -8 "
       "m/s\"\n"
       "  physim aim scenarios/aim_moving_target.toml --json -\n");
-  command.action([options] { return exit_code(run(*options)); });
+  command.action([options] { return run(*options); });
 }
 
 }  // namespace physim::cli

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "command.hpp"
-#include "commands.hpp"
 #include "outputs.hpp"
 #include "scenario/units.hpp"
 #include "terminal.hpp"
@@ -22,13 +20,10 @@ void add_scenario_options(Command& command, ScenarioInput& input) {
 
 void add_question_options(Command& command, Question& question, bool json) {
   add_scenario_options(command, question.input);
-  command.add_option("--shot", question.shot, "Which shot; without it the first").type_name("NAME").refuse_empty();
-  if (!json) return;
-  command
-      .add_option("--json", question.json,
-                  "Write the answer as JSON; - is the standard output, and then nothing else goes there")
-      .type_name("FILE")
-      .refuse_empty();
+  command.add_option("--shot", question.shot, "NAME", "Which shot; without it the first");
+  if (json)
+    command.add_option("--json", question.json, "FILE",
+                       "Write the answer as JSON; - is the standard output, and then nothing else goes there");
 }
 
 Result<AskedShot> ask(const Question& question) {
@@ -70,16 +65,10 @@ Result<std::optional<Vec3d>> option_vector(const char* option, const std::string
   return std::optional<Vec3d>({v[0], v[1], v[2]});
 }
 
-Status answer(const Question& question, const std::string& text, const std::string& json) {
+Status give(const Question& question, const Answer& answer) {
   if (!question.json.empty())
-    if (Status status = write_output(question.json, json); !status) return status;
-  return question.json == "-" ? Status() : print(text);
-}
-
-int exit_code(const Result<int>& result) {
-  if (result) return *result;
-  print_error(result.error());
-  return kExitBadInput;
+    if (Status status = write_output(question.json, answer.json); !status) return status;
+  return question.json == "-" ? Status() : print(answer.text);
 }
 
 }  // namespace physim::cli

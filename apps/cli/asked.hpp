@@ -1,15 +1,11 @@
 // What commands that answer one question about one shot share: the shot, values with units, results on their way out.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "report/flown.hpp"
+#include "command.hpp"
+#include "report/answer.hpp"
 
 namespace physim::cli {
 
-class Command;
 using namespace report;
 
 /// What commands about scenarios read: a file, and settings that replace some of its own.
@@ -37,10 +33,7 @@ void add_question_options(Command& command, Question& question, bool json = true
 [[nodiscard]] Result<std::optional<Vec3d>> option_vector(const char* option, const std::string& text,
                                                          Quantity quantity);
 
-/// Prints a text, or writes JSON where that was asked for.
-[[nodiscard]] Status answer(const Question& question, const std::string& text, const std::string& json);
-
-/// Prints what is wrong and gives the exit code for it.
-int exit_code(const Result<int>& result);
+/// Prints the text, or writes the JSON where that was asked for.
+[[nodiscard]] Status give(const Question& question, const Answer& answer);
 
 }  // namespace physim::cli

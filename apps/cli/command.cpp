@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "commands.hpp"
 #include "scenario/suggest.hpp"
 #include "terminal.hpp"
 
@@ -75,11 +74,6 @@ Option& Option::required() {
   return *this;
 }
 
-Option& Option::refuse_empty() {
-  option_.check([](const std::string& value) { return std::string(value.empty() ? "the value is empty" : ""); });
-  return *this;
-}
-
 Option& Option::one_of(const std::vector<std::string>& words) {
   option_.check(CLI::IsMember(words));
   return *this;
@@ -112,6 +106,26 @@ Option Command::add_option(const char* name, std::vector<std::string>& values, c
   return Option(*app_.add_option(name, values, doc));
 }
 
+namespace {
+
+template <class Value>
+Option add_nonempty(CLI::App& app, const char* name, Value& value, const char* type, const char* doc) {
+  const auto refuse_empty = [](const std::string& text) {
+    return std::string(text.empty() ? "the value is empty" : "");
+  };
+  return Option(*app.add_option(name, value, doc)->check(refuse_empty)->type_name(type));
+}
+
+}  // namespace
+
+Option Command::add_option(const char* name, std::string& value, const char* type, const char* doc) {
+  return add_nonempty(app_, name, value, type, doc);
+}
+
+Option Command::add_option(const char* name, std::vector<std::string>& values, const char* type, const char* doc) {
+  return add_nonempty(app_, name, values, type, doc);
+}
+
 Option Command::add_option(const char* name, std::optional<std::uint32_t>& value, const char* doc) {
   return Option(*app_.add_option(name, value, doc));
 }
@@ -126,9 +140,15 @@ void Command::require_command() { app_.require_subcommand(1); }
 
 void Command::footer(const char* text) { app_.footer(text); }
 
-void Command::action(std::function<int()> run) {
-  app_.callback([run = std::move(run), &exit_code = exit_code_] { exit_code = run(); });
+void Command::action(std::function<Result<int>()> run) {
+  app_.callback([run = std::move(run), &exit_code = exit_code_] {
+    const Result<int> result = run();
+    if (!result) print_error(result.error());
+    exit_code = result ? *result : kExitBadInput;
+  });
 }
+
+Result<int> done(const Status& last, int code) { return last ? Result<int>(code) : last.error(); }
 
 int run_program(const Program& program, int argc, char** argv) {
   CLI::App app(program.doc, program.name);

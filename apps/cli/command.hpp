@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "physim/result.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -22,8 +24,6 @@ class Option {
   /// What help shows for the value.
   Option& type_name(const char* name);
   Option& required();
-  /// Refuses an empty value, as from a shell variable that is not set.
-  Option& refuse_empty();
   Option& one_of(const std::vector<std::string>& words);
   /// Takes whole numbers in this range; help calls them INT or UINT, as the limits are.
   Option& within(int low, int high);
@@ -44,6 +44,9 @@ class Command {
   /// A name without dashes is that of an argument, which is known by its position.
   Option add_option(const char* name, std::string& value, const char* doc);
   Option add_option(const char* name, std::vector<std::string>& values, const char* doc);
+  /// With what help shows for the value; refuses an empty one, as from a shell variable that is not set.
+  Option add_option(const char* name, std::string& value, const char* type, const char* doc);
+  Option add_option(const char* name, std::vector<std::string>& values, const char* type, const char* doc);
   Option add_option(const char* name, std::optional<std::uint32_t>& value, const char* doc);
   Option add_option(const char* name, std::optional<std::uint64_t>& value, const char* doc);
   void add_flag(const char* name, bool& value, const char* doc);
@@ -51,13 +54,15 @@ class Command {
   void require_command();
   /// What help ends with.
   void footer(const char* text);
-  /// What the command does; the exit code is what it gives.
-  void action(std::function<int()> run);
+  /// What the command does; it gives the exit code, or an error, which is printed.
+  void action(std::function<Result<int>()> run);
 
  private:
   CLI::App& app_;
   int& exit_code_;
 };
+
+enum ExitCode : int { kExitOk = 0, kExitCheckMissed = 1, kExitBadInput = 2 };
 
 struct Program {
   const char* name;
@@ -67,7 +72,26 @@ struct Program {
   void (*add_commands)(Command& program);
 };
 
+/// The exit code of a command whose last step succeeded.
+[[nodiscard]] Result<int> done(const Status& last, int code = kExitOk);
+
 /// Reads the command line and calls the action that it asks for; prints help, or what is wrong. Gives the exit code.
 int run_program(const Program& program, int argc, char** argv);
+
+// The commands of `physim`. Each function adds a command to the program, with its options and with what it does when it
+// is asked for. Each lives in the file of its name: run.cpp, compare.cpp, ...; max-range and danger-space in
+// ranges.cpp. The pattern of all:
+//   Command command = program.add_command("run", "...");  auto options = std::make_shared<Options>();
+//   command.add_option(...);  command.action([options] { return run(*options); });
+void add_run_command(Command& program);
+void add_compare_command(Command& program);
+void add_validate_command(Command& program);
+void add_list_command(Command& program);
+void add_replay_command(Command& program);
+void add_table_command(Command& program);
+void add_aim_command(Command& program);
+void add_max_range_command(Command& program);
+void add_danger_space_command(Command& program);
+void add_fit_command(Command& program);
 
 }  // namespace physim::cli

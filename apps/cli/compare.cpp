@@ -3,41 +3,29 @@
 #include <memory>
 
 #include "asked.hpp"
-#include "command.hpp"
-#include "commands.hpp"
 #include "outputs.hpp"
-#include "progress.hpp"
-#include "report/ladder_text.hpp"
+#include "report/ladder.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
 namespace {
 
 struct CompareOptions {
-  ScenarioInput input;
+  Question question;
   Outputs outputs;
-  std::string shot;
 };
 
 Status compare(const CompareOptions& options) {
-  if (Status status = check(options.outputs, "the scenario", options.input.file); !status) return status;
-  const Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
-  if (!scenario) return scenario.error();
-  const Result<std::size_t> shot = find_shot(*scenario, options.shot);
-  if (!shot) return shot.error();
-  const Result<Ladder> ladder = climb(*scenario, scenario->shots[*shot], progress_bar("comparing"));
+  if (Status status = check(options.outputs, "the scenario", options.question.input.file); !status) return status;
+  const Result<AskedShot> asked = ask(options.question);
+  if (!asked) return asked.error();
+  const Result<Ladder> ladder = climb(asked->scenario, asked->shot(), progress_bar("comparing"));
   if (!ladder) return ladder.error();
-  const LadderOfShot subject{*scenario, *ladder};
+  const LadderOfShot subject{asked->scenario, *ladder};
   if (Status status = write(options.outputs, [&](const Format& format) { return content_of(format, subject); });
       !status)
     return status;
   return options.outputs.use_stdout() ? Status() : print(ladder_text(subject, style_of(stdout)));
-}
-
-int exit_code_of(const CompareOptions& options) {
-  const Status status = compare(options);
-  if (!status) print_error(status.error());
-  return status ? kExitOk : kExitBadInput;
 }
 
 }  // namespace
@@ -45,8 +33,7 @@ int exit_code_of(const CompareOptions& options) {
 void add_compare_command(Command& program) {
   Command command = program.add_command("compare", "Fly one shot on every rung of the ladder: error and cost of each");
   auto options = std::make_shared<CompareOptions>();
-  add_scenario_options(command, options->input);
-  command.add_option("--shot", options->shot, "Which shot; without it the first").type_name("NAME").refuse_empty();
+  add_question_options(command, options->question, false);
   constexpr Subject kSubjects[] = {Subject::ladder};
   add_output_options(command, options->outputs, "the table", kSubjects);
   command.footer(
@@ -56,7 +43,7 @@ void add_compare_command(Command& program) {
       "Examples:\n"
       "  physim compare scenarios/308_168gr_g7.toml --plot out/ladder.png\n"
       "  physim compare scenarios/308_168gr_g7.toml --csv - | sort\n");
-  command.action([options] { return exit_code_of(*options); });
+  command.action([options] { return done(compare(*options)); });
 }
 
 }  // namespace physim::cli

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "command.hpp"
-#include "commands.hpp"
 #include "physim/drag_curve.hpp"
 #include "physim/names.hpp"
 #include "physim/presets.hpp"
@@ -19,12 +18,7 @@ namespace {
 using namespace report;
 
 Table settings_table(bool in_code_marks) {
-  Table table({{"setting", Align::left},
-               {"type", Align::left},
-               {"unit", Align::left},
-               {"default", Align::left},
-               {"what it is", Align::left},
-               {"range", Align::left}});
+  Table table({"setting", "type", "unit", "default", "what it is", "range"}, "llllll");
   const auto or_dash = [](const std::string& text) { return text.empty() ? std::string("-") : text; };
   for (const Setting& setting : settings())
     table.add_row({in_code_marks ? "`" + setting.path + "`" : setting.path, setting.type, or_dash(setting.unit),
@@ -43,12 +37,7 @@ std::string settings_text() { return settings_table(false).text(); }
 std::string settings_markdown() { return kSettingsPage + settings_table(true).markdown(); }
 
 std::string projectiles_text() {
-  Table table({{"projectile", Align::left},
-               {"mass [kg]"},
-               {"diameter [mm]"},
-               {"speed [m/s]"},
-               {"what it is", Align::left},
-               {"source", Align::left}});
+  Table table({"projectile", "mass [kg]", "diameter [mm]", "speed [m/s]", "what it is", "source"}, "lrrrll");
   for (const std::string_view name : projectile_presets()) {
     const ProjectilePreset preset = *projectile_preset(name);
     table.add_row({std::string(name), significant(preset.projectile.mass, 4),
@@ -59,13 +48,13 @@ std::string projectiles_text() {
 }
 
 std::string presets_text() {
-  std::vector<Column> columns = {{"effect", Align::left}};
+  std::vector<std::string> columns = {"effect"};
   std::vector<std::vector<FidelityField>> presets;
   for (const std::string_view preset : fidelity_presets()) {
-    columns.push_back({std::string(preset), Align::left});
+    columns.emplace_back(preset);
     presets.push_back(fidelity_fields(*fidelity_preset(preset)));
   }
-  Table table(columns);
+  Table table(columns, std::string(columns.size(), 'l'));
   for (std::size_t field = 0; field < presets.front().size(); ++field) {
     std::vector<std::string> row = {std::string(presets.front()[field].effect)};
     for (const auto& preset : presets) row.emplace_back(preset[field].rung);
@@ -76,10 +65,10 @@ std::string presets_text() {
 
 std::string drag_tables_text() {
   constexpr std::array<double, 4> machs = {0.5, 1.0, 1.5, 2.5};
-  std::vector<Column> columns = {{"table", Align::left}, {"points"}, {"Mach from"}, {"to"}};
-  for (const double mach : machs) columns.push_back({"Cd(" + fixed(mach, 1) + ")"});
-  columns.push_back({"source of Cd", Align::left});
-  Table table(columns);
+  std::vector<std::string> columns = {"table", "points", "Mach from", "to"};
+  for (const double mach : machs) columns.push_back("Cd(" + fixed(mach, 1) + ")");
+  columns.emplace_back("source of Cd");
+  Table table(columns, "lrrrrrrrl");
   for (std::size_t i = 0; i < names_of<DragTable>().size(); ++i) {
     const auto id = static_cast<DragTable>(i);
     const std::span<const DragPoint> points = drag_points(id);
@@ -102,7 +91,7 @@ std::string drag_tables_text() {
 }
 
 std::string models_text() {
-  Table table({{"effect", Align::left}, {"rung", Align::left}, {"what it is", Align::left}});
+  Table table({"effect", "rung", "what it is"}, "lll");
   for (const EffectRungs& of : all_effects())
     for (const RungInfo& rung : of.rungs)
       table.add_row({std::string(of.effect), std::string(rung.name), std::string(rung.doc)});
@@ -116,7 +105,7 @@ std::string kernels_text() {
 }
 
 std::string units_text() {
-  Table table({{"quantity", Align::left}, {"SI unit", Align::left}, {"all units", Align::left}});
+  Table table({"quantity", "SI unit", "all units"}, "lll");
   for (int i = 0; i <= static_cast<int>(kLastQuantity); ++i) {
     const auto quantity = static_cast<Quantity>(i);
     const std::string_view with_article = info(quantity).with_article;
@@ -129,24 +118,18 @@ std::string units_text() {
   return table.text();
 }
 
-int show(const std::string& text) {
-  const Status status = print(text);
-  if (!status) print_error(status.error());
-  return status ? kExitOk : kExitBadInput;
-}
-
 }  // namespace
 
 void add_list_command(Command& program) {
   Command command = program.add_command("list", "Everything that has a name");
   command.require_command();
   const auto add = [&](const char* name, const char* doc, std::string (*text)()) {
-    command.add_command(name, doc).action([text] { return show(text()); });
+    command.add_command(name, doc).action([text] { return done(print(text())); });
   };
   Command settings_command = command.add_command("settings", "All settings of scenario files and --set");
   auto as_markdown = std::make_shared<bool>(false);
   settings_command.add_flag("--markdown", *as_markdown, "As the page docs/settings.md");
-  settings_command.action([as_markdown] { return show(*as_markdown ? settings_markdown() : settings_text()); });
+  settings_command.action([as_markdown] { return done(print(*as_markdown ? settings_markdown() : settings_text())); });
   add("presets", "The presets of fidelity and of projectiles", presets_text);
   add("models", "The rungs of each effect, cheap to true", models_text);
   add("drag_tables", "The drag functions", drag_tables_text);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "command.hpp"
-#include "commands.hpp"
 #include "physim/flight.hpp"
 #include "physim/version.hpp"
 #include "scenario/suggest.hpp"

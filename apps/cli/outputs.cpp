@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 #include "command.hpp"
 #include "report/file.hpp"
@@ -61,30 +60,31 @@ void add_output_options(Command& command, Outputs& outputs, const std::string& w
   for (std::size_t i = 0; i < formats().size(); ++i) {
     const Format& format = formats()[i];
     if (std::ranges::none_of(subjects, [&](Subject subject) { return can_write(format, subject); })) continue;
-    command.add_option(option_of(format).c_str(), outputs.paths[i], help_of(format, what, subjects).c_str())
-        .type_name(type_name_of(format).c_str())
-        .refuse_empty();
+    command.add_option(option_of(format).c_str(), outputs.paths[i], type_name_of(format).c_str(),
+                       help_of(format, what, subjects).c_str());
   }
 }
 
 Status check(const Outputs& outputs, const std::string& what, const std::string& input_file) {
-  std::vector<std::pair<std::string, std::string>> all;  // option and path
-  for (const Format* format : outputs.asked()) all.emplace_back(option_of(*format), outputs.path_of(*format));
-  if (!outputs.record.empty()) all.emplace_back("--record", outputs.record);
+  struct Asked {
+    std::string option, path;
+    bool is_picture;
+  };
+  std::vector<Asked> all;
+  for (const Format* each : outputs.asked())
+    all.push_back({option_of(*each), outputs.path_of(*each), each->is_picture});
+  if (!outputs.record.empty()) all.push_back({"--record", outputs.record, false});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto& [option, path] = all[i];
+    const std::string& path = all[i].path;
     if (is_same_file(path, input_file))
       return Error{.message = "cannot write: it is " + what + " itself", .place = path};
     for (std::size_t k = 0; k < i; ++k)
-      if (is_same_file(path, all[k].second))
-        return Error{.message = all[k].first + " and " + option + " cannot both go to " + path};
+      if (is_same_file(path, all[k].path))
+        return Error{.message = all[k].option + " and " + all[i].option + " cannot both go to " + path};
   }
-  for (const Format* format : outputs.asked())
-    if (Status status = format->is_picture ? Status() : check_output(outputs.path_of(*format)); !status) return status;
-  if (!outputs.record.empty())
-    if (Status status = check_output(outputs.record); !status) return status;
-  for (const Format* format : outputs.asked())
-    if (Status status = format->is_picture ? check_plot(outputs.path_of(*format)) : Status(); !status) return status;
+  std::ranges::stable_partition(all, [](const Asked& each) { return !each.is_picture; });
+  for (const Asked& each : all)
+    if (Status status = each.is_picture ? check_plot(each.path) : check_output(each.path); !status) return status;
   return {};
 }
 

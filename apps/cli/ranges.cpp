@@ -2,10 +2,7 @@
 #include <memory>
 
 #include "asked.hpp"
-#include "command.hpp"
-#include "commands.hpp"
 #include "physim/aim.hpp"
-#include "report/answer.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -32,11 +29,7 @@ Result<int> run(const MaxRangeCommand& command) {
   const auto far = max_range(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity, ground,
                              slope->value_or(0));
   if (!far) return about(*asked, far.error());
-  if (Status status =
-          answer(command.question, max_range_text(*asked, *far, style_of(stdout)), max_range_json(*asked, *far));
-      !status)
-    return status.error();
-  return kExitOk;
+  return done(give(command.question, max_range_answer(*asked, *far, style_of(stdout))));
 }
 
 Result<int> run(const DangerCommand& command) {
@@ -50,11 +43,7 @@ Result<int> run(const DangerCommand& command) {
   if (flight.error()) return refusal(asked->scenario, asked->shot(), flight);
   const auto space = danger_space(flight, **range, **height);
   if (!space) return about(*asked, space.error());
-  if (Status status = answer(command.question, danger_space_text(*asked, **range, **height, *space, style_of(stdout)),
-                             danger_space_json(*asked, **range, **height, *space));
-      !status)
-    return status.error();
-  return kExitOk;
+  return done(give(command.question, danger_space_answer(*asked, **range, **height, *space, style_of(stdout))));
 }
 
 }  // namespace
@@ -63,15 +52,13 @@ void add_max_range_command(Command& program) {
   Command command = program.add_command("max-range", "Find the elevation that carries a shot farthest");
   auto options = std::make_shared<MaxRangeCommand>();
   add_question_options(command, options->question);
-  command.add_option("--slope", options->slope, "How the ground rises in the direction of fire, as \"5 deg\"")
-      .type_name("ANGLE")
-      .refuse_empty();
+  command.add_option("--slope", options->slope, "ANGLE", "How the ground rises in the direction of fire, as \"5 deg\"");
   command.footer(
       "The ground is that of the scenario (until.ground), under the muzzle; without one it is at height 0.\n\n"
       "Examples:\n"
       "  physim max-range scenarios/308_168gr_g7.toml\n"
       "  physim max-range scenarios/shot_put.toml --slope \"-3 deg\" --json -\n");
-  command.action([options] { return exit_code(run(*options)); });
+  command.action([options] { return run(*options); });
 }
 
 void add_danger_space_command(Command& program) {
@@ -79,16 +66,14 @@ void add_danger_space_command(Command& program) {
       "danger-space", "Between which ranges a target of some height is hit, when it is aimed at for one range");
   auto options = std::make_shared<DangerCommand>();
   add_question_options(command, options->question);
-  command.add_option("--range", options->range, "At which the path goes through the target's middle")
-      .type_name("LENGTH")
-      .required()
-      .refuse_empty();
-  command.add_option("--height", options->height, "Of the target").type_name("LENGTH").required().refuse_empty();
+  command.add_option("--range", options->range, "LENGTH", "At which the path goes through the target's middle")
+      .required();
+  command.add_option("--height", options->height, "LENGTH", "Of the target").required();
   command.footer(
       "Ranges run along the line of sight; the path lies within half the height of where it is at the range.\n\n"
       "Example:\n"
       "  physim danger-space scenarios/308_168gr_g7.toml --range \"600 m\" --height \"50 cm\"\n");
-  command.action([options] { return exit_code(run(*options)); });
+  command.action([options] { return run(*options); });
 }
 
 }  // namespace physim::cli

@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "command.hpp"
-#include "commands.hpp"
 #include "outputs.hpp"
 #include "terminal.hpp"
 
@@ -15,26 +14,16 @@ struct ReplayCommand {
   std::optional<std::uint32_t> threads;
 };
 
-Status play(const ReplayCommand& command, bool& equal) {
-  if (Status status = check(command.outputs, "the recording", command.file); !status) return status;
+Result<int> play(const ReplayCommand& command) {
+  if (Status status = check(command.outputs, "the recording", command.file); !status) return status.error();
   const Result<ReplayLog> log = play_recording(command.file, {.threading = {.threads = command.threads.value_or(0)}});
   if (!log) return log.error();
-  equal = !log->report.difference;
   if (!log->report.complete)
     print_warning("the recording was cut at byte " + std::to_string(log->report.bytes) +
                   "; it was played as far as it goes");
-  if (Status status = write(command.outputs, [&](const Format& format) { return content_of(format, *log); }); !status)
-    return status;
-  return command.outputs.use_stdout() ? Status() : print(replay_text(*log, style_of(stdout)));
-}
-
-int exit_code_of(const ReplayCommand& command) {
-  bool equal = true;
-  if (const Status status = play(command, equal); !status) {
-    print_error(status.error());
-    return kExitBadInput;
-  }
-  return equal ? kExitOk : kExitCheckMissed;
+  Status status = write(command.outputs, [&](const Format& format) { return content_of(format, *log); });
+  if (status && !command.outputs.use_stdout()) status = print(replay_text(*log, style_of(stdout)));
+  return done(status, log->report.difference ? kExitCheckMissed : kExitOk);
 }
 
 }  // namespace
@@ -54,7 +43,7 @@ void add_replay_command(Command& program) {
       "  physim replay game.rec\n"
       "  physim replay game.rec --csv - | tail -n 1\n"
       "  PHYSIM_KERNEL=base physim replay game.rec --threads 1\n");
-  command.action([options] { return exit_code_of(*options); });
+  command.action([options] { return play(*options); });
 }
 
 }  // namespace physim::cli

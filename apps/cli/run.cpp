@@ -7,17 +7,14 @@
 #include <set>
 
 #include "asked.hpp"
-#include "command.hpp"
-#include "commands.hpp"
 #include "outputs.hpp"
 #include "physim/names.hpp"
-#include "progress.hpp"
 #include "report/file.hpp"
 #include "report/gnuplot.hpp"
-#include "report/plot_flights.hpp"
+#include "report/pictures.hpp"
 #include "report/summary.hpp"
 #include "report/table.hpp"
-#include "run_world.hpp"
+#include "report/world_log.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -28,18 +25,16 @@ constexpr std::size_t kMostShotPlots = 50;  // in a folder; each takes about hal
 struct RunOptions {
   ScenarioInput input;
   Outputs outputs;
-  WorldOptions world;
   std::string folder, interval;
+  // Worlds only:
+  std::optional<std::uint64_t> steps;
+  std::optional<std::uint32_t> threads;
 };
 
 Result<std::optional<double>> interval_of(const RunOptions& options) {
   if (options.interval.empty()) return std::optional<double>();
   const Result<double> interval = parse_quantity(options.interval, Quantity::time);
-  if (!interval) {
-    Error error = interval.error();
-    error.place = "--interval";
-    return error;
-  }
+  if (!interval) return Error{interval.error().message, "--interval", interval.error().hint};
   if (!std::isfinite(*interval) || *interval <= 0)
     return Error{.message = "the interval must be a positive time", .place = "--interval", .hint = "as in \"10 ms\""};
   return std::optional<double>(*interval);
@@ -85,11 +80,8 @@ Status draw_each(const std::string& folder, const FlownScenario& flown) {
 
 Status write_all(const RunOptions& options, const FlownScenario& flown, std::optional<double> interval) {
   for (const Format* format : options.outputs.asked())
-    if (Status status = format->check != nullptr ? format->check(flown) : Status(); !status) {
-      Error error = status.error();
-      error.hint = "--set " + error.hint;
-      return error;
-    }
+    if (Status status = format->check != nullptr ? format->check(flown) : Status(); !status)
+      return Error{status.error().message, status.error().place, "--set " + status.error().hint};
   const Outputs in_folder = outputs_in_folder(options, flown);
   LogParts parts;
   for (const Outputs* each : {&options.outputs, &in_folder})
@@ -136,57 +128,70 @@ void warn_of_odd_ends(const std::vector<FlownShot>& shots) {
   if (count > kMostWarnings) print_warning(std::to_string(count - kMostWarnings) + " more shots ended early");
 }
 
-void warn_of_missed(const std::vector<Check>& checks) {
-  const auto missed = std::ranges::count_if(checks, [](const Check& check) { return !check.met; });
+Result<int> run_flights(const RunOptions& options, Scenario scenario, std::optional<double> interval) {
+  FlownScenario flown{.scenario = std::move(scenario), .shots = {}, .checks = {}};
+  if (Status status = fly_all(flown, progress_bar("flying")); !status) return status.error();
+  if (Status status = write_all(options, flown, interval); !status) return status.error();
+  warn_of_odd_ends(flown.shots);
+  const auto missed = std::ranges::count(flown.checks, false, &Check::met);
+  const int code = missed > 0 ? kExitCheckMissed : kExitOk;
+  if (!options.outputs.use_stdout()) return done(print(summary_text(flown, style_of(stdout))), code);
   if (missed > 0)
-    print_warning(std::to_string(missed) + " of " + std::to_string(checks.size()) + " checks were missed");
+    print_warning(std::to_string(missed) + " of " + std::to_string(flown.checks.size()) + " checks were missed");
+  return code;
 }
 
-Status run_flights(const RunOptions& options, Scenario scenario, std::optional<double> interval, bool& all_met) {
-  FlownScenario flown{.scenario = std::move(scenario), .shots = {}, .checks = {}};
-  if (Status status = fly_all(flown, progress_bar("flying")); !status) return status;
-  all_met = std::ranges::all_of(flown.checks, [](const Check& check) { return check.met; });
-  if (Status status = write_all(options, flown, interval); !status) return status;
-  warn_of_odd_ends(flown.shots);
-  if (!options.outputs.use_stdout()) return print(summary_text(flown, style_of(stdout)));
-  warn_of_missed(flown.checks);
-  return {};
+void warn_of_refusals(const std::vector<WorldGroup>& groups) {
+  for (const WorldGroup& group : groups)
+    if (group.refused > 0)
+      print_warning(std::to_string(group.refused) + " launches of \"" + one_line(group.name) +
+                    "\" were refused: " + group.refusal);
+}
+
+Result<int> run_world(const RunOptions& options, Scenario scenario, std::optional<double> interval) {
+  if (options.threads) scenario.world.def.threading.threads = *options.threads;
+  const std::string stem = std::filesystem::path(scenario.file).stem().string();
+  const Outputs in_folder = options.folder.empty() ? Outputs{} : outputs_in(options.folder, stem, Subject::world);
+  LogOptions log_options{.parts = {}, .interval = interval, .steps = options.steps, .record = options.outputs.record};
+  for (const Outputs* each : {&options.outputs, &in_folder})
+    for (const Format* format : each->asked()) log_options.parts.add(format->world_parts);
+  const Result<WorldLog> log = report::run_world(scenario, log_options, progress_bar("stepping"));
+  if (!log) return log.error();
+  const auto make = [&](const Format& format) { return content_of(format, *log); };
+  Status status = in_turn([&] { return options.folder.empty() ? Status() : make_folder(options.folder); },
+                          [&] { return check(in_folder, "the scenario", scenario.file); },
+                          [&] { return write(in_folder, make); }, [&] { return write(options.outputs, make); });
+  if (!status) return status.error();
+  warn_of_refusals(log->groups);
+  const int code = std::ranges::count(log->checks, false, &Check::met) > 0 ? kExitCheckMissed : kExitOk;
+  if (!options.outputs.use_stdout()) return done(print(world_text(*log, style_of(stdout))), code);
+  if (code != kExitOk) print_warning("checks were missed");
+  return code;
 }
 
 constexpr const char* kNoWorld = "the scenario has no [world]";
 constexpr const char* kForWorlds = "it is for worlds only";
 
-// Everything but the exit code of the checks.
-Status run(const RunOptions& options, bool& all_met) {
-  if (Status status = check(options.outputs, "the scenario", options.input.file); !status) return status;
+Result<int> run(const RunOptions& options) {
+  if (Status status = check(options.outputs, "the scenario", options.input.file); !status) return status.error();
   if (!options.folder.empty())
-    if (Status status = check_gnuplot(); !status) return status;
+    if (Status status = check_gnuplot(); !status) return status.error();
   const auto interval = interval_of(options);
   if (!interval) return interval.error();
   Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
-  if (scenario->world.given) {
-    if (Status status = check_subject(options.outputs, Subject::world, "it is of single flights",
-                                      "take [world] out of the scenario");
-        !status)
-      return status;
-    return run_in_world(std::move(*scenario), options.outputs, options.folder, *interval, options.world, all_met);
-  }
-  if (Status status = check_subject(options.outputs, Subject::flights, kNoWorld, kForWorlds); !status) return status;
-  const std::string option = !options.outputs.record.empty() ? "--record" : options.world.given();
+  const bool is_world = scenario->world.given;
+  const Status fitting = is_world ? check_subject(options.outputs, Subject::world, "it is of single flights",
+                                                  "take [world] out of the scenario")
+                                  : check_subject(options.outputs, Subject::flights, kNoWorld, kForWorlds);
+  if (!fitting) return fitting.error();
+  if (is_world) return run_world(options, std::move(*scenario), *interval);
+  const std::string option = !options.outputs.record.empty() ? "--record"
+                             : options.steps                 ? "--steps"
+                             : options.threads               ? "--threads"
+                                                             : "";
   if (!option.empty()) return Error{.message = kNoWorld, .place = option, .hint = kForWorlds};
-  return run_flights(options, std::move(*scenario), *interval, all_met);
-}
-
-int exit_code_of(const RunOptions& options) {
-  bool all_met = true;
-  if (Status status = run(options, all_met); !status) {
-    Error error = status.error();
-    if (error.place == "interval") error.place = "--interval";
-    print_error(error);
-    return kExitBadInput;
-  }
-  return all_met ? kExitOk : kExitCheckMissed;
+  return run_flights(options, std::move(*scenario), *interval);
 }
 
 }  // namespace
@@ -197,15 +202,16 @@ void add_run_command(Command& program) {
   add_scenario_options(command, options->input);
   constexpr Subject kSubjects[] = {Subject::flights, Subject::world};
   add_output_options(command, options->outputs, "the trajectories", kSubjects);
-  command.add_option("--out", options->folder, "Write all of these into a directory, with a plot for each shot")
-      .type_name("DIR")
-      .refuse_empty();
-  command
-      .add_option("--interval", options->interval,
-                  "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot")
-      .type_name("TIME")
-      .refuse_empty();
-  add_world_options(command, options->world, options->outputs);
+  command.add_option("--out", options->folder, "DIR", "Write all of these into a directory, with a plot for each shot");
+  command.add_option("--interval", options->interval, "TIME",
+                     "Time between samples in files, as \"10 ms\"; without it 200 to 500 samples a shot");
+  command.add_option("--record", options->outputs.record, "FILE", "Worlds: record the run, for physim replay");
+  command.add_option("--steps", options->steps, "Worlds: take so many steps instead of world.duration")
+      .type_name("N")
+      .within(1u, 1'000'000'000u);
+  command.add_option("--threads", options->threads, "Worlds: instead of world.threads; results do not depend on it")
+      .type_name("N")
+      .within(0u, 1024u);
   command.footer(
       "Exit code 0; 1 where an [[expect]] of the scenario is missed; 2 for bad input.\n\n"
       "Examples:\n"
@@ -214,7 +220,11 @@ void add_run_command(Command& program) {
       "  physim run scenarios/308_168gr_g7.toml --interval \"1 ms\" --csv - | head\n"
       "  physim run scenarios/308_168gr_g7.toml --out out --plot out/308.svg\n"
       "  physim run scenarios/world_machine_gun.toml --plot out/gun.png --events out/gun.csv\n");
-  command.action([options] { return exit_code_of(*options); });
+  command.action([options]() -> Result<int> {
+    const Result<int> code = run(*options);
+    if (code || code.error().place != "interval") return code;
+    return Error{code.error().message, "--interval", code.error().hint};
+  });
 }
 
 }  // namespace physim::cli

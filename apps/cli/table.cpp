@@ -2,11 +2,8 @@
 #include <memory>
 
 #include "asked.hpp"
-#include "command.hpp"
-#include "commands.hpp"
 #include "outputs.hpp"
 #include "report/range_card.hpp"
-#include "terminal.hpp"
 
 namespace physim::cli {
 namespace {
@@ -60,8 +57,7 @@ Result<int> run(const TableCommand& command) {
   if (!card) return card.error();
   if (card->ranges.empty())
     return about(*asked, {.message = "the shot has no range to show", .hint = "give ranges, as --ranges \"100 m\""});
-  if (Status status = write_output(command.to, text_of(*card, command.format)); !status) return status.error();
-  return kExitOk;
+  return done(write_output(command.to, text_of(*card, command.format)));
 }
 
 }  // namespace
@@ -70,9 +66,8 @@ void add_table_command(Command& program) {
   Command command = program.add_command("table", "Print a range card, in metric or customary units");
   auto options = std::make_shared<TableCommand>();
   add_question_options(command, options->question, false);
-  command.add_option("--ranges", options->ranges, "Instead of output.ranges, as \"100 yd .. 1000 yd step 100 yd\"")
-      .type_name("RANGES")
-      .refuse_empty();
+  command.add_option("--ranges", options->ranges, "RANGES",
+                     "Instead of output.ranges, as \"100 yd .. 1000 yd step 100 yd\"");
   command.add_option("--units", options->units, "metric (m, cm, m/s, J) or customary (yd, in, ft/s, ft lbf)")
       .one_of({"metric", "customary"})
       .type_name("UNITS");
@@ -80,24 +75,20 @@ void add_table_command(Command& program) {
       .one_of({"mil", "moa"})
       .type_name("UNIT");
   command
-      .add_option("--wind", options->winds,
+      .add_option("--wind", options->winds, "SPEED",
                   "Columns for a cross wind from the right, as \"10 mph\"; may be given many times")
-      .type_name("SPEED")
-      .one_value_each()
-      .refuse_empty();
+      .one_value_each();
   std::string names;
   for (const std::string& name : card_formats()) names += (names.empty() ? "" : ", ") + name;
   command.add_option("--format", options->format, names.c_str()).one_of(card_formats()).type_name("FORMAT");
-  command.add_option("--to", options->to, "Write it into a file; - is the standard output")
-      .type_name("FILE")
-      .refuse_empty();
+  command.add_option("--to", options->to, "FILE", "Write it into a file; - is the standard output");
   command.footer(
       "Drop is above the line of sight and windage right of it, with their angles; wind columns are the shift by that "
       "wind alone,\nspin columns that by the projectile's spin.\n\n"
       "Examples:\n"
       "  physim table scenarios/308_168gr_g7.toml --units customary --wind \"10 mph\"\n"
       "  physim table scenarios/308_168gr_g7.toml --ranges \"100 m .. 800 m step 50 m\" --format csv --to card.csv\n");
-  command.action([options] { return exit_code(run(*options)); });
+  command.action([options] { return run(*options); });
 }
 
 }  // namespace physim::cli

@@ -1,10 +1,11 @@
-// What a person at a terminal sees: colour, where the stream is a terminal and NO_COLOR is not set, and error messages.
+// What a person at a terminal sees: colour, where the stream is a terminal and NO_COLOR is not set, error messages, and
+// a progress bar.
 #pragma once
 
 #include <cstdio>
-#include <string>
 #include <string_view>
 
+#include "physim/progress.hpp"
 #include "physim/result.hpp"
 #include "report/style.hpp"
 
@@ -21,5 +22,9 @@ void print_error(const Error& error);
 void print_warning(std::string_view text);
 /// Writes to stdout and flushes; an error where that fails, as on a full disk.
 [[nodiscard]] Status print(std::string_view text);
+
+/// Draws on stderr how far the work has come, which is described in a word or two: only on a terminal, and only when it
+/// takes longer than a second. The bar goes when the last copy of it does.
+[[nodiscard]] Progress progress_bar(const std::string& label);
 
 }  // namespace physim::cli

@@ -4,11 +4,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "asked.hpp"
 #include "command.hpp"
-#include "commands.hpp"
 #include "outputs.hpp"
-#include "progress.hpp"
 #include "terminal.hpp"
 #include "validation/validate.hpp"
 
@@ -60,15 +57,11 @@ Result<int> run(const Options& options) {
   const auto results =
       validate({options.suites, has_own ? own_data() : fs::path(options.data), has_own}, progress_bar("validating"));
   if (!results) return results.error();
-  const Status status = in_turn(
-      [&] { return print(text_of(options, *results)); },
-      [&] {
-        return options.report.empty() ? Status()
-                                      : write_output(options.report, report_text(command_text(options), *results));
-      });
-  if (!status) return status.error();
+  Status status = print(text_of(options, *results));
+  if (status && !options.report.empty())
+    status = write_output(options.report, report_text(command_text(options), *results));
   const bool pass = std::ranges::all_of(*results, [](const SuiteResult& r) { return r.missed() == 0; });
-  return pass ? kExitOk : kExitCheckMissed;
+  return done(status, pass ? kExitOk : kExitCheckMissed);
 }
 
 }  // namespace
@@ -82,7 +75,7 @@ void add_validate_command(Command& program) {
   command.add_flag("--json", options->json, "print results as JSON");
   command.add_option("--report", options->report, "write a Markdown report").type_name("FILE.md");
   command.add_flag("--all,-v", options->every_figure, "print every figure, not the worst of each case");
-  command.action([options] { return exit_code(run(*options)); });
+  command.action([options] { return run(*options); });
 }
 
 }  // namespace physim::cli

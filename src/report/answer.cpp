@@ -1,9 +1,9 @@
 #include "report/answer.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "base/assert.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
@@ -25,14 +25,17 @@ Json solution_json(const AimSolution& s) {
           {"flights", s.flights}};
 }
 
-/// What every answer about a shot begins with.
-Json begin_answer(const AskedShot& asked) {
+/// Under the name of the shot, and behind where the answer comes from.
+Answer about_shot(const AskedShot& asked, const Style& style, const std::string& text, const Json& members) {
+  PHYSIM_ASSERT(asked.index < asked.scenario.shots.size());
+  const std::string& shot = asked.shot().projectile.name;
   Json out = provenance(asked.scenario);
-  out["shot"] = asked.shot().projectile.name;
-  return out;
+  out["shot"] = shot;
+  PHYSIM_ASSERT(members.is_object());
+  out.update(members);
+  return {style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(shot)) + "\n" + text, json_text(out)};
 }
 
-// ---------------------------------------------------------------------------------------------------------------- text
 constexpr double kDegree = std::numbers::pi / 180;
 
 std::string vector_text(const Vec3d& v) {
@@ -40,14 +43,9 @@ std::string vector_text(const Vec3d& v) {
 }
 
 Table solutions_table(const std::vector<std::pair<std::string, const AimSolution*>>& list) {
-  Table table({{"", Align::left},
-               {"elevation [deg]"},
-               {"azimuth [deg]"},
-               {"time [s]"},
-               {"speed [m/s]"},
-               {"descent [deg]"},
-               {"miss [mm]"},
-               {"flights"}});
+  Table table(
+      {"", "elevation [deg]", "azimuth [deg]", "time [s]", "speed [m/s]", "descent [deg]", "miss [mm]", "flights"},
+      "l");
   for (const auto& [name, s] : list)
     table.add_row({name, fixed(s->launch.elevation / kDegree, 5), fixed(s->launch.azimuth / kDegree, 5),
                    fixed(s->time, 4), fixed(s->speed, 2), fixed(s->descent / kDegree, 2), readable(s->miss * 1e3, 3),
@@ -55,15 +53,18 @@ Table solutions_table(const std::vector<std::pair<std::string, const AimSolution
   return table;
 }
 
+/// "0.462 kg/m^2 +- 0.003"; without the error where that is 0.
+std::string with_error(double value, double error, const std::string& unit) {
+  return significant(value, 6) + unit + (error > 0 ? " +- " + significant(error, 2) : "");
+}
+
 /// What was scaled, and what came out.
-std::vector<std::pair<std::string, std::string>> fitted_figures(const Fit& fit) {
-  std::vector<std::pair<std::string, std::string>> out;
+Table fitted_table(const Fit& fit, bool fits_speed) {
+  Table table({"fitted", "value"}, "ll");
   const DragDef& d = fit.projectile.drag;
-  const double relative = fit.scale_error / fit.scale;
+  PHYSIM_ASSERT(fit.scale > 0);
   const auto add = [&](const char* setting, double value, const std::string& unit) {
-    std::string text = significant(value, 6) + unit;
-    if (relative > 0) text += " +- " + significant(value * relative, 2);
-    out.emplace_back(setting, text);
+    table.add_row({setting, with_error(value, value * (fit.scale_error / fit.scale), unit)});
   };
   constexpr double kPoundPerSquareInch = 0.45359237 / (0.0254 * 0.0254);
   if (d.ballistic_coefficient > 0) {
@@ -77,127 +78,102 @@ std::vector<std::pair<std::string, std::string>> fitted_figures(const Fit& fit) 
   }
   if (d.k1 > 0) add("drag.k1", d.k1, " kg/s");
   if (d.k2 > 0) add("drag.k2", d.k2, " kg/m");
-  if (d.damping < 1) out.emplace_back("drag.damping", significant(d.damping, 6));
-  return out;
+  if (d.damping < 1) table.add_row({"drag.damping", significant(d.damping, 6)});
+  if (fits_speed) table.add_row({"speed", with_error(fit.launch.speed, fit.muzzle_speed_error, " m/s")});
+  return table;
+}
+
+std::string fit_text(std::span<const Measurement> measurements, bool fits_speed, const Fit& fit) {
+  Table table({"range [m]", "quantity", "measured", "computed", "off", "unit"}, "rlrrrl");
+  for (const FitResidual& r : fit.residuals) {
+    PHYSIM_ASSERT(r.measurement < measurements.size());
+    const char* unit = r.quantity == "speed" ? "m/s" : r.quantity == "drop" ? "m" : "s";
+    table.add_row({as_typed(measurements[r.measurement].range), r.quantity, significant(r.measured, 6),
+                   significant(r.computed, 6), significant(r.computed - r.measured, 2), unit});
+  }
+  return "  drag is " + with_error(fit.scale, fit.scale_error, " of the scenario's") + "\n\n" +
+         fitted_table(fit, fits_speed).text(2) + "\n" + table.text(2) + "\n  off by " + significant(fit.rms, 3) +
+         " of the errors that were given, root mean square; " + std::to_string(fit.flights) + " trajectories flown\n";
 }
 
 }  // namespace
 
-std::string aim_json(const AskedShot& asked, const Target& target, double tolerance, const Aim& aim) {
-  Json out = begin_answer(asked);
-  out["target"] = {{"position [m]", vector_json(target.position)},
-                   {"velocity [m/s]", vector_json(target.velocity)},
-                   {"acceleration [m/s^2]", vector_json(target.acceleration)},
-                   {"tolerance [m]", tolerance}};
-  out["in_reach"] = aim.in_reach();
-  out["explanation"] = aim.explanation();
+Answer aim_answer(const AskedShot& asked, const Target& t, double tolerance, const Aim& aim, const Style& style) {
+  std::string text = "  target at " + vector_text(t.position) + " m";
+  if (t.velocity != Vec3d{}) text += ", moving at " + vector_text(t.velocity) + " m/s";
+  if (t.acceleration != Vec3d{}) text += ", accelerating by " + vector_text(t.acceleration) + " m/s^2";
+  std::vector<std::pair<std::string, const AimSolution*>> list;
+  const bool one = aim.low && aim.high && aim.low->launch.elevation == aim.high->launch.elevation;
+  if (aim.low) list.emplace_back(one ? "only" : "low", &*aim.low);
+  if (aim.high && !one) list.emplace_back("high", &*aim.high);
+  PHYSIM_ASSERT(aim.in_reach() == !list.empty());
+  if (list.empty()) list.emplace_back("nearest", &aim.nearest);
+  text += "\n\n" + solutions_table(list).text(2);
+  if (!aim.in_reach()) text += "\n  " + style.bad(aim.explanation()) + "\n";
+  text += "\n  " + std::to_string(aim.flights) + " trajectories flown\n";
+  Json out = {{"target",
+               {{"position [m]", vector_json(t.position)},
+                {"velocity [m/s]", vector_json(t.velocity)},
+                {"acceleration [m/s^2]", vector_json(t.acceleration)},
+                {"tolerance [m]", tolerance}}},
+              {"in_reach", aim.in_reach()},
+              {"explanation", aim.explanation()}};
   if (aim.low) out["low"] = solution_json(*aim.low);
   if (aim.high) out["high"] = solution_json(*aim.high);
   out["nearest"] = solution_json(aim.nearest);
   out["flights"] = aim.flights;
-  return json_text(out);
+  return about_shot(asked, style, text, out);
 }
 
-std::string fit_json(const AskedShot& asked, bool fits_speed, const Fit& fit) {
-  Json out = begin_answer(asked);
+Answer fit_answer(const AskedShot& asked, std::span<const Measurement> measurements, bool fits_speed, const Fit& fit,
+                  const Style& style) {
   const DragDef& d = fit.projectile.drag;
-  out["scale"] = fit.scale;
-  out["scale_error"] = fit.scale_error;
-  out["drag"] = {{"ballistic_coefficient [kg/m^2]", d.ballistic_coefficient},
-                 {"form_factor", d.form_factor},
-                 {"k1 [kg/s]", d.k1},
-                 {"k2 [kg/m]", d.k2},
-                 {"damping", d.damping}};
+  Json out = {{"scale", fit.scale},
+              {"scale_error", fit.scale_error},
+              {"drag",
+               {{"ballistic_coefficient [kg/m^2]", d.ballistic_coefficient},
+                {"form_factor", d.form_factor},
+                {"k1 [kg/s]", d.k1},
+                {"k2 [kg/m]", d.k2},
+                {"damping", d.damping}}}};
   if (fits_speed) {
     out["speed [m/s]"] = fit.launch.speed;
     out["speed_error [m/s]"] = fit.muzzle_speed_error;
   }
   out["rms"] = fit.rms;
-  out["residuals"] = Json::array();
+  Json residuals = Json::array();
   for (const FitResidual& r : fit.residuals)
-    out["residuals"].push_back(
+    residuals.push_back(
         {{"measurement", r.measurement}, {"quantity", r.quantity}, {"measured", r.measured}, {"computed", r.computed}});
+  out["residuals"] = std::move(residuals);
   out["flights"] = fit.flights;
-  return json_text(out);
+  return about_shot(asked, style, fit_text(measurements, fits_speed, fit), out);
 }
 
-std::string max_range_json(const AskedShot& asked, const MaxRange& far) {
-  Json out = begin_answer(asked);
-  out["elevation [rad]"] = far.elevation;
-  out["range [m]"] = far.range;
-  out["time [s]"] = far.time;
-  out["position [m]"] = vector_json(far.position);
-  out["velocity [m/s]"] = vector_json(far.velocity);
-  out["flights"] = far.flights;
-  return json_text(out);
+Answer max_range_answer(const AskedShot& asked, const MaxRange& far, const Style& style) {
+  const Vec3d& x = far.position;
+  return about_shot(asked, style,
+                    "  farthest   " + readable(far.range, 7) + " m along the ground, at an elevation of " +
+                        fixed(far.elevation / kDegree, 3) + " deg\n  impact     after " + fixed(far.time, 4) +
+                        " s at (" + readable(x.x, 7) + ", " + readable(x.y, 5) + ", " + readable(x.z, 5) + ") m, " +
+                        fixed(length(far.velocity), 2) + " m/s\n  " + std::to_string(far.flights) +
+                        " trajectories flown\n",
+                    {{"elevation [rad]", far.elevation},
+                     {"range [m]", far.range},
+                     {"time [s]", far.time},
+                     {"position [m]", vector_json(x)},
+                     {"velocity [m/s]", vector_json(far.velocity)},
+                     {"flights", far.flights}});
 }
 
-std::string danger_space_json(const AskedShot& asked, double range, double height, const DangerSpace& space) {
-  Json out = begin_answer(asked);
-  out["range [m]"] = range;
-  out["height [m]"] = height;
-  out["from [m]"] = space.from;
-  out["to [m]"] = space.to;
-  return json_text(out);
-}
-
-std::string answer_heading(const AskedShot& asked, const Style& style) {
-  return style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name)) + "\n";
-}
-
-std::string aim_text(const AskedShot& asked, const Target& t, const Aim& aim, const Style& style) {
-  std::string out = answer_heading(asked, style);
-  out += "  target at " + vector_text(t.position) + " m";
-  if (t.velocity != Vec3d{}) out += ", moving at " + vector_text(t.velocity) + " m/s";
-  if (t.acceleration != Vec3d{}) out += ", accelerating by " + vector_text(t.acceleration) + " m/s^2";
-  out += "\n\n";
-  std::vector<std::pair<std::string, const AimSolution*>> list;
-  const bool one = aim.low && aim.high && aim.low->launch.elevation == aim.high->launch.elevation;
-  if (aim.low) list.emplace_back(one ? "only" : "low", &*aim.low);
-  if (aim.high && !one) list.emplace_back("high", &*aim.high);
-  if (list.empty()) list.emplace_back("nearest", &aim.nearest);
-  out += solutions_table(list).text(2);
-  if (!aim.in_reach()) out += "\n  " + style.bad(aim.explanation()) + "\n";
-  return out + "\n  " + std::to_string(aim.flights) + " trajectories flown\n";
-}
-
-std::string fit_text(const AskedShot& asked, std::span<const Measurement> measurements, bool fits_speed, const Fit& fit,
-                     const Style& style) {
-  std::string out = answer_heading(asked, style);
-  out += "  drag is " + significant(fit.scale, 6) + " of the scenario's";
-  if (fit.scale_error > 0) out += " +- " + significant(fit.scale_error, 2);
-  out += "\n\n";
-  Table figures({{"fitted", Align::left}, {"value", Align::left}});
-  for (const auto& [setting, text] : fitted_figures(fit)) figures.add_row({setting, text});
-  if (fits_speed) {
-    std::string text = significant(fit.launch.speed, 6) + " m/s";
-    if (fit.muzzle_speed_error > 0) text += " +- " + significant(fit.muzzle_speed_error, 2);
-    figures.add_row({"speed", text});
-  }
-  out += figures.text(2) + "\n";
-  Table table({{"range [m]"}, {"quantity", Align::left}, {"measured"}, {"computed"}, {"off"}, {"unit", Align::left}});
-  for (const FitResidual& r : fit.residuals) {
-    const char* unit = r.quantity == "speed" ? "m/s" : r.quantity == "drop" ? "m" : "s";
-    table.add_row({as_typed(measurements[r.measurement].range), r.quantity, significant(r.measured, 6),
-                   significant(r.computed, 6), significant(r.computed - r.measured, 2), unit});
-  }
-  return out + table.text(2) + "\n  off by " + significant(fit.rms, 3) +
-         " of the errors that were given, root mean square; " + std::to_string(fit.flights) + " trajectories flown\n";
-}
-
-std::string max_range_text(const AskedShot& asked, const MaxRange& far, const Style& style) {
-  return answer_heading(asked, style) + "  farthest   " + readable(far.range, 7) +
-         " m along the ground, at an elevation of " + fixed(far.elevation / kDegree, 3) + " deg\n  impact     after " +
-         fixed(far.time, 4) + " s at (" + readable(far.position.x, 7) + ", " + readable(far.position.y, 5) + ", " +
-         readable(far.position.z, 5) + ") m, " + fixed(length(far.velocity), 2) + " m/s\n  " +
-         std::to_string(far.flights) + " trajectories flown\n";
-}
-
-std::string danger_space_text(const AskedShot& asked, double range, double height, const DangerSpace& space,
-                              const Style& style) {
-  return answer_heading(asked, style) + "  a target " + as_typed(height) + " m high at " + as_typed(range) +
-         " m is hit from " + fixed(space.from, 2) + " m to " + fixed(space.to, 2) + " m: over " +
-         fixed(space.to - space.from, 2) + " m\n";
+Answer danger_space_answer(const AskedShot& asked, double range, double height, const DangerSpace& space,
+                           const Style& style) {
+  PHYSIM_ASSERT(space.from <= space.to);
+  return about_shot(asked, style,
+                    "  a target " + as_typed(height) + " m high at " + as_typed(range) + " m is hit from " +
+                        fixed(space.from, 2) + " m to " + fixed(space.to, 2) + " m: over " +
+                        fixed(space.to - space.from, 2) + " m\n",
+                    {{"range [m]", range}, {"height [m]", height}, {"from [m]", space.from}, {"to [m]", space.to}});
 }
 
 }  // namespace physim::report

@@ -11,23 +11,17 @@
 
 namespace physim::report {
 
-/// "title: shot", the line that answers begin with.
-[[nodiscard]] std::string answer_heading(const AskedShot& asked, const Style& style);
+struct Answer {
+  std::string text, json;
+};
 
-[[nodiscard]] std::string aim_text(const AskedShot& asked, const Target& target, const Aim& aim, const Style& style);
-[[nodiscard]] std::string aim_json(const AskedShot& asked, const Target& target, double tolerance, const Aim& aim);
-
+[[nodiscard]] Answer aim_answer(const AskedShot& asked, const Target& target, double tolerance, const Aim& aim,
+                                const Style& style);
 /// `fits_speed`: the muzzle speed was fitted, too.
-[[nodiscard]] std::string fit_text(const AskedShot& asked, std::span<const Measurement> measurements, bool fits_speed,
-                                   const Fit& fit, const Style& style);
-[[nodiscard]] std::string fit_json(const AskedShot& asked, bool fits_speed, const Fit& fit);
-
-[[nodiscard]] std::string max_range_text(const AskedShot& asked, const MaxRange& far, const Style& style);
-[[nodiscard]] std::string max_range_json(const AskedShot& asked, const MaxRange& far);
-
-[[nodiscard]] std::string danger_space_text(const AskedShot& asked, double range, double height,
-                                            const DangerSpace& space, const Style& style);
-[[nodiscard]] std::string danger_space_json(const AskedShot& asked, double range, double height,
-                                            const DangerSpace& space);
+[[nodiscard]] Answer fit_answer(const AskedShot& asked, std::span<const Measurement> measurements, bool fits_speed,
+                                const Fit& fit, const Style& style);
+[[nodiscard]] Answer max_range_answer(const AskedShot& asked, const MaxRange& far, const Style& style);
+[[nodiscard]] Answer danger_space_answer(const AskedShot& asked, double range, double height, const DangerSpace& space,
+                                         const Style& style);
 
 }  // namespace physim::report

@@ -1,8 +1,8 @@
 #include "report/fidelity_text.hpp"
 
 #include <algorithm>
-#include <optional>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
 
 namespace physim::report {
@@ -42,6 +42,8 @@ std::string in_words(const Fidelity& fidelity) {
 }
 
 std::string note_text(const FidelityNote& note) {
+  PHYSIM_ASSERT(!note.effect.empty());
+  PHYSIM_ASSERT(!note.reason.empty());
   const std::string where = note.granted == note.asked ? "" : " where " + note.asked + " was asked";
   return note.effect + " " + note.granted + where + ": " + note.reason;
 }
@@ -51,6 +53,7 @@ std::string physics_left_out(const Fidelity& full, const Fidelity& fidelity) {
   const auto all = fidelity_fields(full), some = fidelity_fields(fidelity);
   for (std::size_t i = 0; i < std::min(all.size(), some.size()); ++i) {  // a body form, the last one, few have
     const std::string_view effect = all[i].effect;
+    PHYSIM_ASSERT(some[i].effect == effect);
     const bool is_numerics = effect == "integrator" || effect == "precision" || effect == "body_form";
     if (is_numerics || all[i].rung == some[i].rung) continue;
     out += (out.empty() ? "" : "; ") + std::string(some[i].effect) + " " + std::string(some[i].rung);

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/assert.hpp"
+
 namespace physim::report {
 namespace fs = std::filesystem;
 namespace {
@@ -23,6 +25,7 @@ int write_all(int file, std::string_view content) {
     const ssize_t written = ::write(file, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return errno;
+    PHYSIM_ASSERT(static_cast<std::size_t>(written) <= content.size());
     content.remove_prefix(static_cast<std::size_t>(written));
   }
   return 0;

@@ -2,27 +2,12 @@
 
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "report/number.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/units.hpp"
 
 namespace physim::report {
-namespace {
-
-std::vector<Check> check(const Scenario& scenario, const std::vector<FlownShot>& shots) {
-  std::vector<Check> checks;
-  for (const Expectation& expectation : scenario.expect) {
-    for (const FlownShot& flown : shots) {
-      if (!expectation.shot.empty() && expectation.shot != flown.name) continue;
-      Result<double> value = measure(flown.flight, expectation);
-      const bool met = value.ok() && std::abs(*value - expectation.equals) <= expectation.within;
-      checks.push_back({&expectation, flown.name, std::move(value), met});
-    }
-  }
-  return checks;
-}
-
-}  // namespace
 
 Result<std::size_t> find_shot(const Scenario& scenario, const std::string& wanted) {
   std::string names;
@@ -49,7 +34,15 @@ Error refusal(const Scenario& scenario, const ScenarioShot& shot, const Flight& 
 
 std::string title_of(const Scenario& scenario) { return scenario.title.empty() ? scenario.file : scenario.title; }
 
+Check judged(const Expectation& expectation, const std::string& shot, Result<double> value) {
+  PHYSIM_ASSERT(expectation.shot.empty() || expectation.shot == shot);
+  PHYSIM_ASSERT(expectation.within >= 0);
+  const bool met = value.ok() && std::abs(*value - expectation.equals) <= expectation.within;
+  return {&expectation, shot, std::move(value), met};
+}
+
 Status fly_all(FlownScenario& flown, const Progress& progress) {
+  PHYSIM_ASSERT(flown.shots.empty());
   const Scenario& scenario = flown.scenario;
   for (const ScenarioShot& shot : scenario.shots) {
     Flight flight = fly_shot(scenario, shot);
@@ -57,7 +50,10 @@ Status fly_all(FlownScenario& flown, const Progress& progress) {
     flown.shots.push_back({shot.projectile.name, &shot, std::move(flight)});
     if (progress) progress(flown.shots.size(), scenario.shots.size());
   }
-  flown.checks = check(scenario, flown.shots);
+  for (const Expectation& expectation : scenario.expect)
+    for (const FlownShot& shot : flown.shots)
+      if (expectation.shot.empty() || expectation.shot == shot.name)
+        flown.checks.push_back(judged(expectation, shot.name, measure(shot.flight, expectation)));
   return {};
 }
 
@@ -72,7 +68,7 @@ std::string place_text(const Expectation& expectation) {
     case ExpectAt::range: return "range " + value + " m";
     case ExpectAt::height: return "height " + value + " m";
   }
-  return "";
+  PHYSIM_UNREACHABLE();
 }
 
 std::string_view unit_of(const std::string& quantity) {

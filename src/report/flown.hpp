@@ -46,6 +46,9 @@ struct FlownScenario {
   std::vector<Check> checks;
 };
 
+/// What came out of an expectation on a shot or a group.
+[[nodiscard]] Check judged(const Expectation& expectation, const std::string& shot, Result<double> value);
+
 /// The title of a scenario; one without a title is called by its file.
 [[nodiscard]] std::string title_of(const Scenario& scenario);
 

@@ -4,11 +4,7 @@
 #include "report/file.hpp"
 #include "report/globe.hpp"
 #include "report/gnuplot.hpp"
-#include "report/ladder_text.hpp"
-#include "report/plot_flights.hpp"
-#include "report/plot_ladder.hpp"
-#include "report/plot_world.hpp"
-#include "report/world.hpp"
+#include "report/pictures.hpp"
 
 namespace physim::report {
 namespace {
@@ -79,7 +75,7 @@ bool can_write(const Format& format, Subject subject) {
     case Subject::replay: return format.replay != nullptr;
     case Subject::records: return false;
   }
-  return false;
+  PHYSIM_UNREACHABLE();
 }
 
 Result<const Format*> format_of_file(const std::string& path, Subject subject) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/assert.hpp"
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "report/json.hpp"
@@ -23,6 +24,8 @@ struct GlobePoint {
 
 GlobePoint point_of(const EarthFrames& frames, double time, const Vec3d& position) {
   const Geodetic g = frames.geodetic(position);
+  PHYSIM_ASSERT(std::abs(g.longitude) * kDegrees <= 180);
+  PHYSIM_ASSERT(std::abs(g.latitude) * kDegrees <= 90);
   return {time, g.longitude * kDegrees, g.latitude * kDegrees, g.height};
 }
 
@@ -43,14 +46,14 @@ struct Mark {
 
 std::vector<Mark> marks_of(const Flight& flight) {
   const EarthFrames frames = flight.earth_frames();
-  const auto mark = [&](const std::string& what, double time, const Vec3d& x, const Vec3d& v) {
-    return Mark{what, point_of(frames, time, x), std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)};
+  const auto mark = [&](std::string_view what, double time, const Vec3d& x, const Vec3d& v) {
+    return Mark{std::string(what), point_of(frames, time, x), std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)};
   };
   const Sample start = flight.at(0), end = flight.end();
   std::vector<Mark> marks{mark("launch", 0, start.position, start.velocity)};
   for (const Event& e : flight.events())
-    if (e.time < flight.duration()) marks.push_back(mark(std::string(name(e.kind)), e.time, e.position, e.velocity));
-  marks.push_back(mark(std::string(name(flight.outcome())), end.time, end.position, end.velocity));
+    if (e.time < flight.duration()) marks.push_back(mark(name(e.kind), e.time, e.position, e.velocity));
+  marks.push_back(mark(name(flight.outcome()), end.time, end.position, end.velocity));
   return marks;
 }
 
@@ -58,15 +61,8 @@ std::vector<Mark> marks_of(const Flight& flight) {
 std::string xml(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') {
-      out += c;
-    }
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t';
+    if (!is_control) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
   }
   return out;
 }
@@ -129,6 +125,7 @@ Json position_json(const GlobePoint& p) { return Json::array({p.longitude, p.lat
 GlobePoint at_antimeridian(const GlobePoint& from, const GlobePoint& to) {
   const double side = from.longitude > 0 ? 180 : -180;
   const double beyond = to.longitude + 2 * side;  // the second without the jump
+  PHYSIM_ASSERT(std::abs(to.longitude - from.longitude) > 180);
   const double part = (side - from.longitude) / (beyond - from.longitude);
   return {from.time + part * (to.time - from.time), side, from.latitude + part * (to.latitude - from.latitude),
           from.height + part * (to.height - from.height)};
@@ -189,6 +186,7 @@ Status check_round(const FlownScenario& flown) {
 
 Content globe_kml(const Flights& flights) {
   const auto& [flown, times] = flights;
+  PHYSIM_ASSERT(times.size() == flown.shots.size());
   std::string out =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n "
       "<name>" +
@@ -200,6 +198,7 @@ Content globe_kml(const Flights& flights) {
 
 Content globe_czml(const Flights& flights) {
   const auto& [flown, times] = flights;
+  PHYSIM_ASSERT(times.size() == flown.shots.size());
   double last = 0;
   for (const FlownShot& shot : flown.shots) last = std::max(last, shot.flight.duration());
   Json out = Json::array();
@@ -213,6 +212,7 @@ Content globe_czml(const Flights& flights) {
 
 Content globe_geojson(const Flights& flights) {
   const auto& [flown, times] = flights;
+  PHYSIM_ASSERT(times.size() == flown.shots.size());
   Json features = Json::array();
   for (std::size_t i = 0; i < flown.shots.size(); ++i) {
     const FlownShot& shot = flown.shots[i];

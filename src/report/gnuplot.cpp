@@ -14,6 +14,7 @@
 #include <memory>
 #include <sstream>
 
+#include "base/assert.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
 
@@ -22,21 +23,20 @@ extern char** environ;
 namespace physim::report {
 namespace {
 
-enum class FileKind { unknown, png, svg };
-
-FileKind kind_of(const std::string& path) {
+/// "png", "svg"; empty for others.
+std::string kind_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".png" ? FileKind::png : ending == ".svg" ? FileKind::svg : FileKind::unknown;
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".png" || ending == ".svg" ? ending.substr(1) : "";
 }
 
-std::string terminal(FileKind kind, const Picture& picture) {
-  const std::string size = std::to_string(picture.width) + "," + std::to_string(picture.height);
-  const std::string common = " size " + size + " font 'DejaVu Sans,14' noenhanced";
-  return "set encoding utf8\nset terminal " +
-         (kind == FileKind::png ? "pngcairo" + common + " background rgb 'white'"
-                                : "svg" + common + " background rgb 'white'") +
-         "\n";
+std::string terminal(const std::string& kind, const Picture& picture) {
+  PHYSIM_ASSERT(kind == "png" || kind == "svg");
+  PHYSIM_ASSERT(picture.width > 0);
+  PHYSIM_ASSERT(picture.height > 0);
+  return "set encoding utf8\nset terminal " + (kind == "png" ? std::string("pngcairo") : kind) + " size " +
+         std::to_string(picture.width) + "," + std::to_string(picture.height) +
+         " font 'DejaVu Sans,14' noenhanced background rgb 'white'\n";
 }
 
 using TemporaryFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -74,7 +74,7 @@ int run_gnuplot(std::FILE* in, std::FILE* out, std::FILE* err) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
 }
 
-Result<std::string> render(FileKind kind, const Picture& picture) {
+Result<std::string> render(const std::string& kind, const Picture& picture) {
   const TemporaryFile in = temporary_file(), out = temporary_file(), err = temporary_file();
   if (!in || !out || !err)
     return Error{.message = std::string("cannot make a temporary file: ") + std::strerror(errno)};
@@ -103,7 +103,7 @@ Status check_gnuplot() {
 }
 
 Status check_plot(const std::string& path) {
-  if (kind_of(path) == FileKind::unknown)
+  if (kind_of(path).empty())
     return Error{.message = "cannot tell the picture's format from the file name",
                  .place = path,
                  .hint = "end it with .png or .svg"};

@@ -1,7 +1,9 @@
 #include "report/json.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
 #include "physim/version.hpp"
 #include "report/fidelity_text.hpp"
@@ -13,12 +15,8 @@ using Json = nlohmann::ordered_json;
 
 Json fidelity_json(const Fidelity& fidelity) {
   Json out;
-  for (const auto& [effect, rung] : fidelity_fields(fidelity)) {
-    if (rung == "true" || rung == "false")
-      out[std::string(effect)] = rung == "true";
-    else
-      out[std::string(effect)] = rung;
-  }
+  for (const auto& [effect, rung] : fidelity_fields(fidelity))
+    out[std::string(effect)] = rung == "true" || rung == "false" ? Json(rung == "true") : Json(rung);
   return out;
 }
 
@@ -27,6 +25,8 @@ Json fidelity_json(const Fidelity& fidelity) {
 Json checks_json(const std::vector<Check>& checks) {
   Json out = Json::array();
   for (const Check& check : checks) {
+    PHYSIM_ASSERT(check.expectation != nullptr);
+    PHYSIM_ASSERT(check.value || !check.met);
     const Expectation& expectation = *check.expectation;
     Json entry = {{"shot", check.shot},
                   {"at", place_text(expectation)},
@@ -61,6 +61,7 @@ Json flight_json(const Flight& flight, const Fidelity& asked) {
   for (const FidelityNote& note : in_use.notes)
     notes.push_back(
         {{"effect", note.effect}, {"asked", note.asked}, {"granted", note.granted}, {"reason", note.reason}});
+  PHYSIM_ASSERT(std::ranges::is_sorted(flight.events(), {}, &Event::time));
   for (const Event& event : flight.events())
     events.push_back({{"kind", name(event.kind)},
                       {"value", event.value},

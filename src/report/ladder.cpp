@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/assert.hpp"
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "report/fidelity_text.hpp"
@@ -16,11 +17,6 @@ namespace physim::report {
 namespace {
 
 // ------------------------------------------------------------------------------------------------------ the rungs
-void add_presets(const Scenario& scenario, std::vector<Rung>& rungs) {
-  for (const char* preset : {"arcade", "game", "sport_ball", "small_arms", "artillery", "simulation"})
-    rungs.push_back({Family::preset, preset, "", preset_setting(scenario, preset)});
-}
-
 /// A fidelity with the rotation that the shot asks for, where that is more.
 Fidelity rotating(Fidelity fidelity, const ScenarioShot& shot) {
   fidelity.rotation = higher_of(fidelity.rotation, shot.projectile.fidelity.rotation);
@@ -45,15 +41,15 @@ void add_integrators(const Scenario& scenario, const ScenarioShot& shot, std::ve
     const char* text;
     double value;
   };
+  Tolerance tolerance = scenario.tolerance;
   for (const Integrator integrator : stepped_by(false))
     for (const auto& [text, step] : {Setting{"1/60 s", 1.0 / 60}, {"10 ms", 0.01}, {"1 ms", 0.001}}) {
-      Tolerance tolerance = scenario.tolerance;
       tolerance.step = step;
       add(integrator, text, tolerance);
     }
+  tolerance = scenario.tolerance;
   for (const Integrator integrator : stepped_by(true))
     for (const auto& [text, error] : {Setting{"1e-3", 1e-3}, {"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}}) {
-      Tolerance tolerance = scenario.tolerance;
       tolerance.relative = tolerance.absolute = error;
       add(integrator, text, tolerance);
     }
@@ -86,7 +82,8 @@ void add_effects(const Scenario& scenario, const ScenarioShot& shot, std::vector
 
 std::vector<Rung> all_rungs(const Scenario& scenario, const ScenarioShot& shot) {
   std::vector<Rung> rungs;
-  add_presets(scenario, rungs);
+  for (const char* preset : {"arcade", "game", "sport_ball", "small_arms", "artillery", "simulation"})
+    rungs.push_back({Family::preset, preset, "", preset_setting(scenario, preset)});
   add_integrators(scenario, shot, rungs);
   add_effects(scenario, shot, rungs);
   return rungs;
@@ -114,6 +111,7 @@ double median_time(const Call& call) {
   std::vector<double> times;
   while (times.size() < kMost && spent < (times.size() < kFewest ? kPatience : kBudget))
     times.push_back(time_of(calls));
+  PHYSIM_ASSERT(!times.empty());
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::ranges::nth_element(times, middle);
   return *middle;
@@ -140,6 +138,7 @@ class Climber {
     });
     if (!compared) return about(scenario_, shot_, compared.error());
     shot_.launch = compared->launch;
+    PHYSIM_ASSERT(compared->flights.size() == settings.size());
 
     Ladder ladder{.shot = shot_.projectile.name};
     for (std::size_t i = 0; i < rungs.size(); ++i) {
@@ -188,6 +187,7 @@ class Climber {
   }
 
   [[nodiscard]] RungResult result_of(const Flight& reference, Rung rung, const ComparedFlight& flown) const {
+    PHYSIM_ASSERT(flown.problem.empty());
     auto& [fidelity, tolerance] = rung.setting;
     if (flown.flight.step() > 0) tolerance.step = flown.flight.step();  // the cost is that without its pilot flight
     const double cost = median_time([&] {
@@ -207,6 +207,7 @@ class Climber {
 
 std::string_view family_name(Family family) {
   constexpr std::string_view names[] = {"presets", "integrators", "effects"};
+  PHYSIM_ASSERT(static_cast<int>(family) < kFamilies);
   return names[static_cast<int>(family)];
 }
 
@@ -218,7 +219,9 @@ FlightSetting preset_setting(const Scenario& scenario, std::string_view preset) 
   Tolerance tolerance = scenario.tolerance;
   const bool is_framed = preset == "arcade" || preset == "game";  // the others find their step by a pilot flight
   if (is_framed && tolerance.step == 0) tolerance.step = 1.0 / 60;
-  return {*fidelity_preset(preset), tolerance};
+  const auto fidelity = fidelity_preset(preset);
+  PHYSIM_ASSERT(fidelity.has_value());
+  return {*fidelity, tolerance};
 }
 
 Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot, const Progress& progress) {

@@ -1,13 +1,12 @@
 // The ladder of fidelity for one shot: which rungs there are, how far each ends from the reference, and what it costs.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "physim/compare.hpp"
 #include "physim/result.hpp"
 #include "physim/scenario.hpp"
+#include "report/picture.hpp"
+#include "report/records.hpp"
+#include "report/style.hpp"
 
 namespace physim::report {
 
@@ -59,5 +58,10 @@ struct LadderOfShot {
 
 /// Flies a shot of a scenario on every rung.
 [[nodiscard]] Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot, const Progress& progress = {});
+
+[[nodiscard]] std::string ladder_text(const LadderOfShot& subject, const Style& style);
+/// A row for each rung.
+[[nodiscard]] Records records_of(const LadderOfShot& subject);
+[[nodiscard]] Content ladder_json(const LadderOfShot& subject);
 
 }  // namespace physim::report

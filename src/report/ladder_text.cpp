@@ -1,9 +1,9 @@
-#include "report/ladder_text.hpp"
+#include "report/ladder.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
-#include "report/fidelity_text.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
@@ -37,6 +37,7 @@ std::vector<std::string> row(const RungResult& result) {
 
 std::string ladder_text(const LadderOfShot& subject, const Style& style) {
   const auto& [scenario, ladder] = subject;
+  PHYSIM_ASSERT(!ladder.rungs.empty());
   std::string out = style.bold(one_line(title_of(scenario))) + ": " + one_line(ladder.shot) + "\n";
   const RungResult& reference = ladder.rungs.back();
   const Sample end = reference.flight.end();
@@ -44,13 +45,8 @@ std::string ladder_text(const LadderOfShot& subject, const Style& style) {
          fixed(end.range, 4) + " m downrange, height " + fixed(end.position.y, 4) + " m, windage " +
          fixed(end.windage, 4) +
          " m. Errors are distances from there.\nCost is the median time of one fly() on this machine.\n\n";
-  Table table({{"rung", Align::left},
-               {"error [m]"},
-               {"time error [s]"},
-               {"steps [-]"},
-               {"evaluations [-]"},
-               {"cost [us]"},
-               {"leaves out", Align::left}});
+  Table table({"rung", "error [m]", "time error [s]", "steps [-]", "evaluations [-]", "cost [us]", "leaves out"},
+              "lrrrrrl");
   std::string family;
   for (const RungResult& result : ladder.rungs) {
     const std::string next = family_text(ladder, result);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/assert.hpp"
+
 namespace physim::report {
 namespace {
 
@@ -15,7 +17,8 @@ template <class... Format>
 std::string to_text(double value, Format... format) {
   if (std::isnan(value)) return "nan";
   char text[kRoom];
-  const auto end = std::to_chars(text, text + kRoom, value, format...).ptr;
+  const auto [end, error] = std::to_chars(text, text + kRoom, value, format...);
+  PHYSIM_ASSERT(error == std::errc());
   return {text, end};
 }
 
@@ -24,17 +27,18 @@ std::string to_text(double value, Format... format) {
 std::string shortest(double value) { return to_text(value); }
 
 std::string fixed(double value, int decimals) {
+  PHYSIM_ASSERT(decimals >= 0);
   std::string text = to_text(value, std::chars_format::fixed, decimals);
   const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
   return is_zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-std::string significant(double value, int digits) { return to_text(value, std::chars_format::general, digits); }
-
-std::string as_typed(double value) {
-  constexpr int kDigits = 12;
-  return significant(value, kDigits);
+std::string significant(double value, int digits) {
+  PHYSIM_ASSERT(digits > 0);
+  return to_text(value, std::chars_format::general, digits);
 }
+
+std::string as_typed(double value) { return significant(value, 12); }
 
 std::string readable(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return fixed(value, 0);

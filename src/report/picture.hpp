@@ -1,7 +1,9 @@
 // Pictures as scripts for gnuplot, and the parts that all of them are made of.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -37,5 +39,50 @@ inline constexpr std::string_view kGridInk = "#E4E4E4";  // grid lines
 [[nodiscard]] std::string title_at(double x, double y, const std::string& title, int picture_width);
 /// The place of the next panel on the whole picture.
 [[nodiscard]] std::string panel_at(double left, double right, double bottom, double top);
+/// A line on the whole picture.
+[[nodiscard]] std::string line_at(double x, double y, double to_x, double to_y, const std::string& style);
+/// " lw 2.5 dt 1 lc rgb ...": the line of a curve; those of the second round of the palette are dashed.
+[[nodiscard]] std::string curve_style(const char* width, std::size_t index, std::string_view colour);
+/// Rows of numbers under a name, "$path0", that plots read.
+[[nodiscard]] std::string datablock(const std::string& name, const std::string& rows);
+
+inline constexpr double kLegendGap = 26;  // between entries of a legend [px]
+/// How wide an entry is [px].
+[[nodiscard]] double legend_width(const std::string& name);
+/// A line and what it stands for, at x [px] and at a height from 0 to 1.
+[[nodiscard]] std::string legend_entry(double x, double y, const std::string& name, const std::string& style,
+                                       int picture_width);
+
+// ------------------------------------------------------------------------------- what parts of its axes a panel shows
+
+struct Extent {
+  double low = INFINITY, high = -INFINITY;  // of nothing
+  void add(double value) {
+    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  }
+  /// From 0 to 0 where nothing was added.
+  [[nodiscard]] Extent or_zero() const { return low <= high ? *this : Extent{0, 0}; }
+  [[nodiscard]] double span() const { return high - low; }
+};
+
+/// A value that does not change but for rounding errors.
+[[nodiscard]] bool is_constant(Extent extent);
+/// Room around the data; a constant is shown in the middle of a range of its own size.
+[[nodiscard]] Extent padded(Extent extent);
+/// "set xrange [low:high]"
+[[nodiscard]] std::string range_of(const char* axis, Extent extent);
+
+/// What the axes of a panel are called in the singular or plural: "vertical axis".
+struct AxisNames {
+  const char *across, *up;
+};
+/// Makes a metre as long across as upwards in a panel of so many pixels, where both axes keep a visible part of it;
+/// `part_below` of the room that is left lies below the data. Else they stay stretched. Gives what the title says of
+/// it.
+[[nodiscard]] std::string to_scale(Extent& across, Extent& up, double width, double height, double part_below,
+                                   AxisNames names);
+
+/// What a panel shows, above its vertical axis, where it takes no width.
+[[nodiscard]] std::string panel_title(const std::string& text);
 
 }  // namespace physim::report

@@ -1,12 +1,9 @@
-#include "report/plot_flights.hpp"
-
 #include <algorithm>
-#include <cmath>
 
-#include "physim/names.hpp"
+#include "base/assert.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
-#include "report/plot_extent.hpp"
+#include "report/pictures.hpp"
 #include "report/table.hpp"
 
 namespace physim::report {
@@ -14,11 +11,13 @@ namespace {
 
 constexpr int kWidth = 1600, kHeight = 1300;  // [px]
 constexpr int kPoints = 400;                  // of each curve
+constexpr std::size_t kMaxDrawnShots = 14;
 
 // Columns of a datablock, counted from 1 as gnuplot does: those of a sample row, and then these.
 constexpr int kTime = 1, kPosition = 2, kVelocity = 5, kAcceleration = 8, kSpeed = 11;
 constexpr int kRange = 13, kHeightColumn = 14;
 constexpr int kColumns = 14;
+static_assert(kSampleColumns.size() == kColumns);
 
 struct Curve {
   std::string name;
@@ -40,25 +39,21 @@ Curve curve_of(const FlownShot& shot, std::size_t index) {
   return curve;
 }
 
-std::string datablock(const Curve& curve) {
-  std::string out = curve.block + " << EndOfData\n";
+std::string datablock_of(const Curve& curve) {
+  std::string rows;
   for (const auto& row : curve.rows) {
-    for (const double value : row) out += (std::isfinite(value) ? significant(value, 9) : "NaN") + " ";
-    out += "\n";
+    for (const double value : row) rows += (std::isfinite(value) ? significant(value, 9) : "NaN") + " ";
+    rows += "\n";
   }
-  return out + "EndOfData\n";
+  return datablock(curve.block, rows);
 }
 
 Extent extent_of(const std::vector<Curve>& curves, int column) {
+  PHYSIM_ASSERT(column >= 1 && column <= kColumns);
   Extent extent;
   for (const Curve& curve : curves)
     for (const auto& row : curve.rows) extent.add(row[static_cast<std::size_t>(column - 1)]);
   return extent.or_zero();
-}
-
-std::string line_style(std::size_t index, std::string_view colour) {
-  const bool is_second_round = index >= kPalette.size();
-  return " lw 2.5 dt " + std::string(is_second_round ? "(14,6)" : "1") + " lc rgb " + literal(colour);
 }
 
 class FlightsPicture {
@@ -70,7 +65,7 @@ class FlightsPicture {
 
   [[nodiscard]] std::string script() const {
     std::string out = axes_style();
-    for (const Curve& curve : curves_) out += datablock(curve);
+    for (const Curve& curve : curves_) out += datablock_of(curve);
     out += "set multiplot\n" + path_panel() + "unset arrow\n" + speed_panel();
     const std::array<std::string_view, 3> axes = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
@@ -88,8 +83,7 @@ class FlightsPicture {
   static constexpr double kRowLow = 0.055, kRowHeight = 0.141, kRowGap = 0.047;
   static constexpr double kPanelWidth = (kRight - kLeft - 2 * kPanelGap) / 3;
 
-  static constexpr double kHeaderLeft = 0.02, kLegendTop = 0.938, kLegendRow = 0.0215;      // parts of the picture
-  static constexpr double kLegendLine = 40, kLegendGap = 26, kLegendCharacter = 13 * 0.72;  // [px]
+  static constexpr double kHeaderLeft = 0.02, kLegendTop = 0.938, kLegendRow = 0.0215;  // parts of the picture
 
   static double column_left(int column) { return kLeft + column * (kPanelWidth + kPanelGap); }
 
@@ -97,9 +91,8 @@ class FlightsPicture {
     std::string out = title_at(kHeaderLeft, 0.968, title_, kWidth);
     if (shots_.size() == 1) {
       const Fidelity& asked = shots_[0].shot->projectile.fidelity;
-      out +=
-          text_at(kHeaderLeft, kLegendTop, one_line(shots_[0].name) + ", fidelity " + preset_name(asked), 15, kQuiet);
-      return out;
+      const std::string text = one_line(shots_[0].name) + ", fidelity " + preset_name(asked);
+      return out + text_at(kHeaderLeft, kLegendTop, text, 15, kQuiet);
     }
     const std::string count =
         all_ == shots_.size() ? std::to_string(all_) + " shots"
@@ -120,7 +113,7 @@ class FlightsPicture {
     int row = 0;
     for (const Curve& curve : curves_) {
       const std::string name = shortened(one_line(curve.name), characters);
-      const double width = kLegendLine + static_cast<double>(display_width(name)) * kLegendCharacter;
+      const double width = legend_width(name);
       if (x + width > (1 - kHeaderLeft) * kWidth && !items.empty()) x = kHeaderLeft * kWidth, ++row;
       items.push_back({name, x, row});
       x += width + kLegendGap;
@@ -134,13 +127,9 @@ class FlightsPicture {
     while (characters > 4 && legend_items(indent, characters).back().row > 1) --characters;
     const std::vector<LegendItem> items = legend_items(indent, characters);
     std::string out;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      const double y = kLegendTop - items[i].row * kLegendRow;
-      const double left = items[i].x / kWidth, right = (items[i].x + kLegendLine - 8) / kWidth;
-      out += "set arrow from screen " + shortest(left) + "," + shortest(y) + " to screen " + shortest(right) + "," +
-             shortest(y) + " nohead" + line_style(i, colour_of(i, 0)) + "\n";
-      out += text_at((items[i].x + kLegendLine) / kWidth, y, items[i].name, 13, kInk);
-    }
+    for (std::size_t i = 0; i < items.size(); ++i)
+      out += legend_entry(items[i].x, kLegendTop - items[i].row * kLegendRow, items[i].name,
+                          curve_style("2.5", i, colour_of(i, 0)), kWidth);
     return out;
   }
 
@@ -153,7 +142,7 @@ class FlightsPicture {
     std::string out = "plot ";
     for (std::size_t i = 0; i < curves_.size(); ++i)
       out += (i == 0 ? "" : ", ") + curves_[i].block + " using " + std::to_string(x) + ":" + std::to_string(y) +
-             " with lines" + line_style(i, colour_of(i, row)) + " notitle";
+             " with lines" + curve_style("2.5", i, colour_of(i, row)) + " notitle";
     return out + "\n";
   }
 

@@ -1,10 +1,10 @@
 #include "report/plot_labels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "base/assert.hpp"
 #include "report/table.hpp"
 
 namespace physim::report {
@@ -14,7 +14,7 @@ constexpr double kCharacterWidth = 0.66, kLineHeight = 1.45;  // parts of the fo
 constexpr double kBoldWidth = 1.13;                           // of a regular character
 constexpr double kGap = 6;                                    // [px] between texts, so that two do not read as one
 constexpr double kNear = 14;                                  // [px] from a point: no leader is needed
-constexpr std::array<double, 5> kDistances = {10, 14, 28, 48, 74};
+constexpr double kDistances[] = {10, 14, 28, 48, 74};
 
 struct Candidate {
   PixelBox box;
@@ -61,6 +61,7 @@ std::vector<Candidate> candidates(const LabelRequest& request) {
     int x, y;
     double dislike;
   };
+  PHYSIM_ASSERT(request.font_size > 0);
   constexpr Side sides[] = {{1, 0, 0},  {1, 1, 1},  {1, -1, 1}, {0, 1, 2},
                             {0, -1, 2}, {-1, 0, 3}, {-1, 1, 3}, {-1, -1, 3}};
   const double width = static_cast<double>(display_width(request.text)) * request.font_size * kCharacterWidth *
@@ -81,6 +82,8 @@ std::vector<Candidate> candidates(const LabelRequest& request) {
 std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests, const LabelObstacles& obstacles,
                                       const PixelBox& area) {
   std::vector<PixelBox> taken, labels;
+  PHYSIM_ASSERT(area.left < area.right);
+  PHYSIM_ASSERT(area.bottom < area.top);
   for (const PixelPoint& p : obstacles.points) {
     const double r = obstacles.point_radius;
     taken.push_back({p.x - r, p.x + r, p.y - r, p.y + r});
@@ -108,10 +111,12 @@ std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
       label = {true, {best.box.left, middle}, best.distance > kNear, best.leader_end};
       taken.push_back({best.box.left - kGap, best.box.right + kGap, best.box.bottom, best.box.top});
       labels.push_back(best.box);
+      PHYSIM_ASSERT(inside(best.box, area));
       if (label.has_leader) lines.emplace_back(request.at, best.leader_end);
     }
     placed.push_back(label);
   }
+  PHYSIM_ASSERT(placed.size() == requests.size());
   return placed;
 }
 

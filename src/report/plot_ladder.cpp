@@ -1,11 +1,9 @@
-#include "report/plot_ladder.hpp"
-
 #include <algorithm>
-#include <cmath>
 #include <map>
 
-#include "report/flown.hpp"
+#include "base/assert.hpp"
 #include "report/number.hpp"
+#include "report/pictures.hpp"
 #include "report/plot_labels.hpp"
 
 namespace physim::report {
@@ -30,13 +28,19 @@ constexpr std::array<Look, kFamilies> kLooks = {
     Look{Family::effect, "#D55E00", 9, 1.9, "▲", 14, "the full simulation without one effect"}};
 constexpr std::string_view kSeriesLine = "#9FD8C7";
 
-const Look& look_of(Family family) { return kLooks[static_cast<std::size_t>(family)]; }
+const Look& look_of(Family family) {
+  const Look& look = kLooks[static_cast<std::size_t>(family)];
+  PHYSIM_ASSERT(look.family == family);
+  return look;
+}
 
 // One logarithmic axis: its ends as powers of ten, and as pixels.
 struct LogAxis {
   double low = 0, high = 1;
   double low_pixel = 0, high_pixel = 1;
   [[nodiscard]] double pixel(double value) const {
+    PHYSIM_ASSERT(value > 0);
+    PHYSIM_ASSERT(high > low);
     return low_pixel + (std::log10(value) - low) / (high - low) * (high_pixel - low_pixel);
   }
 };
@@ -65,8 +69,6 @@ std::string range(const std::string& name, const LogAxis& axis) {
   return "set " + name + "range [" + significant(std::pow(10, axis.low), 9) + ":" +
          significant(std::pow(10, axis.high), 9) + "]\n";
 }
-
-std::string screen(const PixelPoint& p) { return shortest(p.x / kWidth) + "," + shortest(p.y / kHeight); }
 
 class LadderPicture {
  public:
@@ -106,18 +108,18 @@ class LadderPicture {
   }
 
   [[nodiscard]] std::string family_data(Family family) const {
-    std::string out = block_name(family) + " << EndOfData\n";
+    std::string rows;
     for (const RungResult* r : rungs_)
-      if (r->rung.family == family) out += point(*r);
-    return out + "EndOfData\n";
+      if (r->rung.family == family) rows += point(*r);
+    return datablock(block_name(family), rows);
   }
 
   // An empty line parts one series from the next.
   [[nodiscard]] std::string series_data() const {
-    std::string out = "$series << EndOfData\n";
+    std::string rows;
     for (std::size_t i = 0; i < rungs_.size(); ++i)
-      if (rungs_[i]->rung.family == Family::integrator) out += (continues_series(i) ? "" : "\n") + point(*rungs_[i]);
-    return out + "EndOfData\n";
+      if (rungs_[i]->rung.family == Family::integrator) rows += (continues_series(i) ? "" : "\n") + point(*rungs_[i]);
+    return datablock("$series", rows);
   }
 
   [[nodiscard]] bool has(Family family) const {
@@ -184,15 +186,17 @@ class LadderPicture {
     std::vector<LabelRequest> requests;
     for (const Text& text : texts) requests.push_back(text.request);
     const std::vector<PlacedLabel> placed = place_labels(requests, obstacles(), kPanel);
+    PHYSIM_ASSERT(placed.size() == texts.size());
     std::string out;
     for (std::size_t i = 0; i < texts.size(); ++i) {
-      if (!placed[i].shown) continue;
+      const auto& [shown, at, has_leader, end] = placed[i];
+      if (!shown) continue;
       const auto& [request, colour] = texts[i];
-      out += text_at(placed[i].at.x / kWidth, placed[i].at.y / kHeight, request.text,
-                     static_cast<int>(request.font_size), colour, request.bold);
-      if (placed[i].has_leader)
-        out += "set arrow from screen " + screen(request.at) + " to screen " + screen(placed[i].leader_end) +
-               " nohead lw 1 lc rgb '#A0A0A0' back\n";
+      out += text_at(at.x / kWidth, at.y / kHeight, request.text, static_cast<int>(request.font_size), colour,
+                     request.bold);
+      if (has_leader)
+        out += line_at(request.at.x / kWidth, request.at.y / kHeight, end.x / kWidth, end.y / kHeight,
+                       " lw 1 lc rgb '#A0A0A0' back");
     }
     return out;
   }

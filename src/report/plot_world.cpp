@@ -1,11 +1,9 @@
-#include "report/plot_world.hpp"
-
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
+#include "base/assert.hpp"
 #include "report/number.hpp"
-#include "report/plot_extent.hpp"
+#include "report/pictures.hpp"
 #include "report/table.hpp"
 
 namespace physim::report {
@@ -18,8 +16,15 @@ constexpr AxisNames kAxes = {"horizontal axis", "vertical axis"};
 
 using Axis = double Vec3d::*;
 
-std::string numbers(const Vec3d& p) {
-  return significant(p.x, 7) + " " + significant(p.y, 7) + " " + significant(p.z, 7) + "\n";
+std::string rows_of(const std::vector<Vec3d>& points) {
+  std::string out;
+  for (const Vec3d& p : points)
+    out += significant(p.x, 7) + " " + significant(p.y, 7) + " " + significant(p.z, 7) + "\n";
+  return out;
+}
+
+void add(const std::vector<Vec3d>& points, Axis axis, Extent& extent) {
+  for (const Vec3d& point : points) extent.add(point.*axis);
 }
 
 // Which column of a datablock an axis is, and how panels call it.
@@ -34,6 +39,8 @@ constexpr AxisText kX{&Vec3d::x, 1, "downrange x [m]"}, kY{&Vec3d::y, 2, "height
 class WorldPicture {
  public:
   explicit WorldPicture(const WorldLog& log) : log_(log) {
+    PHYSIM_ASSERT(log.impacts.size() == log.groups.size());
+    PHYSIM_ASSERT(log.hits.size() == log.groups.size());
     for (const WorldGroup& group : log.groups)
       if (group.spawned > 0) shown_.push_back(static_cast<std::size_t>(&group - log.groups.data()));
     has_hits_ = std::ranges::any_of(log.hits, [](const auto& hits) { return !hits.empty(); });
@@ -58,63 +65,50 @@ class WorldPicture {
     std::string out;
     for (const std::size_t g : shown_) {
       const std::string index = std::to_string(g);
-      out += "$path" + index + " << EndOfData\n";
-      for (const LoggedPath& path : log_.paths) {
-        if (path.group != g) continue;
-        for (const Vec3d& point : path.points) out += numbers(point);
-        out += "\n";
-      }
-      out += "EndOfData\n" + block("$impact" + index, log_.impacts[g]) + block("$hit" + index, log_.hits[g]);
+      std::string paths;
+      for (const LoggedPath& path : log_.paths)
+        if (path.group == g) paths += rows_of(path.points) + "\n";
+      out += datablock("$path" + index, paths) + datablock("$impact" + index, rows_of(log_.impacts[g])) +
+             datablock("$hit" + index, rows_of(log_.hits[g]));
     }
     return out;
-  }
-  static std::string block(const std::string& name, const std::vector<Vec3d>& points) {
-    std::string out = name + " << EndOfData\n";
-    for (const Vec3d& point : points) out += numbers(point);
-    return out + "EndOfData\n";
   }
 
   [[nodiscard]] Extent extent_of(Axis axis) const {
     Extent bounds;
-    for (const LoggedPath& path : log_.paths)
-      for (const Vec3d& point : path.points) bounds.add(point.*axis);
-    for (const auto& list : {log_.impacts, log_.hits})
-      for (const auto& points : list)
-        for (const Vec3d& point : points) bounds.add(point.*axis);
+    for (const LoggedPath& path : log_.paths) add(path.points, axis, bounds);
+    for (const auto* list : {&log_.impacts, &log_.hits})
+      for (const auto& points : *list) add(points, axis, bounds);
     if (axis == &Vec3d::y && has_ground()) bounds.add(log_.scenario.world.def.ground.height);
     return bounds.or_zero();
   }
   [[nodiscard]] Extent hit_extent(Axis axis) const {
     Extent bounds;
-    for (const auto& points : log_.hits)
-      for (const Vec3d& point : points) bounds.add(point.*axis);
+    for (const auto& points : log_.hits) add(points, axis, bounds);
     return bounds.or_zero();
   }
   [[nodiscard]] bool has_ground() const { return log_.scenario.world.def.ground.mode != GroundMode::none; }
 
   // ------------------------------------------------------------------------------------------------------------- looks
+  // Among the groups that are shown.
+  [[nodiscard]] std::size_t place_of(std::size_t group) const {
+    const auto found = std::ranges::find(shown_, group);
+    PHYSIM_ASSERT(found != shown_.end());
+    return static_cast<std::size_t>(found - shown_.begin());
+  }
   // A shot's own colour where it has one.
   [[nodiscard]] std::string colour(std::size_t group) const {
     const std::uint32_t own = log_.scenario.shots[log_.groups[group].shot].body.colour;
-    if (own == kNoColour) {
-      const auto at = static_cast<std::size_t>(std::ranges::find(shown_, group) - shown_.begin());
-      return std::string(kPalette[at % kPalette.size()]);
-    }
+    if (own == kNoColour) return std::string(kPalette[place_of(group) % kPalette.size()]);
     char text[8];
     std::snprintf(text, sizeof text, "#%06x", own >> 8);
     return text;
-  }
-  // The second round of the palette is dashed.
-  [[nodiscard]] std::string dash(std::size_t group) const {
-    const bool is_second = std::ranges::find(shown_, group) - shown_.begin() >= static_cast<long>(kPalette.size());
-    return is_second ? " dt (14,6)" : " dt 1";
   }
   // Many paths let each other shine through.
   [[nodiscard]] std::string path_style(std::size_t group) const {
     const auto count = std::ranges::count(log_.paths, group, &LoggedPath::group);
     const char* veil = count > 100 ? "#A0" : count > 20 ? "#70" : count > 5 ? "#30" : "#00";
-    return std::string(" lw ") + (count > 20 ? "1" : "1.8") + dash(group) + " lc rgb " +
-           literal(veil + colour(group).substr(1));
+    return curve_style(count > 20 ? "1" : "1.8", place_of(group), veil + colour(group).substr(1));
   }
   [[nodiscard]] std::string mark_style(std::size_t group, std::size_t count) const {
     const char* size = count > 2000 ? "0.25" : count > 200 ? "0.45" : "0.8";
@@ -124,19 +118,16 @@ class WorldPicture {
 
   [[nodiscard]] std::string header() const {
     std::string out = title_at(0.02, 0.968, title_of(log_.scenario), kWidth);
-    constexpr double kCharacter = 13 * 0.72, kLine = 40, kGap = 26;  // [px]
     double x = 0.02 * kWidth;
     for (const std::size_t g : shown_) {
       const std::string name = shortened(one_line(log_.groups[g].name), 40);
-      const double width = kLine + static_cast<double>(display_width(name)) * kCharacter;
+      const double width = legend_width(name);
       if (x + width > 0.98 * kWidth) {
         out += text_at(x / kWidth, 0.93, "...", 13, kInk);
         break;
       }
-      out += "set arrow from screen " + shortest(x / kWidth) + ",0.93 to screen " + shortest((x + kLine - 8) / kWidth) +
-             ",0.93 nohead lw 2.5" + dash(g) + " lc rgb " + literal(colour(g)) + "\n" +
-             text_at((x + kLine) / kWidth, 0.93, name, 13, kInk);
-      x += width + kGap;
+      out += legend_entry(x, 0.93, name, curve_style("2.5", place_of(g), colour(g)), kWidth);
+      x += width + kLegendGap;
     }
     return out;
   }
@@ -161,21 +152,19 @@ class WorldPicture {
   // Paths below, marks above.
   [[nodiscard]] std::string curves(const Axes& axes, bool with_paths, bool with_impacts) const {
     const std::string columns = " using " + std::to_string(axes.across.column) + ":" + std::to_string(axes.up.column);
-    std::vector<std::string> parts;
+    std::string out;
+    const auto add = [&](const std::string& block, std::size_t group, const std::string& style) {
+      out += (out.empty() ? "plot $" : ", $") + block + std::to_string(group) + columns + " with " + style + " notitle";
+    };
     for (const std::size_t g : shown_)
-      if (with_paths && std::ranges::any_of(log_.paths, [g](const LoggedPath& p) { return p.group == g; }))
-        parts.push_back("$path" + std::to_string(g) + columns + " with lines" + path_style(g) + " notitle");
+      if (with_paths && std::ranges::count(log_.paths, g, &LoggedPath::group) > 0)
+        add("path", g, "lines" + path_style(g));
     for (const std::size_t g : shown_) {
-      if (with_impacts && !log_.impacts[g].empty())
-        parts.push_back("$impact" + std::to_string(g) + columns + " with points" +
-                        mark_style(g, log_.impacts[g].size()) + " notitle");
-      if (!log_.hits[g].empty())
-        parts.push_back("$hit" + std::to_string(g) + columns + " with points" + mark_style(g, log_.hits[g].size()) +
-                        " notitle");
+      const std::size_t impacts = log_.impacts[g].size(), hits = log_.hits[g].size();
+      if (with_impacts && impacts > 0) add("impact", g, "points" + mark_style(g, impacts));
+      if (hits > 0) add("hit", g, "points" + mark_style(g, hits));
     }
-    std::string out = "plot ";
-    for (const std::string& part : parts) out += (&part == parts.data() ? "" : ", ") + part;
-    return parts.empty() ? "plot NaN notitle\n" : out + "\n";
+    return out.empty() ? "plot NaN notitle\n" : out + "\n";
   }
 
   static std::string frame(const Axes& axes, Extent x, Extent y, Extent across, Extent up) {

@@ -3,100 +3,58 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "report/number.hpp"
 #include "report/summary.hpp"
 
 namespace physim::report {
 namespace {
 
-struct CardColumn {
-  std::string header;
-  std::function<std::string(const Sample& sample, double range)> text;
-};
-
 std::string shown(double value, const ShownUnit& unit) { return fixed(value / unit.size, unit.decimals); }
 std::string header(const std::string& what, const ShownUnit& unit) { return what + " [" + unit.name + "]"; }
 
-/// The windage of one flight less that of another where they cross a range; nothing where one does not.
-std::optional<double> shift(const Flight& flight, const Flight& from, double range) {
-  const Result<Sample> a = flight.at_range(range), b = from.at_range(range);
-  return a && b ? std::optional(a->windage - b->windage) : std::nullopt;
-}
+struct CardTexts {
+  std::vector<std::string> headers;
+  std::vector<std::vector<std::string>> rows;  // only the range where the shot does not reach it
+};
 
-std::vector<CardColumn> columns_of(const Card& card) {
+CardTexts texts_of(const Card& card) {
   const CardUnits& u = card.units;
-  std::vector<CardColumn> columns;
-  const auto add = [&](std::string head, std::function<std::string(const Sample&, double)> text) {
-    columns.push_back({std::move(head), std::move(text)});
-  };
-  const auto angle_of = [u](double offset, double range) {
-    return range > 0 ? shown(std::atan2(offset, range), u.angle) : std::string("-");
-  };
-  const auto add_shift = [&](const std::string& what, const Flight& flight, const Flight& from) {
-    add(header(what, u.drop), [u, flight, from](const Sample&, double range) {
-      const auto found = shift(flight, from, range);
-      return found ? shown(*found, u.drop) : std::string("-");
-    });
-    add(header(what, u.angle), [angle_of, flight, from](const Sample&, double range) {
-      const auto found = shift(flight, from, range);
-      return found ? angle_of(*found, range) : std::string("-");
-    });
-  };
-  add(header("range", u.range), [u](const Sample&, double range) { return as_typed(range / u.range.size); });
-  add(header("drop", u.drop), [u](const Sample& s, double) { return shown(s.drop, u.drop); });
-  add(header("drop", u.angle), [angle_of](const Sample& s, double range) { return angle_of(s.drop, range); });
-  add(header("windage", u.drop), [u](const Sample& s, double) { return shown(s.windage, u.drop); });
-  add(header("windage", u.angle), [angle_of](const Sample& s, double range) { return angle_of(s.windage, range); });
-  for (const CrossWind& wind : card.winds) add_shift(wind.label, wind.blown, wind.calm);
-  if (card.without_spin) add_shift("spin", card.flight, *card.without_spin);
-  add(header("speed", u.speed), [u](const Sample& s, double) { return shown(s.speed, u.speed); });
-  add("mach [-]", [](const Sample& s, double) { return fixed(s.mach, 3); });
-  add(header("energy", u.energy), [u](const Sample& s, double) { return shown(s.energy, u.energy); });
-  add("time [s]", [](const Sample& s, double) { return fixed(s.time, 3); });
-  return columns;
-}
-
-}  // namespace
-
-Table table_of(const Card& card) {
-  const std::vector<CardColumn> columns = columns_of(card);
-  std::vector<Column> heads;
-  for (const CardColumn& column : columns) heads.push_back({column.header});
-  Table table(heads);
+  std::vector<CrossWind> shifts = card.winds;
+  if (card.without_spin) shifts.push_back({"spin", card.flight, *card.without_spin});
+  CardTexts out;
+  out.headers = {header("range", u.range), header("drop", u.drop), header("drop", u.angle), header("windage", u.drop),
+                 header("windage", u.angle)};
+  for (const CrossWind& shift : shifts)
+    out.headers.insert(out.headers.end(), {header(shift.label, u.drop), header(shift.label, u.angle)});
+  out.headers.insert(out.headers.end(), {header("speed", u.speed), "mach [-]", header("energy", u.energy), "time [s]"});
   for (const double range : card.ranges) {
-    const Result<Sample> there = card.flight.at_range(range);
-    std::vector<std::string> row;
-    if (!there) row = {as_typed(range / card.units.range.size), "not reached"};
-    for (const CardColumn& column : columns)
-      if (there) row.push_back(column.text(*there, range));
-    table.add_row(std::move(row));
-  }
-  return table;
-}
-
-Records records_of(const Card& card) {
-  const std::vector<CardColumn> columns = columns_of(card);
-  Records records;
-  for (const CardColumn& column : columns) records.columns.push_back(column.header);
-  records.rows = [&card, columns](const auto& take) {
-    for (const double range : card.ranges) {
-      const Result<Sample> there = card.flight.at_range(range);
-      std::vector<std::string> texts(columns.size());  // a range that the shot does not reach has no figures
-      texts[0] = as_typed(range / card.units.range.size);
-      for (std::size_t i = 1; i < columns.size(); ++i)
-        if (there) texts[i] = columns[i].text(*there, range);
-      const std::vector<Cell> row(texts.begin(), texts.end());
-      take(row);
+    std::vector<std::string>& row = out.rows.emplace_back(1, as_typed(range / u.range.size));
+    const Result<Sample> s = card.flight.at_range(range);
+    if (!s) continue;
+    const auto add_offset = [&](double offset) {
+      row.push_back(shown(offset, u.drop));
+      row.push_back(range > 0 ? shown(std::atan2(offset, range), u.angle) : "-");
+    };
+    add_offset(s->drop);
+    add_offset(s->windage);
+    for (const CrossWind& shift : shifts) {
+      const Result<Sample> blown = shift.blown.at_range(range), calm = shift.calm.at_range(range);
+      if (blown && calm)
+        add_offset(blown->windage - calm->windage);
+      else
+        row.insert(row.end(), 2, "-");
     }
-  };
-  return records;
+    row.insert(row.end(), {shown(s->speed, u.speed), fixed(s->mach, 3), shown(s->energy, u.energy), fixed(s->time, 3)});
+    PHYSIM_ASSERT(row.size() == out.headers.size());
+  }
+  return out;
 }
-
-namespace {
 
 // ------------------------------------------------------------------------------------------------------- the flights
 /// With the bore where the main flight had it: a zero is not shot anew for every wind.
 Flight fly_again(const Card& card, const Environment& environment, const Fidelity& fidelity) {
+  PHYSIM_ASSERT(card.flight.duration() >= 0);
   const Scenario& scenario = card.asked->scenario;
   Launch launch = card.asked->shot().launch;
   if (!launch.velocity) launch.elevation = card.flight.elevation();
@@ -123,6 +81,28 @@ Result<CrossWind> cross_wind(const Card& card, const AskedWind& wind) {
 }
 
 }  // namespace
+
+Table table_of(const Card& card) {
+  CardTexts texts = texts_of(card);
+  Table table(std::move(texts.headers));
+  for (std::vector<std::string>& row : texts.rows) {
+    if (row.size() == 1) row.emplace_back("not reached");
+    table.add_row(std::move(row));
+  }
+  return table;
+}
+
+Records records_of(const Card& card) {
+  CardTexts texts = texts_of(card);
+  const std::size_t count = texts.headers.size();
+  return {std::move(texts.headers), [rows = std::move(texts.rows), count](const auto& take) {
+            for (const auto& row : rows) {
+              std::vector<Cell> cells(row.begin(), row.end());
+              cells.resize(count);
+              take(cells);
+            }
+          }};
+}
 
 Result<Card> make_card(const AskedShot& asked, const CardWishes& wishes) {
   const ScenarioShot& shot = asked.shot();

@@ -1,7 +1,6 @@
 // A range card: drop, windage and more at each range, in metric or customary units.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>

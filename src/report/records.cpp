@@ -40,7 +40,7 @@ std::string csv_text(const Records& records) {
   return out;
 }
 
-std::string columns_json_text(const Records& records) {
+nlohmann::ordered_json columns_json(const Records& records) {
   std::vector<nlohmann::ordered_json> lists(records.columns.size(), nlohmann::ordered_json::array());
   records.rows([&](Row row) {
     PHYSIM_ASSERT(row.size() == lists.size());
@@ -49,7 +49,10 @@ std::string columns_json_text(const Records& records) {
   });
   nlohmann::ordered_json out;
   for (std::size_t i = 0; i < lists.size(); ++i) out[records.columns[i]] = std::move(lists[i]);
-  return json_text(out);
+  PHYSIM_ASSERT(out.size() == records.columns.size());  // no two columns of one name
+  return out;
 }
+
+std::string columns_json_text(const Records& records) { return json_text(columns_json(records)); }
 
 }  // namespace physim::report

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ struct Records {
 /// A header line and a line for each row, RFC 4180 but for the space behind each comma.
 [[nodiscard]] std::string csv_text(const Records& records);
 /// An object with a list for each column.
+[[nodiscard]] nlohmann::ordered_json columns_json(const Records& records);
 [[nodiscard]] std::string columns_json_text(const Records& records);
 
 }  // namespace physim::report

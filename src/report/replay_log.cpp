@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/assert.hpp"
 #include "physim/recording_file.hpp"
 #include "physim/version.hpp"
 #include "report/json.hpp"
@@ -37,6 +38,7 @@ Result<ReplayLog> play_recording(const std::string& file, const ReplayOptions& o
   ReplayLog log{.file = file};
   while (player.next_frame()) log.frames.push_back(frame_of(player));
   log.report = player.report();
+  PHYSIM_ASSERT(log.frames.empty() || log.frames.back().step <= log.report.steps);
   log.time = player.world().time();
   log.projectiles = player.world().size();
   log.hash = player.world().hash();

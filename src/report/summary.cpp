@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/assert.hpp"
 #include "base/event_table.hpp"
 #include "physim/names.hpp"
 #include "report/fidelity_text.hpp"
@@ -34,9 +35,9 @@ std::string time_text(double time, const Flight& flight) {
 
 std::string range_card(const FlownShot& flown, const std::vector<double>& ranges) {
   const bool with_holds = flown.shot->launch.sight.zero_range > 0;
-  std::vector<Column> columns = {{"range [m]"}, {"drop [m]"}, {"windage [m]"}};
-  if (with_holds) columns.insert(columns.end(), {{"hold up [mil]"}, {"hold right [mil]"}});
-  columns.insert(columns.end(), {{"time [s]"}, {"speed [m/s]"}, {"mach [-]"}, {"energy [J]"}});
+  std::vector<std::string> columns = {"range [m]", "drop [m]", "windage [m]"};
+  if (with_holds) columns.insert(columns.end(), {"hold up [mil]", "hold right [mil]"});
+  columns.insert(columns.end(), {"time [s]", "speed [m/s]", "mach [-]", "energy [J]"});
   Table table(columns);
   for (const double range : ranges) {
     const Result<Sample> found = flown.flight.at_range(range);
@@ -64,11 +65,6 @@ std::string end_text(const Flight& flight) {
   if (s.mach > 0) text += " (Mach " + fixed(s.mach, 3) + ")";
   return text + ", " + readable(s.energy, 4) + " J, " + fixed(std::abs(angle), 2) + " deg " +
          (angle < 0 ? "down" : "up");
-}
-
-std::string apex_text(const Flight& flight, const Event& apex) {
-  return time_text(apex.time, flight) + " s: " + readable(apex.position.x, 6) + " m downrange, height " +
-         readable(apex.position.y, 5) + " m";
 }
 
 // How a rigid body is stable at the muzzle and at the end, and how far it points off its path there.
@@ -105,6 +101,7 @@ std::string cost_text(const Flight& flight) {
 }
 
 std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_ranges, const Style& style) {
+  PHYSIM_ASSERT(flown.shot != nullptr);
   const Flight& flight = flown.flight;
   const FidelityInUse& in_use = flight.fidelity_in_use();
   std::string out = style.bold(one_line(flown.name)) + "\n";
@@ -118,7 +115,9 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
   const MotorDef& motor = flown.shot->projectile.motor;
   if (!motor.thrust.empty()) out += line("motor", motor_text(motor));
   for (const Event& event : flight.events()) {
-    if (event.kind == EventKind::apex) out += line("apex", "at " + apex_text(flight, event));
+    if (event.kind == EventKind::apex)
+      out += line("apex", "at " + time_text(event.time, flight) + " s: " + readable(event.position.x, 6) +
+                              " m downrange, height " + readable(event.position.y, 5) + " m");
     if (is_of_motor_or_rail(event.kind)) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
   }
   if (turns(in_use.fidelity)) out += line("stability", stability_text(flight));
@@ -137,22 +136,16 @@ std::vector<double> default_ranges(double end_range) {
   double step = power;
   for (const double part : {0.5, 0.2, 0.1})
     if (end_range / step < 5) step = part * power;
+  PHYSIM_ASSERT(step > 0);
   for (int k = 1; k * step <= end_range && k <= 10; ++k) ranges.push_back(k * step);
   return ranges;
 }
 
 std::string checks_text(const std::vector<Check>& checks, const Style& style) {
-  Table table({{"verdict", Align::left},
-               {"shot", Align::left},
-               {"at", Align::left},
-               {"quantity", Align::left},
-               {"value"},
-               {"expected"},
-               {"within"},
-               {"unit", Align::left},
-               {"source", Align::left}});
+  Table table({"verdict", "shot", "at", "quantity", "value", "expected", "within", "unit", "source"}, "llllrrrll");
   std::size_t missed = 0;
   for (const Check& check : checks) {
+    PHYSIM_ASSERT(check.expectation != nullptr);
     const Expectation& expectation = *check.expectation;
     missed += check.met ? 0 : 1;
     table.add_row({check.met ? style.good("ok") : style.bad("MISSED"), one_line(check.shot), place_text(expectation),

@@ -2,23 +2,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace physim::report {
 
-enum class Align { left, right };
-
-struct Column {
-  std::string header;
-  Align align = Align::right;
-};
-
 class Table {
  public:
-  explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  /// `align` has a letter for each column, l for left or r for right; columns beyond its end stand on the right.
+  explicit Table(std::vector<std::string> headers, std::string_view align = {});
 
   /// One cell for each column; fewer leave the rest empty.
-  void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  void add_row(std::vector<std::string> cells);
   [[nodiscard]] bool empty() const { return rows_.empty(); }
 
   /// Header and rows, each line indented, two spaces between columns.
@@ -27,7 +22,10 @@ class Table {
   [[nodiscard]] std::string markdown() const;
 
  private:
-  std::vector<Column> columns_;
+  [[nodiscard]] bool is_left(std::size_t column) const { return column < align_.size() && align_[column] == 'l'; }
+
+  std::vector<std::string> headers_;
+  std::string align_;
   std::vector<std::vector<std::string>> rows_;
 };
 

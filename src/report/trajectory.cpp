@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/assert.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 
@@ -15,6 +16,7 @@ constexpr double kDefaultSamples = 200;  // at least, for each shot
 
 // The largest of 1, 2, 5 times a power of ten that is not larger than `value`.
 double round_down(double value) {
+  PHYSIM_ASSERT(value > 0);
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double digit : {5.0, 2.0})
     if (digit * power <= value) return digit * power;
@@ -29,19 +31,15 @@ double multiple(double interval, std::size_t k) {
 }
 
 std::vector<double> times_of(double duration, double interval) {
+  PHYSIM_ASSERT(interval > 0);
+  PHYSIM_ASSERT(duration >= 0);
   std::vector<double> times;
   const auto count = static_cast<std::size_t>(duration / interval);
   for (std::size_t k = 0; k <= count; ++k)
     if (const double time = multiple(interval, k); time < duration) times.push_back(time);
   times.push_back(duration);
+  PHYSIM_ASSERT(std::ranges::is_sorted(times));
   return times;
-}
-
-Json sample_json(const Sample& sample) {
-  return {{"range [m]", sample.range},   {"drop [m]", sample.drop},     {"windage [m]", sample.windage},
-          {"time [s]", sample.time},     {"speed [m/s]", sample.speed}, {"mach [-]", sample.mach},
-          {"energy [J]", sample.energy}, {"x [m]", sample.position.x},  {"y [m]", sample.position.y},
-          {"z [m]", sample.position.z}};
 }
 
 Json trajectory_json(const Flight& flight, const std::vector<double>& times) {
@@ -52,6 +50,12 @@ Json trajectory_json(const Flight& flight, const std::vector<double>& times) {
     for (std::size_t i = 0; i < row.size(); ++i) columns[std::string(kSampleColumns[i])].push_back(row[i]);
   }
   return columns;
+}
+
+Json sample_json(const Sample& s) {
+  return {{"range [m]", s.range},   {"drop [m]", s.drop},   {"windage [m]", s.windage}, {"time [s]", s.time},
+          {"speed [m/s]", s.speed}, {"mach [-]", s.mach},   {"energy [J]", s.energy},   {"x [m]", s.position.x},
+          {"y [m]", s.position.y},  {"z [m]", s.position.z}};
 }
 
 Json range_card_json(const Flight& flight, const std::vector<double>& ranges) {
@@ -86,22 +90,25 @@ Result<SampleTimes> sample_times(const std::vector<FlownShot>& shots, std::optio
 }
 
 Records records_of(const Flights& flights) {
-  Records records{{"shot"}, [flights](const auto& take) {
-                    std::array<Cell, kSampleColumns.size() + 1> row;
-                    for (std::size_t i = 0; i < flights.flown.shots.size(); ++i) {
-                      row[0] = flights.flown.shots[i].name;
-                      for (const double time : flights.times[i]) {
-                        std::ranges::copy(row_of(flights.flown.shots[i].flight.at(time)), row.begin() + 1);
-                        take(row);
-                      }
-                    }
-                  }};
-  records.columns.insert(records.columns.end(), kSampleColumns.begin(), kSampleColumns.end());
-  return records;
+  std::vector<std::string> columns = {"shot"};
+  columns.insert(columns.end(), kSampleColumns.begin(), kSampleColumns.end());
+  return {std::move(columns), [flights](const auto& take) {
+            const auto& [flown, times] = flights;
+            PHYSIM_ASSERT(times.size() == flown.shots.size());
+            std::array<Cell, kSampleColumns.size() + 1> row;
+            for (std::size_t i = 0; i < flown.shots.size(); ++i) {
+              row[0] = flown.shots[i].name;
+              for (const double time : times[i]) {
+                std::ranges::copy(row_of(flown.shots[i].flight.at(time)), row.begin() + 1);
+                take(row);
+              }
+            }
+          }};
 }
 
 Content flights_json(const Flights& flights) {
   const auto& [flown, times] = flights;
+  PHYSIM_ASSERT(times.size() == flown.shots.size());
   Json out = provenance(flown.scenario);
   out["shots"] = Json::array();
   for (std::size_t i = 0; i < flown.shots.size(); ++i) {

@@ -1,10 +1,9 @@
-#include "report/world.hpp"
+#include "report/world_log.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "physim/names.hpp"
+#include "base/assert.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
@@ -17,11 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr int kIndent = 2;
 
-std::string hash_text(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
+std::string hash_text(std::uint64_t value) { return hex(value).substr(2); }
 
 // -------------------------------------------------------------------------------------------------------- the summary
 using Count = std::uint64_t WorldGroup::*;
@@ -32,15 +27,15 @@ constexpr std::pair<std::string_view, Count> kCounts[] = {
 
 // Counts that are zero everywhere are left out.
 std::string counts_table(const std::vector<WorldGroup>& groups) {
-  std::vector<Column> columns = {{"what", Align::left}};
+  std::vector<std::string> columns = {"what"};
   std::vector<Count> shown;
   for (const auto& [name, count] : kCounts) {
     const bool always = count == &WorldGroup::spawned || count == &WorldGroup::alive;
     if (!always && std::ranges::all_of(groups, [part = count](const WorldGroup& g) { return g.*part == 0; })) continue;
-    columns.push_back({std::string(name)});
+    columns.emplace_back(name);
     shown.push_back(count);
   }
-  Table table(columns);
+  Table table(columns, "l");
   for (const WorldGroup& group : groups) {
     std::vector<std::string> row = {one_line(group.name)};
     for (const Count count : shown) row.push_back(std::to_string(group.*count));
@@ -49,59 +44,45 @@ std::string counts_table(const std::vector<WorldGroup>& groups) {
   return table.text(kIndent);
 }
 
+std::string below(const Table& table) { return table.empty() ? "" : "\n" + table.text(kIndent); }
+
 std::string impacts_table(const std::vector<WorldGroup>& groups) {
-  Table table({{"impacts of", Align::left},
-               {"count"},
-               {"range [m]"},
-               {"nearest"},
-               {"farthest"},
-               {"spread"},
-               {"time [s]"},
-               {"from"},
-               {"to"},
-               {"speed [m/s]"},
-               {"from"},
-               {"to"}});
+  Table table({"impacts of", "count", "range [m]", "nearest", "farthest", "spread", "time [s]", "from", "to",
+               "speed [m/s]", "from", "to"},
+              "l");
   for (const WorldGroup& g : groups)
     if (g.range.count > 0)
       table.add_row({one_line(g.name), std::to_string(g.range.count), fixed(g.range.mean, 3), fixed(g.range.low, 3),
                      fixed(g.range.high, 3), fixed(g.range.spread(), 3), fixed(g.time.mean, 4), fixed(g.time.low, 4),
                      fixed(g.time.high, 4), fixed(g.speed.mean, 2), fixed(g.speed.low, 2), fixed(g.speed.high, 2)});
-  return table.empty() ? "" : "\n" + table.text(kIndent);
+  return below(table);
 }
 
 std::string wall_table(const std::vector<WorldGroup>& groups, double wall) {
-  Table table({{"hits on the wall at " + as_typed(wall) + " m", Align::left},
-               {"count"},
-               {"height [m]"},
-               {"spread"},
-               {"to the right [m]"},
-               {"spread"}});
+  Table table(
+      {"hits on the wall at " + as_typed(wall) + " m", "count", "height [m]", "spread", "to the right [m]", "spread"},
+      "l");
   for (const WorldGroup& g : groups)
     if (g.hits > 0)
       table.add_row({one_line(g.name), std::to_string(g.hits), fixed(g.hit_y.mean, 3), fixed(g.hit_y.spread(), 3),
                      fixed(g.hit_z.mean, 3), fixed(g.hit_z.spread(), 3)});
-  return table.empty() ? "" : "\n" + table.text(kIndent);
+  return below(table);
 }
 
 std::string alive_table(const std::vector<WorldGroup>& groups, double time) {
-  Table table({{"alive at " + as_typed(time) + " s", Align::left},
-               {"count"},
-               {"x [m]"},
-               {"y [m]"},
-               {"z [m]"},
-               {"speed [m/s]"}});
+  Table table({"alive at " + as_typed(time) + " s", "count", "x [m]", "y [m]", "z [m]", "speed [m/s]"}, "l");
   for (const WorldGroup& g : groups)
     if (g.alive > 0)
       table.add_row({one_line(g.name), std::to_string(g.alive), fixed(g.position.x, 3), fixed(g.position.y, 3),
                      fixed(g.position.z, 3), fixed(g.mean_speed, 3)});
-  return table.empty() ? "" : "\n" + table.text(kIndent);
+  return below(table);
 }
 
 // The rungs of each shot; its groups share them.
 std::string fidelities(const WorldLog& log, const Style& style) {
   std::string out;
   std::vector<std::size_t> told;
+  PHYSIM_ASSERT(log.in_use.size() == log.groups.size());
   for (std::size_t i = 0; i < log.groups.size(); ++i) {
     const std::size_t shot = log.groups[i].shot;
     if (log.groups[i].spawned == 0 || std::ranges::count(told, shot) > 0) continue;
@@ -116,11 +97,19 @@ std::string fidelities(const WorldLog& log, const Style& style) {
 }
 
 // ---------------------------------------------------------------------------------------------------------- the files
-constexpr std::string_view kStateColumns[] = {"x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"};
-
-std::vector<std::string> with_state_columns(std::vector<std::string> columns) {
-  columns.insert(columns.end(), std::begin(kStateColumns), std::end(kStateColumns));
-  return columns;
+/// Records with a state at the end of each row.
+using Cells = std::vector<Cell>;
+template <class Entry, class Head>
+Records records_with_states(std::vector<std::string> columns, const std::vector<Entry>& entries, const Head& head_of) {
+  columns.insert(columns.end(), {"x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"});
+  return {std::move(columns), [&entries, head_of](const auto& take) {
+            for (const Entry& entry : entries) {
+              const auto& [x, v] = entry.state;
+              Cells row = head_of(entry);
+              row.insert(row.end(), {x.x, x.y, x.z, v.x, v.y, v.z});
+              take(row);
+            }
+          }};
 }
 
 Json series_json(const Series& series) {
@@ -134,6 +123,8 @@ Json series_json(const Series& series) {
 
 Json group_json(const WorldLog& log, std::size_t index) {
   const WorldGroup& g = log.groups[index];
+  PHYSIM_ASSERT(g.shot < log.scenario.shots.size());
+  PHYSIM_ASSERT(g.alive <= g.spawned);
   Json out = {{"name", g.name}, {"shot", log.scenario.shots[g.shot].projectile.name}};
   for (const auto& [name, count] : kCounts) out[std::string(name)] = g.*count;
   out["impact_range [m]"] = series_json(g.range);
@@ -144,21 +135,6 @@ Json group_json(const WorldLog& log, std::size_t index) {
   out["hit_z [m]"] = series_json(g.hit_z);
   out["fidelity_granted"] = g.spawned > 0 ? Json(in_words(log.in_use[index].fidelity)) : Json();
   return out;
-}
-
-Json samples_json(const WorldLog& log) {
-  Json columns = {{"what", Json::array()}, {"number", Json::array()}, {"t [s]", Json::array()}};
-  for (const std::string_view column : kStateColumns) columns[std::string(column)] = Json::array();
-  for (const WorldSample& sample : log.samples) {
-    columns["what"].push_back(log.groups[sample.launched.group].name);
-    columns["number"].push_back(sample.launched.number);
-    columns["t [s]"].push_back(sample.time);
-    const Vec3d &x = sample.state.position, &v = sample.state.velocity;
-    const double numbers[] = {x.x, x.y, x.z, v.x, v.y, v.z};
-    for (std::size_t i = 0; i < std::size(kStateColumns); ++i)
-      columns[std::string(kStateColumns[i])].push_back(numbers[i]);
-  }
-  return columns;
 }
 
 }  // namespace
@@ -176,36 +152,20 @@ std::string world_text(const WorldLog& log, const Style& style) {
 }
 
 Records records_of(const WorldLog& log) {
-  const auto rows = [&log](const auto& take) {
-    for (const WorldSample& sample : log.samples) {
-      const auto& [x, v] = sample.state;
-      const Cell row[] = {
-          log.groups[sample.launched.group].name, sample.launched.number, sample.time, x.x, x.y, x.z, v.x, v.y, v.z};
-      take(row);
-    }
-  };
-  return {with_state_columns({"what", "number", "t [s]"}), rows};
+  return records_with_states({"what", "number", "t [s]"}, log.samples, [&log](const WorldSample& sample) -> Cells {
+    const auto& [group, number] = sample.launched;
+    PHYSIM_ASSERT(group < log.groups.size());
+    return {log.groups[group].name, number, sample.time};
+  });
 }
 
 Content world_events_csv(const WorldLog& log) {
-  const auto rows = [&log](const auto& take) {
-    for (const LoggedEvent& event : log.events) {
-      const auto& [x, v] = event.state;
-      const Cell row[] = {event.time,
-                          event.kind,
-                          event.reason,
-                          log.groups[event.launched.group].name,
-                          event.launched.number,
-                          x.x,
-                          x.y,
-                          x.z,
-                          v.x,
-                          v.y,
-                          v.z};
-      take(row);
-    }
-  };
-  return csv_text({with_state_columns({"t [s]", "event", "reason", "what", "number"}), rows});
+  const std::vector<std::string> columns = {"t [s]", "event", "reason", "what", "number"};
+  return csv_text(records_with_states(columns, log.events, [&log](const LoggedEvent& event) -> Cells {
+    const auto& [group, number] = event.launched;
+    PHYSIM_ASSERT(group < log.groups.size());
+    return {event.time, event.kind, event.reason, log.groups[group].name, number};
+  }));
 }
 
 Content world_json(const WorldLog& log) {
@@ -226,7 +186,7 @@ Content world_json(const WorldLog& log) {
                   {"hash", hash_text(log.hash)},
                   {"groups", std::move(groups)},
                   {"events", std::move(events)},
-                  {"trajectories", samples_json(log)}};
+                  {"trajectories", columns_json(records_of(log))}};
   out["expect"] = checks_json(log.checks);
   return json_text(out);
 }

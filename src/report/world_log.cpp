@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
-#include "report/number.hpp"
 #include "report/trajectory.hpp"
 
 namespace physim::report {
@@ -29,6 +29,7 @@ class Logger {
     const double dt = run.scenario().world.def.step;
     const auto asked = static_cast<std::uint64_t>(std::llround(std::min(options.interval.value_or(0) / dt, 1e15)));
     sample_every_ = std::max<std::uint64_t>(options.interval ? asked : log_.steps / kDefaultSamples, 1);
+    PHYSIM_ASSERT(dt > 0);
     draw_every_ = std::max<std::uint64_t>(log_.steps / kPathPoints, 1);
   }
 
@@ -53,13 +54,11 @@ class Logger {
     log_.time = run_.world().time();
     log_.hash = run_.world().hash();
     log_.counters = run_.world().counters();
+    PHYSIM_ASSERT(log_.groups.size() == log_.hits.size());
     for (const Expectation& expectation : log_.scenario.expect)
-      for (const WorldGroup& group : log_.groups) {
-        if (!expectation.shot.empty() && expectation.shot != group.name) continue;
-        Result<double> value = measure(group, expectation);
-        const bool met = value.ok() && std::abs(*value - expectation.equals) <= expectation.within;
-        log_.checks.push_back({&expectation, group.name, std::move(value), met});
-      }
+      for (const WorldGroup& group : log_.groups)
+        if (expectation.shot.empty() || expectation.shot == group.name)
+          log_.checks.push_back(judged(expectation, group.name, measure(group, expectation)));
     return std::move(log_);
   }
 
@@ -67,11 +66,14 @@ class Logger {
   /// The points of the path that a launch draws; null where it draws none.
   std::vector<Vec3d>* path_of(const Launched& launched) {
     const bool draws = launched.number < path_.size() && path_[launched.number] != 0;
+    PHYSIM_ASSERT(!draws || log_.paths[path_[launched.number] - 1].group == launched.group);
     return draws ? &log_.paths[path_[launched.number] - 1].points : nullptr;
   }
 
   void begin(const RunEvent& spawned) {
-    const std::size_t group = spawned.launched.group;
+    const auto& [group, number] = spawned.launched;
+    PHYSIM_ASSERT(group < met_.size());
+    PHYSIM_ASSERT(number >= path_.size());  // launches are told in their order
     if (!met_[group] && run_.world()[spawned.event.id].is_alive()) {
       log_.in_use[group] = run_.world()[spawned.event.id].fidelity_in_use();
       met_[group] = true;
@@ -79,8 +81,8 @@ class Logger {
     if (!options_.parts.paths || paths_left_[group] == 0) return;
     --paths_left_[group];
     log_.paths.push_back({group, {}});
-    path_.resize(spawned.launched.number + 1);
-    path_[spawned.launched.number] = log_.paths.size();
+    path_.resize(number + 1);
+    path_[number] = log_.paths.size();
   }
 
   void take(std::span<const RunEvent> events) {
@@ -93,6 +95,7 @@ class Logger {
       const bool is_impact = event.kind == EventKind::landed || event.kind == EventKind::bounced;
       std::vector<Vec3d>& impacts = log_.impacts[each.launched.group];
       if (options_.parts.paths && is_impact && impacts.size() < kMostImpacts) impacts.push_back(event.position);
+      PHYSIM_ASSERT(event.time <= run_.world().time());
       if (options_.parts.events)
         log_.events.push_back(
             {name(event.kind), name(event.reason), each.launched, event.time, {event.position, event.velocity}});

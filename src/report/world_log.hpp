@@ -1,12 +1,11 @@
-// A scenario's world, run to its end, with what outputs need of it.
+// A scenario's world, run to its end: what outputs need of it, the summary that people read, and what goes into files.
 #pragma once
-
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "physim/world_run.hpp"
 #include "report/flown.hpp"
+#include "report/picture.hpp"
+#include "report/records.hpp"
+#include "report/style.hpp"
 
 namespace physim::report {
 
@@ -68,5 +67,11 @@ struct WorldLog {
 /// Runs a scenario that has a [world]. An error with the place "interval" where there are too many samples.
 [[nodiscard]] Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options,
                                          const Progress& progress = {});
+
+[[nodiscard]] std::string world_text(const WorldLog& log, const Style& style);
+/// A row for each sample.
+[[nodiscard]] Records records_of(const WorldLog& log);
+[[nodiscard]] Content world_events_csv(const WorldLog& log);
+[[nodiscard]] Content world_json(const WorldLog& log);
 
 }  // namespace physim::report

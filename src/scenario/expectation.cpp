@@ -1,3 +1,4 @@
+// The figures that an [[expect]] can ask for.
 #include "scenario/expectation.hpp"
 
 #include <array>

@@ -1,4 +1,5 @@
 // What a flight says about an expectation.
+#include <cmath>
 
 #include "base/assert.hpp"
 #include "physim/names.hpp"

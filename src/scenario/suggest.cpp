@@ -1,3 +1,4 @@
+// Suggestions for misspelt words in error messages.
 #include "scenario/suggest.hpp"
 
 #include <algorithm>

@@ -2,8 +2,10 @@
 #include "validation/analytic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "report/number.hpp"
 
 namespace physim::validation {
@@ -52,29 +54,36 @@ ShotInPlace shot_under(double gravity) {
   return shot;
 }
 
-RowCheck::RowCheck(const CsvFile& file, const CsvRow& row, const Method& method, std::string label, SuiteResult& result)
-    : file_(file), row_(row), method_(method), label_(std::move(label)), result_(result) {}
+RowCheck::RowCheck(const CsvFile& file, const CsvRow& row, const Method& method, std::string label, std::string problem,
+                   SuiteResult& result)
+    : file_(file),
+      row_(row),
+      method_(method),
+      label_(std::move(label)),
+      problem_(std::move(problem)),
+      result_(result) {}
 
 void RowCheck::compare(const char* column, double actual, double scale) {
-  add(column, actual, [&](double expected) {
-    return std::max(method_.relative * std::abs(expected), method_.floor * std::abs(scale));
-  });
+  PHYSIM_ASSERT(method_.relative > 0);
+  const double expected = file_.number(row_, column).value_or(0);
+  compare_within(column, actual, std::max(method_.relative * std::abs(expected), method_.floor * std::abs(scale)));
 }
 
 void RowCheck::compare_within(const char* column, double actual, double gate) {
-  add(column, actual, [&](double) { return gate; });
+  const auto expected = file_.number(row_, column);
+  if (expected && std::isfinite(*expected))
+    result_.compare(file_.stem() + " " + method_.name, std::string(column) + " " + label_, *expected, actual, gate,
+                    problem_);
 }
 
-void RowCheck::add(const char* column, double actual, const std::function<double(double)>& gate) {
-  const auto expected = file_.number(row_, column);
-  if (!expected || !std::isfinite(*expected)) return;
-  const std::string stem = file_.name().substr(0, file_.name().rfind('.'));
-  result_.figures.push_back({.case_name = stem + " " + method_.name,
-                             .figure = std::string(column) + " " + label_,
-                             .expected = *expected,
-                             .actual = problem_.empty() ? actual : kNaN,
-                             .gate = gate(*expected),
-                             .note = problem_});
+void fly_row(const CsvFile& file, const CsvRow& row, const std::string& label, const std::vector<Method>& methods,
+             const ShotInPlace& shot, SuiteResult& result,
+             const std::function<void(RowCheck& check, const Flight& flight)>& compare) {
+  for (const Method& method : methods) {
+    const Flight flight = shot.fly(method);
+    RowCheck check(file, row, method, label, complaint(flight, method.fidelity), result);
+    compare(check, flight);
+  }
 }
 
 std::string label_of(const CsvFile& file, const CsvRow& row, std::initializer_list<Parameter> parameters) {
@@ -88,10 +97,12 @@ std::string label_of(const CsvFile& file, const CsvRow& row, std::initializer_li
   return label;
 }
 
-std::optional<Event> first_event(const Flight& flight, EventKind kind) {
+Sample apex_of(const Flight& flight) {
   for (const Event& event : flight.events())
-    if (event.kind == kind) return event;
-  return std::nullopt;
+    if (event.kind == EventKind::apex)
+      return {
+          .time = event.time, .position = event.position, .velocity = event.velocity, .speed = length(event.velocity)};
+  return {.time = kNaN, .position = {kNaN, kNaN, kNaN}, .velocity = {kNaN, kNaN, kNaN}, .speed = kNaN};
 }
 
 namespace {
@@ -116,17 +127,16 @@ constexpr Case kCases[] = {
     {"torque_free_brick.csv", torque_free_body},
 };
 
-constexpr std::size_t kCaseCount = std::size(kCases);
-constexpr std::string_view kFiles[kCaseCount] = {
-    kCases[0].file, kCases[1].file, kCases[2].file, kCases[3].file, kCases[4].file,  kCases[5].file,
-    kCases[6].file, kCases[7].file, kCases[8].file, kCases[9].file, kCases[10].file, kCases[11].file,
-};
+constexpr auto kFiles = [] {
+  std::array<std::string_view, std::size(kCases)> files;
+  std::ranges::transform(kCases, files.begin(), &Case::file);
+  return files;
+}();
 
 void run(const std::filesystem::path& folder, SuiteResult& result) {
   for (const auto& path : files_in(folder, kFiles, ".csv")) {
     const std::string name = path.filename().string();
-    const auto found =
-        std::find_if(std::begin(kCases), std::end(kCases), [&](const Case& c) { return c.file == name; });
+    const auto found = std::ranges::find(kCases, name, &Case::file);
     if (found == std::end(kCases)) {
       result.skipped.push_back(name + ": no case of this name");
       continue;

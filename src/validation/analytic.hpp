@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,6 @@
 namespace physim::validation {
 
 inline constexpr double kStandardGravity = 9.80665;  ///< [m/s^2]
-inline constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
 
 /// A way to fly a case, and the error it may have.
 struct Method {
@@ -44,11 +42,10 @@ struct ShotInPlace {
 /// Compares the columns of one row of a table with what one method gives.
 class RowCheck {
  public:
-  RowCheck(const CsvFile& file, const CsvRow& row, const Method& method, std::string label, SuiteResult& result);
+  /// `problem`: why nothing of this row can be computed; empty: it can.
+  RowCheck(const CsvFile& file, const CsvRow& row, const Method& method, std::string label, std::string problem,
+           SuiteResult& result);
 
-  /// Why nothing of this row can be computed; empty: it can.
-  void blame(std::string problem) { problem_ = std::move(problem); }
-  [[nodiscard]] bool sound() const { return problem_.empty(); }
   /// Compares with a column by its relative error; nothing where the row has no value there. A component of a vector is
   /// also allowed rounding of the vector's length, `scale`.
   void compare(const char* column, double actual, double scale = 0);
@@ -56,8 +53,6 @@ class RowCheck {
   void compare_within(const char* column, double actual, double gate);
 
  private:
-  void add(const char* column, double actual, const std::function<double(double)>& gate);
-
   const CsvFile& file_;
   const CsvRow& row_;
   const Method& method_;
@@ -66,6 +61,11 @@ class RowCheck {
   SuiteResult& result_;
 };
 
+/// Flies the shot of a row by each method, and hands over each flight to compare with the row.
+void fly_row(const CsvFile& file, const CsvRow& row, const std::string& label, const std::vector<Method>& methods,
+             const ShotInPlace& shot, SuiteResult& result,
+             const std::function<void(RowCheck& check, const Flight& flight)>& compare);
+
 struct Parameter {
   const char* name;
   const char* column;
@@ -73,8 +73,8 @@ struct Parameter {
 /// "v0=100 elev=45": the inputs of a row.
 [[nodiscard]] std::string label_of(const CsvFile& file, const CsvRow& row, std::initializer_list<Parameter> parameters);
 
-/// The first event of a kind.
-[[nodiscard]] std::optional<Event> first_event(const Flight& flight, EventKind kind);
+/// The apex of a flight; all numbers are NaN where there is none.
+[[nodiscard]] Sample apex_of(const Flight& flight);
 
 using Reader = void (*)(const CsvFile& file, SuiteResult& result);
 

@@ -21,6 +21,11 @@ Result<double> zero_of(const BallisticCase& shot, double zero_range) {
   return zero_elevation(shot.projectile, launch, shot.environment, shot.fidelity, zero_range);
 }
 
+template <class T>
+std::string problem_of(const Result<T>& result) {
+  return result ? std::string() : result.error().text();
+}
+
 /// What a row of a range table can show.
 struct Quantity {
   const char* column;
@@ -74,7 +79,7 @@ class RangeTable {
   std::string problem_;
 };
 
-void compare_row(const CaseReader& row, const CaseReader& gates, const RangeTable& table, Figure figure,
+void compare_row(const CaseReader& row, const CaseReader& gates, const RangeTable& table, const std::string& case_name,
                  SuiteResult& result) {
   const double range = row.needed("range_m");
   const Result<Sample> sample = table.at(range);
@@ -82,12 +87,8 @@ void compare_row(const CaseReader& row, const CaseReader& gates, const RangeTabl
     const auto expected = row.number(quantity.column);
     const auto gate = read_gate(gates, quantity.gate);
     if (!expected || !gate) continue;
-    figure.figure = std::string(quantity.column) + " at " + significant(range, 6) + " m";
-    figure.expected = *expected;
-    figure.actual = sample ? (*sample).*quantity.value : kNaN;
-    figure.gate = gate->of(range, *expected);
-    figure.note = sample ? std::string() : sample.error().text();
-    result.figures.push_back(figure);
+    result.compare(case_name, std::string(quantity.column) + " at " + significant(range, 6) + " m", *expected,
+                   sample ? (*sample).*quantity.value : kNaN, gate->of(range, *expected), problem_of(sample));
   }
 }
 
@@ -102,7 +103,7 @@ void compare_trajectories(const JsonCases& file, SuiteResult& result) {
       last_range = std::max(last_range, reader.element("rows", r).needed("range_m"));
     const RangeTable table(read_ballistic_case(reader), last_range);
     for (std::size_t r = 0; r < rows.size(); ++r)
-      compare_row(reader.element("rows", r), reader.object("gate"), table, {.case_name = file.id(i)}, result);
+      compare_row(reader.element("rows", r), reader.object("gate"), table, file.id(i), result);
   }
 }
 
@@ -112,12 +113,9 @@ void compare_zeroes(const JsonCases& file, SuiteResult& result) {
     const BallisticCase shot = read_ballistic_case(reader);
     const double range = reader.needed("zero_range_m");
     const Result<double> elevation = zero_of(shot, range);
-    result.figures.push_back({.case_name = file.id(i),
-                              .figure = "elevation_rad for " + significant(range, 6) + " m",
-                              .expected = reader.needed("expected_elevation_rad"),
-                              .actual = elevation ? *elevation : kNaN,
-                              .gate = reader.needed("gate_rad"),
-                              .note = elevation ? std::string() : elevation.error().text()});
+    const double expected = reader.needed("expected_elevation_rad"), gate = reader.needed("gate_rad");
+    result.compare(file.id(i), "elevation_rad for " + significant(range, 6) + " m", expected,
+                   elevation ? *elevation : kNaN, gate, problem_of(elevation));
   }
 }
 
@@ -152,13 +150,9 @@ void compare_air(const JsonCases& file, SuiteResult& result) {
     const CaseReader reader(file, i);
     const double expected = reader.needed("expected_density_kg_m3");
     const Result<double> density = density_of(reader);
-    result.figures.push_back(
-        {.case_name = file.id(i),
-         .figure = "density_kg_m3 at " + air_label(reader),
-         .expected = expected,
-         .actual = density ? *density : kNaN,
-         .gate = reader.number_or("gate_abs_kg_m3", 0) + reader.number_or("gate_rel", 0) * std::abs(expected),
-         .note = density ? std::string() : density.error().text()});
+    result.compare(file.id(i), "density_kg_m3 at " + air_label(reader), expected, density ? *density : kNaN,
+                   reader.number_or("gate_abs_kg_m3", 0) + reader.number_or("gate_rel", 0) * std::abs(expected),
+                   problem_of(density));
   }
 }
 

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "physim/environment.hpp"
 #include "physim/projectile.hpp"
@@ -55,6 +54,10 @@ class CaseReader {
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
+  /// A value of a type that `fits`, or null.
+  [[nodiscard]] const nlohmann::json& checked(const char* key, bool (nlohmann::json::*fits)() const noexcept,
+                                              const char* kind) const;
+
   const JsonCases& file_;
   std::size_t index_;
   const nlohmann::json& object_;

@@ -1,12 +1,13 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
 #include "physim/units.hpp"
 #include "validation/ballistics.hpp"
+#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
@@ -17,13 +18,12 @@ const json kNull;
 const json kEmpty = json::object();
 constexpr double kPoundPerSquareInch = units::operator""_lb_in2(1.0L);  // [kg/m^2]
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+bool is_numbers(const json& list, std::size_t count) {
+  return list.is_array() && list.size() == count &&
+         std::ranges::all_of(list, [](const json& v) { return v.is_number(); });
+}
 
 }  // namespace
 
@@ -50,6 +50,7 @@ JsonCases::JsonCases(const std::filesystem::path& path) : path_(path) {
 }
 
 std::string JsonCases::id(std::size_t index) const {
+  PHYSIM_ASSERT(index < cases_.size());
   const json& object = cases_[index];
   const std::string stem = path_.stem().string();
   if (object.is_object() && object.contains("id") && object["id"].is_string()) return object["id"];
@@ -63,6 +64,7 @@ void JsonCases::fail(std::size_t index, const std::string& message) const {
 }
 
 std::string JsonCases::place(std::size_t at) const {
+  PHYSIM_ASSERT(at <= text_.size());
   const auto end = text_.begin() + static_cast<std::ptrdiff_t>(at);
   return format("%s:%td", path_.string().c_str(), 1 + std::count(text_.begin(), end, '\n'));
 }
@@ -95,11 +97,15 @@ const json& CaseReader::raw(const char* key) const {
   return at == object_.end() ? kNull : *at;
 }
 
-std::optional<double> CaseReader::number(const char* key) const {
+const json& CaseReader::checked(const char* key, bool (json::*fits)() const noexcept, const char* kind) const {
   const json& value = raw(key);
-  if (value.is_null()) return std::nullopt;
-  if (!value.is_number()) fail(std::string("\"") + key + "\" is not a number: " + value.dump());
-  return value.get<double>();
+  if (!value.is_null() && !(value.*fits)()) fail(std::string("\"") + key + "\" is " + kind + ": " + value.dump());
+  return value;
+}
+
+std::optional<double> CaseReader::number(const char* key) const {
+  const json& value = checked(key, &json::is_number, "not a number");
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
 double CaseReader::needed(const char* key) const {
@@ -109,25 +115,19 @@ double CaseReader::needed(const char* key) const {
 }
 
 std::string CaseReader::text(const char* key) const {
-  const json& value = raw(key);
-  if (value.is_null()) return {};
-  if (!value.is_string()) fail(std::string("\"") + key + "\" is not a text: " + value.dump());
-  return value;
+  const json& value = checked(key, &json::is_string, "not a text");
+  return value.is_null() ? std::string() : value.get<std::string>();
 }
 
 bool CaseReader::flag(const char* key) const {
-  const json& value = raw(key);
-  if (value.is_null()) return false;
-  if (!value.is_boolean()) fail(std::string("\"") + key + "\" is neither true nor false: " + value.dump());
-  return value;
+  const json& value = checked(key, &json::is_boolean, "neither true nor false");
+  return !value.is_null() && value.get<bool>();
 }
 
 Vec3d CaseReader::vector(const char* key) const {
   const json& value = raw(key);
   if (value.is_null()) return {};
-  const bool numbers = value.is_array() && value.size() == 3 &&
-                       std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_number(); });
-  if (!numbers) fail(std::string("\"") + key + "\" is not a list of three numbers: " + value.dump());
+  if (!is_numbers(value, 3)) fail(std::string("\"") + key + "\" is not a list of three numbers: " + value.dump());
   return {value[0], value[1], value[2]};
 }
 
@@ -136,6 +136,8 @@ CaseReader CaseReader::object(const char* key) const {
 }
 
 CaseReader CaseReader::element(const char* list, std::size_t index) const {
+  PHYSIM_ASSERT(raw(list).is_array());
+  PHYSIM_ASSERT(index < raw(list).size());
   return {file_, index_, raw(list)[index], format("%s[%zu]", list, index)};
 }
 
@@ -144,14 +146,12 @@ namespace {
 
 DragPoint read_point(const CaseReader& reader, const json& item) {
   std::optional<double> mach, cd;
-  if (item.is_array() && item.size() == 2 && item[0].is_number() && item[1].is_number()) {
+  if (is_numbers(item, 2)) {
     mach = item[0].get<double>();
     cd = item[1].get<double>();
   } else if (item.is_object()) {
-    for (const auto& [name, value] : item.items()) {
-      if (!value.is_number()) continue;
-      (lower(name).starts_with("m") ? mach : cd) = value.get<double>();
-    }
+    for (const auto& [name, value] : item.items())
+      if (value.is_number()) (lower(name).starts_with("m") ? mach : cd) = value.get<double>();
   }
   if (!mach || !cd) reader.fail("\"drag_curve\": a Mach number and a coefficient were expected: " + item.dump());
   return {*mach, *cd};
@@ -173,10 +173,10 @@ struct Band {
 Band read_band(const CaseReader& reader, const json& item) {
   Band band;
   std::optional<double> bc;
-  if (item.is_array() && item.size() == 2 && item[0].is_number() && item[1].is_number()) {
+  if (is_numbers(item, 2)) {
     band.from = item[0].get<double>();
     bc = item[1].get<double>() * kPoundPerSquareInch;
-  } else if (item.is_array() && item.size() == 3 && item[0].is_number() && item[1].is_number() && item[2].is_number()) {
+  } else if (is_numbers(item, 3)) {
     band.from = std::min(item[0].get<double>(), item[1].get<double>());
     bc = item[2].get<double>() * kPoundPerSquareInch;
   } else if (item.is_object()) {
@@ -208,8 +208,8 @@ void read_bands(const CaseReader& reader, DragDef& drag) {
   });
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const double below = i > 0 && bands[i - 1].to ? *bands[i - 1].to : 0.0;
-    drag.bands.push_back(
-        {i == 0 ? 0.0 : bands[i].from.value_or(below), bands[i].bc});  // the lowest holds below as well
+    // The lowest holds below as well.
+    drag.bands.push_back({i == 0 ? 0.0 : bands[i].from.value_or(below), bands[i].bc});
   }
 }
 
@@ -255,8 +255,7 @@ void read_launch(const CaseReader& reader, BallisticCase& out) {
   launch.sight.look_angle = reader.number_or("look_angle_rad", 0);
   launch.sight.cant = reader.number("cant_rad").value_or(reader.number_or("cant_angle_rad", 0));
   launch.sight.zero_in_calm_air = reader.flag("zero_in_calm_air");
-  const auto elevation = reader.number("elevation_rad");
-  if (elevation)
+  if (const auto elevation = reader.number("elevation_rad"))
     launch.elevation = *elevation;
   else
     launch.sight.zero_range = reader.needed("zero_range_m");
@@ -287,7 +286,7 @@ BallisticCase read_ballistic_case(const CaseReader& reader) {
 }
 
 double Gate::of(double range, double expected) const {
-  constexpr double kRadiansPerMinute = 3.14159265358979323846 / 10800.0;
+  constexpr double kRadiansPerMinute = kPi / 10800.0;
   return absolute + moa * kRadiansPerMinute * std::abs(range) + relative * std::abs(expected);
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
+#include "base/assert.hpp"
 #include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
@@ -26,6 +26,7 @@ struct Setup {
 };
 
 Setup setup_of(int test) {
+  PHYSIM_ASSERT(test >= 1 && test <= kLastTest);
   switch (test) {
     case 1: return {.mass = 2, .velocity = {0, 2, 35}, .gravity = 1, .damping = 0.9};
     case 2: return {.mass = 2, .velocity = {0, 0, 35}, .gravity = 1, .damping = 0.9};
@@ -67,6 +68,7 @@ Flight fly_frames(const ClassicShot& shot, int frames) {
 }
 
 Sample at_frame(const Flight& flight, int frame) {
+  PHYSIM_ASSERT(frame >= 0);
   const std::vector<double> times = flight.step_times();
   const auto index = static_cast<std::size_t>(frame);
   return flight.at(index < times.size() ? times[index] : frame * kFrame);
@@ -75,6 +77,7 @@ Sample at_frame(const Flight& flight, int frame) {
 constexpr const char* kColumns[] = {"x", "y", "z", "vx", "vy", "vz"};
 
 double component(const Sample& sample, int column) {
+  PHYSIM_ASSERT(column >= 0 && column < 6);
   const Vec3d& v = column < 3 ? sample.position : sample.velocity;
   return column % 3 == 0 ? v.x : column % 3 == 1 ? v.y : v.z;
 }
@@ -130,15 +133,14 @@ double float_gate(const std::string& printed, double expected, double at_launch,
 }
 
 void compare_row(const CsvFile& file, const CsvRow& row, const Flight& flight, const std::string& problem, int frame,
-                 Figure figure, SuiteResult& result) {
-  const auto corrections = read_note(file.text(row, "note"));
+                 const std::string& case_name, SuiteResult& result) {
+  auto corrections = read_note(file.text(row, "note"));
   const Sample start = flight.at(0);
   const Sample sample = at_frame(flight, frame);
   for (int c = 0; c < 6; ++c) {
     std::string printed = file.text(row, kColumns[c]);
     if (!file.number(row, kColumns[c])) continue;
-    const auto found = corrections.find(kColumns[c]);
-    const Correction correction = found == corrections.end() ? Correction{} : found->second;
+    const Correction& correction = corrections[kColumns[c]];
     if (correction.unusable) {
       result.skipped.push_back(format("%s line %d %s: misprinted", file.name().c_str(), row.line, kColumns[c]));
       continue;
@@ -146,12 +148,9 @@ void compare_row(const CsvFile& file, const CsvRow& row, const Flight& flight, c
     if (!correction.instead.empty()) printed = correction.instead;
     const auto expected = parse_number(printed);
     if (!expected) file.fail(row, "\"" + printed + "\" in the note is not a number");
-    figure.figure = format("%s frame %d", kColumns[c], frame);
-    figure.actual = problem.empty() ? component(sample, c) : kNaN;
-    figure.note = problem;
-    figure.expected = correction.sign_is_lost ? std::copysign(*expected, component(sample, c)) : *expected;
-    figure.gate = float_gate(printed, *expected, component(start, c), frame);
-    result.figures.push_back(figure);
+    result.compare(case_name, format("%s frame %d", kColumns[c], frame),
+                   correction.sign_is_lost ? std::copysign(*expected, component(sample, c)) : *expected,
+                   component(sample, c), float_gate(printed, *expected, component(start, c), frame), problem);
   }
 }
 
@@ -163,7 +162,8 @@ int whole_number(const CsvFile& file, const CsvRow& row, const char* column) {
 }
 
 /// Rows of tests that fired forces: as the original failed.
-void compare_published(const CsvFile& file, SuiteResult& result) {
+bool compare_published(const CsvFile& file, SuiteResult& result) {
+  if (!file.has("test") || !file.has("frame")) return false;
   file.require({"test", "frame", "x", "y", "z", "vx", "vy", "vz"});
   std::map<int, int> last_frame;
   for (const CsvRow& row : file.rows()) {
@@ -180,11 +180,12 @@ void compare_published(const CsvFile& file, SuiteResult& result) {
     shot.fidelity.original_one_shot_forces = one_shot;
     const Flight flight = fly_frames(shot, frames);
     const std::string problem = complaint(flight, shot.fidelity);
-    const Figure figure{.case_name = format("test %d%s", test, one_shot ? " as published" : "")};
+    const std::string case_name = format("test %d%s", test, one_shot ? " as published" : "");
     for (const CsvRow& row : file.rows())
       if (whole_number(file, row, "test") == test)
-        compare_row(file, row, flight, problem, whole_number(file, row, "frame"), figure, result);
+        compare_row(file, row, flight, problem, whole_number(file, row, "frame"), case_name, result);
   }
+  return true;
 }
 
 /// A force that lasts one second: it accelerates as long as it acts, then no more. The frame loop may be one frame
@@ -212,12 +213,8 @@ void compare_corrected(int test, double gravity, SuiteResult& result) {
     for (int c = 1; c < 6; ++c) {
       if (c == 3) continue;  // vx is 0
       const Sample exact{.position = position, .velocity = velocity};
-      result.figures.push_back({.case_name = format("test %d corrected", test),
-                                .figure = format("%s frame %d", kColumns[c], frame),
-                                .expected = component(exact, c),
-                                .actual = problem.empty() ? component(sample, c) : kNaN,
-                                .gate = c < 3 ? 1.5 * one_frame * t : one_frame,
-                                .note = problem});
+      result.compare(format("test %d corrected", test), format("%s frame %d", kColumns[c], frame), component(exact, c),
+                     component(sample, c), c < 3 ? 1.5 * one_frame * t : one_frame, problem);
     }
   }
 }
@@ -225,15 +222,7 @@ void compare_corrected(int test, double gravity, SuiteResult& result) {
 constexpr std::string_view kFiles[] = {"tables.csv"};
 
 void run(const std::filesystem::path& folder, SuiteResult& result) {
-  for (const auto& path : files_in(folder, kFiles, ".csv")) {
-    const CsvFile file = CsvFile::read(path);
-    if (!file.has("test") || !file.has("frame")) {
-      result.skipped.push_back(file.name() + ": not a table of tests and frames");
-      continue;
-    }
-    result.sources.push_back({file.name(), file.comments()});
-    compare_published(file, result);
-  }
+  compare_tables(folder, kFiles, "not a table of tests and frames", result, compare_published);
   compare_corrected(3, 0, result);
   compare_corrected(6, 20, result);
 }

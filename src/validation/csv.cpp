@@ -1,22 +1,18 @@
 #include "validation/csv.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 
+#include "base/assert.hpp"
+#include "scenario/units.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
 namespace {
 
 const std::string kNothing;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const auto first = text.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
 
 /// Fields of one line; a field in double quotes may hold commas, "" in it stands for a quote.
 std::vector<std::string> split(std::string_view line) {
@@ -39,6 +35,19 @@ std::vector<std::string> split(std::string_view line) {
 }
 
 }  // namespace
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::optional<double> number_after(const std::string& text, const std::string& word) {
+  PHYSIM_ASSERT(!word.empty());
+  const std::size_t at = text.find(word);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t first = std::min(text.find_first_not_of(' ', at + word.size()), text.size());
+  return parse_number(text.substr(first, text.find_first_not_of("0123456789.", first) - first));
+}
 
 std::optional<double> parse_number(std::string_view text) {
   text = trimmed(text);
@@ -95,6 +104,8 @@ void CsvFile::add_line(std::string line, int number) {
 }
 
 void CsvFile::add_row(std::vector<std::string> fields, int number) {
+  PHYSIM_ASSERT(!columns_.empty());
+  PHYSIM_ASSERT(number > header_line_);
   if (columns_.back() == "note") {  // words: they may hold commas
     while (fields.size() > columns_.size()) {
       const std::string tail = std::move(fields.back());
@@ -128,6 +139,7 @@ void CsvFile::require(std::initializer_list<std::string_view> columns) const {
 
 const std::string& CsvFile::text(const CsvRow& row, std::string_view column) const {
   const auto index = index_of(column);
+  PHYSIM_ASSERT(row.fields.size() == columns_.size());
   return index ? row.fields[*index] : kNothing;
 }
 

@@ -24,6 +24,8 @@ class CsvFile {
   /// All comments, a space between lines, without '#'.
   [[nodiscard]] const std::string& comments() const { return comments_; }
   [[nodiscard]] std::string name() const { return path_.filename().string(); }
+  /// Its name without the ending.
+  [[nodiscard]] std::string stem() const { return path_.stem().string(); }
 
   [[nodiscard]] bool has(std::string_view column) const { return index_of(column).has_value(); }
   /// Throws DataError where a column is missing.
@@ -52,6 +54,9 @@ class CsvFile {
   std::vector<CsvRow> rows_;
 };
 
+[[nodiscard]] std::string lower(std::string text);
+/// The first number behind a word in a text, as in "QE45": digits and a point.
+[[nodiscard]] std::optional<double> number_after(const std::string& text, const std::string& word);
 /// A whole text as a number, in the C locale.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 /// One unit of the last digit that a number shows: "1.250" 0.001, "38" 1, "1.2e-5" 1e-6.

@@ -1,7 +1,4 @@
 // Suite gravity: what a projectile at rest on the turning ellipsoid feels, against exact normal gravity and J2.
-#include <algorithm>
-#include <cmath>
-
 #include "report/number.hpp"
 #include "validation/csv.hpp"
 #include "validation/suite.hpp"
@@ -11,7 +8,6 @@ using report::significant;
 namespace {
 
 constexpr double kGate = 1e-9;  // [m/s^2]
-constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
 
 /// Up and north, in the local frame of the ellipsoid.
 struct Felt {
@@ -23,7 +19,7 @@ struct Felt {
 Felt felt_at(double latitude, double height, GravityModel gravity) {
   Environment environment;
   environment.altitude = height;
-  environment.earth.latitude = latitude * kRadiansPerDegree;
+  environment.earth.latitude = latitude * kDegree;
   const Fidelity fidelity{.gravity = gravity,
                           .drag = DragModel::off,
                           .air = AirModel::vacuum,
@@ -48,8 +44,8 @@ struct Model {
 constexpr Model kModels[] = {{GravityModel::wgs84, "wgs84", "gamma_up", "gamma_north"},
                              {GravityModel::j2, "j2", "J2_up", "J2_north"}};
 
-void compare_file(const CsvFile& file, SuiteResult& result) {
-  file.require({"lat_deg", "h_m"});
+bool compare_file(const CsvFile& file, SuiteResult& result) {
+  if (!file.has("lat_deg") || !file.has("h_m")) return false;
   for (const CsvRow& row : file.rows()) {
     const double latitude = file.needed(row, "lat_deg"), height = file.needed(row, "h_m");
     const std::string place = " at " + significant(latitude, 8) + " deg, " + significant(height, 8) + " m";
@@ -57,33 +53,17 @@ void compare_file(const CsvFile& file, SuiteResult& result) {
       const auto up = file.number(row, model.up), north = file.number(row, model.north);
       if (!up && !north) continue;
       const Felt felt = felt_at(latitude, height, model.gravity);
-      const auto add = [&](const char* column, std::optional<double> expected, double actual) {
-        if (!expected) return;
-        result.figures.push_back({.case_name = model.name,
-                                  .figure = column + place,
-                                  .expected = *expected,
-                                  .actual = actual,
-                                  .gate = kGate,
-                                  .note = felt.problem});
-      };
-      add(model.up, up, felt.up);
-      add(model.north, north, felt.north);
+      if (up) result.compare(model.name, model.up + place, *up, felt.up, kGate, felt.problem);
+      if (north) result.compare(model.name, model.north + place, *north, felt.north, kGate, felt.problem);
     }
   }
+  return true;
 }
 
 constexpr std::string_view kFiles[] = {"wgs84_normal_gravity.csv"};
 
 void run(const std::filesystem::path& folder, SuiteResult& result) {
-  for (const auto& path : files_in(folder, kFiles, ".csv")) {
-    const CsvFile file = CsvFile::read(path);
-    if (!file.has("lat_deg") || !file.has("h_m")) {
-      result.skipped.push_back(file.name() + ": no table of gravity by latitude and height");
-      continue;
-    }
-    result.sources.push_back({file.name(), file.comments()});
-    compare_file(file, result);
-  }
+  compare_tables(folder, kFiles, "no table of gravity by latitude and height", result, compare_file);
 }
 
 }  // namespace

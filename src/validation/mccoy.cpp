@@ -4,12 +4,12 @@
 // data with what was published, and converged flights. The flights are those of R. L. McCoy, Modern Exterior Ballistics
 // (1999), ch. 9: shells over a flat Earth in standard air, bullets in air of one density.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <sstream>
 
+#include "base/assert.hpp"
 #include "physim/scenario.hpp"
 #include "validation/csv.hpp"
 #include "validation/suite.hpp"
@@ -17,15 +17,13 @@
 namespace physim::validation {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 /// The nutation of a bullet turns by 0.9 rad in this time: the method of order 8 takes no longer steps [s].
 constexpr double kLongestStep = 0.5e-3;
 
 // ------------------------------------------------------------------------------------------------ reading
 std::string squeezed(const std::string& text) {
-  std::string out;
-  for (const char ch : text)
-    if (ch != '_') out += static_cast<char>(std::tolower(static_cast<unsigned char>(ch)));
+  std::string out = lower(text);
+  std::erase(out, '_');
   return out;
 }
 
@@ -37,31 +35,30 @@ bool is_of(const std::string& projectile, const std::string& file) {
   return true;
 }
 
-/// Adds a row of aerodynamic data to a projectile.
-bool add_coefficient(const std::string& name, const AeroPoint& point, ProjectileDef& p) {
-  static const std::map<std::string, AeroCoefficient AeroDef::*> kNames = {
-      {"CDd2", &AeroDef::drag_yaw},       {"CLa", &AeroDef::lift},
-      {"CLa0", &AeroDef::lift},           {"CLa2", &AeroDef::lift_cubic},
-      {"CMa", &AeroDef::pitching},        {"CMa0", &AeroDef::pitching},
-      {"CMa2", &AeroDef::pitching_cubic}, {"CMq+CMadot", &AeroDef::pitch_damping},
-      {"Clp", &AeroDef::roll_damping},    {"CNpa", &AeroDef::magnus_force},
-      {"CMpa", &AeroDef::magnus_moment}};
-  if (name == "CD0") return p.drag.curve.push_back({point.mach, point.value}), true;
-  const auto found = kNames.find(name);
-  if (found == kNames.end()) return false;
-  (p.aero.*(found->second)).push_back(point);
-  return true;
-}
+/// Where the coefficients of tables go; "CD0", the drag, goes into the drag curve.
+const std::map<std::string, AeroCoefficient AeroDef::*> kCoefficients = {
+    {"CDd2", &AeroDef::drag_yaw},       {"CLa", &AeroDef::lift},
+    {"CLa0", &AeroDef::lift},           {"CLa2", &AeroDef::lift_cubic},
+    {"CMa", &AeroDef::pitching},        {"CMa0", &AeroDef::pitching},
+    {"CMa2", &AeroDef::pitching_cubic}, {"CMq+CMadot", &AeroDef::pitch_damping},
+    {"Clp", &AeroDef::roll_damping},    {"CNpa", &AeroDef::magnus_force},
+    {"CMpa", &AeroDef::magnus_moment}};
 
 ProjectileDef read_aero(const CsvFile& file) {
   file.require({"coef", "mach", "value"});
   ProjectileDef p;
   p.drag.table = DragTable::custom;
   for (const CsvRow& row : file.rows()) {
+    const std::string& name = file.text(row, "coef");
     const double angle_squared = file.number(row, "alpha2_deg2").value_or(0) * kDegree * kDegree;
-    if (!add_coefficient(file.text(row, "coef"), {file.needed(row, "mach"), angle_squared, file.needed(row, "value")},
-                         p))
-      file.fail(row, "there is no coefficient \"" + file.text(row, "coef") + "\"");
+    const AeroPoint point{file.needed(row, "mach"), angle_squared, file.needed(row, "value")};
+    const auto found = kCoefficients.find(name);
+    if (name == "CD0")
+      p.drag.curve.push_back({point.mach, point.value});
+    else if (found != kCoefficients.end())
+      (p.aero.*(found->second)).push_back(point);
+    else
+      file.fail(row, "there is no coefficient \"" + name + "\"");
   }
   return p;
 }
@@ -75,32 +72,17 @@ struct Facts {
     file.require({"case", "quantity", "value", "unit"});
     for (const CsvRow& row : file.rows()) rows[file.text(row, "case") + " " + file.text(row, "quantity")] = &row;
   }
-  [[nodiscard]] const CsvRow* find(const std::string& projectile, const std::string& quantity) const {
-    const auto found = rows.find(projectile + " " + quantity);
-    return found == rows.end() ? nullptr : found->second;
-  }
   [[nodiscard]] std::optional<double> number(const std::string& projectile, const std::string& name,
                                              Quantity quantity) const {
-    const CsvRow* row = find(projectile, name);
-    if (row == nullptr) return std::nullopt;
-    std::string unit = file.text(*row, "unit");
-    unit = unit.substr(0, unit.find_first_of("("));
-    const auto value = parse_quantity(file.text(*row, "value") + " " + unit, quantity);
-    if (!value) file.fail(*row, value.error().message);
+    const auto found = rows.find(projectile + " " + name);
+    if (found == rows.end()) return std::nullopt;
+    const CsvRow& row = *found->second;
+    const std::string& unit = file.text(row, "unit");
+    const auto value = parse_quantity(file.text(row, "value") + " " + unit.substr(0, unit.find('(')), quantity);
+    if (!value) file.fail(row, value.error().message);
     return *value;
   }
 };
-
-/// The first number after a word in a text, as in "QE45".
-std::optional<double> number_after(const std::string& text, const std::string& word) {
-  const std::size_t at = text.find(word);
-  if (at == std::string::npos) return std::nullopt;
-  std::size_t first = at + word.size();
-  while (first < text.size() && text[first] == ' ') ++first;
-  std::size_t last = first;
-  while (last < text.size() && (std::isdigit(static_cast<unsigned char>(text[last])) || text[last] == '.')) ++last;
-  return parse_number(text.substr(first, last - first));
-}
 
 // ------------------------------------------------------------------------------------------------ a flight
 struct Shell {
@@ -163,8 +145,8 @@ double figure_of(const Flight& flight, const std::string& column) {
   if (column == "v_impact_m_s") return end.speed;
   if (column == "summit_m") return summit(flight);
   if (column == "first_yaw_max_deg") return first_yaw(flight);
-  if (column == "Sg_muzzle") return flight.stability(0) ? flight.stability(0)->gyroscopic : kNaN;
-  return kNaN;
+  PHYSIM_ASSERT(column == "Sg_muzzle");
+  return flight.stability(0) ? flight.stability(0)->gyroscopic : kNaN;
 }
 
 std::string complaint_of(const Flight& flight) {
@@ -198,6 +180,7 @@ std::optional<double> twist_of(const std::string& text, const Shell& shell) {
 }
 
 std::optional<double> muzzle_speed(const Suitcase& s, const std::string& projectile, std::optional<double> charge) {
+  PHYSIM_ASSERT(s.facts.has_value());
   if (charge) return s.facts->number(projectile, format("v0 charge %g", *charge), Quantity::speed);
   return s.facts->number(projectile, "muzzle_velocity", Quantity::speed);
 }
@@ -242,7 +225,7 @@ void compare_converged(const CsvFile& file, const Suitcase& s, SuiteResult& resu
       if (!expected) continue;
       // No finer than the printed digits.
       const double gate = std::max(1e-5 * std::abs(*expected), 0.5 * last_digit_unit(file.text(row, column)) * 1.0001);
-      result.figures.push_back({name, std::string(column), *expected, actual, gate, problem});
+      result.compare(name, column, *expected, actual, gate, problem);
     }
     result.states.push_back(std::move(state));
   }
@@ -282,6 +265,7 @@ std::optional<Published> published_of(const Suitcase& s, const Shell& shell, con
 }
 
 void compare_published(const Suitcase& s, SuiteResult& result) {
+  PHYSIM_ASSERT(s.facts.has_value());
   const CsvFile& file = s.facts->file;
   for (const CsvRow& row : file.rows()) {
     const std::string& quantity = file.text(row, "quantity");
@@ -296,9 +280,8 @@ void compare_published(const Suitcase& s, SuiteResult& result) {
     const auto expected = s.facts->number(shell->name, quantity, time ? Quantity::time : Quantity::length);
     const Flight flight = flown(*shell, published->firing);
     const std::string problem = complaint_of(flight);
-    result.figures.push_back({shell->name + (drift ? " drifts, published" : " ranges, published"), quantity.substr(10),
-                              *expected, problem.empty() ? figure_of(flight, published->column) : kNaN,
-                              published->gate * *expected, problem});
+    result.compare(shell->name + (drift ? " drifts, published" : " ranges, published"), quantity.substr(10), *expected,
+                   problem.empty() ? figure_of(flight, published->column) : kNaN, published->gate * *expected, problem);
   }
 }
 

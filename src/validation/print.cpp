@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/assert.hpp"
 #include "physim/version.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
@@ -28,13 +29,7 @@ std::vector<std::string> cells_of(const Figure& figure) {
 }
 
 Table figure_table(const SuiteResult& result, const Style& style) {
-  Table table({{"case", Align::left},
-               {"figure", Align::left},
-               {"expected"},
-               {"got"},
-               {"error"},
-               {"gate"},
-               {"verdict", Align::left}});
+  Table table({"case", "figure", "expected", "got", "error", "gate", "verdict"}, "llrrrrl");
   for (const Figure& figure : result.figures) {
     std::vector<std::string> cells = cells_of(figure);
     cells.insert(cells.begin(), figure.case_name);
@@ -45,15 +40,10 @@ Table figure_table(const SuiteResult& result, const Style& style) {
 }
 
 Table case_table(const SuiteResult& result, const Style& style) {
-  Table table({{"case", Align::left},
-               {"figures"},
-               {"worst figure", Align::left},
-               {"expected"},
-               {"got"},
-               {"error"},
-               {"gate"},
-               {"verdict", Align::left}});
+  Table table({"case", "figures", "worst figure", "expected", "got", "error", "gate", "verdict"}, "lrlrrrrl");
   for (const CaseSummary& summary : summarize(result)) {
+    PHYSIM_ASSERT(summary.worst != nullptr);
+    PHYSIM_ASSERT(summary.missed <= summary.figures);
     std::vector<std::string> cells = cells_of(*summary.worst);
     cells.insert(cells.begin(), {summary.name, format("%zu", summary.figures)});
     cells.push_back(verdict_text(style, summary.missed));
@@ -75,39 +65,18 @@ std::string notes_of(const SuiteResult& result) {
 
 /// Rows with equal columns.
 Table row_table(const std::vector<StateRow>& rows, const char* number) {
-  std::vector<Column> columns = {{"", Align::left}};
-  for (const auto& [name, value] : rows.front().columns) columns.push_back({name});
-  Table table(columns);
+  PHYSIM_ASSERT(!rows.empty());
+  std::vector<std::string> columns = {""};
+  for (const auto& [name, value] : rows.front().columns) columns.push_back(name);
+  Table table(columns, "l");
   for (const StateRow& row : rows) {
+    PHYSIM_ASSERT(row.columns.size() == rows.front().columns.size());
     std::vector<std::string> cells = {row.name};
     for (const auto& [name, value] : row.columns) cells.push_back(std::isnan(value) ? "-" : format(number, value));
     table.add_row(std::move(cells));
   }
   return table;
 }
-
-}  // namespace
-
-std::string table_text(const SuiteResult& result, bool every_figure, const Style& style) {
-  std::string text = style.bold(result.name) + ": " + std::string(find_suite(result.name)->title) + "\n";
-  if (!result.figures.empty()) text += (every_figure ? figure_table(result, style) : case_table(result, style)).text(2);
-  text += notes_of(result);
-  for (const std::string& skipped : result.skipped) text += style.dim("  skipped: " + skipped) + "\n";
-  if (!result.beside.empty())
-    text += "\n  how far others lie from these solutions\n" + row_table(result.beside, "%.1e").text(2);
-  if (!result.states.empty()) text += "\n  where they end\n" + row_table(result.states, "%.9g").text(2);
-  return text;
-}
-
-std::string summary_text(const SuiteResult& result, const Style& style) {
-  const std::size_t missed = result.missed();
-  const std::string verdict = missed == 0 ? style.good("all pass") : style.bad(format("%zu MISSED", missed));
-  return style.bold(result.name) + ": " + figures_text(result.figures.size()) + ", " + verdict + "\n";
-}
-
-// ---------------------------------------------------------------------------------------------------------------- JSON
-
-namespace {
 
 /// JSON knows no NaN.
 ordered_json json_number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
@@ -131,7 +100,49 @@ ordered_json json_of(const std::string& suite, const StateRow& row) {
   return out;
 }
 
+Table report_table(const SuiteResult& result) {
+  Table table({"case", "figures", "worst figure", "expected", "error", "gate", "error / gate", "verdict"}, "lrlrrrrl");
+  for (const CaseSummary& summary : summarize(result)) {
+    const Figure& worst = *summary.worst;
+    table.add_row({summary.name, format("%zu", summary.figures), worst.figure, number_text(worst.expected),
+                   small_text(worst.error()), small_text(worst.gate), format("%.2g", worst.badness()),
+                   summary.missed == 0 ? "pass" : format("**%zu missed**", summary.missed)});
+  }
+  return table;
+}
+
+std::string report_of(const SuiteResult& result) {
+  PHYSIM_ASSERT(find_suite(result.name) != nullptr);
+  const Suite& suite = *find_suite(result.name);
+  std::string text = "\n## " + result.name + "\n\n" + std::string(suite.title) + ". Gates: " + std::string(suite.gate) +
+                     ".\n\n" + report_table(result).markdown();
+  for (const std::string& skipped : result.skipped) text += "\nSkipped: " + skipped + ".\n";
+  if (!result.beside.empty())
+    text += "\nHow far others lie from these solutions:\n\n" + row_table(result.beside, "%.1e").markdown();
+  text += "\nSources:\n\n";
+  for (const Source& source : result.sources)
+    text += "- `" + source.file + "`: " + (source.text.empty() ? "not named" : source.text) + "\n";
+  return text;
+}
+
 }  // namespace
+
+std::string table_text(const SuiteResult& result, bool every_figure, const Style& style) {
+  std::string text = style.bold(result.name) + ": " + std::string(find_suite(result.name)->title) + "\n";
+  if (!result.figures.empty()) text += (every_figure ? figure_table(result, style) : case_table(result, style)).text(2);
+  text += notes_of(result);
+  for (const std::string& skipped : result.skipped) text += style.dim("  skipped: " + skipped) + "\n";
+  if (!result.beside.empty())
+    text += "\n  how far others lie from these solutions\n" + row_table(result.beside, "%.1e").text(2);
+  if (!result.states.empty()) text += "\n  where they end\n" + row_table(result.states, "%.9g").text(2);
+  return text;
+}
+
+std::string summary_text(const SuiteResult& result, const Style& style) {
+  const std::size_t missed = result.missed();
+  const std::string verdict = missed == 0 ? style.good("all pass") : style.bad(format("%zu MISSED", missed));
+  return style.bold(result.name) + ": " + figures_text(result.figures.size()) + ", " + verdict + "\n";
+}
 
 std::string json_text(const std::vector<SuiteResult>& results) {
   ordered_json rows = ordered_json::array(), suites = ordered_json::array();
@@ -158,48 +169,11 @@ std::string json_text(const std::vector<SuiteResult>& results) {
   return report::json_text(all);
 }
 
-// -------------------------------------------------------------------------------------------------------------- report
-
-namespace {
-
-Table report_table(const SuiteResult& result) {
-  Table table({{"case", Align::left},
-               {"figures"},
-               {"worst figure", Align::left},
-               {"expected"},
-               {"error"},
-               {"gate"},
-               {"error / gate"},
-               {"verdict", Align::left}});
-  for (const CaseSummary& summary : summarize(result)) {
-    const Figure& worst = *summary.worst;
-    table.add_row({summary.name, format("%zu", summary.figures), worst.figure, number_text(worst.expected),
-                   small_text(worst.error()), small_text(worst.gate), format("%.2g", worst.badness()),
-                   summary.missed == 0 ? "pass" : format("**%zu missed**", summary.missed)});
-  }
-  return table;
-}
-
-std::string report_of(const SuiteResult& result) {
-  const Suite& suite = *find_suite(result.name);
-  std::string text = "\n## " + result.name + "\n\n" + std::string(suite.title) + ". Gates: " + std::string(suite.gate) +
-                     ".\n\n" + report_table(result).markdown();
-  for (const std::string& skipped : result.skipped) text += "\nSkipped: " + skipped + ".\n";
-  if (!result.beside.empty())
-    text += "\nHow far others lie from these solutions:\n\n" + row_table(result.beside, "%.1e").markdown();
-  text += "\nSources:\n\n";
-  for (const Source& source : result.sources)
-    text += "- `" + source.file + "`: " + (source.text.empty() ? "not named" : source.text) + "\n";
-  return text;
-}
-
-}  // namespace
-
 std::string report_text(const std::string& command, const std::vector<SuiteResult>& results) {
   std::string text = "# Validation\n\nMade by `" + command + "`; do not edit. PhySim " + kVersion +
                      ". Every figure that PhySim is checked against, the worst of each case shown; `physim validate "
                      "--all` prints them all. SI units; the figure's name tells which.\n\n";
-  Table table({{"suite", Align::left}, {"figures"}, {"missed"}});
+  Table table({"suite", "figures", "missed"}, "l");
   for (const SuiteResult& result : results)
     table.add_row({result.name, format("%zu", result.figures.size()), format("%zu", result.missed())});
   text += table.markdown();

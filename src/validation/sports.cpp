@@ -2,6 +2,7 @@
 // folder holds, or the preset's; nothing is tuned.
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "physim/presets.hpp"
 #include "validation/csv.hpp"
 #include "validation/suite.hpp"
@@ -9,8 +10,7 @@
 namespace physim::validation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRpm = kPi / 30, kDegree = kPi / 180;
+constexpr double kRpm = kPi / 30;  // [rad/s]
 constexpr double kMph = 0.44704, kYard = 0.9144, kFoot = 0.3048;
 
 Fidelity spinning() {
@@ -75,13 +75,11 @@ void compare_carries(const CsvFile& file, const MagnusDef& magnus, const std::st
     }
   }
   tours.push_back(all);
-  for (const Tour& tour : tours)
-    result.figures.push_back({.case_name = "golf",
-                              .figure = "carry off by [yd], root mean square, " + tour.name + ", " + table,
-                              .expected = 0,
-                              .actual = std::sqrt(tour.squares / tour.rows),
-                              .gate = kCarryGate,
-                              .note = tour.problem});
+  for (const Tour& tour : tours) {
+    PHYSIM_ASSERT(tour.rows > 0);
+    result.compare("golf", "carry off by [yd], root mean square, " + tour.name + ", " + table, 0,
+                   std::sqrt(tour.squares / tour.rows), kCarryGate, tour.problem);
+  }
 }
 
 // ---------------------------------------------------------------------------------------------------- baseball
@@ -102,12 +100,8 @@ void compare_fly_ball(const CsvFile& file, SuiteResult& result) {
     const double t = file.needed(row, "t");
     const Vec3d x = flight.at(t).position;
     const auto add = [&](const char* name, const char* column, double actual) {
-      result.figures.push_back({.case_name = "baseball",
-                                .figure = format("%s at %.2f s [m]", name, t),
-                                .expected = file.needed(row, column) * kFoot,
-                                .actual = t <= flight.duration() + 0.05 ? actual : kNaN,
-                                .gate = kFlyBallGate,
-                                .note = problem});
+      result.compare("baseball", format("%s at %.2f s [m]", name, t), file.needed(row, column) * kFoot,
+                     t <= flight.duration() + 0.05 ? actual : kNaN, kFlyBallGate, problem);
     };
     add("distance", "y", x.x);
     add("height", "z", x.y);
@@ -125,12 +119,9 @@ void compare_football(const CsvFile& file, SuiteResult& result) {
         fly(ball, {.speed = v}, air_at_temperature(288.15), spinning(), {}, {.ground = {}, .time = 0.01});
     const double area = kPi / 4 * ball.diameter * ball.diameter;
     const double cd = length(flight.accelerations(0).drag) * ball.mass / (0.5 * 1.225 * v * v * area);
-    result.figures.push_back({.case_name = "football",
-                              .figure = format("Cd without spin at %g m/s", v),
-                              .expected = file.needed(row, "CD"),
-                              .actual = cd,
-                              .gate = 0.012,  // straight lines between the points of the preset's table
-                              .note = complaint(flight, spinning())});
+    result.compare("football", format("Cd without spin at %g m/s", v), file.needed(row, "CD"), cd,
+                   0.012,  // straight lines between the points of the preset's table
+                   complaint(flight, spinning()));
   }
 }
 

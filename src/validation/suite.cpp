@@ -4,7 +4,9 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "base/assert.hpp"
 #include "physim/names.hpp"
+#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
@@ -19,6 +21,13 @@ double Figure::badness() const {
   if (!std::isfinite(e)) return std::numeric_limits<double>::infinity();
   if (gate > 0) return e / gate;
   return e == 0 ? 0 : std::numeric_limits<double>::infinity();
+}
+
+void SuiteResult::compare(std::string case_name, std::string figure, double expected, double actual, double gate,
+                          std::string problem) {
+  PHYSIM_ASSERT(!figure.empty());
+  if (!problem.empty()) actual = kNaN;
+  figures.push_back({std::move(case_name), std::move(figure), expected, actual, gate, std::move(problem)});
 }
 
 std::size_t SuiteResult::missed() const {
@@ -36,6 +45,7 @@ std::vector<CaseSummary> summarize(const SuiteResult& result) {
     if (!figure.pass()) ++at->missed;
     if (figure.badness() > at->worst->badness()) at->worst = &figure;
   }
+  PHYSIM_ASSERT(cases.empty() == result.figures.empty());
   return cases;
 }
 
@@ -60,6 +70,17 @@ std::string format(const char* pattern, ...) {
   va_end(arguments);
   va_end(again);
   return text;
+}
+
+void compare_tables(const fs::path& folder, std::span<const std::string_view> known, const char* otherwise,
+                    SuiteResult& result, const std::function<bool(const CsvFile&, SuiteResult&)>& compare) {
+  for (const fs::path& path : files_in(folder, known, ".csv")) {
+    const CsvFile file = CsvFile::read(path);
+    if (compare(file, result))
+      result.sources.push_back({file.name(), file.comments()});
+    else
+      result.skipped.push_back(file.name() + ": " + otherwise);
+  }
 }
 
 std::vector<fs::path> files_in(const fs::path& folder, std::span<const std::string_view> known,

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <numbers>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +14,11 @@
 #include "validation/validate.hpp"
 
 namespace physim::validation {
+
+class CsvFile;
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kDegree = kPi / 180;  ///< [rad]
 
 /// Data that cannot be read, with its place: "file:line".
 struct DataError {
@@ -44,6 +51,10 @@ extern const Suite kSportsSuite;
 
 /// printf into a string.
 [[nodiscard]] [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
+/// Reads the tables of a folder. Those that `compare` does not know, for which it gives false, are skipped; `otherwise`
+/// says why.
+void compare_tables(const std::filesystem::path& folder, std::span<const std::string_view> known, const char* otherwise,
+                    SuiteResult& result, const std::function<bool(const CsvFile&, SuiteResult&)>& compare);
 /// Files of a folder with an extension, by name; those of `known` that are there come first, in that order.
 [[nodiscard]] std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
                                                           std::span<const std::string_view> known,

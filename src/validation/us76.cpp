@@ -1,6 +1,5 @@
 // Suite us76: the US Standard Atmosphere 1976, against exact values and a published table.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 
@@ -16,24 +15,23 @@ namespace {
 constexpr double kExact = 1e-10;             // relative gate against exact values
 constexpr double kPublishedRounding = 5e-7;  // relative; see printed_gate()
 
-enum class Property { temperature, pressure, density, sound_speed, viscosity, gravity };
-
-struct PropertyColumn {
-  const char* column;
-  Property property;
-};
+constexpr double AirSample::*kGravity = nullptr;  // no property of the air
 
 /// All names that columns have in the files of this suite.
+struct PropertyColumn {
+  const char* column;
+  double AirSample::*property;
+};
 constexpr PropertyColumn kColumns[] = {
-    {"T_molecular_K", Property::temperature},
-    {"T_base_K", Property::temperature},
-    {"T_K", Property::temperature},
-    {"P_Pa", Property::pressure},
-    {"P_base_Pa", Property::pressure},
-    {"rho_kg_m3", Property::density},
-    {"a_m_s", Property::sound_speed},
-    {"mu_Pa_s", Property::viscosity},
-    {"g_m_s2", Property::gravity},
+    {"T_molecular_K", &AirSample::temperature},
+    {"T_base_K", &AirSample::temperature},
+    {"T_K", &AirSample::temperature},
+    {"P_Pa", &AirSample::pressure},
+    {"P_base_Pa", &AirSample::pressure},
+    {"rho_kg_m3", &AirSample::density},
+    {"a_m_s", &AirSample::sound_speed},
+    {"mu_Pa_s", &AirSample::viscosity},
+    {"g_m_s2", kGravity},
 };
 
 /// Newton's gravity at a height, as a flight feels it.
@@ -56,30 +54,15 @@ double viscosity_at(double temperature) {
   return air ? air->viscosity : kNaN;
 }
 
-double property_of(const AirSample& air, Property property, double height) {
-  switch (property) {
-    case Property::temperature: return air.temperature;
-    case Property::pressure: return air.pressure;
-    case Property::density: return air.density;
-    case Property::sound_speed: return air.sound_speed;
-    case Property::viscosity: return air.viscosity;
-    case Property::gravity: break;
-  }
-  return gravity_at(height);
-}
-
 /// "Five significant digits" in the comments: how many digits a published table shows; it drops zeros at the end.
 std::optional<int> significant_digits(const std::string& comments) {
   static constexpr std::string_view kWords[] = {"zero", "one", "two",   "three", "four",
                                                 "five", "six", "seven", "eight", "nine"};
-  std::string text = comments;
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string text = lower(comments);
   const auto at = text.find(" significant digit");
   if (at == std::string::npos) return std::nullopt;
-  const auto space = text.find_last_of(" .,(", at - 1);
-  const std::string word =
-      text.substr(space == std::string::npos ? 0 : space + 1, at - (space == std::string::npos ? 0 : space + 1));
+  const auto first = text.find_last_of(" .,(", at - 1) + 1;  // 0 where there is none
+  const std::string word = text.substr(first, at - first);
   const auto found = std::find(std::begin(kWords), std::end(kWords), word);
   if (found != std::end(kWords)) return static_cast<int>(found - std::begin(kWords));
   const auto number = parse_number(word);
@@ -99,48 +82,37 @@ bool is_published(const CsvFile& file) {
          file.comments().find("ublished table") != std::string::npos;
 }
 
-void compare_file(const CsvFile& file, SuiteResult& result) {
+bool compare_file(const CsvFile& file, SuiteResult& result) {
+  if (!file.name().starts_with("us76") && !file.has("Z_geometric_m")) return false;
   const char* place = file.has("Z_base_m") ? "Z_base_m" : "Z_geometric_m";
   file.require({place});
   const bool published = is_published(file);
   const auto digits = significant_digits(file.comments());
-  const std::string case_name = file.name().substr(0, file.name().rfind('.'));
-  const Environment standard;
   for (const CsvRow& row : file.rows()) {
     const double z = file.needed(row, place);
-    const auto air = air_at(standard, z);
-    for (const PropertyColumn& column : kColumns) {
-      const auto expected = file.number(row, column.column);
+    const auto air = air_at({}, z);
+    // PhySim's temperature is the molecular one; viscosity follows the kinetic one where a table has both.
+    const auto kinetic = file.number(row, "T_kinetic_K");
+    for (const auto& [column, property] : kColumns) {
+      const auto expected = file.number(row, column);
       if (!expected) continue;
-      // PhySim's temperature is the molecular one; viscosity follows the kinetic one where a table has both.
-      const auto kinetic = file.number(row, "T_kinetic_K");
-      const bool is_kinetic = column.property == Property::viscosity && kinetic;
-      const double exact_gate = kExact * std::abs(*expected);
-      result.figures.push_back(
-          {.case_name = case_name,
-           .figure = std::string(column.column) + " at " + significant(z, 8) + " m",
-           .expected = *expected,
-           .actual = !air         ? kNaN
-                     : is_kinetic ? viscosity_at(*kinetic)
-                                  : property_of(*air, column.property, z),
-           .gate = published ? printed_gate(file.text(row, column.column), *expected, digits) : exact_gate,
-           .note = air ? std::string() : air.error().text()});
+      const bool is_kinetic = property == &AirSample::viscosity && kinetic;
+      const double actual = !air                   ? kNaN
+                            : is_kinetic           ? viscosity_at(*kinetic)
+                            : property == kGravity ? gravity_at(z)
+                                                   : (*air).*property;
+      result.compare(file.stem(), std::string(column) + " at " + significant(z, 8) + " m", *expected, actual,
+                     published ? printed_gate(file.text(row, column), *expected, digits) : kExact * std::abs(*expected),
+                     air ? "" : air.error().text());
     }
   }
+  return true;
 }
 
 constexpr std::string_view kFiles[] = {"us76_exact.csv", "us76_layers.csv", "us76_published_pdas_2km.csv"};
 
 void run(const std::filesystem::path& folder, SuiteResult& result) {
-  for (const auto& path : files_in(folder, kFiles, ".csv")) {
-    const CsvFile file = CsvFile::read(path);
-    if (!file.name().starts_with("us76") && !file.has("Z_geometric_m")) {
-      result.skipped.push_back(file.name() + ": not a table of the standard atmosphere");
-      continue;
-    }
-    result.sources.push_back({file.name(), file.comments()});
-    compare_file(file, result);
-  }
+  compare_tables(folder, kFiles, "not a table of the standard atmosphere", result, compare_file);
 }
 
 }  // namespace

@@ -52,6 +52,9 @@ struct SuiteResult {
   std::vector<StateRow> states;  ///< where the cases ended, judged or not
   std::vector<StateRow> beside;  ///< how far others lie from them
 
+  /// Adds a figure; `problem` tells why it could not be computed, and is empty where it could.
+  void compare(std::string case_name, std::string figure, double expected, double actual, double gate,
+               std::string problem = {});
   [[nodiscard]] std::size_t missed() const;
 };
 

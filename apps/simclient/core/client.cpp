@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "physim/recording_file.hpp"
 #include "report/file.hpp"
@@ -126,9 +127,11 @@ Status Client::fire_compared() {
 }
 
 const std::vector<ComparedRung>& Client::comparison() {
-  const bool is_new = compared_at_ != versions() || compared_presets_ != compared;
+  const bool is_new =
+      compared_version_ != launcher.version() || compared_session_ != session_version_ || compared_presets_ != compared;
   if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared, costs_);
-  compared_at_ = versions();
+  compared_version_ = launcher.version();
+  compared_session_ = session_version_;
   compared_presets_ = compared;
   return comparison_;
 }
@@ -212,8 +215,10 @@ Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
 }
 
 const Prediction& Client::prediction() {
-  if (predicted_at_ != versions() && !session.is_replay()) prediction_ = predict(session, launcher.shot());
-  predicted_at_ = versions();
+  const bool is_new = predicted_version_ != launcher.version() || predicted_session_ != session_version_;
+  if (is_new && !session.is_replay()) prediction_ = predict(session, launcher.shot());
+  predicted_version_ = launcher.version();
+  predicted_session_ = session_version_;
   return prediction_;
 }
 

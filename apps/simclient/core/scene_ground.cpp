@@ -1,4 +1,5 @@
 // The ground: a grid, and scale lines across the line of fire with their distances.
+#include <algorithm>
 #include <cmath>
 
 #include "simclient/core/scene.hpp"

@@ -1,5 +1,6 @@
 // The panels under the scene: plots, the comparison of rungs, and what everything costs.
 #include <algorithm>
+#include <cmath>
 
 #include "physim/names.hpp"
 #include "simclient/core/actions.hpp"
@@ -26,9 +27,12 @@ void draw_rung(const ComparedRung& rung) {
     return coloured_text(colours::kWarning, rung.problem);
   }
   const TrackSample& end = rung.path.back();
-  for (const double value : {rung.farthest, rung.at_end, rung.later, end.position.x, end.position.y, end.time})
-    cell("%.4g", value);
-  cell("%.1f", rung.per_step * 1e9);
+  for (const double value : {rung.farthest, rung.at_end, rung.later, end.position.x, end.position.y, end.time}) {
+    ImGui::TableNextColumn();
+    ImGui::Text("%.4g", value);
+  }
+  ImGui::TableNextColumn();
+  ImGui::Text("%.1f", rung.per_step * 1e9);
   ImGui::TableNextColumn();
   for (const FidelityNote& note : rung.granted.notes) {
     ImGui::TextColored(tint(colours::kWarning), "%s %s", note.effect.c_str(), note.granted.c_str());
@@ -67,8 +71,10 @@ void draw_comparison(Client& client) {
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("rungs", 9, flags)) return;
-  headings({"rung", "farthest off [m]", "off at the end [m]", "later [s]", "end x [m]", "end y [m]", "time [s]",
-            "ns per step", "granted instead"});
+  for (const char* title : {"rung", "farthest off [m]", "off at the end [m]", "later [s]", "end x [m]", "end y [m]",
+                            "time [s]", "ns per step", "granted instead"})
+    ImGui::TableSetupColumn(title);
+  ImGui::TableHeadersRow();
   for (const ComparedRung& rung : client.comparison()) draw_rung(rung);
   ImGui::EndTable();
 }
@@ -99,13 +105,16 @@ void draw_performance(Client& client) {
   ImGui::SameLine();
   ImGui::BeginChild("cohorts");
   if (ImGui::BeginTable("cohorts", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
-    headings({"projectiles", "", "cohort"});
+    for (const char* title : {"projectiles", "", "cohort"}) ImGui::TableSetupColumn(title);
+    ImGui::TableHeadersRow();
     for (const CohortInfo& cohort : session.world().cohorts()) {
       if (cohort.count == 0) continue;
-      cell("%u", cohort.count);
+      ImGui::TableNextColumn();
+      ImGui::Text("%u", cohort.count);
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s%s", cohort.moving ? "moving" : "at rest", cohort.forced ? ", forced" : "");
-      cell("%s", short_fidelity(cohort.fidelity).c_str());
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(short_fidelity(cohort.fidelity).c_str());
     }
     ImGui::EndTable();
   }

@@ -1,5 +1,6 @@
 // Plots that grow while things fly.
 #include <algorithm>
+#include <cmath>
 
 #include "simclient/core/actions.hpp"
 #include "simclient/ui/panels.hpp"
@@ -128,13 +129,16 @@ void draw_plots(Client& client) {
   ImGui::SameLine();
   if (ImGui::Button("-") && client.plots.size() > 1) client.plots.pop_back();
   tooltip("one plot less");
-  for (const auto& [label, plots] : {std::pair{"path", "y/x y/z speed/range"},
-                                     {"position", "x y z"},
-                                     {"velocity", "vx vy vz"},
-                                     {"acceleration", "ax ay az"},
-                                     {"energy", "speed energy mach"}}) {
+  const struct {
+    const char *label, *plots;
+  } sets[] = {{"path", "y/x y/z speed/range"},
+              {"position", "x y z"},
+              {"velocity", "vx vy vz"},
+              {"acceleration", "ax ay az"},
+              {"energy", "speed energy mach"}};
+  for (const auto& set : sets) {
     ImGui::SameLine();
-    if (ImGui::Button(label)) client.plots = *parse_plots(plots);
+    if (ImGui::Button(set.label)) client.plots = *parse_plots(set.plots);
   }
   button(client, "CSV", "save-csv");
   button(client, "PNG", "picture-of-plots");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "physim/names.hpp"
+
 namespace physim::client {
 namespace {
 

@@ -1,0 +1,20 @@
+// The pictures of flights, of a world's run and of the ladder of fidelity.
+#pragma once
+
+#include "report/ladder.hpp"
+#include "report/picture.hpp"
+#include "report/trajectory.hpp"
+#include "report/world_log.hpp"
+
+namespace physim::report {
+
+/// Path and speed, then position, velocity and acceleration over time, axis by axis; of the first 14 shots, since more
+/// could not be told apart.
+[[nodiscard]] Picture shots_picture(const std::string& title, std::span<const FlownShot> shots);
+[[nodiscard]] Content flights_picture(const Flights& flights);
+/// The paths of a world's run from the side and from above, and the wall.
+[[nodiscard]] Content world_picture(const WorldLog& log);
+/// The signature chart: error over cost of every rung.
+[[nodiscard]] Content ladder_picture(const LadderOfShot& subject);
+
+}  // namespace physim::report
