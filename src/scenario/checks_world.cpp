@@ -4,11 +4,9 @@
 
 #include "base/assert.hpp"
 #include "model/force_laws.hpp"
-#include "physim/world_run.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/suggest.hpp"
-#include "scenario/units.hpp"
 #include "world/check.hpp"
 #include "world/force_eval.hpp"
 

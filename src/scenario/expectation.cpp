@@ -1,4 +1,3 @@
-// The figures that an [[expect]] can ask for.
 #include "scenario/expectation.hpp"
 
 #include <array>

@@ -1,5 +1,4 @@
 // What a flight says about an expectation.
-#include <cmath>
 
 #include "base/assert.hpp"
 #include "physim/names.hpp"

@@ -1,4 +1,3 @@
-// Overrides: "shot.mass=170 gr" put into a document before it is read, so that they are checked like the file.
 #include "scenario/overrides.hpp"
 
 #include <algorithm>
@@ -28,16 +27,10 @@ std::vector<std::string> shot_names(const Value& document) {
   return names;
 }
 
-Error unknown_shot(const std::string& name, const std::vector<std::string>& names, const Place& place) {
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  return {"no shot is named " + in_quotes(name), place.text(), suggestion(name, views, "shots")};
-}
-
-Error unknown_setting(std::string_view path, std::string_view known_prefix, const Place& place) {
+Error unknown_setting(std::string_view path, const Place& place) {
   const std::string_view near = nearest(path, setting_paths());
-  std::string hint = "physim list settings shows all";
-  if (!near.empty()) hint = "did you mean " + in_quotes(std::string(known_prefix) + std::string(near)) + "?";
-  return {"unknown setting " + in_quotes(std::string(known_prefix) + std::string(path)), place.text(), hint};
+  return {"unknown setting " + in_quotes(path), place.text(),
+          near.empty() ? "physim list settings shows all" : "did you mean " + in_quotes(near) + "?"};
 }
 
 /// "shot.NAME.mass": names may contain dots, so every dot may be the one after the name.
@@ -55,19 +48,20 @@ Result<Addressed> named_target(const Value& document, std::string_view path, con
     if (node != nullptr && !unknown) unknown = name;
   }
   if (namesake) {
-    const std::string bare = std::string(kShot) + std::string(rest.substr(namesake->size() + 1));
-    Error error = unknown_setting(bare, "", place);
+    Error error = unknown_setting(std::string(kShot) + std::string(rest.substr(namesake->size() + 1)), place);
     error.message += " of shot " + in_quotes(*namesake);
     return error;
   }
-  if (unknown) return unknown_shot(*unknown, names, place);
-  return unknown_setting(path, "", place);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  if (unknown)
+    return Error{"no shot is named " + in_quotes(*unknown), place.text(), suggestion(*unknown, views, "shots")};
+  return unknown_setting(path, place);
 }
 
 Result<Addressed> target_of(const Value& document, std::string_view path, const Place& place) {
   if (const SchemaNode* node = find_node(path); node != nullptr) return Addressed{node, std::nullopt};
   if (path.starts_with(kShot)) return named_target(document, path, place);
-  return unknown_setting(path, "", place);
+  return unknown_setting(path, place);
 }
 
 /// Makes a table of a value that stands for one: gravity = "off" becomes { model = "off" }.

@@ -324,7 +324,6 @@ Status read_setting(const SchemaNode& node, const Scope& scope, const Value& val
                           if (is_none(entry, value)) return target->reset(), Status();
                           return read_vector(wanted, value, target->emplace());
                         },
-                        [&](std::int64_t* target) { return read_integer(entry, value, *target); },
                         [&](const Integer& target) -> Status {
                           std::int64_t number = 0;
                           if (Status status = read_integer(entry, value, number); !status) return status;

@@ -48,7 +48,7 @@ struct OptionalNumber {
   std::function<void(std::optional<double>)> set;
 };
 
-/// A whole number of another type than int64.
+/// A whole number of any type.
 struct Integer {
   std::function<std::int64_t()> get;
   std::function<void(std::int64_t)> set;
@@ -86,8 +86,8 @@ struct Records {
 
 /// Where a setting's value is, and of which type it is.
 using ValueRef =
-    std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, std::int64_t*, Integer, bool*, std::string*,
-                 Reference, Choice, Points, AeroCoefficient*, std::vector<double>*, std::vector<std::string>*, Records>;
+    std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, Integer, bool*, std::string*, Reference,
+                 Choice, Points, AeroCoefficient*, std::vector<double>*, std::vector<std::string>*, Records>;
 
 /// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
 struct Range {

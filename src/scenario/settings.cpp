@@ -75,7 +75,7 @@ Quantity quantity_of_expectation(const Scope& scope) {
 
 // ------------------------------------------------------------------------------------------------------------ the list
 #define PHYSIM_ENVIRONMENT(field, ...) PHYSIM_SCENARIO(environment.field, __VA_ARGS__)
-#define PHYSIM_EXPECT(field, ...) setting("expect." #field, PHYSIM_FIELD(expect->field), __VA_ARGS__)
+#define PHYSIM_EXPECT(...) PHYSIM_ROW("expect", expect, __VA_ARGS__)
 
 constexpr Entry kFileSettings[] = {
     setting("physim", PHYSIM_FIELD(format[0]), "format version of the file", between(1, 1)),
@@ -102,10 +102,9 @@ constexpr Entry kFileSettings[] = {
     PHYSIM_ENVIRONMENT(atmosphere.scale_height, "of exponential air", Quantity::length, above(0)),
     PHYSIM_ENVIRONMENT(wind.velocity, "velocity of the air; (0, 0, -4) blows from the right", Quantity::speed),
     PHYSIM_ENVIRONMENT(wind.profile, "wind by height or range, at rising places, held outside", at_most(32)),
-    setting("environment.wind.profile.at", PHYSIM_FIELD(wind_point->at),
-            "height above the origin, or distance downrange", Quantity::length),
-    setting("environment.wind.profile.velocity", PHYSIM_FIELD(wind_point->velocity), "velocity of the air there",
-            Quantity::speed),
+    PHYSIM_ROW("environment.wind.profile", wind_point, at, "height above the origin, or distance downrange",
+               Quantity::length),
+    PHYSIM_ROW("environment.wind.profile", wind_point, velocity, "velocity of the air there", Quantity::speed),
     PHYSIM_ENVIRONMENT(wind.by, "what the profile is read by"),
     PHYSIM_ENVIRONMENT(wind.interpolation, "how the profile is read between its points"),
     PHYSIM_ENVIRONMENT(earth.latitude, "of the origin, north positive", Quantity::angle, kHalfTurn),
@@ -136,13 +135,12 @@ constexpr Entry kRunSettings[] = {
     PHYSIM_SCENARIO(until.range, "the flight ends at this range along the line of sight", Quantity::length, above(0)),
     PHYSIM_SCENARIO(until.events, "further events to look for", at_most(24)),
     setting("until.events.kind", event_kind_slot, "what is watched", kRequired),
-    setting("until.events.value", PHYSIM_FIELD(event->value), "that is crossed",
-            QuantityBy{quantity_of_event, "of the kind"}),
-    setting("until.events.direction", PHYSIM_FIELD(event->direction), "which crossings count"),
-    setting("until.events.terminal", PHYSIM_FIELD(event->terminal), "the event ends the flight"),
-    setting("output.ranges", PHYSIM_FIELD(scenario->ranges),
-            "of the range card; also \"100 m .. 1000 m step 100 m\" or { from, to, step }", Quantity::length,
-            at_least(0)),
+    PHYSIM_ROW("until.events", event, value, "that is crossed", QuantityBy{quantity_of_event, "of the kind"}),
+    PHYSIM_ROW("until.events", event, direction, "which crossings count"),
+    PHYSIM_ROW("until.events", event, terminal, "the event ends the flight"),
+    PHYSIM_ROW("output", scenario, ranges,
+               "of the range card; also \"100 m .. 1000 m step 100 m\" or { from, to, step }", Quantity::length,
+               at_least(0)),
     PHYSIM_SCENARIO(target.position,
                     "where the target of `physim aim` is when the shot is fired: x downrange, y up, z right",
                     Quantity::length),

@@ -23,7 +23,7 @@ bool is_law(const Scope& scope) {
   return std::holds_alternative<Law>(scope.force->law);
 }
 
-#define PHYSIM_FORCE(field, ...) setting("force." #field, PHYSIM_FIELD(force->field), __VA_ARGS__)
+#define PHYSIM_FORCE(...) PHYSIM_ROW("force", force, __VA_ARGS__)
 
 constexpr Entry kForceSettings[] = {
     setting("force", PHYSIM_FIELD(scenario->forces), "force generators; each has one law", at_most(10000)),
@@ -35,9 +35,9 @@ constexpr Entry kForceSettings[] = {
 };
 
 constexpr Entry kThrustCurve[] = {
-    setting("force.thrust.curve.time", PHYSIM_FIELD(thrust_point->time),
-            "since the force started, or since each launch", Quantity::time, at_least(0)),
-    setting("force.thrust.curve.force", PHYSIM_FIELD(thrust_point->force), "along the direction", Quantity::force),
+    PHYSIM_ROW("force.thrust.curve", thrust_point, time, "since the force started, or since each launch",
+               Quantity::time, at_least(0)),
+    PHYSIM_ROW("force.thrust.curve", thrust_point, force, "along the direction", Quantity::force),
 };
 
 constexpr Range range_of(Limit limit) {

@@ -83,14 +83,14 @@ ValueRef slot_of(const Scope& scope, T& value) {
     return slot;
   } else if constexpr (std::is_same_v<T, std::optional<double>>) {
     return OptionalNumber{[&value] { return value; }, [&value](std::optional<double> v) { value = v; }};
-  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
-    return Integer{[&value] { return std::int64_t{value}; },
-                   [&value](std::int64_t v) {
-                     PHYSIM_ASSERT(std::in_range<std::uint32_t>(v));  // by the range of the setting
-                     value = static_cast<std::uint32_t>(v);
-                   }};
   } else if constexpr (std::is_constructible_v<ValueRef, T*>) {
     return &value;
+  } else if constexpr (std::is_integral_v<T>) {
+    return Integer{[&value] { return static_cast<std::int64_t>(value); },
+                   [&value](std::int64_t v) {
+                     PHYSIM_ASSERT(std::in_range<T>(v));  // by the range of the setting
+                     value = static_cast<T>(v);
+                   }};
   } else if constexpr (requires { points_of(value); }) {
     return points_of(value);
   } else {
@@ -129,6 +129,8 @@ constexpr Entry setting(std::string_view path, ValueRef (*slot)(const Scope&), s
 }
 
 #define PHYSIM_FIELD(...) [](const Scope& s) { return slot_of(s, s.__VA_ARGS__); }
+/// A row of a table whose keys are called as the fields of what a pointer of Scope points to.
+#define PHYSIM_ROW(table, pointer, field, ...) setting(table "." #field, PHYSIM_FIELD(pointer->field), __VA_ARGS__)
 /// A row of what a scenario calls as its file does.
 #define PHYSIM_SCENARIO(field, ...) setting(#field, PHYSIM_FIELD(scenario->field), __VA_ARGS__)
 

@@ -40,7 +40,7 @@ ValueRef rate_slot(const Scope& scope) {
 
 #define PHYSIM_SHOT(field, ...) setting("shot." #field, PHYSIM_FIELD(shot->field), __VA_ARGS__)
 #define PHYSIM_WORLD_DEF(field, ...) setting("world." #field, PHYSIM_FIELD(scenario->world.def.field), __VA_ARGS__)
-#define PHYSIM_VOLLEY(field, ...) setting("volley." #field, PHYSIM_FIELD(volley->field), __VA_ARGS__)
+#define PHYSIM_VOLLEY(...) PHYSIM_ROW("volley", volley, __VA_ARGS__)
 
 constexpr Entry kWorldSettings[] = {
     PHYSIM_SHOT(body.gravity_scale, "times gravity; 0: none"),
@@ -67,7 +67,7 @@ constexpr Entry kWorldSettings[] = {
     PHYSIM_SHOT(body.despawn.box_low, "corner of the box", Quantity::length),
     PHYSIM_SHOT(body.despawn.box_high, "opposite corner of the box", Quantity::length),
     PHYSIM_SHOT(body.smoothing, "how a position between two steps is shown"),
-    setting("shot.body.pool", PHYSIM_FIELD(shot->pool), "name of its pool, out of world.pools; empty: the first"),
+    PHYSIM_ROW("shot.body", shot, pool, "name of its pool, out of world.pools; empty: the first"),
     PHYSIM_SHOT(body.within_time, "how long after its launch shot.fidelity.cheapest_within is kept", Quantity::time,
                 above(0)),
     PHYSIM_SHOT(body.layers, "bits for forces and for the user's own use", kBits),
@@ -83,16 +83,15 @@ constexpr Entry kWorldSettings[] = {
                     Absent{"off"}),
     PHYSIM_WORLD_DEF(apex_events, "tell when a projectile passes its highest point"),
     PHYSIM_WORLD_DEF(pools, "limits on projectiles; the first is that of shots that name none", at_most(1000)),
-    setting("world.pools.name", PHYSIM_FIELD(pool->name), "for shot.body.pool", kRequired),
-    setting("world.pools.maximum", PHYSIM_FIELD(pool->maximum), "projectiles at once", between(1, 4294967295.0)),
-    setting("world.pools.when_full", PHYSIM_FIELD(pool->when_full), "what happens to the next one"),
+    PHYSIM_ROW("world.pools", pool, name, "for shot.body.pool", kRequired),
+    PHYSIM_ROW("world.pools", pool, maximum, "projectiles at once", between(1, 4294967295.0)),
+    PHYSIM_ROW("world.pools", pool, when_full, "what happens to the next one"),
     PHYSIM_WORLD_DEF(detail.rungs, "two or three rungs of fidelity, finest first, between which projectiles are moved",
                      at_most(3)),
     setting("world.detail.rungs.fidelity", rung_slot, "preset of the rung", kRequired),
-    setting("world.detail.rungs.within", PHYSIM_FIELD(rung->within), "distance to the observer up to which it holds",
-            Quantity::length, or_infinite(above(0))),
-    setting("world.detail.rungs.younger", PHYSIM_FIELD(rung->younger), "age up to which it holds", Quantity::time,
-            or_infinite(above(0))),
+    PHYSIM_ROW("world.detail.rungs", rung, within, "distance to the observer up to which it holds", Quantity::length,
+               or_infinite(above(0))),
+    PHYSIM_ROW("world.detail.rungs", rung, younger, "age up to which it holds", Quantity::time, or_infinite(above(0))),
     PHYSIM_WORLD_DEF(detail.hysteresis, "part of a rung's distance by which it must be left before it changes",
                      between(0, 0.99)),
     PHYSIM_WORLD_DEF(detail.layers, "bits of the projectiles that it rules", kBits),

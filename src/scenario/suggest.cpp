@@ -1,4 +1,3 @@
-// Suggestions for misspelt words in error messages.
 #include "scenario/suggest.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// Values of settings as text that reads back as the same value, bit for bit.
 #include "scenario/writer.hpp"
 
 #include "base/assert.hpp"
@@ -49,10 +48,11 @@ std::string array_value(const List& list, const Write& write) {
   return "[" + out + "]";
 }
 
-std::string vector_value(const Vec3d& v, Quantity quantity) {
-  return array_value(std::initializer_list<double>{v.x, v.y, v.z},
-                     [quantity](double x) { return number_value(x, quantity, Style::toml); });
+std::string numbers_value(const std::vector<double>& list, Quantity quantity) {
+  return array_value(list, [quantity](double x) { return number_value(x, quantity, Style::toml); });
 }
+
+std::string vector_value(const Vec3d& v, Quantity quantity) { return numbers_value({v.x, v.y, v.z}, quantity); }
 
 std::string points_value(const Points& points) {
   return array_value(points.get(), [&](const auto& point) {
@@ -119,7 +119,6 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                         [&](const std::optional<Vec3d>* value) -> Text {
                           return *value ? vector_value(**value, quantity) : absent(entry, style);
                         },
-                        [&](const std::int64_t* value) -> Text { return std::to_string(*value); },
                         [&](const Integer& value) -> Text { return std::to_string(value.get()); },
                         [&](const bool* value) -> Text { return *value ? "true" : "false"; },
                         [&](const std::string* value) -> Text { return text_value(*value, style); },
@@ -131,13 +130,8 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                         [](const Reference&) -> Text { return std::nullopt; },
                         [](const Points& points) -> Text { return points_value(points); },
                         [&](const AeroCoefficient* coefficient) -> Text { return aero_value(*coefficient); },
-                        [&](const std::vector<double>* list) -> Text {
-                          return array_value(*list,
-                                             [quantity](double x) { return number_value(x, quantity, Style::toml); });
-                        },
-                        [&](const std::vector<std::string>* list) -> Text {
-                          return array_value(*list, [](const std::string& text) { return toml_string(text); });
-                        },
+                        [&](const std::vector<double>* list) -> Text { return numbers_value(*list, quantity); },
+                        [&](const std::vector<std::string>* list) -> Text { return array_value(*list, toml_string); },
                         [&](const Records& records) -> Text { return records_value(entry, records); },
                     },
                     entry.slot(scope));

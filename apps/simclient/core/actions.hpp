@@ -1,7 +1,6 @@
 // Actions: everything that can be done, once. Keys, menus, scripts and the documentation are made from this table.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "physim/recording_file.hpp"
 #include "report/file.hpp"
@@ -127,11 +126,9 @@ Status Client::fire_compared() {
 }
 
 const std::vector<ComparedRung>& Client::comparison() {
-  const bool is_new =
-      compared_version_ != launcher.version() || compared_session_ != session_version_ || compared_presets_ != compared;
+  const bool is_new = compared_at_ != versions() || compared_presets_ != compared;
   if (is_new && !session.is_replay()) comparison_ = compare_rungs(session, launcher.shot(), compared, costs_);
-  compared_version_ = launcher.version();
-  compared_session_ = session_version_;
+  compared_at_ = versions();
   compared_presets_ = compared;
   return comparison_;
 }
@@ -215,10 +212,8 @@ Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
 }
 
 const Prediction& Client::prediction() {
-  const bool is_new = predicted_version_ != launcher.version() || predicted_session_ != session_version_;
-  if (is_new && !session.is_replay()) prediction_ = predict(session, launcher.shot());
-  predicted_version_ = launcher.version();
-  predicted_session_ = session_version_;
+  if (predicted_at_ != versions() && !session.is_replay()) prediction_ = predict(session, launcher.shot());
+  predicted_at_ = versions();
   return prediction_;
 }
 

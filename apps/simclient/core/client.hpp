@@ -132,16 +132,17 @@ class Client {
   [[nodiscard]] Status use_session(Result<Session> opened);
   [[nodiscard]] Status use(const Scenario& scenario, const ScenarioShot& shot);
   [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
+  using Versions = std::pair<std::uint64_t, std::uint64_t>;  // of the shot and of what it is fired into
+  [[nodiscard]] Versions versions() const { return {launcher.version(), session_version_}; }
 
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;
   CostTable costs_;
   std::vector<std::string> compared_presets_;
-  std::uint64_t compared_version_ = ~std::uint64_t{0}, compared_session_ = 0;
-  std::string scenario_file_;  // to come back to from a replay
-  std::string recorded_;       // file of the last recording
-  std::uint64_t predicted_version_ = ~std::uint64_t{0};
-  std::uint64_t session_version_ = 0, predicted_session_ = 0;
+  std::optional<Versions> compared_at_, predicted_at_;  // none: never
+  std::string scenario_file_;                           // to come back to from a replay
+  std::string recorded_;                                // file of the last recording
+  std::uint64_t session_version_ = 0;
   std::deque<Message> messages_;
 };
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physim/names.hpp"
 #include "physim/presets.hpp"
-#include "physim/units.hpp"
 #include "simclient/core/session.hpp"
 #include "simclient/core/text.hpp"
 
@@ -27,11 +25,6 @@ ShotType type_of(std::string_view name) {
   if (name == "artillery") type.forward = 40, type.up = 2;
   if (name == "bullet" || name == "laser") type.forward = 35, type.up = 1;
   return type;
-}
-
-template <class Enum>
-void next(Enum& value) {
-  value = static_cast<Enum>((static_cast<std::size_t>(value) + 1) % names_of<Enum>().size());
 }
 
 }  // namespace
@@ -90,10 +83,6 @@ void Launcher::cycle_elevation() {
   const double steps = std::floor(elevation / kElevationStep + 1e-6) + 1;
   elevation = steps * kElevationStep > kMaxElevation + 1e-6 ? 0 : steps * kElevationStep;
 }
-
-void Launcher::cycle_motion() { next(shot_.projectile.fidelity.motion), ++version_; }
-void Launcher::cycle_drag() { next(shot_.projectile.fidelity.drag), ++version_; }
-void Launcher::cycle_gravity() { next(shot_.projectile.fidelity.gravity), ++version_; }
 
 void Launcher::turn(double right, double up) {
   use_angles();

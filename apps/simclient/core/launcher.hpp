@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physim/names.hpp"
 #include "physim/scenario.hpp"
 
 namespace physim::client {
@@ -41,9 +42,12 @@ class Launcher {
 
   // The original's settings, each the next of its values.
   void cycle_elevation();
-  void cycle_motion();
-  void cycle_drag();
-  void cycle_gravity();
+  template <class Rung>
+  void cycle(Rung Fidelity::*of_effect) {
+    Rung& rung = shot_.projectile.fidelity.*of_effect;
+    rung = static_cast<Rung>((static_cast<std::size_t>(rung) + 1) % names_of<Rung>().size());
+    ++version_;
+  }
   /// Turns the barrel, and keeps the speed [rad].
   void turn(double right, double up);
 

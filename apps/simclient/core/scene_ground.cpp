@@ -1,5 +1,4 @@
 // The ground: a grid, and scale lines across the line of fire with their distances.
-#include <algorithm>
 #include <cmath>
 
 #include "simclient/core/scene.hpp"

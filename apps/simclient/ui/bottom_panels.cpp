@@ -1,6 +1,5 @@
 // The panels under the scene: plots, the comparison of rungs, and what everything costs.
 #include <algorithm>
-#include <cmath>
 
 #include "physim/names.hpp"
 #include "simclient/core/actions.hpp"
@@ -27,12 +26,9 @@ void draw_rung(const ComparedRung& rung) {
     return coloured_text(colours::kWarning, rung.problem);
   }
   const TrackSample& end = rung.path.back();
-  for (const double value : {rung.farthest, rung.at_end, rung.later, end.position.x, end.position.y, end.time}) {
-    ImGui::TableNextColumn();
-    ImGui::Text("%.4g", value);
-  }
-  ImGui::TableNextColumn();
-  ImGui::Text("%.1f", rung.per_step * 1e9);
+  for (const double value : {rung.farthest, rung.at_end, rung.later, end.position.x, end.position.y, end.time})
+    cell("%.4g", value);
+  cell("%.1f", rung.per_step * 1e9);
   ImGui::TableNextColumn();
   for (const FidelityNote& note : rung.granted.notes) {
     ImGui::TextColored(tint(colours::kWarning), "%s %s", note.effect.c_str(), note.granted.c_str());
@@ -71,10 +67,8 @@ void draw_comparison(Client& client) {
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("rungs", 9, flags)) return;
-  for (const char* title : {"rung", "farthest off [m]", "off at the end [m]", "later [s]", "end x [m]", "end y [m]",
-                            "time [s]", "ns per step", "granted instead"})
-    ImGui::TableSetupColumn(title);
-  ImGui::TableHeadersRow();
+  headings({"rung", "farthest off [m]", "off at the end [m]", "later [s]", "end x [m]", "end y [m]", "time [s]",
+            "ns per step", "granted instead"});
   for (const ComparedRung& rung : client.comparison()) draw_rung(rung);
   ImGui::EndTable();
 }
@@ -105,16 +99,13 @@ void draw_performance(Client& client) {
   ImGui::SameLine();
   ImGui::BeginChild("cohorts");
   if (ImGui::BeginTable("cohorts", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
-    for (const char* title : {"projectiles", "", "cohort"}) ImGui::TableSetupColumn(title);
-    ImGui::TableHeadersRow();
+    headings({"projectiles", "", "cohort"});
     for (const CohortInfo& cohort : session.world().cohorts()) {
       if (cohort.count == 0) continue;
-      ImGui::TableNextColumn();
-      ImGui::Text("%u", cohort.count);
+      cell("%u", cohort.count);
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s%s", cohort.moving ? "moving" : "at rest", cohort.forced ? ", forced" : "");
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(short_fidelity(cohort.fidelity).c_str());
+      cell("%s", short_fidelity(cohort.fidelity).c_str());
     }
     ImGui::EndTable();
   }

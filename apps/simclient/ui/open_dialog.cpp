@@ -2,8 +2,6 @@
 
 #include <imgui_stdlib.h>
 
-#include <algorithm>
-
 namespace physim::client {
 
 void OpenDialog::open(Client& client, const std::string& path) {
@@ -12,12 +10,11 @@ void OpenDialog::open(Client& client, const std::string& path) {
 }
 
 void OpenDialog::draw(Client& client, const Box& scene, float scale) {
-  if (client.show.open_dialog && !was_open_) files_ = files_at_hand();
   const bool has_just_opened = client.show.open_dialog && !was_open_;
+  if (has_just_opened) files_ = files_at_hand();
   was_open_ = client.show.open_dialog;
   if (!was_open_) return;
-  ImGui::SetNextWindowPos({scene.x + scene.width / 2, scene.y + scene.height / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize({std::min(520 * scale, scene.width), std::min(460 * scale, scene.height)});
+  centre_window(scene, 520 * scale, 460 * scale);
   if (ImGui::Begin("Open a scenario or recording", &client.show.open_dialog,
                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::SetNextItemWidth(-1);

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <initializer_list>
 #include <string>
 
 #include "simclient/core/layout.hpp"
@@ -15,6 +16,16 @@ void set_theme(float scale);
 
 /// A panel that fills a box, with a title.
 bool begin_panel(const char* title, const Box& box);
+/// Puts the next window into the middle of a box, no larger than that.
+void centre_window(const Box& box, float width, float height);
+/// The next cell of a table.
+template <class... Values>
+void cell(const char* format, Values... values) {
+  ImGui::TableNextColumn();
+  ImGui::Text(format, values...);
+}
+/// The first row of a table.
+void headings(std::initializer_list<const char*> titles);
 void end_panel();
 
 void coloured_text(Colour colour, const std::string& text);  // wrapped

@@ -1,6 +1,5 @@
 // Plots that grow while things fly.
 #include <algorithm>
-#include <cmath>
 
 #include "simclient/core/actions.hpp"
 #include "simclient/ui/panels.hpp"
@@ -129,16 +128,13 @@ void draw_plots(Client& client) {
   ImGui::SameLine();
   if (ImGui::Button("-") && client.plots.size() > 1) client.plots.pop_back();
   tooltip("one plot less");
-  const struct {
-    const char *label, *plots;
-  } sets[] = {{"path", "y/x y/z speed/range"},
-              {"position", "x y z"},
-              {"velocity", "vx vy vz"},
-              {"acceleration", "ax ay az"},
-              {"energy", "speed energy mach"}};
-  for (const auto& set : sets) {
+  for (const auto& [label, plots] : {std::pair{"path", "y/x y/z speed/range"},
+                                     {"position", "x y z"},
+                                     {"velocity", "vx vy vz"},
+                                     {"acceleration", "ax ay az"},
+                                     {"energy", "speed energy mach"}}) {
     ImGui::SameLine();
-    if (ImGui::Button(set.label)) client.plots = *parse_plots(set.plots);
+    if (ImGui::Button(label)) client.plots = *parse_plots(plots);
   }
   button(client, "CSV", "save-csv");
   button(client, "PNG", "picture-of-plots");

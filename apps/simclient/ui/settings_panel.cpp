@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "physim/names.hpp"
-
 namespace physim::client {
 namespace {
 

@@ -12,10 +12,7 @@ void vector_row(const char* what, const char* unit, const Vec3d& v) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", what);
-  for (const double x : {v.x, v.y, v.z}) {
-    ImGui::TableNextColumn();
-    ImGui::Text(std::abs(x) < 1000 ? "%9.3f" : std::abs(x) < 1e6 ? "%9.1f" : "%9.4g", x);
-  }
+  for (const double x : {v.x, v.y, v.z}) cell(std::abs(x) < 1000 ? "%9.3f" : std::abs(x) < 1e6 ? "%9.1f" : "%9.4g", x);
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", unit);
 }

@@ -1,5 +1,5 @@
 // Colours, fonts and boxes of the user interface.
-#include <array>
+#include <algorithm>
 #include <filesystem>
 
 #include "simclient/ui/panel.hpp"
@@ -36,22 +36,20 @@ void set_theme(float scale) {
   style.FramePadding = {6, 3};
   style.ItemSpacing = {6, 4};
   style.CellPadding = {4, 2};
-  const struct {
-    int slot;
-    Colour colour;
-  } colours[] = {{ImGuiCol_WindowBg, 0x1A1E24FF},        {ImGuiCol_PopupBg, 0x20252DFF},
-                 {ImGuiCol_MenuBarBg, 0x14171CFF},       {ImGuiCol_Text, colours::kText},
-                 {ImGuiCol_TextDisabled, colours::kDim}, {ImGuiCol_FrameBg, 0x2A313AFF},
-                 {ImGuiCol_FrameBgHovered, 0x36404CFF},  {ImGuiCol_FrameBgActive, 0x41505FFF},
-                 {ImGuiCol_Button, 0x2F3945FF},          {ImGuiCol_ButtonHovered, 0x3D4C5DFF},
-                 {ImGuiCol_ButtonActive, 0x4B6078FF},    {ImGuiCol_Header, 0x2C3743FF},
-                 {ImGuiCol_HeaderHovered, 0x3A4A5BFF},   {ImGuiCol_HeaderActive, 0x46596EFF},
-                 {ImGuiCol_TitleBg, 0x14171CFF},         {ImGuiCol_TitleBgActive, 0x14171CFF},
-                 {ImGuiCol_CheckMark, 0x56B4E9FF},       {ImGuiCol_SliderGrab, 0x56B4E9FF},
-                 {ImGuiCol_NavHighlight, 0xE69F00FF},    {ImGuiCol_Separator, 0x38414CFF},
-                 {ImGuiCol_TableRowBgAlt, 0xFFFFFF08},   {ImGuiCol_Tab, 0x242B33FF},
-                 {ImGuiCol_TabHovered, 0x3D4C5DFF},      {ImGuiCol_TabActive, 0x35506BFF}};
-  for (const auto& each : colours) style.Colors[each.slot] = tint(each.colour);
+  const std::pair<int, Colour> colours[] = {
+      {ImGuiCol_WindowBg, 0x1A1E24FF},        {ImGuiCol_PopupBg, 0x20252DFF},
+      {ImGuiCol_MenuBarBg, 0x14171CFF},       {ImGuiCol_Text, colours::kText},
+      {ImGuiCol_TextDisabled, colours::kDim}, {ImGuiCol_FrameBg, 0x2A313AFF},
+      {ImGuiCol_FrameBgHovered, 0x36404CFF},  {ImGuiCol_FrameBgActive, 0x41505FFF},
+      {ImGuiCol_Button, 0x2F3945FF},          {ImGuiCol_ButtonHovered, 0x3D4C5DFF},
+      {ImGuiCol_ButtonActive, 0x4B6078FF},    {ImGuiCol_Header, 0x2C3743FF},
+      {ImGuiCol_HeaderHovered, 0x3A4A5BFF},   {ImGuiCol_HeaderActive, 0x46596EFF},
+      {ImGuiCol_TitleBg, 0x14171CFF},         {ImGuiCol_TitleBgActive, 0x14171CFF},
+      {ImGuiCol_CheckMark, 0x56B4E9FF},       {ImGuiCol_SliderGrab, 0x56B4E9FF},
+      {ImGuiCol_NavHighlight, 0xE69F00FF},    {ImGuiCol_Separator, 0x38414CFF},
+      {ImGuiCol_TableRowBgAlt, 0xFFFFFF08},   {ImGuiCol_Tab, 0x242B33FF},
+      {ImGuiCol_TabHovered, 0x3D4C5DFF},      {ImGuiCol_TabActive, 0x35506BFF}};
+  for (const auto& [slot, colour] : colours) style.Colors[slot] = tint(colour);
   style.ScaleAllSizes(scale);
   load_font(15 * scale);
 }
@@ -62,6 +60,16 @@ bool begin_panel(const char* title, const Box& box) {
   return ImGui::Begin(title, nullptr,
                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+void centre_window(const Box& box, float width, float height) {
+  ImGui::SetNextWindowPos({box.x + box.width / 2, box.y + box.height / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(width, box.width), std::min(height, box.height)});
+}
+
+void headings(std::initializer_list<const char*> titles) {
+  for (const char* title : titles) ImGui::TableSetupColumn(title);
+  ImGui::TableHeadersRow();
 }
 
 void end_panel() { ImGui::End(); }

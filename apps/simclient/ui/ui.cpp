@@ -115,9 +115,7 @@ void Ui::draw_context_menu(Client& client) {
 }
 
 void Ui::draw_help(Client& client) {
-  const Box& s = layout_.scene;
-  ImGui::SetNextWindowPos({s.x + s.width / 2, s.y + s.height / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize({std::min(560 * scale_, s.width), std::min(620 * scale_, s.height)});
+  centre_window(layout_.scene, 560 * scale_, 620 * scale_);
   if (ImGui::Begin("Keys", &client.show.help, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::TextWrapped(
         "Left click: fires. Right drag: turns the view. Middle drag: moves it. Wheel: nearer, farther. "
@@ -125,10 +123,8 @@ void Ui::draw_help(Client& client) {
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
       for (const Action& action : actions()) {
         if (action.keys.empty()) continue;
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(std::string(action.keys).c_str());
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(std::string(action.help).c_str());
+        cell("%s", std::string(action.keys).c_str());
+        cell("%s", std::string(action.help).c_str());
       }
       ImGui::EndTable();
     }
