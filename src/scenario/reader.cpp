@@ -212,10 +212,10 @@ Status read_reference(const Entry& entry, const Value& value, const Reference& r
 }
 
 /// from, from + step, ... up to and including `to`.
-Status fill_steps(const Wanted& wanted, const Value& value, double from, double to, double step,
-                  std::vector<double>& list) {
+Status fill_steps(const Wanted& wanted, const Value& value, const double (&steps)[3], std::vector<double>& list) {
   constexpr double kSlack = 1e-9;  // of a step, so that 0.1 .. 1 step 0.1 reaches 1
   PHYSIM_ASSERT(list.empty());
+  const auto [from, to, step] = steps;
   if (!(step > 0) || to < from) return fault(wanted.path, value, "the steps lead nowhere", "from <= to and step > 0");
   const double count = std::floor((to - from) / step + kSlack) + 1;
   if (!(count <= static_cast<double>(kMostRanges)))
@@ -238,7 +238,7 @@ Status read_steps_table(const Wanted& wanted, const Value& value, std::vector<do
       return fault(wanted.path, value, "missing key " + in_quotes(kKeys[i]), "expected { from, to, step }");
     if (Status status = read_number(wanted, *number, numbers[i]); !status) return status;
   }
-  return fill_steps(wanted, value, numbers[0], numbers[1], numbers[2], list);
+  return fill_steps(wanted, value, numbers, list);
 }
 
 /// "100 m .. 1000 m step 100 m", or one value.
@@ -246,21 +246,18 @@ Status read_steps_text(const Wanted& wanted, const Value& value, std::vector<dou
   constexpr std::string_view kTo = "..", kStep = "step";
   const std::string& text = *value.get<std::string>();
   const std::size_t to = text.find(kTo), step = text.find(kStep);
-  std::vector<std::string> parts = {text};
-  if (to != text.npos && step != text.npos && to < step)
-    parts = {text.substr(0, to), text.substr(to + kTo.size(), step - to - kTo.size()),
-             text.substr(step + kStep.size())};
-  else if (to != text.npos)
+  if (to == text.npos) return read_number(wanted, value, list.emplace_back());
+  if (step == text.npos || step < to)
     return fault(wanted.path, value, in_quotes(text) + " has no step", "expected \"100 m .. 1000 m step 100 m\"");
-  std::vector<double> numbers;
-  for (const std::string& part : parts) {
+  const std::string parts[] = {text.substr(0, to), text.substr(to + kTo.size(), step - to - kTo.size()),
+                               text.substr(step + kStep.size())};
+  double numbers[3];
+  for (std::size_t i = 0; i < 3; ++i) {
     Value piece = value;
-    piece.content = part;
-    if (Status status = read_number(wanted, piece, numbers.emplace_back()); !status) return status;
+    piece.content = parts[i];
+    if (Status status = read_number(wanted, piece, numbers[i]); !status) return status;
   }
-  if (numbers.size() == 3) return fill_steps(wanted, value, numbers[0], numbers[1], numbers[2], list);
-  list = numbers;
-  return {};
+  return fill_steps(wanted, value, numbers, list);
 }
 
 Status read_numbers(const Wanted& wanted, const Value& value, std::vector<double>& list) {

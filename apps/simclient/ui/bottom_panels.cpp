@@ -3,7 +3,7 @@
 
 #include "physim/names.hpp"
 #include "simclient/core/actions.hpp"
-#include "simclient/ui/panels.hpp"
+#include "simclient/ui/panel.hpp"
 
 namespace physim::client {
 namespace {
@@ -58,8 +58,6 @@ void pick_rungs(Client& client) {
   tooltip("fires the next shot on all of them at once (F6)");
 }
 
-}  // namespace
-
 void draw_comparison(Client& client) {
   if (client.session.is_replay()) return ImGui::TextWrapped("A replay fires by itself.");
   pick_rungs(client);
@@ -111,6 +109,8 @@ void draw_performance(Client& client) {
   }
   ImGui::EndChild();
 }
+
+}  // namespace
 
 void draw_bottom_panel(Client& client, const Box& box) {
   static constexpr const char* kTitles[] = {"", "Plots", "Comparison", "Performance"};

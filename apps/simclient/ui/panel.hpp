@@ -1,4 +1,4 @@
-// What all panels are made with: colours, boxes, small pieces.
+// What all panels are made with: colours, boxes, small pieces; and the panels without a state of their own.
 #pragma once
 
 #include <imgui.h>
@@ -31,5 +31,10 @@ void end_panel();
 void coloured_text(Colour colour, const std::string& text);  // wrapped
 /// Shown while the mouse rests on the item before.
 void tooltip(const std::string& text);
+
+void draw_statistics_panel(Client& client, const Box& box);
+/// Under the scene: plots, comparison or performance.
+void draw_bottom_panel(Client& client, const Box& box);
+void draw_plots(Client& client);
 
 }  // namespace physim::client

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "simclient/core/actions.hpp"
-#include "simclient/ui/panels.hpp"
+#include "simclient/ui/panel.hpp"
 
 namespace physim::client {
 namespace {

@@ -116,10 +116,7 @@ void SettingsPanel::draw_row(Client& client, const SettingRow& row, const std::s
   ImGui::PushID(row.path.c_str());
   const float label = ImGui::GetFontSize() * 8.4F;
   ImGui::AlignTextToFramePadding();
-  if (is_changed)
-    ImGui::TextColored(tint(colours::kForce), "%s", row.name.c_str());
-  else
-    ImGui::TextUnformatted(row.name.c_str());
+  ImGui::TextColored(tint(is_changed ? colours::kForce : colours::kText), "%s", row.name.c_str());
   tooltip(row.tooltip());
   if (ImGui::CalcTextSize(row.name.c_str()).x < label - ImGui::GetFontSize() * 0.5F) ImGui::SameLine(label);
   ImGui::SetNextItemWidth(-1);

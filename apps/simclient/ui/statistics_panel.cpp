@@ -3,7 +3,7 @@
 
 #include "physim/names.hpp"
 #include "simclient/core/text.hpp"
-#include "simclient/ui/panels.hpp"
+#include "simclient/ui/panel.hpp"
 
 namespace physim::client {
 namespace {

@@ -221,11 +221,8 @@ void Ui::draw_messages(const Client& client) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   const auto& messages = client.messages();
-  for (std::size_t i = messages.size() > 3 ? messages.size() - 3 : 0; i < messages.size(); ++i) {
-    ImGui::PushStyleColor(ImGuiCol_Text, tint(messages[i].is_error ? colours::kWarning : colours::kText));
-    ImGui::TextWrapped("%s", messages[i].text.c_str());
-    ImGui::PopStyleColor();
-  }
+  for (std::size_t i = messages.size() > 3 ? messages.size() - 3 : 0; i < messages.size(); ++i)
+    coloured_text(messages[i].is_error ? colours::kWarning : colours::kText, messages[i].text);
   ImGui::End();
 }
 
@@ -234,14 +231,13 @@ void Ui::draw_probe(Client& client) {
   const auto found = client.probe(mouse_);
   if (!found) return;
   const TrackSample& s = found->sample;
+  const Colour colour = found->track ? found->track->colour : colours::kText;
   if (const auto at = client.camera.project(s.position))
     ImGui::GetBackgroundDrawList()->AddCircle(
         {layout_.scene.x + static_cast<float>(at->x), layout_.scene.y + static_cast<float>(at->y)}, 6 * scale_,
-        shade(found->track ? found->track->colour : colours::kText), 0, 2 * scale_);
+        shade(colour), 0, 2 * scale_);
   ImGui::BeginTooltip();
-  ImGui::PushStyleColor(ImGuiCol_Text, tint(found->track ? found->track->colour : colours::kText));
-  ImGui::TextUnformatted(found->track ? found->track->title().c_str() : "predicted");
-  ImGui::PopStyleColor();
+  ImGui::TextColored(tint(colour), "%s", found->track ? found->track->title().c_str() : "predicted");
   ImGui::Text("time      %.3f s", s.time);
   ImGui::Text("position  %.3f, %.3f, %.3f m", s.position.x, s.position.y, s.position.z);
   ImGui::Text("speed     %.3f m/s", length(s.velocity));

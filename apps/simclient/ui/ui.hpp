@@ -8,7 +8,6 @@
 #include "simclient/core/client.hpp"
 #include "simclient/core/scene.hpp"
 #include "simclient/ui/open_dialog.hpp"
-#include "simclient/ui/panels.hpp"
 #include "simclient/ui/settings_panel.hpp"
 
 namespace physim::client {
