@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "scenario/text_file.hpp"
+
 #include "base/assert.hpp"
 
 namespace physim::report {
@@ -39,23 +41,10 @@ int write_to(const std::string& path, int flags, std::string_view content) {
   return write_error != 0 ? write_error : close_error;
 }
 
-// Where a path leads: the file itself behind symbolic links, so that a link is kept and its target replaced.
-std::string target_of(const std::string& path) {
-  std::error_code ignored;
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);
-  return target.empty() ? path : target.string();
-}
-
 // May we write into this file or folder? As far as can be told beforehand.
 Status check_permission(const std::string& path, const std::string& file_or_folder) {
   if (::access(file_or_folder.c_str(), W_OK) == 0) return {};
   return cannot_write(path, errno);
-}
-
-// A device or a pipe is written to; it must never be replaced by a file.
-bool is_special(const std::string& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/assert.hpp"
+#include "scenario/text_file.hpp"
 
 namespace physim {
 namespace {
@@ -18,14 +19,8 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  // of a file tha
 /// A file that is written under another name until it is complete.
 class NewFile {
  public:
-  explicit NewFile(std::string path) : path_(std::move(path)) {
-    std::error_code ignored;
-    const fs::path target = fs::is_symlink(path_, ignored) ? fs::canonical(path_, ignored) : fs::path(path_);
-    target_ = target.empty() ? path_ : target.string();
-    // A device or a pipe is written to; it must never be replaced by a file.
-    const bool special = fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored);
-    written_ = special ? target_ : target_ + ".part";
-  }
+  explicit NewFile(const std::string& path)
+      : path_(path), target_(target_of(path)), written_(is_special(target_) ? target_ : target_ + ".part") {}
 
   Status open() {
     std::error_code ignored;

@@ -1,5 +1,5 @@
-// The list of all settings of scenario files: one row each, here and in settings_shot.cpp and settings_world.cpp.
-// Adding a setting is adding a row.
+// The list of all settings of scenario files: one row each, here and in the files settings_*.cpp. Adding a setting is
+// adding a row.
 #include "base/event_table.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/settings_parts.hpp"

@@ -7,16 +7,16 @@
 #include "base/assert.hpp"
 
 namespace physim {
+namespace fs = std::filesystem;
 
 Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_bytes, const std::string& kind) {
   PHYSIM_ASSERT(!kind.empty());
   const Error too_large{"larger than " + std::to_string(most_bytes >> 20) + " MiB", file, "this cannot be a " + kind};
   std::error_code failure;
-  const auto status = std::filesystem::status(file, failure);
-  if (!std::filesystem::exists(status)) return Error{"there is no such file", file, ""};
-  if (std::filesystem::is_directory(status)) return Error{"this is a folder", file, "name a " + kind + " in it"};
-  if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(file, failure) > most_bytes)
-    return too_large;
+  const auto status = fs::status(file, failure);
+  if (!fs::exists(status)) return Error{"there is no such file", file, ""};
+  if (fs::is_directory(status)) return Error{"this is a folder", file, "name a " + kind + " in it"};
+  if (fs::is_regular_file(status) && fs::file_size(file, failure) > most_bytes) return too_large;
   std::ifstream in(file, std::ios::binary);
   std::string text;
   std::vector<char> block(1 << 16);
@@ -27,6 +27,17 @@ Result<std::string> read_text_file(const std::string& file, std::uintmax_t most_
   if (in.bad() || !in.is_open()) return Error{"the file cannot be read", file, ""};
   if (text.size() > most_bytes) return too_large;
   return text;
+}
+
+std::string target_of(const std::string& path) {
+  std::error_code ignored;
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);
+  return target.empty() ? path : target.string();
+}
+
+bool is_special(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
 }
 
 }  // namespace physim
