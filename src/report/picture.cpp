@@ -91,8 +91,6 @@ Extent padded(Extent extent) {
 }
 
 std::string range_of(const char* axis, Extent extent) {
-  PHYSIM_ASSERT(std::isfinite(extent.low));
-  PHYSIM_ASSERT(std::isfinite(extent.high));
   PHYSIM_ASSERT(extent.low != extent.high);
   return std::string("set ") + axis + "range [" + significant(extent.low, 9) + ":" + significant(extent.high, 9) +
          "]\n";

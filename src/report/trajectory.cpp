@@ -16,7 +16,7 @@ constexpr double kDefaultSamples = 200;  // at least, for each shot
 
 // The largest of 1, 2, 5 times a power of ten that is not larger than `value`.
 double round_down(double value) {
-  PHYSIM_ASSERT(value > 0);
+  PHYSIM_ASSERT(value >= 0);
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double digit : {5.0, 2.0})
     if (digit * power <= value) return digit * power;

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
 #include "physim/names.hpp"
+#include "report/fidelity_text.hpp"
+#include "report/json.hpp"
+#include "report/number.hpp"
+#include "report/summary.hpp"
+#include "report/table.hpp"
 #include "report/trajectory.hpp"
 
 namespace physim::report {
@@ -40,7 +46,8 @@ class Logger {
       const std::size_t launched = step == 1 ? run_.events().size() : 0;  // these are taken already
       run_.step();
       take(run_.events().subspan(launched));
-      for (const WallHit& hit : run_.hits()) take(hit);
+      for (const WallHit& hit : run_.hits())
+        tell({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}}, &log_.hits);
       if (options_.parts.paths && (step % draw_every_ == 0 || step == log_.steps)) draw();
       if (step % sample_every_ == 0 || step == log_.steps)
         if (Status status = sample(); !status) return status;
@@ -89,25 +96,21 @@ class Logger {
     for (const RunEvent& each : events) {
       const Event& event = each.event;
       if (event.kind == EventKind::spawned) begin(each);
-      const bool is_at_wall = event.reason == Reason::despawned;  // its hit is told instead
-      if (is_at_wall) continue;
-      if (auto* path = path_of(each.launched)) path->push_back(event.position);
+      if (event.reason == Reason::despawned) continue;  // at the wall: its hit is told instead
       const bool is_impact = event.kind == EventKind::landed || event.kind == EventKind::bounced;
-      std::vector<Vec3d>& impacts = log_.impacts[each.launched.group];
-      if (options_.parts.paths && is_impact && impacts.size() < kMostImpacts) impacts.push_back(event.position);
-      PHYSIM_ASSERT(event.time <= run_.world().time());
-      if (options_.parts.events)
-        log_.events.push_back(
-            {name(event.kind), name(event.reason), each.launched, event.time, {event.position, event.velocity}});
+      tell({name(event.kind), name(event.reason), each.launched, event.time, {event.position, event.velocity}},
+           is_impact ? &log_.impacts : nullptr);
     }
   }
 
-  void take(const WallHit& hit) {
-    if (auto* path = path_of(hit.launched)) path->push_back(hit.position);
-    std::vector<Vec3d>& hits = log_.hits[hit.launched.group];
-    if (options_.parts.paths && hits.size() < kMostImpacts) hits.push_back(hit.position);
-    if (options_.parts.events)
-      log_.events.push_back({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}});
+  /// `marks`: what the picture marks, by group; null for nothing.
+  void tell(const LoggedEvent& event, std::vector<std::vector<Vec3d>>* marks) {
+    PHYSIM_ASSERT(event.time < run_.world().time() + log_.scenario.world.def.step);
+    if (auto* path = path_of(event.launched)) path->push_back(event.state.position);
+    if (options_.parts.paths && marks != nullptr)
+      if (auto& points = (*marks)[event.launched.group]; points.size() < kMostImpacts)
+        points.push_back(event.state.position);
+    if (options_.parts.events) log_.events.push_back(event);
   }
 
   void draw() {
@@ -136,6 +139,130 @@ class Logger {
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
 };
 
+using Json = nlohmann::ordered_json;
+constexpr int kIndent = 2;
+
+std::string hash_text(std::uint64_t value) { return hex(value).substr(2); }
+
+// -------------------------------------------------------------------------------------------------------- the summary
+using Count = std::uint64_t WorldGroup::*;
+constexpr std::pair<std::string_view, Count> kCounts[] = {
+    {"spawned", &WorldGroup::spawned}, {"refused", &WorldGroup::refused}, {"landed", &WorldGroup::landed},
+    {"hits", &WorldGroup::hits},       {"bounces", &WorldGroup::bounces}, {"slept", &WorldGroup::slept},
+    {"expired", &WorldGroup::expired}, {"retired", &WorldGroup::retired}, {"alive", &WorldGroup::alive}};
+
+// Counts that are zero everywhere are left out.
+std::string counts_table(const std::vector<WorldGroup>& groups) {
+  std::vector<std::string> columns = {"what"};
+  std::vector<Count> shown;
+  for (const auto& [name, count] : kCounts) {
+    const bool always = count == &WorldGroup::spawned || count == &WorldGroup::alive;
+    if (!always && std::ranges::all_of(groups, [part = count](const WorldGroup& g) { return g.*part == 0; })) continue;
+    columns.emplace_back(name);
+    shown.push_back(count);
+  }
+  Table table(columns, "l");
+  for (const WorldGroup& group : groups) {
+    std::vector<std::string> row = {one_line(group.name)};
+    for (const Count count : shown) row.push_back(std::to_string(group.*count));
+    table.add_row(std::move(row));
+  }
+  return table.text(kIndent);
+}
+
+std::string below(const Table& table) { return table.empty() ? "" : "\n" + table.text(kIndent); }
+
+std::string impacts_table(const std::vector<WorldGroup>& groups) {
+  Table table({"impacts of", "count", "range [m]", "nearest", "farthest", "spread", "time [s]", "from", "to",
+               "speed [m/s]", "from", "to"},
+              "l");
+  for (const WorldGroup& g : groups)
+    if (g.range.count > 0)
+      table.add_row({one_line(g.name), std::to_string(g.range.count), fixed(g.range.mean, 3), fixed(g.range.low, 3),
+                     fixed(g.range.high, 3), fixed(g.range.spread(), 3), fixed(g.time.mean, 4), fixed(g.time.low, 4),
+                     fixed(g.time.high, 4), fixed(g.speed.mean, 2), fixed(g.speed.low, 2), fixed(g.speed.high, 2)});
+  return below(table);
+}
+
+std::string wall_table(const std::vector<WorldGroup>& groups, double wall) {
+  Table table(
+      {"hits on the wall at " + as_typed(wall) + " m", "count", "height [m]", "spread", "to the right [m]", "spread"},
+      "l");
+  for (const WorldGroup& g : groups)
+    if (g.hits > 0)
+      table.add_row({one_line(g.name), std::to_string(g.hits), fixed(g.hit_y.mean, 3), fixed(g.hit_y.spread(), 3),
+                     fixed(g.hit_z.mean, 3), fixed(g.hit_z.spread(), 3)});
+  return below(table);
+}
+
+std::string alive_table(const std::vector<WorldGroup>& groups, double time) {
+  Table table({"alive at " + as_typed(time) + " s", "count", "x [m]", "y [m]", "z [m]", "speed [m/s]"}, "l");
+  for (const WorldGroup& g : groups)
+    if (g.alive > 0)
+      table.add_row({one_line(g.name), std::to_string(g.alive), fixed(g.position.x, 3), fixed(g.position.y, 3),
+                     fixed(g.position.z, 3), fixed(g.mean_speed, 3)});
+  return below(table);
+}
+
+// The rungs of each shot; its groups share them.
+std::string fidelities(const WorldLog& log, const Style& style) {
+  std::string out;
+  std::vector<std::size_t> told;
+  PHYSIM_ASSERT(log.in_use.size() == log.groups.size());
+  for (std::size_t i = 0; i < log.groups.size(); ++i) {
+    const std::size_t shot = log.groups[i].shot;
+    if (log.groups[i].spawned == 0 || std::ranges::count(told, shot) > 0) continue;
+    told.push_back(shot);
+    const ProjectileDef& projectile = log.scenario.shots[shot].projectile;
+    out += std::string(told.size() == 1 ? "\n" : "") + "  " + style.bold(one_line(projectile.name)) + " " +
+           preset_name(projectile.fidelity) + ": " + in_words(log.in_use[i].fidelity) + "\n";
+    for (const FidelityNote& note : log.in_use[i].notes)
+      out += "    " + style.warn("note") + " " + note_text(note) + "\n";
+  }
+  return out;
+}
+
+// ---------------------------------------------------------------------------------------------------------- the files
+/// Records with a state at the end of each row.
+using Cells = std::vector<Cell>;
+template <class Entry, class Head>
+Records records_with_states(std::vector<std::string> columns, const std::vector<Entry>& entries, const Head& head_of) {
+  columns.insert(columns.end(), {"x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"});
+  return {std::move(columns), [&entries, head_of](const auto& take) {
+            for (const Entry& entry : entries) {
+              const auto& [x, v] = entry.state;
+              Cells row = head_of(entry);
+              row.insert(row.end(), {x.x, x.y, x.z, v.x, v.y, v.z});
+              take(row);
+            }
+          }};
+}
+
+Json series_json(const Series& series) {
+  if (series.count == 0) return nullptr;
+  return {{"count", series.count},
+          {"mean", series.mean},
+          {"min", series.low},
+          {"max", series.high},
+          {"spread", series.spread()}};
+}
+
+Json group_json(const WorldLog& log, std::size_t index) {
+  const WorldGroup& g = log.groups[index];
+  PHYSIM_ASSERT(g.shot < log.scenario.shots.size());
+  PHYSIM_ASSERT(g.alive <= g.spawned);
+  Json out = {{"name", g.name}, {"shot", log.scenario.shots[g.shot].projectile.name}};
+  for (const auto& [name, count] : kCounts) out[std::string(name)] = g.*count;
+  out["impact_range [m]"] = series_json(g.range);
+  out["impact_time [s]"] = series_json(g.time);
+  out["impact_speed [m/s]"] = series_json(g.speed);
+  out["apex [m]"] = series_json(g.apex);
+  out["hit_y [m]"] = series_json(g.hit_y);
+  out["hit_z [m]"] = series_json(g.hit_z);
+  out["fidelity_granted"] = g.spawned > 0 ? Json(in_words(log.in_use[index].fidelity)) : Json();
+  return out;
+}
+
 }  // namespace
 
 Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, const Progress& progress) {
@@ -147,6 +274,58 @@ Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, 
   if (!options.record.empty())
     if (Status status = run.world().stop_recording(); !status) return status.error();
   return logger.finish();
+}
+
+std::string world_text(const WorldLog& log, const Style& style) {
+  const double step = log.scenario.world.def.step;
+  std::string out = style.bold(one_line(title_of(log.scenario))) + "\n\n";
+  out += counts_table(log.groups) + impacts_table(log.groups);
+  if (log.scenario.world.wall) out += wall_table(log.groups, *log.scenario.world.wall);
+  out += alive_table(log.groups, log.time) + fidelities(log, style);
+  out += "\n  steps " + std::to_string(log.steps) + " of " + significant(step, 6) + " s, projectile-steps " +
+         std::to_string(log.counters.projectile_steps) + ", hash " + hash_text(log.hash) + "\n";
+  if (!log.checks.empty()) out += "\n" + checks_text(log.checks, style);
+  return out;
+}
+
+Records records_of(const WorldLog& log) {
+  return records_with_states({"what", "number", "t [s]"}, log.samples, [&log](const WorldSample& sample) -> Cells {
+    const auto& [group, number] = sample.launched;
+    PHYSIM_ASSERT(group < log.groups.size());
+    return {log.groups[group].name, number, sample.time};
+  });
+}
+
+Content world_events_csv(const WorldLog& log) {
+  const std::vector<std::string> columns = {"t [s]", "event", "reason", "what", "number"};
+  return csv_text(records_with_states(columns, log.events, [&log](const LoggedEvent& event) -> Cells {
+    const auto& [group, number] = event.launched;
+    PHYSIM_ASSERT(group < log.groups.size());
+    return {event.time, event.kind, event.reason, log.groups[group].name, number};
+  }));
+}
+
+Content world_json(const WorldLog& log) {
+  Json out = provenance(log.scenario);
+  Json groups = Json::array(), events = Json::array();
+  for (std::size_t i = 0; i < log.groups.size(); ++i) groups.push_back(group_json(log, i));
+  for (const LoggedEvent& event : log.events)
+    events.push_back({{"time [s]", event.time},
+                      {"kind", event.kind},
+                      {"reason", event.reason},
+                      {"what", log.groups[event.launched.group].name},
+                      {"number", event.launched.number},
+                      {"position [m]", vector_json(event.state.position)},
+                      {"velocity [m/s]", vector_json(event.state.velocity)}});
+  out["world"] = {{"steps", log.steps},
+                  {"time [s]", log.time},
+                  {"projectile_steps", log.counters.projectile_steps},
+                  {"hash", hash_text(log.hash)},
+                  {"groups", std::move(groups)},
+                  {"events", std::move(events)},
+                  {"trajectories", columns_json(records_of(log))}};
+  out["expect"] = checks_json(log.checks);
+  return json_text(out);
 }
 
 }  // namespace physim::report

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {

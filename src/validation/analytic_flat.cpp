@@ -23,7 +23,6 @@ ShotInPlace aimed_shot(const CsvFile& file, const CsvRow& row) {
 
 /// Air and projectile whose drag deceleration is k v^2 at the origin.
 void set_quadratic_drag(ShotInPlace& shot, double k) {
-  PHYSIM_ASSERT(k > 0);
   DragDef& drag = shot.projectile.drag;
   drag.table = DragTable::constant;
   drag.coefficient = 0.5;

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "base/assert.hpp"
-#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {

@@ -1,6 +1,5 @@
 // Suite gravity: what a projectile at rest on the turning ellipsoid feels, against exact normal gravity and J2.
 #include "report/number.hpp"
-#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {

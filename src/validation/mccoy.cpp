@@ -11,7 +11,6 @@
 
 #include "base/assert.hpp"
 #include "physim/scenario.hpp"
-#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
@@ -157,7 +156,7 @@ std::string complaint_of(const Flight& flight) {
 }
 
 // ------------------------------------------------------------------------------------------------ figures
-struct Suitcase {
+struct Folder {
   std::vector<Shell> shells;
   std::optional<Facts> facts;
 
@@ -179,14 +178,14 @@ std::optional<double> twist_of(const std::string& text, const Shell& shell) {
   return length ? std::optional(*length) : std::nullopt;
 }
 
-std::optional<double> muzzle_speed(const Suitcase& s, const std::string& projectile, std::optional<double> charge) {
+std::optional<double> muzzle_speed(const Folder& s, const std::string& projectile, std::optional<double> charge) {
   PHYSIM_ASSERT(s.facts.has_value());
   if (charge) return s.facts->number(projectile, format("v0 charge %g", *charge), Quantity::speed);
   return s.facts->number(projectile, "muzzle_velocity", Quantity::speed);
 }
 
 /// "m1_105 charge7 QE70", or "sierra168 el 0.75 deg at x=914.4 m"; says what is missing.
-std::optional<Firing> firing_of(const CsvFile& file, const CsvRow& row, const Suitcase& s, const Shell& shell) {
+std::optional<Firing> firing_of(const CsvFile& file, const CsvRow& row, const Folder& s, const Shell& shell) {
   const std::string& text = file.text(row, "case");
   Firing f;
   const auto speed = muzzle_speed(s, shell.name, number_after(text, "charge"));
@@ -203,7 +202,7 @@ std::optional<Firing> firing_of(const CsvFile& file, const CsvRow& row, const Su
   return f;
 }
 
-void compare_converged(const CsvFile& file, const Suitcase& s, SuiteResult& result) {
+void compare_converged(const CsvFile& file, const Folder& s, SuiteResult& result) {
   file.require({"case", "twist", "launch"});
   for (const CsvRow& row : file.rows()) {
     const std::string text = file.text(row, "case");
@@ -237,7 +236,7 @@ struct Published {
   std::string column;
   double gate;  // relative
 };
-std::optional<Published> published_of(const Suitcase& s, const Shell& shell, const std::string& quantity) {
+std::optional<Published> published_of(const Folder& s, const Shell& shell, const std::string& quantity) {
   Published p;
   const std::string& name = shell.name;
   const auto charge = number_after(quantity, " ch");
@@ -264,7 +263,7 @@ std::optional<Published> published_of(const Suitcase& s, const Shell& shell, con
   return std::nullopt;
 }
 
-void compare_published(const Suitcase& s, SuiteResult& result) {
+void compare_published(const Folder& s, SuiteResult& result) {
   PHYSIM_ASSERT(s.facts.has_value());
   const CsvFile& file = s.facts->file;
   for (const CsvRow& row : file.rows()) {
@@ -290,7 +289,7 @@ constexpr std::string_view kConverged = "converged_6dof.csv";
 constexpr std::string_view kFiles[] = {kConverged, kFacts};
 
 /// Projectiles of which there are both physical data and tables.
-void find_shells(const std::filesystem::path& folder, Suitcase& s, SuiteResult& result) {
+void find_shells(const std::filesystem::path& folder, Folder& s, SuiteResult& result) {
   const Facts& facts = *s.facts;
   for (const CsvRow& row : facts.file.rows()) {
     const std::string& name = facts.file.text(row, "case");
@@ -311,7 +310,7 @@ void find_shells(const std::filesystem::path& folder, Suitcase& s, SuiteResult& 
 }
 
 void run(const std::filesystem::path& folder, SuiteResult& result) {
-  Suitcase s;
+  Folder s;
   if (std::filesystem::is_regular_file(folder / kFacts)) {
     s.facts.emplace(folder / kFacts);
     result.sources.push_back({s.facts->file.name(), s.facts->file.comments()});

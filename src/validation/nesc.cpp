@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "base/assert.hpp"
-#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {

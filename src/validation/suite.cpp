@@ -6,7 +6,6 @@
 
 #include "base/assert.hpp"
 #include "physim/names.hpp"
-#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {

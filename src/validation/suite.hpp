@@ -11,11 +11,10 @@
 
 #include "physim/flight.hpp"
 #include "physim/result.hpp"
+#include "validation/csv.hpp"
 #include "validation/validate.hpp"
 
 namespace physim::validation {
-
-class CsvFile;
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kDegree = kPi / 180;  ///< [rad]

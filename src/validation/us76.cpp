@@ -5,7 +5,6 @@
 
 #include "physim/air.hpp"
 #include "report/number.hpp"
-#include "validation/csv.hpp"
 #include "validation/suite.hpp"
 
 namespace physim::validation {
@@ -18,28 +17,19 @@ constexpr double kPublishedRounding = 5e-7;  // relative; see printed_gate()
 constexpr double AirSample::*kGravity = nullptr;  // no property of the air
 
 /// All names that columns have in the files of this suite.
-struct PropertyColumn {
-  const char* column;
-  double AirSample::*property;
-};
-constexpr PropertyColumn kColumns[] = {
-    {"T_molecular_K", &AirSample::temperature},
-    {"T_base_K", &AirSample::temperature},
-    {"T_K", &AirSample::temperature},
-    {"P_Pa", &AirSample::pressure},
-    {"P_base_Pa", &AirSample::pressure},
-    {"rho_kg_m3", &AirSample::density},
-    {"a_m_s", &AirSample::sound_speed},
-    {"mu_Pa_s", &AirSample::viscosity},
-    {"g_m_s2", kGravity},
-};
+constexpr std::pair<const char*, double AirSample::*> kColumns[] = {{"T_molecular_K", &AirSample::temperature},
+                                                                    {"T_base_K", &AirSample::temperature},
+                                                                    {"T_K", &AirSample::temperature},
+                                                                    {"P_Pa", &AirSample::pressure},
+                                                                    {"P_base_Pa", &AirSample::pressure},
+                                                                    {"rho_kg_m3", &AirSample::density},
+                                                                    {"a_m_s", &AirSample::sound_speed},
+                                                                    {"mu_Pa_s", &AirSample::viscosity},
+                                                                    {"g_m_s2", kGravity}};
 
 /// Newton's gravity at a height, as a flight feels it.
 double gravity_at(double height) {
-  Fidelity fidelity;
-  fidelity.gravity = GravityModel::inverse_square;
-  fidelity.drag = DragModel::off;
-  fidelity.air = AirModel::vacuum;
+  const Fidelity fidelity{.gravity = GravityModel::inverse_square, .drag = DragModel::off, .air = AirModel::vacuum};
   const Launch launch{.position = {0, height, 0}, .velocity = Vec3d{}};
   const Flight flight = fly({}, launch, {}, fidelity, {}, {.ground = std::nullopt, .time = 0.01});
   return flight.error() ? kNaN : length(flight.accelerations(0).gravity);

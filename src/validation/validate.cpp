@@ -30,14 +30,10 @@ struct Job {
   fs::path folder;
 };
 
-void add_job(const fs::path& data, const Suite& suite, bool is_wanted, std::vector<Job>& jobs) {
-  const bool is_there = std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) { return job.suite == &suite; });
-  if (is_there) return;
-  if (const auto folder = folder_in(data, suite, is_wanted)) {
-    jobs.push_back({&suite, *folder});
-    return;
-  }
-  if (!is_wanted) return;
+/// The job of a suite; none where there are no figures of it. Throws DataError where there must be.
+std::optional<Job> job_of(const fs::path& data, const Suite& suite, bool is_wanted) {
+  if (const auto folder = folder_in(data, suite, is_wanted)) return Job{&suite, *folder};
+  if (!is_wanted) return std::nullopt;
   std::string files;
   for (const std::string_view file : suite.files) files += (files.empty() ? "" : ", ") + std::string(file);
   throw DataError{{.message = "no figures of the suite \"" + std::string(suite.name) + "\" in this folder",
@@ -53,15 +49,18 @@ std::vector<Job> find_jobs(const Request& request) {
     const bool is_file = fs::exists(data, ignored);
     throw DataError{{.message = is_file ? "it is a file, not a folder" : "no such folder", .place = data.string()}};
   }
+  std::vector<std::string> names = request.suites;
+  if (names.empty())
+    for (const Suite* suite : all_suites()) names.emplace_back(suite->name);
+  const bool is_wanted = !request.suites.empty() || request.must_be_complete;
   std::vector<Job> jobs;
-  for (const std::string& name : request.suites) {
+  for (const std::string& name : names) {
     const Suite* suite = find_suite(name);
     if (suite == nullptr)
       throw DataError{{.message = "no suite \"" + name + "\"", .hint = "there are: " + names_of_suites()}};
-    add_job(data, *suite, true, jobs);
+    if (std::ranges::count(jobs, suite, &Job::suite) > 0) continue;
+    if (const auto job = job_of(data, *suite, is_wanted)) jobs.push_back(*job);
   }
-  if (request.suites.empty())
-    for (const Suite* suite : all_suites()) add_job(data, *suite, request.must_be_complete, jobs);
   if (jobs.empty())
     throw DataError{{.message = "no figures of any suite in this folder",
                      .place = data.string(),
