@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "base/hash.hpp"
 #include "base/members.hpp"
 #include "physim/forces.hpp"
@@ -88,6 +89,7 @@ class Archive {
   }
   template <class T>
   void take(std::span<const T>& list) {
+    static_assert(!Self::kReads, "a span has no memory to read into");
     std::size_t n = list.size();
     self().count(n);
     for (const T& item : list) take(const_cast<T&>(item));
@@ -95,6 +97,7 @@ class Archive {
   template <class... T>
   void take(std::variant<T...>& v) {
     std::uint64_t index = v.index();
+    PHYSIM_ASSERT(!v.valueless_by_exception());
     bits(index, 1, sizeof...(T));
     if constexpr (Self::kReads) select(v, index, std::index_sequence_for<T...>());
     std::visit([this](auto& x) { this->take(x); }, v);
@@ -125,6 +128,7 @@ class Writer : public Archive<Writer> {
     (*this)(const_cast<T&>(values)...);
   }
   void number(std::uint64_t x, unsigned bytes, std::uint64_t = 0) {
+    PHYSIM_ASSERT(bytes <= 8);
     std::byte piece[8];
     for (unsigned i = 0; i < 8; ++i) piece[i] = static_cast<std::byte>(x >> (8 * i));
     to_.insert(to_.end(), piece, piece + bytes);
@@ -151,6 +155,7 @@ class Reader : public Archive<Reader> {
       : from_(from), functions_(functions) {}
 
   void number(std::uint64_t& x, unsigned bytes, std::uint64_t limit = ~std::uint64_t{0}) {
+    PHYSIM_ASSERT(bytes <= 8);
     x = 0;
     if (!good_ || from_.size() < bytes) return void(good_ = false);
     for (unsigned i = 0; i < bytes; ++i) x |= std::to_integer<std::uint64_t>(from_[i]) << (8 * i);
@@ -168,6 +173,7 @@ class Reader : public Archive<Reader> {
   void text(std::string& s) {
     std::size_t n = 0;
     count(n);
+    PHYSIM_ASSERT(n <= from_.size());
     s.assign(static_cast<const char*>(static_cast<const void*>(from_.data())), n);
     from_ = from_.subspan(n);
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/assert.hpp"
 #include "base/text.hpp"
 #include "physim/result.hpp"
 #include "physim/vec3.hpp"
@@ -57,6 +58,7 @@ class Checker {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   [[gnu::noinline]] void fail(Text place, const std::string& message, Text hint) {
+    PHYSIM_ASSERT(!place.empty());
     if (status_) status_ = Error{message, std::string(place), std::string(hint)};
   }
   Status status_;

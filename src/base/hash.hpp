@@ -7,6 +7,8 @@
 #include <cstring>
 #include <span>
 
+#include "base/assert.hpp"
+
 namespace physim {
 
 class Hash {
@@ -33,6 +35,7 @@ class Hash {
  private:
   /// Little-endian; up to 8 bytes.
   static std::uint64_t word_of(std::span<const std::byte> bytes) {
+    PHYSIM_ASSERT(bytes.size() <= 8);
     std::uint64_t word = 0;
     if (std::endian::native == std::endian::little && bytes.size() == 8)
       std::memcpy(&word, bytes.data(), 8);

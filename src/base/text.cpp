@@ -2,20 +2,25 @@
 
 #include <charconv>
 
-namespace physim {
+#include "base/assert.hpp"
 
-std::string short_text(double x) {
+namespace physim {
+namespace {
+
+std::string text_of(double x, auto... format) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, x, format...);
+  PHYSIM_ASSERT(error == std::errc());
   return {buffer, end};
 }
 
+}  // namespace
+
+std::string short_text(double x) { return text_of(x); }
+
 std::string rounded_text(double x) {
-  char buffer[32];
   const bool whole = x >= 99.5 && x < 99999.5;  // 120, not 1.2e+02
-  const auto end = whole ? std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::fixed, 0).ptr
-                         : std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 2).ptr;
-  return {buffer, end};
+  return whole ? text_of(x, std::chars_format::fixed, 0) : text_of(x, std::chars_format::general, 2);
 }
 
 std::string length_text(double x) {
