@@ -21,6 +21,14 @@ template <class R>
 PHYSIM_INLINE R constant(double for_double, double for_float) {
   return constant<R>(kIsDouble<R> ? for_double : for_float);
 }
+/// A polynomial whose coefficients differ between double and float.
+template <class R, int N, int M>
+PHYSIM_INLINE R polynomial(const R& x, const double (&for_double)[N], const double (&for_float)[M]) {
+  if constexpr (kIsDouble<R>)
+    return polynomial(x, for_double);
+  else
+    return polynomial(x, for_float);
+}
 /// Equal bits in every lane.
 template <class R>
 PHYSIM_INLINE BitsOf<R> bits_constant(std::uint64_t for_double, std::uint32_t for_float) {
@@ -109,11 +117,7 @@ PHYSIM_INLINE ExpReduction<R> reduce_exp(const R& x) {
 /// r^2 Q(r) = exp(r) - 1 - r.
 template <class R>
 PHYSIM_INLINE R exp_tail(const R& r) {
-  if constexpr (kIsDouble<R>) {
-    return r * r * polynomial(r, kExpDouble);
-  } else {
-    return r * r * polynomial(r, kExpFloat);
-  }
+  return r * r * polynomial(r, kExpDouble, kExpFloat);
 }
 /// y 2^n in two steps, since 2^n itself may be too large or too small for a normal number.
 template <class R>
@@ -206,12 +210,7 @@ template <class R>
 PHYSIM_INLINE R log_of_parts(const R& k, const R& f, const R& c) {
   const R s = f / (constant<R>(2) + f);
   const R z = s * s;
-  R p;
-  if constexpr (kIsDouble<R>) {
-    p = polynomial(z, kLogDouble);
-  } else {
-    p = polynomial(z, kLogFloat);
-  }
+  const R p = polynomial(z, kLogDouble, kLogFloat);
   const R half_square = constant<R>(0.5) * f * f;
   // 2 s = f - f^2/2 + s f^2/2 leaves the exact f as the first term.
   const R tail = s * (half_square + z * p) - half_square;
@@ -224,13 +223,6 @@ PHYSIM_INLINE R log_special_cases(const R& x, const R& y) {
   const R zero = R(ScalarOf<R>(0));
   const R below = select(x < zero, not_a_number<R>(), -infinity<R>());
   return select(x <= zero, below, select(x < infinity<R>(), y, x));
-}
-
-/// Natural logarithm of a normal positive number, without the care that log() takes for all others.
-template <class R>
-PHYSIM_INLINE R log_of_normal(const R& x) {
-  const ExponentMantissa<R> e = split_normal(x, constant<R>(1023, 127));
-  return log_of_parts(e.k, e.m - constant<R>(1), constant<R>(0));
 }
 
 /// Natural logarithm.
@@ -247,11 +239,7 @@ PHYSIM_INLINE R log1p_near_zero(const R& x) {
   const R s = x / (constant<R>(2) + x);
   const R z = s * s;
   const R half_square = constant<R>(0.5) * x * x;
-  if constexpr (kIsDouble<R>) {
-    return x - (half_square - s * (half_square + z * polynomial(z, kLogDouble)));
-  } else {
-    return x - (half_square - s * (half_square + z * polynomial(z, kLogFloat)));
-  }
+  return x - (half_square - s * (half_square + z * polynomial(z, kLogDouble, kLogFloat)));
 }
 
 /// log(1 + x), accurate near zero.
@@ -294,12 +282,7 @@ PHYSIM_INLINE HiLo<R> log_in_two_parts(const R& x) {
   // t = 2/3 + z Q(z)
   HiLo<R> z = two_product(s_hi, s_hi);
   z.lo = z.lo + two * s_hi * s_lo;
-  R q;
-  if constexpr (kIsDouble<R>) {
-    q = polynomial(z.hi, kPowLogDouble);
-  } else {
-    q = polynomial(z.hi, kPowLogFloat);
-  }
+  const R q = polynomial(z.hi, kPowLogDouble, kPowLogFloat);
   HiLo<R> t = fast_two_sum(constant<R>(0.6666666666666666, 0.6666666865348816), z.hi * q);
   t.lo = t.lo + constant<R>(3.700743415417188e-17, -1.9868214925130207e-08);
   // v = s z t

@@ -63,14 +63,8 @@ PHYSIM_INLINE SinCos<R> sincos(const R& x) {
   }
   const R r = turns.r.hi, dr = turns.r.lo;
   const R z = r * r;
-  R s, c;
-  if constexpr (kIsDouble<R>) {
-    s = polynomial(z, kSinDouble);
-    c = polynomial(z, kCosDouble);
-  } else {
-    s = polynomial(z, kSinFloat);
-    c = polynomial(z, kCosFloat);
-  }
+  const R s = polynomial(z, kSinDouble, kSinFloat);
+  const R c = polynomial(z, kCosDouble, kCosFloat);
   const R half_z = constant<R>(0.5) * z;
   const R sin_r = r - (r * z * s + (dr - dr * half_z));
   const HiLo<R> one_minus = fast_two_sum(one, -half_z);
@@ -84,14 +78,8 @@ PHYSIM_INLINE SinCos<R> sincos(const R& x) {
   return {from_bits<R>(to_bits(sin_x) ^ ((n & bit_1) << (kTop - 1))),
           from_bits<R>(to_bits(cos_x) ^ (((n + bit_0) & bit_1) << (kTop - 1)))};
 }
-template <class R>
-PHYSIM_INLINE R sin(const R& x) {
-  return sincos(x).sin;
-}
-template <class R>
-PHYSIM_INLINE R cos(const R& x) {
-  return sincos(x).cos;
-}
+PHYSIM_INLINE auto sin(const auto& x) { return sincos(x).sin; }
+PHYSIM_INLINE auto cos(const auto& x) { return sincos(x).cos; }
 template <class R>
 PHYSIM_INLINE R tan(const R& x) {
   const SinCos<R> sc = sincos(x);
@@ -138,11 +126,7 @@ PHYSIM_INLINE AsinParts<R> asin_parts(const R& x) {
   const MaskOf<R> above = magnitude > half;
   const R z = select(above, (one - magnitude) * half, magnitude * magnitude);
   const R s = select(above, sqrt(z), magnitude);
-  if constexpr (kIsDouble<R>) {
-    return {above, s, s * (z * polynomial(z, kAsinDouble))};
-  } else {
-    return {above, s, s * (z * polynomial(z, kAsinFloat))};
-  }
+  return {above, s, s * (z * polynomial(z, kAsinDouble, kAsinFloat))};
 }
 /// Arc sine; NaN for |x| > 1.
 template <class R>
@@ -192,12 +176,7 @@ PHYSIM_INLINE R atan2(const R& y, const R& x) {
   const MaskOf<R> above = low + low > high;
   const R q = select(above, low - high, low) / select(above, low + high, high);
   const R z = q * q;
-  R p;
-  if constexpr (kIsDouble<R>) {
-    p = polynomial(z, kAtanDouble);
-  } else {
-    p = polynomial(z, kAtanFloat);
-  }
+  const R p = polynomial(z, kAtanDouble, kAtanFloat);
   // The other eighths: 90 degrees minus the angle if steep, 180 degrees minus the angle if x < 0.
   const MaskOf<R> backward = copysign(one, x) < zero;
   R eighths = select(above, one, zero);

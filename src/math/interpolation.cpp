@@ -22,6 +22,7 @@ double pchip_end_slope(double h0, double h1, double d0, double d1) {
 
 Slopes pchip_slopes(std::span<const double> h, std::span<const double> secant) {
   const std::size_t n = h.size();
+  PHYSIM_ASSERT(n > 0 && secant.size() == n);
   Slopes m(n + 1, secant[0]);
   if (n == 1) return m;
   for (std::size_t i = 1; i < n; ++i) {
@@ -41,6 +42,7 @@ Slopes pchip_slopes(std::span<const double> h, std::span<const double> secant) {
 /// the ends; solved by elimination without pivoting (it is diagonally dominant).
 Slopes natural_slopes(std::span<const double> h, std::span<const double> secant) {
   const std::size_t n = h.size();
+  PHYSIM_ASSERT(n > 0 && secant.size() == n);
   std::vector<double> diagonal(n + 1), upper(n + 1), right(n + 1);
   diagonal[0] = 2, upper[0] = 1, right[0] = 3 * secant[0];
   for (std::size_t i = 1; i <= n; ++i) {
@@ -84,6 +86,12 @@ double PiecewiseCubic::operator()(double x) const {
   return c[0] + s * (c[1] + s * (c[2] + s * c[3]));
 }
 
+std::vector<double> rising(std::vector<double> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y, Interpolation how) {
   PHYSIM_ASSERT(!x.empty() && x.size() == y.size());
   PiecewiseCubic curve;
@@ -98,6 +106,7 @@ PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y,
   std::vector<double> h(n), secant(n);
   for (std::size_t i = 0; i < n; ++i) {
     h[i] = x[i + 1] - x[i];
+    PHYSIM_ASSERT(h[i] > 0);
     secant[i] = (y[i + 1] - y[i]) / h[i];
   }
   if (how == Interpolation::linear) {  // whose slope jumps at the points
@@ -137,6 +146,7 @@ std::optional<UniformCubic> on_uniform_cells(const PiecewiseCubic& curve, int ma
     UniformCubic out{knots.front(), span / cells, {}};
     out.rows.reserve(static_cast<std::size_t>(cells));
     std::size_t piece = 0;
+    PHYSIM_ASSERT(cells >= 1 && cells <= max_cells);
     for (int i = 0; i < cells; ++i) {
       const double x = out.start + (i + 0.5) * out.cell;
       while (piece + 2 < knots.size() && x > knots[piece + 1]) ++piece;

@@ -22,6 +22,9 @@ struct PiecewiseCubic {
   [[nodiscard]] double operator()(double x) const;
 };
 
+/// Numbers in order, each once.
+[[nodiscard]] std::vector<double> rising(std::vector<double> numbers);
+
 /// The curve through (x[i], y[i]); x strictly rising, at least one point.
 [[nodiscard]] PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y, Interpolation how);
 

@@ -1,12 +1,14 @@
 // The least of a function of one number.
 #pragma once
 
+#include "base/assert.hpp"
+
 namespace physim {
 
 /// Where between a and b the function f is least, by golden sections: right where f falls and then rises. The place is
 /// known to 1e-6 of the interval; near a smooth minimum nothing finer can be told from the values.
-template <class F>
-double least_between(const F& f, double a, double b) {
+double least_between(const auto& f, double a, double b) {
+  PHYSIM_ASSERT(a <= b);
   constexpr double kPart = 0.3819660112501051;  // 2 - golden ratio
   double x = a + kPart * (b - a), y = b - kPart * (b - a);
   double fx = f(x), fy = f(y);

@@ -28,6 +28,7 @@ struct NumberRuns {
 
   /// Goes on with the last run where it can.
   constexpr void add(unsigned first, unsigned numbers) {
+    PHYSIM_ASSERT(first + numbers <= 255);
     const auto begin = static_cast<std::uint8_t>(first), end = static_cast<std::uint8_t>(first + numbers);
     if (count > 0 && run[count - 1].end == begin) return void(run[count - 1].end = end);
     PHYSIM_ASSERT(count < kMost && (count == 0 || run[count - 1].end < begin));
@@ -39,8 +40,7 @@ struct NumberRuns {
     return sum;
   }
   /// Calls f with the index of each number.
-  template <class F>
-  PHYSIM_INLINE void each(const F& f) const {
+  PHYSIM_INLINE void each(const auto& f) const {
     for (unsigned k = 0; k < count; ++k)
       for (unsigned i = run[k].first; i < run[k].end; ++i) f(i);
   }
@@ -49,8 +49,7 @@ struct NumberRuns {
 /// All numbers of a structure.
 template <template <class> class Struct>
 struct AllNumbers {
-  template <class F>
-  PHYSIM_INLINE void each(const F& f) const {
+  PHYSIM_INLINE void each(const auto& f) const {
     for (unsigned i = 0; i < kNumbers<Struct>; ++i) f(i);
   }
 };
@@ -102,6 +101,7 @@ PHYSIM_INLINE void copy_lane(const R& from, int from_lane, Into& into, int lane)
 template <template <class> class Struct, class R, class Runs = AllNumbers<Struct>>
 PHYSIM_INLINE void put_lane(const double* from, Struct<R>& into, int lane, const Runs& runs = {}) {
   using S = ScalarOf<R>;
+  PHYSIM_ASSERT(from != nullptr);
   char* to = lane_bytes(numbers(into), lane);
   runs.each([ from, to ](unsigned i) __attribute__((always_inline)) {
     const S number = static_cast<S>(from[i]);

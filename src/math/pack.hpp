@@ -6,7 +6,7 @@
 // scalar_of, mask_of, kLanes. Every operation is one IEEE operation per lane, so a lane's bits never depend on N.
 #pragma once
 
-#include <cmath>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -15,6 +15,7 @@
 #include <immintrin.h>
 #endif
 
+#include "base/assert.hpp"
 #include "base/isa.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -50,8 +51,14 @@ struct Pack {
   PHYSIM_INLINE Pack(T value) {  // NOLINT: a number is a pack of equal numbers
     for (int i = 0; i < kRegisters; ++i) r[i] = value - Register{};
   }
-  PHYSIM_INLINE T operator[](int lane) const { return r[lane / kPerRegister][lane % kPerRegister]; }
-  PHYSIM_INLINE void set(int lane, T value) { r[lane / kPerRegister][lane % kPerRegister] = value; }
+  PHYSIM_INLINE T operator[](int lane) const {
+    PHYSIM_ASSERT(lane >= 0 && lane < N);
+    return r[lane / kPerRegister][lane % kPerRegister];
+  }
+  PHYSIM_INLINE void set(int lane, T value) {
+    PHYSIM_ASSERT(lane >= 0 && lane < N);
+    r[lane / kPerRegister][lane % kPerRegister] = value;
+  }
 
   PHYSIM_INLINE static Pack load(const T* from) {
     Pack p;
@@ -64,6 +71,7 @@ struct Pack {
   /// Stores past the caches, to an address that is a multiple of the register's size: for more numbers than fit there.
   /// finish_streams() before others read them.
   PHYSIM_INLINE void stream(T* to) const {
+    PHYSIM_ASSERT(std::bit_cast<std::uintptr_t>(to) % kBytes == 0);
     for (int i = 0; i < kRegisters; ++i) {
 #if defined(__AVX512F__)
       if constexpr (kBytes == 64) {
@@ -148,20 +156,17 @@ PHYSIM_PACK_BITS(|)
 PHYSIM_PACK_BITS(^)
 #undef PHYSIM_PACK_BITS
 
-template <class T, int N>
-requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>
-operator<<(const Pack<T, N>& a, int bits) {
-  Pack<T, N> c;
-  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] << bits;
-  return c;
-}
-template <class T, int N>
-requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>
-operator>>(const Pack<T, N>& a, int bits) {
-  Pack<T, N> c;
-  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] >> bits;
-  return c;
-}
+#define PHYSIM_PACK_SHIFT(op)                                                 \
+  template <class T, int N>                                                   \
+  requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>                     \
+  operator op(const Pack<T, N>& a, int bits) {                                \
+    Pack<T, N> c;                                                             \
+    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op bits; \
+    return c;                                                                 \
+  }
+PHYSIM_PACK_SHIFT(<<)
+PHYSIM_PACK_SHIFT(>>)
+#undef PHYSIM_PACK_SHIFT
 
 template <class T, int N>
 PHYSIM_INLINE Pack<T, N> operator-(const Pack<T, N>& a) {
@@ -190,18 +195,16 @@ PHYSIM_PACK_COMPARE(==)
 PHYSIM_PACK_COMPARE(!=)
 #undef PHYSIM_PACK_COMPARE
 
-template <class T, int N>
-PHYSIM_INLINE PackMask<T, N> operator&(const PackMask<T, N>& a, const PackMask<T, N>& b) {
-  PackMask<T, N> m;
-  for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) m.r[i] = a.r[i] & b.r[i];
-  return m;
-}
-template <class T, int N>
-PHYSIM_INLINE PackMask<T, N> operator|(const PackMask<T, N>& a, const PackMask<T, N>& b) {
-  PackMask<T, N> m;
-  for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) m.r[i] = a.r[i] | b.r[i];
-  return m;
-}
+#define PHYSIM_MASK_BINARY(op)                                                                 \
+  template <class T, int N>                                                                    \
+  PHYSIM_INLINE PackMask<T, N> operator op(const PackMask<T, N>& a, const PackMask<T, N>& b) { \
+    PackMask<T, N> m;                                                                          \
+    for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) m.r[i] = a.r[i] op b.r[i];            \
+    return m;                                                                                  \
+  }
+PHYSIM_MASK_BINARY(&)
+PHYSIM_MASK_BINARY(|)
+#undef PHYSIM_MASK_BINARY
 template <class T, int N>
 PHYSIM_INLINE PackMask<T, N> operator!(const PackMask<T, N>& a) {
   PackMask<T, N> m;
@@ -297,14 +300,13 @@ PHYSIM_INLINE unsigned lane_bits(const PackMask<T, N>& mask) {
   }
   return bits;
 }
-/// One lane of a mask, also for a plain bool.
-PHYSIM_INLINE bool lane_of(bool mask, int) { return mask; }
+/// One lane of a pack, of a mask, or of what is but one.
+template <class T>
+requires std::is_arithmetic_v<T> PHYSIM_INLINE T lane_of(T x, int) { return x; }
 template <class T, int N>
 PHYSIM_INLINE bool lane_of(const PackMask<T, N>& mask, int lane) {
   return mask[lane];
 }
-PHYSIM_INLINE double lane_of(double x, int) { return x; }
-PHYSIM_INLINE float lane_of(float x, int) { return x; }
 template <class T, int N>
 PHYSIM_INLINE T lane_of(const Pack<T, N>& x, int lane) {
   return x[lane];

@@ -8,6 +8,7 @@
 // without using derivatives", Advances in Engineering Software 28 (1997) 145-149.
 #pragma once
 
+#include "base/assert.hpp"
 #include "math/pack.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -91,6 +92,7 @@ PHYSIM_INLINE void chandrupatla_phase(const F& f, RootSearch<R>& s, double toler
 template <class R, class F>
 R find_roots(const F& f, const R& a, const R& fa, const R& b, const R& fb, double tolerance, const R& noise,
              const MaskOf<R>& asked) {
+  PHYSIM_ASSERT(tolerance >= 0);
   const R zero(ScalarOf<R>(0));
   const MaskOf<R> at_end = (fa == zero) | (fb == zero) | same_side(fa, fb);
   const MaskOf<R> open = asked & !at_end;
@@ -98,10 +100,10 @@ R find_roots(const F& f, const R& a, const R& fa, const R& b, const R& fb, doubl
   RootSearch<R> s{a, fa, b, fb, open, select(nearer, a, b)};
   if (any(s.open)) secant_phase(f, s, tolerance, noise);
   if (any(s.open)) chandrupatla_phase(f, s, tolerance, noise);
+  PHYSIM_ASSERT(!any(asked & (((s.root < a) & (s.root < b)) | ((s.root > a) & (s.root > b)))));
   return s.root;
 }
-template <class F>
-double find_root(const F& f, double a, double fa, double b, double fb, double tolerance, double noise = 0) {
+double find_root(const auto& f, double a, double fa, double b, double fb, double tolerance, double noise = 0) {
   return find_roots<double>(f, a, fa, b, fb, tolerance, noise, true);
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/assert.hpp"
 #include "math/pack.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -15,6 +16,7 @@ PHYSIM_ISA_BEGIN
 /// 0 <= index < 2^22.
 template <class S>
 requires std::is_floating_point_v<S> PHYSIM_INLINE S row_cubic(const S* rows, S index, S t) {
+  PHYSIM_ASSERT(rows != nullptr && index >= S(0) && index < S(1 << 22));
   const S* r = rows + 4 * static_cast<std::int64_t>(index);
   return (r[0] + t * r[1]) + (t * t) * (r[2] + t * r[3]);
 }
@@ -114,6 +116,7 @@ struct TableRows {
 /// g++ 12 would forget all else that it knows of memory, such as known conditions.)
 template <class S, int N>
 PHYSIM_INLINE const UnsignedOf<S>* row_offsets(const Pack<S, N>& index, UnsignedOf<S> (&stored)[N]) {
+  PHYSIM_ASSERT(all((index >= S(0)) & (index < S(1 << 22))));
   // Adding the rounding number leaves the integer in the low bits of the mantissa.
   using U = UnsignedOf<S>;
   const auto bits = to_bits(index + rounding_magic<Pack<S, N>>());
@@ -132,6 +135,7 @@ PHYSIM_INLINE const UnsignedOf<S>* row_offsets(const Pack<S, N>& index, Unsigned
 /// The four numbers of rows[4 * index ..], each in a column of its own.
 template <class S>
 requires std::is_floating_point_v<S> PHYSIM_INLINE void row_columns(const S* rows, S index, S* column) {
+  PHYSIM_ASSERT(rows != nullptr && index >= S(0) && index < S(1 << 22));
   const S* r = rows + 4 * static_cast<std::int64_t>(index);
   for (int k = 0; k < 4; ++k) column[k] = r[k];
 }

@@ -10,7 +10,7 @@ Accelerations accelerations_of(const Conditions<double>& c, const Body<double>& 
   Turn<double> slope;
   if (turns(f))
     sum_effects(c, b, rotor, t, s, turn, slope, ledger);
-  else if (f.motion != Motion::closed_form && f.integrator == Integrator::classic)
+  else if (is_classic(f))
     sum_effects(c, b, t, s, OriginalInAir{}, ledger);
   else
     sum_effects(c, b, t, s, PointInAir{}, ledger);

@@ -43,10 +43,16 @@ PHYSIM_INLINE R lighter(const Conditions<S>& c, const Body<R>& b, const R& t) {
 /// mass at launch to that left.
 template <class R, class S>
 PHYSIM_INLINE void add_push(const Conditions<S>& c, const R& t, const Vec3<R>& push, bool own_force, Body<R>& b) {
+  PHYSIM_ASSERT(c.has_applied);
   Vec3<R> sum = c.has_motor ? push * (mass_at(b, t) / b.mass) : push;
   if (own_force) sum += applied(c, b, t);
   b.applied = sum;
   b.applied_until = constant<R>(std::numeric_limits<double>::infinity());
+}
+
+/// The original frame loop: its slope[0].v is not that of the state but what its last frame left.
+PHYSIM_INLINE constexpr bool is_classic(const Fidelity& granted) {
+  return granted.motion != Motion::closed_form && granted.integrator == Integrator::classic;
 }
 
 /// Whether balls feel their spin.

@@ -63,6 +63,7 @@ template <class R, class S>
                                                         const R& angle_squared) {
   AeroCoefficients<R> k = b.coefficient;
   if (!c.has_aero_tables) return k;
+  PHYSIM_ASSERT(c.curve_rows != nullptr && c.has_aero);
   const R cell = cell_of(c.curve_rows, b.mach, mach);
   coefficients_by_mach<RowCoefficients>(c, b, cell, mach, k);
   k.magnus_force = magnus_coefficient(c, b.magnus_force, cell, mach, angle_squared);

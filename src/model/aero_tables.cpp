@@ -24,21 +24,16 @@ const AeroCoefficient& coefficient(const AeroDef& aero, std::size_t i) {
   return &own == &aero.yaw_damping && own.empty() ? aero.pitch_damping : own;
 }
 
-std::vector<double> sorted(std::vector<double> list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  return list;
-}
 std::vector<double> mach_borders(const AeroDef& aero) {
   std::vector<double> all;
   for (const auto member : kCoefficients)
     for (const AeroPoint& p : aero.*member) all.push_back(p.mach);
-  return sorted(all);
+  return rising(std::move(all));
 }
 std::vector<double> angle_borders(const AeroCoefficient& c) {
   std::vector<double> all;
   for (const AeroPoint& p : c) all.push_back(p.angle_squared);
-  return sorted(all);
+  return rising(std::move(all));
 }
 
 std::optional<ClosePair> too_close(const std::vector<double>& borders) {
@@ -57,6 +52,7 @@ bool holds_two(const std::vector<double>& borders, double scale) {
 Buckets<double> add_buckets(const std::vector<double>& borders, TablePool& pool) {
   double scale = 1;
   for (int power = 0; power < kFinest && holds_two(borders, scale); ++power) scale *= 2;
+  PHYSIM_ASSERT(!holds_two(borders, scale));
   const double last = borders.empty() ? 0 : std::floor(borders.back() * scale) + 1;
   std::vector<Row> rows;
   std::size_t passed = 0;
@@ -73,8 +69,8 @@ Buckets<double> add_buckets(const std::vector<double>& borders, TablePool& pool)
 struct Line {
   double a, b;
 };
-template <class F>
-Line line_in_cell(const std::vector<double>& borders, std::size_t i, const F& f) {
+Line line_in_cell(const std::vector<double>& borders, std::size_t i, const auto& f) {
+  PHYSIM_ASSERT(i <= borders.size());
   if (borders.empty()) return {f(0.0), 0};
   if (i == 0 || i == borders.size()) return {f(i == 0 ? borders.front() : borders.back()), 0};
   const double x0 = borders[i - 1], x1 = borders[i];
@@ -97,6 +93,7 @@ AngleTable<double> add_angle_table(const AeroCoefficient& c, const std::vector<d
       const Line slope = line_in_cell(mach, i, [&](double m) { return at(m).b; });
       rows.push_back({constant.a, slope.a, constant.b, slope.b});
     }
+  PHYSIM_ASSERT(rows.size() == (mach.size() + 1) * (angles.size() + 1));
   table.row = pool.add_rows(rows);
   return table;
 }
@@ -111,6 +108,7 @@ Section section_of(const AeroCoefficient& c, std::size_t first) {
   return {first, last};
 }
 double in_section(const AeroCoefficient& c, const Section& s, double angle_squared) {
+  PHYSIM_ASSERT(s.first <= s.last && s.last < c.size());
   if (angle_squared <= c[s.first].angle_squared) return c[s.first].value;
   for (std::size_t i = s.first; i < s.last; ++i) {
     const AeroPoint &p = c[i], &q = c[i + 1];
@@ -172,6 +170,7 @@ void add_aero(const AeroDef& aero, TablePool& pool, Rotor<double>& r) {
       const Line first = line(pair), second = line(pair + 1);
       rows.push_back({first.a, first.b, second.a, second.b});
     }
+  PHYSIM_ASSERT(rows.size() == (mach.size() + 1) * kNumbers<RowCoefficients> / 2);
   r.mach_row = pool.add_rows(rows);
   r.magnus_force = add_angle_table(aero.magnus_force, mach, pool);
   r.magnus_moment = add_angle_table(aero.magnus_moment, mach, pool);

@@ -58,6 +58,7 @@ template <class R, class S>
 template <class R, class S>
 PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const R& z) {
   constexpr bool kDouble = sizeof(S) == 8;
+  PHYSIM_ASSERT(air.low_scale > S(0));
   const R u = (z - air.low_middle) * air.low_scale;
   const AirState<R> low{polynomial < kDouble ? kDensityTerms : 8 > (u, air.low_density),
                         polynomial < kDouble ? kPerSoundTerms : 10 > (u, air.low_per_sound)};

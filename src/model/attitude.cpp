@@ -26,6 +26,7 @@ Vec3d omega_of_W(const Conditions<double>& c) { return is_turning(c.fidelity.ear
 }  // namespace
 
 double spin_of(const Fidelity& f, const Rotor<double>& rotor, const Turn<double>& t) {
+  PHYSIM_ASSERT(turns(f));
   if (is_in_repose(f) || !is_axis_form(f)) return t.h.x;
   return dot(t.h, normalized(t.u)) * (rotor.moments.y * rotor.inverse_moments.x);
 }
@@ -45,6 +46,7 @@ Attitude attitude_of(const Conditions<double>& c, const Body<double>& b, const R
 
 Turn<double> turn_of(const Fidelity& f, const Rotor<double>& rotor, const Attitude& a) {
   const Quatd& q = a.q_WB;
+  PHYSIM_ASSERT(turns(f) && !(abs(norm_squared(q) - 1) > 1e-6));
   if (!is_axis_form(f)) return {q.w, {q.x, q.y, q.z}, a.omega};
   const Vec3d x = rotate(q, Vec3d{1, 0, 0});
   const Quatd roll = conjugate(shortest_turn_to(x)) * q;
@@ -55,6 +57,7 @@ Turn<double> turn_of(const Fidelity& f, const Rotor<double>& rotor, const Attitu
 
 Attitude launch_attitude(const ProjectileDef& p, const Launch& launch, const Vec3d& velocity, const Vec3d& bore,
                          const Conditions<double>& c) {
+  PHYSIM_ASSERT(!(abs(length_squared(bore) - 1) > 1e-9));
   const LaunchAttitude& given = launch.attitude;
   Attitude a;
   const double speed = length(velocity);
@@ -93,6 +96,7 @@ Rotor<double> prepare_rotor(const ProjectileDef& p) {
   r.moments = p.inertia.moments;
   r.products = p.inertia.products;
   const double determinant = a * (b * c - yz * yz) - xy * (xy * c - xz * yz) + xz * (xy * yz - b * xz);
+  PHYSIM_ASSERT(determinant > 0);
   const double scale = 1 / determinant;
   r.inverse_moments = Vec3d{b * c - yz * yz, a * c - xz * xz, a * b - xy * xy} * scale;
   r.inverse_products = Vec3d{xz * yz - xy * c, xy * yz - b * xz, xy * xz - a * yz} * scale;

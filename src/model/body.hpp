@@ -40,6 +40,7 @@ struct Burn {
 /// Nothing burns.
 template <class R>
 Burn<R> no_burn(R start, R end, R burned) {
+  PHYSIM_ASSERT(start <= end && burned >= 0);
   return {start, end, R(0), R(0), burned, R(0), R(0), R(1)};
 }
 

@@ -13,6 +13,7 @@
 //   goes on); I. Millington, Game Physics Engine Development (2010), ch. 7 (resting contact).
 #pragma once
 
+#include "base/assert.hpp"
 #include "math/pack.hpp"
 #include "physim/vec3.hpp"
 
@@ -26,6 +27,7 @@ struct Surface {
 
 /// Velocity after a bounce.
 inline Vec3d bounced(const Vec3d& v, const Vec3d& normal, const Surface& surface) {
+  PHYSIM_ASSERT(!(abs(length_squared(normal) - 1) > 1e-6));
   const double v_n = dot(v, normal);
   const Vec3d v_t = v - normal * v_n;
   const double slide = length(v_t);
@@ -40,6 +42,7 @@ struct Rolled {
   Vec3d velocity;
 };
 inline Rolled rolled(const Vec3d& v, const Vec3d& a, const Vec3d& normal, const Surface& surface, double time) {
+  PHYSIM_ASSERT(time >= 0 && surface.rolling_resistance >= 0);
   const Vec3d v_t = v - normal * dot(v, normal);
   const double a_n = dot(a, normal);
   const Vec3d a_t = a - normal * a_n;

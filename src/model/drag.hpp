@@ -24,6 +24,7 @@ PHYSIM_ISA_BEGIN
 /// Cd of curves whose points lie on no equal cells, one lane after the other.
 template <class R, class S>
 R searched_cd(const Conditions<S>& c, const Body<R>& b, const R& mach, R cd) {
+  PHYSIM_ASSERT(c.searched_curves != nullptr);
   for (int lane = 0; lane < kLanes<R>; ++lane) {
     const S row = lane_of(b.curve_row, lane);
     if (row < S(0))
@@ -42,6 +43,7 @@ PHYSIM_INLINE R curve_position(const Body<R>& b, const R& mach) {
 /// Cd by Mach number.
 template <class R, class S>
 PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& mach) {
+  PHYSIM_ASSERT(c.curve_rows != nullptr);
   const R inside = curve_position(b, mach);
   // Rounding u - 1/2 is one operation less than the floor of u; on a border either cell gives the same value.
   const R cell = min(round_to_int(inside - constant<R>(0.5)), b.curve_last);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "base/assert.hpp"
 #include "model/ladder.hpp"
 #include "model/sphere_drag.hpp"
 #include "physim/drag_curve.hpp"
@@ -12,6 +13,7 @@ namespace physim {
 namespace {
 
 PiecewiseCubic through(std::span<const DragPoint> points, Interpolation interpolation) {
+  PHYSIM_ASSERT(!points.empty());
   std::vector<double> mach, cd;
   for (const DragPoint& p : points) {
     mach.push_back(p.mach);
@@ -51,6 +53,7 @@ const UniformCubic& standard_drag_cells(DragTable table, Interpolation interpola
     UniformCubic cells;
   };
   static Fitted fitted[std::size_t(DragTable::custom)][kRungCount<Interpolation>];
+  PHYSIM_ASSERT(std::size_t(table) < std::size(fitted) && std::size_t(interpolation) < kRungCount<Interpolation>);
   Fitted& f = fitted[std::size_t(table)][std::size_t(interpolation)];
   std::call_once(f.once, [&] {
     DragDef drag;

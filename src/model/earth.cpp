@@ -37,6 +37,7 @@ void prepare_ellipsoid(const Environment& environment, bool own, Globe<double>& 
   g.axis = axis_in_W(environment.earth);
   g.origin = origin_from_centre(g.axis, environment.altitude);
   g.to_axis = prime_vertical(g.axis.y) + environment.altitude;
+  PHYSIM_ASSERT(!(abs(length_squared(g.axis) - 1) > 1e-9));
   g.axis_offset = axis_offset(dot(g.origin, g.origin), dot(g.origin, g.axis), kFlightRounds);
   g.squeezed_up = squeezed(g.axis, Vec3d{0, 1, 0});
   g.per_squeezed_up = 1 / length(g.squeezed_up);
@@ -75,6 +76,7 @@ void prepare_earth(const Environment& environment, const Fidelity& granted, Cond
   }
   if (!is_round(earth) && row(granted.gravity).field == GravityField::flattened) {
     constexpr double kHigh = 10000;
+    PHYSIM_ASSERT(!own);
     c.gravity = weight(environment, granted.gravity, 0);
     c.radius = kHigh / (sqrt(c.gravity / weight(environment, granted.gravity, kHigh)) - 1);
   }

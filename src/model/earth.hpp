@@ -64,6 +64,7 @@ PHYSIM_INLINE Vec3<R> from_centre(const Conditions<S>& c, const Vec3<R>& x) {
 /// The vertical of the ellipsoid at a place, and the height above the origin.
 template <class R, class S>
 PHYSIM_INLINE Vertical<R> ellipsoid_vertical_at(const Conditions<S>& c, const Vec3<R>& x) {
+  PHYSIM_ASSERT(c.globe.to_axis > S(0));
   Vertical<R> vertical;
   ellipsoid_vertical(c.globe, c.altitude, x, vertical);
   return vertical;
@@ -130,6 +131,7 @@ PHYSIM_INLINE R climb_rate(const Conditions<S>& c, const State<R>& s) {
 /// A vector given at the origin of W, turned by the shortest way with the vertical.
 template <class R, class S>
 [[gnu::noinline]] void turn_with_vertical(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
+  PHYSIM_ASSERT(is_round(c.fidelity.earth));
   const Vec3<R> u = vertical_at(c, x);
   const Vec3<R> sum{u.x, u.y + S(1), u.z};
   const R up = w.y;

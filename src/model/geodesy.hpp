@@ -18,6 +18,7 @@
 //   Geodetic System 1984 (2000), table 3.1; the support function s of an ellipsoid is geometry.
 #pragma once
 
+#include "base/assert.hpp"
 #include "math/pack.hpp"
 #include "model/conditions.hpp"
 #include "physim/geodesy.hpp"
@@ -32,6 +33,7 @@ inline constexpr int kAllRounds = 8;
 /// kappa of a place with |r|^2 and z.
 template <class R>
 PHYSIM_INLINE R axis_offset(const R& r_squared, const R& z, int rounds) {
+  PHYSIM_ASSERT(rounds > 0 && rounds <= kAllRounds);
   const R e2 = constant<R>(wgs84::kEccentricitySquared);
   const R e2a = constant<R>(wgs84::kEccentricitySquared * wgs84::kEquatorialRadius);
   const R p_squared = r_squared - z * z;

@@ -202,8 +202,7 @@ PHYSIM_INLINE constexpr RungInfo row(Interpolation rung) {
 }
 
 /// Calls f(place, member of Fidelity) for every effect that has rungs; the name of the effect is that of the member.
-template <class F>
-constexpr void for_each_effect(const F& f) {
+constexpr void for_each_effect(const auto& f) {
   f("fidelity.motion", &Fidelity::motion);
   f("fidelity.integrator", &Fidelity::integrator);
   f("fidelity.gravity", &Fidelity::gravity);

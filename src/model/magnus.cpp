@@ -3,14 +3,11 @@
 
 #include <algorithm>
 
+#include "base/assert.hpp"
+#include "math/interpolation.hpp"
+
 namespace physim {
 namespace {
-
-std::vector<double> rising(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
 
 std::size_t index_of(const std::vector<double>& values, double value) {
   return static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), value) - values.begin());
@@ -26,6 +23,7 @@ Place place_of(const std::vector<double>& values, double value) {
   const auto above = std::upper_bound(values.begin(), values.end(), value);
   if (above == values.end()) return {values.size() - 2, 1};
   const auto cell = static_cast<std::size_t>(above - values.begin()) - 1;
+  PHYSIM_ASSERT(values[cell] <= value && value < values[cell + 1]);
   return {cell, (value - values[cell]) / (values[cell + 1] - values[cell])};
 }
 
@@ -42,6 +40,7 @@ MagnusGrid magnus_grid(const MagnusDef& magnus) {
   g.lift.assign(g.drag.size(), 0);
   for (const MagnusPoint& p : magnus.table) {
     const std::size_t at = index_of(g.speeds, p.speed) * g.spins.size() + index_of(g.spins, p.spin);
+    PHYSIM_ASSERT(at < g.drag.size());
     g.drag[at] = p.drag;
     g.lift[at] = p.lift;
   }
@@ -53,6 +52,8 @@ bool is_full(const MagnusGrid& g, std::size_t points) {
 }
 
 MagnusCoefficients magnus_at(const MagnusGrid& g, double speed, double spin, double parameter) {
+  PHYSIM_ASSERT(!g.spins.empty() && g.drag.size() == g.speeds.size() * g.spins.size());
+  PHYSIM_ASSERT(g.lift.size() == g.drag.size());
   const double by = g.by_parameter ? parameter : spin;
   const Place row = place_of(g.speeds, speed);
   const Place column = place_of(g.spins, by);

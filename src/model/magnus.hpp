@@ -37,6 +37,7 @@ struct SpinningAir {
 template <class R, class S>
 [[gnu::noinline]] void table_coefficients(const Conditions<S>& c, const Body<R>& b, const R& speed, const R& spin,
                                           const R& parameter, R& drag, R& lift) {
+  PHYSIM_ASSERT(c.magnus_grids != nullptr);
   for (int lane = 0; lane < kLanes<R>; ++lane) {
     const S table = lane_of(b.magnus_table, lane);
     if (table < S(0)) continue;

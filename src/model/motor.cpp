@@ -2,10 +2,12 @@
 #include "model/motor_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
 #include "base/assert.hpp"
+#include "math/interpolation.hpp"
 
 namespace physim {
 namespace {
@@ -31,9 +33,7 @@ std::vector<double> knots(const MotorDef& motor) {
   for (const ThrustPoint& p : motor.thrust) times.push_back(p.time);
   for (const PropellantPoint& p : motor.propellant)
     if (p.time > 0 && p.time < times[motor.thrust.size() - 1]) times.push_back(p.time);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  return rising(std::move(times));
 }
 
 /// The piece from t0 to t1 after ignition.
@@ -45,6 +45,7 @@ Burn<double> burning_piece(const MotorDef& motor, double impulse_before, double 
   b.thrust = line_at(motor.thrust, &ThrustPoint::force, t0);
   b.thrust_rate = (line_at(motor.thrust, &ThrustPoint::force, t1) - b.thrust) / (t1 - t0);
   if (motor.propellant.empty()) {
+    PHYSIM_ASSERT(impulse > 0);
     const double per_impulse = motor.propellant_mass / impulse;
     b.burned = per_impulse * impulse_before;
     b.burn_rate = per_impulse * b.thrust;
@@ -105,6 +106,7 @@ std::size_t MotorPool::add(const MotorDef& motor, const CurvePart<double>& coast
   std::vector<MotorPiece> pieces;
   if (motor.ignition_delay > 0) pieces.push_back({no_burn(0.0, motor.ignition_delay, 0.0), coasting});
   const std::vector<double> times = knots(motor);
+  PHYSIM_ASSERT(times.size() >= 2 && times.front() == 0);
   const double impulse = total_impulse(motor);
   double delivered = 0;
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
@@ -112,10 +114,12 @@ std::size_t MotorPool::add(const MotorDef& motor, const CurvePart<double>& coast
     burn.drag_factor = drag_factor;
     const double lasts = times[i + 1] - times[i];
     delivered += lasts * (burn.thrust + 0.5 * burn.thrust_rate * lasts);
+    PHYSIM_ASSERT(pieces.empty() || pieces.back().burn.end == burn.start);
     pieces.push_back({burn, burning});
   }
   pieces.push_back({no_burn(motor.ignition_delay + times.back(), never, motor.propellant_mass), coasting});
 
+  PHYSIM_ASSERT(std::abs(delivered - impulse) <= 1e-9 * impulse);
   const std::size_t hash = hash_of(pieces);
   const auto [from, to] = known_.equal_range(hash);
   for (auto at = from; at != to; ++at)

@@ -1,6 +1,7 @@
 // Equations, symbols and Source: model/sight.hpp.
 #include "model/sight.hpp"
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
@@ -32,21 +33,15 @@ SightFrame sight_frame(const Launch& launch) {
   return s;
 }
 
-namespace {
-
-Vec3d along_bore(const Launch& launch, const SightFrame& sight, double elevation) {
+Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation) {
+  const double speed = launch.velocity ? length(*launch.velocity) : 0;
+  if (speed > 0) return *launch.velocity * (1 / speed);
   const auto above = sincos_of(elevation - launch.sight.look_angle);
   return sight.forward * above.cos + sight.canted * above.sin;
 }
 
-}  // namespace
-
-Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation) {
-  const double speed = launch.velocity ? length(*launch.velocity) : 0;
-  return speed > 0 ? *launch.velocity * (1 / speed) : along_bore(launch, sight, elevation);
-}
-
 Vec3d velocity_along(const Launch& launch, const Vec3d& bore) {
+  PHYSIM_ASSERT(launch.velocity || !(abs(length_squared(bore) - 1) > 1e-9));
   return launch.velocity ? *launch.velocity : bore * launch.speed;
 }
 

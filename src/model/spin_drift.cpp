@@ -1,6 +1,7 @@
 // Equations, symbols and Source: model/spin_drift.hpp.
 #include "model/spin_drift.hpp"
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
@@ -21,6 +22,7 @@ double SpinDrift::drift(double time) const { return time > 0 ? coefficient * pow
 double SpinDrift::drift_rate(double time) const { return time > 0 ? coefficient * kPower * pow(time, kPower - 1) : 0; }
 
 double miller_stability(const ProjectileDef& p, double speed, double temperature, double pressure) {
+  PHYSIM_ASSERT(p.twist != 0 && p.length > 0);
   const double d = p.diameter / kInch;
   const double l = p.length / p.diameter;
   const double t = abs(p.twist) / p.diameter;

@@ -67,6 +67,7 @@ Profile profile_through(double h, double p, double shift, double density_factor)
   profile.temperature[0] = 288.15 + shift;
   for (int i = 1; i < kAirLayers; ++i)
     profile.temperature[i] = profile.temperature[i - 1] + kLapse[i - 1] * (kBase[i] - kBase[i - 1]);
+  PHYSIM_ASSERT(!(profile.density_factor <= 0));
   const int station = layer_of(h);
   profile.pressure[station] = p * profile.pressure_ratio(station, h, kBase[station]);
   for (int i = station + 1; i < kAirLayers; ++i)
@@ -103,16 +104,13 @@ Station station_of(const Environment& environment) {
           moist_air_sound_speed(t, p, humidity) / dry_sound_speed(t)};
 }
 
-}  // namespace
-
-namespace {
-
 /// Fits f over the lowest layer of the air.
-template <int N, class F>
-void fit_low(const Air<double>& air, const F& f, double (&out)[N]) {
+template <int N>
+void fit_low(const Air<double>& air, const auto& f, double (&out)[N]) {
   static const ChebyshevFit fit(N);
   std::vector<double> values;
   for (const double u : fit.points()) values.push_back(f(air.low_middle + u / air.low_scale));
+  PHYSIM_ASSERT(values.size() == N && air.low_scale > 0);
   const auto powers = fit.powers(values);
   std::copy(powers.begin(), powers.end(), out);
 }

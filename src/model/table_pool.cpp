@@ -10,6 +10,7 @@ namespace physim {
 
 std::size_t MagnusPool::add(const MagnusDef& magnus) {
   const MagnusGrid grid = magnus_grid(magnus);
+  PHYSIM_ASSERT(is_full(grid, magnus.table.size()));
   const auto known = std::find(grids_.begin(), grids_.end(), grid);
   const auto index = static_cast<std::size_t>(known - grids_.begin());
   if (known == grids_.end()) grids_.push_back(grid);
@@ -17,11 +18,8 @@ std::size_t MagnusPool::add(const MagnusDef& magnus) {
 }
 
 CurvePart<double> TablePool::add(const DragDef& drag, Interpolation interpolation) {
-  for (const Entry& e : entries_) {
-    if (e.table != drag.table) continue;
-    if (drag.table == DragTable::custom && e.curve != drag.curve) continue;
-    return e.place;
-  }
+  for (const Entry& e : entries_)
+    if (e.table == drag.table && (drag.table != DragTable::custom || e.curve == drag.curve)) return e.place;
   const auto own_points = drag.table == DragTable::custom ? drag.curve : std::vector<DragPoint>{};
   entries_.push_back({drag.table, own_points, place_of(drag, interpolation)});
   return entries_.back().place;
@@ -45,6 +43,7 @@ double TablePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
   PHYSIM_ASSERT(!rows.empty() && rows_.size() % 4 == 0);
   const auto first = static_cast<double>(rows_.size() / 4);
   for (const std::array<double, 4>& row : rows) rows_.insert(rows_.end(), row.begin(), row.end());
+  PHYSIM_ASSERT(rows_.size() / 4 <= 1 << 22);  // what floats count, and row_cubic() reads
   return first;
 }
 
@@ -58,24 +57,17 @@ std::size_t TablePool::size() const {
   return rows_.size() + searched_.size() + motors.pieces().size() + magnus.grids().size();
 }
 
-namespace {
-
 template <class S>
-void point_to(const TablePool& pool, const std::vector<S>& rows, Conditions<S>& c) {
-  c.curve_rows = rows.data();
-  c.searched_curves = pool.searched().data();
-  c.motor_pieces = pool.motors.pieces().data();
-  c.magnus_grids = pool.magnus.grids().data();
+TablePointers<S> TablePool::pointers(const std::vector<S>& rows) const {
+  return {rows.data(), searched_.data(), motors.pieces().data(), magnus.grids().data()};
 }
 
-}  // namespace
-
-void TablePool::point(Conditions<double>& c) const { point_to(*this, rows_, c); }
+void TablePool::point(Conditions<double>& c) const { static_cast<TablePointers<double>&>(c) = pointers(rows_); }
 
 void TablePool::point(Conditions<float>& c) {
   PHYSIM_ASSERT(rows_float_.size() <= rows_.size());
   for (std::size_t i = rows_float_.size(); i < rows_.size(); ++i) rows_float_.push_back(static_cast<float>(rows_[i]));
-  point_to(*this, rows_float_, c);
+  static_cast<TablePointers<float>&>(c) = pointers(rows_float_);
 }
 
 }  // namespace physim

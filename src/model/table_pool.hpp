@@ -49,7 +49,10 @@ class TablePool {
   double add_rows(const std::vector<std::array<double, 4>>& rows);
   /// Where equal coefficients lie already; null where they do not.
   [[nodiscard]] const AeroPlace* find(const AeroDef& aero) const;
-  void remember(const AeroDef& aero, const AeroPlace& place) { aero_.emplace_back(aero, place); }
+  void remember(const AeroDef& aero, const AeroPlace& place) {
+    PHYSIM_ASSERT(find(aero) == nullptr);
+    aero_.emplace_back(aero, place);
+  }
 
   [[nodiscard]] const std::vector<double>& rows() const { return rows_; }
   [[nodiscard]] const std::vector<PiecewiseCubic>& searched() const { return searched_; }
@@ -70,6 +73,8 @@ class TablePool {
   };
   CurvePart<double> place_of(const DragDef& drag, Interpolation interpolation);
   CurvePart<double> place_of(const UniformCubic& curve);
+  template <class S>
+  [[nodiscard]] TablePointers<S> pointers(const std::vector<S>& rows) const;
 
   std::vector<double> rows_;
   std::vector<float> rows_float_;  // of those that conditions in float asked for

@@ -11,6 +11,7 @@
 //   exactly over the step.
 #pragma once
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "physim/quat.hpp"
 
@@ -22,6 +23,7 @@ struct Turning {
 };
 
 inline Turning turned(const Turning& from, double angular_drag, double time) {
+  PHYSIM_ASSERT(time >= 0 && angular_drag >= 0);
   const double speed = length(from.angular_velocity);
   if (speed == 0) return from;
   const double kept = exp(-angular_drag * time);

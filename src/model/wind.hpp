@@ -43,6 +43,7 @@ template <class R, class S>
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Vec3<R>& x) {
   const WindField<S>& field = c.wind;
+  PHYSIM_ASSERT(field.points >= 1);
   Vec3<R> w{R(field.velocity[0].x), R(field.velocity[0].y), R(field.velocity[0].z)};
   if (c.fidelity.wind != WindModel::profile || field.points < 2) return w;
   profile_wind(c, x, w);

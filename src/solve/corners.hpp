@@ -2,6 +2,7 @@
 // corners are).
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "solve/dense_lanes.hpp"
@@ -20,6 +21,7 @@ PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>
 /// How long the step of one lane may be to end behind its first corner [s]; nothing where it stands.
 template <class R, class S>
 std::optional<double> cut_at_corner(const Course<S>& course, const Lanes<R>& l, int lane, bool by_rail) {
+  PHYSIM_ASSERT(lane >= 0 && lane < kLanes<R> && course.corners);
   const Conditions<double>& c = *course.conditions_double;
   Lanes<S> alone{};
   copy_step(*course.conditions, l, lane, alone, 0, course.body);

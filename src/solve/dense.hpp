@@ -30,8 +30,8 @@ PHYSIM_INLINE int dense_coefficient_count(Integrator integrator) {
 }
 
 /// Calls f with the number of each slope of a step that its interpolant reads; `last` is that of the slope at the end.
-template <class F>
-PHYSIM_INLINE void for_dense_slopes(Integrator integrator, int last, const F& f) {
+PHYSIM_INLINE void for_dense_slopes(Integrator integrator, int last, const auto& f) {
+  PHYSIM_ASSERT(last >= 1 && last < kMaxSlopes);
   for (int i = 0; i <= last; i += dense_coefficient_count(integrator) > 0 ? 1 : last) f(i);
 }
 
@@ -63,11 +63,6 @@ PHYSIM_INLINE W place_between(const NodeOf<W>& n0, const NodeOf<W>& n1, const W&
 template <class Tableau, int Power>
 struct PolynomialWeights {
   static constexpr double at(int j) { return Tableau::kDense[j][Power]; }
-};
-/// The weights of a row of an interpolant with stages of its own.
-template <class Tableau, int Row>
-struct DenseRowWeights {
-  static constexpr double at(int j) { return Tableau::kDense[Row][j]; }
 };
 
 /// Adds the slopes that the interpolant needs beside those of the step; `f` is the acceleration, or where it turns
@@ -108,7 +103,7 @@ PHYSIM_INLINE void dense_sums(Integrator integrator, const AnyStep& s, const W& 
       out[1] = s.slope[0] * h - change;
       out[2] = change - s.slope[Method::kStages] * h - out[1];
       static_for<dense_coefficients_of<Method>() - 3>([&](auto row) {
-        out[3 + row] = weighted_sum<DenseRowWeights<Method, row>, Method::kDenseStages>(s.slope) * h;
+        out[3 + row] = weighted_sum<RowWeights<Method::kDense, row>, Method::kDenseStages>(s.slope) * h;
       });
     }
   });

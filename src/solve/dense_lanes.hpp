@@ -108,9 +108,7 @@ void add_coefficients(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>&
                    [&](int i) { cast_numbers(l.step.slope[i], s.slope[i]); });
   if (turns(fidelity)) return dense_turns(course, l, s, out);
   const auto f = [&](const W& t, const State<W>& y) {
-    Vec3<W> a;
-    evaluate(*course.conditions_double, out.whole_body(), t, y, a);
-    return a;
+    return evaluated(*course.conditions_double, out.whole_body(), t, y);
   };
   dense_coefficients(fidelity.integrator, s, f, out.coefficient);
 }

@@ -23,23 +23,17 @@ PHYSIM_ISA_BEGIN
 
 /// The original frame loop and semi-implicit Euler have no tableau: one slope, and ends of their own
 /// (solve/take_step.hpp).
-struct ClassicLoop {
+struct OneSlope {
   static constexpr int kStages = 1;
   static constexpr int kOrder = 1;
   static constexpr double c[1] = {0};
 };
-struct SemiImplicitEuler {
-  static constexpr int kStages = 1;
-  static constexpr int kOrder = 1;
-  static constexpr double c[1] = {0};
-};
+struct ClassicLoop : OneSlope {};
+struct SemiImplicitEuler : OneSlope {};
 
-struct ExplicitEuler {
-  static constexpr int kStages = 1;
-  static constexpr int kOrder = 1;
+struct ExplicitEuler : OneSlope {
   static constexpr double a[1][1] = {{}};
   static constexpr double b[1] = {1};
-  static constexpr double c[1] = {0};
 };
 
 struct Heun {
@@ -190,8 +184,7 @@ concept HasDensePolynomials = requires {
 &&!HasDenseStages<Method>;
 
 /// Calls f with the method of an integrator, a type: the one place that says which tableau belongs to which name.
-template <class F>
-PHYSIM_INLINE auto with_method(Integrator integrator, const F& f) {
+PHYSIM_INLINE auto with_method(Integrator integrator, const auto& f) {
   switch (integrator) {
     case Integrator::classic: return f(ClassicLoop{});
     case Integrator::explicit_euler: return f(ExplicitEuler{});
@@ -253,30 +246,25 @@ PHYSIM_INLINE Y<R> weighted_sum(const Y<R>* slope) {
   return sum;
 }
 
-/// y + h * sum
-template <template <class> class Y, class R>
-PHYSIM_INLINE Y<R> advanced(const Y<R>& y, const Y<R>& sum, const R& h) {
-  return y + sum * h;
-}
-
-template <class Tableau, int Row>
-struct StageWeights {
-  static constexpr double at(int j) { return Tableau::a[Row][j]; }
+/// The weights in an array of a tableau, or in a row of one.
+template <const auto& kWeights>
+struct Weights {
+  static constexpr double at(int j) { return kWeights[j]; }
 };
-template <class Tableau>
-struct EndWeights {
-  static constexpr double at(int j) { return Tableau::b[j]; }
+template <const auto& kRows, int Row>
+struct RowWeights {
+  static constexpr double at(int j) { return kRows[Row][j]; }
 };
 
 /// The state of stage `Stage` from the slopes of those before it; `s` is a Step or its TurnStep.
 template <class Tableau, int Stage, class AnyStep, class R>
 PHYSIM_INLINE auto stage_state(const AnyStep& s, const R& h) {
-  return advanced(s.start, weighted_sum<StageWeights<Tableau, Stage>, Stage>(s.slope), h);
+  return s.start + weighted_sum<RowWeights<Tableau::a, Stage>, Stage>(s.slope) * h;
 }
 /// The state at the end from the slopes of all stages.
 template <class Tableau, class AnyStep, class R>
 PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
-  return advanced(s.start, weighted_sum<EndWeights<Tableau>, Tableau::kStages>(s.slope), h);
+  return s.start + weighted_sum<Weights<Tableau::b>, Tableau::kStages>(s.slope) * h;
 }
 
 /// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y)` is step

@@ -95,6 +95,7 @@ Verdict verdict_on(const Course<S>& course, const Lanes<R>& l, const StepMarks<R
   if (accepted) {
     if (crossings.count > 0) {
       const Found& last = crossings.found[crossings.count - 1];
+      PHYSIM_ASSERT(last.index >= 0 && last.index < course.watch.count && last.theta >= 0 && last.theta <= 1);
       const Watched& watched = course.watch.item[last.index];
       if (watched.spec.terminal) return {true, watched.outcome, last.theta};
     }

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 #include "solve/step_control.hpp"
 #include "solve/stops.hpp"
@@ -54,6 +53,7 @@ PHYSIM_INLINE int last_slope(const Fidelity& f) {
 
 /// Evaluations of the acceleration that a number of tried steps took, the one at launch included.
 PHYSIM_INLINE std::int64_t evaluations(const Fidelity& granted, std::int64_t tries) {
+  PHYSIM_ASSERT(tries >= 0);
   return 1 + tries * last_slope(granted);
 }
 

@@ -72,6 +72,7 @@ class March {
     const R zero(S(0));
     if (has_stops(c)) pass_stops(c, l.step.t, zero == zero, l.step.start, l.body);
     PHYSIM_ASSERT(course_->plan.step == S(0));  // a frame is one step of its own length
+    PHYSIM_ASSERT(!any(frame < zero) && !any(limit < l.step.t));
     begin_frame();
     l.control = {zero, frame};
     note_regime();
@@ -169,6 +170,7 @@ class March {
     const Conditions<S>& c = conditions();
     const StepPlan<S>& plan = course_->plan;
     if (plan.step > S(0)) return R(plan.step);
+    PHYSIM_ASSERT(steps_itself(c.fidelity));
     if (c.fidelity.motion == Motion::closed_form) return closed_form_step(c, lanes.body);
     const Step<R>& s = lanes.step;
     R h = min(first_step(c.fidelity.integrator, s.start, s.slope[0].v, plan.relative, plan.absolute), R(plan.max_step));

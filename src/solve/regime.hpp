@@ -24,6 +24,7 @@ struct Regime {
 /// How many of the borders lie at or below u.
 template <class R, class S>
 PHYSIM_INLINE R borders_passed(const S* borders, int count, const R& u) {
+  PHYSIM_ASSERT(count >= 0);
   R passed(S(0));
   for (int i = 0; i < count; ++i) {
     const auto above = u >= R(borders[i]);
@@ -51,6 +52,7 @@ PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       const S row = lane_of(b.curve_row, lane);
       if (row < S(0)) {
+        PHYSIM_ASSERT(c.searched_curves != nullptr);
         const auto& knots = c.searched_curves[static_cast<int>(S(-1) - row)].knots;
         int index = 0;
         while (index < static_cast<int>(knots.size()) &&
@@ -143,8 +145,7 @@ PHYSIM_INLINE MaskOf<R> turns_back(const EdgeRates<R>& from, const EdgeRates<R>&
 }
 
 /// The part of a step after which a rate has another sign than at its start; 1 where it keeps it.
-template <class F>
-double turning_point(const F& rate) {
+double turning_point(const auto& rate) {
   const bool rises = rate(0.0) > 0;
   if ((rate(1.0) > 0) == rises) return 1;
   double before = 0, behind = 1;
@@ -160,6 +161,7 @@ double turning_point(const F& rate) {
 template <class F, class Rates>
 double first_corner(const Conditions<double>& c, const Body<double>& b, const Rotor<double>& rotor, double t, double h,
                     double before, const F& at, const Rates& rates) {
+  PHYSIM_ASSERT(h > 0 && before >= 0 && before < 1);
   const Regime<double> here = regime(c, b, rotor, t + before * h, at(before));
   const auto differs = [&](double theta) { return differ(here, regime(c, b, rotor, t + theta * h, at(theta))); };
   const double turn = turning_point([&](double theta) { return rates(theta).place; });

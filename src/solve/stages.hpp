@@ -48,7 +48,7 @@ PHYSIM_INLINE void advance_stage(const Conditions<S>& c, int stage, Flyer<R>& l)
   const Integrator integrator = c.fidelity.integrator;
   PHYSIM_ASSERT(stage >= 0 && stage < end_slope(integrator) && c.fidelity.motion != Motion::closed_form);
   Step<R>& s = l.step;
-  if (integrator == Integrator::classic) return classic_frame(c, l.body, s);
+  if (is_classic(c.fidelity)) return classic_frame(c, l.body, s);
   set_slope(c, l, stage, stage_time(integrator, stage, s));
   if (integrator == Integrator::semi_implicit_euler)
     take_semi_implicit_step(c, l);

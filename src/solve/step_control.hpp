@@ -43,6 +43,7 @@ PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, con
 /// order.
 template <class R, class S>
 PHYSIM_INLINE R first_step(Integrator integrator, const State<R>& start, const Vec3<R>& a, S relative, S absolute) {
+  PHYSIM_ASSERT(is_adaptive(integrator) && relative >= S(0) && absolute >= S(0));
   const R tiny = constant<R>(1e-30);
   const R speed = length(start.v);
   const R tolerance = relative + absolute / max(speed, constant<R>(1e-3));

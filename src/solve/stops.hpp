@@ -23,6 +23,7 @@ PHYSIM_INLINE bool has_stops(const Conditions<S>& c) {
 template <class R, class S>
 [[gnu::noinline]] void rail_phase(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& phase) {
   const R zero(S(0));
+  PHYSIM_ASSERT(c.has_rail);
   const R off = constant<R>(kOffRail);
   phase = off;
   const auto on = (b.rail_phase < off) & (dot(s.x, b.rail) < b.rail_end);
@@ -48,6 +49,7 @@ template <class R, class S>
 PHYSIM_INLINE MaskOf<R> pass_pieces(const Conditions<S>& c, const R& t, const MaskOf<R>& lanes, Body<R>& b) {
   const MaskOf<R> over = lanes & (t >= b.burn.end);
   if (!any(over)) return over;
+  PHYSIM_ASSERT(c.has_motor);
   for (int lane = 0; lane < kLanes<R>; ++lane)
     while (lane_of(over, lane) && lane_of(t, lane) >= lane_of(b.burn.end, lane))
       put_piece(c.motor_pieces, static_cast<int>(lane_of(b.burn_piece, lane)) + 1, b, lane);

@@ -15,11 +15,6 @@ PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
   return granted.motion == Motion::closed_form || is_adaptive(granted.integrator);
 }
 
-/// The original frame loop: its slope[0].v is not that of the state but what its last frame left.
-PHYSIM_INLINE bool is_classic(const Fidelity& granted) {
-  return granted.motion != Motion::closed_form && granted.integrator == Integrator::classic;
-}
-
 /// The original's frame, in its order: position, then velocity, both from the old state; then damping; then the
 /// acceleration for the next frame from the forces of this one. slope[].v is the acceleration register: zero at launch.
 /// With `original_one_shot_forces`, forces are felt once, added to the register and never taken out of it again.
@@ -65,15 +60,6 @@ PHYSIM_INLINE R squared_ratio(const Vec3<R>& error, const Vec3<R>& value, S rela
   return length_squared(error) / (absolute * absolute + relative * relative * length_squared(value));
 }
 
-template <class Tableau, int Which>
-struct ErrorWeights {
-  static constexpr double at(int j) {
-    if constexpr (Which == 5) return Tableau::kError5[j];
-    if constexpr (Which == 3) return Tableau::kError3[j];
-    if constexpr (Which == 0) return Tableau::kError[j];
-  }
-};
-
 /// The squares of two errors over tolerance. The lengths of vectors are compared, not their components, so that turning
 /// the axes changes nothing.
 template <class R>
@@ -103,7 +89,7 @@ template <class Tableau, class AnyStep, class R, class S>
 [[gnu::noinline]] R embedded_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   constexpr int kSlopes = Tableau::kStages + 1;
   const auto e =
-      squared_errors(weighted_sum<ErrorWeights<Tableau, 0>, kSlopes>(s.slope) * h, s.end, relative, absolute);
+      squared_errors(weighted_sum<Weights<Tableau::kError>, kSlopes>(s.slope) * h, s.end, relative, absolute);
   return worse(e.first, e.second);
 }
 
@@ -119,9 +105,9 @@ template <class Tableau, class AnyStep, class R, class S>
 [[gnu::noinline]] R two_errors_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   constexpr int kSlopes = Tableau::kStages;
   const auto e5 =
-      squared_errors(weighted_sum<ErrorWeights<Tableau, 5>, kSlopes>(s.slope) * h, s.end, relative, absolute);
+      squared_errors(weighted_sum<Weights<Tableau::kError5>, kSlopes>(s.slope) * h, s.end, relative, absolute);
   const auto e3 =
-      squared_errors(weighted_sum<ErrorWeights<Tableau, 3>, kSlopes>(s.slope) * h, s.end, relative, absolute);
+      squared_errors(weighted_sum<Weights<Tableau::kError3>, kSlopes>(s.slope) * h, s.end, relative, absolute);
   return worse(combined_error_squared(e5.first, e3.first), combined_error_squared(e5.second, e3.second));
 }
 
@@ -147,6 +133,7 @@ struct FlyerSet {
   PHYSIM_INLINE explicit FlyerSet(Flyer<R>& alone) : count(0) { add(alone); }
   PHYSIM_INLINE FlyerSet() : count(0) {}
   PHYSIM_INLINE void add(Flyer<R>& f) {
+    PHYSIM_ASSERT(count >= 0 && count < kMostSets);
     flyer[count] = &f;
     steps[count++] = &f.step;
   }
@@ -161,6 +148,7 @@ PHYSIM_INLINE void set_unit_length(const Fidelity& f, Step<R>& s) {
 /// Reaches the ends of steps that turn; see reach_ends().
 template <class R, class S>
 [[gnu::noinline]] void reach_turning_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
+  PHYSIM_ASSERT(c.fidelity.motion == Motion::force && w.count > 0);
   const auto f = [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
     return evaluated(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, slope);
   };
@@ -204,6 +192,7 @@ PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
 /// The slope at a time, as slope[place]: place 0 where the step starts, else at the state that it has come to.
 template <class R, class S>
 PHYSIM_INLINE void set_slope(const Conditions<S>& c, Flyer<R>& l, int place, const R& t) {
+  PHYSIM_ASSERT(place >= 0 && place < kMaxSlopes);
   Step<R>& s = l.step;
   const State<R>& y = place == 0 ? s.start : s.end;
   if (turns(c.fidelity)) {
@@ -224,7 +213,7 @@ PHYSIM_INLINE void take_steps(const Conditions<S>& c, const FlyerSet<R>& w, S re
   reach_ends(c, w);
   const bool closed = c.fidelity.motion == Motion::closed_form;
   const Integrator integrator = c.fidelity.integrator;
-  if (!closed && integrator == Integrator::classic) return;  // a frame leaves its own
+  if (is_classic(c.fidelity)) return;  // a frame leaves its own
   const int last = closed ? 1 : end_slope(integrator);
   for (int i = 0; i < w.count; ++i) {
     Step<R>& s = *w.steps[i];

@@ -150,7 +150,8 @@ struct CrossingList {
   int count;
 
   PHYSIM_INLINE void add(double theta, int index, bool rising) {
-    if (count < 2 * kMaxWatched) found[count++] = {theta, index, rising};
+    PHYSIM_ASSERT(count >= 0 && count < 2 * kMaxWatched);  // each that is watched is found twice at most
+    found[count++] = {theta, index, rising};
   }
   /// In order of time, up to and with the first terminal one. Insertion sort: few, nearly sorted, and stable.
   void put_in_order(const WatchList& watch) {
@@ -190,6 +191,7 @@ struct CrossingFinder {
   PHYSIM_INLINE void add(const MaskOf<W>& lanes, const W& theta, const MaskOf<W>& rising) const {
     for (unsigned left = lane_bits(lanes); left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
+      PHYSIM_ASSERT(lane_of(theta, lane) >= 0 && lane_of(theta, lane) <= 1);
       lists[lane].add(lane_of(theta, lane), index, lane_of(rising, lane));
     }
   }

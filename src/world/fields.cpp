@@ -22,7 +22,7 @@ RowLayout layout_of(const Fidelity& granted, const Features& features, bool laun
   layout.float32 = granted.precision == Precision::float32;
   layout.clocked = closed || features.has_applied || features.has_motor || features.has_rail ||
                    granted.rotation == RotationModel::magnus;
-  layout.carried = !closed && granted.integrator == Integrator::classic;
+  layout.carried = is_classic(granted);
   layout.launched = launch_place;
   layout.turning = turns(granted);
   return layout;
