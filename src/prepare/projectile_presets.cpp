@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "physim/units.hpp"
 
@@ -19,112 +20,94 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kRpm = kPi / 30;  // [rad/s]
 
 /// A shot of the original at its elevation setting 2, removed where the original removed it.
-ProjectilePreset original(const char* name, double mass, double damping, double gravity, double speed) {
-  ProjectilePreset p;
-  p.projectile.name = name;
-  p.projectile.mass = mass;
-  p.projectile.drag.damping = damping;
-  p.projectile.fidelity = Fidelity::classic();
-  p.body.gravity_scale = gravity / kStandardGravity;
-  p.body.despawn.below = -5;
-  p.body.despawn.farther = 100;
-  p.speed = speed;
-  return p;
+ProjectilePreset original(const char* name, double mass, double damping, double gravity, double speed, const char* doc,
+                          const char* source) {
+  return {.projectile = {.name = name, .mass = mass, .drag = {.damping = damping}, .fidelity = Fidelity::classic()},
+          .body = {.gravity_scale = gravity / kStandardGravity, .despawn = {.below = -5, .farther = 100}},
+          .speed = speed,
+          .doc = doc,
+          .source = std::string("client of the original PhySim (2017): ") + source};
 }
 
 }  // namespace
 
 ProjectilePreset artillery() {
-  ProjectilePreset p = original("artillery", 200, 0.9, 20, std::hypot(4.0, 40.0));
-  p.doc = "the original's artillery shell: 200 kg, gravity 20 m/s^2, damping 0.9";
-  p.source = "client of the original PhySim (2017): (0, 2 e, 40) m/s at elevation setting e = 2";
-  return p;
+  return original("artillery", 200, 0.9, 20, std::hypot(4.0, 40.0),
+                  "the original's artillery shell: 200 kg, gravity 20 m/s^2, damping 0.9",
+                  "(0, 2 e, 40) m/s at elevation setting e = 2");
 }
 
 ProjectilePreset bullet() {
-  ProjectilePreset p = original("bullet", 2, 0.9, 2, std::hypot(2.0, 35.0));
-  p.doc = "the original's bullet: 2 kg, gravity 2 m/s^2, damping 0.9";
-  p.source = "client of the original PhySim (2017): (0, e, 35) m/s at elevation setting e = 2";
-  return p;
+  return original("bullet", 2, 0.9, 2, std::hypot(2.0, 35.0),
+                  "the original's bullet: 2 kg, gravity 2 m/s^2, damping 0.9",
+                  "(0, e, 35) m/s at elevation setting e = 2");
 }
 
 ProjectilePreset laser() {
-  ProjectilePreset p = original("laser", 1, 1, 0, std::hypot(2.0, 35.0));
-  p.doc = "the original's laser: neither gravity nor drag";
-  p.source = "client of the original PhySim (2017): (0, e, 35) m/s at elevation setting e = 2";
-  return p;
+  return original("laser", 1, 1, 0, std::hypot(2.0, 35.0), "the original's laser: neither gravity nor drag",
+                  "(0, e, 35) m/s at elevation setting e = 2");
 }
 
 ProjectilePreset sphere() {
-  ProjectilePreset p;
-  p.projectile.name = "sphere";
-  p.projectile.drag.table = DragTable::sphere;
-  p.speed = 40;
-  p.doc = "a plain smooth ball of 1 kg and 10 cm";
-  p.source = "mass, size and speed: the library's own; Cd by Reynolds number: Morrison (2013)";
-  return p;
+  return {.projectile = {.name = "sphere", .drag = {.table = DragTable::sphere}},
+          .speed = 40,
+          .doc = "a plain smooth ball of 1 kg and 10 cm",
+          .source = "mass, size and speed: the library's own; Cd by Reynolds number: Morrison (2013)"};
 }
 
 ProjectilePreset rifle_bullet() {
-  ProjectilePreset p;
-  p.projectile = {.name = "rifle_bullet",
-                  .mass = 168_gr,
-                  .diameter = 0.308_in,
-                  .length = 1.226_in,
-                  .twist = 12_in,
-                  .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218_lb_in2}};
-  p.body.restitution = 0.2;
-  p.speed = 2700_fps;
-  p.doc = ".308 Winchester, 168 gr match bullet";
-  p.source = "G7: B. Litz, Applied Ballistics for Long-Range Shooting (2009); size and twist: McCoy (1999), ch. 9";
-  return p;
+  return {
+      .projectile = {.name = "rifle_bullet",
+                     .mass = 168_gr,
+                     .diameter = 0.308_in,
+                     .length = 1.226_in,
+                     .twist = 12_in,
+                     .drag = {.table = DragTable::g7, .ballistic_coefficient = 0.218_lb_in2}},
+      .body = {.restitution = 0.2},
+      .speed = 2700_fps,
+      .doc = ".308 Winchester, 168 gr match bullet",
+      .source = "G7: B. Litz, Applied Ballistics for Long-Range Shooting (2009); size and twist: McCoy (1999), ch. 9"};
 }
 
 ProjectilePreset arrow() {
-  ProjectilePreset p;
-  p.projectile = {.name = "arrow", .mass = 18.5_g, .diameter = 5.2_mm, .drag = {.coefficient = 2.05}};
-  p.body.restitution = 0;
-  p.speed = 56.4;
-  p.doc = "Olympic recurve arrow with large vanes";
-  p.source = "Cd and speed: Ortiz et al., Proceedings 49 (2020) 56; mass and diameter: typical, our choice";
-  return p;
+  return {.projectile = {.name = "arrow", .mass = 18.5_g, .diameter = 5.2_mm, .drag = {.coefficient = 2.05}},
+          .body = {.restitution = 0},
+          .speed = 56.4,
+          .doc = "Olympic recurve arrow with large vanes",
+          .source = "Cd and speed: Ortiz et al., Proceedings 49 (2020) 56; mass and diameter: typical, our choice"};
 }
 
 ProjectilePreset grenade() {
-  ProjectilePreset p;
-  p.projectile = {.name = "grenade", .mass = 14_oz, .diameter = 2.5_in, .drag = {.table = DragTable::sphere}};
-  p.body.restitution = 0.3;
-  p.body.friction = 0.3;
-  p.body.rolling_resistance = 0.1;
-  p.body.despawn.older = 4.5;
-  p.speed = 18.5;
-  p.doc = "hand grenade, 14 oz, gone after 4.5 s";
-  p.source = "mass, diameter, fuze of 4 to 5 s and a throw of about 35 m: M67, US Army FM 3-23.30; bounces: our choice";
-  return p;
+  return {
+      .projectile = {.name = "grenade", .mass = 14_oz, .diameter = 2.5_in, .drag = {.table = DragTable::sphere}},
+      .body = {.restitution = 0.3, .friction = 0.3, .rolling_resistance = 0.1, .despawn = {.older = 4.5}},
+      .speed = 18.5,
+      .doc = "hand grenade, 14 oz, gone after 4.5 s",
+      .source =
+          "mass, diameter, fuze of 4 to 5 s and a throw of about 35 m: M67, US Army FM 3-23.30; bounces: our choice"};
 }
 
 ProjectilePreset paintball() {
-  ProjectilePreset p;
-  p.projectile = {.name = "paintball", .mass = 3_g, .diameter = 0.68_in, .drag = {.table = DragTable::sphere}};
-  p.body.restitution = 0;
-  p.speed = 280_fps;
-  p.doc = "paintball of calibre .68";
-  p.source = "mass and speed: typical, our choice; Cd by Reynolds number: Morrison (2013)";
-  return p;
+  return {.projectile = {.name = "paintball", .mass = 3_g, .diameter = 0.68_in, .drag = {.table = DragTable::sphere}},
+          .body = {.restitution = 0},
+          .speed = 280_fps,
+          .doc = "paintball of calibre .68",
+          .source = "mass and speed: typical, our choice; Cd by Reynolds number: Morrison (2013)"};
 }
 
 ProjectilePreset tennis_ball() {
-  ProjectilePreset p;
-  p.projectile = {.name = "tennis_ball", .mass = 57.7_g, .diameter = 66.1_mm, .drag = {.coefficient = 0.507}};
-  p.projectile.magnus = {.lift = 1, .lift_base = 1, .lift_saturation = 2};
-  p.body.restitution = 0.745;
-  p.body.friction = 0.2;  // less than of a ball that slides: it soon rolls, which a point mass does not know
-  p.speed = 120_mph;
-  p.doc = "tennis ball, served";
-  p.source =
-      "Cd: Cross and Lindsey (2014); Cl 1 / (2 + v / (r omega)): Stepanek (1988), Cross and Lindsey; mass, size and "
-      "bounce (141 cm from 254 cm): middle of the rules of tennis";
-  return p;
+  return {.projectile = {.name = "tennis_ball",
+                         .mass = 57.7_g,
+                         .diameter = 66.1_mm,
+                         .drag = {.coefficient = 0.507},
+                         .magnus = {.lift = 1, .lift_base = 1, .lift_saturation = 2}},
+          // Less friction than of a ball that slides: it soon rolls, which a point mass does not know.
+          .body = {.restitution = 0.745, .friction = 0.2},
+          .speed = 120_mph,
+          .doc = "tennis ball, served",
+          .source =
+              "Cd: Cross and Lindsey (2014); Cl 1 / (2 + v / (r omega)): Stepanek (1988), Cross and Lindsey; mass, "
+              "size and bounce (141 cm from 254 cm): middle of the rules of tennis"};
 }
 
 namespace {
@@ -165,29 +148,30 @@ ProjectilePreset golf_ball() {
   for (const GolfRow& row : kGolf)
     for (int i = 0; i < 5; ++i) m.table.push_back({row.speed, (2000 + 1000 * i) * kRpm, row.at[i][0], row.at[i][1]});
   m.decay_time = 24;
-  p.body.restitution = 0.6;
-  p.body.friction = 0.4;
+  p.body = {.restitution = 0.6, .friction = 0.4};
   p.speed = 167_mph;
   p.doc = "golf ball off a driver; its spin by the launch";
   p.source =
       "Cd and Cl: Bearman and Harvey (1976); spin decay 2e-5 v / r at 45 m/s: Smits and Smith (1994); mass and size: "
-      "the "
-      "rules of golf; speed: tour average (TrackMan); bounces: our choice";
+      "the rules of golf; speed: tour average (TrackMan); bounces: our choice";
   return p;
 }
 
 ProjectilePreset baseball() {
-  ProjectilePreset p;
-  p.projectile = {.name = "baseball", .mass = 5.125_oz, .diameter = 9.125_in / kPi, .drag = {.coefficient = 0.3008}};
-  p.projectile.magnus = {
-      .lift = 1.120, .lift_base = 0.583, .lift_saturation = 2.333, .drag_per_spin = 0.0292 / 1000 / kRpm};
-  p.body.restitution = 0.5;
-  p.body.friction = 0.4;
-  p.speed = 103_mph;
-  p.doc = "baseball, batted; its spin by the launch";
-  p.source =
-      "Cd, Cl, mass and size: A. M. Nathan's trajectory calculator and Am. J. Phys. 76 (2008) 119; bounces: our choice";
-  return p;
+  return {.projectile = {.name = "baseball",
+                         .mass = 5.125_oz,
+                         .diameter = 9.125_in / kPi,
+                         .drag = {.coefficient = 0.3008},
+                         .magnus = {.lift = 1.120,
+                                    .lift_base = 0.583,
+                                    .lift_saturation = 2.333,
+                                    .drag_per_spin = 0.0292 / 1000 / kRpm}},
+          .body = {.restitution = 0.5, .friction = 0.4},
+          .speed = 103_mph,
+          .doc = "baseball, batted; its spin by the launch",
+          .source =
+              "Cd, Cl, mass and size: A. M. Nathan's trajectory calculator and Am. J. Phys. 76 (2008) 119; bounces: "
+              "our choice"};
 }
 
 ProjectilePreset football() {
@@ -198,14 +182,12 @@ ProjectilePreset football() {
   for (const double speed : {5.0, 7.0, 9.0, 10.0, 11.0, 12.0, 12.19, 12.2, 13.0, 14.0, 15.0, 17.0, 20.0, 40.0})
     for (const double s : {0.0, 0.05, 0.0501, 0.1, 0.15, 0.2, 0.3, 0.4})
       m.table.push_back({speed, s, football_drag(speed, s), 1.04 * s});
-  p.body.restitution = 0.7;
-  p.body.friction = 0.5;
+  p.body = {.restitution = 0.7, .friction = 0.5};
   p.speed = 25;
   p.doc = "football (soccer), kicked; its spin by the launch";
   p.source =
       "Cd: Goff and Carre (2010); Cl 1.04 S, which is 0.26 at the 0.23-0.29 of Bray and Kerwin (2003) for free kicks; "
-      "mass "
-      "and size: the laws of the game; bounces: our choice";
+      "mass and size: the laws of the game; bounces: our choice";
   return p;
 }
 
@@ -213,6 +195,7 @@ namespace {
 
 /// Between two numbers that stand at x0 and x1, held outside.
 double between(double x, double x0, double y0, double x1, double y1) {
+  PHYSIM_ASSERT(x0 < x1);
   return y0 + (y1 - y0) * std::clamp((x - x0) / (x1 - x0), 0.0, 1.0);
 }
 
@@ -279,8 +262,7 @@ ProjectilePreset table_tennis_ball() {
       m.table.push_back({speed, spin, at_speed(kTableTennisDrag, speed, parameter),
                          8.0 / 3 * at_speed(kTableTennisLift, speed, spin) * parameter});
     }
-  p.body.restitution = 0.905;
-  p.body.friction = 0.25;
+  p.body = {.restitution = 0.905, .friction = 0.25};
   p.speed = 15;
   p.doc = "table-tennis ball, played; its spin by the launch";
   p.source =
