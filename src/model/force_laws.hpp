@@ -73,6 +73,7 @@ template <class Law>
 
 /// Part of a body under the surface of a liquid [-], with its centre `below` the surface [m].
 [[nodiscard]] inline double submerged_box(double below, double half_height) {
+  PHYSIM_ASSERT(half_height > 0);
   const double q = below / (2 * half_height) + 0.5;
   return q < 0 ? 0 : q > 1 ? 1 : q;
 }
@@ -119,6 +120,7 @@ template <class Law>
   const auto next = std::upper_bound(curve.begin(), curve.end(), time, later);
   if (next == curve.begin() || next == curve.end()) return 0;
   const Thrust::Point& from = *(next - 1);
+  PHYSIM_ASSERT(from.time <= time && time < next->time);
   return from.force + (next->force - from.force) * ((time - from.time) / (next->time - from.time));
 }
 
@@ -131,38 +133,22 @@ template <class Law>
 // `p` is the projectile: position(), velocity() [m, m/s], mass() [kg], diameter() [m]. Springs between two, zones of
 // wind, thrust by time and user functions know more (world/force_eval.cpp).
 
-template <class P>
-[[nodiscard]] Vec3d force_on(const ConstantForce& law, const P&) {
-  return law.force;
-}
-template <class P>
-[[nodiscard]] Vec3d force_on(const ConstantAcceleration& law, const P& p) {
-  return law.acceleration * p.mass();
-}
-template <class P>
-[[nodiscard]] Vec3d force_on(const GravityForce& law, const P& p) {
-  return law.gravity * p.mass();
-}
-template <class P>
-[[nodiscard]] Vec3d force_on(const LinearQuadraticDragForce& law, const P& p) {
+[[nodiscard]] Vec3d force_on(const ConstantForce& law, const auto&) { return law.force; }
+[[nodiscard]] Vec3d force_on(const ConstantAcceleration& law, const auto& p) { return law.acceleration * p.mass(); }
+[[nodiscard]] Vec3d force_on(const GravityForce& law, const auto& p) { return law.gravity * p.mass(); }
+[[nodiscard]] Vec3d force_on(const LinearQuadraticDragForce& law, const auto& p) {
   return drag_force(law, p.velocity());
 }
-template <class P>
-[[nodiscard]] Vec3d force_on(const AnchoredSpring& law, const P& p) {
+[[nodiscard]] Vec3d force_on(const AnchoredSpring& law, const auto& p) {
   return spring_force(law, p.position() - law.anchor, p.velocity());
 }
-template <class P>
-[[nodiscard]] Vec3d force_on(const Buoyancy& law, const P& p) {
+[[nodiscard]] Vec3d force_on(const Buoyancy& law, const auto& p) {
   return buoyancy_force(law, p.diameter(), {p.position(), p.velocity()});
 }
-template <class P>
-[[nodiscard]] Vec3d force_on(const PointAttractor& law, const P& p) {
+[[nodiscard]] Vec3d force_on(const PointAttractor& law, const auto& p) {
   return attractor_force(law, p.mass(), p.position());
 }
-template <class P>
-[[nodiscard]] Vec3d force_on(const Explosion& law, const P& p) {
-  return explosion_force(law, p.position());
-}
+[[nodiscard]] Vec3d force_on(const Explosion& law, const auto& p) { return explosion_force(law, p.position()); }
 
 // ------------------------------------------------------------------------------------------------- the table of laws
 /// Which values a member of a law may have.
@@ -212,94 +198,67 @@ constexpr std::string_view kFeedsEnergy = "negative damping would feed energy in
 template <class Law>
 constexpr M<&Law::damping> damping{"damping", "of the rate at which its length changes", Q::linear_drag, not_negative,
                                    kFeedsEnergy};
+constexpr std::string_view kDragFeedsEnergy = "negative drag would feed energy in";
 
-constexpr auto row(const ConstantForce*) {
-  return law_row("constant_force", M<&ConstantForce::force>{"force", "the force", Q::force});
-}
-constexpr auto row(const ConstantAcceleration*) {
-  return law_row("constant_acceleration",
-      M<&ConstantAcceleration::acceleration>{"acceleration", "of every mass", Q::acceleration});
-}
-constexpr auto row(const GravityForce*) {
-  return law_row("gravity_force",
-      M<&GravityForce::gravity>{"gravity", "proportional to mass, in any direction", Q::acceleration});
-}
-constexpr auto row(const LinearQuadraticDragForce*) {
-  using Law = LinearQuadraticDragForce;
-  constexpr std::string_view kHint = "negative drag would feed energy in";
-  return law_row("linear_quadratic_drag_force",
-      M<&Law::k1>{"k1", "linear part of -(k1 + k2 |u|) u", Q::linear_drag, not_negative, kHint},
-      M<&Law::k2>{"k2", "quadratic part", Q::quadratic_drag, not_negative, kHint},
-      M<&Law::wind>{"wind", "velocity that u is relative to", Q::speed});
-}
-constexpr auto row(const AnchoredSpring*) {
-  using Law = AnchoredSpring;
-  return law_row("anchored_spring", M<&Law::anchor>{"anchor", "fixed end of the spring", Q::length},
-      stiffness<Law>, rest_length<Law>, damping<Law>);
-}
-constexpr auto row(const Spring*) {
-  using Law = Spring;
-  return law_row("spring",
-      M<&Law::other>{"other", "name of the shot at its other end, which is fired once", Q::number, needed,
-                     "a spring to a fixed point is an AnchoredSpring"},
-      stiffness<Law>, rest_length<Law>, damping<Law>);
-}
-constexpr auto row(const Bungee*) {
-  using Law = Bungee;
-  return law_row("bungee",
-      M<&Law::other>{"other", "name of the shot at its other end, which is fired once; empty: the anchor"},
-      M<&Law::anchor>{"anchor", "fixed end of a spring that only pulls", Q::length},
-      stiffness<Law>, rest_length<Law>, damping<Law>);
-}
-constexpr auto row(const Buoyancy*) {
-  using Law = Buoyancy;
-  return law_row("buoyancy",
-      M<&Law::surface>{"surface", "height of the liquid", Q::length},
-      M<&Law::volume>{"volume", "of the projectile; 0: the sphere of its diameter", Q::volume, not_negative,
-                      "0: that of a sphere"},
-      M<&Law::depth>{"depth", "half the height of an upright cylinder; 0: a sphere", Q::length, not_negative,
-                     "0: a sphere"},
-      M<&Law::density>{"density", "of the liquid", Q::density, not_negative, "in kg/m^3"},
-      M<&Law::damping>{"damping", "of the velocity in the liquid", Q::linear_drag, not_negative, kFeedsEnergy},
-      M<&Law::gravity>{"gravity", "that weighs the liquid", Q::acceleration, not_negative, "its size, downwards"});
-}
-constexpr auto row(const PointAttractor*) {
-  using Law = PointAttractor;
-  return law_row("point_attractor",
-      M<&Law::centre>{"centre", "that it pulls to", Q::length},
-      M<&Law::strength>{"strength", "G M of the attracting mass; negative: it repels", Q::attraction},
-      M<&Law::softening>{"softening", "keeps the force finite near the centre", Q::length, not_negative, "in m"});
-}
-constexpr auto row(const WindZone*) {
-  using Law = WindZone;
-  return law_row("wind_zone",
-      M<&Law::velocity>{"velocity", "of the air in the box", Q::speed},
-      M<&Law::low>{"low", "corner of the box; may be infinite", Q::length, infinite},
-      M<&Law::high>{"high", "opposite corner", Q::length, infinite},
-      M<&Law::density>{"density", "of its air", Q::density, not_negative, "in kg/m^3"});
-}
-constexpr auto row(const Explosion*) {
-  using Law = Explosion;
-  return law_row("explosion",
-      M<&Law::centre>{"centre", "of the blast", Q::length},
-      M<&Law::force>{"force", "outwards at the centre, falling linearly to the radius", Q::force},
-      M<&Law::radius>{"radius", "that it reaches to", Q::length, positive, "in m"});
-}
-constexpr auto row(const Thrust*) {
-  return law_row("thrust",
-      M<&Thrust::direction>{"direction", "of the thrust; zero: along the velocity"},
-      M<&Thrust::curve>{"curve", "thrust by time, straight lines between; nothing before and after"});
-}
+/// The row of a law; what has none has no members either, and does not compile.
+template <class Law>
+inline constexpr auto row = nullptr;
+template <> inline constexpr auto row<ConstantForce> = law_row("constant_force",
+    M<&ConstantForce::force>{"force", "the force", Q::force});
+template <> inline constexpr auto row<ConstantAcceleration> = law_row("constant_acceleration",
+    M<&ConstantAcceleration::acceleration>{"acceleration", "of every mass", Q::acceleration});
+template <> inline constexpr auto row<GravityForce> = law_row("gravity_force",
+    M<&GravityForce::gravity>{"gravity", "proportional to mass, in any direction", Q::acceleration});
+template <> inline constexpr auto row<LinearQuadraticDragForce> = law_row("linear_quadratic_drag_force",
+    M<&LinearQuadraticDragForce::k1>{"k1", "linear part of -(k1 + k2 |u|) u", Q::linear_drag, not_negative,
+                                     kDragFeedsEnergy},
+    M<&LinearQuadraticDragForce::k2>{"k2", "quadratic part", Q::quadratic_drag, not_negative, kDragFeedsEnergy},
+    M<&LinearQuadraticDragForce::wind>{"wind", "velocity that u is relative to", Q::speed});
+template <> inline constexpr auto row<AnchoredSpring> = law_row("anchored_spring",
+    M<&AnchoredSpring::anchor>{"anchor", "fixed end of the spring", Q::length},
+    stiffness<AnchoredSpring>, rest_length<AnchoredSpring>, damping<AnchoredSpring>);
+template <> inline constexpr auto row<Spring> = law_row("spring",
+    M<&Spring::other>{"other", "name of the shot at its other end, which is fired once", Q::number, needed,
+                      "a spring to a fixed point is an AnchoredSpring"},
+    stiffness<Spring>, rest_length<Spring>, damping<Spring>);
+template <> inline constexpr auto row<Bungee> = law_row("bungee",
+    M<&Bungee::other>{"other", "name of the shot at its other end, which is fired once; empty: the anchor"},
+    M<&Bungee::anchor>{"anchor", "fixed end of a spring that only pulls", Q::length},
+    stiffness<Bungee>, rest_length<Bungee>, damping<Bungee>);
+template <> inline constexpr auto row<Buoyancy> = law_row("buoyancy",
+    M<&Buoyancy::surface>{"surface", "height of the liquid", Q::length},
+    M<&Buoyancy::volume>{"volume", "of the projectile; 0: the sphere of its diameter", Q::volume, not_negative,
+                         "0: that of a sphere"},
+    M<&Buoyancy::depth>{"depth", "half the height of an upright cylinder; 0: a sphere", Q::length, not_negative,
+                        "0: a sphere"},
+    M<&Buoyancy::density>{"density", "of the liquid", Q::density, not_negative, "in kg/m^3"},
+    M<&Buoyancy::damping>{"damping", "of the velocity in the liquid", Q::linear_drag, not_negative, kFeedsEnergy},
+    M<&Buoyancy::gravity>{"gravity", "that weighs the liquid", Q::acceleration, not_negative, "its size, downwards"});
+template <> inline constexpr auto row<PointAttractor> = law_row("point_attractor",
+    M<&PointAttractor::centre>{"centre", "that it pulls to", Q::length},
+    M<&PointAttractor::strength>{"strength", "G M of the attracting mass; negative: it repels", Q::attraction},
+    M<&PointAttractor::softening>{"softening", "keeps the force finite near the centre", Q::length, not_negative,
+                                  "in m"});
+template <> inline constexpr auto row<WindZone> = law_row("wind_zone",
+    M<&WindZone::velocity>{"velocity", "of the air in the box", Q::speed},
+    M<&WindZone::low>{"low", "corner of the box; may be infinite", Q::length, infinite},
+    M<&WindZone::high>{"high", "opposite corner", Q::length, infinite},
+    M<&WindZone::density>{"density", "of its air", Q::density, not_negative, "in kg/m^3"});
+template <> inline constexpr auto row<Explosion> = law_row("explosion",
+    M<&Explosion::centre>{"centre", "of the blast", Q::length},
+    M<&Explosion::force>{"force", "outwards at the centre, falling linearly to the radius", Q::force},
+    M<&Explosion::radius>{"radius", "that it reaches to", Q::length, positive, "in m"});
+template <> inline constexpr auto row<Thrust> = law_row("thrust",
+    M<&Thrust::direction>{"direction", "of the thrust; zero: along the velocity"},
+    M<&Thrust::curve>{"curve", "thrust by time, straight lines between; nothing before and after"});
 /// No file can hold a function.
-constexpr auto row(const CustomForce*) {
-  return law_row("custom_force", M<&CustomForce::function>{"function", ""});
-}
+template <> inline constexpr auto row<CustomForce> = law_row("custom_force", M<&CustomForce::function>{"function", ""});
 // clang-format on
 }  // namespace laws
 
 /// The row of a law.
 template <class Law>
-inline constexpr auto kLaw = laws::row(static_cast<const Law*>(nullptr));
+inline constexpr const auto& kLaw = laws::row<Law>;
 
 /// Calls f with each member of a law. Members stand side by side, so that a forgotten one shows in the size.
 template <class Law, class F>
@@ -313,8 +272,7 @@ constexpr void for_each_member(const F& f) {
 }
 
 /// Calls f with a null pointer to each law that can be had.
-template <class F>
-constexpr void for_each_law(const F& f) {
+constexpr void for_each_law(const auto& f) {
   [&]<class... Law>(const std::variant<Law...>*) {
     (f(static_cast<const Law*>(nullptr)), ...);
   }(static_cast<const ForceLaw*>(nullptr));
