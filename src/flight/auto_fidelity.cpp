@@ -14,9 +14,7 @@
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "prepare/check.hpp"
-#include "prepare/conditions.hpp"
 #include "prepare/fidelity_cost.hpp"
-#include "prepare/grant.hpp"
 
 namespace physim {
 namespace {
@@ -67,6 +65,7 @@ Status check_purpose(const Purpose& p) {
 
 /// With which fly() steps as a purpose says.
 Tolerance tolerance_for(const Purpose& purpose, double step) {
+  PHYSIM_ASSERT(step >= 0);
   Tolerance t = purpose.tolerance;
   t.step = step;
   if (purpose.step > 0) t.max_step = std::min(t.max_step, purpose.step);
@@ -92,7 +91,7 @@ class Search {
     if (total_time_ == 0)
       return Error{"the flight ends where it begins", "launch", "launch it above purpose.ground, or upwards"};
     if (purpose_.error <= 2 * answer_.truth_error) return too_small();
-    truth_steps_ = measure(ladder_.truth(), 0).steps;
+    truth_steps_ = measure(ladder_.truth(), tolerance_for(purpose_, 0)).steps;
     answer_.truth_cost = cost(ladder_.truth(), truth_steps_);
     for (const Lowered& lowered : ladder_.lowered()) lower_models(lowered);
     for (const Stepper& stepper : ladder_.steppers(answer_.time)) {
@@ -144,6 +143,7 @@ class Search {
   }
 
   [[nodiscard]] Measured measure(const TruePath& path, const Fidelity& fidelity, const Tolerance& tolerance) const {
+    PHYSIM_ASSERT(path.position.size() == kSamples + 1);
     if (path.duration == 0) return {};
     const double end = path.landed ? kLate * path.duration : path.duration;
     const Flight flight = fly(projectile_, path.launch, environment_, fidelity, tolerance, until(end));
@@ -161,10 +161,7 @@ class Search {
     return m;
   }
 
-  /// The worst error and all steps of all launches, with the tolerance that flights of this purpose have.
-  [[nodiscard]] Measured measure(const Fidelity& fidelity, double step) const {
-    return measure(fidelity, tolerance_for(purpose_, step));
-  }
+  /// The worst error and all steps of all launches.
   [[nodiscard]] Measured measure(const Fidelity& fidelity, const Tolerance& tolerance) const {
     Measured all;
     for (const TruePath& path : paths_) {
@@ -177,6 +174,7 @@ class Search {
 
   [[nodiscard]] bool keeps(double error) const { return error + answer_.truth_error <= purpose_.error; }
   [[nodiscard]] double cost(const Fidelity& fidelity, double steps) const {
+    PHYSIM_ASSERT(total_time_ > 0 && steps >= 0);
     return step_cost(fidelity, projectile_, environment_) * steps / total_time_;
   }
   void note_trial(const Fidelity& fidelity, double step, double error, double cost, std::string lowered) {
@@ -192,6 +190,7 @@ class Search {
 
   /// The truth's models, stepped in this way. Motions step alike, so one trial serves them all.
   void lower_stepper(std::size_t index) {
+    PHYSIM_ASSERT(index < steppers_.size());
     StepperTrial& trial = steppers_[index];
     Stepper stepper = trial.stepper;
     stepper.motion = purpose_.truth.motion;
@@ -203,7 +202,7 @@ class Search {
       if (alike && s.motion != Motion::closed_form && other.measured) trial.measured = other.measured;
     }
     if (trial.measured) return;
-    trial.measured = fidelity ? measure(*fidelity, stepper.step) : Measured{0, 0};
+    trial.measured = fidelity ? measure(*fidelity, tolerance_for(purpose_, stepper.step)) : Measured{0, 0};
     if (fidelity)
       note_trial(*fidelity, stepper.step, trial.measured->error, cost(*fidelity, steps_of(trial)), "integrator");
   }
@@ -215,6 +214,7 @@ class Search {
     if (s.motion == Motion::closed_form && purpose_.step == 0)
       return kClosedFormAnswers * static_cast<double>(paths_.size());
     if (s.motion == Motion::closed_form) return total_time_ / purpose_.step;
+    PHYSIM_ASSERT(s.step > 0 || trial.measured);
     return s.step > 0 ? total_time_ / s.step : trial.measured->steps;
   }
 
@@ -241,9 +241,10 @@ class Search {
         if (!steppers_[index].measured) lower_stepper(index);
         if (!keeps(steppers_[index].measured->error)) continue;
       }
-      const Measured m = measure(candidate.fidelity, stepper.step);
+      const Measured m = measure(candidate.fidelity, tolerance_for(purpose_, stepper.step));
       note_trial(candidate.fidelity, stepper.step, m.error, candidate.cost, "");
       if (!keeps(m.error)) continue;
+      PHYSIM_ASSERT(m.error <= purpose_.error);
       answer_.fidelity = candidate.fidelity;
       answer_.step = stepper.step;
       answer_.error = m.error;

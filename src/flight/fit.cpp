@@ -8,7 +8,6 @@
 #include "physim/fit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/checker.hpp"
@@ -27,7 +26,19 @@ struct Unknowns {
   double speed = 0;  // relative to the given one, less 1
 };
 
+/// What may be measured at a range.
+struct Figure {
+  const char* name;
+  std::optional<double> Measurement::*measured;
+  double Sample::*computed;
+  double FitOptions::*error;
+};
+constexpr Figure kFigures[] = {{"speed", &Measurement::speed, &Sample::speed, &FitOptions::speed_error},
+                               {"drop", &Measurement::drop, &Sample::drop, &FitOptions::drop_error},
+                               {"time", &Measurement::time, &Sample::time, &FitOptions::time_error}};
+
 ProjectileDef scaled(const ProjectileDef& projectile, double scale) {
+  PHYSIM_ASSERT(scale > 0);
   ProjectileDef p = projectile;
   DragDef& d = p.drag;
   d.ballistic_coefficient /= scale;
@@ -94,14 +105,16 @@ class Fitter {
   };
 
   Flight fly_as(const Unknowns& p) {
-    const ProjectileDef projectile = scaled(projectile_, exp(p.log_scale));
+    const Until until{.ground = std::nullopt, .time = 600, .range = farthest_ * (1 + 1e-9)};
+    ++flights_;
+    return fly(scaled(projectile_, exp(p.log_scale)), launch_as(p), environment_, fidelity_, {}, until);
+  }
+
+  [[nodiscard]] Launch launch_as(const Unknowns& p) const {
     Launch launch = launch_;
     if (launch.velocity) launch.velocity = *launch.velocity * (1 + p.speed);
     launch.speed *= 1 + p.speed;
-    const Until until{.ground = std::nullopt, .time = 600, .range = farthest_ * (1 + 1e-9)};
-    Flight flight = fly(projectile, launch, environment_, fidelity_, {}, until);
-    ++flights_;
-    return flight;
+    return launch;
   }
 
   Trial try_out(const Unknowns& p) {
@@ -112,20 +125,16 @@ class Fitter {
       return {};
     }
     Trial trial;
-    double squares = 0;
+    trial.squares = 0;
     for (const Measurement& m : measurements_) {
       const Result<Sample> there = flight.at_range(m.range);
       if (!there) return {};
-      const auto add = [&](const std::optional<double>& measured, double computed, double error) {
-        if (!measured) return;
-        trial.off.push_back((computed - *measured) / error);
-        squares += trial.off.back() * trial.off.back();
-      };
-      add(m.speed, there->speed, options_.speed_error);
-      add(m.drop, there->drop, options_.drop_error);
-      add(m.time, there->time, options_.time_error);
+      for (const Figure& figure : kFigures) {
+        if (!(m.*figure.measured)) continue;
+        trial.off.push_back(((*there).*figure.computed - *(m.*figure.measured)) / options_.*figure.error);
+        trial.squares += trial.off.back() * trial.off.back();
+      }
     }
-    trial.squares = squares;
     return trial;
   }
 
@@ -161,6 +170,7 @@ class Fitter {
 
   /// A step of Gauss and Newton, halved until it helps; returns how far it went.
   double improve(Unknowns& p, Trial& now, const Slopes& s) {
+    PHYSIM_ASSERT(!now.off.empty() && s.drag_drag > 0);
     const double d = s.determinant();
     double drag = s.with_speed ? -(s.drag_off * s.speed_speed - s.speed_off * s.drag_speed) / d : -s.drag_off / d;
     double speed = s.with_speed ? -(s.speed_off * s.drag_drag - s.drag_off * s.drag_speed) / d : 0;
@@ -187,9 +197,7 @@ class Fitter {
     Fit fit;
     fit.scale = exp(p.log_scale);
     fit.projectile = scaled(projectile_, fit.scale);
-    fit.launch = launch_;
-    fit.launch.speed *= 1 + p.speed;
-    if (fit.launch.velocity) fit.launch.velocity = *fit.launch.velocity * (1 + p.speed);
+    fit.launch = launch_as(p);
     const std::size_t unknowns = options_.muzzle_speed ? 2 : 1;
     fit.rms = sqrt(now.squares / static_cast<double>(now.off.size()));
     if (now.off.size() > unknowns) {
@@ -199,15 +207,12 @@ class Fitter {
       fit.scale_error = fit.scale * sqrt(variance * (s.with_speed ? s.speed_speed : 1));
       fit.muzzle_speed_error = s.with_speed ? muzzle * sqrt(variance * s.drag_drag) : 0;
     }
-    std::size_t figure = 0;
-    for (std::size_t i = 0; i < measurements_.size(); ++i) {
-      const auto add = [&](const char* quantity, const std::optional<double>& measured, double error) {
-        if (measured) fit.residuals.push_back({i, quantity, *measured, *measured + now.off[figure++] * error});
-      };
-      add("speed", measurements_[i].speed, options_.speed_error);
-      add("drop", measurements_[i].drop, options_.drop_error);
-      add("time", measurements_[i].time, options_.time_error);
-    }
+    auto off = now.off.begin();
+    for (std::size_t i = 0; i < measurements_.size(); ++i)
+      for (const Figure& figure : kFigures)
+        if (const auto measured = measurements_[i].*figure.measured)
+          fit.residuals.push_back({i, figure.name, *measured, *measured + *off++ * options_.*figure.error});
+    PHYSIM_ASSERT(off == now.off.end());
     fit.flights = flights_;
     return fit;
   }

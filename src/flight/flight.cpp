@@ -16,17 +16,28 @@ State<double> with_drift(const State<double>& s, const SpinDrift& drift, const V
 
 namespace {
 
-/// The node that ends the step which a time lies in.
-std::vector<Node>::const_iterator later_node(const std::vector<Node>& nodes, double time) {
-  return std::upper_bound(nodes.begin() + 1, nodes.end() - 1, time,
-                          [](double t, const Node& node) { return t < node.t; });
+/// Number of the node that ends the step which a time lies in.
+std::size_t later_node(const std::vector<Node>& nodes, double time) {
+  PHYSIM_ASSERT(nodes.size() >= 2 && nodes.front().t <= nodes.back().t);
+  const auto later =
+      std::upper_bound(nodes.begin() + 1, nodes.end() - 1, time, [](double t, const Node& node) { return t < node.t; });
+  return static_cast<std::size_t>(later - nodes.begin());
+}
+
+/// The coefficients of the step that a node ends.
+template <class Y>
+const Y* coefficients_before(const std::vector<Y>& all, Integrator integrator, std::size_t node) {
+  const auto count = static_cast<std::size_t>(dense_coefficient_count(integrator));
+  PHYSIM_ASSERT(node >= 1 && node * count <= all.size());
+  return all.data() + (node - 1) * count;
 }
 
 }  // namespace
 
 Accelerations FlightRecord::accelerations_at(double time) const {
   Accelerations a = accelerations_of(cohort.conditions, body_at(time), rotor, time, state(time), turn(time));
-  if (is_classic(cohort.in_use.fidelity) && path.nodes.size() > 1) a.total = (later_node(path.nodes, time) - 1)->a;
+  if (is_classic(cohort.in_use.fidelity) && path.nodes.size() > 1)
+    a.total = path.nodes[later_node(path.nodes, time) - 1].a;
   return a;
 }
 
@@ -50,12 +61,9 @@ State<double> FlightRecord::state(double time) const {
   }
   const auto& nodes = path.nodes;
   if (nodes.size() < 2) return nodes.empty() ? body.launch : nodes.front().y;
-  const auto later = later_node(nodes, time);
-  const Node& n1 = *later;
-  const Node& n0 = *(later - 1);
-  const auto index = static_cast<std::size_t>(later - nodes.begin()) - 1;
-  const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
-  const State<double>* c = count > 0 ? path.coefficients.data() + index * count : nullptr;
+  const std::size_t later = later_node(nodes, time);
+  const Node &n0 = nodes[later - 1], &n1 = nodes[later];
+  const State<double>* c = coefficients_before(path.coefficients, f.integrator, later);
   return dense_state(f.integrator, n0, n1, c, place_between(n0, n1, time));
 }
 
@@ -63,13 +71,11 @@ Turn<double> FlightRecord::turn(double time) const {
   const auto& nodes = path.nodes;
   if (!path.turn || nodes.size() < 2) return rotor.launch;
   const Fidelity& f = cohort.in_use.fidelity;
-  const auto index = static_cast<std::size_t>(later_node(nodes, time) - nodes.begin());
+  const std::size_t later = later_node(nodes, time);
   PHYSIM_ASSERT(path.turn->nodes.size() == nodes.size());
-  const TurnNode& n1 = path.turn->nodes[index];
-  const TurnNode& n0 = path.turn->nodes[index - 1];
-  const auto count = static_cast<std::size_t>(dense_coefficient_count(f.integrator));
-  const Turn<double>* c = count > 0 ? path.turn->coefficients.data() + (index - 1) * count : nullptr;
-  return dense_turn(f, n0, n1, c, place_between(nodes[index - 1], nodes[index], time));
+  const TurnNode &n0 = path.turn->nodes[later - 1], &n1 = path.turn->nodes[later];
+  const Turn<double>* c = coefficients_before(path.turn->coefficients, f.integrator, later);
+  return dense_turn(f, n0, n1, c, place_between(nodes[later - 1], nodes[later], time));
 }
 
 State<double> FlightRecord::shown(double time) const { return with_drift(state(time), drift, sight.right, time); }
@@ -137,9 +143,7 @@ std::vector<double> borders(const FlightRecord& r) {
   for (const Node& node : r.path.nodes) times.push_back(std::min(node.t, r.duration));
   for (const Event& e : r.events)
     if (e.kind == EventKind::apex) times.push_back(e.time);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  return rising(std::move(times));
 }
 
 /// First time at which value(time) crosses zero in a direction; nothing where it never does. A flight that was ended by
@@ -148,6 +152,7 @@ template <class F>
 std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, const EventSpec& asked,
                                      const F& value) {
   const auto times = borders(r);
+  PHYSIM_ASSERT(!times.empty());
   double from = value(times.front());
   if (from == 0 && direction == Crossing::any) return times.front();
   for (std::size_t i = 1; i < times.size(); ++i) {

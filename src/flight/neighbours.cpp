@@ -20,6 +20,7 @@ constexpr double kDensityHeight = 9500;  // over which the lower air thins by e 
 /// The ends of the steps of a flight, thinned out or filled up to a useful number.
 std::vector<double> useful_times(const Flight& flight) {
   const std::vector<double> steps = flight.step_times();
+  PHYSIM_ASSERT(steps.size() >= 2);
   const std::size_t count = steps.size() - 1;
   const std::size_t stride = (count + kMostSteps - 1) / kMostSteps;
   std::vector<double> times{0};
@@ -31,6 +32,12 @@ std::vector<double> useful_times(const Flight& flight) {
       times.push_back(part == parts ? to : from + (to - from) * static_cast<double>(part) / static_cast<double>(parts));
   }
   return times;
+}
+
+/// Number of the time that ends the stretch which a time lies in.
+std::size_t later_time(const std::vector<double>& times, double time) {
+  PHYSIM_ASSERT(times.size() >= 2);
+  return static_cast<std::size_t>(std::upper_bound(times.begin() + 1, times.end() - 1, time) - times.begin());
 }
 
 }  // namespace
@@ -70,6 +77,7 @@ Neighbours::Neighbours(const Flight& flight, const Environment& environment,
     if (i > 0) keep(0.5 * (times_[i - 1] + times_[i]));
     keep(times_[i]);
   }
+  PHYSIM_ASSERT(std::is_sorted(times_.begin(), times_.end()) && known_.size() == 2 * times_.size() - 1);
   move_to({});
 }
 
@@ -119,6 +127,7 @@ double Neighbours::drag_rate(double speed) const {
   const double place = speed / most_speed_ * kSpeeds;
   if (!(place < kSpeeds)) return rate_.back() * speed / most_speed_;
   const auto i = static_cast<std::size_t>(place);
+  PHYSIM_ASSERT(i + 1 < rate_.size());
   return rate_[i] + (place - static_cast<double>(i)) * (rate_[i + 1] - rate_[i]);
 }
 
@@ -178,6 +187,7 @@ void Neighbours::learn_from(Neighbours& before) {
   if (!(length_squared(c) > 0)) return;
   before.move_to(c);
   error_of_ = c * (1 / length_squared(c));
+  PHYSIM_ASSERT(change_ == Vec3d{});  // it has not moved on yet
   error_.assign(times_.size(), {});
   const double end = before.times_.back();
   for (std::size_t i = 1; i < times_.size(); ++i) {
@@ -190,16 +200,15 @@ void Neighbours::learn_from(Neighbours& before) {
 
 Vec3d Neighbours::error_at(double time) const {
   if (error_.empty()) return {};
-  const auto later = std::upper_bound(times_.begin() + 1, times_.end() - 1, time);
-  const auto i = static_cast<std::size_t>(later - times_.begin());
+  const std::size_t i = later_time(times_, time);
   const double part = (time - times_[i - 1]) / (times_[i] - times_[i - 1]);
   return error_[i - 1] + (error_[i] - error_[i - 1]) * part;
 }
 
 /// The offsets at any time, by cubics through the nodes.
 Neighbours::Node Neighbours::between(double time) const {
-  const auto later = std::upper_bound(times_.begin() + 1, times_.end() - 1, time);
-  const auto i = static_cast<std::size_t>(later - times_.begin());
+  PHYSIM_ASSERT(nodes_.size() == times_.size());
+  const std::size_t i = later_time(times_, time);
   const double h = times_[i] - times_[i - 1];
   const double s = (time - times_[i - 1]) / h;
   const double b0 = (1 + 2 * s) * (1 - s) * (1 - s), b1 = s * s * (3 - 2 * s);
