@@ -83,6 +83,7 @@ class Aimer {
       return Error{"no flight gets away from the muzzle", "launch", "check where it starts: the air has a lower end"};
     if (!low) low = high;
     if (!high) high = low;
+    PHYSIM_ASSERT(low.has_value() == high.has_value());
     if (low && low->time > high->time) std::swap(low, high);
     if (wants_low) answer_.low = low;
     if (wants_high) answer_.high = high;
@@ -109,6 +110,7 @@ class Aimer {
   }
 
   void point(const Vec3d& velocity) {
+    PHYSIM_ASSERT(length_squared(velocity) > 0);
     const Vec3d bore = velocity * (1 / length(velocity)) - jumped_;
     launch_.elevation = atan2(bore.y, sqrt(bore.x * bore.x + bore.z * bore.z));
     launch_.azimuth = atan2(bore.z, bore.x);
@@ -151,6 +153,7 @@ class Aimer {
   }
 
   [[nodiscard]] AimSolution solution(const Flight& flight, const Passing& passing) const {
+    PHYSIM_ASSERT(passing.time >= 0 && passing.time <= flight.duration());
     const Sample s = flight.at(passing.time);
     AimSolution out;
     out.launch = launch_;
@@ -171,6 +174,7 @@ class Aimer {
 
   /// A path that hits, unless the ground stops it before.
   std::optional<AimSolution> accepted(const Flight& flight, const Passing& passing, std::int64_t flown) {
+    PHYSIM_ASSERT(length(passing.miss) <= options_.tolerance);
     if (options_.ground) {
       const auto below = flight.at_height(*options_.ground - 2 * options_.tolerance, Crossing::falling);
       if (below && below->time < passing.time) {
@@ -180,6 +184,7 @@ class Aimer {
     }
     AimSolution found = solution(flight, passing);
     found.flights = answer_.flights - flown;
+    PHYSIM_ASSERT(found.flights > 0);
     return found;
   }
 

@@ -40,7 +40,9 @@ Bin speed_bin(double speed) {
   if (speed < kCreeping) return {0, kCreeping};
   constexpr std::uint64_t kWidth = std::uint64_t{1} << 49;  // the first three binary digits behind the point are kept
   const std::uint64_t low = to_bits(speed) & ~(kWidth - 1);
-  return {from_bits<double>(low), from_bits<double>(low + kWidth)};
+  const Bin bin{from_bits<double>(low), from_bits<double>(low + kWidth)};
+  PHYSIM_ASSERT(bin.low <= speed && speed < bin.high);
+  return bin;
 }
 
 constexpr double kAngle = 1.0 / 16;  // [rad]
@@ -112,6 +114,7 @@ struct AutoFidelityCache::Impl {
       auto oldest = slots.begin();
       for (auto it = slots.begin(); it != slots.end(); ++it)
         if (it->second->last_asked < oldest->second->last_asked) oldest = it;
+      PHYSIM_ASSERT(oldest->second != kept);
       slots.erase(oldest);
     }
     return kept;
@@ -144,6 +147,7 @@ AutoFidelityCache::Answer AutoFidelityCache::cheapest_within(const ProjectileDef
     const std::lock_guard lock(impl_->mutex);
     ++impl_->computed;
   });
+  PHYSIM_ASSERT(slot->answer.has_value());
   return *slot->answer;
 }
 

@@ -43,6 +43,7 @@ struct ShotGroup {
     own_numbers.insert(own_numbers.end(), numbers(body), numbers(body) + own_stride());
   }
   [[nodiscard]] Body<double> body(std::size_t i) const {
+    PHYSIM_ASSERT(i < shots.size() && own_numbers.size() == shots.size() * own_stride());
     Body<double> b = common;
     std::copy_n(own_numbers.data() + i * own_stride(), own_stride(), numbers(b));
     return b;
@@ -87,7 +88,10 @@ class ByShot {
   template <class AnyEvent>
   const std::vector<std::uint32_t>& order(const std::vector<AnyEvent>& events, std::size_t shots) {
     place_.assign(shots + 1, 0);
-    for (const AnyEvent& e : events) ++place_[e.shot + 1];
+    for (const AnyEvent& e : events) {
+      PHYSIM_ASSERT(e.shot < shots);
+      ++place_[e.shot + 1];
+    }
     for (std::size_t i = 0; i < shots; ++i) place_[i + 1] += place_[i];
     order_.resize(events.size());
     for (std::uint32_t i = 0; i < events.size(); ++i) order_[place_[events[i].shot]++] = i;
@@ -134,6 +138,7 @@ class Batch {
 
  private:
   void refuse(std::size_t i, const Error& error) {
+    PHYSIM_ASSERT(i < result_.shots.size());
     result_.shots[i] = {};
     if (!result_.error) result_.error = error;
   }
@@ -238,7 +243,9 @@ class Batch {
   }
 
   ShotGroup* group_of(const ProjectileDef& projectile) {
-    ShotGroup*& known = group_by_key_[grant_key(projectile)];
+    const unsigned key = grant_key(projectile);
+    PHYSIM_ASSERT(key < group_by_key_.size());
+    ShotGroup*& known = group_by_key_[key];
     if (known) return known;
     const FidelityInUse in_use = grant(fidelity_, projectile, environment_);
     for (ShotGroup& group : groups_)
@@ -276,11 +283,13 @@ class Batch {
       if (!found) return found.error();
       step = std::min(step, *found);
     }
+    PHYSIM_ASSERT(step > 0 && step < std::numeric_limits<double>::infinity());
     group.step = step;
     return {};
   }
 
   std::vector<std::size_t> pilots(const ShotGroup& group) {
+    PHYSIM_ASSERT(!group.shots.empty());
     std::size_t slowest = group.shots.front(), fastest = slowest;
     const auto speed = [this](std::size_t i) {
       const Launch& launch = shots_.launch(i);
@@ -321,6 +330,9 @@ class Batch {
   template <class S>
   void fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&)) {
     const std::size_t count = group.shots.size();
+    PHYSIM_ASSERT(count <= kChunk && group.own_numbers.size() == count * group.own_stride());
+    PHYSIM_ASSERT(group.rotors.size() == (turns(group.cohort.in_use.fidelity) ? count : 0));
+    PHYSIM_ASSERT(group.drifts.size() == (drifts(group.cohort.in_use.fidelity) ? count : 0));
     watch_ = prepare_watch(until_, group.cohort.conditions, Watcher::batch);
     const Course<S> course = group.cohort.course<S>(tolerance_, *group.step, watch_);
     group.turned.resize(group.rotors.size());
@@ -338,11 +350,13 @@ class Batch {
 
   static State<double> shown(const ShotGroup& group, std::size_t i, const State<double>& flown, double time) {
     if (!drifts(group.cohort.in_use.fidelity)) return flown;
+    PHYSIM_ASSERT(i < group.drifts.size() && group.right.size() == group.drifts.size());
     return with_drift(flown, group.drifts[i], group.right[i], time);
   }
 
   void keep(const ShotGroup& group, const RawEvent& e) {
     const State<double> s = shown(group, e.shot, e.state, e.time);
+    PHYSIM_ASSERT(e.index >= 0 && e.index < watch_.count);
     const EventSpec& spec = watch_.item[e.index].spec;
     const Crossing direction = e.rising ? Crossing::rising : Crossing::falling;
     result_.events.push_back({group.shots[e.shot],
@@ -364,6 +378,7 @@ class Batch {
   }
 
   void keep_attitudes(const ShotGroup& group) {
+    PHYSIM_ASSERT(group.turned.size() == group.shots.size());
     const Conditions<double>& c = group.cohort.conditions;
     for (std::size_t i = 0; i < group.shots.size(); ++i) {
       const ShotResult& result = result_.shots[group.shots[i]];

@@ -22,6 +22,7 @@ class ReadyShots {
     copy_start(*job_.course, ready_, used_, into, lane,
                job_.own);  // what shots have in common is there since take_all()
     shot = next_ - static_cast<std::size_t>(filled_ - used_);
+    PHYSIM_ASSERT(shot < job_.count);
     ++used_;
     return true;
   }
@@ -38,6 +39,7 @@ class ReadyShots {
 
  private:
   bool refill() {
+    PHYSIM_ASSERT(next_ <= job_.count && used_ == filled_);
     const std::size_t left = job_.count - next_;
     if (left == 0) return false;
     filled_ = left < std::size_t(kLanes<R>) ? static_cast<int>(left) : kLanes<R>;
@@ -75,7 +77,7 @@ class JudgedSteps {
     PHYSIM_ASSERT(lane >= 0 && lane < kLanes<R> && shot < job_.count);
     if (filled_ == kLanes<R> || (some_go_on_ && waits(shot))) settle();
     some_go_on_ = some_go_on_ || !ends;
-    take_step(from, lane, filled_, filled_ < touched_ ? job_.own : job_.course->body);
+    copy_step(conditions(), from, lane, steps_, filled_, filled_ < touched_ ? job_.own : job_.course->body);
     accepted_[filled_] = accepted;
     shot_[filled_] = shot;
     ++filled_;
@@ -107,20 +109,18 @@ class JudgedSteps {
  private:
   using W = Cast<double, R>;
 
+  [[nodiscard]] const Conditions<S>& conditions() const { return *job_.course->conditions; }
+
   [[nodiscard]] bool waits(std::size_t shot) const {
     for (int i = 0; i < filled_; ++i)
       if (shot_[i] == shot) return true;
     return false;
   }
 
-  void take_step(const Lanes<R>& from, int from_lane, int lane, const NumberRuns& body) {
-    copy_step(*job_.course->conditions, from, from_lane, steps_, lane, body);
-  }
-
   /// Lanes that never held a step repeat one, so that they hold sound numbers: what of them tables are read by.
   void fill_untouched() {
     for (; touched_ < kLanes<R>; ++touched_)
-      if (touched_ >= filled_) take_step(steps_, 0, touched_, job_.course->body);
+      if (touched_ >= filled_) copy_step(conditions(), steps_, 0, steps_, touched_, job_.course->body);
   }
 
   /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
@@ -133,7 +133,8 @@ class JudgedSteps {
     const auto steps = static_cast<std::int64_t>(lane_of(steps_.count + steps_.parts, i)) + (stays(i) ? 0 : 1);
     const auto tries = static_cast<std::int64_t>(lane_of(steps_.tries, i));
     result.outcome = verdict_[i].outcome;
-    result.cost = {steps, tries - steps, evaluations(job_.course->conditions->fidelity, tries)};
+    PHYSIM_ASSERT(steps >= 0 && steps <= tries);
+    result.cost = {steps, tries - steps, evaluations(conditions().fidelity, tries)};
   }
 
   void put_end(int i, double time, const State<double>& state) {
@@ -156,6 +157,7 @@ class JudgedSteps {
       if (!some) return;
       const W time = judgement_.at.time(theta);
       const State<W> state = judgement_.at.at_time(time);
+      PHYSIM_ASSERT((job_.turns != nullptr) == turns(conditions().fidelity));
       const bool turning = job_.turns != nullptr;
       Turn<W> turned{};
       if (turning) turned = judgement_.at.turn_at_time(time);
@@ -231,6 +233,7 @@ class LaneSet {
  private:
   /// Hands steps over for judgement; returns the lanes whose flight ends. What is not sure before is judged at once.
   unsigned hand_over(const Attention<R>& attention, unsigned accepted, JudgedSteps<R, S>& judged) {
+    PHYSIM_ASSERT(job_ != nullptr && flying_ != 0);
     unsigned ended = lane_bits(attention.surely_ends) & flying_;
     const unsigned sure = ended | lane_bits(attention.surely_goes_on);
     for (unsigned left = lane_bits(attention.special) & flying_; left != 0; left &= left - 1) {
@@ -250,6 +253,7 @@ class LaneSet {
 template <class R, int kSets, class S>
 void fly_lanes(const BatchJob<S>& job) {
   static_assert(kSets <= kMostSets);
+  PHYSIM_ASSERT(job.course != nullptr && job.results != nullptr && job.emit != nullptr);
   ReadyShots<R, S> ready(job);
   JudgedSteps<R, S> judged(job);
   LaneSet<R, S> sets[kSets];

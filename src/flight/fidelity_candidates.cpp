@@ -75,6 +75,7 @@ bool FidelityLadder::shares(const Fidelity& f, const Lowered& lowered) const {
   if (effect == "wind") return f.drag != DragModel::off && f.wind == l.wind;
   if (effect == "gravity") return f.gravity == l.gravity;
   if (effect == "earth") return f.earth == l.earth;
+  PHYSIM_ASSERT(effect == "rotation");
   return f.rotation == l.rotation;
 }
 
@@ -106,6 +107,7 @@ std::vector<Stepper> FidelityLadder::steppers(double longest) const {
     for (const Precision precision : rungs_between(purpose_.least_precision, Precision::float64))
       if (!(exact && precision == Precision::float32)) list.push_back({motion, integrator, precision, step});
   };
+  PHYSIM_ASSERT(longest > 0 && purpose_.step >= 0);
   constexpr int kFewest = 4, kMost = 1 << 16;  // free steps in a flight
   std::vector<double> steps = {purpose_.step};
   if (purpose_.step == 0) steps.clear();

@@ -20,6 +20,7 @@ std::size_t coefficient_count(const FlightRecord& record) {
 template <class S>
 void keep_step(FlightRecord& record, const DenseLanes<S>& at) {
   const auto keep = [count = coefficient_count(record)](const auto& dense, auto& path) {
+    PHYSIM_ASSERT(!path.nodes.empty() && path.coefficients.size() == (path.nodes.size() - 1) * count);
     path.nodes.back().t = dense.n0.t;  // fixed steps count their time, which may differ from start + step by a rounding
     path.nodes.push_back(dense.n1);
     path.coefficients.insert(path.coefficients.end(), dense.coefficient, dense.coefficient + count);
@@ -97,6 +98,7 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
     for (int i = 0; i < j.crossings[0].count; ++i) {
       const Found& found = j.crossings[0].found[i];
       const double time = j.at.time(found.theta);
+      PHYSIM_ASSERT(record.events.empty() || record.events.back().time <= time);
       keep_event(record, course.watch.item[found.index], found.rising, time, j.at.at_time(time));
     }
     ended = verdict.ended;
@@ -109,15 +111,18 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
       if (sound && has_stops(*course.conditions)) keep_jump(record, lane);
     }
   }
+  PHYSIM_ASSERT(record.duration >= 0 && !record.path.nodes.empty());
   const auto tries = static_cast<std::int64_t>(lane.tries);
   record.cost.steps = static_cast<std::int64_t>(lane.count + lane.parts);
   record.cost.rejected = tries - record.cost.steps;
+  PHYSIM_ASSERT(record.cost.steps >= 0 && record.cost.rejected >= 0);
   record.cost.evaluations = evaluations(course.conditions->fidelity, tries);
 }
 
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
   const WatchList watch = prepare_watch(until, record.cohort.conditions, Watcher::flight);
   cast_numbers(record.body, record.body_float);
+  PHYSIM_ASSERT(record.path.turn.has_value() == turns(record.cohort.in_use.fidelity));
   if (const auto outcome = ends_at_once(record.cohort.conditions, record.body, until)) {
     record.outcome = *outcome;
     const Vec3d a = accelerations_of(record.cohort.conditions, record.body, record.rotor, 0, record.body.launch,
@@ -173,6 +178,7 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
     record->rotor = prepare_rotor(projectile, launch, record->elevation, record->body, record->cohort.pool,
                                   record->cohort.conditions);
   }
+  PHYSIM_ASSERT(steps_itself(granted) ? record->step == 0 : record->step > 0);
   record->cohort.finish();
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);

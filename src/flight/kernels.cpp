@@ -57,7 +57,11 @@ std::atomic<const BatchKernel*>& chosen() {
 
 }  // namespace
 
-const BatchKernel& batch_kernel() { return *chosen().load(); }
+const BatchKernel& batch_kernel() {
+  const BatchKernel* kernel = chosen().load();
+  PHYSIM_ASSERT(kernel != nullptr && kernel->fly_float != nullptr && kernel->fly_double != nullptr);
+  return *kernel;
+}
 
 std::vector<std::string> kernels() {
   std::vector<std::string> names;

@@ -26,6 +26,7 @@ Result<double> step_within(const ProjectileDef& projectile, const Launch& launch
   if (!ended_as_planned(reference.outcome()))
     return Error{"the pilot flight ended as " + std::string(name(reference.outcome())), "launch",
                  "check the figures of projectile and launch, or give a step"};
+  PHYSIM_ASSERT(error_allowed > 0 && longest > 0);
   const double order = order_of(fidelity.integrator);
   Fidelity coarse = fidelity;
   coarse.precision = Precision::float64;

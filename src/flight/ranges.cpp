@@ -1,7 +1,6 @@
 // Questions of range: how far a projectile carries, how long it takes to a range, and where it stays near a height.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/checker.hpp"
 #include "base/text.hpp"
@@ -20,8 +19,7 @@ constexpr double kDegree = kRightAngle / 90;
 
 /// Time at which a value along a flight first falls through zero, or starts to fall from there; nothing where it does
 /// not.
-template <class F>
-std::optional<double> first_fall(const Flight& flight, const F& value) {
+std::optional<double> first_fall(const Flight& flight, const auto& value) {
   constexpr int kParts = 4;  // of a step, which is long where little happens
   const std::vector<double> times = flight.step_times();
   double before = 0, at_before = value(0);
@@ -63,6 +61,7 @@ class Carry {
     if (flight.error()) error_ = flight.error();
     if (!landing && !error_) error_ = does_not_land(flight);
     if (!landing) return out;
+    PHYSIM_ASSERT(*landing >= 0 && *landing <= flight.duration());
     const Sample impact = flight.at(*landing);
     out.position = impact.position;
     out.velocity = impact.velocity;
@@ -150,6 +149,7 @@ Result<DangerSpace> danger_space(const Flight& flight, double range, double heig
   times.push_back(middle->time);
   std::sort(times.begin(), times.end());
   const auto here = static_cast<std::size_t>(std::find(times.begin(), times.end(), middle->time) - times.begin());
+  PHYSIM_ASSERT(here < times.size());
   const auto edge = [&](int step) {  // walks from the middle to where the path leaves the space, or to an end
     double from = middle->time, at_from = inside(from);
     for (std::size_t i = here; step < 0 ? i > 0 : i + 1 < times.size();) {

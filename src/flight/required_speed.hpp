@@ -21,8 +21,8 @@ struct Need {
 
 /// The time at which the required speed falls to the speed there is (low) or rises above it for good (high).
 /// `required` gives the velocity for a time; `times` start at 0, where it is infinite.
-template <class Required>
-Need find_need(std::span<const double> times, const Required& required, double speed, Arc arc) {
+inline Need find_need(std::span<const double> times, const auto& required, double speed, Arc arc) {
+  PHYSIM_ASSERT(times.size() >= 2 && times.front() == 0 && speed > 0);
   const auto excess = [&](double t) {
     const double value = length(required(t)) / speed - 1;
     return value < 1e300 ? value : 1e300;  // a path that went beyond all bounds tells nothing

@@ -11,6 +11,7 @@ namespace physim {
 template <class S>
 StepPlan<S> prepare_plan(const Tolerance& tolerance, const Fidelity& granted, double step) {
   const bool adaptive = steps_itself(granted);
+  PHYSIM_ASSERT(adaptive || step > 0);
   const double most = sizeof(S) == 4 ? 16e6 : 9e15;  // whole numbers that S counts exactly
   const double relative = tolerance.relative.value_or(sizeof(S) == 4 ? 1e-5 : 1e-9);
   return {static_cast<S>(relative), static_cast<S>(tolerance.absolute), static_cast<S>(adaptive ? 0 : step),
@@ -24,6 +25,8 @@ void Cohort::finish() {
   conditions.fidelity = in_use.fidelity;
   PHYSIM_ASSERT(!conditions.has_motor || !pool.motors.pieces().empty());
   PHYSIM_ASSERT(!conditions.has_magnus_tables || !pool.magnus.grids().empty());
+  PHYSIM_ASSERT(!conditions.has_searched_curves || !pool.searched().empty());
+  PHYSIM_ASSERT(!conditions.has_aero_tables || !pool.rows().empty());
   pool.point(conditions);
   if (in_use.fidelity.precision == Precision::float64) return;
   conditions_float = to_float(conditions);

@@ -30,6 +30,7 @@ struct Cohort {
   }
   template <class S>
   [[nodiscard]] Course<S> course(const Tolerance& tolerance, double step, const WatchList& watch) const {
+    PHYSIM_ASSERT(conditions.curve_rows == pool.rows().data());  // finish() came after the last addition and move
     return {&conditions_in<S>(),
             &conditions,
             parts_flown(in_use.fidelity, conditions).runs(),

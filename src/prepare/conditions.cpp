@@ -22,9 +22,11 @@ WindField<double> prepare_wind(const Wind& wind, WindModel model) {
       return field;
     case WindModel::profile: break;
   }
+  PHYSIM_ASSERT(wind.profile.size() <= std::size_t(kMaxWindPoints));
   field.points = static_cast<int>(wind.profile.size());
   for (int i = 0; i < field.points; ++i) {
     const WindPoint& p = wind.profile[static_cast<std::size_t>(i)];
+    PHYSIM_ASSERT(i == 0 || p.at > field.at[i - 1]);
     field.at[i] = p.at;
     field.velocity[i] = p.velocity;
     if (i > 0) field.slope[i - 1] = (p.velocity - Vec3d(field.velocity[i - 1])) * (1 / (p.at - field.at[i - 1]));

@@ -13,6 +13,7 @@ EquivalentDrag::EquivalentDrag(const ProjectileDef& p, const Body<double>& b, co
 }
 
 double EquivalentDrag::k2_per_mass(const State<double>& s) {
+  PHYSIM_ASSERT(!pool_.rows().empty() && conditions_.fidelity.drag == DragModel::equation);
   pool_.point(conditions_);
   const Vec3d u = air_velocity(conditions_, s);
   const double speed = length(u);

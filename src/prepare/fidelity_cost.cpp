@@ -100,6 +100,7 @@ double step_cost(const Fidelity& f, const ProjectileDef& projectile, const Envir
   else
     sum += end_slope(f.integrator) * evaluation_cost(f, projectile, environment) +
            growth(f) * integrator_cost(f.integrator);
+  PHYSIM_ASSERT(sum > 0);
   return row(f.precision).cost_factor * sum;
 }
 

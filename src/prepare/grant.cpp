@@ -22,6 +22,7 @@ class Granting {
     by_projectile();
     by_rotation();
     by_jump();
+    PHYSIM_ASSERT(!turns(f_) || flies_motors(f_));
     return {f_, notes_};
   }
 
@@ -29,6 +30,7 @@ class Granting {
   template <class Enum>
   void set(const char* effect, Enum& field, Enum granted, const char* reason) {
     if (field == granted) return;
+    PHYSIM_ASSERT(level(granted) < level(field));
     notes_.push_back({effect, std::string(name(field)), std::string(name(granted)), reason});
     field = granted;
   }
@@ -47,7 +49,7 @@ class Granting {
     if (wind.profile.empty() && wind.velocity == Vec3d{}) f_.wind = WindModel::off;
     const Atmosphere& air = environment_.atmosphere;
     if (f_.air == AirModel::isa && (air.density || air.sound_speed))
-      notes_.push_back({"air", "isa", "isa", "density and sound_speed are for constant and exponential air"});
+      remark("air", f_.air, "density and sound_speed are for constant and exponential air");
     const bool empty = f_.air == AirModel::vacuum || (f_.air != AirModel::isa && air.density == 0.0);
     if (empty && (f_.rotation == RotationModel::spin_drift || f_.rotation == RotationModel::magnus || is_in_repose(f_)))
       set("rotation", f_.rotation, RotationModel::none, "there is no air");
@@ -69,8 +71,7 @@ class Granting {
       limit_to_constants("motion 'velocity' knows only constant gravity over a flat Earth");
     }
     if (f_.motion != Motion::force && projectile_.force != Vec3d{})
-      notes_.push_back({"motion", std::string(name(f_.motion)), std::string(name(f_.motion)),
-                        "the applied force is left out: only motion 'force' knows forces"});
+      remark("motion", f_.motion, "the applied force is left out: only motion 'force' knows forces");
     if (f_.motion != Motion::force && has_motor(projectile_))
       remark("motion", f_.motion, "the motor is left out: only motion 'force' knows forces");
   }
@@ -119,8 +120,7 @@ class Granting {
     if (f_.drag == DragModel::equation && f_.interpolation == Interpolation::cubic && spline_overshoots(p.drag))
       set("interpolation", f_.interpolation, Interpolation::pchip, "a spline through so few points would overshoot");
     if (f_.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
-      notes_.push_back({"drag", "linear_quadratic", "linear_quadratic",
-                        "k1 and k2 are zero: k2 is taken from the drag equation at launch"});
+      remark("drag", f_.drag, "k1 and k2 are zero: k2 is taken from the drag equation at launch");
   }
 
   void without_rotation(const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); }

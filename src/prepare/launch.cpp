@@ -22,6 +22,7 @@ void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right
 }
 
 void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c, Body<double>& b) {
+  PHYSIM_ASSERT(launch.velocity || !(abs(length_squared(bore) - 1) > 1e-9));
   b.rail = bore;
   b.rail_phase = kOffRail;
   if (launch.rail_length == 0 || !flies_motors(c.fidelity)) return;
@@ -62,6 +63,7 @@ Attitude prepare_attitude(const ProjectileDef& p, const Launch& launch, double e
 
 void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, const Body<double>& b,
                 const Conditions<double>& c, Rotor<double>& rotor) {
+  PHYSIM_ASSERT(turns(c.fidelity));
   rotor.launch = turn_of(c.fidelity, rotor, prepare_attitude(p, launch, elevation, b.launch.v, c));
 }
 
@@ -94,6 +96,7 @@ SpinDrift prepare_spin_drift(const ProjectileDef& p, double launch_speed, const 
 void jump_in_crosswind(const ProjectileDef& p, const Environment& environment, const Conditions<double>& c,
                        Body<double>& b) {
   if (!c.fidelity.aerodynamic_jump) return;
+  PHYSIM_ASSERT(c.fidelity.rotation == RotationModel::spin_drift);
   const double speed = length(b.launch.v);
   if (speed == 0) return;
   const auto stability = stability_at_launch(p, speed, environment);

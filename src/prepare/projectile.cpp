@@ -62,6 +62,7 @@ void prepare_aero(const ProjectileDef& p, TablePool& pool, Conditions<double>& c
   r.magnus_force_scale = 0.5 * k * area * length / p.mass;
   r.magnus_moment_scale = 0.5 * k * area * length * length;
   r.air_turns = a.damping_frame == DampingFrame::air ? 1 : 0;
+  PHYSIM_ASSERT(r.force_scale > 0 && r.moment_scale > 0);
   add_aero(a, pool, r);
   c.has_aero = c.has_aero || has_aero(a);
   c.has_aero_tables = c.has_aero_tables || has_aero_tables(a);
@@ -87,6 +88,7 @@ void prepare_motor(const ProjectileDef& p, TablePool& pool, Conditions<double>& 
     c.has_searched_curves = c.has_searched_curves || burning.curve_row < 0;
     factor /= constant_cd(p.drag);
   }
+  PHYSIM_ASSERT(constant_cd(p.drag) > 0 || p.motor.drag_curve.empty());
   const std::size_t piece = pool.motors.add(p.motor, coasting, burning, factor);
   put_piece(pool.motors.pieces().data(), static_cast<int>(piece), b, 0);
   b.ignition = p.motor.ignition_delay;
@@ -97,6 +99,7 @@ void prepare_motor(const ProjectileDef& p, TablePool& pool, Conditions<double>& 
 void prepare_magnus(const ProjectileDef& p, TablePool& pool, Conditions<double>& c, Body<double>& b) {
   if (!spins(c.fidelity)) return;
   const MagnusDef& m = p.magnus;
+  PHYSIM_ASSERT(m.decay_time > 0 && m.lift_base > 0);
   b.spin_decay = 1 / m.decay_time;
   b.ball_radius = 0.5 * p.diameter;
   b.magnus_area = kPi * p.diameter * p.diameter / (8 * p.mass);
@@ -131,6 +134,7 @@ Body<double> prepare_kind(const ProjectileDef& p, TablePool& pool, Conditions<do
   b.k2_per_mass = p.drag.k2 / p.mass;
   const bool linear = c.fidelity.drag == DragModel::linear_quadratic;
   b.damping_rate = linear ? b.k1_per_mass : p.drag.damping == 1 ? 0 : -log(p.drag.damping);
+  PHYSIM_ASSERT(b.damping_rate >= 0 && b.half_area_per_mass >= 0);
   b.applied = p.force * (1 / p.mass);
   b.applied_until = p.force == Vec3d{} ? 0 : p.force_duration;
   const bool feels_forces = c.fidelity.motion == Motion::force;

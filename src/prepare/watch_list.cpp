@@ -39,6 +39,7 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher
   WatchList watch{};
   const auto add = [&](const EventSpec& spec, Outcome outcome) {
     PHYSIM_ASSERT(watch.count < kMaxWatched);
+    PHYSIM_ASSERT(row_of(spec.kind).watch != Watch::none);
     watch.item[watch.count++] = {spec, outcome};
   };
   if (until.ground) add({EventKind::ground, *until.ground, Crossing::falling, true}, Outcome::landed);
