@@ -11,7 +11,6 @@ namespace physim {
 template <class S>
 StepPlan<S> prepare_plan(const Tolerance& tolerance, const Fidelity& granted, double step) {
   const bool adaptive = steps_itself(granted);
-  PHYSIM_ASSERT(adaptive || step > 0);
   const double most = sizeof(S) == 4 ? 16e6 : 9e15;  // whole numbers that S counts exactly
   const double relative = tolerance.relative.value_or(sizeof(S) == 4 ? 1e-5 : 1e-9);
   return {static_cast<S>(relative), static_cast<S>(tolerance.absolute), static_cast<S>(adaptive ? 0 : step),

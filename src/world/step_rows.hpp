@@ -261,6 +261,7 @@ struct KnownRung {
     k.fidelity.planar = false;
     k.fidelity.rotation = RotationModel::none;
     k.gravity = c.gravity;
+    k.wind.points = 1;
     k.wind.velocity[0] = c.wind.velocity[0];
     if (kCurve) k.altitude = c.altitude, k.air = c.air, k.curve_rows = c.curve_rows;
     return k;
