@@ -13,6 +13,7 @@ namespace {
 constexpr double kCharacterWidth = 0.66, kLineHeight = 1.45;  // parts of the font size
 constexpr double kBoldWidth = 1.13;                           // of a regular character
 constexpr double kGap = 6;                                    // [px] between texts, so that two do not read as one
+constexpr double kPointRadius = 7;                            // [px]
 constexpr double kNear = 14;                                  // [px] from a point: no leader is needed
 constexpr double kDistances[] = {10, 14, 28, 48, 74};
 
@@ -79,16 +80,13 @@ std::vector<Candidate> candidates(const LabelRequest& request) {
 
 }  // namespace
 
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests, const LabelObstacles& obstacles,
-                                      const PixelBox& area) {
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests, const std::vector<PixelPoint>& points,
+                                      std::vector<PixelLine> lines, const PixelBox& area) {
   std::vector<PixelBox> taken, labels;
   PHYSIM_ASSERT(area.left < area.right);
   PHYSIM_ASSERT(area.bottom < area.top);
-  for (const PixelPoint& p : obstacles.points) {
-    const double r = obstacles.point_radius;
-    taken.push_back({p.x - r, p.x + r, p.y - r, p.y + r});
-  }
-  auto lines = obstacles.lines;
+  for (const PixelPoint& p : points)
+    taken.push_back({p.x - kPointRadius, p.x + kPointRadius, p.y - kPointRadius, p.y + kPointRadius});
   std::vector<PlacedLabel> placed;
   for (const LabelRequest& request : requests) {
     double best_dislike = std::numeric_limits<double>::infinity();

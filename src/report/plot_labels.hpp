@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace physim::report {
@@ -17,6 +19,7 @@ struct PixelBox {
 
 struct LabelRequest {
   std::string text;
+  std::string_view colour;
   PixelPoint at;         // of the point that is labelled
   double font_size = 0;  // [pt], as drawn by gnuplot
   bool bold = false;
@@ -30,14 +33,11 @@ struct PlacedLabel {
   PixelPoint leader_end;    // on the label's side
 };
 
-struct LabelObstacles {
-  std::vector<PixelPoint> points;
-  double point_radius = 7;                               // [px]
-  std::vector<std::pair<PixelPoint, PixelPoint>> lines;  // better not crossed
-};
+using PixelLine = std::pair<PixelPoint, PixelPoint>;
 
-/// In the order asked: earlier requests choose first.
+/// Labels that cover no point, no other label and better no line, in the order asked: earlier requests choose first.
 [[nodiscard]] std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
-                                                    const LabelObstacles& obstacles, const PixelBox& area);
+                                                    const std::vector<PixelPoint>& points, std::vector<PixelLine> lines,
+                                                    const PixelBox& area);
 
 }  // namespace physim::report

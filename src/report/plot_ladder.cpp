@@ -153,46 +153,35 @@ class LadderPicture {
     return out;
   }
 
-  [[nodiscard]] LabelObstacles obstacles() const {
-    LabelObstacles out{.points = places_};
-    for (std::size_t i = 0; i < rungs_.size(); ++i)
-      if (continues_series(i)) out.lines.emplace_back(places_[i - 1], places_[i]);
-    return out;
-  }
-
-  struct Text {
-    LabelRequest request;
-    std::string_view colour;
-  };
-
   // What to write, the most important first: names, then steps and tolerances where there is room.
-  [[nodiscard]] std::vector<Text> wanted_texts() const {
-    std::vector<Text> names, details;
+  [[nodiscard]] std::vector<LabelRequest> wanted_labels() const {
+    std::vector<LabelRequest> names, details;
     for (std::size_t i = 0; i < rungs_.size(); ++i) {
       const Rung& rung = rungs_[i]->rung;
       const Look& look = look_of(rung.family);
       const bool ends_series = i + 1 == rungs_.size() || !continues_series(i + 1);
       const bool is_named = rung.family != Family::integrator || ends_series;
       const double size = look.font_size;
-      if (is_named) names.push_back({{rung.series, places_[i], size, rung.family == Family::preset}, look.colour});
-      if (!rung.detail.empty()) details.push_back({{rung.detail, places_[i], 11, false, true}, kQuiet});
+      if (is_named) names.push_back({rung.series, look.colour, places_[i], size, rung.family == Family::preset});
+      if (!rung.detail.empty()) details.push_back({rung.detail, kQuiet, places_[i], 11, false, true});
     }
     names.insert(names.end(), details.begin(), details.end());
     return names;
   }
 
   [[nodiscard]] std::string labels() const {
-    const std::vector<Text> texts = wanted_texts();
-    std::vector<LabelRequest> requests;
-    for (const Text& text : texts) requests.push_back(text.request);
-    const std::vector<PlacedLabel> placed = place_labels(requests, obstacles(), kPanel);
-    PHYSIM_ASSERT(placed.size() == texts.size());
+    const std::vector<LabelRequest> requests = wanted_labels();
+    std::vector<PixelLine> lines;
+    for (std::size_t i = 0; i < rungs_.size(); ++i)
+      if (continues_series(i)) lines.emplace_back(places_[i - 1], places_[i]);
+    const std::vector<PlacedLabel> placed = place_labels(requests, places_, std::move(lines), kPanel);
+    PHYSIM_ASSERT(placed.size() == requests.size());
     std::string out;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t i = 0; i < requests.size(); ++i) {
       const auto& [shown, at, has_leader, end] = placed[i];
       if (!shown) continue;
-      const auto& [request, colour] = texts[i];
-      out += text_at(at.x / kWidth, at.y / kHeight, request.text, static_cast<int>(request.font_size), colour,
+      const LabelRequest& request = requests[i];
+      out += text_at(at.x / kWidth, at.y / kHeight, request.text, static_cast<int>(request.font_size), request.colour,
                      request.bold);
       if (has_leader)
         out += line_at(request.at.x / kWidth, request.at.y / kHeight, end.x / kWidth, end.y / kHeight,
