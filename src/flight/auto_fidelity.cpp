@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/checker.hpp"
 #include "base/text.hpp"
 #include "flight/fidelity_candidates.hpp"
 #include "flight/flight_record.hpp"
@@ -45,18 +46,15 @@ struct Measured {
 double sample_time(const TruePath& path, int i) { return path.duration * i / kSamples; }
 
 Status check_purpose(const Purpose& p) {
-  const auto bad = [](const char* field, double value, const char* must, const char* hint) {
-    return Error{must + (", not " + short_text(value)), std::string("purpose.") + field, hint};
-  };
-  const auto positive = [](double x) { return x > 0 && x < kInfinity; };
-  if (!positive(p.error)) return bad("error", p.error, "must be a positive number", "in m, such as 0.01");
-  if (!positive(p.time)) return bad("time", p.time, "must be a positive number", "in s, the time of flight");
-  if (!(p.step >= 0 && p.step < kInfinity))
-    return bad("step", p.step, "must be zero or positive", "in s, such as 1/60; 0: steps are free");
-  if (p.step > 0 && p.time / p.step > kMostSteps)
-    return bad("step", p.step, "must be at least a millionth of the time", "0: steps are free");
+  Checker c;
+  c.positive(p.error, "purpose.error", "in m, such as 0.01");
+  c.positive(p.time, "purpose.time", "in s, the time of flight");
+  c.not_negative(p.step, "purpose.step", "in s, such as 1/60; 0: steps are free");
+  c.require(!(p.step > 0 && p.time / p.step > kMostSteps), "purpose.step",
+            "must be at least a millionth of the time, not " + short_text(p.step), "0: steps are free");
   if (p.ground && !std::isfinite(*p.ground))
-    return bad("ground", *p.ground, "must be a finite number", "none: no ground");
+    c.require(false, "purpose.ground", "must be a finite number, not " + short_text(*p.ground), "none: no ground");
+  if (!c.status_so_far()) return c.status();
   if (level(p.least_motion) > level(p.truth.motion))
     return Error{"is more than the truth has, '" + std::string(name(p.truth.motion)) + "'", "purpose.least_motion",
                  "raise purpose.truth.motion"};

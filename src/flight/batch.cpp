@@ -29,13 +29,12 @@ struct ShotGroup {
   Cohort cohort;
   std::optional<double> step;
   std::vector<std::uint32_t> shots;
-  Body<double> common{};              // what all bodies have ...
-  PartSet own = PartSet::all();       // ... but for these parts, the first ones of a Body ...
-  std::vector<double> own_numbers;    // ... which are here
-  std::vector<Rotor<double>> rotors;  // of rungs that turn
-  std::vector<SpinDrift> drifts;      // of the rung of that name ...
-  std::vector<Vec3d> right;           // ... and where they point
-  std::vector<Turn<double>> turned;   // how they turn at their ends
+  Body<double> common{};                            // what all bodies have ...
+  PartSet own = PartSet::all();                     // ... but for these parts, the first ones of a Body ...
+  std::vector<double> own_numbers;                  // ... which are here
+  std::vector<Rotor<double>> rotors;                // of rungs that turn
+  std::vector<std::pair<SpinDrift, Vec3d>> drifts;  // of the rung of that name, and where they point
+  std::vector<Turn<double>> turned;                 // how they turn at their ends
   std::vector<RawEvent> events;
 
   void add(std::uint32_t shot, const Body<double>& body) {
@@ -54,7 +53,6 @@ struct ShotGroup {
     own_numbers.clear();
     rotors.clear();
     drifts.clear();
-    right.clear();
     events.clear();
   }
 };
@@ -213,10 +211,9 @@ class Batch {
     }
     group->add(i, body);
     if (turns(granted)) group->rotors.push_back(kind.rotor);
-    if (drifts(granted)) {
-      group->drifts.push_back(prepare_spin_drift(projectile, length(body.launch.v), environment_, granted));
-      group->right.push_back(body.plane);
-    }
+    if (drifts(granted))
+      group->drifts.emplace_back(prepare_spin_drift(projectile, length(body.launch.v), environment_, granted),
+                                 body.plane);
     if (group->shots.size() == kChunk) fly(*group);
   }
 
@@ -350,8 +347,8 @@ class Batch {
 
   static State<double> shown(const ShotGroup& group, std::size_t i, const State<double>& flown, double time) {
     if (!drifts(group.cohort.in_use.fidelity)) return flown;
-    PHYSIM_ASSERT(i < group.drifts.size() && group.right.size() == group.drifts.size());
-    return with_drift(flown, group.drifts[i], group.right[i], time);
+    PHYSIM_ASSERT(i < group.drifts.size());
+    return with_drift(flown, group.drifts[i].first, group.drifts[i].second, time);
   }
 
   void keep(const ShotGroup& group, const RawEvent& e) {

@@ -32,6 +32,43 @@ const Y* coefficients_before(const std::vector<Y>& all, Integrator integrator, s
   return all.data() + (node - 1) * count;
 }
 
+/// Times between which a height is crossed at most once: the ends of the steps and the apexes.
+std::vector<double> borders(const FlightRecord& r) {
+  std::vector<double> times;
+  if (r.cohort.in_use.fidelity.motion == Motion::closed_form) times.push_back(0);
+  for (const Node& node : r.path.nodes) times.push_back(std::min(node.t, r.duration));
+  for (const Event& e : r.events)
+    if (e.kind == EventKind::apex) times.push_back(e.time);
+  return rising(std::move(times));
+}
+
+/// First time at which value(time) crosses zero in a direction; nothing where it never does. A flight that was ended by
+/// this very crossing may lie a rounding before it, so its own events are asked at last.
+template <class F>
+std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, const EventSpec& asked,
+                                     const F& value) {
+  const auto times = borders(r);
+  PHYSIM_ASSERT(!times.empty());
+  double from = value(times.front());
+  if (from == 0 && direction == Crossing::any) return times.front();
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double to = value(times[i]);
+    if (crosses(direction, from, to))
+      return find_root(value, times[i - 1], from, times[i], to, kThetaTolerance * (times[i] - times[i - 1]));
+    from = to;
+  }
+  for (const Event& e : r.events) {
+    const bool same_kind = e.kind == asked.kind || (e.kind == EventKind::ground && asked.kind == EventKind::height);
+    if (same_kind && e.value == asked.value && (direction == Crossing::any || direction == e.direction)) return e.time;
+  }
+  return std::nullopt;
+}
+
+Error never(const std::string& what, const FlightRecord& r) {
+  if (r.error) return *r.error;
+  return Error{"the flight never reaches " + what, "", "it lasts " + short_text(r.duration) + " s"};
+}
+
 }  // namespace
 
 Accelerations FlightRecord::accelerations_at(double time) const {
@@ -133,47 +170,6 @@ Sample Flight::at(double time) const {
   out.angle_of_attack = angle_between(rotate(attitude.q_WB, Vec3d{1, 0, 0}), air_velocity(c, s));
   return out;
 }
-
-namespace {
-
-/// Times between which a height is crossed at most once: the ends of the steps and the apexes.
-std::vector<double> borders(const FlightRecord& r) {
-  std::vector<double> times;
-  if (r.cohort.in_use.fidelity.motion == Motion::closed_form) times.push_back(0);
-  for (const Node& node : r.path.nodes) times.push_back(std::min(node.t, r.duration));
-  for (const Event& e : r.events)
-    if (e.kind == EventKind::apex) times.push_back(e.time);
-  return rising(std::move(times));
-}
-
-/// First time at which value(time) crosses zero in a direction; nothing where it never does. A flight that was ended by
-/// this very crossing may lie a rounding before it, so its own events are asked at last.
-template <class F>
-std::optional<double> first_crossing(const FlightRecord& r, Crossing direction, const EventSpec& asked,
-                                     const F& value) {
-  const auto times = borders(r);
-  PHYSIM_ASSERT(!times.empty());
-  double from = value(times.front());
-  if (from == 0 && direction == Crossing::any) return times.front();
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const double to = value(times[i]);
-    if (crosses(direction, from, to))
-      return find_root(value, times[i - 1], from, times[i], to, kThetaTolerance * (times[i] - times[i - 1]));
-    from = to;
-  }
-  for (const Event& e : r.events) {
-    const bool same_kind = e.kind == asked.kind || (e.kind == EventKind::ground && asked.kind == EventKind::height);
-    if (same_kind && e.value == asked.value && (direction == Crossing::any || direction == e.direction)) return e.time;
-  }
-  return std::nullopt;
-}
-
-Error never(const std::string& what, const FlightRecord& r) {
-  if (r.error) return *r.error;
-  return Error{"the flight never reaches " + what, "", "it lasts " + short_text(r.duration) + " s"};
-}
-
-}  // namespace
 
 Result<Sample> Flight::at_range(double range) const {
   const FlightRecord& r = *record_;

@@ -37,17 +37,7 @@ void keep_event(FlightRecord& record, const Watched& watched, bool rising, doubl
                            .velocity = s.v});
 }
 
-/// A node keeps the acceleration alone of a slope.
-template <class S>
-void set_rate(const State<S>& slope, Node& node) {
-  node.a = vec_cast<double>(slope.v);
-}
-template <class S>
-void set_rate(const Turn<S>& slope, TurnNode& node) {
-  cast_numbers(slope, node.slope);
-}
-
-/// Keeps where a step starts.
+/// Keeps where a step starts; of a state's slope the acceleration alone.
 template <class S>
 void keep_start(FlightRecord& record, const Step<S>& step, double time) {
   const auto keep = [time](const auto& part, auto& path) {
@@ -55,7 +45,10 @@ void keep_start(FlightRecord& record, const Step<S>& step, double time) {
     auto& node = path.nodes.back();
     node.t = time;
     cast_numbers(part.start, node.y);
-    set_rate(part.slope[0], node);
+    if constexpr (requires { node.slope; })
+      cast_numbers(part.slope[0], node.slope);
+    else
+      node.a = vec_cast<double>(part.slope[0].v);
   };
   for_parts(record.cohort.in_use.fidelity, keep, step, record.path);
 }

@@ -14,8 +14,7 @@ std::vector<std::vector<double>> chebyshev_polynomials(std::size_t n) {
   std::vector<std::vector<double>> t(n, std::vector<double>(n, 0.0));
   for (std::size_t k = 0; k < n; ++k) {
     if (k < 2) t[k][k] = 1;
-    if (k < 2) continue;
-    for (std::size_t j = 0; j < n; ++j) t[k][j] = (j > 0 ? 2 * t[k - 1][j - 1] : 0) - t[k - 2][j];
+    for (std::size_t j = 0; k >= 2 && j < n; ++j) t[k][j] = (j > 0 ? 2 * t[k - 1][j - 1] : 0) - t[k - 2][j];
   }
   return t;
 }

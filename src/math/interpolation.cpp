@@ -73,6 +73,13 @@ Slopes slopes(Interpolation how, const std::vector<double>& h, const std::vector
   PHYSIM_UNREACHABLE();
 }
 
+bool every_knot_on_grid(const std::vector<double>& knots, double cell) {
+  return std::all_of(knots.begin(), knots.end(), [&](double x) {
+    const double u = (x - knots.front()) / cell;
+    return std::abs(u - std::round(u)) < 1e-9;
+  });
+}
+
 }  // namespace
 
 double PiecewiseCubic::operator()(double x) const {
@@ -121,17 +128,6 @@ PiecewiseCubic interpolate(std::span<const double> x, std::span<const double> y,
   }
   return curve;
 }
-
-namespace {
-
-bool every_knot_on_grid(const std::vector<double>& knots, double cell) {
-  return std::all_of(knots.begin(), knots.end(), [&](double x) {
-    const double u = (x - knots.front()) / cell;
-    return std::abs(u - std::round(u)) < 1e-9;
-  });
-}
-
-}  // namespace
 
 std::optional<UniformCubic> on_uniform_cells(const PiecewiseCubic& curve, int max_cells) {
   PHYSIM_ASSERT(max_cells > 0 && curve.knots.size() == curve.pieces.size() + 1);

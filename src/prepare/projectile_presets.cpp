@@ -29,6 +29,89 @@ ProjectilePreset original(const char* name, double mass, double damping, double 
           .source = std::string("client of the original PhySim (2017): ") + source};
 }
 
+/// Cd and Cl at one speed [m/s] and 2000, 3000, 4000, 5000 and 6000 rpm.
+struct GolfRow {
+  double speed;
+  double at[5][2];
+};
+// P. W. Bearman, J. K. Harvey, "Golf ball aerodynamics", Aeronautical Quarterly 27 (1976) 112-122, fig. 7 and 8: a ball
+// with hexagonal dimples in a wind tunnel.
+constexpr GolfRow kGolf[] = {
+    {13.7, {{0.3624, 0.104}, {0.4203, 0.3624}, {0.4288, 0.4005}, {0.4848, 0.413}, {0.518, 0.4644}}},
+    {21.6, {{0.2885, 0.1846}, {0.3658, 0.3362}, {0.4003, 0.364}, {0.4314, 0.3894}, {0.4406, 0.4227}}},
+    {29.9, {{0.2765, 0.246}, {0.3169, 0.3049}, {0.349, 0.3347}, {0.3728, 0.3496}, {0.3882, 0.3724}}},
+    {38.4, {{0.2529, 0.1984}, {0.2822, 0.2475}, {0.3084, 0.2862}, {0.3316, 0.3119}, {0.3517, 0.3393}}},
+    {46.9, {{0.2472, 0.1762}, {0.2655, 0.2073}, {0.2852, 0.2384}, {0.3062, 0.2695}, {0.3285, 0.3005}}},
+    {55.2, {{0.2481, 0.1538}, {0.2578, 0.1856}, {0.271, 0.2149}, {0.2876, 0.2418}, {0.3076, 0.2662}}},
+    {63.1, {{0.2467, 0.1418}, {0.256, 0.1702}, {0.2659, 0.1977}, {0.2765, 0.2246}, {0.2877, 0.2507}}},
+    {71.9, {{0.247, 0.136}, {0.255, 0.1584}, {0.263, 0.1807}, {0.271, 0.2031}, {0.279, 0.2254}}},
+    {80.2, {{0.247, 0.128}, {0.2538, 0.1485}, {0.2605, 0.169}, {0.2673, 0.1895}, {0.274, 0.21}}},
+    {88.1, {{0.247, 0.1276}, {0.2538, 0.1464}, {0.2605, 0.1582}, {0.2673, 0.1791}, {0.274, 0.2}}},
+};
+
+/// J. E. Goff, M. J. Carre, "Soccer ball lift coefficients via trajectory analysis", European Journal of Physics 31
+/// (2010) 775-784: the fall of Cd at the drag crisis, and its growth with the spin parameter above it.
+double football_drag(double speed, double parameter) {
+  if (speed > 12.19 && parameter > 0.05) return 0.4127 * pow(parameter, 0.3056);
+  return 0.155 + 0.346 / (1 + exp((speed - 12.19) / 1.309));
+}
+
+/// Between two numbers that stand at x0 and x1, held outside.
+double between(double x, double x0, double y0, double x1, double y1) {
+  PHYSIM_ASSERT(x0 < x1);
+  return y0 + (y1 - y0) * std::clamp((x - x0) / (x1 - x0), 0.0, 1.0);
+}
+
+// C. Conti, B. Yang, A. Sigrist, L. Miele, Y. Saraiji, P. Duerr, N. Takahashi, "Physics Models for Sim-to-Real Transfer
+// in Professional-Level Robot Table Tennis" (2026), arXiv:2606.28805: fits to balls in play. Straight lines between.
+
+/// Cd at one speed [m/s] by the spin parameter.
+struct TableTennisDrag {
+  double speed;
+  double parameter[6];
+  double cd[6];
+
+  [[nodiscard]] double at(double s) const {
+    int i = 0;
+    while (i < 4 && s > parameter[i + 1]) ++i;
+    return between(s, parameter[i], cd[i], parameter[i + 1], cd[i + 1]);
+  }
+};
+constexpr TableTennisDrag kTableTennisDrag[] = {
+    {2.5, {0, 0.3, 0.7, 0.95, 1.5, 2}, {0.55, 0.55, 0.55, 0.55, 0.55, 0.55}},
+    {7.5, {0, 0.4, 0.75, 1.1, 1.3, 2}, {0.49, 0.49, 0.55, 0.48, 0.53, 0.53}},
+    {12.5, {0, 0.4, 0.62, 0.95, 1.3, 2}, {0.47, 0.47, 0.53, 0.41, 0.48, 0.48}},
+    {17.5, {0, 0.4, 0.5, 0.84, 1.2, 2}, {0.47, 0.47, 0.51, 0.37, 0.45, 0.45}},
+};
+
+/// CM at one speed [m/s] by the spin [rad/s]: level + slope spin up to `until`, then (square spin + linear) spin +
+/// rest, above 0. The lift is CM rho V omega x u, V the volume, so that Cl = 8/3 CM S.
+struct TableTennisLift {
+  double speed;
+  double level, slope, until;
+  double square, linear, rest;
+
+  [[nodiscard]] double at(double spin) const {
+    return std::max(spin < until ? level + slope * spin : (square * spin + linear) * spin + rest, 0.0);
+  }
+};
+constexpr TableTennisLift kTableTennisLift[] = {
+    {2, 0.080, 0, 150, -1.852e-7, -1.296e-4, 0.0983},
+    {3.5, 0.310, -1.10e-3, 200, -1.667e-7, -3.333e-5, 0.1000},
+    {7.5, 0.370, -8.00e-4, 350, -2.000e-7, 1.700e-4, 0.0587},
+    {10.5, 0.375, -6.58e-4, 440, -2.604e-7, 3.646e-4, -0.0225},
+    {13.5, 0.383, -5.60e-4, 550, -3.571e-7, 5.357e-4, -0.0893},
+    {17, 0.371, -4.48e-4, 650, -1.000e-7, 2.300e-4, -0.0375},
+};
+
+/// At any speed, `x` being the spin or the spin parameter.
+template <class Row, std::size_t kRows>
+double at_speed(const Row (&rows)[kRows], double speed, double x) {
+  std::size_t i = 0;
+  while (i + 2 < kRows && speed > rows[i + 1].speed) ++i;
+  return between(speed, rows[i].speed, rows[i].at(x), rows[i + 1].speed, rows[i + 1].at(x));
+}
+
 }  // namespace
 
 ProjectilePreset artillery() {
@@ -110,37 +193,6 @@ ProjectilePreset tennis_ball() {
               "size and bounce (141 cm from 254 cm): middle of the rules of tennis"};
 }
 
-namespace {
-
-/// Cd and Cl at one speed [m/s] and 2000, 3000, 4000, 5000 and 6000 rpm.
-struct GolfRow {
-  double speed;
-  double at[5][2];
-};
-// P. W. Bearman, J. K. Harvey, "Golf ball aerodynamics", Aeronautical Quarterly 27 (1976) 112-122, fig. 7 and 8: a ball
-// with hexagonal dimples in a wind tunnel.
-constexpr GolfRow kGolf[] = {
-    {13.7, {{0.3624, 0.104}, {0.4203, 0.3624}, {0.4288, 0.4005}, {0.4848, 0.413}, {0.518, 0.4644}}},
-    {21.6, {{0.2885, 0.1846}, {0.3658, 0.3362}, {0.4003, 0.364}, {0.4314, 0.3894}, {0.4406, 0.4227}}},
-    {29.9, {{0.2765, 0.246}, {0.3169, 0.3049}, {0.349, 0.3347}, {0.3728, 0.3496}, {0.3882, 0.3724}}},
-    {38.4, {{0.2529, 0.1984}, {0.2822, 0.2475}, {0.3084, 0.2862}, {0.3316, 0.3119}, {0.3517, 0.3393}}},
-    {46.9, {{0.2472, 0.1762}, {0.2655, 0.2073}, {0.2852, 0.2384}, {0.3062, 0.2695}, {0.3285, 0.3005}}},
-    {55.2, {{0.2481, 0.1538}, {0.2578, 0.1856}, {0.271, 0.2149}, {0.2876, 0.2418}, {0.3076, 0.2662}}},
-    {63.1, {{0.2467, 0.1418}, {0.256, 0.1702}, {0.2659, 0.1977}, {0.2765, 0.2246}, {0.2877, 0.2507}}},
-    {71.9, {{0.247, 0.136}, {0.255, 0.1584}, {0.263, 0.1807}, {0.271, 0.2031}, {0.279, 0.2254}}},
-    {80.2, {{0.247, 0.128}, {0.2538, 0.1485}, {0.2605, 0.169}, {0.2673, 0.1895}, {0.274, 0.21}}},
-    {88.1, {{0.247, 0.1276}, {0.2538, 0.1464}, {0.2605, 0.1582}, {0.2673, 0.1791}, {0.274, 0.2}}},
-};
-
-/// J. E. Goff, M. J. Carre, "Soccer ball lift coefficients via trajectory analysis", European Journal of Physics 31
-/// (2010) 775-784: the fall of Cd at the drag crisis, and its growth with the spin parameter above it.
-double football_drag(double speed, double parameter) {
-  if (speed > 12.19 && parameter > 0.05) return 0.4127 * pow(parameter, 0.3056);
-  return 0.155 + 0.346 / (1 + exp((speed - 12.19) / 1.309));
-}
-
-}  // namespace
-
 ProjectilePreset golf_ball() {
   ProjectilePreset p;
   p.projectile = {.name = "golf_ball", .mass = 45.93_g, .diameter = 42.67_mm, .drag = {.coefficient = 0.25}};
@@ -190,66 +242,6 @@ ProjectilePreset football() {
       "mass and size: the laws of the game; bounces: our choice";
   return p;
 }
-
-namespace {
-
-/// Between two numbers that stand at x0 and x1, held outside.
-double between(double x, double x0, double y0, double x1, double y1) {
-  PHYSIM_ASSERT(x0 < x1);
-  return y0 + (y1 - y0) * std::clamp((x - x0) / (x1 - x0), 0.0, 1.0);
-}
-
-// C. Conti, B. Yang, A. Sigrist, L. Miele, Y. Saraiji, P. Duerr, N. Takahashi, "Physics Models for Sim-to-Real Transfer
-// in Professional-Level Robot Table Tennis" (2026), arXiv:2606.28805: fits to balls in play. Straight lines between.
-
-/// Cd at one speed [m/s] by the spin parameter.
-struct TableTennisDrag {
-  double speed;
-  double parameter[6];
-  double cd[6];
-
-  [[nodiscard]] double at(double s) const {
-    int i = 0;
-    while (i < 4 && s > parameter[i + 1]) ++i;
-    return between(s, parameter[i], cd[i], parameter[i + 1], cd[i + 1]);
-  }
-};
-constexpr TableTennisDrag kTableTennisDrag[] = {
-    {2.5, {0, 0.3, 0.7, 0.95, 1.5, 2}, {0.55, 0.55, 0.55, 0.55, 0.55, 0.55}},
-    {7.5, {0, 0.4, 0.75, 1.1, 1.3, 2}, {0.49, 0.49, 0.55, 0.48, 0.53, 0.53}},
-    {12.5, {0, 0.4, 0.62, 0.95, 1.3, 2}, {0.47, 0.47, 0.53, 0.41, 0.48, 0.48}},
-    {17.5, {0, 0.4, 0.5, 0.84, 1.2, 2}, {0.47, 0.47, 0.51, 0.37, 0.45, 0.45}},
-};
-
-/// CM at one speed [m/s] by the spin [rad/s]: level + slope spin up to `until`, then (square spin + linear) spin +
-/// rest, above 0. The lift is CM rho V omega x u, V the volume, so that Cl = 8/3 CM S.
-struct TableTennisLift {
-  double speed;
-  double level, slope, until;
-  double square, linear, rest;
-
-  [[nodiscard]] double at(double spin) const {
-    return std::max(spin < until ? level + slope * spin : (square * spin + linear) * spin + rest, 0.0);
-  }
-};
-constexpr TableTennisLift kTableTennisLift[] = {
-    {2, 0.080, 0, 150, -1.852e-7, -1.296e-4, 0.0983},
-    {3.5, 0.310, -1.10e-3, 200, -1.667e-7, -3.333e-5, 0.1000},
-    {7.5, 0.370, -8.00e-4, 350, -2.000e-7, 1.700e-4, 0.0587},
-    {10.5, 0.375, -6.58e-4, 440, -2.604e-7, 3.646e-4, -0.0225},
-    {13.5, 0.383, -5.60e-4, 550, -3.571e-7, 5.357e-4, -0.0893},
-    {17, 0.371, -4.48e-4, 650, -1.000e-7, 2.300e-4, -0.0375},
-};
-
-/// At any speed, `x` being the spin or the spin parameter.
-template <class Row, std::size_t kRows>
-double at_speed(const Row (&rows)[kRows], double speed, double x) {
-  std::size_t i = 0;
-  while (i + 2 < kRows && speed > rows[i + 1].speed) ++i;
-  return between(speed, rows[i].speed, rows[i].at(x), rows[i + 1].speed, rows[i + 1].at(x));
-}
-
-}  // namespace
 
 ProjectilePreset table_tennis_ball() {
   ProjectilePreset p;
