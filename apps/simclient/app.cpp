@@ -45,7 +45,6 @@ Status App::open() {
     state_.open(options_.state);
     if (!state_) return Error{"cannot write the file", options_.state, "is there such a folder?"};
   }
-  if (Status status = glfw_.start(); !status) return status;
   Result<Window> window = open_window(options_.width, options_.height, options_.hidden);
   if (!window) return window.error();
   window_ = std::move(*window);
@@ -83,7 +82,7 @@ Status App::frame() {
   const Layout layout = make_layout(client_, size.x, size.y, ui_->scale());
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.scene_corner = {layout.scene.x, layout.scene.y};
-  read_inputs();
+  for (const auto& input : std::exchange(inputs_, {})) input();
   if (Status status = script_.run(client_); !status) return status;
   client_.advance(frame_time());
   build_scene(client_, ui_->scale(), scene_);
@@ -177,18 +176,20 @@ void App::install_callbacks() {
   GLFWwindow* window = window_.get();
   glfwSetWindowUserPointer(window, this);
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-    app_of(w).inputs_.push_back({Input::Kind::key, key, scancode, action, mods});
+    app_of(w).inputs_.push_back([=] { app_of(w).on_key(key, scancode, action, mods); });
   });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
     double x = 0, y = 0;
     glfwGetCursorPos(w, &x, &y);
-    app_of(w).inputs_.push_back({Input::Kind::button, button, 0, action, mods, x, y});
+    app_of(w).inputs_.push_back([=] { app_of(w).on_button(button, action, x, y); });
   });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-    app_of(w).inputs_.push_back({Input::Kind::move, 0, 0, 0, 0, x, y});
-  });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-    app_of(w).inputs_.push_back({Input::Kind::scroll, 0, 0, 0, 0, x, y});
+  glfwSetCursorPosCallback(
+      window, [](GLFWwindow* w, double x, double y) { app_of(w).inputs_.push_back([=] { app_of(w).on_move(x, y); }); });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
+    App& app = app_of(w);
+    app.inputs_.push_back([=, &app] {
+      if (app.is_over_scene(app.mouse_x_, app.mouse_y_)) app.client_.camera.zoom(std::pow(0.88, y));
+    });
   });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
     Client& client = app_of(w).client_;
@@ -197,28 +198,18 @@ void App::install_callbacks() {
   });
 }
 
-void App::read_inputs() {
-  std::vector<Input> inputs;
-  inputs.swap(inputs_);
-  for (const Input& input : inputs) switch (input.kind) {
-      case Input::Kind::key: on_key(input); break;
-      case Input::Kind::button: on_button(input); break;
-      case Input::Kind::move: on_move(input); break;
-      case Input::Kind::scroll: on_scroll(input); break;
-    }
-}
-
-void App::on_key(const Input& input) {
+void App::on_key(int code, int scancode, int action, int mods) {
   static const std::set<std::string> kOfPanels = {"Left", "Right", "Up",   "Down",   "Space",
                                                   "Tab",  "Enter", "Home", "PageUp", "PageDown"};
-  if (input.action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
-  const auto key = key_name(input.code, input.scancode);
+  if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
+  const auto key = key_name(code, scancode);
   if (!key || (client_.show.panel_keys && kOfPanels.count(*key) != 0)) return;
   if (*key == "Esc" && ui_->close_something(client_)) return;
-  const Action* action = action_of_key(*key, (input.mods & GLFW_MOD_CONTROL) != 0);
-  const bool repeats = action != nullptr && (action->menu == "View" || action->name.starts_with("turn") ||
-                                             action->name == "step" || action->name == "back");
-  if (action != nullptr && (input.action == GLFW_PRESS || repeats)) run_action(client_, *action);
+  const Action* meant = action_of_key(*key, (mods & GLFW_MOD_CONTROL) != 0);
+  if (meant == nullptr) return;
+  const bool repeats =
+      meant->menu == "View" || meant->name.starts_with("turn") || meant->name == "step" || meant->name == "back";
+  if (action == GLFW_PRESS || repeats) run_action(client_, *meant);
 }
 
 Pixel App::on_scene(double x, double y) const { return {x - ui_->layout().scene.x, y - ui_->layout().scene.y}; }
@@ -229,25 +220,25 @@ bool App::is_over_scene(double x, double y) const {
   return p.x >= 0 && p.y >= 0 && p.x < s.width && p.y < s.height && !ImGui::GetIO().WantCaptureMouse;
 }
 
-void App::on_button(const Input& input) {
-  mouse_x_ = input.x, mouse_y_ = input.y;
-  if (input.action == GLFW_PRESS) {
-    if (drag_.button < 0 && is_over_scene(input.x, input.y)) drag_ = {input.code, input.x, input.y, 0};
+void App::on_button(int button, int action, double x, double y) {
+  mouse_x_ = x, mouse_y_ = y;
+  if (action == GLFW_PRESS) {
+    if (drag_.button < 0 && is_over_scene(x, y)) drag_ = {button, x, y, 0};
     return;
   }
-  if (input.code != drag_.button) return;
+  if (button != drag_.button) return;
   const bool is_click = drag_.moved <= kClickReach * ui_->scale();
   drag_ = {};
   if (!is_click) return;
-  if (input.code == GLFW_MOUSE_BUTTON_LEFT) client_.click(on_scene(input.x, input.y));
-  if (input.code == GLFW_MOUSE_BUTTON_RIGHT) ui_->open_menu();
+  if (button == GLFW_MOUSE_BUTTON_LEFT) client_.click(on_scene(x, y));
+  if (button == GLFW_MOUSE_BUTTON_RIGHT) ui_->open_menu();
 }
 
-void App::on_move(const Input& input) {
-  const double dx = input.x - mouse_x_, dy = input.y - mouse_y_;
-  mouse_x_ = input.x, mouse_y_ = input.y;
+void App::on_move(double x, double y) {
+  const double dx = x - mouse_x_, dy = y - mouse_y_;
+  mouse_x_ = x, mouse_y_ = y;
   if (drag_.button < 0) return;
-  drag_.moved = std::max(drag_.moved, std::hypot(input.x - drag_.x, input.y - drag_.y));
+  drag_.moved = std::max(drag_.moved, std::hypot(x - drag_.x, y - drag_.y));
   if (drag_.moved <= kClickReach * ui_->scale()) return;
   const double turn = kTurnPerPixel / ui_->scale();
   if (drag_.button == GLFW_MOUSE_BUTTON_MIDDLE)
@@ -256,10 +247,6 @@ void App::on_move(const Input& input) {
     client_.camera.orbit(dx * turn, dy * turn);
   else
     client_.launcher.turn(dx * turn / 4, -dy * turn / 4);
-}
-
-void App::on_scroll(const Input& input) {
-  if (is_over_scene(mouse_x_, mouse_y_)) client_.camera.zoom(std::pow(0.88, input.y));
 }
 
 }  // namespace physim::client

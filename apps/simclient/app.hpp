@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,12 +24,6 @@ class App {
   [[nodiscard]] Status run();
 
  private:
-  /// Something that a hand did, in the order in which it was done.
-  struct Input {
-    enum class Kind { key, button, move, scroll } kind;
-    int code = 0, scancode = 0, action = 0, mods = 0;
-    double x = 0, y = 0;
-  };
   /// A mouse button that is held down over the scene.
   struct Drag {
     int button = -1;
@@ -40,11 +35,9 @@ class App {
   [[nodiscard]] Status frame();
   [[nodiscard]] Picture picture(bool of_plots);
   [[nodiscard]] Status take_pictures();
-  void read_inputs();
-  void on_key(const Input& input);
-  void on_button(const Input& input);
-  void on_move(const Input& input);
-  void on_scroll(const Input& input);
+  void on_key(int code, int scancode, int action, int mods);
+  void on_button(int button, int action, double x, double y);
+  void on_move(double x, double y);
   void render(const Scene& scene);
   [[nodiscard]] double frame_time();
   [[nodiscard]] bool is_last_frame() const;
@@ -54,14 +47,13 @@ class App {
   const Options options_;
   Client client_;
   Script script_;
-  Glfw glfw_;
   Window window_;
   Renderer renderer_;
   std::optional<Target> target_;
   std::optional<Ui> ui_;
   Scene scene_;
   std::ofstream state_;
-  std::vector<Input> inputs_;
+  std::vector<std::function<void()>> inputs_;  // what hands did, in that order, to be answered within a frame
   Drag drag_;
   double mouse_x_ = -1, mouse_y_ = -1, last_time_ = 0;
   std::uint64_t frame_ = 0;

@@ -39,9 +39,10 @@ int tell(const Error& error) {
 int main(int argc, char** argv) {
   using namespace physim;
   try {
-    const client::CommandLine line = client::parse_command_line(argc, argv);
-    if (line.is_answered) return line.exit_code;
-    if (const Status status = client::run(line.options); !status) return client::tell(status.error());
+    const auto line = client::parse_command_line(argc, argv);
+    if (const int* exit_code = std::get_if<int>(&line)) return *exit_code;
+    if (const Status status = client::run(std::get<client::Options>(line)); !status)
+      return client::tell(status.error());
     return client::kExitOk;
   } catch (const std::exception& problem) {  // of the libraries: memory is full, ...
     return client::tell({problem.what(), "simclient", ""});

@@ -29,9 +29,8 @@ std::string parse_size(const std::string& text, Options& options) {
 
 }  // namespace
 
-CommandLine parse_command_line(int argc, char** argv) {
-  CommandLine line;
-  Options& o = line.options;
+std::variant<Options, int> parse_command_line(int argc, char** argv) {
+  Options o;
   std::string size;
   bool lists_actions = false;
   CLI::App app("SimClient: fires projectiles, and shows how they fly.", "simclient");
@@ -52,13 +51,13 @@ CommandLine parse_command_line(int argc, char** argv) {
     if (const std::string bad = size.empty() ? "" : parse_size(size, o); !bad.empty())
       throw CLI::ValidationError("--size", bad);
   } catch (const CLI::ParseError& error) {
-    line.is_answered = true;
-    line.exit_code = error.get_exit_code() == 0 ? app.exit(error) : kExitBadInput;
-    if (line.exit_code != 0) std::fprintf(stderr, "error: %s; see simclient --help\n", error.what());
-    return line;
+    const int exit_code = error.get_exit_code() == 0 ? app.exit(error) : kExitBadInput;
+    if (exit_code != 0) std::fprintf(stderr, "error: %s; see simclient --help\n", error.what());
+    return exit_code;
   }
-  if (lists_actions) std::fputs(actions_table().c_str(), stdout), line.is_answered = true;
-  return line;
+  if (!lists_actions) return o;
+  std::fputs(actions_table().c_str(), stdout);
+  return kExitOk;
 }
 
 }  // namespace physim::client

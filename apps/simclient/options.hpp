@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "physim/result.hpp"
@@ -22,13 +23,7 @@ struct Options {
   bool hidden = false;
 };
 
-/// What to do: run with options, or leave at once.
-struct CommandLine {
-  Options options;
-  bool is_answered = false;  // help or a list was printed: leave
-  int exit_code = kExitOk;
-};
-
-[[nodiscard]] CommandLine parse_command_line(int argc, char** argv);
+/// What to run with; or the exit code to leave with at once, where help or a list was printed.
+[[nodiscard]] std::variant<Options, int> parse_command_line(int argc, char** argv);
 
 }  // namespace physim::client

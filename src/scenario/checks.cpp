@@ -13,7 +13,6 @@
 namespace physim {
 namespace {
 
-// --------------------------------------------------------------------------------------------------------------- shots
 Status check_direction(const Launch& launch, const Value& shot) {
   if (launch.velocity) {
     for (const auto& [key, value] : {std::pair<std::string_view, double>{"speed", launch.speed},
@@ -103,7 +102,6 @@ Status check_shots(const Scenario& scenario, const Value& document, NamesSeen& s
   return {};
 }
 
-// ------------------------------------------------------------------------------------------------------------ the rest
 Status check_wind(const Wind& wind, const Value& document) {
   for (std::size_t i = 1; i < wind.profile.size(); ++i) {
     if (wind.profile[i].at > wind.profile[i - 1].at) continue;

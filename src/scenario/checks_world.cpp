@@ -43,7 +43,6 @@ Status check_shot_name(const Scenario& scenario, const std::string& name, const 
   return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names, "shots")};
 }
 
-// ------------------------------------------------------------------------------------------------ with and without it
 Status check_absence(const Scenario& scenario, const Value& document) {
   const auto needs_world = [](const std::string& path, const Value& value) {
     return Error{path + ": there is no [world] for it", value.place.text(), "write [world], and the shots fly in it"};
@@ -64,7 +63,6 @@ Status check_unused(const Value& document) {
   return {};
 }
 
-// --------------------------------------------------------------------------------------------------------------- parts
 Status check_pools(const Scenario& scenario, const Value& document) {
   const std::vector<PoolDef>& pools = scenario.world.def.pools;
   std::vector<std::string_view> names;
@@ -115,7 +113,6 @@ Status check_volleys(const Scenario& scenario, const Value& document) {
   return {};
 }
 
-// -------------------------------------------------------------------------------------------------------------- forces
 /// The tables of laws in a [[force]].
 std::vector<const Member*> laws_of(const Value& force) {
   PHYSIM_ASSERT(force.get<Table>() != nullptr);
@@ -161,7 +158,6 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
   return {};
 }
 
-// -------------------------------------------------------------------------------------------------------- expectations
 Status check_group_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
   const std::vector<std::string_view> names = group_names(scenario);
   if (!expect.shot.empty() && std::ranges::count(names, expect.shot) == 0)

@@ -7,7 +7,6 @@
 namespace physim {
 namespace {
 
-// -------------------------------------------------------------------------------------------------------------- events
 ValueRef event_kind_slot(const Scope& scope) {
   return choice(names_of<EventKind>().first(watchable_kinds()), scope.event->kind);
 }
@@ -28,7 +27,6 @@ Quantity quantity_of_event(const Scope& scope) {
   return Quantity::number;
 }
 
-// -------------------------------------------------------------------------------------------------------- expectations
 ValueRef figure_slot(const Scope& scope) {
   std::string& quantity = scope.expect->quantity;
   return Choice{figure_names(),
@@ -73,7 +71,6 @@ Quantity quantity_of_expectation(const Scope& scope) {
   return figure ? figure->quantity : Quantity::number;
 }
 
-// ------------------------------------------------------------------------------------------------------------ the list
 #define PHYSIM_ENVIRONMENT(field, ...) PHYSIM_SCENARIO(environment.field, __VA_ARGS__)
 #define PHYSIM_EXPECT(...) PHYSIM_ROW("expect", expect, __VA_ARGS__)
 

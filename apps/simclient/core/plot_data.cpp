@@ -89,7 +89,6 @@ Result<std::vector<PlotSpec>> parse_plots(std::string_view text) {
   return plots;
 }
 
-// ---------------------------------------------------------------------------------------------------------------- axes
 PlotAxis make_axis(double low, double high, int wanted) {
   if (!(low <= high)) low = 0, high = 1;
   double room = high - low;
@@ -119,7 +118,6 @@ std::string PlotAxis::text(double tick) const {
   return client::text("%.*f", digits, tick);
 }
 
-// --------------------------------------------------------------------------------------------------------------- plots
 Plot make_plot(const PlotSpec& spec, std::span<const Track> tracks, const Track* alone, const Scenario& scenario,
                int wanted_x, int wanted_y) {
   const PlotQuantity &x = kQuantities[spec.x], &y = kQuantities[spec.y];

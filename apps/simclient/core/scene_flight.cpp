@@ -65,7 +65,6 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
   }
 }
 
-// --------------------------------------------------------------------------------------------------------- comparison
 void build_comparison(Client& client, double scale, Scene& scene) {
   int line = 0;
   for (const ComparedRung& rung : client.comparison()) {
@@ -75,7 +74,6 @@ void build_comparison(Client& client, double scale, Scene& scene) {
   }
 }
 
-// ----------------------------------------------------------------------------------------------------------------- aim
 void build_aim(Client& client, double scale, Scene& scene) {
   if (client.session.is_replay()) return;
   const Prediction& prediction = client.prediction();
@@ -85,7 +83,6 @@ void build_aim(Client& client, double scale, Scene& scene) {
   if (const auto arrow = client.arrow()) scene.arrow(arrow->from, arrow->to, colours::kArrow, 3 * scale, client.camera);
 }
 
-// ------------------------------------------------------------------------------------------------------------- vectors
 void build_vectors(const Client& client, double scale, Scene& scene) {
   const Track* track = client.selected_track();
   if (track == nullptr || !track->is_flying()) return;
@@ -116,7 +113,6 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
       draw(each, unit * 0.7, colours::kForce, text("%s %.3g N", name, length(each) * track->mass));
 }
 
-// --------------------------------------------------------------------------------------------------------------- tools
 void build_tools(const Client& client, double scale, Scene& scene) {
   const Tape& tape = client.tape;
   if (tape.from) scene.ball(*tape.from, colours::kForce, 4 * scale);

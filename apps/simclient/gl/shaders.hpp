@@ -3,7 +3,6 @@
 
 namespace physim::client {
 
-// ---------------------------------------------------------------------------------------------------------- ground
 inline constexpr const char* kGroundVertex = R"(#version 330 core
 layout(location = 0) in vec2 corner;
 uniform mat4 matrix;
@@ -27,7 +26,6 @@ void main() {
 }
 )";
 
-// ----------------------------------------------------------------------------------------------------------- lines
 // A line is a quad as wide as the line and one pixel more, which lets its edges fade out.
 inline constexpr const char* kLineVertex = R"(#version 330 core
 layout(location = 0) in vec2 corner;  // x: 0 or 1, from a to b; y: -1 or 1, across
@@ -79,7 +77,6 @@ void main() {
 }
 )";
 
-// ----------------------------------------------------------------------------------------------------------- balls
 inline constexpr const char* kBallVertex = R"(#version 330 core
 layout(location = 0) in vec2 corner;  // -1..1
 layout(location = 1) in vec3 at;
@@ -116,7 +113,6 @@ void main() {
 }
 )";
 
-// ----------------------------------------------------------------------------------------------------------- crowd
 inline constexpr const char* kCrowdVertex = R"(#version 330 core
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec4 dot_colour;

@@ -11,27 +11,26 @@ void remember_problem(int, const char* text) { last_problem = text; }
 
 }  // namespace
 
-Status Glfw::start() {
-  glfwSetErrorCallback(remember_problem);
-  started_ = glfwInit() == GLFW_TRUE;
-  if (started_) return {};
-  return Error{"there is no display: " + last_problem, "simclient",
-               "set DISPLAY, or run it under xvfb-run -a where there is no screen"};
-}
-
-Glfw::~Glfw() {
-  if (started_) glfwTerminate();
+void CloseWindow::operator()(GLFWwindow* window) const {
+  glfwDestroyWindow(window);
+  glfwTerminate();
 }
 
 Result<Window> open_window(int width, int height, bool hidden) {
+  glfwSetErrorCallback(remember_problem);
+  if (glfwInit() != GLFW_TRUE)
+    return Error{"there is no display: " + last_problem, "simclient",
+                 "set DISPLAY, or run it under xvfb-run -a where there is no screen"};
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_VISIBLE, hidden ? GLFW_FALSE : GLFW_TRUE);
   Window window(glfwCreateWindow(width, height, "PhySim SimClient", nullptr, nullptr));
-  if (!window)
+  if (!window) {
+    glfwTerminate();
     return Error{"no window with OpenGL 3.3: " + last_problem, "simclient",
                  "software OpenGL comes with the package libgl1-mesa-dri"};
+  }
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(hidden ? 0 : 1);
   return window;

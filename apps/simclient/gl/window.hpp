@@ -13,21 +13,9 @@
 
 namespace physim::client {
 
-/// GLFW as long as this lives.
-class Glfw {
- public:
-  Glfw() = default;
-  [[nodiscard]] Status start();
-  ~Glfw();
-  Glfw(const Glfw&) = delete;
-  Glfw& operator=(const Glfw&) = delete;
-
- private:
-  bool started_ = false;
-};
-
+/// There is one window, and GLFW lives as long as it does.
 struct CloseWindow {
-  void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+  void operator()(GLFWwindow* window) const;
 };
 using Window = std::unique_ptr<GLFWwindow, CloseWindow>;
 

@@ -38,22 +38,16 @@ void draw_rung(const ComparedRung& rung) {
 }
 
 void pick_rungs(Client& client) {
+  std::vector<std::string> picked;  // in the order of the ladder
+  bool is_changed = false;
   for (const std::string_view preset : fidelity_presets()) {
     const std::string name(preset);
-    const auto at = std::find(client.compared.begin(), client.compared.end(), name);
-    bool on = at != client.compared.end();
-    if (ImGui::Checkbox(name.c_str(), &on)) {
-      if (on)
-        client.compared.push_back(name);
-      else
-        client.compared.erase(at);
-      const auto all = fidelity_presets();
-      const auto rank = [&](const std::string& n) { return std::find(all.begin(), all.end(), n) - all.begin(); };
-      std::sort(client.compared.begin(), client.compared.end(),
-                [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
-    }
+    bool on = std::find(client.compared.begin(), client.compared.end(), name) != client.compared.end();
+    is_changed |= ImGui::Checkbox(name.c_str(), &on);
+    if (on) picked.push_back(name);
     ImGui::SameLine();
   }
+  if (is_changed) client.compared = picked;
   if (ImGui::Button("fire all")) run_action(client, *find_action("fire-compared"));
   tooltip("fires the next shot on all of them at once (F6)");
 }

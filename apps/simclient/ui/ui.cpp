@@ -1,6 +1,7 @@
 #include "simclient/ui/ui.hpp"
 
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 
@@ -45,7 +46,7 @@ void Ui::draw(Client& client, const Scene& scene) {
   draw_probe(client);
   draw_context_menu(client);
   if (client.show.help) draw_help(client);
-  open_dialog_.draw(client, layout_.scene, scale_);
+  draw_open_dialog(client);
 }
 
 /// Lets the keyboard into the panels, and out again.
@@ -128,6 +129,30 @@ void Ui::draw_help(Client& client) {
       }
       ImGui::EndTable();
     }
+  }
+  ImGui::End();
+}
+
+void Ui::draw_open_dialog(Client& client) {
+  const bool has_just_opened = client.show.open_dialog && !dialog_was_open_;
+  if (has_just_opened) files_ = files_at_hand();
+  dialog_was_open_ = client.show.open_dialog;
+  if (!dialog_was_open_) return;
+  const auto open = [&client](const std::string& path) {
+    client.show.open_dialog = false;
+    if (Status status = client.open(path); !status) client.complain(status.error());
+  };
+  centre_window(layout_.scene, 520 * scale_, 460 * scale_);
+  if (ImGui::Begin("Open a scenario or recording", &client.show.open_dialog,
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    ImGui::SetNextItemWidth(-1);
+    if (has_just_opened) ImGui::SetKeyboardFocusHere();
+    if (ImGui::InputTextWithHint("##path", "path, then Enter", &path_, ImGuiInputTextFlags_EnterReturnsTrue))
+      open(path_);
+    if (ImGui::BeginChild("files"))
+      for (const std::string& file : files_)
+        if (ImGui::Selectable(file.c_str())) open(file);
+    ImGui::EndChild();
   }
   ImGui::End();
 }

@@ -4,10 +4,10 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 #include "simclient/core/client.hpp"
 #include "simclient/core/scene.hpp"
-#include "simclient/ui/open_dialog.hpp"
 #include "simclient/ui/settings_panel.hpp"
 
 namespace physim::client {
@@ -43,13 +43,16 @@ class Ui {
   void draw_messages(const Client& client);
   void draw_probe(Client& client);
   void draw_help(Client& client);
+  /// Chooses a scenario or recording: out of those at hand, or by its path.
+  void draw_open_dialog(Client& client);
 
   float scale_;
   SettingsPanel settings_;
-  OpenDialog open_dialog_;
   Layout layout_;
   Pixel mouse_;
-  bool mouse_on_scene_ = false, opens_menu_ = false;
+  bool mouse_on_scene_ = false, opens_menu_ = false, dialog_was_open_ = false;
+  std::vector<std::string> files_;  // at hand when the dialogue was opened
+  std::string path_;
 };
 
 }  // namespace physim::client
