@@ -251,13 +251,12 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
   return a;
 }
 
-/// The acceleration that the original loop's next frame begins with, behind one call.
+/// The acceleration that the original loop's next frame begins with.
 template <class R, class S>
-[[gnu::noinline]] void evaluate_original(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
-                                         Vec3<R>& a) {
+PHYSIM_INLINE Vec3<R> evaluated_original(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   Sum<R> sum;
   sum_effects(c, b, t, s, OriginalInAir{}, sum);
-  a = sum.total;
+  return sum.total;
 }
 
 PHYSIM_ISA_END

@@ -39,10 +39,10 @@ class March {
   using Mask = MaskOf<R>;
 
  public:
-  March() = default;
-  PHYSIM_INLINE explicit March(const Course<S>& course) : course_(&course) {}
+  PHYSIM_INLINE March() { lanes.body = {}; }
+  PHYSIM_INLINE explicit March(const Course<S>& course) : March() { course_ = &course; }
 
-  Lanes<R> lanes{};
+  Lanes<R> lanes;  // but for its body nothing is set before a launch or a restart
 
   [[nodiscard]] PHYSIM_INLINE const Course<S>& course() const { return *course_; }
 

@@ -23,9 +23,7 @@ template <class R, class S>
   s.end.x = s.start.x + s.start.v * s.h;
   s.end.v = s.start.v + s.slope[0].v * s.h;
   if (c.fidelity.drag == DragModel::damping) s.end.v *= exp(-(b.damping_rate * s.h));
-  Vec3<R> a;
-  evaluate_original(c, b, s.t, s.start, a);
-  s.slope[1] = {s.end.v, a};
+  s.slope[1] = {s.end.v, evaluated_original(c, b, s.t, s.start)};
 }
 
 /// Semi-implicit Euler: positions move with the new velocity.

@@ -204,24 +204,25 @@ struct AnyRung {
   const WorldJob<S>& job;
   March<R>& march;
   R lane_number;
+  bool classic, stops, turning;
 
   PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
-    const Conditions<S>& c = *job.course->conditions;
     Lanes<R>& l = march.lanes;
     load_body(job, row, l.body);
     load_clock(job, row, l.step);
-    load_turn(job, row, l);
+    if (turning) load_turn(job, row, l);
     const State<R> start = load_state<R>(job, row);
     l.step.start = start;
-    if (is_classic(c.fidelity)) l.step.slope[0].v = load_vector<R>(job.columns.carried, row);
+    if (classic) l.step.slope[0].v = load_vector<R>(job.columns.carried, row);
     MaskOf<R> asked = lane_number < R(static_cast<S>(job.last - row));
-    if (has_stops(c)) asked = asked & !stop_here<R>(job, row);  // noteworthy, so it is settled anyway
-    const MaskOf<R> lost = march.take_frame(l.step.t_end, R(job.h), asked);
-    return {start, l.step.end, l.step.slope[1].v, lost | (asked & turned_bad(c, l))};
+    if (stops) asked = asked & !stop_here<R>(job, row);  // noteworthy, so it is settled anyway
+    MaskOf<R> lost = march.take_frame(l.step.t_end, R(job.h), asked);
+    if (turning) lost = lost | (asked & !is_finite(l.step.turn->end));
+    return {start, l.step.end, l.step.slope[1].v, lost};
   }
   /// Keeps what Moved does not tell of.
   PHYSIM_INLINE void finish(std::uint32_t row, const MaskOf<R>& left) const {
-    if (job.columns.turn[0] == nullptr) return;
+    if (!turning) return;
     Turn<R> start;
     load_numbers(job.columns.turn, row, start);
     const Turn<R> end = select(left, start, march.lanes.step.turn->end);
@@ -231,8 +232,11 @@ struct AnyRung {
 
 template <class R, class S>
 bool step_any(const WorldJob<S>& job) {
+  const Conditions<S>& c = *job.course->conditions;
   March<R> march(*job.course);
-  return step_packs<R>(job, *job.course->conditions, AnyRung<R, S>{job, march, lane_numbers<R>()});
+  return step_packs<R>(job, c,
+                       AnyRung<R, S>{job, march, lane_numbers<R>(), is_classic(c.fidelity), has_stops(c),
+                                     job.columns.turn[0] != nullptr});
 }
 
 /// Semi-implicit Euler with effects that are known at compile time, so that the models, the same functions, fold to a
