@@ -8,6 +8,8 @@ be a rung of the library, and one that is made of test hooks would not pass thro
 `./dev lint` checks that every patch still applies and touches no more files than it may: cheap, at every change.
 `./dev additions` applies all of them to a copy of the sources, builds the library and their tests, and runs them.
 `./dev additions --write NAME` writes a patch anew from the files changed in the working tree.
+`./dev additions --taken-out [NAME ...]` takes out what the patches add to the sources, one run of lines at a time, and
+says what notices it: a build that fails, or tests. Fails where nothing does.
 """
 
 import os
@@ -99,22 +101,74 @@ def fill(tree, wanted):
     shutil.rmtree(fresh)
 
 
+def build():
+    """True where the patched copy builds."""
+    return subprocess.run(["cmake", "--build", str(COPY / "build"), "-j", str(os.cpu_count() or 2), "--target",
+                           "physim_additions"], check=False, stdout=subprocess.DEVNULL).returncode == 0
+
+
+def failing_tests():
+    done = subprocess.run([str(COPY / "build" / "bin" / "physim_additions"), "--gtest_brief=1"], check=False,
+                          capture_output=True, text=True)
+    return done.returncode, re.findall(r"^\[  FAILED  \] (\S+) \(", done.stdout, re.M)
+
+
 def build_and_test():
     tree, wanted = copy_sources()
     fill(tree, wanted)
-    build = COPY / "build"
-    subprocess.run(["cmake", "-S", str(tree), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
+    subprocess.run(["cmake", "-S", str(tree), "-B", str(COPY / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
                     "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_WERROR=ON"],
                    check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", str(build), "-j", str(os.cpu_count() or 2), "--target", "physim_additions"],
-                   check=True)
+    if not build():
+        sys.exit("additions: the patched sources do not build")
     for patch in patches():
         print(f"{patch.stem}: {len(touched(patch))} files of at most {limit(patch)}: {', '.join(touched(patch))}")
-    return subprocess.run([str(build / "bin" / "physim_additions")], check=False).returncode
+    return subprocess.run([str(COPY / "build" / "bin" / "physim_additions")], check=False).returncode
+
+
+def blocks(patch):
+    """Runs of lines that a patch adds to the sources: file, the line before, the run, the lines that it replaces."""
+    file, before, added, removed = "", "", "", ""
+    for line in [*patch.read_text(encoding="utf-8").splitlines(keepends=True), "@@"]:
+        if line.startswith("+") and not line.startswith("+++"):
+            added += line[1:]
+        elif line.startswith("-") and not line.startswith("---"):
+            removed += line[1:]
+        else:
+            if added and not file.startswith(FREE):
+                yield file, before, added, removed
+            added = removed = ""
+            before = line[1:] if line.startswith(" ") else ""
+            if line.startswith("+++ b/"):
+                file = line[6:].strip()
+
+
+def taken_out(names):
+    if build_and_test() != 0:
+        return 1
+    silent = 0
+    for patch in [p for p in patches() if not names or p.stem in names]:
+        for file, before, added, removed in blocks(patch):
+            source = COPY / "tree" / file
+            whole = source.read_text(encoding="utf-8")
+            assert whole.count(before + added) == 1, (file, added)
+            source.write_text(whole.replace(before + added, before + removed), encoding="utf-8")
+            noticed = ""
+            if not build():
+                noticed = "does not build"
+            else:
+                code, failed = failing_tests()
+                noticed = ", ".join(failed) if code != 0 else ""
+            source.write_text(whole, encoding="utf-8")
+            silent += not noticed
+            print(f"{patch.stem}: {file}: {added.strip().splitlines()[0]}: {noticed or 'NOTHING NOTICES'}", flush=True)
+    return 1 if silent else 0
 
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--write"]:
         write(sys.argv[2])
+    elif sys.argv[1:2] == ["--taken-out"]:
+        sys.exit(taken_out(sys.argv[2:]))
     else:
         sys.exit(build_and_test())

@@ -113,6 +113,15 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order());
 
+/// Whether an enumerator has this value: compilers write others as "(Enum)7".
+template <auto value>
+constexpr bool is_enumerator() {
+  constexpr std::string_view text = __PRETTY_FUNCTION__;
+  return text[text.rfind("value = ") + 8] != '(';
+}
+static_assert(is_enumerator<EventKind::fidelity_changed>());
+static_assert(!is_enumerator<static_cast<EventKind>(kEventKinds)>(), "the last kinds of events have no row");
+
 /// How many kinds an EventSpec may ask for: the first ones.
 constexpr std::size_t watchable_kinds() {
   std::size_t count = 0;
