@@ -110,6 +110,7 @@ struct Setting {
   std::string default_value;             ///< as typed in an override; "" where there is none [-]
   std::string range;                     ///< "> 0", "0 .. 1", "off | constant | ..."; of lists: their length [-]
   std::string doc;                       ///< one line [-]
+  bool live = false;                     ///< worlds can change it for one projectile in flight [-]
 };
 
 /// The list of all settings of scenario files, in the order in which they are read. Settings of list elements have the

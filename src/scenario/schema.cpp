@@ -65,7 +65,8 @@ Setting public_setting(const Entry& entry) {
           .unit = std::string(entry.quantity_by ? entry.unit_by : si_unit(entry.quantity)),
           .default_value = entry.required ? "" : written(entry, defaults.scope()).value_or(""),
           .range = range_of(entry, slot),
-          .doc = std::string(entry.doc)};
+          .doc = std::string(entry.doc),
+          .live = entry.live};
 }
 
 }  // namespace

@@ -108,13 +108,19 @@ struct QuantityBy {
 struct Absent {
   std::string_view word;
 };
-enum class Trait { required, shorthand };
-inline constexpr Trait kRequired = Trait::required, kShorthand = Trait::shorthand;
+enum class Trait { required, shorthand, live };
+inline constexpr Trait kRequired = Trait::required, kShorthand = Trait::shorthand, kLive = Trait::live;
 
 constexpr void say(Entry& entry, Quantity quantity) { entry.quantity = quantity; }
 constexpr void say(Entry& entry, const Range& range) { entry.range = range; }
 constexpr void say(Entry& entry, Absent absent) { entry.none = absent.word; }
-constexpr void say(Entry& entry, Trait trait) { (trait == Trait::required ? entry.required : entry.shorthand) = true; }
+constexpr void say(Entry& entry, Trait trait) {
+  switch (trait) {
+    case Trait::required: entry.required = true; return;
+    case Trait::shorthand: entry.shorthand = true; return;
+    case Trait::live: entry.live = true; return;
+  }
+}
 constexpr void say(Entry& entry, QuantityBy by) {
   entry.quantity_by = by.quantity;
   entry.unit_by = by.unit;
