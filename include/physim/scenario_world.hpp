@@ -34,6 +34,8 @@ struct Spread {
   double vertical = 0;                      ///< of the direction, up and down [rad]
   double speed = 0;                         ///< [m/s]
   Vec3d position;                           ///< of the muzzle, by axis [m]
+
+  bool operator==(const Spread&) const = default;
 };
 
 /// One [[volley]]: a shot fired many times.

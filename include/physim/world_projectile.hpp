@@ -35,9 +35,9 @@ class ProjectileView {
   [[nodiscard]] bool is_asleep() const;
   [[nodiscard]] bool is_kinematic() const;
 
-  [[nodiscard]] Vec3d position() const;  ///< [m]
-  [[nodiscard]] Vec3d velocity() const;  ///< [m/s]
-  [[nodiscard]] BodyState state() const;
+  [[nodiscard]] Vec3d position() const { return position_of(world_, id_); }  ///< [m]
+  [[nodiscard]] Vec3d velocity() const { return velocity_of(world_, id_); }  ///< [m/s]
+  [[nodiscard]] BodyState state() const { return state_of(world_, id_); }
   [[nodiscard]] Vec3d previous_position() const;  ///< before the last step [m]
   /// To draw, by its Smoothing: between steps by the leftover fraction of World::advance() [m].
   [[nodiscard]] Vec3d render_position() const;
@@ -56,10 +56,18 @@ class ProjectileView {
   [[nodiscard]] const ProjectileDef* definition() const;  ///< null where it is gone
   /// What it really uses, and why.
   [[nodiscard]] FidelityInUse fidelity_in_use() const;
+  /// How the world treats it now: as its kind, but for what was changed since.
+  [[nodiscard]] BodyDef body() const;
   [[nodiscard]] std::uint64_t user_data() const;
   [[nodiscard]] std::uint32_t layers() const;
   [[nodiscard]] std::uint32_t colour() const;
   [[nodiscard]] std::string label() const;
+
+ private:
+  // What is read most, so that the view itself need not be in memory.
+  static Vec3d position_of(const WorldImpl* world, ProjectileId id);
+  static Vec3d velocity_of(const WorldImpl* world, ProjectileId id);
+  static BodyState state_of(const WorldImpl* world, ProjectileId id);
 
  protected:
   const WorldImpl* world_;
@@ -80,6 +88,8 @@ class Projectile : public ProjectileView {
   Status set_angular_velocity(const Vec3d& omega);
   /// Moves it to another rung, as it is.
   Status set_fidelity(const Fidelity& fidelity);
+  /// Changes all that BodyDef marks (live) at once; refused where `body` differs from body() in anything else.
+  Status set_body(const BodyDef& body);
   Status set_gravity_scale(double scale);
   Status set_use_gravity(bool use);
   Status set_kinematic(bool kinematic);

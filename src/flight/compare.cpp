@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "flight/zero.hpp"
 #include "physim/names.hpp"
 
 namespace physim {
@@ -39,31 +40,24 @@ ComparedFlight beside(const Flight& reference, Flight flight) {
   return out;
 }
 
-/// A launch with the velocity that a flight started with: the bore's elevation is known and no longer looked for.
-Launch launch_as_flown(Launch launch, const Flight& flight) {
-  launch.velocity = flight.at(0).velocity;
-  launch.speed = launch.elevation = launch.azimuth = 0;
-  launch.sight.zero_range = 0;
-  return launch;
-}
-
 }  // namespace
 
 Result<Comparison> compare(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                            std::span<const FlightSetting> settings, const FlightSetting& reference, const Until& until,
                            const Progress& progress) {
-  const auto flight_of = [&](const Launch& start, const FlightSetting& setting) {
-    return fly(projectile, start, environment, setting.fidelity, setting.tolerance, until);
+  // One bore for all, as the reference zeroes it.
+  const auto start = aimed_launch(projectile, launch, environment, reference.fidelity);
+  if (!start) return start.error();
+  const auto flight_of = [&](const FlightSetting& setting) {
+    return fly(projectile, *start, environment, setting.fidelity, setting.tolerance, until);
   };
-  const Flight aimed = flight_of(launch, reference);
-  if (aimed.error()) return *aimed.error();
-  if (!ended_as_planned(aimed.outcome()))
-    return Error{"the reference flight ended with " + std::string(name(aimed.outcome())), "until",
+  Comparison out{flight_of(reference), *start, {}};
+  if (out.reference.error()) return *out.reference.error();
+  if (!ended_as_planned(out.reference.outcome()))
+    return Error{"the reference flight ended with " + std::string(name(out.reference.outcome())), "until",
                  "give it an end that it reaches, as until.ground, until.range or until.time"};
-  const Launch start = launch_as_flown(launch, aimed);
-  Comparison out{flight_of(start, reference), start, {}};
   for (const FlightSetting& setting : settings) {
-    out.flights.push_back(beside(out.reference, flight_of(start, setting)));
+    out.flights.push_back(beside(out.reference, flight_of(setting)));
     if (progress) progress(out.flights.size(), settings.size());
   }
   return out;

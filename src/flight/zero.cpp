@@ -65,4 +65,13 @@ Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launc
   return zero_elevation(projectile, launch, environment, fidelity, launch.sight.zero_range);
 }
 
+Result<Launch> aimed_launch(const ProjectileDef& projectile, Launch launch, const Environment& environment,
+                            const Fidelity& fidelity) {
+  const auto elevation = elevation_of(projectile, launch, environment, fidelity);
+  if (!elevation) return elevation.error();
+  launch.elevation = *elevation;
+  launch.sight.zero_range = 0;
+  return launch;
+}
+
 }  // namespace physim

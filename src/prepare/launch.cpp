@@ -16,34 +16,43 @@
 
 namespace physim {
 
+namespace {
+
+/// Turns the spin of a launch into W.
 void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right, Body<double>& b) {
   const Vec3d up = cross(right, forward);
   b.spin = right * launch.spin.backspin - up * launch.spin.sidespin + forward * launch.spin.gyrospin;
 }
 
-void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& c, Body<double>& b) {
+/// Puts a body on its launch rail, which lies along the bore; without one the bore says where a resting nose points.
+bool prepare_rail(const Launch& launch, const Vec3d& bore, const Fidelity& granted, Body<double>& b) {
   PHYSIM_ASSERT(launch.velocity || !(abs(length_squared(bore) - 1) > 1e-9));
+  const bool on_rail = launch.rail_length > 0 && flies_motors(granted);
   b.rail = bore;
-  b.rail_phase = kOffRail;
-  if (launch.rail_length == 0 || !flies_motors(c.fidelity)) return;
-  b.rail_end = dot(launch.position, bore) + launch.rail_length;
-  b.rail_phase = kSliding;
-  c.has_rail = true;
+  b.rail_phase = on_rail ? kSliding : kOffRail;
+  if (on_rail) b.rail_end = dot(launch.position, bore) + launch.rail_length;
+  return on_rail;
 }
 
-void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, Conditions<double>& c,
-                Body<double>& b) {
+}  // namespace
+
+bool put_launch(const Launch& launch, double elevation, const Fidelity& granted, Body<double>& b) {
   PHYSIM_ASSERT(elevation - elevation == 0 && launch.rail_length >= 0);
   const SightFrame sight = sight_frame(launch);
   const Vec3d bore = launch_direction(launch, sight, elevation);
   b.launch = {launch.position, velocity_along(launch, bore)};
   b.sight = sight.forward;
   b.plane = sight.right;
-  if (c.fidelity.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
+  if (granted.planar) b.launch.v -= b.plane * dot(b.plane, b.launch.v);
+  if (spins(granted)) prepare_spin(launch, bore, sight.right, b);
+  return prepare_rail(launch, bore, granted, b);
+}
+
+void put_launch(const ProjectileDef& p, const Launch& launch, double elevation, Conditions<double>& c,
+                Body<double>& b) {
+  c.has_rail = put_launch(launch, elevation, c.fidelity, b) || c.has_rail;
   if (c.fidelity.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
     b.k2_per_mass = EquivalentDrag(p, b, c).k2_per_mass(b.launch);
-  if (spins(c.fidelity)) prepare_spin(launch, bore, sight.right, b);
-  prepare_rail(launch, bore, c, b);
 }
 
 Body<double> prepare_body(const ProjectileDef& p, const Launch& launch, double elevation, TablePool& pool,

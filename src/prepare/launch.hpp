@@ -9,16 +9,15 @@
 
 namespace physim {
 
-/// Launches a projectile with a bore elevation above the horizon [rad]; a rail comes with the launch, and its flag.
+/// What of a launch with a bore elevation above the horizon [rad] needs no projectile: state, sight, plane of fire, and
+/// where the models read them, spin and rail. True where it starts on a rail.
+bool put_launch(const Launch& launch, double elevation, const Fidelity& granted, Body<double>& body);
+/// Launches a projectile; a rail comes with the launch, and its flag.
 void put_launch(const ProjectileDef& projectile, const Launch& launch, double elevation, Conditions<double>& conditions,
                 Body<double>& body);
 /// A projectile launched: prepare_kind() and put_launch().
 [[nodiscard]] Body<double> prepare_body(const ProjectileDef& projectile, const Launch& launch, double elevation,
                                         TablePool& pool, Conditions<double>& conditions);
-/// Turns the spin of a launch into W.
-void prepare_spin(const Launch& launch, const Vec3d& forward, const Vec3d& right, Body<double>& body);
-/// Puts a body on its launch rail, which lies along the bore; without one the bore says where a resting nose points.
-void prepare_rail(const Launch& launch, const Vec3d& bore, Conditions<double>& conditions, Body<double>& body);
 
 /// The attitude at launch: as given, or along the bore.
 [[nodiscard]] Attitude prepare_attitude(const ProjectileDef& projectile, const Launch& launch, double elevation,

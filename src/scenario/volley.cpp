@@ -6,6 +6,7 @@
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "math/philox.hpp"
+#include "model/sight.hpp"
 
 namespace physim {
 namespace {
@@ -43,8 +44,9 @@ Vec3d turned(const Vec3d& direction, double right_angle, double up_angle) {
 }  // namespace
 
 Launch scattered(const Launch& launch, const Volley& volley, std::uint64_t index) {
-  PHYSIM_ASSERT(launch.velocity.has_value());
+  PHYSIM_ASSERT(launch.sight.zero_range <= 0);  // its bore is known
   const Spread& spread = volley.spread;
+  if (spread == Spread{}) return launch;
   const auto seed = static_cast<std::uint64_t>(volley.seed);
   const PhiloxKey key = {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
   const auto low = static_cast<std::uint32_t>(index), high = static_cast<std::uint32_t>(index >> 32);
@@ -53,11 +55,15 @@ Launch scattered(const Launch& launch, const Volley& volley, std::uint64_t index
   const Pair angles = pair_of(spread.shape, a[0], a[1]);
   const double faster = spread.speed * single_of(spread.shape, a[2], a[3]);
 
-  const double speed = length(*launch.velocity);
-  const Vec3d direction = speed > 0 ? *launch.velocity * (1 / speed) : Vec3d{1, 0, 0};
+  const Vec3d bore = launch_direction(launch, sight_frame(launch), launch.elevation);
+  const Vec3d direction = turned(bore, spread.horizontal * angles.first, spread.vertical * angles.second);
   Launch out = launch;
-  out.velocity = turned(direction, spread.horizontal * angles.first, spread.vertical * angles.second) *
-                 std::max(0.0, speed + faster);
+  out.speed = 0;
+  out.velocity = direction * std::max(0.0, length(velocity_along(launch, bore)) + faster);
+  // What starts from rest points along its bore.
+  out.elevation = asin(std::clamp(direction.y, -1.0, 1.0));
+  out.azimuth = atan2(direction.z, direction.x);
+  out.sight.cant = 0;
   out.position +=
       {spread.position.x * single_of(spread.shape, b[0], b[1]), spread.position.y * single_of(spread.shape, b[2], b[3]),
        spread.position.z * single_of(spread.shape, c[0], c[1])};

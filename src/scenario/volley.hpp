@@ -5,7 +5,7 @@
 
 namespace physim {
 
-/// Launch `index` of a volley, scattered about a launch that is given by its velocity. Always the same for a seed.
+/// Launch `index` of a volley, scattered about a launch without a zero range. Always the same for a seed.
 [[nodiscard]] Launch scattered(const Launch& launch, const Volley& volley, std::uint64_t index);
 
 }  // namespace physim

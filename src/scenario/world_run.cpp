@@ -29,7 +29,7 @@ struct Magazine {
   std::size_t group = 0;
   std::uint64_t fired = 0;
   Volley volley;  // of a shot fired by itself: one launch without spread
-  Launch launch;  // by its velocity
+  Launch launch;  // its bore is known
 };
 
 Error with_place(Error error, const std::string& place) {
@@ -128,17 +128,10 @@ Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, con
   const Result<KindId> kind = world.add_kind(shot.projectile, shot.body);
   if (!kind) return with_place(kind.error(), place);
   group.kind = *kind;
-  Magazine magazine{groups.size(), 0, volley, shot.launch};
-  if (!magazine.launch.velocity) {
-    const auto elevation = elevation_of(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
-    if (!elevation) return with_place(elevation.error(), place);
-    magazine.launch.velocity = launch_velocity(shot.launch, sight_frame(shot.launch), *elevation);
-    magazine.launch.speed = magazine.launch.elevation = magazine.launch.azimuth = 0;
-    magazine.launch.sight.zero_range = 0;
-  }
-  PHYSIM_ASSERT(magazine.launch.velocity.has_value());
+  const auto aimed = aimed_launch(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
+  if (!aimed) return with_place(aimed.error(), place);
+  magazines.push_back({groups.size(), 0, volley, *aimed});
   groups.push_back(std::move(group));
-  magazines.push_back(std::move(magazine));
   return {};
 }
 
@@ -187,13 +180,12 @@ void WorldRun::Impl::fire(Magazine& magazine) {
       continue;
     }
     const ProjectileId id = *spawned;
-    PHYSIM_ASSERT(!news.empty());
-    PHYSIM_ASSERT(news.back().id == id);
-    count(news.first(news.size() - 1));  // it may have taken the place of another, whose track ends here
+    const auto born = std::ranges::find(news, EventKind::spawned, &Event::kind);
+    const auto before = static_cast<std::size_t>(born - news.begin());
+    count(news.first(before));  // it may have taken the place of another, whose track ends here
     if (tracks.size() <= id.index) tracks.resize(id.index + std::size_t{1});
     tracks[id.index] = {id.generation, {magazine.group, ++launches}, false, world.time(), launch.position};
-    count(news.last(1));
-    PHYSIM_ASSERT(group.shot < lone.size());
+    count(news.subspan(before));
     if (volley.shot.empty()) lone[group.shot] = id;
   }
 }

@@ -19,6 +19,7 @@ bool side_by_side(Members members) {
 /// The members' values of a column: in place, or gathered into the scratch.
 template <class T>
 std::span<const T> gather(std::span<const T> column, Members members, bool in_place, std::vector<T>& scratch) {
+  PHYSIM_ASSERT(!members.empty() && members.back() < column.size());
   if (in_place) return column.subspan(members[0], members.size());
   scratch.clear();
   for (const std::uint32_t row : members) scratch.push_back(column[row]);

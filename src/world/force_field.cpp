@@ -69,12 +69,14 @@ std::uint32_t ForceField::row_of(ProjectileId id) const {
   const Slot* slot = state_.slots.find(id);
   if (!slot) return kNotInStage;
   if (rows_.first_of_cohort.empty()) return rows_.id[0] == id ? 0 : kNotInStage;
+  PHYSIM_ASSERT(slot->cohort < rows_.first_of_cohort.size());
   const std::uint32_t first = rows_.first_of_cohort[slot->cohort];
   return first == kNotInStage ? kNotInStage : first + slot->row;
 }
 
 // --------------------------------------------------------------------------------------------------- who feels what
 void ForceField::begin_step(double dt) {
+  PHYSIM_ASSERT(dt > 0);
   time_ = state_.clock.time();
   dt_ = dt;
   rows_.members.clear();
@@ -128,6 +130,8 @@ void ForceField::list_backwards(std::uint32_t index, ProjectileId other) {
 
 // --------------------------------------------------------------------------------------------------- a stage
 void ForceField::evaluate(double place) {
+  PHYSIM_ASSERT(place >= 0 && place <= 1);
+  PHYSIM_ASSERT(rows_.position.size() == rows_.id.size() && rows_.mass.size() == rows_.id.size());
   place_ = place;
   const double time = time_ + place * dt_;
   rows_.force.assign(rows_.id.size(), Vec3d{});
@@ -165,6 +169,7 @@ bool ForceField::is_sound(std::uint32_t row) const {
 
 /// A row that is no number any more leaves at the end of the step; until then it must not reach others.
 std::span<const std::uint32_t> ForceField::members_of(const Push& push) {
+  PHYSIM_ASSERT(push.first < push.last && push.last <= rows_.members.size());
   const std::span<const std::uint32_t> all(rows_.members.data() + push.first, push.last - push.first);
   if (rows_.sound) return all;
   rows_.sound_members.clear();

@@ -134,6 +134,7 @@ class ForcedStep {
   template <class S>
   void scatter(const ForcedRun& r, int stage) {
     const ForcedJob<S> j = job<S>(r, stage);
+    PHYSIM_ASSERT(rows_.id[r.first] == context_.state->slots.id_of(rows_of(r).slot(0)));
     const unsigned first = stage == 0 ? kFirstPush : kPush;
     S* const to[3] = {j.column(first), j.column(first + 1), j.column(first + 2)};
     for (std::uint32_t row = 0; row < r.count; ++row) {

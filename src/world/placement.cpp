@@ -1,17 +1,18 @@
 // Where projectiles lie: their rows in cohorts, and moves between them.
 #include "world/placement.hpp"
 #include "base/assert.hpp"
+#include "base/checker.hpp"
 #include "prepare/launch.hpp"
 
 namespace physim {
 namespace {
 
-/// Horizontal unit normal of the plane of fire, to its right.
-Vec3d plane_of(const Vec3d& velocity, const Launch* launch) {
-  if (launch) return sight_frame(*launch).right;
-  Launch now;
-  now.velocity = velocity;
-  return sight_frame(now).right;
+/// What is on its way already, as if it were launched now.
+Launch launch_of(const BodyState& at) {
+  Launch launch;
+  launch.position = at.position;
+  launch.velocity = at.velocity;
+  return launch;
 }
 
 /// What a row is filled with beside its state and body.
@@ -51,17 +52,20 @@ std::uint16_t Placement::cohort_for(const Slot& slot) {
   return index;
 }
 
-void Placement::place(std::uint32_t index, const BodyState& at, const Launch& launch) {
+void Placement::place(std::uint32_t index, const BodyState& at, const Launch& launch, double elevation) {
   Slot& slot = state_.slots[index];
   PHYSIM_ASSERT(slot.is(kAlive) && slot.cohort < state_.rows.size());
   slot.row = state_.rows[slot.cohort].push(index);
-  write_row(index, at, {.previous = at.position, .launch = &launch});
-  if (state_.rows_of(slot).layout().turning) set_attitude(index, attitude_at_launch(slot, at.velocity, launch));
+  write_row(index, at, {.previous = at.position, .launch = &launch, .elevation = elevation});
+  if (state_.rows_of(slot).layout().turning)
+    set_attitude(index, attitude_at_launch(slot, at.velocity, launch, elevation));
+  PHYSIM_ASSERT(state_.rows_of(slot).is_filled(slot.row));
 }
 
 // ------------------------------------------------------------------------------------------- rotation
-Attitude Placement::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const {
-  return prepare_attitude(registry_.kind(slot.kind).flown, launch, launch.elevation, velocity,
+Attitude Placement::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch,
+                                       double elevation) const {
+  return prepare_attitude(registry_.kind(slot.kind).flown, launch, elevation, velocity,
                           registry_.cohort(slot.cohort).conditions);
 }
 
@@ -92,11 +96,13 @@ Vec3d Placement::omega_of_W(const Slot& slot, const Quatd& q_WB) const {
 
 void Placement::write_row(std::uint32_t index, const BodyState& given, const RowStart& start) {
   const Slot& slot = state_.slots[index];
+  PHYSIM_ASSERT(slot.rung < registry_.kind(slot.kind).rungs.size());
+  PHYSIM_ASSERT(finite(given.position) && finite(given.velocity));
   const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
   PHYSIM_ASSERT(state_.rows_of(slot).slot(slot.row) == index);
   const RowNumbers numbers{state_.clock.now(), start.age, start.previous, rung.rotor};
-  const bool special = slot.is(kFrozen | kScaled) || rung.in_use.fidelity.planar || rung.equivalent_drag ||
-                       state_.rows_of(slot).layout().clocked;
+  const bool special =
+      slot.is(kOwn) || rung.in_use.fidelity.planar || rung.equivalent_drag || state_.rows_of(slot).layout().clocked;
   if (!special) return put_row(state_.rows_of(slot), slot.row, given, rung.body, numbers);
   BodyState at = given;
   const Body<double> body = special_body(index, at, start);
@@ -104,60 +110,36 @@ void Placement::write_row(std::uint32_t index, const BodyState& given, const Row
 }
 
 /// The numbers of a projectile that differ from others of its kind and rung: by its switches or by its launch. What of
-/// its velocity its rung does not have is taken away.
+/// its velocity its rung does not have is taken away. A rung that knows no spin or no rail forgets it.
 Body<double> Placement::special_body(std::uint32_t index, BodyState& at, const RowStart& start) {
   const Slot& slot = state_.slots[index];
   const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
-  const bool planar = rung.in_use.fidelity.planar;
+  const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
   const Own& mine = state_.extras.own_of(index);
   Body<double> body = rung.body;
-  if (slot.is(kFrozen)) body.free = free_axes(mine.frozen);
-  if (slot.is(kScaled)) body.gravity_scale = mine.gravity_scale;
-  if (planar) body.plane = plane_of(at.velocity, start.launch);
-  if (planar) at.velocity -= body.plane * dot(body.plane, at.velocity);
-  if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, body.free);
+  for (const OwnPart& part : kOwnParts)
+    if (slot.is(part.flag)) part.put(mine, body);
   body.launch = {at.position, at.velocity};
+  if (c.fidelity.planar || spins(c.fidelity) || has_stops(c))
+    put_launch(start.launch ? *start.launch : launch_of(at), start.elevation, c.fidelity, body);
+  at.velocity = body.launch.v = component_product(body.launch.v, body.free);
   if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch);
-  const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
-  if (spins(c.fidelity)) start_spin(at, start, body);
-  if (has_stops(c)) start_motor(c, at, start, body);
-  return body;
-}
-
-/// The spin of the launch, or what it was. A rung that knows no spin forgets it.
-void Placement::start_spin(const BodyState& at, const RowStart& start, Body<double>& body) {
-  if (start.old) body.spin = start.old->spin;
-  if (!start.launch) return;
-  Launch bore = *start.launch;
-  if (at.velocity != Vec3d{}) bore.velocity = at.velocity;
-  const SightFrame sight = sight_frame(bore);
-  prepare_spin(bore, launch_direction(bore, sight, bore.elevation), sight.right, body);
-}
-
-/// The piece of the motor's table and the place on the rail that a row starts with. A rung that knows no rail forgets
-/// it.
-void Placement::start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start,
-                            Body<double>& body) {
-  if (start.launch) {
-    Launch bore = *start.launch;
-    if (at.velocity != Vec3d{}) bore.velocity = at.velocity;
-    Conditions<double> with_rail = c;
-    prepare_rail(bore, launch_direction(bore, sight_frame(bore), bore.elevation), with_rail, body);
-  } else if (start.old && length_squared(start.old->rail) > 0) {
+  if (start.old) {
+    body.spin = start.old->spin;
     body.rail = start.old->rail;
     body.rail_end = start.old->rail_end;
     body.rail_phase = start.old->rail_phase;
-  } else {
-    body.rail_phase = kOffRail;
   }
+  if (!has_stops(c)) return body;
   State<double> s{at.position, at.velocity};
   pass_stops(c, start.age, true, s, body);
+  return body;
 }
 
 void Placement::set_row_state(std::uint32_t index, const BodyState& given) {
   const Slot& slot = state_.slots[index];
   BodyState at = given;
-  if (slot.is(kFrozen)) at.velocity = component_product(at.velocity, free_axes(state_.extras.own_of(index).frozen));
+  if (slot.is(kOwn)) at.velocity = component_product(at.velocity, free_axes(state_.extras.own_of(index).frozen));
   const bool closed = registry_.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
   if (closed) return write_row(index, at, {.previous = at.position});  // the clock starts anew
   state_.rows_of(slot).visit([&](const auto& c) {
@@ -205,14 +187,15 @@ Status Placement::relocate(std::uint32_t index) {
   const BodyState at{source.position(old_row), source.velocity(old_row)};
   const Vec3d previous = source.previous(old_row);
   Vec3d launch{};
-  const std::optional<Attitude> turned = attitude(index);
+  const std::optional<Attitude> turned = source.layout().turning ? attitude(index) : std::nullopt;
   if (source.layout().launched) launch = source.visit([&](const auto& c) { return Rows::at(c.launch, old_row); });
   take_out(slot);
   slot.cohort = to;
   slot.row = state_.rows[to].push(index);
   write_row(index, at, {.previous = previous, .old = old, .age = age});
-  if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}));
+  if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}, 0));
   if (layout.launched) state_.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
+  PHYSIM_ASSERT(state_.rows_of(slot).is_filled(slot.row));
   return {};
 }
 

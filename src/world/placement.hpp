@@ -17,13 +17,14 @@ class Placement {
   /// The cohort of a slot's kind, rung and switches; kNoCohort where there are too many.
   std::uint16_t cohort_for(const Slot& slot);
   /// Puts a projectile that has no row yet into its cohort.
-  void place(std::uint32_t slot, const BodyState& at, const Launch& launch);
+  void place(std::uint32_t slot, const BodyState& at, const Launch& launch, double elevation);
   /// Moves a projectile to where it belongs after its flags or rung changed.
   Status relocate(std::uint32_t slot);
   /// Takes its row out of its cohort.
   void take_out(Slot& slot);
   /// How a projectile points and turns at a launch; how it does now, and setting it, where its rung turns.
-  [[nodiscard]] Attitude attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch) const;
+  [[nodiscard]] Attitude attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch,
+                                            double elevation) const;
   [[nodiscard]] std::optional<Attitude> attitude(std::uint32_t slot) const;
   void set_attitude(std::uint32_t slot, const Attitude& attitude);
   /// Makes a projectile whose attitude is flown stand still in W.
@@ -33,9 +34,10 @@ class Placement {
   /// What a row is filled from, beside the state.
   struct RowStart {
     Vec3d previous;                     // position
-    const Launch* launch = nullptr;     // gives the plane of fire and the rail; else the velocity gives the plane ...
+    const Launch* launch = nullptr;     // gives the bore, the plane of fire and the rail; else the velocity does ...
     const Body<double>* old = nullptr;  // ... and what the row was, the rail
     double age = 0;                     // time since launch as motors count it [s]
+    double elevation = 0;               // of the launch's bore above the horizon [rad]
   };
   /// Fills a row anew: the models start from here.
   void write_row(std::uint32_t slot, const BodyState& at, const RowStart& start);
@@ -51,8 +53,6 @@ class Placement {
 
  private:
   Body<double> special_body(std::uint32_t slot, BodyState& at, const RowStart& start);
-  static void start_spin(const BodyState& at, const RowStart& start, Body<double>& body);
-  static void start_motor(const Conditions<double>& c, const BodyState& at, const RowStart& start, Body<double>& body);
 
   Registry& registry_;
   WorldState& state_;

@@ -38,6 +38,7 @@ void Recorder::open_frame(Call call) {
 }
 
 void Recorder::close_frame() {
+  PHYSIM_ASSERT(bytes_.size() >= open_ + kFrameHead);
   const std::size_t length = bytes_.size() - open_ - kFrameHead;
   if (length > std::numeric_limits<std::uint32_t>::max()) return fail({"a call is too long for it", "recording", ""});
   for (std::size_t i = 1; i < kFrameHead; ++i) bytes_[open_ + i] = static_cast<std::byte>(length >> (8 * (i - 1)));

@@ -8,6 +8,7 @@
 
 #include <memory>
 
+#include "base/assert.hpp"
 #include "world/calls.hpp"
 
 namespace physim {
@@ -45,7 +46,10 @@ class Recorder {
 
   /// Calls may make other calls, which are not recorded. Every enter has its leave.
   bool enter() { return depth_++ == 0; }
-  void leave() { --depth_; }
+  void leave() {
+    PHYSIM_ASSERT(depth_ > 0);
+    --depth_;
+  }
   [[nodiscard]] bool is_outermost() const { return depth_ == 1; }
 
   template <class... T>
@@ -114,6 +118,11 @@ class Recorded {
   template <class T>
   const T& returns(const T& value) const {
     if (recorder_ && recorder_->is_outermost()) recorder_->frame(Call::returned, value);
+    return value;
+  }
+  template <class T>
+  const Result<T>& returns(const Result<T>& value) const {
+    if (value) returns(*value);
     return value;
   }
 

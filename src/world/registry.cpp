@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
+#include "base/archive.hpp"
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
 #include "prepare/check.hpp"
@@ -12,20 +12,13 @@
 #include "prepare/grant.hpp"
 #include "prepare/launch.hpp"
 #include "prepare/watch_list.hpp"
+#include "world/slots.hpp"
 
 namespace physim {
 namespace {
 
 /// Parts that an adaptive integrator may divide a frame into before it is given up.
 constexpr int kMostPartsOfFrame = 1000;
-
-std::size_t hash_of(const ProjectileDef& p, const BodyDef& b) {
-  std::size_t h = std::hash<std::string>()(p.name) ^ std::hash<std::string>()(b.label);
-  for (const double x : {p.mass, p.diameter, p.twist, p.drag.coefficient, p.drag.ballistic_coefficient, p.drag.damping,
-                         p.drag.k1, p.drag.k2, p.force.y, b.gravity_scale, b.restitution, b.despawn.older})
-    h = h * 1000003 ^ std::hash<double>()(x);
-  return h * 31 + static_cast<std::size_t>(p.fidelity.integrator) + 8 * b.colour;
-}
 
 /// A projectile with so many times the drag, on every rung.
 ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {
@@ -38,6 +31,17 @@ ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {
   for (AeroPoint& point : p.aero.drag_yaw) point.value *= scale;
   p.drag.damping = pow(p.drag.damping, scale);
   return p;
+}
+
+/// Switches of a new projectile.
+std::uint32_t flags_of(const BodyDef& body) {
+  Slot slot;
+  slot.set(kKinematic, body.kinematic);
+  slot.set(kInfiniteMass, body.infinite_mass);
+  slot.set(kSleepless, !body.can_sleep);
+  for (const OwnPart& part : kOwnParts) slot.set(part.flag, part.differs(own_of(body)));
+  slot.set_smoothing(body.smoothing);
+  return slot.flags;
 }
 
 /// The events that are looked for inside a step.
@@ -60,7 +64,7 @@ StepPlan<S> frame_plan(const WorldDef& def, const Fidelity& granted) {
 }  // namespace
 
 Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
-  const std::size_t hash = hash_of(projectile, body);
+  const std::uint64_t hash = hash_of(projectile, body);
   const auto [from, to] = kind_by_hash_.equal_range(hash);
   for (auto at = from; at != to; ++at) {
     const Kind& known = kind(at->second);
@@ -73,6 +77,7 @@ Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef
   added.projectile = projectile;
   added.body = body;
   added.flown = with_drag_scaled(projectile, body.drag_scale);
+  added.flags = flags_of(body);
   const auto index = static_cast<std::uint32_t>(kinds_.size());
   kind_by_hash_.emplace(hash, index);
   rung(index, projectile.fidelity);
@@ -119,15 +124,16 @@ void Registry::prepare(Kind& k, Prepared& r) {
 
 std::uint16_t Registry::cohort(std::uint32_t index, std::uint16_t rung, const Variant& variant) {
   const Kind& k = kind(index);
+  PHYSIM_ASSERT(rung < k.rungs.size());
   Prepared& r = kind(index).rungs[rung];
+  PHYSIM_ASSERT(variant.index() < kVariants);
   std::uint16_t& known = r.cohort[variant.index()];
   if (known != kNoCohort) return known;
   CohortKey key;
   key.environment = k.body.environment;
   key.fidelity = r.in_use.fidelity;
   key.features = r.features;
-  key.features.has_gravity_scale = variant.scaled;
-  key.features.has_frozen = variant.frozen;
+  for (std::size_t i = 0; i < kOwnParts.size(); ++i) key.features.*kOwnParts[i].feature = (variant.own >> i & 1u) != 0;
   key.features.has_rail = variant.railed && flies_motors(key.fidelity);
   key.launch_place = std::isfinite(k.body.despawn.farther);
   key.rules.despawn = k.body.despawn;
@@ -153,6 +159,7 @@ std::uint16_t Registry::find_or_add(const CohortKey& key) {
 
 void Registry::prepare(WorldCohort& cohort) {
   const CohortKey& key = cohort.key;
+  PHYSIM_ASSERT(key.environment < environments_.size());
   cohort.conditions = prepare_conditions(environments_[key.environment], key.fidelity);
   static_cast<Features&>(cohort.conditions) = key.features;
   cohort.conditions.has_applied = cohort.conditions.has_applied || key.forced;

@@ -6,12 +6,14 @@
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "physim/world_def.hpp"
 #include "prepare/cohort.hpp"
 #include "prepare/equivalent_drag.hpp"
 #include "world/check.hpp"
 #include "world/fields.hpp"
+#include "world/live.hpp"
 
 namespace physim {
 
@@ -44,17 +46,15 @@ struct CohortKey {
 struct Variant {
   bool forced = false;
   bool still = false;
-  bool scaled = false;  // its own part of gravity
-  bool frozen = false;  // some axis is frozen
   bool sleepless = false;
   bool railed = false;  // started on a rail
+  unsigned own = 0;     // a bit for each of kOwnParts in which it differs
 
   [[nodiscard]] unsigned index() const {
-    return (forced ? 1u : 0) | (still ? 2u : 0) | (scaled ? 4u : 0) | (frozen ? 8u : 0) | (sleepless ? 16u : 0) |
-           (railed ? 32u : 0);
+    return (forced ? 1u : 0) | (still ? 2u : 0) | (sleepless ? 4u : 0) | (railed ? 8u : 0) | own << 4;
   }
 };
-inline constexpr unsigned kVariants = 64;
+inline constexpr unsigned kVariants = 16u << kOwnParts.size();
 inline constexpr std::uint16_t kNoCohort = 0xffff;
 
 /// A kind on one rung.
@@ -73,6 +73,7 @@ struct Kind {
   ProjectileDef projectile;
   BodyDef body;
   ProjectileDef flown;         // the projectile with its drag scaled as its body says: what the models are given
+  std::uint32_t flags = 0;     // SlotFlags that its body sets
   std::deque<Prepared> rungs;  // the first is its own
 };
 
@@ -97,8 +98,11 @@ class Registry {
   explicit Registry(const WorldDef& def) : def_(def), environments_{def.environment} {}
 
   [[nodiscard]] Result<KindId> add_kind(const ProjectileDef& projectile, const BodyDef& body);
-  [[nodiscard]] Kind& kind(std::uint32_t index) { return kinds_[index - 1]; }
-  [[nodiscard]] const Kind& kind(std::uint32_t index) const { return kinds_[index - 1]; }
+  [[nodiscard]] const Kind& kind(std::uint32_t index) const {
+    PHYSIM_ASSERT(has_kind({index}));
+    return kinds_[index - 1];
+  }
+  [[nodiscard]] Kind& kind(std::uint32_t index) { return const_cast<Kind&>(std::as_const(*this).kind(index)); }
   [[nodiscard]] bool has_kind(KindId id) const { return id.index > 0 && id.index <= kinds_.size(); }
 
   /// The kind on a rung; nothing where there are too many already. `why` says how the rung was chosen, if it was.
@@ -107,7 +111,10 @@ class Registry {
   std::uint16_t cohort(std::uint32_t kind, std::uint16_t rung, const Variant& variant);
 
   [[nodiscard]] std::size_t cohorts() const { return cohorts_.size(); }
-  [[nodiscard]] const WorldCohort& cohort(std::uint16_t index) const { return cohorts_[index]; }
+  [[nodiscard]] const WorldCohort& cohort(std::uint16_t index) const {
+    PHYSIM_ASSERT(index < cohorts_.size());
+    return cohorts_[index];
+  }
 
   [[nodiscard]] Result<std::uint32_t> add_environment(const Environment& environment);
   Status set_environment(std::uint32_t index, const Environment& environment);
@@ -130,7 +137,7 @@ class Registry {
   WorldDef def_;
   std::vector<Environment> environments_;
   std::deque<Kind> kinds_;
-  std::unordered_multimap<std::size_t, std::uint32_t> kind_by_hash_;
+  std::unordered_multimap<std::uint64_t, std::uint32_t> kind_by_hash_;
   std::deque<WorldCohort> cohorts_;
   TablePool tables_[3];
 };

@@ -9,6 +9,11 @@
 namespace physim {
 namespace {
 
+#if PHYSIM_ASSERTS
+/// Bytes of a number that nobody has written: a NaN that no computation gives.
+constexpr unsigned char kUnset = 0xff;
+#endif
+
 unsigned count_columns(const RowLayout& l) {
   return 9 + (l.carried ? 3u : 0) + (l.launched ? 3u : 0) + (l.clocked ? 2u : 0) +
          (l.turning ? kNumbers<Turn> + kNumbers<RotorConstants> : 0) + static_cast<unsigned>(l.fields.size());
@@ -16,30 +21,15 @@ unsigned count_columns(const RowLayout& l) {
 
 }  // namespace
 
-Rows::Rows(RowLayout layout) : layout_(std::move(layout)), numbers_(count_columns(layout_)) {}
-
-Rows::Rows(const Rows& o)
-    : layout_(o.layout_),
-      numbers_(o.numbers_),
-      lines_(o.lines_),
-      stride_(o.stride_),
-      capacity_(o.capacity_),
-      size_(o.size_),
-      swapped_(o.swapped_),
-      field_masks_(o.field_masks_) {
-  find_columns();
+Rows::Rows(RowLayout layout) {
+  layout_ = std::move(layout);
+  numbers_ = count_columns(layout_);
 }
 
+Rows::Rows(const Rows& o) : RowMemory(o) { find_columns(); }
+
 Rows& Rows::operator=(const Rows& o) {
-  if (this == &o) return *this;
-  layout_ = o.layout_;
-  numbers_ = o.numbers_;
-  lines_ = o.lines_;
-  stride_ = o.stride_;
-  capacity_ = o.capacity_;
-  size_ = o.size_;
-  swapped_ = o.swapped_;
-  field_masks_ = o.field_masks_;
+  static_cast<RowMemory&>(*this) = o;
   find_columns();
   return *this;
 }
@@ -61,8 +51,23 @@ void Rows::reserve(std::size_t rows) {
 
 std::uint32_t Rows::push(std::uint32_t slot) {
   if (size_ == capacity_) reserve(std::max<std::size_t>(64, std::size_t(capacity_) * 3 / 2));
+  PHYSIM_ASSERT(size_ < capacity_);
   column_of<std::uint32_t>(numbers_)[size_] = slot;
+#if PHYSIM_ASSERTS
+  for (unsigned k = 0; k < numbers_; ++k) std::memset(column(k) + size_ * number_size(), kUnset, number_size());
+#endif
   return size_++;
+}
+
+bool Rows::is_filled(std::uint32_t row) const {
+  PHYSIM_ASSERT(row < size_);
+#if PHYSIM_ASSERTS
+  for (unsigned k = 0; k < numbers_; ++k) {
+    const std::byte* const number = column(k) + row * number_size();
+    if (std::all_of(number, number + number_size(), [](std::byte b) { return b == std::byte{kUnset}; })) return false;
+  }
+#endif
+  return true;
 }
 
 std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {

@@ -46,7 +46,22 @@ struct RowColumns {
 /// number. Such a column is read in its first rows only, which stay in the nearest cache.
 using RowMasks = std::array<std::uint32_t, kNumbers<Body>>;
 
-class Rows {
+/// What rows are copied by; the columns point into it.
+struct RowMemory {
+  struct alignas(64) Line {
+    std::byte bytes[64];
+  };
+  RowLayout layout_;
+  unsigned numbers_ = 0;  // columns of numbers; one of slots follows
+  std::vector<Line> lines_;
+  std::size_t stride_ = 0;  // from column to column [bytes]
+  std::uint32_t capacity_ = 0;
+  std::uint32_t size_ = 0;
+  bool swapped_ = false;
+  RowMasks field_masks_{};
+};
+
+class Rows : RowMemory {
  public:
   explicit Rows(RowLayout layout);
   Rows(const Rows& other);
@@ -60,22 +75,28 @@ class Rows {
   [[nodiscard]] std::size_t bytes() const { return lines_.size() * sizeof(Line); }
   [[nodiscard]] std::size_t row_bytes() const { return numbers_ * number_size() + sizeof(std::uint32_t); }
   void reserve(std::size_t rows);
-  /// One more row; its numbers are left over from before or zero.
+  /// One more row, to be filled in: all of its columns.
   std::uint32_t push(std::uint32_t slot);
   /// Takes a row out; the last one takes its place. Returns the slot of the row that moved, or of none: 0.
   std::uint32_t swap_remove(std::uint32_t row);
   /// Copies a row of equal layout here, as a new last row.
   std::uint32_t push_copy(const Rows& from, std::uint32_t row);
   void clear() { size_ = 0; }
+  /// Whether every number of a row was filled in since it was pushed; always true in builds without asserts.
+  [[nodiscard]] bool is_filled(std::uint32_t row) const;
   /// The row's numbers will be used soon.
   void prefetch(std::uint32_t row) const {
     for (unsigned k = 0; k < numbers_; ++k) __builtin_prefetch(column(k) + row * number_size());
   }
 
-  [[nodiscard]] std::uint32_t slot(std::uint32_t row) const { return slots()[row]; }
+  [[nodiscard]] std::uint32_t slot(std::uint32_t row) const {
+    PHYSIM_ASSERT(row < size_);
+    return slots()[row];
+  }
   [[nodiscard]] const std::uint32_t* slots() const { return column_of<std::uint32_t>(numbers_); }
   template <class S>
   [[nodiscard]] const RowColumns<S>& columns() const {
+    PHYSIM_ASSERT((sizeof(S) == sizeof(float)) == layout_.float32);
     if constexpr (sizeof(S) == 4) return float_;
     if constexpr (sizeof(S) == 8) return double_;
   }
@@ -88,16 +109,19 @@ class Rows {
     return layout_.float32 ? f(float_) : f(double_);
   }
   [[nodiscard]] Vec3d position(std::uint32_t row) const {
+    PHYSIM_ASSERT(row < size_);
     return visit([row](const auto& c) { return at(c.position, row); });
   }
   [[nodiscard]] Vec3d previous(std::uint32_t row) const {
     return visit([row](const auto& c) { return at(c.previous, row); });
   }
   [[nodiscard]] Vec3d velocity(std::uint32_t row) const {
+    PHYSIM_ASSERT(row < size_);
     return visit([row](const auto& c) { return at(c.velocity, row); });
   }
   /// The numbers of a row that the models read.
   void read_fields(std::uint32_t row, Body<double>& body) const {
+    PHYSIM_ASSERT(row < size_);
     visit([&](const auto& c) {
       double* number = numbers(body);
       for (const std::uint8_t field : layout_.fields) number[field] = static_cast<double>(c.field[field][row]);
@@ -108,15 +132,18 @@ class Rows {
   [[nodiscard]] const RowMasks& field_masks() const { return field_masks_; }
   /// The rotation of a row of a rung that turns.
   [[nodiscard]] Turn<double> turn(std::uint32_t row) const {
+    PHYSIM_ASSERT(layout_.turning && row < size_);
     Turn<double> t;
     visit([&](const auto& c) { get(c.turn, row, t); });
     return t;
   }
   void put_turn(std::uint32_t row, const Turn<double>& t) const {
+    PHYSIM_ASSERT(layout_.turning && row < size_);
     visit([&](const auto& c) { put(c.turn, row, t); });
   }
   /// Its rotor; of the launch nothing is kept.
   [[nodiscard]] Rotor<double> rotor(std::uint32_t row) const {
+    PHYSIM_ASSERT(layout_.turning && row < size_);
     Rotor<double> r{};
     visit([&](const auto& c) { get<RotorConstants>(c.rotor, row, r); });
     return r;
@@ -145,9 +172,6 @@ class Rows {
   }
 
  private:
-  struct alignas(64) Line {
-    std::byte bytes[64];
-  };
   [[nodiscard]] std::byte* column(unsigned k) const {
     PHYSIM_ASSERT(k <= numbers_ && !lines_.empty());
     return const_cast<std::byte*>(lines_.data()->bytes) + k * stride_;
@@ -163,14 +187,6 @@ class Rows {
   void find_columns(RowColumns<S>& c) const;
   void find_columns();
 
-  RowLayout layout_;
-  unsigned numbers_;  // columns of numbers; one of slots follows
-  std::vector<Line> lines_;
-  std::size_t stride_ = 0;  // from column to column [bytes]
-  std::uint32_t capacity_ = 0;
-  std::uint32_t size_ = 0;
-  bool swapped_ = false;
-  RowMasks field_masks_{};
   RowColumns<float> float_{};  // one of them is in use
   RowColumns<double> double_{};
 };

@@ -11,6 +11,7 @@ namespace physim {
 class Schedule {
  public:
   void add(double time, ProjectileId id) {
+    PHYSIM_ASSERT(time == time && id);
     heap_.push_back({time, id});
     std::push_heap(heap_.begin(), heap_.end(), is_later);
   }

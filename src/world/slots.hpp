@@ -5,11 +5,13 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/assert.hpp"
 #include "model/turning.hpp"
 #include "physim/world_def.hpp"
+#include "world/live.hpp"
 #include "world/registry.hpp"
 
 namespace physim {
@@ -23,13 +25,13 @@ enum SlotFlag : std::uint32_t {
   kPending = 1u << 4,
   kStuck = 1u << 5,  // landed where it stays
   kForced = 1u << 6,
-  kScaled = 1u << 7,
-  kFrozen = 1u << 8,
+  // bits 7, 8: kOwnParts
   kSleepless = 1u << 9,
   kTurning = 1u << 10,  // has an orientation of its own
   kRailed = 1u << 11,   // started on a rail
   kStill = kAsleep | kKinematic | kInfiniteMass | kPending | kStuck,
 };
+static_assert((kOwn & (kStill | kAlive | kForced | kSleepless | kTurning | kRailed)) == 0, "each flag has a bit");
 inline constexpr unsigned kStatusShift = 16;     // LifeStatus, 3 bits
 inline constexpr unsigned kSmoothingShift = 20;  // Smoothing, 2 bits
 
@@ -52,7 +54,10 @@ struct Slot {
     flags = (flags & ~(3u << kSmoothingShift)) | static_cast<std::uint32_t>(s) << kSmoothingShift;
   }
   [[nodiscard]] Variant variant() const {
-    return {is(kForced), is(kStill), is(kScaled), is(kFrozen), is(kSleepless), is(kRailed)};
+    const auto own = [this]<std::size_t... I>(std::index_sequence<I...>) {
+      return ((is(kOwnParts[I].flag) ? 1u << I : 0u) | ...);
+    };
+    return {is(kForced), is(kStill), is(kSleepless), is(kRailed), own(std::make_index_sequence<kOwnParts.size()>())};
   }
 };
 
@@ -125,18 +130,6 @@ class SlotTable {
   std::uint32_t alive_ = 0;
 };
 
-/// 1 along the axes that are free, 0 along frozen ones.
-[[nodiscard]] inline Vec3d free_axes(Axes frozen) {
-  return {has(frozen, Axes::x) ? 0.0 : 1.0, has(frozen, Axes::y) ? 0.0 : 1.0, has(frozen, Axes::z) ? 0.0 : 1.0};
-}
-
-/// What few projectiles have of their own, others by their kind.
-struct Own {
-  double gravity_scale = 1;
-  Axes frozen = Axes::none;
-  Axes frozen_rotation = Axes::none;
-};
-
 /// Carried along for the user.
 struct Tags {
   std::uint64_t user_data = 0;
@@ -161,9 +154,9 @@ struct Extras {
   [[nodiscard]] const Tags* find_tags(std::uint32_t slot) const { return find(tags, slot); }
   [[nodiscard]] const Turning* find_turning(std::uint32_t slot) const { return find(turning, slot); }
   void forget(std::uint32_t slot) {
-    own.erase(slot);
-    tags.erase(slot);
-    turning.erase(slot);
+    if (!own.empty()) own.erase(slot);
+    if (!tags.empty()) tags.erase(slot);
+    if (!turning.empty()) turning.erase(slot);
   }
 
  private:

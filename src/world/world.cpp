@@ -36,16 +36,12 @@ Result<World> World::create(const WorldDef& def) {
 // ------------------------------------------------------------------------------------------- kinds and environments
 Result<KindId> World::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
   const Recorded<Call::add_kind> call(impl_->recorder, projectile, body);
-  Result<KindId> added = impl_->registry.add_kind(projectile, body);
-  if (added) call.returns(*added);
-  return added;
+  return call.returns(impl_->registry.add_kind(projectile, body));
 }
 
 Result<std::uint32_t> World::add_environment(const Environment& environment) {
   const Recorded<Call::add_environment> call(impl_->recorder, environment);
-  auto added = impl_->registry.add_environment(environment);
-  if (added) call.returns(*added);
-  return added;
+  return call.returns(impl_->registry.add_environment(environment));
 }
 
 Status World::set_environment(std::uint32_t index, const Environment& environment) {
@@ -61,10 +57,7 @@ Status World::set_environment(std::uint32_t index, const Environment& environmen
 // ------------------------------------------------------------------------------------------- slots
 Own& WorldImpl::own(std::uint32_t slot) {
   const auto [at, added] = state.extras.own.try_emplace(slot);
-  if (added) {
-    const BodyDef& body = registry.kind(state.slots[slot].kind).body;
-    at->second = {body.use_gravity ? body.gravity_scale : 0.0, body.frozen, body.frozen_rotation};
-  }
+  if (added) at->second = own_of(registry.kind(state.slots[slot].kind).body);
   return at->second;
 }
 
@@ -98,7 +91,7 @@ Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch
   const Kind& kind = registry.kind(kind_index);
   if (kind.body.cheapest_within == 0) return std::uint16_t{0};
   Environment environment = registry.environments()[kind.body.environment];
-  environment.gravity.acceleration *= kind.body.use_gravity ? kind.body.gravity_scale : 0.0;
+  environment.gravity.acceleration *= own_of(kind.body).gravity_scale;
   Purpose purpose;
   purpose.error = kind.body.cheapest_within;
   purpose.time = kind.body.within_time;
@@ -117,58 +110,39 @@ Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch
   return *rung;
 }
 
-namespace {
-
-/// Switches of a new projectile.
-std::uint32_t flags_of(const BodyDef& body, const Launch& launch, double delay) {
-  Slot slot;
-  slot.set(kKinematic, body.kinematic);
-  slot.set(kInfiniteMass, body.infinite_mass);
-  slot.set(kPending, delay > 0);
-  slot.set(kSleepless, !body.can_sleep);
-  slot.set(kScaled, body.gravity_scale != 1 || !body.use_gravity);
-  slot.set(kFrozen, body.frozen != Axes::none);
-  slot.set(kRailed, launch.rail_length > 0);
-  slot.set_smoothing(body.smoothing);
-  slot.set_status(delay > 0 ? LifeStatus::pending : LifeStatus::in_flight);
-  return slot.flags;
-}
-
-}  // namespace
-
-/// Where a launch starts, and how fast.
-Result<BodyState> WorldImpl::start_of(const Kind& kind, const Launch& launch) const {
-  Status status = check(launch);
-  if (status) status = check(kind.flown, launch);
-  if (!status) return status.error();
-  if (launch.velocity) return BodyState{launch.position, *launch.velocity};
+Result<double> WorldImpl::bore_of(const Kind& kind, const Launch& launch) const {
+  if (const Status status = check(launch); !status) return status.error();
+  if (const Status status = check(kind.flown, launch); !status) return status.error();
+  if (launch.sight.zero_range <= 0) return launch.elevation;
   const Environment& environment = registry.environments()[kind.body.environment];
-  const auto elevation = elevation_of(kind.flown, launch, environment, kind.projectile.fidelity);
-  if (!elevation) return elevation.error();
-  return BodyState{launch.position, launch_velocity(launch, sight_frame(launch), *elevation)};
+  return elevation_of(kind.flown, launch, environment, kind.projectile.fidelity);
 }
 
 Result<ProjectileId> WorldImpl::spawn(std::uint32_t kind_index, const Launch& launch, double delay) {
   const Kind& kind = registry.kind(kind_index);
   const BodyDef& body = kind.body;
-  const Result<BodyState> at = start_of(kind, launch);
-  if (!at) return at.error();
+  const Result<double> elevation = bore_of(kind, launch);
+  if (!elevation) return elevation.error();
+  const BodyState at{launch.position,
+                     launch.velocity ? *launch.velocity : launch_velocity(launch, sight_frame(launch), *elevation)};
   if (!(delay >= 0 && delay < 1e15)) return Error{"must be zero or positive", "delay", "in s"};
   const auto rung = rung_for(kind_index, launch);
   if (!rung) return rung.error();
   Slot wanted;
   wanted.kind = kind_index;
   wanted.rung = *rung;
-  Status status = fits(wanted, *at);
-  if (status) status = make_room(body.pool);
-  if (!status) return status.error();
+  if (const Status status = fits(wanted, at); !status) return status.error();
+  if (const Status status = make_room(body.pool); !status) return status.error();
 
   const std::uint32_t index = state.slots.take();
   Slot& slot = state.slots[index];
   slot.kind = kind_index;
   slot.rung = *rung;
-  state.slots.come_alive(index, flags_of(body, launch, delay));
-  if (slot.is(kScaled | kFrozen)) own(index);
+  state.slots.come_alive(index, kind.flags);
+  slot.set(kPending, delay > 0);
+  slot.set(kRailed, launch.rail_length > 0);
+  slot.set_status(delay > 0 ? LifeStatus::pending : LifeStatus::in_flight);
+  if (slot.is(kOwn)) own(index);
   slot.set(kForced, feels_forces(index));
   slot.cohort = placement.cohort_for(slot);
   if (slot.cohort == kNoCohort) {
@@ -180,7 +154,7 @@ Result<ProjectileId> WorldImpl::spawn(std::uint32_t kind_index, const Launch& la
   state.slots.birth(index) = now + delay;
   state.slots.rest(index) = {};
   state.pools.join(body.pool, index);
-  placement.place(index, *at, launch);
+  placement.place(index, at, launch, *elevation);
   const ProjectileId id = state.slots.id_of(index);
   if (body.angular_velocity != Vec3d{}) {
     slot.set(kTurning, true);
@@ -252,8 +226,7 @@ Status World::reserve(KindId kind, std::size_t count) {
     w.state.events.reserve(w.state.events.size() + count);
     Slot slot;
     slot.kind = kind.index;
-    const BodyDef& body = w.registry.kind(kind.index).body;
-    slot.flags = flags_of(body, Launch{}, 0);
+    slot.flags = w.registry.kind(kind.index).flags;
     const std::uint16_t cohort = w.placement.cohort_for(slot);
     if (cohort != kNoCohort) w.state.rows[cohort].reserve(w.state.rows[cohort].size() + count);
   } catch (const std::bad_alloc&) {

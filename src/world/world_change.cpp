@@ -5,6 +5,7 @@
 #include "physim/names.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
+#include "world/check.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -143,14 +144,65 @@ Status WorldImpl::set_flag(ProjectileId id, std::uint32_t flag, bool on) {
   return placement.relocate(id.index);
 }
 
+Status WorldImpl::change_own(std::uint32_t index, const Own& to) {
+  own(index) = to;
+  wake(index);
+  for (const OwnPart& part : kOwnParts) state.slots[index].set(part.flag, part.differs(to));
+  if (Status status = placement.relocate(index); !status) return status;
+  placement.rewrite_row(index);
+  return {};
+}
+
+BodyDef ProjectileView::body() const {
+  const Slot* slot = world_->find(id_);
+  if (!slot) return {};
+  BodyDef body = world_->registry.kind(slot->kind).body;
+  if (const Own* own = world_->state.extras.find_own(id_.index)) put_own(*own, body);
+  body.kinematic = slot->is(kKinematic);
+  body.can_sleep = !slot->is(kSleepless);
+  body.smoothing = slot->smoothing();
+  body.layers = layers();
+  body.colour = colour();
+  body.label = label();
+  return body;
+}
+
+template <class T>
+Status WorldImpl::change_tag(ProjectileId id, T Tags::*tag, const T& to) {
+  if (!find(id)) return gone();
+  tags(id.index).*tag = to;
+  return {};
+}
+
+Status Projectile::set_body(const BodyDef& to) {
+  const Recorded<Call::set_body> call(world().recorder, id_, to);
+  WorldImpl& w = world();
+  if (!w.find(id_)) return gone();
+  if (Status status = check(to, w.def, w.registry.environments().size()); !status) return status;
+  const BodyDef from = body();
+  BodyDef reached = from;
+  put_own(own_of(to), reached);
+  reached.gravity_scale = to.gravity_scale;  // with use_gravity two ways to say one number
+  reached.use_gravity = to.use_gravity;
+  copy_switches(to, reached);
+  if (reached != to) return Error{"has another member that is not live", "body", "BodyDef says which can change"};
+  Status status = w.change_own(id_.index, own_of(to));
+  if (status && to.kinematic != from.kinematic) status = set_kinematic(to.kinematic);
+  if (status && to.can_sleep != from.can_sleep) status = set_can_sleep(to.can_sleep);
+  if (status && to.smoothing != from.smoothing) status = set_smoothing(to.smoothing);
+  if (status && to.layers != from.layers) status = set_layers(to.layers);
+  if (status && to.colour != from.colour) status = set_colour(to.colour);
+  if (status && to.label != from.label) status = set_label(to.label);
+  return status;
+}
+
 Status Projectile::set_gravity_scale(double scale) {
   const Recorded<Call::set_gravity_scale> call(world().recorder, id_, scale);
   if (!world().find(id_)) return gone();
   if (!std::isfinite(scale)) return Error{"must be a finite number", "scale", "1 is all of gravity"};
-  world().own(id_.index).gravity_scale = scale;
-  if (Status status = world().set_flag(id_, kScaled, scale != 1); !status) return status;
-  world().placement.rewrite_row(id_.index);
-  return {};
+  Own own = world().own(id_.index);
+  own.gravity_scale = scale;
+  return world().change_own(id_.index, own);
 }
 Status Projectile::set_use_gravity(bool use) {
   const Recorded<Call::set_use_gravity> call(world().recorder, id_, use);
@@ -170,12 +222,10 @@ bool ProjectileView::is_kinematic() const {
 Status Projectile::set_frozen(Axes position_axes, Axes rotation_axes) {
   const Recorded<Call::set_frozen> call(world().recorder, id_, position_axes, rotation_axes);
   if (!world().find(id_)) return gone();
-  Own& own = world().own(id_.index);
+  Own own = world().own(id_.index);
   own.frozen = position_axes;
   own.frozen_rotation = rotation_axes;
-  if (Status status = world().set_flag(id_, kFrozen, position_axes != Axes::none); !status) return status;
-  world().placement.rewrite_row(id_.index);
-  return {};
+  return world().change_own(id_.index, own);
 }
 Status Projectile::set_can_sleep(bool can) {
   const Recorded<Call::set_can_sleep> call(world().recorder, id_, can);
@@ -191,28 +241,21 @@ Status Projectile::set_smoothing(Smoothing smoothing) {
 }
 Status Projectile::set_user_data(std::uint64_t data) {
   const Recorded<Call::set_user_data> call(world().recorder, id_, data);
-  if (!world().find(id_)) return gone();
-  world().tags(id_.index).user_data = data;
-  return {};
+  return world().change_tag(id_, &Tags::user_data, data);
 }
 Status Projectile::set_layers(std::uint32_t layers) {
   const Recorded<Call::set_layers> call(world().recorder, id_, layers);
-  if (!world().find(id_)) return gone();
-  world().tags(id_.index).layers = layers;
-  world().update_forced(id_.index);
-  return {};
+  Status status = world().change_tag(id_, &Tags::layers, layers);
+  if (status) world().update_forced(id_.index);
+  return status;
 }
 Status Projectile::set_colour(std::uint32_t rgba) {
   const Recorded<Call::set_colour> call(world().recorder, id_, rgba);
-  if (!world().find(id_)) return gone();
-  world().tags(id_.index).colour = rgba;
-  return {};
+  return world().change_tag(id_, &Tags::colour, rgba);
 }
 Status Projectile::set_label(const std::string& label) {
   const Recorded<Call::set_label> call(world().recorder, id_, label);
-  if (!world().find(id_)) return gone();
-  world().tags(id_.index).label = label;
-  return {};
+  return world().change_tag(id_, &Tags::label, label);
 }
 
 // ------------------------------------------------------------------------------------------- fidelity
@@ -227,19 +270,13 @@ Status WorldImpl::change_rung(std::uint32_t index, std::uint16_t rung) {
   if (rung == slot.rung) return {};
   const Slot before = slot;
   slot.rung = rung;
-  Status status;
   // What lies in float32 now fits every rung.
-  if (!state.rows_of(slot).layout().float32) status = fits(slot, state.state_of(slot));
-  if (status) {
-    slot.set(kForced, feels_forces(index));
-    status = placement.relocate(index);
-  }
-  if (!status) {
-    slot = before;
-    return status;
-  }
+  if (!state.rows_of(slot).layout().float32)
+    if (Status status = fits(slot, state.state_of(slot)); !status) return slot = before, status;
+  slot.set(kForced, feels_forces(index));
+  if (Status status = placement.relocate(index); !status) return slot = before, status;
   tell(EventKind::fidelity_changed, index);
-  return status;
+  return {};
 }
 
 Status Projectile::set_fidelity(const Fidelity& fidelity) {

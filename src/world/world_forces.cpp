@@ -134,9 +134,7 @@ Result<ForceId> WorldImpl::add_force(const ForceDef& force) {
 
 Result<ForceId> World::add_force(const ForceDef& force) {
   const Recorded<Call::add_force> call(impl_->recorder, force);
-  Result<ForceId> added = impl_->add_force(force);
-  if (added) call.returns(*added);
-  return added;
+  return call.returns(impl_->add_force(force));
 }
 
 Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
@@ -146,9 +144,7 @@ Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
   force.law = std::move(law);
   force.target.ids = {id_};
   force.duration = duration;
-  Result<ForceId> added = w.add_force(force);
-  if (added) call.returns(*added);
-  return added;
+  return call.returns(w.add_force(force));
 }
 
 Status World::remove_force(ForceId force) {

@@ -47,7 +47,8 @@ struct WorldImpl {
   // ------------------------------------------------------------------------------------------- coming and going
   Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay);
   Result<ProjectileId> spawn(std::uint32_t kind, const Launch& launch, double delay);
-  [[nodiscard]] Result<BodyState> start_of(const Kind& kind, const Launch& launch) const;
+  /// The elevation of a launch's bore above the horizon, for a launch that makes sense [rad].
+  [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch) const;
   /// Refuses a state whose numbers the rung's precision cannot hold.
   [[nodiscard]] Status fits(const Slot& slot, const BodyState& at) const;
   [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch);
@@ -64,6 +65,9 @@ struct WorldImpl {
   bool wake(std::uint32_t slot);
   Status change_state(ProjectileId id, const BodyState& to);
   Status set_flag(ProjectileId id, std::uint32_t flag, bool on);
+  Status change_own(std::uint32_t slot, const Own& to);
+  template <class T>
+  Status change_tag(ProjectileId id, T Tags::*tag, const T& to);
   Status change_fidelity(std::uint32_t slot, const Fidelity& asked);
   Status change_rung(std::uint32_t slot, std::uint16_t rung);
   bool uses_detail() const { return !state.detail.rungs.empty(); }

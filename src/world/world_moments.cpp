@@ -73,6 +73,7 @@ std::uint64_t sum_of_rows(const WorldState& s, const std::vector<std::vector<std
       for (std::uint32_t row = 0; row < rows.size(); ++row) {
         const std::uint32_t index = rows.slot(row);
         const Slot& slot = s.slots[index];
+        PHYSIM_ASSERT(slot.kind < kinds.size() && slot.rung < kinds[slot.kind].size());
         const Rest& rest = s.slots.rest(index);
         Hash h(kinds[slot.kind][slot.rung]);
         h.add(index, slot.generation);

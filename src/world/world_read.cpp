@@ -24,17 +24,17 @@ std::vector<ProjectileId> World::ids() const {
   return all;
 }
 
-Vec3d ProjectileView::position() const {
-  const Slot* slot = world_->find(id_);
-  return slot ? world_->state.rows_of(*slot).position(slot->row) : Vec3d{};
+Vec3d ProjectileView::position_of(const WorldImpl* world, ProjectileId id) {
+  const Slot* slot = world->find(id);
+  return slot ? world->state.rows_of(*slot).position(slot->row) : Vec3d{};
 }
-Vec3d ProjectileView::velocity() const {
-  const Slot* slot = world_->find(id_);
-  return slot ? world_->state.rows_of(*slot).velocity(slot->row) : Vec3d{};
+Vec3d ProjectileView::velocity_of(const WorldImpl* world, ProjectileId id) {
+  const Slot* slot = world->find(id);
+  return slot ? world->state.rows_of(*slot).velocity(slot->row) : Vec3d{};
 }
-BodyState ProjectileView::state() const {
-  const Slot* slot = world_->find(id_);
-  return slot ? world_->state.state_of(*slot) : BodyState{};
+BodyState ProjectileView::state_of(const WorldImpl* world, ProjectileId id) {
+  const Slot* slot = world->find(id);
+  return slot ? world->state.state_of(*slot) : BodyState{};
 }
 void World::states(std::span<const ProjectileId> ids, std::span<BodyState> into) const {
   const std::size_t count = std::min(ids.size(), into.size());

@@ -19,8 +19,9 @@ constexpr std::size_t kCacheBytes = 24u << 20;
 bool only_falls(const WorldCohort& cohort) {
   const Fidelity& f = cohort.key.fidelity;
   const Features& features = cohort.key.features;
-  const bool pushed = cohort.key.forced || features.has_applied || features.has_gravity_scale || features.has_motor ||
-                      features.has_rail || cohort.key.fidelity.rotation == RotationModel::magnus;
+  const bool own = std::ranges::any_of(kOwnParts, [&](const OwnPart& part) { return features.*part.feature; });
+  const bool pushed = cohort.key.forced || features.has_applied || own || features.has_motor || features.has_rail ||
+                      cohort.key.fidelity.rotation == RotationModel::magnus;
   const bool updraught = f.wind == WindModel::profile || cohort.conditions.wind.velocity[0].y > 0;
   return f.earth == EarthModel::flat && !pushed && !updraught && !cohort.layout.turning;
 }
@@ -84,6 +85,7 @@ struct StepWork {
 
 template <class S>
 void step_chunk(const StepWork& work, Chunk& chunk) {
+  PHYSIM_ASSERT(chunk.first % kRowsPerWord == 0 && chunk.last <= work.context.state->rows[chunk.cohort].size());
   WorldJob<S> job = rows_job<S>(work.context, chunk.cohort);
   job.first = chunk.first;
   job.last = chunk.last;
@@ -186,10 +188,22 @@ void WorldImpl::step_free(double dt) {
   state.counters.projectile_steps += moving;
 }
 
+namespace {
+
+/// Whether an event has a time of the step that is over.
+[[maybe_unused]] bool happened_in_step(const Clock& clock, const Event& e) {
+  const double slack = 1e-3 * clock.dt + 1e-6 * clock.time();  // clocks of float32 rows
+  return e.time >= clock.time() - clock.dt - slack && e.time <= clock.time() + slack;
+}
+
+}  // namespace
+
 /// Does what settling decided, in order of slots, so that neither threads nor the order of rows matter.
 void WorldImpl::finish_step() {
   scratch.changes.clear();
   const auto collect = [this](const Chunk& chunk) {
+    PHYSIM_ASSERT(
+        std::ranges::all_of(chunk.events, [this](const Event& e) { return happened_in_step(state.clock, e); }));
     scratch.changes.insert(scratch.changes.end(), chunk.changes.begin(), chunk.changes.end());
     state.events.insert(state.events.end(), chunk.events.begin(), chunk.events.end());
   };
@@ -217,8 +231,20 @@ void WorldImpl::finish_step() {
   }
 }
 
+namespace {
+
+/// Everyone alive has a row.
+[[maybe_unused]] std::size_t rows_of_all(const WorldState& state) {
+  std::size_t count = 0;
+  for (const Rows& rows : state.rows) count += rows.size();
+  return count;
+}
+
+}  // namespace
+
 void WorldImpl::step(double dt) {
   PHYSIM_ASSERT(dt > 0);
+  [[maybe_unused]] const std::uint64_t steps_before = state.clock.steps;
   [[maybe_unused]] const double before = state.clock.time();
   placement.rebase(dt);
   launch_pending();
@@ -228,7 +254,7 @@ void WorldImpl::step(double dt) {
   step_free(dt);
   turn(dt);
   state.clock.tick();
-  PHYSIM_ASSERT(state.clock.time() >= before);
+  PHYSIM_ASSERT(state.clock.time() >= before && state.clock.steps == steps_before + 1);
   ++state.counters.steps;
   finish_step();
   expire_old();
@@ -238,6 +264,7 @@ void WorldImpl::step(double dt) {
     if (a.id.index != b.id.index) return a.id.index < b.id.index;
     return row_of(a.kind).order < row_of(b.kind).order;
   });
+  PHYSIM_ASSERT(rows_of_all(state) == state.slots.alive());
   if (recorder) recorder->stepped([this] { return hash(); });
 }
 

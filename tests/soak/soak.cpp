@@ -138,7 +138,7 @@ class Soak {
   void change() {
     if (ids_.empty()) return;
     const ProjectileId id = ids_[pick(static_cast<unsigned>(ids_.size()))];
-    switch (pick(12)) {
+    switch (pick(13)) {
       case 0: return void(world_[id].despawn());
       case 1:
       case 2: return void(world_[id].set_fidelity(rungs_[pick(static_cast<unsigned>(std::size(rungs_)))]));
@@ -150,6 +150,12 @@ class Soak {
       case 8: return void(world_[id].set_layers(1u << pick(3)));
       case 9: return void(world_[id].set_angular_velocity(direction()));
       case 10: return void(world_[id].set_label("marked"));
+      case 11: {
+        BodyDef body = world_[id].body();
+        body.gravity_scale = 2 * uniform();
+        body.kinematic = pick(3) == 0;
+        return void(world_[id].set_body(body));
+      }
       default: return void(world_[id].set_state({direction() * 10.0, direction() * 30.0}));
     }
   }

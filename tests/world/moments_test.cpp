@@ -115,6 +115,7 @@ TEST(Moments, whatever_decides_the_future_is_in_the_hash) {
       [&](World& w) { w[first(w)].set_gravity_scale(0.5); },
       [&](World& w) { w[first(w)].set_frozen(Axes::z, Axes::none); },
       [&](World& w) { w[first(w)].set_frozen(Axes::none, Axes::z); },
+      [&](World& w) { w[first(w)].set_body({.gravity_scale = 0.7, .despawn = {.farther = 50, .older = 9}}); },
       [&](World& w) { w[first(w)].set_kinematic(true); },
       [&](World& w) { w[first(w)].set_can_sleep(false); },
       [&](World& w) { w[first(w)].sleep(); },

@@ -34,7 +34,7 @@ class RandomSession {
 
   /// One call of any kind; most are sensible.
   void act() {
-    const int what = below(44);
+    const int what = below(45);
     if (what < 10) return spawn();
     if (what < 14) return time();
     if (what < 16) return moment();
@@ -43,7 +43,7 @@ class RandomSession {
     if (what == 22) return void(world_[some()].despawn());
     if (what == 23) return void(world_.despawn(several()));
     if (what == 24 && below(20) == 0) return world_.clear();
-    change(what % 19);
+    change(what % 20);
   }
 
  private:
@@ -157,6 +157,15 @@ class RandomSession {
       default: return void(forces_.empty() || world_[some()].remove_force(forces_.front()).ok());
     }
   }
+  void set_body(ProjectileId id) {
+    BodyDef body = world_[id].body();
+    body.gravity_scale = real(0, 2);
+    body.frozen = static_cast<Axes>(below(8));
+    body.kinematic = below(4) == 0;
+    body.layers = static_cast<std::uint32_t>(below(4));
+    world_[id].set_body(body);
+  }
+
   void change(int what) {
     const ProjectileId id = some();
     const auto bits = static_cast<std::uint32_t>(random_());
@@ -179,6 +188,7 @@ class RandomSession {
       case 15: return void(world_[id].set_colour(bits));
       case 16: return void(world_[id].set_label("number " + std::to_string(bits)));
       case 17: return void(world_[id].set_fidelity(fidelity()));
+      case 18: return set_body(id);
       default: return void(world_.set_fidelity(several(), fidelity()));
     }
   }

@@ -25,6 +25,7 @@ SettingRow make_row(const SchemaNode& node, const std::string& table) {
   const auto setting = std::find_if(all.begin(), all.end(), [&](const Setting& s) { return s.path == node.path; });
   row.doc = setting->doc, row.unit = setting->unit, row.range = setting->range;
   row.default_value = setting->default_value;
+  row.live = setting->live;
   Defaults defaults;
   const ValueRef slot = node.entry->slot(defaults.scope());
   if (std::holds_alternative<bool*>(slot)) row.kind = SettingRow::Kind::boolean;

@@ -28,6 +28,7 @@ struct SettingRow {
   std::span<const std::string_view> choices;
   std::vector<std::string_view> choice_docs;  // of each choice; empty where they are not known
   std::string doc, unit, range, default_value;
+  bool live = false;  // can be changed in flight
 
   /// What a person is told about it: documentation, unit, range, default.
   [[nodiscard]] std::string tooltip() const;

@@ -41,6 +41,10 @@ void apply(Client& client, const Track& track, const Change& change) {
 
 }  // namespace
 
+FlightEditor::FlightEditor() : rows_(setting_rows("shot")) {
+  std::erase_if(rows_, [](const SettingRow& row) { return !row.live; });
+}
+
 void FlightEditor::take(const World& world, const Track& track) {
   id_ = track.id;
   const ProjectileView projectile = world[id_];
@@ -48,6 +52,7 @@ void FlightEditor::take(const World& world, const Track& track) {
   position_ = projectile.position();
   velocity_ = projectile.velocity();
   impulse_ = {};
+  shot_.body = projectile.body();
 }
 
 void FlightEditor::draw(Client& client) {
@@ -60,6 +65,8 @@ void FlightEditor::draw(Client& client) {
   draw_fidelity(client, *track);
   ImGui::Separator();
   draw_state(client, *track);
+  ImGui::Separator();
+  draw_body(client, *track);
 }
 
 void FlightEditor::draw_fidelity(Client& client, const Track& track) {
@@ -90,13 +97,24 @@ void FlightEditor::draw_state(Client& client, const Track& track) {
   ImGui::TextDisabled("impulse [N s]");
   vector_input("##impulse", impulse_);
   if (ImGui::Button("Kick it")) apply(client, track, [&](Projectile p) { return p.apply_impulse(impulse_); });
-  ImGui::TextDisabled("gravity, times [-]");
-  ImGui::InputDouble("##gravity", &gravity_scale_, 0.1, 1, "%.3f");
   ImGui::PopItemWidth();
-  if (ImGui::Button("Change its gravity"))
-    apply(client, track, [&](Projectile p) { return p.set_gravity_scale(gravity_scale_); });
   ImGui::SameLine();
   if (ImGui::Button("Take it out")) apply(client, track, [&](Projectile p) { return p.despawn(); });
+}
+
+void FlightEditor::draw_body(Client& client, const Track& track) {
+  const BodyDef now = client.session.world()[id_].body();
+  ScenarioShot was;
+  was.body = now;
+  Scenario scenario;  // none of its settings is live
+  for (const SettingRow& row : rows_) {
+    ImGui::PushID(row.path.c_str());
+    const std::string value = row_text(row, scenario, shot_).value_or("");
+    if (const auto entered = editor_.draw(row, value, value != row_text(row, scenario, was).value_or("")))
+      if (Status status = set_value(row, *entered, scenario, shot_); !status) client.complain(status.error());
+    ImGui::PopID();
+  }
+  if (ImGui::Button("Change its settings")) apply(client, track, [&](Projectile p) { return p.set_body(shot_.body); });
 }
 
 }  // namespace physim::client

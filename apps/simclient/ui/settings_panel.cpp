@@ -114,48 +114,10 @@ void SettingsPanel::draw_group(Client& client, const Sheet& sheet, const std::st
 
 void SettingsPanel::draw_row(Client& client, const SettingRow& row, const std::string& value, bool is_changed) {
   ImGui::PushID(row.path.c_str());
-  const float label = ImGui::GetFontSize() * 8.4F;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(tint(is_changed ? colours::kForce : colours::kText), "%s", row.name.c_str());
-  tooltip(row.tooltip());
-  if (ImGui::CalcTextSize(row.name.c_str()).x < label - ImGui::GetFontSize() * 0.5F) ImGui::SameLine(label);
-  ImGui::SetNextItemWidth(-1);
-  if (row.kind == SettingRow::Kind::choice) {
-    draw_choice(client, row, value);
-  } else if (row.kind == SettingRow::Kind::boolean) {
-    bool on = value == "true";
-    if (ImGui::Checkbox("##value", &on)) change(client, row, on ? "true" : "false");
-  } else {
-    draw_text(client, row, value);
-  }
-  tooltip(row.tooltip());
+  if (const auto entered = editor_.draw(row, value, is_changed)) changed_ = client.set(row, *entered);
   const FidelityNote* note = row.group == "fidelity" ? note_of(client.prediction(), row.name) : nullptr;
   if (note != nullptr) coloured_text(colours::kWarning, "granted " + note->granted + ": " + note->reason);
   ImGui::PopID();
-}
-
-void SettingsPanel::draw_choice(Client& client, const SettingRow& row, const std::string& value) {
-  if (!ImGui::BeginCombo("##value", value.empty() ? "choose" : value.c_str(), ImGuiComboFlags_HeightLarge)) return;
-  for (std::size_t i = 0; i < row.choices.size(); ++i) {
-    const std::string name(row.choices[i]);
-    if (ImGui::Selectable(name.c_str(), name == value)) change(client, row, name);
-    if (!row.choice_docs.empty()) tooltip(std::string(row.choice_docs[i]));
-  }
-  ImGui::EndCombo();
-}
-
-void SettingsPanel::draw_text(Client& client, const SettingRow& row, const std::string& value) {
-  std::string shown = editing_ == row.path ? typed_ : value;
-  ImGui::InputText("##value", &shown);
-  if (ImGui::IsItemActivated()) editing_ = row.path;
-  if (editing_ == row.path) typed_ = shown;
-  if (!ImGui::IsItemDeactivated() || editing_ != row.path) return;
-  editing_.clear();
-  if (typed_ != value) change(client, row, typed_);
-}
-
-void SettingsPanel::change(Client& client, const SettingRow& row, const std::string& text) {
-  changed_ = client.set(row, text);
 }
 
 }  // namespace physim::client

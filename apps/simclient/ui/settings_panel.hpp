@@ -29,16 +29,13 @@ class SettingsPanel {
   void draw_sheet(Client& client, Sheet& sheet, bool is_shot);
   void draw_group(Client& client, const Sheet& sheet, const std::string& group, bool is_shot);
   void draw_row(Client& client, const SettingRow& row, const std::string& value, bool is_changed);
-  void draw_choice(Client& client, const SettingRow& row, const std::string& value);
-  void draw_text(Client& client, const SettingRow& row, const std::string& value);
-  void change(Client& client, const SettingRow& row, const std::string& text);
   [[nodiscard]] bool passes(const SettingRow& row) const;
 
   Sheet shot_, environment_;
   FlightEditor flight_;
   std::string filter_;
-  std::string editing_, typed_;  // the row that is being typed into
-  Status changed_;               // the last change; an error where it was refused
+  RowEditor editor_;
+  Status changed_;  // the last change; an error where it was refused
 };
 
 }  // namespace physim::client

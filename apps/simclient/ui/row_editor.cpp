@@ -1,0 +1,56 @@
+#include "simclient/ui/row_editor.hpp"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "simclient/ui/panel.hpp"
+
+namespace physim::client {
+namespace {
+
+std::optional<std::string> draw_choice(const SettingRow& row, const std::string& value) {
+  std::optional<std::string> chosen;
+  if (!ImGui::BeginCombo("##value", value.empty() ? "choose" : value.c_str(), ImGuiComboFlags_HeightLarge))
+    return chosen;
+  for (std::size_t i = 0; i < row.choices.size(); ++i) {
+    const std::string name(row.choices[i]);
+    if (ImGui::Selectable(name.c_str(), name == value)) chosen = name;
+    if (!row.choice_docs.empty()) tooltip(std::string(row.choice_docs[i]));
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+std::optional<std::string> draw_box(const std::string& value) {
+  bool on = value == "true";
+  if (!ImGui::Checkbox("##value", &on)) return std::nullopt;
+  return on ? "true" : "false";
+}
+
+}  // namespace
+
+std::optional<std::string> RowEditor::draw(const SettingRow& row, const std::string& value, bool is_changed) {
+  const float label = ImGui::GetFontSize() * 8.4F;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(tint(is_changed ? colours::kForce : colours::kText), "%s", row.name.c_str());
+  tooltip(row.tooltip());
+  if (ImGui::CalcTextSize(row.name.c_str()).x < label - ImGui::GetFontSize() * 0.5F) ImGui::SameLine(label);
+  ImGui::SetNextItemWidth(-1);
+  const auto entered = row.kind == SettingRow::Kind::choice    ? draw_choice(row, value)
+                       : row.kind == SettingRow::Kind::boolean ? draw_box(value)
+                                                               : draw_text(row, value);
+  tooltip(row.tooltip());
+  return entered;
+}
+
+std::optional<std::string> RowEditor::draw_text(const SettingRow& row, const std::string& value) {
+  std::string shown = editing_ == row.path ? typed_ : value;
+  ImGui::InputText("##value", &shown);
+  if (ImGui::IsItemActivated()) editing_ = row.path;
+  if (editing_ == row.path) typed_ = shown;
+  if (!ImGui::IsItemDeactivated() || editing_ != row.path) return std::nullopt;
+  editing_.clear();
+  return typed_ != value ? std::optional(typed_) : std::nullopt;
+}
+
+}  // namespace physim::client

@@ -1,0 +1,22 @@
+// The field of a setting: a choice, a box to tick or a text, by its row of the list of settings.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "simclient/core/setting_rows.hpp"
+
+namespace physim::client {
+
+class RowEditor {
+ public:
+  /// Name and field of a row; what was entered, once it is.
+  std::optional<std::string> draw(const SettingRow& row, const std::string& value, bool is_changed);
+
+ private:
+  std::optional<std::string> draw_text(const SettingRow& row, const std::string& value);
+
+  std::string editing_, typed_;  // the row that is being typed into
+};
+
+}  // namespace physim::client

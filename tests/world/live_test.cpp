@@ -1,0 +1,103 @@
+// Live settings: a body as it is now, and as it becomes by one call.
+#include "world/live.hpp"
+
+#include "world_support.hpp"
+
+namespace physim {
+namespace {
+
+const Launch kHigh{.position = {0, 100, 0}, .velocity = Vec3d{10, 0, 5}};
+
+/// Other values than those of BodyDef{} for all that is live.
+BodyDef all_live() {
+  BodyDef body;
+  body.gravity_scale = 0.25;
+  body.frozen = Axes::z;
+  body.frozen_rotation = Axes::y;
+  body.can_sleep = false;
+  body.smoothing = Smoothing::extrapolate;
+  body.layers = 6;
+  body.colour = 0x12345678;
+  body.label = "changed";
+  return body;
+}
+
+TEST(Live, a_body_is_that_of_its_kind_until_it_is_changed) {
+  World world;
+  BodyDef kind = all_live();
+  kind.restitution = 0.7;
+  const ProjectileId id = *world.spawn(stone(), kHigh, kind);
+  EXPECT_EQ(world[id].body(), kind);
+  EXPECT_TRUE(world[id].set_gravity_scale(0));
+  EXPECT_FALSE(world[id].body().use_gravity);
+  EXPECT_EQ(world[id].body().gravity_scale, 0.25);
+  EXPECT_TRUE(world[id].set_use_gravity(true));
+  EXPECT_EQ(world[id].body(), kind);
+  EXPECT_EQ(world[ProjectileId{}].body(), BodyDef{});
+}
+
+TEST(Live, set_body_does_what_the_single_calls_do) {
+  World by_one_call, by_many, as_spawned;
+  const BodyDef to = all_live();
+  const ProjectileId a = *by_one_call.spawn(stone(), kHigh);
+  const ProjectileId b = *by_many.spawn(stone(), kHigh);
+  const ProjectileId c = *as_spawned.spawn(stone(), kHigh, to);
+  EXPECT_TRUE(by_one_call[a].set_body(to));
+  EXPECT_EQ(by_one_call[a].body(), to);
+  by_many[b].set_gravity_scale(to.gravity_scale);
+  by_many[b].set_frozen(to.frozen, to.frozen_rotation);
+  by_many[b].set_can_sleep(to.can_sleep);
+  by_many[b].set_smoothing(to.smoothing);
+  by_many[b].set_layers(to.layers);
+  by_many[b].set_colour(to.colour);
+  by_many[b].set_label(to.label);
+  EXPECT_EQ(by_one_call.hash(), by_many.hash());
+  for (World* world : {&by_one_call, &by_many, &as_spawned}) run_for(*world, 1);
+  EXPECT_EQ(by_one_call.hash(), by_many.hash());
+  EXPECT_EQ(by_one_call[a].position().y, as_spawned[c].position().y);
+  EXPECT_NEAR(by_one_call[a].position().y, 100 - 0.25 * 9.80665 * (1 + 1.0 / 64) / 2, 1e-4) << "semi-implicit";
+  EXPECT_EQ(by_one_call[a].position().z, 0) << "frozen";
+  EXPECT_TRUE(by_one_call[a].set_body(BodyDef{})) << "and back again";
+  EXPECT_EQ(by_one_call[a].body(), BodyDef{});
+  BodyDef floating;
+  floating.gravity_scale = 0;
+  EXPECT_TRUE(by_one_call[a].set_body(floating));
+  EXPECT_FALSE(by_one_call[a].body().use_gravity);
+  BodyDef held;
+  held.kinematic = true;
+  EXPECT_TRUE(by_one_call[a].set_body(held));
+  EXPECT_TRUE(by_one_call[a].is_kinematic());
+}
+
+TEST(Live, what_is_not_live_or_makes_no_sense_is_refused_and_changes_nothing) {
+  World world;
+  const ProjectileId id = *world.spawn(stone(), kHigh);
+  const std::uint64_t before = world.hash();
+  const auto refused = [&](auto change) {
+    BodyDef body = all_live();
+    change(body);
+    const Status status = world[id].set_body(body);
+    EXPECT_FALSE(status);
+    EXPECT_EQ(world.hash(), before);
+    return status ? std::string() : status.error().text();
+  };
+  EXPECT_NE(refused([](BodyDef& b) { b.drag_scale = 2; }).find("not live"), std::string::npos);
+  refused([](BodyDef& b) { b.infinite_mass = true; });
+  refused([](BodyDef& b) { b.restitution = 0.1; });
+  EXPECT_NE(refused([](BodyDef& b) { b.gravity_scale = NAN; }).find("gravity_scale"), std::string::npos);
+  EXPECT_FALSE(world[ProjectileId{}].set_body({}));
+}
+
+TEST(Live, each_part_has_a_flag_of_its_own_and_is_off_for_a_plain_body) {
+  std::uint32_t seen = 0;
+  for (const OwnPart& part : kOwnParts) {
+    EXPECT_EQ(part.flag & (part.flag - 1), 0u);
+    EXPECT_EQ(seen & part.flag, 0u);
+    EXPECT_FALSE(part.differs(own_of(BodyDef{})));
+    seen |= part.flag;
+  }
+  EXPECT_EQ(seen, kOwn);
+}
+
+}  // namespace
+}  // namespace physim
