@@ -41,10 +41,11 @@ CurvePart<double> TablePool::place_of(const UniformCubic& curve) {
 
 double TablePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
   PHYSIM_ASSERT(!rows.empty() && rows_.size() % 4 == 0);
-  const auto first = static_cast<double>(rows_.size() / 4);
-  for (const std::array<double, 4>& row : rows) rows_.insert(rows_.end(), row.begin(), row.end());
+  const std::size_t first = rows_.size();
+  rows_.resize(first + 4 * rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) std::copy_n(rows[i].begin(), 4, rows_.data() + first + 4 * i);
   PHYSIM_ASSERT(rows_.size() / 4 <= 1 << 22);  // what floats count, and row_cubic() reads
-  return first;
+  return static_cast<double>(first / 4);
 }
 
 const AeroPlace* TablePool::find(const AeroDef& aero) const {
@@ -66,7 +67,9 @@ void TablePool::point(Conditions<double>& c) const { static_cast<TablePointers<d
 
 void TablePool::point(Conditions<float>& c) {
   PHYSIM_ASSERT(rows_float_.size() <= rows_.size());
-  for (std::size_t i = rows_float_.size(); i < rows_.size(); ++i) rows_float_.push_back(static_cast<float>(rows_[i]));
+  const std::size_t known = rows_float_.size();
+  rows_float_.resize(rows_.size());
+  for (std::size_t i = known; i < rows_.size(); ++i) rows_float_[i] = static_cast<float>(rows_[i]);
   static_cast<TablePointers<float>&>(c) = pointers(rows_float_);
 }
 
