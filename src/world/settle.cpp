@@ -217,16 +217,15 @@ class Settling {
   int bounces_ = 0;
 };
 
-/// Whether the projectile of a row belongs where it lies.
-[[maybe_unused]] bool is_in_its_cohort(const SettleContext& context, std::uint16_t cohort, std::uint32_t row) {
+}  // namespace
+
+bool is_in_its_cohort(const SettleContext& context, std::uint16_t cohort, std::uint32_t row) {
   const Slot& slot = context.state->slots[context.state->rows[cohort].slot(row)];
   const Prepared& rung = context.registry->kind(slot.kind).rungs[slot.rung];
   const std::uint16_t known = rung.cohort[slot.variant().index()];  // none where its environment was set anew
   return slot.is(kAlive) && !slot.is(kStill) && slot.cohort == cohort && slot.row == row &&
          (known == cohort || known == kNoCohort);
 }
-
-}  // namespace
 
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
   PHYSIM_ASSERT(chunk.cohort < context.state->rows.size() && context.dt > 0);

@@ -61,6 +61,9 @@ struct TakenStep {
 template <class S>
 [[nodiscard]] WorldJob<S> rows_job(const SettleContext& context, std::uint16_t cohort);
 
+/// Whether the projectile of a row belongs where it lies, and moves.
+[[nodiscard]] bool is_in_its_cohort(const SettleContext& context, std::uint16_t cohort, std::uint32_t row);
+
 /// Steps one row that was left where it was, and writes where it is after the step.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 
