@@ -76,7 +76,8 @@ class World {
   ~World();
 
   // ------------------------------------------------------------------------------------------- what there is
-  /// Prepares a kind of projectile, so that each of it is spawned quickly. Equal definitions give the same kind.
+  /// Prepares a kind of projectile, so that each of it is spawned quickly. Definitions that are
+  /// equal to the bit give the same kind.
   Result<KindId> add_kind(const ProjectileDef& projectile, const BodyDef& body = {});
   /// Another place to fly in; its index for BodyDef::environment.
   Result<std::uint32_t> add_environment(const Environment& environment);

@@ -13,6 +13,8 @@ struct Own {
   double gravity_scale = 1;
   Axes frozen = Axes::none;
   Axes frozen_rotation = Axes::none;
+
+  bool operator==(const Own&) const = default;
 };
 
 /// What a body starts with.

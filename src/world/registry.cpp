@@ -64,12 +64,14 @@ StepPlan<S> frame_plan(const WorldDef& def, const Fidelity& granted) {
 }  // namespace
 
 Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
+  const auto is_known = [&](std::uint32_t index) {
+    return kind(index).projectile == projectile && kind(index).body == body;
+  };
+  if (last_given_ != 0 && is_known(last_given_)) return KindId{last_given_};  // as a gun goes on firing
   const std::uint64_t hash = hash_of(projectile, body);
   const auto [from, to] = kind_by_hash_.equal_range(hash);
-  for (auto at = from; at != to; ++at) {
-    const Kind& known = kind(at->second);
-    if (known.projectile == projectile && known.body == body) return KindId{at->second};
-  }
+  for (auto at = from; at != to; ++at)
+    if (is_known(at->second)) return KindId{last_given_ = at->second};
   if (const Status status = check(projectile); !status) return status.error();
   if (const Status status = check(body, def_, environments_.size()); !status) return status.error();
   if (kinds_.size() >= kMostKinds) return Error{"there are too many kinds of projectiles", "world", "reuse kinds"};
@@ -81,7 +83,7 @@ Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef
   const auto index = static_cast<std::uint32_t>(kinds_.size());
   kind_by_hash_.emplace(hash, index);
   rung(index, projectile.fidelity);
-  return KindId{index};
+  return KindId{last_given_ = index};
 }
 
 std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity& asked, const FidelityNote* why) {

@@ -138,6 +138,7 @@ class Registry {
   std::vector<Environment> environments_;
   std::deque<Kind> kinds_;
   std::unordered_multimap<std::uint64_t, std::uint32_t> kind_by_hash_;
+  std::uint32_t last_given_ = 0;  // kind that add_kind() gave last
   std::deque<WorldCohort> cohorts_;
   TablePool tables_[3];
 };

@@ -1,5 +1,6 @@
 // Changes to projectiles between steps: state, switches, sleep, fidelity, things carried along.
 #include <cmath>
+#include <utility>
 
 #include "base/checker.hpp"
 #include "physim/names.hpp"
@@ -140,15 +141,24 @@ Status WorldImpl::set_flag(ProjectileId id, std::uint32_t flag, bool on) {
   Slot* slot = find(id);
   if (!slot) return gone();
   wake(id.index);
+  const std::uint32_t before = slot->flags;
   slot->set(flag, on);
-  return placement.relocate(id.index);
+  Status status = placement.relocate(id.index);
+  if (!status) slot->flags = before;
+  return status;
 }
 
 Status WorldImpl::change_own(std::uint32_t index, const Own& to) {
-  own(index) = to;
   wake(index);
-  for (const OwnPart& part : kOwnParts) state.slots[index].set(part.flag, part.differs(to));
-  if (Status status = placement.relocate(index); !status) return status;
+  Slot& slot = state.slots[index];
+  const std::uint32_t flags_before = slot.flags;
+  const Own before = std::exchange(own(index), to);
+  for (const OwnPart& part : kOwnParts) slot.set(part.flag, part.differs(to));
+  if (Status status = placement.relocate(index); !status) {
+    slot.flags = flags_before;
+    own(index) = before;
+    return status;
+  }
   placement.rewrite_row(index);
   return {};
 }
@@ -186,7 +196,8 @@ Status Projectile::set_body(const BodyDef& to) {
   reached.use_gravity = to.use_gravity;
   copy_switches(to, reached);
   if (reached != to) return Error{"has another member that is not live", "body", "BodyDef says which can change"};
-  Status status = w.change_own(id_.index, own_of(to));
+  Status status;
+  if (own_of(to) != own_of(from)) status = w.change_own(id_.index, own_of(to));
   if (status && to.kinematic != from.kinematic) status = set_kinematic(to.kinematic);
   if (status && to.can_sleep != from.can_sleep) status = set_can_sleep(to.can_sleep);
   if (status && to.smoothing != from.smoothing) status = set_smoothing(to.smoothing);

@@ -1,6 +1,9 @@
 // Live settings: a body as it is now, and as it becomes by one call.
 #include "world/live.hpp"
 
+#include <map>
+
+#include "physim/scenario.hpp"
 #include "world_support.hpp"
 
 namespace physim {
@@ -67,6 +70,69 @@ TEST(Live, set_body_does_what_the_single_calls_do) {
   held.kinematic = true;
   EXPECT_TRUE(by_one_call[a].set_body(held));
   EXPECT_TRUE(by_one_call[a].is_kinematic());
+}
+
+TEST(Live, what_is_only_carried_along_wakes_nobody) {
+  World world;
+  const ProjectileId id = *world.spawn(stone(), kHigh);
+  ASSERT_TRUE(world[id].sleep());
+  BodyDef body = world[id].body();
+  body.label = "found";
+  body.colour = 7;
+  ASSERT_TRUE(world[id].set_body(body));
+  EXPECT_TRUE(world[id].is_asleep());
+  EXPECT_EQ(world[id].label(), "found");
+  body.gravity_scale = 2;
+  ASSERT_TRUE(world[id].set_body(body));
+  EXPECT_FALSE(world[id].is_asleep());
+}
+
+TEST(Live, the_list_of_settings_marks_what_set_body_takes) {
+  const std::map<std::string, std::string> others = {{"gravity_scale", "0.5"},
+                                                     {"use_gravity", "false"},
+                                                     {"drag_scale", "2"},
+                                                     {"angular_drag", "1 1/s"},
+                                                     {"angular_velocity", "[1, 0, 0]"},
+                                                     {"kinematic", "true"},
+                                                     {"infinite_mass", "true"},
+                                                     {"frozen", "x"},
+                                                     {"frozen_rotation", "x"},
+                                                     {"can_sleep", "false"},
+                                                     {"sleep_speed", "1 m/s"},
+                                                     {"sleep_time", "3 s"},
+                                                     {"restitution", "0.3"},
+                                                     {"friction", "0.3"},
+                                                     {"rolling_resistance", "0.3"},
+                                                     {"despawn.below", "-9 m"},
+                                                     {"despawn.farther", "9 m"},
+                                                     {"despawn.older", "9 s"},
+                                                     {"despawn.slower", "9 m/s"},
+                                                     {"despawn.outside_box", "true"},
+                                                     {"despawn.box_low", "[-9, 0, 0]"},
+                                                     {"despawn.box_high", "[9, 0, 0]"},
+                                                     {"smoothing", "none"},
+                                                     {"within_time", "9 s"},
+                                                     {"layers", "6"},
+                                                     {"colour", "7"},
+                                                     {"label", "other"}};
+  const std::string shot =
+      "physim = 1\n[[shot]]\nname = \"stone\"\n[shot.body]\n"
+      "despawn = { box_low = [-1, -1, -1], box_high = [1, 1, 1] }\n[world]\nduration = \"1 s\"\n";
+  for (const Setting& setting : settings()) {
+    const std::string prefix = "shot.body.";
+    if (!setting.path.starts_with(prefix) || setting.path == "shot.body.pool") continue;
+    ASSERT_TRUE(others.contains(setting.path.substr(prefix.size()))) << setting.path << " has no other value here";
+    const auto read = [&](const std::vector<std::string>& overrides) {
+      const Result<Scenario> s = parse_scenario(shot, "f.toml", overrides);
+      EXPECT_TRUE(s.ok()) << setting.path << (s.ok() ? "" : s.error().text());
+      return s.ok() ? s->shots[0].body : BodyDef{};
+    };
+    World world;
+    const ProjectileId id = *world.spawn(stone(), kHigh, read({}));
+    const BodyDef changed = read({setting.path + "=" + others.at(setting.path.substr(prefix.size()))});
+    EXPECT_NE(changed, world[id].body()) << setting.path;
+    EXPECT_EQ(world[id].set_body(changed).ok(), setting.live) << setting.path;
+  }
 }
 
 TEST(Live, what_is_not_live_or_makes_no_sense_is_refused_and_changes_nothing) {
