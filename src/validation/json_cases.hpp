@@ -52,7 +52,7 @@ class JsonCases {
     const nlohmann::json& object = cases_[index];
     const std::string stem = path_.stem().string();
     if (object.is_object() && object.contains("id") && object["id"].is_string()) return object["id"];
-    return format("%s %zu", stem.c_str(), index + 1);
+    return formatted("%s %zu", stem.c_str(), index + 1);
   }
 
   [[noreturn]] void fail(std::size_t index, const std::string& message) const {
@@ -79,7 +79,7 @@ class JsonCases {
   [[nodiscard]] std::string place(std::size_t at) const {
     PHYSIM_ASSERT(at <= text_.size());
     const auto end = text_.begin() + static_cast<std::ptrdiff_t>(at);
-    return format("%s:%td", path_.string().c_str(), 1 + std::count(text_.begin(), end, '\n'));
+    return formatted("%s:%td", path_.string().c_str(), 1 + std::count(text_.begin(), end, '\n'));
   }
 
   std::filesystem::path path_;
@@ -136,7 +136,7 @@ class CaseReader {
   [[nodiscard]] CaseReader element(const char* list, std::size_t index) const {
     PHYSIM_ASSERT(raw(list).is_array());
     PHYSIM_ASSERT(index < raw(list).size());
-    return {file_, index_, raw(list)[index], format("%s[%zu]", list, index)};
+    return {file_, index_, raw(list)[index], formatted("%s[%zu]", list, index)};
   }
 
   [[noreturn]] void fail(const std::string& message) const {
