@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Faults: deliberate mistakes inside the library, put in one at a time; each must be caught by a PHYSIM_ASSERT.
 
-`./dev faults [WORD ...]` copies the sources to build/faults, builds the tests without optimisation, then makes each of the
-mistakes below (or those whose text has one of the words), builds what it touches and runs a few tests: they must end with
-"a bug in PhySim", before a wrong number comes out. A mistake that does not build or is not caught fails.
+`./dev lint` checks that each has a place to be made at. `./dev faults [WORD ...]` copies the sources to build/faults,
+builds the tests without optimisation, then makes each of the mistakes below (or those whose text has one of the words),
+builds what it touches and runs a few tests: they must end with "a bug in PhySim", before a wrong number comes out. A
+mistake that does not build or is not caught fails.
 """
 
 import os
@@ -35,7 +36,8 @@ FAULTS = [
      "Ground.*"),
     ("forced rows read one too far", "src/world/forced_step.cpp", "first += size;", "first += size + 1;", "*Force*"),
     ("a projectile left in the cohort it was in", "src/world/world_change.cpp",
-     "  slot->set(flag, on);\n  return placement.relocate(id.index);", "  slot->set(flag, on);\n  return {};", "Life.*"),
+     "  Status status = placement.relocate(id.index);\n  if (!status) slot->flags = before;",
+     "  Status status;\n  if (!status) slot->flags = before;", "Life.*"),
     ("columns of floats read as doubles", "src/world/settle.cpp", "if (context.state->rows[chunk.cohort].layout().float32)",
      "if (!context.state->rows[chunk.cohort].layout().float32)", "Ground.*"),
     ("a recording's frame that starts behind its end", "src/world/recorder.cpp", "open_ = bytes_.size();",
@@ -57,6 +59,13 @@ FAULTS = [
     ("a grant of more than was asked", "src/prepare/grant.cpp", "    if (field == granted) return;\n",
      "    if (field == granted) std::swap(field, granted = Enum{});\n", "Grant*:*Fidelity*"),
 ]
+
+
+def check(find):
+    """For tools/lint.py, find(path, line, message): every mistake still has a place to be made at."""
+    for what, file, there, _, _ in FAULTS:
+        if (ROOT / file).read_text(encoding="utf-8").count(there) != 1:
+            find("tools/faults.py", 1, f"{what}: {file} does not have it once any more")
 
 
 def build():

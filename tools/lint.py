@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 import additions
+import faults
 
 ROOT = Path(__file__).resolve().parent.parent
 LAYERS = ["base", "math", "model", "solve", "prepare", "flight", "collide", "world", "emit", "scenario", "report", "study",
@@ -384,6 +385,7 @@ def main():
         check_comments(name, lines)
         texts[name] = text
     additions.check(find)
+    faults.check(find)
     counts = check_counts(texts)
     kernels = check_kernel_symbols()
     for finding in findings:

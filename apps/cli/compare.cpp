@@ -37,7 +37,7 @@ void add_compare_command(Command& program) {
   constexpr Subject kSubjects[] = {Subject::ladder};
   add_output_options(command, options->outputs, "the table", kSubjects);
   command.footer(
-      "Every rung starts with the velocity of the reference (dop853, as exact as doubles allow) and flies until the "
+      "Every rung starts along the bore of the reference (dop853, as exact as doubles allow) and flies until the "
       "scenario's end.\n"
       "The error is the distance between the two ends; the cost is the median time of one fly().\n\n"
       "Examples:\n"

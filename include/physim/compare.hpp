@@ -35,12 +35,12 @@ struct ComparedFlight {
 /// The answer of compare().
 struct Comparison {
   Flight reference;                     ///< [-]
-  Launch launch;                        ///< of all: the velocity is that of the reference, zeroing is done [-]
+  Launch launch;                        ///< of all: the bore is where the reference zeroes it [-]
   std::vector<ComparedFlight> flights;  ///< in the order of the settings [-]
 };
 
-/// Flies a shot in each of the ways and measures how far it comes from the reference. All start with the velocity of
-/// the reference, so that a zero range is found once. An error where the reference is refused or never comes to an end.
+/// Flies a shot in each of the ways and measures how far it comes from the reference. All share the bore of the
+/// reference, so that a zero range is found once. An error where the reference is refused or never comes to an end.
 [[nodiscard]] Result<Comparison> compare(const ProjectileDef& projectile, const Launch& launch,
                                          const Environment& environment, std::span<const FlightSetting> settings,
                                          const FlightSetting& reference = {Fidelity::reference(), kReferenceTolerance},

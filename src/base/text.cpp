@@ -1,6 +1,9 @@
 #include "base/text.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cstdarg>
+#include <cstdio>
 
 #include "base/assert.hpp"
 
@@ -32,6 +35,17 @@ std::string length_text(double x) {
   for (const Unit& unit : kUnits)
     if (x >= 0.995 * unit.size && x < 1e300) return rounded_text(x / unit.size) + unit.name;
   return rounded_text(x) + " m";
+}
+
+std::string formatted(const char* pattern, ...) {
+  va_list arguments, again;
+  va_start(arguments, pattern);
+  va_copy(again, arguments);
+  std::string text(static_cast<std::size_t>(std::max(0, std::vsnprintf(nullptr, 0, pattern, arguments))), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, pattern, again);
+  va_end(arguments);
+  va_end(again);
+  return text;
 }
 
 }  // namespace physim

@@ -1,4 +1,4 @@
-// Numbers as people read them in messages.
+// Numbers as people read them in messages, and text with numbers in it.
 #pragma once
 
 #include <string>
@@ -12,5 +12,8 @@ namespace physim {
 [[nodiscard]] std::string rounded_text(double x);
 /// A length to two digits, in the unit that suits it: "4.2 mm", "1 cm", "120 um"; x in m.
 [[nodiscard]] std::string length_text(double x);
+
+/// As printf() would write it.
+[[nodiscard]] [[gnu::format(printf, 1, 2)]] std::string formatted(const char* pattern, ...);
 
 }  // namespace physim

@@ -8,6 +8,7 @@
 // launch speed at all times, the target is out of reach as far as the neighbours know. Before that is believed, a fan
 // of flights over all elevations and sides looks for paths that pass nearer, and descents start from those.
 #include "physim/aim.hpp"
+#include "math/angles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +28,6 @@
 namespace physim {
 namespace {
 
-constexpr double kRightAngle = 1.5707963267948966;
-constexpr double kDegree = kRightAngle / 90;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kVacuumTimes = 64;
 constexpr int kMostFlights = 14;        // of a search from one start

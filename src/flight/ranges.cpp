@@ -4,6 +4,7 @@
 
 #include "base/checker.hpp"
 #include "base/text.hpp"
+#include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "math/minimum.hpp"
 #include "math/root.hpp"
@@ -13,9 +14,6 @@
 
 namespace physim {
 namespace {
-
-constexpr double kRightAngle = 1.5707963267948966;
-constexpr double kDegree = kRightAngle / 90;
 
 /// Time at which a value along a flight first falls through zero, or starts to fall from there; nothing where it does
 /// not.

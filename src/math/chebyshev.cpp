@@ -1,13 +1,12 @@
 #include "math/chebyshev.hpp"
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Coefficients of u^j in T_k, row k: T_k+1 = 2 u T_k - T_k-1.
 std::vector<std::vector<double>> chebyshev_polynomials(std::size_t n) {

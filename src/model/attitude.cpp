@@ -2,12 +2,11 @@
 // Source: geometry.
 #include "model/attitude.hpp"
 
+#include "math/angles.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// The shortest turn that takes the x axis of W to a unit vector.
 Quatd shortest_turn_to(const Vec3d& x) {

@@ -16,7 +16,7 @@
 namespace physim {
 namespace {
 
-constexpr double kRightAngle = 1.5707963267948968;
+constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a right angle [rad]
 
 void check_fidelity(Checker& c, const Fidelity& f) {
   for_each_effect(
@@ -202,7 +202,7 @@ Status check(const Launch& l) {
   c.is_number(a.yaw, "launch.attitude.yaw").is_number(a.pitch, "launch.attitude.pitch");
   c.is_number(a.roll, "launch.attitude.roll").is_vector(a.rates, "launch.attitude.rates");
   c.is_number(l.sight.height, "launch.sight.height").is_number(l.sight.cant, "launch.sight.cant");
-  c.require(std::abs(l.sight.look_angle) <= kRightAngle, "launch.sight.look_angle",
+  c.require(std::abs(l.sight.look_angle) <= kRightAngleUp, "launch.sight.look_angle",
             "must lie between -90 and 90 degrees", "angles are in radians");
   c.not_negative(l.sight.zero_range, "launch.sight.zero_range", "0: no zero");
   c.require(!(l.sight.zero_range > 0 && l.elevation != 0), "launch.elevation",
@@ -257,7 +257,7 @@ Status check(const Environment& e) {
   }
   const Earth& earth = e.earth;
   c.is_number(earth.latitude, "environment.earth.latitude").is_number(earth.longitude, "environment.earth.longitude");
-  c.require(std::abs(earth.latitude) <= kRightAngle, "environment.earth.latitude",
+  c.require(std::abs(earth.latitude) <= kRightAngleUp, "environment.earth.latitude",
             "must lie between -90 and 90 degrees", "angles are in radians, south is negative");
   c.is_number(earth.azimuth, "environment.earth.azimuth");
   c.is_number(earth.rotation_rate, "environment.earth.rotation_rate");

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "model/aero_tables.hpp"
 #include "model/attitude.hpp"
@@ -15,8 +16,6 @@
 
 namespace physim {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// A constant Cd goes into the area, so that all such projectiles share one curve, Cd = 1.
 double constant_cd(const DragDef& drag) { return drag.table == DragTable::constant ? drag.coefficient : 1; }

@@ -1,4 +1,5 @@
 // Presets of projectiles, each with the source of its numbers.
+#include "math/angles.hpp"
 #include "physim/presets.hpp"
 
 #include <algorithm>
@@ -16,8 +17,7 @@ namespace {
 using namespace units;
 
 constexpr double kStandardGravity = 9.80665;  // [m/s^2]
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRpm = kPi / 30;  // [rad/s]
+constexpr double kRpm = kPi / 30;             // [rad/s]
 
 /// A shot of the original at its elevation setting 2, removed where the original removed it.
 ProjectilePreset original(const char* name, double mass, double damping, double gravity, double speed, const char* doc,

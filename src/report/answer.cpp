@@ -1,9 +1,10 @@
 #include "report/answer.hpp"
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
+#include "physim/units.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
@@ -12,6 +13,7 @@ namespace physim::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using namespace units;
 
 Json solution_json(const AimSolution& s) {
   return {{"elevation [rad]", s.launch.elevation},
@@ -35,8 +37,6 @@ Answer about_shot(const AskedShot& asked, const Style& style, const std::string&
   out.update(members);
   return {style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(shot)) + "\n" + text, json_text(out)};
 }
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 std::string vector_text(const Vec3d& v) {
   return "(" + as_typed(v.x) + ", " + as_typed(v.y) + ", " + as_typed(v.z) + ")";
@@ -66,10 +66,9 @@ Table fitted_table(const Fit& fit, bool fits_speed) {
   const auto add = [&](const char* setting, double value, const std::string& unit) {
     table.add_row({setting, with_error(value, value * (fit.scale_error / fit.scale), unit)});
   };
-  constexpr double kPoundPerSquareInch = 0.45359237 / (0.0254 * 0.0254);
   if (d.ballistic_coefficient > 0) {
     add("drag.ballistic_coefficient", d.ballistic_coefficient, " kg/m^2");
-    add("", d.ballistic_coefficient / kPoundPerSquareInch, " lb/in^2");
+    add("", d.ballistic_coefficient / 1_lb_in2, " lb/in^2");
   } else if (!d.bands.empty()) {
     for (const BallisticBand& band : d.bands)
       add("drag.bands", band.ballistic_coefficient, " kg/m^2 above " + significant(band.above, 4) + " m/s");

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/assert.hpp"
 #include "base/event_table.hpp"
+#include "math/angles.hpp"
 #include "physim/names.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
@@ -15,7 +15,6 @@ namespace physim::report {
 namespace {
 
 constexpr int kIndent = 2;
-constexpr double kDegree = std::numbers::pi / 180;
 
 // A line of the summary: its subject in a column of its own.
 std::string line(const std::string& subject, const std::string& text) {

@@ -4,12 +4,11 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
 #include "model/ladder.hpp"
 #include "scenario/schema.hpp"
 
 namespace physim {
-
-inline constexpr double kRightAngle = 1.5707963267948966;
 
 // -------------------------------------------------------------------------------------------------------------- ranges
 constexpr Range above(double low) { return {.low = low, .low_open = true}; }

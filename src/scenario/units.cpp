@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
 #include "scenario/suggest.hpp"
 
 namespace physim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kPound = 0.45359237;                      // [kg]
 constexpr double kInch = 0.0254;                           // [m]
 constexpr double kStandardGravity = 9.80665;               // [m/s^2]

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "math/philox.hpp"
 #include "model/sight.hpp"
 
 namespace physim {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Two numbers of a spread: normal with deviation 1, or even within the unit circle.
 struct Pair {

@@ -92,7 +92,7 @@ void check_orbit(const CsvFile& file, const Orbit& orbit, double gm, const Metho
     check.compare_within("vx_m_s", sample.velocity.y, method.relative * sample.speed);
     check.compare_within("vy_m_s", sample.velocity.x, method.relative * sample.speed);
   }
-  report_energy_drift(flight, gm, method, format("a=%.6g e=%g", orbit.a, orbit.e), result);
+  report_energy_drift(flight, gm, method, formatted("a=%.6g e=%g", orbit.a, orbit.e), result);
 }
 
 // ------------------------------------------------------------------------------------------------------ turning frames

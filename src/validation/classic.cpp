@@ -141,13 +141,13 @@ void compare_row(const CsvFile& file, const CsvRow& row, const Flight& flight, c
     if (!file.number(row, kColumns[c])) continue;
     const Correction& correction = corrections[kColumns[c]];
     if (correction.unusable) {
-      result.skipped.push_back(format("%s line %d %s: misprinted", file.name().c_str(), row.line, kColumns[c]));
+      result.skipped.push_back(formatted("%s line %d %s: misprinted", file.name().c_str(), row.line, kColumns[c]));
       continue;
     }
     if (!correction.instead.empty()) printed = correction.instead;
     const auto expected = parse_number(printed);
     if (!expected) file.fail(row, "\"" + printed + "\" in the note is not a number");
-    result.compare(case_name, format("%s frame %d", kColumns[c], frame),
+    result.compare(case_name, formatted("%s frame %d", kColumns[c], frame),
                    correction.sign_is_lost ? std::copysign(*expected, component(sample, c)) : *expected,
                    component(sample, c), float_gate(printed, *expected, component(start, c), frame), problem);
   }
@@ -156,7 +156,7 @@ void compare_row(const CsvFile& file, const CsvRow& row, const Flight& flight, c
 int whole_number(const CsvFile& file, const CsvRow& row, const char* column) {
   const double value = file.needed(row, column);
   if (value != std::floor(value) || value < 0 || value > 1e6)
-    file.fail(row, format("column \"%s\" needs a whole number", column));
+    file.fail(row, formatted("column \"%s\" needs a whole number", column));
   return static_cast<int>(value);
 }
 
@@ -171,7 +171,7 @@ bool compare_published(const CsvFile& file, SuiteResult& result) {
   }
   for (const auto& [test, frames] : last_frame) {
     if (test < 1 || test > kLastTest) {
-      result.skipped.push_back(format("test %d: the original published tests 1 to %d", test, kLastTest));
+      result.skipped.push_back(formatted("test %d: the original published tests 1 to %d", test, kLastTest));
       continue;
     }
     ClassicShot shot = shot_of(setup_of(test));
@@ -179,7 +179,7 @@ bool compare_published(const CsvFile& file, SuiteResult& result) {
     shot.fidelity.original_one_shot_forces = one_shot;
     const Flight flight = fly_frames(shot, frames);
     const std::string problem = complaint(flight, shot.fidelity);
-    const std::string case_name = format("test %d%s", test, one_shot ? " as published" : "");
+    const std::string case_name = formatted("test %d%s", test, one_shot ? " as published" : "");
     for (const CsvRow& row : file.rows())
       if (whole_number(file, row, "test") == test)
         compare_row(file, row, flight, problem, whole_number(file, row, "frame"), case_name, result);
@@ -212,8 +212,8 @@ void compare_corrected(int test, double gravity, SuiteResult& result) {
     for (int c = 1; c < 6; ++c) {
       if (c == 3) continue;  // vx is 0
       const Sample exact{.position = position, .velocity = velocity};
-      result.compare(format("test %d corrected", test), format("%s frame %d", kColumns[c], frame), component(exact, c),
-                     component(sample, c), c < 3 ? 1.5 * one_frame * t : one_frame, problem);
+      result.compare(formatted("test %d corrected", test), formatted("%s frame %d", kColumns[c], frame),
+                     component(exact, c), component(sample, c), c < 3 ? 1.5 * one_frame * t : one_frame, problem);
     }
   }
 }

@@ -180,7 +180,7 @@ std::optional<double> twist_of(const std::string& text, const Shell& shell) {
 
 std::optional<double> muzzle_speed(const Folder& s, const std::string& projectile, std::optional<double> charge) {
   PHYSIM_ASSERT(s.facts.has_value());
-  if (charge) return s.facts->number(projectile, format("v0 charge %g", *charge), Quantity::speed);
+  if (charge) return s.facts->number(projectile, formatted("v0 charge %g", *charge), Quantity::speed);
   return s.facts->number(projectile, "muzzle_velocity", Quantity::speed);
 }
 
@@ -244,7 +244,7 @@ std::optional<Published> published_of(const Folder& s, const Shell& shell, const
     const auto speed = muzzle_speed(s, name, charge);
     const auto elevation = number_after(quantity, "QE");
     if (!speed || !elevation) return std::nullopt;
-    const std::string rate = format("muzzle yaw rate 1/18 ch%g %g", *charge, *elevation);
+    const std::string rate = formatted("muzzle yaw rate 1/18 ch%g %g", *charge, *elevation);
     p.firing = {.speed = *speed, .elevation = *elevation * kDegree, .twist = 18 * shell.body.diameter};
     p.firing.yaw_rate = s.facts->number(name, rate, Quantity::angular_rate).value_or(0);
     p.column = quantity.ends_with("range") ? "range_m" : quantity.ends_with("tof") ? "tof_s" : "summit_m";

@@ -63,7 +63,7 @@ Wind wind_of(int number) {
 std::optional<Case> case_of(int number, const std::string& variant) {
   if (number < 1 || number > 10) return std::nullopt;
   if (!variant.empty() && !(number == 3 && variant == "dampinertial")) return std::nullopt;
-  Case c{.name = format("%02d", number) + (variant.empty() ? "" : "_" + variant)};
+  Case c{.name = formatted("%02d", number) + (variant.empty() ? "" : "_" + variant)};
   c.body = number == 2 || number == 3 ? brick() : sphere();
   if (number == 1) c.body.drag.coefficient = 0;
   if (number == 3) damp(c.body.aero, variant.empty() ? DampingFrame::air : DampingFrame::inertial);
@@ -148,7 +148,7 @@ void compare_row(const Case& c, const Flight& flight, const std::string& problem
   for (std::size_t i = 0; i < kColumnCount; ++i) {
     const auto expected = file.number(row, kColumns[i].column);
     if (!expected) continue;
-    result.compare("case " + c.name, kColumns[i].column + format(" at %g s", time), *expected,
+    result.compare("case " + c.name, kColumns[i].column + formatted(" at %g s", time), *expected,
                    *expected + difference(kColumns[i], state[i], *expected), kColumns[i].gate, problem);
   }
 }

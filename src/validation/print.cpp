@@ -15,12 +15,12 @@ using nlohmann::ordered_json;
 namespace {
 
 std::string number_text(double value) { return significant(value, 9); }
-std::string small_text(double value) { return std::isnan(value) ? "-" : format("%.1e", value); }
+std::string small_text(double value) { return std::isnan(value) ? "-" : formatted("%.1e", value); }
 
-std::string figures_text(std::size_t count) { return count == 1 ? "1 figure" : format("%zu figures", count); }
+std::string figures_text(std::size_t count) { return count == 1 ? "1 figure" : formatted("%zu figures", count); }
 
 std::string verdict_text(const Style& style, std::size_t missed) {
-  return missed == 0 ? style.good("pass") : style.bad(missed == 1 ? "MISSED" : format("%zu MISSED", missed));
+  return missed == 0 ? style.good("pass") : style.bad(missed == 1 ? "MISSED" : formatted("%zu MISSED", missed));
 }
 
 std::vector<std::string> cells_of(const Figure& figure) {
@@ -45,7 +45,7 @@ Table case_table(const SuiteResult& result, const Style& style) {
     PHYSIM_ASSERT(summary.worst != nullptr);
     PHYSIM_ASSERT(summary.missed <= summary.figures);
     std::vector<std::string> cells = cells_of(*summary.worst);
-    cells.insert(cells.begin(), {summary.name, format("%zu", summary.figures)});
+    cells.insert(cells.begin(), {summary.name, formatted("%zu", summary.figures)});
     cells.push_back(verdict_text(style, summary.missed));
     table.add_row(std::move(cells));
   }
@@ -72,7 +72,7 @@ Table row_table(const std::vector<StateRow>& rows, const char* number) {
   for (const StateRow& row : rows) {
     PHYSIM_ASSERT(row.columns.size() == rows.front().columns.size());
     std::vector<std::string> cells = {row.name};
-    for (const auto& [name, value] : row.columns) cells.push_back(std::isnan(value) ? "-" : format(number, value));
+    for (const auto& [name, value] : row.columns) cells.push_back(std::isnan(value) ? "-" : formatted(number, value));
     table.add_row(std::move(cells));
   }
   return table;
@@ -104,9 +104,9 @@ Table report_table(const SuiteResult& result) {
   Table table({"case", "figures", "worst figure", "expected", "error", "gate", "error / gate", "verdict"}, "lrlrrrrl");
   for (const CaseSummary& summary : summarize(result)) {
     const Figure& worst = *summary.worst;
-    table.add_row({summary.name, format("%zu", summary.figures), worst.figure, number_text(worst.expected),
-                   small_text(worst.error()), small_text(worst.gate), format("%.2g", worst.badness()),
-                   summary.missed == 0 ? "pass" : format("**%zu missed**", summary.missed)});
+    table.add_row({summary.name, formatted("%zu", summary.figures), worst.figure, number_text(worst.expected),
+                   small_text(worst.error()), small_text(worst.gate), formatted("%.2g", worst.badness()),
+                   summary.missed == 0 ? "pass" : formatted("**%zu missed**", summary.missed)});
   }
   return table;
 }
@@ -140,7 +140,7 @@ std::string table_text(const SuiteResult& result, bool every_figure, const Style
 
 std::string summary_text(const SuiteResult& result, const Style& style) {
   const std::size_t missed = result.missed();
-  const std::string verdict = missed == 0 ? style.good("all pass") : style.bad(format("%zu MISSED", missed));
+  const std::string verdict = missed == 0 ? style.good("all pass") : style.bad(formatted("%zu MISSED", missed));
   return style.bold(result.name) + ": " + figures_text(result.figures.size()) + ", " + verdict + "\n";
 }
 
@@ -175,7 +175,7 @@ std::string report_text(const std::string& command, const std::vector<SuiteResul
                      "--all` prints them all. SI units; the figure's name tells which.\n\n";
   Table table({"suite", "figures", "missed"}, "l");
   for (const SuiteResult& result : results)
-    table.add_row({result.name, format("%zu", result.figures.size()), format("%zu", result.missed())});
+    table.add_row({result.name, formatted("%zu", result.figures.size()), formatted("%zu", result.missed())});
   text += table.markdown();
   for (const SuiteResult& result : results) text += report_of(result);
   return text;

@@ -96,7 +96,7 @@ void compare_fly_ball(const CsvFile& file, SuiteResult& result) {
     const double t = file.needed(row, "t");
     const Vec3d x = flight.at(t).position;
     const auto add = [&](const char* name, const char* column, double actual) {
-      result.compare("baseball", format("%s at %.2f s [m]", name, t), file.needed(row, column) * kFoot,
+      result.compare("baseball", formatted("%s at %.2f s [m]", name, t), file.needed(row, column) * kFoot,
                      t <= flight.duration() + 0.05 ? actual : kNaN, kFlyBallGate, problem);
     };
     add("distance", "y", x.x);
@@ -115,7 +115,7 @@ void compare_football(const CsvFile& file, SuiteResult& result) {
         fly(ball, {.speed = v}, air_at_temperature(288.15), spinning(), {}, {.ground = {}, .time = 0.01});
     const double area = kPi / 4 * ball.diameter * ball.diameter;
     const double cd = length(flight.accelerations(0).drag) * ball.mass / (0.5 * 1.225 * v * v * area);
-    result.compare("football", format("Cd without spin at %g m/s", v), file.needed(row, "CD"), cd,
+    result.compare("football", formatted("Cd without spin at %g m/s", v), file.needed(row, "CD"), cd,
                    0.012,  // straight lines between the points of the preset's table
                    complaint(flight, spinning()));
   }

@@ -404,7 +404,7 @@ TEST(Scene, ScaleLinesStandAtTheirDistances) {
   int labels = 0;
   for (const SceneLabel& label : scene.labels) {
     double metres = 0;
-    if (std::sscanf(label.text.c_str(), "%lf m", &metres) != 1 || label.text != length_text(metres)) continue;
+    if (std::sscanf(label.text.c_str(), "%lf m", &metres) != 1 || label.text != distance_text(metres)) continue;
     EXPECT_NEAR(label.at.x, metres, 1e-9) << label.text;
     EXPECT_EQ(label.at.y, 0);
     ++labels;

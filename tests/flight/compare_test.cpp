@@ -49,7 +49,7 @@ TEST(Compare, TheReferenceIsNotOffFromItself) {
   EXPECT_EQ(compared->flights[0].end_delay, 0);
 }
 
-TEST(Compare, AllStartWithTheVelocityOfTheReference) {
+TEST(Compare, AllStartAlongTheBoreOfTheReference) {
   Launch zeroed{.speed = 800};
   zeroed.sight = {.height = 0.05, .zero_range = 100};
   FlightSetting no_drag{Fidelity::simulation(), {}};

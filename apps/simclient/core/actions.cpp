@@ -4,14 +4,13 @@
 #include <cctype>
 #include <type_traits>
 
+#include "base/text.hpp"
+#include "math/angles.hpp"
 #include "scenario/suggest.hpp"
 #include "simclient/core/original_tests.hpp"
-#include "simclient/core/text.hpp"
 
 namespace physim::client {
 namespace {
-
-constexpr double kDegree = 0.0174532925199433;  // [rad]
 
 /// An action out of what it does, a lambda that may leave out the argument and may answer nothing.
 template <class Deed>
@@ -74,9 +73,9 @@ Status check_determinism(Client& client) {
   const Result<DeterminismCheck> check = client.session.check_determinism();
   if (!check) return check.error();
   const std::string told =
-      text("%llu steps twice: hash %016llx and %016llx, %s", static_cast<unsigned long long>(check->steps),
-           static_cast<unsigned long long>(check->first), static_cast<unsigned long long>(check->second),
-           check->passed() ? "the same" : "different");
+      formatted("%llu steps twice: hash %016llx and %016llx, %s", static_cast<unsigned long long>(check->steps),
+                static_cast<unsigned long long>(check->first), static_cast<unsigned long long>(check->second),
+                check->passed() ? "the same" : "different");
   if (!check->passed()) return Error{told, "determinism", ""};
   return client.say(told), Status();
 }

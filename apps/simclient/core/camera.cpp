@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/angles.hpp"
+
 namespace physim::client {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kHalfView = 0.4;  // half the vertical angle of view [rad]
 constexpr double kNearest = 0.2, kFarthest = 2e8;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "math/angles.hpp"
 #include "physim/recording_file.hpp"
 #include "report/file.hpp"
 #include "report/format.hpp"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr double kReach = 12;       // of the mouse [pixels]
 constexpr double kMessageTime = 6;  // [s]
-constexpr double kRightAngle = 1.5707963267948966;
 
 bool is_recording(const std::string& file) { return file.ends_with(".rec") || file.ends_with(".rec.part"); }
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
+#include "math/angles.hpp"
 #include "physim/presets.hpp"
 #include "simclient/core/session.hpp"
-#include "simclient/core/text.hpp"
 
 namespace physim::client {
 namespace {
 
 constexpr int kMaxSetting = 5;
-constexpr double kDegree = 0.017453292519943295;  // [rad]
 constexpr double kElevationStep = 5 * kDegree, kMaxElevation = 45 * kDegree;
 constexpr double kSteepest = 89.9 * kDegree;
 
@@ -114,9 +114,9 @@ double Launcher::speed() const { return shot_.launch.velocity ? length(*shot_.la
 
 std::string Launcher::elevation_text() const {
   const double degrees = elevation() / kDegree, zero = shot_.launch.sight.zero_range;
-  if (zero > 0) return text("zeroed at %.6g m", zero);
-  if (const auto setting = elevation_setting()) return text("e = %d (%.1f\u00b0)", *setting, degrees);
-  return text("%.2f\u00b0", degrees);
+  if (zero > 0) return formatted("zeroed at %.6g m", zero);
+  if (const auto setting = elevation_setting()) return formatted("e = %d (%.1f\u00b0)", *setting, degrees);
+  return formatted("%.2f\u00b0", degrees);
 }
 
 }  // namespace physim::client

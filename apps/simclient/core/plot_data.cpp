@@ -113,9 +113,9 @@ std::vector<double> PlotAxis::ticks() const {
 std::string PlotAxis::text(double tick) const {
   if (std::abs(tick) < step * 1e-6) tick = 0;
   const double largest = std::max(std::abs(low), std::abs(high));
-  if (largest >= 1e6 || step < 1e-4) return client::text("%.3g", tick);
+  if (largest >= 1e6 || step < 1e-4) return formatted("%.3g", tick);
   const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-  return client::text("%.*f", digits, tick);
+  return formatted("%.*f", digits, tick);
 }
 
 Plot make_plot(const PlotSpec& spec, std::span<const Track> tracks, const Track* alone, const Scenario& scenario,

@@ -70,9 +70,9 @@ double scale_step(double length, double wanted) {
   return 10 * power;
 }
 
-std::string length_text(double metres) {
+std::string distance_text(double metres) {
   const bool far = std::abs(metres) >= 10000;
-  return text(far ? "%.6g km" : "%.6g m", far ? metres / 1000 : metres);
+  return formatted(far ? "%.6g km" : "%.6g m", far ? metres / 1000 : metres);
 }
 
 void build_scene(Client& client, double scale, Scene& scene) {

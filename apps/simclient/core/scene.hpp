@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/text.hpp"
 #include "simclient/core/client.hpp"
-#include "simclient/core/text.hpp"
 
 namespace physim::client {
 
@@ -69,6 +69,6 @@ void build_tools(const Client& client, double scale, Scene& scene);
 /// The distance between scale lines, 1, 2 or 5 times a power of ten, so that about `wanted` of them fit into `length`.
 [[nodiscard]] double scale_step(double length, double wanted);
 /// A length as people write it: "0.5 m", "200 m", "1.2 km".
-[[nodiscard]] std::string length_text(double metres);
+[[nodiscard]] std::string distance_text(double metres);
 
 }  // namespace physim::client

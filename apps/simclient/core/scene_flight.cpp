@@ -21,13 +21,13 @@ void mark(Scene& scene, const Camera& camera, double scale, const Track& track) 
   if (track.apex) {
     const Vec3d at = track.apex->position;
     cross(scene, camera, scale, at, right, up, track.colour);
-    scene.label(at, text("apex %.2f m, %.2f s", at.y, track.apex->time), track.colour, -2);
+    scene.label(at, formatted("apex %.2f m, %.2f s", at.y, track.apex->time), track.colour, -2);
   }
   if (track.impact) {
     const Vec3d at = track.impact->position, way = at - track.samples.front().position;
     cross(scene, camera, scale, at, right + up, right - up, track.colour);
     const double range = std::round(100 * std::hypot(way.x, way.z)) / 100;
-    scene.label(at, length_text(range) + text(" in %.2f s", track.impact->time), track.colour, 1);
+    scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1);
   }
 }
 
@@ -98,7 +98,7 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
     scene.label(tip + beyond, what, colour, -0.5);
   };
   const double speed = length(velocity);
-  draw(velocity, speed > 0 ? longest / speed : 0, colours::kVelocity, text("v %.2f m/s", speed));
+  draw(velocity, speed > 0 ? longest / speed : 0, colours::kVelocity, formatted("v %.2f m/s", speed));
   const std::pair<const char*, Vec3d> effects[] = {{"gravity", a.gravity},
                                                    {"drag", a.drag},
                                                    {"Coriolis", a.coriolis},
@@ -107,10 +107,10 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
   double strongest = length(a.total);
   for (const auto& [name, each] : effects) strongest = std::max(strongest, length(each));
   const double unit = strongest > 0 ? longest * 0.8 / strongest : 0;
-  draw(a.total, unit, colours::kAcceleration, text("a %.3g m/s\u00b2", length(a.total)));
+  draw(a.total, unit, colours::kAcceleration, formatted("a %.3g m/s\u00b2", length(a.total)));
   for (const auto& [name, each] : effects)
     if (length(each) >= 0.02 * strongest)  // else too short to be seen
-      draw(each, unit * 0.7, colours::kForce, text("%s %.3g N", name, length(each) * track->mass));
+      draw(each, unit * 0.7, colours::kForce, formatted("%s %.3g N", name, length(each) * track->mass));
 }
 
 void build_tools(const Client& client, double scale, Scene& scene) {
@@ -121,8 +121,8 @@ void build_tools(const Client& client, double scale, Scene& scene) {
   scene.ball(*tape.to, colours::kForce, 4 * scale);
   scene.line(*tape.from, *tape.to, colours::kForce, 2 * scale);
   const Vec3d middle = (*tape.from + *tape.to) * 0.5;
-  scene.label(middle, text("%.3f m", length(way)), colours::kForce, -1);
-  scene.label(middle, text("along %.3f, up %.3f, right %.3f m", way.x, way.y, way.z), colours::kForce, 0);
+  scene.label(middle, formatted("%.3f m", length(way)), colours::kForce, -1);
+  scene.label(middle, formatted("along %.3f, up %.3f, right %.3f m", way.x, way.y, way.z), colours::kForce, 0);
 }
 
 }  // namespace physim::client

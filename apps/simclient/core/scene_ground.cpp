@@ -1,12 +1,11 @@
 // The ground: a grid, and scale lines across the line of fire with their distances.
 #include <cmath>
 
+#include "math/angles.hpp"
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {
 namespace {
-
-constexpr double kRightAngle = 1.5707963267948966;
 
 /// The axis of the world that the shot flies along most: scale lines do not turn with every touch of the aim.
 Vec3d main_axis(double azimuth) {
@@ -26,7 +25,7 @@ void build_wall(const Client& client, double scale, double size, Scene& scene) {
   const Vec3d right{0, 0, size}, up{0, 1.5 * size, 0};
   const Vec3d corners[] = {foot - right, foot + right, foot + right + up, foot - right + up};
   for (int i = 0; i < 4; ++i) scene.line(corners[i], corners[(i + 1) % 4], colours::kWarning, 2 * scale);
-  scene.label(corners[2], "wall, " + length_text(*wall), colours::kWarning, -1);
+  scene.label(corners[2], "wall, " + distance_text(*wall), colours::kWarning, -1);
 }
 
 }  // namespace
@@ -54,7 +53,7 @@ void build_ground(const Client& client, double scale, Scene& scene) {
     if (std::abs(i) > 14) continue;
     const Vec3d half = across * (step * 0.18);
     scene.line(mark - half, mark + half, colours::kText, 2.5 * scale, reach);
-    scene.labels.push_back({mark + across * (step * 0.24), length_text(x), colours::kText, false, 0});
+    scene.labels.push_back({mark + across * (step * 0.24), distance_text(x), colours::kText, false, 0});
   }
   build_wall(client, scale, step, scene);
 }

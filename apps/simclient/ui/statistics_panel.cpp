@@ -1,8 +1,8 @@
 // Live numbers of every projectile, in its own colour.
 #include <cmath>
 
+#include "base/text.hpp"
 #include "physim/names.hpp"
-#include "simclient/core/text.hpp"
 #include "simclient/ui/panel.hpp"
 
 namespace physim::client {
@@ -21,8 +21,8 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
   const TrackSample& s = track.samples.back();
   ImGui::PushID(static_cast<int>(track.number));
   ImGui::PushStyleColor(ImGuiCol_Text, tint(track.colour));
-  const std::string title = text("%s   %s%s   %.2f s###title", track.title().c_str(),
-                                 std::string(name(track.status)).c_str(), track.edited ? ", edited" : "", s.time);
+  const std::string title = formatted("%s   %s%s   %.2f s###title", track.title().c_str(),
+                                      std::string(name(track.status)).c_str(), track.edited ? ", edited" : "", s.time);
   if (ImGui::Selectable(title.c_str(), is_selected)) client.selected = track.id;
   if (ImGui::BeginTable("numbers", 5, ImGuiTableFlags_SizingStretchProp)) {
     for (const float width : {1.1F, 1.2F, 1.2F, 1.2F, 0.7F})

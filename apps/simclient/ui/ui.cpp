@@ -162,12 +162,12 @@ std::vector<Ui::Item> Ui::status_items(const Client& client) const {
   const Launcher& launcher = client.launcher;
   const Fidelity& f = launcher.shot().projectile.fidelity;
   const Session& session = client.session;
-  std::vector<Item> items = {{"", text("%.2f s%s", session.time(), session.is_paused() ? "  PAUSED" : ""),
+  std::vector<Item> items = {{"", formatted("%.2f s%s", session.time(), session.is_paused() ? "  PAUSED" : ""),
                               session.is_paused() ? colours::kWarning : colours::kText}};
   if (session.is_recording()) items.push_back({"", "RECORDING", colours::kAcceleration});
   if (session.is_replay()) items.push_back({"", session.is_over() ? "REPLAY ENDED" : "REPLAY", colours::kVelocity});
   if (client.show.panel_keys) items.push_back({"", "KEYS: PANELS", colours::kForce});
-  if (session.time_scale() != 1) items.push_back({"", text("\u00d7%g", session.time_scale())});
+  if (session.time_scale() != 1) items.push_back({"", formatted("\u00d7%g", session.time_scale())});
   if (!session.is_replay()) {
     items.push_back({"shot", launcher.types()[launcher.type()].name});
     items.push_back({"elevation", launcher.elevation_text()});
@@ -175,8 +175,8 @@ std::vector<Ui::Item> Ui::status_items(const Client& client) const {
     items.push_back({"drag", std::string(name(f.drag))});
     items.push_back({"gravity", std::string(name(f.gravity))});
   }
-  items.push_back({"camera", text(client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s",
-                                  mode_text(client.camera.mode), client.camera.stretch)});
+  items.push_back({"camera", formatted(client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s",
+                                       mode_text(client.camera.mode), client.camera.stretch)});
   items.push_back({"in flight", std::to_string(session.world().size())});
   return items;
 }
