@@ -1,19 +1,36 @@
 # Our flags, per target: a project that adds PhySim as a subfolder keeps its own.
 #
-# Determinism rests on three of them: -ffp-contract=off (no fused multiply-add behind our back) and never -ffast-math.
+# Determinism rests on IEEE operations in the order written. What flags from outside allow beside them (-ffast-math,
+# -Ofast, -funsafe-math-optimizations, -ffp-contract=fast; in CMAKE_CXX_FLAGS or of a project around this one) is taken
+# back: ours come behind. base/strict_math.hpp ends a build where that fails.
+#
 # -fno-math-errno and -fno-trapping-math change no bit of a result; they let the compilers vectorise sqrt and select.
+# One string: as a list, CMake would drop what stands in front already, and keep it there.
+set(PHYSIM_IEEE "SHELL:-fno-fast-math -fno-associative-math -fno-reciprocal-math -fsigned-zeros -fno-finite-math-only \
+-fno-rounding-math")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  string(APPEND PHYSIM_IEEE " -fno-unsafe-math-optimizations -fno-single-precision-constant")
+elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  string(APPEND PHYSIM_IEEE " -fno-approx-func -fdenormal-fp-math=ieee")
+  if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 18)
+    string(APPEND PHYSIM_IEEE " -Wno-overriding-t-option")  # it tells that flags were taken back
+  endif()
+endif()
+string(APPEND PHYSIM_IEEE " -ffp-contract=off -fno-math-errno -fno-trapping-math")
 
 # A switch over an enumeration names every enumerator, so that a new one does not compile until each says what it does.
 # Wide vectors in signatures make g++ note an ABI change (psabi); designated initialisers leave fields out on purpose.
 set(PHYSIM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
     -Wvla -Wundef -Werror=switch -Werror=switch-enum -Wno-psabi -Wno-missing-field-initializers)
+# What users compile with: the examples must be clean under these alone.
+set(PHYSIM_USERS_WARNINGS -Wall -Wextra -Wpedantic -Werror)
 
 function(physim_flags target)
   target_compile_features(${target} PRIVATE cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_definitions(${target} PRIVATE PHYSIM_ASSERTS=$<OR:$<BOOL:${PHYSIM_ASSERTS}>,$<CONFIG:Debug>>)
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} -ffp-contract=off -fno-math-errno -fno-trapping-math)
+    target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} "${PHYSIM_IEEE}")
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # Where g++ 12 joins scalars to vectors it fuses alternating sums and differences of products (vfmaddsub),
       # whatever -ffp-contract says, if the whole build is for processors that can.

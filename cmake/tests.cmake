@@ -9,7 +9,10 @@ if(PHYSIM_GOLDEN AND golden_sources)
   target_link_libraries(physim_golden PRIVATE physim)
   set_target_properties(physim_golden PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   add_test(NAME golden COMMAND physim_golden)
-  set_tests_properties(golden PROPERTIES TIMEOUT 600)
+  # From threads that compute otherwise than the library does.
+  add_test(NAME golden.upward COMMAND physim_golden upward)
+  add_test(NAME golden.flush COMMAND physim_golden flush)
+  set_tests_properties(golden golden.upward golden.flush PROPERTIES TIMEOUT 600)
 endif()
 
 if(NOT PHYSIM_TESTS)
@@ -27,11 +30,36 @@ set_tests_properties(soak PROPERTIES TIMEOUT 900)
 # Random questions to aim(); short as a test, long by `./dev fuzz`.
 add_executable(physim_fuzz tests/fuzz/aim_fuzz.cpp)
 physim_flags(physim_fuzz)
-target_include_directories(physim_fuzz PRIVATE tests)
+target_include_directories(physim_fuzz PRIVATE src tests)
 target_link_libraries(physim_fuzz PRIVATE physim)
 set_target_properties(physim_fuzz PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 add_test(NAME fuzz COMMAND physim_fuzz 500)
 set_tests_properties(fuzz PROPERTIES TIMEOUT 900)
+
+# A user's program says the same whether it is compiled and linked with fast mathematics or not; and a project that is,
+# with PhySim as its subfolder, gets a library that is not.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-march=native PHYSIM_HAS_MARCH_NATIVE)
+  set(strict -fno-fast-math)
+  set(fast -O2 -ffast-math $<$<BOOL:${PHYSIM_HAS_MARCH_NATIVE}>:-march=native>)
+  set(programs)
+  foreach(flags IN ITEMS strict fast)
+    add_executable(physim_consumer_${flags} tests/fast_math/consumer.cpp)
+    target_compile_features(physim_consumer_${flags} PRIVATE cxx_std_20)
+    target_compile_options(physim_consumer_${flags} PRIVATE ${PHYSIM_USERS_WARNINGS} ${${flags}})
+    target_link_options(physim_consumer_${flags} PRIVATE ${${flags}})
+    target_link_libraries(physim_consumer_${flags} PRIVATE physim)
+    list(APPEND programs $<TARGET_FILE:physim_consumer_${flags}>)
+  endforeach()
+  add_test(NAME fast_math.consumer COMMAND ${CMAKE_COMMAND} "-DPROGRAMS=${programs}" -P
+                                           ${PROJECT_SOURCE_DIR}/tests/fast_math/compare.cmake)
+  add_test(NAME fast_math.parent
+           COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}
+                   -DGENERATOR=${CMAKE_GENERATOR} -DCOMPILER=${CMAKE_CXX_COMPILER} -P
+                   ${PROJECT_SOURCE_DIR}/tests/fast_math/parent.cmake)
+  set_tests_properties(fast_math.consumer fast_math.parent PROPERTIES TIMEOUT 300)
+endif()
 
 # What is installed compiles and links in a project that knows the package alone.
 if(TARGET physim_scenario)
@@ -44,7 +72,7 @@ if(TARGET physim_scenario)
 endif()
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS tests/*.cpp)
-list(FILTER test_sources EXCLUDE REGEX "/tests/(additions|install|fuzz|golden|soak|client|window)/")
+list(FILTER test_sources EXCLUDE REGEX "/tests/(additions|install|fast_math|fuzz|golden|soak|client|window)/")
 if(test_sources)
   find_package(GTest QUIET)
 endif()
@@ -76,11 +104,13 @@ if(addition_sources AND GTest_FOUND)
   target_link_libraries(physim_additions PRIVATE GTest::gtest_main)
 endif()
 
+# The examples are what users read and copy: clean under the warnings that users compile with.
 file(GLOB example_sources CONFIGURE_DEPENDS examples/*.cpp)
 foreach(source IN LISTS example_sources)
   get_filename_component(name ${source} NAME_WE)
   add_executable(example_${name} ${source})
-  physim_flags(example_${name})
+  target_compile_features(example_${name} PRIVATE cxx_std_20)
+  target_compile_options(example_${name} PRIVATE "$<$<CXX_COMPILER_ID:GNU,Clang>:${PHYSIM_USERS_WARNINGS}>")
   target_link_libraries(example_${name} PRIVATE physim)
   if(TARGET physim_scenario)
     target_link_libraries(example_${name} PRIVATE physim_scenario)

@@ -18,7 +18,7 @@
 namespace physim::test {
 
 inline constexpr double kDegree = 3.14159265358979323846 / 180;
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using physim::kInfinity;
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// |actual - expected| <= relative |expected| + absolute.

@@ -186,6 +186,20 @@ def check_units(name, text, lines):
             find(name, first, f"public field `{field}` has no unit; end its comment with one, [m/s], or [-] for none")
 
 
+NO_DEFAULT = {"Flight"}  # types of which there is none before it is made
+
+
+def check_initialised(name, text):
+    """A designated initialiser that leaves out a field without a value of its own is warned of: -Wextra at the user's."""
+    if not re.fullmatch(r"include/physim/[^/]*\.(hpp|h)", name):
+        return
+    code = COMMENT_OR_STRING.sub(blank, text)
+    for first, last, field in public_fields(code):
+        declaration = " ".join(code.split("\n")[first - 1:last]).strip()
+        if not re.search(r"[={]", declaration) and declaration.split()[0] not in NO_DEFAULT:
+            find(name, first, f"public field `{field}` has no value of its own; give it one, or {{}}")
+
+
 APART = re.compile(r"\b(isatty|ttyname|stdout|std::cout|std::cin|std::cerr|argc|argv|getopt|termios)\b"
                    r"|#\s*include\s*<(CLI/|GLFW/|imgui|epoxy/|termios)")
 
@@ -376,6 +390,7 @@ def main():
         lines = text.splitlines()
         check_includes(name, lines)
         check_units(name, text, lines)
+        check_initialised(name, text)
         check_apart(name, text)
         check_client_core(name, lines)
         check_source_named(name, lines)

@@ -7,16 +7,16 @@ namespace physim {
 
 /// Acceleration by effect. The effects add up to the total.
 struct Accelerations {
-  Vec3d gravity;      ///< [m/s^2]
-  Vec3d drag;         ///< [m/s^2]
-  Vec3d lift;         ///< of balls, by their spin [m/s^2]
-  Vec3d body;         ///< by the attitude: drag of yaw, lift, Magnus force; of a yaw of repose too [m/s^2]
-  Vec3d thrust;       ///< of the motor [m/s^2]
-  Vec3d coriolis;     ///< [m/s^2]
-  Vec3d centrifugal;  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
-  Vec3d applied;      ///< by ProjectileDef::force and, in a world, by its force generators [m/s^2]
-  Vec3d constraint;   ///< what planar flight, frozen axes and the launch rail take up of all others [m/s^2]
-  Vec3d total;        ///< as it is flown; of `classic` flights what the frame took over from the one before [m/s^2]
+  Vec3d gravity{};      ///< [m/s^2]
+  Vec3d drag{};         ///< [m/s^2]
+  Vec3d lift{};         ///< of balls, by their spin [m/s^2]
+  Vec3d body{};         ///< by the attitude: drag of yaw, lift, Magnus force; of a yaw of repose too [m/s^2]
+  Vec3d thrust{};       ///< of the motor [m/s^2]
+  Vec3d coriolis{};     ///< [m/s^2]
+  Vec3d centrifugal{};  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
+  Vec3d applied{};      ///< by ProjectileDef::force and, in a world, by its force generators [m/s^2]
+  Vec3d constraint{};   ///< what planar flight, frozen axes and the launch rail take up of all others [m/s^2]
+  Vec3d total{};        ///< as it is flown; of `classic` flights what the frame took over from the one before [m/s^2]
 };
 
 }  // namespace physim

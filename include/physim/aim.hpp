@@ -1,7 +1,6 @@
 // Asking backwards: aim() finds the directions that hit a target, max_range() the one that carries farthest.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -11,13 +10,14 @@ namespace physim {
 
 /// What is to be hit: a point, standing or moving, by where it is when the shot is fired.
 struct Target {
-  Vec3d position;      ///< at launch, in W [m]
-  Vec3d velocity;      ///< at launch [m/s]
-  Vec3d acceleration;  ///< constant [m/s^2]
+  Vec3d position{};      ///< at launch, in W [m]
+  Vec3d velocity{};      ///< at launch [m/s]
+  Vec3d acceleration{};  ///< constant [m/s^2]
 
   /// Where the target is at a time after launch [s].
-  [[nodiscard]] Vec3d at(double time) const { return position + (velocity + acceleration * (0.5 * time)) * time; }
-  [[nodiscard]] Vec3d velocity_at(double time) const { return velocity + acceleration * time; }
+  [[nodiscard]] Vec3d at(double time) const;
+  /// How fast it moves then [m/s].
+  [[nodiscard]] Vec3d velocity_at(double time) const;
 
   bool operator==(const Target&) const = default;
 };
@@ -31,20 +31,20 @@ enum class Arc {
 
 /// How to aim.
 struct AimOptions {
-  Arc arc = Arc::both;           ///< which solutions are looked for [-]
-  double tolerance = 0.01;       ///< a path that passes so near to the target hits it [m]
-  std::optional<double> ground;  ///< height of ground that stops the shot; none: no ground [m]
-  double time = 600;             ///< longest time of flight [s]
-  Tolerance flight;              ///< of the flights [-]
+  Arc arc = Arc::both;             ///< which solutions are looked for [-]
+  double tolerance = 0.01;         ///< a path that passes so near to the target hits it [m]
+  std::optional<double> ground{};  ///< height of ground that stops the shot; none: no ground [m]
+  double time = 600;               ///< longest time of flight [s]
+  Tolerance flight{};              ///< of the flights [-]
 };
 
 /// A direction that was flown, and how it passed the target.
 struct AimSolution {
-  Launch launch;             ///< with the elevation and azimuth found, and a plain sight: fly() it to see it hit [-]
+  Launch launch{};           ///< with the elevation and azimuth found, and a plain sight: fly() it to see it hit [-]
   double miss = 0;           ///< distance between projectile and target where they are closest, as flown [m]
   double time = 0;           ///< of flight, to there [s]
-  Vec3d position;            ///< of the projectile there [m]
-  Vec3d velocity;            ///< of the projectile there [m/s]
+  Vec3d position{};          ///< of the projectile there [m]
+  Vec3d velocity{};          ///< of the projectile there [m/s]
   double speed = 0;          ///< |velocity| [m/s]
   double descent = 0;        ///< angle of the path there, downwards positive [rad]
   std::int64_t flights = 0;  ///< trajectories flown to find it [-]
@@ -52,13 +52,12 @@ struct AimSolution {
 
 /// The answer of aim().
 struct Aim {
-  std::optional<AimSolution> low;  ///< of the shortest time of flight, where it was asked for [-]
-  std::optional<AimSolution>
-      high;                       ///< of the longest, where it was asked for; equal to `low` where only one exists [-]
-  AimSolution nearest;            ///< the closest that any flight came; a solution, where there is one [-]
-  bool behind_ground = false;     ///< paths hit the target, but only through AimOptions::ground [-]
-  std::int64_t flights = 0;       ///< trajectories flown in all; those that find a fixed step are not counted [-]
-  FidelityInUse fidelity_in_use;  ///< of the flights [-]
+  std::optional<AimSolution> low{};   ///< of the shortest time of flight, where it was asked for [-]
+  std::optional<AimSolution> high{};  ///< of the longest; equal to `low` where only one exists [-]
+  AimSolution nearest{};              ///< the closest that any flight came; a solution, where there is one [-]
+  bool behind_ground = false;         ///< paths hit the target, but only through AimOptions::ground [-]
+  std::int64_t flights = 0;           ///< trajectories flown in all; those that find a fixed step are not counted [-]
+  FidelityInUse fidelity_in_use{};    ///< of the flights [-]
 
   [[nodiscard]] bool in_reach() const { return low || high; }
   /// "hit in 2.18 s, ..." or "out of reach: the nearest path passes 12 m from the target".
@@ -79,8 +78,8 @@ struct MaxRange {
   double elevation = 0;      ///< of the bore above the horizon [rad]
   double range = 0;          ///< along the ground, from below the muzzle to the point of impact [m]
   double time = 0;           ///< of flight [s]
-  Vec3d position;            ///< of impact [m]
-  Vec3d velocity;            ///< at impact [m/s]
+  Vec3d position{};          ///< of impact [m]
+  Vec3d velocity{};          ///< at impact [m/s]
   std::int64_t flights = 0;  ///< trajectories flown [-]
 };
 

@@ -21,38 +21,38 @@ namespace physim {
 
 /// What a flight is for: how far it may be off, and for how long.
 struct Purpose {
-  double error = 0.01;           ///< largest distance from the truth, at any time of the flight [m]
-  double time = 2;               ///< of flight [s]
-  double step = 1.0 / 60;        ///< a frame: what a fixed step is, and what an adaptive one never exceeds;
-                                 ///< 0: steps are free, and found for each integrator [s]
-  std::optional<double> ground;  ///< height where flights end and stay; none: no ground [m]
+  double error = 0.01;             ///< largest distance from the truth, at any time of the flight [m]
+  double time = 2;                 ///< of flight [s]
+  double step = 1.0 / 60;          ///< a frame: what a fixed step is, and what an adaptive one never exceeds;
+                                   ///< 0: steps are free, and found for each integrator [s]
+  std::optional<double> ground{};  ///< height where flights end and stay; none: no ground [m]
   Motion least_motion = Motion::closed_form;       ///< never less; `force` where forces will be added [-]
   Precision least_precision = Precision::float32;  ///< never less [-]
   Fidelity truth = Fidelity::reference();  ///< models that errors are measured against; flown by dop853 in float64 [-]
-  Tolerance tolerance;                     ///< of the adaptive integrators to choose from; `step` is not read [-]
+  Tolerance tolerance{};                   ///< of the adaptive integrators to choose from; `step` is not read [-]
 };
 
 /// A fidelity that was flown, and what came out.
 struct FidelityTrial {
-  Fidelity fidelity;    ///< as granted [-]
-  double step = 0;      ///< fixed step, 0: none [s]
-  double error = 0;     ///< largest distance from the truth; infinite where the flight failed [m]
-  double cost = 0;      ///< floating-point operations for a second of flight; float64 counts twice [1/s]
-  std::string lowered;  ///< "drag", "integrator", ...: the truth with this one rung lowered; empty: a candidate [-]
-  bool within = false;  ///< whether it keeps the error [-]
+  Fidelity fidelity{};    ///< as granted [-]
+  double step = 0;        ///< fixed step, 0: none [s]
+  double error = 0;       ///< largest distance from the truth; infinite where the flight failed [m]
+  double cost = 0;        ///< floating-point operations for a second of flight; float64 counts twice [1/s]
+  std::string lowered{};  ///< "drag", "integrator", ...: the truth with this one rung lowered; empty: a candidate [-]
+  bool within = false;    ///< whether it keeps the error [-]
 };
 
 /// The answer of cheapest_within().
 struct AutoFidelity {
-  Fidelity fidelity;                  ///< the cheapest that keeps the error [-]
-  double step = 0;                    ///< its fixed step, 0: none [s]
-  double error = 0;                   ///< its largest distance from the truth, as measured, <= purpose.error [m]
-  double cost = 0;                    ///< floating-point operations for a second of flight; float64 counts twice [1/s]
-  double truth_cost = 0;              ///< the same, of the truth at the same frames [1/s]
-  double truth_error = 0;             ///< what the truth itself is unsure of, by its numbers [m]
-  double time = 0;                    ///< longest flight that was compared, at most purpose.time [s]
-  Purpose purpose;                    ///< what was asked [-]
-  std::vector<FidelityTrial> trials;  ///< all that was flown, in that order [-]
+  Fidelity fidelity{};     ///< the cheapest that keeps the error [-]
+  double step = 0;         ///< its fixed step, 0: none [s]
+  double error = 0;        ///< its largest distance from the truth, as measured, <= purpose.error [m]
+  double cost = 0;         ///< floating-point operations for a second of flight; float64 counts twice [1/s]
+  double truth_cost = 0;   ///< the same, of the truth at the same frames [1/s]
+  double truth_error = 0;  ///< what the truth itself is unsure of, by its numbers [m]
+  double time = 0;         ///< longest flight that was compared, at most purpose.time [s]
+  Purpose purpose{};       ///< what was asked [-]
+  std::vector<FidelityTrial> trials{};  ///< all that was flown, in that order [-]
 
   /// "the cheapest within 1 cm over 2 s: measured 4.2 mm, 38 times cheaper than the reference".
   [[nodiscard]] std::string explanation() const;

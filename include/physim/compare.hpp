@@ -16,8 +16,8 @@ namespace physim {
 
 /// A way to fly a shot.
 struct FlightSetting {
-  Fidelity fidelity;    ///< [-]
-  Tolerance tolerance;  ///< [-]
+  Fidelity fidelity{};    ///< [-]
+  Tolerance tolerance{};  ///< [-]
 };
 
 /// The tightest tolerance that double precision can keep.
@@ -26,7 +26,7 @@ inline constexpr Tolerance kReferenceTolerance{.relative = 1e-15, .absolute = 1e
 /// A flight beside the reference.
 struct ComparedFlight {
   Flight flight;                ///< [-]
-  std::string problem;          ///< why it is not measured: refused, or it never came to its end; empty: it is [-]
+  std::string problem{};        ///< why it is not measured: refused, or it never came to its end; empty: it is [-]
   double end_distance = 0;      ///< between its end and that of the reference [m]
   double largest_distance = 0;  ///< between the two at any equal time; one that has landed stays there [m]
   double end_delay = 0;         ///< of its end after that of the reference [s]
@@ -34,9 +34,9 @@ struct ComparedFlight {
 
 /// The answer of compare().
 struct Comparison {
-  Flight reference;                     ///< [-]
-  Launch launch;                        ///< of all: the bore is where the reference zeroes it [-]
-  std::vector<ComparedFlight> flights;  ///< in the order of the settings [-]
+  Flight reference;                       ///< [-]
+  Launch launch{};                        ///< of all: the bore is where the reference zeroes it [-]
+  std::vector<ComparedFlight> flights{};  ///< in the order of the settings [-]
 };
 
 /// Flies a shot in each of the ways and measures how far it comes from the reference. All share the bore of the

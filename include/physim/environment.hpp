@@ -25,14 +25,14 @@ struct Gravity {
 /// The air. Where temperature, pressure or humidity is given, density at the station follows CIPM-2007 and the standard
 /// profile is shifted to it; where none is given the air is exactly the US Standard Atmosphere 1976.
 struct Atmosphere {
-  AirModel model = AirModel::isa;          ///< the profile there is [-]
-  std::optional<double> temperature;       ///< at the station [K]
-  std::optional<double> pressure;          ///< at the station, not reduced to sea level [Pa]
-  std::optional<double> humidity;          ///< relative, 0 to 1, at the station [-]
-  std::optional<double> station_altitude;  ///< of the station above sea level; default: the origin's [m]
-  std::optional<double> density;      ///< at the origin, overrides all else for constant and exponential air [kg/m^3]
-  std::optional<double> sound_speed;  ///< at the origin, overrides all else for constant and exponential air [m/s]
-  double scale_height = 8500;         ///< of exponential air [m]
+  AirModel model = AirModel::isa;            ///< the profile there is [-]
+  std::optional<double> temperature{};       ///< at the station [K]
+  std::optional<double> pressure{};          ///< at the station, not reduced to sea level [Pa]
+  std::optional<double> humidity{};          ///< relative, 0 to 1, at the station [-]
+  std::optional<double> station_altitude{};  ///< of the station above sea level; default: the origin's [m]
+  std::optional<double> density{};      ///< at the origin, overrides all else for constant and exponential air [kg/m^3]
+  std::optional<double> sound_speed{};  ///< at the origin, overrides all else for constant and exponential air [m/s]
+  double scale_height = 8500;           ///< of exponential air [m]
 
   bool operator==(const Atmosphere&) const = default;
 };
@@ -46,16 +46,16 @@ enum class WindInterpolation {
 };
 
 struct WindPoint {
-  double at = 0;   ///< height above the origin, or downrange distance x [m]
-  Vec3d velocity;  ///< of the air [m/s]
+  double at = 0;     ///< height above the origin, or downrange distance x [m]
+  Vec3d velocity{};  ///< of the air [m/s]
 
   bool operator==(const WindPoint&) const = default;
 };
 
 /// Wind is the velocity of the air in the world frame: (0, 0, -4) blows from the right.
 struct Wind {
-  Vec3d velocity;                                               ///< without a profile, everywhere [m/s]
-  std::vector<WindPoint> profile;                               ///< at rising places; held outside; at most 32 [m]
+  Vec3d velocity{};                                             ///< without a profile, everywhere [m/s]
+  std::vector<WindPoint> profile{};                             ///< at rising places; held outside; at most 32 [m]
   WindAxis by = WindAxis::height;                               ///< what the profile is read by [-]
   WindInterpolation interpolation = WindInterpolation::linear;  ///< between points of the profile [-]
 
@@ -76,11 +76,11 @@ struct Earth {
 
 /// Where a projectile flies.
 struct Environment {
-  double altitude = 0;    ///< of the origin of the world frame above sea level, or above the ellipsoid [m]
-  Gravity gravity;        ///< [-]
-  Atmosphere atmosphere;  ///< [-]
-  Wind wind;              ///< [-]
-  Earth earth;            ///< [-]
+  double altitude = 0;      ///< of the origin of the world frame above sea level, or above the ellipsoid [m]
+  Gravity gravity{};        ///< [-]
+  Atmosphere atmosphere{};  ///< [-]
+  Wind wind{};              ///< [-]
+  Earth earth{};            ///< [-]
 
   bool operator==(const Environment&) const = default;
 };

@@ -64,11 +64,11 @@ struct Event {
   EventKind kind = EventKind::ground;      ///< [-]
   Crossing direction = Crossing::falling;  ///< of a quantity that crossed a value [-]
   Reason reason = Reason::none;            ///< of expired and retired [-]
-  ProjectileId id;                         ///< in a world [-]
+  ProjectileId id{};                       ///< in a world [-]
   double value = 0;                        ///< that a quantity crossed [unit of the kind]
   double time = 0;                         ///< in a flight since launch, in a world of the world [s]
-  Vec3d position;                          ///< [m]
-  Vec3d velocity;                          ///< [m/s]
+  Vec3d position{};                        ///< [m]
+  Vec3d velocity{};                        ///< [m/s]
 };
 
 }  // namespace physim

@@ -142,23 +142,23 @@ PHYSIM_INLINE constexpr bool turns(const Fidelity& f) {
 
 /// What can be told of a rung of the ladder.
 struct RungInfo {
-  std::string_view name;  ///< as its enumerator is spelled [-]
-  std::string_view doc;   ///< one line [-]
-  int level;              ///< its place among the rungs of its effect, from cheap to true [-]
+  std::string_view name{};  ///< as its enumerator is spelled [-]
+  std::string_view doc{};   ///< one line [-]
+  int level = 0;            ///< its place among the rungs of its effect, from cheap to true [-]
 };
 
 /// One answer of fidelity_in_use(): what was asked for, what was granted, and why they differ.
 struct FidelityNote {
-  std::string effect;   ///< field of Fidelity, "drag" [-]
-  std::string asked;    ///< "equation" [-]
-  std::string granted;  ///< "off" [-]
-  std::string reason;   ///< one sentence [-]
+  std::string effect{};   ///< field of Fidelity, "drag" [-]
+  std::string asked{};    ///< "equation" [-]
+  std::string granted{};  ///< "off" [-]
+  std::string reason{};   ///< one sentence [-]
 };
 
 /// What a flight really used.
 struct FidelityInUse {
-  Fidelity fidelity;                ///< as granted [-]
-  std::vector<FidelityNote> notes;  ///< one for each field that differs from what was asked [-]
+  Fidelity fidelity{};                ///< as granted [-]
+  std::vector<FidelityNote> notes{};  ///< one for each field that differs from what was asked [-]
 };
 
 }  // namespace physim

@@ -12,10 +12,10 @@ namespace physim {
 
 /// What was measured of a flight at one range; at least one figure of it.
 struct Measurement {
-  double range = 0;             ///< along the line of sight [m]
-  std::optional<double> speed;  ///< [m/s]
-  std::optional<double> drop;   ///< above the line of sight, below it negative [m]
-  std::optional<double> time;   ///< of flight [s]
+  double range = 0;               ///< along the line of sight [m]
+  std::optional<double> speed{};  ///< [m/s]
+  std::optional<double> drop{};   ///< above the line of sight, below it negative [m]
+  std::optional<double> time{};   ///< of flight [s]
 };
 
 /// What is fitted, and how far measurements are trusted: figures count by how many times their error they are off.
@@ -29,21 +29,21 @@ struct FitOptions {
 /// One figure as measured and as computed by what was fitted.
 struct FitResidual {
   std::size_t measurement = 0;  ///< its index [-]
-  std::string quantity;         ///< "speed", "drop" or "time" [-]
+  std::string quantity{};       ///< "speed", "drop" or "time" [-]
   double measured = 0;          ///< [m/s, m or s]
   double computed = 0;          ///< [m/s, m or s]
 };
 
 /// A fitted projectile.
 struct Fit {
-  ProjectileDef projectile;            ///< as given, its drag scaled [-]
-  Launch launch;                       ///< as given, with the muzzle speed fitted [-]
-  double scale = 1;                    ///< drag of the fitted projectile over that of the given one [-]
-  double scale_error = 0;              ///< standard error; 0 without more figures than unknowns [-]
-  double muzzle_speed_error = 0;       ///< standard error, likewise; 0 where it is not fitted [m/s]
-  double rms = 0;                      ///< of the residuals over their errors; about 1 where the errors are right [-]
-  std::vector<FitResidual> residuals;  ///< in the order of the measurements [-]
-  std::int64_t flights = 0;            ///< trajectories flown [-]
+  ProjectileDef projectile{};            ///< as given, its drag scaled [-]
+  Launch launch{};                       ///< as given, with the muzzle speed fitted [-]
+  double scale = 1;                      ///< drag of the fitted projectile over that of the given one [-]
+  double scale_error = 0;                ///< standard error; 0 without more figures than unknowns [-]
+  double muzzle_speed_error = 0;         ///< standard error, likewise; 0 where it is not fitted [m/s]
+  double rms = 0;                        ///< of the residuals over their errors; about 1 where the errors are right [-]
+  std::vector<FitResidual> residuals{};  ///< in the order of the measurements [-]
+  std::int64_t flights = 0;              ///< trajectories flown [-]
 };
 
 /// Finds by how much the drag of a projectile must be scaled for its flight to come nearest to measurements, in the

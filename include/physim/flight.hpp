@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,6 +13,7 @@
 #include "physim/event.hpp"
 #include "physim/fidelity.hpp"
 #include "physim/frames.hpp"
+#include "physim/infinity.hpp"
 #include "physim/projectile.hpp"
 #include "physim/quat.hpp"
 #include "physim/result.hpp"
@@ -23,22 +23,22 @@ namespace physim {
 
 /// The numerical error allowed.
 struct Tolerance {
-  std::optional<double> relative;  ///< adaptive integrators: error per step, relative to |position| and |velocity|;
-                                   ///< none: 1e-9, in float32 1e-5 [-]
-  double absolute = 1e-9;          ///< adaptive integrators: error per step where these are near zero: the whole is
-                                   ///< sqrt(absolute^2 + (relative |y|)^2) [m, m/s]
-  double step = 0;                 ///< fixed-step integrators; 0: heun and rk4 by a pilot flight, others 1/60 s [s]
-  double position_error = 1e-3;    ///< what the pilot flight aims for at the end of the flight [m]
-  double max_step = std::numeric_limits<double>::infinity();  ///< adaptive integrators never step further [s]
-  std::int64_t max_steps = 1'000'000;                         ///< then the flight ends with Outcome::step_limit [-]
+  std::optional<double> relative{};    ///< adaptive integrators: error per step, relative to |position| and |velocity|;
+                                       ///< none: 1e-9, in float32 1e-5 [-]
+  double absolute = 1e-9;              ///< adaptive integrators: error per step where these are near zero: the whole is
+                                       ///< sqrt(absolute^2 + (relative |y|)^2) [m, m/s]
+  double step = 0;                     ///< fixed-step integrators; 0: heun and rk4 by a pilot flight, others 1/60 s [s]
+  double position_error = 1e-3;        ///< what the pilot flight aims for at the end of the flight [m]
+  double max_step = kInfinity;         ///< adaptive integrators never step further [s]
+  std::int64_t max_steps = 1'000'000;  ///< then the flight ends with Outcome::step_limit [-]
 };
 
 /// When a flight ends. Ground and time always guard it; the earliest terminal event ends it.
 struct Until {
   std::optional<double> ground = 0.0;  ///< height of the ground above the origin; none: no ground [m]
   double time = 3600;                  ///< after launch [s]
-  std::optional<double> range;         ///< along the line of sight [m]
-  std::vector<EventSpec> events;       ///< further events, at most 24 [-]
+  std::optional<double> range{};       ///< along the line of sight [m]
+  std::vector<EventSpec> events{};     ///< further events, at most 24 [-]
 };
 
 /// How a flight ended.
@@ -75,9 +75,9 @@ constexpr bool ended_as_planned(Outcome outcome) {
 /// The state at one time.
 struct Sample {
   double time = 0;             ///< since launch [s]
-  Vec3d position;              ///< in W [m]
-  Vec3d velocity;              ///< in W [m/s]
-  Vec3d acceleration;          ///< in W [m/s^2]
+  Vec3d position{};            ///< in W [m]
+  Vec3d velocity{};            ///< in W [m/s]
+  Vec3d acceleration{};        ///< in W [m/s^2]
   double speed = 0;            ///< |velocity| [m/s]
   double mach = 0;             ///< air speed over sound speed; 0 without a sound speed [-]
   double energy = 0;           ///< kinetic [J]
@@ -86,8 +86,8 @@ struct Sample {
   double range = 0;            ///< along the line of sight [m]
   double drop = 0;             ///< above the line of sight, perpendicular to it, up positive [m]
   double windage = 0;          ///< right of the line of sight [m]
-  Quatd orientation;           ///< q_WB, where rotation is flown: takes body axes (x forward, y up, z right) into W [-]
-  Vec3d angular_velocity;      ///< relative to inertial space, along body axes, where rotation is flown [rad/s]
+  Quatd orientation{};         ///< q_WB, where rotation is flown: takes body axes (x forward, y up, z right) into W [-]
+  Vec3d angular_velocity{};    ///< relative to inertial space, along body axes, where rotation is flown [rad/s]
   double angle_of_attack = 0;  ///< total: of the body's x axis to the air, where rotation is flown [rad]
 };
 
@@ -154,38 +154,38 @@ class Flight {
 
 /// One shot of a batch.
 struct Shot {
-  ProjectileDef projectile;  ///< [-]
-  Launch launch;             ///< [-]
+  ProjectileDef projectile{};  ///< [-]
+  Launch launch{};             ///< [-]
 };
 
 /// How one shot of a batch ended.
 struct ShotResult {
   Outcome outcome = Outcome::refused;  ///< [-]
   double time = 0;                     ///< of flight [s]
-  Vec3d position;                      ///< at the end [m]
-  Vec3d velocity;                      ///< at the end [m/s]
-  FlightCost cost;                     ///< [-]
+  Vec3d position{};                    ///< at the end [m]
+  Vec3d velocity{};                    ///< at the end [m/s]
+  FlightCost cost{};                   ///< [-]
 };
 
 /// How one shot of a batch points and turns at its end.
 struct ShotAttitude {
-  Quatd orientation;       ///< as Sample::orientation [-]
-  Vec3d angular_velocity;  ///< as Sample::angular_velocity [rad/s]
+  Quatd orientation{};       ///< as Sample::orientation [-]
+  Vec3d angular_velocity{};  ///< as Sample::angular_velocity [rad/s]
 };
 
 /// An event of one shot of a batch.
 struct ShotEvent {
   std::uint32_t shot = 0;  ///< index of the shot [-]
-  Event event;             ///< [-]
+  Event event{};           ///< [-]
 };
 
 struct BatchResult {
-  std::vector<ShotResult> shots;        ///< in the order given [-]
-  std::vector<ShotAttitude> attitudes;  ///< of each shot, where rotation is flown; else empty [-]
-  std::vector<ShotEvent> events;        ///< by shot, then by time [-]
-  std::string kernel;                   ///< that flew the batch: "base", "avx2", "avx512" or "scalar" [-]
-  FidelityInUse fidelity_in_use;        ///< of the first shot that was not refused [-]
-  std::optional<Error> error;           ///< the first error among refused shots [-]
+  std::vector<ShotResult> shots{};        ///< in the order given [-]
+  std::vector<ShotAttitude> attitudes{};  ///< of each shot, where rotation is flown; else empty [-]
+  std::vector<ShotEvent> events{};        ///< by shot, then by time [-]
+  std::string kernel{};                   ///< that flew the batch: "base", "avx2", "avx512" or "scalar" [-]
+  FidelityInUse fidelity_in_use{};        ///< of the first shot that was not refused [-]
+  std::optional<Error> error{};           ///< the first error among refused shots [-]
 };
 
 /// Flies many shots at once, in packs of lanes that are refilled as shots end. The numbers are those of fly(), bit for

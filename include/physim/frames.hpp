@@ -18,16 +18,16 @@ struct Conditions;
 
 /// A place and a velocity in some frame.
 struct FrameState {
-  Vec3d position;  ///< [m]
-  Vec3d velocity;  ///< as seen in the same frame [m/s]
+  Vec3d position{};  ///< [m]
+  Vec3d velocity{};  ///< as seen in the same frame [m/s]
 };
 
 /// Where a body points: its heading, clockwise from north, then how high its nose is, then how far its right side is
 /// down.
 struct YawPitchRoll {
-  double yaw;    ///< -pi..pi [rad]
-  double pitch;  ///< -pi/2..pi/2 [rad]
-  double roll;   ///< -pi..pi [rad]
+  double yaw = 0;    ///< -pi..pi [rad]
+  double pitch = 0;  ///< -pi/2..pi/2 [rad]
+  double roll = 0;   ///< -pi..pi [rad]
 };
 
 /// The frames of one environment. On a rotating Earth W and E turn with it, and velocities in them are those seen from

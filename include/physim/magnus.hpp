@@ -1,8 +1,9 @@
 // MagnusDef: lift and drag of a ball that spins, by formula or by a table.
 #pragma once
 
-#include <limits>
 #include <vector>
+
+#include "physim/infinity.hpp"
 
 namespace physim {
 
@@ -29,9 +30,9 @@ struct MagnusDef {
   double lift_base = 1;                     ///< > 0 [-]
   double lift_saturation = 0;               ///< [-]
   double drag_per_spin = 0;                 ///< added to Cd for each rad/s of spin [s]
-  std::vector<MagnusPoint> table;           ///< every speed with every spin, in any order; straight lines between [-]
+  std::vector<MagnusPoint> table{};         ///< every speed with every spin, in any order; straight lines between [-]
   SpinMeasure measure = SpinMeasure::rate;  ///< of the table [-]
-  double decay_time = std::numeric_limits<double>::infinity();  ///< in which the spin falls to 1/e [s]
+  double decay_time = kInfinity;            ///< in which the spin falls to 1/e [s]
 
   bool operator==(const MagnusDef&) const = default;
 };

@@ -26,13 +26,14 @@ struct PropellantPoint {
 
 /// A rocket motor. It burns once, from its ignition to the last point of its thrust.
 struct MotorDef {
-  std::string name;                         ///< for tables [-]
-  std::vector<ThrustPoint> thrust;          ///< times rising from 0, at most 1000 points; empty: no motor [N]
-  double propellant_mass = 0;               ///< burned in all; part of ProjectileDef::mass [kg]
-  std::vector<PropellantPoint> propellant;  ///< left by time, propellant_mass to 0; empty: falls with the impulse [kg]
-  double ignition_delay = 0;                ///< from launch to ignition [s]
-  double drag_factor = 1;                   ///< times the drag while it burns [-]
-  std::vector<DragPoint> drag_curve;        ///< Cd by Mach number while it burns; empty: that of the projectile [-]
+  std::string name{};                 ///< for tables [-]
+  std::vector<ThrustPoint> thrust{};  ///< times rising from 0, at most 1000 points; empty: no motor [N]
+  double propellant_mass = 0;         ///< burned in all; part of ProjectileDef::mass [kg]
+  std::vector<PropellantPoint>
+      propellant{};                     ///< left by time, propellant_mass to 0; empty: falls with the impulse [kg]
+  double ignition_delay = 0;            ///< from launch to ignition [s]
+  double drag_factor = 1;               ///< times the drag while it burns [-]
+  std::vector<DragPoint> drag_curve{};  ///< Cd by Mach number while it burns; empty: that of the projectile [-]
 
   bool operator==(const MotorDef&) const = default;
 };

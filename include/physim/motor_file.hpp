@@ -12,12 +12,12 @@ namespace physim {
 
 /// A motor of a file. Its diameter, length and mass are what a rocket must carry; the rocket's own mass is beside.
 struct MotorFileEntry {
-  MotorDef motor;            ///< name, thrust and propellant mass [-]
-  double diameter = 0;       ///< [m]
-  double length = 0;         ///< [m]
-  double mass = 0;           ///< of the loaded motor [kg]
-  std::string delays;        ///< of the ejection charge, as written: "0-3-5-7" [-]
-  std::string manufacturer;  ///< [-]
+  MotorDef motor{};            ///< name, thrust and propellant mass [-]
+  double diameter = 0;         ///< [m]
+  double length = 0;           ///< [m]
+  double mass = 0;             ///< of the loaded motor [kg]
+  std::string delays{};        ///< of the ejection charge, as written: "0-3-5-7" [-]
+  std::string manufacturer{};  ///< [-]
 };
 
 /// Reads the motors of a RASP file: lines of comment start with ';'; a motor is a header of seven words (name, diameter

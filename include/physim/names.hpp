@@ -77,8 +77,8 @@ PHYSIM_RUNG_ENUM(Interpolation)
 
 /// The rungs of one effect, cheap to true.
 struct EffectRungs {
-  std::string_view effect;          ///< field of Fidelity [-]
-  std::span<const RungInfo> rungs;  ///< [-]
+  std::string_view effect{};          ///< field of Fidelity [-]
+  std::span<const RungInfo> rungs{};  ///< [-]
 };
 /// The whole ladder of fidelity, in the order of Fidelity's fields.
 [[nodiscard]] std::span<const EffectRungs> all_effects();

@@ -14,11 +14,11 @@ namespace physim {
 
 /// A projectile to start from.
 struct ProjectilePreset {
-  ProjectileDef projectile;  ///< [-]
-  BodyDef body;              ///< [-]
-  double speed = 0;          ///< usual at launch [m/s]
-  std::string doc;           ///< what it is [-]
-  std::string source;        ///< where its numbers come from [-]
+  ProjectileDef projectile{};  ///< [-]
+  BodyDef body{};              ///< [-]
+  double speed = 0;            ///< usual at launch [m/s]
+  std::string doc{};           ///< what it is [-]
+  std::string source{};        ///< where its numbers come from [-]
 };
 
 namespace presets {

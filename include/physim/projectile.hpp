@@ -1,7 +1,6 @@
 // ProjectileDef: what a projectile is. Launch: where, how fast and in which direction it starts.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "physim/aero.hpp"
 #include "physim/drag_point.hpp"
 #include "physim/fidelity.hpp"
+#include "physim/infinity.hpp"
 #include "physim/magnus.hpp"
 #include "physim/motor.hpp"
 #include "physim/vec3.hpp"
@@ -43,9 +43,9 @@ struct BallisticBand {
 struct DragDef {
   DragTable table = DragTable::constant;  ///< source of Cd [-]
   double coefficient = 0.5;               ///< Cd of DragTable::constant [-]
-  std::vector<DragPoint> curve;           ///< of DragTable::custom; Mach strictly rising, held constant outside [-]
+  std::vector<DragPoint> curve{};         ///< of DragTable::custom; Mach strictly rising, held constant outside [-]
   double ballistic_coefficient = 0;       ///< BC = m / (i d^2); 0: from mass, diameter and form_factor [kg/m^2]
-  std::vector<BallisticBand> bands;       ///< BC by speed instead of one value, at most 8 [kg/m^2]
+  std::vector<BallisticBand> bands{};     ///< BC by speed instead of one value, at most 8 [kg/m^2]
   double form_factor = 1;                 ///< i: Cd of the projectile over Cd of the table [-]
   double damping = 1;                     ///< part of the velocity kept after one second, 0 < d <= 1 [-]
   double k1 = 0;                          ///< linear drag: F = -(k1 + k2 |v|) v [kg/s]
@@ -57,27 +57,27 @@ struct DragDef {
 /// Moments of inertia about the centre of mass, along body axes: x forward, y up, z right. All 0: not known, and no
 /// rigid body. A product is that of the tensor with its sign: Ixy = -integral of x y dm.
 struct Inertia {
-  Vec3d moments;   ///< Ixx, Iyy, Izz [kg m^2]
-  Vec3d products;  ///< Ixy, Ixz, Iyz [kg m^2]
+  Vec3d moments{};   ///< Ixx, Iyy, Izz [kg m^2]
+  Vec3d products{};  ///< Ixy, Ixz, Iyz [kg m^2]
 
   bool operator==(const Inertia&) const = default;
 };
 
 /// What a projectile is. Every field has one meaning at every fidelity; low fidelities ignore part of it.
 struct ProjectileDef {
-  std::string name;       ///< for tables and plots [-]
-  double mass = 1;        ///< at launch, the propellant of a motor included [kg]
-  double diameter = 0.1;  ///< reference diameter: the reference area is pi d^2 / 4 [m]
-  double length = 0;      ///< for the stability factor; 0: not known [m]
-  double twist = 0;       ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
-  DragDef drag;           ///< data of the drag models [-]
-  MagnusDef magnus;       ///< of balls that spin [-]
-  Inertia inertia;        ///< of rigid bodies [-]
-  AeroDef aero;           ///< of rigid bodies, beside drag at zero yaw [-]
-  Vec3d force;            ///< a constant force on the projectile, such as thrust [N]
-  double force_duration = std::numeric_limits<double>::infinity();  ///< the force acts from launch for this long [s]
-  MotorDef motor;                                                   ///< pushes it along; empty thrust: none [-]
-  Fidelity fidelity;                                                ///< used where a call gives none [-]
+  std::string name{};                 ///< for tables and plots [-]
+  double mass = 1;                    ///< at launch, the propellant of a motor included [kg]
+  double diameter = 0.1;              ///< reference diameter: the reference area is pi d^2 / 4 [m]
+  double length = 0;                  ///< for the stability factor; 0: not known [m]
+  double twist = 0;                   ///< rifling, length of one turn, positive right-handed; 0: no spin [m]
+  DragDef drag{};                     ///< data of the drag models [-]
+  MagnusDef magnus{};                 ///< of balls that spin [-]
+  Inertia inertia{};                  ///< of rigid bodies [-]
+  AeroDef aero{};                     ///< of rigid bodies, beside drag at zero yaw [-]
+  Vec3d force{};                      ///< a constant force on the projectile, such as thrust [N]
+  double force_duration = kInfinity;  ///< the force acts from launch for this long [s]
+  MotorDef motor{};                   ///< pushes it along; empty thrust: none [-]
+  Fidelity fidelity{};                ///< used where a call gives none [-]
 
   bool operator==(const ProjectileDef&) const = default;
 };
@@ -109,7 +109,7 @@ struct LaunchAttitude {
   double pitch = 0;                           ///< of the nose, up, second [rad]
   double roll = 0;                            ///< right side down, third [rad]
   RateFrame rate_frame = RateFrame::world;    ///< which frame the rates are seen from [-]
-  Vec3d rates;                                ///< about body axes (x forward, y up, z right), on top of rifling [rad/s]
+  Vec3d rates{};                              ///< about body axes (x forward, y up, z right), on top of rifling [rad/s]
 };
 
 /// The spin of a ball at launch.
@@ -123,15 +123,15 @@ struct LaunchSpin {
 
 /// Where, how fast and in which direction a projectile starts.
 struct Launch {
-  Vec3d position;                 ///< of the muzzle in the world frame W: x downrange, y up, z right [m]
-  double speed = 0;               ///< [m/s]
-  double elevation = 0;           ///< of the bore above the horizon, before cant; 0 with a zero range [rad]
-  double azimuth = 0;             ///< of the plane of fire, from x towards z (to the right) [rad]
-  std::optional<Vec3d> velocity;  ///< instead of speed, elevation and azimuth [m/s]
-  double rail_length = 0;         ///< it moves only forwards along the bore until it has come so far; 0: no rail [m]
-  Sight sight;                    ///< line of sight [-]
-  LaunchAttitude attitude;        ///< of rigid bodies [-]
-  LaunchSpin spin;                ///< of balls [-]
+  Vec3d position{};                 ///< of the muzzle in the world frame W: x downrange, y up, z right [m]
+  double speed = 0;                 ///< [m/s]
+  double elevation = 0;             ///< of the bore above the horizon, before cant; 0 with a zero range [rad]
+  double azimuth = 0;               ///< of the plane of fire, from x towards z (to the right) [rad]
+  std::optional<Vec3d> velocity{};  ///< instead of speed, elevation and azimuth [m/s]
+  double rail_length = 0;           ///< it moves only forwards along the bore until it has come so far; 0: no rail [m]
+  Sight sight{};                    ///< line of sight [-]
+  LaunchAttitude attitude{};        ///< of rigid bodies [-]
+  LaunchSpin spin{};                ///< of balls [-]
 };
 
 }  // namespace physim

@@ -1,7 +1,6 @@
-// Quat: rotations as unit quaternions of any number type.
+// Quat: rotations as unit quaternions of any number type; computed inside the library (src/math/quat.hpp), as what
+// rounds more than once in Vec3 is.
 #pragma once
-
-#include <cmath>
 
 #include "physim/macros.hpp"
 #include "physim/vec3.hpp"
@@ -26,40 +25,22 @@ using Quatd = Quat<double>;
 
 /// First b, then a.
 template <class T>
-PHYSIM_INLINE Quat<T> operator*(const Quat<T>& a, const Quat<T>& b) {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
-}
+Quat<T> operator*(const Quat<T>& a, const Quat<T>& b);
 /// The opposite rotation: q_BW = conjugate(q_WB).
 template <class T>
 PHYSIM_INLINE Quat<T> conjugate(const Quat<T>& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 template <class T>
-PHYSIM_INLINE T norm_squared(const Quat<T>& q) {
-  return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-}
+T norm_squared(const Quat<T>& q);
 template <class T>
-PHYSIM_INLINE T norm(const Quat<T>& q) {
-  using std::sqrt;
-  return sqrt(norm_squared(q));
-}
+T norm(const Quat<T>& q);
 /// The rotation that q stands for, with norm one; zero becomes the identity.
 template <class T>
-PHYSIM_INLINE Quat<T> normalized(const Quat<T>& q) {
-  const T n = norm(q);
-  if (!(n > T{0})) return {};
-  const T s = T{1} / n;
-  return {q.w * s, q.x * s, q.y * s, q.z * s};
-}
+Quat<T> normalized(const Quat<T>& q);
 /// v turned by the unit quaternion q.
 template <class T>
-PHYSIM_INLINE Vec3<T> rotate(const Quat<T>& q, const Vec3<T>& v) {
-  // q v q* = v + w t + u x t with q = (w, u) and t = 2 u x v
-  const Vec3<T> u{q.x, q.y, q.z};
-  const Vec3<T> t = cross(u, v) * T(2);
-  return v + t * q.w + cross(u, t);
-}
+Vec3<T> rotate(const Quat<T>& q, const Vec3<T>& v);
 
 /// The right-handed turn by `angle` [rad] about `axis` (any length; a zero axis gives the identity). For float and
 /// double; computed in double with the library's own sine and cosine, so that every platform gets the same bits.

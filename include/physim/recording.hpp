@@ -24,8 +24,8 @@ inline constexpr std::uint32_t kRecordingFormat = 4;
 struct ReplayDifference {
   std::uint64_t step = 0;  ///< the step in which it was seen, from 1; of a call between steps: the last one before [-]
   double time = 0;         ///< of the replayed world [s]
-  std::string call;        ///< the call that was made, "advance" [-]
-  std::string what;        ///< one sentence [-]
+  std::string call{};      ///< the call that was made, "advance" [-]
+  std::string what{};      ///< one sentence [-]
   std::uint64_t recorded_hash = 0;  ///< where hashes differ [-]
   std::uint64_t replayed_hash = 0;  ///< where hashes differ [-]
   std::uint64_t place = 0;          ///< in the recording [bytes]
@@ -33,7 +33,7 @@ struct ReplayDifference {
 
 /// How far a replay is, and whether it agrees.
 struct ReplayReport {
-  std::string made_by;         ///< version of the library that recorded [-]
+  std::string made_by{};       ///< version of the library that recorded [-]
   bool complete = false;       ///< the recording has its end; else it was cut [-]
   std::uint64_t bytes = 0;     ///< of the recording that are used: all, or up to where it was cut [bytes]
   std::uint64_t calls = 0;     ///< made [-]
@@ -41,12 +41,13 @@ struct ReplayReport {
   std::uint64_t hashes = 0;    ///< compared, and equal [-]
   std::uint64_t restores = 0;  ///< made [-]
   std::uint64_t spawned = 0;   ///< projectiles handed out [-]
-  std::optional<ReplayDifference> difference;  ///< the first; the replay stops there [-]
+  std::optional<ReplayDifference> difference{};  ///< the first; the replay stops there [-]
 };
 
 struct ReplayOptions {
-  Threading threading;                     ///< recordings do not hold it: it changes no result [-]
-  std::vector<CustomForce> custom_forces;  ///< functions cannot be recorded: the same, in the order they were added [-]
+  Threading threading{};  ///< recordings do not hold it: it changes no result [-]
+  std::vector<CustomForce>
+      custom_forces{};  ///< functions cannot be recorded: the same, in the order they were added [-]
 };
 
 /// A recording played call by call, for those who look at the world in between.

@@ -12,9 +12,9 @@ namespace physim {
 
 /// What went wrong with some input.
 struct Error {
-  std::string message;  ///< what is wrong, in one sentence [-]
-  std::string place;    ///< where: a field ("projectile.mass") or "file:line:col"; may be empty [-]
-  std::string hint;     ///< what would be right; may be empty [-]
+  std::string message{};  ///< what is wrong, in one sentence [-]
+  std::string place{};    ///< where: a field ("projectile.mass") or "file:line:col"; may be empty [-]
+  std::string hint{};     ///< what would be right; may be empty [-]
 
   /// "place: error: message; hint"
   [[nodiscard]] std::string text() const {

@@ -20,21 +20,21 @@ namespace physim {
 
 /// One [[shot]] of a scenario. Its fidelity is projectile.fidelity, its name projectile.name.
 struct ScenarioShot {
-  ProjectileDef projectile;  ///< [-]
-  Launch launch;             ///< [-]
-  BodyDef body;              ///< how a world treats it [-]
-  std::string pool;          ///< name of its pool in the world; empty: the first [-]
+  ProjectileDef projectile{};  ///< [-]
+  Launch launch{};             ///< [-]
+  BodyDef body{};              ///< how a world treats it [-]
+  std::string pool{};          ///< name of its pool in the world; empty: the first [-]
   /// Flies the cheapest fidelity that stays so close to projectile.fidelity at any time; none: that one itself [m]
-  std::optional<double> cheapest_within;
+  std::optional<double> cheapest_within{};
 };
 
 /// The [target] of a scenario: what `physim aim` aims at.
 struct ScenarioTarget {
-  std::optional<Vec3d> position;  ///< at launch, in W; none: there is no target [m]
-  Vec3d velocity;                 ///< at launch [m/s]
-  Vec3d acceleration;             ///< constant [m/s^2]
-  double tolerance = 0.01;        ///< a path that passes so near hits it [m]
-  Arc arc = Arc::both;            ///< which solutions are looked for [-]
+  std::optional<Vec3d> position{};  ///< at launch, in W; none: there is no target [m]
+  Vec3d velocity{};                 ///< at launch [m/s]
+  Vec3d acceleration{};             ///< constant [m/s^2]
+  double tolerance = 0.01;          ///< a path that passes so near hits it [m]
+  Arc arc = Arc::both;              ///< which solutions are looked for [-]
 };
 
 /// Where on a flight an expectation looks.
@@ -50,31 +50,31 @@ enum class ExpectAt {
 
 /// One [[expect]] of a scenario: a figure that should come out, and why.
 struct Expectation {
-  std::string shot;             ///< name; empty: every shot [-]
+  std::string shot{};           ///< name; empty: every shot [-]
   ExpectAt at = ExpectAt::end;  ///< [-]
   double at_value = 0;          ///< time [s], range [m] or height [m]
-  std::string quantity;         ///< "drop", "windage", "range", "speed", "time", "x", "vy", "mach", "energy", ... [-]
+  std::string quantity{};       ///< "drop", "windage", "range", "speed", "time", "x", "vy", "mach", "energy", ... [-]
   double equals = 0;            ///< expected value [SI unit of the quantity]
   double within = 0;            ///< allowed distance [SI unit of the quantity]
-  std::string source;           ///< why it should be true [-]
-  std::string place;            ///< file:line:col [-]
+  std::string source{};         ///< why it should be true [-]
+  std::string place{};          ///< file:line:col [-]
 };
 
 /// A whole scenario.
 struct Scenario {
-  std::string file;                   ///< path it was read from [-]
-  std::string title;                  ///< [-]
-  std::string source;                 ///< where its figures come from [-]
-  Environment environment;            ///< [-]
-  Tolerance tolerance;                ///< [-]
-  Until until;                        ///< [-]
-  std::vector<double> ranges;         ///< of the range card [m]
-  ScenarioTarget target;              ///< [-]
-  std::vector<ScenarioShot> shots;    ///< [-]
-  ScenarioWorld world;                ///< [-]
-  std::vector<Volley> volleys;        ///< [-]
-  std::vector<ScenarioForce> forces;  ///< [-]
-  std::vector<Expectation> expect;    ///< [-]
+  std::string file{};                   ///< path it was read from [-]
+  std::string title{};                  ///< [-]
+  std::string source{};                 ///< where its figures come from [-]
+  Environment environment{};            ///< [-]
+  Tolerance tolerance{};                ///< [-]
+  Until until{};                        ///< [-]
+  std::vector<double> ranges{};         ///< of the range card [m]
+  ScenarioTarget target{};              ///< [-]
+  std::vector<ScenarioShot> shots{};    ///< [-]
+  ScenarioWorld world{};                ///< [-]
+  std::vector<Volley> volleys{};        ///< [-]
+  std::vector<ScenarioForce> forces{};  ///< [-]
+  std::vector<Expectation> expect{};    ///< [-]
 };
 
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",
@@ -103,13 +103,13 @@ struct Scenario {
 
 /// One public setting, declared once. Files, overrides, docs, panels and error messages are made from this list.
 struct Setting {
-  std::string path;                      ///< "shot.drag.ballistic_coefficient" [-]
-  std::string type;                      ///< quantity, integer, boolean, text, choice, vector, points or list [-]
+  std::string path{};                    ///< "shot.drag.ballistic_coefficient" [-]
+  std::string type{};                    ///< quantity, integer, boolean, text, choice, vector, points or list [-]
   Quantity quantity = Quantity::number;  ///< of quantities, vectors and lists of numbers [-]
-  std::string unit;                      ///< SI unit, "" for none, "of the kind" where another setting decides [-]
-  std::string default_value;             ///< as typed in an override; "" where there is none [-]
-  std::string range;                     ///< "> 0", "0 .. 1", "off | constant | ..."; of lists: their length [-]
-  std::string doc;                       ///< one line [-]
+  std::string unit{};                    ///< SI unit, "" for none, "of the kind" where another setting decides [-]
+  std::string default_value{};           ///< as typed in an override; "" where there is none [-]
+  std::string range{};                   ///< "> 0", "0 .. 1", "off | constant | ..."; of lists: their length [-]
+  std::string doc{};                     ///< one line [-]
   bool live = false;                     ///< worlds can change it for one projectile in flight [-]
 };
 

@@ -1,12 +1,13 @@
-// Unit literals: 168_gr, 800_mps, 2_deg, 0.243_lb_in2. Every literal is a double in SI units.
+// Unit literals: 168_gr, 800_mps, 2_deg, 0.243_lb_in2. Every literal is a double in SI units, computed by the compiler:
+// neither flags nor the rounding mode of the processor change it.
 #pragma once
 
 namespace physim::units {
 
 /// The literals of a unit, with and without a decimal point; `si`: one of it in SI.
 #define PHYSIM_UNIT(unit, si)                                                                 \
-  constexpr double operator""_##unit(long double v) { return static_cast<double>(v) * (si); } \
-  constexpr double operator""_##unit(unsigned long long v) { return static_cast<double>(v) * (si); }
+  consteval double operator""_##unit(long double v) { return static_cast<double>(v) * (si); } \
+  consteval double operator""_##unit(unsigned long long v) { return static_cast<double>(v) * (si); }
 PHYSIM_UNIT(kg, 1.0)  // mass [kg]
 PHYSIM_UNIT(g, 1e-3)
 PHYSIM_UNIT(gr, 6.479891e-5)     // grain, exact: 64.79891 mg
@@ -44,9 +45,9 @@ PHYSIM_UNIT(N, 1.0)      // force [N]
 #undef PHYSIM_UNIT
 
 // Temperatures with an offset.
-constexpr double operator""_degC(long double v) { return static_cast<double>(v) + 273.15; }
-constexpr double operator""_degC(unsigned long long v) { return static_cast<double>(v) + 273.15; }
-constexpr double operator""_degF(long double v) { return (static_cast<double>(v) + 459.67) * 5.0 / 9.0; }
-constexpr double operator""_degF(unsigned long long v) { return (static_cast<double>(v) + 459.67) * 5.0 / 9.0; }
+consteval double operator""_degC(long double v) { return static_cast<double>(v) + 273.15; }
+consteval double operator""_degC(unsigned long long v) { return static_cast<double>(v) + 273.15; }
+consteval double operator""_degF(long double v) { return (static_cast<double>(v) + 459.67) * 5.0 / 9.0; }
+consteval double operator""_degF(unsigned long long v) { return (static_cast<double>(v) + 459.67) * 5.0 / 9.0; }
 
 }  // namespace physim::units

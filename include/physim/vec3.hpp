@@ -1,7 +1,13 @@
 // Vec3: three components of any number type, with every operation a particle engine needs.
+//
+// What rounds each component once is computed where it is called. What rounds more than once is compiled inside the
+// library (src/math/vec3.hpp): its bits do not depend on the flags of whoever includes this header, neither on
+// -ffast-math nor on the fused multiply-add that -march=native allows.
 #pragma once
 
-#include <cmath>
+#include <cassert>
+#include <cstddef>
+#include <type_traits>
 
 #include "physim/macros.hpp"
 
@@ -15,6 +21,16 @@ struct Vec3 {
   T y{};  ///< [same unit for all three]
   T z{};  ///< [same unit for all three]
 
+  /// Component 0, 1 or 2: x, y or z. Any other index is a mistake of the caller's.
+  PHYSIM_INLINE T& operator[](std::size_t i) {
+    assert(i < 3);
+    return i == 0 ? x : i == 1 ? y : z;
+  }
+  PHYSIM_INLINE const T& operator[](std::size_t i) const {
+    assert(i < 3);
+    return i == 0 ? x : i == 1 ? y : z;
+  }
+
   PHYSIM_INLINE Vec3& operator+=(const Vec3& b) { return x = x + b.x, y = y + b.y, z = z + b.z, *this; }
   PHYSIM_INLINE Vec3& operator-=(const Vec3& b) { return x = x - b.x, y = y - b.y, z = z - b.z, *this; }
   PHYSIM_INLINE Vec3& operator*=(const T& s) { return x = x * s, y = y * s, z = z * s, *this; }
@@ -24,7 +40,7 @@ struct Vec3 {
   /// Sets all components to zero.
   PHYSIM_INLINE void clear() { x = T{}, y = T{}, z = T{}; }
   /// Adds b scaled by s.
-  PHYSIM_INLINE void add_scaled(const Vec3& b, const T& s) { x = x + b.x * s, y = y + b.y * s, z = z + b.z * s; }
+  void add_scaled(const Vec3& b, const T& s);
 
   bool operator==(const Vec3&) const = default;
 };
@@ -44,12 +60,13 @@ template <class T>
 PHYSIM_INLINE Vec3<T> operator-(const Vec3<T>& a) {
   return {-a.x, -a.y, -a.z};
 }
+/// Scaled by any number that is, or becomes, a T: `v * 2`.
 template <class T>
-PHYSIM_INLINE Vec3<T> operator*(const Vec3<T>& a, const T& s) {
+PHYSIM_INLINE Vec3<T> operator*(const Vec3<T>& a, const std::type_identity_t<T>& s) {
   return {a.x * s, a.y * s, a.z * s};
 }
 template <class T>
-PHYSIM_INLINE Vec3<T> operator*(const T& s, const Vec3<T>& a) {
+PHYSIM_INLINE Vec3<T> operator*(const std::type_identity_t<T>& s, const Vec3<T>& a) {
   return {a.x * s, a.y * s, a.z * s};
 }
 
@@ -59,33 +76,19 @@ PHYSIM_INLINE Vec3<T> component_product(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 template <class T>
-PHYSIM_INLINE T dot(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+T dot(const Vec3<T>& a, const Vec3<T>& b);
 template <class T>
-PHYSIM_INLINE Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b);
 template <class T>
-PHYSIM_INLINE T length_squared(const Vec3<T>& a) {
-  return dot(a, a);
-}
+T length_squared(const Vec3<T>& a);
 template <class T>
-PHYSIM_INLINE T length(const Vec3<T>& a) {
-  using std::sqrt;
-  return sqrt(dot(a, a));
-}
+T length(const Vec3<T>& a);
 /// The vector of length one in the direction of a; zero stays zero.
 template <class T>
-PHYSIM_INLINE Vec3<T> normalized(const Vec3<T>& a) {
-  const T len = length(a);
-  return len > T{0} ? a * (T{1} / len) : a;
-}
+Vec3<T> normalized(const Vec3<T>& a);
 /// Scales a to length one in place; zero is left alone.
 template <class T>
-PHYSIM_INLINE void normalize(Vec3<T>& a) {
-  a = normalized(a);
-}
+void normalize(Vec3<T>& a);
 
 /// Conversion between number types.
 template <class To, class From>

@@ -19,9 +19,9 @@ namespace physim {
 
 /// Where a projectile went in the last step: what a scene query needs.
 struct Segment {
-  ProjectileId id;  ///< [-]
-  Vec3d from;       ///< [m]
-  Vec3d to;         ///< [m]
+  ProjectileId id{};  ///< [-]
+  Vec3d from{};       ///< [m]
+  Vec3d to{};         ///< [m]
 };
 
 /// Counters of what was dropped, since the world was made.
@@ -35,7 +35,7 @@ struct WorldCounters {
 
 /// Projectiles of one rung that are computed together.
 struct CohortInfo {
-  Fidelity fidelity;        ///< granted [-]
+  Fidelity fidelity{};      ///< granted [-]
   std::uint32_t count = 0;  ///< projectiles [-]
   bool moving = true;       ///< false: asleep, kinematic, pending [-]
   bool forced = false;      ///< generators act on it [-]

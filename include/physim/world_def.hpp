@@ -9,6 +9,7 @@
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/ids.hpp"
+#include "physim/infinity.hpp"
 #include "physim/projectile.hpp"
 
 namespace physim {
@@ -38,13 +39,13 @@ struct Ground {
 
 /// When a projectile leaves the world by itself; LifeStatus::expired. Rules are data, looked at after every step.
 struct DespawnRules {
-  double below = -std::numeric_limits<double>::infinity();   ///< height above the origin [m]
-  double farther = std::numeric_limits<double>::infinity();  ///< distance from where it was launched [m]
-  double older = std::numeric_limits<double>::infinity();    ///< time since launch [s]
-  double slower = 0;                                         ///< speed [m/s]
-  bool outside_box = false;                                  ///< whether the box counts [-]
-  Vec3d box_low;                                             ///< corner of the box [m]
-  Vec3d box_high;                                            ///< opposite corner of the box [m]
+  double below = -kInfinity;   ///< height above the origin [m]
+  double farther = kInfinity;  ///< distance from where it was launched [m]
+  double older = kInfinity;    ///< time since launch [s]
+  double slower = 0;           ///< speed [m/s]
+  bool outside_box = false;    ///< whether the box counts [-]
+  Vec3d box_low{};             ///< corner of the box [m]
+  Vec3d box_high{};            ///< opposite corner of the box [m]
 
   bool operator==(const DespawnRules&) const = default;
 };
@@ -62,7 +63,7 @@ struct BodyDef {
   bool use_gravity = true;            ///< (live) false is a gravity_scale of 0 [-]
   double drag_scale = 1;              ///< times every drag; 0: none [-]
   double angular_drag = 0;            ///< rate at which turning dies away: d omega / dt = -angular_drag omega [1/s]
-  Vec3d angular_velocity;             ///< at launch, in W; shown only: it moves nothing [rad/s]
+  Vec3d angular_velocity{};           ///< at launch, in W; shown only: it moves nothing [rad/s]
   bool kinematic = false;             ///< (live) moves only when told to [-]
   bool infinite_mass = false;         ///< inverse mass 0: nothing ever moves it [-]
   Axes frozen = Axes::none;           ///< (live) axes of the world along which it does not move [-]
@@ -73,7 +74,7 @@ struct BodyDef {
   double restitution = 0.5;           ///< speed kept by a bounce, 0..1 [-]
   double friction = 0.5;              ///< Coulomb's, of bounces and sliding [-]
   double rolling_resistance = 0.05;   ///< weight that resists rolling on the ground [-]
-  DespawnRules despawn;               ///< [-]
+  DespawnRules despawn{};             ///< [-]
   Smoothing smoothing = Smoothing::interpolate;  ///< of World::render_position() (live) [-]
   std::uint32_t pool = 0;                        ///< index in WorldDef::pools [-]
   std::uint32_t environment = 0;                 ///< index of an environment of the world [-]
@@ -81,7 +82,7 @@ struct BodyDef {
   double within_time = 2;             ///< ... for so long after its launch [s]
   std::uint32_t layers = 1;           ///< (live) bits, for group forces and for the user's own use [-]
   std::uint32_t colour = 0xffffffff;  ///< (live) carried along, RGBA [-]
-  std::string label;                  ///< (live) carried along [-]
+  std::string label{};                ///< (live) carried along [-]
 
   bool operator==(const BodyDef&) const = default;
 };
@@ -94,22 +95,22 @@ enum class WhenFull {
 
 /// A limit on projectiles of some kinds.
 struct PoolDef {
-  std::string name;                                                       ///< [-]
+  std::string name{};                                                     ///< [-]
   std::uint32_t maximum = std::numeric_limits<std::uint32_t>::max() / 2;  ///< projectiles [-]
   WhenFull when_full = WhenFull::refuse;                                  ///< [-]
 };
 
 /// A rung of a level-of-detail rule.
 struct DetailRung {
-  Fidelity fidelity;                                         ///< asked for on this rung [-]
-  double within = std::numeric_limits<double>::infinity();   ///< distance to the observer up to which it holds [m]
-  double younger = std::numeric_limits<double>::infinity();  ///< age up to which it holds [s]
+  Fidelity fidelity{};         ///< asked for on this rung [-]
+  double within = kInfinity;   ///< distance to the observer up to which it holds [m]
+  double younger = kInfinity;  ///< age up to which it holds [s]
 };
 
 /// Moves projectiles between rungs by distance to an observer and age; the first rung that holds is taken, the last one
 /// where none does. A projectile keeps its rung until the rule was against it by more than the hysteresis.
 struct DetailRule {
-  std::vector<DetailRung> rungs;      ///< two or three, finest first; empty: no rule [-]
+  std::vector<DetailRung> rungs{};    ///< two or three, finest first; empty: no rule [-]
   double hysteresis = 0.1;            ///< part of a rung's distance by which it must be left before it changes [-]
   std::uint32_t layers = 0xffffffff;  ///< projectiles of these layers [-]
 };
@@ -122,16 +123,16 @@ struct Threading {
 
 /// What a world is made with.
 struct WorldDef {
-  Environment environment;      ///< environment 0; more by World::add_environment() [-]
-  Ground ground;                ///< [-]
-  double step = 1.0 / 60;       ///< of World::advance() [s]
-  std::uint32_t max_steps = 8;  ///< of one World::advance(); time beyond is dropped, and told [-]
-  double time_scale = 1;        ///< World::advance() runs so many times as fast; 0..1000 [-]
-  Tolerance tolerance;          ///< of adaptive integrators inside a step; only relative and absolute are read [-]
-  bool apex_events = false;     ///< tell when a projectile passes its highest point [-]
-  std::vector<PoolDef> pools;   ///< none: one pool without limit [-]
-  DetailRule detail;            ///< level of detail [-]
-  Threading threading;          ///< [-]
+  Environment environment{};     ///< environment 0; more by World::add_environment() [-]
+  Ground ground{};               ///< [-]
+  double step = 1.0 / 60;        ///< of World::advance() [s]
+  std::uint32_t max_steps = 8;   ///< of one World::advance(); time beyond is dropped, and told [-]
+  double time_scale = 1;         ///< World::advance() runs so many times as fast; 0..1000 [-]
+  Tolerance tolerance{};         ///< of adaptive integrators inside a step; only relative and absolute are read [-]
+  bool apex_events = false;      ///< tell when a projectile passes its highest point [-]
+  std::vector<PoolDef> pools{};  ///< none: one pool without limit [-]
+  DetailRule detail{};           ///< level of detail [-]
+  Threading threading{};         ///< [-]
   std::uint32_t max_projectiles = 1u << 26;  ///< alive at once; then spawning is refused [-]
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include "physim/forces.hpp"
@@ -14,8 +13,8 @@ namespace physim {
 
 /// Where a projectile is and how it moves.
 struct BodyState {
-  Vec3d position;  ///< [m]
-  Vec3d velocity;  ///< [m/s]
+  Vec3d position{};  ///< [m]
+  Vec3d velocity{};  ///< [m/s]
 
   bool operator==(const BodyState&) const = default;
 };
@@ -102,8 +101,9 @@ class Projectile : public ProjectileView {
   Status set_layers(std::uint32_t layers);
   Status set_colour(std::uint32_t rgba);
   Status set_label(const std::string& label);
-  /// A generator that acts on this one alone.
-  Result<ForceId> add_force(ForceLaw law, double duration = std::numeric_limits<double>::infinity());
+  /// A generator that acts on this one alone, until it is removed; or for a duration [s].
+  Result<ForceId> add_force(ForceLaw law);
+  Result<ForceId> add_force(ForceLaw law, double duration);
   /// Takes it out of a generator's targets.
   Status remove_force(ForceId force);
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "physim/infinity.hpp"
 #include "physim/scenario.hpp"
 #include "physim/world.hpp"
 
@@ -16,11 +16,11 @@ namespace physim {
 
 /// Many numbers in short.
 struct Series {
-  std::uint64_t count = 0;                                 ///< [-]
-  double mean = 0;                                         ///< [unit of the numbers]
-  double low = std::numeric_limits<double>::infinity();    ///< [unit of the numbers]
-  double high = -std::numeric_limits<double>::infinity();  ///< [unit of the numbers]
-  double squares = 0;                                      ///< of the distances from the mean, summed [unit squared]
+  std::uint64_t count = 0;   ///< [-]
+  double mean = 0;           ///< [unit of the numbers]
+  double low = kInfinity;    ///< [unit of the numbers]
+  double high = -kInfinity;  ///< [unit of the numbers]
+  double squares = 0;        ///< of the distances from the mean, summed [unit squared]
 
   void add(double value);
   /// The standard deviation of the numbers themselves (divided by their count).
@@ -29,12 +29,12 @@ struct Series {
 
 /// What became of all that one [[volley]] fired, or of one [[shot]] that was fired by itself.
 struct WorldGroup {
-  std::string name;           ///< of the volley or shot [-]
+  std::string name{};         ///< of the volley or shot [-]
   std::size_t shot = 0;       ///< index in Scenario::shots [-]
-  KindId kind;                ///< in the world [-]
+  KindId kind{};              ///< in the world [-]
   std::uint64_t spawned = 0;  ///< launched [-]
   std::uint64_t refused = 0;  ///< not launched: a full pool or world [-]
-  std::string refusal;        ///< why the first of these was not [-]
+  std::string refusal{};      ///< why the first of these was not [-]
   std::uint64_t landed = 0;   ///< ended on the ground [-]
   std::uint64_t bounces = 0;  ///< off the ground, of all together [-]
   std::uint64_t slept = 0;    ///< times that one came to rest [-]
@@ -42,13 +42,13 @@ struct WorldGroup {
   std::uint64_t retired = 0;  ///< taken out [-]
   std::uint64_t hits = 0;     ///< on the wall [-]
   std::uint64_t alive = 0;    ///< at the end [-]
-  Series range;               ///< horizontal distance to the impact: first touch of the ground, or the wall [m]
-  Series time;                ///< from launch to impact [s]
-  Series speed;               ///< at impact [m/s]
-  Series apex;                ///< height of the highest points, where the world tells them [m]
-  Series hit_y, hit_z;        ///< on the wall [m]
-  Vec3d position;             ///< mean of those alive at the end [m]
-  Vec3d velocity;             ///< mean of those alive at the end [m/s]
+  Series range{};             ///< horizontal distance to the impact: first touch of the ground, or the wall [m]
+  Series time{};              ///< from launch to impact [s]
+  Series speed{};             ///< at impact [m/s]
+  Series apex{};              ///< height of the highest points, where the world tells them [m]
+  Series hit_y{}, hit_z{};    ///< on the wall [m]
+  Vec3d position{};           ///< mean of those alive at the end [m]
+  Vec3d velocity{};           ///< mean of those alive at the end [m/s]
   double mean_speed = 0;      ///< mean speed of those alive at the end [m/s]
 };
 
@@ -60,17 +60,17 @@ struct Launched {
 
 /// An event of one of the run's projectiles.
 struct RunEvent {
-  Launched launched;  ///< [-]
-  Event event;        ///< [-]
+  Launched launched{};  ///< [-]
+  Event event{};        ///< [-]
 };
 
 /// Where a projectile met the wall.
 struct WallHit {
-  Launched launched;  ///< [-]
-  ProjectileId id;    ///< [-]
-  double time = 0;    ///< of the world [s]
-  Vec3d position;     ///< [m]
-  Vec3d velocity;     ///< [m/s]
+  Launched launched{};  ///< [-]
+  ProjectileId id{};    ///< [-]
+  double time = 0;      ///< of the world [s]
+  Vec3d position{};     ///< [m]
+  Vec3d velocity{};     ///< [m/s]
 };
 
 struct RunState;

@@ -9,6 +9,7 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
+#include "physim/infinity.hpp"
 #include "physim/result.hpp"
 #include "physim/vec3.hpp"
 
@@ -55,8 +56,6 @@ class Checker {
   [[nodiscard]] Status status() { return std::move(status_); }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
   [[gnu::noinline]] void fail(Text place, const std::string& message, Text hint) {
     PHYSIM_ASSERT(!place.empty());
     if (status_) status_ = Error{message, std::string(place), std::string(hint)};

@@ -26,9 +26,12 @@
 #include "prepare/grant.hpp"
 
 namespace physim {
+
+Vec3d Target::at(double time) const { return position + (velocity + acceleration * (0.5 * time)) * time; }
+Vec3d Target::velocity_at(double time) const { return velocity + acceleration * time; }
+
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kVacuumTimes = 64;
 constexpr int kMostFlights = 14;        // of a search from one start
 constexpr int kPatience = 4;            // flights without progress

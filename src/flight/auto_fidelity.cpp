@@ -20,7 +20,6 @@
 namespace physim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr double kTruthTolerance = 1e-13, kDoubtTolerance = 1e-12;  // of the truth, and of the flight that doubts it
 constexpr int kSamples = 499;             // of a flight; a prime, so that times are not round and show their rounding

@@ -5,6 +5,7 @@
 
 #include "base/archive.hpp"
 #include "math/elementary.hpp"
+#include "math/vec3.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "prepare/check.hpp"
 

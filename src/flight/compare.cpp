@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "flight/zero.hpp"
+#include "math/vec3.hpp"
 #include "physim/names.hpp"
 
 namespace physim {

@@ -8,18 +8,17 @@
 #include "physim/fit.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/checker.hpp"
 #include "base/text.hpp"
 #include "math/elementary.hpp"
+#include "math/vec3.hpp"
 #include "prepare/check.hpp"
 
 namespace physim {
 namespace {
 
 constexpr double kMostScale = 1000;  // and least: its inverse
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Unknowns {
   double log_scale = 0;

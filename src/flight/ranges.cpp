@@ -8,6 +8,7 @@
 #include "math/elementary.hpp"
 #include "math/minimum.hpp"
 #include "math/root.hpp"
+#include "math/vec3.hpp"
 #include "physim/aim.hpp"
 #include "physim/names.hpp"
 #include "prepare/check.hpp"

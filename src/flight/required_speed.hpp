@@ -7,6 +7,7 @@
 
 #include "math/minimum.hpp"
 #include "math/root.hpp"
+#include "math/vec3.hpp"
 #include "physim/aim.hpp"
 
 namespace physim {

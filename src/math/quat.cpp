@@ -1,5 +1,5 @@
-// Quaternions from angles, in double for every number type.
-#include "physim/quat.hpp"
+// What users of Quat call. Quaternions from angles are computed in double for every number type.
+#include "math/quat.hpp"
 
 #include "math/elementary.hpp"
 
@@ -21,9 +21,16 @@ Quat<T> quat_from_yaw_pitch_roll(T yaw, T pitch, T roll) {
   return {static_cast<T>(q.w), static_cast<T>(q.x), static_cast<T>(q.y), static_cast<T>(q.z)};
 }
 
-template Quat<float> quat_from_axis_angle(const Vec3<float>&, float);
-template Quat<double> quat_from_axis_angle(const Vec3<double>&, double);
-template Quat<float> quat_from_yaw_pitch_roll(float, float, float);
-template Quat<double> quat_from_yaw_pitch_roll(double, double, double);
+#define PHYSIM_QUAT(T)                                        \
+  template Quat<T> operator*(const Quat<T>&, const Quat<T>&); \
+  template T norm_squared(const Quat<T>&);                    \
+  template T norm(const Quat<T>&);                            \
+  template Quat<T> normalized(const Quat<T>&);                \
+  template Vec3<T> rotate(const Quat<T>&, const Vec3<T>&);    \
+  template Quat<T> quat_from_axis_angle(const Vec3<T>&, T);   \
+  template Quat<T> quat_from_yaw_pitch_roll(T, T, T);
+PHYSIM_QUAT(float)
+PHYSIM_QUAT(double)
+#undef PHYSIM_QUAT
 
 }  // namespace physim

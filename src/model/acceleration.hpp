@@ -12,6 +12,7 @@
 
 #include <limits>
 
+#include "math/vec3.hpp"
 #include "model/aero.hpp"
 #include "model/drag.hpp"
 #include "model/gravity.hpp"

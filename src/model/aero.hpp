@@ -17,6 +17,7 @@
 #pragma once
 
 #include "math/row_table.hpp"
+#include "math/vec3.hpp"
 #include "model/air.hpp"
 #include "model/rigid_body.hpp"
 

@@ -4,6 +4,8 @@
 
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
+#include "math/quat.hpp"
+#include "math/vec3.hpp"
 
 namespace physim {
 namespace {

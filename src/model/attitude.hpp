@@ -3,6 +3,7 @@
 // Symbols and equations as in model/rigid_body.hpp. Source: geometry.
 #pragma once
 
+#include "math/quat.hpp"
 #include "model/acceleration.hpp"
 #include "physim/projectile.hpp"
 

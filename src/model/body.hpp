@@ -9,8 +9,8 @@
 #include <bit>
 
 #include "math/numbers.hpp"
+#include "math/vec3.hpp"
 #include "model/conditions.hpp"
-#include "physim/vec3.hpp"
 
 namespace physim {
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "math/elementary.hpp"
+#include "math/vec3.hpp"
 #include "model/body.hpp"
 #include "model/conditions.hpp"
 

@@ -14,6 +14,7 @@
 // Source: H. Goldstein, Classical Mechanics, 2nd ed. (1980), sec. 1.3-1.4 (constraints; D'Alembert's principle).
 #pragma once
 
+#include "math/vec3.hpp"
 #include "model/body.hpp"
 
 namespace physim {

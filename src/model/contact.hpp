@@ -15,7 +15,7 @@
 
 #include "base/assert.hpp"
 #include "math/pack.hpp"
-#include "physim/vec3.hpp"
+#include "math/vec3.hpp"
 
 namespace physim {
 

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "math/row_table.hpp"
+#include "math/vec3.hpp"
 #include "model/air.hpp"
 #include "model/sphere_drag.hpp"
 #include "model/wind.hpp"

@@ -7,6 +7,7 @@
 
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
+#include "math/vec3.hpp"
 #include "model/normal_gravity.hpp"
 
 namespace physim {

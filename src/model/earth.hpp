@@ -22,6 +22,7 @@
 #pragma once
 
 #include "base/assert.hpp"
+#include "math/vec3.hpp"
 #include "model/body.hpp"
 #include "model/geodesy.hpp"
 #include "model/ladder.hpp"

@@ -39,6 +39,7 @@
 #include <variant>
 
 #include "math/pack.hpp"
+#include "math/vec3.hpp"
 #include "model/body.hpp"
 #include "physim/forces.hpp"
 #include "physim/quantity.hpp"

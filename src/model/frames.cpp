@@ -9,6 +9,8 @@
 #include "physim/frames.hpp"
 
 #include "math/elementary.hpp"
+#include "math/quat.hpp"
+#include "math/vec3.hpp"
 #include "model/earth.hpp"
 
 namespace physim {

@@ -2,6 +2,7 @@
 #include "model/geodesy.hpp"
 
 #include "math/elementary.hpp"
+#include "math/vec3.hpp"
 #include "model/normal_gravity.hpp"
 
 namespace physim {

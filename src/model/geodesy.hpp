@@ -20,6 +20,7 @@
 
 #include "base/assert.hpp"
 #include "math/pack.hpp"
+#include "math/vec3.hpp"
 #include "model/conditions.hpp"
 #include "physim/geodesy.hpp"
 

@@ -18,6 +18,7 @@
 #pragma once
 
 #include "base/assert.hpp"
+#include "math/vec3.hpp"
 #include "model/earth.hpp"
 #include "model/normal_gravity.hpp"
 

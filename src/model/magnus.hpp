@@ -21,6 +21,7 @@
 //   17 (1985).
 #pragma once
 
+#include "math/vec3.hpp"
 #include "model/drag.hpp"
 #include "model/magnus_grid.hpp"
 

@@ -27,6 +27,7 @@
 //   for a Modified Point Mass Trajectory, BRL Report 1314 (1966).
 #pragma once
 
+#include "math/vec3.hpp"
 #include "model/aero.hpp"
 
 PHYSIM_ISA_BEGIN

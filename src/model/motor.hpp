@@ -22,6 +22,7 @@
 //   (flight; Tsiolkovsky's equation is their integral in vacuum without gravity).
 #pragma once
 
+#include "math/vec3.hpp"
 #include "model/constraint.hpp"
 
 PHYSIM_ISA_BEGIN

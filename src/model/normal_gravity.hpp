@@ -23,6 +23,7 @@
 #pragma once
 
 #include "base/assert.hpp"
+#include "math/vec3.hpp"
 #include "model/geodesy.hpp"
 #include "physim/fidelity.hpp"
 

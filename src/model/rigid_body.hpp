@@ -18,6 +18,7 @@
 //   Aircraft Control and Simulation (2003), eq. 1.3-21, 1.4-2 (Euler's equations, quaternion).
 #pragma once
 
+#include "math/vec3.hpp"
 #include "model/conditions.hpp"
 #include "model/earth.hpp"
 #include "model/rotor.hpp"

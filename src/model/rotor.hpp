@@ -7,8 +7,8 @@
 #pragma once
 
 #include "math/numbers.hpp"
+#include "math/quat.hpp"
 #include "physim/fidelity.hpp"
-#include "physim/quat.hpp"
 
 namespace physim {
 

@@ -3,6 +3,7 @@
 
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
+#include "math/vec3.hpp"
 
 namespace physim {
 namespace {

@@ -1,6 +1,7 @@
 // Equations, symbols and Source: model/stability.hpp.
 #include "model/stability.hpp"
 
+#include "math/vec3.hpp"
 #include "model/attitude.hpp"
 
 namespace physim {

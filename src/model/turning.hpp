@@ -13,7 +13,8 @@
 
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
-#include "physim/quat.hpp"
+#include "math/quat.hpp"
+#include "math/vec3.hpp"
 
 namespace physim {
 

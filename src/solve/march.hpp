@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/assert.hpp"
+#include "math/vec3.hpp"
 #include "solve/corners.hpp"
 #include "solve/step_control.hpp"
 

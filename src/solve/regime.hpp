@@ -4,6 +4,7 @@
 // integrator are cut where a launch rail lets go; what is known by its time, a motor's table, is in solve/stops.hpp.
 #pragma once
 
+#include "math/vec3.hpp"
 #include "solve/dense.hpp"
 #include "solve/stops.hpp"
 

@@ -4,6 +4,7 @@
 // written once, with for_parts(); memory of a part that is not flown is neither set nor read.
 #pragma once
 
+#include "math/vec3.hpp"
 #include "model/body.hpp"
 #include "model/rigid_body.hpp"
 

@@ -11,6 +11,7 @@
 
 #include "base/assert.hpp"
 #include "math/rough_power.hpp"
+#include "math/vec3.hpp"
 #include "physim/fidelity.hpp"
 #include "solve/explicit_runge_kutta.hpp"
 

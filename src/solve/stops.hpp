@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/assert.hpp"
+#include "math/vec3.hpp"
 #include "model/motor_table.hpp"
 #include "solve/take_step.hpp"
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "base/assert.hpp"
+#include "math/vec3.hpp"
 #include "model/acceleration.hpp"
 #include "model/closed_form.hpp"
 #include "solve/explicit_runge_kutta.hpp"

@@ -8,6 +8,7 @@
 #include "base/assert.hpp"
 #include "base/event_table.hpp"
 #include "math/root.hpp"
+#include "math/vec3.hpp"
 #include "physim/flight.hpp"
 #include "solve/regime.hpp"
 

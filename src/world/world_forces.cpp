@@ -137,6 +137,8 @@ Result<ForceId> World::add_force(const ForceDef& force) {
   return call.returns(impl_->add_force(force));
 }
 
+Result<ForceId> Projectile::add_force(ForceLaw law) { return add_force(std::move(law), kInfinity); }
+
 Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
   WorldImpl& w = world();
   const Recorded<Call::add_force_on> call(w.recorder, id_, law, duration);

@@ -34,6 +34,25 @@ TYPED_TEST(Vec3Test, ClearSetsZero) {
   v.clear();
   EXPECT_EQ(v, (Vec3<TypeParam>{0, 0, 0}));
 }
+TYPED_TEST(Vec3Test, IsScaledByAnyNumber) {
+  using V = Vec3<TypeParam>;
+  const V v{1, -2, 3};
+  const V twice{2, -4, 6};
+  EXPECT_EQ(v * 2, twice);
+  EXPECT_EQ(2 * v, twice);
+  EXPECT_EQ(v * 2u, twice);
+  EXPECT_EQ(2.0 * v, twice);
+  EXPECT_EQ(v * 2.0f, twice);
+}
+TYPED_TEST(Vec3Test, HasComponentsByIndex) {
+  Vec3<TypeParam> v{1, -2, 3};
+  v[1] = 7;
+  const Vec3<TypeParam>& seen = v;
+  EXPECT_EQ(seen, (Vec3<TypeParam>{1, 7, 3}));
+  EXPECT_EQ(seen[0], TypeParam(1));
+  EXPECT_EQ(seen[1], TypeParam(7));
+  EXPECT_EQ(seen[2], TypeParam(3));
+}
 TYPED_TEST(Vec3Test, HasLengthAndSquaredLength) {
   const Vec3<TypeParam> v{2, -3, 6};
   EXPECT_EQ(length_squared(v), TypeParam(49));

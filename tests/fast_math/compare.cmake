@@ -1,0 +1,10 @@
+# Runs the programs of PROGRAMS and wants them to print the same.
+set(first "")
+foreach(program IN LISTS PROGRAMS)
+  execute_process(COMMAND ${program} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+  if(first STREQUAL "")
+    set(first "${printed}")
+  elseif(NOT printed STREQUAL first)
+    message(FATAL_ERROR "${program} prints\n${printed}where the first prints\n${first}")
+  endif()
+endforeach()
