@@ -1,10 +1,12 @@
 // Pseudo-random projectiles, launches and environments, the same on every machine: for the tests of fly_batch() and
-// for the golden hash. No mathematical function is called and no distribution of the standard library is used.
+// for the golden hash. No mathematical function is called and no distribution of the standard library is used; they do
+// not depend on the mode of the caller's thread.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "base/ieee_mode.hpp"
 #include "physim/physim.hpp"
 
 namespace physim::test {
@@ -20,7 +22,10 @@ class Random {
   }
   /// 0 <= x < 1 in steps of 2^-32.
   double unit() { return bits() * (1.0 / 4294967296.0); }
-  double in(double low, double high) { return low + (high - low) * unit(); }
+  double in(double low, double high) {
+    const IeeeMode mode;
+    return low + (high - low) * unit();
+  }
   int below(int n) { return static_cast<int>((std::uint64_t(bits()) * static_cast<std::uint64_t>(n)) >> 32); }
   bool one_in(int n) { return below(n) == 0; }
   Vec3d vector(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
@@ -30,6 +35,7 @@ class Random {
 };
 
 inline DragDef random_drag(Random& r) {
+  const IeeeMode mode;
   DragDef d;
   d.table = static_cast<DragTable>(r.below(12));
   d.coefficient = r.in(0.1, 1);
@@ -52,6 +58,7 @@ inline DragDef random_drag(Random& r) {
 }
 
 inline ProjectileDef random_projectile(Random& r) {
+  const IeeeMode mode;
   ProjectileDef p;
   p.mass = r.one_in(3) ? r.in(0.002, 0.05) : r.in(0.05, 8);
   p.diameter = r.in(0.005, 0.15);
@@ -89,6 +96,7 @@ inline std::vector<Shot> random_shots(Random& r, int count) {
 }
 
 inline Wind random_wind(Random& r) {
+  const IeeeMode mode;
   Wind w;
   if (r.one_in(3)) return w;
   if (r.one_in(3)) {
@@ -142,6 +150,7 @@ inline Fidelity random_fidelity(Random& r) {
 
 /// Ends by ground, range, time and events of every kind; some terminal.
 inline Until random_until(Random& r) {
+  const IeeeMode mode;
   Until u;
   if (r.one_in(5)) u.ground.reset();
   u.time = r.in(2, 25);

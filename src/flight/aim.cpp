@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "flight/neighbours.hpp"
 #include "flight/pilot.hpp"
@@ -27,8 +28,14 @@
 
 namespace physim {
 
-Vec3d Target::at(double time) const { return position + (velocity + acceleration * (0.5 * time)) * time; }
-Vec3d Target::velocity_at(double time) const { return velocity + acceleration * time; }
+Vec3d Target::at(double time) const {
+  const IeeeMode mode;
+  return position + (velocity + acceleration * (0.5 * time)) * time;
+}
+Vec3d Target::velocity_at(double time) const {
+  const IeeeMode mode;
+  return velocity + acceleration * time;
+}
 
 namespace {
 
@@ -397,6 +404,7 @@ Status check(const Launch& launch, const Target& target, const AimOptions& optio
 
 Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                 const Fidelity& fidelity, const Target& target, const AimOptions& options) {
+  const IeeeMode mode;
   for (const Status& status :
        {check(launch, target, options), check(projectile), check(environment), check(options.flight, fidelity)})
     if (!status) return status.error();
@@ -404,6 +412,7 @@ Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Env
 }
 
 std::string Aim::explanation() const {
+  const IeeeMode mode;
   const auto degrees = [](double angle) { return rounded_text(angle * (90 / kRightAngle)) + " deg"; };
   const auto text = [&](const AimSolution& s) {
     return "elevation " + degrees(s.launch.elevation) + ", hit after " + rounded_text(s.time) + " s";

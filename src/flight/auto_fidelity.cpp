@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "flight/fidelity_candidates.hpp"
 #include "flight/flight_record.hpp"
@@ -280,6 +281,7 @@ class Search {
 
 Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, std::span<const Launch> launches,
                                      const Environment& environment, const Purpose& purpose) {
+  const IeeeMode mode;
   if (launches.empty()) return Error{"there is no launch", "launches", "give at least one"};
   for (const Status& status : {check_purpose(purpose), check(projectile), check(environment)})
     if (!status) return status.error();
@@ -291,9 +293,13 @@ Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, const Laun
   return cheapest_within(projectile, std::span(&launch, 1), environment, purpose);
 }
 
-Tolerance AutoFidelity::tolerance() const { return tolerance_for(purpose, step); }
+Tolerance AutoFidelity::tolerance() const {
+  const IeeeMode mode;
+  return tolerance_for(purpose, step);
+}
 
 std::string AutoFidelity::explanation() const {
+  const IeeeMode mode;
   const std::string promise = "within " + length_text(purpose.error) + " over " + rounded_text(time) + " s";
   const std::string found = ": measured " + length_text(error);
   if (cost >= truth_cost) return "nothing cheaper than the reference stays " + promise + found;
@@ -311,6 +317,7 @@ FidelityNote AutoFidelity::note() const {
 
 Flight fly_chosen(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                   const AutoFidelity& chosen, const Until& until) {
+  const IeeeMode mode;
   auto record = record_flight(projectile, launch, environment, chosen.fidelity, chosen.tolerance(), until);
   record->cohort.in_use.notes.push_back(chosen.note());
   return Flight(record);
@@ -318,6 +325,7 @@ Flight fly_chosen(const ProjectileDef& projectile, const Launch& launch, const E
 
 Flight fly_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                   const Purpose& purpose, const Until& until) {
+  const IeeeMode mode;
   const auto chosen = cheapest_within(projectile, launch, environment, purpose);
   if (chosen) return fly_chosen(projectile, launch, environment, *chosen, until);
   auto refused = std::make_shared<FlightRecord>();

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "base/archive.hpp"
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
 #include "physim/auto_fidelity.hpp"
@@ -80,6 +81,7 @@ Launch by_angles(const Launch& launch) {
 }  // namespace
 
 std::vector<Launch> launch_class(const Launch& launch, std::optional<double> ground) {
+  const IeeeMode mode;
   if (!check(launch)) return {launch};  // whoever flies it says what is wrong
   Launch corner = by_angles(launch);
   const Bin speed = speed_bin(corner.speed);
@@ -137,6 +139,7 @@ AutoFidelityCache& AutoFidelityCache::operator=(AutoFidelityCache&&) noexcept = 
 
 AutoFidelityCache::Answer AutoFidelityCache::cheapest_within(const ProjectileDef& projectile, const Launch& launch,
                                                              const Environment& environment, const Purpose& purpose) {
+  const IeeeMode mode;
   const std::vector<Launch> corners = launch_class(launch, purpose.ground);
   const std::shared_ptr<Impl::Slot> slot = impl_->slot(key_of(projectile, corners, environment, purpose));
   std::call_once(slot->once, [&] {

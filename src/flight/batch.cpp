@@ -4,6 +4,7 @@
 #include <deque>
 #include <limits>
 
+#include "base/ieee_mode.hpp"
 #include "flight/flight_record.hpp"
 #include "flight/kernels.hpp"
 #include "flight/pilot.hpp"
@@ -407,12 +408,14 @@ class Batch {
 
 void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
                const Tolerance& tolerance, const Until& until, BatchResult& result) {
+  const IeeeMode mode;
   const ShotList list{.shots = shots, .one_projectile = nullptr, .launches = {}};
   Batch(list, environment, fidelity, tolerance, until, result).run();
 }
 
 void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
                const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, BatchResult& result) {
+  const IeeeMode mode;
   const ShotList list{.shots = {}, .one_projectile = &projectile, .launches = launches};
   Batch(list, environment, fidelity, tolerance, until, result).run();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/ieee_mode.hpp"
 #include "flight/zero.hpp"
 #include "math/vec3.hpp"
 #include "physim/names.hpp"
@@ -46,6 +47,7 @@ ComparedFlight beside(const Flight& reference, Flight flight) {
 Result<Comparison> compare(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                            std::span<const FlightSetting> settings, const FlightSetting& reference, const Until& until,
                            const Progress& progress) {
+  const IeeeMode mode;
   // One bore for all, as the reference zeroes it.
   const auto start = aimed_launch(projectile, launch, environment, reference.fidelity);
   if (!start) return start.error();

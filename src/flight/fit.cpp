@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
@@ -273,6 +274,7 @@ Status check_sense(std::span<const Measurement> measurements, const Fit& fit, co
 
 Result<Fit> fit_drag(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                      const Fidelity& fidelity, std::span<const Measurement> measurements, const FitOptions& options) {
+  const IeeeMode mode;
   if (const Status status = check(measurements, options); !status) return status.error();
   Result<Fit> fit = Fitter(projectile, launch, environment, fidelity, measurements, options).run();
   if (!fit) return fit;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "flight/flight_record.hpp"
 #include "model/stability.hpp"
@@ -125,17 +126,20 @@ const FidelityInUse& Flight::fidelity_in_use() const { return record_->cohort.in
 const FlightCost& Flight::cost() const { return record_->cost; }
 double Flight::elevation() const { return record_->elevation; }
 EarthFrames Flight::earth_frames() const {
+  const IeeeMode mode;
   return EarthFrames(record_->environment, record_->cohort.in_use.fidelity.earth);
 }
 double Flight::step() const { return record_->step; }
 
 Accelerations Flight::accelerations(double time) const {
+  const IeeeMode mode;
   const FlightRecord& r = *record_;
   if (r.outcome == Outcome::refused) return {};
   return r.accelerations_at(std::clamp(time, 0.0, r.duration));
 }
 
 std::optional<Stability> Flight::stability(double time) const {
+  const IeeeMode mode;
   const FlightRecord& r = *record_;
   if (r.outcome == Outcome::refused || !r.path.turn) return std::nullopt;
   time = std::clamp(time, 0.0, r.duration);
@@ -143,6 +147,7 @@ std::optional<Stability> Flight::stability(double time) const {
 }
 
 Sample Flight::at(double time) const {
+  const IeeeMode mode;
   const FlightRecord& r = *record_;
   Sample out;
   if (r.outcome == Outcome::refused) return out;
@@ -172,6 +177,7 @@ Sample Flight::at(double time) const {
 }
 
 Result<Sample> Flight::at_range(double range) const {
+  const IeeeMode mode;
   const FlightRecord& r = *record_;
   const auto past = [&](double t) { return dot(r.state(t).x - r.sight.muzzle, r.sight.forward) - range; };
   if (r.outcome == Outcome::refused) return never("anything", r);
@@ -181,6 +187,7 @@ Result<Sample> Flight::at_range(double range) const {
 }
 
 Result<Sample> Flight::at_height(double level, Crossing direction) const {
+  const IeeeMode mode;
   const FlightRecord& r = *record_;
   const auto above = [&](double t) { return height(r.cohort.conditions, r.state(t).x) - level; };
   if (r.outcome == Outcome::refused) return never("anything", r);
@@ -190,6 +197,7 @@ Result<Sample> Flight::at_height(double level, Crossing direction) const {
 }
 
 std::vector<double> Flight::step_times() const {
+  const IeeeMode mode;
   std::vector<double> times;
   for (const Node& node : record_->path.nodes) times.push_back(std::min(node.t, record_->duration));
   times.erase(std::unique(times.begin(), times.end()), times.end());  // nodes where the acceleration jumps

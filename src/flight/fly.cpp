@@ -1,4 +1,5 @@
 // fly(): computes one flight and keeps its dense output.
+#include "base/ieee_mode.hpp"
 #include "flight/flight_record.hpp"
 #include "flight/pilot.hpp"
 #include "flight/zero.hpp"
@@ -184,6 +185,7 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
 
 Flight fly(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
            const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
+  const IeeeMode mode;
   return Flight(record_flight(projectile, launch, environment, fidelity, tolerance, until));
 }
 

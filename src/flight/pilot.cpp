@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "math/elementary.hpp"
 #include "physim/names.hpp"
@@ -51,6 +52,7 @@ Result<double> step_within(const ProjectileDef& projectile, const Launch& launch
 
 Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
+  const IeeeMode mode;
   return step_within(projectile, launch, environment, fidelity, tolerance, until, tolerance.position_error,
                      std::numeric_limits<double>::infinity());
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
@@ -114,6 +115,7 @@ class Carry {
 
 Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                            const Fidelity& fidelity, double ground, double slope, double time) {
+  const IeeeMode mode;
   Checker c;
   c.is_number(ground, "ground").is_number(slope, "slope").positive(time, "time", "in s");
   c.require(std::abs(slope) < kRightAngle, "slope", "must lie between -90 and 90 degrees", "angles are in radians");
@@ -139,6 +141,7 @@ Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch
 }
 
 Result<DangerSpace> danger_space(const Flight& flight, double range, double height) {
+  const IeeeMode mode;
   if (!(std::isfinite(height) && height > 0))
     return Error{"must be a positive number, not " + short_text(height), "height", "of the target, in m"};
   const Result<Sample> middle = flight.at_range(range);
@@ -170,6 +173,7 @@ Result<DangerSpace> danger_space(const Flight& flight, double range, double heig
 
 Result<double> time_to_range(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                              const Fidelity& fidelity, double range) {
+  const IeeeMode mode;
   if (!(std::isfinite(range) && range > 0))
     return Error{"must be a positive number, not " + short_text(range), "range", "in m"};
   const Until until{.ground = std::nullopt, .time = 600, .range = range};

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "math/elementary.hpp"
 #include "math/root.hpp"
@@ -19,6 +20,7 @@ Error out_of_reach(double range) {
 
 Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                               const Fidelity& fidelity, double range) {
+  const IeeeMode mode;
   if (!(std::isfinite(range) && range > 0))
     return Error{"a zero range must be a positive number", "launch.sight.zero_range", "in m"};
   Launch upright = launch;  // a zero is shot upright; cant is what happens afterwards

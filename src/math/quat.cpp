@@ -1,12 +1,14 @@
 // What users of Quat call. Quaternions from angles are computed in double for every number type.
 #include "math/quat.hpp"
 
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
 
 template <class T>
 Quat<T> quat_from_axis_angle(const Vec3<T>& axis, T angle) {
+  const IeeeMode mode;
   const Vec3d direction = normalized(vec_cast<double>(axis));
   if (direction == Vec3d{}) return {};
   const SinCos<double> half = sincos(0.5 * static_cast<double>(angle));
@@ -16,6 +18,7 @@ Quat<T> quat_from_axis_angle(const Vec3<T>& axis, T angle) {
 
 template <class T>
 Quat<T> quat_from_yaw_pitch_roll(T yaw, T pitch, T roll) {
+  const IeeeMode mode;
   const Quatd q = quat_from_axis_angle<double>({0, -1, 0}, yaw) * quat_from_axis_angle<double>({0, 0, 1}, pitch) *
                   quat_from_axis_angle<double>({1, 0, 0}, roll);
   return {static_cast<T>(q.w), static_cast<T>(q.x), static_cast<T>(q.y), static_cast<T>(q.z)};

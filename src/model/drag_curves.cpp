@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "model/ladder.hpp"
 #include "model/sphere_drag.hpp"
 #include "physim/drag_curve.hpp"
@@ -64,6 +65,7 @@ const UniformCubic& standard_drag_cells(DragTable table, Interpolation interpola
 }
 
 double drag_coefficient(const DragDef& drag, Interpolation interpolation, double mach) {
+  const IeeeMode mode;
   return drag.table == DragTable::constant ? drag.coefficient : drag_curve(drag, interpolation)(mach);
 }
 
@@ -72,6 +74,7 @@ bool spline_overshoots(const DragDef& drag) {
 }
 
 double sphere_drag_coefficient(double reynolds) {
+  const IeeeMode mode;
   double cd;
   sphere_cd(reynolds, cd);
   return cd;

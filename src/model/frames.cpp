@@ -8,6 +8,7 @@
 //   nutation and polar motion; geometry.
 #include "physim/frames.hpp"
 
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "math/quat.hpp"
 #include "math/vec3.hpp"
@@ -17,6 +18,7 @@ namespace physim {
 namespace {
 
 std::shared_ptr<const Conditions<double>> conditions_of(const Environment& environment, EarthModel earth) {
+  const IeeeMode mode;
   auto c = std::make_shared<Conditions<double>>();
   c->fidelity.earth = is_round(earth) ? earth : EarthModel::ellipsoid;
   c->fidelity.gravity = GravityModel::constant;
@@ -52,6 +54,7 @@ Vec3d vertical_of(const Geodetic& place) { return earth_fixed_from_local({0, 0, 
 
 EarthFrames::EarthFrames(const Environment& environment, EarthModel earth)
     : conditions_(conditions_of(environment, earth)), rate_(is_turning(earth) ? environment.earth.rotation_rate : 0) {
+  const IeeeMode mode;
   const Geodetic place{environment.earth.latitude, environment.earth.longitude, 0};
   const auto azimuth = sincos(environment.earth.azimuth);
   x_E_ = earth_fixed_from_local({azimuth.sin, azimuth.cos, 0}, place);
@@ -60,6 +63,7 @@ EarthFrames::EarthFrames(const Environment& environment, EarthModel earth)
 }
 
 Geodetic EarthFrames::geodetic(const Vec3d& position) const {
+  const IeeeMode mode;
   const Vertical<double> vertical = vertical_of(*conditions_, position);
   const Vec3d up = combined(x_E_, y_E_, z_E_, vertical.up);
   const double level = sqrt(up.x * up.x + up.y * up.y);
@@ -67,10 +71,12 @@ Geodetic EarthFrames::geodetic(const Vec3d& position) const {
 }
 
 FrameState EarthFrames::earth_fixed(const Vec3d& position, const Vec3d& velocity) const {
+  const IeeeMode mode;
   return {combined(x_E_, y_E_, z_E_, from_centre(*conditions_, position)), combined(x_E_, y_E_, z_E_, velocity)};
 }
 
 FrameState EarthFrames::inertial(const Vec3d& position, const Vec3d& velocity, double time) const {
+  const IeeeMode mode;
   const FrameState s = earth_fixed(position, velocity);
   const double angle = rate_ * time;
   return {inertial_from_earth_fixed(s.position, angle),
@@ -78,23 +84,27 @@ FrameState EarthFrames::inertial(const Vec3d& position, const Vec3d& velocity, d
 }
 
 Vec3d EarthFrames::local(const Vec3d& position, const Vec3d& vector) const {
+  const IeeeMode mode;
   const LocalAxes l = local_axes(combined(x_E_, y_E_, z_E_, vertical_of(*conditions_, position).up));
   const Vec3d v = combined(x_E_, y_E_, z_E_, vector);
   return {dot(v, l.east), dot(v, l.north), dot(v, l.up)};
 }
 
 Vec3d EarthFrames::position(const Geodetic& place) const {
+  const IeeeMode mode;
   const bool sphere = is_sphere(conditions_->fidelity.earth);
   const Vec3d x = sphere ? vertical_of(place) * (conditions_->radius + place.height) : earth_fixed_from_geodetic(place);
   return from_earth_fixed({x, {}}).position;
 }
 
 FrameState EarthFrames::from_earth_fixed(const FrameState& s) const {
+  const IeeeMode mode;
   const auto into_W = [&](const Vec3d& v) { return Vec3d{dot(v, x_E_), dot(v, y_E_), dot(v, z_E_)}; };
   return {into_W(s.position) - from_centre(*conditions_, Vec3d{}), into_W(s.velocity)};
 }
 
 FrameState EarthFrames::from_inertial(const FrameState& s, double time) const {
+  const IeeeMode mode;
   const double angle = rate_ * time;
   const Vec3d position = earth_fixed_from_inertial(s.position, angle);
   const Vec3d velocity = earth_fixed_from_inertial(s.velocity, angle);
@@ -102,6 +112,7 @@ FrameState EarthFrames::from_inertial(const FrameState& s, double time) const {
 }
 
 YawPitchRoll EarthFrames::yaw_pitch_roll(const Vec3d& position, const Quatd& q_WB) const {
+  const IeeeMode mode;
   const auto axis = [&](const Vec3d& v) { return local(position, rotate(q_WB, v)); };
   const Vec3d nose = axis({1, 0, 0}), up = axis({0, 1, 0}), right = axis({0, 0, 1});
   const double level = sqrt(nose.x * nose.x + nose.y * nose.y);
@@ -109,6 +120,7 @@ YawPitchRoll EarthFrames::yaw_pitch_roll(const Vec3d& position, const Quatd& q_W
 }
 
 Vec3d EarthFrames::from_local(const Vec3d& position, const Vec3d& vector) const {
+  const IeeeMode mode;
   const LocalAxes l = local_axes(combined(x_E_, y_E_, z_E_, vertical_of(*conditions_, position).up));
   return from_earth_fixed({{}, l.east * vector.x + l.north * vector.y + l.up * vector.z}).velocity;
 }

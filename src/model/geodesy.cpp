@@ -1,6 +1,7 @@
 // Coordinates of places for users. Equations, symbols and Source: model/geodesy.hpp, model/normal_gravity.hpp.
 #include "model/geodesy.hpp"
 
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
 #include "model/normal_gravity.hpp"
@@ -31,6 +32,7 @@ Vec3d turned_about_z(const Vec3d& v, double cosine, double sine) {
 }  // namespace
 
 Vec3d earth_fixed_from_geodetic(const Geodetic& place) {
+  const IeeeMode mode;
   const auto phi = sincos(place.latitude);
   const auto lambda = sincos(place.longitude);
   const double n = kEquatorialRadius / sqrt(1 - kEccentricitySquared * phi.sin * phi.sin);
@@ -39,6 +41,7 @@ Vec3d earth_fixed_from_geodetic(const Geodetic& place) {
 }
 
 Geodetic geodetic_from_earth_fixed(const Vec3d& x) {
+  const IeeeMode mode;
   const double p = sqrt(x.x * x.x + x.y * x.y);
   const double up = x.z + axis_offset(dot(x, x), x.z, kAllRounds);  // p : up is the direction of the normal
   const double size = sqrt(p * p + up * up);
@@ -50,26 +53,31 @@ Geodetic geodetic_from_earth_fixed(const Vec3d& x) {
 }
 
 Vec3d inertial_from_earth_fixed(const Vec3d& v, double angle) {
+  const IeeeMode mode;
   const auto turn = sincos(angle);
   return turned_about_z(v, turn.cos, turn.sin);
 }
 
 Vec3d earth_fixed_from_inertial(const Vec3d& v, double angle) {
+  const IeeeMode mode;
   const auto turn = sincos(angle);
   return turned_about_z(v, turn.cos, -turn.sin);
 }
 
 Vec3d local_from_earth_fixed(const Vec3d& v, const Geodetic& place) {
+  const IeeeMode mode;
   const LocalAxes l = local_axes(place);
   return {dot(v, l.east), dot(v, l.north), dot(v, l.up)};
 }
 
 Vec3d earth_fixed_from_local(const Vec3d& v, const Geodetic& place) {
+  const IeeeMode mode;
   const LocalAxes l = local_axes(place);
   return l.east * v.x + l.north * v.y + l.up * v.z;
 }
 
 Vec3d normal_gravity(const Geodetic& place) {
+  const IeeeMode mode;
   const Vec3d r = earth_fixed_from_geodetic(place);
   const Vec3d pull = ellipsoid_gravitation(Vec3d{0, 0, 1}, r);
   const Vec3d swing = Vec3d{r.x, r.y, 0} * (kRotationRate * kRotationRate);

@@ -1,6 +1,7 @@
 // Equations, symbols and Source: model/humid_air.hpp.
 #include "model/humid_air.hpp"
 
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
@@ -31,6 +32,7 @@ double vapour_fraction(double temperature, double pressure, double humidity) {
 }
 
 double moist_air_density(double temperature, double pressure, double humidity) {
+  const IeeeMode mode;
   const double x_v = vapour_fraction(temperature, pressure, humidity);
   const double z = compressibility(temperature, pressure, x_v);
   return pressure * kDryMolarMass / (z * kMolarGasConstant * temperature) *
@@ -38,6 +40,7 @@ double moist_air_density(double temperature, double pressure, double humidity) {
 }
 
 double moist_air_sound_speed(double temperature, double pressure, double humidity) {
+  const IeeeMode mode;
   const double x_v = vapour_fraction(temperature, pressure, humidity);
   const double heat = 3.5 * (1 - x_v) + 4.04 * x_v;  // c_p / R
   const double molar_mass = kStandardMolarMass * (1 - x_v) + kWaterMolarMass * x_v;

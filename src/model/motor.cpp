@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "math/interpolation.hpp"
 
 namespace physim {
@@ -71,6 +72,7 @@ std::size_t hash_of(const std::vector<MotorPiece>& pieces) {
 double burn_time(const MotorDef& motor) { return motor.thrust.empty() ? 0 : motor.thrust.back().time; }
 
 double total_impulse(const MotorDef& motor) {
+  const IeeeMode mode;
   double sum = 0;
   for (std::size_t i = 1; i < motor.thrust.size(); ++i)
     sum +=
@@ -79,15 +81,18 @@ double total_impulse(const MotorDef& motor) {
 }
 
 double specific_impulse(const MotorDef& motor) {
+  const IeeeMode mode;
   return motor.propellant_mass > 0 ? total_impulse(motor) / (motor.propellant_mass * kStandardGravity) : 0;
 }
 
 double thrust_at(const MotorDef& motor, double time) {
+  const IeeeMode mode;
   if (motor.thrust.empty() || time < 0 || time > burn_time(motor)) return 0;
   return line_at(motor.thrust, &ThrustPoint::force, time);
 }
 
 double propellant_left(const MotorDef& motor, double time) {
+  const IeeeMode mode;
   if (motor.thrust.empty() || time <= 0) return motor.propellant_mass;
   if (time >= burn_time(motor)) return 0;
   if (!motor.propellant.empty()) return line_at(motor.propellant, &PropellantPoint::mass, time);

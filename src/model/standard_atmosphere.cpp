@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "math/chebyshev.hpp"
 #include "math/elementary.hpp"
@@ -176,6 +177,7 @@ Air<double> prepare_air(const Environment& environment, AirModel model) {
 }
 
 Result<AirSample> air_at(const Environment& environment, double altitude) {
+  const IeeeMode mode;
   if (!(altitude >= kLowestAltitude && altitude <= kHighestAltitude))
     return Error{"altitude " + short_text(altitude) + " m lies outside the standard atmosphere", "altitude",
                  "give a height from -5000 m to 86000 m"};

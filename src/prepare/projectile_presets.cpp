@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "physim/units.hpp"
 
@@ -22,6 +23,7 @@ constexpr double kRpm = kPi / 30;             // [rad/s]
 /// A shot of the original at its elevation setting 2, removed where the original removed it.
 ProjectilePreset original(const char* name, double mass, double damping, double gravity, double speed, const char* doc,
                           const char* source) {
+  const IeeeMode mode;
   return {.projectile = {.name = name, .mass = mass, .drag = {.damping = damping}, .fidelity = Fidelity::classic()},
           .body = {.gravity_scale = gravity / kStandardGravity, .despawn = {.below = -5, .farther = 100}},
           .speed = speed,
@@ -194,6 +196,7 @@ ProjectilePreset tennis_ball() {
 }
 
 ProjectilePreset golf_ball() {
+  const IeeeMode mode;
   ProjectilePreset p;
   p.projectile = {.name = "golf_ball", .mass = 45.93_g, .diameter = 42.67_mm, .drag = {.coefficient = 0.25}};
   MagnusDef& m = p.projectile.magnus;
@@ -210,6 +213,7 @@ ProjectilePreset golf_ball() {
 }
 
 ProjectilePreset baseball() {
+  const IeeeMode mode;
   return {.projectile = {.name = "baseball",
                          .mass = 5.125_oz,
                          .diameter = 9.125_in / kPi,
@@ -227,6 +231,7 @@ ProjectilePreset baseball() {
 }
 
 ProjectilePreset football() {
+  const IeeeMode mode;
   ProjectilePreset p;
   p.projectile = {.name = "football", .mass = 0.43, .diameter = 0.22, .drag = {.coefficient = 0.155}};
   MagnusDef& m = p.projectile.magnus;
@@ -244,6 +249,7 @@ ProjectilePreset football() {
 }
 
 ProjectilePreset table_tennis_ball() {
+  const IeeeMode mode;
   ProjectilePreset p;
   p.projectile = {.name = "table_tennis_ball", .mass = 2.7_g, .diameter = 40_mm, .drag = {.coefficient = 0.47}};
   MagnusDef& m = p.projectile.magnus;
@@ -300,6 +306,7 @@ std::span<const std::string_view> projectile_presets() {
 }
 
 std::optional<ProjectilePreset> projectile_preset(std::string_view name) {
+  const IeeeMode mode;
   for (const Named& preset : kPresets)
     if (preset.name == name) return preset.make();
   return std::nullopt;

@@ -1,12 +1,14 @@
 // Flies a shot of a scenario; where it asks for a fidelity by its error, that is found first.
 #include <algorithm>
 
+#include "base/ieee_mode.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "physim/scenario.hpp"
 
 namespace physim {
 
 Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot) {
+  const IeeeMode mode;
   const ProjectileDef& projectile = shot.projectile;
   const auto fly_at = [&](const Fidelity& fidelity) {
     return fly(projectile, shot.launch, scenario.environment, fidelity, scenario.tolerance, scenario.until);

@@ -1,6 +1,7 @@
 // What a flight says about an expectation.
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "physim/names.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
@@ -53,6 +54,7 @@ Result<double> measure_anywhere(const Flight& flight, const Expectation& expecta
 }  // namespace
 
 Result<double> measure(const Flight& flight, const Expectation& expectation) {
+  const IeeeMode mode;
   Result<double> value = measure_anywhere(flight, expectation);
   if (value) return value;
   Error error = value.error();
@@ -61,6 +63,7 @@ Result<double> measure(const Flight& flight, const Expectation& expectation) {
 }
 
 Result<double> measure(const WorldGroup& group, const Expectation& expectation) {
+  const IeeeMode mode;
   const Figure* figure = find_figure(expectation.quantity);
   if (figure == nullptr || figure->of_group == nullptr)
     return Error{in_quotes(expectation.quantity) + " is no figure of a world", expectation.place,

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/text_file.hpp"
 #include "scenario/units.hpp"
@@ -135,6 +136,7 @@ class MotorReader {
 }  // namespace
 
 Result<std::vector<MotorFileEntry>> parse_motor_file(const std::string& text, const std::string& file) {
+  const IeeeMode mode;
   return MotorReader(file).read(text);
 }
 

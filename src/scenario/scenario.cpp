@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
@@ -43,6 +44,7 @@ void complete(Scenario& scenario, const Value& document) {
 
 Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                 std::span<const std::string> overrides) {
+  const IeeeMode mode;
   Result<Value> document = parse_document(text, file);
   if (!document) return document.error();
   for (const std::string& override_text : overrides)

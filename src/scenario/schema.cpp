@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "scenario/units.hpp"
 #include "scenario/writer.hpp"
 
@@ -123,6 +124,7 @@ const std::vector<std::string_view>& setting_paths() {
 }
 
 std::span<const Setting> settings() {
+  const IeeeMode mode;
   static const std::vector<Setting> list = [] {
     std::vector<Setting> all;
     for (const Entry& entry : entries()) all.push_back(public_setting(entry));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "math/angles.hpp"
 #include "scenario/suggest.hpp"
 
@@ -163,6 +164,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 Result<double> parse_quantity(std::string_view text, Quantity quantity) {
+  const IeeeMode mode;
   const QuantityInfo& wanted = info(quantity);
   const std::string_view whole = trimmed(text);
   std::string_view digits = whole;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "flight/zero.hpp"
 #include "model/force_laws.hpp"
 #include "model/sight.hpp"
@@ -47,6 +48,7 @@ std::size_t index_of(const std::vector<ScenarioShot>& shots, const std::string& 
 }  // namespace
 
 void Series::add(double value) {
+  const IeeeMode mode;
   ++count;
   const double before = value - mean;
   mean += before / static_cast<double>(count);
@@ -55,7 +57,10 @@ void Series::add(double value) {
   high = std::max(high, value);
 }
 
-double Series::spread() const { return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0; }
+double Series::spread() const {
+  const IeeeMode mode;
+  return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0;
+}
 
 /// What changes during a run, beside its world.
 struct RunState {
@@ -298,6 +303,7 @@ WorldRun& WorldRun::operator=(WorldRun&&) noexcept = default;
 WorldRun::~WorldRun() = default;
 
 Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recording) {
+  const IeeeMode mode;
   if (!scenario.world.given) return Error{"the scenario has no [world]", scenario.file, "write [world] into it"};
   scenario.world.def.environment = scenario.environment;
   scenario.world.def.tolerance = scenario.tolerance;
@@ -310,8 +316,12 @@ Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recordin
   return WorldRun(std::move(impl));
 }
 
-void WorldRun::step() { impl_->step(); }
+void WorldRun::step() {
+  const IeeeMode mode;
+  impl_->step();
+}
 std::uint64_t WorldRun::steps() const {
+  const IeeeMode mode;
   const ScenarioWorld& world = impl_->scenario.world;
   return static_cast<std::uint64_t>(std::ceil(world.duration / world.def.step - 1e-9));
 }
@@ -327,6 +337,7 @@ std::optional<Launched> WorldRun::launched(ProjectileId id) const {
 }
 
 std::vector<WorldGroup> WorldRun::groups() const {
+  const IeeeMode mode;
   std::vector<WorldGroup> groups = impl_->groups;
   for (const ProjectileId id : impl_->world.ids()) {
     const Track* track = impl_->track_of(id);

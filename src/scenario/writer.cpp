@@ -1,6 +1,7 @@
 #include "scenario/writer.hpp"
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "scenario/units.hpp"
 
 namespace physim {
@@ -180,6 +181,7 @@ std::string table_lines(const SchemaNode& node, const Scope& scope) {
 }  // namespace
 
 std::string scenario_text(const Scenario& scenario) {
+  const IeeeMode mode;
   Scenario copy = scenario;  // slots are for reading and writing
   std::int64_t format = 1;
   const Scope scope{.format = &format, .scenario = &copy};
@@ -205,6 +207,7 @@ std::optional<std::string> written(const Entry& entry, const Scope& scope) {
 }
 
 std::vector<std::pair<std::string, std::string>> effective_settings(const Scenario& scenario) {
+  const IeeeMode mode;
   Scenario copy = scenario;  // slots are for reading and writing
   std::int64_t format = 1;
   const Scope scope{.format = &format, .scenario = &copy};

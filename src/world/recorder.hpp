@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "world/calls.hpp"
 
 namespace physim {
@@ -97,7 +98,7 @@ class Recorder {
   Status status_;
 };
 
-/// A call that changes a world, from its first line to its end:
+/// A call that changes a world, from its first line to its end; all that it computes, it computes in IeeeMode.
 ///   const Recorded<Call::despawn> call(impl_->recorder, id);
 template <Call name>
 class Recorded {
@@ -135,6 +136,7 @@ class Recorded {
     if constexpr (steps) recorder_->flush();
   }
 
+  IeeeMode mode_;
   Recorder* recorder_;
 };
 

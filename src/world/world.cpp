@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 
+#include "base/ieee_mode.hpp"
 #include "flight/zero.hpp"
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
@@ -29,6 +30,7 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(const WorldDef& def) {
+  const IeeeMode mode;
   if (const Status status = check(def); !status) return status.error();
   return World(def);
 }
@@ -219,6 +221,7 @@ std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::spa
 }
 
 Status World::reserve(KindId kind, std::size_t count) {
+  const IeeeMode mode;
   WorldImpl& w = *impl_;
   if (!w.registry.has_environment_of(kind)) return Error{"there is no such kind", "kind", "add_kind() makes one"};
   try {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
 #include "physim/names.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
@@ -313,6 +314,7 @@ std::size_t World::set_fidelity(std::span<const ProjectileId> ids, const Fidelit
 }
 
 FidelityInUse ProjectileView::fidelity_in_use() const {
+  const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   if (!slot) return {};
   FidelityInUse in_use = world_->registry.kind(slot->kind).rungs[slot->rung].in_use;

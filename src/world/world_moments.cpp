@@ -1,12 +1,16 @@
 // Moments of a world: snapshots and the hash of its state.
 #include <algorithm>
 
+#include "base/ieee_mode.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
 
 // ------------------------------------------------------------------------------------------- snapshots
-double Snapshot::time() const { return state_ ? state_->clock.time() : 0; }
+double Snapshot::time() const {
+  const IeeeMode mode;
+  return state_ ? state_->clock.time() : 0;
+}
 
 Snapshot World::snapshot() const {
   const Recorded<Call::snapshot> call(impl_->recorder, impl_->next_moment());
@@ -135,6 +139,9 @@ std::uint64_t WorldImpl::hash() {
   return h.value();
 }
 
-std::uint64_t World::hash() const { return impl_->hash(); }
+std::uint64_t World::hash() const {
+  const IeeeMode mode;
+  return impl_->hash();
+}
 
 }  // namespace physim

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "world/world_impl.hpp"
 
@@ -25,14 +26,17 @@ std::vector<ProjectileId> World::ids() const {
 }
 
 Vec3d ProjectileView::position_of(const WorldImpl* world, ProjectileId id) {
+  const IeeeMode mode;
   const Slot* slot = world->find(id);
   return slot ? world->state.rows_of(*slot).position(slot->row) : Vec3d{};
 }
 Vec3d ProjectileView::velocity_of(const WorldImpl* world, ProjectileId id) {
+  const IeeeMode mode;
   const Slot* slot = world->find(id);
   return slot ? world->state.rows_of(*slot).velocity(slot->row) : Vec3d{};
 }
 BodyState ProjectileView::state_of(const WorldImpl* world, ProjectileId id) {
+  const IeeeMode mode;
   const Slot* slot = world->find(id);
   return slot ? world->state.state_of(*slot) : BodyState{};
 }
@@ -41,6 +45,7 @@ void World::states(std::span<const ProjectileId> ids, std::span<BodyState> into)
   for (std::size_t i = 0; i < count; ++i) into[i] = (*this)[ids[i]].state();
 }
 Vec3d ProjectileView::previous_position() const {
+  const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   if (!slot) return {};
   return slot->is(kStill) ? world_->state.rows_of(*slot).position(slot->row)
@@ -48,6 +53,7 @@ Vec3d ProjectileView::previous_position() const {
 }
 
 Vec3d ProjectileView::render_position() const {
+  const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   if (!slot) return {};
   const Rows& rows = world_->state.rows_of(*slot);
@@ -61,6 +67,7 @@ Vec3d ProjectileView::render_position() const {
 }
 
 void World::segments(std::vector<Segment>& into) const {
+  const IeeeMode mode;
   into.clear();
   for (std::uint16_t c = 0; c < impl_->state.rows.size(); ++c) {
     if (impl_->registry.cohort(c).key.still) continue;
@@ -71,20 +78,24 @@ void World::segments(std::vector<Segment>& into) const {
 }
 
 double ProjectileView::age() const {
+  const IeeeMode mode;
   return world_->find(id_) ? std::max(0.0, world_->state.clock.time() - world_->state.slots.birth(id_.index)) : 0.0;
 }
 double ProjectileView::mass() const {
+  const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   if (!slot) return 0;
   if (slot->is(kInfiniteMass)) return std::numeric_limits<double>::infinity();
   return mass_of(world_->registry, world_->state, *slot);
 }
 double ProjectileView::inverse_mass() const {
+  const IeeeMode mode;
   const double m = mass();
   return m > 0 ? 1 / m : 0;
 }
 
 Accelerations ProjectileView::accelerations() const {
+  const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   if (!slot || slot->is(kInfiniteMass)) return {};
   const WorldCohort& cohort = world_->registry.cohort(slot->cohort);
@@ -100,10 +111,12 @@ Accelerations ProjectileView::accelerations() const {
                           turning ? rows.turn(slot->row) : Turn<double>{});
 }
 Vec3d ProjectileView::resultant_force() const {
+  const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   return slot ? accelerations().total * (slot->is(kInfiniteMass) ? 0 : mass()) : Vec3d{};
 }
 double ProjectileView::mach() const {
+  const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   if (!slot) return 0;
   const Conditions<double>& c = world_->registry.cohort(slot->cohort).conditions;
@@ -121,12 +134,14 @@ const ProjectileDef* ProjectileView::definition() const {
   return slot ? &world_->registry.kind(slot->kind).projectile : nullptr;
 }
 Quatd ProjectileView::orientation() const {
+  const IeeeMode mode;
   if (!is_alive()) return {};
   if (const auto flown = world_->placement.attitude(id_.index)) return flown->q_WB;
   const Turning* turning = world_->state.extras.find_turning(id_.index);
   return turning ? turning->orientation : Quatd{};
 }
 Vec3d ProjectileView::angular_velocity() const {
+  const IeeeMode mode;
   const Slot* slot = world_->find(id_);
   if (!slot) return {};
   if (const auto flown = world_->placement.attitude(id_.index))

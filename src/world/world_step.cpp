@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ieee_mode.hpp"
 #include "world/kernels.hpp"
 #include "world/world_impl.hpp"
 
@@ -104,6 +105,7 @@ void step_chunk(const StepWork& work, Chunk& chunk) {
 }
 
 void run_chunk(void* shared, std::size_t i) {
+  const IeeeMode mode;
   const auto& work = *static_cast<const StepWork*>(shared);
   Chunk& chunk = work.chunks[i];
   if (work.context.state->rows[chunk.cohort].layout().float32)
@@ -321,7 +323,13 @@ Status World::set_time_scale(double scale) {
   return {};
 }
 double World::time_scale() const { return impl_->state.clock.time_scale; }
-double World::time() const { return impl_->state.clock.time(); }
-double World::fraction() const { return impl_->state.clock.left_over / impl_->def.step; }
+double World::time() const {
+  const IeeeMode mode;
+  return impl_->state.clock.time();
+}
+double World::fraction() const {
+  const IeeeMode mode;
+  return impl_->state.clock.left_over / impl_->def.step;
+}
 
 }  // namespace physim

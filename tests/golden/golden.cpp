@@ -1,5 +1,7 @@
 // Prints one hash over elementary functions and flights. Every compiler, optimisation and instruction set must print
-// the same: `./dev determinism` builds and runs this with all of them.
+// the same: `./dev determinism` builds and runs this with all of them. `physim_golden upward` calls the library from a
+// thread that rounds upwards, `physim_golden flush` from one that takes subnormal numbers for zero.
+#include <cfenv>
 #include <cinttypes>
 #include <cstdio>
 #include <string>
@@ -105,13 +107,18 @@ Course course(std::uint64_t seed, Integrator integrator, Precision precision) {
   return c;
 }
 
+double part_of(double whole, double part) {
+  const IeeeMode mode;
+  return part * whole;
+}
+
 void add_flight(Hash& hash, const Flight& flight) {
   hash.add_bits(static_cast<std::uint64_t>(flight.outcome()));
   hash.add(flight.duration());
   hash.add(flight.cost());
   for (const Event& e : flight.events()) hash.add(e);
   for (const double part : {0.0, 0.3, 0.7, 1.0}) {
-    const Sample s = flight.at(part * flight.duration());
+    const Sample s = flight.at(part_of(flight.duration(), part));
     for (const Vec3d& v : {s.position, s.velocity, s.acceleration}) hash.add(v);
     for (const double x : {s.mach, s.energy, s.range, s.drop, s.windage}) hash.add(x);
     if (!turns(flight.fidelity_in_use().fidelity)) continue;
@@ -271,8 +278,7 @@ void add_places(Hash& hash) {
   }
 }
 
-bool add_flights(Hash& hash) {
-  const std::vector<Course> all = courses();
+bool add_flights(Hash& hash, const std::vector<Course>& all) {
   for (const Course& c : all)
     for (const Shot& shot : c.shots)
       add_flight(hash, fly(shot.projectile, shot.launch, c.environment, c.fidelity, c.tolerance, c.until));
@@ -291,13 +297,24 @@ bool add_flights(Hash& hash) {
   return same;
 }
 
-int run() {
+/// The mode that the library is called in; false where there is none of that name.
+bool set_mode(const std::string& mode) {
+  if (mode == "upward") return std::fesetround(FE_UPWARD) == 0;
+#if defined(__SSE2__)
+  if (mode == "flush") return _mm_setcsr(_mm_getcsr() | 0x8040), true;  // flush to zero, denormals are zero
+#endif
+  return mode.empty();
+}
+
+int run(const std::string& mode) {
   Hash hash;
-  bool good = add_elementary<Pack<double, 8>>(hash, 250);
+  bool good = add_elementary<Pack<double, 8>>(hash, 250);  // no call: computed here
   good = add_elementary<Pack<float, 16>>(hash, 125) && good;
+  const std::vector<Course> all = courses();
+  if (!set_mode(mode)) return 2;
   add_preparations(hash);
   add_places(hash);
-  good = add_flights(hash) && good;
+  good = add_flights(hash, all) && good;
   std::uint64_t worlds = 0;
   good = add_worlds(worlds) && good;
   hash.add_bits(worlds);
@@ -312,4 +329,4 @@ int run() {
 }  // namespace
 }  // namespace physim::test
 
-int main() { return physim::test::run(); }
+int main(int argc, char** argv) { return physim::test::run(argc > 1 ? argv[1] : ""); }
