@@ -85,7 +85,9 @@ struct Scenario {
 [[nodiscard]] Result<Scenario> parse_scenario(const std::string& text, const std::string& file,
                                               std::span<const std::string> overrides = {});
 
-/// A scenario as the text of a file, with every setting that has a value; parse_scenario() reads it back as it was.
+/// A scenario as the text of a file: the settings that differ from their defaults, and of its shots from the presets
+/// nearest to them. parse_scenario() reads it back as it was, bit for bit; but shots of a scenario without a [world]
+/// have no settings of their own for worlds, [shot.body].
 [[nodiscard]] std::string scenario_text(const Scenario& scenario);
 
 /// Flies a shot of a scenario as it asks for, until the scenario ends it.

@@ -49,6 +49,7 @@ Array converted_array(const toml::array& array, const Source& source) {
 Value converted(const toml::node& node, const Source& source) {
   Value out;
   out.place = place_of(node.source(), source);
+  out.end = {node.source().end.line, node.source().end.column};
   if (const auto* table = node.as_table())
     out.content = converted_table(*table, source);
   else if (const auto* array = node.as_array())

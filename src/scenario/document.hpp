@@ -33,8 +33,14 @@ using Table = std::vector<Member>;  // in the order of the file
 struct Date {};
 
 struct Value {
+  /// Lines and characters of UTF-8 in them, both from 1.
+  struct Position {
+    std::uint32_t line = 0, column = 0;
+  };
+
   std::variant<bool, std::int64_t, double, std::string, Date, Array, Table> content;
   Place place;
+  Position end;     // just behind it; of a [table] just behind its header
   std::string raw;  // of an override: the text as typed, for settings that take any text
 
   template <class T>

@@ -111,6 +111,7 @@ struct Entry {
   std::string_view none = "none";                   // how the absence of an optional value is written
   bool required = false;                            // no default
   bool shorthand = false;                           // its table may be written as this value alone
+  bool starts = false;                              // a choice of presets, which other settings of its table change
   bool live = false;                                // worlds can change it for one projectile in flight
   Quantity (*quantity_by)(const Scope&) = nullptr;  // where another setting decides the quantity
   std::string_view unit_by = {};                    // by which: "of the kind"

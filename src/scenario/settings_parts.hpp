@@ -107,8 +107,9 @@ struct QuantityBy {
 struct Absent {
   std::string_view word;
 };
-enum class Trait { required, shorthand, live };
-inline constexpr Trait kRequired = Trait::required, kShorthand = Trait::shorthand, kLive = Trait::live;
+enum class Trait { required, shorthand, preset, live };
+inline constexpr Trait kRequired = Trait::required, kShorthand = Trait::shorthand, kPreset = Trait::preset,
+                       kLive = Trait::live;
 
 constexpr void say(Entry& entry, Quantity quantity) { entry.quantity = quantity; }
 constexpr void say(Entry& entry, const Range& range) { entry.range = range; }
@@ -117,6 +118,7 @@ constexpr void say(Entry& entry, Trait trait) {
   switch (trait) {
     case Trait::required: entry.required = true; return;
     case Trait::shorthand: entry.shorthand = true; return;
+    case Trait::preset: entry.starts = true; return;
     case Trait::live: entry.live = true; return;
   }
 }

@@ -1,14 +1,18 @@
 #include "scenario/writer.hpp"
 
+#include <tuple>
+
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "scenario/document.hpp"
+#include "scenario/reader.hpp"
 #include "scenario/units.hpp"
 
 namespace physim {
 namespace {
 
-/// Plain: as typed in an override. Toml: inside an inline table or array.
-enum class Style { plain, toml };
+/// Plain: as typed in an override. Whole: within a file. Brief: within a file, without what its reader has anyway.
+enum class Style { plain, whole, brief };
 
 std::string toml_string(std::string_view text) {
   static constexpr char kHex[] = "0123456789ABCDEF";
@@ -25,8 +29,21 @@ std::string toml_string(std::string_view text) {
   return out + "\"";
 }
 
+/// As people write it: between three quotes, line by line. Quotes within are escaped where they would end it.
+std::string text_block(std::string_view text) {
+  std::string out = "\"\"\"\n";
+  for (const char c : text) {
+    const std::string quoted = toml_string({&c, 1});
+    out += c == '\n' || c == '\t'                                  ? std::string(1, c)
+           : c == '"' && !out.ends_with('"') && &c != &text.back() ? "\""
+                                                                   : quoted.substr(1, quoted.size() - 2);
+  }
+  return out + "\"\"\"";
+}
+
 /// Plain text that would not read back as itself is quoted.
 std::string text_value(const std::string& text, Style style) {
+  if (style == Style::brief && text.find('\n') != text.npos) return text_block(text);
   bool plain = style == Style::plain && !text.empty() && trimmed(text) == text && text[0] != '"' && text[0] != '\'';
   for (const char c : text) plain = plain && static_cast<unsigned char>(c) >= 0x20;
   return plain ? text : toml_string(text);
@@ -50,15 +67,15 @@ std::string array_value(const List& list, const Write& write) {
 }
 
 std::string numbers_value(const std::vector<double>& list, Quantity quantity) {
-  return array_value(list, [quantity](double x) { return number_value(x, quantity, Style::toml); });
+  return array_value(list, [quantity](double x) { return number_value(x, quantity, Style::whole); });
 }
 
 std::string vector_value(const Vec3d& v, Quantity quantity) { return numbers_value({v.x, v.y, v.z}, quantity); }
 
 std::string points_value(const Points& points) {
   return array_value(points.get(), [&](const auto& point) {
-    return "[" + number_value(point.first, points.quantities[0], Style::toml) + ", " +
-           number_value(point.second, points.quantities[1], Style::toml) + "]";
+    return "[" + number_value(point.first, points.quantities[0], Style::whole) + ", " +
+           number_value(point.second, points.quantities[1], Style::whole) + "]";
   });
 }
 
@@ -77,30 +94,37 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
 
 constexpr std::string_view kNothing = "{}";
 
-/// A table within an array; values that are absent are left out, and so are tables of nothing else.
+/// A table within an array with all that it says; values that are absent are left out, and so are tables of nothing
+/// else.
 std::string inline_table(const SchemaNode& node, const Scope& scope) {
   std::string out;
   for (const SchemaNode& child : node.children) {
     const std::optional<std::string> value =
-        child.entry ? value_text(*child.entry, scope, Style::toml) : inline_table(child, scope);
+        child.entry ? value_text(*child.entry, scope, Style::whole) : inline_table(child, scope);
     if (value && *value != kNothing) out += (out.empty() ? "" : ", ") + child.name + " = " + *value;
   }
   return out.empty() ? std::string(kNothing) : "{ " + out + " }";
 }
 
-std::string records_value(const Entry& entry, const Records& records) {
+std::string brief_element(const SchemaNode& node, const Scope& outer, const Scope& element);
+
+std::string records_value(const Entry& entry, const Records& records, const Scope& scope, Style style) {
   const SchemaNode* node = find_node(entry.path);
   PHYSIM_ASSERT(node != nullptr);
   PHYSIM_ASSERT(node->is_list_of_tables());
   std::string out;
-  for (std::size_t i = 0; i < records.size(); ++i)
-    out += (i == 0 ? "" : ", ") + inline_table(*node, records.element(i));
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Scope element = records.element(i);
+    out += (i == 0 ? "" : ", ") +
+           (style == Style::brief ? brief_element(*node, scope, element) : inline_table(*node, element));
+  }
   return "[" + out + "]";
 }
 
 /// What is absent is left out of tables, unless that would bring a default back.
 std::optional<std::string> absent(const Entry& entry, Style style) {
   if (style == Style::plain) return std::string(entry.none);
+  if (style == Style::brief) return toml_string(entry.none);
   Defaults defaults;
   if (value_text(entry, defaults.scope(), Style::plain) == entry.none) return std::nullopt;
   return toml_string(entry.none);
@@ -133,12 +157,10 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                         [&](const AeroCoefficient* coefficient) -> Text { return aero_value(*coefficient); },
                         [&](const std::vector<double>* list) -> Text { return numbers_value(*list, quantity); },
                         [&](const std::vector<std::string>* list) -> Text { return array_value(*list, toml_string); },
-                        [&](const Records& records) -> Text { return records_value(entry, records); },
+                        [&](const Records& records) -> Text { return records_value(entry, records, scope, style); },
                     },
                     entry.slot(scope));
 }
-
-using Lines = std::vector<std::pair<std::string, std::string>>;
 
 /// Settings of worlds are for scenarios that have one, and would make one; those of single flights are for the others.
 bool is_left_out(const SchemaNode& node, const Scenario& scenario) {
@@ -147,8 +169,11 @@ bool is_left_out(const SchemaNode& node, const Scenario& scenario) {
   return node.path == "until" || node.path == "output";
 }
 
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
 /// All settings of a table. Shots are named one by one; other lists are one value.
-void write_table(const SchemaNode& node, const Scope& scope, const std::string& prefix, Lines& lines) {
+void write_table(const SchemaNode& node, const Scope& scope, const std::string& prefix, Style style,
+                 Settings& settings) {
   for (const SchemaNode& child : node.children) {
     const std::string path = prefix + child.name;
     if (is_left_out(child, *scope.scenario)) continue;
@@ -156,26 +181,141 @@ void write_table(const SchemaNode& node, const Scope& scope, const std::string& 
       const Records shots = std::get<Records>(child.entry->slot(scope));
       for (std::size_t i = 0; i < shots.size(); ++i) {
         const Scope inner = shots.element(i);
-        write_table(child, inner, path + "." + inner.shot->projectile.name + ".", lines);
+        write_table(child, inner, path + "." + inner.shot->projectile.name + ".", style, settings);
       }
     } else if (child.entry == nullptr) {
-      write_table(child, scope, path + ".", lines);
-    } else if (const std::optional<std::string> value = value_text(*child.entry, scope, Style::plain)) {
-      lines.emplace_back(path, *value);
+      write_table(child, scope, path + ".", style, settings);
+    } else if (const std::optional<std::string> value = value_text(*child.entry, scope, style)) {
+      settings.emplace_back(path, *value);
     }
   }
 }
 
-/// The keys of a table of the file, with the tables in it on one line each.
-std::string table_lines(const SchemaNode& node, const Scope& scope) {
-  std::string out;
+Settings all_settings(const Scenario& scenario, Style style) {
+  Scenario copy = scenario;  // slots are for reading and writing
+  std::int64_t format = 1;
+  Settings settings;
+  write_table(schema(), {.format = &format, .scenario = &copy}, "", style, settings);
+  return settings;
+}
+
+// ---------------------------------------------------------------------------------------------------------- in brief
+// A file says what its reader does not have anyway. Beside what is written goes a reader who reads it: it starts with
+// defaults, and has what presets and other settings bring along.
+
+using Keys = std::vector<std::pair<std::string, std::string>>;  // of one table, with their values
+
+/// What a reader has of an element of a list before its first key; of all around it, what is there.
+Scope unread(const Scope& outer, Scope element, Defaults& defaults) {
+  Scope usual = defaults.scope(), around = outer;
+  const auto forget = [&](auto*& own) {
+    using Pointer = std::remove_reference_t<decltype(own)>;
+    if (own != std::get<Pointer&>(around.pointers())) own = std::get<Pointer&>(usual.pointers());
+  };
+  std::apply([&](auto&... own) { (forget(own), ...); }, element.pointers());
+  return element;
+}
+
+/// The values of all settings of a table that can be said, and of the tables in it.
+void collect(const SchemaNode& node, const Scope& scope, std::vector<std::optional<std::string>>& values) {
+  for (const SchemaNode& child : node.children) {
+    if (is_left_out(child, *scope.scenario)) continue;
+    if (child.entry != nullptr)
+      values.push_back(value_text(*child.entry, scope, Style::plain));
+    else
+      collect(child, scope, values);
+  }
+}
+
+/// The preset with which the fewest settings of its table are left to be said, where it saves any. The reader has it.
+/// Where a body cannot be said, a preset that brings it along is worth more than all it leaves to say.
+std::optional<std::string> preset_text(const SchemaNode& node, const Scope& scope, const Scope& reader) {
+  const SchemaNode* table = find_node(node.path.substr(0, node.path.rfind('.')));
+  PHYSIM_ASSERT(table != nullptr);
+  PHYSIM_ASSERT(reader.shot != nullptr);
+  std::vector<std::optional<std::string>> wanted, had;
+  collect(*table, scope, wanted);
+  const auto left_to_say = [&](Scope scope_of_reader) {
+    had.clear();
+    scope_of_reader.scenario = scope.scenario;
+    collect(*table, scope_of_reader, had);
+    PHYSIM_ASSERT(had.size() == wanted.size());
+    const bool has_body = scope.scenario->world.given || scope_of_reader.shot->body == scope.shot->body;
+    std::size_t count = has_body ? 0 : had.size();
+    for (std::size_t i = 0; i < had.size(); ++i) count += had[i] != wanted[i];
+    return count;
+  };
+  const Choice presets = std::get<Choice>(node.entry->slot(reader));
+  std::optional<std::size_t> best;
+  std::size_t fewest = left_to_say(reader);
+  for (std::size_t i = 0; i < presets.names.size(); ++i) {
+    ScenarioShot shot = *reader.shot;
+    Scope trial = reader;
+    trial.shot = &shot;
+    std::get<Choice>(node.entry->slot(trial)).set(i);
+    const std::size_t count = left_to_say(trial) + 1;
+    if (count < fewest) fewest = count, best = i;
+  }
+  if (!best) return std::nullopt;
+  presets.set(*best);
+  return toml_string(presets.names[*best]);
+}
+
+/// The text of a setting where a reader would not have its value without it. From then on the reader has it.
+std::optional<std::string> news_text(const SchemaNode& node, const Scope& scope, const Scope& reader) {
+  const Entry& entry = *node.entry;
+  if (entry.starts) return preset_text(node, scope, reader);
+  const std::optional<std::string> value = value_text(entry, scope, Style::plain);
+  if (!value || (!entry.required && value == value_text(entry, reader, Style::plain))) return std::nullopt;
+  const Status read = read_setting(node, reader, parse_override_value(*value, Place{}));
+  PHYSIM_ASSERT(read.ok());  // what is written can be read
+  return value_text(entry, scope, Style::brief);
+}
+
+std::optional<std::string> brief_table(const SchemaNode& node, const Scope& scope, const Scope& reader);
+
+/// The keys of a table, with the tables in it on one line each.
+Keys brief_keys(const SchemaNode& node, const Scope& scope, const Scope& reader) {
+  Keys keys;
   for (const SchemaNode& child : node.children) {
     if (is_left_out(child, *scope.scenario)) continue;
     const std::optional<std::string> value =
-        child.entry ? value_text(*child.entry, scope, Style::toml) : inline_table(child, scope);
-    if (value && *value != kNothing && *value != "[]" && *value != "\"\"") out += child.name + " = " + *value + "\n";
+        child.entry ? news_text(child, scope, reader) : brief_table(child, scope, reader);
+    if (value) keys.emplace_back(child.name, *value);
   }
+  return keys;
+}
+
+std::string in_braces(const Keys& keys) {
+  std::string out;
+  for (const auto& [key, value] : keys) out += (out.empty() ? "" : ", ") + key + " = " + value;
+  return out.empty() ? std::string(kNothing) : "{ " + out + " }";
+}
+
+/// A table on one line; nothing where there is nothing to say, and a bare value where it may stand for the table.
+std::optional<std::string> brief_table(const SchemaNode& node, const Scope& scope, const Scope& reader) {
+  const Keys keys = brief_keys(node, scope, reader);
+  if (keys.empty()) return std::nullopt;
+  if (keys.size() == 1 && keys[0].first == node.shorthand) return keys[0].second;
+  return in_braces(keys);
+}
+
+std::string brief_element(const SchemaNode& node, const Scope& outer, const Scope& element) {
+  Defaults defaults;
+  return in_braces(brief_keys(node, element, unread(outer, element, defaults)));
+}
+
+std::string lines(const Keys& keys) {
+  std::string out;
+  for (const auto& [key, value] : keys) out += key + " = " + value + "\n";
   return out;
+}
+
+/// An element of a list of tables, a line for each key.
+std::string element_text(const SchemaNode& node, const Scope& scope, std::size_t index) {
+  Defaults defaults;
+  const Scope element = std::get<Records>(node.entry->slot(scope)).element(index);
+  return lines(brief_keys(node, element, unread(scope, element, defaults)));
 }
 
 }  // namespace
@@ -185,18 +325,19 @@ std::string scenario_text(const Scenario& scenario) {
   Scenario copy = scenario;  // slots are for reading and writing
   std::int64_t format = 1;
   const Scope scope{.format = &format, .scenario = &copy};
-  std::string keys, tables;
+  Defaults defaults;
+  const Scope reader = defaults.scope();
+  std::string keys = "physim = " + std::to_string(format) + "\n", tables;
   for (const SchemaNode& child : schema().children) {
-    if (is_left_out(child, copy)) continue;
+    if (child.path == "physim" || is_left_out(child, copy)) continue;
     if (child.is_list_of_tables()) {
       const Records list = std::get<Records>(child.entry->slot(scope));
       for (std::size_t i = 0; i < list.size(); ++i)
-        tables += "\n[[" + child.name + "]]\n" + table_lines(child, list.element(i));
+        tables += "\n[[" + child.name + "]]\n" + element_text(child, scope, i);
     } else if (child.entry != nullptr) {
-      const std::optional<std::string> value = value_text(*child.entry, scope, Style::toml);
-      if (value && *value != "\"\"") keys += child.name + " = " + *value + "\n";
-    } else if (const std::string lines = table_lines(child, scope); !lines.empty()) {
-      tables += "\n[" + child.name + "]\n" + lines;
+      if (const auto value = news_text(child, scope, reader)) keys += child.name + " = " + *value + "\n";
+    } else if (const Keys of_table = brief_keys(child, scope, reader); !of_table.empty() || child.path == "world") {
+      tables += "\n[" + child.name + "]\n" + lines(of_table);
     }
   }
   return keys + tables;
@@ -206,14 +347,18 @@ std::optional<std::string> written(const Entry& entry, const Scope& scope) {
   return value_text(entry, scope, Style::plain);
 }
 
-std::vector<std::pair<std::string, std::string>> effective_settings(const Scenario& scenario) {
-  const IeeeMode mode;
-  Scenario copy = scenario;  // slots are for reading and writing
+std::string shot_text(const Scenario& scenario, std::size_t index) {
+  PHYSIM_ASSERT(index < scenario.shots.size());
+  Scenario copy = scenario;
   std::int64_t format = 1;
-  const Scope scope{.format = &format, .scenario = &copy};
-  Lines lines;
-  write_table(schema(), scope, "", lines);
-  return lines;
+  return element_text(*find_node("shot"), {.format = &format, .scenario = &copy}, index);
+}
+
+Settings settings_in_file(const Scenario& scenario) { return all_settings(scenario, Style::brief); }
+
+Settings effective_settings(const Scenario& scenario) {
+  const IeeeMode mode;
+  return all_settings(scenario, Style::plain);
 }
 
 }  // namespace physim

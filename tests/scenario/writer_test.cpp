@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "physim/scenario.hpp"
+#include "scenario/revise.hpp"
 
 namespace physim {
 namespace {
@@ -20,6 +21,15 @@ TEST_P(WrittenScenario, ReadsBackAsItWas) {
   EXPECT_EQ(effective_settings(*after), effective_settings(*before));
   EXPECT_EQ(scenario_text(*after), text);
   EXPECT_EQ(after->expect.size(), before->expect.size());
+  for (std::size_t i = 0; i < before->shots.size(); ++i) EXPECT_EQ(after->shots[i].body, before->shots[i].body);
+}
+
+TEST_P(WrittenScenario, IsNoLongerThanPeopleWroteIt) {
+  const std::string file = PHYSIM_SOURCE_DIR "/scenarios/" + GetParam() + ".toml";
+  const std::string text = scenario_text(load_scenario(file).value());
+  const auto room = static_cast<std::size_t>(1.2 * static_cast<double>(std::filesystem::file_size(file)));
+  const bool holds_a_motor = text.find("motor = ") != text.npos;  // which people keep in a file of its own
+  EXPECT_LT(text.size(), room + (holds_a_motor ? 4000 : 0)) << text;
 }
 
 std::vector<std::string> shipped() {
@@ -46,6 +56,130 @@ TEST(ScenarioText, KeepsTextThatNeedsQuotes) {
   ASSERT_TRUE(after) << after.error().text();
   EXPECT_EQ(after->title, scenario.title);
   EXPECT_EQ(after->shots[0].projectile.name, "one.two");
+}
+
+TEST(ScenarioText, SaysWhatDiffersFromDefaultsAndPresets) {
+  const std::string said =
+      "physim = 1\n"
+      "title = \"a ball\"\n"
+      "\n[environment]\n"
+      "altitude = \"500 m\"\n"
+      "gravity = \"constant\"\n"
+      "\n[[shot]]\n"
+      "name = \"drive\"\n"
+      "preset = \"golf_ball\"\n"
+      "mass = \"0.05 kg\"\n"
+      "fidelity = { preset = \"sport_ball\", rotation = \"magnus\" }\n"
+      "\n[[shot]]\n"
+      "name = \"stone\"\n"
+      "speed = \"20 m/s\"\n"
+      "fidelity = \"game\"\n"
+      "\n[until]\n"
+      "ground = \"off\"\n"
+      "time = \"3 s\"\n"
+      "\n[[expect]]\n"
+      "shot = \"stone\"\n"
+      "at = { time = \"1 s\" }\n"
+      "quantity = \"mach\"\n"
+      "equals = 0.05\n"
+      "within = 0.01\n";
+  EXPECT_EQ(scenario_text(parse_scenario(said, "said.toml").value()), said);
+}
+
+/// Rungs are flown against the reference; a fidelity that says nothing beside would be lost with other defaults.
+TEST(ScenarioText, KeepsWhatDefaultsOfOtherSettingsWouldChange) {
+  const std::string texts[] = {
+      "physim = 1\n[[shot]]\nfidelity = { cheapest_within = \"1 m\", air = \"isa\", integrator = \"tsit5\" }\n",
+      "physim = 1\n[[shot]]\npreset = \"golf_ball\"\nvelocity = [1, 2, 3]\n",
+      "physim = 1\n[world]\n[[shot]]\n[[force]]\npoint_attractor = { strength = 0 }\n",
+      "physim = 1\n[world]\n[[shot]]\n",
+      "physim = 1\n[[shot]]\n[[until.events]]\nkind = \"speed\"\nvalue = \"3 m/s\"\n[[until.events]]\nkind = "
+      "\"height\"\n",
+  };
+  for (const std::string& text : texts) {
+    const Result<Scenario> before = parse_scenario(text, "a.toml");
+    ASSERT_TRUE(before) << before.error().text();
+    const Result<Scenario> after = parse_scenario(scenario_text(*before), "b.toml");
+    ASSERT_TRUE(after) << after.error().text() << scenario_text(*before);
+    EXPECT_TRUE(say_the_same(*after, *before)) << scenario_text(*before);
+    EXPECT_EQ(after->world.given, before->world.given);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------------------- revised
+constexpr const char* kCommented =
+    "physim = 1  # the format\n"
+    "title = \"\u00e4 b\u00b0\"  # keeps its letters\n"
+    "\n"
+    "[environment]  # where\n"
+    "gravity = \"constant\"\n"
+    "\n"
+    "[[shot]]  # the first\n"
+    "name = \"a\"\n"
+    "drag = { table = \"g7\", ballistic_coefficient = \"0.218 lb/in^2\" }  # Litz\n"
+    "speed = \"2700 ft/s\" # as loaded\n"
+    "\n"
+    "[[shot]]\n"
+    "name = \"a.b\"\n"
+    "[shot.sight]\n"
+    "height = \"1.5 in\" # high\n";
+
+std::string revised(const char* replaced, const char* by) {
+  std::string text = kCommented;
+  text.replace(text.find(replaced), std::string(replaced).size(), by);
+  return text;
+}
+
+TEST(RevisedText, ChangesWhatChangedAndKeepsAllElse) {
+  const struct {
+    const char *change, *replaced, *by;
+  } changes[] = {
+      {"shot.a.speed=800 m/s", "\"2700 ft/s\"", "\"800 m/s\""},
+      {"shot.a.drag.table=g1", "\"g7\"", "\"g1\""},
+      {"shot.a.drag.form_factor=1.1", "lb/in^2\" }", "lb/in^2\", form_factor = 1.1 }"},
+      {"shot.a.mass=2 kg", "as loaded\n", "as loaded\nmass = \"2 kg\"\n"},
+      {"shot.a.fidelity.drag=off", "as loaded\n", "as loaded\nfidelity.drag = \"off\"\n"},
+      {"shot.a.b.sight.height=2 m", "\"1.5 in\"", "\"2 m\""},
+      {"shot.a.b.sight.cant=1 rad", "# high\n", "# high\ncant = \"1 rad\"\n"},
+      {"shot.a.b.mass=2 kg", "name = \"a.b\"\n", "name = \"a.b\"\nmass = \"2 kg\"\n"},
+      {"environment.gravity.model=off", "\"constant\"", "\"off\""},
+      {"environment.gravity.acceleration=5 m/s^2", "\"constant\"",
+       "{ model = \"constant\", acceleration = \"5 m/s^2\" }"},
+      {"environment.wind.velocity=[1, 0, 0]", "\"constant\"\n",
+       "\"constant\"\nwind.velocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]\n"},
+      {"until.time=5 s", "# high\n", "# high\n\n[until]\ntime = \"5 s\"\n"},
+      {"title=another", "\"\u00e4 b\u00b0\"", "\"another\""},
+      {"source=a \"b\"", "letters\n", "letters\nsource = \"a \\\"b\\\"\"\n"},
+  };
+  for (const auto& each : changes) {
+    const Scenario now = parse_scenario(kCommented, "a.toml", std::vector<std::string>{each.change}).value();
+    EXPECT_EQ(revised_text(kCommented, "a.toml", now), revised(each.replaced, each.by)) << each.change;
+  }
+}
+
+TEST(RevisedText, TakesManyChangesAndShotsAtTheEnd) {
+  Scenario now = parse_scenario(kCommented, "a.toml",
+                                std::vector<std::string>{"shot.mass=2 kg", "shot.speed=10 m/s", "shot.twist=1 m"})
+                     .value();
+  now.shots.push_back(now.shots[0]);
+  now.shots[2].projectile.name = "c";
+  now.shots[2].launch.elevation = 0.5;
+  const auto text = revised_text(kCommented, "a.toml", now);
+  ASSERT_TRUE(text);
+  EXPECT_TRUE(say_the_same(parse_scenario(*text, "a.toml").value(), now));
+  for (const char* comment : {"# the format", "# Litz", "# as loaded", "# high"})
+    EXPECT_NE(text->find(comment), text->npos) << comment;
+}
+
+TEST(RevisedText, IsNothingWhereTheTextCannotSayIt) {
+  Scenario now = parse_scenario(kCommented, "a.toml").value();
+  EXPECT_EQ(revised_text(kCommented, "a.toml", now), kCommented);
+  EXPECT_EQ(revised_text("no scenario", "a.toml", now), std::nullopt);
+  now.shots[0].body.restitution = 0.123;
+  EXPECT_EQ(revised_text(kCommented, "a.toml", now), std::nullopt) << "flights have no bodies";
+  now = parse_scenario(kCommented, "a.toml").value();
+  now.shots.pop_back();
+  EXPECT_EQ(revised_text(kCommented, "a.toml", now), std::nullopt) << "a shot is gone";
 }
 
 }  // namespace

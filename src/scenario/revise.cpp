@@ -1,0 +1,148 @@
+// A scenario's changes put into the text of its file: what did not change stays as its author wrote it, comments, units
+// and presets too.
+#include "scenario/revise.hpp"
+
+#include <algorithm>
+
+#include "base/assert.hpp"
+#include "scenario/document.hpp"
+#include "scenario/schema.hpp"
+#include "scenario/writer.hpp"
+
+namespace physim {
+namespace {
+
+/// A setting that is to have another value.
+struct Change {
+  std::string path;   // "shot.NAME.mass"
+  std::string value;  // as in a file
+};
+
+/// Where the one character after something stands, as TOML counts: lines, and characters of UTF-8 in them.
+std::size_t offset_of(std::string_view text, const Value::Position& position) {
+  std::size_t at = 0;
+  for (std::uint32_t line = 1; line < position.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  const auto is_inside = [&](std::size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
+  for (std::uint32_t column = 1; column < position.column && at < text.size(); ++column) do
+      ++at;
+    while (is_inside(at));
+  return at;
+}
+
+std::size_t begin_of(std::string_view text, const Value& value) {
+  return offset_of(text, {value.place.line, value.place.column});
+}
+std::size_t end_of(std::string_view text, const Value& value) { return offset_of(text, value.end); }
+
+/// [table] and [[table]] stand in lines of their own; other values beside their keys.
+bool has_header(std::string_view text, const Value& value) {
+  const Array* array = value.get<Array>();
+  if (array != nullptr) return !array->empty() && array->front().get<Table>() && has_header(text, array->front());
+  const std::size_t at = begin_of(text, value);
+  return value.get<Table>() != nullptr && at < text.size() && text[at] == '[';
+}
+
+bool is_inline(std::string_view text, const Value& table) {
+  const std::size_t at = begin_of(text, table);
+  return at < text.size() && text[at] == '{';
+}
+
+void insert_line(std::string& text, std::size_t after, const std::string& line) {
+  const std::size_t end = std::min(text.find('\n', after), text.size());
+  text.insert(end, "\n" + line);
+}
+
+/// Puts a key into a table that has none of it; false where the table is made of dotted keys.
+bool add_key(std::string& text, const Value& table, bool is_root, const std::string& key, const std::string& value) {
+  const std::string line = key + " = " + value;
+  const Table& members = *table.get<Table>();
+  if (!is_root && is_inline(text, table)) {
+    const std::size_t brace = end_of(text, table) - 1;
+    const std::size_t last = text.find_last_not_of(" \t", brace - 1) + 1;
+    return text.replace(last, brace - last, members.empty() ? " " + line + " " : ", " + line + " "), true;
+  }
+  if (!is_root && !has_header(text, table)) return false;
+  std::size_t after = is_root ? 0 : end_of(text, table);
+  for (const Member& member : members)
+    if (!has_header(text, member.value)) after = std::max(after, end_of(text, member.value));
+  return insert_line(text, after, line), true;
+}
+
+/// Walks from a table to the setting, and puts its value there.
+bool put(std::string& text, const Value& table, const SchemaNode& node, std::string_view rest,
+         const std::string& value) {
+  const std::size_t dot = rest.find('.');
+  const std::string key(rest.substr(0, dot));
+  const SchemaNode* child = node.find(key);
+  PHYSIM_ASSERT(child != nullptr);  // the path is one of a setting
+  const Value* found = table.find(key);
+  const bool is_root = node.path.empty();
+  if (found == nullptr) {
+    if (!is_root || dot == rest.npos) return add_key(text, table, is_root, std::string(rest), value);
+    text += "\n[" + key + "]\n" + std::string(rest.substr(dot + 1)) + " = " + value + "\n";
+    return true;
+  }
+  const std::size_t begin = begin_of(text, *found), length = end_of(text, *found) - begin;
+  if (dot == rest.npos) return !has_header(text, *found) && (text.replace(begin, length, value), true);
+  rest.remove_prefix(dot + 1);
+  if (found->get<Table>() != nullptr) return put(text, *found, *child, rest, value);
+  const std::string bare = text.substr(begin, length);  // stands for the table
+  text.replace(begin, length,
+               rest == child->shorthand
+                   ? value
+                   : "{ " + child->shorthand + " = " + bare + ", " + std::string(rest) + " = " + value + " }");
+  return true;
+}
+
+bool put(std::string& text, const Value& document, const Scenario& scenario, const Change& change) {
+  constexpr std::string_view kShot = "shot.";
+  if (!change.path.starts_with(kShot)) return put(text, document, schema(), change.path, change.value);
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+    const std::string prefix = std::string(kShot) + scenario.shots[i].projectile.name + ".";
+    if (!change.path.starts_with(prefix)) continue;
+    const std::string rest = change.path.substr(prefix.size());
+    if (find_node(std::string(kShot) + rest) == nullptr) continue;  // another shot, with a longer name
+    return put(text, element(document, "shot", i), *find_node("shot"), rest, change.value);
+  }
+  return false;
+}
+
+/// What is to be changed in the file of a scenario; nothing where a setting is gone, which no value can say.
+std::optional<std::vector<Change>> changes(const Scenario& before, const Scenario& now) {
+  const auto old = effective_settings(before), wanted = effective_settings(now), in_file = settings_in_file(now);
+  PHYSIM_ASSERT(wanted.size() == in_file.size());
+  if (old.size() != wanted.size()) return std::nullopt;
+  std::vector<Change> all;
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (old[i].first != wanted[i].first) return std::nullopt;
+    if (old[i].second != wanted[i].second) all.push_back({wanted[i].first, in_file[i].second});
+  }
+  return all;
+}
+
+}  // namespace
+
+bool say_the_same(const Scenario& a, const Scenario& b) {
+  const auto same_body = [](const ScenarioShot& x, const ScenarioShot& y) { return x.body == y.body; };
+  return effective_settings(a) == effective_settings(b) && std::ranges::equal(a.shots, b.shots, same_body);
+}
+
+std::optional<std::string> revised_text(const std::string& text, const std::string& file, const Scenario& now) {
+  const Result<Scenario> before = parse_scenario(text, file);
+  if (!before) return std::nullopt;
+  Scenario kept = now;
+  std::string revised = text, added;
+  for (; kept.shots.size() > before->shots.size(); kept.shots.pop_back())
+    added = "\n[[shot]]\n" + shot_text(now, kept.shots.size() - 1) + added;
+  const auto wanted = changes(*before, kept);
+  if (!wanted) return std::nullopt;
+  for (const Change& change : *wanted) {
+    const Result<Value> document = parse_document(revised, file);
+    if (!document || !put(revised, *document, *before, change)) return std::nullopt;
+  }
+  revised += added;
+  const Result<Scenario> after = parse_scenario(revised, file);
+  return after && say_the_same(*after, now) ? std::optional(revised) : std::nullopt;
+}
+
+}  // namespace physim
