@@ -20,6 +20,7 @@ constexpr double kShortestFrame = 1.0 / 250;
 constexpr double kLongestFrame = 0.25;   // of simulation, after a hitch [s]
 constexpr double kClickReach = 4;        // a mouse that moves further drags [pixels]
 constexpr double kTurnPerPixel = 0.006;  // [rad]
+constexpr double kPatience = 0.03;       // with the steps of one frame [s]
 constexpr float kLeastWidth = 480, kLeastHeight = 320;
 
 }  // namespace
@@ -33,11 +34,19 @@ App::~App() {
 
 Status App::run() {
   if (Status status = open(); !status) return status;
-  while (!client_.leaves && glfwWindowShouldClose(window_.get()) == GLFW_FALSE) {
+  while (!client_.leaves) {
+    if (is_asked_to_close()) run_action(client_, *find_action("quit"));
     if (Status status = frame(); !status) return status;
     if (is_last_frame()) break;
   }
   return {};
+}
+
+/// By the button of the window's frame. Whether it closes is for the client to say.
+bool App::is_asked_to_close() {
+  const bool is_asked = glfwWindowShouldClose(window_.get()) == GLFW_TRUE;
+  glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
+  return is_asked;
 }
 
 Status App::open() {
@@ -56,9 +65,10 @@ Status App::open() {
                           GLFW_DONT_CARE, GLFW_DONT_CARE);
   if (Status status = renderer_.make(); !status) return status;
   install_callbacks();
+  install_mouse_callbacks();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
-  ImGui_ImplGlfw_InitForOpenGL(window_.get(), true);
+  ImGui_ImplGlfw_InitForOpenGL(window_.get(), false);  // events come through the queue
   ImGui_ImplOpenGL3_Init("#version 330 core");
   has_imgui_ = true;
   ui_.emplace(scale);
@@ -66,6 +76,8 @@ Status App::open() {
       make_layout(client_, static_cast<float>(options_.width), static_cast<float>(options_.height), scale);
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.fit_view();
+  if (!options_.hidden) client_.recent = RecentFiles(list_of_recent_files());
+  if (!options_.scenario.empty()) client_.recent.add(options_.scenario);
   last_time_ = glfwGetTime();
   return {};
 }
@@ -74,6 +86,9 @@ Status App::open() {
 Status App::frame() {
   glfwPollEvents();
   const double start = glfwGetTime();
+  const std::vector<InputEvent> inputs = inputs_.take();
+  for (const InputEvent& input : inputs)
+    if (input.to_panels) input.to_panels();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   if (options_.hidden) ImGui::GetIO().DeltaTime = static_cast<float>(kFrame);
@@ -82,9 +97,10 @@ Status App::frame() {
   const Layout layout = make_layout(client_, size.x, size.y, ui_->scale());
   client_.camera.set_viewport(layout.scene.width, layout.scene.height);
   client_.scene_corner = {layout.scene.x, layout.scene.y};
-  for (const auto& input : std::exchange(inputs_, {})) input();
+  for (const InputEvent& input : inputs)
+    if (input.to_client) input.to_client();
   if (Status status = script_.run(client_); !status) return status;
-  client_.advance(frame_time());
+  client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
   build_scene(client_, ui_->scale(), scene_);
   ui_->set_mouse(on_scene(mouse_x_, mouse_y_), is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0);
   ui_->draw(client_, scene_);
@@ -148,10 +164,15 @@ Picture App::picture(bool of_plots) {
 Status App::take_pictures() {
   const std::vector<PictureWish> wishes = std::move(client_.pictures);
   client_.pictures.clear();
+  const bool has_plots = ui_->layout().bottom.height > 0 && client_.bottom == BottomPanel::plots;
   for (const PictureWish& wish : wishes) {
+    if (wish.of_plots && has_plots && !ui_->has_bare_plots()) {  // asked for by a button: the next frame shows them
+      client_.pictures.push_back(wish);
+      continue;
+    }
     const std::string path = wish.path.empty() ? free_name("picture", ".png") : wish.path;
     Status status;
-    if (wish.of_plots && ui_->layout().bottom.height <= 0)
+    if (wish.of_plots && !has_plots)
       status = Error{"there are no plots to be seen", "picture-of-plots", "open them first: plots"};
     else
       status = save_png(picture(wish.of_plots), path);
@@ -170,31 +191,58 @@ namespace {
 
 App& app_of(GLFWwindow* window) { return *static_cast<App*>(glfwGetWindowUserPointer(window)); }
 
+InputEvent::Kind kind_of(int action) {
+  return action == GLFW_PRESS     ? InputEvent::Kind::press
+         : action == GLFW_RELEASE ? InputEvent::Kind::release
+                                  : InputEvent::Kind::repeat;
+}
+
 }  // namespace
 
 void App::install_callbacks() {
   GLFWwindow* window = window_.get();
   glfwSetWindowUserPointer(window, this);
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-    app_of(w).inputs_.push_back([=] { app_of(w).on_key(key, scancode, action, mods); });
+    const bool is_plain = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0;
+    app_of(w).inputs_.push({.kind = kind_of(action),
+                            .code = key,
+                            .writes = is_plain && key > GLFW_KEY_SPACE && key < GLFW_KEY_ESCAPE,
+                            .modifies = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER,
+                            .to_panels = [=] { ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods); },
+                            .to_client = [=] { app_of(w).on_key(key, scancode, action, mods); }});
   });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
+    app_of(w).inputs_.push(
+        {.kind = InputEvent::Kind::text, .to_panels = [=] { ImGui_ImplGlfw_CharCallback(w, letter); }});
+  });
+  glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    if (count > 0) run_action(app_of(w).client_, *find_action("open"), paths[0]);
+  });
+}
+
+void App::install_mouse_callbacks() {
+  GLFWwindow* window = window_.get();
+  glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
     double x = 0, y = 0;
     glfwGetCursorPos(w, &x, &y);
-    app_of(w).inputs_.push_back([=] { app_of(w).on_button(button, action, x, y); });
+    app_of(w).inputs_.push({.kind = InputEvent::Kind::button,
+                            .code = button,
+                            .to_panels = [=] { ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods); },
+                            .to_client = [=] { app_of(w).on_button(button, action, x, y); }});
   });
-  glfwSetCursorPosCallback(
-      window, [](GLFWwindow* w, double x, double y) { app_of(w).inputs_.push_back([=] { app_of(w).on_move(x, y); }); });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    app_of(w).inputs_.push({.to_panels = {}, .to_client = [=] { app_of(w).on_move(x, y); }});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
     App& app = app_of(w);
-    app.inputs_.push_back([=, &app] {
-      if (app.is_over_scene(app.mouse_x_, app.mouse_y_)) app.client_.camera.zoom(std::pow(0.88, y));
-    });
-  });
-  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-    Client& client = app_of(w).client_;
-    if (count > 0)
-      if (Status status = client.open(paths[0]); !status) client.complain(status.error());
+    app.inputs_.push({.to_panels = [=] { ImGui_ImplGlfw_ScrollCallback(w, x, y); },
+                      .to_client =
+                          [=, &app] {
+                            if (app.is_over_scene(app.mouse_x_, app.mouse_y_))
+                              app.client_.camera.zoom(std::pow(0.88, y));
+                          }});
   });
 }
 
@@ -204,8 +252,13 @@ void App::on_key(int code, int scancode, int action, int mods) {
   if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
   const auto key = key_name(code, scancode);
   if (!key || (client_.show.panel_keys && kOfPanels.count(*key) != 0)) return;
+  if (client_.question) {
+    if (*key == "Esc" || *key == "Enter") answer(client_, *key == "Enter");
+    return;
+  }
   if (*key == "Esc" && ui_->close_something(client_)) return;
-  const Action* meant = action_of_key(*key, (mods & GLFW_MOD_CONTROL) != 0);
+  const bool has_ctrl = (mods & GLFW_MOD_CONTROL) != 0, has_shift = (mods & GLFW_MOD_SHIFT) != 0;
+  const Action* meant = action_of_key((has_ctrl && has_shift ? "Shift+" : "") + *key, has_ctrl);
   if (meant == nullptr) return;
   const bool repeats =
       meant->menu == "View" || meant->name.starts_with("turn") || meant->name == "step" || meant->name == "back";

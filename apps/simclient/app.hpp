@@ -2,10 +2,10 @@
 #pragma once
 
 #include <fstream>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "simclient/core/input_queue.hpp"
 #include "simclient/core/script.hpp"
 #include "simclient/gl/renderer.hpp"
 #include "simclient/gl/target.hpp"
@@ -32,6 +32,8 @@ class App {
 
   [[nodiscard]] Status open();
   void install_callbacks();
+  void install_mouse_callbacks();
+  [[nodiscard]] bool is_asked_to_close();
   [[nodiscard]] Status frame();
   [[nodiscard]] Picture picture(bool of_plots);
   [[nodiscard]] Status take_pictures();
@@ -53,7 +55,7 @@ class App {
   std::optional<Ui> ui_;
   Scene scene_;
   std::ofstream state_;
-  std::vector<std::function<void()>> inputs_;  // what hands did, in that order, to be answered within a frame
+  InputQueue inputs_;
   Drag drag_;
   double mouse_x_ = -1, mouse_y_ = -1, last_time_ = 0;
   std::uint64_t frame_ = 0;

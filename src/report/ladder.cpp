@@ -157,18 +157,9 @@ class Climber {
 
   /// What the shot asks for by an error instead of rungs.
   [[nodiscard]] Result<Rung> chosen_rung() const {
-    const Result<Comparison> reference = compare({}, {});
-    if (!reference) return about(scenario_, shot_, reference.error());
-    ScenarioShot started = shot_;
-    started.launch = reference->launch;
-    const Flight flight = fly_shot(scenario_, started);
-    if (flight.error()) return refusal(scenario_, started, flight);
-    Rung rung{Family::preset,
-              "cheapest within " + significant(*shot_.cheapest_within, 4) + " m",
-              "",
-              {flight.fidelity_in_use().fidelity, scenario_.tolerance}};
-    if (flight.step() > 0) rung.setting.tolerance.step = flight.step();
-    return rung;
+    const Result<FlightSetting> chosen = own_setting(scenario_, shot_);
+    if (!chosen) return chosen.error();
+    return Rung{Family::preset, "cheapest within " + significant(*shot_.cheapest_within, 4) + " m", "", *chosen};
   }
 
   /// Why a flight has no place in the table; empty where it has one.
@@ -240,6 +231,21 @@ FlightSetting preset_setting(const Scenario& scenario, std::string_view preset) 
   const auto fidelity = fidelity_preset(preset);
   PHYSIM_ASSERT(fidelity.has_value());
   return {*fidelity, tolerance};
+}
+
+Result<FlightSetting> own_setting(const Scenario& scenario, const ScenarioShot& shot) {
+  FlightSetting setting{shot.projectile.fidelity, scenario.tolerance};
+  if (!shot.cheapest_within) return setting;
+  const Result<Comparison> reference =
+      compare(shot.projectile, shot.launch, scenario.environment, {}, reference_setting(shot), scenario.until);
+  if (!reference) return about(scenario, shot, reference.error());
+  ScenarioShot started = shot;
+  started.launch = reference->launch;
+  const Flight flight = fly_shot(scenario, started);
+  if (flight.error()) return refusal(scenario, started, flight);
+  setting.fidelity = flight.fidelity_in_use().fidelity;
+  if (flight.step() > 0) setting.tolerance.step = flight.step();
+  return setting;
 }
 
 Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot, const Progress& progress) {

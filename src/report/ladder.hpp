@@ -56,6 +56,10 @@ struct LadderOfShot {
 /// How the ladder flies a preset of fidelity; the preset has to exist.
 [[nodiscard]] FlightSetting preset_setting(const Scenario& scenario, std::string_view preset);
 
+/// How a scenario flies its shot: as the shot asks; of one that asks for an error, what is chosen for it. An error
+/// where nothing can be.
+[[nodiscard]] Result<FlightSetting> own_setting(const Scenario& scenario, const ScenarioShot& shot);
+
 /// Flies a shot of a scenario on every rung.
 [[nodiscard]] Result<Ladder> climb(const Scenario& scenario, const ScenarioShot& shot, const Progress& progress = {});
 

@@ -349,6 +349,45 @@ TEST_F(InWindow, TypingIntoAFieldPressesNoKeys) {
   EXPECT_TRUE(client.is_running());
 }
 
+/// A key that goes down and up between two frames is seen, and in its order: Debian's Dear ImGui looks once in a frame.
+TEST_F(InWindow, ShortPressesOfKeysAreNotLostInFields) {
+  const Folder folder;
+  const std::string file = folder.write("ab.toml", "physim = 1\n[[shot]]\nname = \"found\"\n");
+  client.chord({"Control_L", "o"});
+  std::vector<std::string> keys;
+  for (const char letter : folder / "ax") keys.emplace_back(1, letter);
+  for (const char* key : {"BackSpace", "x", "Left", "b", "End", "BackSpace", ".", "t", "o", "m", "l", "m", "BackSpace"})
+    keys.emplace_back(key);
+  keys.emplace_back("Return");
+  client.keys_at_once(keys);
+  const Json state = client.wait_for([](const Json& s) { return s["shot"]["type"] == "found"; });
+  EXPECT_EQ(state["shot"]["type"], "found") << state.value("message", "") << client.errors();
+}
+
+TEST_F(InWindow, AsksBeforeWorkIsLost) {
+  client.key("3");
+  client.click(500, 200);
+  client.wait_for([](const Json& s) { return !s["tracks"].empty(); });
+  for (const char* key : {"r", "Escape"}) {
+    client.key(key);
+    EXPECT_TRUE(client.next_frames().contains("question")) << key;
+    client.key("e");  // belongs to nobody now
+    EXPECT_EQ(client.next_frames()["shot"]["elevation_setting"], 2);
+    client.key("Escape");
+    EXPECT_FALSE(client.next_frames().contains("question")) << key;
+    EXPECT_FALSE(client.next_frames()["tracks"].empty()) << key;
+  }
+  client.close_window();
+  EXPECT_TRUE(client.wait_for([](const Json& s) { return s.contains("question"); }).contains("question"));
+  EXPECT_TRUE(client.is_running());
+  client.key("Escape");
+  client.key("r");
+  client.key("Return");
+  EXPECT_TRUE(client.next_frames()["tracks"].empty());
+  client.key("Escape");
+  EXPECT_EQ(client.exit_code(), 0) << client.errors();
+}
+
 TEST_F(InWindow, CanBeResized) {
   for (const auto& [width, height] : {std::pair{1500, 900}, {640, 420}, {1000, 640}}) {
     client.resize(width, height);

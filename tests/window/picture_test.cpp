@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -139,6 +140,22 @@ TEST(Hidden, SavesPicturesWhenTheScriptSaysSo) {
   EXPECT_EQ(read_png(window).height, 500);
   EXPECT_EQ(read_png(plots).width, 800);
   EXPECT_LT(read_png(plots).height, 300);
+}
+
+/// The row of buttons is lighter than all that plots are made of, but for letters and curves.
+TEST(Hidden, PicturesOfPlotsHaveNoButtons) {
+  const Screen screen;
+  const Folder folder;
+  const std::string plots = folder / "plots.png", window = folder / "window.png";
+  ASSERT_EQ(draw(screen, {"--size", "800x500", "--script",
+                          "plots; wait 2; picture-of-plots " + plots + "; wait 1; picture " + window + "; wait 2"}),
+            0);
+  const std::uint32_t button = 0x2F3945;
+  const auto pixels_of_buttons = [button](const Shot& shot) {
+    return std::count(shot.pixels.begin(), shot.pixels.end(), button);
+  };
+  EXPECT_GT(pixels_of_buttons(read_png(window)), 1000) << "the panel has its buttons";
+  EXPECT_LT(pixels_of_buttons(read_png(plots)), 10);
 }
 
 TEST(Hidden, BadInputIsToldAndEndsWithTwo) {

@@ -1,6 +1,7 @@
 // Runs SimClient on a screen of its own (Xvfb), with real keyboard and mouse events (XTest).
 #pragma once
 
+#include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 #include <X11/extensions/XTest.h>
@@ -132,6 +133,28 @@ class RunningClient {
     XSync(screen_, False);
     next_frames();
   }
+  /// Presses keys much faster than the client looks; not two in a millisecond, which GLFW takes for one.
+  void keys_at_once(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      const auto [code, shifted] = key_of(name);
+      const KeyCode shift = XKeysymToKeycode(screen_, XK_Shift_L);
+      if (shifted) XTestFakeKeyEvent(screen_, shift, True, 0);
+      XTestFakeKeyEvent(screen_, code, True, 0);
+      XTestFakeKeyEvent(screen_, code, False, 0);
+      if (shifted) XTestFakeKeyEvent(screen_, shift, False, 0);
+      XSync(screen_, False);
+      nap(2);
+    }
+    next_frames();
+  }
+  /// Holds some keys together: {"Control_L", "o"}.
+  void chord(const std::vector<std::string>& names) {
+    for (const std::string& name : names) XTestFakeKeyEvent(screen_, key_of(name).first, True, 0);
+    for (auto name = names.rbegin(); name != names.rend(); ++name)
+      XTestFakeKeyEvent(screen_, key_of(*name).first, False, 0);
+    XSync(screen_, False);
+    next_frames();
+  }
   /// Holds a key for some frames, as hands do.
   void hold(const std::string& name) {
     const KeyCode code = XKeysymToKeycode(screen_, XStringToKeysym(name.c_str()));
@@ -238,6 +261,13 @@ class RunningClient {
   [[nodiscard]] std::string errors() const { return testing_cli::read(folder_ / "err"); }
 
  private:
+  /// The key of a name, "a" or "BackSpace", or of a sign; and whether Shift goes with it.
+  [[nodiscard]] std::pair<KeyCode, bool> key_of(const std::string& name) const {
+    KeySym symbol = XStringToKeysym(name.c_str());
+    if (symbol == NoSymbol && name.size() == 1) symbol = static_cast<KeySym>(static_cast<unsigned char>(name[0]));
+    const KeyCode code = XKeysymToKeycode(screen_, symbol);
+    return {code, XkbKeycodeToKeysym(screen_, code, 0, 0) != symbol};
+  }
   Window find(Window parent) const {
     Window root = 0, up = 0, *children = nullptr;
     unsigned count = 0;

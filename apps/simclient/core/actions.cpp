@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <type_traits>
+#include <utility>
 
 #include "base/text.hpp"
 #include "math/angles.hpp"
@@ -60,7 +62,12 @@ Status step_back(Client& client) {
 
 Status open_file(Client& client, const std::string& file) {
   if (!file.empty()) return client.open(file);
-  return client.show.open_dialog = true, Status();
+  return client.dialog = Dialog::open, Status();
+}
+
+Status save_as(Client& client, const std::string& file) {
+  if (!file.empty()) return client.save(file);
+  return client.dialog = Dialog::save, Status();
 }
 
 void use_tape(Client& client) {
@@ -109,7 +116,7 @@ constexpr Action kActions[] = {
     {"back", "B ,", "Time", "pauses, and goes one step back", "", act([](Client& c) { return step_back(c); })},
     {"slower", "-", "Time", "half as fast", "", act([](Client& c) { change_speed(c, 0.5); })},
     {"faster", "+ =", "Time", "twice as fast", "", act([](Client& c) { change_speed(c, 2); })},
-    {"restart", "R", "Time", "starts again", "", act([](Client& c) { return c.restart(); })},
+    {"restart", "R", "Time", "starts again", "", act([](Client& c) { return c.restart(); }), Loss::flights},
     // view
     {"camera", "C", "View", "next camera: orbit, follow, side", "", act([](Client& c) { c.next_camera(); })},
     {"fit", "Home", "View", "looks at everything", "", act([](Client& c) { c.fit_view(); })},
@@ -118,6 +125,11 @@ constexpr Action kActions[] = {
     {"select", "Tab", "View", "selects the next projectile", "", act([](Client& c) { c.select_next(); })},
     {"trails", "T", "View", "trails", "", kToggle<&Shown::trails>},
     {"vectors", "V", "View", "velocity, acceleration and forces of the selected one", "", kToggle<&Shown::vectors>},
+    {"add-up", "U", "View", "forces of the selected one from tip to tip: they add up to mass times acceleration", "",
+     act([](Client& c) {
+       c.show.forces_add_up = !c.show.forces_add_up || !c.show.vectors;
+       c.show.vectors = true;
+     })},
     {"prediction", "A", "View", "predicted path of the next shot", "", kToggle<&Shown::prediction>},
     {"marks", "K", "View", "apex and impact marks", "", kToggle<&Shown::marks>},
     {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
@@ -140,23 +152,26 @@ constexpr Action kActions[] = {
     {"fire-scenario", "", "Tools", "fires all shots of the scenario", "",
      act([](Client& c) { return c.fire_scenario(); })},
     {"test", "", "", "opens and fires a test of the original: 1 2 3 3-drag 4 5 6 6-drag", "NAME",
-     act([](Client& c, auto& s) { return open_original_test(c, s); })},
+     act([](Client& c, auto& s) { return open_original_test(c, s); }), Loss::session},
     {"record", "F9", "Tools", "starts again and records; completes the file when it records", "FILE",
-     act([](Client& c, auto& s) { return c.record(s); })},
+     act([](Client& c, auto& s) { return c.record(s); }), Loss::flights},
     {"replay", "F10", "Tools", "plays the last recording, and comes back", "",
-     act([](Client& c) { return c.replay(); })},
+     act([](Client& c) { return c.replay(); }), Loss::session},
     {"determinism", "F11", "Tools", "steps, goes back, steps again, and compares", "",
      act([](Client& c) { return check_determinism(c); })},
-    {"open", "Ctrl+O", "File", "opens a scenario or recording; also by dropping it on the window", "FILE", open_file},
-    {"save", "Ctrl+S", "File", "saves the scenario with the next shot", "FILE",
-     act([](Client& c, auto& s) { return c.save(s); })},
+    {"open", "Ctrl+O", "File", "opens a scenario or recording; also by dropping it on the window", "FILE", open_file,
+     Loss::session},
+    {"save", "Ctrl+S", "File", "saves the scenario with the next shot, in its own file", "FILE",
+     act([](Client& c, auto& s) { return c.save(s); }), Loss::file},
+    {"save-as", "Ctrl+Shift+S", "File", "saves the scenario with the next shot in another file", "FILE", save_as,
+     Loss::file},
     {"save-csv", "Ctrl+D", "File", "saves all flights as a table; its format is that of the ending", "FILE",
      act([](Client& c, auto& s) { return c.save_flights(s); })},
     {"picture", "F12", "File", "saves a picture of the window", "FILE",
      act([](Client& c, auto& s) { c.pictures.push_back({s, false}); })},
     {"picture-of-plots", "Ctrl+P", "File", "saves a picture of the plots", "FILE",
      act([](Client& c, auto& s) { c.pictures.push_back({s, true}); })},
-    {"quit", "Esc", "File", "leaves", "", act([](Client& c) { c.leaves = true; })},
+    {"quit", "Esc", "File", "leaves", "", act([](Client& c) { c.leaves = true; }), Loss::session},
 };
 // clang-format on
 
@@ -197,8 +212,44 @@ std::string actions_table() {
   return out;
 }
 
-void run_action(Client& client, const Action& action, const std::string& argument) {
+namespace {
+
+void run_at_once(Client& client, const Action& action, const std::string& argument) {
   if (Status status = action.run(client, argument); !status) client.complain(status.error());
+}
+
+/// What would be lost, for people; empty where nothing would.
+std::string loss_of(const Client& client, const Action& action, const std::string& argument) {
+  if (action.loss == Loss::none) return "";
+  if (action.loss == Loss::file) {
+    const bool replaces = !argument.empty() && argument != client.file() && std::filesystem::exists(argument);
+    return replaces ? argument + " is there already, and would be replaced." : "";
+  }
+  if (action.name == "open" && argument.empty()) return "";  // a file is chosen first
+  std::string lost;
+  const Session& session = client.session;
+  if (action.name == "record" && session.is_recording()) return lost;  // completes it
+  const bool is_kept = session.is_recording() && action.name == "replay";
+  if (session.is_recording() && !is_kept) lost += "The recording is not complete. ";
+  if (session.changes_by_hand() > 0 && !is_kept)
+    lost += formatted("What was fired and changed by hand since the start is forgotten (%d times). ",
+                      static_cast<int>(session.changes_by_hand()));
+  if (action.loss == Loss::session && client.has_unsaved_settings())
+    lost += "Settings were changed and not saved (Ctrl+S saves). ";
+  return lost;
+}
+
+}  // namespace
+
+void run_action(Client& client, const Action& action, const std::string& argument) {
+  std::string lost = loss_of(client, action, argument);
+  if (lost.empty()) return run_at_once(client, action, argument);
+  client.question = Question{std::move(lost), &action, argument};
+}
+
+void answer(Client& client, bool yes) {
+  const std::optional<Question> asked = std::exchange(client.question, std::nullopt);
+  if (asked && yes) run_at_once(client, *asked->action, asked->argument);
 }
 
 }  // namespace physim::client

@@ -9,6 +9,14 @@
 
 namespace physim::client {
 
+/// What an action gives up.
+enum class Loss {
+  none,
+  flights,  // what was fired and changed by hand
+  session,  // that, and settings that were not saved
+  file,     // what stands in the file that it writes
+};
+
 struct Action {
   std::string_view name;      // in scripts: "fire"
   std::string_view keys;      // "E", "P Space", "Ctrl+S": any of them; empty: none
@@ -16,6 +24,7 @@ struct Action {
   std::string_view help;      // one line
   std::string_view argument;  // what a script may give to it, "FILE"; empty: nothing
   Status (*run)(Client& client, const std::string& argument) = nullptr;
+  Loss loss = Loss::none;
 };
 
 [[nodiscard]] std::span<const Action> actions();
@@ -27,7 +36,9 @@ struct Action {
 /// All actions as a table in Markdown, for the documentation.
 [[nodiscard]] std::string actions_table();
 
-/// Runs an action; what goes wrong is shown.
+/// Runs an action as a hand asks for it: where work would be lost the client asks first. What goes wrong is shown.
 void run_action(Client& client, const Action& action, const std::string& argument = "");
+/// Answers the question that the client asks.
+void answer(Client& client, bool yes);
 
 }  // namespace physim::client

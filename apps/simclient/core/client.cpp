@@ -8,6 +8,8 @@
 #include "physim/recording_file.hpp"
 #include "report/file.hpp"
 #include "report/format.hpp"
+#include "scenario/revise.hpp"
+#include "scenario/text_file.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/scene.hpp"
 
@@ -63,12 +65,23 @@ Result<Client> open_client(const std::string& file, const std::vector<std::strin
 
 Client::Client(Session s, const std::string& file)
     : session(std::move(s)), launcher(session.scenario()), plots(*parse_plots("y/range y speed acceleration")) {
-  if (!session.is_replay()) scenario_file_ = file;
+  take_file(file);
   fit_view();
 }
 
-void Client::advance(double real_dt) {
-  session.advance(real_dt);
+/// Remembers which file the session is of. That of a scenario is come back to from a replay.
+void Client::take_file(const std::string& file) {
+  if (!file.empty()) recent.add(file);
+  if (session.is_replay()) return;
+  constexpr std::uintmax_t kMostBytes = 1 << 24;  // others are written anew, where they are saved
+  scenario_file_ = file;
+  const Result<std::string> text = read_text_file(file, kMostBytes, "scenario file");
+  text_ = text ? *text : "";
+  unsaved_ = became_world_ = false;
+}
+
+void Client::advance(double real_dt, double patience) {
+  session.advance(real_dt, patience);
   for (Message& message : messages_) message.shown += real_dt;
   while (!messages_.empty() && messages_.front().shown > kMessageTime) messages_.pop_front();
   follow();
@@ -76,7 +89,7 @@ void Client::advance(double real_dt) {
 
 Status Client::open(const std::string& file) {
   if (Status status = use_session(open_session(file, {})); !status) return status;
-  if (!session.is_replay()) scenario_file_ = file;
+  take_file(file);
   return say("opened " + file), Status();
 }
 
@@ -105,7 +118,7 @@ Status Client::fire() {
 }
 
 Status Client::fire_scenario() {
-  for (const ScenarioShot& shot : with_world(session.scenario()).shots)
+  for (const ScenarioShot& shot : session.scenario().shots)
     if (const Result<ProjectileId> fired = session.fire(shot); !fired) return fired.error();
   if (session.scenario().shots.empty()) return Error{"the scenario has no shots", session.scenario().file, ""};
   selected = {};
@@ -134,8 +147,8 @@ const std::vector<ComparedRung>& Client::comparison() {
 }
 
 // --------------------------------------------------------------------------------------------------------------- files
-/// The scenario with the next shot in it, in the place of its namesake.
-Status Client::save(const std::string& file) {
+/// The scenario with the next shot in the place of its namesake. A world is not given more to fire than it had.
+Scenario Client::with_next_shot() const {
   Scenario scenario = session.scenario();
   const ScenarioShot& next = launcher.shot();
   const auto is_namesake = [&](const ScenarioShot& s) { return s.projectile.name == next.projectile.name; };
@@ -144,15 +157,37 @@ Status Client::save(const std::string& file) {
     *namesake = next;
   else if (!scenario.world.given || scenario.shots.empty())
     scenario.shots.push_back(next);
-  // Bodies are those of worlds: where the shot has one, the file gets a world.
-  if (!scenario.world.given && !(next.body == BodyDef{})) {
-    const std::vector<ScenarioShot> shots = scenario.shots;
-    scenario = with_world(scenario);
-    scenario.shots = shots;
+  return became_world_ ? with_world(scenario) : scenario;
+}
+
+Status Client::save(const std::string& file) {
+  if (session.is_replay()) return Error{"a replay has no scenario", "save", "come back from it first: replay"};
+  const std::string own = scenario_file_.empty() ? free_name("scenario", ".toml") : scenario_file_;
+  const std::string path = file.empty() ? own : file;
+  Scenario scenario = with_next_shot();
+  const auto text_of = [&] {
+    const auto revised = text_.empty() ? std::nullopt : revised_text(text_, path, scenario);
+    return revised ? *revised : scenario_text(scenario);
+  };
+  std::string text = text_of();
+  Result<Scenario> again = parse_scenario(text, path);
+  if (!again) return Error{"what is set is no scenario: " + again.error().message, "save", again.error().hint};
+  std::string left_out;
+  if (!say_the_same(*again, scenario)) {  // bodies are those of worlds
+    became_world_ = scenario_file_.empty();
+    if (became_world_)
+      scenario = with_world(scenario), text = text_of();
+    else
+      left_out = ", but for shot.body: its flights know no world";
   }
-  const std::string path = file.empty() ? free_name("scenario", ".toml") : file;
-  if (Status status = report::write_file(path, scenario_text(scenario)); !status) return status;
-  return say("saved " + path), Status();
+  const auto is_next = [&](const ScenarioShot& s) { return s.projectile.name == launcher.shot().projectile.name; };
+  if (std::ranges::none_of(scenario.shots, is_next)) left_out = ", but for the next shot: its world would fire it";
+  if (Status status = report::write_file(path, text); !status) return status;
+  scenario_file_ = path;
+  text_ = text;
+  unsaved_ = false;
+  recent.add(path);
+  return say("saved " + path + left_out), Status();
 }
 
 Status Client::save_flights(const std::string& file) {
@@ -206,6 +241,7 @@ Status Client::set(const SettingRow& row, const std::string& text) {
 
 Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
   launcher.set_shot(shot);
+  unsaved_ = true;
   if (scenario.environment == session.scenario().environment) return {};
   ++session_version_;
   return session.set_environment(scenario.environment);

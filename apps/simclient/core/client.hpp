@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "simclient/core/launcher.hpp"
 #include "simclient/core/plot_data.hpp"
 #include "simclient/core/prediction.hpp"
+#include "simclient/core/recent_files.hpp"
 #include "simclient/core/session.hpp"
 #include "simclient/core/setting_rows.hpp"
 
@@ -20,16 +22,28 @@ struct Shown {
   bool settings = true;    // panel of the next shot
   bool statistics = true;  // panel of those in flight
   bool help = false;
-  bool open_dialog = false;
   bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
   bool trails = true;
   bool vectors = false;
+  bool forces_add_up = false;  // each force begins where the one before ends
   bool prediction = true;
   bool marks = true;  // apex and impact
 };
 
 /// What stands under the scene.
 enum class BottomPanel { none, plots, compare, performance };
+
+struct Action;
+
+/// Where a file is chosen.
+enum class Dialog { none, open, save };
+
+/// An action that would lose work: it waits until somebody says yes.
+struct Question {
+  std::string text;  // what would be lost
+  const Action* action = nullptr;
+  std::string argument;
+};
 
 /// A picture that somebody asked for, to be taken of the next frame.
 struct PictureWish {
@@ -70,14 +84,17 @@ class Client {
   BottomPanel bottom = BottomPanel::none;
   std::vector<PlotSpec> plots;
   bool plots_selected_alone = false;
-  std::vector<std::string> compared = {"game", "sport_ball", "small_arms", "reference"};  // presets of fidelity
+  std::vector<std::string> compared = {"game", "sport_ball", "small_arms"};  // presets, beside the reference
   std::vector<PictureWish> pictures;
+  std::optional<Question> question;  // to be answered before anything else
+  Dialog dialog = Dialog::none;
+  RecentFiles recent;
   std::deque<float> frame_times;  // that the last frames took [s]
   bool leaves = false;
   Pixel scene_corner;  // of the scene, upper left, in the window [pixels]
 
-  /// Time has passed on the screen [s].
-  void advance(double real_dt);
+  /// Time has passed on the screen [s]. `patience`: what the steps in it may take [s of the machine's clock].
+  void advance(double real_dt, double patience = std::numeric_limits<double>::infinity());
   /// Another scenario or recording instead of this one; what was there stays where it cannot be.
   [[nodiscard]] Status open(const std::string& file);
   [[nodiscard]] Status restart();
@@ -88,8 +105,14 @@ class Client {
   [[nodiscard]] Status fire_compared();
   /// The next shot on the rungs that are compared; flown again only when something changed.
   [[nodiscard]] const std::vector<ComparedRung>& comparison();
+  /// Saves the scenario with the next shot, into the file that it came from where none is named. Nothing is written
+  /// that could not be read again.
   [[nodiscard]] Status save(const std::string& file);
-  /// All that flew, sample by sample; the format is that of the file's ending.
+  /// Where the scenario stands; empty where it is of no file.
+  [[nodiscard]] const std::string& file() const { return scenario_file_; }
+  /// Settings were changed by hand, and not saved.
+  [[nodiscard]] bool has_unsaved_settings() const { return unsaved_; }
+  /// Saves all that flew, sample by sample; the format is that of the file's ending.
   [[nodiscard]] Status save_flights(const std::string& file);
   /// Starts again and records everything into a file; completes the file when it is recording.
   [[nodiscard]] Status record(const std::string& file);
@@ -129,6 +152,8 @@ class Client {
 
  private:
   void follow();
+  void take_file(const std::string& file);
+  [[nodiscard]] Scenario with_next_shot() const;
   [[nodiscard]] Status use_session(Result<Session> opened);
   [[nodiscard]] Status use(const Scenario& scenario, const ScenarioShot& shot);
   [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
@@ -140,7 +165,8 @@ class Client {
   CostTable costs_;
   std::vector<std::string> compared_presets_;
   std::optional<Versions> compared_at_, predicted_at_;  // none: never
-  std::string scenario_file_;                           // to come back to from a replay
+  std::string scenario_file_, text_;                    // of the scenario: its file, and what that says
+  bool unsaved_ = false, became_world_ = false;         // became: when it was saved, as its shots ask for one
   std::string recorded_;                                // file of the last recording
   std::uint64_t session_version_ = 0;
   std::deque<Message> messages_;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "physim/compare.hpp"
 #include "physim/names.hpp"
 #include "report/ladder.hpp"
+#include "report/number.hpp"
 
 namespace physim::client {
 namespace {
@@ -17,7 +19,7 @@ std::vector<TrackSample> path_of(const Flight& flight) {
   std::vector<TrackSample> path;
   for (int i = 0; i <= kPathPoints; ++i) {
     const Sample at = flight.at(flight.duration() * i / kPathPoints);
-    path.push_back({at.time, at.position, at.velocity, at.acceleration, at.mach});
+    path.push_back({at.time, at.position, at.velocity, at.acceleration, at.mach, at.mass});
   }
   return path;
 }
@@ -30,6 +32,7 @@ void fill(ComparedRung& rung, const ComparedFlight& flown) {
   rung.farthest = flown.largest_distance;
   rung.at_end = flown.end_distance;
   rung.later = flown.end_delay;
+  rung.end = flown.flight.end();
 }
 
 /// Time of one step of one among so many projectiles [s].
@@ -66,6 +69,12 @@ double measure_cost(const Session& session, const ScenarioShot& shot) {
 
 }  // namespace
 
+std::array<std::string, 7> ComparedRung::figures() const {
+  using report::fixed, report::significant;
+  return {significant(at_end, 3), significant(std::abs(later), 3), significant(farthest, 3), fixed(end.time, 6),
+          fixed(end.range, 4),    fixed(end.position.y, 4),        fixed(end.windage, 4)};
+}
+
 std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioShot& shot,
                                         const std::vector<std::string>& presets, CostTable& costs) {
   const Scenario& scenario = session.scenario();
@@ -75,7 +84,8 @@ std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioSh
     rungs.push_back({.name = name, .asked = setting.fidelity, .colour = palette(rungs.size())});
     settings.push_back(setting);
   };
-  add("as set", {shot.projectile.fidelity, scenario.tolerance});
+  const Result<FlightSetting> own = report::own_setting(scenario, shot);
+  add("as set", own ? *own : FlightSetting{shot.projectile.fidelity, scenario.tolerance});
   for (const std::string& name : presets)
     if (name != kTruth && fidelity_preset(name)) add(name, report::preset_setting(scenario, name));
   const FlightSetting truth = report::reference_setting(shot);
@@ -87,6 +97,8 @@ std::vector<ComparedRung> compare_rungs(const Session& session, const ScenarioSh
     ComparedRung& rung = rungs[i];
     if (!compared)
       rung.problem = compared.error().message;
+    else if (!own && i == 0)
+      rung.problem = own.error().message;
     else
       fill(rung, rung.is_truth ? ComparedFlight{compared->reference, {}} : compared->flights[i]);
     ScenarioShot changed = shot;

@@ -1,6 +1,7 @@
 // Comparison: one shot on several rungs at once, their paths, how far they part, and what they cost.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,12 @@ struct ComparedRung {
   double farthest = 0;  // largest distance from the truth at any equal time [m]
   double at_end = 0;    // distance between its end and that of the truth [m]
   double later = 0;     // end of its flight after that of the truth [s]
+  Sample end;           // of its flight
   double per_step = 0;  // cost of a step, among many of its kind, on this machine [s]
+
+  /// Error and time error as `physim compare` prints them, the largest distance, and of the end its time, range, height
+  /// and windage.
+  [[nodiscard]] std::array<std::string, 7> figures() const;
 };
 
 /// Time of one step of one projectile, measured on a thousand of them and remembered: aiming changes it little.

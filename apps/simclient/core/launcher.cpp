@@ -32,7 +32,7 @@ ShotType type_of(std::string_view name) {
 Launcher::Launcher(const Scenario& scenario, std::uint64_t version) : version_(version) {
   for (const std::string_view name : projectile_presets()) types_.push_back(type_of(name));
   const std::size_t presets = types_.size();
-  for (const ScenarioShot& shot : with_world(scenario).shots)
+  for (const ScenarioShot& shot : scenario.shots)
     types_.push_back({shot.projectile.name, "of the scenario", shot, 0, 0});
   select(types_.size() > presets ? presets : 0);
 }

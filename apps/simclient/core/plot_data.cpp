@@ -28,7 +28,8 @@ constexpr PlotQuantity kQuantities[] = {
     {"speed", "m/s", [](T, S s) { return length(s.velocity); }},
     {"acceleration", "m/s\u00b2", [](T, S s) { return length(s.acceleration); }},
     {"mach", "-", [](T, S s) { return s.mach; }},
-    {"energy", "J", [](T t, S s) { return t.mass * length_squared(s.velocity) / 2; }},
+    {"mass", "kg", [](T, S s) { return s.mass; }},
+    {"energy", "J", [](T, S s) { return s.mass * length_squared(s.velocity) / 2; }},
     {"range", "m",
      [](T t, S s) {
        const Vec3d way = s.position - t.samples.front().position;
@@ -116,6 +117,14 @@ std::string PlotAxis::text(double tick) const {
   if (largest >= 1e6 || step < 1e-4) return formatted("%.3g", tick);
   const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   return formatted("%.*f", digits, tick);
+}
+
+std::string fitting_text(double value, std::size_t room) {
+  for (const int decimals : {3, 2, 1, 0})
+    if (std::string text = formatted("%.*f", decimals, value); text.size() <= room) return text;
+  for (const int decimals : {3, 2, 1})
+    if (std::string text = formatted("%.*e", decimals, value); text.size() <= room) return text;
+  return formatted("%.0e", value);
 }
 
 Plot make_plot(const PlotSpec& spec, std::span<const Track> tracks, const Track* alone, const Scenario& scenario,

@@ -66,6 +66,9 @@ struct Plot {
   PlotAxis x, y;
 };
 
+/// A number in so many characters: with three decimals, with fewer where they do not fit, or with an exponent.
+[[nodiscard]] std::string fitting_text(double value, std::size_t room);
+
 /// The curves of all projectiles, or of one alone.
 [[nodiscard]] Plot make_plot(const PlotSpec& spec, std::span<const Track> tracks, const Track* alone,
                              const Scenario& scenario, int wanted_x, int wanted_y);

@@ -44,9 +44,8 @@ Prediction predict(const Session& session, const ScenarioShot& shot, double max_
   if (!made) return prediction.error = made.error(), prediction;
   World& world = *made;
   add_forces(world, session, shot);
-  BodyDef body = shot.body;
+  BodyDef body = body_of(session.scenario(), shot);
   body.pool = 0;
-  body.cheapest_within = shot.cheapest_within.value_or(0);
   const Result<ProjectileId> fired = world.spawn(shot.projectile, shot.launch, body);
   if (!fired) return prediction.error = fired.error(), prediction;
   const ProjectileView projectile = world[*fired];

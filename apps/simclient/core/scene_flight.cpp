@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/members.hpp"
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {
@@ -46,6 +47,22 @@ void add_crowd(const Session& session, double scale, Scene& scene) {
   }
 }
 
+/// An effect of the ledger, as its arrow is called.
+struct ShownForce {
+  const char* name;
+  Vec3d Accelerations::*effect;
+};
+constexpr ShownForce kForces[] = {{"gravity", &Accelerations::gravity},
+                                  {"drag", &Accelerations::drag},
+                                  {"Magnus", &Accelerations::lift},
+                                  {"body", &Accelerations::body},
+                                  {"thrust", &Accelerations::thrust},
+                                  {"Coriolis", &Accelerations::coriolis},
+                                  {"centrifugal", &Accelerations::centrifugal},
+                                  {"applied", &Accelerations::applied},
+                                  {"constraint", &Accelerations::constraint}};
+static_assert(std::size(kForces) + 1 == kMemberCount<Accelerations>, "each effect has its arrow, and the total");
+
 }  // namespace
 
 void build_projectiles(const Client& client, double scale, Scene& scene) {
@@ -86,31 +103,37 @@ void build_aim(Client& client, double scale, Scene& scene) {
 void build_vectors(const Client& client, double scale, Scene& scene) {
   const Track* track = client.selected_track();
   if (track == nullptr || !track->is_flying()) return;
-  const World& world = client.session.world();
-  const Vec3d at = client.session.shown_position(track->id), velocity = world[track->id].velocity();
-  const Accelerations a = world[track->id].accelerations();
+  const ProjectileView projectile = client.session.world()[track->id];
+  const Vec3d at = client.session.shown_position(track->id), velocity = projectile.velocity();
   const double longest = client.camera.distance * 0.22;
-  const auto draw = [&](const Vec3d& v, double unit, Colour colour, const std::string& what) {
-    if (!(length(v) * unit > 0)) return;
-    const Vec3d tip = at + v * unit;
-    scene.arrow(at, tip, colour, 2.5 * scale, client.camera);
-    const Vec3d beyond = client.camera.drawn_as(normalized(v) * (16 * scale * client.camera.pixel_size(tip)));
+  const auto draw = [&](const Vec3d& from, const Vec3d& way, Colour colour, const std::string& what) {
+    const Vec3d tip = from + way;
+    scene.arrow(from, tip, colour, 2.5 * scale, client.camera);
+    if (what.empty()) return;
+    const Vec3d beyond = client.camera.drawn_as(normalized(way) * (16 * scale * client.camera.pixel_size(tip)));
     scene.label(tip + beyond, what, colour, -0.5);
   };
-  const double speed = length(velocity);
-  draw(velocity, speed > 0 ? longest / speed : 0, colours::kVelocity, formatted("v %.2f m/s", speed));
-  const std::pair<const char*, Vec3d> effects[] = {{"gravity", a.gravity},
-                                                   {"drag", a.drag},
-                                                   {"Coriolis", a.coriolis},
-                                                   {"centrifugal", a.centrifugal},
-                                                   {"applied", a.applied}};
+  if (const double speed = length(velocity); speed > 0)
+    draw(at, velocity * (longest / speed), colours::kVelocity, formatted("v %.2f m/s", speed));
+
+  const Accelerations a = projectile.accelerations();
+  const double mass = projectile.mass();
   double strongest = length(a.total);
-  for (const auto& [name, each] : effects) strongest = std::max(strongest, length(each));
-  const double unit = strongest > 0 ? longest * 0.8 / strongest : 0;
-  draw(a.total, unit, colours::kAcceleration, formatted("a %.3g m/s\u00b2", length(a.total)));
-  for (const auto& [name, each] : effects)
-    if (length(each) >= 0.02 * strongest)  // else too short to be seen
-      draw(each, unit * 0.7, colours::kForce, formatted("%s %.3g N", name, length(each) * track->mass));
+  for (const ShownForce& each : kForces) strongest = std::max(strongest, length(a.*each.effect));
+  if (!(strongest > 0) || !std::isfinite(mass)) return;
+  const double unit = longest * 0.8 / strongest;  // of all of them, so that they can be added by eye
+  Vec3d from = at;
+  for (const ShownForce& each : kForces) {
+    const Vec3d& effect = a.*each.effect;
+    if (!(length(effect) > 0)) continue;
+    const bool is_seen = length(effect) >= 0.02 * strongest;
+    if (!is_seen && !client.show.forces_add_up) continue;
+    draw(from, effect * unit, colours::kForce, is_seen ? formatted("%s %.3g N", each.name, length(effect) * mass) : "");
+    if (client.show.forces_add_up) from += effect * unit;
+  }
+  const double total = length(a.total);
+  if (total > 0)
+    draw(at, a.total * unit, colours::kAcceleration, formatted("a %.3g m/s\u00b2, m a %.3g N", total, total * mass));
 }
 
 void build_tools(const Client& client, double scale, Scene& scene) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace physim::client {
 namespace {
@@ -9,7 +10,9 @@ namespace {
 constexpr std::size_t kMaxTracks = 64;
 constexpr std::size_t kMaxTracksOfRun = 24, kMaxTracksOfCrowd = 5;  // of what the scenario fires by itself
 constexpr std::size_t kMaxSamples = 20000;
-constexpr int kMaxStepsAtOnce = 8;                 // of one screen frame at normal speed
+constexpr double kMostAtOnce = 8.0 / 60;           // of the screen's time [s]
+constexpr double kPaceTime = 0.5;                  // over which the pace is averaged [s]
+constexpr double kMomentTime = 1.0 / 60;           // moments that can be gone back to are no nearer [s]
 constexpr std::size_t kMomentMemory = 256u << 20;  // for all moments that can be gone back to [bytes]
 constexpr double kInstant = 1e-9;                  // times nearer than this are the same [s]
 
@@ -28,6 +31,15 @@ TrackSample within_step(const Track& track, double time, const Vec3d& position, 
 
 void add_later(Track& track, const TrackSample& sample) {
   if (sample.time > track.samples.back().time + kInstant) track.samples.push_back(sample);
+}
+
+/// And the last.
+void keep_every_second(std::vector<TrackSample>& samples) {
+  const TrackSample last = samples.back();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < samples.size(); i += 2) samples[kept++] = samples[i];
+  samples.resize(kept);
+  if (samples.back() != last) samples.push_back(last);
 }
 
 std::uint64_t launches(const Scenario& scenario) {
@@ -52,11 +64,19 @@ Scenario with_world(Scenario scenario) {
   def.ground.mode = scenario.until.ground ? GroundMode::land : GroundMode::none;
   def.ground.height = scenario.until.ground.value_or(0);
   if (scenario.tolerance.step > 0) def.step = scenario.tolerance.step;
-  for (ScenarioShot& shot : scenario.shots) {
-    if (scenario.until.time < Until{}.time) shot.body.despawn.older = scenario.until.time;
-    if (scenario.until.range) shot.body.despawn.farther = *scenario.until.range;
-  }
   return scenario;
+}
+
+BodyDef body_of(const Scenario& scenario, const ScenarioShot& shot) {
+  BodyDef body = shot.body;
+  body.cheapest_within = shot.cheapest_within.value_or(0);
+  const std::vector<PoolDef>& pools = scenario.world.def.pools;
+  for (std::uint32_t i = 0; i < pools.size() && !shot.pool.empty(); ++i)
+    if (pools[i].name == shot.pool) body.pool = i;
+  if (scenario.world.given) return body;
+  if (scenario.until.time < Until{}.time) body.despawn.older = scenario.until.time;
+  if (scenario.until.range) body.despawn.farther = *scenario.until.range;
+  return body;
 }
 
 // ---------------------------------------------------------------------------------------------------------- beginning
@@ -90,7 +110,7 @@ Status Session::start(const std::string& recording) {
   run_ = std::move(*run);
   tracks_.clear();
   moments_.clear();
-  step_ = fired_ = 0;
+  step_ = fired_ = by_hand_ = 0;
   leftover_ = 0;
   cost_ = {};
   look();
@@ -111,18 +131,21 @@ Status Session::restart(const std::string& recording) {
 }
 
 // --------------------------------------------------------------------------------------------------------------- clock
-int Session::advance(double real_dt) {
+int Session::advance(double real_dt, double patience) {
   if (paused_ || over_ || !(real_dt > 0)) return 0;
-  const double h = step_length();
-  leftover_ += real_dt * time_scale_;
-  const int most = std::max(kMaxStepsAtOnce, static_cast<int>(kMaxStepsAtOnce * time_scale_));
+  const auto start = std::chrono::steady_clock::now();
+  const double h = step_length(), asked = real_dt * time_scale_;
+  const int most = std::max(1, static_cast<int>(std::lround(kMostAtOnce * time_scale_ / h)));
+  leftover_ += asked;
   int steps = 0;
-  while (leftover_ > h * (1 - 1e-6) && steps < most && !over_) {
+  while (leftover_ > h * (1 - 1e-6) && steps < most && !over_ && seconds_since(start) < patience) {
     take_step();
     leftover_ -= h;
     ++steps;
   }
-  leftover_ = std::clamp(leftover_, 0.0, h);  // what the machine could not keep up with is dropped
+  const double dropped = std::max(leftover_ - h, 0.0);  // what the machine could not keep up with
+  leftover_ = std::clamp(leftover_, 0.0, h);
+  kept_ += (1 - std::min(dropped / asked, 1.0) - kept_) * std::min(real_dt / kPaceTime, 1.0);
   return steps;
 }
 
@@ -136,9 +159,11 @@ void Session::take_step() {
   }
   const double seconds = seconds_since(start);
   cost_.moved = world().counters().projectile_steps - before;
-  const double part = cost_.seconds > 0 ? 0.05 : 1;  // of the average that is new
-  cost_.seconds += (seconds - cost_.seconds) * part;
-  cost_.projectile_steps += (static_cast<double>(cost_.moved) - cost_.projectile_steps) * part;
+  if (cost_.moved > 0) {
+    const double part = cost_.seconds > 0 ? 0.05 : 1;  // of the average that is new
+    cost_.seconds += (seconds - cost_.seconds) * part;
+    cost_.projectile_steps += (static_cast<double>(cost_.moved) - cost_.projectile_steps) * part;
+  }
   ++step_;
   look();
   if (!replay_) remember_moment(false);
@@ -184,7 +209,8 @@ bool Session::step_back() {
 
 void Session::remember_moment(bool changed) {
   const std::size_t memory = std::max<std::size_t>(run_->world().memory(), 1 << 14);
-  const std::uint64_t every = std::clamp<std::uint64_t>(memory >> 16, 1, 60);
+  const double steps_apart = std::clamp(std::round(kMomentTime / step_length()), 1.0, 1e6);
+  const std::uint64_t every = std::clamp<std::uint64_t>(memory >> 16, 1, 60) * static_cast<std::uint64_t>(steps_apart);
   const bool is_soon = !moments_.empty() && step_ > moments_.back().step && step_ - moments_.back().step < every;
   if (is_soon && !changed) return;
   if (!moments_.empty() && moments_.back().step == step_) moments_.pop_back();
@@ -200,14 +226,11 @@ Error Session::cannot_change() {
 Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
   if (is_replay()) return cannot_change();
   World& world = run_->world();
-  BodyDef body = shot.body;
-  body.cheapest_within = shot.cheapest_within.value_or(0);
-  const std::vector<PoolDef>& pools = world.def().pools;
-  for (std::uint32_t i = 0; i < pools.size() && !shot.pool.empty(); ++i)
-    if (pools[i].name == shot.pool) body.pool = i;
+  const BodyDef body = body_of(scenario_, shot);
   const Result<ProjectileId> fired = world.spawn(shot.projectile, shot.launch, body);
   if (!fired) return fired;
   const ProjectileId id = *fired;
+  ++by_hand_;
   const bool has_colour = body.colour != kNoColour;
   begin_track(id, shot.projectile.name, has_colour ? body.colour : palette(fired_), true);
   if (!has_colour) world[id].set_colour(tracks_.back().colour);
@@ -216,10 +239,10 @@ Result<ProjectileId> Session::fire(const ScenarioShot& shot) {
 }
 
 void Session::edited(ProjectileId id) {
+  ++by_hand_;
   if (Track* track = find(id)) {
     track->edited = true;
     track->granted = world()[id].fidelity_in_use();
-    track->mass = world()[id].mass();
     track->samples.push_back(sample(*track));
   }
   remember_moment(true);
@@ -295,7 +318,6 @@ void Session::begin_track(ProjectileId id, const std::string& name, Colour colou
   track.number = ++fired_;
   track.name = name.empty() ? "shot" : name;
   track.colour = colour;
-  track.mass = world()[id].mass();
   track.born = world().time() - world()[id].age();
   track.granted = world()[id].fidelity_in_use();
   if (!by_hand) add_launch(track);
@@ -309,7 +331,7 @@ void Session::add_launch(Track& track) const {
   for (const RunEvent& each : run_->events())
     if (each.event.id == track.id && each.event.kind == EventKind::spawned)
       track.samples.push_back({0, each.event.position, each.event.velocity, world()[track.id].accelerations().total,
-                               world()[track.id].mach()});
+                               world()[track.id].mach(), world()[track.id].mass()});
 }
 
 void Session::look() {
@@ -322,8 +344,7 @@ void Session::look() {
       continue;
     }
     add_later(track, sample(track));
-    if (track.samples.size() > kMaxSamples)  // every second one is enough from here on
-      for (std::size_t i = 1; i < track.samples.size(); ++i) track.samples.erase(track.samples.begin() + i);
+    if (track.samples.size() > kMaxSamples) keep_every_second(track.samples);
   }
   if (tracks_.size() >= most_tracks_of_run_ || world().size() > 4096) return;
   for (const ProjectileId id : world().ids()) follow_new(id);

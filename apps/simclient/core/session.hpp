@@ -5,6 +5,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,11 +20,14 @@ namespace physim::client {
 
 /// What the last steps cost; of the machine's clock, for display only.
 struct StepCost {
-  double seconds = 0;           // for one step, averaged over the last ones
-  double projectile_steps = 0;  // in one step; the same
+  double seconds = 0;           // for one step, averaged over the last ones in which something moved
+  double projectile_steps = 0;  // in one of these steps
   std::uint64_t moved = 0;      // projectiles, in the last step
 
-  [[nodiscard]] double per_projectile_step() const { return projectile_steps > 0 ? seconds / projectile_steps : 0; }
+  /// Time for one projectile in a step [s]; nothing before the first has moved.
+  [[nodiscard]] std::optional<double> per_projectile_step() const {
+    return projectile_steps > 0 ? std::optional(seconds / projectile_steps) : std::nullopt;
+  }
 };
 
 struct DeterminismCheck {
@@ -41,8 +45,9 @@ class Session {
   [[nodiscard]] static Result<Session> replay(std::vector<std::byte> recording, const std::string& file);
 
   // ---------------------------------------------------------------------------------------------------------- clock
-  /// Time has passed on the screen [s]: takes the steps that fit into it; returns how many.
-  int advance(double real_dt);
+  /// Time has passed on the screen [s]: takes the steps that fit into it; returns how many. It stops early where they
+  /// take longer than `patience` [s of the machine's clock]; what is not simulated by then is dropped.
+  int advance(double real_dt, double patience = std::numeric_limits<double>::infinity());
   void set_paused(bool paused) { paused_ = paused; }
   [[nodiscard]] bool is_paused() const { return paused_; }
   /// Pauses, and goes one step on.
@@ -53,6 +58,9 @@ class Session {
   [[nodiscard]] Status restart(const std::string& recording = "");
   [[nodiscard]] double time_scale() const { return time_scale_; }
   void set_time_scale(double scale) { time_scale_ = scale; }
+  /// How many seconds of simulation have passed in a second of the screen, lately: time_scale() where all is kept up
+  /// with.
+  [[nodiscard]] double time_scale_reached() const { return time_scale_ * kept_; }
   [[nodiscard]] double time() const { return world().time(); }
   [[nodiscard]] std::uint64_t step() const { return step_; }
   [[nodiscard]] double step_length() const { return world().def().step; }
@@ -80,6 +88,8 @@ class Session {
   [[nodiscard]] const StepCost& cost() const { return cost_; }
   [[nodiscard]] bool is_replay() const { return replay_.has_value(); }
   [[nodiscard]] bool is_recording() const { return !is_replay() && run_->world().is_recording(); }
+  /// Shots fired and projectiles changed by hand since the start.
+  [[nodiscard]] std::uint64_t changes_by_hand() const { return by_hand_; }
   [[nodiscard]] bool is_over() const { return over_; }  // of a replay: its end, or its first difference
   [[nodiscard]] const ReplayReport* replay_report() const { return replay_ ? &replay_->report() : nullptr; }
 
@@ -122,15 +132,20 @@ class Session {
   std::vector<Track> tracks_;
   std::deque<Moment> moments_;
   std::size_t most_tracks_of_run_ = 0;
-  std::uint64_t step_ = 0, fired_ = 0;
+  std::uint64_t step_ = 0, fired_ = 0, by_hand_ = 0;
   double leftover_ = 0;  // of the screen's time, less than a step [s]
   double time_scale_ = 1;
+  double kept_ = 1;  // part of the time asked for that was simulated, lately
   bool paused_ = false, over_ = false;
   StepCost cost_;
 };
 
-/// The world of a scenario that has none: its ground is where its flights end, and so are time and range.
+/// The world of a scenario that has none: its ground is where its flights end.
 [[nodiscard]] Scenario with_world(Scenario scenario);
+
+/// How a session's world treats a shot: as its body says, and where the scenario has no world until its flights end,
+/// by time and range.
+[[nodiscard]] BodyDef body_of(const Scenario& scenario, const ScenarioShot& shot);
 
 /// What there is when no scenario was asked for: open ground at height 0 and standard air.
 [[nodiscard]] Scenario open_range();

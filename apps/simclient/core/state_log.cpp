@@ -11,8 +11,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 using report::vector_json;
 
-Json shot_state(const Launcher& launcher) {
+Json shot_state(Client& client) {
+  const Launcher& launcher = client.launcher;
   const Fidelity& fidelity = launcher.shot().projectile.fidelity;
+  const Fidelity& granted = client.prediction().granted.fidelity;
   const auto setting = launcher.elevation_setting();
   return {{"type", launcher.types()[launcher.type()].name},
           {"elevation_setting", setting ? Json(*setting) : Json()},
@@ -21,7 +23,9 @@ Json shot_state(const Launcher& launcher) {
           {"speed", launcher.speed()},
           {"motion", name(fidelity.motion)},
           {"drag", name(fidelity.drag)},
-          {"gravity", name(fidelity.gravity)}};
+          {"gravity", name(fidelity.gravity)},
+          {"granted",
+           {{"motion", name(granted.motion)}, {"drag", name(granted.drag)}, {"gravity", name(granted.gravity)}}}};
 }
 
 /// Where a point is seen in the window.
@@ -41,7 +45,7 @@ Json track_state(const Client& client, const Track& track) {
           {"velocity", vector_json(s.velocity)},
           {"acceleration", vector_json(s.acceleration)},
           {"speed", length(s.velocity)},
-          {"mass", track.mass},
+          {"mass", s.mass},
           {"mach", s.mach},
           {"pixel", pixel(client, s.position)}};
 }
@@ -53,12 +57,15 @@ std::string state_line(Client& client, std::uint64_t frame) {
                {"time", client.session.time()},
                {"step", client.session.step()},
                {"paused", client.session.is_paused()},
+               {"time_scale", client.session.time_scale()},
+               {"time_scale_reached", client.session.time_scale_reached()},
                {"alive", client.session.world().size()},
-               {"shot", shot_state(client.launcher)},
+               {"shot", shot_state(client)},
                {"tracks", Json::array()}};
   for (const Track& track : client.session.tracks()) line["tracks"].push_back(track_state(client, track));
   if (const auto arrow = client.arrow())
     line["arrow"] = {{"from", pixel(client, arrow->from)}, {"to", pixel(client, arrow->to)}};
+  if (client.question) line["question"] = client.question->text;
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
   return report::json_line(line);
 }

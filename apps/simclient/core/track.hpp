@@ -19,6 +19,7 @@ struct TrackSample {
   double time = 0;  // since its launch [s]
   Vec3d position, velocity, acceleration;
   double mach = 0;
+  double mass = 0;  // what is left of it [kg]
 
   bool operator==(const TrackSample&) const = default;
 };
@@ -26,7 +27,7 @@ struct TrackSample {
 /// A projectile as it is now, so long after its launch.
 [[nodiscard]] inline TrackSample sample_of(const ProjectileView& projectile, double time) {
   const BodyState at = projectile.state();
-  return {time, at.position, at.velocity, projectile.accelerations().total, projectile.mach()};
+  return {time, at.position, at.velocity, projectile.accelerations().total, projectile.mach(), projectile.mass()};
 }
 
 struct Track {
@@ -34,7 +35,6 @@ struct Track {
   std::uint64_t number = 0;  // of its launch in this session, from 1
   std::string name;
   Colour colour = 0xFFFFFFFF;
-  double mass = 0;
   double born = 0;        // [s] of the world
   FidelityInUse granted;  // as it was at launch
   std::vector<TrackSample> samples;

@@ -25,9 +25,7 @@ void draw_rung(const ComparedRung& rung) {
     ImGui::TableNextColumn();
     return coloured_text(colours::kWarning, rung.problem);
   }
-  const TrackSample& end = rung.path.back();
-  for (const double value : {rung.farthest, rung.at_end, rung.later, end.position.x, end.position.y, end.time})
-    cell("%.4g", value);
+  for (const std::string& figure : rung.figures()) cell("%s", figure.c_str());
   cell("%.1f", rung.per_step * 1e9);
   ImGui::TableNextColumn();
   for (const FidelityNote& note : rung.granted.notes) {
@@ -41,6 +39,7 @@ void pick_rungs(Client& client) {
   std::vector<std::string> picked;  // in the order of the ladder
   bool is_changed = false;
   for (const std::string_view preset : fidelity_presets()) {
+    if (preset == "reference") continue;  // the truth is always there
     const std::string name(preset);
     bool on = std::find(client.compared.begin(), client.compared.end(), name) != client.compared.end();
     is_changed |= ImGui::Checkbox(name.c_str(), &on);
@@ -58,9 +57,9 @@ void draw_comparison(Client& client) {
   if (!client.session.scenario().forces.empty()) ImGui::TextDisabled("without the forces of the scenario");
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-  if (!ImGui::BeginTable("rungs", 9, flags)) return;
-  headings({"rung", "farthest off [m]", "off at the end [m]", "later [s]", "end x [m]", "end y [m]", "time [s]",
-            "ns per step", "granted instead"});
+  if (!ImGui::BeginTable("rungs", 10, flags)) return;
+  headings({"rung", "error [m]", "time error [s]", "farthest off [m]", "time [s]", "range [m]", "height [m]",
+            "windage [m]", "ns per step", "granted instead"});
   for (const ComparedRung& rung : client.comparison()) draw_rung(rung);
   ImGui::EndTable();
 }
@@ -80,7 +79,10 @@ void draw_performance(Client& client) {
   };
   row("frame", "%.2f ms, the worst of %d: %.2f ms", 1e3 * mean, static_cast<int>(times.size()), 1e3 * worst);
   row("step", "%.3f ms", 1e3 * cost.seconds);
-  row("projectile-step", "%.1f ns", 1e9 * cost.per_projectile_step());
+  if (const auto each = cost.per_projectile_step())
+    row("projectile-step", "%.1f ns", 1e9 * *each);
+  else
+    row("projectile-step", "nothing has moved");
   row("projectiles", "%zu, of which %llu moved", session.world().size(), static_cast<unsigned long long>(cost.moved));
   row("memory", "%.2f MB", static_cast<double>(session.world().memory()) / 1e6);
   row("steps", "%llu of %.4g s", static_cast<unsigned long long>(session.step()), session.step_length());
@@ -106,11 +108,11 @@ void draw_performance(Client& client) {
 
 }  // namespace
 
-void draw_bottom_panel(Client& client, const Box& box) {
+void draw_bottom_panel(Client& client, const Box& box, bool bare) {
   static constexpr const char* kTitles[] = {"", "Plots", "Comparison", "Performance"};
   const std::string title = std::string(kTitles[static_cast<int>(client.bottom)]) + "###bottom";
-  if (begin_panel(title.c_str(), box)) {
-    if (client.bottom == BottomPanel::plots) draw_plots(client);
+  if (begin_panel(title.c_str(), box, !bare)) {
+    if (client.bottom == BottomPanel::plots) draw_plots(client, bare);
     if (client.bottom == BottomPanel::compare) draw_comparison(client);
     if (client.bottom == BottomPanel::performance) draw_performance(client);
   }

@@ -15,7 +15,7 @@ void set_theme(float scale);
 [[nodiscard]] ImVec4 tint(Colour colour);
 
 /// A panel that fills a box, with a title.
-bool begin_panel(const char* title, const Box& box);
+bool begin_panel(const char* title, const Box& box, bool has_title = true);
 /// Puts the next window into the middle of a box, no larger than that.
 void centre_window(const Box& box, float width, float height);
 /// The next cell of a table.
@@ -34,7 +34,8 @@ void tooltip(const std::string& text);
 
 void draw_statistics_panel(Client& client, const Box& box);
 /// Under the scene: plots, comparison or performance.
-void draw_bottom_panel(Client& client, const Box& box);
-void draw_plots(Client& client);
+void draw_bottom_panel(Client& client, const Box& box, bool bare);
+/// Bare: curves and axes alone, as pictures show them.
+void draw_plots(Client& client, bool bare);
 
 }  // namespace physim::client

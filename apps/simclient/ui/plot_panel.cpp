@@ -18,16 +18,27 @@ struct Frame {
   }
 };
 
-void draw_axes(ImDrawList& list, const Frame& frame) {
+/// Each tick has its line; a number only where there is room for it beside the one before.
+void draw_x_ticks(ImDrawList& list, const Frame& frame, float gap) {
   const Plot& plot = *frame.plot;
-  const float gap = ImGui::GetFontSize() * 0.3F;
-  list.AddRectFilled(frame.low, frame.high, shade(0x12151AFF));
+  float taken = frame.low.x - ImGui::GetFontSize() * 2;
   for (const double tick : plot.x.ticks()) {
     const float x = frame.place({tick, plot.y.low}).x;
     const std::string text = plot.x.text(tick);
     list.AddLine({x, frame.low.y}, {x, frame.high.y}, shade(0x2C333CFF));
-    list.AddText({x - ImGui::CalcTextSize(text.c_str()).x / 2, frame.high.y + gap}, shade(colours::kDim), text.c_str());
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    const float left = std::min(x - width / 2, frame.high.x + ImGui::GetFontSize() - width);  // within its plot
+    if (left < taken) continue;
+    taken = left + width + 2 * gap;
+    list.AddText({left, frame.high.y + gap}, shade(colours::kDim), text.c_str());
   }
+}
+
+void draw_axes(ImDrawList& list, const Frame& frame) {
+  const Plot& plot = *frame.plot;
+  const float gap = ImGui::GetFontSize() * 0.3F;
+  list.AddRectFilled(frame.low, frame.high, shade(0x12151AFF));
+  draw_x_ticks(list, frame, gap);
   for (const double tick : plot.y.ticks()) {
     const float y = frame.place({plot.x.low, tick}).y;
     const std::string text = plot.y.text(tick);
@@ -85,13 +96,15 @@ void pick_quantity(const char* id, std::size_t& quantity) {
 }
 
 /// What is plotted, in its place of the row.
-void draw_one(Client& client, PlotSpec& spec, float width) {
+void draw_one(Client& client, PlotSpec& spec, float width, bool bare) {
   ImGui::BeginChild("plot", {width, 0}, false, ImGuiWindowFlags_NoScrollbar);
-  pick_quantity("##y", spec.y);
-  ImGui::SameLine(0, 4);
-  ImGui::TextDisabled("over");
-  ImGui::SameLine(0, 4);
-  pick_quantity("##x", spec.x);
+  if (!bare) {
+    pick_quantity("##y", spec.y);
+    ImGui::SameLine(0, 4);
+    ImGui::TextDisabled("over");
+    ImGui::SameLine(0, 4);
+    pick_quantity("##x", spec.x);
+  }
   const float letter = ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const Track* alone = client.plots_selected_alone ? client.selected_track() : nullptr;
@@ -118,9 +131,7 @@ void button(Client& client, const char* label, const char* action) {
   tooltip(std::string(find_action(action)->help) + " (" + std::string(find_action(action)->keys) + ")");
 }
 
-}  // namespace
-
-void draw_plots(Client& client) {
+void draw_buttons(Client& client) {
   ImGui::Checkbox("selected alone", &client.plots_selected_alone);
   ImGui::SameLine();
   if (ImGui::Button("+") && client.plots.size() < 6) client.plots.push_back(client.plots.back());
@@ -138,13 +149,19 @@ void draw_plots(Client& client) {
   }
   button(client, "CSV", "save-csv");
   button(client, "PNG", "picture-of-plots");
+}
+
+}  // namespace
+
+void draw_plots(Client& client, bool bare) {
+  if (!bare) draw_buttons(client);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const auto count = static_cast<float>(client.plots.size());
   const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count;
   for (std::size_t i = 0; i < client.plots.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     ImGui::PushID(static_cast<int>(i));
-    draw_one(client, client.plots[i], width);
+    draw_one(client, client.plots[i], width, bare);
     ImGui::PopID();
   }
 }

@@ -1,6 +1,4 @@
 // Live numbers of every projectile, in its own colour.
-#include <cmath>
-
 #include "base/text.hpp"
 #include "physim/names.hpp"
 #include "simclient/ui/panel.hpp"
@@ -12,7 +10,7 @@ void vector_row(const char* what, const char* unit, const Vec3d& v) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", what);
-  for (const double x : {v.x, v.y, v.z}) cell(std::abs(x) < 1000 ? "%9.3f" : std::abs(x) < 1e6 ? "%9.1f" : "%9.4g", x);
+  for (const double x : {v.x, v.y, v.z}) cell("%9s", fitting_text(x, 8).c_str());
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", unit);
 }
@@ -32,7 +30,7 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
     vector_row("accel.", "m/s\u00b2", s.acceleration);
     ImGui::EndTable();
   }
-  ImGui::TextWrapped("speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity), s.mach, track.mass);
+  ImGui::TextWrapped("speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity), s.mach, s.mass);
   ImGui::PopStyleColor();
   ImGui::Separator();
   ImGui::PopID();

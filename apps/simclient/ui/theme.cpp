@@ -54,12 +54,13 @@ void set_theme(float scale) {
   load_font(15 * scale);
 }
 
-bool begin_panel(const char* title, const Box& box) {
+bool begin_panel(const char* title, const Box& box, bool has_title) {
   ImGui::SetNextWindowPos({box.x, box.y});
   ImGui::SetNextWindowSize({box.width, box.height});
   return ImGui::Begin(title, nullptr,
                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                          (has_title ? 0 : ImGuiWindowFlags_NoTitleBar));
 }
 
 void centre_window(const Box& box, float width, float height) {

@@ -7,12 +7,13 @@
 
 #include "physim/names.hpp"
 #include "simclient/core/actions.hpp"
+#include "simclient/core/labels.hpp"
 #include "simclient/core/original_tests.hpp"
 
 namespace physim::client {
 namespace {
 
-constexpr const char* kMenu = "scene menu";
+constexpr const char *kMenu = "scene menu", *kQuestion = "Is that meant?";
 
 const char* mode_text(CameraMode mode) {
   switch (mode) {
@@ -35,18 +36,21 @@ Ui::Ui(float scale) : scale_(scale) { set_theme(scale); }
 void Ui::draw(Client& client, const Scene& scene) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   layout_ = make_layout(client, size.x, size.y, scale_);
+  has_bare_plots_ = client.bottom == BottomPanel::plots &&
+                    std::ranges::any_of(client.pictures, [](const PictureWish& wish) { return wish.of_plots; });
   steer(client);
   draw_labels(client, scene);
   draw_menu_bar(client);
   if (layout_.left.width > 0) settings_.draw(client, layout_.left);
   if (layout_.right.width > 0) draw_statistics_panel(client, layout_.right);
-  if (layout_.bottom.height > 0) draw_bottom_panel(client, layout_.bottom);
+  if (layout_.bottom.height > 0) draw_bottom_panel(client, layout_.bottom, has_bare_plots_);
   draw_status(client);
   draw_messages(client);
   draw_probe(client);
   draw_context_menu(client);
   if (client.show.help) draw_help(client);
-  draw_open_dialog(client);
+  draw_file_dialog(client);
+  draw_question(client);
 }
 
 /// Lets the keyboard into the panels, and out again.
@@ -66,7 +70,7 @@ bool Ui::close_something(Client& client) {
     ImGui::ClosePopupsOverWindow(nullptr, false);
     return true;
   }
-  if (client.show.open_dialog) return client.show.open_dialog = false, true;
+  if (client.dialog != Dialog::none) return client.dialog = Dialog::none, true;
   if (client.show.help) return client.show.help = false, true;
   if (client.show.panel_keys) return client.show.panel_keys = false, true;
   return false;
@@ -80,6 +84,7 @@ void Ui::draw_menu_bar(Client& client) {
     for (const Action& action : actions())
       if (action.menu == menu) action_item(client, action.name.data(), std::string(action.help).c_str());
     if (std::string_view(menu) == "Tools") draw_tests_menu(client);
+    if (std::string_view(menu) == "File") draw_recent_menu(client);
     ImGui::EndMenu();
   }
   const std::string& title = client.session.scenario().title;
@@ -96,7 +101,16 @@ void Ui::draw_tests_menu(Client& client) {
   if (!ImGui::BeginMenu("tests of the original")) return;
   for (const OriginalTest& test : original_tests())
     if (ImGui::MenuItem(std::string(test.title).c_str()))
-      if (Status status = open_original_test(client, test.name); !status) client.complain(status.error());
+      run_action(client, *find_action("test"), std::string(test.name));
+  ImGui::EndMenu();
+}
+
+void Ui::draw_recent_menu(Client& client) {
+  const std::vector<std::string> files(client.recent.files().begin(), client.recent.files().end());
+  ImGui::Separator();
+  if (!ImGui::BeginMenu("recent files", !files.empty())) return;
+  for (const std::string& file : files)
+    if (ImGui::MenuItem(file.c_str())) run_action(client, *find_action("open"), file);
   ImGui::EndMenu();
 }
 
@@ -104,6 +118,8 @@ void Ui::draw_context_menu(Client& client) {
   if (opens_menu_) ImGui::OpenPopup(kMenu);
   opens_menu_ = false;
   if (!ImGui::BeginPopup(kMenu)) return;
+  ImGui::TextDisabled("the original left here: see the last line");
+  ImGui::Separator();
   action_item(client, "fire", "Fire");
   action_item(client, "pause", client.session.is_paused() ? "Go on" : "Pause");
   action_item(client, "restart", "Start again");
@@ -133,51 +149,94 @@ void Ui::draw_help(Client& client) {
   ImGui::End();
 }
 
-void Ui::draw_open_dialog(Client& client) {
-  const bool has_just_opened = client.show.open_dialog && !dialog_was_open_;
-  if (has_just_opened) files_ = files_at_hand();
-  dialog_was_open_ = client.show.open_dialog;
-  if (!dialog_was_open_) return;
-  const auto open = [&client](const std::string& path) {
-    client.show.open_dialog = false;
-    if (Status status = client.open(path); !status) client.complain(status.error());
+void Ui::draw_file_dialog(Client& client) {
+  const bool has_just_opened = client.dialog != dialog_;
+  dialog_ = client.dialog;
+  if (dialog_ == Dialog::none) return;
+  const bool saves = dialog_ == Dialog::save;
+  if (has_just_opened) {
+    files_ = files_at_hand();
+    files_.insert(files_.begin(), client.recent.files().begin(), client.recent.files().end());
+    path_ = !saves ? "" : client.file().empty() ? free_name("scenario", ".toml") : client.file();
+  }
+  const auto choose = [&](const std::string& path) {
+    client.dialog = Dialog::none;
+    run_action(client, *find_action(saves ? "save-as" : "open"), path);
   };
-  centre_window(layout_.scene, 520 * scale_, 460 * scale_);
-  if (ImGui::Begin("Open a scenario or recording", &client.show.open_dialog,
+  centre_window(layout_.scene, 520 * scale_, saves ? 110 * scale_ : 460 * scale_);
+  bool stays = true;
+  if (ImGui::Begin(saves ? "Save the scenario as" : "Open a scenario or recording", &stays,
                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::SetNextItemWidth(-1);
     if (has_just_opened) ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputTextWithHint("##path", "path, then Enter", &path_, ImGuiInputTextFlags_EnterReturnsTrue))
-      open(path_);
-    if (ImGui::BeginChild("files"))
+    if (ImGui::InputTextWithHint("##path", "path, then Enter", &path_, ImGuiInputTextFlags_EnterReturnsTrue) &&
+        !path_.empty())
+      choose(path_);
+    if (saves && ImGui::Button("Save") && !path_.empty()) choose(path_);
+    if (!saves && ImGui::BeginChild("files"))
       for (const std::string& file : files_)
-        if (ImGui::Selectable(file.c_str())) open(file);
-    ImGui::EndChild();
+        if (ImGui::Selectable(file.c_str())) choose(file);
+    if (!saves) ImGui::EndChild();
   }
   ImGui::End();
+  if (!stays) client.dialog = Dialog::none;
+}
+
+void Ui::draw_question(Client& client) {
+  if (client.question && !ImGui::IsPopupOpen(kQuestion)) ImGui::OpenPopup(kQuestion);
+  const Box& s = layout_.scene;
+  ImGui::SetNextWindowPos({s.x + s.width / 2, s.y + s.height / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(s.width, 420 * scale_), 0});
+  if (!ImGui::BeginPopupModal(kQuestion, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) return;
+  if (!client.question) {
+    ImGui::CloseCurrentPopup();
+    return ImGui::EndPopup();
+  }
+  ImGui::TextWrapped("%s", client.question->text.c_str());
+  const std::string yes = std::string(client.question->action->name) + " (Enter)";
+  if (ImGui::Button(yes.c_str())) answer(client, true);
+  ImGui::SameLine();
+  if (ImGui::Button("no (Esc)")) answer(client, false);
+  ImGui::EndPopup();
 }
 
 // ------------------------------------------------------------------------------------------- what is always to be seen
-std::vector<Ui::Item> Ui::status_items(const Client& client) const {
+std::vector<Ui::Item> Ui::status_items(Client& client) const {
   const Launcher& launcher = client.launcher;
-  const Fidelity& f = launcher.shot().projectile.fidelity;
   const Session& session = client.session;
   std::vector<Item> items = {{"", formatted("%.2f s%s", session.time(), session.is_paused() ? "  PAUSED" : ""),
-                              session.is_paused() ? colours::kWarning : colours::kText}};
-  if (session.is_recording()) items.push_back({"", "RECORDING", colours::kAcceleration});
-  if (session.is_replay()) items.push_back({"", session.is_over() ? "REPLAY ENDED" : "REPLAY", colours::kVelocity});
-  if (client.show.panel_keys) items.push_back({"", "KEYS: PANELS", colours::kForce});
-  if (session.time_scale() != 1) items.push_back({"", formatted("\u00d7%g", session.time_scale())});
+                              session.is_paused() ? colours::kWarning : colours::kText, "time of the simulation"}};
+  if (session.is_recording()) items.push_back({"", "RECORDING", colours::kAcceleration, ""});
+  if (session.is_replay()) items.push_back({"", session.is_over() ? "REPLAY ENDED" : "REPLAY", colours::kVelocity, ""});
+  if (client.show.panel_keys) items.push_back({"", "KEYS: PANELS", colours::kForce, ""});
+  const double asked = session.time_scale(), reached = session.time_scale_reached();
+  const bool is_slow = reached < 0.97 * asked;
+  items.push_back({"", is_slow ? formatted("\u00d7%.2g of \u00d7%g", reached, asked) : formatted("\u00d7%g", asked),
+                   is_slow ? colours::kWarning : colours::kText,
+                   "seconds of simulation in a second; where two are shown the steps take too long for what is asked"});
   if (!session.is_replay()) {
-    items.push_back({"shot", launcher.types()[launcher.type()].name});
-    items.push_back({"elevation", launcher.elevation_text()});
-    items.push_back({"motion", std::string(name(f.motion))});
-    items.push_back({"drag", std::string(name(f.drag))});
-    items.push_back({"gravity", std::string(name(f.gravity))});
+    items.push_back({"shot", launcher.types()[launcher.type()].name, colours::kText, ""});
+    items.push_back({"elevation", launcher.elevation_text(), colours::kText, ""});
+    const Fidelity& wanted = launcher.shot().projectile.fidelity;
+    const Prediction& next = client.prediction();
+    const Fidelity& granted = next.error ? wanted : next.granted.fidelity;
+    const auto rung = [&](const char* effect, auto Fidelity::*of_effect) {
+      const bool is_as_asked = granted.*of_effect == wanted.*of_effect;
+      std::string note = is_as_asked ? "" : std::string(name(wanted.*of_effect)) + " was asked for";
+      for (const FidelityNote& each : next.granted.notes)
+        if (!is_as_asked && each.effect == effect) note += ": " + each.reason;
+      items.push_back({effect, std::string(name(granted.*of_effect)), is_as_asked ? colours::kText : colours::kWarning,
+                       std::move(note)});
+    };
+    rung("motion", &Fidelity::motion);
+    rung("drag", &Fidelity::drag);
+    rung("gravity", &Fidelity::gravity);
   }
-  items.push_back({"camera", formatted(client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s",
-                                       mode_text(client.camera.mode), client.camera.stretch)});
-  items.push_back({"in flight", std::to_string(session.world().size())});
+  items.push_back({"camera",
+                   formatted(client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s", mode_text(client.camera.mode),
+                             client.camera.stretch),
+                   colours::kText, ""});
+  items.push_back({"in flight", std::to_string(session.world().size()), colours::kText, ""});
   return items;
 }
 
@@ -202,7 +261,7 @@ void Ui::draw_status(Client& client) {
       ImGui::SameLine(0, 4 * scale_);
     }
     ImGui::TextColored(tint(item.colour), "%s", item.value.c_str());
-    tooltip(item.what);
+    tooltip(item.note.empty() ? item.what : item.note);
     ImGui::SameLine(0, gap);
   }
   ImGui::End();
@@ -214,24 +273,11 @@ void Ui::draw_labels(const Client& client, const Scene& scene) {
   const Box& s = layout_.scene;
   list->PushClipRect({s.x, s.y}, {s.x + s.width, s.y + s.height});
   const float line = ImGui::GetTextLineHeight();
-  std::vector<Box> taken;
-  for (auto label = scene.labels.rbegin(); label != scene.labels.rend();
-       ++label) {  // the last are the ones that matter
-    const auto at = client.camera.project(label->at);
-    if (!at) continue;
-    const ImVec2 size = ImGui::CalcTextSize(label->text.c_str());
-    const float x = s.x + static_cast<float>(at->x) - (label->centred ? size.x / 2 : -4 * scale_);
-    const float y = s.y + static_cast<float>(at->y) + (label->line >= 0 ? 6 * scale_ : -6 * scale_) +
-                    static_cast<float>(label->line) * line - (label->centred ? 0 : line);
-    const Box box{x - 3, y + 1, size.x + 6, size.y - 2};
-    if (x < s.x || x + size.x > s.x + s.width) continue;  // half a number says the wrong thing
-    const bool is_covered = std::any_of(taken.begin(), taken.end(), [&](const Box& b) {
-      return box.x < b.x + b.width && b.x < box.x + box.width && box.y < b.y + b.height && b.y < box.y + box.height;
-    });
-    if (is_covered) continue;
-    taken.push_back(box);
-    list->AddText({x + scale_, y + scale_}, IM_COL32(0, 0, 0, 200), label->text.c_str());
-    list->AddText({x, y}, shade(label->colour), label->text.c_str());
+  const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  for (const PlacedLabel& each : place_labels(scene.labels, client.camera, s, line, scale_, width_of)) {
+    const std::string& text = each.label->text;
+    list->AddRectFilled({each.x - 2, each.y}, {each.x + width_of(text) + 2, each.y + line}, IM_COL32(16, 19, 24, 150));
+    list->AddText({each.x, each.y}, shade(each.label->colour), text.c_str());
   }
   list->PopClipRect();
 }

@@ -21,6 +21,8 @@ class Ui {
   /// Esc: closes what is open; false where there was nothing.
   bool close_something(Client& client);
   [[nodiscard]] const Layout& layout() const { return layout_; }
+  /// The plots were drawn without buttons, as somebody asked for a picture of them.
+  [[nodiscard]] bool has_bare_plots() const { return has_bare_plots_; }
   [[nodiscard]] float scale() const { return scale_; }
   /// Where the mouse is on the scene, to show what is under it.
   void set_mouse(const Pixel& pixel, bool on_scene) { mouse_ = pixel, mouse_on_scene_ = on_scene; }
@@ -36,21 +38,25 @@ class Ui {
   struct Item {
     std::string what, value;
     Colour colour = colours::kText;
+    std::string note;  // shown while the mouse rests on it
   };
-  [[nodiscard]] std::vector<Item> status_items(const Client& client) const;
+  [[nodiscard]] std::vector<Item> status_items(Client& client) const;
   void draw_status(Client& client);
   void draw_labels(const Client& client, const Scene& scene);
   void draw_messages(const Client& client);
   void draw_probe(Client& client);
   void draw_help(Client& client);
-  /// Chooses a scenario or recording: out of those at hand, or by its path.
-  void draw_open_dialog(Client& client);
+  void draw_question(Client& client);
+  /// Chooses a file to open or to save in: out of those at hand, or by its path.
+  void draw_file_dialog(Client& client);
+  void draw_recent_menu(Client& client);
 
   float scale_;
   SettingsPanel settings_;
   Layout layout_;
   Pixel mouse_;
-  bool mouse_on_scene_ = false, opens_menu_ = false, dialog_was_open_ = false;
+  bool mouse_on_scene_ = false, opens_menu_ = false, has_bare_plots_ = false;
+  Dialog dialog_ = Dialog::none;    // of the frame before
   std::vector<std::string> files_;  // at hand when the dialogue was opened
   std::string path_;
 };

@@ -1,0 +1,27 @@
+// Labels of the scene: where each is written, so that all can be read.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "simclient/core/layout.hpp"
+#include "simclient/core/scene.hpp"
+
+namespace physim::client {
+
+struct PlacedLabel {
+  const SceneLabel* label = nullptr;
+  float x = 0, y = 0;  // of its upper left corner, in the window [pixels]
+};
+
+/// How wide a text is written [pixels].
+using TextWidth = std::function<float(const std::string&)>;
+
+/// Places labels in the part of the window that shows the scene. Those of projectiles move up or down a line or two
+/// where others stand in their way; those of scale lines give way. The last are placed first. `line`: height of a line
+/// of text [pixels].
+[[nodiscard]] std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, const Camera& camera,
+                                                    const Box& scene, float line, float scale,
+                                                    const TextWidth& width_of);
+
+}  // namespace physim::client

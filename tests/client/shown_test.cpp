@@ -1,0 +1,239 @@
+// What the client shows is so: the comparison's truth and figures, forces that add up, the pace reached.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "report/ladder.hpp"
+#include "simclient/core/labels.hpp"
+#include "simclient/core/scene.hpp"
+#include "simclient/core/script.hpp"
+
+namespace physim::client {
+namespace {
+
+Client client_of(const std::string& scenario = "") {
+  const std::string file = scenario.empty() ? "" : PHYSIM_SOURCE_DIR "/scenarios/" + scenario + ".toml";
+  return std::move(open_client(file, {}).value());
+}
+
+Status run(Client& client, const std::string& text) {
+  Script script = Script::parse(text).value();
+  for (int i = 0; i < script.frames(); ++i) {
+    if (Status status = script.run(client); !status) return status;
+    client.advance(1.0 / 60);
+  }
+  return {};
+}
+
+// ---------------------------------------------------------------------------------------------------------- comparison
+/// Error and time error of a rung, as `physim compare` prints them.
+std::vector<std::string> printed(const std::string& table, const std::string& rung) {
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find_first_not_of(' ');
+    if (at == line.npos || !line.substr(at).starts_with(rung + "  ")) continue;
+    std::istringstream words(line.substr(at + rung.size()));
+    std::vector<std::string> figures(2);
+    words >> figures[0] >> figures[1];
+    return figures;
+  }
+  return {};
+}
+
+class Compared : public testing::TestWithParam<std::string> {};
+
+TEST_P(Compared, HasTheFiguresOfTheCommandLineToTheDigit) {
+  Client client = client_of(GetParam());
+  client.compared = {"classic", "arcade", "game", "sport_ball", "small_arms", "artillery", "simulation", "reference"};
+  const auto& rungs = client.comparison();
+  const Scenario& scenario = client.session.scenario();
+  const auto ladder = report::climb(scenario, client.launcher.shot());
+  ASSERT_TRUE(ladder) << ladder.error().text();
+  const std::string table = report::ladder_text({scenario, *ladder}, report::Style());
+  const report::RungResult& truth = ladder->rungs.back();
+  ASSERT_TRUE(rungs.back().is_truth);
+  EXPECT_EQ(rungs.back().granted.fidelity, truth.flight.fidelity_in_use().fidelity);
+  EXPECT_EQ(rungs.back().end.position, truth.flight.end().position);
+  int compared = 0;
+  for (const ComparedRung& rung : rungs) {
+    EXPECT_EQ(rung.is_truth, &rung == &rungs.back());
+    const bool as_chosen = rung.name == "as set" && client.launcher.shot().cheapest_within;
+    const auto figures = printed(table, as_chosen ? ladder->rungs.front().rung.name() : rung.name);
+    if (figures.empty() || !rung.problem.empty()) continue;
+    EXPECT_EQ(rung.figures()[0], figures[0]) << rung.name;
+    EXPECT_EQ(rung.figures()[1], figures[1]) << rung.name;
+    ++compared;
+  }
+  EXPECT_GE(compared, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shots, Compared,
+                         testing::Values("golf_drive", "original_bullet", "model_rocket", "308_168gr_published"),
+                         [](const auto& test) { return test.param; });
+
+TEST(Comparison, TheTruthOfAGolfDriveHasItsSpin) {
+  Client client = client_of("golf_drive");
+  client.compared = {"classic", "game"};
+  const ComparedRung& truth = client.comparison().back();
+  EXPECT_EQ(truth.name, "reference");
+  EXPECT_EQ(truth.granted.fidelity.rotation, RotationModel::magnus);
+  EXPECT_NEAR(truth.end.range, 240.3, 0.1);
+  EXPECT_LT(client.comparison().front().at_end, 1) << "the shot as it is set";
+}
+
+TEST(Comparison, ShowsWhatIsFlownOfAShotThatAsksForAnError) {
+  Client client = client_of("308_168gr_g7");
+  ASSERT_TRUE(client.set("shot.fidelity.cheapest_within = 5 cm"));
+  const ComparedRung& own = client.comparison().front();
+  EXPECT_GT(own.at_end, 0);
+  EXPECT_LT(own.at_end, 0.05);
+  EXPECT_NE(own.asked, Fidelity::reference());
+}
+
+// -------------------------------------------------------------------------------------------------------------- forces
+struct Arrows {
+  std::vector<SceneLine> forces;  // their shafts, in order
+  std::optional<SceneLine> resultant;
+  std::set<std::string> names;
+};
+
+Arrows arrows_of(Client& client) {
+  Scene scene;
+  build_vectors(client, 1, scene);
+  Arrows arrows;
+  for (std::size_t i = 0; i < scene.lines.size(); i += 3) {  // a shaft and two sides of its head
+    if (scene.lines[i].colour == colours::kForce) arrows.forces.push_back(scene.lines[i]);
+    if (scene.lines[i].colour == colours::kAcceleration) arrows.resultant = scene.lines[i];
+  }
+  for (const SceneLabel& label : scene.labels) arrows.names.insert(label.text.substr(0, label.text.find(' ')));
+  return arrows;
+}
+
+TEST(Forces, ShowEveryEffectOfTheLedger) {
+  const struct {
+    const char *scenario, *script;
+    std::set<std::string> names;
+  } flights[] = {{"golf_drive", "fire; wait 30", {"gravity", "drag", "Magnus"}},
+                 {"model_rocket", "set shot.elevation=60 deg; fire; wait 2", {"gravity", "thrust", "constraint"}},
+                 {"308_168gr_six_dof", "fire; wait 2", {"drag", "body"}},
+                 {"original_test_3", "fire-scenario; wait 20", {"applied"}}};
+  for (const auto& flight : flights) {
+    Client client = client_of(flight.scenario);
+    ASSERT_TRUE(run(client, flight.script));
+    const std::set<std::string> shown = arrows_of(client).names;
+    for (const std::string& name : flight.names) EXPECT_EQ(shown.count(name), 1U) << flight.scenario << " " << name;
+  }
+}
+
+TEST(Forces, AddUpToMassTimesAcceleration) {
+  for (const char* scenario : {"golf_drive", "model_rocket", "105mm_m1_six_dof", "golf_ball_no_spin"}) {
+    Client client = client_of(scenario);
+    ASSERT_TRUE(run(client, "fire; wait 10"));
+    const ProjectileView projectile = client.session.world()[client.selected_track()->id];
+    const Arrows apart = arrows_of(client);
+    ASSERT_TRUE(apart.resultant);
+    const Vec3d way = apart.resultant->b - apart.resultant->a;
+    const double unit = length(way) / length(projectile.accelerations().total);
+    EXPECT_LT(length(way - projectile.accelerations().total * unit), 1e-9 * length(way));
+    bool has_gravity = false;
+    for (const SceneLine& line : apart.forces) {
+      EXPECT_EQ(line.a, apart.resultant->a);
+      const Vec3d gravity = projectile.accelerations().gravity * unit;
+      has_gravity |= length(line.b - line.a - gravity) < 1e-6 * length(gravity);
+    }
+    EXPECT_TRUE(has_gravity) << "one scale for all";
+
+    ASSERT_TRUE(run(client, "pause; add-up"));
+    const Arrows chain = arrows_of(client);
+    ASSERT_GE(chain.forces.size(), 2U);
+    for (std::size_t i = 1; i < chain.forces.size(); ++i) EXPECT_EQ(chain.forces[i].a, chain.forces[i - 1].b);
+    EXPECT_EQ(chain.forces.front().a, chain.resultant->a);
+    EXPECT_LT(length(chain.forces.back().b - chain.resultant->b), 1e-6 * length(way)) << scenario;
+  }
+}
+
+TEST(Forces, AreThoseOfTheMassThatIsLeft) {
+  Client client = client_of("model_rocket");
+  ASSERT_TRUE(run(client, "fire; wait 150"));  // burnt out
+  const TrackSample& now = client.session.tracks()[0].samples.back();
+  EXPECT_NEAR(now.mass, 0.0463, 1e-6);
+  EXPECT_NEAR(client.session.tracks()[0].samples.front().mass, 0.0571, 1e-6);
+  const auto energy = plot_quantities()[parse_plots("energy").value()[0].y];
+  EXPECT_NEAR(energy.of(client.session.tracks()[0], now), 0.0463 * length_squared(now.velocity) / 2, 1e-4);
+  Scene scene;
+  build_vectors(client, 1, scene);
+  for (const SceneLabel& label : scene.labels)
+    if (label.text.starts_with("gravity")) {
+      EXPECT_NEAR(std::stod(label.text.substr(8)), 0.0463 * 9.8, 0.003) << label.text;
+    }
+}
+
+// -------------------------------------------------------------------------------------------------------------- labels
+TEST(Labels, AtTheMuzzleCanAllBeRead) {
+  Client client = client_of();
+  ASSERT_TRUE(run(client, "laser; fire; bullet; fire; artillery; fire; sphere; fire; step; vectors"));
+  Scene scene;
+  build_projectiles(client, 1, scene);
+  const std::size_t projectiles = scene.labels.size();
+  build_vectors(client, 1, scene);
+  constexpr float kLine = 15, kLetter = 7;
+  const auto width_of = [](const std::string& text) { return kLetter * static_cast<float>(text.size()); };
+  const Box box{0, 0, static_cast<float>(client.camera.width()), static_cast<float>(client.camera.height())};
+  const auto placed = place_labels(scene.labels, client.camera, box, kLine, 1, width_of);
+  EXPECT_GE(projectiles, 4U);
+  EXPECT_EQ(placed.size(), scene.labels.size());
+  for (const PlacedLabel& a : placed)
+    for (const PlacedLabel& b : placed) {
+      const bool beside = a.x + width_of(a.label->text) <= b.x || b.x + width_of(b.label->text) <= a.x;
+      EXPECT_TRUE(&a == &b || beside || std::abs(a.y - b.y) >= kLine - 2) << a.label->text << " " << b.label->text;
+    }
+}
+
+TEST(Numbers, FitIntoTheirColumns) {
+  for (const double x : {0.0, -0.001, 12.3456, -999.999, 12345.678, -316400.7, 4006000.0, -40060000.0, 6.378e9, -1e300})
+    EXPECT_LE(fitting_text(x, 8).size(), 8U) << x;
+  EXPECT_EQ(fitting_text(-12.3456, 8), "-12.346");
+  EXPECT_EQ(fitting_text(-316400.7, 8), "-316401");
+  EXPECT_EQ(fitting_text(-40060000.0, 8), "-4.0e+07");
+}
+
+// ---------------------------------------------------------------------------------------------------------------- pace
+TEST(Pace, AShellInSmallStepsFliesInRealTime) {
+  Client client = client_of("105mm_m1_six_dof");  // steps of 0.5 ms
+  ASSERT_TRUE(run(client, "fire; wait 60"));
+  EXPECT_NEAR(client.session.time(), 1, 0.02);
+  EXPECT_NEAR(client.session.time_scale_reached(), 1, 1e-9);
+}
+
+TEST(Pace, TellsWhatIsNotReached) {
+  Client client = client_of("105mm_m1_six_dof");
+  ASSERT_TRUE(run(client, "fire"));
+  client.session.set_time_scale(4);
+  for (int i = 0; i < 200; ++i) client.advance(1.0 / 60, 0);  // has no time for steps at all
+  EXPECT_LT(client.session.time_scale_reached(), 0.1);
+  for (int i = 0; i < 200; ++i) client.advance(1.0 / 60);
+  EXPECT_NEAR(client.session.time_scale_reached(), 4, 0.05);
+  client.session.set_paused(true);
+  client.advance(1.0 / 60);
+  EXPECT_NEAR(client.session.time_scale_reached(), 4, 0.05) << "a pause is not slow";
+}
+
+TEST(Performance, KnowsThatNothingHasMoved) {
+  Client client = client_of();
+  ASSERT_TRUE(run(client, "wait 30"));
+  EXPECT_FALSE(client.session.cost().per_projectile_step());
+  ASSERT_TRUE(run(client, "laser; fire; wait 20"));
+  const double each = client.session.cost().per_projectile_step().value();
+  EXPECT_GT(each, 0);
+  client.session.clear_tracks();
+  Client landed = client_of("golf_ball_no_spin");
+  ASSERT_TRUE(run(landed, "set shot.speed=1 m/s; fire; wait 400"));
+  EXPECT_EQ(landed.session.world().size(), 0U);
+  EXPECT_LT(landed.session.cost().per_projectile_step().value(), 1e-2) << "an average over nothing";
+}
+
+}  // namespace
+}  // namespace physim::client
