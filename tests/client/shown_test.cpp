@@ -221,6 +221,58 @@ TEST(Pace, TellsWhatIsNotReached) {
   EXPECT_NEAR(client.session.time_scale_reached(), 4, 0.05) << "a pause is not slow";
 }
 
+TEST(Pace, FlightsComputedWholeArePlayedAtAnySpeed) {
+  Client client = client_of("105mm_m1_six_dof");
+  ASSERT_TRUE(run(client, "fire-whole"));
+  const Flight flight = fly_shot(client.session.scenario(), client.launcher.shot());
+  for (const double scale : {1.0, 0.25, 512.0}) {
+    client.session.set_time_scale(scale);
+    for (int i = 0; i < 3; ++i) client.advance(1.0 / 60);
+    const Track& track = client.session.tracks()[0];
+    const TrackSample& now = track.samples.back();
+    EXPECT_NEAR(now.time, client.session.time(), 1e-9);
+    EXPECT_EQ(now, sample_of(flight, now.time));
+    EXPECT_NEAR(client.session.time_scale_reached(), scale, 1e-6 * scale);
+  }
+  const Track& track = client.session.tracks()[0];
+  EXPECT_GT(track.samples.size(), 200U) << "the trail is no polygon";
+  EXPECT_TRUE(client.session.world().ids().empty());
+  client.session.set_time_scale(1024);
+  for (int i = 0; i < 10; ++i) client.advance(1.0 / 60);
+  EXPECT_EQ(track.status, LifeStatus::landed);
+  EXPECT_EQ(track.samples.back(), sample_of(flight, flight.duration()));
+  ASSERT_TRUE(track.apex && track.impact);
+  EXPECT_NEAR(track.apex->velocity.y, 0, 1e-6);
+  EXPECT_EQ(client.session.in_flight(), 0U);
+  ASSERT_TRUE(run(client, "back"));
+  ASSERT_FALSE(client.session.edit(track.id, [](Projectile p) { return p.set_velocity({}); }));
+}
+
+TEST(Pace, WhatWasComparedIsWhatIsPlayed) {
+  Client client = client_of("golf_drive");
+  ASSERT_TRUE(client.fire_compared());
+  const auto& rungs = client.comparison();
+  ASSERT_EQ(client.session.tracks().size(), rungs.size());
+  client.session.set_time_scale(16);
+  for (int i = 0; i < 60; ++i) client.advance(1.0 / 60);
+  for (std::size_t i = 0; i < rungs.size(); ++i)
+    EXPECT_EQ(client.session.tracks()[i].samples.back().position, rungs[i].end.position) << rungs[i].name;
+  Client world = client_of("world_sparks");
+  EXPECT_FALSE(world.fire_whole()) << "its shots fly in a world";
+}
+
+TEST(Pace, StepsBackIntoAFlightThatIsPlayed) {
+  Client client = client_of("golf_drive");
+  ASSERT_TRUE(run(client, "fire-whole; step; step; step"));
+  const TrackSample third = client.session.tracks()[0].samples.back();
+  ASSERT_TRUE(run(client, "step; back"));
+  EXPECT_EQ(client.session.tracks()[0].samples.back(), third);
+  while (client.session.tracks()[0].is_flying()) client.session.single_step();
+  ASSERT_TRUE(client.session.step_back());
+  EXPECT_TRUE(client.session.tracks()[0].is_flying());
+  EXPECT_FALSE(client.session.tracks()[0].impact);
+}
+
 TEST(Performance, KnowsThatNothingHasMoved) {
   Client client = client_of();
   ASSERT_TRUE(run(client, "wait 30"));

@@ -44,7 +44,7 @@ Status select_type(Client& client, const std::string& name) {
 }
 
 void change_speed(Client& client, double factor) {
-  client.session.set_time_scale(std::clamp(client.session.time_scale() * factor, 1.0 / 64, 64.0));
+  client.session.set_time_scale(std::clamp(client.session.time_scale() * factor, 1.0 / 64, 1024.0));
 }
 
 Status plot(Client& client, const std::string& what) {
@@ -92,6 +92,8 @@ constexpr Action kActions[] = {
     // the original's
     {"fire", "Enter", "Shot", "fires along the arrow; also a left click on the scene", "",
      act([](Client& c) { return c.fire(); })},
+    {"fire-whole", "W", "Shot", "computes the whole flight of the next shot, as physim run does, and plays it", "",
+     act([](Client& c) { return c.fire_whole(); })},
     {"elevation", "E", "Shot", "next elevation", "", act([](Client& c) { c.launcher.cycle_elevation(); })},
     {"artillery", "1", "Shot", "the original's artillery", "",
      act([](Client& c) { c.launcher.select(0U); })},

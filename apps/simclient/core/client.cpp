@@ -117,6 +117,16 @@ Status Client::fire() {
   return {};
 }
 
+Status Client::fire_whole() {
+  if (session.scenario().world.given)
+    return Error{"its shots fly in a world", "fire-whole", "fire it into the world, as its scenario does"};
+  const ScenarioShot& shot = launcher.shot();
+  const Result<ProjectileId> played = session.play(shot, fly_shot(session.scenario(), shot));
+  if (!played) return played.error();
+  selected = *played;
+  return {};
+}
+
 Status Client::fire_scenario() {
   for (const ScenarioShot& shot : session.scenario().shots)
     if (const Result<ProjectileId> fired = session.fire(shot); !fired) return fired.error();
@@ -133,7 +143,9 @@ Status Client::fire_compared() {
     shot.projectile.fidelity = rung.asked;
     shot.projectile.name = rung.name;
     shot.body.colour = rung.colour;
-    if (const Result<ProjectileId> fired = session.fire(shot); !fired) return fired.error();
+    const bool plays = rung.flight && !session.scenario().world.given;
+    const Result<ProjectileId> fired = plays ? session.play(shot, *rung.flight) : session.fire(shot);
+    if (!fired) return fired.error();
   }
   return {};
 }
@@ -345,7 +357,7 @@ void Client::next_camera() {
 void Client::follow() {
   const Track* track = camera.mode == CameraMode::follow ? selected_track() : nullptr;
   if (track != nullptr && !track->samples.empty())
-    camera.target = track->is_flying() ? session.shown_position(track->id) : track->samples.back().position;
+    camera.target = track->is_flying() ? session.shown(*track).position : track->samples.back().position;
 }
 
 // ------------------------------------------------------------------------------------------------------------ messages

@@ -99,9 +99,12 @@ class Client {
   [[nodiscard]] Status open(const std::string& file);
   [[nodiscard]] Status restart();
   [[nodiscard]] Status fire();
+  /// Computes the flight of the next shot whole, as `physim run` does, and plays it.
+  [[nodiscard]] Status fire_whole();
   /// All shots of the scenario at once.
   [[nodiscard]] Status fire_scenario();
-  /// The next shot on every rung of the comparison at once.
+  /// The next shot on every rung of the comparison at once: where the scenario has no world, the flights that were
+  /// compared are played.
   [[nodiscard]] Status fire_compared();
   /// The next shot on the rungs that are compared; flown again only when something changed.
   [[nodiscard]] const std::vector<ComparedRung>& comparison();

@@ -17,10 +17,7 @@ constexpr int kPathPoints = 400;  // of what is drawn
 
 std::vector<TrackSample> path_of(const Flight& flight) {
   std::vector<TrackSample> path;
-  for (int i = 0; i <= kPathPoints; ++i) {
-    const Sample at = flight.at(flight.duration() * i / kPathPoints);
-    path.push_back({at.time, at.position, at.velocity, at.acceleration, at.mach, at.mass});
-  }
+  for (int i = 0; i <= kPathPoints; ++i) path.push_back(sample_of(flight, flight.duration() * i / kPathPoints));
   return path;
 }
 
@@ -33,6 +30,7 @@ void fill(ComparedRung& rung, const ComparedFlight& flown) {
   rung.at_end = flown.end_distance;
   rung.later = flown.end_delay;
   rung.end = flown.flight.end();
+  rung.flight = flown.flight;
 }
 
 /// Time of one step of one among so many projectiles [s].

@@ -36,7 +36,8 @@ void mark(Scene& scene, const Camera& camera, double scale, const Track& track) 
 void add_crowd(const Session& session, double scale, Scene& scene) {
   const World& world = session.world();
   const auto tracks = session.tracks();
-  const auto flying = std::count_if(tracks.begin(), tracks.end(), [](const Track& t) { return t.is_flying(); });
+  const auto flying =
+      std::count_if(tracks.begin(), tracks.end(), [](const Track& t) { return t.is_flying() && !t.whole; });
   if (world.size() <= static_cast<std::size_t>(flying)) return;
   const std::vector<ProjectileId> ids = world.ids();
   scene.crowd_size = static_cast<float>((ids.size() > 20000 ? 2 : ids.size() > 200 ? 3 : 6) * scale);
@@ -66,7 +67,6 @@ static_assert(std::size(kForces) + 1 == kMemberCount<Accelerations>, "each effec
 }  // namespace
 
 void build_projectiles(const Client& client, double scale, Scene& scene) {
-  const World& world = client.session.world();
   add_crowd(client.session, scale, scene);
   const Track* selected = client.selected_track();
   for (const Track& track : client.session.tracks()) {
@@ -74,10 +74,9 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
     if (client.show.trails) scene.polyline(track.samples, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
     if (client.show.marks) mark(scene, client.camera, scale, track);
     if (!track.is_flying()) continue;
-    const Vec3d at = client.session.shown_position(track.id);
+    const Vec3d at = client.session.shown(track).position;
     if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width);
-    const ProjectileDef* what = world[track.id].definition();
-    scene.ball(at, track.colour, (&track == selected ? 6.5 : 5.5) * scale, what ? what->diameter / 2 : 0);
+    scene.ball(at, track.colour, (&track == selected ? 6.5 : 5.5) * scale, track.radius);
     scene.label(at, "#" + std::to_string(track.number), track.colour, -1);
   }
 }
@@ -103,8 +102,8 @@ void build_aim(Client& client, double scale, Scene& scene) {
 void build_vectors(const Client& client, double scale, Scene& scene) {
   const Track* track = client.selected_track();
   if (track == nullptr || !track->is_flying()) return;
-  const ProjectileView projectile = client.session.world()[track->id];
-  const Vec3d at = client.session.shown_position(track->id), velocity = projectile.velocity();
+  const Session::Shown now = client.session.shown(*track);
+  const Vec3d &at = now.position, &velocity = now.velocity;
   const double longest = client.camera.distance * 0.22;
   const auto draw = [&](const Vec3d& from, const Vec3d& way, Colour colour, const std::string& what) {
     const Vec3d tip = from + way;
@@ -116,8 +115,8 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
   if (const double speed = length(velocity); speed > 0)
     draw(at, velocity * (longest / speed), colours::kVelocity, formatted("v %.2f m/s", speed));
 
-  const Accelerations a = projectile.accelerations();
-  const double mass = projectile.mass();
+  const Accelerations& a = now.accelerations;
+  const double mass = now.mass;
   double strongest = length(a.total);
   for (const ShownForce& each : kForces) strongest = std::max(strongest, length(a.*each.effect));
   if (!(strongest > 0) || !std::isfinite(mass)) return;

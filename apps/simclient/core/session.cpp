@@ -143,6 +143,7 @@ int Session::advance(double real_dt, double patience) {
     leftover_ -= h;
     ++steps;
   }
+  follow_flights();
   const double dropped = std::max(leftover_ - h, 0.0);  // what the machine could not keep up with
   leftover_ = std::clamp(leftover_, 0.0, h);
   kept_ += (1 - std::min(dropped / asked, 1.0) - kept_) * std::min(real_dt / kPaceTime, 1.0);
@@ -187,6 +188,7 @@ void Session::single_step() {
   paused_ = true;
   leftover_ = 0;
   if (!over_) take_step();
+  follow_flights();
 }
 
 bool Session::step_back() {
@@ -308,20 +310,28 @@ TrackSample Session::sample(const Track& track) const {
 }
 
 void Session::begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand) {
+  Track track;
+  track.id = id;
+  track.name = name;
+  track.colour = colour;
+  const ProjectileDef* what = world()[id].definition();
+  track.radius = what ? what->diameter / 2 : 0;
+  track.born = world().time() - world()[id].age();
+  track.granted = world()[id].fidelity_in_use();
+  if (!by_hand) add_launch(track);
+  track.samples.push_back(sample(track));
+  add_track(std::move(track));
+}
+
+/// In the place of one that has left, or of the oldest, where there are too many.
+void Session::add_track(Track track) {
   if (tracks_.size() >= kMaxTracks) {
     auto oldest = std::find_if(tracks_.begin(), tracks_.end(), [](const Track& t) { return !t.is_flying(); });
     if (oldest == tracks_.end()) oldest = tracks_.begin();
     tracks_.erase(oldest);
   }
-  Track track;
-  track.id = id;
   track.number = ++fired_;
-  track.name = name.empty() ? "shot" : name;
-  track.colour = colour;
-  track.born = world().time() - world()[id].age();
-  track.granted = world()[id].fidelity_in_use();
-  if (!by_hand) add_launch(track);
-  track.samples.push_back(sample(track));
+  if (track.name.empty()) track.name = "shot";
   tracks_.push_back(std::move(track));
 }
 
@@ -338,7 +348,7 @@ void Session::look() {
   look_at_events(world().events());
   if (!is_replay()) look_at_wall();
   for (Track& track : tracks_) {
-    if (!track.is_flying()) continue;
+    if (!track.is_flying() || track.whole) continue;
     if (!world()[track.id].is_alive()) {
       track.status = world()[track.id].status();
       continue;
@@ -388,7 +398,10 @@ void Session::forget_after(double time) {
     while (track.samples.size() > 1 && is_late(track.samples.back())) track.samples.pop_back();
     if (track.apex && is_late(*track.apex)) track.apex.reset();
     if (track.impact && is_late(*track.impact)) track.impact.reset();
-    track.status = world()[track.id].status();
+    if (!track.whole)
+      track.status = world()[track.id].status();
+    else if (late < track.born + track.whole->duration())
+      track.status = LifeStatus::in_flight;
   }
 }
 

@@ -68,10 +68,14 @@ class Session {
   // --------------------------------------------------------------------------------------------------------- firing
   /// Fires a shot now; its settings are bound to it from here on.
   [[nodiscard]] Result<ProjectileId> fire(const ScenarioShot& shot);
+  /// Plays a flight that was computed whole, from now on and at any speed: it is read from its dense output, and takes
+  /// no part in the world. Nothing changes it, and recordings do not hold it.
+  [[nodiscard]] Result<ProjectileId> play(const ScenarioShot& shot, const Flight& flight);
   /// Changes a projectile in flight; `change` is one call of it that says whether it was done.
   template <class Change>
   Status edit(ProjectileId id, const Change& change) {
     if (is_replay()) return cannot_change();
+    if (is_whole(id)) return Error{"its flight was computed whole: nothing changes it", "", "fire it into the world"};
     Status status = change(run_->world()[id]);
     if (status) edited(id);
     return status;
@@ -83,8 +87,17 @@ class Session {
   [[nodiscard]] std::span<const Track> tracks() const { return tracks_; }
   [[nodiscard]] const Track* track(ProjectileId id) const;
   [[nodiscard]] std::optional<double> ground() const;
-  /// Where to draw a projectile between the last two steps.
+  /// Where to draw a projectile of the world between the last two steps.
   [[nodiscard]] Vec3d shown_position(ProjectileId id) const;
+  /// A projectile that flies, as it is drawn.
+  struct Shown {
+    Vec3d position, velocity;
+    Accelerations accelerations;
+    double mass = 0;  // [kg]
+  };
+  [[nodiscard]] Shown shown(const Track& track) const;
+  /// In the world, and of the flights that are played.
+  [[nodiscard]] std::size_t in_flight() const;
   [[nodiscard]] const StepCost& cost() const { return cost_; }
   [[nodiscard]] bool is_replay() const { return replay_.has_value(); }
   [[nodiscard]] bool is_recording() const { return !is_replay() && run_->world().is_recording(); }
@@ -116,7 +129,10 @@ class Session {
   void follow_new(ProjectileId id);
   void look_at_events(std::span<const Event> events);
   void look_at_wall();
+  void follow_flights();
+  [[nodiscard]] bool is_whole(ProjectileId id) const;
   void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
+  void add_track(Track track);
   void remember_moment(bool changed);
   void forget_after(double time);
   void edited(ProjectileId id);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physim/flight.hpp"
 #include "physim/world.hpp"
 #include "simclient/core/palette.hpp"
 
@@ -30,17 +31,25 @@ struct TrackSample {
   return {time, at.position, at.velocity, projectile.accelerations().total, projectile.mach(), projectile.mass()};
 }
 
+/// A flight so long after its launch.
+[[nodiscard]] inline TrackSample sample_of(const Flight& flight, double time) {
+  const Sample at = flight.at(time);
+  return {at.time, at.position, at.velocity, at.acceleration, at.mach, at.mass};
+}
+
 struct Track {
   ProjectileId id;
   std::uint64_t number = 0;  // of its launch in this session, from 1
   std::string name;
   Colour colour = 0xFFFFFFFF;
+  double radius = 0;      // [m]
   double born = 0;        // [s] of the world
   FidelityInUse granted;  // as it was at launch
   std::vector<TrackSample> samples;
   std::optional<TrackSample> apex, impact;
   LifeStatus status = LifeStatus::in_flight;
-  bool edited = false;  // something about it was changed while it flew
+  bool edited = false;          // something about it was changed while it flew
+  std::optional<Flight> whole;  // computed before it is shown, and played; nothing: it flies in the world
 
   [[nodiscard]] bool is_flying() const { return status == LifeStatus::in_flight; }
   /// "artillery #3".

@@ -58,6 +58,7 @@ void FlightEditor::take(const World& world, const Track& track) {
 void FlightEditor::draw(Client& client) {
   const Track* track = client.selected_track();
   if (track == nullptr || !track->is_flying()) return ImGui::TextWrapped("Nothing is selected that flies.");
+  if (track->whole) return ImGui::TextWrapped("Its flight was computed whole, and is played: nothing changes it.");
   if (!(id_ == track->id)) take(client.session.world(), *track);
   coloured_text(track->colour, "This changes " + track->title() + " while it flies, when a button is pressed.");
   if (ImGui::Button("Read its numbers")) take(client.session.world(), *track);

@@ -236,7 +236,7 @@ std::vector<Ui::Item> Ui::status_items(Client& client) const {
                    formatted(client.camera.stretch != 1 ? "%s, heights \u00d7%g" : "%s", mode_text(client.camera.mode),
                              client.camera.stretch),
                    colours::kText, ""});
-  items.push_back({"in flight", std::to_string(session.world().size()), colours::kText, ""});
+  items.push_back({"in flight", std::to_string(session.in_flight()), colours::kText, ""});
   return items;
 }
 

@@ -1,0 +1,72 @@
+// Flights that were computed whole, played in a session out of their dense output.
+#include <algorithm>
+
+#include "simclient/core/session.hpp"
+
+namespace physim::client {
+namespace {
+
+constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;  // of the world: ids of played flights name nothing in it
+constexpr double kSamplesOfTrail = 800;        // of a whole flight, however fast it is played
+
+/// Up to an age [s]: its trail, what happened on the way, and whether it has ended.
+void follow(Track& track, double age) {
+  const Flight& flight = *track.whole;
+  const double now = std::clamp(age, 0.0, flight.duration()), gap = flight.duration() / kSamplesOfTrail;
+  for (double next = track.samples.back().time + gap; next < now; next += gap)
+    track.samples.push_back(sample_of(flight, next));
+  if (now > track.samples.back().time) track.samples.push_back(sample_of(flight, now));
+  for (const Event& event : flight.events())
+    if (event.kind == EventKind::apex && event.time <= now && !track.apex) track.apex = sample_of(flight, event.time);
+  if (age < flight.duration()) return;
+  const bool has_landed = flight.outcome() == Outcome::landed;
+  if (has_landed) track.impact = sample_of(flight, flight.duration());
+  track.status = has_landed ? LifeStatus::landed : LifeStatus::expired;
+}
+
+}  // namespace
+
+Result<ProjectileId> Session::play(const ScenarioShot& shot, const Flight& flight) {
+  if (is_replay()) return cannot_change();
+  if (flight.error()) return *flight.error();
+  Track track;
+  track.id = {kNoSlot, static_cast<std::uint32_t>(++by_hand_)};
+  track.name = shot.projectile.name;
+  track.colour = shot.body.colour != kNoColour ? shot.body.colour : palette(fired_);
+  track.radius = shot.projectile.diameter / 2;
+  track.born = world().time();
+  track.granted = flight.fidelity_in_use();
+  track.whole = flight;
+  track.samples.push_back(sample_of(flight, 0));
+  const ProjectileId id = track.id;
+  add_track(std::move(track));
+  return id;
+}
+
+void Session::follow_flights() {
+  for (Track& track : tracks_)
+    if (track.whole && track.is_flying()) follow(track, world().time() - track.born);
+}
+
+bool Session::is_whole(ProjectileId id) const {
+  const Track* found = track(id);
+  return found != nullptr && found->whole.has_value();
+}
+
+Session::Shown Session::shown(const Track& track) const {
+  if (!track.whole) {
+    const ProjectileView projectile = world()[track.id];
+    return {shown_position(track.id), projectile.velocity(), projectile.accelerations(), projectile.mass()};
+  }
+  const double age = world().time() + leftover_ - track.born;
+  const Sample at = track.whole->at(age);
+  return {at.position, at.velocity, track.whole->accelerations(at.time), at.mass};
+}
+
+std::size_t Session::in_flight() const {
+  const auto played =
+      std::ranges::count_if(tracks_, [](const Track& track) { return track.whole && track.is_flying(); });
+  return world().size() + static_cast<std::size_t>(played);
+}
+
+}  // namespace physim::client
