@@ -192,6 +192,26 @@ TEST(Labels, AtTheMuzzleCanAllBeRead) {
     }
 }
 
+TEST(Labels, OverARoundEarthTellAltitudeAndTheWayAround) {
+  Client client = client_of("intercontinental_lob");
+  ASSERT_TRUE(run(client, "fire-whole"));
+  client.session.set_time_scale(1024);
+  for (int i = 0; i < 300 && client.session.in_flight() > 0; ++i) client.advance(1.0 / 60);
+  const Track& track = client.session.tracks()[0];
+  ASSERT_TRUE(track.apex && track.impact);
+  const EarthFrames frames = track.whole->earth_frames();
+  Scene scene;
+  build_projectiles(client, 1, scene);
+  double apex = 0, distance = 0;
+  for (const SceneLabel& label : scene.labels) {
+    std::sscanf(label.text.c_str(), "apex %lf m", &apex);
+    std::sscanf(label.text.c_str(), "%lf km in", &distance);
+  }
+  EXPECT_NEAR(apex, frames.geodetic(track.apex->position).height, 0.01);
+  EXPECT_GT(apex, track.apex->position.y + 1e5) << "the plane of the muzzle lies far below the ground there";
+  EXPECT_NEAR(distance, 47.5358469047 * 0.017453292519943295 * 6371, 0.01) << "as its scenario expects in degrees";
+}
+
 TEST(Numbers, FitIntoTheirColumns) {
   for (const double x : {0.0, -0.001, 12.3456, -999.999, 12345.678, -316400.7, 4006000.0, -40060000.0, 6.378e9, -1e300})
     EXPECT_LE(fitting_text(x, 8).size(), 8U) << x;

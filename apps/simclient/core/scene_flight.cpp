@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "base/members.hpp"
+#include "model/ladder.hpp"
+#include "physim/frames.hpp"
 #include "simclient/core/scene.hpp"
 
 namespace physim::client {
@@ -17,17 +19,34 @@ void cross(Scene& scene, const Camera& camera, double scale, const Vec3d& at, co
   }
 }
 
-void mark(Scene& scene, const Camera& camera, double scale, const Track& track) {
+/// How high a place is and how far from another along the ground. Over a round Earth the plane at the origin leaves the
+/// ground behind: there it is the altitude, and the way around.
+struct Reach {
+  double height = 0, distance = 0;  // [m]
+};
+Reach reach_of(const Session& session, const Track& track, const Vec3d& from, const Vec3d& at) {
+  const Vec3d way = at - from;
+  const EarthModel earth = track.granted.fidelity.earth;
+  if (row(earth).shape == EarthShape::flat) return {at.y, std::hypot(way.x, way.z)};
+  const EarthFrames frames(session.scenario().environment, earth);
+  const Vec3d a = frames.earth_fixed(from, {}).position, b = frames.earth_fixed(at, {}).position;
+  const double angle = std::atan2(length(physim::cross(a, b)), dot(a, b));
+  return {frames.geodetic(at).height, angle * (length(a) - frames.geodetic(from).height)};
+}
+
+void mark(Scene& scene, const Session& session, const Camera& camera, double scale, const Track& track) {
   const Vec3d right = camera.right(), up = camera.up();
   if (track.apex) {
     const Vec3d at = track.apex->position;
     cross(scene, camera, scale, at, right, up, track.colour);
-    scene.label(at, formatted("apex %.2f m, %.2f s", at.y, track.apex->time), track.colour, -2);
+    const double height = reach_of(session, track, at, at).height;
+    scene.label(at, formatted("apex %.2f m, %.2f s", height, track.apex->time), track.colour, -2);
   }
   if (track.impact) {
-    const Vec3d at = track.impact->position, way = at - track.samples.front().position;
+    const Vec3d at = track.impact->position;
     cross(scene, camera, scale, at, right + up, right - up, track.colour);
-    const double range = std::round(100 * std::hypot(way.x, way.z)) / 100;
+    const Reach reach = reach_of(session, track, track.samples.front().position, at);
+    const double range = std::round(100 * reach.distance) / 100;
     scene.label(at, distance_text(range) + formatted(" in %.2f s", track.impact->time), track.colour, 1);
   }
 }
@@ -72,7 +91,7 @@ void build_projectiles(const Client& client, double scale, Scene& scene) {
   for (const Track& track : client.session.tracks()) {
     const double width = (&track == selected ? 2.5 : 1.8) * scale;
     if (client.show.trails) scene.polyline(track.samples, faded(track.colour, track.is_flying() ? 0.9 : 0.6), width);
-    if (client.show.marks) mark(scene, client.camera, scale, track);
+    if (client.show.marks) mark(scene, client.session, client.camera, scale, track);
     if (!track.is_flying()) continue;
     const Vec3d at = client.session.shown(track).position;
     if (client.show.trails) scene.line(track.samples.back().position, at, faded(track.colour, 0.9), width);
