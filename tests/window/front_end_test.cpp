@@ -364,6 +364,33 @@ TEST_F(InWindow, ShortPressesOfKeysAreNotLostInFields) {
   EXPECT_EQ(state["shot"]["type"], "found") << state.value("message", "") << client.errors();
 }
 
+/// With nothing changed Ctrl+S writes the file as it was, letter by letter; a flight never turns into a world.
+TEST(OfAScenario, IsSavedByCtrlS) {
+  const Screen screen;
+  const Folder folder;
+  const std::string before = testing_cli::read(PHYSIM_SOURCE_DIR "/scenarios/308_168gr_g7.toml");
+  const std::string file = folder.write("mine.toml", before);
+  RunningClient client(screen, {"--size", "1000x640", file});
+  ASSERT_TRUE(client.has_window()) << client.errors();
+  client.chord({"Control_L", "s"});
+  const Json state = client.wait_for([](const Json& s) { return s.contains("message"); });
+  EXPECT_EQ(state.value("message", ""), "saved " + file);
+  EXPECT_EQ(testing_cli::read(file), before);
+}
+
+/// A closed form knows no drag by the drag equation: what is granted is told, not what was asked for.
+TEST(OfAScenario, TellsWhatIsGranted) {
+  const Screen screen;
+  RunningClient client(screen, {"--size", "1000x640", PHYSIM_SOURCE_DIR "/scenarios/308_168gr_g7.toml"});
+  ASSERT_TRUE(client.has_window()) << client.errors();
+  EXPECT_EQ(client.next_frames()["shot"]["granted"]["drag"], "equation");
+  client.key("f");
+  const Json shot = client.next_frames()["shot"];
+  EXPECT_EQ(shot["motion"], "closed_form");
+  EXPECT_EQ(shot["drag"], "equation");
+  EXPECT_EQ(shot["granted"]["drag"], "off");
+}
+
 TEST_F(InWindow, AsksBeforeWorkIsLost) {
   client.key("3");
   client.click(500, 200);

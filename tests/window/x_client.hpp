@@ -36,8 +36,10 @@ inline void nap(int milliseconds) { std::this_thread::sleep_for(std::chrono::mil
 inline pid_t start(const std::vector<std::string>& words, const std::vector<std::string>& more_environment,
                    int inherited = -1, const std::string& err = "/dev/null") {
   std::vector<std::string> variables;
-  for (char** each = environ; *each != nullptr; ++each)
-    if (std::string(*each).rfind("DISPLAY=", 0) != 0) variables.emplace_back(*each);
+  for (char** each = environ; *each != nullptr; ++each) {
+    const std::string variable = *each;
+    if (!variable.starts_with("DISPLAY=") && !variable.starts_with("XDG_STATE_HOME=")) variables.push_back(variable);
+  }
   variables.insert(variables.end(), more_environment.begin(), more_environment.end());
   std::vector<char*> argv, envp;
   std::vector<std::string> copy = words;
@@ -104,10 +106,10 @@ class RunningClient {
   RunningClient(const Screen& screen, std::vector<std::string> arguments) : screen_(screen.display()) {
     std::vector<std::string> words = {PHYSIM_SIMCLIENT, "--state", folder_ / "state"};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    process_ = start(
-        words,
-        {"DISPLAY=" + screen.name(), "LIBGL_ALWAYS_SOFTWARE=1", "LP_NUM_THREADS=2", "ASAN_OPTIONS=detect_leaks=0"}, -1,
-        folder_ / "err");
+    process_ = start(words,
+                     {"DISPLAY=" + screen.name(), "XDG_STATE_HOME=" + (folder_ / "state_home"),
+                      "LIBGL_ALWAYS_SOFTWARE=1", "LP_NUM_THREADS=2", "ASAN_OPTIONS=detect_leaks=0"},
+                     -1, folder_ / "err");
     for (int i = 0; i < 600 && window_ == 0 && is_running(); ++i, nap(50)) window_ = find(DefaultRootWindow(screen_));
     wait_for([](const Json&) { return true; });
     focus();
