@@ -25,7 +25,7 @@ FAULTS = [
     ("a step that is not counted", "src/world/clock.hpp", "++steps;", ";", "Life.*"),
     ("a column never set: velocity", "src/world/placement.cpp",
      "    Rows::put(c.velocity, row, at.velocity);\n    if (layout.carried)", "    if (layout.carried)", "Life.*"),
-    ("a column never set: the rotor", "src/world/placement.cpp", "if (layout.turning) rows.put_rotor(row, n.rotor);", ";",
+    ("a column never set: the rotor", "src/world/placement.cpp", "if (layout.turning) rows.put_rotor(row, *n.rotor);", ";",
      "Rigid*:*RigidWorld*"),
     ("a column never set: the place of launch", "src/world/placement.cpp",
      "if (layout.launched) Rows::put(c.launch, row, at.position);", ";", "Life.*:World.*"),

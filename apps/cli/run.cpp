@@ -11,6 +11,7 @@
 #include "physim/names.hpp"
 #include "report/file.hpp"
 #include "report/gnuplot.hpp"
+#include "report/number.hpp"
 #include "report/pictures.hpp"
 #include "report/summary.hpp"
 #include "report/table.hpp"
@@ -29,6 +30,7 @@ struct RunOptions {
   // Worlds only:
   std::optional<std::uint64_t> steps;
   std::optional<std::uint32_t> threads;
+  std::string load, save, save_at;
 };
 
 Result<std::optional<double>> interval_of(const RunOptions& options) {
@@ -148,11 +150,31 @@ void warn_of_refusals(const std::vector<WorldGroup>& groups) {
                     "\" were refused: " + group.refusal);
 }
 
+/// When a run is to be saved.
+Status save_time(const RunOptions& options, const Scenario& scenario, LogOptions& into) {
+  if (options.save_at.empty()) return {};
+  if (options.save.empty()) return Error{"there is no file to save into", "--save-at", "name one with --save FILE"};
+  const Result<double> at = parse_quantity(options.save_at, Quantity::time);
+  if (!at) return Error{at.error().message, "--save-at", at.error().hint};
+  const double end =
+      options.steps ? static_cast<double>(*options.steps) * scenario.world.def.step : scenario.world.duration;
+  if (!(*at >= 0 && *at <= end))
+    return Error{"must lie within the run", "--save-at", "it takes " + significant(end, 6) + " s"};
+  into.save_at = *at;
+  return {};
+}
+
 Result<int> run_world(const RunOptions& options, Scenario scenario, std::optional<double> interval) {
   if (options.threads) scenario.world.def.threading.threads = *options.threads;
   const std::string stem = std::filesystem::path(scenario.file).stem().string();
   const Outputs in_folder = options.folder.empty() ? Outputs{} : outputs_in(options.folder, stem, Subject::world);
-  LogOptions log_options{.parts = {}, .interval = interval, .steps = options.steps, .record = options.outputs.record};
+  LogOptions log_options{.parts = {},
+                         .interval = interval,
+                         .steps = options.steps,
+                         .record = options.outputs.record,
+                         .load = options.load,
+                         .save = options.save};
+  if (Status status = save_time(options, scenario, log_options); !status) return status.error();
   for (const Outputs* each : {&options.outputs, &in_folder})
     for (const Format* format : each->asked()) log_options.parts.add(format->world_parts);
   const Result<WorldLog> log = report::run_world(scenario, log_options, progress_bar("stepping"));
@@ -189,6 +211,9 @@ Result<int> run(const RunOptions& options) {
   const std::string option = !options.outputs.record.empty() ? "--record"
                              : options.steps                 ? "--steps"
                              : options.threads               ? "--threads"
+                             : !options.load.empty()         ? "--load"
+                             : !options.save.empty()         ? "--save"
+                             : !options.save_at.empty()      ? "--save-at"
                                                              : "";
   if (!option.empty()) return Error{.message = kNoWorld, .place = option, .hint = kForWorlds};
   return run_flights(options, std::move(*scenario), *interval);
@@ -209,6 +234,9 @@ void add_run_command(Command& program) {
   command.add_option("--steps", options->steps, "Worlds: take so many steps instead of world.duration")
       .type_name("N")
       .within(1u, 1'000'000'000u);
+  command.add_option("--save", options->save, "FILE", "Worlds: save the run, to go on with --load");
+  command.add_option("--save-at", options->save_at, "TIME", "Worlds: save at this time instead of at the end");
+  command.add_option("--load", options->load, "FILE", "Worlds: go on with a run of this scenario that was saved");
   command.add_option("--threads", options->threads, "Worlds: instead of world.threads; results do not depend on it")
       .type_name("N")
       .within(0u, 1024u);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "physim/accelerations.hpp"
@@ -106,10 +107,20 @@ struct FlightCost {
 
 struct FlightRecord;
 
-/// A computed trajectory. Cheap to copy. Every question is answered from the dense output, without flying again.
+/// A computed trajectory. Cheap to copy. Every question is answered from the dense output, without flying again. One
+/// that was moved away is refused.
 class Flight {
  public:
   explicit Flight(std::shared_ptr<const FlightRecord> record) : record_(std::move(record)) {}
+  Flight(const Flight&) = default;
+  Flight& operator=(const Flight&) = default;
+  Flight(Flight&& other) noexcept : record_(std::exchange(other.record_, none())) {}
+  Flight& operator=(Flight&& other) noexcept {
+    record_.swap(other.record_);
+    other.record_ = none();
+    return *this;
+  }
+  ~Flight() = default;
 
   [[nodiscard]] Outcome outcome() const;
   /// Why a flight was refused; nothing otherwise.
@@ -143,6 +154,7 @@ class Flight {
   [[nodiscard]] double step() const;
 
  private:
+  [[nodiscard]] static std::shared_ptr<const FlightRecord> none() noexcept;  // of what was moved away
   std::shared_ptr<const FlightRecord> record_;
 };
 

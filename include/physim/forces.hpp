@@ -103,7 +103,8 @@ struct ForceBatch {
   std::span<Vec3d> force{};            ///< to be added to [N]
 };
 /// The user's own force. Called once per stage for all projectiles of a batch that it acts on, from one thread. It must
-/// be a function of what it sees.
+/// be a function of what it sees. It may read its world, as that was when the step began, but not change it (see
+/// World), and must not throw: of a call that does, nothing is felt.
 struct CustomForce {
   std::function<void(const ForceBatch&)> function{};  ///< [-]
 };

@@ -16,10 +16,12 @@ namespace physim {
 template <class Enum>
 [[nodiscard]] std::span<const std::string_view> names_of();
 
-/// The name of a value: name(DragTable::g7) == "g7".
+/// The name of a value: name(DragTable::g7) == "g7"; "?" of a number that is no value.
 template <class Enum>
 [[nodiscard]] std::string_view name(Enum value) {
-  return names_of<Enum>()[static_cast<std::size_t>(value)];
+  const auto names = names_of<Enum>();
+  const auto at = static_cast<std::size_t>(value);
+  return at < names.size() ? names[at] : std::string_view("?");
 }
 
 /// The value of a name, if it is one.

@@ -15,7 +15,7 @@ namespace physim {
 
 inline constexpr char kRecordingMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'R', '\n'};
 /// The format of a recording's bytes; others are refused.
-inline constexpr std::uint32_t kRecordingFormat = 4;
+inline constexpr std::uint32_t kRecordingFormat = 5;
 
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
 [[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);
@@ -44,11 +44,9 @@ struct ReplayReport {
   std::optional<ReplayDifference> difference{};  ///< the first; the replay stops there [-]
 };
 
-struct ReplayOptions {
-  Threading threading{};  ///< recordings do not hold it: it changes no result [-]
-  std::vector<CustomForce>
-      custom_forces{};  ///< functions cannot be recorded: the same, in the order they were added [-]
-};
+/// The functions of custom forces are those of the save that the recording begins with, where it does, then those that
+/// were added while it was recorded.
+using ReplayOptions = LoadOptions;
 
 /// A recording played call by call, for those who look at the world in between.
 class Replay {

@@ -15,7 +15,11 @@ class TaskRunner {
   [[nodiscard]] virtual unsigned threads() const = 0;  ///< that may work at the same time
 };
 
-/// A pool of threads that sleep until there is work; `threads` counts the caller's, 0: all that the machine has.
+/// Threads of one pool at most.
+inline constexpr unsigned kMostThreads = 1024;
+
+/// A pool of threads that sleep until there is work; `threads` counts the caller's, 0: all that the machine has. It has
+/// fewer where more than kMostThreads are asked for, or the system gives no more: threads() tells.
 [[nodiscard]] std::unique_ptr<TaskRunner> make_thread_pool(unsigned threads = 0);
 
 }  // namespace physim

@@ -31,6 +31,7 @@ struct WorldCounters {
   std::uint64_t refused = 0;           ///< projectiles not spawned [-]
   std::uint64_t retired = 0;           ///< by something that was not a number [-]
   double dropped_time = 0;             ///< that advance() could not keep up with [s]
+  std::uint64_t dropped_events = 0;    ///< of calls between steps, see World::events() [-]
 };
 
 /// Projectiles of one rung that are computed together.
@@ -41,11 +42,26 @@ struct CohortInfo {
   bool forced = false;      ///< generators act on it [-]
 };
 
-/// Takes the bytes of a recording, piece by piece; an empty piece after the last. An error ends the recording.
+/// Events of calls between two steps that a world keeps: so many, or twice as many as it has projectiles.
+inline constexpr std::size_t kMostEventsOfCalls = 1u << 16;
+
+/// Takes the bytes of a recording, piece by piece; an empty piece after the last. An error ends the recording. It may
+/// read the world, but not change it (see World).
 using RecordSink = std::function<Status(std::span<const std::byte>)>;
 
 struct RecordOptions {
   std::uint32_t hash_every = 1;  ///< steps; 0: no hashes, and a replay compares ids only [-]
+  bool from_now = false;         ///< the recording begins with World::save(), and the world need not be new [-]
+};
+
+inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
+/// The format of a save's bytes; others are refused.
+inline constexpr std::uint32_t kSaveFormat = 1;
+
+/// What a save does not hold.
+struct LoadOptions {
+  Threading threading{};                     ///< it changes no result [-]
+  std::vector<CustomForce> custom_forces{};  ///< functions are no data: the same, in the order they were added [-]
 };
 
 class WorldState;
@@ -64,8 +80,16 @@ class Snapshot {
   std::shared_ptr<const WorldState> state_;
 };
 
-/// Many projectiles in real time. Nothing throws; what cannot be done is refused, with a reason. Not to be used from
-/// two threads at once.
+/// Many projectiles in real time. Nothing throws; what cannot be done is refused, with a reason.
+///
+/// Threads: calls that change a world are made from one thread at a time, and while none is made any number of threads
+/// may read (all that is const, hash(), snapshot() and save() too).
+///
+/// Callbacks: from inside its own step (a CustomForce, a TaskRunner) and from its RecordSink a world may be read, but
+/// not changed: every call that would is refused, those that return numbers return 0, snapshot() is empty, and
+/// accelerations() are without custom forces. A world that is destroyed or moved there ends its step first.
+///
+/// A world that was moved away is as World() makes it.
 class World {
  public:
   World();  ///< with WorldDef{}
@@ -76,8 +100,9 @@ class World {
   ~World();
 
   // ------------------------------------------------------------------------------------------- what there is
-  /// Prepares a kind of projectile, so that each of it is spawned quickly. Definitions that are
-  /// equal to the bit give the same kind.
+  /// Prepares a kind of projectile, so that each of it is spawned quickly. Definitions that are equal to the bit give
+  /// the same kind. It stays as long as its world; a kind that spawn() makes of a definition is let go some time after
+  /// the last projectile of it.
   Result<KindId> add_kind(const ProjectileDef& projectile, const BodyDef& body = {});
   /// Another place to fly in; its index for BodyDef::environment.
   Result<std::uint32_t> add_environment(const Environment& environment);
@@ -92,7 +117,8 @@ class World {
                              double delay = 0);
   /// Many of one kind; ids in the order of the launches, null where one is refused. Returns how many were spawned.
   std::size_t spawn(KindId kind, std::span<const Launch> launches, std::span<ProjectileId> ids);
-  /// Room for so many more, so that spawning does not allocate.
+  /// Room for so many more, so that spawning does not allocate; an error where there is no memory for them, or where
+  /// they would be more than WorldDef::max_projectiles.
   Status reserve(KindId kind, std::size_t count);
   /// Takes many out; returns how many were there.
   std::size_t despawn(std::span<const ProjectileId> ids);
@@ -100,14 +126,16 @@ class World {
 
   [[nodiscard]] std::size_t size() const;               ///< alive
   [[nodiscard]] std::vector<ProjectileId> ids() const;  ///< of all alive, by index
+  void ids(std::vector<ProjectileId>& into) const;      ///< of all alive, into memory of before
 
   // ------------------------------------------------------------------------------------------- one of them
   /// To read and change one: `world[id].position()`, `world[id].set_fidelity(...)`.
-  [[nodiscard]] Projectile operator[](ProjectileId id) { return {impl_.get(), id}; }
-  [[nodiscard]] ProjectileView operator[](ProjectileId id) const { return {impl_.get(), id}; }
+  [[nodiscard]] Projectile operator[](ProjectileId id) { return {impl_ ? impl_.get() : &impl(), id}; }
+  [[nodiscard]] ProjectileView operator[](ProjectileId id) const { return {impl_ ? impl_.get() : &impl(), id}; }
 
   // ------------------------------------------------------------------------------------------- all or many of them
   void states(std::span<const ProjectileId> ids, std::span<BodyState> into) const;
+  void render_positions(std::span<const ProjectileId> ids, std::span<Vec3d> into) const;  ///< where to draw them [m]
   /// Segments of the last step, of all that moved, by cohort; `into` is cleared.
   void segments(std::vector<Segment>& into) const;
   /// Moves projectiles to another rung, as they are; returns how many.
@@ -116,17 +144,20 @@ class World {
   Status set_observer(const Vec3d& position);  ///< of DetailRule distances [m]
 
   // ------------------------------------------------------------------------------------------- forces
-  /// A generator. Only projectiles in motion `force` feel it.
+  /// A generator. Only projectiles in motion `force` feel it: felt_by() tells how many do.
   Result<ForceId> add_force(const ForceDef& force);
   Status remove_force(ForceId force);
   [[nodiscard]] bool is_active(ForceId force) const;
   [[nodiscard]] std::size_t force_count() const;
+  /// Its targets of now that are in motion `force`; nobody: it acts, and nothing feels it.
+  [[nodiscard]] std::size_t felt_by(ForceId force) const;
 
   // ------------------------------------------------------------------------------------------- time
-  /// One step of dt [s], now. Fastest where dt stays the same.
+  /// One step of dt [s], now; above 0 and below 1e6. Fastest where dt stays the same. Integrators with fixed steps take
+  /// it as their step, whatever its error; where the ground bounces, steps of more than 0.1 s are flown in parts.
   Status step(double dt);
   /// Real time has passed: takes as many steps of WorldDef::step as fit; returns how many. None while paused, nor of
-  /// time that is no number or runs backwards.
+  /// time that is no number, runs backwards or is 1e9 s or more.
   int advance(double real_dt);
   void set_paused(bool paused);
   [[nodiscard]] bool is_paused() const;
@@ -137,11 +168,17 @@ class World {
   [[nodiscard]] double time() const;      ///< of the simulation [s]
   [[nodiscard]] double fraction() const;  ///< of a step that advance() has left over, 0..1 [-]
 
-  /// What happened in the last step() or advance(), and in calls since, in order of time, then of id.
+  /// What happened in the last step() or advance(), in order of time, then of id, and then what calls did since. What
+  /// was given stays as it is until the next step(), advance(), single_step() or forget_events(), whatever is changed:
+  /// spawning and despawning in a loop over it is fine, and their events are seen by who asks again. Of calls between
+  /// two steps kMostEventsOfCalls or more are kept; counters() tells how many were dropped.
   [[nodiscard]] std::span<const Event> events() const;
+  void forget_events();  ///< events() is empty then
   [[nodiscard]] const WorldCounters& counters() const;
   [[nodiscard]] std::vector<CohortInfo> cohorts() const;
-  [[nodiscard]] std::size_t memory() const;  ///< of all projectiles [bytes]
+  /// What grows with use: projectiles, kinds, rungs and cohorts, tables, forces, events. Snapshots have their
+  /// own [bytes].
+  [[nodiscard]] std::size_t memory() const;
 
   // ------------------------------------------------------------------------------------------- moments
   [[nodiscard]] Snapshot snapshot() const;
@@ -152,9 +189,17 @@ class World {
   /// projectile.
   [[nodiscard]] std::uint64_t hash() const;
 
+  // ------------------------------------------------------------------------------------------- saves
+  /// All of this world as bytes: load() makes of them a world that goes on with the same hash and ids, on any machine.
+  /// Snapshots, events and threads are not in it; custom forces are handed in again. An error inside a step.
+  [[nodiscard]] Result<std::vector<std::byte>> save() const;
+  /// The world of a save. Bytes that are damaged, cut, of another format, or that lack custom forces are refused.
+  [[nodiscard]] static Result<World> load(std::span<const std::byte> save, const LoadOptions& options = {});
+
   // ------------------------------------------------------------------------------------------- recordings
   /// Every call that changes this world goes to `sink` from now on, until stop_recording() or its end; Replay makes
-  /// them again. Only for a world to which nothing was done yet. Where the sink fails the world goes on without.
+  /// them again. For a world to which nothing was done yet, or from a save on (RecordOptions::from_now). Where the sink
+  /// fails the world goes on without.
   [[nodiscard]] Status record(RecordSink sink, const RecordOptions& options = {});
   /// Completes the recording; an error where part of it was lost.
   [[nodiscard]] Status stop_recording();
@@ -168,8 +213,12 @@ class World {
 
  private:
   explicit World(const WorldDef& def);
+  explicit World(std::shared_ptr<WorldImpl> impl);
   friend class Recorder;
-  std::unique_ptr<WorldImpl> impl_;
+  /// Its parts: new ones where they were moved away, or, to be read, those of an empty world.
+  [[nodiscard]] WorldImpl& impl();
+  [[nodiscard]] const WorldImpl& impl() const;
+  std::shared_ptr<WorldImpl> impl_;
 };
 
 }  // namespace physim

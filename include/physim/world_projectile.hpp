@@ -46,9 +46,10 @@ class ProjectileView {
   [[nodiscard]] double mach() const;             ///< [-]
   [[nodiscard]] double mass() const;             ///< infinite where nothing moves it [kg]
   [[nodiscard]] double inverse_mass() const;     ///< [1/kg]
-  /// Mass times acceleration now: of all models and generators [N].
+  /// Mass times acceleration now: of all models and generators, as accelerations() [N].
   [[nodiscard]] Vec3d resultant_force() const;
-  /// Acceleration by effect now; `applied` holds the generators too.
+  /// Acceleration by effect now; `applied` holds the generators too (inside a step of its world, without custom
+  /// forces).
   [[nodiscard]] Accelerations accelerations() const;
 
   [[nodiscard]] KindId kind() const;

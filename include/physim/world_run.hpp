@@ -114,6 +114,12 @@ class WorldRun {
   /// Which launch a projectile was; none for a stranger.
   [[nodiscard]] std::optional<Launched> launched(ProjectileId id) const;
 
+  /// All of this run as bytes: of its world (World::save()), of what is still to be fired and of all that was counted.
+  [[nodiscard]] Result<std::vector<std::byte>> save() const;
+  /// Goes on with a run of the same scenario; refused where the save is of another one, or damaged.
+  [[nodiscard]] static Result<WorldRun> load(Scenario scenario, std::span<const std::byte> save,
+                                             const std::string& recording = "");
+
   [[nodiscard]] RunSnapshot snapshot() const;
   /// Back to a moment of this run, bit for bit; false for a snapshot of another run.
   bool restore(const RunSnapshot& snapshot);

@@ -68,6 +68,13 @@ class Archive {
     if constexpr (Self::kReads) x = static_cast<T>(word);  // what is written may be a constant
   }
   void take(std::string& text) { self().text(text); }
+  void take(std::vector<std::byte>& bytes) {
+    std::string text(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size());
+    self().text(text);
+    if constexpr (!Self::kReads) return;
+    const auto read = std::as_bytes(std::span(text));
+    bytes.assign(read.begin(), read.end());
+  }
   template <class T>
   void take(std::optional<T>& x) {
     bool there = x.has_value();
@@ -96,11 +103,10 @@ class Archive {
   }
   template <class... T>
   void take(std::variant<T...>& v) {
-    std::uint64_t index = v.index();
-    PHYSIM_ASSERT(!v.valueless_by_exception());
+    std::uint64_t index = v.index();  // of one that lost its value to an exception: beyond the limit
     bits(index, 1, sizeof...(T));
     if constexpr (Self::kReads) select(v, index, std::index_sequence_for<T...>());
-    std::visit([this](auto& x) { this->take(x); }, v);
+    if (!v.valueless_by_exception()) std::visit([this](auto& x) { this->take(x); }, v);
   }
   template <class V, std::size_t... I>
   static void select(V& v, std::uint64_t index, std::index_sequence<I...>) {
@@ -116,7 +122,8 @@ class Archive {
   }
 };
 
-/// Appends to bytes.
+/// Appends to bytes. What is no value of its type, such as a number that no enumerator has, makes it bad: it could not
+/// be read again.
 class Writer : public Archive<Writer> {
  public:
   static constexpr bool kReads = false;
@@ -127,8 +134,9 @@ class Writer : public Archive<Writer> {
   void write(const T&... values) {
     (*this)(const_cast<T&>(values)...);
   }
-  void number(std::uint64_t x, unsigned bytes, std::uint64_t = 0) {
+  void number(std::uint64_t x, unsigned bytes, std::uint64_t limit = ~std::uint64_t{0}) {
     PHYSIM_ASSERT(bytes <= 8);
+    good_ = good_ && (limit == ~std::uint64_t{0} || x < limit);
     std::byte piece[8];
     for (unsigned i = 0; i < 8; ++i) piece[i] = static_cast<std::byte>(x >> (8 * i));
     to_.insert(to_.end(), piece, piece + bytes);
@@ -140,10 +148,11 @@ class Writer : public Archive<Writer> {
     to_.insert(to_.end(), bytes.begin(), bytes.end());
   }
   void function(const CustomForce& force) { number(force.function ? 1 : 0, 1); }
-  [[nodiscard]] static bool good() { return true; }
+  [[nodiscard]] bool good() const { return good_; }
 
  private:
   std::vector<std::byte>& to_;
+  bool good_ = true;
 };
 
 /// Reads from bytes. What is not there, or is no value of its type, makes it bad; it reads zeros from then on.

@@ -19,7 +19,7 @@ std::string text_of(double x, auto... format) {
 
 }  // namespace
 
-std::string short_text(double x) { return text_of(x); }
+std::string short_text(double x) { return text_of(x, std::chars_format::general, 6); }
 
 std::string rounded_text(double x) {
   const bool whole = x >= 99.5 && x < 99999.5;  // 120, not 1.2e+02

@@ -5,7 +5,7 @@
 
 namespace physim {
 
-/// The shortest text that reads back as x: "1000", "0.001", "nan".
+/// At most six digits, for messages: "1000", "0.3", "1e+09", "nan".
 [[nodiscard]] std::string short_text(double x);
 
 /// Two digits, for figures that nobody reads further: "0.0042", "38", "1.2e+04".

@@ -118,6 +118,15 @@ Turn<double> FlightRecord::turn(double time) const {
 
 State<double> FlightRecord::shown(double time) const { return with_drift(state(time), drift, sight.right, time); }
 
+std::shared_ptr<const FlightRecord> Flight::none() noexcept {
+  static const auto record = [] {
+    auto none = std::make_shared<FlightRecord>();
+    none->error = Error{"there is no flight any more", "flight", "it was moved away"};
+    return none;
+  }();
+  return record;
+}
+
 Outcome Flight::outcome() const { return record_->outcome; }
 const std::optional<Error>& Flight::error() const { return record_->error; }
 double Flight::duration() const { return record_->duration; }

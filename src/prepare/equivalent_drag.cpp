@@ -6,15 +6,16 @@
 
 namespace physim {
 
-EquivalentDrag::EquivalentDrag(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c)
-    : body_(b), conditions_(c) {
+EquivalentDrag::EquivalentDrag(const ProjectileDef& p, const Body<double>& b, const Conditions<double>& c,
+                               std::shared_ptr<TablePool> pool)
+    : body_(b), conditions_(c), pool_(std::move(pool)) {
   conditions_.fidelity.drag = DragModel::equation;
-  prepare_curve(p, pool_, conditions_, body_);
+  prepare_curve(p, *pool_, conditions_, body_);
 }
 
 double EquivalentDrag::k2_per_mass(const State<double>& s) {
-  PHYSIM_ASSERT(!pool_.rows().empty() && conditions_.fidelity.drag == DragModel::equation);
-  pool_.point(conditions_);
+  PHYSIM_ASSERT(!pool_->rows().empty() && conditions_.fidelity.drag == DragModel::equation);
+  pool_->point(conditions_);
   const Vec3d u = air_velocity(conditions_, s);
   const double speed = length(u);
   if (speed == 0) return 0;

@@ -6,6 +6,7 @@
 
 #include "base/assert.hpp"
 #include "physim/names.hpp"
+#include "physim/recording_file.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
@@ -40,9 +41,14 @@ class Logger {
   }
 
   Status run(const Progress& progress) {
-    take(run_.events());
+    const std::uint64_t before = run_.world().counters().steps;
+    if (before > 0)
+      meet_all();
+    else
+      take(run_.events());
     if (Status status = sample(); !status) return status;
-    for (std::uint64_t step = 1; step <= log_.steps; ++step) {
+    if (Status status = save(before); !status) return status;
+    for (std::uint64_t step = before + 1; step <= log_.steps; ++step) {
       const std::size_t launched = step == 1 ? run_.events().size() : 0;  // these are taken already
       run_.step();
       take(run_.events().subspan(launched));
@@ -51,6 +57,7 @@ class Logger {
       if (options_.parts.paths && (step % draw_every_ == 0 || step == log_.steps)) draw();
       if (step % sample_every_ == 0 || step == log_.steps)
         if (Status status = sample(); !status) return status;
+      if (Status status = save(step); !status) return status;
       if (progress) progress(step, log_.steps);
     }
     return {};
@@ -70,6 +77,30 @@ class Logger {
   }
 
  private:
+  /// Those that a save brought along.
+  void meet_all() {
+    for (const ProjectileId id : run_.world().ids())
+      if (const auto launched = run_.launched(id); launched && !met_[launched->group]) {
+        log_.in_use[launched->group] = run_.world()[id].fidelity_in_use();
+        met_[launched->group] = true;
+      }
+  }
+
+  /// Saves the run after a step, where that is the one to save it after.
+  Status save(std::uint64_t step) {
+    if (options_.save.empty() || is_saved_) return {};
+    const double dt = run_.scenario().world.def.step;
+    const double end = static_cast<double>(std::max(log_.steps, run_.world().counters().steps));
+    const double at = options_.save_at ? std::ceil(*options_.save_at / dt - 1e-9) : end;
+    if (static_cast<double>(step) > at)
+      return Error{"the run that was loaded is later already", "save_at",
+                   "it is at " + significant(run_.world().time(), 6) + " s"};
+    if (static_cast<double>(step) < at) return {};
+    is_saved_ = true;
+    const auto bytes = run_.save();
+    return bytes ? save_recording(options_.save, *bytes) : Status(bytes.error());
+  }
+
   /// The points of the path that a launch draws; null where it draws none.
   std::vector<Vec3d>* path_of(const Launched& launched) {
     const bool draws = launched.number < path_.size() && path_[launched.number] != 0;
@@ -137,6 +168,7 @@ class Logger {
   std::vector<std::size_t> paths_left_;  // by group
   std::vector<bool> met_;                // groups
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
+  bool is_saved_ = false;
 };
 
 using Json = nlohmann::ordered_json;
@@ -266,7 +298,11 @@ Json group_json(const WorldLog& log, std::size_t index) {
 }  // namespace
 
 Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, const Progress& progress) {
-  Result<WorldRun> made = WorldRun::create(scenario, options.record);
+  Result<std::vector<std::byte>> saved = std::vector<std::byte>();
+  if (!options.load.empty()) saved = load_recording(options.load);
+  if (!saved) return saved.error();
+  Result<WorldRun> made = options.load.empty() ? WorldRun::create(scenario, options.record)
+                                               : WorldRun::load(scenario, *saved, options.record);
   if (!made) return made.error();
   WorldRun& run = *made;
   Logger logger(run, options);

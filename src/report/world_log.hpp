@@ -25,6 +25,9 @@ struct LogOptions {
   std::optional<double> interval;      // between samples [s]
   std::optional<std::uint64_t> steps;  // instead of the scenario's duration
   std::string record = {};             // into this file; empty: nowhere
+  std::string load = {};               // goes on from this save; empty: from the start
+  std::string save = {};               // into this file; empty: nowhere
+  std::optional<double> save_at = {};  // instead of at the end [s]
 };
 
 struct WorldSample {

@@ -4,34 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.hpp"
+#include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
+#include "base/text.hpp"
 #include "flight/zero.hpp"
 #include "model/force_laws.hpp"
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
+#include "scenario/run_state.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/volley.hpp"
 
 namespace physim {
 namespace {
-
-/// What is remembered of a projectile.
-struct Track {
-  std::uint32_t generation = 0;
-  Launched launched;
-  bool touched = false;  // the ground or the wall
-  double since = 0;
-  Vec3d from;
-};
-
-/// What is still to be fired of a group.
-struct Magazine {
-  std::size_t group = 0;
-  std::uint64_t fired = 0;
-  Volley volley;  // of a shot fired by itself: one launch without spread
-  Launch launch;  // its bore is known
-};
 
 Error with_place(Error error, const std::string& place) {
   error.place = place + (error.place.empty() ? "" : ": " + error.place);
@@ -61,18 +46,6 @@ double Series::spread() const {
   const IeeeMode mode;
   return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0;
 }
-
-/// What changes during a run, beside its world.
-struct RunState {
-  std::vector<WorldGroup> groups;
-  std::vector<Magazine> magazines;  // not empty yet
-  std::vector<Track> tracks;        // by index of the projectile's id
-  std::vector<RunEvent> events;
-  std::vector<WallHit> hits;
-  std::vector<ProjectileId> lone;  // by shot: of those fired by themselves
-  std::uint64_t launches = 0;
-  bool is_loaded = false;  // the launches of the next step are made
-};
 
 struct WorldRun::Impl : RunState {
   Scenario scenario;
@@ -176,7 +149,8 @@ void WorldRun::Impl::fire(Magazine& magazine) {
   while (magazine.fired < static_cast<std::uint64_t>(volley.count)) {
     if (volley.start + static_cast<double>(magazine.fired) * volley.interval > world.time() + slack) return;
     const Launch launch = scattered(magazine.launch, volley, magazine.fired++);
-    const std::size_t known = world.events().size();
+    std::size_t known = world.events().size();
+    if (known > kMostEventsOfCalls / 2) world.forget_events(), known = 0;  // they are counted
     const Result<ProjectileId> spawned = world.spawn(group.kind, launch);
     const std::span<const Event> news = world.events().subspan(known);
     if (!spawned) {
@@ -302,11 +276,32 @@ WorldRun::WorldRun(WorldRun&&) noexcept = default;
 WorldRun& WorldRun::operator=(WorldRun&&) noexcept = default;
 WorldRun::~WorldRun() = default;
 
-Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recording) {
-  const IeeeMode mode;
+namespace {
+
+/// The hash of all that a run is made from.
+std::uint64_t hash_of_run(const Scenario& scenario) {
+  std::uint64_t hash = hash_of(scenario.world.def, scenario.volleys, scenario.forces);
+  for (const ScenarioShot& shot : scenario.shots) hash = hash_of(hash, shot.projectile, shot.launch, shot.body);
+  return hash;
+}
+
+/// The world's definition is that of the scenario; one that would never come to an end is refused.
+Status prepare(Scenario& scenario) {
+  constexpr double kMostSteps = 1e12;
   if (!scenario.world.given) return Error{"the scenario has no [world]", scenario.file, "write [world] into it"};
   scenario.world.def.environment = scenario.environment;
   scenario.world.def.tolerance = scenario.tolerance;
+  const double steps = scenario.world.duration / scenario.world.def.step;
+  if (!(steps <= kMostSteps))
+    return Error{"would take " + rounded_text(steps) + " steps, and a run takes at most 1e12",
+                 scenario.file + ": world.duration", "shorten it, or lengthen world.step"};
+  return {};
+}
+
+}  // namespace
+
+Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recording) {
+  if (Status status = prepare(scenario); !status) return status.error();
   Result<World> world = World::create(scenario.world.def);
   if (!world) return with_place(world.error(), scenario.file);
   if (!recording.empty())
@@ -314,6 +309,35 @@ Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recordin
   auto impl = std::make_unique<Impl>(std::move(scenario), std::move(*world));
   if (Status status = impl->load(); !status) return status.error();
   return WorldRun(std::move(impl));
+}
+
+Result<std::vector<std::byte>> WorldRun::save() const {
+  const IeeeMode mode;
+  const auto world = impl_->world.save();
+  if (!world) return world.error();
+  return saved_run(*impl_, hash_of_run(impl_->scenario), *world);
+}
+
+Result<WorldRun> WorldRun::load(Scenario scenario, std::span<const std::byte> save, const std::string& recording) {
+  const IeeeMode mode;
+  if (Status status = prepare(scenario); !status) return status.error();
+  Result<SavedRun> saved = read_run(save);
+  if (!saved) return saved.error();
+  // As a fresh run names its pools and kinds.
+  Result<WorldRun> made = create(scenario);
+  if (!made) return made.error();
+  Impl& run = *made->impl_;
+  const bool same = hash_of_run(run.scenario) == saved->scenario && saved->state.groups.size() == run.groups.size() &&
+                    saved->state.lone.size() == run.lone.size();
+  if (!same)
+    return Error{"is of another scenario", "save", "give the scenario, with the same --set, that it was made with"};
+  Result<World> world = World::load(saved->world, {.threading = scenario.world.def.threading, .custom_forces = {}});
+  if (!world) return world.error();
+  run.world = std::move(*world);
+  static_cast<RunState&>(run) = std::move(saved->state);
+  if (!recording.empty())
+    if (Status status = record_to_file(run.world, recording, {.from_now = true}); !status) return status.error();
+  return made;
 }
 
 void WorldRun::step() {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/checker.hpp"
+#include "physim/task_runner.hpp"
 #include "prepare/check.hpp"
 #include "world/registry.hpp"
 
@@ -24,7 +25,7 @@ void check_rules(Checker& c, const DespawnRules& d) {
 
 Status check(const Ground& g) {
   Checker c;
-  c.is_number(g.height, "ground.height");
+  c.named(g.mode, GroundMode::bounce, "ground.mode").is_number(g.height, "ground.height");
   c.require(g.restitution >= 0 && g.restitution <= 1, "ground.restitution", "must lie between 0 and 1");
   c.not_negative(g.friction, "ground.friction");
   return c.status();
@@ -37,8 +38,14 @@ Status check(const DetailRule& rule) {
   for (const DetailRung& rung : rule.rungs) {
     c.require(rung.within > 0, "detail.rungs.within", "must be positive");
     c.require(rung.younger > 0, "detail.rungs.younger", "must be positive");
+    c.also(check(Tolerance{}, rung.fidelity));
   }
   return c.status();
+}
+
+Status check(Axes axes, const char* place) { return Checker().named(axes, Axes::all, place).status(); }
+Status check(Smoothing smoothing, const char* place) {
+  return Checker().named(smoothing, Smoothing::extrapolate, place).status();
 }
 
 Status check(const WorldDef& def) {
@@ -49,8 +56,12 @@ Status check(const WorldDef& def) {
   c.require(def.time_scale >= 0 && def.time_scale <= 1000, "world.time_scale", "must lie between 0 and 1000");
   c.also(check(def.tolerance, Fidelity{}));
   c.require(def.max_projectiles > 0, "world.max_projectiles", "must be positive");
-  c.require(def.threading.threads <= 1024, "world.threading.threads", "must not be above 1024", "0: all there are");
-  for (const PoolDef& pool : def.pools) c.require(pool.maximum > 0, "world.pools.maximum", "must be positive");
+  c.require(def.threading.threads <= kMostThreads, "world.threading.threads", "must not be above 1024",
+            "0: all there are");
+  for (const PoolDef& pool : def.pools) {
+    c.require(pool.maximum > 0, "world.pools.maximum", "must be positive");
+    c.named(pool.when_full, WhenFull::replace_oldest, "world.pools.when_full");
+  }
   return c.status();
 }
 
@@ -66,6 +77,8 @@ Status check(const BodyDef& b, const WorldDef& def, std::size_t environments) {
   c.require(b.environment < environments, "body.environment", "there is no such environment",
             "World::add_environment() makes one");
   c.not_negative(b.cheapest_within, "body.cheapest_within").positive(b.within_time, "body.within_time");
+  c.also(check(b.frozen, "body.frozen")).also(check(b.frozen_rotation, "body.frozen_rotation"));
+  c.also(check(b.smoothing, "body.smoothing"));
   check_rules(c, b.despawn);
   return c.status();
 }

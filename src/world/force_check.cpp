@@ -72,6 +72,8 @@ void check_target(Checker& c, const ForceTarget& target) {
 
 Status check(const ForceDef& force) {
   Checker c;
+  c.require(!force.law.valueless_by_exception(), "force.law", "is none", "an exception took it");
+  if (!c.status_so_far()) return c.status();
   std::visit([&](const auto& law) { check_members(c, law, force.target); }, force.law);
   std::visit(LawCheck{c}, force.law);
   check_target(c, force.target);

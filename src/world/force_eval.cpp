@@ -78,10 +78,14 @@ class Evaluation {
     const bool in_place = side_by_side(members_);
     // The function may add or assign: it finds zeros.
     scratch_.force.assign(members_.size(), Vec3d{});
-    law.function({stage_.time, gather(stage_.id, members_, in_place, scratch_.id),
-                  gather(stage_.position, members_, in_place, scratch_.position),
-                  gather(stage_.velocity, members_, in_place, scratch_.velocity),
-                  gather(stage_.mass, members_, in_place, scratch_.mass), scratch_.force});
+    try {
+      law.function({stage_.time, gather(stage_.id, members_, in_place, scratch_.id),
+                    gather(stage_.position, members_, in_place, scratch_.position),
+                    gather(stage_.velocity, members_, in_place, scratch_.velocity),
+                    gather(stage_.mass, members_, in_place, scratch_.mass), scratch_.force});
+    } catch (...) {  // a step that ended here would leave half of the world behind
+      return true;
+    }
     for (std::size_t i = 0; i < members_.size(); ++i) stage_.force[members_[i]] += scratch_.force[i];
     return true;
   }

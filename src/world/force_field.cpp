@@ -45,7 +45,7 @@ bool is_in_group(const Generator& g, const Registry& registry, const WorldState&
   const ForceTarget& target = g.def.target;
   if (!has_group(target)) return false;
   const bool inside = target.layers == ForceTarget::everything().layers ||
-                      target.kind.index == state.slots[slot].kind ||
+                      (target.kind && target.kind.index == registry.kind(state.slots[slot].kind).number) ||
                       (target.layers & layers_of(registry, state, slot)) != 0;
   if (!inside || g.except.empty()) return inside;
   return std::find(g.except.begin(), g.except.end(), state.slots.id_of(slot)) == g.except.end();
@@ -88,6 +88,7 @@ void ForceField::begin_step(double dt) {
   has_zones_ = has_ages_ = false;
   for (const std::uint32_t index : state_.generators.order()) {
     const Generator& g = state_.generators[index];
+    if (without_functions_ && std::holds_alternative<CustomForce>(g.def.law)) continue;
     const bool comes = (g.start - time_) / dt < 1 - kSameTime;
     const bool over = (g.end - time_) / dt <= kSameTime;
     if (comes && !over) list(index);
@@ -192,11 +193,13 @@ Partner ForceField::partner(ProjectileId id) const {
 }
 
 Vec3d ForceField::drag_equation(std::uint32_t row, double density, const Vec3d& u) const {
-  const std::uint32_t kind = state_.slots[rows_.id[row].index].kind;
-  if (zones_.index.size() <= kind) zones_.index.resize(kind + 1);
-  std::uint32_t& index = zones_.index[kind];
-  if (index == 0) index = zones_.drag.add(registry_.kind(kind).flown) + 1;
-  return zones_.drag.force(index - 1, rows_.mass[row], density, u);
+  const Kind& kind = registry_.kind(state_.slots[rows_.id[row].index].kind);
+  constexpr std::size_t kMostInZones = 1024;
+  if (zones_.index.size() >= kMostInZones) zones_ = {};  // most of these are gone by now
+  if (!zones_.drag) zones_.drag.emplace();
+  const auto [known, is_new] = zones_.index.try_emplace(kind.number);
+  if (is_new) known->second = zones_.drag->add(kind.flown);
+  return zones_.drag->force(known->second, rows_.mass[row], density, u);
 }
 
 Vec3d ForceField::own_drag(std::uint32_t row) const {

@@ -1,6 +1,9 @@
 // The force field: what all generators of a world do together to some of its projectiles, stage by stage.
 #pragma once
 
+#include <optional>
+#include <unordered_map>
+
 #include "world/force_eval.hpp"
 #include "world/kind_drag.hpp"
 #include "world/state.hpp"
@@ -52,8 +55,8 @@ struct ForceRows {
 
 /// The drag of kinds inside zones of wind, prepared when it is first asked for.
 struct ZoneDrag {
-  KindDrag drag;
-  std::vector<std::uint32_t> index;  // by kind; 0: not yet, else one more than that in `drag`
+  std::optional<KindDrag> drag;
+  std::unordered_map<std::uint32_t, std::uint32_t> index;  // in `drag`, by the number of the kind
 };
 
 class ForceField final : public Surroundings {
@@ -61,6 +64,8 @@ class ForceField final : public Surroundings {
   ForceField(const Registry& registry, const WorldState& state, ForceRows& rows, ZoneDrag& zones)
       : registry_(registry), state_(state), rows_(rows), zones_(zones) {}
 
+  /// Custom forces are left out: one of them asks.
+  void leave_functions_out() { without_functions_ = true; }
   /// Finds out which generators act on which rows during a step from now on.
   void begin_step(double dt);
   /// Fills rows.force, from positions and velocities at a place 0..1 of the step.
@@ -84,6 +89,7 @@ class ForceField final : public Surroundings {
   double time_ = 0;  // at the start of the step [s]
   double dt_ = 0;
   double place_ = 0;
+  bool without_functions_ = false;
   bool has_zones_ = false;
   bool has_ages_ = false;
 };

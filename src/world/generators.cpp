@@ -51,6 +51,34 @@ void Generators::count(std::uint32_t slot, bool on) {
   }
 }
 
+bool Generators::restore(std::vector<Generator> all, std::vector<std::uint32_t> free,
+                         std::vector<std::uint32_t> order) {
+  if (all.empty() || all[0].active || free.size() + order.size() + 1 != all.size()) return false;
+  std::vector<bool> seen(all.size());
+  const auto fits = [&](std::uint32_t index, bool active) {
+    const bool good = index > 0 && index < all.size() && !seen[index] && all[index].active == active;
+    if (good) seen[index] = true;
+    return good;
+  };
+  for (const std::uint32_t index : free)
+    if (!fits(index, false) || all[index].begun) return false;
+  for (const std::uint32_t index : order) {
+    if (!fits(index, true)) return false;
+    auto& ids = all[index].def.target.ids;
+    if (!std::ranges::is_sorted(ids)) return false;
+  }
+  all_ = std::move(all);
+  free_ = std::move(free);
+  order_ = std::move(order);
+  return true;
+}
+
+std::size_t Generators::bytes() const {
+  std::size_t bytes = all_.capacity() * sizeof(Generator);
+  for (const Generator& g : all_) bytes += (g.def.target.ids.capacity() + g.except.capacity()) * sizeof(ProjectileId);
+  return bytes + named_.size() * 32;
+}
+
 void Generators::add_to(Hash& hash) const {
   for (const std::uint32_t index : order_) {
     const Generator& g = all_[index];

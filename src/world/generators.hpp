@@ -56,6 +56,16 @@ class Generators {
   void forget(std::uint32_t slot) {
     if (!named_.empty()) named_.erase(slot);
   }
+  [[nodiscard]] const std::vector<Generator>& all() const { return all_; }  // the first is none
+  [[nodiscard]] const std::vector<std::uint32_t>& free() const { return free_; }
+  /// As a save tells them; false where that makes no sense. What has begun is to be resumed then.
+  bool restore(std::vector<Generator> all, std::vector<std::uint32_t> free, std::vector<std::uint32_t> order);
+  /// One that has begun is in a group, or not.
+  void resume(std::uint32_t index, bool in_group) {
+    PHYSIM_ASSERT((*this)[index].begun);
+    if (in_group) groups_.push_back(index);
+  }
+  [[nodiscard]] std::size_t bytes() const;
   /// In the order in which they act, and that in which their places are used again.
   void add_to(Hash& hash) const;
 

@@ -20,7 +20,7 @@ struct RowNumbers {
   double now;  // number of the coming step
   double age;  // time since launch [s]
   const Vec3d& previous;
-  const Rotor<double>& rotor;
+  const Rotor<double>* rotor;  // of a rung that turns
 };
 
 void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<double>& body, const RowNumbers& n) {
@@ -32,7 +32,7 @@ void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<doub
     Rows::put(c.velocity, row, at.velocity);
     if (layout.carried) Rows::put(c.carried, row, {});
     if (layout.launched) Rows::put(c.launch, row, at.position);
-    if (layout.turning) rows.put_rotor(row, n.rotor);
+    if (layout.turning) rows.put_rotor(row, *n.rotor);
     if (!layout.clocked) return;
     c.offset[row] = static_cast<S>(n.age);
     c.born[row] = static_cast<S>(n.now);
@@ -82,7 +82,7 @@ void Placement::set_attitude(std::uint32_t index, const Attitude& attitude) {
   const Slot& slot = state_.slots[index];
   const Rows& rows = state_.rows_of(slot);
   rows.put_turn(slot.row, turn_of(registry_.cohort(slot.cohort).key.fidelity,
-                                  registry_.kind(slot.kind).rungs[slot.rung].rotor, attitude));
+                                  *registry_.kind(slot.kind).rungs[slot.rung].rotor, attitude));
 }
 
 void Placement::stop_turning(std::uint32_t index) {
@@ -100,7 +100,7 @@ void Placement::write_row(std::uint32_t index, const BodyState& given, const Row
   PHYSIM_ASSERT(finite(given.position) && finite(given.velocity));
   const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
   PHYSIM_ASSERT(state_.rows_of(slot).slot(slot.row) == index);
-  const RowNumbers numbers{state_.clock.now(), start.age, start.previous, rung.rotor};
+  const RowNumbers numbers{state_.clock.now(), start.age, start.previous, rung.rotor.get()};
   const bool special =
       slot.is(kOwn) || rung.in_use.fidelity.planar || rung.equivalent_drag || state_.rows_of(slot).layout().clocked;
   if (!special) return put_row(state_.rows_of(slot), slot.row, given, rung.body, numbers);

@@ -43,6 +43,10 @@ class Placement {
   void write_row(std::uint32_t slot, const BodyState& at, const RowStart& start);
   /// Fills a row anew where its switches changed: its clock and its motor go on.
   void rewrite_row(std::uint32_t slot);
+  /// The numbers of a row that do not follow from its kind and rung, as a save holds them; the other way round, false
+  /// where they make no sense.
+  [[nodiscard]] std::vector<double> saved_numbers(std::uint32_t slot) const;
+  [[nodiscard]] bool put_saved(std::uint32_t slot, const std::vector<double>& numbers);
   /// Puts a state into its row; closed forms start anew from it.
   void set_row_state(std::uint32_t slot, const BodyState& at);
   /// The numbers that the models read of one projectile, and its time since launch as they count it.

@@ -25,6 +25,12 @@ class Pools {
   }
   void join(std::uint32_t pool, std::uint32_t slot);
   void leave(std::uint32_t pool, std::uint32_t slot);
+  /// Calls f with the slots of each pool that replaces its oldest, from the oldest on.
+  template <class F>
+  void each_by_age(const F& f) const {
+    for (const Pool& pool : pools_)
+      for (std::uint32_t slot = pool.oldest; slot != 0; slot = links_[slot].newer) f(slot);
+  }
   [[nodiscard]] std::size_t bytes() const { return links_.capacity() * sizeof(Link); }
   /// Who is replaced next where a pool is full.
   void add_to(Hash& hash) const;

@@ -13,20 +13,24 @@ constexpr std::size_t kTogether = 1 << 16;  // [bytes]
 
 }  // namespace
 
-Recorder::Recorder(RecordSink sink, const RecordOptions& options, std::size_t together)
-    : sink_(std::move(sink)), options_(options), together_(together) {}
+thread_local const Gate* Gate::in_question = nullptr;
+Gate::Gate() = default;
+Gate::~Gate() = default;
+
+Recorder::Recorder(Gate& gate, RecordSink sink, const RecordOptions& options, std::size_t together)
+    : gate_(gate), sink_(std::move(sink)), options_(options), together_(together) {}
 
 void Recorder::attach(World& world, std::unique_ptr<Recorder> recorder) {
-  recorder->first_moment = world.impl_->moments;
-  world.impl_->recorder = std::move(recorder);
+  recorder->first_moment = world.impl().moments;
+  world.impl().recorder = std::move(recorder);
 }
 
-void Recorder::begin(const WorldDef& def) {
+void Recorder::begin(const WorldDef& def, const std::vector<std::byte>& save) {
   const auto magic = std::as_bytes(std::span(kRecordingMagic));
   bytes_.assign(magic.begin(), magic.end());
   Writer(bytes_).write(kRecordingFormat);
   chain_ = 0;
-  frame(Call::begin, std::string(kVersion), options_.hash_every, def);
+  frame(Call::begin, std::string(kVersion), options_.hash_every, def, save);
   flush();
 }
 
@@ -47,13 +51,18 @@ void Recorder::close_frame() {
   if (bytes_.size() >= together_) flush();
 }
 
+Status Recorder::hand_over(std::span<const std::byte> bytes) {
+  const Inside inside(gate_);
+  try {
+    return sink_(bytes);
+  } catch (...) {
+    return Error{"its sink threw something", "recording", "sinks return their errors"};
+  }
+}
+
 void Recorder::flush() {
   if (!is_good() || bytes_.empty()) return;
-  try {
-    status_ = sink_(bytes_);
-  } catch (...) {
-    fail({"its sink threw something", "recording", "sinks return their errors"});
-  }
+  status_ = hand_over(bytes_);
   bytes_.clear();
 }
 
@@ -67,38 +76,45 @@ Status Recorder::finish() {
   frame(Call::end);
   flush();
   finished_ = true;
-  if (!status_) return status_;
-  try {
-    status_ = sink_({});
-  } catch (...) {
-    fail({"its sink threw something", "recording", "sinks return their errors"});
-  }
+  if (status_) status_ = hand_over({});
   return status_;
 }
 
 // --------------------------------------------------------------------------------------------- of a world
 Status World::record(RecordSink sink, const RecordOptions& options) {
-  WorldImpl& w = *impl_;
+  WorldImpl& w = impl();
+  if (w.is_closed()) return from_inside();
   if (!sink) return Error{"there is nothing to record into", "sink", "give a function that takes bytes"};
   if (w.recorder) return Error{"a recording is under way", "world", "stop_recording() ends it"};
-  const bool untouched = !w.registry.has_kind({1}) && hash() == World(w.def).hash();
-  if (!untouched)
-    return Error{"something was done to this world already", "world", "record() comes first, right after create()"};
-  auto recorder = std::make_unique<Recorder>(std::move(sink), options, kTogether);
-  recorder->begin(w.def);
+  std::vector<std::byte> begun;
+  if (options.from_now) {
+    auto saved = save();
+    if (!saved) return saved.error();
+    begun = std::move(*saved);
+  } else if (!w.registry.is_new() || hash() != World(w.def).hash()) {
+    return Error{"something was done to this world already", "world",
+                 "record() comes first, right after create(), or begins with a save: RecordOptions::from_now"};
+  }
+  const std::shared_ptr<WorldImpl> keep = impl_;
+  auto recorder = std::make_unique<Recorder>(w, std::move(sink), options, kTogether);
+  recorder->begin(w.def, begun);
   if (!recorder->is_good()) return recorder->finish();
-  Recorder::attach(*this, std::move(recorder));
+  recorder->first_moment = w.moments;
+  w.recorder = std::move(recorder);
   return {};
 }
 
 Status World::stop_recording() {
-  if (!impl_->recorder) return Error{"there is no recording under way", "world", "record() begins one"};
-  Status status = impl_->recorder->finish();
-  impl_->recorder.reset();
+  WorldImpl& w = impl();
+  if (w.is_closed()) return from_inside();
+  if (!w.recorder) return Error{"there is no recording under way", "world", "record() begins one"};
+  const std::shared_ptr<WorldImpl> keep = impl_;
+  Status status = w.recorder->finish();
+  w.recorder.reset();
   return status;
 }
 
-bool World::is_recording() const { return impl_->recorder && impl_->recorder->is_good(); }
+bool World::is_recording() const { return impl().recorder && impl().recorder->is_good(); }
 
 RecordSink record_into(std::vector<std::byte>& bytes) {
   return [&bytes](std::span<const std::byte> more) -> Status {

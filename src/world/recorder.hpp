@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
@@ -28,18 +29,55 @@ inline constexpr std::size_t kCheckSum = 4;   // [bytes]
   return static_cast<std::uint32_t>(chained ^ chained >> 32);
 }
 
+class Recorder;
+
+/// What every call that changes a world passes: its recording, and whether one of its own callbacks runs.
+struct Gate : std::enable_shared_from_this<Gate> {
+  bool is_inside = false;  // a step, or the sink of the recording
+  std::unique_ptr<Recorder> recorder;
+  /// The world whose forces this thread asks between steps, as accelerations() does.
+  static thread_local const Gate* in_question;
+
+  Gate();
+  /// Nothing may be changed now.
+  [[nodiscard]] bool is_closed() const { return is_inside || in_question == this; }
+  Gate(const Gate&) = delete;
+  Gate& operator=(const Gate&) = delete;
+  ~Gate();
+};
+
+/// As long as it lives calls that change the world are refused.
+class Inside {
+ public:
+  explicit Inside(Gate& gate) : gate_(gate), before_(std::exchange(gate.is_inside, true)) {}
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+  ~Inside() { gate_.is_inside = before_; }
+
+ private:
+  Gate& gate_;
+  bool before_;
+};
+
+[[nodiscard]] inline Error from_inside() {
+  return {"was called from inside the world's own step or recording", "world", "call it after the step"};
+}
+
 class Recorder {
  public:
   /// `together`: frames are handed to the sink when there are so many bytes of them [bytes].
-  Recorder(RecordSink sink, const RecordOptions& options, std::size_t together);
+  Recorder(Gate& gate, RecordSink sink, const RecordOptions& options, std::size_t together);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder() { static_cast<void>(finish()); }
 
+  /// The parts of a world that is to be recorded.
+  [[nodiscard]] static WorldImpl& parts_of(World& world) { return world.impl(); }
   /// Makes a world's recorder. A replay goes on with the check sum of the recording's `begin`.
   static void attach(World& world, std::unique_ptr<Recorder> recorder);
 
-  void begin(const WorldDef& def);
+  /// `save`: of the world where it is not new.
+  void begin(const WorldDef& def, const std::vector<std::byte>& save);
   void go_on(std::uint64_t chained) { chain_ = chained; }
   /// Completes the recording, once; what went wrong with it.
   Status finish();
@@ -53,16 +91,21 @@ class Recorder {
   }
   [[nodiscard]] bool is_outermost() const { return depth_ == 1; }
 
+  /// False where it is not written: a call with what is no value of its type, which the world refuses, or no good
+  /// recording.
   template <class... T>
-  void frame(Call call, const T&... values) {
-    if (!is_good()) return;
+  bool frame(Call call, const T&... values) {
+    if (!is_good()) return false;
     try {
       open_frame(call);
-      Writer(bytes_).write(values...);
+      Writer writer(bytes_);
+      writer.write(values...);
+      if (!writer.good()) return bytes_.resize(open_), false;
       close_frame();
     } catch (...) {
       fail({"no memory left for it", "recording", ""});
     }
+    return is_good();
   }
   /// A step was taken. `hash` gives that of the world, where it is asked for.
   template <class F>
@@ -86,6 +129,9 @@ class Recorder {
   void open_frame(Call call);
   void close_frame();
 
+  Status hand_over(std::span<const std::byte> bytes);
+
+  Gate& gate_;
   RecordSink sink_;
   RecordOptions options_;
   std::size_t together_;
@@ -98,15 +144,21 @@ class Recorder {
   Status status_;
 };
 
-/// A call that changes a world, from its first line to its end; all that it computes, it computes in IeeeMode.
-///   const Recorded<Call::despawn> call(impl_->recorder, id);
+/// A call that changes a world, from its first line to its end; all that it computes, it computes in
+/// IeeeMode.
+///   const Recorded<Call::despawn> call(world, id);
+///   if (call.is_refused()) return from_inside();
+/// The world's parts stay as long as it, whatever a callback does to the world.
 template <Call name>
 class Recorded {
  public:
   template <class... T>
-  explicit Recorded(const std::unique_ptr<Recorder>& recorder, const T&... arguments) : recorder_(recorder.get()) {
+  explicit Recorded(Gate& gate, const T&... arguments) : is_refused_(gate.is_closed()) {
     static_assert(std::is_same_v<std::tuple<typename RecordedAs<T>::Type...>, ArgumentsOf<name>>,
                   "recorded_calls.hpp says otherwise");
+    if (is_refused_) return;
+    if (gate.recorder || kSteps) keep_ = gate.shared_from_this();
+    recorder_ = gate.recorder.get();
     if (recorder_ && recorder_->enter()) begin(arguments...);
   }
   Recorded(const Recorded&) = delete;
@@ -115,10 +167,12 @@ class Recorded {
     if (recorder_) recorder_->leave();
   }
 
+  /// It comes from inside the world's own step or recording: nothing may be changed.
+  [[nodiscard]] bool is_refused() const { return is_refused_; }
   /// What the call hands out, such as an id: a replay must hand out the same.
   template <class T>
   const T& returns(const T& value) const {
-    if (recorder_ && recorder_->is_outermost()) recorder_->frame(Call::returned, value);
+    if (is_written_ && recorder_->is_outermost()) recorder_->frame(Call::returned, value);
     return value;
   }
   template <class T>
@@ -130,14 +184,18 @@ class Recorded {
  private:
   template <class... T>
   [[gnu::noinline]] void begin(const T&... arguments) {
-    recorder_->frame(name, arguments...);
+    is_written_ = recorder_->frame(name, arguments...);
     // Calls that step may take long, or bring down a program that was on its way there.
-    constexpr bool steps = name == Call::step || name == Call::advance || name == Call::single_step;
-    if constexpr (steps) recorder_->flush();
+    if constexpr (kSteps) recorder_->flush();
   }
 
+  static constexpr bool kSteps = name == Call::step || name == Call::advance || name == Call::single_step;
+
   IeeeMode mode_;
-  Recorder* recorder_;
+  std::shared_ptr<Gate> keep_;
+  Recorder* recorder_ = nullptr;
+  bool is_refused_;
+  bool is_written_ = false;
 };
 
 }  // namespace physim

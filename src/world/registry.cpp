@@ -63,27 +63,58 @@ StepPlan<S> frame_plan(const WorldDef& def, const Fidelity& granted) {
 
 }  // namespace
 
-Result<KindId> Registry::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
-  const auto is_known = [&](std::uint32_t index) {
-    return kind(index).projectile == projectile && kind(index).body == body;
-  };
-  if (last_given_ != 0 && is_known(last_given_)) return KindId{last_given_};  // as a gun goes on firing
-  const std::uint64_t hash = hash_of(projectile, body);
-  const auto [from, to] = kind_by_hash_.equal_range(hash);
-  for (auto at = from; at != to; ++at)
-    if (is_known(at->second)) return KindId{last_given_ = at->second};
-  if (const Status status = check(projectile); !status) return status.error();
-  if (const Status status = check(body, def_, environments_.size()); !status) return status.error();
-  if (kinds_.size() >= kMostKinds) return Error{"there are too many kinds of projectiles", "world", "reuse kinds"};
-  Kind& added = kinds_.emplace_back();
-  added.projectile = projectile;
-  added.body = body;
-  added.flown = with_drag_scaled(projectile, body.drag_scale);
-  added.flags = flags_of(body);
-  const auto index = static_cast<std::uint32_t>(kinds_.size());
-  kind_by_hash_.emplace(hash, index);
-  rung(index, projectile.fidelity);
-  return KindId{last_given_ = index};
+Result<std::uint32_t> Registry::find_or_add_kind(const ProjectileDef& projectile, const BodyDef& body,
+                                                 std::uint64_t moment) {
+  const std::uint32_t last = kinds.find(KindId{last_given_});
+  if (last != 0 && kinds.is(last, projectile, body)) return last;  // as a gun goes on firing
+  Kind added;
+  added.hash = hash_of(projectile, body);
+  std::uint32_t index = kinds.find(added.hash, projectile, body);
+  if (index == 0) {
+    if (const Status status = check(projectile); !status) return status.error();
+    if (const Status status = check(body, def_, environments_.size()); !status) return status.error();
+    if (kinds.is_full()) return Error{"there are too many kinds of projectiles", "world", "reuse kinds"};
+    added.projectile = projectile;
+    added.body = body;
+    added.flown = with_drag_scaled(projectile, body.drag_scale);
+    added.flags = flags_of(body);
+    added.born = moment;
+    index = kinds.add(std::move(added));
+    rung(index, projectile.fidelity);
+  }
+  last_given_ = kind(index).number;
+  return index;
+}
+
+void Registry::add_saved_kind(Kind saved) {
+  saved.hash = hash_of(saved.projectile, saved.body);
+  saved.flown = with_drag_scaled(saved.projectile, saved.body.drag_scale);
+  saved.flags = flags_of(saved.body);
+  Kind& k = kind(kinds.add(std::move(saved)));
+  for (Prepared& r : k.rungs) {
+    r.hash = hash_of(k.projectile, k.body, r.asked);
+    if (has_environment_of(k)) prepare(k, r);
+  }
+}
+
+void Registry::grow(const std::vector<Grown>& growth) {
+  for (const Grown& each : growth) {
+    const ProjectileDef flown = with_drag_scaled(each.projectile, each.drag_scale);
+    // Granted once more, as it may come from a save: an environment changes no table.
+    const Fidelity granted = grant(each.granted, flown, Environment{}).fidelity;
+    Conditions<double> probe = prepare_conditions(Environment{}, granted);
+    TablePool& pool = tables(granted.interpolation);
+    const Body<double> body = prepare_body(flown, Launch{}, 0, pool, probe);
+    if (turns(granted)) static_cast<void>(prepare_rotor(flown, Launch{}, 0, body, pool, probe));
+  }
+  growth_ = growth;
+}
+
+std::size_t Registry::bytes() const {
+  std::size_t numbers = 0;
+  for (const TablePool& pool : tables_) numbers += pool.size();
+  return kinds.bytes() + cohorts_.size() * sizeof(WorldCohort) + numbers * sizeof(double) +
+         growth_.capacity() * sizeof(Grown) + environments_.capacity() * sizeof(Environment);
 }
 
 std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity& asked, const FidelityNote* why) {
@@ -96,6 +127,7 @@ std::optional<std::uint16_t> Registry::rung(std::uint32_t index, const Fidelity&
   if (k.rungs.size() >= kMostRungs) return std::nullopt;
   Prepared& added = k.rungs.emplace_back();
   added.asked = asked;
+  added.hash = hash_of(k.projectile, k.body, asked);
   if (why) added.chosen = *why;
   prepare(k, added);
   return static_cast<std::uint16_t>(k.rungs.size() - 1);
@@ -115,11 +147,17 @@ void Registry::prepare(Kind& k, Prepared& r) {
   TablePool& pool = tables(granted.interpolation);
   const std::size_t size_before = pool.size();
   r.body = prepare_body(k.flown, Launch{}, 0, pool, probe);
-  r.rotor = turns(granted) ? prepare_rotor(k.flown, Launch{}, 0, r.body, pool, probe) : Rotor<double>{};
-  if (pool.size() != size_before)
+  r.rotor = nullptr;
+  if (turns(granted))
+    r.rotor = std::make_unique<Rotor<double>>(prepare_rotor(k.flown, Launch{}, 0, r.body, pool, probe));
+  if (pool.size() != size_before) {
+    growth_.push_back({k.projectile, k.body.drag_scale, granted});
     for (WorldCohort& cohort : cohorts_) point_to_tables(cohort);
+  }
   const bool equivalent = granted.drag == DragModel::linear_quadratic && k.flown.drag.k1 == 0 && k.flown.drag.k2 == 0;
-  r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.flown, r.body, probe) : nullptr;
+  auto& curves = equivalent_[static_cast<unsigned>(granted.interpolation)];
+  if (!curves) curves = std::make_shared<TablePool>();
+  r.equivalent_drag = equivalent ? std::make_unique<EquivalentDrag>(k.flown, r.body, probe, curves) : nullptr;
   r.features = probe;
   std::fill(std::begin(r.cohort), std::end(r.cohort), kNoCohort);
 }
@@ -198,9 +236,10 @@ Status Registry::set_environment(std::uint32_t index, const Environment& environ
   environments_[index] = environment;
   for (WorldCohort& cohort : cohorts_)
     if (cohort.key.environment == index) prepare(cohort);
-  for (Kind& k : kinds_)
-    if (k.body.environment == index)
-      for (Prepared& r : k.rungs) prepare(k, r);
+  kinds.each([&](Kind& k) {
+    if (k.body.environment != index) return;
+    for (Prepared& r : k.rungs) prepare(k, r);
+  });
   return {};
 }
 

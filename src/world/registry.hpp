@@ -1,24 +1,19 @@
-// What a world knows and never forgets: its environments, its kinds of projectiles on the rungs they were asked for,
-// and the cohorts that they belong to. It only grows, so that snapshots need not hold it.
+// What a world knows: its environments, its kinds of projectiles, and the cohorts that they belong to. What a snapshot
+// needs of it stays, so that snapshots need not hold it.
 #pragma once
 
 #include <deque>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
-#include "physim/world_def.hpp"
-#include "prepare/cohort.hpp"
-#include "prepare/equivalent_drag.hpp"
 #include "world/check.hpp"
 #include "world/fields.hpp"
-#include "world/live.hpp"
+#include "world/kinds.hpp"
 
 namespace physim {
 
 inline constexpr std::size_t kMostCohorts = 65535;
-inline constexpr std::size_t kMostKinds = 1u << 20;
 inline constexpr std::size_t kMostRungs = 4096;  // of one kind
 
 /// Rules that a whole cohort shares.
@@ -54,29 +49,6 @@ struct Variant {
     return (forced ? 1u : 0) | (still ? 2u : 0) | (sleepless ? 4u : 0) | (railed ? 8u : 0) | own << 4;
   }
 };
-inline constexpr unsigned kVariants = 16u << kOwnParts.size();
-inline constexpr std::uint16_t kNoCohort = 0xffff;
-
-/// A kind on one rung.
-struct Prepared {
-  Fidelity asked;
-  std::optional<FidelityNote> chosen;  // why, where it was not asked for by name
-  FidelityInUse in_use;
-  Features features;
-  Body<double> body;                                // of everything but the launch
-  Rotor<double> rotor;                              // the same, of rungs that turn
-  std::unique_ptr<EquivalentDrag> equivalent_drag;  // where k2 is that of the drag equation at launch
-  std::uint16_t cohort[kVariants];
-};
-
-struct Kind {
-  ProjectileDef projectile;
-  BodyDef body;
-  ProjectileDef flown;         // the projectile with its drag scaled as its body says: what the models are given
-  std::uint32_t flags = 0;     // SlotFlags that its body sets
-  std::deque<Prepared> rungs;  // the first is its own
-};
-
 /// Equal rungs, environment and rules: stepped together.
 struct WorldCohort {
   CohortKey key;
@@ -93,17 +65,26 @@ struct WorldCohort {
   }
 };
 
+/// What tables were made for: a projectile, with so many times its drag, on a rung.
+struct Grown {
+  ProjectileDef projectile;
+  double drag_scale = 1;
+  Fidelity granted;
+};
+
 class Registry {
  public:
   explicit Registry(const WorldDef& def) : def_(def), environments_{def.environment} {}
 
-  [[nodiscard]] Result<KindId> add_kind(const ProjectileDef& projectile, const BodyDef& body);
-  [[nodiscard]] const Kind& kind(std::uint32_t index) const {
-    PHYSIM_ASSERT(has_kind({index}));
-    return kinds_[index - 1];
-  }
-  [[nodiscard]] Kind& kind(std::uint32_t index) { return const_cast<Kind&>(std::as_const(*this).kind(index)); }
-  [[nodiscard]] bool has_kind(KindId id) const { return id.index > 0 && id.index <= kinds_.size(); }
+  /// The index of a kind of these definitions, of one that there is already where it is. Indices are for the world
+  /// alone: they are used again where kinds were let go.
+  [[nodiscard]] Result<std::uint32_t> find_or_add_kind(const ProjectileDef& projectile, const BodyDef& body,
+                                                       std::uint64_t moment);
+  /// A kind that a save tells of, with all that is prepared of it but for what flies in an environment that is gone.
+  void add_saved_kind(Kind kind);
+  [[nodiscard]] const Kind& kind(std::uint32_t index) const { return kinds[index]; }
+  [[nodiscard]] Kind& kind(std::uint32_t index) { return kinds[index]; }
+  [[nodiscard]] bool has_kind(KindId id) const { return kinds.find(id) != 0; }
 
   /// The kind on a rung; nothing where there are too many already. `why` says how the rung was chosen, if it was.
   std::optional<std::uint16_t> rung(std::uint32_t kind, const Fidelity& asked, const FidelityNote* why = nullptr);
@@ -120,10 +101,15 @@ class Registry {
   Status set_environment(std::uint32_t index, const Environment& environment);
   /// Back to what they were. Kinds that fly in one that is not there then have none until it is added again.
   void restore_environments(const std::vector<Environment>& then);
-  [[nodiscard]] bool has_environment_of(KindId id) const {
-    return has_kind(id) && kind(id.index).body.environment < environments_.size();
-  }
+  [[nodiscard]] bool has_environment_of(const Kind& k) const { return k.body.environment < environments_.size(); }
   [[nodiscard]] const std::vector<Environment>& environments() const { return environments_; }
+  [[nodiscard]] bool is_new() const { return kinds.is_new(); }
+  /// What was prepared when the tables grew, in order: a world that prepares the same has equal tables.
+  [[nodiscard]] const std::vector<Grown>& growth() const { return growth_; }
+  void grow(const std::vector<Grown>& growth);
+  [[nodiscard]] std::size_t bytes() const;
+
+  Kinds kinds;
 
  private:
   std::uint16_t find_or_add(const CohortKey& key);
@@ -136,11 +122,11 @@ class Registry {
 
   WorldDef def_;
   std::vector<Environment> environments_;
-  std::deque<Kind> kinds_;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> kind_by_hash_;
-  std::uint32_t last_given_ = 0;  // kind that add_kind() gave last
+  std::uint32_t last_given_ = 0;  // number of the kind that was found last
   std::deque<WorldCohort> cohorts_;
   TablePool tables_[3];
+  std::vector<Grown> growth_;
+  std::shared_ptr<TablePool> equivalent_[3];  // of EquivalentDrags, by interpolation
 };
 
 }  // namespace physim

@@ -8,6 +8,8 @@
 
 #include "physim/recording.hpp"
 #include "world/recorder.hpp"
+#include "world/save.hpp"
+#include "world/world_impl.hpp"
 
 namespace physim {
 namespace {
@@ -137,6 +139,9 @@ struct Replay::Impl {
   ReplayOptions options;
   ReplayReport report;
   WorldDef def;
+  std::vector<std::byte> save;  // that the recording begins with, if it does
+  std::size_t saved_functions = 0;
+  bool is_inside = false;  // of next()
   RecordOptions record;
   std::uint64_t chained = 0;  // check sum of the recording's begin
   std::size_t end = 0;        // of the last whole frame
@@ -163,8 +168,13 @@ struct Replay::Impl {
 // --------------------------------------------------------------------------------------------- before it is played
 Status Replay::Impl::read_begin(const Frame& frame) {
   Reader reader(frame.content);
-  reader(report.made_by, record.hash_every, def);
+  reader(report.made_by, record.hash_every, def, save);
   if (frame.call != Call::begin || !reader.complete()) return damaged(frame.place, "the recording has no beginning");
+  if (!save.empty()) {
+    const Result<std::size_t> found = custom_forces_of(save);
+    if (!found) return damaged(frame.place, "the save that it begins with: " + found.error().message);
+    saved_functions = *found;
+  }
   chained = frame.chained;
   at = end = frame.next();
   return {};
@@ -196,6 +206,7 @@ Status Replay::Impl::survey() {
   if (report.complete && end != bytes.size()) return damaged(end, "something follows the end of the recording");
   report.bytes = end;
   const auto given = std::ranges::count_if(options.custom_forces, [](const auto& f) { return bool(f.function); });
+  found.custom_forces += saved_functions;
   if (found.custom_forces > static_cast<std::size_t>(given))
     return Error{"the recording has " + std::to_string(found.custom_forces) + " custom forces, and " +
                      std::to_string(given) + " functions were given",
@@ -207,7 +218,7 @@ Status Replay::Impl::survey() {
 void Replay::Impl::start(World made) {
   world = std::move(made);
   const auto sink = [this](std::span<const std::byte> frame) { return compare(frame); };
-  auto again = std::make_unique<Recorder>(sink, record, 0);
+  auto again = std::make_unique<Recorder>(Recorder::parts_of(world), sink, record, 0);
   again->go_on(chained);
   recorder = again.get();
   Recorder::attach(world, std::move(again));
@@ -297,16 +308,19 @@ Result<Replay> Replay::open(std::vector<std::byte> recording, const ReplayOption
   auto impl = std::make_unique<Impl>(std::move(recording), options);
   if (Status status = impl->survey(); !status) return status.error();
   impl->def.threading = options.threading;
-  Result<World> world = World::create(impl->def);
+  Result<World> world = impl->save.empty() ? World::create(impl->def) : World::load(impl->save, options);
   if (!world) return world.error();
+  impl->functions = impl->saved_functions;
   impl->start(std::move(*world));
   return Replay(std::move(impl));
 }
 
 bool Replay::next() {
   Impl& r = *impl_;
-  if (r.at >= r.end || r.report.difference) return false;
+  if (r.is_inside || r.at >= r.end || r.report.difference) return false;  // inside: a custom force asks
+  r.is_inside = true;
   r.make_next();
+  r.is_inside = false;
   return r.at < r.end ? !r.report.difference : r.call != Call::end && !r.report.difference;
 }
 

@@ -8,6 +8,12 @@
 
 namespace physim {
 
+/// What is due, and when.
+struct Due {
+  double time = 0;  // [s]
+  ProjectileId id;
+};
+
 class Schedule {
  public:
   void add(double time, ProjectileId id) {
@@ -25,13 +31,10 @@ class Schedule {
     }
     return {};
   }
+  [[nodiscard]] const std::vector<Due>& all() const { return heap_; }  // in no order
   [[nodiscard]] std::size_t bytes() const { return heap_.capacity() * sizeof(Due); }
 
  private:
-  struct Due {
-    double time;
-    ProjectileId id;
-  };
   static bool is_later(const Due& a, const Due& b) {
     return a.time != b.time ? a.time > b.time : a.id.index > b.id.index;
   }

@@ -1,13 +1,20 @@
 #include "world/settle.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "model/contact.hpp"
 #include "world/settled_row.hpp"
 
 namespace physim {
 namespace {
 
-/// Bounces in one step; then a projectile lies on the ground.
+/// Bounces in one part of a step; then a projectile lies on the ground.
 constexpr int kMostBounces = 16;
+/// Near the ground long steps go on in parts of so much or less: what a bounce may be too low for is judged by them,
+/// and a ball that bounces on has steps that its way is right with [s].
+constexpr double kLongestPart = 1.0 / 30;
 
 Vec3d normal_at(const Conditions<double>& c, const Vec3d& x) {
   return is_round(c.fidelity.earth) ? vertical_at(c, x) : Vec3d{0, 1, 0};
@@ -29,7 +36,11 @@ class Settling {
     else if (r_.taken())
       look_at_taken();
     else
-      go(static_cast<S>(context_.dt), 0);
+      start_part(0), fly_part(0);
+    while (!r_.gone() && part_end_ < context_.dt) {
+      const double from = part_end_;
+      start_part(from), fly_part(from);
+    }
     if (r_.gone()) return;
     if (!is_finite(r_.now())) return r_.leave(LifeStatus::retired, Reason::non_finite);  // a roll's end may overflow
     follow_rules();
@@ -49,11 +60,22 @@ class Settling {
   }
 
   // ------------------------------------------------------------------------------------------- flying
+  /// From a time into the step: how far the next part goes. Before the first contact most steps are one part.
+  void start_part(double from) {
+    bounces_ = 0;
+    part_end_ = context_.dt;
+    if (!is_near_ground_ && !flies_in_parts(*context_.def, context_.dt)) return;
+    const double parts = std::ceil((context_.dt - from) / kLongestPart - 1e-9);
+    if (parts > 1) part_end_ = from + (context_.dt - from) / parts;
+    PHYSIM_ASSERT(part_end_ > from);
+  }
+  void fly_part(double from) { go(static_cast<S>(part_end_ - from), from); }
+
   /// Flies on for a time h, `passed` into the step, as far as nothing ends it.
   void go(S h, double passed) {
     March<S>& march = r_.march;
     Step<S>& s = march.lanes.step;
-    const bool whole = passed == 0;
+    const bool whole = passed == 0 && part_end_ == context_.dt;
     s.t = whole ? r_.t_start() : r_.t_start() + static_cast<S>(passed);
     const double clock = passed - static_cast<double>(s.t);  // from the march's clock to time into the step
     march.restart(whole && r_.is_clocked() ? r_.t_end() : s.t + h, h);
@@ -132,40 +154,47 @@ class Settling {
     if (passed > 0) s.x -= n * (height(c, s.x) - ground().height);
     if (ground().mode != GroundMode::bounce) return stay(s, passed);
     const BodyDef& body = context_.registry->kind(r_.slot().kind).body;
+    if (!std::exchange(is_near_ground_, true)) start_part(passed);
     const Surface surface{ground().restitution * body.restitution, ground().friction * body.friction,
                           body.rolling_resistance};
     const Vec3d v = bounced(s.v, n, surface);
     const Vec3d a = r_.acceleration_at(s, passed);
     // A bounce that would be over within this step does not lift it any more.
-    if (dot(v, n) > -dot(a, n) * (0.5 * context_.dt) && bounces_++ < kMostBounces) {
+    const double frame = std::min(context_.dt, kLongestPart);
+    if (dot(v, n) > -dot(a, n) * (0.5 * frame) && bounces_++ < kMostBounces) {
       r_.tell(EventKind::bounced, Reason::none, passed, {s.x, v});
       return go_on(s.x, v, passed);
     }
     if (dot(a, n) > 0) {  // something lifts it
       const bool flies = bounces_++ < kMostBounces;
-      return flies ? go_on(s.x, v - n * dot(v, n), passed) : put(s.x, v - n * dot(v, n), passed);
+      return flies ? go_on(s.x, v - n * dot(v, n), passed) : put_at_last(s.x, v - n * dot(v, n), passed);
     }
     // What falls from higher than a step's fall struck the ground, even where nothing of its speed is left.
-    if (dot(s.v, n) < dot(a, n) * context_.dt)
-      r_.tell(EventKind::bounced, Reason::none, passed, {s.x, v - n * dot(v, n)});
+    if (dot(s.v, n) < dot(a, n) * frame) r_.tell(EventKind::bounced, Reason::none, passed, {s.x, v - n * dot(v, n)});
     const Rolled rolled_on = rolled(v, a, n, surface, context_.dt - passed);
     Vec3d x = s.x + rolled_on.way;
     x -= normal_at(c, x) * (height(c, x) - ground().height);
-    put(x, rolled_on.velocity, context_.dt);
+    put_at_last(x, rolled_on.velocity, context_.dt);
   }
 
   void put(const Vec3d& x, const Vec3d& v, double passed) {
     r_.now() = {vec_cast<S>(x), vec_cast<S>(v)};
     r_.relaunch(passed);
   }
+  /// Nothing more happens in this step.
+  void put_at_last(const Vec3d& x, const Vec3d& v, double passed) {
+    put(x, v, passed);
+    part_end_ = context_.dt;
+  }
   void go_on(const Vec3d& x, const Vec3d& v, double passed) {
     put(x, v, passed);
-    go(static_cast<S>(context_.dt - passed), passed);
+    fly_part(passed);
   }
 
   /// Where the ground holds what lands on it.
   void stay(const State<double>& s, double passed) {
     r_.tell(EventKind::landed, Reason::none, passed, s);
+    part_end_ = context_.dt;
     r_.now() = {vec_cast<S>(s.x), {}};
     if (ground().mode == GroundMode::land) return r_.leave(LifeStatus::landed, Reason::none);
     r_.change(Change::Kind::stick, LifeStatus::landed, Reason::none);
@@ -214,6 +243,8 @@ class Settling {
   SettledRow<S> r_;
   const Course<S>& course_;
   Judgement<S> judgement_{};
+  double part_end_ = context_.dt;  // time into the step [s]
+  bool is_near_ground_ = false;
   int bounces_ = 0;
 };
 

@@ -64,6 +64,12 @@ template <class S>
 /// Whether the projectile of a row belongs where it lies, and moves.
 [[nodiscard]] bool is_in_its_cohort(const SettleContext& context, std::uint16_t cohort, std::uint32_t row);
 
+/// Where the ground bounces, longer steps are flown in parts from their start: each row is looked at.
+inline constexpr double kLongestBouncingStep = 0.1;  // [s]
+[[nodiscard]] inline bool flies_in_parts(const WorldDef& def, double dt) {
+  return def.ground.mode == GroundMode::bounce && dt > kLongestBouncingStep;
+}
+
 /// Steps one row that was left where it was, and writes where it is after the step.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 

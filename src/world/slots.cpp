@@ -46,6 +46,17 @@ void SlotTable::release(std::uint32_t index, LifeStatus status) {
   last_free_ = index;
 }
 
+void SlotTable::restore(std::vector<Slot> slots, const std::vector<std::uint32_t>& free) {
+  PHYSIM_ASSERT(!slots.empty() && free.size() < slots.size());
+  slots_ = std::move(slots);
+  birth_.assign(slots_.size(), 0);
+  rest_.assign(slots_.size(), {});
+  alive_ = size() - 1 - static_cast<std::uint32_t>(free.size());
+  first_free_ = free.empty() ? 0 : free.front();
+  last_free_ = free.empty() ? 0 : free.back();
+  for (std::size_t i = 0; i + 1 < free.size(); ++i) slots_[free[i]].row = free[i + 1];
+}
+
 void SlotTable::reserve(std::size_t more) {
   slots_.reserve(slots_.size() + more);
   birth_.reserve(slots_.size() + more);

@@ -34,6 +34,8 @@ enum SlotFlag : std::uint32_t {
 static_assert((kOwn & (kStill | kAlive | kForced | kSleepless | kTurning | kRailed)) == 0, "each flag has a bit");
 inline constexpr unsigned kStatusShift = 16;     // LifeStatus, 3 bits
 inline constexpr unsigned kSmoothingShift = 20;  // Smoothing, 2 bits
+inline constexpr std::uint32_t kAllFlags =
+    kStill | kAlive | kForced | kOwn | kSleepless | kTurning | kRailed | 7u << kStatusShift | 3u << kSmoothingShift;
 
 struct Slot {
   std::uint32_t generation = 0;
@@ -115,6 +117,8 @@ class SlotTable {
     for (std::uint32_t index = 1; index < slots_.size(); ++index)
       if (slots_[index].is(kAlive)) f(index);
   }
+  /// As a save tells them: all slots, the first nobody's, and the free ones in the order in which they are used again.
+  void restore(std::vector<Slot> slots, const std::vector<std::uint32_t>& free);
   /// Calls f with the index of every free slot, in the order in which they are used again.
   template <class F>
   void each_free(const F& f) const {
@@ -153,6 +157,11 @@ struct Extras {
   }
   [[nodiscard]] const Tags* find_tags(std::uint32_t slot) const { return find(tags, slot); }
   [[nodiscard]] const Turning* find_turning(std::uint32_t slot) const { return find(turning, slot); }
+  [[nodiscard]] std::size_t bytes() const {
+    constexpr std::size_t kNode = 48;  // of a table
+    return own.size() * (sizeof(Own) + kNode) + tags.size() * (sizeof(Tags) + kNode) +
+           turning.size() * (sizeof(Turning) + kNode);
+  }
   void forget(std::uint32_t slot) {
     if (!own.empty()) own.erase(slot);
     if (!tags.empty()) tags.erase(slot);

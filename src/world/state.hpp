@@ -26,6 +26,7 @@ class WorldState {
   Schedule old_age;   // ends by DespawnRules::older
   Generators generators;
   std::vector<Event> events;
+  std::size_t events_of_step = 0;  // the first of them
   WorldCounters counters;
   Vec3d observer;
   DetailRule detail;

@@ -1,9 +1,11 @@
 // The world's own threads: a pool that sleeps between steps.
 #include "physim/task_runner.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -13,7 +15,11 @@ namespace {
 class ThreadPool final : public TaskRunner {
  public:
   explicit ThreadPool(unsigned threads) {
-    for (unsigned i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(); });
+    helpers_.reserve(threads);
+    try {
+      for (unsigned i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(); });
+    } catch (const std::system_error&) {  // the system gives no more: those that there are do the work
+    }
   }
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -81,7 +87,7 @@ class ThreadPool final : public TaskRunner {
 
 std::unique_ptr<TaskRunner> make_thread_pool(unsigned threads) {
   if (threads == 0) threads = std::thread::hardware_concurrency();
-  return std::make_unique<ThreadPool>(threads == 0 ? 1 : threads);
+  return std::make_unique<ThreadPool>(std::clamp(threads, 1u, kMostThreads));
 }
 
 }  // namespace physim

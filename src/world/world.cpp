@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <new>
 
+#include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
 #include "flight/zero.hpp"
 #include "math/elementary.hpp"
@@ -21,13 +23,24 @@ WorldImpl::WorldImpl(const WorldDef& definition) : def(definition), registry(def
   state.clock.dt = def.step;
   state.clock.time_scale = def.time_scale;
   state.detail = def.detail;
+  def_hash = hash_of(def);
 }
 
 World::World() : World(WorldDef{}) {}
-World::World(const WorldDef& def) : impl_(std::make_unique<WorldImpl>(def)) {}
+World::World(const WorldDef& def) : World(std::make_shared<WorldImpl>(def)) {}
+World::World(std::shared_ptr<WorldImpl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
+
+WorldImpl& World::impl() {
+  if (!impl_) impl_ = std::make_shared<WorldImpl>(WorldDef{});
+  return *impl_;
+}
+const WorldImpl& World::impl() const {
+  static const WorldImpl empty{WorldDef{}};
+  return impl_ ? *impl_ : empty;
+}
 
 Result<World> World::create(const WorldDef& def) {
   const IeeeMode mode;
@@ -37,18 +50,26 @@ Result<World> World::create(const WorldDef& def) {
 
 // ------------------------------------------------------------------------------------------- kinds and environments
 Result<KindId> World::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
-  const Recorded<Call::add_kind> call(impl_->recorder, projectile, body);
-  return call.returns(impl_->registry.add_kind(projectile, body));
+  WorldImpl& w = impl();
+  const Recorded<Call::add_kind> call(w, projectile, body);
+  if (call.is_refused()) return from_inside();
+  const Result<std::uint32_t> kind = w.find_or_add_kind(projectile, body);
+  if (!kind) return kind.error();
+  w.registry.kinds.keep(*kind);
+  return call.returns(KindId{w.registry.kind(*kind).number});
 }
 
 Result<std::uint32_t> World::add_environment(const Environment& environment) {
-  const Recorded<Call::add_environment> call(impl_->recorder, environment);
-  return call.returns(impl_->registry.add_environment(environment));
+  WorldImpl& w = impl();
+  const Recorded<Call::add_environment> call(w, environment);
+  if (call.is_refused()) return from_inside();
+  return call.returns(w.registry.add_environment(environment));
 }
 
 Status World::set_environment(std::uint32_t index, const Environment& environment) {
-  WorldImpl& w = *impl_;
-  const Recorded<Call::set_environment> call(w.recorder, index, environment);
+  WorldImpl& w = impl();
+  const Recorded<Call::set_environment> call(w, index, environment);
+  if (call.is_refused()) return from_inside();
   if (Status status = w.registry.set_environment(index, environment); !status) return status;
   w.state.slots.each_alive([&](std::uint32_t slot) {
     if (w.registry.kind(w.state.slots[slot].kind).body.environment == index) w.placement.relocate(slot);
@@ -120,7 +141,7 @@ Result<double> WorldImpl::bore_of(const Kind& kind, const Launch& launch) const 
   return elevation_of(kind.flown, launch, environment, kind.projectile.fidelity);
 }
 
-Result<ProjectileId> WorldImpl::spawn(std::uint32_t kind_index, const Launch& launch, double delay) {
+Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch& launch, double delay) {
   const Kind& kind = registry.kind(kind_index);
   const BodyDef& body = kind.body;
   const Result<double> elevation = bore_of(kind, launch);
@@ -173,22 +194,27 @@ Result<ProjectileId> WorldImpl::spawn(std::uint32_t kind_index, const Launch& la
 /// Spawns after a look at the kind, and counts what is refused.
 Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double delay) {
   Result<ProjectileId> id = [&]() -> Result<ProjectileId> {
-    if (!registry.has_kind(kind)) return Error{"there is no such kind", "kind", "add_kind() makes one"};
-    if (!registry.has_environment_of(kind))
+    const std::uint32_t index = registry.kinds.find(kind);
+    if (index == 0) return Error{"there is no such kind", "kind", "add_kind() makes one"};
+    if (!registry.has_environment_of(registry.kind(index)))
       return Error{"its environment is no longer there", "kind", "restore() took it back: add it again"};
+    registry.kinds.join(index);  // first: who makes room may be the last of another kind, which lets idle ones go
+    Result<ProjectileId> made = Error{"no memory for another projectile", "world", "lower max_projectiles"};
     try {
-      return spawn(kind.index, launch, delay);
+      made = spawn_of(index, launch, delay);
     } catch (const std::bad_alloc&) {
-      return Error{"no memory for another projectile", "world", "lower max_projectiles"};
     }
+    if (!made) registry.kinds.leave(index, moments, living);
+    return made;
   }();
   if (!id) ++state.counters.refused;
   return id;
 }
 
 Result<ProjectileId> World::spawn(KindId kind, const Launch& launch, double delay) {
-  WorldImpl& w = *impl_;
-  const Recorded<Call::spawn> call(w.recorder, kind, launch, delay);
+  WorldImpl& w = impl();
+  const Recorded<Call::spawn> call(w, kind, launch, delay);
+  if (call.is_refused()) return from_inside();
   Result<ProjectileId> id = w.spawn(kind, launch, delay);
   call.returns(id ? *id : ProjectileId{});
   return id;
@@ -196,23 +222,28 @@ Result<ProjectileId> World::spawn(KindId kind, const Launch& launch, double dela
 
 Result<ProjectileId> World::spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body,
                                   double delay) {
-  const Recorded<Call::spawn_def> call(impl_->recorder, projectile, launch, body, delay);
-  const Result<KindId> kind = add_kind(projectile, body);
+  WorldImpl& w = impl();
+  const Recorded<Call::spawn_def> call(w, projectile, launch, body, delay);
+  if (call.is_refused()) return from_inside();
+  const Result<std::uint32_t> kind = w.find_or_add_kind(projectile, body);
   if (!kind) {
-    ++impl_->state.counters.refused;
+    ++w.state.counters.refused;
     return kind.error();
   }
-  Result<ProjectileId> id = spawn(*kind, launch, delay);
+  Result<ProjectileId> id = w.spawn(KindId{w.registry.kind(*kind).number}, launch, delay);
+  w.registry.kinds.forget_idle(w.living);
   call.returns(id ? *id : ProjectileId{});
   return id;
 }
 
 std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::span<ProjectileId> ids) {
   ids = ids.first(std::min(ids.size(), launches.size()));
-  const Recorded<Call::spawn_many> call(impl_->recorder, kind, launches, std::uint64_t{ids.size()});
+  WorldImpl& w = impl();
+  const Recorded<Call::spawn_many> call(w, kind, launches, std::uint64_t{ids.size()});
+  if (call.is_refused()) return 0;
   std::size_t spawned = 0;
   for (std::size_t i = 0; i < launches.size(); ++i) {
-    const Result<ProjectileId> id = impl_->spawn(kind, launches[i], 0);
+    const Result<ProjectileId> id = w.spawn(kind, launches[i], 0);
     if (i < ids.size()) ids[i] = id ? *id : ProjectileId{};
     if (id) ++spawned;
   }
@@ -222,17 +253,22 @@ std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::spa
 
 Status World::reserve(KindId kind, std::size_t count) {
   const IeeeMode mode;
-  WorldImpl& w = *impl_;
-  if (!w.registry.has_environment_of(kind)) return Error{"there is no such kind", "kind", "add_kind() makes one"};
+  WorldImpl& w = impl();
+  if (w.is_closed()) return from_inside();
+  const std::uint32_t index = w.registry.kinds.find(kind);
+  if (index == 0 || !w.registry.has_environment_of(w.registry.kind(index)))
+    return Error{"there is no such kind", "kind", "add_kind() makes one"};
+  if (count > w.def.max_projectiles - std::min(w.state.slots.alive(), w.def.max_projectiles))
+    return Error{"are more projectiles than the world holds", "count", "raise WorldDef::max_projectiles"};
   try {
     w.state.slots.reserve(count);
-    w.state.events.reserve(w.state.events.size() + count);
+    w.make_room_for_events(w.state.events.size() + count);
     Slot slot;
-    slot.kind = kind.index;
-    slot.flags = w.registry.kind(kind.index).flags;
+    slot.kind = index;
+    slot.flags = w.registry.kind(index).flags;
     const std::uint16_t cohort = w.placement.cohort_for(slot);
     if (cohort != kNoCohort) w.state.rows[cohort].reserve(w.state.rows[cohort].size() + count);
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception&) {  // no memory, or more than a list can ever have
     return Error{"no memory for so many projectiles", "world.reserve", "reserve fewer"};
   }
   return {};
@@ -251,31 +287,37 @@ void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
   state.pools.leave(registry.kind(slot.kind).body.pool, index);
   state.extras.forget(index);
   state.generators.forget(index);
+  registry.kinds.leave(slot.kind, moments, living);
   state.slots.release(index, status);
 }
 
 Status Projectile::despawn() {
-  const Recorded<Call::despawn> call(world().recorder, id_);
+  const Recorded<Call::despawn> call(world(), id_);
+  if (call.is_refused()) return from_inside();
   if (!world().find(id_)) return Error{"it is gone already", "id", ""};
   world().retire(id_.index, Reason::despawned);
   return {};
 }
 
 std::size_t World::despawn(std::span<const ProjectileId> ids) {
-  const Recorded<Call::despawn_many> call(impl_->recorder, ids);
+  WorldImpl& w = impl();
+  const Recorded<Call::despawn_many> call(w, ids);
+  if (call.is_refused()) return 0;
   std::size_t gone = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    impl_->prefetch(ids, i);
-    if (!impl_->find(ids[i])) continue;
-    impl_->retire(ids[i].index, Reason::despawned);
+    w.prefetch(ids, i);
+    if (!w.find(ids[i])) continue;
+    w.retire(ids[i].index, Reason::despawned);
     ++gone;
   }
   return gone;
 }
 
 void World::clear() {
-  const Recorded<Call::clear> call(impl_->recorder);
-  impl_->state.slots.each_alive([this](std::uint32_t slot) { impl_->retire(slot, Reason::despawned); });
+  WorldImpl& w = impl();
+  const Recorded<Call::clear> call(w);
+  if (call.is_refused()) return;
+  w.state.slots.each_alive([&w](std::uint32_t slot) { w.retire(slot, Reason::despawned); });
 }
 
 }  // namespace physim

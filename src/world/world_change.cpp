@@ -1,4 +1,5 @@
 // Changes to projectiles between steps: state, switches, sleep, fidelity, things carried along.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,12 +21,33 @@ Error not_finite(const char* place) { return {"must have three finite components
 
 void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason) {
   const BodyState at = state.state_of(state.slots[slot]);
-  state.events.push_back({.kind = kind,
-                          .reason = reason,
-                          .id = state.slots.id_of(slot),
-                          .time = state.clock.time(),
-                          .position = at.position,
-                          .velocity = at.velocity});
+  keep_event({.kind = kind,
+              .reason = reason,
+              .id = state.slots.id_of(slot),
+              .time = state.clock.time(),
+              .position = at.position,
+              .velocity = at.velocity});
+}
+
+void WorldImpl::keep_event(const Event& event) {
+  const std::size_t most = std::max(kMostEventsOfCalls, 2 * std::size_t{state.slots.alive()});
+  if (!is_inside && state.events.size() >= state.events_of_step + most) return void(++state.counters.dropped_events);
+  make_room_for_events(state.events.size() + 1);
+  state.events.push_back(event);
+}
+
+void WorldImpl::make_room_for_events(std::size_t count) {
+  if (count <= state.events.capacity()) return;
+  std::vector<Event> larger;
+  larger.reserve(std::max({count, 2 * state.events.capacity(), std::size_t{16}}));
+  larger.assign(state.events.begin(), state.events.end());
+  outgrown.push_back(std::exchange(state.events, std::move(larger)));
+}
+
+void WorldImpl::forget_events() {
+  state.events.clear();
+  state.events_of_step = 0;
+  outgrown.clear();
 }
 
 void WorldImpl::tell_launch(std::uint32_t index) {
@@ -59,13 +81,15 @@ bool WorldImpl::wake(std::uint32_t index) {
 }
 
 Status Projectile::sleep() {
-  const Recorded<Call::sleep> call(world().recorder, id_);
+  const Recorded<Call::sleep> call(world(), id_);
+  if (call.is_refused()) return from_inside();
   if (!world().find(id_)) return gone();
   if (!world().put_to_sleep(id_.index)) return Error{"it stands still already", "id", "is_asleep() tells"};
   return {};
 }
 Status Projectile::wake() {
-  const Recorded<Call::wake> call(world().recorder, id_);
+  const Recorded<Call::wake> call(world(), id_);
+  if (call.is_refused()) return from_inside();
   if (!world().find(id_)) return gone();
   if (!world().wake(id_.index)) return Error{"it is awake already", "id", "is_asleep() tells"};
   return {};
@@ -96,22 +120,26 @@ Status WorldImpl::change_state(ProjectileId id, const BodyState& to) {
 }
 
 Status Projectile::set_position(const Vec3d& position) {
-  const Recorded<Call::set_position> call(world().recorder, id_, position);
+  const Recorded<Call::set_position> call(world(), id_, position);
+  if (call.is_refused()) return from_inside();
   const Slot* slot = world().find(id_);
   return world().change_state(id_, {position, slot ? world().state.state_of(*slot).velocity : Vec3d{}});
 }
 Status Projectile::set_velocity(const Vec3d& velocity) {
-  const Recorded<Call::set_velocity> call(world().recorder, id_, velocity);
+  const Recorded<Call::set_velocity> call(world(), id_, velocity);
+  if (call.is_refused()) return from_inside();
   const Slot* slot = world().find(id_);
   return world().change_state(id_, {slot ? world().state.state_of(*slot).position : Vec3d{}, velocity});
 }
 Status Projectile::set_state(const BodyState& state) {
-  const Recorded<Call::set_state> call(world().recorder, id_, state);
+  const Recorded<Call::set_state> call(world(), id_, state);
+  if (call.is_refused()) return from_inside();
   return world().change_state(id_, state);
 }
 
 Status Projectile::apply_impulse(const Vec3d& impulse) {
-  const Recorded<Call::apply_impulse> call(world().recorder, id_, impulse);
+  const Recorded<Call::apply_impulse> call(world(), id_, impulse);
+  if (call.is_refused()) return from_inside();
   const Slot* slot = world().find(id_);
   if (!slot) return gone();
   if (!finite(impulse)) return not_finite("impulse");
@@ -122,7 +150,8 @@ Status Projectile::apply_impulse(const Vec3d& impulse) {
 }
 
 Status Projectile::set_angular_velocity(const Vec3d& omega) {
-  const Recorded<Call::set_angular_velocity> call(world().recorder, id_, omega);
+  const Recorded<Call::set_angular_velocity> call(world(), id_, omega);
+  if (call.is_refused()) return from_inside();
   Slot* slot = world().find(id_);
   if (!slot) return gone();
   if (!finite(omega)) return not_finite("omega");
@@ -186,7 +215,8 @@ Status WorldImpl::change_tag(ProjectileId id, T Tags::*tag, const T& to) {
 }
 
 Status Projectile::set_body(const BodyDef& to) {
-  const Recorded<Call::set_body> call(world().recorder, id_, to);
+  const Recorded<Call::set_body> call(world(), id_, to);
+  if (call.is_refused()) return from_inside();
   WorldImpl& w = world();
   if (!w.find(id_)) return gone();
   if (Status status = check(to, w.def, w.registry.environments().size()); !status) return status;
@@ -209,7 +239,8 @@ Status Projectile::set_body(const BodyDef& to) {
 }
 
 Status Projectile::set_gravity_scale(double scale) {
-  const Recorded<Call::set_gravity_scale> call(world().recorder, id_, scale);
+  const Recorded<Call::set_gravity_scale> call(world(), id_, scale);
+  if (call.is_refused()) return from_inside();
   if (!world().find(id_)) return gone();
   if (!std::isfinite(scale)) return Error{"must be a finite number", "scale", "1 is all of gravity"};
   Own own = world().own(id_.index);
@@ -217,14 +248,16 @@ Status Projectile::set_gravity_scale(double scale) {
   return world().change_own(id_.index, own);
 }
 Status Projectile::set_use_gravity(bool use) {
-  const Recorded<Call::set_use_gravity> call(world().recorder, id_, use);
+  const Recorded<Call::set_use_gravity> call(world(), id_, use);
+  if (call.is_refused()) return from_inside();
   const Slot* slot = world().find(id_);
   if (!slot) return gone();
   const double scale = world().registry.kind(slot->kind).body.gravity_scale;
   return set_gravity_scale(use ? (scale == 0 ? 1 : scale) : 0);
 }
 Status Projectile::set_kinematic(bool kinematic) {
-  const Recorded<Call::set_kinematic> call(world().recorder, id_, kinematic);
+  const Recorded<Call::set_kinematic> call(world(), id_, kinematic);
+  if (call.is_refused()) return from_inside();
   return world().set_flag(id_, kKinematic, kinematic);
 }
 bool ProjectileView::is_kinematic() const {
@@ -232,7 +265,10 @@ bool ProjectileView::is_kinematic() const {
   return slot && slot->is(kKinematic);
 }
 Status Projectile::set_frozen(Axes position_axes, Axes rotation_axes) {
-  const Recorded<Call::set_frozen> call(world().recorder, id_, position_axes, rotation_axes);
+  const Recorded<Call::set_frozen> call(world(), id_, position_axes, rotation_axes);
+  if (call.is_refused()) return from_inside();
+  if (Status status = check(position_axes, "position_axes"); !status) return status;
+  if (Status status = check(rotation_axes, "rotation_axes"); !status) return status;
   if (!world().find(id_)) return gone();
   Own own = world().own(id_.index);
   own.frozen = position_axes;
@@ -240,33 +276,40 @@ Status Projectile::set_frozen(Axes position_axes, Axes rotation_axes) {
   return world().change_own(id_.index, own);
 }
 Status Projectile::set_can_sleep(bool can) {
-  const Recorded<Call::set_can_sleep> call(world().recorder, id_, can);
+  const Recorded<Call::set_can_sleep> call(world(), id_, can);
+  if (call.is_refused()) return from_inside();
   return world().set_flag(id_, kSleepless, !can);
 }
 
 Status Projectile::set_smoothing(Smoothing smoothing) {
-  const Recorded<Call::set_smoothing> call(world().recorder, id_, smoothing);
+  const Recorded<Call::set_smoothing> call(world(), id_, smoothing);
+  if (call.is_refused()) return from_inside();
+  if (Status status = check(smoothing, "smoothing"); !status) return status;
   Slot* slot = world().find(id_);
   if (!slot) return gone();
   slot->set_smoothing(smoothing);
   return {};
 }
 Status Projectile::set_user_data(std::uint64_t data) {
-  const Recorded<Call::set_user_data> call(world().recorder, id_, data);
+  const Recorded<Call::set_user_data> call(world(), id_, data);
+  if (call.is_refused()) return from_inside();
   return world().change_tag(id_, &Tags::user_data, data);
 }
 Status Projectile::set_layers(std::uint32_t layers) {
-  const Recorded<Call::set_layers> call(world().recorder, id_, layers);
+  const Recorded<Call::set_layers> call(world(), id_, layers);
+  if (call.is_refused()) return from_inside();
   Status status = world().change_tag(id_, &Tags::layers, layers);
   if (status) world().update_forced(id_.index);
   return status;
 }
 Status Projectile::set_colour(std::uint32_t rgba) {
-  const Recorded<Call::set_colour> call(world().recorder, id_, rgba);
+  const Recorded<Call::set_colour> call(world(), id_, rgba);
+  if (call.is_refused()) return from_inside();
   return world().change_tag(id_, &Tags::colour, rgba);
 }
 Status Projectile::set_label(const std::string& label) {
-  const Recorded<Call::set_label> call(world().recorder, id_, label);
+  const Recorded<Call::set_label> call(world(), id_, label);
+  if (call.is_refused()) return from_inside();
   return world().change_tag(id_, &Tags::label, label);
 }
 
@@ -292,14 +335,17 @@ Status WorldImpl::change_rung(std::uint32_t index, std::uint16_t rung) {
 }
 
 Status Projectile::set_fidelity(const Fidelity& fidelity) {
-  const Recorded<Call::set_fidelity> call(world().recorder, id_, fidelity);
+  const Recorded<Call::set_fidelity> call(world(), id_, fidelity);
+  if (call.is_refused()) return from_inside();
   if (!world().find(id_)) return gone();
+  if (Status status = check(Tolerance{}, fidelity); !status) return status;
   return world().change_fidelity(id_.index, fidelity);
 }
 
 std::size_t World::set_fidelity(std::span<const ProjectileId> ids, const Fidelity& fidelity) {
-  const Recorded<Call::set_fidelity_many> call(impl_->recorder, ids, fidelity);
-  WorldImpl& w = *impl_;
+  WorldImpl& w = impl();
+  const Recorded<Call::set_fidelity_many> call(w, ids, fidelity);
+  if (call.is_refused() || !check(Tolerance{}, fidelity)) return 0;
   std::size_t changed = 0;
   std::uint32_t kind = 0;  // looked up last, and its rung
   std::optional<std::uint16_t> rung;
@@ -330,9 +376,11 @@ FidelityInUse ProjectileView::fidelity_in_use() const {
 }
 
 Status World::set_observer(const Vec3d& position) {
-  const Recorded<Call::set_observer> call(impl_->recorder, position);
+  WorldImpl& w = impl();
+  const Recorded<Call::set_observer> call(w, position);
+  if (call.is_refused()) return from_inside();
   if (!finite(position)) return not_finite("position");
-  impl_->state.observer = position;
+  w.state.observer = position;
   return {};
 }
 

@@ -49,9 +49,11 @@ void WorldImpl::apply_detail() {
 }
 
 Status World::set_detail(const DetailRule& rule) {
-  const Recorded<Call::set_detail> call(impl_->recorder, rule);
+  WorldImpl& w = impl();
+  const Recorded<Call::set_detail> call(w, rule);
+  if (call.is_refused()) return from_inside();
   if (Status status = check(rule); !status) return status;
-  impl_->state.detail = rule;
+  w.state.detail = rule;
   return {};
 }
 

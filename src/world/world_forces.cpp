@@ -1,6 +1,7 @@
 // Force generators of a world: coming, going, and whom they act on.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "world/world_impl.hpp"
 
@@ -78,6 +79,12 @@ void WorldImpl::begin_generator(std::uint32_t index) {
   stir_targets(g);
 }
 
+void WorldImpl::resume_generator(std::uint32_t index) {
+  const Generator& g = state.generators[index];
+  state.generators.resume(index, has_group(g.def.target));
+  count_targets(g, true);
+}
+
 void WorldImpl::end_generator(std::uint32_t index) {
   const Generator gone = std::move(state.generators[index]);
   state.generators[index] = {.generation = gone.generation, .active = true};
@@ -133,15 +140,18 @@ Result<ForceId> WorldImpl::add_force(const ForceDef& force) {
 }
 
 Result<ForceId> World::add_force(const ForceDef& force) {
-  const Recorded<Call::add_force> call(impl_->recorder, force);
-  return call.returns(impl_->add_force(force));
+  WorldImpl& w = impl();
+  const Recorded<Call::add_force> call(w, force);
+  if (call.is_refused()) return from_inside();
+  return call.returns(w.add_force(force));
 }
 
 Result<ForceId> Projectile::add_force(ForceLaw law) { return add_force(std::move(law), kInfinity); }
 
 Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
   WorldImpl& w = world();
-  const Recorded<Call::add_force_on> call(w.recorder, id_, law, duration);
+  const Recorded<Call::add_force_on> call(w, id_, law, duration);
+  if (call.is_refused()) return from_inside();
   ForceDef force;
   force.law = std::move(law);
   force.target.ids = {id_};
@@ -150,14 +160,17 @@ Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
 }
 
 Status World::remove_force(ForceId force) {
-  const Recorded<Call::remove_force> call(impl_->recorder, force);
-  if (!impl_->state.generators.find(force)) return Error{"it is gone already", "force", "is_active() tells"};
-  impl_->end_generator(force.index);
+  WorldImpl& w = impl();
+  const Recorded<Call::remove_force> call(w, force);
+  if (call.is_refused()) return from_inside();
+  if (!w.state.generators.find(force)) return Error{"it is gone already", "force", "is_active() tells"};
+  w.end_generator(force.index);
   return {};
 }
 
 Status Projectile::remove_force(ForceId force) {
-  const Recorded<Call::remove_force_from> call(world().recorder, force, id_);
+  const Recorded<Call::remove_force_from> call(world(), force, id_);
+  if (call.is_refused()) return from_inside();
   if (!world().state.generators.find(force)) return Error{"it is gone already", "force", "is_active() tells"};
   if (!world().find(id_)) return Error{"it is gone", "id", "is_alive() tells"};
   return world().remove_target(force, id_);
@@ -181,20 +194,40 @@ Status WorldImpl::remove_target(ForceId force, ProjectileId id) {
   return {};
 }
 
-bool World::is_active(ForceId force) const { return impl_->state.generators.find(force) != nullptr; }
-std::size_t World::force_count() const { return impl_->state.generators.order().size(); }
+bool World::is_active(ForceId force) const { return impl().state.generators.find(force) != nullptr; }
+std::size_t World::force_count() const { return impl().state.generators.order().size(); }
+
+std::size_t WorldImpl::felt_by(const Generator& g) const {
+  std::vector<std::uint32_t> felt;
+  each_target(g, registry, state, [&](std::uint32_t index) {
+    const Slot& slot = state.slots[index];
+    const bool feels = registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.motion == Motion::force;
+    if (feels && !slot.is(kKinematic | kInfiniteMass)) felt.push_back(index);
+  });
+  std::ranges::sort(felt);
+  return static_cast<std::size_t>(std::ranges::unique(felt).begin() - felt.begin());
+}
+
+std::size_t World::felt_by(ForceId force) const {
+  const Generator* g = impl().state.generators.find(force);
+  return g ? impl().felt_by(*g) : 0;
+}
 
 // --------------------------------------------------------------------------------------------------- in a step
 Vec3d WorldImpl::generator_force(std::uint32_t index) const {
   if (!is_target(index)) return {};
   ForceRows rows;
   rows.add(registry, state, index);
-  ForceField field(registry, state, rows, forced_scratch.zones);
+  ZoneDrag zones;
+  ForceField field(registry, state, rows, zones);
+  if (is_closed()) field.leave_functions_out();
+  const Gate* const before = std::exchange(in_question, this);
   field.begin_step(state.clock.dt);
   const BodyState now = state.state_of(state.slots[index]);
   rows.position[0] = now.position;
   rows.velocity[0] = now.velocity;
   field.evaluate(0);
+  in_question = before;
   return rows.force[0];
 }
 

@@ -1,6 +1,8 @@
 // WorldImpl: the parts of a world and what its files share.
 #pragma once
 
+#include <mutex>
+
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
 #include "world/forced_step.hpp"
@@ -11,8 +13,9 @@
 
 namespace physim {
 
-struct WorldImpl {
+struct WorldImpl : Gate {
   explicit WorldImpl(const WorldDef& definition);
+  ~WorldImpl() { recorder.reset(); }  // its sink may look at the world for the last time
 
   WorldDef def;
   Registry registry;
@@ -22,12 +25,12 @@ struct WorldImpl {
   TaskRunner* lent = nullptr;
   std::unique_ptr<TaskRunner> own_threads;
   StepScratch scratch;
-  std::uint64_t moments = 0;  // snapshots taken
-  std::unique_ptr<Recorder> recorder;
-  /// Hashes of what never changes: the definition, and each kind on each of its rungs.
+  mutable std::mutex taking;          // of snapshots, which several threads may take
+  mutable std::uint64_t moments = 0;  // snapshots taken
+  mutable Living living;
   std::uint64_t def_hash = 0;
-  std::vector<std::vector<std::uint64_t>> kind_hashes;
-  mutable ForcedScratch forced_scratch;
+  std::vector<std::vector<Event>> outgrown;  // events that were given out, until the next step
+  ForcedScratch forced_scratch;
 
   // ------------------------------------------------------------------------------------------- slots
   /// The slot of a projectile that is alive; null otherwise.
@@ -45,7 +48,11 @@ struct WorldImpl {
   [[nodiscard]] std::uint32_t layers_of(std::uint32_t slot) const;
 
   // ------------------------------------------------------------------------------------------- coming and going
+  Result<std::uint32_t> find_or_add_kind(const ProjectileDef& projectile, const BodyDef& body) {
+    return registry.find_or_add_kind(projectile, body, moments);
+  }
   Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay);
+  Result<ProjectileId> spawn_of(std::uint32_t kind, const Launch& launch, double delay);
   Result<ProjectileId> spawn(std::uint32_t kind, const Launch& launch, double delay);
   /// The elevation of a launch's bore above the horizon, for a launch that makes sense [rad].
   [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch) const;
@@ -59,6 +66,10 @@ struct WorldImpl {
 
   // ------------------------------------------------------------------------------------------- changes
   void tell(EventKind kind, std::uint32_t slot, Reason reason = Reason::none);
+  /// Keeps an event; those that were given out stay where they are.
+  void keep_event(const Event& event);
+  void make_room_for_events(std::size_t count);
+  void forget_events();
   /// A projectile is launched now; where its motor has no delay, it is ignited.
   void tell_launch(std::uint32_t slot);
   bool put_to_sleep(std::uint32_t slot);
@@ -83,12 +94,15 @@ struct WorldImpl {
   void end_generators();
   void begin_generator(std::uint32_t index);
   void end_generator(std::uint32_t index);
+  /// One of a save, that acts already.
+  void resume_generator(std::uint32_t index);
   /// What acts on its targets has changed: their cohorts follow, and who sleeps wakes.
   void stir_targets(const Generator& generator);
   void stir(std::uint32_t slot);
   void count_targets(const Generator& generator, bool on);
   Result<ForceId> add_force(const ForceDef& force);
   [[nodiscard]] Status refuses(const ForceDef& force) const;
+  [[nodiscard]] std::size_t felt_by(const Generator& generator) const;
   Status remove_target(ForceId force, ProjectileId id);
   /// By all generators on one projectile now [N].
   [[nodiscard]] Vec3d generator_force(std::uint32_t slot) const;
@@ -104,7 +118,7 @@ struct WorldImpl {
   [[nodiscard]] TaskRunner& runner(std::size_t rows);
 
   // ------------------------------------------------------------------------------------------- moments
-  [[nodiscard]] std::uint64_t hash();
+  [[nodiscard]] std::uint64_t hash() const;
   /// Numbers of snapshots as a recording counts them: the next one's, and that of one taken before.
   [[nodiscard]] std::uint64_t next_moment() const;
   [[nodiscard]] std::uint64_t recorded_moment(std::uint64_t moment);

@@ -13,21 +13,31 @@ double Snapshot::time() const {
 }
 
 Snapshot World::snapshot() const {
-  const Recorded<Call::snapshot> call(impl_->recorder, impl_->next_moment());
-  auto copy = std::make_shared<WorldState>(impl_->state);
-  copy->environments = impl_->registry.environments();
-  copy->moment = ++impl_->moments;
+  const WorldImpl& w = impl();
+  if (w.is_closed()) return {};
+  const std::lock_guard lock(w.taking);
+  // What is written is no part of the world: its recording, and which snapshots there are.
+  const Recorded<Call::snapshot> call(const_cast<WorldImpl&>(w), w.next_moment());
+  auto copy = std::make_shared<WorldState>(w.state);
+  copy->environments = w.registry.environments();
+  copy->moment = ++w.moments;
+  w.living.add(copy->moment, copy);
   return Snapshot(std::move(copy));
 }
 
 Status World::restore(const Snapshot& snapshot) {
-  WorldImpl& w = *impl_;
+  WorldImpl& w = impl();
   if (!snapshot) return Error{"the snapshot is empty", "snapshot", "World::snapshot() makes one"};
   const WorldState& then = *snapshot.state_;
   if (then.owner != w.state.owner) return Error{"the snapshot is of another world", "snapshot", ""};
-  const Recorded<Call::restore> call(w.recorder, w.recorded_moment(then.moment));
+  const Recorded<Call::restore> call(w, w.recorded_moment(then.moment));
+  if (call.is_refused()) return from_inside();
+  w.outgrown.push_back(std::move(w.state.events));  // somebody may be reading them
   w.state = then;
   w.registry.restore_environments(then.environments);
+  w.registry.kinds.recount(w.moments, [&w](const auto& join) {
+    w.state.slots.each_alive([&](std::uint32_t slot) { join(w.state.slots[slot].kind); });
+  });
   return {};
 }
 
@@ -68,7 +78,7 @@ void add_row(Hash& h, const RowLayout& layout, const RowColumns<S>& c, std::uint
 
 /// The projectiles. Each is hashed by itself and the sum taken, so that the order of rows and cohorts does not matter,
 /// and the processor works on several at a time.
-std::uint64_t sum_of_rows(const WorldState& s, const std::vector<std::vector<std::uint64_t>>& kinds) {
+std::uint64_t sum_of_rows(const WorldState& s, const Kinds& kinds) {
   std::uint64_t sum = 0;
   const auto last_step = static_cast<std::uint32_t>(s.clock.steps);
   for (const Rows& rows : s.rows) {
@@ -77,9 +87,9 @@ std::uint64_t sum_of_rows(const WorldState& s, const std::vector<std::vector<std
       for (std::uint32_t row = 0; row < rows.size(); ++row) {
         const std::uint32_t index = rows.slot(row);
         const Slot& slot = s.slots[index];
-        PHYSIM_ASSERT(slot.kind < kinds.size() && slot.rung < kinds[slot.kind].size());
+        PHYSIM_ASSERT(slot.rung < kinds[slot.kind].rungs.size());
         const Rest& rest = s.slots.rest(index);
-        Hash h(kinds[slot.kind][slot.rung]);
+        Hash h(kinds[slot.kind].rungs[slot.rung].hash);
         h.add(index, slot.generation);
         h.add(slot.flags, std::bit_cast<std::uint32_t>(rest.step + 1 == last_step ? rest.time : 0.0f));
         h.add(s.slots.birth(index));  // pending launches and the ends of old ages follow from it
@@ -120,17 +130,10 @@ void add_free_slots(Hash& h, const WorldState& s) {
 
 }  // namespace
 
-std::uint64_t WorldImpl::hash() {
-  if (def_hash == 0) def_hash = hash_of(def);
-  for (std::uint32_t i = 1; registry.has_kind({i}); ++i) {
-    const Kind& kind = registry.kind(i);
-    if (kind_hashes.size() <= i) kind_hashes.resize(i + 1);
-    for (std::size_t rung = kind_hashes[i].size(); rung < kind.rungs.size(); ++rung)
-      kind_hashes[i].push_back(hash_of(kind.projectile, kind.body, kind.rungs[rung].asked));
-  }
+std::uint64_t WorldImpl::hash() const {
   Hash h(def_hash);
   add_clock(h, state.clock);
-  h.add(sum_of_rows(state, kind_hashes));
+  h.add(sum_of_rows(state, registry.kinds));
   h.add(sum_of_few(state));
   add_free_slots(h, state);
   state.pools.add_to(h);
@@ -141,7 +144,7 @@ std::uint64_t WorldImpl::hash() {
 
 std::uint64_t World::hash() const {
   const IeeeMode mode;
-  return impl_->hash();
+  return impl().hash();
 }
 
 }  // namespace physim

@@ -16,13 +16,19 @@ LifeStatus ProjectileView::status() const {
   return known ? slots[id_.index].status() : LifeStatus::unknown;
 }
 
-std::size_t World::size() const { return impl_->state.slots.alive(); }
+std::size_t World::size() const { return impl().state.slots.alive(); }
 
 std::vector<ProjectileId> World::ids() const {
   std::vector<ProjectileId> all;
-  all.reserve(size());
-  impl_->state.slots.each_alive([&](std::uint32_t slot) { all.push_back(impl_->state.slots.id_of(slot)); });
+  ids(all);
   return all;
+}
+
+void World::ids(std::vector<ProjectileId>& into) const {
+  const SlotTable& slots = impl().state.slots;
+  into.clear();
+  into.reserve(slots.alive());
+  slots.each_alive([&](std::uint32_t slot) { into.push_back(slots.id_of(slot)); });
 }
 
 Vec3d ProjectileView::position_of(const WorldImpl* world, ProjectileId id) {
@@ -43,6 +49,14 @@ BodyState ProjectileView::state_of(const WorldImpl* world, ProjectileId id) {
 void World::states(std::span<const ProjectileId> ids, std::span<BodyState> into) const {
   const std::size_t count = std::min(ids.size(), into.size());
   for (std::size_t i = 0; i < count; ++i) into[i] = (*this)[ids[i]].state();
+}
+void World::render_positions(std::span<const ProjectileId> ids, std::span<Vec3d> into) const {
+  const IeeeMode mode;
+  const std::size_t count = std::min(ids.size(), into.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    impl().prefetch(ids, i);
+    into[i] = (*this)[ids[i]].render_position();
+  }
 }
 Vec3d ProjectileView::previous_position() const {
   const IeeeMode mode;
@@ -69,11 +83,11 @@ Vec3d ProjectileView::render_position() const {
 void World::segments(std::vector<Segment>& into) const {
   const IeeeMode mode;
   into.clear();
-  for (std::uint16_t c = 0; c < impl_->state.rows.size(); ++c) {
-    if (impl_->registry.cohort(c).key.still) continue;
-    const Rows& rows = impl_->state.rows[c];
+  for (std::uint16_t c = 0; c < impl().state.rows.size(); ++c) {
+    if (impl().registry.cohort(c).key.still) continue;
+    const Rows& rows = impl().state.rows[c];
     for (std::uint32_t row = 0; row < rows.size(); ++row)
-      into.push_back({impl_->state.slots.id_of(rows.slot(row)), rows.previous(row), rows.position(row)});
+      into.push_back({impl().state.slots.id_of(rows.slot(row)), rows.previous(row), rows.position(row)});
   }
 }
 
@@ -127,7 +141,7 @@ double ProjectileView::mach() const {
 
 KindId ProjectileView::kind() const {
   const Slot* slot = world_->find(id_);
-  return {slot ? slot->kind : 0};
+  return {slot ? world_->registry.kind(slot->kind).number : 0};
 }
 const ProjectileDef* ProjectileView::definition() const {
   const Slot* slot = world_->find(id_);
@@ -168,24 +182,30 @@ std::string ProjectileView::label() const {
   return tags ? tags->label : world_->registry.kind(slot->kind).body.label;
 }
 
-std::span<const Event> World::events() const { return impl_->state.events; }
-const WorldCounters& World::counters() const { return impl_->state.counters; }
-const WorldDef& World::def() const { return impl_->def; }
+std::span<const Event> World::events() const { return impl().state.events; }
+void World::forget_events() {
+  if (!impl().is_closed()) impl().forget_events();
+}
+const WorldCounters& World::counters() const { return impl().state.counters; }
+const WorldDef& World::def() const { return impl().def; }
 
 std::vector<CohortInfo> World::cohorts() const {
   std::vector<CohortInfo> list;
-  for (std::uint16_t c = 0; c < impl_->state.rows.size(); ++c) {
-    const CohortKey& key = impl_->registry.cohort(c).key;
-    if (impl_->state.rows[c].size() > 0)
-      list.push_back({key.fidelity, impl_->state.rows[c].size(), !key.still, key.forced});
+  for (std::uint16_t c = 0; c < impl().state.rows.size(); ++c) {
+    const CohortKey& key = impl().registry.cohort(c).key;
+    if (impl().state.rows[c].size() > 0)
+      list.push_back({key.fidelity, impl().state.rows[c].size(), !key.still, key.forced});
   }
   return list;
 }
 
 std::size_t World::memory() const {
-  const WorldState& s = impl_->state;
-  std::size_t bytes = s.slots.bytes() + s.pools.bytes() + s.launches.bytes() + s.old_age.bytes();
-  for (const Rows& rows : s.rows) bytes += rows.bytes();
+  const WorldImpl& w = impl();
+  const WorldState& s = w.state;
+  std::size_t bytes = s.slots.bytes() + s.pools.bytes() + s.launches.bytes() + s.old_age.bytes() + s.extras.bytes() +
+                      s.generators.bytes() + w.registry.bytes() + s.events.capacity() * sizeof(Event);
+  for (const Rows& rows : s.rows) bytes += sizeof(Rows) + rows.bytes();
+  for (const auto& events : w.outgrown) bytes += events.capacity() * sizeof(Event);
   return bytes;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/ieee_mode.hpp"
+#include "base/text.hpp"
 #include "world/kernels.hpp"
 #include "world/world_impl.hpp"
 
@@ -15,6 +16,8 @@ constexpr std::uint32_t kChunkRows = 4096;
 /// Worlds with more bytes than this do not fit into usual caches. There a line that is about to be overwritten is not
 /// worth fetching from memory first: positions are stored past the caches, which saves a sixth of the traffic.
 constexpr std::size_t kCacheBytes = 24u << 20;
+
+constexpr double kLongestStep = 1e6;  // [s]
 
 /// Nothing turns a projectile upwards, so none dips below the ground and comes out of it within a step.
 bool only_falls(const WorldCohort& cohort) {
@@ -28,7 +31,7 @@ bool only_falls(const WorldCohort& cohort) {
 }
 
 template <class S>
-Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
+Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort, double dt) {
   const DespawnRules& d = cohort.key.rules.despawn;
   const WatchList& watch = cohort.course_double.watch;
   double floor = d.below;
@@ -44,6 +47,7 @@ Watchdog<S> watchdog_of(const WorldDef& def, const WorldCohort& cohort) {
   w.low = vec_cast<S>(d.box_low);
   w.high = vec_cast<S>(d.box_high);
   w.apex = def.apex_events;
+  if (flies_in_parts(def, dt)) w.floor = std::numeric_limits<S>::infinity();
   for (int i = 0; i < watch.count; ++i) w.watched = w.watched || !is_seen_by_watchdog(watch.item[i]);
   w.box = d.outside_box;
   w.simple = only_falls(cohort) && !w.apex && !w.watched && !w.box && !cohort.layout.launched;
@@ -66,7 +70,7 @@ WorldJob<S> rows_job(const SettleContext& context, std::uint16_t index) {
   job.launched = rows.layout().launched;
   job.now = static_cast<S>(context.now);
   job.h = static_cast<S>(context.dt);
-  job.watchdog = watchdog_of<S>(*context.def, cohort);
+  job.watchdog = watchdog_of<S>(*context.def, cohort, context.dt);
   return job;
 }
 template WorldJob<float> rows_job(const SettleContext& context, std::uint16_t cohort);
@@ -134,7 +138,7 @@ TaskRunner& WorldImpl::runner(std::size_t rows) {
   return *own_threads;
 }
 
-void World::set_task_runner(TaskRunner* runner) { impl_->lent = runner; }
+void World::set_task_runner(TaskRunner* runner) { impl().lent = runner; }
 
 void WorldImpl::launch_pending() {
   while (const ProjectileId id = state.launches.take_due(state.clock.time(), state.slots)) {
@@ -250,7 +254,8 @@ namespace {
 }  // namespace
 
 void WorldImpl::step(double dt) {
-  PHYSIM_ASSERT(dt > 0);
+  PHYSIM_ASSERT(dt > 0 && !is_inside);
+  const Inside inside(*this);
   [[maybe_unused]] const std::uint64_t steps_before = state.clock.steps;
   [[maybe_unused]] const double before = state.clock.time();
   placement.rebase(dt);
@@ -271,24 +276,29 @@ void WorldImpl::step(double dt) {
     if (a.id.index != b.id.index) return a.id.index < b.id.index;
     return row_of(a.kind).order < row_of(b.kind).order;
   });
+  state.events_of_step = state.events.size();
   PHYSIM_ASSERT(rows_of_all(state) == state.slots.alive());
   if (recorder) recorder->stepped([this] { return hash(); });
 }
 
 // --------------------------------------------------------------------------------------------------- time
 Status World::step(double dt) {
-  const Recorded<Call::step> call(impl_->recorder, dt);
-  if (!(dt > 0 && dt < 1e6)) return Error{"must be a positive time", "dt", "in s"};
-  impl_->state.events.clear();
-  impl_->step(dt);
+  WorldImpl& w = impl();
+  const Recorded<Call::step> call(w, dt);
+  if (call.is_refused()) return from_inside();
+  if (!(dt > 0 && dt < kLongestStep))
+    return Error{"must lie above 0 and below 1e6 s, not " + rounded_text(dt), "dt", "take several steps"};
+  w.forget_events();
+  w.step(dt);
   return {};
 }
 
 int World::advance(double real_dt) {
-  WorldImpl& w = *impl_;
-  const Recorded<Call::advance> call(w.recorder, real_dt);
+  WorldImpl& w = impl();
+  const Recorded<Call::advance> call(w, real_dt);
+  if (call.is_refused()) return 0;
   Clock& clock = w.state.clock;
-  w.state.events.clear();
+  w.forget_events();
   if (!(real_dt >= 0 && real_dt < 1e9) || clock.paused) return 0;
   clock.left_over += real_dt * clock.time_scale;
   int steps = 0;
@@ -306,30 +316,36 @@ int World::advance(double real_dt) {
 }
 
 void World::single_step() {
-  const Recorded<Call::single_step> call(impl_->recorder);
-  impl_->state.events.clear();
-  impl_->step(impl_->def.step);
+  WorldImpl& w = impl();
+  const Recorded<Call::single_step> call(w);
+  if (call.is_refused()) return;
+  w.forget_events();
+  w.step(w.def.step);
 }
 
 void World::set_paused(bool paused) {
-  const Recorded<Call::set_paused> call(impl_->recorder, paused);
-  impl_->state.clock.paused = paused;
+  WorldImpl& w = impl();
+  const Recorded<Call::set_paused> call(w, paused);
+  if (call.is_refused()) return;
+  w.state.clock.paused = paused;
 }
-bool World::is_paused() const { return impl_->state.clock.paused; }
+bool World::is_paused() const { return impl().state.clock.paused; }
 Status World::set_time_scale(double scale) {
-  const Recorded<Call::set_time_scale> call(impl_->recorder, scale);
+  WorldImpl& w = impl();
+  const Recorded<Call::set_time_scale> call(w, scale);
+  if (call.is_refused()) return from_inside();
   if (!(scale >= 0 && scale <= 1000)) return Error{"must lie between 0 and 1000", "time_scale", ""};
-  impl_->state.clock.time_scale = scale;
+  w.state.clock.time_scale = scale;
   return {};
 }
-double World::time_scale() const { return impl_->state.clock.time_scale; }
+double World::time_scale() const { return impl().state.clock.time_scale; }
 double World::time() const {
   const IeeeMode mode;
-  return impl_->state.clock.time();
+  return impl().state.clock.time();
 }
 double World::fraction() const {
   const IeeeMode mode;
-  return impl_->state.clock.left_over / impl_->def.step;
+  return impl().state.clock.left_over / impl().def.step;
 }
 
 }  // namespace physim

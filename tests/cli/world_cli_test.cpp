@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -55,6 +56,27 @@ void expect_complaint(const Ran& ran, const std::string& part) {
   EXPECT_EQ(ran.out, "");
   EXPECT_TRUE(has(ran.err, part)) << ran.err;
   EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+}
+
+TEST(CliWorld, ASavedRunGoesOn) {
+  const std::string folder = testing::TempDir();
+  const std::string scenario = folder + "save.toml", save = folder + "world.save";
+  std::ofstream(scenario) << kWorld;
+  const Ran whole = physim({"run", scenario});
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const Ran saving = physim({"run", scenario, "--save", save, "--save-at", "2.5 s"});
+  ASSERT_EQ(saving.code, 0) << saving.err;
+  EXPECT_EQ(saving.out, whole.out) << "saving changes nothing";
+  const Ran loaded = physim({"run", scenario, "--load", save});
+  ASSERT_EQ(loaded.code, 0) << loaded.err;
+  EXPECT_EQ(hash_of(loaded), hash_of(whole));
+  EXPECT_EQ(loaded.out, whole.out) << "counts are those of one run";
+  expect_complaint(physim({"run", scenario, "--load", save, "--set", "volley.seed=9"}), "is of another scenario");
+  expect_complaint(physim({"run", scenario, "--load", scenario}), "not the save of a run");
+  expect_complaint(physim({"run", scenario, "--load", folder + "nothing"}), "no such file");
+  expect_complaint(physim({"run", scenario, "--save-at", "1 s"}), "--save FILE");
+  expect_complaint(physim({"run", scenario, "--save", save, "--save-at", "7 s"}), "within the run");
+  expect_complaint(physim({"run", scenario, "--load", save, "--save", save, "--save-at", "1 s"}), "later already");
 }
 
 TEST(CliWorld, PrintsASummary) {

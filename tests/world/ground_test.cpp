@@ -204,5 +204,62 @@ TEST(Ground, a_roll_that_overflows_ends_in_the_same_step) {
   EXPECT_TRUE(world[other].is_alive());
 }
 
+/// How often a ball bounces until it sleeps, and where it lies then.
+struct Rested {
+  int bounces = 0;
+  double last = 0;
+  Vec3d place;
+  bool asleep = false;
+};
+Rested bounced_to_rest(ProjectileDef p, double dt) {
+  BodyDef body;
+  body.restitution = 0.5;
+  body.friction = 0.1;
+  World world = make_world(on_ground(GroundMode::bounce));
+  const ProjectileId id = *world.spawn(p, {.position = {0, 5, 0}, .velocity = Vec3d{2, 0, 1}}, body);
+  Rested rested;
+  for (const Event& e : run_for(world, 60, dt))
+    if (e.kind == EventKind::bounced) ++rested.bounces, rested.last = e.time;
+  rested.place = world[id].position();
+  rested.asleep = world[id].is_asleep();
+  return rested;
+}
+
+TEST(Ground, bounces_are_those_of_short_frames_at_any_step) {
+  for (const Fidelity& rung : {Fidelity::game(), Fidelity::sport_ball(), Fidelity::simulation(), Fidelity::arcade()}) {
+    ProjectileDef p;
+    p.mass = 0.5;
+    p.diameter = 0.1;
+    p.fidelity = rung;
+    const Rested fine = bounced_to_rest(p, 1.0 / 30);
+    ASSERT_GE(fine.bounces, 4);
+    for (const double dt : {0.05, 0.1, 0.11, 0.25, 0.5, 1.0, 7.0, 60.0}) {
+      SCOPED_TRACE(std::to_string(dt) + " " + std::to_string(int(rung.motion)));
+      const Rested coarse = bounced_to_rest(p, dt);
+      const bool in_parts = dt > 0.1;  // others fly to the first contact in one step
+      EXPECT_NEAR(coarse.bounces, fine.bounces, 1);
+      EXPECT_NEAR(coarse.last, fine.last, in_parts ? 0.25 : 0.5);
+      EXPECT_NEAR(coarse.place.x, fine.place.x, 0.1 * fine.place.x);
+      EXPECT_NEAR(coarse.place.z, fine.place.z, 0.1 * fine.place.z);
+      EXPECT_NEAR(coarse.place.y, 0, 1e-6);
+      EXPECT_TRUE(coarse.asleep);
+    }
+  }
+}
+
+TEST(Ground, a_step_of_minutes_keeps_light_things_where_they_fall) {
+  World world = make_world(on_ground(GroundMode::bounce));
+  ProjectileDef feather = bullet();
+  feather.mass = 5e-3;
+  feather.diameter = 0.05;
+  feather.drag = {.table = DragTable::constant, .coefficient = 1};
+  feather.fidelity = Fidelity::sport_ball();
+  const ProjectileId id = *world.spawn(feather, {.position = {0, 100, 0}, .speed = 30});
+  ASSERT_TRUE(world.step(60));
+  ASSERT_TRUE(world.step(60));
+  EXPECT_LT(length(world[id].position()), 200);
+  EXPECT_GE(world[id].position().y, 0);
+}
+
 }  // namespace
 }  // namespace physim

@@ -30,7 +30,8 @@ T or_null(const Result<T>& result) {
 
 class RandomSession {
  public:
-  RandomSession(World& world, unsigned seed) : world_(world), random_(seed) {}
+  /// `moments`: it goes back to snapshots, which hold for one world alone.
+  RandomSession(World& world, unsigned seed, bool moments = true) : world_(world), random_(seed), moments_(moments) {}
 
   /// One call of any kind; most are sensible.
   void act() {
@@ -118,7 +119,8 @@ class RandomSession {
   }
   void moment() {
     if (coin() || snapshots_.empty()) return snapshots_.push_back(world_.snapshot());
-    if (coin()) world_.restore(snapshots_[static_cast<std::size_t>(below(static_cast<int>(snapshots_.size())))]);
+    if (coin() && moments_)
+      world_.restore(snapshots_[static_cast<std::size_t>(below(static_cast<int>(snapshots_.size())))]);
   }
   void surroundings() {
     Environment e;
@@ -195,6 +197,7 @@ class RandomSession {
 
   World& world_;
   std::mt19937 random_;
+  bool moments_;
   std::vector<ProjectileId> ids_;
   std::vector<KindId> kinds_;
   std::vector<ForceId> forces_;

@@ -210,7 +210,8 @@ bool Session::step_back() {
 }
 
 void Session::remember_moment(bool changed) {
-  const std::size_t memory = std::max<std::size_t>(run_->world().memory(), 1 << 14);
+  constexpr std::size_t kOfEach = 160;  // about so much of a projectile is in a snapshot [bytes]
+  const std::size_t memory = std::max<std::size_t>(kOfEach * run_->world().size(), 1 << 14);
   const double steps_apart = std::clamp(std::round(kMomentTime / step_length()), 1.0, 1e6);
   const std::uint64_t every = std::clamp<std::uint64_t>(memory >> 16, 1, 60) * static_cast<std::uint64_t>(steps_apart);
   const bool is_soon = !moments_.empty() && step_ > moments_.back().step && step_ - moments_.back().step < every;

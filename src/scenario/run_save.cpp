@@ -1,0 +1,63 @@
+// A run of a scenario's world as bytes: magic, format, content, and a check sum of it.
+#include <algorithm>
+#include <cstring>
+
+#include "base/archive.hpp"
+#include "scenario/run_state.hpp"
+
+namespace physim {
+namespace {
+
+constexpr char kMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'W', '\n'};
+constexpr std::uint32_t kFormat = 1;
+constexpr std::size_t kHead = sizeof kMagic + sizeof kFormat;
+constexpr std::size_t kSumBytes = 8;
+
+std::uint64_t sum_of(std::span<const std::byte> content) {
+  Hash hash;
+  hash.add(content);
+  return hash.value();
+}
+
+Error not_a_run(const std::string& message) { return {message, "save", "`physim run --save` makes them"}; }
+
+/// Everything in it names a group that is there.
+bool fits(const RunState& s) {
+  const auto known = [&s](std::size_t group) { return group < s.groups.size(); };
+  return std::ranges::all_of(s.magazines, [&](const Magazine& m) { return known(m.group); }) &&
+         std::ranges::all_of(s.tracks, [&](const Track& t) { return t.generation == 0 || known(t.launched.group); }) &&
+         std::ranges::all_of(s.events, [&](const RunEvent& e) { return known(e.launched.group); }) &&
+         std::ranges::all_of(s.hits, [&](const WallHit& h) { return known(h.launched.group); });
+}
+
+}  // namespace
+
+std::vector<std::byte> saved_run(const RunState& state, std::uint64_t scenario, const std::vector<std::byte>& world) {
+  const auto magic = std::as_bytes(std::span(kMagic));
+  std::vector<std::byte> bytes(magic.begin(), magic.end());
+  Writer writer(bytes);
+  writer.write(kFormat, scenario, state, world);
+  PHYSIM_ASSERT(writer.good());
+  writer.number(sum_of(std::span(bytes).subspan(kHead)), kSumBytes);
+  return bytes;
+}
+
+Result<SavedRun> read_run(std::span<const std::byte> save) {
+  if (save.size() < kHead + kSumBytes || std::memcmp(save.data(), kMagic, sizeof kMagic) != 0)
+    return not_a_run("this is not the save of a run");
+  std::uint64_t format = 0, sum = 0;
+  Reader(save.subspan(sizeof kMagic)).number(format, sizeof kFormat);
+  if (format != kFormat)
+    return not_a_run("the save is of format " + std::to_string(format) + "; this library reads format " +
+                     std::to_string(kFormat));
+  const auto content = save.subspan(kHead, save.size() - kHead - kSumBytes);
+  Reader(save.last(kSumBytes)).number(sum, kSumBytes);
+  if (sum != sum_of(content)) return not_a_run("the save is damaged, or was cut");
+  SavedRun run;
+  Reader reader(content);
+  reader(run.scenario, run.state, run.world);
+  if (!reader.complete() || !fits(run.state)) return not_a_run("what stands in the save makes no sense");
+  return run;
+}
+
+}  // namespace physim

@@ -1,0 +1,346 @@
+#include "world/save.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "base/archive.hpp"
+#include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
+#include "physim/version.hpp"
+#include "prepare/check.hpp"
+#include "prepare/grant.hpp"
+#include "world/check.hpp"
+#include "world/saved.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+constexpr std::size_t kHead = sizeof kSaveMagic + sizeof kSaveFormat + 8;
+constexpr std::size_t kSumBytes = 8;
+
+Error not_a_save(const std::string& message) {
+  return {message, "save", "World::save() makes them, and `physim run --save`"};
+}
+Error makes_no_sense(const std::string& what) { return {what + " make no sense", "save", "take another copy of it"}; }
+
+std::uint64_t sum_of(std::span<const std::byte> bytes) {
+  Hash hash;
+  hash.add(bytes);
+  return hash.value();
+}
+
+/// What stands between head and check sum.
+Result<std::span<const std::byte>> content_of(std::span<const std::byte> save) {
+  if (save.size() < sizeof kSaveMagic || std::memcmp(save.data(), kSaveMagic, sizeof kSaveMagic) != 0)
+    return not_a_save("this is not the save of a world");
+  Reader head(save.subspan(sizeof kSaveMagic));
+  std::uint64_t format = 0, length = 0, sum = 0;
+  head.number(format, sizeof kSaveFormat);
+  head.number(length, 8);
+  if (head.good() && format != kSaveFormat)
+    return not_a_save("the save is of format " + std::to_string(format) + "; this library reads format " +
+                      std::to_string(kSaveFormat));
+  if (save.size() < kHead + kSumBytes || length != save.size() - kHead - kSumBytes)
+    return not_a_save("the save was cut, or something follows it");
+  const auto content = save.subspan(kHead, static_cast<std::size_t>(length));
+  Reader(save.subspan(kHead + content.size())).number(sum, kSumBytes);
+  if (sum != sum_of(content)) return not_a_save("the save is damaged");
+  return content;
+}
+
+/// A saved world as it stands in its bytes, and how many custom forces it has.
+Result<std::size_t> read(std::span<const std::byte> save, std::span<const CustomForce> functions, SavedWorld& into) {
+  const auto content = content_of(save);
+  if (!content) return content.error();
+  Reader reader(*content, functions);
+  reader(into);
+  if (!reader.complete()) return makes_no_sense("its bytes");
+  return reader.functions_used();
+}
+
+/// A world made of what a save tells. Each part is looked at before it is taken: nothing that a save holds may be an
+/// index without what it names, or a number that no call would let in.
+class Loading {
+ public:
+  explicit Loading(SavedWorld& saved) : saved_(saved) {}
+
+  Result<std::shared_ptr<WorldImpl>> run(const Threading& threading) {
+    saved_.def.threading = threading;
+    if (Status status = check(saved_.def); !status) return status.error();
+    world_ = std::make_shared<WorldImpl>(saved_.def);
+    for (Status (Loading::*part)() :
+         {&Loading::surroundings, &Loading::kinds, &Loading::time, &Loading::slots, &Loading::rows, &Loading::few,
+          &Loading::pools, &Loading::waiting, &Loading::generators})
+      if (Status status = (this->*part)(); !status) return status.error();
+    state().counters = saved_.counters;
+    return std::move(world_);
+  }
+
+ private:
+  [[nodiscard]] WorldState& state() { return world_->state; }
+  [[nodiscard]] bool is_alive(std::uint32_t slot) {
+    return slot > 0 && slot < state().slots.size() && state().slots[slot].is(kAlive);
+  }
+
+  Status surroundings() {
+    if (saved_.environments.empty() || saved_.environments.size() > 4096) return makes_no_sense("its environments");
+    for (const Environment& environment : saved_.environments)
+      if (Status status = check(environment); !status) return status;
+    if (Status status = check(saved_.detail); !status) return status;
+    if (!finite(saved_.observer)) return makes_no_sense("its observer's numbers");
+    world_->registry.restore_environments(saved_.environments);
+    state().detail = saved_.detail;
+    state().observer = saved_.observer;
+    return {};
+  }
+
+  Status kinds() {
+    Registry& registry = world_->registry;
+    for (const auto& each : saved_.growth)
+      if (!check(each.projectile) || !(each.drag_scale >= 0) || !check(Tolerance{}, each.granted))
+        return makes_no_sense("its tables");
+    registry.grow(saved_.growth);
+    if (saved_.kinds.size() > kMostKinds) return makes_no_sense("its kinds");
+    for (const SavedKind& each : saved_.kinds) {
+      const bool fits = each.number > 0 && each.number <= saved_.last_number && !registry.has_kind({each.number}) &&
+                        !each.rungs.empty() && each.rungs.size() <= kMostRungs &&
+                        each.rungs[0].asked == each.projectile.fidelity;
+      if (!fits) return makes_no_sense("its kinds");
+      if (Status status = check(each.projectile); !status) return status;
+      // Its environment may have been taken back by a restore.
+      if (Status status = check(each.body, world_->def, 4096); !status) return status;
+      Kind kind;
+      kind.number = each.number;
+      kind.stays = each.stays;
+      kind.projectile = each.projectile;
+      kind.body = each.body;
+      for (const SavedRung& rung : each.rungs) {
+        if (!check(Tolerance{}, rung.asked)) return makes_no_sense("its rungs");
+        Prepared& prepared = kind.rungs.emplace_back();
+        prepared.asked = rung.asked;
+        prepared.chosen = rung.chosen;
+      }
+      registry.add_saved_kind(std::move(kind));
+    }
+    return {};
+  }
+
+  Status time() {
+    const Clock& c = saved_.clock;
+    const bool fits = c.dt > 0 && std::isfinite(c.dt) && std::isfinite(c.run_start) && c.steps >= c.epoch &&
+                      c.left_over >= 0 && std::isfinite(c.left_over) && c.time_scale >= 0 && c.time_scale <= 1000;
+    if (!fits) return makes_no_sense("its clock's numbers");
+    state().clock = c;
+    return {};
+  }
+
+  Status slots() {
+    const std::size_t count = saved_.slots.size() + 1;
+    std::vector<bool> is_free(count);
+    for (const std::uint32_t index : saved_.free) {
+      if (index == 0 || index >= count || is_free[index]) return makes_no_sense("its free slots");
+      is_free[index] = true;
+    }
+    std::size_t alive = 0;
+    std::vector<Slot> slots(1);
+    for (const SavedSlot& each : saved_.slots) {
+      Slot& slot = slots.emplace_back();
+      slot.generation = each.generation;
+      slot.flags = each.flags;
+      const bool named = static_cast<std::size_t>(slot.status()) < enumerators(slot.status()) &&
+                         static_cast<std::size_t>(slot.smoothing()) < enumerators(slot.smoothing());
+      const bool fits = named && (each.flags & ~kAllFlags) == 0 && slot.is(kAlive) != is_free[slots.size() - 1];
+      if (!fits) return makes_no_sense("its slots");
+      alive += slot.is(kAlive) ? 1 : 0;
+    }
+    if (alive > world_->def.max_projectiles) return makes_no_sense("its slots");
+    state().slots.restore(std::move(slots), saved_.free);
+    return {};
+  }
+
+  Status rows() {
+    Registry& registry = world_->registry;
+    for (std::uint32_t index = 1; index < state().slots.size(); ++index) {
+      Slot& slot = state().slots[index];
+      const SavedSlot& each = saved_.slots[index - 1];
+      state().slots.birth(index) = each.birth;
+      state().slots.rest(index) = {each.rest_step, std::bit_cast<float>(each.rest_time)};
+      if (!slot.is(kAlive)) continue;
+      const std::uint32_t kind = registry.kinds.find({each.kind});
+      const bool fits = kind != 0 && registry.has_environment_of(registry.kind(kind)) &&
+                        each.rung < registry.kind(kind).rungs.size() && std::isfinite(each.birth);
+      if (!fits) return makes_no_sense("its projectiles");
+      slot.kind = kind;
+      slot.rung = static_cast<std::uint16_t>(each.rung);
+      slot.cohort = world_->placement.cohort_for(slot);
+      if (slot.cohort == kNoCohort) return makes_no_sense("its cohorts");
+      registry.kinds.join(kind);
+      slot.row = state().rows[slot.cohort].push(index);
+      if (!world_->placement.put_saved(index, each.numbers)) return makes_no_sense("the numbers of its projectiles");
+    }
+    registry.kinds.go_on_from(saved_.last_number, saved_.idle);
+    return {};
+  }
+
+  Status few() {
+    for (const auto& [slot, own] : saved_.own) {
+      if (!is_alive(slot) || !std::isfinite(own.gravity_scale)) return makes_no_sense("its live settings");
+      state().extras.own[slot] = own;
+    }
+    for (const auto& [slot, tags] : saved_.tags) {
+      if (!is_alive(slot)) return makes_no_sense("its labels");
+      state().extras.tags[slot] = tags;
+    }
+    for (const auto& [slot, turning] : saved_.turning) {
+      if (!is_alive(slot)) return makes_no_sense("its turning projectiles");
+      state().extras.turning[slot] = turning;
+    }
+    return {};
+  }
+
+  /// Who is in a pool follows from the kinds; the order counts where the oldest make room.
+  Status pools() {
+    std::vector<bool> in_pool(state().slots.size());
+    const auto join = [&](std::uint32_t slot) {
+      const std::uint32_t pool = world_->registry.kind(state().slots[slot].kind).body.pool;
+      if (in_pool[slot] || state().pools.is_full(pool)) return false;
+      in_pool[slot] = true;
+      state().pools.join(pool, slot);
+      return true;
+    };
+    for (const std::uint32_t slot : saved_.by_age)
+      if (!is_alive(slot) || !join(slot)) return makes_no_sense("its pools");
+    bool fits = true;
+    state().slots.each_alive([&](std::uint32_t slot) { fits = fits && (in_pool[slot] || join(slot)); });
+    return fits ? Status() : makes_no_sense("its pools");
+  }
+
+  Status waiting() {
+    for (const auto& [list, schedule] :
+         {std::pair(&saved_.launches, &state().launches), std::pair(&saved_.old_age, &state().old_age)})
+      for (const Due& due : *list) {
+        if (std::isnan(due.time) || !due.id) return makes_no_sense("its schedules");
+        schedule->add(due.time, due.id);
+      }
+    return {};
+  }
+
+  Status generators() {
+    for (const Generator& g : saved_.generators) {
+      if (!g.active) continue;
+      if (Status status = check(g.def); !status) return status;
+      if (std::isnan(g.start) || std::isnan(g.end)) return makes_no_sense("the times of its forces");
+    }
+    if (!state().generators.restore(saved_.generators, saved_.free_generators, saved_.order_of_generators))
+      return makes_no_sense("its forces");
+    for (const std::uint32_t index : state().generators.order())
+      if (const Generator& g = state().generators[index]; g.begun) world_->resume_generator(index);
+    return {};
+  }
+
+  SavedWorld& saved_;
+  std::shared_ptr<WorldImpl> world_;
+};
+
+SavedSlot saved_slot(const WorldImpl& world, std::uint32_t index) {
+  const WorldState& state = world.state;
+  const Slot& slot = state.slots[index];
+  SavedSlot saved;
+  saved.generation = slot.generation;
+  saved.flags = slot.flags;
+  saved.birth = state.slots.birth(index);
+  saved.rest_step = state.slots.rest(index).step;
+  saved.rest_time = std::bit_cast<std::uint32_t>(state.slots.rest(index).time);
+  if (!slot.is(kAlive)) return saved;
+  saved.kind = world.registry.kind(slot.kind).number;
+  saved.rung = slot.rung;
+  saved.numbers = world.placement.saved_numbers(index);
+  return saved;
+}
+
+SavedKind saved_kind(const Kind& kind) {
+  SavedKind saved{kind.number, kind.stays, kind.projectile, kind.body, {}};
+  for (const Prepared& rung : kind.rungs) saved.rungs.push_back({rung.asked, rung.chosen});
+  return saved;
+}
+
+SavedWorld saved_world(const WorldImpl& world) {
+  const WorldState& state = world.state;
+  SavedWorld saved;
+  saved.made_by = kVersion;
+  saved.def = world.def;
+  saved.environments = world.registry.environments();
+  saved.growth = world.registry.growth();
+  for (const Kind* kind : world.registry.kinds.known()) saved.kinds.push_back(saved_kind(*kind));
+  saved.last_number = world.registry.kinds.last_number();
+  saved.idle = world.registry.kinds.idle_numbers();
+  saved.clock = state.clock;
+  for (std::uint32_t index = 1; index < state.slots.size(); ++index) saved.slots.push_back(saved_slot(world, index));
+  state.slots.each_free([&](std::uint32_t index) { saved.free.push_back(index); });
+  state.pools.each_by_age([&](std::uint32_t slot) { saved.by_age.push_back(slot); });
+  for (const auto& [slot, own] : state.extras.own) saved.own.push_back({slot, own});
+  for (const auto& [slot, tags] : state.extras.tags) saved.tags.push_back({slot, tags});
+  for (const auto& [slot, turning] : state.extras.turning) saved.turning.push_back({slot, turning});
+  std::ranges::sort(saved.own, {}, &SavedOwn::slot);  // equal worlds have equal saves
+  std::ranges::sort(saved.tags, {}, &SavedTags::slot);
+  saved.launches = state.launches.all();
+  saved.old_age = state.old_age.all();
+  saved.generators = state.generators.all();
+  saved.free_generators = state.generators.free();
+  saved.order_of_generators = state.generators.order();
+  saved.counters = state.counters;
+  saved.observer = state.observer;
+  saved.detail = state.detail;
+  return saved;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> save_of(const WorldImpl& world) {
+  if (world.is_closed()) return from_inside();
+  const auto magic = std::as_bytes(std::span(kSaveMagic));
+  std::vector<std::byte> bytes(magic.begin(), magic.end());
+  Writer writer(bytes);
+  writer.write(kSaveFormat);
+  writer.number(0, 8);
+  writer.write(saved_world(world));
+  PHYSIM_ASSERT(writer.good() && bytes.size() >= kHead);
+  const std::size_t length = bytes.size() - kHead;
+  for (unsigned i = 0; i < 8; ++i) bytes[kHead - 8 + i] = static_cast<std::byte>(std::uint64_t{length} >> (8 * i));
+  writer.number(sum_of(std::span(bytes).subspan(kHead)), kSumBytes);
+  return bytes;
+}
+
+Result<std::size_t> custom_forces_of(std::span<const std::byte> save) {
+  SavedWorld saved;
+  return read(save, {}, saved);
+}
+
+Result<std::shared_ptr<WorldImpl>> loaded(std::span<const std::byte> save, const LoadOptions& options) {
+  SavedWorld saved;
+  const Result<std::size_t> functions = read(save, options.custom_forces, saved);
+  if (!functions) return functions.error();
+  const auto given = std::ranges::count_if(options.custom_forces, [](const auto& f) { return bool(f.function); });
+  if (*functions > static_cast<std::size_t>(given))
+    return Error{"the save has " + std::to_string(*functions) + " custom forces, and " + std::to_string(given) +
+                     " functions were given",
+                 "custom_forces", "functions cannot be saved: give them in the order in which they were added"};
+  return Loading(saved).run(options.threading);
+}
+
+Result<std::vector<std::byte>> World::save() const {
+  const IeeeMode mode;
+  return save_of(impl());
+}
+
+Result<World> World::load(std::span<const std::byte> save, const LoadOptions& options) {
+  const IeeeMode mode;
+  auto made = loaded(save, options);
+  if (!made) return made.error();
+  return World(std::move(*made));
+}
+
+}  // namespace physim

@@ -1,0 +1,77 @@
+// What a save holds: the parts of a world as plain values. Their members are the format: raise kSaveFormat
+// (include/physim/world.hpp) where one changes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "world/state.hpp"
+
+namespace physim {
+
+struct SavedRung {
+  Fidelity asked;
+  std::optional<FidelityNote> chosen;
+};
+
+struct SavedKind {
+  std::uint32_t number = 0;
+  bool stays = false;
+  ProjectileDef projectile;
+  BodyDef body;
+  std::vector<SavedRung> rungs;
+};
+
+/// A slot; where it is free, only what became of its projectile.
+struct SavedSlot {
+  std::uint32_t generation = 0;
+  std::uint32_t flags = 0;
+  std::uint32_t kind = 0;  // its number
+  std::uint32_t rung = 0;
+  double birth = 0;             // [s]
+  std::uint32_t rest_step = 0;  // of Rest
+  std::uint32_t rest_time = 0;  // its bits
+  std::vector<double> numbers;  // of its row, see Placement::saved_numbers()
+};
+
+struct SavedOwn {
+  std::uint32_t slot = 0;
+  Own own;
+};
+struct SavedTags {
+  std::uint32_t slot = 0;
+  Tags tags;
+};
+struct SavedTurning {
+  std::uint32_t slot = 0;
+  Turning turning;
+};
+
+struct SavedWorld {
+  std::string made_by;  // version of the library
+  WorldDef def;
+  std::vector<Environment> environments;
+  std::vector<Grown> growth;
+  std::vector<SavedKind> kinds;
+  std::uint32_t last_number = 0;
+  std::vector<std::uint32_t> idle;  // kinds, by number
+  Clock clock;
+  std::vector<SavedSlot> slots;
+  std::vector<std::uint32_t> free;    // slots, in the order in which they are used again
+  std::vector<std::uint32_t> by_age;  // slots in pools that replace, the oldest first
+  std::vector<SavedOwn> own;
+  std::vector<SavedTags> tags;
+  std::vector<SavedTurning> turning;
+  std::vector<Due> launches;
+  std::vector<Due> old_age;
+  std::vector<Generator> generators;
+  std::vector<std::uint32_t> free_generators;
+  std::vector<std::uint32_t> order_of_generators;
+  WorldCounters counters;
+  Vec3d observer;
+  DetailRule detail;
+};
+
+}  // namespace physim

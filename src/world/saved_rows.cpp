@@ -1,0 +1,95 @@
+// Rows in saves: the numbers of a projectile that do not follow from its kind and its rung.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solve/stops.hpp"
+#include "world/placement.hpp"
+
+namespace physim {
+namespace {
+
+/// Numbers of a Body that are those of the kind. Among them are all that name a place in a table: no save decides
+/// those.
+constexpr auto kOfKind = [] {
+  std::array<bool, kNumbers<Body>> of_kind{};
+  const NumberRuns parts =
+      PartSet::of<DampingPart, AreaPart, CurvePart, SpherePart, BandPart, AppliedPart, MotorPart>().runs();
+  for (unsigned k = 0; k < parts.count; ++k)
+    for (unsigned i = parts.run[k].first; i < parts.run[k].end; ++i) of_kind[i] = true;
+  for (unsigned i = kBodyNumber.spin_decay; i <= kBodyNumber.magnus_table; ++i) of_kind[i] = true;
+  return of_kind;
+}();
+
+/// Hands every number of a row that a save holds to f, as a reference to its column's.
+template <class S, class F>
+void each_number(const RowLayout& layout, const RowColumns<S>& c, std::uint32_t row, const F& f) {
+  const auto each = [&](S* const* columns, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) f(columns[i][row]);
+  };
+  each(c.position, 3), each(c.previous, 3), each(c.velocity, 3);
+  if (layout.carried) each(c.carried, 3);
+  if (layout.launched) each(c.launch, 3);
+  if (layout.clocked) f(c.offset[row]), f(c.born[row]);
+  if (layout.turning) each(c.turn, kNumbers<Turn>);
+}
+
+[[nodiscard]] bool has_burn(const RowLayout& layout) {
+  return std::ranges::find(layout.fields, kBodyNumber.burn_piece) != layout.fields.end();
+}
+
+/// Gives a body the piece of its motor's table that comes so many after its first.
+bool put_burn(const Conditions<double>& c, double after, Body<double>& body) {
+  const auto first = static_cast<int>(body.burn_piece);
+  if (after == 0) return true;
+  if (!c.has_motor || !(after > 0 && after < 1e4) || after != std::floor(after)) return false;
+  for (int piece = first; piece < first + static_cast<int>(after); ++piece)
+    if (!std::isfinite(c.motor_pieces[piece].burn.end)) return false;  // the last one of its motor
+  put_piece(c.motor_pieces, first + static_cast<int>(after), body, 0);
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> Placement::saved_numbers(std::uint32_t index) const {
+  const Slot& slot = state_.slots[index];
+  const Rows& rows = state_.rows_of(slot);
+  const RowLayout& layout = rows.layout();
+  std::vector<double> numbers;
+  rows.visit([&](const auto& c) {
+    each_number(layout, c, slot.row, [&](auto& number) { numbers.push_back(static_cast<double>(number)); });
+    for (const std::uint8_t field : layout.fields)
+      if (!kOfKind[field]) numbers.push_back(static_cast<double>(c.field[field][slot.row]));
+  });
+  // The motor is told by the piece of its table, counted from the first.
+  const Body<double> body = body_of(slot);
+  const double first = registry_.kind(slot.kind).rungs[slot.rung].body.burn_piece;
+  if (has_burn(layout)) numbers.push_back(body.burn_piece - first);
+  return numbers;
+}
+
+bool Placement::put_saved(std::uint32_t index, const std::vector<double>& numbers) {
+  const Slot& slot = state_.slots[index];
+  const Rows& rows = state_.rows_of(slot);
+  const RowLayout& layout = rows.layout();
+  const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
+  const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
+  std::size_t at = 0;
+  bool good = true;
+  const auto next = [&] { return at < numbers.size() ? numbers[at++] : (good = false, 0.0); };
+  rows.visit([&](const auto& columns) {
+    each_number(layout, columns, slot.row, [&]<class S>(S& number) {
+      number = static_cast<S>(next());
+      good = good && std::isfinite(number);
+    });
+  });
+  Body<double> body = rung.body;
+  for (const std::uint8_t field : layout.fields)
+    if (!kOfKind[field]) good = !std::isnan(physim::numbers(body)[field] = next()) && good;
+  if (has_burn(layout)) good = put_burn(c, next(), body) && good;
+  state_.rows_of(slot).write_fields(slot.row, body);
+  if (layout.turning) rows.put_rotor(slot.row, *rung.rotor);
+  return good && at == numbers.size();
+}
+
+}  // namespace physim

@@ -1,0 +1,115 @@
+// Runs of scenarios that are saved and go on: as if they had not stopped.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "physim/recording.hpp"
+#include "physim/world_run.hpp"
+
+namespace physim {
+namespace {
+
+Scenario parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return parse_scenario("physim = 1\n" + text, "f.toml", overrides).value();
+}
+
+const std::string kGun = R"(
+[[shot]]
+name = "gun"
+speed = "100 m/s"
+position = [0, "2 m", 0]
+fidelity = "game"
+[[volley]]
+name = "burst"
+shot = "gun"
+count = 50
+rate = "120 rpm"
+[world]
+duration = "30 s"
+)";
+
+void expect_same(const WorldRun& a, const WorldRun& b) {
+  EXPECT_EQ(a.world().hash(), b.world().hash());
+  EXPECT_EQ(a.world().time(), b.world().time());
+  const auto left = a.groups(), right = b.groups();
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    EXPECT_EQ(left[i].spawned, right[i].spawned);
+    EXPECT_EQ(left[i].landed, right[i].landed);
+    EXPECT_EQ(left[i].bounces, right[i].bounces);
+    EXPECT_EQ(left[i].hits, right[i].hits);
+    EXPECT_EQ(left[i].alive, right[i].alive);
+    EXPECT_EQ(left[i].range.mean, right[i].range.mean);
+    EXPECT_EQ(left[i].speed.spread(), right[i].speed.spread());
+    EXPECT_EQ(left[i].position, right[i].position);
+  }
+}
+
+TEST(WorldSave, every_shipped_world_goes_on_from_a_save) {
+  int worlds = 0;
+  for (const auto& file : std::filesystem::directory_iterator(PHYSIM_SOURCE_DIR "/scenarios")) {
+    if (file.path().extension() != ".toml") continue;
+    const auto scenario = load_scenario(file.path().string());
+    ASSERT_TRUE(scenario) << scenario.error().text();
+    if (!scenario->world.given) continue;
+    SCOPED_TRACE(file.path().filename().string());
+    ++worlds;
+    WorldRun whole = WorldRun::create(*scenario).value();
+    WorldRun parts = WorldRun::create(*scenario).value();
+    const std::uint64_t steps = std::min<std::uint64_t>(whole.steps(), 300);
+    for (std::uint64_t step = 0; step < steps; ++step) {
+      if (step % 97 == 0) {
+        const auto save = parts.save();
+        ASSERT_TRUE(save) << save.error().text();
+        auto loaded = WorldRun::load(*scenario, *save);
+        ASSERT_TRUE(loaded) << loaded.error().text();
+        parts = std::move(*loaded);
+      }
+      whole.step(), parts.step();
+    }
+    expect_same(whole, parts);
+  }
+  EXPECT_GE(worlds, 5);
+}
+
+TEST(WorldSave, of_another_scenario_is_refused) {
+  WorldRun run = WorldRun::create(parsed(kGun)).value();
+  for (int i = 0; i < 90; ++i) run.step();
+  const std::vector<std::byte> save = run.save().value();
+  ASSERT_TRUE(WorldRun::load(parsed(kGun), save));
+  EXPECT_TRUE(WorldRun::load(parsed(kGun, {"world.duration=60 s"}), save)) << "it may last longer";
+  for (const char* other : {"volley.seed=2", "shot.speed=90 m/s", "volley.count=51", "world.step=0.01 s"}) {
+    const auto loaded = WorldRun::load(parsed(kGun, {other}), save);
+    ASSERT_FALSE(loaded) << other;
+    EXPECT_EQ(loaded.error().place, "save");
+  }
+  for (std::size_t i = 0; i < save.size(); i += 5) {
+    std::vector<std::byte> damaged = save;
+    damaged[i] ^= std::byte{4};
+    EXPECT_FALSE(WorldRun::load(parsed(kGun), damaged)) << i;
+    EXPECT_FALSE(WorldRun::load(parsed(kGun), std::span(save).first(i))) << i;
+  }
+}
+
+TEST(WorldRun, one_that_would_never_end_is_refused) {
+  for (const char* duration : {"world.duration=1e300 s", "world.duration=1e12 s", "world.duration=1e18 s"}) {
+    const auto run = WorldRun::create(parsed(kGun, {duration}));
+    ASSERT_FALSE(run) << duration;
+    EXPECT_NE(run.error().place.find("world.duration"), std::string::npos);
+    EXPECT_NE(run.error().message.find("1e12"), std::string::npos);
+  }
+}
+
+/// More launches at once than a world keeps events of.
+TEST(WorldRun, every_launch_of_a_large_volley_is_counted) {
+  const auto run = WorldRun::create(
+      parsed(kGun, {"volley.count=200000", "volley.interval=0 s", "volley.rate=none", "world.duration=0.1 s",
+                    "world.pools=[{ name = \"p\", maximum = 30, when_full = \"replace_oldest\" }]"}));
+  ASSERT_TRUE(run) << run.error().text();
+  EXPECT_EQ(run->groups()[0].spawned, 200'000u);
+  EXPECT_EQ(run->groups()[0].retired, 200'000u - 30);
+}
+
+}  // namespace
+}  // namespace physim
