@@ -250,8 +250,10 @@ void add_run_command(Command& program) {
       "  physim run scenarios/world_machine_gun.toml --plot out/gun.png --events out/gun.csv\n");
   command.action([options]() -> Result<int> {
     const Result<int> code = run(*options);
-    if (code || code.error().place != "interval") return code;
-    return Error{code.error().message, "--interval", code.error().hint};
+    if (code) return code;
+    const std::string& place = code.error().place;
+    const std::string option = place == "interval" ? "--interval" : place == "save_at" ? "--save-at" : place;
+    return Error{code.error().message, option, code.error().hint};
   });
 }
 
