@@ -64,6 +64,12 @@ set(physim_isa_flags_base "")
 set(physim_isa_flags_avx2 -march=x86-64-v3)
 set(physim_isa_flags_avx512 -march=x86-64-v4)
 
+# For sanitizers, which take many minutes and gigabytes to compile kernels as they ship: the same code on fewer registers
+# at a time, optimised less, and without guards around variables on the stack; all other memory is checked.
+option(PHYSIM_SMALL_KERNELS "Compile kernels for sanitizers, in a fifth of the time" OFF)
+
+# PHYSIM_BATCH_PACKS: packs of one register that a batch flies side by side; PHYSIM_PACK_BYTES: size of the packs that a
+# world steps.
 # PHYSIM_PACKS_ALONE: 1 in the copies that go without a loop over plain numbers, which those of base and avx2 have.
 function(physim_add_kernels target)
   physim_isas_asked(isas)
@@ -79,11 +85,18 @@ function(physim_add_kernels target)
     set(kernels ${target}_kernels_${isa})
     add_library(${kernels} OBJECT ${ARGN})
     physim_flags(${kernels})
-    target_compile_definitions(${kernels} PRIVATE PHYSIM_ISA=${isa} PHYSIM_PACKS_ALONE=$<STREQUAL:${isa},avx512>)
+    target_compile_definitions(
+      ${kernels} PRIVATE PHYSIM_ISA=${isa} PHYSIM_PACKS_ALONE=$<STREQUAL:${isa},avx512>
+                         PHYSIM_BATCH_PACKS=$<IF:$<BOOL:${PHYSIM_SMALL_KERNELS}>,2,4>
+                         "PHYSIM_PACK_BYTES=$<IF:$<BOOL:${PHYSIM_SMALL_KERNELS}>,1,2> * kNativeBytes")
     if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       # Their vectors are written out; `./dev determinism` sees to it that nothing in them is fused.
       target_compile_options(${kernels} PRIVATE ${physim_isa_flags_${isa}} $<$<CONFIG:Release,RelWithDebInfo>:-O3>
                                                 $<$<CONFIG:Debug>:-O2> -ftree-slp-vectorize)
+      if(PHYSIM_SMALL_KERNELS)
+        set(no_guards $<IF:$<CXX_COMPILER_ID:GNU>,--param=asan-stack=0,SHELL:-mllvm -asan-stack=0>)
+        target_compile_options(${kernels} PRIVATE -O1 ${no_guards})
+      endif()
     endif()
     target_include_directories(${kernels} PRIVATE include src)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)

@@ -1,5 +1,5 @@
 // Compiled once per instruction set, in a namespace of its name. Four packs of one register side by side hide the
-// latency of one; where there are 32 registers, two packs of two do it better in double.
+// latency of one; where there are 32 registers, two packs of two do it better in double (see cmake/kernels.cmake).
 #include "flight/batch_driver.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -12,9 +12,9 @@ constexpr int kDoubleRegisters = 1;
 #endif
 }  // namespace
 
-void fly_bodies(const BatchJob<float>& job) { fly_lanes<Pack<float, kNativeBytes / 4>, 4>(job); }
+void fly_bodies(const BatchJob<float>& job) { fly_lanes<Pack<float, kNativeBytes / 4>, PHYSIM_BATCH_PACKS>(job); }
 void fly_bodies(const BatchJob<double>& job) {
-  fly_lanes<Pack<double, kDoubleRegisters * kNativeBytes / 8>, 4 / kDoubleRegisters>(job);
+  fly_lanes<Pack<double, kDoubleRegisters * kNativeBytes / 8>, PHYSIM_BATCH_PACKS / kDoubleRegisters>(job);
 }
 
 #if !PHYSIM_PACKS_ALONE
