@@ -8,7 +8,7 @@
 
 namespace physim {
 
-/// Thrust at a time; straight lines between points.
+/// Thrust at a time; straight lines between points, a step where two points have one time.
 struct ThrustPoint {
   double time = 0;   ///< since ignition [s]
   double force = 0;  ///< [N]

@@ -15,12 +15,16 @@ namespace {
 
 constexpr double kStandardGravity = 9.80665;
 
+/// On which side of a step a table is read: two points at one time are one.
+enum class Side { before, after };
+
 /// Straight lines through points with a time and a value.
 template <class Point>
-double line_at(const std::vector<Point>& points, double Point::*value, double time) {
+double line_at(const std::vector<Point>& points, double Point::*value, double time, Side side = Side::after) {
   PHYSIM_ASSERT(!points.empty());
-  const auto later =
-      std::upper_bound(points.begin(), points.end(), time, [](double t, const Point& point) { return t < point.time; });
+  const auto later = std::find_if(points.begin(), points.end(), [&](const Point& point) {
+    return side == Side::after ? time < point.time : time <= point.time;
+  });
   if (later == points.begin()) return points.front().*value;
   if (later == points.end()) return points.back().*value;
   const Point& p1 = *later;
@@ -33,7 +37,7 @@ std::vector<double> knots(const MotorDef& motor) {
   std::vector<double> times;
   for (const ThrustPoint& p : motor.thrust) times.push_back(p.time);
   for (const PropellantPoint& p : motor.propellant)
-    if (p.time > 0 && p.time < times[motor.thrust.size() - 1]) times.push_back(p.time);
+    if (p.time > 0 && p.time < burn_time(motor)) times.push_back(p.time);
   return rising(std::move(times));
 }
 
@@ -44,7 +48,7 @@ Burn<double> burning_piece(const MotorDef& motor, double impulse_before, double 
   b.start = motor.ignition_delay + t0;
   b.end = motor.ignition_delay + t1;
   b.thrust = line_at(motor.thrust, &ThrustPoint::force, t0);
-  b.thrust_rate = (line_at(motor.thrust, &ThrustPoint::force, t1) - b.thrust) / (t1 - t0);
+  b.thrust_rate = (line_at(motor.thrust, &ThrustPoint::force, t1, Side::before) - b.thrust) / (t1 - t0);
   if (motor.propellant.empty()) {
     PHYSIM_ASSERT(impulse > 0);
     const double per_impulse = motor.propellant_mass / impulse;
@@ -100,7 +104,8 @@ double propellant_left(const MotorDef& motor, double time) {
   for (std::size_t i = 1; i < motor.thrust.size() && motor.thrust[i - 1].time < time; ++i) {
     const double t0 = motor.thrust[i - 1].time;
     const double t1 = std::min(time, motor.thrust[i].time);
-    impulse += 0.5 * (thrust_at(motor, t0) + thrust_at(motor, t1)) * (t1 - t0);
+    const double f1 = line_at(motor.thrust, &ThrustPoint::force, t1, Side::before);
+    impulse += 0.5 * (motor.thrust[i - 1].force + f1) * (t1 - t0);
   }
   return motor.propellant_mass * (1 - impulse / total_impulse(motor));
 }

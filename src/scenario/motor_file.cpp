@@ -2,6 +2,7 @@
 // Association of Rocketry and thrustcurve.org ("RASP file format").
 #include "physim/motor_file.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -48,11 +49,16 @@ class MotorReader {
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_;
-      if (Status status = read_line(text.substr(0, end)); !status) return status.error();
+      if (Status status = read_line(text.substr(0, end)); !status) {
+        if (motors_.empty()) return status.error();
+        keep(status.error());
+      }
       text.remove_prefix(std::min(end + 1, text.size()));
     }
-    if (open_) return never_ends();
+    if (open_) keep(never_ends());
     if (motors_.empty()) return Error{"there is no motor in it", file_, std::string(kHeaderHint)};
+    const auto sound = [](const MotorFileEntry& entry) { return !entry.fault; };
+    if (std::ranges::none_of(motors_, sound)) return *motors_.front().fault;
     return motors_;
   }
 
@@ -66,23 +72,35 @@ class MotorReader {
     return fault("the thrust of " + in_quotes(motors_.back().motor.name) + " does not end at zero",
                  "the last point of a motor has a thrust of 0; is the file cut off?");
   }
+  /// The first thing that is wrong with the motor at hand.
+  void keep(const Error& error) {
+    PHYSIM_ASSERT(!motors_.empty());
+    if (!motors_.back().fault) motors_.back().fault = error;
+  }
 
   Status read_line(std::string_view line) {
     line = line.substr(0, line.find(';'));
     const auto words = words_of(line);
     if (words.empty()) return {};
+    if (words.size() == 7) {
+      if (open_) keep(never_ends());
+      return read_header(words);
+    }
+    if (open_) return read_point(words);
     const bool is_point = words.size() == 2 && number_of(words[0]) && number_of(words[1]);
-    if (!open_ && is_point)
-      return fault(motors_.empty() ? "a point of thrust before any motor"
-                                   : "a point after the end of " + in_quotes(motors_.back().motor.name),
-                   motors_.empty() ? kHeaderHint : "its thrust came to 0 before");
-    if (!open_) return read_header(words);
-    return words.size() == 7 ? never_ends() : read_point(words);
+    if (is_point && motors_.empty()) return fault("a point of thrust before any motor", kHeaderHint);
+    if (is_point)
+      return fault("a point after the end of " + in_quotes(motors_.back().motor.name), "its thrust came to 0 before");
+    return fault(std::to_string(words.size()) + " words are no header of a motor", kHeaderHint);
   }
 
   Status read_header(const std::vector<std::string_view>& words) {
-    PHYSIM_ASSERT(!open_);
-    if (words.size() != 7) return fault(std::to_string(words.size()) + " words are no header of a motor", kHeaderHint);
+    PHYSIM_ASSERT(words.size() == 7);
+    MotorFileEntry& entry = motors_.emplace_back();
+    entry.motor.name = words[0];
+    entry.delays = words[3];
+    entry.manufacturer = words[6];
+    open_ = true;
     double numbers[4];  // diameter, length, propellant, mass
     constexpr std::size_t kPlaces[] = {1, 2, 4, 5};
     constexpr std::string_view kNames[] = {"diameter", "length", "propellant", "mass"};
@@ -94,15 +112,10 @@ class MotorReader {
     }
     if (numbers[2] > numbers[3])
       return fault("more propellant than the motor weighs", "propellant comes before the mass of the loaded motor");
-    MotorFileEntry& entry = motors_.emplace_back();
-    entry.motor.name = words[0];
     entry.motor.propellant_mass = numbers[2];
     entry.diameter = numbers[0] / 1000;
     entry.length = numbers[1] / 1000;
     entry.mass = numbers[3];
-    entry.delays = words[3];
-    entry.manufacturer = words[6];
-    open_ = true;
     return {};
   }
 
@@ -116,10 +129,12 @@ class MotorReader {
     std::vector<ThrustPoint>& thrust = motors_.back().motor.thrust;
     if (time < 0 || force < 0) return fault("times and thrusts are not negative", kHint);
     if (thrust.empty() && time > 0) thrust.push_back({0, 0});
-    if (!thrust.empty() && time <= thrust.back().time)
+    const std::size_t count = thrust.size();
+    if (count > 0 && time < thrust.back().time)
       return fault("time " + number_text(time) + " after " + number_text(thrust.back().time), "times must rise");
-    if (thrust.size() == kMostPoints) return fault("too many points", "at most " + std::to_string(kMostPoints));
-    PHYSIM_ASSERT(thrust.empty() || thrust.back().time < time);
+    if (count > 1 && time == thrust[count - 2].time)
+      return fault("three points at time " + number_text(time), "two points at one time are a step");
+    if (count == kMostPoints) return fault("too many points", "at most " + std::to_string(kMostPoints));
     thrust.push_back({time, force});
     if (force > 0 || time == 0) return {};
     open_ = false;
@@ -129,7 +144,7 @@ class MotorReader {
 
   const std::string& file_;
   std::size_t line_ = 0;
-  bool open_ = false;  // the points of the last motor go on
+  bool open_ = false;  // the points of the last motor, sound or not, go on
   std::vector<MotorFileEntry> motors_;
 };
 
@@ -146,13 +161,22 @@ Result<std::vector<MotorFileEntry>> read_motor_file(const std::string& file) {
   return parse_motor_file(*text, file);
 }
 
+namespace {
+
+Result<MotorFileEntry> sound_only(const MotorFileEntry& entry) {
+  if (entry.fault) return *entry.fault;
+  return entry;
+}
+
+}  // namespace
+
 Result<MotorFileEntry> pick_motor(const std::vector<MotorFileEntry>& motors, const std::string& name,
                                   const std::string& file) {
-  if (name.empty() && motors.size() == 1) return motors.front();
+  if (name.empty() && motors.size() == 1) return sound_only(motors.front());
   std::vector<std::string_view> names;
   for (const MotorFileEntry& entry : motors) names.push_back(entry.motor.name);
   for (const MotorFileEntry& entry : motors)
-    if (entry.motor.name == name) return entry;
+    if (entry.motor.name == name) return sound_only(entry);
   if (name.empty())
     return Error{"there are " + std::to_string(motors.size()) + " motors in it", file,
                  suggestion("", names, "name one of them")};

@@ -67,7 +67,7 @@ TEST(MotorFile, mistakes_name_their_line) {
       {"C6 18 70 0-3 .0108 .0231 E\n0.1 nan\n", "f.eng:2", "\"nan\" is no number"},
       {"C6 18 70 0-3 .0108 .0231 E\n0.1\n", "f.eng:2", "1 words"},
       {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n0.1 4\n1 0\n", "f.eng:3", "time 0.1 after 0.2"},
-      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n0.2 4\n1 0\n", "f.eng:3", "time 0.2 after 0.2"},
+      {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n0.2 4\n0.2 3\n1 0\n", "f.eng:4", "three points at time 0.2"},
       {"C6 18 70 0-3 .0108 .0231 E\n0.2 -5\n", "f.eng:2", "not negative"},
       {"C6 18 70 0-3 .0108 .0231 E\n0.2 5\n1 3\n", "f.eng:3", "does not end at zero"},
       {"C6 18 70 0-3 .0108 .0231 E\n", "f.eng:1", "does not end at zero"},
