@@ -19,22 +19,19 @@ if(NOT PHYSIM_TESTS)
   return()
 endif()
 
-# A crowded world in which everything changes at random; short as a test, long by `./dev soak`.
-add_executable(physim_soak tests/soak/soak.cpp)
-physim_flags(physim_soak)
-target_link_libraries(physim_soak PRIVATE physim)
-set_target_properties(physim_soak PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-add_test(NAME soak COMMAND physim_soak 1e6 2000)
-set_tests_properties(soak PROPERTIES TIMEOUT 900)
-
-# Random questions to aim(); short as a test, long by `./dev fuzz`.
-add_executable(physim_fuzz tests/fuzz/aim_fuzz.cpp)
-physim_flags(physim_fuzz)
-target_include_directories(physim_fuzz PRIVATE src tests)
-target_link_libraries(physim_fuzz PRIVATE physim)
-set_target_properties(physim_fuzz PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-add_test(NAME fuzz COMMAND physim_fuzz 500)
-set_tests_properties(fuzz PROPERTIES TIMEOUT 900)
+# Programs that try things at random, with a few things as a test; each has a long form in `./dev`.
+function(physim_add_random_check test program source)
+  add_executable(${program} ${source})
+  physim_flags(${program})
+  target_include_directories(${program} PRIVATE src tests)
+  target_link_libraries(${program} PRIVATE physim)
+  set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  add_test(NAME ${test} COMMAND ${program} ${ARGN})
+  set_tests_properties(${test} PROPERTIES TIMEOUT 900)
+endfunction()
+physim_add_random_check(soak physim_soak tests/soak/soak.cpp 1e6 2000)  # a crowded world in which everything changes
+physim_add_random_check(fuzz physim_fuzz tests/fuzz/aim_fuzz.cpp 500)  # questions to aim()
+physim_add_random_check(sweep physim_fidelity_sweep tests/fuzz/fidelity_sweep.cpp 60)  # answers of auto fidelity
 
 # A user's program says the same whether it is compiled and linked with fast mathematics or not; and a project that is,
 # with PhySim as its subfolder, gets a library that is not.

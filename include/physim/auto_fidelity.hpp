@@ -44,14 +44,15 @@ struct FidelityTrial {
 
 /// The answer of cheapest_within().
 struct AutoFidelity {
-  Fidelity fidelity{};     ///< the cheapest that keeps the error [-]
-  double step = 0;         ///< its fixed step, 0: none [s]
-  double error = 0;        ///< its largest distance from the truth, as measured, <= purpose.error [m]
-  double cost = 0;         ///< floating-point operations for a second of flight; float64 counts twice [1/s]
-  double truth_cost = 0;   ///< the same, of the truth at the same frames [1/s]
-  double truth_error = 0;  ///< what the truth itself is unsure of, by its numbers [m]
-  double time = 0;         ///< longest flight that was compared, at most purpose.time [s]
-  Purpose purpose{};       ///< what was asked [-]
+  Fidelity fidelity{};       ///< the cheapest that keeps the error [-]
+  double step = 0;           ///< its fixed step, 0: none [s]
+  double error = 0;          ///< its largest distance from the truth, as measured, <= purpose.error [m]
+  double cost = 0;           ///< floating-point operations for a second of flight; float64 counts twice [1/s]
+  double truth_cost = 0;     ///< the same, of the truth at the same frames [1/s]
+  double truth_error = 0;    ///< what the truth itself is unsure of, by its numbers [m]
+  double time = 0;           ///< longest flight that was compared, at most purpose.time [s]
+  bool ended_early = false;  ///< the search had used up its steps: the fidelity is the truth's own [-]
+  Purpose purpose{};         ///< what was asked [-]
   std::vector<FidelityTrial> trials{};  ///< all that was flown, in that order [-]
 
   /// "the cheapest within 1 cm over 2 s: measured 4.2 mm, 38 times cheaper than the reference".
@@ -64,7 +65,9 @@ struct AutoFidelity {
 
 /// The cheapest fidelity whose flight stays within purpose.error [m] of the truth. Error is the largest distance
 /// between the two at any time of the flight; one that has landed stays where it landed. An error where the input makes
-/// no sense, where the truth itself is not known so well, or where no fidelity comes so near.
+/// no sense, where the truth itself is not known so well, or where no fidelity comes so near. All flights of a search
+/// together take at most five million steps, some seconds; then the truth's own models are granted, stepped by
+/// purpose.tolerance, and explanation() says so; an error where the true flights alone take more.
 [[nodiscard]] Result<AutoFidelity> cheapest_within(const ProjectileDef& projectile, const Launch& launch,
                                                    const Environment& environment, const Purpose& purpose);
 /// The cheapest fidelity for several launches at once; errors are the worst of them.
@@ -79,8 +82,9 @@ struct AutoFidelity {
 [[nodiscard]] Flight fly_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                                 const Purpose& purpose, const Until& until = {});
 
-/// The launches that stand for all that are like one: the corners of a box of speeds (an eighth of an octave) and
-/// elevations (a sixteenth of a radian) that it lies in, with azimuth and place rounded.
+/// The launches that stand for all that are like one: corners and middle of a box of speeds (an eighth of an octave),
+/// elevations (a sixteenth of a radian) and heights (above the ground a factor of two; without one 128 m) that it lies
+/// in, with azimuth and place across rounded.
 [[nodiscard]] std::vector<Launch> launch_class(const Launch& launch, std::optional<double> ground);
 
 /// Answers of cheapest_within() for kinds of projectile: equal data, environment, purpose and class of launch. May be

@@ -23,11 +23,12 @@ namespace {
 
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr double kTruthTolerance = 1e-13, kDoubtTolerance = 1e-12;  // of the truth, and of the flight that doubts it
-constexpr int kSamples = 499;             // of a flight; a prime, so that times are not round and show their rounding
-constexpr int kLateSamples = 16;          // of a flight that lands after the true one
-constexpr double kLate = 1.5;             // times the true flight: who flies on, flies wrong
-constexpr double kMostSteps = 1e6;        // of a flight
-constexpr double kClosedFormAnswers = 8;  // taken from a closed form where steps are free
+constexpr int kSamples = 499;       // of a flight; a prime, so that times are not round and show their rounding
+constexpr int kLateSamples = 16;    // of a flight that lands after the true one
+constexpr double kLate = 1.5;       // times the true flight: who flies on, flies wrong
+constexpr double kMostSteps = 1e6;  // of a flight
+constexpr std::int64_t kMostWork = 5'000'000;  // steps of all flights of a search
+constexpr double kClosedFormAnswers = 8;       // taken from a closed form where steps are free
 
 /// A true flight. One that has landed stays where it landed.
 struct TruePath {
@@ -89,7 +90,10 @@ class Search {
     if (total_time_ == 0)
       return Error{"the flight ends where it begins", "launch", "launch it above purpose.ground, or upwards"};
     if (purpose_.error <= 2 * answer_.truth_error) return too_small();
-    truth_steps_ = measure(ladder_.truth(), tolerance_for(purpose_, 0)).steps;
+    const Measured of_truth = measure(ladder_.truth(), tolerance_for(purpose_, 0));
+    if (is_used_up()) return takes_too_long();
+    truth_steps_ = of_truth.steps;
+    answer_.error = of_truth.error;
     answer_.truth_cost = cost(ladder_.truth(), truth_steps_);
     for (const Lowered& lowered : ladder_.lowered()) lower_models(lowered);
     for (const Stepper& stepper : ladder_.steppers(answer_.time)) {
@@ -119,8 +123,11 @@ class Search {
   /// The true flight of a launch, and by how much a second one at a looser tolerance doubts it.
   Status fly_truth(const Launch& launch) {
     Tolerance tight{.relative = kTruthTolerance, .absolute = kTruthTolerance};
+    tight.max_steps = work_left_;
     const Flight flight = fly(projectile_, launch, environment_, ladder_.truth(), tight, until(purpose_.time));
     if (flight.error()) return *flight.error();
+    use_up(flight);
+    if (is_used_up()) return takes_too_long();
     const Outcome outcome = flight.outcome();
     if (outcome != Outcome::landed && outcome != Outcome::time_limit && outcome != Outcome::left_domain)
       return Error{"the true flight ended as " + std::string(name(outcome)), "launch",
@@ -140,11 +147,14 @@ class Search {
     return {};
   }
 
-  [[nodiscard]] Measured measure(const TruePath& path, const Fidelity& fidelity, const Tolerance& tolerance) const {
+  [[nodiscard]] Measured measure(const TruePath& path, const Fidelity& fidelity, Tolerance tolerance) {
     PHYSIM_ASSERT(path.position.size() == kSamples + 1);
     if (path.duration == 0) return {};
+    if (is_used_up()) return {kInfinity, 0};
     const double end = path.landed ? kLate * path.duration : path.duration;
+    tolerance.max_steps = std::min(tolerance.max_steps, work_left_);
     const Flight flight = fly(projectile_, path.launch, environment_, fidelity, tolerance, until(end));
+    use_up(flight);
     if (flight.error() || !(ended_as_planned(flight.outcome()) || flight.outcome() == Outcome::left_domain))
       return {kInfinity, 0};
     Measured m{0, static_cast<double>(flight.cost().steps + flight.cost().rejected)};
@@ -159,8 +169,13 @@ class Search {
     return m;
   }
 
+  void use_up(const Flight& flight) {
+    if (!flight.error()) work_left_ -= flight.cost().steps + flight.cost().rejected;
+  }
+  [[nodiscard]] bool is_used_up() const { return work_left_ <= 0; }
+
   /// The worst error and all steps of all launches.
-  [[nodiscard]] Measured measure(const Fidelity& fidelity, const Tolerance& tolerance) const {
+  [[nodiscard]] Measured measure(const Fidelity& fidelity, const Tolerance& tolerance) {
     Measured all;
     for (const TruePath& path : paths_) {
       const Measured m = measure(path, fidelity, tolerance);
@@ -233,6 +248,7 @@ class Search {
 
   Result<AutoFidelity> choose() {
     for (const Candidate& candidate : candidates()) {
+      if (is_used_up()) return grant_truth();
       const std::size_t index = candidate.stepper;
       const Stepper stepper = steppers_[index].stepper;
       if (stepper.motion != Motion::closed_form) {  // which has no error of its own
@@ -249,12 +265,26 @@ class Search {
       answer_.cost = candidate.cost;
       return std::move(answer_);
     }
-    return none_comes_so_near();
+    return is_used_up() ? grant_truth() : none_comes_so_near();
+  }
+
+  /// Where the search ends before it has found something cheaper.
+  Result<AutoFidelity> grant_truth() {
+    if (!keeps(answer_.error)) return none_comes_so_near();
+    answer_.fidelity = ladder_.truth();
+    answer_.step = 0;
+    answer_.cost = answer_.truth_cost;
+    answer_.ended_early = true;
+    return std::move(answer_);
   }
 
   [[nodiscard]] Error too_small() const {
     return Error{"the truth itself is known to " + length_text(answer_.truth_error) + " only", "purpose.error",
                  "ask for at least " + length_text(4 * answer_.truth_error)};
+  }
+  [[nodiscard]] static Error takes_too_long() {
+    return Error{"the true flight takes more than 5 million steps", "purpose.time",
+                 "shorten it, or look at mass, diameter and drag: is it so light?"};
   }
   [[nodiscard]] Error none_comes_so_near() const {
     double nearest = kInfinity;
@@ -272,6 +302,7 @@ class Search {
   std::vector<TruePath> paths_;
   double total_time_ = 0;
   double truth_steps_ = 0;
+  std::int64_t work_left_ = kMostWork;  // steps
   std::vector<LoweredTrial> lowered_;
   std::vector<StepperTrial> steppers_;
   AutoFidelity answer_;
@@ -302,6 +333,7 @@ std::string AutoFidelity::explanation() const {
   const IeeeMode mode;
   const std::string promise = "within " + length_text(purpose.error) + " over " + rounded_text(time) + " s";
   const std::string found = ": measured " + length_text(error);
+  if (ended_early) return "the reference itself, " + promise + found + ": the search took all its 5 million steps";
   if (cost >= truth_cost) return "nothing cheaper than the reference stays " + promise + found;
   return "the cheapest " + promise + found + ", " + rounded_text(truth_cost / cost) +
          " times cheaper than the reference";

@@ -35,6 +35,11 @@ std::vector<double> ends(const Bin& bin) {
   return bin.low == bin.high ? std::vector{bin.low} : std::vector{bin.low, bin.high};
 }
 
+/// The part of the error that corners and middle of a class must keep: some launch between them errs by more.
+constexpr double kMargin = 0.9;
+
+double middle(const Bin& bin) { return 0.5 * (bin.low + bin.high); }
+
 /// Eight bins between a speed and twice that speed.
 Bin speed_bin(double speed) {
   constexpr double kCreeping = 1e-3;  // [m/s]
@@ -54,16 +59,18 @@ Bin angle_bin(double angle) {
 }
 double rounded(double x, double unit) { return std::round(x / unit) * unit + 0.0; }  // never -0
 
-/// Air, wind and the rounding of floats change slowly with the place; the height above the ground decides how long the
-/// flight lasts, so it is rounded up to a power of two.
-Vec3d place_of_class(const Vec3d& x, std::optional<double> ground) {
-  constexpr double kAcross = 1024, kUp = 256, kLow = 0.5;  // [m]
-  Vec3d place{rounded(x.x, kAcross), rounded(x.y, kUp), rounded(x.z, kAcross)};
-  if (!ground) return place;
-  double above = x.y > *ground ? kLow : 0;
-  while (above < x.y - *ground) above *= 2;
-  place.y = *ground + above;
-  return place;
+/// Heights above the ground decide how long a flight lasts: between a power of two and the next. Without a ground they
+/// only change the air.
+Bin height_bin(double height, std::optional<double> ground) {
+  constexpr double kUp = 128, kLow = 0.5;  // [m]
+  if (!ground) {
+    const double low = std::floor(height / kUp) * kUp;
+    return {low, low + kUp};
+  }
+  if (height <= *ground) return {*ground, *ground};
+  double above = kLow;
+  while (above < height - *ground) above *= 2;
+  return {*ground + (above > kLow ? above / 2 : 0), *ground + above};
 }
 
 /// A velocity as speed, elevation and azimuth. The sight then moves nothing.
@@ -84,19 +91,25 @@ std::vector<Launch> launch_class(const Launch& launch, std::optional<double> gro
   const IeeeMode mode;
   if (!check(launch)) return {launch};  // whoever flies it says what is wrong
   Launch corner = by_angles(launch);
-  const Bin speed = speed_bin(corner.speed);
+  const Bin speed = speed_bin(corner.speed), height = height_bin(corner.position.y, ground);
   Bin elevation = angle_bin(corner.elevation);
   if (corner.sight.zero_range > 0) elevation = {0, 0};  // the zero finds it
+  constexpr double kAcross = 1024;  // air, wind and the rounding of floats change slowly with the place [m]
   corner.azimuth = rounded(corner.azimuth, kAngle);
-  corner.position = place_of_class(corner.position, ground);
-  std::vector<Launch> corners;
+  corner.position.x = rounded(corner.position.x, kAcross);
+  corner.position.z = rounded(corner.position.z, kAcross);
+  std::vector<Launch> launches;
+  const auto add = [&](double s, double e, double y) {
+    corner.speed = s;
+    corner.elevation = e;
+    corner.position.y = y;
+    launches.push_back(corner);
+  };
   for (const double s : ends(speed))
-    for (const double e : ends(elevation)) {
-      corner.speed = s;
-      corner.elevation = e;
-      corners.push_back(corner);
-    }
-  return corners;
+    for (const double e : ends(elevation))
+      for (const double y : ends(height)) add(s, e, y);
+  if (launches.size() > 1) add(middle(speed), middle(elevation), middle(height));
+  return launches;
 }
 
 struct AutoFidelityCache::Impl {
@@ -143,7 +156,10 @@ AutoFidelityCache::Answer AutoFidelityCache::cheapest_within(const ProjectileDef
   const std::vector<Launch> corners = launch_class(launch, purpose.ground);
   const std::shared_ptr<Impl::Slot> slot = impl_->slot(key_of(projectile, corners, environment, purpose));
   std::call_once(slot->once, [&] {
-    auto found = physim::cheapest_within(projectile, corners, environment, purpose);
+    Purpose stricter = purpose;
+    stricter.error *= kMargin;
+    auto found = physim::cheapest_within(projectile, corners, environment, stricter);
+    if (found) found->purpose = purpose;
     if (found)
       slot->answer.emplace(std::make_shared<const AutoFidelity>(std::move(*found)));
     else

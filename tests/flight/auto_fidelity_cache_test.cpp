@@ -115,17 +115,19 @@ TEST(AutoFidelityCache, AClassHoldsItsLaunches) {
                         .elevation = 3 * unit(random) - 1.5,
                         .azimuth = 6 * unit(random) - 3};
     const std::vector<Launch> corners = launch_class(launch, 0.0);
-    ASSERT_EQ(corners.size(), 4U);
-    EXPECT_LE(corners.front().speed, launch.speed);
-    EXPECT_GE(corners.back().speed, launch.speed);
-    EXPECT_LE(corners.back().speed, 1.13 * launch.speed);
-    EXPECT_LE(corners.front().elevation, launch.elevation);
-    EXPECT_GE(corners.back().elevation, launch.elevation);
-    EXPECT_NEAR(corners.front().azimuth, launch.azimuth, 1.0 / 32 + 1e-12);
-    EXPECT_GE(corners.front().position.y, launch.position.y);
+    ASSERT_EQ(corners.size(), 9U) << "eight corners and the middle";
+    const Launch &low = corners[0], &high = corners[7];
+    EXPECT_LE(low.speed, launch.speed);
+    EXPECT_GE(high.speed, launch.speed);
+    EXPECT_LE(high.speed, 1.13 * launch.speed);
+    EXPECT_LE(low.elevation, launch.elevation);
+    EXPECT_GE(high.elevation, launch.elevation);
+    EXPECT_NEAR(low.azimuth, launch.azimuth, 1.0 / 32 + 1e-12);
+    EXPECT_LE(low.position.y, launch.position.y);
+    EXPECT_GE(high.position.y, launch.position.y);
   }
-  EXPECT_EQ(launch_class({.position = {0, 1, 0}}, {}).size(), 2U) << "dropped: without speed";
-  EXPECT_EQ(launch_class({.speed = 100, .sight = {.zero_range = 50}}, {}).size(), 2U) << "a zero elevates it";
+  EXPECT_EQ(launch_class({.position = {0, 1, 0}}, {}).size(), 5U) << "dropped: without speed";
+  EXPECT_EQ(launch_class({.speed = 100, .sight = {.zero_range = 50}}, {}).size(), 5U) << "a zero elevates it";
   EXPECT_EQ(launch_class({.speed = kNan}, {}).size(), 1U);
 }
 
@@ -149,8 +151,8 @@ TEST(AutoFidelityCache, LaunchesBetweenTheCornersKeepTheWord) {
   const std::vector<Launch> corners = launch_class(kLaunch, {});
   for (const double part : {0.2, 0.5, 0.9}) {
     Launch launch = kLaunch;
-    launch.speed = corners.front().speed + part * (corners.back().speed - corners.front().speed);
-    launch.elevation = corners.front().elevation + part * (corners.back().elevation - corners.front().elevation);
+    launch.speed = corners[0].speed + part * (corners[7].speed - corners[0].speed);
+    launch.elevation = corners[0].elevation + part * (corners[7].elevation - corners[0].elevation);
     const Until until{.ground = std::nullopt, .time = kPurpose.time};
     const Flight truth = fly(bullet_308(), launch, {}, Fidelity::reference(), {}, until);
     const Flight flight = fly_chosen(bullet_308(), launch, {}, **choice, until);
