@@ -25,11 +25,12 @@ namespace physim {
 /// The numerical error allowed.
 struct Tolerance {
   std::optional<double> relative{};    ///< adaptive integrators: error per step, relative to |position| and |velocity|;
-                                       ///< none: 1e-9, in float32 1e-5 [-]
+                                       ///< none: 1e-9, in float32 2e-6 [-]
   double absolute = 1e-9;              ///< adaptive integrators: error per step where these are near zero: the whole is
                                        ///< sqrt(absolute^2 + (relative |y|)^2) [m, m/s]
-  double step = 0;                     ///< fixed-step integrators; 0: heun and rk4 by a pilot flight, others 1/60 s [s]
-  double position_error = 1e-3;        ///< what the pilot flight aims for at the end of the flight [m]
+  double step = 0;                     ///< fixed-step integrators; 0: heun and rk4 by pilot flights, others 1/60 s or
+                                       ///< what strong drag allows [s]
+  double position_error = 1e-3;        ///< what pilot flights keep along the whole flight [m]
   double max_step = kInfinity;         ///< adaptive integrators never step further [s]
   std::int64_t max_steps = 1'000'000;  ///< then the flight ends with Outcome::step_limit [-]
 };
@@ -222,8 +223,14 @@ void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches
 [[nodiscard]] Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& launch,
                                             const Environment& environment, const Fidelity& fidelity, double range);
 
-/// Step [s] of a fixed-step integrator that keeps the position error at the end of the flight below
-/// tolerance.position_error, found by flying the shot at several steps against a reference.
+/// Miller's gyroscopic stability factor Sg at the muzzle, in the air of the origin [-]: below 1 a bullet tumbles, small
+/// arms have 1.3 to 2. Nothing without a twist, a length or air. Source: model/spin_drift.hpp.
+[[nodiscard]] std::optional<double> stability_factor(const ProjectileDef& projectile, const Launch& launch,
+                                                     const Environment& environment);
+
+/// Step [s] of a fixed-step integrator that keeps the error below tolerance.position_error along the whole flight, in
+/// place and, times its greatest speed, in time; found by flying the shot at several steps against a reference. An
+/// error, which tells what was reached, where tolerance.max_steps or a million steps of all these flights come first.
 [[nodiscard]] Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch,
                                         const Environment& environment, const Fidelity& fidelity,
                                         const Tolerance& tolerance, const Until& until);

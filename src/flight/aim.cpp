@@ -22,6 +22,7 @@
 #include "flight/pilot.hpp"
 #include "flight/required_speed.hpp"
 #include "math/elementary.hpp"
+#include "model/sight.hpp"
 #include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
 #include "prepare/grant.hpp"
@@ -109,12 +110,13 @@ class Aimer {
     Conditions<double> conditions = prepare_conditions(environment_, granted);
     conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
     conditions_ = std::make_shared<const Conditions<double>>(conditions);
-    if (step_without_pilot(granted, options_.flight)) return;
+    if (step_given(granted, options_.flight)) return;
     const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);  // the longest flight asked for
     point(need.velocity);
     const Until until{.ground = std::nullopt, .time = clamp(1.2 * need.time, 1e-9, options_.time)};
-    const auto step = pilot_step(projectile_, launch_, environment_, granted, options_.flight, until);
-    if (step) options_.flight.step = *step;
+    const auto step = automatic_step(projectile_, launch_, environment_, granted, options_.flight, until,
+                                     options_.flight.position_error);
+    if (step) options_.flight.step = step->step;
     if (!step) error_ = step.error();
   }
 
@@ -391,7 +393,7 @@ Status check(const Launch& launch, const Target& target, const AimOptions& optio
   Checker c;
   c.is_vector(target.position, "target.position").is_vector(target.velocity, "target.velocity");
   c.is_vector(target.acceleration, "target.acceleration").is_vector(launch.position, "launch.position");
-  const double speed = launch.velocity ? length(*launch.velocity) : launch.speed;
+  const double speed = launch_speed(launch);
   c.positive(speed, "launch.speed", "a shot that is aimed needs one");
   c.positive(options.tolerance, "options.tolerance", "in m").positive(options.time, "options.time", "in s");
   if (options.ground) c.is_number(*options.ground, "options.ground");

@@ -4,6 +4,7 @@
 #include <deque>
 #include <limits>
 
+#include "base/event_table.hpp"
 #include "base/ieee_mode.hpp"
 #include "flight/flight_record.hpp"
 #include "flight/kernels.hpp"
@@ -166,6 +167,7 @@ class Batch {
     Cohort& cohort = group.cohort;
     kind_.body = prepare_kind(projectile, cohort.pool, cohort.conditions);
     if (turns(cohort.in_use.fidelity)) kind_.rotor = prepare_rotor_kind(projectile, cohort.pool, cohort.conditions);
+    if (steps_by_frames(cohort.in_use.fidelity)) cohort.finish();  // frame_step() looks at its drag
     if (!shots_.one_projectile) return kind_;
     group.common = kind_.body;
     if (differ_by_launch_alone(cohort.conditions)) group.own = kLaunchParts;
@@ -210,6 +212,8 @@ class Batch {
       const Rotor<double>& rotor = kind.rotor;
       return put_attitude(i, attitude_of(cohort.conditions, body, rotor, 0, body.launch, rotor.launch));
     }
+    const bool by_frames = steps_by_frames(granted) && !step_given(granted, tolerance_);
+    if (by_frames && frame_step(cohort, body, kind.rotor, until_) < kFrame) return fly_alone(i);
     group->add(i, body);
     if (turns(granted)) group->rotors.push_back(kind.rotor);
     if (drifts(granted))
@@ -267,32 +271,48 @@ class Batch {
          {.kind = EventKind::ground, .value = *until_.ground, .position = body.launch.x, .velocity = body.launch.v}});
   }
 
-  /// The fixed step of a group: what pilot flights of its first shot and of the batch's middle, last, slowest and
-  /// fastest shots ask for, where these belong to the group too. They aim for less than half of the error allowed,
-  /// since some shot of the batch will be worse than they are.
+  /// What drag slows so fast that a frame is too long for it has a step of its own, and no place in a pack.
+  void fly_alone(std::uint32_t i) {
+    const Flight flight =
+        physim::fly(shots_.projectile(i), shots_.launch(i), environment_, fidelity_, tolerance_, until_);
+    if (flight.error()) return refuse(i, *flight.error());
+    const Sample end = flight.end();
+    result_.shots[i] = {flight.outcome(), flight.duration(), end.position, end.velocity, flight.cost()};
+    for (const Event& event : flight.events())
+      if (!row_of(event.kind).in_flights || asks_for(event.kind)) result_.events.push_back({i, event});
+    if (turns(flight.fidelity_in_use().fidelity)) put_attitude(i, {end.orientation, end.angular_velocity});
+  }
+  [[nodiscard]] bool asks_for(EventKind kind) const {
+    return std::ranges::any_of(until_.events, [kind](const EventSpec& spec) { return spec.kind == kind; });
+  }
+
+  /// The fixed step of a group: what its first shot and the batch's middle, last, slowest and fastest shots ask for,
+  /// where these belong to the group too. Pilot flights aim for less than half of the error allowed, since some shot of
+  /// the batch will be worse than they are.
   Status choose_step(ShotGroup& group) {
     const Fidelity& granted = group.cohort.in_use.fidelity;
-    group.step = step_without_pilot(granted, tolerance_);
+    group.step = step_given(granted, tolerance_);
+    if (steps_by_frames(granted) && !group.step) group.step = kFrame;
     if (group.step) return {};
     double step = std::numeric_limits<double>::infinity();
+    AutomaticStep worst{0, tolerance_.position_error};
     for (const std::size_t i : pilots(group)) {
-      const auto found = step_within(shots_.projectile(i), shots_.launch(i), environment_, granted, tolerance_, until_,
-                                     0.4 * tolerance_.position_error, step);
+      const auto found = automatic_step(shots_.projectile(i), shots_.launch(i), environment_, granted, tolerance_,
+                                        until_, 0.4 * tolerance_.position_error, step);
       if (!found) return found.error();
-      step = std::min(step, *found);
+      step = std::min(step, found->step);
+      if (found->reached > worst.reached) worst = *found;
     }
     PHYSIM_ASSERT(step > 0 && step < std::numeric_limits<double>::infinity());
     group.step = step;
+    if (worst.step > 0) result_.fidelity_in_use.notes.push_back(note_of_step(worst, tolerance_.position_error));
     return {};
   }
 
   std::vector<std::size_t> pilots(const ShotGroup& group) {
     PHYSIM_ASSERT(!group.shots.empty());
     std::size_t slowest = group.shots.front(), fastest = slowest;
-    const auto speed = [this](std::size_t i) {
-      const Launch& launch = shots_.launch(i);
-      return launch.velocity ? length(*launch.velocity) : launch.speed;
-    };
+    const auto speed = [this](std::size_t i) { return launch_speed(shots_.launch(i)); };
     for (std::size_t i = 0; i < shots_.size(); ++i) {
       if (speed(i) < speed(slowest)) slowest = i;
       if (speed(i) > speed(fastest)) fastest = i;
@@ -302,8 +322,7 @@ class Batch {
       const ProjectileDef& projectile = shots_.projectile(i);
       const Launch& launch = shots_.launch(i);
       const bool known = std::find(list.begin(), list.end(), i) != list.end();
-      if (!known && !check(projectile) && !check(launch) && !check(projectile, launch) &&
-          group_of(projectile) == &group)
+      if (!known && check(projectile) && check(launch) && check(projectile, launch) && group_of(projectile) == &group)
         list.push_back(i);
     }
     return list;

@@ -1,5 +1,6 @@
 // fly(): computes one flight and keeps its dense output.
 #include "base/ieee_mode.hpp"
+#include "base/text.hpp"
 #include "flight/flight_record.hpp"
 #include "flight/pilot.hpp"
 #include "flight/zero.hpp"
@@ -113,6 +114,14 @@ void fly_lane(FlightRecord& record, const Course<S>& course, const Body<S>& body
   record.cost.evaluations = evaluations(course.conditions->fidelity, tries);
 }
 
+/// Muzzle and ground are both at height 0 where nobody says otherwise: the commonest reason for a flight of no length.
+void say_why_it_landed_at_once(FlightRecord& record, double ground) {
+  const std::string height = short_text(ground);
+  record.cohort.in_use.notes.push_back({"until.ground", height, height,
+                                        "it starts on the ground and does not rise, so it has landed at once; start it "
+                                        "higher by launch.position, or give another ground or none"});
+}
+
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
   const WatchList watch = prepare_watch(until, record.cohort.conditions, Watcher::flight);
   cast_numbers(record.body, record.body_float);
@@ -125,6 +134,7 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
     record.path.nodes.push_back({0, record.body.launch, a});
     if (record.path.turn) record.path.turn->nodes.push_back({0, record.rotor.launch, {}});
     if (outcome == Outcome::landed) keep_event(record, watch.item[0], false, 0, record.body.launch);
+    if (outcome == Outcome::landed) say_why_it_landed_at_once(record, *until.ground);
     return;
   }
   if (record.cohort.conditions.has_motor && record.body.ignition == 0)
@@ -137,16 +147,14 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
 
 }  // namespace
 
-std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, const Launch& launch,
-                                            const Environment& environment, const Fidelity& fidelity,
-                                            const Tolerance& tolerance, const Until& until) {
+std::shared_ptr<FlightRecord> prepared_shot(const ProjectileDef& projectile, const Launch& launch,
+                                            const Environment& environment, const Fidelity& fidelity) {
   auto record = std::make_shared<FlightRecord>();
   const auto refuse = [&](const Error& error) {
     record->error = error;
     return record;
   };
-  for (const Status& status :
-       {check(projectile), check(launch), check(environment), check(tolerance, fidelity), check(until)})
+  for (const Status& status : {check(projectile), check(launch), check(environment)})
     if (!status) return refuse(status.error());
   if (const Status status = check(projectile, launch); !status) return refuse(status.error());
   const auto elevation = elevation_of(projectile, launch, environment, fidelity);
@@ -154,16 +162,6 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   record->elevation = *elevation;
   record->cohort.in_use = grant(fidelity, projectile, environment, launch);
   const Fidelity& granted = record->cohort.in_use.fidelity;
-  if (const auto step = step_without_pilot(granted, tolerance)) {
-    record->step = *step;
-  } else {
-    Launch zeroed = launch;  // the zero is found already
-    zeroed.elevation = record->elevation;
-    zeroed.sight.zero_range = 0;
-    const auto found = pilot_step(projectile, zeroed, environment, granted, tolerance, until);
-    if (!found) return refuse(found.error());
-    record->step = *found;
-  }
   record->cohort.conditions = prepare_conditions(environment, granted);
   record->body = prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
   jump_in_crosswind(projectile, environment, record->cohort.conditions, record->body);
@@ -172,13 +170,44 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
     record->rotor = prepare_rotor(projectile, launch, record->elevation, record->body, record->cohort.pool,
                                   record->cohort.conditions);
   }
-  PHYSIM_ASSERT(steps_itself(granted) ? record->step == 0 : record->step > 0);
   record->cohort.finish();
   record->sight = sight_frame(launch);
   record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);
   record->environment.altitude = environment.altitude;
   record->environment.gravity = environment.gravity;
   record->environment.earth = environment.earth;
+  return record;
+}
+
+std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, const Launch& launch,
+                                            const Environment& environment, const Fidelity& fidelity,
+                                            const Tolerance& tolerance, const Until& until) {
+  for (const Status& status : {check(tolerance, fidelity), check(until)})
+    if (!status) {
+      auto refused = std::make_shared<FlightRecord>();
+      refused->error = status.error();
+      return refused;
+    }
+  auto record = prepared_shot(projectile, launch, environment, fidelity);
+  if (record->error) return record;
+  const Fidelity& granted = record->cohort.in_use.fidelity;
+  if (const auto step = step_given(granted, tolerance)) {
+    record->step = *step;
+  } else {
+    Launch zeroed = launch;  // the zero is found already
+    zeroed.elevation = record->elevation;
+    zeroed.sight.zero_range = 0;
+    const auto found =
+        automatic_step(projectile, zeroed, environment, granted, tolerance, until, tolerance.position_error);
+    if (!found) {
+      record->error = found.error();
+      return record;
+    }
+    record->step = found->step;
+    if (found->reached > tolerance.position_error)
+      record->cohort.in_use.notes.push_back(note_of_step(*found, tolerance.position_error));
+  }
+  PHYSIM_ASSERT(steps_itself(granted) ? record->step == 0 : record->step > 0);
   fly_record(*record, tolerance, until);
   return record;
 }

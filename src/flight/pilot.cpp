@@ -3,64 +3,174 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
+#include "flight/flight_record.hpp"
 #include "math/elementary.hpp"
+#include "model/acceleration.hpp"
 #include "physim/names.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {
-Result<double> step_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
-                           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until,
-                           double error_allowed, double longest) {
+namespace {
+
+constexpr double kSmallestStep = 1e-7;  // [s]
+constexpr double kMostWork = 1e6;       // steps of all pilot flights of a shot
+constexpr double kSurelyTooMuch = 1e9;  // the error of a flight that cannot be compared [m]
+
+/// A flight close to exact, and what it takes to compare others with it.
+class Reference {
+ public:
+  explicit Reference(std::shared_ptr<const FlightRecord> record) : record_(std::move(record)) {
+    const auto& nodes = record_->path.nodes;
+    PHYSIM_ASSERT(!nodes.empty());
+    for (const Node& node : nodes) fastest_ = std::max(fastest_, length(node.y.v));
+    const std::size_t stride = 1 + nodes.size() / kMostPieces;
+    for (std::size_t i = 0; i + 1 < nodes.size(); i += stride) {
+      const double start = nodes[i].t, end = nodes[std::min(i + stride, nodes.size() - 1)].t;
+      for (int part = 1; part <= kParts; ++part) times_.push_back(start + (end - start) * part / kParts);
+    }
+  }
+
+  [[nodiscard]] double duration() const { return record_->duration; }
+
+  /// How far another flight of the shot is from it: in place at equal times, and in time where it ends [m].
+  [[nodiscard]] double distance_to(const FlightRecord& other) const {
+    if (other.outcome != record_->outcome) return kSurelyTooMuch;
+    const double common = std::min(duration(), other.duration);
+    double largest = std::abs(duration() - other.duration) * fastest_;
+    const auto compare_at = [&](double time) {
+      const double apart = length(record_->state(time).x - other.state(time).x);
+      largest = std::isfinite(apart) ? std::max(largest, apart) : kSurelyTooMuch;
+    };
+    compare_at(common);
+    for (const double time : times_)
+      if (time < common) compare_at(time);
+    return largest;
+  }
+
+ private:
+  static constexpr std::size_t kMostPieces = 200;
+  static constexpr int kParts = 3;
+
+  std::shared_ptr<const FlightRecord> record_;
+  std::vector<double> times_;  // closest together where the flight changes fastest
+  double fastest_ = 0;         // [m/s]
+};
+
+Result<Reference> fly_reference(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                                const Fidelity& fidelity, const Tolerance& tolerance, const Until& until,
+                                double error_allowed) {
   Fidelity exact = fidelity;
   exact.integrator = Integrator::dop853;
   exact.precision = Precision::float64;
   Tolerance tight = tolerance;
-  tight.relative = tight.absolute = clamp(1e-6 * error_allowed, 1e-13, 1e-9);
-  const Flight reference = fly(projectile, launch, environment, exact, tight, until);
-  if (reference.error()) return *reference.error();
-  if (reference.outcome() == Outcome::step_limit)
+  tight.relative = tight.absolute = clamp(1e-8 * error_allowed, 1e-13, 1e-9);
+  auto record = record_flight(projectile, launch, environment, exact, tight, until);
+  if (record->error) return *record->error;
+  if (record->outcome == Outcome::step_limit)
     return Error{"the pilot flight took all steps allowed", "tolerance.max_steps", "allow more, or give a step"};
-  if (!ended_as_planned(reference.outcome()))
-    return Error{"the pilot flight ended as " + std::string(name(reference.outcome())), "launch",
+  if (!ended_as_planned(record->outcome))
+    return Error{"the pilot flight ended as " + std::string(name(record->outcome)), "launch",
                  "check the figures of projectile and launch, or give a step"};
+  return Reference(std::move(record));
+}
+
+Result<AutomaticStep> step_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                                  const Fidelity& fidelity, const Tolerance& tolerance, const Until& until,
+                                  double error_allowed, double longest) {
   PHYSIM_ASSERT(error_allowed > 0 && longest > 0);
+  const auto reference = fly_reference(projectile, launch, environment, fidelity, tolerance, until, error_allowed);
+  if (!reference) return reference.error();
   const double order = order_of(fidelity.integrator);
   Fidelity coarse = fidelity;
   coarse.precision = Precision::float64;
   const auto error_at = [&](double step) {
     Tolerance fixed = tolerance;
     fixed.step = step;
-    const Flight flight = fly(projectile, launch, environment, coarse, fixed, until);
-    const double miss = length(flight.end().position - reference.end().position);
-    return std::isfinite(miss) ? miss : 1e9;
+    return reference->distance_to(*record_flight(projectile, launch, environment, coarse, fixed, until));
   };
-  double step = std::max(std::min(reference.duration() / 4, longest), 1e-6);
-  for (int i = 0; i < 40 && step > 1e-7; ++i) {
+  const double shortest =
+      std::max(kSmallestStep, reference->duration() / (0.9 * static_cast<double>(tolerance.max_steps)));
+  AutomaticStep nearest{0, kSurelyTooMuch};
+  double step = std::max(std::min(reference->duration() / 4, longest), shortest);
+  for (double work = 0; work < kMostWork;) {
     // Two steps are tried, so that an error which happens to pass through zero is not taken for a small one.
     const double error = std::max(error_at(step), error_at(0.8 * step));
-    if (error <= error_allowed) return step;
+    if (error < nearest.reached) nearest = {step, error};
+    if (error <= error_allowed || step == shortest) break;
     const double factor = 0.95 * pow(error_allowed / error, 1 / order);
-    step *= std::clamp(factor, 0.1, 0.9);
+    step = std::max(step * std::clamp(factor, 0.1, 0.9), shortest);
+    work += 2.25 * reference->duration() / step;  // what the next two flights will take
   }
-  return Error{"no step above 1e-7 s keeps the position error below " + short_text(tolerance.position_error) + " m",
-               "tolerance.position_error", "allow a larger error, or use an adaptive integrator"};
+  if (nearest.reached < kSurelyTooMuch) return nearest;
+  return Error{"no step above " + short_text(shortest) + " s flies the shot as it should", "tolerance.step",
+               "give a step, allow more steps, or use an adaptive integrator"};
+}
+
+// ------------------------------------------------------------------------------------------- frames
+/// |drag| / |velocity through the air| at a speed along y: the rate at which drag takes velocity away [1/s].
+double decay(const Cohort& cohort, const Body<double>& body, const Rotor<double>& rotor, const Vec3d& place,
+             double speed) {
+  PHYSIM_ASSERT(speed > 0);
+  State<double> s{place, {0, -speed, 0}};
+  s.v += s.v - air_velocity(cohort.conditions, s);
+  return length(accelerations_of(cohort.conditions, body, rotor, 0, s, rotor.launch).drag) / speed;
+}
+
+}  // namespace
+
+bool steps_by_frames(const Fidelity& granted) { return !steps_itself(granted) && order_of(granted.integrator) == 1; }
+
+double frame_step(const Cohort& cohort, const Body<double>& body, const Rotor<double>& rotor, const Until& until) {
+  const Conditions<double>& c = cohort.conditions;
+  const auto decay_at = [&](const Vec3d& place, double speed) { return decay(cohort, body, rotor, place, speed); };
+  const State<double>& launch = body.launch;
+  const double speed = length(air_velocity(c, launch));
+  const double at_launch = speed > 0 ? decay_at(launch.x, speed) : 0;
+  // In a fall's terminal speed v drag is the weight, a decay of g / v; with drag k v^2, sqrt(g k).
+  const double probe = 10;
+  const Vec3d lowest{launch.x.x, until.ground ? std::min(launch.x.y, *until.ground) : launch.x.y, launch.x.z};
+  const double in_fall = sqrt(length(weight_per_mass(c, body, lowest)) * decay_at(lowest, probe) / probe);
+  // The original loop feels the forces of the frame before, and oscillates sooner.
+  const double part = is_classic(c.fidelity) ? 0.25 : 0.5;
+  return std::min(kFrame, part / std::max({at_launch, in_fall, 1.0}));
+}
+
+Result<AutomaticStep> automatic_step(const ProjectileDef& projectile, const Launch& launch,
+                                     const Environment& environment, const Fidelity& granted,
+                                     const Tolerance& tolerance, const Until& until, double error_allowed,
+                                     double longest) {
+  if (!steps_by_frames(granted))
+    return step_within(projectile, launch, environment, granted, tolerance, until, error_allowed, longest);
+  const auto shot = prepared_shot(projectile, launch, environment, granted);
+  if (shot->error) return *shot->error;
+  return AutomaticStep{std::min(frame_step(shot->cohort, shot->body, shot->rotor, until), longest), 0};
+}
+
+FidelityNote note_of_step(const AutomaticStep& found, double error_allowed) {
+  return {"tolerance.position_error", short_text(error_allowed), short_text(found.reached),
+          "steps of " + short_text(found.step) +
+              " s come no nearer within tolerance.max_steps; allow a larger error, "
+              "or use an adaptive integrator"};
 }
 
 Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
   const IeeeMode mode;
-  return step_within(projectile, launch, environment, fidelity, tolerance, until, tolerance.position_error,
-                     std::numeric_limits<double>::infinity());
+  const auto found = step_within(projectile, launch, environment, fidelity, tolerance, until, tolerance.position_error,
+                                 std::numeric_limits<double>::infinity());
+  if (!found) return found.error();
+  if (found->reached <= tolerance.position_error) return found->step;
+  const FidelityNote note = note_of_step(*found, tolerance.position_error);
+  return Error{"a position error of " + note.asked + " m cannot be kept, " + note.granted + " m were reached",
+               note.effect, note.reason};
 }
 
-std::optional<double> step_without_pilot(const Fidelity& granted, const Tolerance& tolerance) {
+std::optional<double> step_given(const Fidelity& granted, const Tolerance& tolerance) {
   if (steps_itself(granted)) return 0.0;
   if (tolerance.step > 0) return tolerance.step;
-  if (order_of(granted.integrator) == 1) return 1.0 / 60;  // a game's frame; accuracy is not what these are for
   return std::nullopt;
 }
 

@@ -41,6 +41,8 @@ Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double ele
   return sight.forward * above.cos + sight.canted * above.sin;
 }
 
+double launch_speed(const Launch& launch) { return launch.velocity ? length(*launch.velocity) : launch.speed; }
+
 Vec3d velocity_along(const Launch& launch, const Vec3d& bore) {
   PHYSIM_ASSERT(launch.velocity || !(abs(length_squared(bore) - 1) > 1e-9));
   return launch.velocity ? *launch.velocity : bore * launch.speed;

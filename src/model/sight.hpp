@@ -28,6 +28,8 @@ struct SightFrame {
 
 /// Unit vector along the bore for a bore elevation above the horizon [rad], or along a given velocity.
 [[nodiscard]] Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation);
+/// Speed at the muzzle [m/s].
+[[nodiscard]] double launch_speed(const Launch& launch);
 /// Velocity at the muzzle, where the bore points along a unit vector.
 [[nodiscard]] Vec3d velocity_along(const Launch& launch, const Vec3d& bore);
 /// Velocity at the muzzle for a bore elevation above the horizon [rad]; `sight` is the launch's frame.

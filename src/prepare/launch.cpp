@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "model/attitude.hpp"
 #include "model/magnus.hpp"
@@ -83,14 +84,20 @@ Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double
   return rotor;
 }
 
+std::optional<double> stability_factor(const ProjectileDef& p, const Launch& launch, const Environment& environment) {
+  const IeeeMode mode;
+  if (p.twist == 0 || p.length <= 0) return std::nullopt;
+  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
+  if (!air || !(air->pressure > 0)) return std::nullopt;
+  return miller_stability(p, launch_speed(launch), air->temperature, air->pressure);
+}
+
 namespace {
 
-/// Miller's, where it has a meaning.
+/// Miller's, where Litz's formulas hold.
 std::optional<double> stability_at_launch(const ProjectileDef& p, double speed, const Environment& environment) {
-  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
-  if (!air) return std::nullopt;
-  const double stability = miller_stability(p, speed, air->temperature, air->pressure);
-  return stability < kMostStable ? std::optional(stability) : std::nullopt;
+  const auto stability = stability_factor(p, {.speed = speed}, environment);
+  return stability && *stability < kMostStable ? stability : std::nullopt;
 }
 
 }  // namespace

@@ -31,6 +31,17 @@ bool is_told(const EventRow& row, Watcher watcher) {
   return row.in_worlds != InWorlds::never;
 }
 
+/// What is told without having been asked for, where a spec asks for that again: told once, it may end the flight.
+Watched* told_anyway(WatchList& watch, const EventSpec& spec, const EventRow& row) {
+  if (row.waits_for_value) return nullptr;
+  for (int i = 0; i < watch.count; ++i) {
+    const EventSpec& known = watch.item[i].spec;
+    if (known.kind == spec.kind && (known.direction == spec.direction || spec.direction == Crossing::any))
+      return &watch.item[i];
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f.drag == DragModel::equation; }
@@ -55,7 +66,10 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher
     const EventRow& row = row_of(spec.kind);
     if (!may_happen(row, c)) continue;
     if (!row.waits_for_value) spec.value = row.value;
-    add(spec, Outcome::event);
+    if (Watched* told = told_anyway(watch, spec, row))
+      told->spec.terminal |= spec.terminal;
+    else
+      add(spec, Outcome::event);
   }
   return watch;
 }

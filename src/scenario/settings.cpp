@@ -113,16 +113,17 @@ constexpr Entry kFileSettings[] = {
 constexpr Entry kRunSettings[] = {
     PHYSIM_SCENARIO(
         tolerance.relative,
-        "adaptive integrators: error per step relative to position and velocity; none: 1e-9, in float32 1e-5",
+        "adaptive integrators: error per step relative to position and velocity; none: 1e-9, in float32 2e-6",
         at_least(0)),
     PHYSIM_SCENARIO(tolerance.absolute,
                     "adaptive integrators: error per step where these are near zero, in m and m/s; both add as squares",
                     at_least(0)),
-    PHYSIM_SCENARIO(tolerance.step,
-                    "of fixed-step integrators; 0: heun and rk4 find it by a pilot flight, the others take 1/60 s",
-                    Quantity::time, at_least(0)),
-    PHYSIM_SCENARIO(tolerance.position_error, "what the pilot flight aims for at the end of the flight",
-                    Quantity::length, above(0)),
+    PHYSIM_SCENARIO(
+        tolerance.step,
+        "of fixed-step integrators; 0: heun and rk4 find it by pilot flights, the others take 1/60 s or less",
+        Quantity::time, at_least(0)),
+    PHYSIM_SCENARIO(tolerance.position_error, "what pilot flights keep along the whole flight", Quantity::length,
+                    above(0)),
     PHYSIM_SCENARIO(tolerance.max_step, "adaptive integrators never step further", Quantity::time,
                     or_infinite(above(0))),
     PHYSIM_SCENARIO(tolerance.max_steps, "then the flight ends", between(1, 1e9)),

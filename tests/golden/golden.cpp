@@ -17,7 +17,7 @@ namespace {
 
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
-constexpr std::uint64_t kExpected = 0xe8fad523733adf36;
+constexpr std::uint64_t kExpected = 0x1d4ef4299df7053c;
 
 /// FNV-1a over the bits of numbers; all NaNs count as one, since their bits are nobody's promise.
 class Hash {
