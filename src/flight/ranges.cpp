@@ -10,9 +10,11 @@
 #include "math/minimum.hpp"
 #include "math/root.hpp"
 #include "math/vec3.hpp"
+#include "model/sight.hpp"
 #include "physim/aim.hpp"
 #include "physim/names.hpp"
 #include "prepare/check.hpp"
+#include "prepare/grant.hpp"
 
 namespace physim {
 namespace {
@@ -120,12 +122,14 @@ Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch
   c.is_number(ground, "ground").is_number(slope, "slope").positive(time, "time", "in s");
   c.require(std::abs(slope) < kRightAngle, "slope", "must lie between -90 and 90 degrees", "angles are in radians");
   c.require(!(launch.position.y < ground), "ground", "lies above the muzzle", "the shot has to start over it");
-  c.positive(launch.velocity ? length(*launch.velocity) : launch.speed, "launch.speed", "a shot needs one");
+  const bool from_rest = launch_speed(launch) == 0 && has_motor(projectile);
+  if (!from_rest) c.positive(launch_speed(launch), "launch.speed", "a shot needs one");
   if (const Status status = c.status(); !status) return status.error();
   Carry carry(projectile, launch, environment, fidelity, ground, slope, time);
   constexpr double kScan = 5 * kDegree;
   MaxRange best{.range = -1};
-  const double lowest = std::ceil((slope - kRightAngle) / kScan) * kScan + kScan;
+  // A rail does not point into the ground.
+  const double lowest = std::ceil((from_rest ? slope : slope - kRightAngle) / kScan) * kScan + kScan;
   for (double elevation = max(lowest, -85 * kDegree); elevation < 89 * kDegree; elevation += kScan) {
     const MaxRange found = carry.shoot(elevation);
     if (carry.error()) return *carry.error();

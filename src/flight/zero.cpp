@@ -7,13 +7,24 @@
 #include "base/text.hpp"
 #include "math/elementary.hpp"
 #include "math/root.hpp"
+#include "model/sight.hpp"
+#include "prepare/grant.hpp"
 
 namespace physim {
 namespace {
 
-Error out_of_reach(double range) {
-  return Error{"no elevation up to 45 degrees hits the line of sight at " + short_text(range) + " m",
-               "launch.sight.zero_range", "shorten the zero range or raise the speed"};
+/// What a shot that does not reach its zero range may lack: a speed, or the unit of its ballistic coefficient.
+Error out_of_reach(const ProjectileDef& projectile, const Launch& launch, double range, double reached) {
+  if (launch_speed(launch) == 0 && !has_motor(projectile))
+    return Error{"is 0, and a zero range is given", "launch.speed", "give the muzzle speed"};
+  const std::string message = "no elevation up to 45 degrees hits the line of sight at " + short_text(range) + " m; " +
+                              short_text(std::round(reached)) + " m were reached";
+  constexpr double kLightest = 10;  // of ballistic coefficients in use: 0.014 lb/in^2 [kg/m^2]
+  const double bc = projectile.drag.ballistic_coefficient;
+  if (bc > 0 && bc < kLightest)
+    return Error{message, "projectile.drag.ballistic_coefficient",
+                 "it is " + short_text(bc) + " kg/m^2, very little: is it in lb/in^2?"};
+  return Error{message, "launch.sight.zero_range", "shorten the zero range or raise the speed"};
 }
 
 }  // namespace
@@ -33,11 +44,13 @@ Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& lau
   if (exact.motion != Motion::closed_form) exact.integrator = Integrator::tsit5;
   const Until until{.ground = std::nullopt, .time = 600, .range = range};
   std::optional<Error> error;
+  double reached = 0;
   // Height over the line of sight at the range; a shot that never gets there counts as far below.
   const auto drop = [&](double elevation) {
     upright.elevation = elevation;
     const Flight flight = fly(projectile, upright, air, exact, {}, until);
     if (flight.error()) error = flight.error();
+    reached = max(reached, flight.end().range);
     return flight.outcome() == Outcome::reached_range ? flight.end().drop : -range;
   };
   const double look = launch.sight.look_angle;
@@ -53,12 +66,13 @@ Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& lau
     if ((at_high > 0) != (at_low > 0)) {
       const double elevation = find_root(drop, low, at_low, high, at_high, 1e-13);
       // Where the range is just out of reach the height jumps, and the end of a jump is no zero.
-      return abs(drop(elevation)) < 1e-6 * range + 1e-6 ? Result<double>(elevation) : out_of_reach(range);
+      return abs(drop(elevation)) < 1e-6 * range + 1e-6 ? Result<double>(elevation)
+                                                        : out_of_reach(projectile, launch, range, reached);
     }
     low = high;
     at_low = at_high;
   }
-  return error ? *error : out_of_reach(range);
+  return error ? *error : out_of_reach(projectile, launch, range, reached);
 }
 
 Result<double> elevation_of(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,

@@ -84,9 +84,11 @@ void check_aero(Checker& c, const AeroDef& a) {
             kApart);
 }
 
-/// Points with a time and a value that is not negative; times strictly rising from 0.
+/// Points with a time and a value that is not negative; times rising from 0. Where a table may have steps, two points
+/// at one time are one.
 template <class Point>
-void check_table(Checker& c, const std::vector<Point>& table, double Point::*value, const std::string& name) {
+void check_table(Checker& c, const std::vector<Point>& table, double Point::*value, const std::string& name,
+                 bool may_step) {
   constexpr std::size_t kMost = 1000;
   c.require(table.size() >= 2 && table.size() <= kMost, name, "has too few or too many points", "2 to 1000");
   for (std::size_t i = 0; i < table.size() && i < kMost; ++i) {
@@ -94,6 +96,9 @@ void check_table(Checker& c, const std::vector<Point>& table, double Point::*val
     c.is_number(table[i].time, place).not_negative(table[i].*value, place, "");
     if (i == 0)
       c.require(table[i].time == 0, place, "must be at time 0", "times count from ignition");
+    else if (may_step && table[i].time == table[i - 1].time)
+      c.require(i == 1 || table[i].time > table[i - 2].time, place, "is a third point at one time",
+                "two points at one time are a step");
     else
       c.require(table[i].time > table[i - 1].time, place, "times must rise", "sort the points by time");
   }
@@ -101,7 +106,7 @@ void check_table(Checker& c, const std::vector<Point>& table, double Point::*val
 
 void check_motor(Checker& c, const ProjectileDef& p) {
   const MotorDef& m = p.motor;
-  check_table(c, m.thrust, &ThrustPoint::force, "projectile.motor.thrust");
+  check_table(c, m.thrust, &ThrustPoint::force, "projectile.motor.thrust", true);
   c.not_negative(m.propellant_mass, "projectile.motor.propellant_mass", "in kg");
   c.require(m.propellant_mass < p.mass, "projectile.motor.propellant_mass", "is not less than the projectile's mass",
             "the mass at launch includes it");
@@ -113,7 +118,7 @@ void check_motor(Checker& c, const ProjectileDef& p) {
   c.require(std::isfinite(total_impulse(m)) && total_impulse(m) > 0, "projectile.motor.thrust", "gives no impulse",
             "leave the table empty where there is no motor");
   if (!m.propellant.empty()) {
-    check_table(c, m.propellant, &PropellantPoint::mass, "projectile.motor.propellant");
+    check_table(c, m.propellant, &PropellantPoint::mass, "projectile.motor.propellant", false);
     c.require(m.propellant.front().mass == m.propellant_mass && m.propellant.back().mass == 0 &&
                   m.propellant.back().time == burn_time(m),
               "projectile.motor.propellant", "must go from propellant_mass to 0 over the burn",
@@ -195,6 +200,9 @@ Status check(const Launch& l) {
   c.is_number(l.spin.gyrospin, "launch.spin.gyrospin");
   c.not_negative(l.rail_length, "launch.rail_length", "0: no rail");
   c.is_number(l.elevation, "launch.elevation").is_number(l.azimuth, "launch.azimuth");
+  // Degrees taken for radians are the commonest slip; what is beyond these is surely one.
+  c.require(!(std::abs(l.elevation) > 2 * kRightAngleUp), "launch.elevation", "must lie between -180 and 180 degrees",
+            "angles are in radians: 30 degrees are 30_deg");
   if (l.velocity) c.is_vector(*l.velocity, "launch.velocity");
   const LaunchAttitude& a = l.attitude;
   c.named(a.frame, AttitudeFrame::world, "launch.attitude.frame");

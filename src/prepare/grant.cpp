@@ -1,8 +1,16 @@
 // Decides what of an asked fidelity can be had, and says why where it is less.
 #include "prepare/grant.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
 #include "model/attitude.hpp"
 #include "model/drag_curves.hpp"
 #include "model/ladder.hpp"
+#include "model/sight.hpp"
+#include "model/spin_drift.hpp"
+#include "model/standard_atmosphere.hpp"
+#include "physim/air.hpp"
 #include "physim/names.hpp"
 #include "solve/take_step.hpp"
 
@@ -111,7 +119,7 @@ class Granting {
     const ProjectileDef& p = projectile_;
     if (f_.rotation == RotationModel::spin_drift) {
       if (p.twist == 0)
-        f_.rotation = RotationModel::none;  // it does not spin: nothing is lost
+        set("rotation", f_.rotation, RotationModel::none, "the projectile has no twist: it does not spin");
       else if (p.length <= 0)
         set("rotation", f_.rotation, RotationModel::none, "the stability factor needs the projectile's length");
       else if (f_.planar)
@@ -119,8 +127,20 @@ class Granting {
     }
     if (f_.drag == DragModel::equation && f_.interpolation == Interpolation::cubic && spline_overshoots(p.drag))
       set("interpolation", f_.interpolation, Interpolation::pchip, "a spline through so few points would overshoot");
+    if (f_.drag == DragModel::equation && is_sized_by_default(p))
+      remark("drag", f_.drag,
+             "mass and diameter are the defaults, 1 kg and 0.1 m: give them, or a ballistic coefficient");
     if (f_.drag == DragModel::linear_quadratic && p.drag.k1 == 0 && p.drag.k2 == 0)
       remark("drag", f_.drag, "k1 and k2 are zero: k2 is taken from the drag equation at launch");
+  }
+
+  /// A standard function says how drag changes with speed; how much there is, nobody said.
+  static bool is_sized_by_default(const ProjectileDef& p) {
+    const DragDef& d = p.drag;
+    const bool standard = d.table != DragTable::constant && d.table != DragTable::custom;
+    const ProjectileDef plain;
+    return standard && d.ballistic_coefficient == 0 && d.bands.empty() && p.mass == plain.mass &&
+           p.diameter == plain.diameter;
   }
 
   void without_rotation(const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); }
@@ -128,7 +148,7 @@ class Granting {
   /// After motion and integrator are settled.
   void by_rotation() {
     if (f_.rotation == RotationModel::magnus) by_spin();
-    if (!turns(f_)) return;
+    if (!turns(f_)) return by_point();
     if (f_.motion != Motion::force) return without_rotation("only motion 'force' knows moments");
     if (f_.integrator == Integrator::classic) return without_rotation("the original loop knows points only");
     if (f_.planar) return without_rotation("a planar flight does not leave its plane");
@@ -139,6 +159,12 @@ class Granting {
       f_.body_form = symmetric && projectile_.twist != 0 ? BodyForm::axis : BodyForm::quaternion;
     if (f_.body_form == BodyForm::axis && !symmetric)
       set("body_form", f_.body_form, BodyForm::quaternion, "the body is not symmetric about its x axis");
+  }
+
+  void by_point() {
+    if (has_motor(projectile_) && flies_motors(f_) && f_.wind != WindModel::off)
+      remark("rotation", f_.rotation,
+             "a point's thrust follows the air at once: in wind it turns further than a rocket with a body does");
   }
 
   void by_repose() {
@@ -190,12 +216,44 @@ FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, cons
   return Granting(asked, projectile, environment).run();
 }
 
+namespace {
+
+constexpr double kMostSphereMach = 0.3;  // where compressibility begins to show
+
+/// Why Litz's drift means little for a shot; empty where it is in its place.
+std::string doubt_about_drift(const ProjectileDef& projectile, const Launch& launch, const Environment& environment) {
+  const auto stability = stability_factor(projectile, launch, environment);
+  if (!stability || !(launch_speed(launch) > 0)) return {};
+  const std::string is = "the stability factor Sg is " + short_text(*stability);
+  if (*stability < 1) return is + ": below 1 the projectile tumbles, and its drift means nothing";
+  if (*stability < kMostStable) return {};
+  return is + ": beyond " + short_text(kMostStable) + " there is no drift to be had; look at mass, diameter, length " +
+         "and twist";
+}
+
+double launch_mach(const Launch& launch, const Environment& environment) {
+  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
+  return air && air->sound_speed > 0 ? launch_speed(launch) / air->sound_speed : 0;
+}
+
+}  // namespace
+
 FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile, const Environment& environment,
                     const Launch& launch) {
   FidelityInUse in_use = grant(asked, projectile, environment);
-  if (launch.rail_length == 0 || flies_motors(in_use.fidelity)) return in_use;
-  const std::string motion(name(in_use.fidelity.motion));
-  in_use.notes.push_back({"motion", motion, motion, "the launch rail is left out: only motion 'force' knows one"});
+  const Fidelity& f = in_use.fidelity;
+  const auto remark = [&in_use](const char* effect, std::string_view granted, std::string reason) {
+    in_use.notes.push_back({effect, std::string(granted), std::string(granted), std::move(reason)});
+  };
+  if (launch.rail_length > 0 && !flies_motors(f))
+    remark("motion", name(f.motion), "the launch rail is left out: only motion 'force' knows one");
+  if (f.rotation == RotationModel::spin_drift)
+    if (const auto doubt = doubt_about_drift(projectile, launch, environment); !doubt.empty())
+      remark("rotation", name(f.rotation), doubt);
+  if (f.drag == DragModel::equation && projectile.drag.table == DragTable::sphere)
+    if (const double mach = launch_mach(launch, environment); mach > kMostSphereMach)
+      remark("drag", name(f.drag),
+             "a sphere's drag by Reynolds number holds below Mach 0.3; this shot starts at Mach " + short_text(mach));
   return in_use;
 }
 

@@ -8,7 +8,7 @@ namespace physim {
 /// What of the asked fidelity this projectile in this environment can have.
 [[nodiscard]] FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile,
                                   const Environment& environment);
-/// With a note where a rail of the launch is left out.
+/// With notes about the launch: a rail that is left out, models that it leads beyond where they hold.
 [[nodiscard]] FidelityInUse grant(const Fidelity& asked, const ProjectileDef& projectile,
                                   const Environment& environment, const Launch& launch);
 

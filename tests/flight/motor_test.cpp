@@ -510,9 +510,9 @@ TEST(Motor, bad_input_is_refused_with_its_place) {
        [](auto& p, auto&) {
          p.motor.thrust = {{0, 1}, {2, 1}, {1, 0}};
        }},
-      {"equal times", "projectile.motor.thrust[1]", "must rise",
+      {"three equal times", "projectile.motor.thrust[2]", "third point",
        [](auto& p, auto&) {
-         p.motor.thrust = {{0, 1}, {0, 2}};
+         p.motor.thrust = {{0, 1}, {0, 2}, {0, 3}, {1, 0}};
        }},
       {"negative", "projectile.motor.thrust[1]", "zero or positive",
        [](auto& p, auto&) {

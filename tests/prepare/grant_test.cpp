@@ -61,9 +61,14 @@ TEST(Grant, where_there_is_nothing_to_model_nothing_is_lost_and_nothing_said) {
   asked.environment.wind = {};
   EXPECT_EQ(granted(asked).fidelity.wind, WindModel::off);
   EXPECT_TRUE(granted(asked).notes.empty());
+}
+
+TEST(Grant, spin_drift_without_a_twist_is_none_and_says_so) {
+  Asked asked;
   asked.projectile.twist = 0;
   EXPECT_EQ(granted(asked).fidelity.rotation, RotationModel::none);
-  EXPECT_TRUE(granted(asked).notes.empty());
+  ASSERT_EQ(granted(asked).notes.size(), 1U);
+  EXPECT_EQ(granted(asked).notes[0].effect, "rotation");
 }
 
 TEST(Grant, the_drag_equation_needs_air) {
