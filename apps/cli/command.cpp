@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -162,7 +163,11 @@ int run_program(const Program& program, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
-    return app.exit(help_or_version);
+    std::ostringstream text;
+    const int code = app.exit(help_or_version, text, text);
+    const Status status = print(text.str());
+    if (!status) print_error(status.error());
+    return status ? code : kExitBadInput;
   } catch (const CLI::ParseError& error) {
     print_error(usage_error(app, error));
     return kExitBadInput;

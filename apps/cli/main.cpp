@@ -15,7 +15,7 @@ namespace physim::cli {
 namespace {
 
 constexpr const char* kExamples =
-    "Exit codes: 0 all well, 1 a check missed, 2 bad input.\n"
+    "Exit codes: 0 all well, 1 a check missed or a shot that ended before its time, 2 bad input.\n"
     "Colours are used on a terminal only, and not where NO_COLOR is set.\n\n"
     "Examples:\n"
     "  physim run scenarios/308_168gr_g7.toml                            a range card\n"

@@ -117,7 +117,8 @@ std::string_view odd_end(Outcome outcome) {
   return {};
 }
 
-void warn_of_odd_ends(const std::vector<FlownShot>& shots) {
+/// How many shots ended before their time; a warning for each of the first.
+std::size_t warn_of_odd_ends(const std::vector<FlownShot>& shots) {
   constexpr std::size_t kMostWarnings = 5;
   std::size_t count = 0;
   for (const FlownShot& shot : shots) {
@@ -128,15 +129,16 @@ void warn_of_odd_ends(const std::vector<FlownShot>& shots) {
                   std::string(reason));
   }
   if (count > kMostWarnings) print_warning(std::to_string(count - kMostWarnings) + " more shots ended early");
+  return count;
 }
 
 Result<int> run_flights(const RunOptions& options, Scenario scenario, std::optional<double> interval) {
   FlownScenario flown{.scenario = std::move(scenario), .shots = {}, .checks = {}};
   if (Status status = fly_all(flown, progress_bar("flying")); !status) return status.error();
   if (Status status = write_all(options, flown, interval); !status) return status.error();
-  warn_of_odd_ends(flown.shots);
+  const std::size_t odd_ends = warn_of_odd_ends(flown.shots);
   const auto missed = std::ranges::count(flown.checks, false, &Check::met);
-  const int code = missed > 0 ? kExitCheckMissed : kExitOk;
+  const int code = missed > 0 || odd_ends > 0 ? kExitCheckMissed : kExitOk;
   if (!options.outputs.use_stdout()) return done(print(summary_text(flown, style_of(stdout))), code);
   if (missed > 0)
     print_warning(std::to_string(missed) + " of " + std::to_string(flown.checks.size()) + " checks were missed");
@@ -164,8 +166,20 @@ Status save_time(const RunOptions& options, const Scenario& scenario, LogOptions
   return {};
 }
 
+/// What a crowd will need is told before it starts, not by running out of memory.
+void warn_of_size(const Scenario& scenario) {
+  constexpr std::int64_t kMany = 5'000'000, kBytesEach = 360;  // as measured, with default outputs
+  std::int64_t launches = 0;
+  for (const Volley& volley : scenario.volleys) launches += volley.count;
+  if (launches >= kMany)
+    print_warning(std::to_string(launches) + " launches will take about " +
+                  significant(static_cast<double>(launches * kBytesEach) / 1e9, 2) +
+                  " GB of memory if all are in the air at once");
+}
+
 Result<int> run_world(const RunOptions& options, Scenario scenario, std::optional<double> interval) {
   if (options.threads) scenario.world.def.threading.threads = *options.threads;
+  warn_of_size(scenario);
   const std::string stem = std::filesystem::path(scenario.file).stem().string();
   const Outputs in_folder = options.folder.empty() ? Outputs{} : outputs_in(options.folder, stem, Subject::world);
   LogOptions log_options{.parts = {},
@@ -241,7 +255,8 @@ void add_run_command(Command& program) {
       .type_name("N")
       .within(0u, 1024u);
   command.footer(
-      "Exit code 0; 1 where an [[expect]] of the scenario is missed; 2 for bad input.\n\n"
+      "Exit code 0; 1 where an [[expect]] of the scenario is missed or a shot ends before its time (non_finite, "
+      "left_domain,\nstep_limit, stalled); 2 for bad input.\n\n"
       "Examples:\n"
       "  physim run scenarios/308_168gr_g7.toml\n"
       "  physim run scenarios/308_168gr_g7.toml --set shot.mass=\"175 gr\" --set shot.fidelity=game\n"

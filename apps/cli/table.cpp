@@ -4,6 +4,7 @@
 #include "asked.hpp"
 #include "outputs.hpp"
 #include "report/range_card.hpp"
+#include "report/summary.hpp"
 
 namespace physim::cli {
 namespace {
@@ -23,10 +24,13 @@ std::vector<std::string> card_formats() {
 }
 
 std::string text_of(const Card& card, const std::string& format) {
-  if (format == "text") return one_line(title_of(card.asked->scenario)) + "\n\n" + table_of(card).text();
+  const Scenario& scenario = card.asked->scenario;
+  const std::string stability = stability_text(card.asked->shot(), card.flight, scenario.environment);
+  const std::string below = stability.empty() ? "" : "\nStability: " + stability + "\n";
+  if (format == "text") return one_line(title_of(scenario)) + "\n\n" + table_of(card).text() + below;
   for (const Format& each : formats())
     if (each.name == format) return std::get<std::string>(content_of(each, records_of(card)));
-  return table_of(card).markdown();
+  return table_of(card).markdown() + below;
 }
 
 Result<CardWishes> wishes_of(const TableCommand& command) {

@@ -61,6 +61,10 @@ class EarthFrames {
   /// A vector in W from its components east, north and up at a place in W [m].
   [[nodiscard]] Vec3d from_local(const Vec3d& position_W, const Vec3d& vector_L) const;
 
+  /// How far it is along the ground, at height 0, between the feet of two places in W [m]: over the ellipsoid by
+  /// Lambert's formula, within 1e-5 of the distance but near the antipode; over a sphere along the great circle.
+  [[nodiscard]] double ground_distance(const Vec3d& from_W, const Vec3d& to_W) const;
+
   /// How fast E turns in I [rad/s]: 0 where the Earth does not rotate.
   [[nodiscard]] double rotation_rate() const { return rate_; }
 

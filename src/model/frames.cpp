@@ -4,8 +4,12 @@
 // Symbols: phi, lambda, A latitude, longitude and azimuth of W [rad]; r0 origin of W from the Earth's centre; M matrix
 //   whose columns are the axes of W in E; theta = Omega t angle that the Earth has turned by [rad].
 // Equations: x_E = M (r0 + x_W); x_I = Rz(theta) x_E, v_I = Rz(theta) (v_E + Omega x x_E).
+//   Distance along the ground, Lambert's: tan b = (1 - f) tan phi; s the angle between the feet on the sphere of
+//   reduced latitudes b; P = (b1 + b2) / 2, Q = (b2 - b1) / 2; X = (s - sin s) sin^2 P cos^2 Q / cos^2(s/2);
+//   Y = (s + sin s) cos^2 P sin^2 Q / sin^2(s/2); distance a (s - f (X + Y) / 2).
 // Source: D. A. Vallado, Fundamentals of Astrodynamics and Applications (2007), sec. 3.4 and 3.7, without precession,
-//   nutation and polar motion; geometry.
+//   nutation and polar motion; W. D. Lambert, "The distance between two widely separated points on the surface of the
+//   Earth", J. Washington Academy of Sciences 32 (1942), 125-130; geometry.
 #include "physim/frames.hpp"
 
 #include "base/ieee_mode.hpp"
@@ -123,6 +127,39 @@ Vec3d EarthFrames::from_local(const Vec3d& position, const Vec3d& vector) const 
   const IeeeMode mode;
   const LocalAxes l = local_axes(combined(x_E_, y_E_, z_E_, vertical_of(*conditions_, position).up));
   return from_earth_fixed({{}, l.east * vector.x + l.north * vector.y + l.up * vector.z}).velocity;
+}
+
+namespace {
+
+/// The angle seen from the centre between two places on a sphere [rad].
+double central_angle(double latitude1, double latitude2, double longitudes) {
+  const double north = sincos((latitude2 - latitude1) / 2).sin, east = sincos(longitudes / 2).sin;
+  const double h = north * north + sincos(latitude1).cos * sincos(latitude2).cos * east * east;
+  return 2 * asin(sqrt(min(h, 1.0)));
+}
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+double EarthFrames::ground_distance(const Vec3d& from, const Vec3d& to) const {
+  const IeeeMode mode;
+  const Geodetic a = geodetic(from), b = geodetic(to);
+  const double longitudes = b.longitude - a.longitude;
+  if (is_sphere(conditions_->fidelity.earth))
+    return conditions_->radius * central_angle(a.latitude, b.latitude, longitudes);
+  const auto reduced = [](double latitude) {
+    const auto at = sincos(latitude);
+    return atan2((1 - wgs84::kFlattening) * at.sin, at.cos);
+  };
+  const double b1 = reduced(a.latitude), b2 = reduced(b.latitude);
+  const double s = central_angle(b1, b2, longitudes);
+  if (s == 0) return 0;
+  const auto p = sincos((b1 + b2) / 2), q = sincos((b2 - b1) / 2), half = sincos(s / 2);
+  const double sine = sincos(s).sin;
+  const double x = (s - sine) * square(p.sin * q.cos / half.cos);
+  const double y = (s + sine) * square(p.cos * q.sin / half.sin);
+  return wgs84::kEquatorialRadius * (s - wgs84::kFlattening / 2 * (x + y));
 }
 
 }  // namespace physim

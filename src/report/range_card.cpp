@@ -10,43 +10,74 @@
 namespace physim::report {
 namespace {
 
-std::string shown(double value, const ShownUnit& unit) { return fixed(value / unit.size, unit.decimals); }
-std::string header(const std::string& what, const ShownUnit& unit) { return what + " [" + unit.name + "]"; }
-
-struct CardTexts {
-  std::vector<std::string> headers;
-  std::vector<std::vector<std::string>> rows;  // only the range where the shot does not reach it
+struct Column {
+  std::string header;
+  int decimals;
 };
 
-CardTexts texts_of(const Card& card) {
-  const CardUnits& u = card.units;
+/// The figures of a card, in its units; none where a figure has no meaning.
+struct CardFigures {
+  std::vector<Column> columns;
+  std::vector<std::vector<std::optional<double>>> rows;  // only the range where the shot does not reach it
+
+  void add_column(const std::string& what, const ShownUnit& unit) {
+    columns.push_back({what + " [" + unit.name + "]", unit.decimals});
+  }
+};
+
+std::vector<CrossWind> shifts_of(const Card& card) {
   std::vector<CrossWind> shifts = card.winds;
   if (card.without_spin) shifts.push_back({"spin", card.flight, *card.without_spin});
-  CardTexts out;
-  out.headers = {header("range", u.range), header("drop", u.drop), header("drop", u.angle), header("windage", u.drop),
-                 header("windage", u.angle)};
-  for (const CrossWind& shift : shifts)
-    out.headers.insert(out.headers.end(), {header(shift.label, u.drop), header(shift.label, u.angle)});
-  out.headers.insert(out.headers.end(), {header("speed", u.speed), "mach [-]", header("energy", u.energy), "time [s]"});
+  return shifts;
+}
+
+void add_columns(const Card& card, const std::vector<CrossWind>& shifts, CardFigures& out) {
+  const CardUnits& u = card.units;
+  const auto add_offset = [&](const std::string& what) {
+    out.add_column(what, u.drop);
+    out.add_column(what, u.angle);
+  };
+  out.add_column("range", u.range);
+  if (has_sight(card.asked->shot().launch))
+    add_offset("drop");
+  else
+    out.add_column("height", {u.range.name, u.range.size, 2});
+  add_offset("windage");
+  for (const CrossWind& shift : shifts) add_offset(shift.label);
+  out.add_column("speed", u.speed);
+  out.add_column("mach", {"-", 1, 3});
+  out.add_column("energy", u.energy);
+  out.add_column("time", {"s", 1, 3});
+}
+
+CardFigures figures_of(const Card& card) {
+  const CardUnits& u = card.units;
+  const std::vector<CrossWind> shifts = shifts_of(card);
+  CardFigures out;
+  add_columns(card, shifts, out);
   for (const double range : card.ranges) {
-    std::vector<std::string>& row = out.rows.emplace_back(1, as_typed(range / u.range.size));
+    std::vector<std::optional<double>>& row = out.rows.emplace_back(1, range / u.range.size);
     const Result<Sample> s = card.flight.at_range(range);
     if (!s) continue;
     const auto add_offset = [&](double offset) {
-      row.push_back(shown(offset, u.drop));
-      row.push_back(range > 0 ? shown(std::atan2(offset, range), u.angle) : "-");
+      row.emplace_back(offset / u.drop.size);
+      row.push_back(range > 0 ? std::optional(std::atan2(offset, range) / u.angle.size) : std::nullopt);
     };
-    add_offset(s->drop);
+    if (has_sight(card.asked->shot().launch))
+      add_offset(s->drop);
+    else
+      row.emplace_back(s->position.y / u.range.size);
     add_offset(s->windage);
     for (const CrossWind& shift : shifts) {
       const Result<Sample> blown = shift.blown.at_range(range), calm = shift.calm.at_range(range);
       if (blown && calm)
         add_offset(blown->windage - calm->windage);
       else
-        row.insert(row.end(), 2, "-");
+        row.insert(row.end(), 2, std::nullopt);
     }
-    row.insert(row.end(), {shown(s->speed, u.speed), fixed(s->mach, 3), shown(s->energy, u.energy), fixed(s->time, 3)});
-    PHYSIM_ASSERT(row.size() == out.headers.size());
+    for (const double figure : {s->speed / u.speed.size, s->mach, s->energy / u.energy.size, s->time})
+      row.emplace_back(figure);
+    PHYSIM_ASSERT(row.size() == out.columns.size());
   }
   return out;
 }
@@ -83,22 +114,30 @@ Result<CrossWind> cross_wind(const Card& card, const AskedWind& wind) {
 }  // namespace
 
 Table table_of(const Card& card) {
-  CardTexts texts = texts_of(card);
-  Table table(std::move(texts.headers));
-  for (std::vector<std::string>& row : texts.rows) {
-    if (row.size() == 1) row.emplace_back("not reached");
+  const CardFigures figures = figures_of(card);
+  std::vector<std::string> headers;
+  for (const Column& column : figures.columns) headers.push_back(column.header);
+  Table table(std::move(headers));
+  for (const auto& figures_of_row : figures.rows) {
+    std::vector<std::string> row = {as_typed(*figures_of_row.front())};
+    for (std::size_t i = 1; i < figures_of_row.size(); ++i)
+      row.push_back(figures_of_row[i] ? fixed(*figures_of_row[i], figures.columns[i].decimals) : "-");
+    if (row.size() == 1) row.push_back(not_reached(card.flight));
     table.add_row(std::move(row));
   }
   return table;
 }
 
 Records records_of(const Card& card) {
-  CardTexts texts = texts_of(card);
-  const std::size_t count = texts.headers.size();
-  return {std::move(texts.headers), [rows = std::move(texts.rows), count](const auto& take) {
+  CardFigures figures = figures_of(card);
+  std::vector<std::string> headers;
+  for (const Column& column : figures.columns) headers.push_back(column.header);
+  const std::size_t count = headers.size();
+  return {std::move(headers), [rows = std::move(figures.rows), count](const auto& take) {
             for (const auto& row : rows) {
-              std::vector<Cell> cells(row.begin(), row.end());
-              cells.resize(count);
+              std::vector<Cell> cells(count);  // empty where there is no figure
+              for (std::size_t i = 0; i < row.size(); ++i)
+                if (row[i]) cells[i] = *row[i];
               take(cells);
             }
           }};

@@ -62,7 +62,7 @@ struct Card {
 [[nodiscard]] Result<Card> make_card(const AskedShot& asked, const CardWishes& wishes);
 /// A row of text for each range; a range that the shot does not reach says so.
 [[nodiscard]] Table table_of(const Card& card);
-/// A row for each range, with the figures as the table shows them.
+/// A row for each range, with all digits; cells are empty where the shot does not reach it.
 [[nodiscard]] Records records_of(const Card& card);
 
 }  // namespace physim::report

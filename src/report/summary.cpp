@@ -6,6 +6,7 @@
 #include "base/assert.hpp"
 #include "base/event_table.hpp"
 #include "math/angles.hpp"
+#include "model/earth.hpp"
 #include "physim/names.hpp"
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
@@ -33,19 +34,20 @@ std::string time_text(double time, const Flight& flight) {
 }
 
 std::string range_card(const FlownShot& flown, const std::vector<double>& ranges) {
+  const bool with_drop = has_sight(flown.shot->launch);
   const bool with_holds = flown.shot->launch.sight.zero_range > 0;
-  std::vector<std::string> columns = {"range [m]", "drop [m]", "windage [m]"};
+  std::vector<std::string> columns = {"range [m]", with_drop ? "drop [m]" : "height [m]", "windage [m]"};
   if (with_holds) columns.insert(columns.end(), {"hold up [mil]", "hold right [mil]"});
   columns.insert(columns.end(), {"time [s]", "speed [m/s]", "mach [-]", "energy [J]"});
   Table table(columns);
   for (const double range : ranges) {
     const Result<Sample> found = flown.flight.at_range(range);
     if (!found) {
-      table.add_row({as_typed(range), "not reached"});
+      table.add_row({as_typed(range), not_reached(flown.flight)});
       continue;
     }
     const Sample& s = *found;
-    std::vector<std::string> row = {as_typed(range), fixed(s.drop, 3), fixed(s.windage, 3)};
+    std::vector<std::string> row = {as_typed(range), fixed(with_drop ? s.drop : s.position.y, 3), fixed(s.windage, 3)};
     if (with_holds) row.insert(row.end(), {hold(s.drop, range), hold(s.windage, range)});
     row.insert(row.end(),
                {time_text(s.time, flown.flight), fixed(s.speed, 2), fixed(s.mach, 3), readable(s.energy, 4)});
@@ -54,20 +56,28 @@ std::string range_card(const FlownShot& flown, const std::vector<double>& ranges
   return table.empty() ? "" : "\n" + table.text(kIndent) + "\n";
 }
 
+// Where it is; over a round Earth along its ground, as the tangent plane's height there says little.
+std::string place_text(const Flight& flight, const Vec3d& position, double downrange) {
+  if (!is_round(flight.fidelity_in_use().fidelity.earth))
+    return readable(downrange, 6) + " m downrange, height " + readable(position.y, 5) + " m";
+  const EarthFrames frames = flight.earth_frames();
+  return readable(frames.ground_distance(flight.at(0).position, position), 6) + " m along the ground, altitude " +
+         readable(frames.geodetic(position).height, 5) + " m";
+}
+
 std::string end_text(const Flight& flight) {
   const Sample s = flight.end();
   const double horizontal = std::hypot(s.velocity.x, s.velocity.z);
   const double angle = std::atan2(s.velocity.y, horizontal) / kDegree;
-  std::string text = time_text(s.time, flight) + " s: " + readable(s.range, 6) + " m downrange, height " +
-                     readable(s.position.y, 5) + " m, windage " + readable(s.windage, 4) + " m; " +
-                     readable(s.speed, 5) + " m/s";
+  std::string text = time_text(s.time, flight) + " s: " + place_text(flight, s.position, s.range) + ", windage " +
+                     readable(s.windage, 4) + " m; " + readable(s.speed, 5) + " m/s";
   if (s.mach > 0) text += " (Mach " + fixed(s.mach, 3) + ")";
   return text + ", " + readable(s.energy, 4) + " J, " + fixed(std::abs(angle), 2) + " deg " +
          (angle < 0 ? "down" : "up");
 }
 
 // How a rigid body is stable at the muzzle and at the end, and how far it points off its path there.
-std::string stability_text(const Flight& flight) {
+std::string stability_in_flight(const Flight& flight) {
   std::string text;
   for (const double time : {0.0, flight.duration()}) {
     if (const auto s = flight.stability(time))
@@ -99,7 +109,7 @@ std::string cost_text(const Flight& flight) {
   return text + ", " + std::to_string(cost.evaluations) + " evaluations of the acceleration";
 }
 
-std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_ranges, const Style& style) {
+std::string shot_text(const FlownShot& flown, const Scenario& scenario, const Style& style) {
   PHYSIM_ASSERT(flown.shot != nullptr);
   const Flight& flight = flown.flight;
   const FidelityInUse& in_use = flight.fidelity_in_use();
@@ -109,23 +119,39 @@ std::string shot_text(const FlownShot& flown, const std::vector<double>& asked_r
   out += line("fidelity", within ? "cheapest within " + significant(*within, 4) + " m of " + preset : preset);
   out += line("granted", in_words(in_use.fidelity));
   for (const FidelityNote& note : in_use.notes) out += line(style.warn("note"), note_text(note));
-  out += range_card(flown, asked_ranges.empty() ? default_ranges(flight.end().range) : asked_ranges);
+  out += range_card(flown, scenario.ranges.empty() ? default_ranges(flight.end().range) : scenario.ranges);
   out += line(std::string(name(flight.outcome())), "at " + end_text(flight));
   const MotorDef& motor = flown.shot->projectile.motor;
   if (!motor.thrust.empty()) out += line("motor", motor_text(motor));
   for (const Event& event : flight.events()) {
     if (event.kind == EventKind::apex)
-      out += line("apex", "at " + time_text(event.time, flight) + " s: " + readable(event.position.x, 6) +
-                              " m downrange, height " + readable(event.position.y, 5) + " m");
+      out += line("apex", "at " + time_text(event.time, flight) +
+                              " s: " + place_text(flight, event.position, event.position.x));
     if (is_of_motor_or_rail(event.kind)) out += line(std::string(name(event.kind)), "at " + stop_text(flight, event));
   }
-  if (turns(in_use.fidelity)) out += line("stability", stability_text(flight));
+  if (const std::string text = stability_text(*flown.shot, flight, scenario.environment); !text.empty())
+    out += line("stability", text);
   out += line("elevation", fixed(flight.elevation() / kDegree, 4) + " deg");
   out += line("cost", cost_text(flight));
   return out;
 }
 
 }  // namespace
+
+std::string stability_text(const ScenarioShot& shot, const Flight& flight, const Environment& environment) {
+  if (turns(flight.fidelity_in_use().fidelity)) return stability_in_flight(flight);
+  const auto factor = stability_factor(shot.projectile, shot.launch, environment);
+  return factor ? "Sg " + significant(*factor, 3) + " at the muzzle, by Miller's rule" : "";
+}
+
+bool has_sight(const Launch& launch) {
+  const Sight& sight = launch.sight;
+  return sight.zero_range > 0 || sight.look_angle != 0 || sight.height != 0;
+}
+
+std::string not_reached(const Flight& flight) {
+  return "not reached: " + std::string(name(flight.outcome())) + " at " + readable(flight.end().range, 4) + " m";
+}
 
 std::vector<double> default_ranges(double end_range) {
   std::vector<double> ranges;
@@ -162,7 +188,7 @@ std::string checks_text(const std::vector<Check>& checks, const Style& style) {
 std::string summary_text(const FlownScenario& flown, const Style& style) {
   const Scenario& scenario = flown.scenario;
   std::string out = style.bold(one_line(title_of(scenario))) + "\n";
-  for (const FlownShot& shot : flown.shots) out += "\n" + shot_text(shot, scenario.ranges, style);
+  for (const FlownShot& shot : flown.shots) out += "\n" + shot_text(shot, scenario, style);
   if (!flown.checks.empty()) out += "\n" + checks_text(flown.checks, style);
   return out;
 }

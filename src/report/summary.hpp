@@ -14,6 +14,15 @@ namespace physim::report {
 /// The verdicts, a line for each.
 [[nodiscard]] std::string checks_text(const std::vector<Check>& checks, const Style& style);
 
+/// Whether a shot is measured against a line of sight of its own; one without is shown by its height, not its drop.
+[[nodiscard]] bool has_sight(const Launch& launch);
+/// Why a flight is not on a card at a range: how it ended before.
+[[nodiscard]] std::string not_reached(const Flight& flight);
+/// The stability of what spins, at the muzzle, and at the end where the attitude is flown; empty for what does not
+/// spin.
+[[nodiscard]] std::string stability_text(const ScenarioShot& shot, const Flight& flight,
+                                         const Environment& environment);
+
 /// Round ranges [m] for a range card of a flight that ends at this range [m].
 [[nodiscard]] std::vector<double> default_ranges(double end_range);
 

@@ -72,8 +72,13 @@ void Table::add_row(std::vector<std::string> cells) {
 
 std::string Table::text(int indent) const {
   std::vector<std::size_t> widths(headers_.size());
+  // The last cell of a row that ends early runs over the columns behind it.
+  const auto spans = [&](const std::vector<std::string>& cells, std::size_t i) {
+    return i + 1 == cells.size() && cells.size() < headers_.size();
+  };
   const auto widen = [&](const std::vector<std::string>& cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], display_width(cells[i]));
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (!spans(cells, i)) widths[i] = std::max(widths[i], display_width(cells[i]));
   };
   widen(headers_);
   for (const auto& row : rows_) widen(row);
@@ -81,7 +86,7 @@ std::string Table::text(int indent) const {
   const auto add_line = [&](const std::vector<std::string>& cells) {
     std::string line(static_cast<std::size_t>(indent), ' ');
     for (std::size_t i = 0; i < cells.size(); ++i)
-      line += (i == 0 ? "" : "  ") + padded(cells[i], widths[i], is_left(i));
+      line += (i == 0 ? "" : "  ") + (spans(cells, i) ? cells[i] : padded(cells[i], widths[i], is_left(i)));
     out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   };
   add_line(headers_);

@@ -301,6 +301,7 @@ Status prepare(Scenario& scenario) {
 }  // namespace
 
 Result<WorldRun> WorldRun::create(Scenario scenario, const std::string& recording) {
+  const IeeeMode mode;
   if (Status status = prepare(scenario); !status) return status.error();
   Result<World> world = World::create(scenario.world.def);
   if (!world) return with_place(world.error(), scenario.file);

@@ -179,7 +179,7 @@ TEST(CliDangerSpace, OfAParabola) {
   EXPECT_NEAR(json["from [m]"], falling(y + 0.5), 1e-6);
   EXPECT_NEAR(json["to [m]"], falling(y - 0.5), 1e-6);
   expect_complaint(with({"--range", "300 m"}), "--height is required");
-  expect_complaint(with({"--range", "300 km", "--height", "1 m"}), "never reaches a range of 3e+05 m");
+  expect_complaint(with({"--range", "300 km", "--height", "1 m"}), "never reaches a range of 300000 m");
   expect_complaint(with({"--range", "300 m", "--height", "0 m"}), "height: error: must be a positive number");
 }
 
