@@ -305,6 +305,17 @@ def check_functions(name, text):
             find(name, line, f"`{head[:60]}` has {length} lines, the house has {MAX_FUNCTION_LINES}; split it by purpose")
 
 
+# Their results are std::ranges::subrange, which clang 14 cannot instantiate with the library of g++ 12.
+SUBRANGE = re.compile(r"\branges::(unique|remove|remove_if|partition|stable_partition|rotate|search|equal_range|find_end"
+                      r"|subrange)\b|\bviews::")
+
+
+def check_old_clang(name, lines):
+    for number, line in enumerate(lines, 1):
+        if match := SUBRANGE.search(line):
+            find(name, number, f"`{match.group()}`: clang 14 cannot compile it; take the algorithm on iterators")
+
+
 LEANING = re.compile(r"\s*//+\s+(The same|Both|Of)\b")
 
 
@@ -398,6 +409,7 @@ def main():
         check_enumerators(name, text, enums)
         check_functions(name, text)
         check_comments(name, lines)
+        check_old_clang(name, lines)
         texts[name] = text
     additions.check(find)
     faults.check(find)

@@ -82,7 +82,7 @@ Status check(const Outputs& outputs, const std::string& what, const std::string&
       if (is_same_file(path, all[k].path))
         return Error{.message = all[k].option + " and " + all[i].option + " cannot both go to " + path};
   }
-  std::ranges::stable_partition(all, [](const Asked& each) { return !each.is_picture; });
+  std::stable_partition(all.begin(), all.end(), [](const Asked& each) { return !each.is_picture; });
   for (const Asked& each : all)
     if (Status status = each.is_picture ? check_plot(each.path) : check_output(each.path); !status) return status;
   return {};
@@ -96,7 +96,7 @@ Status check_subject(const Outputs& outputs, Subject subject, const std::string&
 
 Status write(const Outputs& outputs, const std::function<Content(const Format&)>& make) {
   std::vector<const Format*> asked = outputs.asked();
-  std::ranges::stable_partition(asked, [](const Format* format) { return format->is_picture; });
+  std::stable_partition(asked.begin(), asked.end(), [](const Format* format) { return format->is_picture; });
   for (const Format* format : asked) {
     const std::string& path = outputs.path_of(*format);
     const Content content = make(*format);

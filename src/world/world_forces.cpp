@@ -205,7 +205,7 @@ std::size_t WorldImpl::felt_by(const Generator& g) const {
     if (feels && !slot.is(kKinematic | kInfiniteMass)) felt.push_back(index);
   });
   std::ranges::sort(felt);
-  return static_cast<std::size_t>(std::ranges::unique(felt).begin() - felt.begin());
+  return static_cast<std::size_t>(std::unique(felt.begin(), felt.end()) - felt.begin());
 }
 
 std::size_t World::felt_by(ForceId force) const {
