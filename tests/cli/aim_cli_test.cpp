@@ -47,16 +47,6 @@ ground = "off"
 range = "1000 m"
 )";
 
-Ran physim(const std::vector<std::string>& arguments) { return run_program(PHYSIM_CLI, arguments); }
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream in(line);

@@ -27,17 +27,6 @@ fidelity = "sport_ball"
 ranges = ["20 m", "50 m", "900 m"]
 )";
 
-Ran physim(const std::vector<std::string>& arguments) { return run_program(PHYSIM_CLI, arguments); }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 std::vector<double> numbers_of(const std::string& csv_line) {
   std::vector<double> numbers;
   std::istringstream in(csv_line.substr(csv_line.find(',') + 1));

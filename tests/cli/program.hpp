@@ -56,6 +56,15 @@ inline std::string read(const std::string& path) {
   return text.str();
 }
 
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
 /// Runs a program with these arguments. Its output goes to `stdout_to` where one is given; `environment` replaces ours.
 inline Ran run_program(const std::string& program, const std::vector<std::string>& arguments,
                        const std::string& stdout_to = "", const std::vector<std::string>& environment = {}) {
@@ -87,5 +96,12 @@ inline Ran run_program(const std::string& program, const std::vector<std::string
   ran.err = read(err);
   return ran;
 }
+
+#ifdef PHYSIM_CLI
+/// Runs the built `physim`.
+inline Ran physim(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) {
+  return run_program(PHYSIM_CLI, arguments, "", environment);
+}
+#endif
 
 }  // namespace physim::testing_cli

@@ -18,8 +18,6 @@ Ran replay(std::vector<std::string> arguments) {
   return run_program(PHYSIM_CLI, arguments);
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 /// Two seconds of a few balls, some of it taken back.
 std::string recorded(const std::string& path, int steps = 120, bool stop = true) {
   World world;

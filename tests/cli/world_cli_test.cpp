@@ -39,12 +39,6 @@ equals = 300
 within = 0
 )";
 
-Ran physim(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) {
-  return run_program(PHYSIM_CLI, arguments, "", environment);
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 std::string hash_of(const Ran& ran) {
   const std::size_t at = ran.out.find("hash ");
   EXPECT_NE(at, std::string::npos) << ran.out << ran.err;

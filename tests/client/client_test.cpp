@@ -8,30 +8,16 @@
 #include <set>
 
 #include "cli/program.hpp"
+#include "client/support.hpp"
 #include "report/format.hpp"
 #include "report/ladder.hpp"
 #include "simclient/core/actions.hpp"
 #include "simclient/core/layout.hpp"
 #include "simclient/core/original_tests.hpp"
 #include "simclient/core/scene.hpp"
-#include "simclient/core/script.hpp"
 
 namespace physim::client {
 namespace {
-
-Client client_of(const std::string& scenario = "") {
-  const std::string file = scenario.empty() ? "" : PHYSIM_SOURCE_DIR "/scenarios/" + scenario + ".toml";
-  return std::move(open_client(file, {}).value());
-}
-
-Status run(Client& client, const std::string& text) {
-  Script script = Script::parse(text).value();
-  for (int i = 0; i < script.frames(); ++i) {
-    if (Status status = script.run(client); !status) return status;
-    client.advance(1.0 / 60);
-  }
-  return {};
-}
 
 // ------------------------------------------------------------------------------------------------------------ launcher
 TEST(Launcher, OriginalShotsHaveTheirVelocities) {

@@ -1,0 +1,51 @@
+// Distances along the ground: exact arcs of equator and sphere, the quadrant of a meridian, a geodesic that was
+// published to the millimetre.
+#include "physim/frames.hpp"
+
+#include "support.hpp"
+
+namespace physim::test {
+namespace {
+
+double degrees(int whole, int minutes, double seconds) { return (whole + minutes / 60.0 + seconds / 3600) * kDegree; }
+
+double along_ground(const Geodetic& from, const Geodetic& to, EarthModel earth) {
+  Environment e;
+  e.earth.latitude = 0.4;
+  e.earth.longitude = 1.1;
+  const EarthFrames frames(e, earth);
+  return frames.ground_distance(frames.position(from), frames.position(to));
+}
+
+TEST(GroundDistance, over_the_ellipsoid) {
+  const double a = wgs84::kEquatorialRadius;
+  const Geodetic origin{};
+  EXPECT_NEAR(along_ground(origin, {.longitude = kDegree * 90}, EarthModel::ellipsoid), a * kDegree * 90, 1e-2);
+  // The quadrant of a meridian is 10 001 965.729 m long.
+  EXPECT_NEAR(along_ground(origin, {.latitude = kDegree * 90}, EarthModel::ellipsoid), 10001965.729, 10);
+  // Flinders Peak to Buninyong: 54 972.271 m on the ellipsoid GRS80, which is WGS-84's but for a tenth of a millimetre
+  // (Intergovernmental Committee on Surveying and Mapping, Geocentric Datum of Australia Technical Manual, ch. 4).
+  const Geodetic flinders{-degrees(37, 57, 3.72030), degrees(144, 25, 29.52440), 0};
+  const Geodetic buninyong{-degrees(37, 39, 10.15610), degrees(143, 55, 35.38390), 0};
+  EXPECT_NEAR(along_ground(flinders, buninyong, EarthModel::ellipsoid), 54972.271, 0.05);
+  EXPECT_NEAR(along_ground(buninyong, flinders, EarthModel::ellipsoid), 54972.271, 0.05);
+}
+
+TEST(GroundDistance, over_the_sphere_is_an_arc) {
+  const double radius = wgs84::kMeanRadius;
+  for (const double angle : {1e-6, 0.1, 90.0, 179.0})
+    EXPECT_TRUE(near(along_ground({}, {.longitude = kDegree * angle}, EarthModel::sphere), radius * kDegree * angle,
+                     1e-9, 1e-6))
+        << angle;
+}
+
+TEST(GroundDistance, heights_do_not_count_and_short_ways_keep_their_digits) {
+  for (const EarthModel earth : {EarthModel::ellipsoid, EarthModel::sphere}) {
+    const Geodetic low{0.7, 0.3, 0}, high{0.7, 0.3, 5e5}, near_by{0.7, 0.3 + 1e-7, 1000};
+    EXPECT_NEAR(along_ground(low, high, earth), 0, 1e-6);
+    EXPECT_NEAR(along_ground(low, near_by, earth), 6.386e6 * std::cos(0.7) * 1e-7, 3e-3 * 0.488) << "metres of a step";
+  }
+}
+
+}  // namespace
+}  // namespace physim::test
