@@ -22,8 +22,8 @@ enum class Side { before, after };
 template <class Point>
 double line_at(const std::vector<Point>& points, double Point::*value, double time, Side side = Side::after) {
   PHYSIM_ASSERT(!points.empty());
-  const auto later = std::find_if(points.begin(), points.end(), [&](const Point& point) {
-    return side == Side::after ? time < point.time : time <= point.time;
+  const auto later = std::partition_point(points.begin(), points.end(), [&](const Point& point) {
+    return side == Side::after ? point.time <= time : point.time < time;
   });
   if (later == points.begin()) return points.front().*value;
   if (later == points.end()) return points.back().*value;

@@ -2,6 +2,7 @@
 #include "model/spin_drift.hpp"
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
 #include "math/elementary.hpp"
 
 namespace physim {
@@ -13,7 +14,7 @@ constexpr double kFoot = 0.3048;
 constexpr double kInchOfMercury = 3386.389;
 constexpr double kPower = 1.83;
 constexpr double kMilePerHour = 0.44704;
-constexpr double kMinuteOfArc = 3.14159265358979323846 / (180 * 60);
+constexpr double kMinuteOfArc = kPi / (180 * 60);
 
 }  // namespace
 

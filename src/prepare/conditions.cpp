@@ -1,6 +1,8 @@
 // The wind, and conditions put together from what the models prepare.
 #include "prepare/conditions.hpp"
 
+#include <algorithm>
+
 #include "model/earth.hpp"
 #include "model/ladder.hpp"
 #include "model/standard_atmosphere.hpp"
@@ -43,6 +45,10 @@ Conditions<double> prepare_conditions(const Environment& environment, const Fide
   c.air = prepare_air(environment, granted.air);
   c.wind = prepare_wind(environment.wind, granted.wind);
   return c;
+}
+
+Result<AirSample> air_at_origin(const Environment& environment) {
+  return air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
 }
 
 Conditions<float> to_float(const Conditions<double>& c) {

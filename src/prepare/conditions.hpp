@@ -2,11 +2,14 @@
 #pragma once
 
 #include "model/conditions.hpp"
+#include "physim/air.hpp"
 
 namespace physim {
 
 /// Pools of curves and flags of what some projectile has come with the projectiles.
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
+/// The air at the origin, at the nearest altitude of the standard atmosphere where it lies beyond that.
+[[nodiscard]] Result<AirSample> air_at_origin(const Environment& environment);
 /// Without tables, whose rows are other ones in float.
 [[nodiscard]] Conditions<float> to_float(const Conditions<double>& conditions);
 

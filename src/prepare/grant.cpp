@@ -9,9 +9,8 @@
 #include "model/ladder.hpp"
 #include "model/sight.hpp"
 #include "model/spin_drift.hpp"
-#include "model/standard_atmosphere.hpp"
-#include "physim/air.hpp"
 #include "physim/names.hpp"
+#include "prepare/conditions.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {
@@ -232,7 +231,7 @@ std::string doubt_about_drift(const ProjectileDef& projectile, const Launch& lau
 }
 
 double launch_mach(const Launch& launch, const Environment& environment) {
-  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
+  const auto air = air_at_origin(environment);
   return air && air->sound_speed > 0 ? launch_speed(launch) / air->sound_speed : 0;
 }
 

@@ -10,8 +10,7 @@
 #include "model/attitude.hpp"
 #include "model/magnus.hpp"
 #include "model/motor.hpp"
-#include "model/standard_atmosphere.hpp"
-#include "physim/air.hpp"
+#include "prepare/conditions.hpp"
 #include "prepare/equivalent_drag.hpp"
 #include "prepare/grant.hpp"
 
@@ -87,7 +86,7 @@ Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double
 std::optional<double> stability_factor(const ProjectileDef& p, const Launch& launch, const Environment& environment) {
   const IeeeMode mode;
   if (p.twist == 0 || p.length <= 0) return std::nullopt;
-  const auto air = air_at(environment, std::clamp(environment.altitude, kLowestAltitude, kHighestAltitude));
+  const auto air = air_at_origin(environment);
   if (!air || !(air->pressure > 0)) return std::nullopt;
   return miller_stability(p, launch_speed(launch), air->temperature, air->pressure);
 }

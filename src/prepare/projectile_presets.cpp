@@ -1,5 +1,4 @@
 // Presets of projectiles, each with the source of its numbers.
-#include "math/angles.hpp"
 #include "physim/presets.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "physim/units.hpp"
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
+#include "math/angles.hpp"
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "report/json.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
+constexpr double kDegrees = 180 / kPi;
 
 /// A place at a time, in degrees as files have it.
 struct GlobePoint {
