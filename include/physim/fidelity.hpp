@@ -149,7 +149,7 @@ struct RungInfo {
 
 /// One answer of fidelity_in_use(): what was asked for, what was granted, and why they differ.
 struct FidelityNote {
-  std::string effect{};   ///< field of Fidelity, "drag" [-]
+  std::string effect{};   ///< field of Fidelity, "drag", or the setting it is about, "until.ground" [-]
   std::string asked{};    ///< "equation" [-]
   std::string granted{};  ///< "off" [-]
   std::string reason{};   ///< one sentence [-]

@@ -8,7 +8,6 @@
 // launch speed at all times, the target is out of reach as far as the neighbours know. Before that is believed, a fan
 // of flights over all elevations and sides looks for paths that pass nearer, and descents start from those.
 #include "physim/aim.hpp"
-#include "math/angles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +20,7 @@
 #include "flight/neighbours.hpp"
 #include "flight/pilot.hpp"
 #include "flight/required_speed.hpp"
+#include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
 #include "prepare/check.hpp"
@@ -110,12 +110,12 @@ class Aimer {
     Conditions<double> conditions = prepare_conditions(environment_, granted);
     conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
     conditions_ = std::make_shared<const Conditions<double>>(conditions);
-    if (step_given(granted, options_.flight)) return;
+    if (step_given(granted, options_.flight) || steps_by_frames(granted)) return;
     const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);  // the longest flight asked for
     point(need.velocity);
     const Until until{.ground = std::nullopt, .time = clamp(1.2 * need.time, 1e-9, options_.time)};
-    const auto step = automatic_step(projectile_, launch_, environment_, granted, options_.flight, until,
-                                     options_.flight.position_error);
+    const auto step = step_within(projectile_, launch_, environment_, granted, options_.flight, until,
+                                  options_.flight.position_error);
     if (step) options_.flight.step = step->step;
     if (!step) error_ = step.error();
   }

@@ -30,6 +30,8 @@ constexpr double kMostSteps = 1e6;  // of a flight
 constexpr std::int64_t kMostWork = 5'000'000;  // steps of all flights of a search
 constexpr double kClosedFormAnswers = 8;       // taken from a closed form where steps are free
 
+std::string work_text() { return std::to_string(kMostWork / 1'000'000) + " million steps"; }
+
 /// A true flight. One that has landed stays where it landed.
 struct TruePath {
   Launch launch;
@@ -283,7 +285,7 @@ class Search {
                  "ask for at least " + length_text(4 * answer_.truth_error)};
   }
   [[nodiscard]] static Error takes_too_long() {
-    return Error{"the true flight takes more than 5 million steps", "purpose.time",
+    return Error{"the true flight takes more than " + work_text(), "purpose.time",
                  "shorten it, or look at mass, diameter and drag: is it so light?"};
   }
   [[nodiscard]] Error none_comes_so_near() const {
@@ -333,7 +335,7 @@ std::string AutoFidelity::explanation() const {
   const IeeeMode mode;
   const std::string promise = "within " + length_text(purpose.error) + " over " + rounded_text(time) + " s";
   const std::string found = ": measured " + length_text(error);
-  if (ended_early) return "the reference itself, " + promise + found + ": the search took all its 5 million steps";
+  if (ended_early) return "the reference itself, " + promise + found + ": the search took all its " + work_text();
   if (cost >= truth_cost) return "nothing cheaper than the reference stays " + promise + found;
   return "the cheapest " + promise + found + ", " + rounded_text(truth_cost / cost) +
          " times cheaper than the reference";

@@ -292,13 +292,13 @@ class Batch {
   Status choose_step(ShotGroup& group) {
     const Fidelity& granted = group.cohort.in_use.fidelity;
     group.step = step_given(granted, tolerance_);
-    if (steps_by_frames(granted) && !group.step) group.step = kFrame;
+    if (!group.step && steps_by_frames(granted)) group.step = kFrame;  // shots that need a shorter one fly alone
     if (group.step) return {};
     double step = std::numeric_limits<double>::infinity();
-    AutomaticStep worst{0, tolerance_.position_error};
+    PilotStep worst{0, tolerance_.position_error};
     for (const std::size_t i : pilots(group)) {
-      const auto found = automatic_step(shots_.projectile(i), shots_.launch(i), environment_, granted, tolerance_,
-                                        until_, 0.4 * tolerance_.position_error, step);
+      const auto found = step_within(shots_.projectile(i), shots_.launch(i), environment_, granted, tolerance_, until_,
+                                     0.4 * tolerance_.position_error, step);
       if (!found) return found.error();
       step = std::min(step, found->step);
       if (found->reached > worst.reached) worst = *found;

@@ -48,9 +48,6 @@ struct FlightRecord {
   [[nodiscard]] State<double> shown(double time) const;
 };
 
-/// A shot ready to fly; its record has no path yet.
-[[nodiscard]] std::shared_ptr<FlightRecord> prepared_shot(const ProjectileDef& projectile, const Launch& launch,
-                                                          const Environment& environment, const Fidelity& fidelity);
 /// fly(), its record still open to additions.
 [[nodiscard]] std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, const Launch& launch,
                                                           const Environment& environment, const Fidelity& fidelity,

@@ -133,8 +133,10 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
                         .total;
     record.path.nodes.push_back({0, record.body.launch, a});
     if (record.path.turn) record.path.turn->nodes.push_back({0, record.rotor.launch, {}});
-    if (outcome == Outcome::landed) keep_event(record, watch.item[0], false, 0, record.body.launch);
-    if (outcome == Outcome::landed) say_why_it_landed_at_once(record, *until.ground);
+    if (outcome == Outcome::landed) {
+      keep_event(record, watch.item[0], false, 0, record.body.launch);
+      say_why_it_landed_at_once(record, *until.ground);
+    }
     return;
   }
   if (record.cohort.conditions.has_motor && record.body.ignition == 0)
@@ -145,69 +147,68 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
     fly_lane(record, record.cohort.course<double>(tolerance, record.step, watch), record.body);
 }
 
+/// All but the path; the elevation is found.
+void prepare(FlightRecord& record, const ProjectileDef& projectile, const Launch& launch,
+             const Environment& environment, const Fidelity& fidelity) {
+  record.cohort.in_use = grant(fidelity, projectile, environment, launch);
+  const Fidelity& granted = record.cohort.in_use.fidelity;
+  Conditions<double>& conditions = record.cohort.conditions;
+  conditions = prepare_conditions(environment, granted);
+  record.body = prepare_body(projectile, launch, record.elevation, record.cohort.pool, conditions);
+  jump_in_crosswind(projectile, environment, conditions, record.body);
+  if (turns(granted)) {
+    record.path.turn.emplace();
+    record.rotor = prepare_rotor(projectile, launch, record.elevation, record.body, record.cohort.pool, conditions);
+  }
+  record.cohort.finish();
+  record.sight = sight_frame(launch);
+  record.drift = prepare_spin_drift(projectile, length(record.body.launch.v), environment, granted);
+  record.environment.altitude = environment.altitude;
+  record.environment.gravity = environment.gravity;
+  record.environment.earth = environment.earth;
+}
+
+Status choose_step(FlightRecord& record, const ProjectileDef& projectile, const Launch& launch,
+                   const Environment& environment, const Tolerance& tolerance, const Until& until) {
+  const Fidelity& granted = record.cohort.in_use.fidelity;
+  if (const auto given = step_given(granted, tolerance)) {
+    record.step = *given;
+  } else if (steps_by_frames(granted)) {
+    record.step = frame_step(record.cohort, record.body, record.rotor, until);
+  } else {
+    Launch zeroed = launch;  // the zero is found already
+    zeroed.elevation = record.elevation;
+    zeroed.sight.zero_range = 0;
+    const double allowed = tolerance.position_error;
+    const auto found = step_within(projectile, zeroed, environment, granted, tolerance, until, allowed);
+    if (!found) return found.error();
+    record.step = found->step;
+    if (found->reached > allowed) record.cohort.in_use.notes.push_back(note_of_step(*found, allowed));
+  }
+  PHYSIM_ASSERT(steps_itself(granted) ? record.step == 0 : record.step > 0);
+  return {};
+}
+
 }  // namespace
 
-std::shared_ptr<FlightRecord> prepared_shot(const ProjectileDef& projectile, const Launch& launch,
-                                            const Environment& environment, const Fidelity& fidelity) {
+std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, const Launch& launch,
+                                            const Environment& environment, const Fidelity& fidelity,
+                                            const Tolerance& tolerance, const Until& until) {
   auto record = std::make_shared<FlightRecord>();
   const auto refuse = [&](const Error& error) {
     record->error = error;
     return record;
   };
-  for (const Status& status : {check(projectile), check(launch), check(environment)})
+  for (const Status& status :
+       {check(projectile), check(launch), check(environment), check(tolerance, fidelity), check(until)})
     if (!status) return refuse(status.error());
   if (const Status status = check(projectile, launch); !status) return refuse(status.error());
   const auto elevation = elevation_of(projectile, launch, environment, fidelity);
   if (!elevation) return refuse(elevation.error());
   record->elevation = *elevation;
-  record->cohort.in_use = grant(fidelity, projectile, environment, launch);
-  const Fidelity& granted = record->cohort.in_use.fidelity;
-  record->cohort.conditions = prepare_conditions(environment, granted);
-  record->body = prepare_body(projectile, launch, record->elevation, record->cohort.pool, record->cohort.conditions);
-  jump_in_crosswind(projectile, environment, record->cohort.conditions, record->body);
-  if (turns(granted)) {
-    record->path.turn.emplace();
-    record->rotor = prepare_rotor(projectile, launch, record->elevation, record->body, record->cohort.pool,
-                                  record->cohort.conditions);
-  }
-  record->cohort.finish();
-  record->sight = sight_frame(launch);
-  record->drift = prepare_spin_drift(projectile, length(record->body.launch.v), environment, granted);
-  record->environment.altitude = environment.altitude;
-  record->environment.gravity = environment.gravity;
-  record->environment.earth = environment.earth;
-  return record;
-}
-
-std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, const Launch& launch,
-                                            const Environment& environment, const Fidelity& fidelity,
-                                            const Tolerance& tolerance, const Until& until) {
-  for (const Status& status : {check(tolerance, fidelity), check(until)})
-    if (!status) {
-      auto refused = std::make_shared<FlightRecord>();
-      refused->error = status.error();
-      return refused;
-    }
-  auto record = prepared_shot(projectile, launch, environment, fidelity);
-  if (record->error) return record;
-  const Fidelity& granted = record->cohort.in_use.fidelity;
-  if (const auto step = step_given(granted, tolerance)) {
-    record->step = *step;
-  } else {
-    Launch zeroed = launch;  // the zero is found already
-    zeroed.elevation = record->elevation;
-    zeroed.sight.zero_range = 0;
-    const auto found =
-        automatic_step(projectile, zeroed, environment, granted, tolerance, until, tolerance.position_error);
-    if (!found) {
-      record->error = found.error();
-      return record;
-    }
-    record->step = found->step;
-    if (found->reached > tolerance.position_error)
-      record->cohort.in_use.notes.push_back(note_of_step(*found, tolerance.position_error));
-  }
-  PHYSIM_ASSERT(steps_itself(granted) ? record->step == 0 : record->step > 0);
+  prepare(*record, projectile, launch, environment, fidelity);
+  if (const Status status = choose_step(*record, projectile, launch, environment, tolerance, until); !status)
+    return refuse(status.error());
   fly_record(*record, tolerance, until);
   return record;
 }

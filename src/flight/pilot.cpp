@@ -77,12 +77,16 @@ Result<Reference> fly_reference(const ProjectileDef& projectile, const Launch& l
   return Reference(std::move(record));
 }
 
-Result<AutomaticStep> step_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
-                                  const Fidelity& fidelity, const Tolerance& tolerance, const Until& until,
-                                  double error_allowed, double longest) {
+}  // namespace
+
+Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
+                              const Fidelity& fidelity, const Tolerance& tolerance, const Until& until,
+                              double error_allowed, double longest) {
   PHYSIM_ASSERT(error_allowed > 0 && longest > 0);
   const auto reference = fly_reference(projectile, launch, environment, fidelity, tolerance, until, error_allowed);
   if (!reference) return reference.error();
+  // What ends where it begins takes any step.
+  if (reference->duration() == 0) return PilotStep{std::isfinite(longest) ? longest : kFrame, 0};
   const double order = order_of(fidelity.integrator);
   Fidelity coarse = fidelity;
   coarse.precision = Precision::float64;
@@ -93,7 +97,7 @@ Result<AutomaticStep> step_within(const ProjectileDef& projectile, const Launch&
   };
   const double shortest =
       std::max(kSmallestStep, reference->duration() / (0.9 * static_cast<double>(tolerance.max_steps)));
-  AutomaticStep nearest{0, kSurelyTooMuch};
+  PilotStep nearest{0, kSurelyTooMuch};
   double step = std::max(std::min(reference->duration() / 4, longest), shortest);
   for (double work = 0; work < kMostWork;) {
     // Two steps are tried, so that an error which happens to pass through zero is not taken for a small one.
@@ -110,6 +114,8 @@ Result<AutomaticStep> step_within(const ProjectileDef& projectile, const Launch&
 }
 
 // ------------------------------------------------------------------------------------------- frames
+namespace {
+
 /// |drag| / |velocity through the air| at a speed along y: the rate at which drag takes velocity away [1/s].
 double decay(const Cohort& cohort, const Body<double>& body, const Rotor<double>& rotor, const Vec3d& place,
              double speed) {
@@ -138,18 +144,7 @@ double frame_step(const Cohort& cohort, const Body<double>& body, const Rotor<do
   return std::min(kFrame, part / std::max({at_launch, in_fall, 1.0}));
 }
 
-Result<AutomaticStep> automatic_step(const ProjectileDef& projectile, const Launch& launch,
-                                     const Environment& environment, const Fidelity& granted,
-                                     const Tolerance& tolerance, const Until& until, double error_allowed,
-                                     double longest) {
-  if (!steps_by_frames(granted))
-    return step_within(projectile, launch, environment, granted, tolerance, until, error_allowed, longest);
-  const auto shot = prepared_shot(projectile, launch, environment, granted);
-  if (shot->error) return *shot->error;
-  return AutomaticStep{std::min(frame_step(shot->cohort, shot->body, shot->rotor, until), longest), 0};
-}
-
-FidelityNote note_of_step(const AutomaticStep& found, double error_allowed) {
+FidelityNote note_of_step(const PilotStep& found, double error_allowed) {
   return {"tolerance.position_error", short_text(error_allowed), short_text(found.reached),
           "steps of " + short_text(found.step) +
               " s come no nearer within tolerance.max_steps; allow a larger error, "
@@ -159,8 +154,7 @@ FidelityNote note_of_step(const AutomaticStep& found, double error_allowed) {
 Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
   const IeeeMode mode;
-  const auto found = step_within(projectile, launch, environment, fidelity, tolerance, until, tolerance.position_error,
-                                 std::numeric_limits<double>::infinity());
+  const auto found = step_within(projectile, launch, environment, fidelity, tolerance, until, tolerance.position_error);
   if (!found) return found.error();
   if (found->reached <= tolerance.position_error) return found->step;
   const FidelityNote note = note_of_step(*found, tolerance.position_error);

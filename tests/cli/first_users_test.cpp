@@ -8,10 +8,6 @@
 namespace physim::testing_cli {
 namespace {
 
-Ran physim(const std::vector<std::string>& arguments) { return run_program(PHYSIM_CLI, arguments); }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 constexpr const char* kBullet = R"(physim = 1
 [[shot]]
 name = "308"

@@ -32,6 +32,17 @@ TEST(FirstUsers, a_batch_steps_as_its_fastest_shot_needs) {
   }
 }
 
+TEST(FirstUsers, a_shot_that_goes_nowhere_does_not_choose_the_step_of_a_batch) {
+  const Launch thrown{.position = {0, 2, 0}, .speed = 30, .elevation = 0.3};
+  Fidelity f = Fidelity::simulation();
+  f.integrator = Integrator::rk4;
+  const auto steps_beside = [&](const Launch& other) {
+    const std::vector<Launch> launches{thrown, other, thrown};
+    return fly_batch(bullet_308(), launches, {}, f).shots[0].cost.steps;
+  };
+  EXPECT_EQ(steps_beside({}), steps_beside(thrown)) << "at rest on the ground";
+}
+
 TEST(FirstUsers, a_flight_that_has_landed_at_once_says_why) {
   const Flight flight = fly(bullet_308(), {.speed = 800}, {}, Fidelity::simulation());
   EXPECT_EQ(flight.outcome(), Outcome::landed);

@@ -10,6 +10,7 @@
 namespace physim::test {
 namespace {
 
+/// Of each kind of flight; PHYSIM_BODIES=1000 takes some minutes.
 const int kBodies = std::getenv("PHYSIM_BODIES") != nullptr ? std::atoi(std::getenv("PHYSIM_BODIES")) : 40;
 
 ProjectileDef shuttlecock() {
