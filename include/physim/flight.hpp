@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physim/accelerations.hpp"
+#include "physim/departure.hpp"
 #include "physim/environment.hpp"
 #include "physim/event.hpp"
 #include "physim/fidelity.hpp"
@@ -138,6 +139,11 @@ class Flight {
   /// Acceleration by effect at a time [s].
   [[nodiscard]] Accelerations accelerations(double time) const;
 
+  /// What flew, with the fidelity that was granted to it.
+  [[nodiscard]] const ProjectileDef& projectile() const;
+  /// How it goes on from a time [s] in a world (World::spawn()); an error for a flight that was refused, and on a
+  /// launch rail. Spin drift, which is only added to the path, is in the place and the velocity.
+  [[nodiscard]] Result<Departure> departure(double time) const;
   /// Stability at a time [s]; nothing where rotation is not flown, or without air or an overturning moment.
   [[nodiscard]] std::optional<Stability> stability(double time) const;
 

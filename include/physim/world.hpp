@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "physim/accelerations.hpp"
+#include "physim/departure.hpp"
+#include "physim/flight.hpp"
 #include "physim/forces.hpp"
 #include "physim/result.hpp"
 #include "physim/task_runner.hpp"
@@ -117,6 +119,12 @@ class World {
                              double delay = 0);
   /// Many of one kind; ids in the order of the launches, null where one is refused. Returns how many were spawned.
   std::size_t spawn(KindId kind, std::span<const Launch> launches, std::span<ProjectileId> ids);
+  /// What was on its way in a flight goes on in this world, from a time of it [s] on: place, velocity, attitude and
+  /// spin, with its motor burnt so far, at the fidelity that was granted to it. An error for a flight that was refused,
+  /// and on a launch rail.
+  Result<ProjectileId> spawn(const Flight& flight, double time, const BodyDef& body = {});
+  /// What is on its way already.
+  Result<ProjectileId> spawn_departed(const ProjectileDef& projectile, const Departure& from, const BodyDef& body = {});
   /// Room for so many more, so that spawning does not allocate; an error where there is no memory for them, or where
   /// they would be more than WorldDef::max_projectiles.
   Status reserve(KindId kind, std::size_t count);
@@ -132,6 +140,21 @@ class World {
   /// To read and change one: `world[id].position()`, `world[id].set_fidelity(...)`.
   [[nodiscard]] Projectile operator[](ProjectileId id) { return {impl_ ? impl_.get() : &impl(), id}; }
   [[nodiscard]] ProjectileView operator[](ProjectileId id) const { return {impl_ ? impl_.get() : &impl(), id}; }
+
+  // ------------------------------------------------------------------------------------------- what comes next
+  /// The flight from now on, its time 0, by steps of `step` [s] (0: WorldDef::step): attitude, spin, what its motor
+  /// has burnt, its own gravity and other settings, and generators as they are now. At the end of each step it is, to
+  /// the bit, where step() would bring it, as long as nothing changes it: rules that despawn, put to sleep or move it
+  /// to another rung are left out, and so are springs to other projectiles, which its notes tell. It ends where it
+  /// first meets `until`, such as the ground: it does not bounce. Range and sight are level, along its velocity.
+  /// Refused for one that is gone, stands still (asleep, kinematic, of infinite mass, stuck) or is pending, and for
+  /// events of kind `time` in `until`. Costs about as much as fly().
+  [[nodiscard]] Flight predict(ProjectileId id, const Until& until, double step = 0) const;
+  /// ... until the ground of this world, or for a time [s].
+  [[nodiscard]] Flight predict(ProjectileId id, double time, double step = 0) const;
+  /// How many of them end, in their order; paths are not kept. Returns how many are not refused.
+  std::size_t predict(std::span<const ProjectileId> ids, const Until& until, std::span<ShotResult> into,
+                      double step = 0) const;
 
   // ------------------------------------------------------------------------------------------- all or many of them
   void states(std::span<const ProjectileId> ids, std::span<BodyState> into) const;

@@ -5,6 +5,7 @@
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "flight/flight_record.hpp"
+#include "model/attitude.hpp"
 #include "model/stability.hpp"
 #include "prepare/grant.hpp"
 
@@ -23,6 +24,12 @@ std::size_t later_node(const std::vector<Node>& nodes, double time) {
   const auto later =
       std::upper_bound(nodes.begin() + 1, nodes.end() - 1, time, [](double t, const Node& node) { return t < node.t; });
   return static_cast<std::size_t>(later - nodes.begin());
+}
+
+/// The node at a very time; null where there is none.
+const Node* node_at(const std::vector<Node>& nodes, double time) {
+  const auto at = std::lower_bound(nodes.begin(), nodes.end(), time, [](const Node& n, double t) { return n.t < t; });
+  return at != nodes.end() && at->t == time ? &*at : nullptr;
 }
 
 /// The coefficients of the step that a node ends.
@@ -73,7 +80,7 @@ Error never(const std::string& what, const FlightRecord& r) {
 }  // namespace
 
 Accelerations FlightRecord::accelerations_at(double time) const {
-  Accelerations a = accelerations_of(cohort.conditions, body_at(time), rotor, time, state(time), turn(time));
+  Accelerations a = accelerations_of(cohort.conditions, body_at(time), rotor, clock + time, state(time), turn(time));
   if (is_classic(cohort.in_use.fidelity) && path.nodes.size() > 1)
     a.total = path.nodes[later_node(path.nodes, time) - 1].a;
   return a;
@@ -82,22 +89,31 @@ Accelerations FlightRecord::accelerations_at(double time) const {
 Body<double> FlightRecord::body_at(double time) const {
   const Conditions<double>& c = cohort.conditions;
   Body<double> b = body;
-  if (!has_stops(c)) return b;
-  for (const Event& e : events)
-    if (e.kind == EventKind::rail_exit && e.time <= time) b.rail_phase = kOffRail;
-  State<double> s = state(time);
-  pass_stops(c, time, true, s, b);
+  if (has_stops(c)) {
+    for (const Event& e : events)
+      if (e.kind == EventKind::rail_exit && e.time <= time) b.rail_phase = kOffRail;
+    State<double> s = state(time);
+    pass_stops(c, clock + time, true, s, b);
+  }
+  if (path.pushes.size() > 1) {
+    PHYSIM_ASSERT(path.pushes.size() == path.nodes.size());
+    const std::size_t later = later_node(path.nodes, time);
+    const double part = place_between(path.nodes[later - 1], path.nodes[later], time);
+    const Vec3d &before = path.pushes[later - 1], &after = path.pushes[later];
+    add_push(c, clock + time, before + (after - before) * part, has_own_force, b);
+  }
   return b;
 }
 
 State<double> FlightRecord::state(double time) const {
   const Fidelity& f = cohort.in_use.fidelity;
+  const auto& nodes = path.nodes;
   if (f.motion == Motion::closed_form) {
-    if (f.precision == Precision::float64) return closed_form(cohort.conditions, body, time);
-    const State<float> s = closed_form(cohort.conditions_float, body_float, static_cast<float>(time));
+    if (const Node* node = is_framed ? node_at(nodes, time) : nullptr) return node->y;
+    if (f.precision == Precision::float64) return closed_form(cohort.conditions, body, clock + time);
+    const State<float> s = closed_form(cohort.conditions_float, body_float, static_cast<float>(clock + time));
     return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
   }
-  const auto& nodes = path.nodes;
   if (nodes.size() < 2) return nodes.empty() ? body.launch : nodes.front().y;
   const std::size_t later = later_node(nodes, time);
   const Node &n0 = nodes[later - 1], &n1 = nodes[later];
@@ -147,6 +163,25 @@ Accelerations Flight::accelerations(double time) const {
   return r.accelerations_at(std::clamp(time, 0.0, r.duration));
 }
 
+const ProjectileDef& Flight::projectile() const { return record_->projectile; }
+
+Result<Departure> Flight::departure(double time) const {
+  const IeeeMode mode;
+  const FlightRecord& r = *record_;
+  if (r.error) return *r.error;
+  if (!(time >= 0 && time <= r.duration))
+    return Error{"is no time of the flight", "time", "it lasts " + short_text(r.duration) + " s"};
+  const Body<double> b = r.body_at(time);
+  if (r.cohort.conditions.has_rail && b.rail_phase < kOffRail)
+    return Error{"it is still on its rail", "time", "ask later"};
+  const State<double> s = r.shown(time);
+  Departure from{s.x, s.v, r.clock + time, b.spin, std::nullopt};
+  if (!r.path.turn) return from;
+  const Attitude attitude = attitude_of(r.cohort.conditions, b, r.rotor, from.age, r.state(time), r.turn(time));
+  from.attitude = {attitude.q_WB, attitude.omega};
+  return from;
+}
+
 std::optional<Stability> Flight::stability(double time) const {
   const IeeeMode mode;
   const FlightRecord& r = *record_;
@@ -171,14 +206,14 @@ Sample Flight::at(double time) const {
   const bool has_air = c.fidelity.air != AirModel::vacuum;
   out.mach = has_air ? length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed : 0;
   const Body<double> b = r.body_at(time);
-  out.mass = mass_at(b, time);
-  out.thrust = thrust_at(b, time);
+  out.mass = mass_at(b, r.clock + time);
+  out.thrust = thrust_at(b, r.clock + time);
   out.energy = 0.5 * out.mass * out.speed * out.speed;
   out.range = dot(s.x - r.sight.muzzle, r.sight.forward);
   out.drop = dot(s.x - r.sight.start, r.sight.up);
   out.windage = dot(s.x - r.sight.start, r.sight.right);
   if (!r.path.turn) return out;
-  const Attitude attitude = attitude_of(c, b, r.rotor, time, s, r.turn(time));
+  const Attitude attitude = attitude_of(c, b, r.rotor, r.clock + time, s, r.turn(time));
   out.orientation = attitude.q_WB;
   out.angular_velocity = attitude.omega;
   out.angle_of_attack = angle_between(rotate(attitude.q_WB, Vec3d{1, 0, 0}), air_velocity(c, s));

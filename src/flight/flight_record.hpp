@@ -17,11 +17,13 @@ struct FlownPath {
   std::vector<Node> nodes;                  // at both ends of every step; the last may lie beyond the end
   std::vector<State<double>> coefficients;  // of the interpolants, step by step
   std::optional<TurnPath> turn;             // where the rotation is flown
+  std::vector<Vec3d> pushes;                // by generators at the nodes; empty: none pushes [m/s^2]
 };
 
 struct FlightRecord {
   Outcome outcome = Outcome::refused;
   std::optional<Error> error;
+  ProjectileDef projectile;
   Environment environment;  // without its wind profile
   Cohort cohort;
   Body<double> body;
@@ -32,9 +34,19 @@ struct FlightRecord {
   double elevation = 0;
   double step = 0;
   double duration = 0;
+  bool has_own_force = false;  // beside what pushes it: ProjectileDef::force, or others of its cohort have one
+  double clock = 0;            // time since launch, as the models count it, where the record begins [s]
+  bool is_framed = false;  // by frames of a world: closed forms are asked at nodes, whose clock is rounded as theirs
   FlownPath path;
   std::vector<Event> events;
   FlightCost cost;
+
+  /// Where it was flown: what EarthFrames need of it.
+  void keep(const Environment& where) {
+    environment.altitude = where.altitude;
+    environment.gravity = where.gravity;
+    environment.earth = where.earth;
+  }
 
   /// State on the flown path, without spin drift, 0 <= time <= duration.
   [[nodiscard]] State<double> state(double time) const;
@@ -42,7 +54,7 @@ struct FlightRecord {
   [[nodiscard]] Turn<double> turn(double time) const;
   /// By the models. The total of the classic loop is its register: the sum where the frame before began.
   [[nodiscard]] Accelerations accelerations_at(double time) const;
-  /// The body at a time, when its motor and its rail have changed it.
+  /// The body at a time, when its motor and its rail have changed it, and as it is pushed.
   [[nodiscard]] Body<double> body_at(double time) const;
   /// With spin drift.
   [[nodiscard]] State<double> shown(double time) const;

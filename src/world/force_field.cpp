@@ -75,9 +75,9 @@ std::uint32_t ForceField::row_of(ProjectileId id) const {
 }
 
 // --------------------------------------------------------------------------------------------------- who feels what
-void ForceField::begin_step(double dt) {
+void ForceField::begin_step(double time, double dt) {
   PHYSIM_ASSERT(dt > 0);
-  time_ = state_.clock.time();
+  time_ = time;
   dt_ = dt;
   rows_.members.clear();
   rows_.pushes.clear();
@@ -89,6 +89,7 @@ void ForceField::begin_step(double dt) {
   for (const std::uint32_t index : state_.generators.order()) {
     const Generator& g = state_.generators[index];
     if (without_functions_ && std::holds_alternative<CustomForce>(g.def.law)) continue;
+    if (without_pairs_ && other_end(g.def.law)) continue;
     const bool comes = (g.start - time_) / dt < 1 - kSameTime;
     const bool over = (g.end - time_) / dt <= kSameTime;
     if (comes && !over) list(index);

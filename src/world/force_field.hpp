@@ -66,8 +66,12 @@ class ForceField final : public Surroundings {
 
   /// Custom forces are left out: one of them asks.
   void leave_functions_out() { without_functions_ = true; }
-  /// Finds out which generators act on which rows during a step from now on.
-  void begin_step(double dt);
+  /// Springs between two are left out: where the other one will be is not known.
+  void leave_pairs_out() { without_pairs_ = true; }
+  /// Finds out which generators act on which rows during a step from a time of the world on.
+  void begin_step(double time, double dt);
+  /// Whether one does.
+  [[nodiscard]] bool is_felt() const { return !rows_.pushes.empty(); }
   /// Fills rows.force, from positions and velocities at a place 0..1 of the step.
   void evaluate(double place);
 
@@ -90,6 +94,7 @@ class ForceField final : public Surroundings {
   double dt_ = 0;
   double place_ = 0;
   bool without_functions_ = false;
+  bool without_pairs_ = false;
   bool has_zones_ = false;
   bool has_ages_ = false;
 };

@@ -91,7 +91,7 @@ class ForcedStep {
   void step(const ForcedGroup& group) {
     list_rows(group);
     PHYSIM_ASSERT(group.first_run < group.last_run && group.last_run <= s_.runs.size());
-    field_.begin_step(context_.dt);
+    field_.begin_step(context_.time, context_.dt);
     bool attention = false;
     for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
       push(group, stage, stage_place(group.integrator, stage));

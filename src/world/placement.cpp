@@ -62,6 +62,20 @@ void Placement::place(std::uint32_t index, const BodyState& at, const Launch& la
   PHYSIM_ASSERT(state_.rows_of(slot).is_filled(slot.row));
 }
 
+void Placement::depart(std::uint32_t index, const Departure& from) {
+  const Slot& slot = state_.slots[index];
+  const Rows& rows = state_.rows_of(slot);
+  const bool goes_on =
+      rows.layout().clocked && registry_.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form;
+  Body<double> body = body_of(slot);
+  body.spin = from.spin;
+  write_row(index, {from.position, from.velocity},
+            {.previous = from.position, .old = &body, .age = goes_on ? from.age : 0});
+  if (rows.layout().turning)
+    set_attitude(index, from.attitude ? Attitude{from.attitude->orientation, from.attitude->angular_velocity}
+                                      : attitude_at_launch(slot, from.velocity, Launch{}, 0));
+}
+
 // ------------------------------------------------------------------------------------------- rotation
 Attitude Placement::attitude_at_launch(const Slot& slot, const Vec3d& velocity, const Launch& launch,
                                        double elevation) const {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "model/attitude.hpp"
+#include "physim/departure.hpp"
 #include "world/registry.hpp"
 #include "world/state.hpp"
 
@@ -18,6 +19,8 @@ class Placement {
   std::uint16_t cohort_for(const Slot& slot);
   /// Puts a projectile that has no row yet into its cohort.
   void place(std::uint32_t slot, const BodyState& at, const Launch& launch, double elevation);
+  /// One that was just placed is on its way already.
+  void depart(std::uint32_t slot, const Departure& from);
   /// Moves a projectile to where it belongs after its flags or rung changed.
   Status relocate(std::uint32_t slot);
   /// Takes its row out of its cohort.

@@ -46,3 +46,5 @@ PHYSIM_CALL(set_time_scale, w.set_time_scale(scale), double scale)
 PHYSIM_CALL(snapshot, moments.take(w, number), std::uint64_t number)
 PHYSIM_CALL(restore, moments.restore(w, number), std::uint64_t number)
 PHYSIM_CALL(set_body, w[id].set_body(body), ProjectileId id, const BodyDef& body)
+PHYSIM_CALL(spawn_departed, w.spawn_departed(projectile, from, body), const ProjectileDef& projectile,
+            const Departure& from, const BodyDef& body)

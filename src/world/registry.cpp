@@ -6,6 +6,7 @@
 
 #include "base/archive.hpp"
 #include "base/assert.hpp"
+#include "flight/under_way.hpp"
 #include "math/elementary.hpp"
 #include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
@@ -16,9 +17,6 @@
 
 namespace physim {
 namespace {
-
-/// Parts that an adaptive integrator may divide a frame into before it is given up.
-constexpr int kMostPartsOfFrame = 1000;
 
 /// A projectile with so many times the drag, on every rung.
 ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {

@@ -108,6 +108,8 @@ class Registry {
   [[nodiscard]] const std::vector<Grown>& growth() const { return growth_; }
   void grow(const std::vector<Grown>& growth);
   [[nodiscard]] std::size_t bytes() const;
+  /// The tables of one interpolation, shared by all cohorts.
+  [[nodiscard]] const TablePool& tables(Interpolation i) const { return tables_[static_cast<unsigned>(i)]; }
 
   Kinds kinds;
 
@@ -117,7 +119,6 @@ class Registry {
   void prepare(WorldCohort& cohort);
   void point_to_tables(WorldCohort& cohort);
 
-  /// The tables of one interpolation, shared by all cohorts.
   [[nodiscard]] TablePool& tables(Interpolation i) { return tables_[static_cast<unsigned>(i)]; }
 
   WorldDef def_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "flight/under_way.hpp"
 #include "model/contact.hpp"
 #include "world/settled_row.hpp"
 
@@ -12,9 +13,6 @@ namespace {
 
 /// Bounces in one part of a step; then a projectile lies on the ground.
 constexpr int kMostBounces = 16;
-/// Near the ground long steps go on in parts of so much or less: what a bounce may be too low for is judged by them,
-/// and a ball that bounces on has steps that its way is right with [s].
-constexpr double kLongestPart = 1.0 / 30;
 
 Vec3d normal_at(const Conditions<double>& c, const Vec3d& x) {
   return is_round(c.fidelity.earth) ? vertical_at(c, x) : Vec3d{0, 1, 0};
@@ -65,8 +63,7 @@ class Settling {
     bounces_ = 0;
     part_end_ = context_.dt;
     if (!is_near_ground_ && !flies_in_parts(*context_.def, context_.dt)) return;
-    const double parts = std::ceil((context_.dt - from) / kLongestPart - 1e-9);
-    if (parts > 1) part_end_ = from + (context_.dt - from) / parts;
+    part_end_ = end_of_part(from, context_.dt, kLongestPart);
     PHYSIM_ASSERT(part_end_ > from);
   }
   void fly_part(double from) { go(static_cast<S>(part_end_ - from), from); }

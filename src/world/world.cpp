@@ -141,7 +141,7 @@ Result<double> WorldImpl::bore_of(const Kind& kind, const Launch& launch) const 
   return elevation_of(kind.flown, launch, environment, kind.projectile.fidelity);
 }
 
-Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch& launch, double delay) {
+Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch& launch, double delay, double age) {
   const Kind& kind = registry.kind(kind_index);
   const BodyDef& body = kind.body;
   const Result<double> elevation = bore_of(kind, launch);
@@ -174,7 +174,7 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
     return Error{"there are too many different rungs and rules", "world", "at most 65535"};
   }
   const double now = state.clock.time();
-  state.slots.birth(index) = now + delay;
+  state.slots.birth(index) = now + delay - age;
   state.slots.rest(index) = {};
   state.pools.join(body.pool, index);
   placement.place(index, at, launch, *elevation);
@@ -187,12 +187,12 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
   if (delay > 0)
     state.launches.add(now + delay, id);
   else
-    tell_launch(index);
+    tell_launch(index, age);
   return id;
 }
 
 /// Spawns after a look at the kind, and counts what is refused.
-Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double delay) {
+Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double delay, double age) {
   Result<ProjectileId> id = [&]() -> Result<ProjectileId> {
     const std::uint32_t index = registry.kinds.find(kind);
     if (index == 0) return Error{"there is no such kind", "kind", "add_kind() makes one"};
@@ -201,7 +201,7 @@ Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double 
     registry.kinds.join(index);  // first: who makes room may be the last of another kind, which lets idle ones go
     Result<ProjectileId> made = Error{"no memory for another projectile", "world", "lower max_projectiles"};
     try {
-      made = spawn_of(index, launch, delay);
+      made = spawn_of(index, launch, delay, age);
     } catch (const std::bad_alloc&) {
     }
     if (!made) registry.kinds.leave(index, moments, living);
@@ -211,11 +211,23 @@ Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double 
   return id;
 }
 
+Result<ProjectileId> WorldImpl::spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body,
+                                      double delay, double age) {
+  const Result<std::uint32_t> kind = find_or_add_kind(projectile, body);
+  if (!kind) {
+    ++state.counters.refused;
+    return kind.error();
+  }
+  Result<ProjectileId> id = spawn(KindId{registry.kind(*kind).number}, launch, delay, age);
+  registry.kinds.forget_idle(living);
+  return id;
+}
+
 Result<ProjectileId> World::spawn(KindId kind, const Launch& launch, double delay) {
   WorldImpl& w = impl();
   const Recorded<Call::spawn> call(w, kind, launch, delay);
   if (call.is_refused()) return from_inside();
-  Result<ProjectileId> id = w.spawn(kind, launch, delay);
+  Result<ProjectileId> id = w.spawn(kind, launch, delay, 0);
   call.returns(id ? *id : ProjectileId{});
   return id;
 }
@@ -225,13 +237,7 @@ Result<ProjectileId> World::spawn(const ProjectileDef& projectile, const Launch&
   WorldImpl& w = impl();
   const Recorded<Call::spawn_def> call(w, projectile, launch, body, delay);
   if (call.is_refused()) return from_inside();
-  const Result<std::uint32_t> kind = w.find_or_add_kind(projectile, body);
-  if (!kind) {
-    ++w.state.counters.refused;
-    return kind.error();
-  }
-  Result<ProjectileId> id = w.spawn(KindId{w.registry.kind(*kind).number}, launch, delay);
-  w.registry.kinds.forget_idle(w.living);
+  Result<ProjectileId> id = w.spawn(projectile, launch, body, delay, 0);
   call.returns(id ? *id : ProjectileId{});
   return id;
 }
@@ -243,7 +249,7 @@ std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::spa
   if (call.is_refused()) return 0;
   std::size_t spawned = 0;
   for (std::size_t i = 0; i < launches.size(); ++i) {
-    const Result<ProjectileId> id = w.spawn(kind, launches[i], 0);
+    const Result<ProjectileId> id = w.spawn(kind, launches[i], 0, 0);
     if (i < ids.size()) ids[i] = id ? *id : ProjectileId{};
     if (id) ++spawned;
   }

@@ -50,11 +50,11 @@ void WorldImpl::forget_events() {
   outgrown.clear();
 }
 
-void WorldImpl::tell_launch(std::uint32_t index) {
+void WorldImpl::tell_launch(std::uint32_t index, double age) {
   tell(EventKind::spawned, index);
   const Kind& kind = registry.kind(state.slots[index].kind);
   const bool burns = registry.cohort(state.slots[index].cohort).conditions.has_motor && has_motor(kind.projectile);
-  if (burns && kind.projectile.motor.ignition_delay == 0) tell(EventKind::ignition, index);
+  if (burns && age == 0 && kind.projectile.motor.ignition_delay == 0) tell(EventKind::ignition, index);
 }
 
 // ------------------------------------------------------------------------------------------- sleep

@@ -222,7 +222,7 @@ Vec3d WorldImpl::generator_force(std::uint32_t index) const {
   ForceField field(registry, state, rows, zones);
   if (is_closed()) field.leave_functions_out();
   const Gate* const before = std::exchange(in_question, this);
-  field.begin_step(state.clock.dt);
+  field.begin_step(state.clock.time(), state.clock.dt);
   const BodyState now = state.state_of(state.slots[index]);
   rows.position[0] = now.position;
   rows.velocity[0] = now.velocity;

@@ -51,9 +51,11 @@ struct WorldImpl : Gate {
   Result<std::uint32_t> find_or_add_kind(const ProjectileDef& projectile, const BodyDef& body) {
     return registry.find_or_add_kind(projectile, body, moments);
   }
-  Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay);
-  Result<ProjectileId> spawn_of(std::uint32_t kind, const Launch& launch, double delay);
-  Result<ProjectileId> spawn(std::uint32_t kind, const Launch& launch, double delay);
+  /// `age`: it was launched so long ago [s].
+  Result<ProjectileId> spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body, double delay,
+                             double age);
+  Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay, double age);
+  Result<ProjectileId> spawn_of(std::uint32_t kind, const Launch& launch, double delay, double age);
   /// The elevation of a launch's bore above the horizon, for a launch that makes sense [rad].
   [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch) const;
   /// Refuses a state whose numbers the rung's precision cannot hold.
@@ -70,8 +72,8 @@ struct WorldImpl : Gate {
   void keep_event(const Event& event);
   void make_room_for_events(std::size_t count);
   void forget_events();
-  /// A projectile is launched now; where its motor has no delay, it is ignited.
-  void tell_launch(std::uint32_t slot);
+  /// A projectile comes, launched so long ago [s]; where its motor has no delay, it is ignited by its launch.
+  void tell_launch(std::uint32_t slot, double age);
   bool put_to_sleep(std::uint32_t slot);
   bool wake(std::uint32_t slot);
   Status change_state(ProjectileId id, const BodyState& to);

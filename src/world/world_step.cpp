@@ -149,7 +149,7 @@ void WorldImpl::launch_pending() {
     const Body<double> old = placement.body_of(slot);
     placement.relocate(id.index);
     placement.write_row(id.index, at, {.previous = at.position, .old = &old});  // its clock starts now
-    tell_launch(id.index);
+    tell_launch(id.index, 0);
   }
 }
 

@@ -96,6 +96,7 @@ class RandomSession {
   }
 
   void spawn() {
+    if (below(8) == 0) return ids_.push_back(or_null(world_.spawn(world_.predict(some(), 0.3), real(-0.05, 0.3))));
     const double delay = below(4) == 0 ? real(0, 1) : 0;
     if (kinds_.empty() || below(6) == 0)
       return ids_.push_back(or_null(world_.spawn(projectile(), launch(), body(), delay)));

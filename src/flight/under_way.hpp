@@ -1,0 +1,44 @@
+// Flights that go on from where a projectile is, frame by frame, as a world would step it.
+#pragma once
+
+#include <cstdint>
+
+#include "flight/flight_record.hpp"
+
+namespace physim {
+
+/// Parts that an adaptive integrator may divide a frame into before it is given up.
+inline constexpr int kMostPartsOfFrame = 1000;
+
+/// What pushes a projectile beside its own models: the generators of a world.
+class Pushes {
+ public:
+  virtual ~Pushes() = default;
+  /// Whether one acts in a frame from now; asked for each frame in turn. `mass`: at its start [kg].
+  virtual bool begin_frame(std::int64_t frame, double mass) = 0;
+  /// Acceleration at a place 0..1 of that frame [m/s^2].
+  [[nodiscard]] virtual Vec3d at(double place, const State<double>& state) = 0;
+};
+
+/// Where a projectile is on its way, and by what frames it goes on.
+struct FrameStart {
+  State<double> now{};
+  Vec3d carried{};             // by the original loop [m/s^2]
+  Turn<double> turn{};         // of rungs that turn
+  bool is_clocked = false;     // its models read the time since launch: clock + steps dt, in its precision
+  double clock = 0;            // [s]
+  double steps = 0;            // frames since the clock read that
+  double dt = 0;               // of a frame [s]
+  double longest_part = 0;     // frames are flown in equal parts of so much or less [s]
+  bool has_own_force = false;  // ProjectileDef::force, or others of its cohort have one
+  Pushes* pushes = nullptr;    // null: none
+};
+
+/// Equal parts that a frame is flown in: where the one ends that begins at a time into the frame [s].
+[[nodiscard]] double end_of_part(double from, double dt, double longest_part);
+
+/// Flies on. The record has all but its path: what is in use, conditions, body and rotor as they are now. The bits at
+/// the ends of frames are those of a world (world/settle.cpp, world/forced_step.cpp).
+void fly_on(FlightRecord& record, const FrameStart& from, const Tolerance& tolerance, const Until& until);
+
+}  // namespace physim
