@@ -68,6 +68,9 @@ struct Aim {
 /// `fidelity`. Elevation, azimuth and sight of `launch` are not read. Every solution was flown, and its path passes
 /// within options.tolerance; where no path does, the nearest that was found is told. An error for bad input.
 ///
+/// A rocket may start from rest on a rail: the ways to the target of the shortest and of the longest time are found,
+/// of those that a fan of flights over all elevations shows.
+///
 ///   const auto answer = aim(shell, {.speed = 300}, {}, Fidelity::simulation(), {.position = {5000, 120, 300}});
 ///   if (answer && answer->low) fire(answer->low->launch);
 [[nodiscard]] Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,

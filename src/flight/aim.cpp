@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -75,6 +76,7 @@ class Aimer {
     if (launch_.velocity) launch_.speed = length(*launch_.velocity);
     launch_.velocity.reset();
     launch_.sight = {};
+    from_rest_ = launch_.speed == 0;
     const bool pulls = fidelity.gravity != GravityModel::off && environment.gravity.model != GravityModel::off;
     gravity_ = pulls ? environment.gravity.acceleration : 0;
     answer_.nearest.miss = kInfinity;
@@ -84,9 +86,13 @@ class Aimer {
     prepare();
     const bool wants_low = options_.arc != Arc::high, wants_high = options_.arc != Arc::low;
     std::optional<AimSolution> low, high;
-    if (wants_low) low = search(Arc::low);
-    if (wants_high || !low) high = search(Arc::high);
-    if (!wants_low && !high) low = search(Arc::low);
+    if (from_rest_) {
+      std::tie(low, high) = search_from_rest();
+    } else {
+      if (wants_low) low = search(Arc::low);
+      if (wants_high || !low) high = search(Arc::high);
+      if (!wants_low && !high) low = search(Arc::low);
+    }
     if (!low && !high) low = search_widely();
     if (error_) return *error_;
     if (!(answer_.nearest.miss < kInfinity))
@@ -111,14 +117,29 @@ class Aimer {
     conditions.wind.stepped = false;  // neighbours need to know how wind changes with place: a step would not tell them
     conditions_ = std::make_shared<const Conditions<double>>(conditions);
     if (step_given(granted, options_.flight) || steps_by_frames(granted)) return;
-    const Need need = need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);  // the longest flight asked for
-    point(need.velocity);
-    const Until until{.ground = std::nullopt, .time = clamp(1.2 * need.time, 1e-9, options_.time)};
+    Until until{.ground = std::nullopt, .time = options_.time};
+    if (from_rest_) {
+      point(toward(0, 45));
+      until.ground = min(target_.position.y, launch_.position.y);
+    } else {
+      const Need need =
+          need_in_vacuum(options_.arc == Arc::low ? Arc::low : Arc::high);  // the longest flight asked for
+      point(need.velocity);
+      until.time = clamp(1.2 * need.time, 1e-9, options_.time);
+    }
     const auto step = step_within(projectile_, launch_, environment_, granted, options_.flight, until,
                                   options_.flight.position_error);
     if (step) options_.flight.step = step->step;
     if (!step) error_ = step.error();
   }
+
+  /// A launch velocity to a side of the target and at an elevation [deg]; of a rocket from rest the direction alone.
+  [[nodiscard]] Vec3d toward(double side, double elevation) const {
+    const Vec3d way = target_.at(from_rest_ ? 0 : need_in_vacuum(Arc::low).time) - launch_.position;
+    const SinCos<double> e = sincos(elevation * kDegree), a = sincos(atan2(way.z, way.x) + side * kDegree);
+    return Vec3d{e.cos * a.cos, e.sin, e.cos * a.sin} * aimed_speed();
+  }
+  [[nodiscard]] double aimed_speed() const { return from_rest_ ? 1 : launch_.speed; }
 
   void point(const Vec3d& velocity) {
     PHYSIM_ASSERT(length_squared(velocity) > 0);
@@ -276,33 +297,72 @@ class Aimer {
     return descend_from(fan({45, 90, 135, 180, 225, 270, 315}, around), flown);
   }
 
+  /// A rocket from rest has no way in vacuum to start from, and wind carries it far: descents from a fan of flights
+  /// over all elevations, where they come near on the way up and where they do on the way down. Its ways of the
+  /// shortest and of the longest time.
+  std::pair<std::optional<AimSolution>, std::optional<AimSolution>> search_from_rest() {
+    std::pair<std::optional<AimSolution>, std::optional<AimSolution>> ways;
+    for (double elevation = 10; elevation <= 170 && !error_; elevation += 10) {
+      const Vec3d velocity = toward(0, elevation);
+      const Flight flight = fly_towards(velocity, options_.time, 0);
+      if (error_) return ways;
+      const std::vector<double> times = approaches(flight);
+      for (const double time : {times.front(), times.back()}) {
+        const auto found = descend(start_at(flight, velocity, time), answer_.flights);
+        if (!found || error_) continue;
+        if (!ways.first || found->time < ways.first->time) ways.first = found;
+        if (!ways.second || found->time > ways.second->time) ways.second = found;
+      }
+    }
+    return ways;
+  }
+
   /// Flights to some sides of the target and at some elevations [deg], the nearest first.
   std::vector<Start> fan(const std::vector<double>& sides, const std::vector<double>& elevations) {
-    const Vec3d way = target_.at(need_in_vacuum(Arc::low).time) - launch_.position;
-    const double azimuth = atan2(way.z, way.x);
     std::vector<Start> starts;
     for (const double side : sides)
       for (const double elevation : elevations) {
-        const SinCos<double> e = sincos(elevation * kDegree), a = sincos(azimuth + side * kDegree);
-        const Vec3d velocity = Vec3d{e.cos * a.cos, e.sin, e.cos * a.sin} * launch_.speed;
+        const Vec3d velocity = toward(side, elevation);
         const Flight flight = fly_towards(velocity, options_.time, 0);
         if (error_) return {};
-        const Passing p = passing(flight, nearest_step(flight));
-        if (!std::isfinite(length(p.miss)) || p.time == 0) continue;
-        note(flight, p);
-        starts.push_back({velocity, p.time, length(p.miss)});
+        starts.push_back(start_at(flight, velocity, nearest_step(flight)));
       }
+    std::erase_if(starts, [](const Start& start) { return !(start.miss < kInfinity); });
     std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.miss < b.miss; });
     return starts;
   }
 
+  /// Where a search may start from a flight next to a time; infinitely far where it does not pass.
+  Start start_at(const Flight& flight, const Vec3d& velocity, double near) {
+    const Passing p = passing(flight, near);
+    const double miss = length(p.miss);
+    if (!std::isfinite(miss) || p.time == 0) return {velocity, p.time, kInfinity};
+    note(flight, p);
+    return {velocity, p.time, miss};
+  }
+
+  [[nodiscard]] double distance_at(const Flight& flight, double time) const {
+    return length(target_.at(time) - flight.at(time).position);
+  }
   [[nodiscard]] double nearest_step(const Flight& flight) const {
     double nearest = 0, least = kInfinity;
     for (const double time : flight.step_times()) {
-      const double distance = length(target_.at(time) - flight.at(time).position);
+      const double distance = distance_at(flight, time);
       if (distance < least) least = distance, nearest = time;
     }
     return nearest;
+  }
+  /// Ends of steps that lie nearer than those before and after; the last, where there is no such.
+  [[nodiscard]] std::vector<double> approaches(const Flight& flight) const {
+    const std::vector<double> times = flight.step_times();
+    std::vector<double> found;
+    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
+      const double here = distance_at(flight, times[i]);
+      if (here <= distance_at(flight, times[i - 1]) && here < distance_at(flight, times[i + 1]))
+        found.push_back(times[i]);
+    }
+    if (found.empty()) found.push_back(times.back());
+    return found;
   }
 
   std::optional<AimSolution> descend_from(const std::vector<Start>& starts, std::int64_t flown) {
@@ -373,7 +433,7 @@ class Aimer {
     const double per_determinant = 1 / (ss * uu - su * su);
     const double turn_side = clamp((ms * uu - mu * su) * per_determinant, -0.5, 0.5);
     const double turn_up = clamp((mu * ss - ms * su) * per_determinant, -0.5, 0.5);
-    return normalized(normalized(velocity) + s.side * turn_side + s.up * turn_up) * launch_.speed;
+    return normalized(normalized(velocity) + s.side * turn_side + s.up * turn_up) * aimed_speed();
   }
 
   ProjectileDef projectile_;
@@ -384,17 +444,18 @@ class Aimer {
   AimOptions options_;
   std::shared_ptr<const Conditions<double>> conditions_;
   double gravity_ = 0;
+  bool from_rest_ = false;  // a rocket, which a rail points
   Aim answer_;
   Vec3d jumped_;  // how far the last flight's direction was off its bore's, by aerodynamic jump
   std::optional<Error> error_;
 };
 
-Status check(const Launch& launch, const Target& target, const AimOptions& options) {
+Status check(const ProjectileDef& projectile, const Launch& launch, const Target& target, const AimOptions& options) {
   Checker c;
   c.is_vector(target.position, "target.position").is_vector(target.velocity, "target.velocity");
   c.is_vector(target.acceleration, "target.acceleration").is_vector(launch.position, "launch.position");
   const double speed = launch_speed(launch);
-  c.positive(speed, "launch.speed", "a shot that is aimed needs one");
+  if (speed != 0 || !has_motor(projectile)) c.positive(speed, "launch.speed", "a shot that is aimed needs one");
   c.positive(options.tolerance, "options.tolerance", "in m").positive(options.time, "options.time", "in s");
   if (options.ground) c.is_number(*options.ground, "options.ground");
   c.require(length(target.position - launch.position) > options.tolerance, "target.position", "is at the muzzle",
@@ -407,8 +468,8 @@ Status check(const Launch& launch, const Target& target, const AimOptions& optio
 Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                 const Fidelity& fidelity, const Target& target, const AimOptions& options) {
   const IeeeMode mode;
-  for (const Status& status :
-       {check(launch, target, options), check(projectile), check(environment), check(options.flight, fidelity)})
+  for (const Status& status : {check(projectile, launch, target, options), check(projectile), check(environment),
+                               check(options.flight, fidelity)})
     if (!status) return status.error();
   return Aimer(projectile, launch, environment, fidelity, target, options).run();
 }

@@ -121,6 +121,14 @@ TEST(CliAim, OutOfReachIsExitCodeOne) {
   EXPECT_TRUE(has(ran.out, "nearest")) << ran.out;
 }
 
+TEST(CliAim, RocketsFromRestHaveALowAndAHighWay) {
+  const auto answer = json_of(physim({"aim", PHYSIM_SOURCE_DIR "/scenarios/model_rocket.toml", "--range", "150 m",
+                                      "--tolerance", "0.1 m", "--json", "-"}));
+  EXPECT_LT(double(answer["low"]["elevation [rad]"]), double(answer["high"]["elevation [rad]"]));
+  EXPECT_LT(double(answer["low"]["miss [m]"]), 0.1);
+  EXPECT_LT(double(answer["high"]["miss [m]"]), 0.1);
+}
+
 TEST(CliAim, RefusesWhatMakesNoSense) {
   const Folder folder;
   const std::string file = folder.write("shell.toml", kShell), bullet = folder.write("bullet.toml", kBullet);

@@ -310,5 +310,57 @@ TEST(TimeToRange, of_a_parabola) {
   EXPECT_FALSE(time_to_range(bullet_308(), {.speed = 300}, {}, {}, 1e7));
 }
 
+/// A rocket that starts from rest, with a tail that needs no attitude.
+ProjectileDef rocket_from_rest() {
+  ProjectileDef p;
+  p.mass = 0.2;
+  p.diameter = 0.03;
+  p.drag.table = DragTable::constant;
+  p.drag.coefficient = 0.5;
+  p.motor.thrust = {{0, 12}, {1.5, 12}, {1.8, 0}};
+  p.motor.propellant_mass = 0.02;
+  return p;
+}
+
+TEST(AimRocket, from_rest_hits_where_flown_rockets_came_by) {
+  const ProjectileDef p = rocket_from_rest();
+  Environment e;
+  e.wind.velocity = {1, 0, -3};
+  for (const Fidelity& f : {Fidelity::sport_ball(), Fidelity::small_arms()})
+    for (const double elevation : {0.3, 0.8, 1.3})
+      for (const double azimuth : {0.0, -2.2}) {
+        Launch launch{.position = {3, 1, -2}, .elevation = elevation, .azimuth = azimuth, .rail_length = 1.5};
+        const Flight before = fly(p, launch, e, f);
+        for (const double part : {0.6, 1.0}) {  // of the way to the ground
+          const Sample there = before.at(part * before.duration());
+          const Target target{there.position};
+          launch.elevation = launch.azimuth = 0;
+          const Aim answer = aimed(p, launch, e, f, target, {.tolerance = 1e-3});
+          ASSERT_TRUE(answer.low && answer.high) << answer.explanation();
+          EXPECT_LE(answer.low->time, answer.high->time);
+          EXPECT_LT(miss_of(p, *answer.low, e, f, target), 2e-3);
+          EXPECT_LT(miss_of(p, *answer.high, e, f, target), 2e-3);
+          const double apart =
+              std::min(std::abs(answer.low->time - there.time), std::abs(answer.high->time - there.time));
+          EXPECT_LT(apart, 1e-2) << "the way that was flown is one of them";
+        }
+      }
+}
+
+TEST(AimRocket, what_is_too_far_is_told_and_balls_still_need_a_speed) {
+  const ProjectileDef p = rocket_from_rest();
+  const Fidelity f = Fidelity::sport_ball();
+  const auto far = aim(p, {.rail_length = 1}, {}, f, {.position = {5000, 0, 0}});
+  ASSERT_TRUE(far);
+  EXPECT_FALSE(far->in_reach());
+  EXPECT_GT(far->nearest.miss, 1000);
+  const auto without_rail = aim(p, {}, {}, f, {.position = {50, 0, 0}});
+  ASSERT_FALSE(without_rail);
+  EXPECT_EQ(without_rail.error().place, "launch.rail_length");
+  const auto ball = aim({}, {}, {}, f, {.position = {50, 0, 0}});
+  ASSERT_FALSE(ball);
+  EXPECT_EQ(ball.error().place, "launch.speed");
+}
+
 }  // namespace
 }  // namespace physim
