@@ -100,15 +100,15 @@ Status write(const Outputs& outputs, const std::function<Content(const Format&)>
   for (const Format* format : asked) {
     const std::string& path = outputs.path_of(*format);
     const Content content = make(*format);
-    const auto* text = std::get_if<std::string>(&content);
+    const auto* text = std::get_if<Text>(&content);
     if (Status status = text != nullptr && path == "-" ? print(*text) : write_content(path, content); !status)
       return status;
   }
   return {};
 }
 
-Status write_output(const std::string& path, std::string_view content) {
-  return path == "-" ? print(content) : write_file(path, content);
+Status write_output(const std::string& path, const Text& text) {
+  return path == "-" ? print(text) : write_file(path, text);
 }
 
 Status check_output(const std::string& path) { return path == "-" ? Status() : check_writable(path); }

@@ -42,7 +42,7 @@ void add_output_options(Command& command, Outputs& outputs, const std::string& w
 [[nodiscard]] Status write(const Outputs& outputs, const std::function<Content(const Format&)>& make);
 
 /// Writes a file, or to the standard output where the path is "-".
-[[nodiscard]] Status write_output(const std::string& path, std::string_view content);
+[[nodiscard]] Status write_output(const std::string& path, const Text& text);
 /// An error where a file of this path could not be written.
 [[nodiscard]] Status check_output(const std::string& path);
 

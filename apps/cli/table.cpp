@@ -23,14 +23,14 @@ std::vector<std::string> card_formats() {
   return names;
 }
 
-std::string text_of(const Card& card, const std::string& format) {
+Text text_of(const Card& card, const std::string& format) {
   const Scenario& scenario = card.asked->scenario;
   const std::string stability = stability_text(card.asked->shot(), card.flight, scenario.environment);
   const std::string below = stability.empty() ? "" : "\nStability: " + stability + "\n";
-  if (format == "text") return one_line(title_of(scenario)) + "\n\n" + table_of(card).text() + below;
+  if (format == "text") return as_text(one_line(title_of(scenario)) + "\n\n" + table_of(card).text() + below);
   for (const Format& each : formats())
-    if (each.name == format) return std::get<std::string>(content_of(each, records_of(card)));
-  return table_of(card).markdown() + below;
+    if (each.name == format) return std::get<Text>(content_of(each, records_of(card)));
+  return as_text(table_of(card).markdown() + below);
 }
 
 Result<CardWishes> wishes_of(const TableCommand& command) {

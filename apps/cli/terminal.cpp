@@ -70,9 +70,18 @@ void print_warning(std::string_view text) {
 }
 
 Status print(std::string_view text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (written) return {};
-  return Error{.message = std::string("cannot write to the standard output: ") + std::strerror(errno)};
+  return print([text](const report::Sink& sink) { sink(text); });
+}
+
+Status print(const report::Text& text) {
+  int error_number = 0;
+  const auto note = [&](bool written) { error_number = written || error_number != 0 ? error_number : errno; };
+  text([&](std::string_view piece) {
+    if (error_number == 0) note(std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size());
+  });
+  note(std::fflush(stdout) == 0);
+  if (error_number == 0) return {};
+  return Error{.message = std::string("cannot write to the standard output: ") + std::strerror(error_number)};
 }
 
 Progress progress_bar(const std::string& label) {

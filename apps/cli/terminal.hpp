@@ -8,6 +8,7 @@
 #include "physim/progress.hpp"
 #include "physim/result.hpp"
 #include "report/style.hpp"
+#include "report/text.hpp"
 
 namespace physim::cli {
 
@@ -21,6 +22,7 @@ void print_error(const Error& error);
 /// "warning: text" to stderr.
 void print_warning(std::string_view text);
 /// Writes to stdout and flushes; an error where that fails, as on a full disk.
+[[nodiscard]] Status print(const report::Text& text);
 [[nodiscard]] Status print(std::string_view text);
 
 /// Draws on stderr how far the work has come, which is described in a word or two: only on a terminal, and only when it

@@ -59,7 +59,7 @@ Result<int> run(const Options& options) {
   if (!results) return results.error();
   Status status = print(text_of(options, *results));
   if (status && !options.report.empty())
-    status = write_output(options.report, report_text(command_text(options), *results));
+    status = write_output(options.report, as_text(report_text(command_text(options), *results)));
   const bool pass = std::ranges::all_of(*results, [](const SuiteResult& r) { return r.missed() == 0; });
   return done(status, pass ? kExitOk : kExitCheckMissed);
 }

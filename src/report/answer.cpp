@@ -28,14 +28,19 @@ Json solution_json(const AimSolution& s) {
 }
 
 /// Under the name of the shot, and behind where the answer comes from.
-Answer about_shot(const AskedShot& asked, const Style& style, const std::string& text, const Json& members) {
+Answer about_shot(const AskedShot& asked, const Style& style, const std::string& text, Json members) {
   PHYSIM_ASSERT(asked.index < asked.scenario.shots.size());
   const std::string& shot = asked.shot().projectile.name;
-  Json out = provenance(asked.scenario);
-  out["shot"] = shot;
   PHYSIM_ASSERT(members.is_object());
-  out.update(members);
-  return {style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(shot)) + "\n" + text, json_text(out)};
+  return {style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(shot)) + "\n" + text,
+          [&asked, members = std::move(members)](const Sink& sink) {
+            JsonStream out(sink);
+            out.object();
+            add_provenance(out, asked.scenario);
+            out.add({{"shot", asked.shot().projectile.name}});
+            out.add(members);
+            out.close();
+          }};
 }
 
 std::string vector_text(const Vec3d& v) {

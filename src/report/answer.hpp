@@ -8,11 +8,13 @@
 #include "physim/fit.hpp"
 #include "report/flown.hpp"
 #include "report/style.hpp"
+#include "report/text.hpp"
 
 namespace physim::report {
 
 struct Answer {
-  std::string text, json;
+  std::string text;
+  Text json;  // reads the shot that was asked about
 };
 
 [[nodiscard]] Answer aim_answer(const AskedShot& asked, const Target& target, double tolerance, const Aim& aim,

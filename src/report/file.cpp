@@ -33,10 +33,21 @@ int write_all(int file, std::string_view content) {
   return 0;
 }
 
-int write_to(const std::string& path, int flags, std::string_view content) {
+int write_to(const std::string& path, int flags, const Text& text) {
+  constexpr std::size_t kGathered = 1 << 16;  // to the system at a time
   const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (file < 0) return errno;
-  const int write_error = write_all(file, content);
+  int write_error = 0;
+  std::string gathered;
+  const auto flush = [&] {
+    if (write_error == 0) write_error = write_all(file, gathered);
+    gathered.clear();
+  };
+  text([&](std::string_view piece) {
+    gathered += piece;
+    if (gathered.size() >= kGathered) flush();
+  });
+  flush();
   const int close_error = ::close(file) == 0 ? 0 : errno;
   return write_error != 0 ? write_error : close_error;
 }
@@ -62,14 +73,18 @@ Status check_writable(const std::string& path) {
 }
 
 Status write_file(const std::string& path, std::string_view content) {
+  return write_file(path, [content](const Sink& sink) { sink(content); });
+}
+
+Status write_file(const std::string& path, const Text& text) {
   if (Status status = check_writable(path); !status) return status;
   const std::string target = target_of(path);
   if (is_special(target)) {
-    const int error_number = write_to(target, 0, content);
+    const int error_number = write_to(target, 0, text);
     return error_number == 0 ? Status() : Status(cannot_write(path, error_number));
   }
   const std::string temporary = target + ".tmp-" + std::to_string(::getpid());
-  int error_number = write_to(temporary, O_CREAT | O_TRUNC, content);
+  int error_number = write_to(temporary, O_CREAT | O_TRUNC, text);
   if (error_number == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) error_number = errno;
   if (error_number == 0) return {};
   ::unlink(temporary.c_str());

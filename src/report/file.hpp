@@ -5,10 +5,12 @@
 #include <string_view>
 
 #include "physim/result.hpp"
+#include "report/text.hpp"
 
 namespace physim::report {
 
 /// Writes a file. What stood there before stays until the new is complete.
+[[nodiscard]] Status write_file(const std::string& path, const Text& text);
 [[nodiscard]] Status write_file(const std::string& path, std::string_view content);
 
 /// An error where a file of this path could not be written: a folder, or a place in no folder.

@@ -19,7 +19,7 @@ constexpr Format kFormats[] = {
      .world = world_json,
      .ladder = ladder_json,
      .replay = replay_json,
-     .records = columns_json_text},
+     .records = columns_json},
     {.name = "plot",
      .ending = ".png",
      .other_ending = ".svg",
@@ -95,14 +95,14 @@ Content content_of(const Format& format, const Flights& flights) { return made(f
 Content content_of(const Format& format, const WorldLog& log) { return made(format.world, format, log); }
 Content content_of(const Format& format, const LadderOfShot& ladder) { return made(format.ladder, format, ladder); }
 Content content_of(const Format& format, const ReplayLog& log) { return made(format.replay, format, log); }
-Content content_of(const Format& format, const Records& records) {
+Content content_of(const Format& format, Records records) {
   PHYSIM_ASSERT(format.records != nullptr);
-  return format.records(records);
+  return format.records(std::move(records));
 }
 
 Status write_content(const std::string& path, const Content& content) {
   if (const auto* picture = std::get_if<Picture>(&content)) return draw(path, *picture);
-  return write_file(path, std::get<std::string>(content));
+  return write_file(path, std::get<Text>(content));
 }
 
 }  // namespace physim::report

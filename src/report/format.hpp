@@ -33,7 +33,7 @@ struct Format {
   Content (*world)(const WorldLog& log) = nullptr;
   Content (*ladder)(const LadderOfShot& ladder) = nullptr;
   Content (*replay)(const ReplayLog& log) = nullptr;
-  std::string (*records)(const Records& records) = nullptr;
+  Text (*records)(Records records) = nullptr;
   /// An error where it cannot show these flights; may be missing.
   Status (*check)(const FlownScenario& flown) = nullptr;
 };
@@ -44,12 +44,12 @@ struct Format {
 /// The format of a file by the ending of its name, among those that can write the subject.
 [[nodiscard]] Result<const Format*> format_of_file(const std::string& path, Subject subject);
 
-// The file's content; only for formats that can write the subject.
+// The file's content, to be written while the subject is still there; only for formats that can write it.
 [[nodiscard]] Content content_of(const Format& format, const Flights& flights);
 [[nodiscard]] Content content_of(const Format& format, const WorldLog& log);
 [[nodiscard]] Content content_of(const Format& format, const LadderOfShot& ladder);
 [[nodiscard]] Content content_of(const Format& format, const ReplayLog& log);
-[[nodiscard]] Content content_of(const Format& format, const Records& records);
+[[nodiscard]] Content content_of(const Format& format, Records records);
 
 /// Writes a text, or draws a picture, into a file.
 [[nodiscard]] Status write_content(const std::string& path, const Content& content);

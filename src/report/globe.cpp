@@ -30,12 +30,10 @@ GlobePoint point_of(const EarthFrames& frames, double time, const Vec3d& positio
   return {time, g.longitude * kDegrees, g.latitude * kDegrees, g.height};
 }
 
-std::vector<GlobePoint> path_of(const Flight& flight, const std::vector<double>& times) {
+template <class Take>
+void each_point(const Flight& flight, const std::vector<double>& times, const Take& take) {
   const EarthFrames frames = flight.earth_frames();
-  std::vector<GlobePoint> points;
-  points.reserve(times.size());
-  for (const double time : times) points.push_back(point_of(frames, time, flight.at(time).position));
-  return points;
+  for (const double time : times) take(point_of(frames, time, flight.at(time).position));
 }
 
 /// What happened where: the launch, the events and the end.
@@ -72,18 +70,18 @@ std::string kml_coordinates(const GlobePoint& p) {
   return shortest(p.longitude) + "," + shortest(p.latitude) + "," + shortest(p.height);
 }
 
-std::string kml_shot(const FlownShot& shot, const std::vector<double>& times) {
-  std::string out = " <Folder>\n  <name>" + xml(shot.name) +
-                    "</name>\n  <Placemark>\n   <name>path</name>\n   <styleUrl>#path</styleUrl>\n"
-                    "   <LineString>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>\n";
-  for (const GlobePoint& p : path_of(shot.flight, times)) out += "     " + kml_coordinates(p) + "\n";
-  out += "    </coordinates>\n   </LineString>\n  </Placemark>\n";
+void write_kml_shot(const Sink& sink, const FlownShot& shot, const std::vector<double>& times) {
+  sink(" <Folder>\n  <name>" + xml(shot.name) +
+       "</name>\n  <Placemark>\n   <name>path</name>\n   <styleUrl>#path</styleUrl>\n"
+       "   <LineString>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>\n");
+  each_point(shot.flight, times, [&sink](const GlobePoint& p) { sink("     " + kml_coordinates(p) + "\n"); });
+  sink("    </coordinates>\n   </LineString>\n  </Placemark>\n");
   for (const Mark& mark : marks_of(shot.flight))
-    out += "  <Placemark>\n   <name>" + xml(mark.name) + "</name>\n   <description>" + significant(mark.point.time, 6) +
-           " s, " + significant(mark.speed, 6) +
-           " m/s</description>\n   <Point>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>" +
-           kml_coordinates(mark.point) + "</coordinates>\n   </Point>\n  </Placemark>\n";
-  return out + " </Folder>\n";
+    sink("  <Placemark>\n   <name>" + xml(mark.name) + "</name>\n   <description>" + significant(mark.point.time, 6) +
+         " s, " + significant(mark.speed, 6) +
+         " m/s</description>\n   <Point>\n    <altitudeMode>absolute</altitudeMode>\n    <coordinates>" +
+         kml_coordinates(mark.point) + "</coordinates>\n   </Point>\n  </Placemark>\n");
+  sink(" </Folder>\n");
 }
 
 // --------------------------------------------------------------------------------------------------------------- CZML
@@ -102,21 +100,22 @@ std::string utc(double seconds) {
   return text;
 }
 
-Json czml_shot(const FlownShot& shot, const std::vector<double>& times) {
-  Json numbers = Json::array();
-  for (const GlobePoint& p : path_of(shot.flight, times))
-    for (const double number : {p.time, p.longitude, p.latitude, p.height}) numbers.push_back(number);
+void add_czml_shot(JsonStream& out, const FlownShot& shot, const std::vector<double>& times) {
   const Json colour = {{"solidColor", {{"color", {{"rgba", {255, 160, 0, 255}}}}}}};
-  return {{"id", "shot/" + shot.name},
-          {"name", shot.name},
-          {"availability", utc(0) + "/" + utc(shot.flight.duration())},
-          {"position",
-           {{"epoch", utc(0)},
-            {"interpolationAlgorithm", "LAGRANGE"},
-            {"interpolationDegree", 3},
-            {"cartographicDegrees", std::move(numbers)}}},
-          {"point", {{"pixelSize", 8}, {"color", {{"rgba", {255, 160, 0, 255}}}}}},
-          {"path", {{"width", 2}, {"material", colour}}}};
+  out.object();
+  out.add(
+      {{"id", "shot/" + shot.name}, {"name", shot.name}, {"availability", utc(0) + "/" + utc(shot.flight.duration())}});
+  out.object("position");
+  out.add({{"epoch", utc(0)}, {"interpolationAlgorithm", "LAGRANGE"}, {"interpolationDegree", 3}});
+  out.list("cartographicDegrees");
+  each_point(shot.flight, times, [&out](const GlobePoint& p) {
+    for (const double number : {p.time, p.longitude, p.latitude, p.height}) out.push(number);
+  });
+  out.close();
+  out.close();
+  out.add({{"point", {{"pixelSize", 8}, {"color", {{"rgba", {255, 160, 0, 255}}}}}},
+           {"path", {{"width", 2}, {"material", colour}}}});
+  out.close();
 }
 
 // ------------------------------------------------------------------------------------------------------------ GeoJSON
@@ -132,10 +131,12 @@ GlobePoint at_antimeridian(const GlobePoint& from, const GlobePoint& to) {
           from.height + part * (to.height - from.height)};
 }
 
-/// Parts that do not cross the antimeridian. A path over a pole jumps too: it runs along the edge of the map there.
-std::vector<std::vector<GlobePoint>> cut_at_antimeridian(const std::vector<GlobePoint>& path) {
-  std::vector<std::vector<GlobePoint>> parts(1);
-  for (const GlobePoint& p : path) {
+/// Parts that do not cross the antimeridian, of two points at least. A path over a pole jumps too: it runs along the
+/// edge of the map there.
+using Parts = std::vector<std::vector<GlobePoint>>;
+Parts parts_of(const Flight& flight, const std::vector<double>& times) {
+  Parts parts(1);
+  each_point(flight, times, [&parts](const GlobePoint& p) {
     if (!parts.back().empty() && std::abs(p.longitude - parts.back().back().longitude) > 180) {
       GlobePoint edge = at_antimeridian(parts.back().back(), p);
       parts.back().push_back(edge);
@@ -143,28 +144,38 @@ std::vector<std::vector<GlobePoint>> cut_at_antimeridian(const std::vector<Globe
       parts.push_back({edge});
     }
     parts.back().push_back(p);
-  }
+  });
+  for (std::vector<GlobePoint>& part : parts)
+    if (part.size() == 1) part.push_back(part[0]);
   return parts;
 }
 
-Json path_feature(const FlownShot& shot, const std::vector<double>& times) {
-  Json lines = Json::array(), clocks = Json::array();
-  for (const auto& part : cut_at_antimeridian(path_of(shot.flight, times))) {
-    Json line = Json::array(), clock = Json::array();
-    for (const GlobePoint& p : part) line.push_back(position_json(p)), clock.push_back(p.time);
-    if (line.size() == 1) line.push_back(line[0]), clock.push_back(clock[0]);  // a line has two points at least
-    lines.push_back(std::move(line));
-    clocks.push_back(std::move(clock));
+/// What is said of each point: a list of it, or where there are several parts a list for each.
+template <class Say>
+void add_parts(JsonStream& out, std::string_view key, const Parts& parts, const Say& say) {
+  const bool whole = parts.size() == 1;
+  if (!whole) out.list(key);
+  for (const std::vector<GlobePoint>& part : parts) {
+    out.list(whole ? key : "");
+    for (const GlobePoint& p : part) out.push(say(p));
+    out.close();
   }
-  const bool whole = lines.size() == 1;
-  return {
-      {"type", "Feature"},
-      {"properties",
-       {{"shot", shot.name},
-        {"what", "path"},
-        {"outcome", name(shot.flight.outcome())},
-        {"times [s]", whole ? clocks[0] : clocks}}},
-      {"geometry", {{"type", whole ? "LineString" : "MultiLineString"}, {"coordinates", whole ? lines[0] : lines}}}};
+  if (!whole) out.close();
+}
+
+void add_path_feature(JsonStream& out, const FlownShot& shot, const std::vector<double>& times) {
+  const Parts parts = parts_of(shot.flight, times);
+  out.object();
+  out.add({{"type", "Feature"}});
+  out.object("properties");
+  out.add({{"shot", shot.name}, {"what", "path"}, {"outcome", name(shot.flight.outcome())}});
+  add_parts(out, "times [s]", parts, [](const GlobePoint& p) { return p.time; });
+  out.close();
+  out.object("geometry");
+  out.add({{"type", parts.size() == 1 ? "LineString" : "MultiLineString"}});
+  add_parts(out, "coordinates", parts, position_json);
+  out.close();
+  out.close();
 }
 
 Json mark_feature(const FlownShot& shot, const Mark& mark) {
@@ -186,41 +197,52 @@ Status check_round(const FlownScenario& flown) {
 }
 
 Content globe_kml(const Flights& flights) {
-  const auto& [flown, times] = flights;
-  PHYSIM_ASSERT(times.size() == flown.shots.size());
-  std::string out =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n "
-      "<name>" +
-      xml(title_of(flown.scenario)) + "</name>\n <description>" + xml(flown.scenario.source) +
-      "</description>\n <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n";
-  for (std::size_t i = 0; i < flown.shots.size(); ++i) out += kml_shot(flown.shots[i], times[i]);
-  return out + "</Document>\n</kml>\n";
+  return [flights](const Sink& sink) {
+    const auto& [flown, times] = flights;
+    PHYSIM_ASSERT(times.size() == flown.shots.size());
+    sink(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n "
+        "<name>" +
+        xml(title_of(flown.scenario)) + "</name>\n <description>" + xml(flown.scenario.source) +
+        "</description>\n <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n");
+    for (std::size_t i = 0; i < flown.shots.size(); ++i) write_kml_shot(sink, flown.shots[i], times[i]);
+    sink("</Document>\n</kml>\n");
+  };
 }
 
 Content globe_czml(const Flights& flights) {
-  const auto& [flown, times] = flights;
-  PHYSIM_ASSERT(times.size() == flown.shots.size());
-  double last = 0;
-  for (const FlownShot& shot : flown.shots) last = std::max(last, shot.flight.duration());
-  Json out = Json::array();
-  out.push_back({{"id", "document"},
-                 {"name", title_of(flown.scenario)},
-                 {"version", "1.0"},
-                 {"clock", {{"interval", utc(0) + "/" + utc(last)}, {"currentTime", utc(0)}, {"multiplier", 1}}}});
-  for (std::size_t i = 0; i < flown.shots.size(); ++i) out.push_back(czml_shot(flown.shots[i], times[i]));
-  return json_text(out);
+  return [flights](const Sink& sink) {
+    const auto& [flown, times] = flights;
+    PHYSIM_ASSERT(times.size() == flown.shots.size());
+    double last = 0;
+    for (const FlownShot& shot : flown.shots) last = std::max(last, shot.flight.duration());
+    JsonStream out(sink);
+    out.list();
+    out.push({{"id", "document"},
+              {"name", title_of(flown.scenario)},
+              {"version", "1.0"},
+              {"clock", {{"interval", utc(0) + "/" + utc(last)}, {"currentTime", utc(0)}, {"multiplier", 1}}}});
+    for (std::size_t i = 0; i < flown.shots.size(); ++i) add_czml_shot(out, flown.shots[i], times[i]);
+    out.close();
+  };
 }
 
 Content globe_geojson(const Flights& flights) {
-  const auto& [flown, times] = flights;
-  PHYSIM_ASSERT(times.size() == flown.shots.size());
-  Json features = Json::array();
-  for (std::size_t i = 0; i < flown.shots.size(); ++i) {
-    const FlownShot& shot = flown.shots[i];
-    features.push_back(path_feature(shot, times[i]));
-    for (const Mark& mark : marks_of(shot.flight)) features.push_back(mark_feature(shot, mark));
-  }
-  return json_text({{"type", "FeatureCollection"}, {"features", std::move(features)}});
+  return [flights](const Sink& sink) {
+    const auto& [flown, times] = flights;
+    PHYSIM_ASSERT(times.size() == flown.shots.size());
+    JsonStream out(sink);
+    out.object();
+    out.add({{"type", "FeatureCollection"}});
+    out.list("features");
+    for (std::size_t i = 0; i < flown.shots.size(); ++i) {
+      const FlownShot& shot = flown.shots[i];
+      add_path_feature(out, shot, times[i]);
+      for (const Mark& mark : marks_of(shot.flight)) out.push(mark_feature(shot, mark));
+    }
+    out.close();
+    out.close();
+  };
 }
 
 }  // namespace physim::report

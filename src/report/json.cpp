@@ -7,6 +7,7 @@
 #include "physim/names.hpp"
 #include "physim/version.hpp"
 #include "report/fidelity_text.hpp"
+#include "scenario/writer.hpp"
 
 namespace physim::report {
 namespace {
@@ -20,39 +21,41 @@ Json fidelity_json(const Fidelity& fidelity) {
   return out;
 }
 
+Json check_json(const Check& check) {
+  PHYSIM_ASSERT(check.expectation != nullptr);
+  PHYSIM_ASSERT(check.value || !check.met);
+  const Expectation& expectation = *check.expectation;
+  Json out = {{"shot", check.shot},
+              {"at", place_text(expectation)},
+              {"quantity", expectation.quantity},
+              {"unit", unit_of(expectation.quantity)},
+              {"value", check.value ? Json(*check.value) : Json()},
+              {"equals", expectation.equals},
+              {"within", expectation.within},
+              {"met", check.met},
+              {"source", expectation.source},
+              {"place", expectation.place}};
+  if (!check.value) out["error"] = check.value.error().message;
+  return out;
+}
+
 }  // namespace
 
-Json checks_json(const std::vector<Check>& checks) {
-  Json out = Json::array();
-  for (const Check& check : checks) {
-    PHYSIM_ASSERT(check.expectation != nullptr);
-    PHYSIM_ASSERT(check.value || !check.met);
-    const Expectation& expectation = *check.expectation;
-    Json entry = {{"shot", check.shot},
-                  {"at", place_text(expectation)},
-                  {"quantity", expectation.quantity},
-                  {"unit", unit_of(expectation.quantity)},
-                  {"value", check.value ? Json(*check.value) : Json()},
-                  {"equals", expectation.equals},
-                  {"within", expectation.within},
-                  {"met", check.met},
-                  {"source", expectation.source},
-                  {"place", expectation.place}};
-    if (!check.value) entry["error"] = check.value.error().message;
-    out.push_back(std::move(entry));
-  }
-  return out;
+void add_checks(JsonStream& out, const std::vector<Check>& checks) {
+  out.list("expect");
+  for (const Check& check : checks) out.push(check_json(check));
+  out.close();
 }
 
 Json vector_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 
-Json provenance(const Scenario& scenario) {
-  Json values;
-  for (const auto& [path, value] : effective_settings(scenario)) values[path] = value;
-  return {{"program", "physim"},
-          {"version", kVersion},
-          {"scenario", {{"file", scenario.file}, {"title", scenario.title}, {"source", scenario.source}}},
-          {"settings", std::move(values)}};
+void add_provenance(JsonStream& out, const Scenario& scenario) {
+  out.add({{"program", "physim"},
+           {"version", kVersion},
+           {"scenario", {{"file", scenario.file}, {"title", scenario.title}, {"source", scenario.source}}}});
+  out.object("settings");
+  each_setting(scenario, [&out](const std::string& path, const std::string& value) { out.add({{path, value}}); });
+  out.close();
 }
 
 Json flight_json(const Flight& flight, const Fidelity& asked) {

@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "report/flown.hpp"
+#include "report/json_stream.hpp"
 
 namespace physim::report {
 
 /// Program, version, scenario and all its settings: where a result came from.
-[[nodiscard]] nlohmann::ordered_json provenance(const Scenario& scenario);
+void add_provenance(JsonStream& out, const Scenario& scenario);
 /// Outcome, fidelity, events and cost of a flight.
 [[nodiscard]] nlohmann::ordered_json flight_json(const Flight& flight, const Fidelity& asked);
 /// The verdicts of the scenario's expectations.
-[[nodiscard]] nlohmann::ordered_json checks_json(const std::vector<Check>& checks);
+void add_checks(JsonStream& out, const std::vector<Check>& checks);
 /// A list of the three components.
 [[nodiscard]] nlohmann::ordered_json vector_json(const Vec3d& v);
 /// JSON as text; characters that are not UTF-8 are replaced.

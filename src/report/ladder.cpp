@@ -300,22 +300,26 @@ Records records_of(const LadderOfShot& subject) {
 }
 
 Content ladder_json(const LadderOfShot& subject) {
-  const auto& [scenario, ladder] = subject;
-  nlohmann::ordered_json out = provenance(scenario);
-  out["shot"] = ladder.shot;
-  out["cost"] = "cost [us] is the median time of one fly()";
-  out["rungs"] = nlohmann::ordered_json::array();
-  for (const RungResult& result : ladder.rungs) {
-    nlohmann::ordered_json rung = {{"rung", result.rung.name()},        {"family", family_text(ladder, result)},
-                                   {"error [m]", result.error},         {"time error [s]", result.time_error},
-                                   {"cost [us]", result.cost * kMicro}, {"leaves_out", result.leaves_out}};
-    rung.update(flight_json(result.flight, result.rung.setting.fidelity));
-    out["rungs"].push_back(std::move(rung));
-  }
-  out["left_out"] = nlohmann::ordered_json::array();
-  for (const RungLeftOut& rung : ladder.left_out)
-    out["left_out"].push_back({{"rung", rung.name}, {"reason", rung.reason}});
-  return json_text(out);
+  return [subject](const Sink& sink) {
+    const auto& [scenario, ladder] = subject;
+    JsonStream out(sink);
+    out.object();
+    add_provenance(out, scenario);
+    out.add({{"shot", ladder.shot}, {"cost", "cost [us] is the median time of one fly()"}});
+    out.list("rungs");
+    for (const RungResult& result : ladder.rungs) {
+      JsonStream::Json rung = {{"rung", result.rung.name()},        {"family", family_text(ladder, result)},
+                               {"error [m]", result.error},         {"time error [s]", result.time_error},
+                               {"cost [us]", result.cost * kMicro}, {"leaves_out", result.leaves_out}};
+      rung.update(flight_json(result.flight, result.rung.setting.fidelity));
+      out.push(std::move(rung));
+    }
+    out.close();
+    out.list("left_out");
+    for (const RungLeftOut& rung : ladder.left_out) out.push({{"rung", rung.name}, {"reason", rung.reason}});
+    out.close();
+    out.close();
+  };
 }
 
 }  // namespace physim::report

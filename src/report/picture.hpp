@@ -8,6 +8,8 @@
 #include <string_view>
 #include <variant>
 
+#include "report/text.hpp"
+
 namespace physim::report {
 
 struct Picture {
@@ -16,8 +18,9 @@ struct Picture {
   std::string script;
 };
 
-/// What a format makes of a result: the text of a file, or a picture that is still to be drawn.
-using Content = std::variant<std::string, Picture>;
+/// What a format makes of a result: the text of a file, or a picture that is still to be drawn. A text reads the result
+/// when it is written.
+using Content = std::variant<Text, Picture>;
 
 // ------------------------------------------------------------------------------------------- parts of scripts
 

@@ -1,9 +1,7 @@
 #include "report/records.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "base/assert.hpp"
-#include "report/json.hpp"
+#include "report/json_stream.hpp"
 #include "report/number.hpp"
 
 namespace physim::report {
@@ -25,33 +23,30 @@ std::string csv_cell(const Cell& cell) {
 
 }  // namespace
 
-std::string csv_text(const Records& records) {
-  std::string out;
-  for (const std::string& column : records.columns) out += (out.empty() ? "" : ", ") + csv_field(column);
-  out += "\n";
-  records.rows([&](Row row) {
-    PHYSIM_ASSERT(row.size() == records.columns.size());
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) out += ", ";
-      out += csv_cell(row[i]);
-    }
-    out += "\n";
-  });
-  return out;
+Text csv_text(Records records) {
+  return [records = std::move(records)](const Sink& sink) {
+    std::string line;
+    for (const std::string& column : records.columns) line += (line.empty() ? "" : ", ") + csv_field(column);
+    sink(line + "\n");
+    records.rows([&](Row row) {
+      PHYSIM_ASSERT(row.size() == records.columns.size());
+      line.clear();
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        if (i > 0) line += ", ";
+        line += csv_cell(row[i]);
+      }
+      sink(line += "\n");
+    });
+  };
 }
 
-nlohmann::ordered_json columns_json(const Records& records) {
-  std::vector<nlohmann::ordered_json> lists(records.columns.size(), nlohmann::ordered_json::array());
-  records.rows([&](Row row) {
-    PHYSIM_ASSERT(row.size() == lists.size());
-    for (std::size_t i = 0; i < row.size(); ++i)
-      std::visit([&list = lists[i]](const auto& value) { list.push_back(value); }, row[i]);
-  });
-  nlohmann::ordered_json out;
-  for (std::size_t i = 0; i < lists.size(); ++i) out[records.columns[i]] = std::move(lists[i]);
-  return out;
+Text columns_json(Records records) {
+  return [records = std::move(records)](const Sink& sink) {
+    JsonStream out(sink);
+    out.object();
+    add_columns(out, records);
+    out.close();
+  };
 }
-
-std::string columns_json_text(const Records& records) { return json_text(columns_json(records)); }
 
 }  // namespace physim::report

@@ -3,12 +3,13 @@
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "report/text.hpp"
 
 namespace physim::report {
 
@@ -17,14 +18,13 @@ using Row = std::span<const Cell>;
 
 struct Records {
   std::vector<std::string> columns;  // with their units: "x [m]"
-  /// Hands over row after row, with a cell for each column: there may be too many to keep them.
+  /// Hands over row after row, the same each time, with a cell for each column: there may be too many to keep them.
   std::function<void(const std::function<void(Row)>& take)> rows;
 };
 
 /// A header line and a line for each row, RFC 4180 but for the space behind each comma.
-[[nodiscard]] std::string csv_text(const Records& records);
+[[nodiscard]] Text csv_text(Records records);
 /// An object with a list for each column.
-[[nodiscard]] nlohmann::ordered_json columns_json(const Records& records);
-[[nodiscard]] std::string columns_json_text(const Records& records);
+[[nodiscard]] Text columns_json(Records records);
 
 }  // namespace physim::report

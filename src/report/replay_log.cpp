@@ -87,7 +87,7 @@ Content replay_json(const ReplayLog& log) {
                          {"recorded", hex(r.difference->recorded_hash)},
                          {"replayed", hex(r.difference->replayed_hash)},
                          {"byte", r.difference->place}};
-  return json_text(out);
+  return as_text(json_text(out));
 }
 
 }  // namespace physim::report

@@ -185,12 +185,13 @@ std::string checks_text(const std::vector<Check>& checks, const Style& style) {
   return out + "  " + (missed == 0 ? style.good(verdict) : style.bad(verdict)) + "\n";
 }
 
-std::string summary_text(const FlownScenario& flown, const Style& style) {
-  const Scenario& scenario = flown.scenario;
-  std::string out = style.bold(one_line(title_of(scenario))) + "\n";
-  for (const FlownShot& shot : flown.shots) out += "\n" + shot_text(shot, scenario, style);
-  if (!flown.checks.empty()) out += "\n" + checks_text(flown.checks, style);
-  return out;
+Text summary_text(const FlownScenario& flown, const Style& style) {
+  return [&flown, style](const Sink& sink) {
+    const Scenario& scenario = flown.scenario;
+    sink(style.bold(one_line(title_of(scenario))) + "\n");
+    for (const FlownShot& shot : flown.shots) sink("\n" + shot_text(shot, scenario, style));
+    if (!flown.checks.empty()) sink("\n" + checks_text(flown.checks, style));
+  };
 }
 
 }  // namespace physim::report

@@ -6,10 +6,11 @@
 
 #include "report/flown.hpp"
 #include "report/style.hpp"
+#include "report/text.hpp"
 
 namespace physim::report {
 
-[[nodiscard]] std::string summary_text(const FlownScenario& flown, const Style& style);
+[[nodiscard]] Text summary_text(const FlownScenario& flown, const Style& style);
 
 /// The verdicts, a line for each.
 [[nodiscard]] std::string checks_text(const std::vector<Check>& checks, const Style& style);

@@ -42,14 +42,22 @@ std::vector<double> times_of(double duration, double interval) {
   return times;
 }
 
-Json trajectory_json(const Flight& flight, const std::vector<double>& times) {
-  Json columns;
-  for (const std::string_view name : kSampleColumns) columns[std::string(name)] = Json::array();
-  for (const double time : times) {
-    const SampleRow row = row_of(flight.at(time));
-    for (std::size_t i = 0; i < row.size(); ++i) columns[std::string(kSampleColumns[i])].push_back(row[i]);
-  }
-  return columns;
+std::vector<SampleRow> rows_of(const Flight& flight, const std::vector<double>& times) {
+  std::vector<SampleRow> rows;
+  rows.reserve(times.size());
+  for (const double time : times) rows.push_back(row_of(flight.at(time)));
+  return rows;
+}
+
+/// Numbers of one shot, which JSON has column by column.
+Records columns_of(const std::vector<SampleRow>& samples) {
+  return {{kSampleColumns.begin(), kSampleColumns.end()}, [&samples](const auto& take) {
+            std::array<Cell, kSampleColumns.size()> row;
+            for (const SampleRow& sample : samples) {
+              std::ranges::copy(sample, row.begin());
+              take(row);
+            }
+          }};
 }
 
 Json sample_json(const Sample& s) {
@@ -107,20 +115,28 @@ Records records_of(const Flights& flights) {
 }
 
 Content flights_json(const Flights& flights) {
-  const auto& [flown, times] = flights;
-  PHYSIM_ASSERT(times.size() == flown.shots.size());
-  Json out = provenance(flown.scenario);
-  out["shots"] = Json::array();
-  for (std::size_t i = 0; i < flown.shots.size(); ++i) {
-    const FlownShot& from = flown.shots[i];
-    Json shot = {{"name", from.name}};
-    shot.update(flight_json(from.flight, from.shot->projectile.fidelity));
-    shot["range_card"] = range_card_json(from.flight, flown.scenario.ranges);
-    shot["trajectory"] = trajectory_json(from.flight, times[i]);
-    out["shots"].push_back(std::move(shot));
-  }
-  out["expect"] = checks_json(flown.checks);
-  return json_text(out);
+  return [flights](const Sink& sink) {
+    const auto& [flown, times] = flights;
+    PHYSIM_ASSERT(times.size() == flown.shots.size());
+    JsonStream out(sink);
+    out.object();
+    add_provenance(out, flown.scenario);
+    out.list("shots");
+    for (std::size_t i = 0; i < flown.shots.size(); ++i) {
+      const FlownShot& from = flown.shots[i];
+      out.object();
+      out.add({{"name", from.name}});
+      out.add(flight_json(from.flight, from.shot->projectile.fidelity));
+      out.add({{"range_card", range_card_json(from.flight, flown.scenario.ranges)}});
+      out.object("trajectory");
+      add_columns(out, columns_of(rows_of(from.flight, times[i])));
+      out.close();
+      out.close();
+    }
+    out.close();
+    add_checks(out, flown.checks);
+    out.close();
+  };
 }
 
 }  // namespace physim::report

@@ -258,7 +258,7 @@ std::string fidelities(const WorldLog& log, const Style& style) {
 /// Records with a state at the end of each row.
 using Cells = std::vector<Cell>;
 template <class Entry, class Head>
-Records records_with_states(std::vector<std::string> columns, const std::vector<Entry>& entries, const Head& head_of) {
+Records records_with_states(std::vector<std::string> columns, const std::deque<Entry>& entries, const Head& head_of) {
   columns.insert(columns.end(), {"x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"});
   return {std::move(columns), [&entries, head_of](const auto& take) {
             for (const Entry& entry : entries) {
@@ -293,6 +293,16 @@ Json group_json(const WorldLog& log, std::size_t index) {
   out["hit_z [m]"] = series_json(g.hit_z);
   out["fidelity_granted"] = g.spawned > 0 ? Json(in_words(log.in_use[index].fidelity)) : Json();
   return out;
+}
+
+Json event_json(const WorldLog& log, const LoggedEvent& event) {
+  return {{"time [s]", event.time},
+          {"kind", event.kind},
+          {"reason", event.reason},
+          {"what", log.groups[event.launched.group].name},
+          {"number", event.launched.number},
+          {"position [m]", vector_json(event.state.position)},
+          {"velocity [m/s]", vector_json(event.state.velocity)}};
 }
 
 }  // namespace
@@ -342,26 +352,28 @@ Content world_events_csv(const WorldLog& log) {
 }
 
 Content world_json(const WorldLog& log) {
-  Json out = provenance(log.scenario);
-  Json groups = Json::array(), events = Json::array();
-  for (std::size_t i = 0; i < log.groups.size(); ++i) groups.push_back(group_json(log, i));
-  for (const LoggedEvent& event : log.events)
-    events.push_back({{"time [s]", event.time},
-                      {"kind", event.kind},
-                      {"reason", event.reason},
-                      {"what", log.groups[event.launched.group].name},
-                      {"number", event.launched.number},
-                      {"position [m]", vector_json(event.state.position)},
-                      {"velocity [m/s]", vector_json(event.state.velocity)}});
-  out["world"] = {{"steps", log.steps},
-                  {"time [s]", log.time},
-                  {"projectile_steps", log.counters.projectile_steps},
-                  {"hash", hash_text(log.hash)},
-                  {"groups", std::move(groups)},
-                  {"events", std::move(events)},
-                  {"trajectories", columns_json(records_of(log))}};
-  out["expect"] = checks_json(log.checks);
-  return json_text(out);
+  return [&log](const Sink& sink) {
+    JsonStream out(sink);
+    out.object();
+    add_provenance(out, log.scenario);
+    out.object("world");
+    out.add({{"steps", log.steps},
+             {"time [s]", log.time},
+             {"projectile_steps", log.counters.projectile_steps},
+             {"hash", hash_text(log.hash)}});
+    out.list("groups");
+    for (std::size_t i = 0; i < log.groups.size(); ++i) out.push(group_json(log, i));
+    out.close();
+    out.list("events");
+    for (const LoggedEvent& event : log.events) out.push(event_json(log, event));
+    out.close();
+    out.object("trajectories");
+    add_columns(out, records_of(log));
+    out.close();
+    out.close();
+    add_checks(out, log.checks);
+    out.close();
+  };
 }
 
 }  // namespace physim::report

@@ -1,6 +1,8 @@
 // A scenario's world, run to its end: what outputs need of it, the summary that people read, and what goes into files.
 #pragma once
 
+#include <deque>
+
 #include "physim/world_run.hpp"
 #include "report/flown.hpp"
 #include "report/picture.hpp"
@@ -60,8 +62,8 @@ struct WorldLog {
   WorldCounters counters;
   std::vector<Check> checks;
 
-  std::vector<WorldSample> samples;
-  std::vector<LoggedEvent> events;
+  std::deque<WorldSample> samples;  // of very many, a longer list must not need the room of two
+  std::deque<LoggedEvent> events;
   std::vector<LoggedPath> paths;
   std::vector<std::vector<Vec3d>> impacts;  // by group
   std::vector<std::vector<Vec3d>> hits;     // by group

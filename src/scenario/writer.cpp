@@ -170,10 +170,11 @@ bool is_left_out(const SchemaNode& node, const Scenario& scenario) {
 }
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
+using TakeSetting = std::function<void(const std::string& path, const std::string& value)>;
 
 /// All settings of a table. Shots are named one by one; other lists are one value.
 void write_table(const SchemaNode& node, const Scope& scope, const std::string& prefix, Style style,
-                 Settings& settings) {
+                 const TakeSetting& take) {
   for (const SchemaNode& child : node.children) {
     const std::string path = prefix + child.name;
     if (is_left_out(child, *scope.scenario)) continue;
@@ -181,21 +182,26 @@ void write_table(const SchemaNode& node, const Scope& scope, const std::string& 
       const Records shots = std::get<Records>(child.entry->slot(scope));
       for (std::size_t i = 0; i < shots.size(); ++i) {
         const Scope inner = shots.element(i);
-        write_table(child, inner, path + "." + inner.shot->projectile.name + ".", style, settings);
+        write_table(child, inner, path + "." + inner.shot->projectile.name + ".", style, take);
       }
     } else if (child.entry == nullptr) {
-      write_table(child, scope, path + ".", style, settings);
+      write_table(child, scope, path + ".", style, take);
     } else if (const std::optional<std::string> value = value_text(*child.entry, scope, style)) {
-      settings.emplace_back(path, *value);
+      take(path, *value);
     }
   }
 }
 
-Settings all_settings(const Scenario& scenario, Style style) {
+void each_setting(const Scenario& scenario, Style style, const TakeSetting& take) {
   Scenario copy = scenario;  // slots are for reading and writing
   std::int64_t format = 1;
+  write_table(schema(), {.format = &format, .scenario = &copy}, "", style, take);
+}
+
+Settings all_settings(const Scenario& scenario, Style style) {
   Settings settings;
-  write_table(schema(), {.format = &format, .scenario = &copy}, "", style, settings);
+  each_setting(scenario, style,
+               [&](const std::string& path, const std::string& value) { settings.emplace_back(path, value); });
   return settings;
 }
 
@@ -352,6 +358,11 @@ std::string shot_text(const Scenario& scenario, std::size_t index) {
   Scenario copy = scenario;
   std::int64_t format = 1;
   return element_text(*find_node("shot"), {.format = &format, .scenario = &copy}, index);
+}
+
+void each_setting(const Scenario& scenario, const TakeSetting& take) {
+  const IeeeMode mode;
+  each_setting(scenario, Style::plain, take);
 }
 
 Settings settings_in_file(const Scenario& scenario) { return all_settings(scenario, Style::brief); }

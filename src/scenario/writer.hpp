@@ -1,6 +1,7 @@
 // Values of settings as text that reads back as the same value, bit for bit.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,10 @@
 #include "scenario/schema.hpp"
 
 namespace physim {
+
+/// Hands over the settings of effective_settings() one by one: a scenario of many shots has very many.
+void each_setting(const Scenario& scenario,
+                  const std::function<void(const std::string& path, const std::string& value)>& take);
 
 /// As effective_settings(), with values as they stand in a file: texts in quotes.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> settings_in_file(const Scenario& scenario);

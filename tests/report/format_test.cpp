@@ -46,7 +46,7 @@ struct Results {
       case Subject::replay: return content_of(format, *replay);
       case Subject::records: return content_of(format, records_of(flights));
     }
-    return "";
+    return as_text("");
   }
 };
 
@@ -73,21 +73,21 @@ TEST(Formats, EachWritesEverySubjectThatItCan) {
       const Content content = results.content(format, subject);
       const auto* picture = std::get_if<Picture>(&content);
       EXPECT_EQ(picture != nullptr, format.is_picture) << format.name;
-      const std::string& text = picture != nullptr ? picture->script : std::get<std::string>(content);
+      const std::string text = picture != nullptr ? picture->script : whole(std::get<Text>(content));
       EXPECT_GT(text.size(), 20U) << format.name;
       EXPECT_EQ(text.back(), '\n') << format.name;
     }
 }
 
 /// A format for this test alone: the numbers of each row, a line each.
-std::string numbers_text(const Records& records) {
-  std::string out;
-  records.rows([&](Row row) {
-    for (const Cell& cell : row)
-      if (const auto* number = std::get_if<double>(&cell)) out += std::to_string(*number) + " ";
-    out += "\n";
-  });
-  return out;
+Text numbers_text(Records records) {
+  return [records = std::move(records)](const Sink& sink) {
+    records.rows([&](Row row) {
+      for (const Cell& cell : row)
+        if (const auto* number = std::get_if<double>(&cell)) sink(std::to_string(*number) + " ");
+      sink("\n");
+    });
+  };
 }
 
 TEST(Formats, ARowAndAFunctionAreAllThatAFormatNeeds) {
@@ -95,7 +95,7 @@ TEST(Formats, ARowAndAFunctionAreAllThatAFormatNeeds) {
   const Results results;
   for (const Subject subject : kSubjects) {
     ASSERT_TRUE(can_write(kNumbers, subject));
-    const std::string text = std::get<std::string>(results.content(kNumbers, subject));
+    const std::string text = whole(std::get<Text>(results.content(kNumbers, subject)));
     EXPECT_GT(std::ranges::count(text, '\n'), 0);
     EXPECT_NE(text.find_first_of("0123456789"), std::string::npos);
   }
@@ -126,7 +126,7 @@ TEST(Formats, GlobesNeedARoundEarth) {
 
 TEST(Records, CsvQuotesWhatNeedsIt) {
   const Results results;
-  const std::string text = csv_text(records_of(Flights{results.flown, results.times}));
+  const std::string text = whole(csv_text(records_of(Flights{results.flown, results.times})));
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
@@ -140,7 +140,7 @@ TEST(Records, CsvDoublesQuotes) {
                           const Cell row[] = {std::string_view("\"b\"\nc"), std::uint64_t{3}};
                           take(row);
                         }};
-  EXPECT_EQ(csv_text(records), "name, count\n\"\"\"b\"\"\nc\", 3\n");
+  EXPECT_EQ(whole(csv_text(records)), "name, count\n\"\"\"b\"\"\nc\", 3\n");
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+// What `physim run` writes of many shots goes to the file as it is made: no room for all of it, and no half of it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+#if defined(PHYSIM_CLI) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+namespace physim::testing_cli {
+namespace {
+
+constexpr const char* kMany = R"(physim = 1
+[[shot]]
+name = "round"
+mass = "1 kg"
+diameter = "5 cm"
+speed = "10 m/s"
+elevation = "30 deg"
+fidelity = "game"
+[[volley]]
+shot = "round"
+count = 50_000
+rate = "50000 Hz"
+spread = { horizontal = "1 mrad", vertical = "1 mrad", speed = "1 m/s" }
+[world]
+duration = "4 s"
+threads = 1
+)";
+
+/// Under a limit of the shell: "-v" for memory, "-f" for files, as numbers of 1024 bytes.
+Ran limited(const std::string& limit, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = {"-c", "trap '' XFSZ; ulimit " + limit + "; exec \"$0\" \"$@\"", PHYSIM_CLI};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_program("/bin/bash", words);
+}
+
+TEST(CliLarge, OutputNeedsNoMemoryOfItsOwn) {
+  const Folder folder;
+  const std::string file = folder.write("many.toml", kMany);
+  const std::string limit = "-v 80000";  // less than the JSON alone would take as a tree
+  const Ran ran =
+      limited(limit, {"run", file, "--interval", "4 s", "--json", folder / "a.json", "--events", folder / "e.csv"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_GT(std::filesystem::file_size(folder / "a.json"), 25'000'000u);
+  const Ran printed = limited(limit, {"run", file, "--interval", "4 s", "--steps", "30", "--json", "-"});
+  EXPECT_EQ(printed.code, 0) << printed.err;
+  EXPECT_TRUE(nlohmann::json::accept(printed.out));
+}
+
+TEST(CliLarge, AFileThatFindsNoRoomLeavesNothing) {
+  const Folder folder;
+  const std::string file = folder.write("many.toml", kMany), old = folder.write("a.json", "old");
+  const Ran ran = limited("-f 1000", {"run", file, "--interval", "4 s", "--steps", "20", "--json", old});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_TRUE(has(ran.err, "cannot write: File too large")) << ran.err;
+  EXPECT_EQ(read(old), "old");
+  EXPECT_EQ(folder.names().size(), 2u);
+  EXPECT_EQ(physim({"run", file, "--interval", "4 s", "--steps", "20", "--json", "/dev/full"}).code, 2);
+  EXPECT_EQ(physim({"run", file, "--interval", "4 s", "--steps", "20", "--events", "/dev/full"}).code, 2);
+}
+
+}  // namespace
+}  // namespace physim::testing_cli
+
+#endif
