@@ -36,9 +36,6 @@ std::shared_ptr<const Conditions<double>> conditions_of(const Environment& envir
 Vec3d combined(const Vec3d& x, const Vec3d& y, const Vec3d& z, const Vec3d& v) { return x * v.x + y * v.y + z * v.z; }
 
 /// East, north and up in E at a place with a vertical in E; on the Earth's axis as on the meridian of longitude 0.
-struct LocalAxes {
-  Vec3d east, north, up;
-};
 LocalAxes local_axes(const Vec3d& up) {
   const double level = sqrt(up.x * up.x + up.y * up.y);
   const Vec3d east = level == 0 ? Vec3d{0, 1, 0} : Vec3d{-up.y / level, up.x / level, 0};

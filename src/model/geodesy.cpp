@@ -12,10 +12,6 @@ namespace {
 using namespace wgs84;
 
 /// The local axes at a latitude and longitude, in E.
-struct LocalAxes {
-  Vec3d east, north, up;
-};
-
 LocalAxes local_axes(const Geodetic& place) {
   const auto phi = sincos(place.latitude);
   const auto lambda = sincos(place.longitude);

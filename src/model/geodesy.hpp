@@ -86,3 +86,12 @@ template <class R, class S>
 }
 
 PHYSIM_ISA_END
+
+namespace physim {
+
+/// Unit vectors east, north and up at a place.
+struct LocalAxes {
+  Vec3d east, north, up;
+};
+
+}  // namespace physim

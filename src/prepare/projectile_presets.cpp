@@ -278,7 +278,7 @@ struct Named {
   ProjectilePreset (*make)();
 };
 
-constexpr Named kPresets[] = {
+constexpr Named kProjectiles[] = {
     {"artillery", presets::artillery},
     {"bullet", presets::bullet},
     {"laser", presets::laser},
@@ -298,8 +298,8 @@ constexpr Named kPresets[] = {
 
 std::span<const std::string_view> projectile_presets() {
   static constexpr auto names = [] {
-    std::array<std::string_view, std::size(kPresets)> all;
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = kPresets[i].name;
+    std::array<std::string_view, std::size(kProjectiles)> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = kProjectiles[i].name;
     return all;
   }();
   return names;
@@ -307,7 +307,7 @@ std::span<const std::string_view> projectile_presets() {
 
 std::optional<ProjectilePreset> projectile_preset(std::string_view name) {
   const IeeeMode mode;
-  for (const Named& preset : kPresets)
+  for (const Named& preset : kProjectiles)
     if (preset.name == name) return preset.make();
   return std::nullopt;
 }

@@ -9,7 +9,7 @@
 namespace physim::report {
 namespace {
 
-constexpr int kWidth = 1600, kHeight = 1100;                                       // [px]
+constexpr int kLadderWidth = 1600, kLadderHeight = 1100;                                       // [px]
 constexpr PixelBox kPanel{.left = 110, .right = 1570, .bottom = 100, .top = 935};  // [px]
 
 // How a family looks: gnuplot's point type and size, and the same shape as a character for the legend.
@@ -90,7 +90,7 @@ class LadderPicture {
   [[nodiscard]] std::string script() const {
     std::string out =
         axes_style() +
-        panel_at(kPanel.left / kWidth, kPanel.right / kWidth, kPanel.bottom / kHeight, kPanel.top / kHeight) +
+        panel_at(kPanel.left / kLadderWidth, kPanel.right / kLadderWidth, kPanel.bottom / kLadderHeight, kPanel.top / kLadderHeight) +
         "set logscale xy\n" + range("x", x_) + range("y", y_) + tics("x", x_, "s") + tics("y", y_, "m") +
         "set xlabel 'cost of one flight' font ',16' offset 0,-0.2\n" + header() + labels();
     for (const Look& look : kLooks) out += family_data(look.family);
@@ -138,7 +138,7 @@ class LadderPicture {
   }
 
   [[nodiscard]] std::string header() const {
-    std::string out = title_at(0.02, 0.967, title_, kWidth);
+    std::string out = title_at(0.02, 0.967, title_, kLadderWidth);
     out += text_at(0.02, 0.932,
                    shot_ + ": distance from the reference flight (dop853, tolerance " +
                        significant(kReferenceTolerance.relative.value_or(0), 1) +
@@ -181,10 +181,10 @@ class LadderPicture {
       const auto& [shown, at, has_leader, end] = placed[i];
       if (!shown) continue;
       const LabelRequest& request = requests[i];
-      out += text_at(at.x / kWidth, at.y / kHeight, request.text, static_cast<int>(request.font_size), request.colour,
+      out += text_at(at.x / kLadderWidth, at.y / kLadderHeight, request.text, static_cast<int>(request.font_size), request.colour,
                      request.bold);
       if (has_leader)
-        out += line_at(request.at.x / kWidth, request.at.y / kHeight, end.x / kWidth, end.y / kHeight,
+        out += line_at(request.at.x / kLadderWidth, request.at.y / kLadderHeight, end.x / kLadderWidth, end.y / kLadderHeight,
                        " lw 1 lc rgb '#A0A0A0' back");
     }
     return out;
@@ -200,7 +200,7 @@ class LadderPicture {
 }  // namespace
 
 Content ladder_picture(const LadderOfShot& subject) {
-  return Picture{kWidth, kHeight, LadderPicture(title_of(subject.scenario), subject.ladder).script()};
+  return Picture{kLadderWidth, kLadderHeight, LadderPicture(title_of(subject.scenario), subject.ladder).script()};
 }
 
 }  // namespace physim::report

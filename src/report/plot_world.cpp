@@ -9,7 +9,7 @@
 namespace physim::report {
 namespace {
 
-constexpr int kWidth = 1600, kHeight = 1200;  // [px]
+constexpr int kWorldWidth = 1600, kWorldHeight = 1200;  // [px]
 constexpr double kLeft = 0.06, kRight = 0.985;
 constexpr std::uint32_t kNoColour = 0xffffffff;
 constexpr AxisNames kAxes = {"horizontal axis", "vertical axis"};
@@ -117,16 +117,16 @@ class WorldPicture {
   }
 
   [[nodiscard]] std::string header() const {
-    std::string out = title_at(0.02, 0.968, title_of(log_.scenario), kWidth);
-    double x = 0.02 * kWidth;
+    std::string out = title_at(0.02, 0.968, title_of(log_.scenario), kWorldWidth);
+    double x = 0.02 * kWorldWidth;
     for (const std::size_t g : shown_) {
       const std::string name = shortened(one_line(log_.groups[g].name), 40);
       const double width = legend_width(name);
-      if (x + width > 0.98 * kWidth) {
-        out += text_at(x / kWidth, 0.93, "...", 13, kInk);
+      if (x + width > 0.98 * kWorldWidth) {
+        out += text_at(x / kWorldWidth, 0.93, "...", 13, kInk);
         break;
       }
-      out += legend_entry(x, 0.93, name, curve_style("2.5", place_of(g), colour(g)), kWidth);
+      out += legend_entry(x, 0.93, name, curve_style("2.5", place_of(g), colour(g)), kWorldWidth);
       x += width + kLegendGap;
     }
     return out;
@@ -179,14 +179,14 @@ class WorldPicture {
     Extent across = padded(extent_of(axes.across.axis)), up = padded(extent_of(axes.up.axis));
     const bool is_from_above = axes.up.axis == &Vec3d::z;
     const std::string note =
-        to_scale(across, up, x.span() * kWidth, y.span() * kHeight, is_from_above ? 0.5 : 0, kAxes);
+        to_scale(across, up, x.span() * kWorldWidth, y.span() * kWorldHeight, is_from_above ? 0.5 : 0, kAxes);
     return frame(axes, x, y, across, up) + guides(axes) + panel_title(title + note) + extra + curves(axes, true, true);
   }
 
   [[nodiscard]] std::string wall_panel(Extent x, Extent y) const {
     const Axes axes{kZ, kY};
     Extent across = padded(hit_extent(&Vec3d::z)), up = padded(hit_extent(&Vec3d::y));
-    const std::string note = to_scale(across, up, x.span() * kWidth, y.span() * kHeight, 0.5, kAxes);
+    const std::string note = to_scale(across, up, x.span() * kWorldWidth, y.span() * kWorldHeight, 0.5, kAxes);
     return frame(axes, x, y, across, up) + guides(axes) + panel_title("hits on the wall" + note) +
            curves(axes, false, false);
   }
@@ -198,6 +198,6 @@ class WorldPicture {
 
 }  // namespace
 
-Content world_picture(const WorldLog& log) { return Picture{kWidth, kHeight, WorldPicture(log).script()}; }
+Content world_picture(const WorldLog& log) { return Picture{kWorldWidth, kWorldHeight, WorldPicture(log).script()}; }
 
 }  // namespace physim::report

@@ -17,7 +17,7 @@
 namespace physim::report {
 namespace {
 
-constexpr std::uint64_t kDefaultSamples = 200;  // over the run
+constexpr std::uint64_t kSamplesOfRun = 200;  // over the run
 constexpr std::uint64_t kPathPoints = 900;      // over the run, of each path
 constexpr std::size_t kMostPaths = 400;         // of all groups together
 constexpr std::size_t kMostImpacts = 20'000;    // of each group, drawn
@@ -35,7 +35,7 @@ class Logger {
     paths_left_.assign(groups, std::max<std::size_t>(kMostPaths / std::max<std::size_t>(groups, 1), 1));
     const double dt = run.scenario().world.def.step;
     const auto asked = static_cast<std::uint64_t>(std::llround(std::min(options.interval.value_or(0) / dt, 1e15)));
-    sample_every_ = std::max<std::uint64_t>(options.interval ? asked : log_.steps / kDefaultSamples, 1);
+    sample_every_ = std::max<std::uint64_t>(options.interval ? asked : log_.steps / kSamplesOfRun, 1);
     PHYSIM_ASSERT(dt > 0);
     draw_every_ = std::max<std::uint64_t>(log_.steps / kPathPoints, 1);
   }
@@ -172,7 +172,7 @@ class Logger {
 };
 
 using Json = nlohmann::ordered_json;
-constexpr int kIndent = 2;
+constexpr int kTableIndent = 2;
 
 std::string hash_text(std::uint64_t value) { return hex(value).substr(2); }
 
@@ -199,10 +199,10 @@ std::string counts_table(const std::vector<WorldGroup>& groups) {
     for (const Count count : shown) row.push_back(std::to_string(group.*count));
     table.add_row(std::move(row));
   }
-  return table.text(kIndent);
+  return table.text(kTableIndent);
 }
 
-std::string below(const Table& table) { return table.empty() ? "" : "\n" + table.text(kIndent); }
+std::string below(const Table& table) { return table.empty() ? "" : "\n" + table.text(kTableIndent); }
 
 std::string impacts_table(const std::vector<WorldGroup>& groups) {
   Table table({"impacts of", "count", "range [m]", "nearest", "farthest", "spread", "time [s]", "from", "to",

@@ -5,42 +5,42 @@
 namespace physim {
 namespace {
 
-using Value = std::optional<double>;
+using Amount = std::optional<double>;
 
 template <Vec3d WorldGroup::*mean, double Vec3d::*axis>
-Value mean_of(const WorldGroup& g) {
-  return g.alive > 0 ? Value(g.*mean.*axis) : std::nullopt;
+Amount mean_of(const WorldGroup& g) {
+  return g.alive > 0 ? Amount(g.*mean.*axis) : std::nullopt;
 }
-Value speed(const WorldGroup& g) { return g.alive > 0 ? Value(g.mean_speed) : std::nullopt; }
+Amount speed(const WorldGroup& g) { return g.alive > 0 ? Amount(g.mean_speed) : std::nullopt; }
 
 template <std::uint64_t WorldGroup::*count>
-Value count_of(const WorldGroup& g) {
+Amount count_of(const WorldGroup& g) {
   return static_cast<double>(g.*count);
 }
 template <Series WorldGroup::*series, double Series::*part>
-Value part_of(const WorldGroup& g) {
+Amount part_of(const WorldGroup& g) {
   const Series& numbers = g.*series;
-  return numbers.count > 0 ? Value(numbers.*part) : std::nullopt;
+  return numbers.count > 0 ? Amount(numbers.*part) : std::nullopt;
 }
 template <Series WorldGroup::*series>
-Value spread_of(const WorldGroup& g) {
+Amount spread_of(const WorldGroup& g) {
   const Series& numbers = g.*series;
-  return numbers.count > 0 ? Value(numbers.spread()) : std::nullopt;
+  return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
 }
 
 /// The number where rotation was flown.
-Value flown(const Flight& flight, double value) {
-  return turns(flight.fidelity_in_use().fidelity) ? Value(value) : std::nullopt;
+Amount flown(const Flight& flight, double value) {
+  return turns(flight.fidelity_in_use().fidelity) ? Amount(value) : std::nullopt;
 }
 template <double YawPitchRoll::*angle>
-Value attitude(const Flight& flight, const Sample& s) {
+Amount attitude(const Flight& flight, const Sample& s) {
   return flown(flight, flight.earth_frames().yaw_pitch_roll(s.position, s.orientation).*angle);
 }
-Value spin_rate(const Flight& flight, const Sample& s) { return flown(flight, s.angular_velocity.x); }
-Value angle_of_attack(const Flight& flight, const Sample& s) { return flown(flight, s.angle_of_attack); }
-Value gyroscopic_stability(const Flight& flight, const Sample& s) {
+Amount spin_rate(const Flight& flight, const Sample& s) { return flown(flight, s.angular_velocity.x); }
+Amount angle_of_attack(const Flight& flight, const Sample& s) { return flown(flight, s.angle_of_attack); }
+Amount gyroscopic_stability(const Flight& flight, const Sample& s) {
   const auto stability = flight.stability(s.time);
-  return stability ? Value(stability->gyroscopic) : std::nullopt;
+  return stability ? Amount(stability->gyroscopic) : std::nullopt;
 }
 
 constexpr Figure kFigures[] = {
@@ -99,7 +99,7 @@ constexpr Figure kFigures[] = {
     {"hit_z_spread", Quantity::length, nullptr, nullptr, spread_of<&WorldGroup::hit_z>},
 };
 
-constexpr auto kNames = [] {
+constexpr auto kFigureNames = [] {
   std::array<std::string_view, std::size(kFigures)> names;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = kFigures[i].name;
   return names;
@@ -109,7 +109,7 @@ constexpr auto kNames = [] {
 
 std::span<const Figure> figures() { return kFigures; }
 
-std::span<const std::string_view> figure_names() { return kNames; }
+std::span<const std::string_view> figure_names() { return kFigureNames; }
 
 std::vector<std::string_view> group_figure_names() {
   std::vector<std::string_view> names;

@@ -17,7 +17,7 @@
 namespace physim {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 16 << 20;
+constexpr std::uintmax_t kLargestMotorFile = 16 << 20;
 constexpr std::size_t kMostPoints = 1000;  // of a motor
 constexpr std::string_view kHeaderHint =
     "a motor begins with seven words: name, diameter [mm], length [mm], delays, propellant [kg], mass [kg], maker";
@@ -103,11 +103,11 @@ class MotorReader {
     open_ = true;
     double numbers[4];  // diameter, length, propellant, mass
     constexpr std::size_t kPlaces[] = {1, 2, 4, 5};
-    constexpr std::string_view kNames[] = {"diameter", "length", "propellant", "mass"};
+    constexpr std::string_view kPlaceNames[] = {"diameter", "length", "propellant", "mass"};
     for (std::size_t i = 0; i < 4; ++i) {
       const auto number = number_of(words[kPlaces[i]]);
       if (!number || *number < 0)
-        return fault(in_quotes(words[kPlaces[i]]) + " is no " + std::string(kNames[i]), kHeaderHint);
+        return fault(in_quotes(words[kPlaces[i]]) + " is no " + std::string(kPlaceNames[i]), kHeaderHint);
       numbers[i] = *number;
     }
     if (numbers[2] > numbers[3])
@@ -156,7 +156,7 @@ Result<std::vector<MotorFileEntry>> parse_motor_file(const std::string& text, co
 }
 
 Result<std::vector<MotorFileEntry>> read_motor_file(const std::string& file) {
-  const Result<std::string> text = read_text_file(file, kMostBytes, "motor file");
+  const Result<std::string> text = read_text_file(file, kLargestMotorFile, "motor file");
   if (!text) return text.error();
   return parse_motor_file(*text, file);
 }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  // of a file that is read into memory [bytes]
+constexpr std::uintmax_t kLargestRecording = std::uintmax_t{4} << 30;  // of a file that is read into memory [bytes]
 
 /// A file that is written under another name until it is complete.
 class NewFile {
@@ -90,7 +90,7 @@ Result<std::vector<std::byte>> load_recording(const std::string& path) {
   if (!fs::exists(status)) return Error{"there is no such file", path, ""};
   if (fs::is_directory(status)) return Error{"this is a folder", path, "name a recording in it"};
   const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, failure) : 0;
-  if (size > kMostBytes) return Error{"larger than 4 GiB", path, "this cannot be played from memory"};
+  if (size > kLargestRecording) return Error{"larger than 4 GiB", path, "this cannot be played from memory"};
   std::ifstream in(path, std::ios::binary);
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
   if (size > 0) in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));

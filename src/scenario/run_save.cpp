@@ -9,8 +9,8 @@ namespace physim {
 namespace {
 
 constexpr char kMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'W', '\n'};
-constexpr std::uint32_t kFormat = 1;
-constexpr std::size_t kHead = sizeof kMagic + sizeof kFormat;
+constexpr std::uint32_t kRunFormat = 1;
+constexpr std::size_t kHead = sizeof kMagic + sizeof kRunFormat;
 constexpr std::size_t kSumBytes = 8;
 
 std::uint64_t sum_of(std::span<const std::byte> content) {
@@ -36,7 +36,7 @@ std::vector<std::byte> saved_run(const RunState& state, std::uint64_t scenario, 
   const auto magic = std::as_bytes(std::span(kMagic));
   std::vector<std::byte> bytes(magic.begin(), magic.end());
   Writer writer(bytes);
-  writer.write(kFormat, scenario, state, world);
+  writer.write(kRunFormat, scenario, state, world);
   PHYSIM_ASSERT(writer.good());
   writer.number(sum_of(std::span(bytes).subspan(kHead)), kSumBytes);
   return bytes;
@@ -46,10 +46,10 @@ Result<SavedRun> read_run(std::span<const std::byte> save) {
   if (save.size() < kHead + kSumBytes || std::memcmp(save.data(), kMagic, sizeof kMagic) != 0)
     return not_a_run("this is not the save of a run");
   std::uint64_t format = 0, sum = 0;
-  Reader(save.subspan(sizeof kMagic)).number(format, sizeof kFormat);
-  if (format != kFormat)
+  Reader(save.subspan(sizeof kMagic)).number(format, sizeof kRunFormat);
+  if (format != kRunFormat)
     return not_a_run("the save is of format " + std::to_string(format) + "; this library reads format " +
-                     std::to_string(kFormat));
+                     std::to_string(kRunFormat));
   const auto content = save.subspan(kHead, save.size() - kHead - kSumBytes);
   Reader(save.last(kSumBytes)).number(sum, kSumBytes);
   if (sum != sum_of(content)) return not_a_run("the save is damaged, or was cut");

@@ -14,7 +14,7 @@ namespace physim {
 namespace {
 
 constexpr std::int64_t kFormat = 1;               // of scenario files
-constexpr std::uintmax_t kMostBytes = 256 << 20;  // a scenario is written by people; this is a wrong file
+constexpr std::uintmax_t kLargestScenario = 256 << 20;  // a scenario is written by people; this is a wrong file
 
 /// The version comes first: in another version any other complaint could be wrong.
 Status check_format(const Value& document, const std::string& file) {
@@ -67,7 +67,7 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
 }
 
 Result<Scenario> load_scenario(const std::string& file, std::span<const std::string> overrides) {
-  const Result<std::string> text = read_text_file(file, kMostBytes, "scenario file");
+  const Result<std::string> text = read_text_file(file, kLargestScenario, "scenario file");
   if (!text) return text.error();
   return parse_scenario(*text, file, overrides);
 }
