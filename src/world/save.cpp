@@ -18,7 +18,7 @@
 namespace physim {
 namespace {
 
-constexpr std::size_t kHead = sizeof kSaveMagic + sizeof kSaveFormat + 8;
+constexpr std::size_t kSaveHead = sizeof kSaveMagic + sizeof kSaveFormat + 8;
 constexpr std::size_t kSumBytes = 8;
 
 Error not_a_save(const std::string& message) {
@@ -43,10 +43,10 @@ Result<std::span<const std::byte>> content_of(std::span<const std::byte> save) {
   if (head.good() && format != kSaveFormat)
     return not_a_save("the save is of format " + std::to_string(format) + "; this library reads format " +
                       std::to_string(kSaveFormat));
-  if (save.size() < kHead + kSumBytes || length != save.size() - kHead - kSumBytes)
+  if (save.size() < kSaveHead + kSumBytes || length != save.size() - kSaveHead - kSumBytes)
     return not_a_save("the save was cut, or something follows it");
-  const auto content = save.subspan(kHead, static_cast<std::size_t>(length));
-  Reader(save.subspan(kHead + content.size())).number(sum, kSumBytes);
+  const auto content = save.subspan(kSaveHead, static_cast<std::size_t>(length));
+  Reader(save.subspan(kSaveHead + content.size())).number(sum, kSumBytes);
   if (sum != sum_of(content)) return not_a_save("the save is damaged");
   return content;
 }
@@ -307,10 +307,10 @@ Result<std::vector<std::byte>> save_of(const WorldImpl& world) {
   writer.write(kSaveFormat);
   writer.number(0, 8);
   writer.write(saved_world(world));
-  PHYSIM_ASSERT(writer.good() && bytes.size() >= kHead);
-  const std::size_t length = bytes.size() - kHead;
-  for (unsigned i = 0; i < 8; ++i) bytes[kHead - 8 + i] = static_cast<std::byte>(std::uint64_t{length} >> (8 * i));
-  writer.number(sum_of(std::span(bytes).subspan(kHead)), kSumBytes);
+  PHYSIM_ASSERT(writer.good() && bytes.size() >= kSaveHead);
+  const std::size_t length = bytes.size() - kSaveHead;
+  for (unsigned i = 0; i < 8; ++i) bytes[kSaveHead - 8 + i] = static_cast<std::byte>(std::uint64_t{length} >> (8 * i));
+  writer.number(sum_of(std::span(bytes).subspan(kSaveHead)), kSumBytes);
   return bytes;
 }
 
