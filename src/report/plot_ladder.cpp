@@ -9,7 +9,7 @@
 namespace physim::report {
 namespace {
 
-constexpr int kLadderWidth = 1600, kLadderHeight = 1100;                                       // [px]
+constexpr int kLadderWidth = 1600, kLadderHeight = 1100;                           // [px]
 constexpr PixelBox kPanel{.left = 110, .right = 1570, .bottom = 100, .top = 935};  // [px]
 
 // How a family looks: gnuplot's point type and size, and the same shape as a character for the legend.
@@ -88,11 +88,11 @@ class LadderPicture {
   }
 
   [[nodiscard]] std::string script() const {
-    std::string out =
-        axes_style() +
-        panel_at(kPanel.left / kLadderWidth, kPanel.right / kLadderWidth, kPanel.bottom / kLadderHeight, kPanel.top / kLadderHeight) +
-        "set logscale xy\n" + range("x", x_) + range("y", y_) + tics("x", x_, "s") + tics("y", y_, "m") +
-        "set xlabel 'cost of one flight' font ',16' offset 0,-0.2\n" + header() + labels();
+    std::string out = axes_style() +
+                      panel_at(kPanel.left / kLadderWidth, kPanel.right / kLadderWidth, kPanel.bottom / kLadderHeight,
+                               kPanel.top / kLadderHeight) +
+                      "set logscale xy\n" + range("x", x_) + range("y", y_) + tics("x", x_, "s") + tics("y", y_, "m") +
+                      "set xlabel 'cost of one flight' font ',16' offset 0,-0.2\n" + header() + labels();
     for (const Look& look : kLooks) out += family_data(look.family);
     return out + series_data() + plot();
   }
@@ -181,11 +181,11 @@ class LadderPicture {
       const auto& [shown, at, has_leader, end] = placed[i];
       if (!shown) continue;
       const LabelRequest& request = requests[i];
-      out += text_at(at.x / kLadderWidth, at.y / kLadderHeight, request.text, static_cast<int>(request.font_size), request.colour,
-                     request.bold);
+      out += text_at(at.x / kLadderWidth, at.y / kLadderHeight, request.text, static_cast<int>(request.font_size),
+                     request.colour, request.bold);
       if (has_leader)
-        out += line_at(request.at.x / kLadderWidth, request.at.y / kLadderHeight, end.x / kLadderWidth, end.y / kLadderHeight,
-                       " lw 1 lc rgb '#A0A0A0' back");
+        out += line_at(request.at.x / kLadderWidth, request.at.y / kLadderHeight, end.x / kLadderWidth,
+                       end.y / kLadderHeight, " lw 1 lc rgb '#A0A0A0' back");
     }
     return out;
   }

@@ -18,9 +18,9 @@ namespace physim::report {
 namespace {
 
 constexpr std::uint64_t kSamplesOfRun = 200;  // over the run
-constexpr std::uint64_t kPathPoints = 900;      // over the run, of each path
-constexpr std::size_t kMostPaths = 400;         // of all groups together
-constexpr std::size_t kMostImpacts = 20'000;    // of each group, drawn
+constexpr std::uint64_t kPathPoints = 900;    // over the run, of each path
+constexpr std::size_t kMostPaths = 400;       // of all groups together
+constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn
 
 class Logger {
  public:

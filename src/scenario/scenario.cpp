@@ -13,7 +13,7 @@
 namespace physim {
 namespace {
 
-constexpr std::int64_t kFormat = 1;               // of scenario files
+constexpr std::int64_t kFormat = 1;                     // of scenario files
 constexpr std::uintmax_t kLargestScenario = 256 << 20;  // a scenario is written by people; this is a wrong file
 
 /// The version comes first: in another version any other complaint could be wrong.
