@@ -14,7 +14,7 @@ struct Accelerations {
   Vec3d thrust{};       ///< of the motor [m/s^2]
   Vec3d coriolis{};     ///< [m/s^2]
   Vec3d centrifugal{};  ///< of a rotating round Earth, where it is no part of gravity [m/s^2]
-  Vec3d applied{};      ///< by ProjectileDef::force and, in a world, by its force generators [m/s^2]
+  Vec3d applied{};      ///< by ProjectileDef::force, Environment::force and the generators of a world [m/s^2]
   Vec3d constraint{};   ///< what planar flight, frozen axes and the launch rail take up of all others [m/s^2]
   Vec3d total{};        ///< as it is flown; of `classic` flights what the frame took over from the one before [m/s^2]
 };

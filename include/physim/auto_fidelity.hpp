@@ -87,8 +87,9 @@ struct AutoFidelity {
 /// in, with azimuth and place across rounded.
 [[nodiscard]] std::vector<Launch> launch_class(const Launch& launch, std::optional<double> ground);
 
-/// Answers of cheapest_within() for kinds of projectile: equal data, environment, purpose and class of launch. May be
-/// used from many threads at once. What it answers does not depend on what it holds.
+/// Answers of cheapest_within() for kinds of projectile: equal data, environment, purpose and class of launch; where
+/// the environment has functions, equal launches. May be used from many threads at once. What it answers does not
+/// depend on what it holds.
 class AutoFidelityCache {
  public:
   using Answer = Result<std::shared_ptr<const AutoFidelity>>;

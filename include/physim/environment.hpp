@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physim/fidelity.hpp"
+#include "physim/field.hpp"
 #include "physim/vec3.hpp"
 
 namespace physim {
@@ -58,6 +59,9 @@ struct Wind {
   std::vector<WindPoint> profile{};                             ///< at rising places; held outside; at most 32 [m]
   WindAxis by = WindAxis::height;                               ///< what the profile is read by [-]
   WindInterpolation interpolation = WindInterpolation::linear;  ///< between points of the profile [-]
+  /// By place and time, in the place of the profile: of fidelity `profile`; lower rungs know the others alone. It is
+  /// the wind in W as it is there: over a round Earth nothing turns it with the vertical. [m/s]
+  WindFunction field{};
 
   bool operator==(const Wind&) const = default;
 };
@@ -81,6 +85,7 @@ struct Environment {
   Atmosphere atmosphere{};  ///< [-]
   Wind wind{};              ///< [-]
   Earth earth{};            ///< [-]
+  ForceFunction force{};    ///< on all that flies here in motion `force`, told as `applied` [N]
 
   bool operator==(const Environment&) const = default;
 };

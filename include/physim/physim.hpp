@@ -11,6 +11,7 @@
 #include "physim/environment.hpp"
 #include "physim/event.hpp"
 #include "physim/fidelity.hpp"
+#include "physim/field.hpp"
 #include "physim/fit.hpp"
 #include "physim/flight.hpp"
 #include "physim/forces.hpp"

@@ -15,7 +15,7 @@ namespace physim {
 
 inline constexpr char kRecordingMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'R', '\n'};
 /// The format of a recording's bytes; others are refused.
-inline constexpr std::uint32_t kRecordingFormat = 5;
+inline constexpr std::uint32_t kRecordingFormat = 6;
 
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
 [[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);
@@ -44,15 +44,15 @@ struct ReplayReport {
   std::optional<ReplayDifference> difference{};  ///< the first; the replay stops there [-]
 };
 
-/// The functions of custom forces are those of the save that the recording begins with, where it does, then those that
-/// were added while it was recorded.
+/// Functions are those of the save that the recording begins with, or those of WorldDef::environment, then those that
+/// came while it was recorded: of each call that gives an environment anew.
 using ReplayOptions = LoadOptions;
 
 /// A recording played call by call, for those who look at the world in between.
 class Replay {
  public:
   /// Checks all of the recording before anything is played. One that was cut, as by a crash, is played as far as it
-  /// goes; one that is damaged, of another format, or lacks custom forces is refused. Errors name the byte.
+  /// goes; one that is damaged, of another format, or lacks functions is refused. Errors name the byte.
   [[nodiscard]] static Result<Replay> open(std::vector<std::byte> recording, const ReplayOptions& options = {});
   Replay(Replay&&) noexcept;
   Replay& operator=(Replay&&) noexcept;

@@ -58,12 +58,15 @@ struct RecordOptions {
 
 inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 /// The format of a save's bytes; others are refused.
-inline constexpr std::uint32_t kSaveFormat = 1;
+inline constexpr std::uint32_t kSaveFormat = 2;
 
-/// What a save does not hold.
+/// What a save does not hold: functions are no data. They are given again: custom forces in the order they were added;
+/// those of environments in the order of these, each once, however many have it.
 struct LoadOptions {
-  Threading threading{};                     ///< it changes no result [-]
-  std::vector<CustomForce> custom_forces{};  ///< functions are no data: the same, in the order they were added [-]
+  Threading threading{};                      ///< it changes no result [-]
+  std::vector<CustomForce> custom_forces{};   ///< of ForceDef [-]
+  std::vector<WindFunction> wind_fields{};    ///< of Wind::field [-]
+  std::vector<ForceFunction> force_fields{};  ///< of Environment::force [-]
 };
 
 class WorldState;
@@ -214,9 +217,9 @@ class World {
 
   // ------------------------------------------------------------------------------------------- saves
   /// All of this world as bytes: load() makes of them a world that goes on with the same hash and ids, on any machine.
-  /// Snapshots, events and threads are not in it; custom forces are handed in again. An error inside a step.
+  /// Snapshots, events and threads are not in it; functions of your own are handed in again. An error inside a step.
   [[nodiscard]] Result<std::vector<std::byte>> save() const;
-  /// The world of a save. Bytes that are damaged, cut, of another format, or that lack custom forces are refused.
+  /// The world of a save. Bytes that are damaged, cut, of another format, or that lack functions are refused.
   [[nodiscard]] static Result<World> load(std::span<const std::byte> save, const LoadOptions& options = {});
 
   // ------------------------------------------------------------------------------------------- recordings

@@ -6,11 +6,13 @@
 // 4 bytes before them; optionals with a bool before them; variants with their index in 1 byte.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <concepts>
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -18,9 +20,8 @@
 #include "base/assert.hpp"
 #include "base/hash.hpp"
 #include "base/members.hpp"
-#include "physim/forces.hpp"
 #include "physim/names.hpp"
-#include "physim/world_def.hpp"
+#include "physim/world.hpp"
 
 namespace physim {
 
@@ -34,8 +35,24 @@ inline std::size_t enumerators(GroundMode) { return static_cast<std::size_t>(Gro
 inline std::size_t enumerators(Smoothing) { return static_cast<std::size_t>(Smoothing::extrapolate) + 1; }
 inline std::size_t enumerators(WhenFull) { return static_cast<std::size_t>(WhenFull::replace_oldest) + 1; }
 
+inline constexpr std::uint64_t kMostFields = 1u << 14;  // functions of environments in an archive
+
+/// How many functions of one's own there are, of each kind.
+struct FunctionCounts {
+  std::size_t custom_forces = 0;
+  std::size_t wind_fields = 0;
+  std::size_t force_fields = 0;
+
+  FunctionCounts& operator+=(const FunctionCounts& more) {
+    custom_forces += more.custom_forces;
+    wind_fields += more.wind_fields;
+    force_fields += more.force_fields;
+    return *this;
+  }
+};
+
 /// What all archives do alike. Self has: `number(bits, bytes, limit)`, which takes an unsigned number below a limit,
-/// `count(n)` of a list, `text(string)`, `function(force)`, and whether it is reading.
+/// `count(n)` of a list, `text(string)`, `function(one's own)`, and whether it is reading.
 template <class Self>
 class Archive {
  public:
@@ -113,6 +130,10 @@ class Archive {
     ((I == index ? static_cast<void>(v.template emplace<I>()) : void()), ...);
   }
   void take(CustomForce& force) { self().function(force); }
+  template <class Batch>
+  void take(FieldFunction<Batch>& field) {
+    self().function(field);
+  }
   /// It changes no result: who replays has another machine.
   void take(Threading&) {}
   template <class T>
@@ -148,10 +169,20 @@ class Writer : public Archive<Writer> {
     to_.insert(to_.end(), bytes.begin(), bytes.end());
   }
   void function(const CustomForce& force) { number(force.function ? 1 : 0, 1); }
+  /// Its number among those written so far, each counted once; 0 stands for none.
+  template <class Batch>
+  void function(const FieldFunction<Batch>& field) {
+    auto& known = std::get<std::vector<FieldFunction<Batch>>>(fields_);
+    const auto at = std::find(known.begin(), known.end(), field);
+    const auto place = static_cast<std::uint64_t>(at - known.begin());
+    if (field && at == known.end()) known.push_back(field);
+    number(field ? place + 1 : 0, 2, kMostFields);
+  }
   [[nodiscard]] bool good() const { return good_; }
 
  private:
   std::vector<std::byte>& to_;
+  std::tuple<std::vector<WindFunction>, std::vector<ForceFunction>> fields_;
   bool good_ = true;
 };
 
@@ -159,9 +190,10 @@ class Writer : public Archive<Writer> {
 class Reader : public Archive<Reader> {
  public:
   static constexpr bool kReads = true;
-  /// `functions`: of custom forces, in the order in which they were recorded.
-  explicit Reader(std::span<const std::byte> from, std::span<const CustomForce> functions = {})
-      : from_(from), functions_(functions) {}
+  explicit Reader(std::span<const std::byte> from) : from_(from) {}
+  /// Functions are those of `options`, behind so many that others have used.
+  Reader(std::span<const std::byte> from, const LoadOptions& options, const FunctionCounts& before = {})
+      : from_(from), options_(&options), before_(before) {}
 
   void number(std::uint64_t& x, unsigned bytes, std::uint64_t limit = ~std::uint64_t{0}) {
     PHYSIM_ASSERT(bytes <= 8);
@@ -189,18 +221,34 @@ class Reader : public Archive<Reader> {
   void function(CustomForce& force) {
     std::uint64_t there = 0;
     number(there, 1, 2);
-    force = there != 0 && functions_used_ < functions_.size() ? functions_[functions_used_] : CustomForce{};
-    functions_used_ += there;
+    if (there == 0) return void(force = {});
+    force = given(&LoadOptions::custom_forces, before_.custom_forces + used_.custom_forces);
+    ++used_.custom_forces;
   }
+  void function(WindFunction& wind) { field(wind, &LoadOptions::wind_fields, &FunctionCounts::wind_fields); }
+  void function(ForceFunction& force) { field(force, &LoadOptions::force_fields, &FunctionCounts::force_fields); }
   [[nodiscard]] bool good() const { return good_; }
   /// All was read, and nothing is left over.
   [[nodiscard]] bool complete() const { return good_ && from_.empty(); }
-  [[nodiscard]] std::size_t functions_used() const { return functions_used_; }
+  [[nodiscard]] const FunctionCounts& functions_used() const { return used_; }
 
  private:
+  template <class F>
+  [[nodiscard]] F given(std::vector<F> LoadOptions::*list, std::size_t place) const {
+    return options_ && place < (options_->*list).size() ? (options_->*list)[place] : F{};
+  }
+  template <class F>
+  void field(F& field, std::vector<F> LoadOptions::*list, std::size_t FunctionCounts::*count) {
+    std::uint64_t place = 0;
+    number(place, 2, kMostFields);
+    field = place == 0 ? F{} : given(list, before_.*count + static_cast<std::size_t>(place) - 1);
+    used_.*count = std::max(used_.*count, static_cast<std::size_t>(place));
+  }
+
   std::span<const std::byte> from_;
-  std::span<const CustomForce> functions_;
-  std::size_t functions_used_ = 0;
+  const LoadOptions* options_ = nullptr;
+  FunctionCounts before_;
+  FunctionCounts used_;
   bool good_ = true;
 };
 
@@ -216,6 +264,10 @@ class Hasher : public Archive<Hasher> {
   void count(std::size_t n) { hash_.add(std::uint64_t{n}); }
   void text(const std::string& s) { hash_.add(std::as_bytes(std::span(s))); }
   void function(const CustomForce& force) { hash_.add(std::uint64_t{force.function ? 1u : 0u}); }
+  template <class Batch>
+  void function(const FieldFunction<Batch>& field) {
+    if (field) hash_.add(std::uint64_t{1});  // hashes without any are what they were before there were some
+  }
   [[nodiscard]] static bool good() { return true; }
   [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
 

@@ -1,5 +1,7 @@
 // AutoFidelityCache: answers of cheapest_within() by everything that they depend on, and the classes of launches.
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <unordered_map>
 
@@ -9,6 +11,7 @@
 #include "math/vec3.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "prepare/check.hpp"
+#include "prepare/conditions.hpp"
 
 namespace physim {
 namespace {
@@ -23,7 +26,11 @@ std::string key_of(ProjectileDef projectile, const std::vector<Launch>& corners,
   projectile.fidelity = {};
   environment.earth.longitude = 0;
   std::vector<std::byte> bytes;
-  Writer(bytes).write(projectile, corners, environment, purpose);
+  Writer writer(bytes);
+  writer.write(projectile, corners, environment, purpose);
+  for (const void* function :
+       {static_cast<const void*>(environment.wind.field.get()), static_cast<const void*>(environment.force.get())})
+    writer.number(std::bit_cast<std::uintptr_t>(function), sizeof(function));
   return {static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size()};
 }
 
@@ -117,13 +124,17 @@ struct AutoFidelityCache::Impl {
   struct Slot {
     std::once_flag once;
     std::optional<Answer> answer;
+    WindFunction wind;  // kept, so that no other function comes to lie where one of the key lay
+    ForceFunction force;
     std::uint64_t last_asked = 0;
   };
 
-  std::shared_ptr<Slot> slot(const std::string& key) {
+  std::shared_ptr<Slot> slot(const std::string& key, const Environment& environment) {
     const std::lock_guard lock(mutex);
     std::shared_ptr<Slot>& found = slots[key];
     if (!found) found = std::make_shared<Slot>();
+    found->wind = environment.wind.field;
+    found->force = environment.force;
     found->last_asked = ++asked;
     const std::shared_ptr<Slot> kept = found;
     while (slots.size() > capacity) {
@@ -153,8 +164,9 @@ AutoFidelityCache& AutoFidelityCache::operator=(AutoFidelityCache&&) noexcept = 
 AutoFidelityCache::Answer AutoFidelityCache::cheapest_within(const ProjectileDef& projectile, const Launch& launch,
                                                              const Environment& environment, const Purpose& purpose) {
   const IeeeMode mode;
-  const std::vector<Launch> corners = launch_class(launch, purpose.ground);
-  const std::shared_ptr<Impl::Slot> slot = impl_->slot(key_of(projectile, corners, environment, purpose));
+  // What a function of one's own does near a launch, nobody knows.
+  const auto corners = has_functions(environment) ? std::vector<Launch>{launch} : launch_class(launch, purpose.ground);
+  const std::shared_ptr<Impl::Slot> slot = impl_->slot(key_of(projectile, corners, environment, purpose), environment);
   std::call_once(slot->once, [&] {
     Purpose stricter = purpose;
     stricter.error *= kMargin;

@@ -187,7 +187,7 @@ std::optional<Stability> Flight::stability(double time) const {
   const FlightRecord& r = *record_;
   if (r.outcome == Outcome::refused || !r.path.turn) return std::nullopt;
   time = std::clamp(time, 0.0, r.duration);
-  return stability_of(r.cohort.conditions, r.body, r.rotor, r.state(time), r.turn(time));
+  return stability_of(r.cohort.conditions, r.body, r.rotor, r.clock + time, r.state(time), r.turn(time));
 }
 
 Sample Flight::at(double time) const {
@@ -204,7 +204,7 @@ Sample Flight::at(double time) const {
   out.acceleration = r.accelerations_at(time).total;
   out.speed = length(s.v);
   const bool has_air = c.fidelity.air != AirModel::vacuum;
-  out.mach = has_air ? length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed : 0;
+  out.mach = has_air ? length(air_velocity(c, r.body, r.clock + time, s)) * air_state(c, s.x).per_sound_speed : 0;
   const Body<double> b = r.body_at(time);
   out.mass = mass_at(b, r.clock + time);
   out.thrust = thrust_at(b, r.clock + time);
@@ -216,7 +216,7 @@ Sample Flight::at(double time) const {
   const Attitude attitude = attitude_of(c, b, r.rotor, r.clock + time, s, r.turn(time));
   out.orientation = attitude.q_WB;
   out.angular_velocity = attitude.omega;
-  out.angle_of_attack = angle_between(rotate(attitude.q_WB, Vec3d{1, 0, 0}), air_velocity(c, s));
+  out.angle_of_attack = angle_between(rotate(attitude.q_WB, Vec3d{1, 0, 0}), air_velocity(c, b, r.clock + time, s));
   return out;
 }
 

@@ -24,7 +24,7 @@ struct FlightRecord {
   Outcome outcome = Outcome::refused;
   std::optional<Error> error;
   ProjectileDef projectile;
-  Environment environment;  // without its wind profile
+  Environment environment;  // what keep() takes of it
   Cohort cohort;
   Body<double> body;
   Body<float> body_float;
@@ -41,11 +41,13 @@ struct FlightRecord {
   std::vector<Event> events;
   FlightCost cost;
 
-  /// Where it was flown: what EarthFrames need of it.
+  /// Where it was flown: what EarthFrames need of it, and the functions that its conditions point to.
   void keep(const Environment& where) {
     environment.altitude = where.altitude;
     environment.gravity = where.gravity;
     environment.earth = where.earth;
+    environment.wind.field = where.wind.field;
+    environment.force = where.force;
   }
 
   /// State on the flown path, without spin drift, 0 <= time <= duration.

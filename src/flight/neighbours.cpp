@@ -48,7 +48,7 @@ Neighbours::Neighbours(const Flight& flight, const Environment& environment,
   const Fidelity& granted = flight.fidelity_in_use().fidelity;
   launch_velocity_ = flight.at(0).velocity;
   wind_varies_ = granted.wind == WindModel::profile || (is_round(granted.earth) && granted.wind != WindModel::off);
-  wind_ = wind(*conditions_, flight.at(0).position);
+  wind_ = wind(*conditions_, launched_, 0.0, flight.at(0).position);
   if (granted.planar) plane_ = normalized(cross(launch_velocity_, Vec3d{0, 1, 0}));
   if (granted.air == AirModel::exponential) per_height_ = 1 / environment.atmosphere.scale_height;
   if (granted.air == AirModel::isa) per_height_ = 1 / kDensityHeight;
@@ -63,7 +63,7 @@ Neighbours::Neighbours(const Flight& flight, const Environment& environment,
   for (std::size_t i = 1; i < coarse.size(); ++i) {
     const double h = coarse[i] - coarse[i - 1];
     const double damping =
-        h * drag_rate(length(flight.at(coarse[i]).velocity - wind_at(flight.at(coarse[i]).position)));
+        h * drag_rate(length(flight.at(coarse[i]).velocity - wind_at(coarse[i], flight.at(coarse[i]).position)));
     const auto parts = static_cast<std::size_t>(damping > 1 ? std::ceil(std::min(damping, double{kMostParts})) : 1);
     for (std::size_t part = 1; part <= parts; ++part)
       times_.push_back(coarse[i - 1] + h * static_cast<double>(part) / static_cast<double>(parts));
@@ -72,7 +72,7 @@ Neighbours::Neighbours(const Flight& flight, const Environment& environment,
   for (std::size_t i = 0; i < times_.size(); ++i) {
     const auto keep = [&](double time) {
       const Sample sample = flight.at(time);
-      known_.push_back({sample.position, sample.velocity});
+      known_.push_back({time, sample.position, sample.velocity});
     };
     if (i > 0) keep(0.5 * (times_[i - 1] + times_[i]));
     keep(times_[i]);
@@ -87,7 +87,7 @@ void Neighbours::learn_drag(const Flight& flight, std::span<const double> times)
   std::vector<std::pair<double, double>> found;
   for (const double time : times) {
     const Sample sample = flight.at(time);
-    const double speed = length(sample.velocity - wind_at(sample.position));
+    const double speed = length(sample.velocity - wind_at(time, sample.position));
     const double thinner = per_height_ == 0 ? 1 : exp(-per_height_ * sample.position.y);
     if (speed > 0 && speed < 1e12)
       found.emplace_back(speed, length(flight.accelerations(time).drag) / (speed * thinner));
@@ -131,10 +131,12 @@ double Neighbours::drag_rate(double speed) const {
   return rate_[i] + (place - static_cast<double>(i)) * (rate_[i + 1] - rate_[i]);
 }
 
-Vec3d Neighbours::wind_at(const Vec3d& x) const { return wind_varies_ ? wind(*conditions_, x) : wind_; }
+Vec3d Neighbours::wind_at(double time, const Vec3d& x) const {
+  return wind_varies_ ? wind(*conditions_, launched_, time, x) : wind_;
+}
 
-Vec3d Neighbours::pull(const Vec3d& x, const Vec3d& v) const {
-  const Vec3d u = v - wind_at(x);
+Vec3d Neighbours::pull(double time, const Vec3d& x, const Vec3d& v) const {
+  const Vec3d u = v - wind_at(time, x);
   const double thinner = per_height_ == 0 ? 1 : exp(clamp(-per_height_ * x.y, -50.0, 2.0));
   Vec3d a = u * (-drag_rate(length(u)) * thinner);
   a -= plane_ * dot(plane_, a);
@@ -146,11 +148,11 @@ Vec3d Neighbours::pull(const Vec3d& x, const Vec3d& v) const {
 
 // -------------------------------------------------------------------------------------------------------- integration
 Neighbours::Node Neighbours::rates(const Known& known, const Node& node) const {
-  const Vec3d here = pull(known.x, known.v);
+  const Vec3d here = pull(known.time, known.x, known.v);
   Node out;
   for (int i = 0; i < 4; ++i) {
     const Offset& d = node.path[i];
-    out.path[i] = {d.v, pull(known.x + d.x, known.v + d.v) - here};
+    out.path[i] = {d.v, pull(known.time, known.x + d.x, known.v + d.v) - here};
   }
   return out;
 }

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "model/conditions.hpp"
+#include "model/body.hpp"
 #include "physim/aim.hpp"
 
 namespace physim {
@@ -51,14 +51,15 @@ class Neighbours {
     Offset path[4];
   };
   struct Known {
+    double time;
     Vec3d x, v;
   };
 
   void learn_drag(const Flight& flight, std::span<const double> times);
-  [[nodiscard]] Vec3d wind_at(const Vec3d& x) const;
+  [[nodiscard]] Vec3d wind_at(double time, const Vec3d& x) const;
   void spread_rate(double speed0, double rate0, double speed1, double rate1);
   [[nodiscard]] double drag_rate(double speed) const;
-  [[nodiscard]] Vec3d pull(const Vec3d& x, const Vec3d& v) const;
+  [[nodiscard]] Vec3d pull(double time, const Vec3d& x, const Vec3d& v) const;
   [[nodiscard]] Node rates(const Known& known, const Node& node) const;
   [[nodiscard]] Node stepped(const Node& from, const Known& k0, const Known& k1, const Known& k2, double h) const;
   [[nodiscard]] Node between(double time) const;
@@ -66,6 +67,7 @@ class Neighbours {
 
   Flight flight_;
   std::shared_ptr<const Conditions<double>> conditions_;
+  Body<double> launched_{};  // what wind reads of a body: launched at time 0
   Vec3d launch_velocity_, change_;
   bool wind_varies_ = false;
   Vec3d wind_;             // where it does not vary [m/s]

@@ -121,7 +121,7 @@ double decay(const Cohort& cohort, const Body<double>& body, const Rotor<double>
              double speed) {
   PHYSIM_ASSERT(speed > 0);
   State<double> s{place, {0, -speed, 0}};
-  s.v += s.v - air_velocity(cohort.conditions, s);
+  s.v += s.v - air_velocity(cohort.conditions, body, 0.0, s);
   return length(accelerations_of(cohort.conditions, body, rotor, 0, s, rotor.launch).drag) / speed;
 }
 
@@ -133,7 +133,7 @@ double frame_step(const Cohort& cohort, const Body<double>& body, const Rotor<do
   const Conditions<double>& c = cohort.conditions;
   const auto decay_at = [&](const Vec3d& place, double speed) { return decay(cohort, body, rotor, place, speed); };
   const State<double>& launch = body.launch;
-  const double speed = length(air_velocity(c, launch));
+  const double speed = length(air_velocity(c, body, 0.0, launch));
   const double at_launch = speed > 0 ? decay_at(launch.x, speed) : 0;
   // In a fall's terminal speed v drag is the weight, a decay of g / v; with drag k v^2, sqrt(g k).
   const double probe = 10;

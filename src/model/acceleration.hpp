@@ -15,6 +15,7 @@
 #include "math/vec3.hpp"
 #include "model/aero.hpp"
 #include "model/drag.hpp"
+#include "model/field_function.hpp"
 #include "model/gravity.hpp"
 #include "model/ledger.hpp"
 #include "model/magnus.hpp"
@@ -78,6 +79,15 @@ PHYSIM_INLINE Vec3<R> applied_now(const Conditions<S>& c, const Body<R>& b, cons
   return c.has_motor ? applied(c, b, t) * lighter(c, b, t) : applied(c, b, t);
 }
 
+/// Acceleration by a force function; as a one-shot force it is that at the launch.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> pushed(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  const bool at_launch = c.fidelity.original_one_shot_forces;
+  Vec3<R> a;
+  push_by_function(c, b, at_launch ? R(S(0)) : t, at_launch ? b.launch : s, a);
+  return a;
+}
+
 /// Acceleration by the motor, towards where the nose points.
 template <class R>
 PHYSIM_INLINE Vec3<R> thrust(const Body<R>& b, const R& t, const Vec3<R>& nose) {
@@ -94,15 +104,15 @@ struct PointInAir {
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
                              AnySum& sum) const {
     if (c.fidelity.drag == DragModel::off) return;
-    if (!spins(c.fidelity)) return sum.add(&Accelerations::drag, drag_now(c, b, t, drag(c, b, s)));
+    if (!spins(c.fidelity)) return sum.add(&Accelerations::drag, drag_now(c, b, t, drag(c, b, t, s)));
     SpinningAir<R> air;
     spinning_air(c, b, t, s, air);
     sum.add(&Accelerations::drag, drag_now(c, b, t, air.drag + air.lift));
     sum.tell_apart(&Accelerations::drag, &Accelerations::lift, drag_now(c, b, t, air.lift));
   }
   template <class R, class S>
-  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>& b, const State<R>& s) const {
-    return nose_in_air(b, air_velocity(c, s));
+  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) const {
+    return nose_in_air(b, air_velocity(c, b, t, s));
   }
 };
 
@@ -115,10 +125,12 @@ struct PointInVacuum : PointInAir {
 /// The original loop's: damping acts on its velocity by itself, and one-shot forces are those at the launch.
 struct OriginalInAir : PointInAir {
   template <class R, class S, class AnySum>
-  PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R&, const State<R>& s, AnySum& sum) const {
+  PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                             AnySum& sum) const {
     if (c.fidelity.drag == DragModel::off) return;
-    if (c.fidelity.drag == DragModel::damping) return sum.tell(&Accelerations::drag, drag(c, b, s));
-    sum.add(&Accelerations::drag, drag(c, b, c.fidelity.original_one_shot_forces ? b.launch : s));
+    if (c.fidelity.drag == DragModel::damping) return sum.tell(&Accelerations::drag, drag(c, b, t, s));
+    if (c.fidelity.original_one_shot_forces) return sum.add(&Accelerations::drag, drag(c, b, R(S(0)), b.launch));
+    sum.add(&Accelerations::drag, drag(c, b, t, s));
   }
 };
 
@@ -130,12 +142,12 @@ struct ShellInAir {
 
   template <class S, class AnySum>
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, AnySum& sum) {
-    u = air_velocity(c, s);
+    u = air_velocity(c, b, t, s);
     air = air_state(c, s.x);
     sum.add(&Accelerations::drag, drag_now_in(c, b, t, air, u));
   }
   template <class S>
-  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>&, const Body<R>& b, const State<R>&) const {
+  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>&, const Body<R>& b, const R&, const State<R>&) const {
     return nose_in_air(b, u);
   }
 };
@@ -150,7 +162,7 @@ struct BodyInAir {
   template <class S, class AnySum>
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, AnySum& sum) {
     if (!c.has_aero && c.fidelity.drag == DragModel::off) return;
-    const Vec3<R> u = air_velocity(c, s);
+    const Vec3<R> u = air_velocity(c, b, t, s);
     const AirState<R> air = air_state(c, s.x);  // simple drag does not need it, and is not worth a copy of all this
     sum.add(&Accelerations::drag, drag_now_in(c, b, t, air, u));
     if (!c.has_aero) return;
@@ -159,7 +171,7 @@ struct BodyInAir {
     moment = load.moment;
   }
   template <class S>
-  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>&, const State<R>&) const {
+  PHYSIM_INLINE Vec3<R> nose(const Conditions<S>& c, const Body<R>&, const R&, const State<R>&) const {
     return forward(c.fidelity, turn);
   }
 };
@@ -171,10 +183,11 @@ PHYSIM_INLINE void sum_effects(const Conditions<S>& c, const Body<R>& b, const R
                                AnySum& sum) {
   sum.begin(&Accelerations::gravity, weight_per_mass(c, b, s.x));
   in_air.add_air(c, b, t, s, sum);
-  if (c.has_motor) sum.add(&Accelerations::thrust, thrust(b, t, in_air.nose(c, b, s)));
+  if (c.has_motor) sum.add(&Accelerations::thrust, thrust(b, t, in_air.nose(c, b, t, s)));
   if (is_turning(c.fidelity.earth)) sum.add(&Accelerations::coriolis, coriolis(c, s.v));
   if (throws_out(c.fidelity)) sum.add(&Accelerations::centrifugal, centrifugal(c, s.x));
   if (c.has_applied) sum.add(&Accelerations::applied, applied_now(c, b, t));
+  if (c.has_force_function) sum.add(&Accelerations::applied, pushed(c, b, t, s));
   sum.constrain(c, b);
 }
 

@@ -121,6 +121,11 @@ struct RailPart {
   R rail_end;    // of x along it [m]
   R rail_phase;  // kHeld, kSliding or kOffRail
 };
+/// Functions of one's own are asked for another clock than that of the launch.
+template <class R>
+struct BirthPart {
+  R birth;  // time of the launch: in worlds by their clock, in flights 0 [s]
+};
 template <class R>
 struct GravityPart {
   R gravity_scale;  // times gravity [-]; read where some projectile's is not 1
@@ -154,8 +159,9 @@ struct PartList {
 };
 
 /// In the order in which they lie in memory. What a launch alone gives comes first: batches copy it for every shot.
-using BodyParts = PartList<LaunchPart, PlanePart, SightPart, DampingPart, QuadraticPart, AreaPart, CurvePart,
-                           SpherePart, BandPart, AppliedPart, SpinPart, MotorPart, RailPart, GravityPart, FreePart>;
+using BodyParts =
+    PartList<LaunchPart, PlanePart, SightPart, DampingPart, QuadraticPart, AreaPart, CurvePart, SpherePart, BandPart,
+             AppliedPart, SpinPart, MotorPart, RailPart, GravityPart, FreePart, BirthPart>;
 
 template <class R>
 struct Body : BodyParts::Joined<R> {};
@@ -222,8 +228,9 @@ constexpr PartSet parts_read(const Fidelity& f, const Features& some) {
   set.add<BandPart>(equation && some.has_bands);
   set.add<AppliedPart>(some.has_applied);
   set.add<SpinPart>(f.rotation == RotationModel::magnus);
-  set.add<MotorPart>(some.has_motor || some.has_rail);
+  set.add<MotorPart>(some.has_motor || some.has_rail || some.has_force_function);
   set.add<RailPart>(some.has_motor || some.has_rail);
+  set.add<BirthPart>(some.has_wind_function || some.has_force_function);
   set.add<PlanePart>(f.planar);
   set.add<GravityPart>(some.has_gravity_scale);
   set.add<FreePart>(some.has_frozen);

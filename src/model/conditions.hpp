@@ -58,7 +58,7 @@ struct Components {
 /// Wind ready to compute; see model/wind.hpp.
 template <class S>
 struct WindField {
-  int points;                              // 1: the same everywhere
+  int points;                              // 1: the same everywhere; 0: by a function
   bool by_range;                           // else by height
   bool stepped;                            // else straight lines
   S at[kMaxWindPoints];                    // [m]
@@ -91,6 +91,8 @@ struct Features {
   bool has_spheres = false;          // Cd by Reynolds number
   bool has_bands = false;            // banded ballistic coefficients
   bool has_searched_curves = false;  // a drag curve that fits no equal cells
+  bool has_wind_function = false;    // wind by a function
+  bool has_force_function = false;   // a force by a function
   bool has_aero = false;             // aerodynamic coefficients beside drag
   bool has_aero_tables = false;      // ... that change with the Mach number
   bool has_aero_angles = false;      // ... or with the angle of attack
@@ -113,6 +115,12 @@ struct EnvironmentNumbers {
   WindField<S> wind;
 };
 
+/// Functions of one's own, see model/field_function.hpp. Who prepared the conditions keeps them alive.
+struct FunctionPointers {
+  const WindFunction::Function* wind_function;
+  const ForceFunction::Function* force_function;
+};
+
 /// What they look up.
 template <class S>
 struct TablePointers {
@@ -123,7 +131,7 @@ struct TablePointers {
 };
 
 template <class S>
-struct Conditions : Features, EnvironmentNumbers<S>, TablePointers<S> {};
+struct Conditions : Features, EnvironmentNumbers<S>, FunctionPointers, TablePointers<S> {};
 
 /// Counted here, since they hold arrays.
 template <class S>

@@ -86,8 +86,8 @@ PHYSIM_INLINE Vec3<R> simple_drag(const Conditions<S>& c, const Body<R>& b, cons
 
 /// Acceleration by drag [m/s^2].
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> drag(const Conditions<S>& c, const Body<R>& b, const State<R>& s) {
-  const Vec3<R> u = air_velocity(c, s);
+PHYSIM_INLINE Vec3<R> drag(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  const Vec3<R> u = air_velocity(c, b, t, s);
   if (c.fidelity.drag == DragModel::equation) return drag_equation(c, b, air_state(c, s.x), u);
   return simple_drag(c, b, u);
 }

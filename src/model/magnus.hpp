@@ -59,7 +59,7 @@ template <class R, class S>
 [[gnu::noinline]] void spinning_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
                                     SpinningAir<R>& out) {
   const R zero(S(0));
-  const Vec3<R> u = air_velocity(c, s);
+  const Vec3<R> u = air_velocity(c, b, t, s);
   const AirState<R> air = air_state(c, s.x);
   const Vec3<R> omega = spin_at(b, t);
   const Vec3<R> across = cross(omega, u);

@@ -15,9 +15,9 @@
 
 namespace physim {
 
-/// Nothing where there is no air, no speed or no coefficient to tell.
+/// At a time since launch [s]; nothing where there is no air, no speed or no coefficient to tell.
 [[nodiscard]] std::optional<Stability> stability_of(const Conditions<double>& conditions, const Body<double>& body,
-                                                    const Rotor<double>& rotor, const State<double>& state,
+                                                    const Rotor<double>& rotor, double time, const State<double>& state,
                                                     const Turn<double>& turn);
 
 }  // namespace physim

@@ -3,8 +3,10 @@
 // What it models: `constant`: one vector everywhere; `profile`: vectors by height above the origin or by downrange
 //   distance, straight lines between them or steps; all three components, so that updraughts are included. It blows in
 //   air that turns with the Earth; over a round Earth it turns with the vertical (model/earth.hpp), and level wind
-//   stays level.
-// When it is wrong: no turbulence, no change in time; horizontal changes only through a profile by range.
+//   stays level. Where the environment gives a function of place and time, `profile` is that, as it is in W
+//   (model/field_function.hpp).
+// When it is wrong: no turbulence, and but for functions no change in time; horizontal changes only through a profile
+//   by range.
 // Symbols: w velocity of the air in W [m/s]; u height or downrange distance [m]; u_i places of the profile's points.
 // Equation: w(u) = w_0 + sum_i slope_i clamp(u - u_i, 0, u_{i+1} - u_i): straight lines without a search, equal for all
 //   lanes.
@@ -14,6 +16,7 @@
 
 #include "base/assert.hpp"
 #include "model/earth.hpp"
+#include "model/field_function.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -41,19 +44,21 @@ template <class R, class S>
 
 /// As it blows at the origin.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Vec3<R>& x) {
+PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& x) {
   const WindField<S>& field = c.wind;
-  PHYSIM_ASSERT(field.points >= 1);
   Vec3<R> w{R(field.velocity[0].x), R(field.velocity[0].y), R(field.velocity[0].z)};
-  if (c.fidelity.wind != WindModel::profile || field.points < 2) return w;
-  profile_wind(c, x, w);
+  if (c.fidelity.wind != WindModel::profile) return w;
+  if (c.has_wind_function)
+    wind_by_function(c, b, t, x, w);
+  else if (field.points >= 2)
+    profile_wind(c, x, w);
   return w;
 }
 
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> wind(const Conditions<S>& c, const Vec3<R>& x) {
-  const Vec3<R> w = wind_at_origin(c, x);
-  if (!is_round(c.fidelity.earth)) return w;
+PHYSIM_INLINE Vec3<R> wind(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& x) {
+  const Vec3<R> w = wind_at_origin(c, b, t, x);
+  if (!is_round(c.fidelity.earth) || c.has_wind_function) return w;
   Vec3<R> turned = w;
   turn_with_vertical(c, x, turned);
   return turned;
@@ -61,8 +66,14 @@ PHYSIM_INLINE Vec3<R> wind(const Conditions<S>& c, const Vec3<R>& x) {
 
 /// Velocity through the air [m/s].
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> air_velocity(const Conditions<S>& c, const State<R>& s) {
-  return c.fidelity.wind == WindModel::off ? s.v : s.v - wind(c, s.x);
+PHYSIM_INLINE Vec3<R> air_velocity(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
+  return c.fidelity.wind == WindModel::off ? s.v : s.v - wind(c, b, t, s.x);
+}
+
+/// Whether the wind has pieces by place.
+template <class S>
+PHYSIM_INLINE bool has_wind_pieces(const Conditions<S>& c) {
+  return c.fidelity.wind == WindModel::profile && !c.has_wind_function;
 }
 
 PHYSIM_ISA_END

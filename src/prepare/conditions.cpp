@@ -2,6 +2,7 @@
 #include "prepare/conditions.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "model/earth.hpp"
 #include "model/ladder.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 WindField<double> prepare_wind(const Wind& wind, WindModel model) {
   WindField<double> field{};
+  if (wind.field && model == WindModel::profile) return field;  // its function is asked
   field.points = 1;
   field.by_range = wind.by == WindAxis::range;
   field.stepped = wind.interpolation == WindInterpolation::step;
@@ -36,6 +38,19 @@ WindField<double> prepare_wind(const Wind& wind, WindModel model) {
   return field;
 }
 
+/// A function that is asked for times so much later [s].
+template <class Batch>
+FieldFunction<Batch> later_by(double delay, const FieldFunction<Batch>& function) {
+  if (!function || delay == 0) return function;
+  return [function, delay](const Batch& asked) {
+    std::vector<double> times(asked.time.begin(), asked.time.end());
+    for (double& time : times) time = delay + time;
+    Batch later = asked;
+    later.time = times;
+    (*function.get())(later);
+  };
+}
+
 }  // namespace
 
 Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted) {
@@ -44,7 +59,18 @@ Conditions<double> prepare_conditions(const Environment& environment, const Fide
   prepare_earth(environment, granted, c);
   c.air = prepare_air(environment, granted.air);
   c.wind = prepare_wind(environment.wind, granted.wind);
+  c.wind_function = environment.wind.field.get();
+  c.force_function = environment.force.get();
+  c.has_wind_function = c.wind_function != nullptr && granted.wind == WindModel::profile;
+  c.has_force_function = c.force_function != nullptr && granted.motion == Motion::force;
   return c;
+}
+
+Environment as_launched_at(double time, const Environment& environment) {
+  Environment from_launch = environment;
+  from_launch.wind.field = later_by(time, environment.wind.field);
+  from_launch.force = later_by(time, environment.force);
+  return from_launch;
 }
 
 Result<AirSample> air_at_origin(const Environment& environment) {
@@ -54,6 +80,7 @@ Result<AirSample> air_at_origin(const Environment& environment) {
 Conditions<float> to_float(const Conditions<double>& c) {
   Conditions<float> f{};
   static_cast<Features&>(f) = c;
+  static_cast<FunctionPointers&>(f) = c;
   cast_members(static_cast<const EnvironmentNumbers<double>&>(c), static_cast<EnvironmentNumbers<float>&>(f));
   f.globe = to_float(c.globe);
   return f;

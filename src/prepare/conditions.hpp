@@ -8,6 +8,10 @@ namespace physim {
 
 /// Pools of curves and flags of what some projectile has come with the projectiles.
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
+/// Whether functions of one's own are in it.
+[[nodiscard]] inline bool has_functions(const Environment& e) { return e.wind.field || e.force; }
+/// The environment of a world as a flight knows it that is launched at a time of that world [s].
+[[nodiscard]] Environment as_launched_at(double time, const Environment& environment);
 /// The air at the origin, at the nearest altitude of the standard atmosphere where it lies beyond that.
 [[nodiscard]] Result<AirSample> air_at_origin(const Environment& environment);
 /// Without tables, whose rows are other ones in float.

@@ -13,10 +13,10 @@ EquivalentDrag::EquivalentDrag(const ProjectileDef& p, const Body<double>& b, co
   prepare_curve(p, *pool_, conditions_, body_);
 }
 
-double EquivalentDrag::k2_per_mass(const State<double>& s) {
+double EquivalentDrag::k2_per_mass(const State<double>& s, double birth) {
   PHYSIM_ASSERT(!pool_->rows().empty() && conditions_.fidelity.drag == DragModel::equation);
   pool_->point(conditions_);
-  const Vec3d u = air_velocity(conditions_, s);
+  const Vec3d u = air_velocity(conditions_, body_, birth, s);
   const double speed = length(u);
   if (speed == 0) return 0;
   return length(drag_equation(conditions_, body_, air_state(conditions_, s.x), u)) / (speed * speed);

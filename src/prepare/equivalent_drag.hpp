@@ -15,7 +15,8 @@ class EquivalentDrag {
   /// Its curve goes into `pool`, which several may share.
   EquivalentDrag(const ProjectileDef& projectile, const Body<double>& body, const Conditions<double>& conditions,
                  std::shared_ptr<TablePool> pool = std::make_shared<TablePool>());
-  [[nodiscard]] double k2_per_mass(const State<double>& s);  // [1/m]
+  /// At a launch, at a time of the world where it is in one [1/m].
+  [[nodiscard]] double k2_per_mass(const State<double>& s, double birth = 0);
 
  private:
   Body<double> body_;

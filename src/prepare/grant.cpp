@@ -25,6 +25,7 @@ class Granting {
     by_environment();
     by_motion();
     by_integrator();
+    by_functions();
     by_earth();
     by_projectile();
     by_rotation();
@@ -52,8 +53,9 @@ class Granting {
         "the environment's gravity field is simpler");
     set("air", f_.air, lower_of(f_.air, environment_.atmosphere.model), "the environment's air is simpler");
     const Wind& wind = environment_.wind;
-    if (wind.profile.empty()) f_.wind = lower_of(f_.wind, WindModel::constant);  // nothing is lost: no note
-    if (wind.profile.empty() && wind.velocity == Vec3d{}) f_.wind = WindModel::off;
+    const bool varies = wind.field || !wind.profile.empty();
+    if (!varies) f_.wind = lower_of(f_.wind, WindModel::constant);  // nothing is lost: no note
+    if (!varies && wind.velocity == Vec3d{}) f_.wind = WindModel::off;
     const Atmosphere& air = environment_.atmosphere;
     if (f_.air == AirModel::isa && (air.density || air.sound_speed))
       remark("air", f_.air, "density and sound_speed are for constant and exponential air");
@@ -188,6 +190,20 @@ class Granting {
     if (projectile_.twist != 0)
       notes_.push_back({"aerodynamic_jump", "true", "false",
                         "Litz's aerodynamic jump goes with his spin drift; a rigid body jumps by itself"});
+  }
+
+  /// After motion and wind are settled.
+  void by_functions() {
+    const Wind& wind = environment_.wind;
+    if (wind.field && f_.wind == WindModel::constant) {
+      const char* reason = "a low rung knows no function: the environment's other wind blows";
+      if (wind.profile.empty() && wind.velocity == Vec3d{})
+        set("wind", f_.wind, WindModel::off, "a low rung knows no function, and the environment has no other wind");
+      else
+        remark("wind", f_.wind, reason);
+    }
+    if (environment_.force && f_.motion != Motion::force)
+      remark("motion", f_.motion, "the environment's force is left out: only motion 'force' knows forces");
   }
 
   void limit_to_constants(const char* reason) {

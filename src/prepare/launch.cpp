@@ -116,7 +116,7 @@ void jump_in_crosswind(const ProjectileDef& p, const Environment& environment, c
   if (speed == 0) return;
   const auto stability = stability_at_launch(p, speed, environment);
   if (!stability) return;
-  const double from_right = -dot(wind(c, b.launch.x), b.plane);
+  const double from_right = -dot(wind(c, b, 0.0, b.launch.x), b.plane);
   const auto turn = sincos(litz_aerodynamic_jump(*stability, p.length / p.diameter, p.twist, from_right));
   b.launch.v = b.launch.v * turn.cos + cross(b.plane, b.launch.v) * turn.sin;
 }

@@ -12,8 +12,7 @@ PHYSIM_ISA_BEGIN
 /// The common case: layers of the air are the only corners, and no lane leaves the first one.
 template <class R, class S>
 PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>& l) {
-  if (drag_has_corners(c) || c.fidelity.wind == WindModel::profile || c.has_applied || c.has_rail || c.has_aero_tables)
-    return false;
+  if (drag_has_corners(c) || has_wind_pieces(c) || c.has_applied || c.has_rail || c.has_aero_tables) return false;
   // Geopotential height is never above geometric height.
   return all((altitude(c, l.step.end.x) < R(c.air.base[1])) & (l.regime.air_layer == R(S(0))) & (l.cut == R(S(0))));
 }
@@ -30,7 +29,7 @@ std::optional<double> cut_at_corner(const Course<S>& course, const Lanes<R>& l, 
   const Body<double> whole_body = at.whole_body();
   const auto rates = [&](double theta) {
     const State<double> s = at(theta);
-    return edge_rates(c, whole_body, s, at.acceleration(theta, s));
+    return edge_rates(c, whole_body, at.time(theta), s, at.acceleration(theta, s));
   };
   const double h = at.n1.t - at.n0.t;
   // A corner in the first millionth of a step is the one that the last step was cut at. A rail is never left late.
@@ -51,8 +50,9 @@ MaskOf<R> respect_corners(const Course<S>& course, Lanes<R>& l, const MaskOf<R>&
   const Conditions<S>& c = *course.conditions;
   if (only_below_first_layer(c, l)) return accepted;
   const Regime<R> next = regime(c, l.body, *l.rotor, l.step.t_end, l.step.end);
-  const MaskOf<R> turning = turns_back(edge_rates(c, l.body, l.step.start, l.step.slope[0].v),
-                                       edge_rates(c, l.body, l.step.end, l.step.slope[last_slope(c.fidelity)].v));
+  const MaskOf<R> turning =
+      turns_back(edge_rates(c, l.body, l.step.t, l.step.start, l.step.slope[0].v),
+                 edge_rates(c, l.body, l.step.t_end, l.step.end, l.step.slope[last_slope(c.fidelity)].v));
   const MaskOf<R> crossing = accepted & (l.cut == zero) & (differ(l.regime, next) | turning);
   R cut = zero;
   for (unsigned left = lane_bits(crossing); left != 0; left &= left - 1) {

@@ -75,7 +75,7 @@ template <class R, class S>
   if (c.has_rail) rail_phase(c, b, t, s, r.rail);
   if (!steps_itself(c.fidelity)) return r;  // fixed steps go over what bends in place and speed
   if (drag_has_corners(c)) {
-    const R speed = length(air_velocity(c, s));
+    const R speed = length(air_velocity(c, b, t, s));
     if (c.fidelity.interpolation == Interpolation::linear)
       r.curve_cell = curve_cell_index(c, b, speed * air_state(c, s.x).per_sound_speed);
     if (c.has_bands)
@@ -86,11 +86,12 @@ template <class R, class S>
     const S r0 = static_cast<S>(kGeopotentialRadius);
     r.air_layer = borders_passed(c.air.base + 1, c.air.layers - 1, r0 * z / (r0 + z));
   }
-  if (c.fidelity.wind == WindModel::profile)
+  if (has_wind_pieces(c))
     r.wind_piece = borders_passed(c.wind.at, c.wind.points, c.wind.by_range ? s.x.x : height(c, s.x));
   if (c.has_applied) r.force = select(t >= b.applied_until, R(S(1)), zero);
   if (c.has_aero_tables)
-    r.aero_cell = cell_of(c.curve_rows, rotor.mach, length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed);
+    r.aero_cell =
+        cell_of(c.curve_rows, rotor.mach, length(air_velocity(c, b, t, s)) * air_state(c, s.x).per_sound_speed);
   return r;
 }
 
@@ -114,8 +115,7 @@ PHYSIM_INLINE Regime<R> select(const Mask& m, const Regime<R>& a, const Regime<R
 /// Whether any piecewise data is in use, so that smooth flights do not pay.
 template <class S>
 PHYSIM_INLINE bool has_corners(const Conditions<S>& c) {
-  return drag_has_corners(c) || has_layers(c) || c.fidelity.wind == WindModel::profile || c.has_applied || c.has_rail ||
-         c.has_aero_tables;
+  return drag_has_corners(c) || has_layers(c) || has_wind_pieces(c) || c.has_applied || c.has_rail || c.has_aero_tables;
 }
 
 /// Above all speeds, below the edges of bands that are not used.
@@ -129,12 +129,14 @@ struct EdgeRates {
   R speed;  // through the air, of half its square [m^2/s^3]
 };
 template <class R, class S>
-PHYSIM_INLINE EdgeRates<R> edge_rates(const Conditions<S>& c, const Body<R>& b, const State<R>& s, const Vec3<R>& a) {
+PHYSIM_INLINE EdgeRates<R> edge_rates(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                      const Vec3<R>& a) {
   EdgeRates<R> rates{R(S(0)), R(S(0))};
   if (!steps_itself(c.fidelity)) return rates;
-  if (c.fidelity.wind == WindModel::profile) rates.place = c.wind.by_range ? s.v.x : climb_rate(c, s);
+  if (has_wind_pieces(c)) rates.place = c.wind.by_range ? s.v.x : climb_rate(c, s);
   // A projectile without bands must not be cut elsewhere for those of others.
-  if (c.has_bands) rates.speed = select(b.band_above[0] < constant<R>(kNoBand), dot(air_velocity(c, s), a), R(S(0)));
+  if (c.has_bands)
+    rates.speed = select(b.band_above[0] < constant<R>(kNoBand), dot(air_velocity(c, b, t, s), a), R(S(0)));
   return rates;
 }
 

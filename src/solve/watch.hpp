@@ -44,8 +44,8 @@ PHYSIM_ISA_BEGIN
 
 /// Behind a call: air and wind are long, and few flights watch it.
 template <class R, class S>
-[[gnu::noinline]] void mach_number(const Conditions<S>& c, const State<R>& s, R& mach) {
-  mach = length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed;
+[[gnu::noinline]] void mach_number(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& mach) {
+  mach = length(air_velocity(c, b, t, s)) * air_state(c, s.x).per_sound_speed;
 }
 
 /// The quantity that an event watches, less the value it waits for.
@@ -59,7 +59,7 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
     case Watch::range: return dot(s.x - b.launch.x, b.sight) - value;
     case Watch::mach: {
       R mach;
-      mach_number(c, s, mach);
+      mach_number(c, b, t, s, mach);
       return mach - value;
     }
     case Watch::speed: return length(s.v) - value;

@@ -21,6 +21,7 @@ RowLayout layout_of(const Fidelity& granted, const Features& features, bool laun
   const bool closed = granted.motion == Motion::closed_form;
   layout.float32 = granted.precision == Precision::float32;
   layout.clocked = closed || features.has_applied || features.has_motor || features.has_rail ||
+                   features.has_wind_function || features.has_force_function ||
                    granted.rotation == RotationModel::magnus;
   layout.carried = is_classic(granted);
   layout.launched = launch_place;

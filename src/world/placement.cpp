@@ -137,7 +137,8 @@ Body<double> Placement::special_body(std::uint32_t index, BodyState& at, const R
   if (c.fidelity.planar || spins(c.fidelity) || has_stops(c))
     put_launch(start.launch ? *start.launch : launch_of(at), start.elevation, c.fidelity, body);
   at.velocity = body.launch.v = component_product(body.launch.v, body.free);
-  if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch);
+  body.birth = state_.clock.time() - start.age;
+  if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch, body.birth);
   if (start.old) {
     body.spin = start.old->spin;
     body.rail = start.old->rail;

@@ -201,6 +201,9 @@ void Registry::prepare(WorldCohort& cohort) {
   cohort.conditions = prepare_conditions(environments_[key.environment], key.fidelity);
   static_cast<Features&>(cohort.conditions) = key.features;
   cohort.conditions.has_applied = cohort.conditions.has_applied || key.forced;
+  // Rows on their way out, of an environment that has lost its functions.
+  if (!cohort.conditions.wind_function) cohort.conditions.has_wind_function = false;
+  if (!cohort.conditions.force_function) cohort.conditions.has_force_function = false;
   cohort.conditions_float = to_float(cohort.conditions);
   const WatchList watch = watch_of(def_, cohort.conditions);
   const NumberRuns flown = parts_flown(key.fidelity, cohort.conditions).runs();

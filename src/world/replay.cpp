@@ -75,7 +75,7 @@ Status check_head(std::span<const std::byte> bytes) {
 
 /// What is known of a recording before it is played.
 struct Survey {
-  std::size_t custom_forces = 0;
+  FunctionCounts functions;
   std::uint64_t snapshots = 0;
   Moments* moments = nullptr;
 };
@@ -91,7 +91,7 @@ bool check_call(std::span<const std::byte> content, Survey& survey) {
   Reader reader(content);
   ArgumentsOf<call> arguments{};
   std::apply([&](auto&... a) { reader(a...); }, arguments);
-  survey.custom_forces += reader.functions_used();
+  survey.functions += reader.functions_used();
   if constexpr (call == Call::snapshot) return reader.complete() && std::get<0>(arguments) == ++survey.snapshots;
   if constexpr (call == Call::restore) {
     const std::uint64_t number = std::get<0>(arguments);
@@ -140,15 +140,15 @@ struct Replay::Impl {
   ReplayReport report;
   WorldDef def;
   std::vector<std::byte> save;  // that the recording begins with, if it does
-  std::size_t saved_functions = 0;
-  bool is_inside = false;  // of next()
+  FunctionCounts begun_with;    // functions of the save, or of the definition of the world
+  bool is_inside = false;       // of next()
   RecordOptions record;
   std::uint64_t chained = 0;  // check sum of the recording's begin
   std::size_t end = 0;        // of the last whole frame
   std::size_t at = 0;         // the next frame
   Call call = Call::end;      // at hand
   Moments moments;
-  std::size_t functions = 0;  // custom forces added
+  FunctionCounts functions;  // that came so far
   World world;
   Recorder* recorder = nullptr;  // of the world
   std::vector<std::uint64_t> hashes;
@@ -167,13 +167,14 @@ struct Replay::Impl {
 
 // --------------------------------------------------------------------------------------------- before it is played
 Status Replay::Impl::read_begin(const Frame& frame) {
-  Reader reader(frame.content);
+  Reader reader(frame.content, options);
   reader(report.made_by, record.hash_every, def, save);
   if (frame.call != Call::begin || !reader.complete()) return damaged(frame.place, "the recording has no beginning");
+  begun_with = reader.functions_used();
   if (!save.empty()) {
-    const Result<std::size_t> found = custom_forces_of(save);
+    const Result<FunctionCounts> found = functions_of(save);
     if (!found) return damaged(frame.place, "the save that it begins with: " + found.error().message);
-    saved_functions = *found;
+    begun_with = *found;
   }
   chained = frame.chained;
   at = end = frame.next();
@@ -205,13 +206,8 @@ Status Replay::Impl::survey() {
   if (end == 0) return Error{"the recording ends before its world is told", "byte " + std::to_string(bytes.size()), ""};
   if (report.complete && end != bytes.size()) return damaged(end, "something follows the end of the recording");
   report.bytes = end;
-  const auto given = std::ranges::count_if(options.custom_forces, [](const auto& f) { return bool(f.function); });
-  found.custom_forces += saved_functions;
-  if (found.custom_forces > static_cast<std::size_t>(given))
-    return Error{"the recording has " + std::to_string(found.custom_forces) + " custom forces, and " +
-                     std::to_string(given) + " functions were given",
-                 "custom_forces", "functions cannot be recorded: give them in the order in which they were added"};
-  return {};
+  found.functions += begun_with;
+  return check_given(found.functions, options, "the recording");
 }
 
 // --------------------------------------------------------------------------------------------- while it is played
@@ -284,7 +280,7 @@ void Replay::Impl::make_next() {
   const Frame frame = frame_at(bytes, at);
   call = frame.call;
   if (is_call(call)) {
-    Reader reader(frame.content, std::span(options.custom_forces).subspan(functions));
+    Reader reader(frame.content, options, functions);
     kHandlers[static_cast<std::size_t>(call)].make(reader, world, moments);
     functions += reader.functions_used();
     ++report.calls;
@@ -310,7 +306,7 @@ Result<Replay> Replay::open(std::vector<std::byte> recording, const ReplayOption
   impl->def.threading = options.threading;
   Result<World> world = impl->save.empty() ? World::create(impl->def) : World::load(impl->save, options);
   if (!world) return world.error();
-  impl->functions = impl->saved_functions;
+  impl->functions = impl->begun_with;
   impl->start(std::move(*world));
   return Replay(std::move(impl));
 }

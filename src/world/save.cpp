@@ -51,11 +51,11 @@ Result<std::span<const std::byte>> content_of(std::span<const std::byte> save) {
   return content;
 }
 
-/// A saved world as it stands in its bytes, and how many custom forces it has.
-Result<std::size_t> read(std::span<const std::byte> save, std::span<const CustomForce> functions, SavedWorld& into) {
+/// A saved world as it stands in its bytes, and how many functions it has.
+Result<FunctionCounts> read(std::span<const std::byte> save, const LoadOptions& options, SavedWorld& into) {
   const auto content = content_of(save);
   if (!content) return content.error();
-  Reader reader(*content, functions);
+  Reader reader(*content, options);
   reader(into);
   if (!reader.complete()) return makes_no_sense("its bytes");
   return reader.functions_used();
@@ -314,20 +314,34 @@ Result<std::vector<std::byte>> save_of(const WorldImpl& world) {
   return bytes;
 }
 
-Result<std::size_t> custom_forces_of(std::span<const std::byte> save) {
+Result<FunctionCounts> functions_of(std::span<const std::byte> save) {
   SavedWorld saved;
   return read(save, {}, saved);
 }
 
+Status check_given(const FunctionCounts& needed, const LoadOptions& given, const std::string& what) {
+  const auto check = [&what](const auto& list, std::size_t count, const char* place, const char* name) -> Status {
+    const auto there = std::count_if(list.begin(), list.end(), [](const auto& f) {
+      if constexpr (requires { f.function; })
+        return bool(f.function);
+      else
+        return bool(f);
+    });
+    if (count <= static_cast<std::size_t>(there)) return {};
+    return Error{what + " has " + std::to_string(count) + " " + name + ", and " + std::to_string(there) +
+                     " functions were given",
+                 place, "no file holds functions: give them in the order in which the world came to know them"};
+  };
+  if (Status s = check(given.custom_forces, needed.custom_forces, "custom_forces", "custom forces"); !s) return s;
+  if (Status s = check(given.wind_fields, needed.wind_fields, "wind_fields", "fields of wind"); !s) return s;
+  return check(given.force_fields, needed.force_fields, "force_fields", "fields of force");
+}
+
 Result<std::shared_ptr<WorldImpl>> loaded(std::span<const std::byte> save, const LoadOptions& options) {
   SavedWorld saved;
-  const Result<std::size_t> functions = read(save, options.custom_forces, saved);
+  const Result<FunctionCounts> functions = read(save, options, saved);
   if (!functions) return functions.error();
-  const auto given = std::ranges::count_if(options.custom_forces, [](const auto& f) { return bool(f.function); });
-  if (*functions > static_cast<std::size_t>(given))
-    return Error{"the save has " + std::to_string(*functions) + " custom forces, and " + std::to_string(given) +
-                     " functions were given",
-                 "custom_forces", "functions cannot be saved: give them in the order in which they were added"};
+  if (Status status = check_given(*functions, options, "the save"); !status) return status.error();
   return Loading(saved).run(options.threading);
 }
 

@@ -1,4 +1,4 @@
-// Saves: all of a world as bytes. Custom forces are the only thing that is not in them.
+// Saves: all of a world as bytes. Functions of one's own are the only thing that is not in them.
 //
 // A save is its magic and format, the length of what follows (8 bytes), that, and a check sum of it (8).
 #pragma once
@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "physim/world.hpp"
 
 namespace physim {
@@ -15,7 +16,9 @@ struct WorldImpl;
 
 [[nodiscard]] Result<std::vector<std::byte>> save_of(const WorldImpl& world);
 [[nodiscard]] Result<std::shared_ptr<WorldImpl>> loaded(std::span<const std::byte> save, const LoadOptions& options);
-/// How many custom forces a save has; an error where it is none, or damaged.
-[[nodiscard]] Result<std::size_t> custom_forces_of(std::span<const std::byte> save);
+/// How many functions a save has; an error where it is none, or damaged.
+[[nodiscard]] Result<FunctionCounts> functions_of(std::span<const std::byte> save);
+/// Whether so many were given; `what`, "the save", has them.
+[[nodiscard]] Status check_given(const FunctionCounts& needed, const LoadOptions& given, const std::string& what);
 
 }  // namespace physim

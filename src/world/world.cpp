@@ -11,6 +11,7 @@
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
 #include "prepare/check.hpp"
+#include "prepare/conditions.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -109,11 +110,15 @@ Status WorldImpl::make_room(std::uint32_t index) {
   return {};
 }
 
+Environment WorldImpl::surroundings_of(const Kind& kind, double delay) const {
+  return as_launched_at(state.clock.time() + delay, registry.environments()[kind.body.environment]);
+}
+
 /// The cheapest rung for a launch, where the kind asks for it; its own otherwise.
-Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch) {
+Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double delay) {
   const Kind& kind = registry.kind(kind_index);
   if (kind.body.cheapest_within == 0) return std::uint16_t{0};
-  Environment environment = registry.environments()[kind.body.environment];
+  Environment environment = surroundings_of(kind, delay);
   environment.gravity.acceleration *= own_of(kind.body).gravity_scale;
   Purpose purpose;
   purpose.error = kind.body.cheapest_within;
@@ -127,29 +132,30 @@ Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch
   purpose.tolerance.absolute = def.tolerance.absolute;
   const auto answer = answers.cheapest_within(dragless ? kind.projectile : kind.flown, launch, environment, purpose);
   if (!answer) return answer.error();
-  const FidelityNote why = (*answer)->note();
+  FidelityNote why = (*answer)->note();
+  // Each launch has an answer of its own there, and every other note would make a rung of its own.
+  if (has_functions(environment)) why.reason = "the cheapest found for its launch, by the environment's functions then";
   const auto rung = registry.rung(kind_index, (*answer)->fidelity, &why);
   if (!rung) return Error{"there are too many rungs of this kind", "fidelity", "at most 4096"};
   return *rung;
 }
 
-Result<double> WorldImpl::bore_of(const Kind& kind, const Launch& launch) const {
+Result<double> WorldImpl::bore_of(const Kind& kind, const Launch& launch, double delay) const {
   if (const Status status = check(launch); !status) return status.error();
   if (const Status status = check(kind.flown, launch); !status) return status.error();
   if (launch.sight.zero_range <= 0) return launch.elevation;
-  const Environment& environment = registry.environments()[kind.body.environment];
-  return elevation_of(kind.flown, launch, environment, kind.projectile.fidelity);
+  return elevation_of(kind.flown, launch, surroundings_of(kind, delay), kind.projectile.fidelity);
 }
 
 Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch& launch, double delay, double age) {
   const Kind& kind = registry.kind(kind_index);
   const BodyDef& body = kind.body;
-  const Result<double> elevation = bore_of(kind, launch);
+  const Result<double> elevation = bore_of(kind, launch, delay);
   if (!elevation) return elevation.error();
   const BodyState at{launch.position,
                      launch.velocity ? *launch.velocity : launch_velocity(launch, sight_frame(launch), *elevation)};
   if (!(delay >= 0 && delay < 1e15)) return Error{"must be zero or positive", "delay", "in s"};
-  const auto rung = rung_for(kind_index, launch);
+  const auto rung = rung_for(kind_index, launch, delay);
   if (!rung) return rung.error();
   Slot wanted;
   wanted.kind = kind_index;

@@ -57,10 +57,12 @@ struct WorldImpl : Gate {
   Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay, double age);
   Result<ProjectileId> spawn_of(std::uint32_t kind, const Launch& launch, double delay, double age);
   /// The elevation of a launch's bore above the horizon, for a launch that makes sense [rad].
-  [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch) const;
+  [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch, double delay) const;
   /// Refuses a state whose numbers the rung's precision cannot hold.
   [[nodiscard]] Status fits(const Slot& slot, const BodyState& at) const;
-  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch);
+  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch, double delay);
+  /// Where a kind flies, by the clock of a launch to come.
+  [[nodiscard]] Environment surroundings_of(const Kind& kind, double delay) const;
   /// Takes a projectile out of the world; the event is told before.
   void remove(std::uint32_t slot, LifeStatus status);
   void retire(std::uint32_t slot, Reason reason);

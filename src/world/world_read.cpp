@@ -136,7 +136,8 @@ double ProjectileView::mach() const {
   const Conditions<double>& c = world_->registry.cohort(slot->cohort).conditions;
   const BodyState now = world_->state.state_of(*slot);
   const State<double> s{now.position, now.velocity};
-  return length(air_velocity(c, s)) * air_state(c, s.x).per_sound_speed;
+  return length(air_velocity(c, world_->placement.body_of(*slot), world_->placement.clock_of(*slot), s)) *
+         air_state(c, s.x).per_sound_speed;
 }
 
 KindId ProjectileView::kind() const {

@@ -269,9 +269,9 @@ TEST(RoundEarth, wind_stays_level_and_still_air_turns_with_the_ground) {
     f.wind = WindModel::constant;
     const Prepared p({}, {}, e, f);
     const Conditions<double>& c = p.conditions();
-    EXPECT_TRUE(near(wind(c, Vec3d{}), {7, 0, -3}, 1e-15));
+    EXPECT_TRUE(near(wind(c, Body<double>{}, 0.0, Vec3d{}), {7, 0, -3}, 1e-15));
     for (const Vec3d& x : {Vec3d{5e5, 2e4, 1e5}, Vec3d{-6e6, -6.5e6, 3e6}}) {
-      const Vec3d w = wind(c, x);
+      const Vec3d w = wind(c, Body<double>{}, 0.0, x);
       EXPECT_NEAR(dot(w, vertical_at(c, x)), 0, 1e-13);
       EXPECT_NEAR(length(w), std::sqrt(58.0), 1e-13);
     }

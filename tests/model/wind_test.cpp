@@ -25,7 +25,7 @@ Vec3d wind_at(const Wind& wind, const Vec3d& x, WindModel model = WindModel::pro
   Fidelity f;
   f.wind = model;
   f.earth = earth;
-  return physim::wind(prepare_conditions(e, f), x);
+  return physim::wind(prepare_conditions(e, f), Body<double>{}, 0.0, x);
 }
 
 TEST(Wind, linear_profile_by_height) {
