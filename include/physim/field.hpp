@@ -29,11 +29,11 @@ struct FieldForceBatch {
 
 /// A function of one's own, from any callable that takes a `const Batch&`. Copies share it, and only they are equal.
 ///
-/// Each answer must be a function of its own place alone, the same bits for the same numbers, whatever stands beside
-/// it. The function is called from any number of threads at once and any number of times, for stages of steps that are
-/// given up and for lanes that hold nobody, too (with finite numbers). It should not throw: of a call that does, each
-/// place is asked about alone, and for one that throws again, as for an answer that is not finite, the flight ends as
-/// Outcome::non_finite and in a world its projectile is retired. No file holds it: who loads a world gives it again.
+/// Each answer must be a function of its own place alone, the same bits for the same numbers, and use no world. It is
+/// called from any number of threads at once, any number of times, for steps that are given up and lanes that hold
+/// nobody, too (with finite numbers). Where it throws, each place is asked about alone. A place that throws again, or
+/// whose answer is not finite, ends the flight: as non_finite, or as stalled where adaptive steps come to a halt before
+/// it; in a world its projectile is retired. No file holds it: who loads a world gives it again.
 template <class Batch>
 class FieldFunction {
  public:

@@ -207,9 +207,10 @@ Vec3d ForceField::own_drag(std::uint32_t row) const {
   const Slot& slot = state_.slots[rows_.id[row].index];
   const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
   Body<double> body = registry_.kind(slot.kind).rungs[slot.rung].body;
-  state_.rows[slot.cohort].read_fields(slot.row, body);
+  const Rows& rows = state_.rows[slot.cohort];
+  rows.read_fields(slot.row, body);
   const State<double> s{rows_.position[row], rows_.velocity[row]};
-  const double t = c.has_motor ? state_.row_clock(slot) : 0;
+  const double t = rows.layout().clocked ? state_.row_clock(slot) + place_ * dt_ : 0;  // as the stage knows it
   Sum<double> air{};
   PointInAir{}.add_air(c, body, t, s, air);
   return air.total * rows_.mass[row];
