@@ -252,8 +252,37 @@ TEST(FieldWorld, zeros_and_rungs_are_found_for_the_time_of_the_launch) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(motion_of(), Motion::force);
 }
 
-// ------------------------------------------------------------------------------------------------ threads, bad
-// functions
+TEST(FieldWorld, predictions_know_the_time_of_the_world) {
+  for (const Precision precision : {Precision::float64, Precision::float32}) {
+    ProjectileDef p = on(Fidelity::simulation());
+    p.fidelity.rotation = RotationModel::none;
+    p.fidelity.precision = precision;
+    World world = make_world(open_world(both()));
+    while (world.time() < 0.75) world.step(kStep);
+    const ProjectileId id = *world.spawn(p, kLaunch);
+    while (world.time() < 1.5) world.step(kStep);
+    const Flight predicted = world.predict(id, Until{.ground = {}, .time = 2}, kStep);
+    ASSERT_FALSE(predicted.error());
+    const double mach = world[id].mach();
+    for (int i = 0; i < 128; ++i) world.step(kStep);
+    EXPECT_TRUE(same_bits(world[id].position(), predicted.end().position));
+    EXPECT_TRUE(near(predicted.at(0).mach, mach, 1e-15));
+    EXPECT_TRUE(near(predicted.end().mach, world[id].mach(), 1e-14));
+  }
+}
+
+TEST(FieldWorld, what_comes_from_a_flight_goes_on_by_the_worlds_clock) {
+  ProjectileDef p = on(Fidelity::simulation());
+  p.fidelity.rotation = RotationModel::none;
+  const Flight flight = fly(p, kLaunch, both(), p.fidelity, {.step = kStep}, {.ground = {}, .time = 3});
+  World world = make_world(open_world(both()));
+  while (world.time() < 1) world.step(kStep);
+  const ProjectileId id = *world.spawn(flight, 1);
+  while (world.time() < 3) world.step(kStep);
+  EXPECT_TRUE(near(world[id].position(), flight.end().position, 0, 1e-9));
+}
+
+// ---------------------------------------- threads, bad functions
 TEST(FieldWorld, threads_change_nothing) {
   std::vector<std::uint64_t> hashes;
   for (const unsigned threads : {1u, 3u}) {
@@ -305,8 +334,7 @@ TEST(FieldWorld, wrong_answers_retire_whom_they_concern) {
       }
 }
 
-// ------------------------------------------------------------------------------------------------ moments, saves,
-// replays
+// ---------------------------------------- moments, saves, replays
 LoadOptions with_fields() {
   LoadOptions options;
   options.wind_fields = {gusts()};
