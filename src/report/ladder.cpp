@@ -174,11 +174,11 @@ class Climber {
 
   [[nodiscard]] RungResult result_of(const Flight& reference, Rung rung, const ComparedFlight& flown) const {
     PHYSIM_ASSERT(flown.problem.empty());
-    auto& [fidelity, tolerance] = rung.setting;
-    if (flown.flight.step() > 0) tolerance.step = flown.flight.step();  // the cost is that without its pilot flight
+    FlightSetting& in = rung.setting;
+    if (flown.flight.step() > 0) in.tolerance.step = flown.flight.step();  // the cost is that without its pilot flight
     const double cost = median_time([&] {
       static_cast<void>(
-          fly(shot_.projectile, shot_.launch, scenario_.environment, fidelity, tolerance, scenario_.until));
+          fly(shot_.projectile, shot_.launch, scenario_.environment, in.fidelity, in.tolerance, scenario_.until));
     });
     std::string leaves_out =
         physics_left_out(reference.fidelity_in_use().fidelity, flown.flight.fidelity_in_use().fidelity);
