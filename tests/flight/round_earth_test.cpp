@@ -291,7 +291,7 @@ TEST(RoundEarth, along_the_great_circle_of_fire_the_wind_keeps_its_direction) {
   e.wind.velocity = {7, 0, -3};
   const Prepared p({}, {}, e, f);
   const double angle = 1.2, r = 6371000;
-  const Vec3d w = wind(p.conditions(), Vec3d{r * std::sin(angle), r * (std::cos(angle) - 1), 0});
+  const Vec3d w = wind(p.conditions(), p.body, 0.0, Vec3d{r * std::sin(angle), r * (std::cos(angle) - 1), 0});
   EXPECT_TRUE(near(w, {7 * std::cos(angle), -7 * std::sin(angle), -3}, 1e-14));
 }
 
