@@ -2,6 +2,8 @@
 #include "model/drag_curves.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "base/assert.hpp"
@@ -64,8 +66,25 @@ const UniformCubic& standard_drag_cells(DragTable table, Interpolation interpola
   return f.cells;
 }
 
+namespace {
+
+/// Whether there is a curve to make of what anybody may hand in.
+bool has_curve(const DragDef& drag, Interpolation interpolation) {
+  if (static_cast<std::size_t>(interpolation) >= kRungCount<Interpolation>) return false;
+  if (static_cast<std::size_t>(drag.table) > static_cast<std::size_t>(DragTable::custom)) return false;
+  if (drag.table != DragTable::custom) return true;
+  for (std::size_t i = 0; i < drag.curve.size(); ++i) {
+    if (!std::isfinite(drag.curve[i].mach) || !std::isfinite(drag.curve[i].coefficient)) return false;
+    if (i > 0 && !(drag.curve[i].mach > drag.curve[i - 1].mach)) return false;
+  }
+  return !drag.curve.empty();
+}
+
+}  // namespace
+
 double drag_coefficient(const DragDef& drag, Interpolation interpolation, double mach) {
   const IeeeMode mode;
+  if (!has_curve(drag, interpolation)) return std::numeric_limits<double>::quiet_NaN();
   return drag.table == DragTable::constant ? drag.coefficient : drag_curve(drag, interpolation)(mach);
 }
 

@@ -75,9 +75,9 @@ void prepare_earth(const Environment& environment, const Fidelity& granted, Cond
     c.radius = wgs84::kMeanRadius;
     if (falls(granted.gravity)) c.gravity = wgs84::kGM / (c.radius * c.radius);
   }
-  if (!is_round(earth) && row(granted.gravity).field == GravityField::flattened) {
+  // Worlds prepare cohorts whose environment has just got a gravity of its own, before their projectiles leave them.
+  if (!is_round(earth) && row(granted.gravity).field == GravityField::flattened && !own) {
     constexpr double kHigh = 10000;
-    PHYSIM_ASSERT(!own);
     c.gravity = weight(environment, granted.gravity, 0);
     c.radius = kHigh / (sqrt(c.gravity / weight(environment, granted.gravity, kHigh)) - 1);
   }

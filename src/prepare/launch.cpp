@@ -10,6 +10,7 @@
 #include "model/attitude.hpp"
 #include "model/magnus.hpp"
 #include "model/motor.hpp"
+#include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
 #include "prepare/equivalent_drag.hpp"
 #include "prepare/grant.hpp"
@@ -85,7 +86,7 @@ Rotor<double> prepare_rotor(const ProjectileDef& p, const Launch& launch, double
 
 std::optional<double> stability_factor(const ProjectileDef& p, const Launch& launch, const Environment& environment) {
   const IeeeMode mode;
-  if (p.twist == 0 || p.length <= 0) return std::nullopt;
+  if (p.twist == 0 || p.length <= 0 || !check(p) || !check(launch) || !check(environment)) return std::nullopt;
   const auto air = air_at_origin(environment);
   if (!air || !(air->pressure > 0)) return std::nullopt;
   return miller_stability(p, launch_speed(launch), air->temperature, air->pressure);

@@ -211,7 +211,7 @@ Result<ProjectileId> World::spawn_departed(const ProjectileDef& projectile, cons
                                            const BodyDef& body) {
   WorldImpl& w = impl();
   const Recorded<Call::spawn_departed> call(w, projectile, from, body);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   const Result<ProjectileId> id = [&]() -> Result<ProjectileId> {
     if (const Status status = check(from); !status) return ++w.state.counters.refused, status.error();
     Launch launch;

@@ -91,8 +91,7 @@ class Recorder {
   }
   [[nodiscard]] bool is_outermost() const { return depth_ == 1; }
 
-  /// False where it is not written: a call with what is no value of its type, which the world refuses, or no good
-  /// recording.
+  /// False where it is not written: with what is no value of its type, or into no good recording.
   template <class... T>
   bool frame(Call call, const T&... values) {
     if (!is_good()) return false;
@@ -100,13 +99,16 @@ class Recorder {
       open_frame(call);
       Writer writer(bytes_);
       writer.write(values...);
-      if (!writer.good()) return bytes_.resize(open_), false;
+      was_writable_ = writer.good();
+      if (!was_writable_) return bytes_.resize(open_), false;
       close_frame();
     } catch (...) {
       fail({"no memory left for it", "recording", ""});
     }
     return is_good();
   }
+  /// Whether what the last frame was asked to hold can be written.
+  [[nodiscard]] bool was_writable() const { return was_writable_; }
   /// A step was taken. `hash` gives that of the world, where it is asked for.
   template <class F>
   void stepped(const F& hash) {
@@ -140,6 +142,7 @@ class Recorder {
   std::uint64_t chain_ = 0;
   std::uint64_t steps_ = 0;
   int depth_ = 0;
+  bool was_writable_ = true;
   bool finished_ = false;
   Status status_;
 };
@@ -147,7 +150,7 @@ class Recorder {
 /// A call that changes a world, from its first line to its end; all that it computes, it computes in
 /// IeeeMode.
 ///   const Recorded<Call::despawn> call(world, id);
-///   if (call.is_refused()) return from_inside();
+///   if (call.is_refused()) return call.refusal();
 /// The world's parts stay as long as it, whatever a callback does to the world.
 template <Call name>
 class Recorded {
@@ -167,8 +170,13 @@ class Recorded {
     if (recorder_) recorder_->leave();
   }
 
-  /// It comes from inside the world's own step or recording: nothing may be changed.
+  /// It comes from inside the world's own step or recording, or the recording cannot hold what it was given: nothing
+  /// may be changed. Even a call that the world refuses may leave something, such as a kind whose launch was bad.
   [[nodiscard]] bool is_refused() const { return is_refused_; }
+  [[nodiscard]] Error refusal() const {
+    if (!is_unwritable_) return from_inside();
+    return {"was given an enumerator that there is not", "world", "a recording could not hold the call"};
+  }
   /// What the call hands out, such as an id: a replay must hand out the same.
   template <class T>
   const T& returns(const T& value) const {
@@ -185,6 +193,8 @@ class Recorded {
   template <class... T>
   [[gnu::noinline]] void begin(const T&... arguments) {
     is_written_ = recorder_->frame(name, arguments...);
+    is_unwritable_ = !is_written_ && !recorder_->was_writable();
+    is_refused_ = is_unwritable_;
     // Calls that step may take long, or bring down a program that was on its way there.
     if constexpr (kSteps) recorder_->flush();
   }
@@ -195,6 +205,7 @@ class Recorded {
   std::shared_ptr<Gate> keep_;
   Recorder* recorder_ = nullptr;
   bool is_refused_;
+  bool is_unwritable_ = false;
   bool is_written_ = false;
 };
 

@@ -53,7 +53,7 @@ Result<World> World::create(const WorldDef& def) {
 Result<KindId> World::add_kind(const ProjectileDef& projectile, const BodyDef& body) {
   WorldImpl& w = impl();
   const Recorded<Call::add_kind> call(w, projectile, body);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   const Result<std::uint32_t> kind = w.find_or_add_kind(projectile, body);
   if (!kind) return kind.error();
   w.registry.kinds.keep(*kind);
@@ -63,14 +63,14 @@ Result<KindId> World::add_kind(const ProjectileDef& projectile, const BodyDef& b
 Result<std::uint32_t> World::add_environment(const Environment& environment) {
   WorldImpl& w = impl();
   const Recorded<Call::add_environment> call(w, environment);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   return call.returns(w.registry.add_environment(environment));
 }
 
 Status World::set_environment(std::uint32_t index, const Environment& environment) {
   WorldImpl& w = impl();
   const Recorded<Call::set_environment> call(w, index, environment);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (Status status = w.registry.set_environment(index, environment); !status) return status;
   w.state.slots.each_alive([&](std::uint32_t slot) {
     if (w.registry.kind(w.state.slots[slot].kind).body.environment == index) w.placement.relocate(slot);
@@ -232,7 +232,7 @@ Result<ProjectileId> WorldImpl::spawn(const ProjectileDef& projectile, const Lau
 Result<ProjectileId> World::spawn(KindId kind, const Launch& launch, double delay) {
   WorldImpl& w = impl();
   const Recorded<Call::spawn> call(w, kind, launch, delay);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   Result<ProjectileId> id = w.spawn(kind, launch, delay, 0);
   call.returns(id ? *id : ProjectileId{});
   return id;
@@ -242,7 +242,7 @@ Result<ProjectileId> World::spawn(const ProjectileDef& projectile, const Launch&
                                   double delay) {
   WorldImpl& w = impl();
   const Recorded<Call::spawn_def> call(w, projectile, launch, body, delay);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   Result<ProjectileId> id = w.spawn(projectile, launch, body, delay, 0);
   call.returns(id ? *id : ProjectileId{});
   return id;
@@ -305,7 +305,7 @@ void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
 
 Status Projectile::despawn() {
   const Recorded<Call::despawn> call(world(), id_);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!world().find(id_)) return Error{"it is gone already", "id", ""};
   world().retire(id_.index, Reason::despawned);
   return {};

@@ -82,14 +82,14 @@ bool WorldImpl::wake(std::uint32_t index) {
 
 Status Projectile::sleep() {
   const Recorded<Call::sleep> call(world(), id_);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!world().find(id_)) return gone();
   if (!world().put_to_sleep(id_.index)) return Error{"it stands still already", "id", "is_asleep() tells"};
   return {};
 }
 Status Projectile::wake() {
   const Recorded<Call::wake> call(world(), id_);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!world().find(id_)) return gone();
   if (!world().wake(id_.index)) return Error{"it is awake already", "id", "is_asleep() tells"};
   return {};
@@ -121,25 +121,25 @@ Status WorldImpl::change_state(ProjectileId id, const BodyState& to) {
 
 Status Projectile::set_position(const Vec3d& position) {
   const Recorded<Call::set_position> call(world(), id_, position);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   const Slot* slot = world().find(id_);
   return world().change_state(id_, {position, slot ? world().state.state_of(*slot).velocity : Vec3d{}});
 }
 Status Projectile::set_velocity(const Vec3d& velocity) {
   const Recorded<Call::set_velocity> call(world(), id_, velocity);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   const Slot* slot = world().find(id_);
   return world().change_state(id_, {slot ? world().state.state_of(*slot).position : Vec3d{}, velocity});
 }
 Status Projectile::set_state(const BodyState& state) {
   const Recorded<Call::set_state> call(world(), id_, state);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   return world().change_state(id_, state);
 }
 
 Status Projectile::apply_impulse(const Vec3d& impulse) {
   const Recorded<Call::apply_impulse> call(world(), id_, impulse);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   const Slot* slot = world().find(id_);
   if (!slot) return gone();
   if (!finite(impulse)) return not_finite("impulse");
@@ -151,7 +151,7 @@ Status Projectile::apply_impulse(const Vec3d& impulse) {
 
 Status Projectile::set_angular_velocity(const Vec3d& omega) {
   const Recorded<Call::set_angular_velocity> call(world(), id_, omega);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   Slot* slot = world().find(id_);
   if (!slot) return gone();
   if (!finite(omega)) return not_finite("omega");
@@ -216,7 +216,7 @@ Status WorldImpl::change_tag(ProjectileId id, T Tags::*tag, const T& to) {
 
 Status Projectile::set_body(const BodyDef& to) {
   const Recorded<Call::set_body> call(world(), id_, to);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   WorldImpl& w = world();
   if (!w.find(id_)) return gone();
   if (Status status = check(to, w.def, w.registry.environments().size()); !status) return status;
@@ -240,7 +240,7 @@ Status Projectile::set_body(const BodyDef& to) {
 
 Status Projectile::set_gravity_scale(double scale) {
   const Recorded<Call::set_gravity_scale> call(world(), id_, scale);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!world().find(id_)) return gone();
   if (!std::isfinite(scale)) return Error{"must be a finite number", "scale", "1 is all of gravity"};
   Own own = world().own(id_.index);
@@ -249,7 +249,7 @@ Status Projectile::set_gravity_scale(double scale) {
 }
 Status Projectile::set_use_gravity(bool use) {
   const Recorded<Call::set_use_gravity> call(world(), id_, use);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   const Slot* slot = world().find(id_);
   if (!slot) return gone();
   const double scale = world().registry.kind(slot->kind).body.gravity_scale;
@@ -257,7 +257,7 @@ Status Projectile::set_use_gravity(bool use) {
 }
 Status Projectile::set_kinematic(bool kinematic) {
   const Recorded<Call::set_kinematic> call(world(), id_, kinematic);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   return world().set_flag(id_, kKinematic, kinematic);
 }
 bool ProjectileView::is_kinematic() const {
@@ -266,7 +266,7 @@ bool ProjectileView::is_kinematic() const {
 }
 Status Projectile::set_frozen(Axes position_axes, Axes rotation_axes) {
   const Recorded<Call::set_frozen> call(world(), id_, position_axes, rotation_axes);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (Status status = check(position_axes, "position_axes"); !status) return status;
   if (Status status = check(rotation_axes, "rotation_axes"); !status) return status;
   if (!world().find(id_)) return gone();
@@ -277,13 +277,13 @@ Status Projectile::set_frozen(Axes position_axes, Axes rotation_axes) {
 }
 Status Projectile::set_can_sleep(bool can) {
   const Recorded<Call::set_can_sleep> call(world(), id_, can);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   return world().set_flag(id_, kSleepless, !can);
 }
 
 Status Projectile::set_smoothing(Smoothing smoothing) {
   const Recorded<Call::set_smoothing> call(world(), id_, smoothing);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (Status status = check(smoothing, "smoothing"); !status) return status;
   Slot* slot = world().find(id_);
   if (!slot) return gone();
@@ -292,24 +292,24 @@ Status Projectile::set_smoothing(Smoothing smoothing) {
 }
 Status Projectile::set_user_data(std::uint64_t data) {
   const Recorded<Call::set_user_data> call(world(), id_, data);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   return world().change_tag(id_, &Tags::user_data, data);
 }
 Status Projectile::set_layers(std::uint32_t layers) {
   const Recorded<Call::set_layers> call(world(), id_, layers);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   Status status = world().change_tag(id_, &Tags::layers, layers);
   if (status) world().update_forced(id_.index);
   return status;
 }
 Status Projectile::set_colour(std::uint32_t rgba) {
   const Recorded<Call::set_colour> call(world(), id_, rgba);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   return world().change_tag(id_, &Tags::colour, rgba);
 }
 Status Projectile::set_label(const std::string& label) {
   const Recorded<Call::set_label> call(world(), id_, label);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   return world().change_tag(id_, &Tags::label, label);
 }
 
@@ -336,7 +336,7 @@ Status WorldImpl::change_rung(std::uint32_t index, std::uint16_t rung) {
 
 Status Projectile::set_fidelity(const Fidelity& fidelity) {
   const Recorded<Call::set_fidelity> call(world(), id_, fidelity);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!world().find(id_)) return gone();
   if (Status status = check(Tolerance{}, fidelity); !status) return status;
   return world().change_fidelity(id_.index, fidelity);
@@ -378,7 +378,7 @@ FidelityInUse ProjectileView::fidelity_in_use() const {
 Status World::set_observer(const Vec3d& position) {
   WorldImpl& w = impl();
   const Recorded<Call::set_observer> call(w, position);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!finite(position)) return not_finite("position");
   w.state.observer = position;
   return {};

@@ -51,7 +51,7 @@ void WorldImpl::apply_detail() {
 Status World::set_detail(const DetailRule& rule) {
   WorldImpl& w = impl();
   const Recorded<Call::set_detail> call(w, rule);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (Status status = check(rule); !status) return status;
   w.state.detail = rule;
   return {};

@@ -142,7 +142,7 @@ Result<ForceId> WorldImpl::add_force(const ForceDef& force) {
 Result<ForceId> World::add_force(const ForceDef& force) {
   WorldImpl& w = impl();
   const Recorded<Call::add_force> call(w, force);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   return call.returns(w.add_force(force));
 }
 
@@ -151,7 +151,7 @@ Result<ForceId> Projectile::add_force(ForceLaw law) { return add_force(std::move
 Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
   WorldImpl& w = world();
   const Recorded<Call::add_force_on> call(w, id_, law, duration);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   ForceDef force;
   force.law = std::move(law);
   force.target.ids = {id_};
@@ -162,7 +162,7 @@ Result<ForceId> Projectile::add_force(ForceLaw law, double duration) {
 Status World::remove_force(ForceId force) {
   WorldImpl& w = impl();
   const Recorded<Call::remove_force> call(w, force);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!w.state.generators.find(force)) return Error{"it is gone already", "force", "is_active() tells"};
   w.end_generator(force.index);
   return {};
@@ -170,7 +170,7 @@ Status World::remove_force(ForceId force) {
 
 Status Projectile::remove_force(ForceId force) {
   const Recorded<Call::remove_force_from> call(world(), force, id_);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!world().state.generators.find(force)) return Error{"it is gone already", "force", "is_active() tells"};
   if (!world().find(id_)) return Error{"it is gone", "id", "is_alive() tells"};
   return world().remove_target(force, id_);

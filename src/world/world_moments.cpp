@@ -31,7 +31,7 @@ Status World::restore(const Snapshot& snapshot) {
   const WorldState& then = *snapshot.state_;
   if (then.owner != w.state.owner) return Error{"the snapshot is of another world", "snapshot", ""};
   const Recorded<Call::restore> call(w, w.recorded_moment(then.moment));
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   w.outgrown.push_back(std::move(w.state.events));  // somebody may be reading them
   w.state = then;
   w.registry.restore_environments(then.environments);

@@ -285,7 +285,7 @@ void WorldImpl::step(double dt) {
 Status World::step(double dt) {
   WorldImpl& w = impl();
   const Recorded<Call::step> call(w, dt);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!(dt > 0 && dt < kLongestStep))
     return Error{"must lie above 0 and below 1e6 s, not " + rounded_text(dt), "dt", "take several steps"};
   w.forget_events();
@@ -333,7 +333,7 @@ bool World::is_paused() const { return impl().state.clock.paused; }
 Status World::set_time_scale(double scale) {
   WorldImpl& w = impl();
   const Recorded<Call::set_time_scale> call(w, scale);
-  if (call.is_refused()) return from_inside();
+  if (call.is_refused()) return call.refusal();
   if (!(scale >= 0 && scale <= 1000)) return Error{"must lie between 0 and 1000", "time_scale", ""};
   w.state.clock.time_scale = scale;
   return {};

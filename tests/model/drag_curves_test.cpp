@@ -150,5 +150,16 @@ TEST(SphereDrag, is_stokes_law_in_creeping_flow_and_held_above_a_million) {
   EXPECT_TRUE(std::isfinite(sphere_drag_coefficient(0)));
 }
 
+TEST(DragCurves, what_gives_no_curve_has_no_coefficient) {
+  const DragDef g7{.table = DragTable::g7};
+  EXPECT_TRUE(std::isnan(drag_coefficient(g7, static_cast<Interpolation>(9), 1)));
+  EXPECT_TRUE(std::isnan(drag_coefficient({.table = static_cast<DragTable>(200)}, Interpolation::linear, 1)));
+  EXPECT_TRUE(std::isnan(drag_coefficient({.table = DragTable::custom}, Interpolation::linear, 1)));
+  const DragDef back{.table = DragTable::custom, .curve = {{1, 0.3}, {0.5, 0.4}}};
+  EXPECT_TRUE(std::isnan(drag_coefficient(back, Interpolation::linear, 1)));
+  const DragDef nan{.table = DragTable::custom, .curve = {{0, 0.3}, {NAN, 0.4}}};
+  EXPECT_TRUE(std::isnan(drag_coefficient(nan, Interpolation::linear, 1)));
+}
+
 }  // namespace
 }  // namespace physim

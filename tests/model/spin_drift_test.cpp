@@ -152,5 +152,18 @@ TEST(AerodynamicJump, batches_jump_as_single_flights) {
               fly(shots[i].projectile, shots[i].launch, e, jumping(), {}, until).end().position);
 }
 
+TEST(SpinDrift, bad_input_has_no_stability_factor) {
+  ProjectileDef p = test::bullet_308();
+  p.length = 0.03;
+  p.twist = 0.3;
+  ASSERT_TRUE(stability_factor(p, {.speed = 800}, {}));
+  EXPECT_FALSE(stability_factor(p, {.speed = test::kNan}, {}));
+  p.length = test::kNan;
+  EXPECT_FALSE(stability_factor(p, {.speed = 800}, {}));
+  p.length = 0.03;
+  p.twist = test::kNan;
+  EXPECT_FALSE(stability_factor(p, {.speed = 800}, {}));
+}
+
 }  // namespace
 }  // namespace physim

@@ -240,6 +240,24 @@ TEST(Recording, other_files_and_formats_are_refused) {
   EXPECT_NE(error_of(bytes).find("something follows"), std::string::npos);
 }
 
+TEST(Recording, a_call_that_it_cannot_hold_is_refused_whole) {
+  Bytes bytes;
+  World world = made({});
+  ASSERT_TRUE(world.record(record_into(bytes)));
+  Launch bad{.position = {0, 90, 0}};
+  bad.attitude.frame = static_cast<AttitudeFrame>(77);
+  const auto refused = world.spawn(ProjectileDef{.mass = 3}, bad);  // would leave its kind behind
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("enumerator"), std::string::npos) << refused.error().text();
+  ASSERT_TRUE(world.spawn(ProjectileDef{.mass = 2}, Launch{.position = {0, 90, 0}}));
+  ASSERT_TRUE(world.add_kind(ProjectileDef{.mass = 5}));
+  world.step(0.01);
+  ASSERT_TRUE(world.stop_recording());
+  const auto report = replay(bytes);
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_FALSE(report->difference) << report->difference->what;
+}
+
 TEST(Recording, custom_forces_need_their_functions) {
   Bytes bytes;
   World world = made({});
