@@ -31,6 +31,7 @@ function(physim_add_random_check test program source)
 endfunction()
 physim_add_random_check(soak physim_soak tests/soak/soak.cpp 1e6 2000)  # a crowded world in which everything changes
 physim_add_random_check(fuzz physim_fuzz tests/fuzz/aim_fuzz.cpp 500)  # questions to aim()
+physim_add_random_check(world_fuzz physim_world_fuzz tests/fuzz/world_fuzz.cpp 100)  # calls of the whole interface
 physim_add_random_check(sweep physim_fidelity_sweep tests/fuzz/fidelity_sweep.cpp 60)  # answers of auto fidelity
 
 # A user's program says the same whether it is compiled and linked with fast mathematics or not; and a project that is,
