@@ -129,7 +129,7 @@ class Flight {
   [[nodiscard]] const std::optional<Error>& error() const;
 
   [[nodiscard]] double duration() const;  ///< time of flight [s]
-  /// State at a time [s]; times outside 0..duration() give the nearer end.
+  /// State at a time [s]; times outside 0..duration() give the nearer end, what is no number the start.
   [[nodiscard]] Sample at(double time) const;
   /// State where the flight first crosses a range [m] along the line of sight; an error where it never does.
   [[nodiscard]] Result<Sample> at_range(double range) const;

@@ -98,6 +98,7 @@ std::vector<Launch> launch_class(const Launch& launch, std::optional<double> gro
   const IeeeMode mode;
   if (!check(launch)) return {launch};  // whoever flies it says what is wrong
   Launch corner = by_angles(launch);
+  if (!std::isfinite(corner.speed)) return {launch};
   const Bin speed = speed_bin(corner.speed), height = height_bin(corner.position.y, ground);
   Bin elevation = angle_bin(corner.elevation);
   if (corner.sight.zero_range > 0) elevation = {0, 0};  // the zero finds it

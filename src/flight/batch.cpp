@@ -204,6 +204,8 @@ class Batch {
     }
     Body<double>& body = kind.body;
     put_launch(projectile, launch, elevation, cohort.conditions, body);
+    if (const auto status = check_fits(body.launch.x, body.launch.v, granted.precision); !status)
+      return refuse(i, status.error());
     jump_in_crosswind(projectile, environment_, cohort.conditions, body);
     if (turns(granted)) put_launch(projectile, launch, elevation, body, cohort.conditions, kind.rotor);
     if (const auto outcome = ends_at_once(cohort.conditions, body, until_)) {

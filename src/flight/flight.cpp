@@ -18,6 +18,8 @@ State<double> with_drift(const State<double>& s, const SpinDrift& drift, const V
 
 namespace {
 
+double nearest_time(double time, double duration) { return time > 0 ? std::min(time, duration) : 0; }
+
 /// Number of the node that ends the step which a time lies in.
 std::size_t later_node(const std::vector<Node>& nodes, double time) {
   PHYSIM_ASSERT(nodes.size() >= 2 && nodes.front().t <= nodes.back().t);
@@ -160,7 +162,7 @@ Accelerations Flight::accelerations(double time) const {
   const IeeeMode mode;
   const FlightRecord& r = *record_;
   if (r.outcome == Outcome::refused) return {};
-  return r.accelerations_at(std::clamp(time, 0.0, r.duration));
+  return r.accelerations_at(nearest_time(time, r.duration));
 }
 
 const ProjectileDef& Flight::projectile() const { return record_->projectile; }
@@ -186,7 +188,7 @@ std::optional<Stability> Flight::stability(double time) const {
   const IeeeMode mode;
   const FlightRecord& r = *record_;
   if (r.outcome == Outcome::refused || !r.path.turn) return std::nullopt;
-  time = std::clamp(time, 0.0, r.duration);
+  time = nearest_time(time, r.duration);
   return stability_of(r.cohort.conditions, r.body, r.rotor, r.clock + time, r.state(time), r.turn(time));
 }
 
@@ -195,7 +197,7 @@ Sample Flight::at(double time) const {
   const FlightRecord& r = *record_;
   Sample out;
   if (r.outcome == Outcome::refused) return out;
-  time = std::clamp(time, 0.0, r.duration);
+  time = nearest_time(time, r.duration);
   const State<double> s = r.shown(time);
   const Conditions<double>& c = r.cohort.conditions;
   out.time = time;

@@ -136,6 +136,9 @@ std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, con
   if (!elevation) return refuse(elevation.error());
   record->elevation = *elevation;
   prepare(*record, projectile, launch, environment, fidelity);
+  const State<double>& start = record->body.launch;
+  if (const Status status = check_fits(start.x, start.v, record->cohort.in_use.fidelity.precision); !status)
+    return refuse(status.error());
   if (const Status status = choose_step(*record, projectile, launch, environment, tolerance, until); !status)
     return refuse(status.error());
   fly_record(*record, tolerance, until);

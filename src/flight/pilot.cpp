@@ -10,6 +10,7 @@
 #include "math/elementary.hpp"
 #include "model/acceleration.hpp"
 #include "physim/names.hpp"
+#include "prepare/check.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {
@@ -141,7 +142,8 @@ double frame_step(const Cohort& cohort, const Body<double>& body, const Rotor<do
   const double in_fall = sqrt(length(weight_per_mass(c, body, lowest)) * decay_at(lowest, probe) / probe);
   // The original loop feels the forces of the frame before, and oscillates sooner.
   const double part = is_classic(c.fidelity) ? 0.25 : 0.5;
-  return std::min(kFrame, part / std::max({at_launch, in_fall, 1.0}));
+  const double step = part / std::max({at_launch, in_fall, 1.0});
+  return std::min(kFrame, std::max(kSmallestStep, step));
 }
 
 FidelityNote note_of_step(const PilotStep& found, double error_allowed) {
@@ -154,6 +156,7 @@ FidelityNote note_of_step(const PilotStep& found, double error_allowed) {
 Result<double> pilot_step(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
                           const Fidelity& fidelity, const Tolerance& tolerance, const Until& until) {
   const IeeeMode mode;
+  if (const Status status = check(tolerance, fidelity); !status) return status.error();
   const auto found = step_within(projectile, launch, environment, fidelity, tolerance, until, tolerance.position_error);
   if (!found) return found.error();
   if (found->reached <= tolerance.position_error) return found->step;

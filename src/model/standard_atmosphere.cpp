@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/ieee_mode.hpp"
-#include "base/text.hpp"
+#include "base/assert.hpp"
 #include "math/chebyshev.hpp"
 #include "math/elementary.hpp"
 #include "model/air.hpp"
@@ -92,13 +91,16 @@ const Profile& standard_profile() {
 
 bool is_standard(const Atmosphere& given) { return !given.temperature && !given.pressure && !given.humidity; }
 
+double station_height(const Environment& environment) {
+  return geopotential(environment.atmosphere.station_altitude.value_or(environment.altitude));
+}
+
 Station station_of(const Environment& environment) {
   const Atmosphere& given = environment.atmosphere;
   const Profile& standard = standard_profile();
   if (is_standard(given)) return {standard, 1};
-  const double h = geopotential(given.station_altitude.value_or(environment.altitude));
-  const double t = given.temperature.value_or(standard.temperature_at(h));
-  const double p = given.pressure.value_or(standard.pressure_at(h));
+  const double h = station_height(environment);
+  const auto [t, p] = station_air(environment);
   const double humidity = given.humidity.value_or(0);
   const double factor = moist_air_density(t, p, humidity) * kGasConstant * t / (p * kMolarMass);
   return {profile_through(h, p, t - standard.temperature_at(h), factor),
@@ -155,6 +157,13 @@ Air<double> layers_of(const Station& station, const Atmosphere& given) {
 
 }  // namespace
 
+StationAir station_air(const Environment& environment) {
+  const Atmosphere& given = environment.atmosphere;
+  const Profile& standard = standard_profile();
+  const double h = station_height(environment);
+  return {given.temperature.value_or(standard.temperature_at(h)), given.pressure.value_or(standard.pressure_at(h))};
+}
+
 Air<double> prepare_air(const Environment& environment, AirModel model) {
   const Station station = station_of(environment);
   const Profile& profile = station.profile;
@@ -176,11 +185,8 @@ Air<double> prepare_air(const Environment& environment, AirModel model) {
   return air;
 }
 
-Result<AirSample> air_at(const Environment& environment, double altitude) {
-  const IeeeMode mode;
-  if (!(altitude >= kLowestAltitude && altitude <= kHighestAltitude))
-    return Error{"altitude " + short_text(altitude) + " m lies outside the standard atmosphere", "altitude",
-                 "give a height from -5000 m to 86000 m"};
+AirSample air_sample(const Environment& environment, double altitude) {
+  PHYSIM_ASSERT(altitude >= kLowestAltitude && altitude <= kHighestAltitude);
   Conditions<double> c{};
   c.fidelity.air = environment.atmosphere.model;
   c.altitude = environment.altitude;
@@ -189,7 +195,7 @@ Result<AirSample> air_at(const Environment& environment, double altitude) {
   const double kelvin = temperature(c, state);
   const double factor = station_of(environment).profile.density_factor;
   const double pressure = state.density * kGasConstant * kelvin / (kMolarMass * factor);
-  return AirSample{kelvin, pressure, state.density, 1 / state.per_sound_speed, viscosity(kelvin)};
+  return {kelvin, pressure, state.density, 1 / state.per_sound_speed, viscosity(kelvin)};
 }
 
 }  // namespace physim

@@ -10,12 +10,23 @@
 #pragma once
 
 #include "model/conditions.hpp"
+#include "physim/air.hpp"
 
 namespace physim {
 
 /// Geometric altitudes between which the standard is defined [m].
 inline constexpr double kLowestAltitude = -5000;
 inline constexpr double kHighestAltitude = 86000;
+
+/// What a station measures, or the standard's air at its height.
+struct StationAir {
+  double temperature;  ///< [K]
+  double pressure;     ///< [Pa]
+};
+[[nodiscard]] StationAir station_air(const Environment& environment);
+
+/// The air at an altitude that the standard defines [m].
+[[nodiscard]] AirSample air_sample(const Environment& environment, double altitude);
 
 /// The air of an environment; `model` is the granted rung.
 [[nodiscard]] Air<double> prepare_air(const Environment& environment, AirModel model);

@@ -18,6 +18,13 @@ namespace {
 
 constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a right angle [rad]
 
+// Numbers further out mean nothing here, and what is computed from them is no number any more.
+constexpr double kSmallest = 1e-9;  // steps [s], distances between points of a table (of time [s], Mach number [-])
+constexpr double kSmallestError = 1e-15;  // of a place, asked for [m]
+constexpr double kLongestBurn = 1e6;      // [s]
+constexpr double kMostThrust = 1e12;      // [N]
+constexpr double kLeastImpulse = 1e-9;    // [N s]
+
 void check_fidelity(Checker& c, const Fidelity& f) {
   for_each_effect(
       [&]<class Enum>(const char* place, Enum Fidelity::*rung) { c.named(f.*rung, kLastRung<Enum>, place); });
@@ -30,7 +37,8 @@ void check_curve(Checker& c, const std::vector<DragPoint>& curve, const std::str
     c.not_negative(curve[i].mach, place, "Mach numbers start at 0");
     c.not_negative(curve[i].coefficient, place, "drag coefficients are not negative");
     if (i > 0)
-      c.require(curve[i].mach > curve[i - 1].mach, place, "Mach numbers must rise", "sort the points by Mach number");
+      c.require(curve[i].mach - curve[i - 1].mach >= kSmallest, place, "Mach numbers must rise, by 1e-9 at least",
+                "sort the points by Mach number");
   }
 }
 
@@ -96,11 +104,14 @@ void check_table(Checker& c, const std::vector<Point>& table, double Point::*val
     c.is_number(table[i].time, place).not_negative(table[i].*value, place, "");
     if (i == 0)
       c.require(table[i].time == 0, place, "must be at time 0", "times count from ignition");
+    else if (table[i].time > kLongestBurn)
+      c.require(false, place, "lies beyond 1e6 s", "times are in seconds");
     else if (may_step && table[i].time == table[i - 1].time)
       c.require(i == 1 || table[i].time > table[i - 2].time, place, "is a third point at one time",
                 "two points at one time are a step");
     else
-      c.require(table[i].time > table[i - 1].time, place, "times must rise", "sort the points by time");
+      c.require(table[i].time - table[i - 1].time >= kSmallest, place, "times must rise, by 1e-9 s at least",
+                "sort the points by time");
   }
 }
 
@@ -115,7 +126,9 @@ void check_motor(Checker& c, const ProjectileDef& p) {
   c.require(m.drag_factor >= 0 && m.drag_factor <= 1000, "projectile.motor.drag_factor", "must lie between 0 and 1000",
             "1 means the same drag");
   if (!c.status_so_far()) return;
-  c.require(std::isfinite(total_impulse(m)) && total_impulse(m) > 0, "projectile.motor.thrust", "gives no impulse",
+  for (const ThrustPoint& point : m.thrust)
+    c.require(point.force <= kMostThrust, "projectile.motor.thrust", "exceeds 1e12 N", "forces are in newtons");
+  c.require(total_impulse(m) >= kLeastImpulse, "projectile.motor.thrust", "gives no impulse",
             "leave the table empty where there is no motor");
   if (!m.propellant.empty()) {
     check_table(c, m.propellant, &PropellantPoint::mass, "projectile.motor.propellant", false);
@@ -241,16 +254,15 @@ Status check(const Environment& e) {
   if (a.humidity)
     c.require(*a.humidity >= 0 && *a.humidity <= 1, "environment.atmosphere.humidity", "must lie between 0 and 1",
               "60 % is 0.6");
-  if (a.humidity && *a.humidity > 0 && c.status_so_far()) {
-    const double t = a.temperature.value_or(288.15);
-    const double p = a.pressure.value_or(101325);
-    c.require(vapour_fraction(t, p, *a.humidity) < 0.5, "environment.atmosphere.humidity",
-              "is more vapour than air of this temperature and pressure can be made of",
-              "lower it, or raise the pressure");
-  }
   if (a.station_altitude)
     c.require(*a.station_altitude >= kLowestAltitude && *a.station_altitude <= 80000,
               "environment.atmosphere.station_altitude", "must lie between -5000 m and 80000 m", "");
+  if (a.humidity && *a.humidity > 0 && c.status_so_far()) {
+    const StationAir air = station_air(e);
+    c.require(vapour_fraction(air.temperature, air.pressure, *a.humidity) < 0.5, "environment.atmosphere.humidity",
+              "is more vapour than air of this temperature and pressure can be made of",
+              "lower it, or raise the pressure");
+  }
   if (a.density) c.not_negative(*a.density, "environment.atmosphere.density", "");
   if (a.sound_speed) c.positive(*a.sound_speed, "environment.atmosphere.sound_speed", "");
   c.positive(a.scale_height, "environment.atmosphere.scale_height", "");
@@ -261,7 +273,9 @@ Status check(const Environment& e) {
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const std::string place = "environment.wind.profile[" + std::to_string(i) + "]";
     c.is_number(profile[i].at, place).is_vector(profile[i].velocity, place);
-    if (i > 0) c.require(profile[i].at > profile[i - 1].at, place, "places must rise", "sort the points");
+    if (i > 0)
+      c.require(profile[i].at - profile[i - 1].at >= kSmallest, place, "places must rise, by 1e-9 m at least",
+                "sort the points");
   }
   const Earth& earth = e.earth;
   c.is_number(earth.latitude, "environment.earth.latitude").is_number(earth.longitude, "environment.earth.longitude");
@@ -283,10 +297,22 @@ Status check(const Tolerance& t, const Fidelity& f) {
             "lies below rounding",
             f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best");
   c.not_negative(t.step, "tolerance.step", "0: found by a pilot flight");
+  c.require(t.step == 0 || t.step >= kSmallest, "tolerance.step", "is shorter than 1e-9 s",
+            "0: found by a pilot flight");
   c.positive(t.position_error, "tolerance.position_error", "in m");
+  c.require(t.position_error >= kSmallestError, "tolerance.position_error", "is smaller than 1e-15 m",
+            "no number keeps that");
   c.require(t.max_step > 0, "tolerance.max_step", "must be positive", "");
+  c.require(t.max_step >= kSmallest, "tolerance.max_step", "is shorter than 1e-9 s", "infinity: no limit");
   c.require(t.max_steps > 0 && t.max_steps <= 1'000'000'000, "tolerance.max_steps", "must lie between 1 and 1e9", "");
   return c.status();
+}
+
+Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precision) {
+  if (precision == Precision::float64) return {};
+  const bool near = finite(vec_cast<double>(vec_cast<float>(position)));
+  if (near && finite(vec_cast<double>(vec_cast<float>(velocity)))) return {};
+  return Error{"is too large for float32", near ? "velocity" : "position", "ask for float64"};
 }
 
 Status check(const Until& u) {

@@ -12,5 +12,7 @@ namespace physim {
 [[nodiscard]] Status check(const Environment& environment);
 [[nodiscard]] Status check(const Tolerance& tolerance, const Fidelity& fidelity);
 [[nodiscard]] Status check(const Until& until);
+/// Whether a place [m] and a velocity [m/s] are numbers in a precision.
+[[nodiscard]] Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precision);
 
 }  // namespace physim

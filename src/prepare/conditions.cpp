@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/ieee_mode.hpp"
+#include "base/text.hpp"
 #include "model/earth.hpp"
 #include "model/ladder.hpp"
 #include "model/standard_atmosphere.hpp"
+#include "prepare/check.hpp"
 
 namespace physim {
 namespace {
@@ -71,6 +74,15 @@ Environment as_launched_at(double time, const Environment& environment) {
   from_launch.wind.field = later_by(time, environment.wind.field);
   from_launch.force = later_by(time, environment.force);
   return from_launch;
+}
+
+Result<AirSample> air_at(const Environment& environment, double altitude) {
+  const IeeeMode mode;
+  if (const Status status = check(environment); !status) return status.error();
+  if (!(altitude >= kLowestAltitude && altitude <= kHighestAltitude))
+    return Error{"altitude " + short_text(altitude) + " m lies outside the standard atmosphere", "altitude",
+                 "give a height from -5000 m to 86000 m"};
+  return air_sample(environment, altitude);
 }
 
 Result<AirSample> air_at_origin(const Environment& environment) {

@@ -101,11 +101,7 @@ bool ProjectileView::is_asleep() const {
 
 // ------------------------------------------------------------------------------------------- state
 Status WorldImpl::fits(const Slot& slot, const BodyState& at) const {
-  if (registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.precision == Precision::float64) return {};
-  const BodyState rounded{vec_cast<double>(vec_cast<float>(at.position)),
-                          vec_cast<double>(vec_cast<float>(at.velocity))};
-  if (finite(rounded.position) && finite(rounded.velocity)) return {};
-  return Error{"is too large for float32", finite(rounded.position) ? "velocity" : "position", "ask for float64"};
+  return check_fits(at.position, at.velocity, registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.precision);
 }
 
 Status WorldImpl::change_state(ProjectileId id, const BodyState& to) {

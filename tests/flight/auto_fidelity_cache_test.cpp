@@ -32,6 +32,14 @@ TEST(AutoFidelityCache, ComputesOnceForAKind) {
   EXPECT_EQ(cache.size(), 1U);
 }
 
+TEST(AutoFidelityCache, ALaunchFasterThanNumbersAreIsAClassOfItsOwn) {
+  for (const double v : {1e200, 1e308}) {
+    const auto launches = launch_class({.velocity = Vec3d{v, v, v}}, 0.0);
+    ASSERT_EQ(launches.size(), 1U);
+    EXPECT_EQ(launches[0].velocity->x, v);
+  }
+}
+
 TEST(AutoFidelityCache, EverythingElseIsAnotherKind) {
   AutoFidelityCache cache;
   const auto ask = [&](const auto& change) {

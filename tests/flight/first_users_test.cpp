@@ -1,5 +1,6 @@
 // What first users stumbled on in flights and batches: answers that were wrong or silent.
 #include <algorithm>
+#include <limits>
 
 #include "support.hpp"
 
@@ -41,6 +42,15 @@ TEST(FirstUsers, a_shot_that_goes_nowhere_does_not_choose_the_step_of_a_batch) {
     return fly_batch(bullet_308(), launches, {}, f).shots[0].cost.steps;
   };
   EXPECT_EQ(steps_beside({}), steps_beside(thrown)) << "at rest on the ground";
+}
+
+TEST(FirstUsers, a_flight_asked_at_no_time_answers_with_its_start) {
+  const Flight flight = fly(bullet_308(), {.position = {0, 2, 0}, .speed = 800});
+  const double no_time = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(flight.at(no_time).position, flight.at(0).position);
+  EXPECT_EQ(flight.at(no_time).time, 0);
+  EXPECT_EQ(flight.accelerations(no_time).total, flight.accelerations(0).total);
+  EXPECT_FALSE(flight.departure(no_time));
 }
 
 TEST(FirstUsers, a_flight_that_has_landed_at_once_says_why) {

@@ -188,6 +188,14 @@ TEST(StandardAtmosphere, is_what_flights_feel) {
   for (const auto& [z, t, p, rho, a, mu] : kExact) EXPECT_TRUE(near(felt_density(z), rho, 1e-10)) << z;
 }
 
+TEST(StandardAtmosphere, air_at_refuses_an_environment_as_flights_do) {
+  Environment e;
+  e.atmosphere.pressure = -1;
+  const auto air = air_at(e, 0);
+  ASSERT_FALSE(air);
+  EXPECT_EQ(air.error().place, "environment.atmosphere.pressure");
+}
+
 TEST(StandardAtmosphere, goes_on_above_its_top) {
   double last = felt_density(86000);
   for (const double z : {90e3, 120e3, 200e3, 1000e3, 1e9}) {

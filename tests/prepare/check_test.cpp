@@ -69,6 +69,26 @@ const BadInput kBad[] = {
      [](Input& i) {
        i.projectile.drag = {.table = DragTable::custom, .curve = {{0, 1}, {1, kNan}}};
      }},
+    {"Mach numbers a rounding apart", "projectile.drag.curve[1]", "rise",
+     [](Input& i) {
+       i.projectile.drag = {.table = DragTable::custom, .curve = {{0, 1}, {1e-300, 2}}};
+     }},
+    {"thrust that lasts no time", "projectile.motor.thrust[1]", "rise",
+     [](Input& i) {
+       i.projectile.motor.thrust = {{0, 5}, {1e-308, 1}, {1, 1}};
+     }},
+    {"thrust beyond all numbers", "projectile.motor.thrust", "exceeds",
+     [](Input& i) {
+       i.projectile.motor.thrust = {{0, 1e18}, {1, 1}};
+     }},
+    {"thrust that is none", "projectile.motor.thrust", "no impulse",
+     [](Input& i) {
+       i.projectile.motor.thrust = {{0, 1e-308}, {1, 1e-308}};
+     }},
+    {"a burn of years", "projectile.motor.thrust[1]", "beyond",
+     [](Input& i) {
+       i.projectile.motor.thrust = {{0, 1}, {1e300, 1}};
+     }},
     {"nine bands", "projectile.drag.bands", "too many",
      [](Input& i) {
        i.projectile.drag.bands.assign(9, {100, 200});
@@ -117,6 +137,11 @@ const BadInput kBad[] = {
      [](Input& i) { i.environment.atmosphere.pressure = 29.9; }},
     {"humidity in percent", "environment.atmosphere.humidity", "between",
      [](Input& i) { i.environment.atmosphere.humidity = 60; }},
+    {"more vapour than the thin air of a height", "environment.atmosphere.humidity", "more vapour",
+     [](Input& i) {
+       i.environment.altitude = 20000;
+       i.environment.atmosphere.temperature = 310, i.environment.atmosphere.humidity = 1;
+     }},
     {"station in space", "environment.atmosphere.station_altitude", "between",
      [](Input& i) { i.environment.atmosphere.station_altitude = 1e6; }},
     {"density negative", "environment.atmosphere.density", "zero or positive",
@@ -129,6 +154,10 @@ const BadInput kBad[] = {
     {"unsorted wind", "environment.wind.profile[1]", "rise",
      [](Input& i) {
        i.environment.wind.profile = {{10, {}}, {5, {}}};
+     }},
+    {"wind that jumps within a rounding", "environment.wind.profile[1]", "rise",
+     [](Input& i) {
+       i.environment.wind.profile = {{0, {}}, {1e-300, {1, 0, 0}}};
      }},
     {"too many wind points", "environment.wind.profile", "too many",
      [](Input& i) {
@@ -150,6 +179,15 @@ const BadInput kBad[] = {
      [](Input& i) { i.fidelity.integrator = Integrator::rk4, i.tolerance.step = -0.01; }},
     {"step NaN", "tolerance.step", "zero or positive", [](Input& i) { i.tolerance.step = kNan; }},
     {"step infinite", "tolerance.step", "zero or positive", [](Input& i) { i.tolerance.step = kInfinity; }},
+    {"step too short", "tolerance.step", "shorter", [](Input& i) { i.tolerance.step = 1e-30; }},
+    {"longest step too short", "tolerance.max_step", "shorter", [](Input& i) { i.tolerance.max_step = 1e-308; }},
+    {"an error that is none", "tolerance.position_error", "smaller",
+     [](Input& i) { i.tolerance.position_error = 1e-300; }},
+    {"a place too far for float32", "position", "too large for float32",
+     [](Input& i) { i.fidelity.precision = Precision::float32, i.launch.position.x = 1e300; }},
+    {"a velocity too large for float32", "velocity", "too large for float32",
+     [](Input&
+            i) { i.fidelity.precision = Precision::float32, i.launch.speed = 0, i.launch.velocity = Vec3d{1e300, 0, 0}; }},
     {"no error allowed", "tolerance.position_error", "positive",
      [](Input& i) { i.fidelity.integrator = Integrator::rk4, i.tolerance.position_error = 0; }},
     {"max step zero", "tolerance.max_step", "positive", [](Input& i) { i.tolerance.max_step = 0; }},
@@ -245,6 +283,27 @@ TEST(Check, unreachable_accuracy_of_fixed_steps_is_told_and_no_loop) {
       pilot_step(input.projectile, input.launch, input.environment, input.fidelity, input.tolerance, input.until);
   ASSERT_FALSE(step);
   EXPECT_EQ(step.error().place, "tolerance.position_error");
+}
+
+TEST(Check, pilot_step_refuses_a_tolerance_as_flights_do) {
+  Input input;
+  input.fidelity.integrator = Integrator::rk4;
+  input.tolerance.position_error = -1;
+  const auto step =
+      pilot_step(input.projectile, input.launch, input.environment, input.fidelity, input.tolerance, input.until);
+  ASSERT_FALSE(step);
+  EXPECT_EQ(step.error().place, "tolerance.position_error");
+}
+
+TEST(Check, gravity_beyond_all_measure_ends_a_flight_that_steps_by_frames) {
+  Input input;
+  input.fidelity.integrator = Integrator::semi_implicit_euler;
+  for (const double gravity : {1e30, 1e300, 1e308}) {
+    input.environment.gravity.acceleration = gravity;
+    const Flight flight = fly(input);
+    EXPECT_NE(flight.outcome(), Outcome::refused) << gravity;
+    EXPECT_GT(flight.step(), 0) << gravity;
+  }
 }
 
 TEST(Check, odd_but_sound_input_flies) {
