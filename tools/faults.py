@@ -5,6 +5,8 @@
 builds the tests without optimisation, then makes each of the mistakes below (or those whose text has one of the words),
 builds what it touches and runs a few tests: they must end with "a bug in PhySim", before a wrong number comes out. A
 mistake that does not build or is not caught fails.
+
+`./dev faults --random` draws small mistakes by a seed instead: tools/random_faults.py.
 """
 
 import os
@@ -13,6 +15,8 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import random_faults
 
 ROOT = Path(__file__).resolve().parent.parent
 COPY = ROOT / "build" / "faults"
@@ -94,6 +98,8 @@ def copy_sources():
 
 def main(words):
     copy_sources()
+    if words[:1] == ["--random"]:
+        return random_faults.main(COPY, words[1:])
     subprocess.run(["cmake", "-S", str(COPY / "tree"), "-B", str(COPY / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
                     "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_CLIENT=OFF"],
                    check=True, stdout=subprocess.DEVNULL)

@@ -21,6 +21,10 @@ constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a
 // Numbers further out mean nothing here, and what is computed from them is no number any more.
 constexpr double kSmallest = 1e-9;  // steps [s], distances between points of a table (of time [s], Mach number [-])
 constexpr double kSmallestError = 1e-15;  // of a place, asked for [m]
+constexpr double kFastestAero = 100;      // Mach number of aerodynamic tables [-]
+constexpr double kWidestAero = 100;       // square of an angle there [rad^2]
+constexpr double kMostGravity = 1e12;     // [m/s^2]
+constexpr double kMostWind = 1e9;         // [m/s]
 constexpr double kLongestBurn = 1e6;      // [s]
 constexpr double kMostThrust = 1e12;      // [N]
 constexpr double kLeastImpulse = 1e-9;    // [N s]
@@ -55,6 +59,8 @@ void check_coefficient(Checker& c, const AeroCoefficient& points, const char* na
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string place = std::string("projectile.aero.") + name + "[" + std::to_string(i) + "]";
     const AeroPoint& p = points[i];
+    c.require(!(p.mach > kFastestAero), place, "has a Mach number beyond 100", "");
+    c.require(!(p.angle_squared > kWidestAero), place, "has an angle beyond 10 rad", "angles are in radians, squared");
     c.not_negative(p.mach, place, "Mach numbers start at 0").not_negative(p.angle_squared, place, "it is a square");
     c.is_number(p.value, place);
     c.require(angles || p.angle_squared == 0, place, "may not depend on the angle of attack",
@@ -243,6 +249,8 @@ Status check(const Environment& e) {
   c.named(e.wind.by, WindAxis::range, "environment.wind.by");
   c.named(e.wind.interpolation, WindInterpolation::step, "environment.wind.interpolation");
   c.is_number(e.gravity.acceleration, "environment.gravity.acceleration");
+  c.require(std::abs(e.gravity.acceleration) <= kMostGravity, "environment.gravity.acceleration", "exceeds 1e12 m/s^2",
+            "accelerations are in m/s^2");
   c.positive(e.gravity.radius, "environment.gravity.radius", "in m");
   const Atmosphere& a = e.atmosphere;
   if (a.temperature)
@@ -266,13 +274,18 @@ Status check(const Environment& e) {
   if (a.density) c.not_negative(*a.density, "environment.atmosphere.density", "");
   if (a.sound_speed) c.positive(*a.sound_speed, "environment.atmosphere.sound_speed", "");
   c.positive(a.scale_height, "environment.atmosphere.scale_height", "");
-  c.is_vector(e.wind.velocity, "environment.wind.velocity");
+  const auto check_wind = [&c](const Vec3d& velocity, const std::string& place) {
+    c.is_vector(velocity, place);
+    c.require(!(length(velocity) > kMostWind), place, "exceeds 1e9 m/s", "velocities are in m/s");
+  };
+  check_wind(e.wind.velocity, "environment.wind.velocity");
   const auto& profile = e.wind.profile;
   c.require(profile.size() <= std::size_t(kMaxWindPoints), "environment.wind.profile", "has too many points",
             "at most 32");
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const std::string place = "environment.wind.profile[" + std::to_string(i) + "]";
-    c.is_number(profile[i].at, place).is_vector(profile[i].velocity, place);
+    c.is_number(profile[i].at, place);
+    check_wind(profile[i].velocity, place);
     if (i > 0)
       c.require(profile[i].at - profile[i - 1].at >= kSmallest, place, "places must rise, by 1e-9 m at least",
                 "sort the points");

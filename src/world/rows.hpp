@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "model/body.hpp"
@@ -168,7 +169,13 @@ class Rows : RowMemory {
   }
   template <class S>
   static void put(S* const (&column)[3], std::uint32_t row, const Vec3d& v) {
-    column[0][row] = static_cast<S>(v.x), column[1][row] = static_cast<S>(v.y), column[2][row] = static_cast<S>(v.z);
+    column[0][row] = rounded<S>(v.x), column[1][row] = rounded<S>(v.y), column[2][row] = rounded<S>(v.z);
+  }
+  /// A number in a row's precision; the largest there is where it is larger, as places of before may be.
+  template <class S>
+  [[nodiscard]] static S rounded(double x) {
+    constexpr double kMost = std::numeric_limits<S>::max();
+    return static_cast<S>(x > kMost ? kMost : x < -kMost ? -kMost : x);
   }
 
  private:

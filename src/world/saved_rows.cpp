@@ -21,16 +21,17 @@ constexpr auto kOfKind = [] {
   return of_kind;
 }();
 
-/// Hands every number of a row that a save holds to f, as a reference to its column's.
+/// Hands every number of a row that a save holds to f, as a reference to its column's, and whether it must be finite:
+/// what the original's loop carries over need not be, where it retires its projectile in the next step.
 template <class S, class F>
 void each_number(const RowLayout& layout, const RowColumns<S>& c, std::uint32_t row, const F& f) {
-  const auto each = [&](S* const* columns, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) f(columns[i][row]);
+  const auto each = [&](S* const* columns, std::size_t count, bool finite = true) {
+    for (std::size_t i = 0; i < count; ++i) f(columns[i][row], finite);
   };
   each(c.position, 3), each(c.previous, 3), each(c.velocity, 3);
-  if (layout.carried) each(c.carried, 3);
+  if (layout.carried) each(c.carried, 3, false);
   if (layout.launched) each(c.launch, 3);
-  if (layout.clocked) f(c.offset[row]), f(c.born[row]);
+  if (layout.clocked) f(c.offset[row], true), f(c.born[row], true);
   if (layout.turning) each(c.turn, kNumbers<Turn>);
 }
 
@@ -57,7 +58,7 @@ std::vector<double> Placement::saved_numbers(std::uint32_t index) const {
   const RowLayout& layout = rows.layout();
   std::vector<double> numbers;
   rows.visit([&](const auto& c) {
-    each_number(layout, c, slot.row, [&](auto& number) { numbers.push_back(static_cast<double>(number)); });
+    each_number(layout, c, slot.row, [&](auto& number, bool) { numbers.push_back(static_cast<double>(number)); });
     for (const std::uint8_t field : layout.fields)
       if (!kOfKind[field]) numbers.push_back(static_cast<double>(c.field[field][slot.row]));
   });
@@ -78,9 +79,9 @@ bool Placement::put_saved(std::uint32_t index, const std::vector<double>& number
   bool good = true;
   const auto next = [&] { return at < numbers.size() ? numbers[at++] : (good = false, 0.0); };
   rows.visit([&](const auto& columns) {
-    each_number(layout, columns, slot.row, [&]<class S>(S& number) {
+    each_number(layout, columns, slot.row, [&]<class S>(S& number, bool finite) {
       number = static_cast<S>(next());
-      good = good && std::isfinite(number);
+      good = good && (!finite || std::isfinite(number));
     });
   });
   Body<double> body = rung.body;

@@ -141,7 +141,7 @@ class Session {
   }
   /// Now and then the world goes, or goes elsewhere, within its own step.
   void vanish() {
-    if (!r_.one_in(40)) return;
+    if (reading_ > 0 || !r_.one_in(40)) return;  // who reads holds it by reference
     if (r_.coin()) return world_.reset();
     auto other = std::make_unique<World>(std::move(*world_));
     world_ = std::move(other);
@@ -420,8 +420,16 @@ class Session {
   }
 
   // ---------------------------------------------------------------------------------------------------------- reading
+  class Reading {
+   public:
+    Reading() { ++reading_; }
+    ~Reading() { --reading_; }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+  };
   void ask() { ask_one(*world_, some()); }
   static void ask_one(const World& world, ProjectileId id) {
+    const Reading reading;
     const ProjectileView p = world[id];
     const bool alive = p.is_alive();
     expect(is_finite(p.position()) && is_finite(p.velocity()), "a projectile has bad numbers");
@@ -437,6 +445,7 @@ class Session {
   }
   void ask_world() { read(*world_); }
   static void read(const World& world) {
+    const Reading reading;
     std::vector<Segment> segments;
     world.segments(segments);
     std::vector<ProjectileId> ids;
@@ -457,6 +466,7 @@ class Session {
   }
 
   static inline Session* active_ = nullptr;
+  static inline int reading_ = 0;
   Odd& r_;
   Runner runner_;
   Bytes recording_;

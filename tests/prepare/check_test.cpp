@@ -89,6 +89,14 @@ const BadInput kBad[] = {
      [](Input& i) {
        i.projectile.motor.thrust = {{0, 1}, {1e300, 1}};
      }},
+    {"aerodynamics beyond all Mach numbers", "projectile.aero.lift[1]", "beyond 100",
+     [](Input& i) {
+       i.projectile.aero.lift = {{0, 0, 1}, {1e18, 0, 2}};
+     }},
+    {"aerodynamics at no angle", "projectile.aero.magnus_force[1]", "beyond 10 rad",
+     [](Input& i) {
+       i.projectile.aero.magnus_force = {{0, 0, 1}, {0, 1e18, 2}};
+     }},
     {"nine bands", "projectile.drag.bands", "too many",
      [](Input& i) {
        i.projectile.drag.bands.assign(9, {100, 200});
@@ -130,6 +138,14 @@ const BadInput kBad[] = {
     {"altitude too low", "environment.altitude", "between", [](Input& i) { i.environment.altitude = -6000; }},
     {"gravity NaN", "environment.gravity.acceleration", "finite",
      [](Input& i) { i.environment.gravity.acceleration = kNan; }},
+    {"gravity beyond all numbers", "environment.gravity.acceleration", "exceeds",
+     [](Input& i) { i.environment.gravity.acceleration = 1e300; }},
+    {"wind beyond all numbers", "environment.wind.velocity", "exceeds",
+     [](Input& i) { i.environment.wind.velocity.z = -1e308; }},
+    {"a profile's wind beyond all numbers", "environment.wind.profile[0]", "exceeds",
+     [](Input& i) {
+       i.environment.wind.profile = {{0, {1e300, 0, 0}}};
+     }},
     {"radius zero", "environment.gravity.radius", "positive", [](Input& i) { i.environment.gravity.radius = 0; }},
     {"temperature in Celsius", "environment.atmosphere.temperature", "between",
      [](Input& i) { i.environment.atmosphere.temperature = 15; }},
@@ -294,10 +310,10 @@ TEST(Check, pilot_step_refuses_a_tolerance_as_flights_do) {
   EXPECT_EQ(step.error().place, "tolerance.position_error");
 }
 
-TEST(Check, gravity_beyond_all_measure_ends_a_flight_that_steps_by_frames) {
+TEST(Check, strong_gravity_ends_a_flight_that_steps_by_frames) {
   Input input;
   input.fidelity.integrator = Integrator::semi_implicit_euler;
-  for (const double gravity : {1e30, 1e300, 1e308}) {
+  for (const double gravity : {1e6, 1e9, 1e12}) {
     input.environment.gravity.acceleration = gravity;
     const Flight flight = fly(input);
     EXPECT_NE(flight.outcome(), Outcome::refused) << gravity;

@@ -1,6 +1,7 @@
 // Saves: a world that is loaded goes on as the one that was saved, bit for bit; what is no save is refused.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "base/hash.hpp"
@@ -118,6 +119,34 @@ TEST(Save, tables_lie_where_they_lay_whatever_was_let_go) {
     ASSERT_EQ(world.hash(), again.hash());
     world.step(0.01), again.step(0.01);
   }
+}
+
+TEST(Save, what_the_next_step_retires_goes_along) {
+  World world;
+  ProjectileDef p = stone();
+  p.fidelity = Fidelity::classic();
+  p.fidelity.precision = Precision::float32;
+  p.mass = 1e-9, p.force = {1e35, 0, 0}, p.force_duration = 9;
+  ASSERT_TRUE(world.spawn(p, {.position = {0, 5, 0}}));
+  for (int step = 0; step < 4; ++step) {
+    expect_same(world, load(save_of(world)));
+    world.step(1.0 / 64);
+  }
+  EXPECT_EQ(world.size(), 0U) << "an acceleration beyond float32 retires it";
+}
+
+TEST(Save, a_place_of_before_that_its_rung_cannot_hold_is_cut) {
+  World world;
+  ProjectileDef p = stone();
+  p.fidelity.integrator = Integrator::rk4;
+  const ProjectileId id =
+      *world.spawn(p, {.position = {-std::ldexp(1, 997), 5, 0}, .velocity = Vec3d{std::ldexp(1, 1003), 0, 0}});
+  world.step(1.0 / 64);
+  ASSERT_EQ(world[id].position().x, 0);
+  ASSERT_TRUE(world[id].set_velocity({}));
+  ASSERT_TRUE(world[id].set_fidelity(Fidelity::game()));
+  EXPECT_TRUE(std::isfinite(world[id].previous_position().x));
+  expect_same(world, load(save_of(world)));
 }
 
 TEST(Save, functions_are_handed_in_again) {
