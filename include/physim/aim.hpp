@@ -88,7 +88,7 @@ struct MaxRange {
 
 /// The bore elevation that carries farthest over even ground that rises with `slope` [rad] in the direction of fire,
 /// launch.azimuth, and lies at the height `ground` [m] below or at the muzzle. An error where there is no farthest: the
-/// shot does not come down within `time` [s].
+/// shot does not come down within `time` [s]; and where all flights together take more than five million steps.
 [[nodiscard]] Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch,
                                          const Environment& environment, const Fidelity& fidelity, double ground = 0,
                                          double slope = 0, double time = 3600);

@@ -61,6 +61,10 @@ class Carry {
     const Flight flight = slope_ == 0 ? fly_until(until_.time) : fly_over_slope();
     const std::optional<double> landing = landing_of(flight);
     if (flight.error()) error_ = flight.error();
+    steps_ += flight.cost().steps;
+    if (steps_ > kMostSteps && !error_)
+      error_ = Error{"the farthest range takes more than five million steps to find", "fidelity.integrator",
+                     "use an adaptive one, or a shorter time"};
     if (!landing && !error_) error_ = does_not_land(flight);
     if (!landing) return out;
     PHYSIM_ASSERT(*landing >= 0 && *landing <= flight.duration());
@@ -111,6 +115,8 @@ class Carry {
   Until until_;
   std::optional<Error> error_;
   std::int64_t flights_ = 0;
+  static constexpr std::int64_t kMostSteps = 5'000'000;  // of all flights
+  std::int64_t steps_ = 0;
 };
 
 }  // namespace

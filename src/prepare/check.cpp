@@ -11,6 +11,7 @@
 #include "model/standard_atmosphere.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
+#include "prepare/projectile.hpp"
 #include "solve/take_step.hpp"
 
 namespace physim {
@@ -197,6 +198,8 @@ Status check(const ProjectileDef& p) {
   c.positive(d.form_factor, "projectile.drag.form_factor", "");
   c.require(d.damping > 0 && d.damping <= 1, "projectile.drag.damping", "must lie above 0 and not above 1",
             "1 means no drag");
+  if (c.status_so_far())
+    c.require(std::isfinite(half_area_per_mass(p)), "projectile.mass", "is too small for its drag area", "in kg");
   c.not_negative(d.k1, "projectile.drag.k1", "").not_negative(d.k2, "projectile.drag.k2", "");
   if (d.table == DragTable::custom) check_curve(c, d.curve, "projectile.drag.curve");
   if (!d.bands.empty()) check_bands(c, d.bands);

@@ -20,11 +20,14 @@ namespace {
 /// A constant Cd goes into the area, so that all such projectiles share one curve, Cd = 1.
 double constant_cd(const DragDef& drag) { return drag.table == DragTable::constant ? drag.coefficient : 1; }
 
-/// i A / (2 m): from the ballistic coefficient, or from mass, diameter and form factor.
+}  // namespace
+
 double half_area_per_mass(const ProjectileDef& p) {
   if (p.drag.ballistic_coefficient > 0) return constant_cd(p.drag) * kPi / (8 * p.drag.ballistic_coefficient);
   return constant_cd(p.drag) * p.drag.form_factor * kPi * p.diameter * p.diameter / (8 * p.mass);
 }
+
+namespace {
 
 void prepare_bands(const DragDef& drag, Body<double>& b) {
   const auto& given = drag.bands;

@@ -7,6 +7,9 @@
 
 namespace physim {
 
+/// i A / (2 m): from the ballistic coefficient, or from mass, diameter and form factor [m^2/kg].
+[[nodiscard]] double half_area_per_mass(const ProjectileDef& projectile);
+
 /// Adds the projectile's tables to the pool and its flags to the conditions.
 [[nodiscard]] Body<double> prepare_kind(const ProjectileDef& projectile, TablePool& pool,
                                         Conditions<double>& conditions);

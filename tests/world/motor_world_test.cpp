@@ -42,6 +42,22 @@ std::vector<Event> stops_of(std::span<const Event> events) {
   return stops;
 }
 
+/// A pack of one rocket has lanes that hold nobody. The first motor of the world is no business of theirs.
+TEST(WorldMotor, lanes_that_hold_nobody_take_no_motor) {
+  ProjectileDef other = rocket(rung(Integrator::tsit5));
+  other.motor.drag_curve.clear();
+  other.drag = {.table = DragTable::custom, .curve = {{0, 0.4}, {0.5317, 0.45}, {1.0173, 0.8}}};  // of no equal cells
+  ProjectileDef own = rocket(rung(Integrator::tsit5));
+  own.motor.drag_curve.clear();
+  World beside, alone;
+  ASSERT_TRUE(beside.spawn(other, from_rail()));
+  const ProjectileId id = *beside.spawn(own, from_rail()), same = *alone.spawn(own, from_rail());
+  for (int i = 0; i < 200; ++i) {
+    beside.step(kStep), alone.step(kStep);
+    ASSERT_EQ(beside[id].position(), alone[same].position()) << i;
+  }
+}
+
 TEST(WorldMotor, flies_the_bits_of_a_flight) {
   Environment windy;
   windy.wind.velocity = {3, 0.5, -2};
