@@ -14,6 +14,7 @@
 #include "physim/field.hpp"
 #include "physim/fit.hpp"
 #include "physim/flight.hpp"
+#include "physim/flight_columns.hpp"
 #include "physim/forces.hpp"
 #include "physim/frames.hpp"
 #include "physim/geodesy.hpp"

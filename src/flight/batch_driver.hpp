@@ -3,8 +3,33 @@
 
 #include "base/assert.hpp"
 #include "flight/batch_job.hpp"
+#include "model/sight.hpp"
 
 PHYSIM_ISA_BEGIN
+
+/// A column's numbers of the shots from `first` on; lanes without a shot repeat the last one.
+template <class W>
+PHYSIM_INLINE W take_column(const LaunchSource::Column& column, std::size_t first, int filled) {
+  if (column.of_shots == nullptr) return W(column.common);
+  W taken;
+  for (int lane = 0; lane < kLanes<W>; ++lane)
+    set_lane(taken, lane, column.of_shots[first + static_cast<std::size_t>(lane < filled ? lane : filled - 1)]);
+  return taken;
+}
+
+/// put_launch() (prepare/launch.hpp) for a pack of launches without rail and spin.
+template <class R>
+void put_launches(const LaunchSource& from, std::size_t first, int filled, Body<R>& into) {
+  using W = Cast<double, R>;
+  using S = ScalarOf<R>;
+  const auto take = [&](const LaunchSource::Column& column) { return take_column<W>(column, first, filled); };
+  const SightAxes<W> axes(sincos_of(take(from.azimuth)), sincos_of(W(from.look_angle)), sincos_of(W(from.cant)));
+  const Vec3<W> v = axes.bore(sincos_of(take(from.elevation) - W(from.look_angle))) * take(from.speed);
+  into.launch.x = {cast<S>(take(from.x)), cast<S>(take(from.y)), cast<S>(take(from.z))};
+  cast_numbers(v, into.launch.v);
+  cast_numbers(axes.right, into.plane);
+  cast_numbers(axes.forward, into.sight);
+}
 
 /// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than
 /// one.
@@ -46,11 +71,11 @@ class ReadyShots {
     // Unused lanes repeat the last shot, so that they hold sound numbers.
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       const std::size_t shot = next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1);
-      const double* from = job_.own_numbers + shot * job_.own_stride;
-      put_lane(from, ready_.body, lane, job_.own);
+      if (job_.launches == nullptr) put_lane(job_.own_numbers + shot * job_.own_stride, ready_.body, lane, job_.own);
       const auto take_rotor = [&](auto& rotor) { put_lane(job_.rotors[shot], rotor, lane); };
       for_rotors(job_.course->conditions->fidelity, take_rotor, ready_);
     }
+    if (job_.launches != nullptr) put_launches(*job_.launches, next_, filled_, ready_.body);
     march_.launch();
     next_ += static_cast<std::size_t>(filled_);
     used_ = 0;
@@ -126,7 +151,9 @@ class JudgedSteps {
   /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
   [[nodiscard]] bool stays(int i) const { return !accepted_[i] || verdict_[i].outcome == Outcome::non_finite; }
 
-  [[nodiscard]] ShotResult& result_of(int i) const { return job_.results[job_.places[shot_[i]]]; }
+  [[nodiscard]] ShotResult& result_of(int i) const {
+    return job_.results[job_.places == nullptr ? shot_[i] : job_.places[shot_[i]]];
+  }
 
   void begin_end(int i) {
     ShotResult& result = result_of(i);
@@ -166,7 +193,7 @@ class JudgedSteps {
         const Found& found = judgement_.crossings[i].found[rank];
         RawEvent event{std::uint32_t(shot_[i]), std::int16_t(found.index), found.rising, lane_of(time, i), {}};
         copy_lane(state, i, event.state, 0);
-        job_.emit(job_.sink, event);
+        if (job_.emit != nullptr) job_.emit(job_.sink, event);
         if (!verdict_[i].ended) continue;
         put_end(i, event.time, event.state);  // of the last crossing, where the flight ends with one
         if (turning) copy_lane(turned, i, job_.turns[shot_[i]], 0);
@@ -253,7 +280,7 @@ class LaneSet {
 template <class R, int kSets, class S>
 void fly_lanes(const BatchJob<S>& job) {
   static_assert(kSets <= kMostSets);
-  PHYSIM_ASSERT(job.course != nullptr && job.results != nullptr && job.emit != nullptr);
+  PHYSIM_ASSERT(job.course != nullptr && job.results != nullptr);
   ReadyShots<R, S> ready(job);
   JudgedSteps<R, S> judged(job);
   LaneSet<R, S> sets[kSets];

@@ -8,8 +8,8 @@
 namespace physim {
 namespace {
 
-/// Most launches look straight ahead: the sine and cosine of zero need no computing.
-SinCos<double> sincos_of(double angle) { return angle == 0 ? SinCos<double>{0, 1} : sincos(angle); }
+/// What needs no computing is not computed.
+SinCos<double> sincos_or_axis(double angle) { return angle == 0 ? SinCos<double>{0, 1} : sincos_of(angle); }
 
 /// The azimuth of the plane of fire: as given, or that of a given velocity.
 double azimuth_of(const Launch& launch) {
@@ -21,23 +21,16 @@ double azimuth_of(const Launch& launch) {
 }  // namespace
 
 SightFrame sight_frame(const Launch& launch) {
-  const auto azimuth = sincos_of(azimuth_of(launch));
-  const auto look = sincos_of(launch.sight.look_angle);
-  const auto cant = sincos_of(launch.sight.cant);
-  SightFrame s;
-  s.muzzle = launch.position;
-  s.forward = {look.cos * azimuth.cos, look.sin, look.cos * azimuth.sin};
-  s.right = {-azimuth.sin, 0.0, azimuth.cos};
-  s.up = cross(s.right, s.forward);
-  s.canted = s.up * cant.cos + s.right * cant.sin;
-  s.start = s.muzzle + s.canted * launch.sight.height;
-  return s;
+  const SightAxes<double> axes(sincos_or_axis(azimuth_of(launch)), sincos_or_axis(launch.sight.look_angle),
+                               sincos_or_axis(launch.sight.cant));
+  const Vec3d& muzzle = launch.position;
+  return {muzzle, muzzle + axes.canted * launch.sight.height, axes.forward, axes.up, axes.right, axes.canted};
 }
 
 Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation) {
   const double speed = launch.velocity ? length(*launch.velocity) : 0;
   if (speed > 0) return *launch.velocity * (1 / speed);
-  const auto above = sincos_of(elevation - launch.sight.look_angle);
+  const auto above = sincos_or_axis(elevation - launch.sight.look_angle);
   return sight.forward * above.cos + sight.canted * above.sin;
 }
 

@@ -11,7 +11,40 @@
 // geometry.
 #pragma once
 
+#include "math/elementary.hpp"
+#include "math/vec3.hpp"
 #include "physim/projectile.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// Most launches look straight ahead: zero gives zero and one exactly, whatever its sign.
+template <class R>
+PHYSIM_INLINE SinCos<R> sincos_of(const R& angle) {
+  using S = ScalarOf<R>;
+  const auto zero = angle == R(S(0));
+  const SinCos<R> found = sincos(angle);
+  return {select(zero, R(S(0)), found.sin), select(zero, R(S(1)), found.cos)};
+}
+
+/// Unit vectors of a line of sight.
+template <class R>
+struct SightAxes {
+  Vec3<R> forward;  // f
+  Vec3<R> right;    // r
+  Vec3<R> up;       // u
+  Vec3<R> canted;   // n
+
+  PHYSIM_INLINE SightAxes(const SinCos<R>& azimuth, const SinCos<R>& look, const SinCos<R>& cant)
+      : forward{look.cos * azimuth.cos, look.sin, look.cos * azimuth.sin},
+        right{-azimuth.sin, R(ScalarOf<R>(0)), azimuth.cos},
+        up(cross(right, forward)),
+        canted(up * cant.cos + right * cant.sin) {}
+
+  /// The bore, by its elevation above the line of sight.
+  PHYSIM_INLINE Vec3<R> bore(const SinCos<R>& above) const { return forward * above.cos + canted * above.sin; }
+};
+
+PHYSIM_ISA_END
 
 namespace physim {
 

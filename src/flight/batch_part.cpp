@@ -1,0 +1,270 @@
+#include "flight/batch_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/event_table.hpp"
+#include "flight/flight_record.hpp"
+#include "flight/kernels.hpp"
+#include "flight/pilot.hpp"
+#include "model/standard_atmosphere.hpp"
+#include "prepare/launch.hpp"
+#include "prepare/watch_list.hpp"
+
+namespace physim {
+namespace {
+
+/// Shots of a group that fly together at a time: few enough to stay in the cache between preparing, flying and
+/// gathering.
+constexpr std::size_t kChunk = 2048;
+
+bool is_by_shot(const std::vector<ShotEvent>& events) {
+  return std::is_sorted(events.begin(), events.end(),
+                        [](const ShotEvent& a, const ShotEvent& b) { return a.shot < b.shot; });
+}
+
+State<double> shown(const ShotGroup& group, std::size_t i, const State<double>& flown, double time) {
+  if (!drifts(group.cohort.in_use.fidelity)) return flown;
+  PHYSIM_ASSERT(i < group.drifts.size());
+  return with_drift(flown, group.drifts[i].first, group.drifts[i].second, time);
+}
+
+}  // namespace
+
+void BatchPart::fly(std::size_t first, PartResult& into) {
+  PHYSIM_ASSERT(first + into.shots.size() <= task_.shots.size());
+  part_ = &into;
+  first_ = first;
+  if (!fly_as_columns()) {
+    for (std::uint32_t i = 0; i < into.shots.size(); ++i) fly_or_gather(i);
+  }
+  for (ShotGroup& group : groups_.all()) fly(group);
+  if (into.wants_events) order_events();
+}
+
+void BatchPart::refuse(std::size_t i, const Error& error) {
+  PHYSIM_ASSERT(i < part_->shots.size());
+  part_->shots[i] = {};
+  ++part_->refused;
+  if (!part_->error) part_->error = error;
+}
+
+void BatchPart::fly_or_gather(std::uint32_t i) {
+  const ShotState state = groups_.prepare(first_ + i);
+  if (state == ShotState::refused) return refuse(i, groups_.refusal());
+  const ShotKind& kind = groups_.kind();
+  ShotGroup& group = *kind.group;
+  if (!part_->in_use) part_->in_use = group.cohort.in_use;
+  if (state == ShotState::over) return end_at_once(i);
+  if (state == ShotState::alone) return fly_alone(i);
+  if (group.own != PartSet::all() && groups_.launch().rail_length > 0) {
+    fly(group);  // those without a rail
+    group.own = PartSet::all();
+  }
+  const Fidelity& granted = group.cohort.in_use.fidelity;
+  group.add(i, kind.body);
+  if (turns(granted)) group.rotors.push_back(kind.rotor);
+  if (drifts(granted))
+    group.drifts.emplace_back(
+        prepare_spin_drift(*kind.projectile, length(kind.body.launch.v), task_.environment, granted), kind.body.plane);
+  if (group.shots.size() == kChunk) fly(group);
+}
+
+/// Each chunk's are in order; those of several groups lie between each other.
+void BatchPart::order_events() {
+  if (is_by_shot(part_->events)) return;
+  const std::vector<ShotEvent> unsorted = part_->events;  // copied back, so that the result keeps its memory
+  const auto& order = by_shot_.order(unsorted, part_->shots.size());
+  for (std::size_t i = 0; i < order.size(); ++i) part_->events[i] = unsorted[order[i]];
+}
+
+void BatchPart::put_attitude(std::uint32_t i, const Attitude& attitude) {
+  PHYSIM_ASSERT(part_->attitudes.empty() || i < part_->attitudes.size());
+  if (part_->attitudes.empty()) return;
+  part_->attitudes[i] = {attitude.q_WB, attitude.omega};
+  part_->turned = true;
+}
+
+void BatchPart::end_at_once(std::uint32_t i) {
+  const ShotKind& kind = groups_.kind();
+  const State<double>& launch = kind.body.launch;
+  part_->shots[i] = {groups_.outcome(), 0, launch.x, launch.v, {}};
+  if (groups_.outcome() == Outcome::landed && part_->wants_events)
+    part_->events.push_back(
+        {i, {.kind = EventKind::ground, .value = *task_.until.ground, .position = launch.x, .velocity = launch.v}});
+  const Cohort& cohort = kind.group->cohort;
+  if (turns(cohort.in_use.fidelity))
+    put_attitude(i, attitude_of(cohort.conditions, kind.body, kind.rotor, 0, launch, kind.rotor.launch));
+}
+
+void BatchPart::fly_alone(std::uint32_t i) {
+  const Flight flight = physim::fly(*groups_.kind().projectile, groups_.launch(), task_.environment, task_.fidelity,
+                                    task_.tolerance, task_.until);
+  if (flight.error()) return refuse(i, *flight.error());
+  const Sample end = flight.end();
+  part_->shots[i] = {flight.outcome(), flight.duration(), end.position, end.velocity, flight.cost()};
+  for (const Event& event : flight.events())
+    if (part_->wants_events && (!row_of(event.kind).in_flights || asks_for(event.kind)))
+      part_->events.push_back({i, event});
+  if (turns(flight.fidelity_in_use().fidelity)) put_attitude(i, {end.orientation, end.angular_velocity});
+}
+
+bool BatchPart::asks_for(EventKind kind) const {
+  return std::ranges::any_of(task_.until.events, [kind](const EventSpec& spec) { return spec.kind == kind; });
+}
+
+Status BatchPart::put_step(ShotGroup& group) {
+  if (group.step) return {};
+  const auto step = steps_.step_of(group.cohort.in_use.fidelity);
+  if (!step) return step.error();
+  group.step = *step;
+  return {};
+}
+
+void BatchPart::fly(ShotGroup& group) {
+  if (group.shots.empty()) return;
+  const Fidelity& granted = group.cohort.in_use.fidelity;
+  if (const Status status = put_step(group); !status) {
+    for (const std::uint32_t i : group.shots) refuse(i, status.error());
+    return group.clear();
+  }
+  group.cohort.finish();
+  if (granted.precision == Precision::float32)
+    fly_bodies<float>(group, batch_kernel().fly_float);
+  else
+    fly_bodies<double>(group, batch_kernel().fly_double);
+  group.clear();
+}
+
+template <class S>
+void BatchPart::fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&)) {
+  const Fidelity& granted = group.cohort.in_use.fidelity;
+  const std::size_t count = group.shots.size();
+  PHYSIM_ASSERT(count <= kChunk && group.own_numbers.size() == count * group.own_stride());
+  PHYSIM_ASSERT(group.rotors.size() == (turns(granted) ? count : 0));
+  PHYSIM_ASSERT(group.drifts.size() == (drifts(granted) ? count : 0));
+  watch_ = prepare_watch(task_.until, group.cohort.conditions, Watcher::batch);
+  const Course<S> course = group.cohort.course<S>(task_.tolerance, *group.step, watch_);
+  group.turned.resize(group.rotors.size());
+  void (*emit)(void*, const RawEvent&) = nullptr;
+  if (part_->wants_events)
+    emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
+  const NumberRuns own = (group.own & parts_flown(granted, group.cohort.conditions)).runs();
+  kernel({&course, nullptr, group.own_numbers.data(), group.own_stride(), own, &group.common, group.rotors.data(),
+          group.shots.data(), count, part_->shots.data(), group.turned.empty() ? nullptr : group.turned.data(), emit,
+          &group});
+  for (const std::uint32_t i : by_shot_.order(group.events, count)) keep(group, group.events[i]);
+  if (drifts(granted)) add_drift(group);
+  if (!group.turned.empty()) keep_attitudes(group);
+}
+
+// ------------------------------------------------------------------------------------------- columns
+namespace {
+
+/// Numbers of a column within bounds, so that no check of a launch would refuse them.
+bool all_within(std::span<const double> column, double low, double high) {
+  bool within = true;
+  for (const double x : column) within &= x >= low && x <= high;
+  return within;
+}
+
+/// Launches that need no look of their own: sound, not over where they begin, and numbers in float32 too.
+bool are_plain(const LaunchColumns& from, std::size_t first, std::size_t count, double lowest) {
+  constexpr double kFar = 1e15, kFast = 1e15, kTurn = 3.14;
+  const auto part = [&](std::span<const double> column) {
+    return column.empty() ? column : column.subspan(first, count);
+  };
+  return all_within(part(from.x), -kFar, kFar) && all_within(part(from.y), lowest, kFar) &&
+         all_within(part(from.z), -kFar, kFar) && all_within(part(from.speed), 0, kFast) &&
+         all_within(part(from.elevation), -kTurn, kTurn) && all_within(part(from.azimuth), -kFast, kFast);
+}
+
+}  // namespace
+
+/// Whether the lanes may compute the launches of a part themselves. What all have in common is asked of the first; any
+/// shot that is not plain sends the part the other way.
+bool BatchPart::fly_as_columns() {
+  if (!task_.shots.columns || part_->wants_events || part_->shots.empty()) return false;
+  const LaunchColumns& from = *task_.shots.columns;
+  if (groups_.prepare(first_) != ShotState::flies) return false;
+  ShotGroup& group = *groups_.kind().group;
+  const Fidelity& granted = group.cohort.in_use.fidelity;
+  const bool by_frames = steps_by_frames(granted) && !step_given(granted, task_.tolerance);
+  const bool own_launch =
+      group.own != PartSet::all() && from.common.rail_length <= 0 && from.common.sight.zero_range <= 0;
+  if (!own_launch || by_frames || granted.planar || granted.earth != EarthModel::flat || drifts(granted)) return false;
+  // Lower ones are looked at one by one: they may end where they begin.
+  const double domain = kLowestAltitude - task_.environment.altitude + 1;
+  const double above = std::max(domain, std::nextafter(task_.until.ground.value_or(domain), kInfinity));
+  if (from.y.empty() && from.common.position.y < above) return false;
+  if (!are_plain(from, first_, part_->shots.size(), above)) return false;
+  const auto column = [this](std::span<const double> numbers, double common) {
+    return LaunchSource::Column{numbers.empty() ? nullptr : numbers.data() + first_, common};
+  };
+  const Launch& common = from.common;
+  const LaunchSource launches{column(from.x, common.position.x),
+                              column(from.y, common.position.y),
+                              column(from.z, common.position.z),
+                              column(from.speed, common.speed),
+                              column(from.elevation, common.elevation),
+                              column(from.azimuth, common.azimuth),
+                              common.sight.look_angle,
+                              common.sight.cant};
+  if (!part_->in_use) part_->in_use = group.cohort.in_use;
+  return fly_launches(group, launches);
+}
+
+bool BatchPart::fly_launches(ShotGroup& group, const LaunchSource& launches) {
+  if (!put_step(group)) return false;
+  const auto run = [&]<class S>(S, void (*kernel)(const BatchJob<S>&)) {
+    watch_ = prepare_watch(task_.until, group.cohort.conditions, Watcher::batch);
+    const Course<S> course = group.cohort.course<S>(task_.tolerance, *group.step, watch_);
+    const NumberRuns own = (group.own & parts_flown(group.cohort.in_use.fidelity, group.cohort.conditions)).runs();
+    kernel({&course, &launches, nullptr, 0, own, &group.common, nullptr, nullptr, part_->shots.size(),
+            part_->shots.data(), nullptr, nullptr, nullptr});
+  };
+  group.cohort.finish();
+  if (group.cohort.in_use.fidelity.precision == Precision::float32)
+    run(0.0F, batch_kernel().fly_float);
+  else
+    run(0.0, batch_kernel().fly_double);
+  return true;
+}
+
+void BatchPart::keep(const ShotGroup& group, const RawEvent& e) {
+  const State<double> s = shown(group, e.shot, e.state, e.time);
+  PHYSIM_ASSERT(e.index >= 0 && e.index < watch_.count);
+  const EventSpec& spec = watch_.item[e.index].spec;
+  const Crossing direction = e.rising ? Crossing::rising : Crossing::falling;
+  part_->events.push_back({group.shots[e.shot],
+                           {.kind = spec.kind,
+                            .direction = direction,
+                            .value = spec.value,
+                            .time = e.time,
+                            .position = s.x,
+                            .velocity = s.v}});
+}
+
+void BatchPart::add_drift(const ShotGroup& group) {
+  for (std::size_t i = 0; i < group.shots.size(); ++i) {
+    ShotResult& result = part_->shots[group.shots[i]];
+    const State<double> s = shown(group, i, {result.position, result.velocity}, result.time);
+    result.position = s.x;
+    result.velocity = s.v;
+  }
+}
+
+void BatchPart::keep_attitudes(const ShotGroup& group) {
+  PHYSIM_ASSERT(group.turned.size() == group.shots.size());
+  const Conditions<double>& c = group.cohort.conditions;
+  for (std::size_t i = 0; i < group.shots.size(); ++i) {
+    const ShotResult& result = part_->shots[group.shots[i]];
+    const State<double> end{result.position, result.velocity};
+    Body<double> body = group.body(i);
+    State<double> start = end;
+    if (has_stops(c)) pass_stops(c, result.time, true, start, body);
+    put_attitude(group.shots[i], attitude_of(c, body, group.rotors[i], result.time, end, group.turned[i]));
+  }
+}
+
+}  // namespace physim

@@ -1,0 +1,145 @@
+#include "flight/shot_groups.hpp"
+
+#include <algorithm>
+
+#include "flight/pilot.hpp"
+#include "flight/zero.hpp"
+#include "model/drag_curves.hpp"
+#include "prepare/check.hpp"
+#include "prepare/conditions.hpp"
+#include "prepare/grant.hpp"
+#include "prepare/launch.hpp"
+#include "prepare/watch_list.hpp"
+
+namespace physim {
+namespace {
+
+constexpr unsigned kLaunchNumbers = kLaunchParts.runs().numbers();
+static_assert(kLaunchParts.runs().count == 1 && kLaunchParts.runs().run[0].first == 0, "a Body begins with them");
+
+/// Whether a launch without a rail gives a Body only the first numbers: what else put_launch() sets is not read.
+bool differ_by_launch_alone(const Conditions<double>& c) {
+  return !spins(c.fidelity) && !is_in_repose(c.fidelity) && !c.has_motor &&
+         c.fidelity.drag != DragModel::linear_quadratic;
+}
+
+unsigned rotation_key(const ProjectileDef& p) {
+  return (has_inertia(p) ? 128u : 0) | (is_axisymmetric(p) ? 256u : 0) | (p.aero.pitching.empty() ? 0 : 2048u);
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------- one group
+void ShotGroup::add(std::uint32_t shot, const Body<double>& body) {
+  shots.push_back(shot);
+  own_numbers.insert(own_numbers.end(), numbers(body), numbers(body) + own_stride());
+}
+
+Body<double> ShotGroup::body(std::size_t i) const {
+  PHYSIM_ASSERT(i < shots.size() && own_numbers.size() == shots.size() * own_stride());
+  Body<double> b = common;
+  std::copy_n(own_numbers.data() + i * own_stride(), own_stride(), numbers(b));
+  return b;
+}
+
+unsigned ShotGroup::own_stride() const { return own == kLaunchParts ? kLaunchNumbers : kNumbers<Body>; }
+
+void ShotGroup::clear() {
+  shots.clear();
+  own_numbers.clear();
+  rotors.clear();
+  drifts.clear();
+  events.clear();
+}
+
+// ------------------------------------------------------------------------------------------- all of them
+/// Fitting a spline costs more than a flight, so each custom curve is judged once.
+bool ShotGroups::overshoots(const DragDef& drag) {
+  if (drag.table != DragTable::custom) return false;
+  for (const auto& [curve, verdict] : judged_curves_)
+    if (curve == drag.curve) return verdict;
+  if (judged_curves_.size() == kMostJudgedCurves) judged_curves_.clear();
+  return judged_curves_.emplace_back(drag.curve, spline_overshoots(drag)).second;
+}
+
+/// grant() looks at these of a projectile, so shots that agree in them are granted the same.
+unsigned ShotGroups::grant_key(const ProjectileDef& p) {
+  const DragDef& d = p.drag;
+  const Fidelity& asked = task_.fidelity;
+  return (p.twist == 0 ? 1u : 0) | (p.length <= 0 ? 2u : 0) | (d.k1 == 0 ? 4u : 0) | (d.k2 == 0 ? 8u : 0) |
+         (d.damping < 1 ? 16u : 0) | (p.force != Vec3d{} ? 32u : 0) |
+         (asked.interpolation == Interpolation::cubic && overshoots(d) ? 64u : 0) |
+         (turns(asked) ? rotation_key(p) : 0) | (has_motor(p) ? 512u : 0) | (has_magnus(p) ? 1024u : 0);
+}
+
+ShotGroup& ShotGroups::group_of(const ProjectileDef& projectile) {
+  const unsigned key = grant_key(projectile);
+  PHYSIM_ASSERT(key < group_by_key_.size());
+  ShotGroup*& known = group_by_key_[key];
+  if (known) return *known;
+  const FidelityInUse in_use = grant(task_.fidelity, projectile, task_.environment);
+  for (ShotGroup& group : groups_)
+    if (group.cohort.in_use.fidelity == in_use.fidelity) return *(known = &group);
+  known = &groups_.emplace_back();
+  known->cohort.in_use = in_use;
+  known->cohort.conditions = prepare_conditions(task_.environment, in_use.fidelity);
+  return *known;
+}
+
+/// What is known of a shot's projectile.
+ShotKind& ShotGroups::kind_of(std::size_t shot) {
+  const ProjectileDef& projectile = task_.shots.projectile(shot);
+  if (kind_.projectile == &projectile) return kind_;
+  kind_.projectile = &projectile;
+  kind_.status = check(projectile);
+  if (!kind_.status) return kind_;
+  ShotGroup& group = group_of(projectile);
+  kind_.group = &group;
+  Cohort& cohort = group.cohort;
+  kind_.body = prepare_kind(projectile, cohort.pool, cohort.conditions);
+  if (turns(cohort.in_use.fidelity)) kind_.rotor = prepare_rotor_kind(projectile, cohort.pool, cohort.conditions);
+  if (steps_by_frames(cohort.in_use.fidelity)) cohort.finish();  // frame_step() looks at its drag
+  if (!task_.shots.one_projectile) return kind_;
+  group.common = kind_.body;
+  if (differ_by_launch_alone(cohort.conditions)) group.own = kLaunchParts;
+  return kind_;
+}
+
+ShotState ShotGroups::refuse(Status why) {
+  PHYSIM_ASSERT(!why);
+  refusal_ = std::move(why);
+  return ShotState::refused;
+}
+
+ShotState ShotGroups::prepare(std::size_t shot) {
+  ShotKind& kind = kind_of(shot);
+  if (!kind.status) return refuse(kind.status);
+  const ProjectileDef& projectile = *kind.projectile;
+  const Launch& launch = task_.shots.launch(shot, scratch_);
+  launch_ = &launch;
+  if (auto status = check(launch); !status) return refuse(std::move(status));
+  if (auto status = check(projectile, launch); !status) return refuse(std::move(status));
+  double elevation = launch.elevation;
+  if (launch.sight.zero_range > 0) {
+    const auto found = elevation_of(projectile, launch, task_.environment, task_.fidelity);
+    if (!found) return refuse(found.error());
+    elevation = *found;
+  }
+  Cohort& cohort = kind.group->cohort;
+  const Fidelity& granted = cohort.in_use.fidelity;
+  Body<double>& body = kind.body;
+  put_launch(projectile, launch, elevation, cohort.conditions, body);
+  if (auto status = check_fits(body.launch.x, body.launch.v, granted.precision); !status)
+    return refuse(std::move(status));
+  jump_in_crosswind(projectile, task_.environment, cohort.conditions, body);
+  if (turns(granted)) put_launch(projectile, launch, elevation, body, cohort.conditions, kind.rotor);
+  if (const auto outcome = ends_at_once(cohort.conditions, body, task_.until)) {
+    outcome_ = *outcome;
+    return ShotState::over;
+  }
+  const bool by_frames = steps_by_frames(granted) && !step_given(granted, task_.tolerance);
+  if (by_frames && frame_step(cohort, body, kind.rotor, task_.until) < kFrame) return ShotState::alone;
+  return ShotState::flies;
+}
+
+}  // namespace physim

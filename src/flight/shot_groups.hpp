@@ -1,0 +1,89 @@
+// The shots of a batch, prepared and sorted into groups that fly together: those whose granted rungs are equal.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "flight/batch_job.hpp"
+#include "flight/shot_list.hpp"
+#include "model/spin_drift.hpp"
+#include "prepare/cohort.hpp"
+
+namespace physim {
+
+/// Whether the granted rungs move a flight aside by its spin afterwards.
+[[nodiscard]] inline bool drifts(const Fidelity& granted) { return granted.rotation == RotationModel::spin_drift; }
+
+/// Shots whose granted rungs are equal, gathered until they fly.
+struct ShotGroup {
+  Cohort cohort;
+  std::optional<double> step;
+  std::vector<std::uint32_t> shots;
+  Body<double> common{};                            // what all bodies have ...
+  PartSet own = PartSet::all();                     // ... but for these parts, the first ones of a Body ...
+  std::vector<double> own_numbers;                  // ... which are here
+  std::vector<Rotor<double>> rotors;                // of rungs that turn
+  std::vector<std::pair<SpinDrift, Vec3d>> drifts;  // of the rung of that name, and where they point
+  std::vector<Turn<double>> turned;                 // how they turn at their ends
+  std::vector<RawEvent> events;
+
+  void add(std::uint32_t shot, const Body<double>& body);
+  [[nodiscard]] Body<double> body(std::size_t i) const;
+  [[nodiscard]] unsigned own_stride() const;
+  void clear();
+};
+
+/// A projectile checked and prepared; each of its shots writes its launch over that of the one before.
+struct ShotKind {
+  const ProjectileDef* projectile = nullptr;
+  Status status;
+  ShotGroup* group = nullptr;
+  Body<double> body;
+  Rotor<double> rotor;  // of rungs that turn
+};
+
+/// What becomes of a shot.
+enum class ShotState {
+  refused,
+  over,   // ends where it begins
+  alone,  // drag slows it so fast that a frame is too long: it has a step of its own, and no place in a pack
+  flies,
+};
+
+/// Prepares shots one by one. Not for several threads: each has its own.
+class ShotGroups {
+ public:
+  explicit ShotGroups(const BatchTask& task) : task_(task) {}
+
+  /// What else is known of the shot stands in kind(), launch(), refusal() and outcome() until the next.
+  [[nodiscard]] ShotState prepare(std::size_t shot);
+  [[nodiscard]] const ShotKind& kind() const { return kind_; }
+  [[nodiscard]] const Launch& launch() const { return *launch_; }
+  [[nodiscard]] const Error& refusal() const { return refusal_.error(); }
+  [[nodiscard]] Outcome outcome() const { return outcome_; }
+
+  [[nodiscard]] ShotGroup& group_of(const ProjectileDef& projectile);
+  [[nodiscard]] std::deque<ShotGroup>& all() { return groups_; }
+
+ private:
+  ShotKind& kind_of(std::size_t shot);
+  [[nodiscard]] unsigned grant_key(const ProjectileDef& projectile);
+  [[nodiscard]] bool overshoots(const DragDef& drag);
+  [[nodiscard]] ShotState refuse(Status why);
+
+  const BatchTask& task_;
+  std::deque<ShotGroup> groups_;
+  static constexpr std::size_t kMostJudgedCurves = 64;
+  std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
+  std::array<ShotGroup*, 4096> group_by_key_{};
+  ShotKind kind_;
+  Launch scratch_;
+  const Launch* launch_ = nullptr;
+  Status refusal_;
+  Outcome outcome_ = Outcome::refused;
+};
+
+}  // namespace physim

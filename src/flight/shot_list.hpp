@@ -1,0 +1,42 @@
+// What a batch is asked to fly: shots with a projectile each, or launches of one, as structures or as columns.
+#pragma once
+
+#include <span>
+
+#include "base/assert.hpp"
+#include "physim/flight.hpp"
+#include "physim/flight_columns.hpp"
+
+namespace physim {
+
+struct ShotList {
+  std::span<const Shot> shots{};
+  const ProjectileDef* one_projectile = nullptr;
+  std::span<const Launch> launches{};
+  const LaunchColumns* columns = nullptr;
+
+  [[nodiscard]] std::size_t size() const {
+    if (columns) return columns->size();
+    return one_projectile ? launches.size() : shots.size();
+  }
+  [[nodiscard]] const ProjectileDef& projectile(std::size_t i) const {
+    return one_projectile ? *one_projectile : shots[i].projectile;
+  }
+  /// A launch, put together in `scratch` where it does not stand somewhere.
+  [[nodiscard]] const Launch& launch(std::size_t i, Launch& scratch) const {
+    PHYSIM_ASSERT(i < size());
+    if (columns) return scratch = columns->at(i);
+    return one_projectile ? launches[i] : shots[i].launch;
+  }
+};
+
+/// All that a batch is called with.
+struct BatchTask {
+  ShotList shots;
+  const Environment& environment;
+  const Fidelity fidelity;  // a copy: it may lie in the result
+  const Tolerance& tolerance;
+  const Until& until;
+};
+
+}  // namespace physim

@@ -1,0 +1,154 @@
+// fly_columns() gives the numbers of fly_batch(), column by column.
+#include "flight/batch_support.hpp"
+#include "physim/flight_columns.hpp"
+#include "physim/task_runner.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+struct Launches {
+  std::vector<double> x, y, z, speed, elevation, azimuth;
+
+  [[nodiscard]] LaunchColumns columns() const {
+    return {.x = x, .y = y, .z = z, .speed = speed, .elevation = elevation, .azimuth = azimuth};
+  }
+};
+
+/// Random launches, of which some are refused and some end at once.
+Launches random_launches(int count) {
+  Random r(11);
+  Launches l;
+  for (int i = 0; i < count; ++i) {
+    l.x.push_back(r.in(-5, 5)), l.y.push_back(r.one_in(40) ? -1 : r.in(1, 3)), l.z.push_back(r.in(-9, 9));
+    l.speed.push_back(r.one_in(40) ? kNan : r.in(50, 800));
+    l.elevation.push_back(r.in(-0.05, 0.3)), l.azimuth.push_back(r.in(-3, 3));
+  }
+  l.speed[0] = -1;
+  return l;
+}
+
+/// All columns of ends, with their memory.
+struct Ends {
+  std::vector<Outcome> outcome;
+  std::vector<double> number[10];
+
+  EndColumns of(std::size_t count) {
+    outcome.resize(count);
+    for (auto& column : number) column.resize(count);
+    auto& n = number;
+    return {.outcome = outcome,
+            .time = n[0],
+            .x = n[1],
+            .y = n[2],
+            .z = n[3],
+            .vx = n[4],
+            .vy = n[5],
+            .vz = n[6],
+            .speed = n[7],
+            .drop = n[8],
+            .windage = n[9]};
+  }
+};
+
+void expect_as_batch(const ProjectileDef& projectile, const LaunchColumns& from, const Environment& environment,
+                     const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, TaskRunner* runner,
+                     const std::string& what) {
+  std::vector<Launch> launches;
+  for (std::size_t i = 0; i < from.size(); ++i) launches.push_back(from.at(i));
+  const BatchResult batch = fly_batch(projectile, launches, environment, fidelity, tolerance, until);
+  Ends ends;
+  const ColumnsResult result =
+      fly_columns(projectile, from, environment, fidelity, tolerance, until, ends.of(launches.size()), runner);
+  EXPECT_EQ(result.error ? result.error->text() : "", batch.error ? batch.error->text() : "") << what;
+  EXPECT_EQ(result.kernel, batch.kernel) << what;
+  EXPECT_EQ(result.fidelity_in_use.fidelity, batch.fidelity_in_use.fidelity) << what;
+  EXPECT_EQ(result.fidelity_in_use.notes.size(), batch.fidelity_in_use.notes.size()) << what;
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < launches.size() && !testing::Test::HasFailure(); ++i) {
+    const ShotResult& shot = batch.shots[i];
+    EXPECT_EQ(ends.outcome[i], shot.outcome) << what << ' ' << i;
+    if (shot.outcome == Outcome::refused) {
+      ++refused;
+      for (const auto& column : ends.number) EXPECT_TRUE(std::isnan(column[i])) << what << ' ' << i;
+      continue;
+    }
+    const auto& n = ends.number;
+    const Vec3d place{n[1][i], n[2][i], n[3][i]}, velocity{n[4][i], n[5][i], n[6][i]};
+    EXPECT_TRUE(same_bits(n[0][i], shot.time) && same_bits(place, shot.position) && same_bits(velocity, shot.velocity))
+        << what << ' ' << i;
+    EXPECT_EQ(n[7][i], length(shot.velocity)) << what << ' ' << i;
+    if (i % 100 != 0) continue;
+    const Sample end = fly(projectile, launches[i], environment, fidelity, tolerance, until).end();
+    EXPECT_NEAR(n[8][i], end.drop, 1e-2) << what << ' ' << i;
+    EXPECT_NEAR(n[9][i], end.windage, 1e-2) << what << ' ' << i;
+  }
+  EXPECT_EQ(result.refused, refused) << what;
+}
+
+TEST(Columns, ends_are_those_of_a_batch) {
+  const Launches l = random_launches(5000);
+  Environment windy;
+  windy.wind.velocity = {2, 0, -4};
+  Fidelity steps_by_pilots = Fidelity::simulation();
+  steps_by_pilots.integrator = Integrator::rk4;
+  Fidelity drifting = Fidelity::small_arms();
+  drifting.rotation = RotationModel::spin_drift;
+  const auto pool = make_thread_pool(3);
+  for (TaskRunner* runner : {static_cast<TaskRunner*>(nullptr), pool.get()}) {
+    const Until line{.time = 3, .range = 200};
+    expect_as_batch(bullet_308(), l.columns(), windy, Fidelity::game(), {}, line, runner, "game");
+    expect_as_batch(bullet_308(), l.columns(), windy, Fidelity::small_arms(), {}, line, runner, "small arms");
+    expect_as_batch(bullet_308(), l.columns(), windy, drifting, {}, line, runner, "spin drift");
+    expect_as_batch(bullet_308(), l.columns(), windy, Fidelity::arcade(), {}, {}, runner, "arcade");
+    expect_as_batch(bullet_308(), l.columns(), windy, steps_by_pilots, {.position_error = 0.1}, line, runner, "pilots");
+  }
+}
+
+TEST(Columns, what_no_column_gives_stands_in_common) {
+  const std::vector<double> speed{300, 400, 500};
+  LaunchColumns from{.common = {.position = {1, 2, 3}, .azimuth = 0.2, .sight = {.height = 0.05, .zero_range = 100}},
+                     .speed = speed};
+  expect_as_batch(bullet_308(), from, {}, Fidelity::small_arms(), {}, {.range = 150}, nullptr, "zeroed");
+  from.common.sight = {};
+  from.common.spin.backspin = 100;
+  Fidelity spinning = Fidelity::sport_ball();
+  expect_as_batch(bullet_308(), from, {}, spinning, {}, {}, nullptr, "spinning");
+  from.common.rail_length = 1;
+  expect_as_batch(bullet_308(), from, {}, Fidelity::simulation(), {}, {}, nullptr, "on a rail");
+}
+
+TEST(Columns, only_what_is_asked_for_is_written) {
+  const Launches l = random_launches(10);
+  std::vector<double> drop(10, 7);
+  const ColumnsResult result = fly_columns(bullet_308(), l.columns(), {}, Fidelity::game(), {}, {}, {.drop = drop});
+  EXPECT_TRUE(std::isnan(drop[0])) << "refused";
+  EXPECT_NE(drop[1], 7);
+  EXPECT_GE(result.refused, 1U);
+}
+
+TEST(Columns, bad_columns_refuse_all_and_write_nothing) {
+  const Launches l = random_launches(10);
+  std::vector<double> time(10, 7), other(9, 7);
+  const auto refusal = [&](const LaunchColumns& from, const EndColumns& into, const ProjectileDef& projectile) {
+    const ColumnsResult result = fly_columns(projectile, from, {}, Fidelity::game(), {}, {}, into);
+    EXPECT_EQ(result.refused, 10U);
+    for (const double t : time) EXPECT_EQ(t, 7);
+    return result.error ? result.error->place : std::string("none");
+  };
+  LaunchColumns from = l.columns();
+  from.z = from.z.subspan(1);
+  EXPECT_EQ(refusal(from, {.time = time}, bullet_308()), "launches.z");
+  EXPECT_EQ(refusal(l.columns(), {.time = time, .windage = other}, bullet_308()), "into.windage");
+  from = l.columns();
+  from.common.velocity = Vec3d{1, 2, 3};
+  EXPECT_EQ(refusal(from, {.time = time}, bullet_308()), "launches.common.velocity");
+  ProjectileDef nothing = bullet_308();
+  nothing.mass = 0;
+  EXPECT_EQ(refusal(l.columns(), {.time = time}, nothing), "projectile.mass");
+  EXPECT_EQ(fly_columns(bullet_308(), {}, {}, Fidelity::game(), {}, {}, {}).refused, 0U) << "no shots";
+}
+
+}  // namespace
+}  // namespace physim
