@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "physim/flight_columns.hpp"
+
 namespace physim::bench {
 namespace {
 
@@ -32,10 +34,52 @@ Contender peer(std::string name, std::string kernel, void (*fly)(PeerTask&), con
   return contender;
 }
 
+namespace {
+
+/// Memory that columns of a run take, used again by the next.
+struct Columns {
+  std::vector<double> speed, elevation, time, drop, windage, at_end;
+  const Launch* of = nullptr;  // whose launches stand in the columns
+
+  /// Filled once for each set, not in every turn: who has columns has them.
+  LaunchColumns launches(std::span<const Launch> from) {
+    if (of != from.data() || speed.size() != from.size()) {
+      speed.clear(), elevation.clear();
+      for (const Launch& launch : from) speed.push_back(launch.speed), elevation.push_back(launch.elevation);
+      of = from.data();
+    }
+    return {.speed = speed, .elevation = elevation};
+  }
+  /// Time, drop, windage and speed at the range line.
+  EndColumns ends(std::size_t count) {
+    for (auto* column : {&time, &drop, &windage, &at_end}) column->resize(count);
+    return {.time = time, .speed = at_end, .drop = drop, .windage = windage};
+  }
+};
+
+Contender columns(Contender contender, const Fidelity& fidelity) {
+  const Contender kind = contender;
+  const Contender rows = batch(kind.name, kind.kernel, fidelity, BatchOf::launches);
+  contender.fly = [kind, rows, fidelity, memory = Columns{}](const ShotSet& set, std::size_t count, double setting,
+                                                             Vec3d* ends) mutable {
+    if (ends) return rows.fly(set, count, setting, ends);  // the same numbers
+    use_kernel(kind.kernel);
+    const ColumnsResult told =
+        fly_columns(set.shots[0].projectile, memory.launches(std::span(set.launches).first(count)), bench_environment(),
+                    fidelity, tolerance_of(kind, setting), bench_until(), memory.ends(count));
+    use_kernel("");
+    return told.refused == 0 && count <= 200 ? rows.fly(set, count, setting, nullptr) : Work{};
+  };
+  return contender;
+}
+
+}  // namespace
+
 Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, BatchOf what) {
   Contender contender{std::move(name), std::move(kernel)};
   contender.by_pilot = fidelity.integrator == Integrator::rk4;
   if (fidelity.precision == Precision::float32) contender.tightest = 5e-7;
+  if (what == BatchOf::columns) return columns(std::move(contender), fidelity);
   const Contender kind = contender;
   contender.fly = [kind, fidelity, what, result = BatchResult{}](const ShotSet& set, std::size_t count, double setting,
                                                                  Vec3d* ends) mutable {

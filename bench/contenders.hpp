@@ -29,8 +29,9 @@ struct Contender {
 enum class BatchOf {
   launches,  // of one projectile
   shots,     // with a projectile each
+  columns,   // fly_columns(): launches as columns, and the columns of kEnds out; the Work is that of the batch
 };
-/// fly_batch() with one kernel.
+/// fly_batch() or fly_columns() with one kernel.
 [[nodiscard]] Contender batch(std::string name, std::string kernel, const Fidelity& fidelity, BatchOf what);
 /// fly() for each shot, with dense output and the place asked from it.
 [[nodiscard]] Contender single_flights(std::string name, const Fidelity& fidelity);

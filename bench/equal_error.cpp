@@ -28,8 +28,11 @@ std::vector<Contender> contenders(const PeerModel& model, double target) {
                               peer("SUNDIALS CVODE BDF", "native, FMA", fly_cvode_bdf, model)};
   list.push_back(single_flights("PhySim fly(), with dense output", bench_fidelity(Integrator::tsit5)));
   const auto add = [&](const char* name, const std::string& kernel, Integrator integrator,
-                       Precision precision = Precision::float64) {
-    list.push_back(batch(name, kernel, bench_fidelity(integrator, precision), BatchOf::launches));
+                       Precision precision = Precision::float64, BatchOf what = BatchOf::launches) {
+    list.push_back(batch(name, kernel, bench_fidelity(integrator, precision), what));
+  };
+  const auto add_columns = [&](const char* name, Integrator integrator, Precision precision = Precision::float64) {
+    add(name, best, integrator, precision, BatchOf::columns);
   };
   const auto add_packs = [&](const char* name, Integrator integrator) {  // best last
     for (auto kernel = found.rbegin() + 1; kernel != found.rend(); ++kernel) add(name, *kernel, integrator);
@@ -40,10 +43,15 @@ std::vector<Contender> contenders(const PeerModel& model, double target) {
   add_packs("PhySim adaptive RK4(3)", Integrator::rk43);
   add("PhySim adaptive DOP853", best, Integrator::dop853);
   add_packs("PhySim fixed RK4, pilot step", Integrator::rk4);
+  add_columns("PhySim adaptive Tsit5, columns", Integrator::tsit5);
+  add_columns("PhySim adaptive RK4(3), columns", Integrator::rk43);
+  add_columns("PhySim fixed RK4, pilot step, columns", Integrator::rk4);
   if (target >= 1e-3) {
     add("PhySim adaptive Tsit5, float32", best, Integrator::tsit5, Precision::float32);
     add("PhySim adaptive RK4(3), float32", best, Integrator::rk43, Precision::float32);
     add("PhySim fixed RK4, pilot step, float32", best, Integrator::rk4, Precision::float32);
+    add_columns("PhySim adaptive RK4(3), float32, columns", Integrator::rk43, Precision::float32);
+    add_columns("PhySim fixed RK4, pilot step, float32, columns", Integrator::rk4, Precision::float32);
   }
   return list;
 }

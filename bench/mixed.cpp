@@ -79,7 +79,7 @@ Section mixed_section(const Options& options, double tolerance) {
 Section allocation_section(const Options& options) {
   Section s;
   s.title = "Allocations";
-  s.intro = "Calls of operator new during one fly_batch(), by batch size and tolerance.";
+  s.intro = "Calls of operator new during one fly_batch(), by batch size and tolerance, and during one fly_columns().";
   s.columns = {"flights", "tolerance", "steps", "allocations", "a step more allocates"};
   const std::size_t most = std::min<std::size_t>(options.flights, 8000);
   const ShotSet set = uniform_shots(most);
@@ -99,6 +99,14 @@ Section allocation_section(const Options& options) {
       steps_before = work.steps;
       allocations_before = made;
     }
+  }
+  const Contender columns = batch("", kernels().front(), bench_fidelity(Integrator::tsit5), BatchOf::columns);
+  for (const std::size_t count : {most / 2, most}) {
+    columns.fly(set, count, 1e-6, nullptr);  // fills the columns
+    const std::int64_t start = allocations();
+    columns.fly(set, count, 1e-6, nullptr);
+    s.rows.push_back({fixed(static_cast<double>(count), 0).text + " in columns", power(1e-6), "",
+                      fixed(static_cast<double>(allocations() - start), 0), ""});
   }
   return s;
 }

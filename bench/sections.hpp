@@ -21,6 +21,8 @@ struct Options {
 /// Mixed projectiles against equal ones, at the tolerance of the uniform shot.
 [[nodiscard]] Section mixed_section(const Options& options, double tolerance);
 [[nodiscard]] Section allocation_section(const Options& options);
+/// Batches on two threads beside two processes.
+[[nodiscard]] Section threads_section(const Options& options);
 [[nodiscard]] Section micro_section(const Options& options);
 /// How many trajectories aim() takes, and whether its solutions hit.
 [[nodiscard]] Section aim_section(const Options& options);
