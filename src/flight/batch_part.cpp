@@ -7,6 +7,7 @@
 #include "flight/flight_record.hpp"
 #include "flight/kernels.hpp"
 #include "flight/pilot.hpp"
+#include "model/earth.hpp"
 #include "model/standard_atmosphere.hpp"
 #include "prepare/launch.hpp"
 #include "prepare/watch_list.hpp"
@@ -192,7 +193,7 @@ bool BatchPart::fly_as_columns() {
   const bool by_frames = steps_by_frames(granted) && !step_given(granted, task_.tolerance);
   const bool own_launch =
       group.own != PartSet::all() && from.common.rail_length <= 0 && from.common.sight.zero_range <= 0;
-  if (!own_launch || by_frames || granted.planar || granted.earth != EarthModel::flat || drifts(granted)) return false;
+  if (!own_launch || by_frames || granted.planar || is_round(granted.earth) || drifts(granted)) return false;
   // Lower ones are looked at one by one: they may end where they begin.
   const double domain = kLowestAltitude - task_.environment.altitude + 1;
   const double above = std::max(domain, std::nextafter(task_.until.ground.value_or(domain), kInfinity));

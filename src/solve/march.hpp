@@ -66,13 +66,12 @@ class March {
   }
 
   /// Starts a frame where step.start is, at the time step.t; it ends at `limit`, which is so far away. What the
-  /// original loop carries over from its last frame is in step.slope[0].v. Lanes that do not fly pass no stops: the
-  /// motor's piece that they would be given may be anybody's.
-  PHYSIM_INLINE void restart(const R& limit, const R& frame, const Mask& flying = all()) {
+  /// original loop carries over from its last frame is in step.slope[0].v.
+  PHYSIM_INLINE void restart(const R& limit, const R& frame) {
     const Conditions<S>& c = conditions();
     Lanes<R>& l = lanes;
     const R zero(S(0));
-    if (has_stops(c)) pass_stops(c, l.step.t, flying, l.step.start, l.body);
+    if (has_stops(c)) pass_stops(c, l.step.t, zero == zero, l.step.start, l.body);
     PHYSIM_ASSERT(course_->plan.step == S(0));  // a frame is one step of its own length
     PHYSIM_ASSERT(!any(frame < zero) && !any(limit < l.step.t));
     begin_frame();
@@ -135,7 +134,7 @@ class March {
   PHYSIM_INLINE Mask take_frame(const R& limit, const R& frame, const Mask& asked) {
     const Conditions<S>& c = conditions();
     if (!steps_itself(c.fidelity) || c.fidelity.motion == Motion::closed_form) return take_in_one(limit, frame);
-    restart(limit, frame, asked);
+    restart(limit, frame);
     Mask under_way = asked;
     Mask lost = none();
     while (any(under_way)) {

@@ -162,6 +162,15 @@ PHYSIM_INLINE void load_clock(const WorldJob<S>& job, std::uint32_t row, Step<R>
   s.t_end = offset + (steps + S(1)) * job.h;
 }
 
+/// Lanes behind the last row repeat the pack's first one: what they find in memory may name a place in a table that is
+/// not there, such as a piece of another motor.
+template <class R>
+[[gnu::noinline]] void fill_lanes(std::uint32_t rows, R* numbers, unsigned count) {
+  for (unsigned i = 0; i < count; ++i)
+    for (int lane = static_cast<int>(rows); lane < kLanes<R>; ++lane)
+      set_lane(numbers[i], lane, lane_of(numbers[i], 0));
+}
+
 /// Lanes that hold rows, as bits.
 template <class R>
 PHYSIM_INLINE unsigned filled_lanes(std::uint32_t rows) {
@@ -214,6 +223,10 @@ struct AnyRung {
     const State<R> start = load_state<R>(job, row);
     l.step.start = start;
     if (classic) l.step.slope[0].v = load_vector<R>(job.columns.carried, row);
+    if (stops && job.last - row < unsigned(kLanes<R>)) {
+      fill_lanes(job.last - row, numbers(l.body), kNumbers<Body>);
+      fill_lanes(job.last - row, &l.step.t, 1);
+    }
     MaskOf<R> asked = lane_number < R(static_cast<S>(job.last - row));
     if (stops) asked = asked & !stop_here<R>(job, row);  // noteworthy, so it is settled anyway
     MaskOf<R> lost = march.take_frame(l.step.t_end, R(job.h), asked);

@@ -102,8 +102,35 @@ TEST(Columns, ends_are_those_of_a_batch) {
     expect_as_batch(bullet_308(), l.columns(), windy, Fidelity::small_arms(), {}, line, runner, "small arms");
     expect_as_batch(bullet_308(), l.columns(), windy, drifting, {}, line, runner, "spin drift");
     expect_as_batch(bullet_308(), l.columns(), windy, Fidelity::arcade(), {}, {}, runner, "arcade");
+    expect_as_batch(bullet_308(), l.columns(), windy, Fidelity::game(), {.step = 0.02}, line, runner, "game, a step");
     expect_as_batch(bullet_308(), l.columns(), windy, steps_by_pilots, {.position_error = 0.1}, line, runner, "pilots");
   }
+}
+
+/// Where no shot is special, lanes compute the launches themselves: every integrator, precision and kernel.
+TEST(Columns, plain_launches_are_those_of_a_batch) {
+  Random r(3);
+  Launches l;
+  for (int i = 0; i < 2500; ++i) {
+    l.x.push_back(r.in(-5, 5)), l.y.push_back(r.in(1, 3)), l.z.push_back(r.in(-9, 9)), l.speed.push_back(r.in(50, 800));
+    l.elevation.push_back(i % 7 == 0 ? 0 : r.in(-0.05, 0.3)), l.azimuth.push_back(i % 5 == 0 ? -0.0 : r.in(-3, 3));
+  }
+  LaunchColumns from = l.columns();
+  from.common.sight = {.height = 0.05, .look_angle = 0.1, .cant = -0.2};
+  Environment windy;
+  windy.wind.velocity = {2, 0, -4};
+  for (const std::string& kernel : kernels()) {
+    ASSERT_TRUE(use_kernel(kernel));
+    for (const Integrator integrator : {Integrator::rk4, Integrator::tsit5, Integrator::rk43, Integrator::dop853})
+      for (const Precision precision : {Precision::float32, Precision::float64}) {
+        Fidelity f = Fidelity::simulation();
+        f.integrator = integrator, f.precision = precision;
+        const Tolerance tolerance{.relative = 1e-5, .absolute = 1e-5, .step = 0.03};
+        expect_as_batch(bullet_308(), from, windy, f, tolerance, {.time = 3, .range = 150}, nullptr,
+                        kernel + ' ' + test::text(integrator));
+      }
+  }
+  use_kernel("");
 }
 
 TEST(Columns, what_no_column_gives_stands_in_common) {
