@@ -226,6 +226,7 @@ struct AnyRung {
     if (stops && job.last - row < unsigned(kLanes<R>)) {
       fill_lanes(job.last - row, numbers(l.body), kNumbers<Body>);
       fill_lanes(job.last - row, &l.step.t, 1);
+      fill_lanes(job.last - row, &l.step.t_end, 1);
     }
     MaskOf<R> asked = lane_number < R(static_cast<S>(job.last - row));
     if (stops) asked = asked & !stop_here<R>(job, row);  // noteworthy, so it is settled anyway
