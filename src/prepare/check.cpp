@@ -25,7 +25,7 @@ constexpr double kSmallestError = 1e-15;  // of a place, asked for [m]
 constexpr double kFastestAero = 100;      // Mach number of aerodynamic tables [-]
 constexpr double kWidestAero = 100;       // square of an angle there [rad^2]
 constexpr double kMostGravity = 1e12;     // [m/s^2]
-constexpr double kMostWind = 1e9;         // [m/s]
+constexpr double kMostWind = 1e18;        // [m/s]
 constexpr double kLongestBurn = 1e6;      // [s]
 constexpr double kMostThrust = 1e12;      // [N]
 constexpr double kLeastImpulse = 1e-9;    // [N s]
@@ -279,7 +279,7 @@ Status check(const Environment& e) {
   c.positive(a.scale_height, "environment.atmosphere.scale_height", "");
   const auto check_wind = [&c](const Vec3d& velocity, const std::string& place) {
     c.is_vector(velocity, place);
-    c.require(!(length(velocity) > kMostWind), place, "exceeds 1e9 m/s", "velocities are in m/s");
+    c.require(!(length(velocity) > kMostWind), place, "exceeds 1e18 m/s", "velocities are in m/s");
   };
   check_wind(e.wind.velocity, "environment.wind.velocity");
   const auto& profile = e.wind.profile;

@@ -43,7 +43,7 @@ const BadInput kBad[] = {
     {"mass negative", "projectile.mass", "positive", [](Input& i) { i.projectile.mass = -0.01; }},
     {"mass zero", "projectile.mass", "positive", [](Input& i) { i.projectile.mass = 0; }},
     {"mass of nothing", "projectile.mass", "too small",
-     [](Input& i) { i.projectile.drag.ballistic_coefficient = 0, i.projectile.mass = 1e-308; }},
+     [](Input& i) { i.projectile.drag.ballistic_coefficient = 0, i.projectile.mass = 5e-324; }},
     {"diameter zero", "projectile.diameter", "positive", [](Input& i) { i.projectile.diameter = 0; }},
     {"length negative", "projectile.length", "zero or positive", [](Input& i) { i.projectile.length = -1; }},
     {"twist NaN", "projectile.twist", "finite", [](Input& i) { i.projectile.twist = kNan; }},
