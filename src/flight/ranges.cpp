@@ -51,6 +51,7 @@ class Carry {
     up_ = {-rise.sin * azimuth.cos, rise.cos, -rise.sin * azimuth.sin};
     until_.ground = slope == 0 ? std::optional(ground) : std::nullopt;
     until_.time = time;
+    find_step();
   }
 
   /// Flies; the range is below zero where the shot does not come down, and error() says why.
@@ -58,7 +59,7 @@ class Carry {
     launch_.elevation = elevation;
     ++flights_;
     MaxRange out{.elevation = elevation, .range = -1};
-    const Flight flight = slope_ == 0 ? fly_until(until_.time) : fly_over_slope();
+    const Flight flight = fly_all();
     const std::optional<double> landing = landing_of(flight);
     if (flight.error()) error_ = flight.error();
     steps_ += flight.cost().steps;
@@ -79,10 +80,18 @@ class Carry {
   [[nodiscard]] std::int64_t flights() const { return flights_; }
 
  private:
+  /// A step that pilot flights find is found once, at about the elevation that carries farthest.
+  void find_step() {
+    launch_.elevation = 45 * kDegree;
+    const Flight flight = fly_all();
+    if (!flight.error()) tolerance_.step = flight.step();  // 0 of what steps itself
+    steps_ = flight.cost().steps;
+  }
+  Flight fly_all() { return slope_ == 0 ? fly_until(until_.time) : fly_over_slope(); }
   Flight fly_until(double time) {
     Until until = until_;
     until.time = time;
-    return fly(projectile_, launch_, environment_, fidelity_, {}, until);
+    return fly(projectile_, launch_, environment_, fidelity_, tolerance_, until);
   }
   /// The ground falls away without end: longer and longer, until the flight is below it.
   Flight fly_over_slope() {
@@ -113,6 +122,7 @@ class Carry {
   double slope_;
   Vec3d base_, up_;
   Until until_;
+  Tolerance tolerance_;
   std::optional<Error> error_;
   std::int64_t flights_ = 0;
   static constexpr std::int64_t kMostSteps = 5'000'000;  // of all flights

@@ -270,6 +270,19 @@ TEST(MaxRange, with_drag_no_other_elevation_carries_farther) {
   }
 }
 
+TEST(MaxRange, steps_that_pilots_find_carry_as_far_as_adaptive_ones) {
+  Fidelity f = Fidelity::small_arms();
+  for (const double slope : {0.0, 0.1}) {
+    f.integrator = Integrator::tsit5;
+    const auto exact = max_range(bullet_308(), {.speed = 300}, {}, f, 0, slope);
+    f.integrator = Integrator::rk4;
+    const auto fixed = max_range(bullet_308(), {.speed = 300}, {}, f, 0, slope);
+    ASSERT_TRUE(exact && fixed) << slope;
+    EXPECT_NEAR(fixed->range, exact->range, 0.02) << slope;
+    EXPECT_NEAR(fixed->elevation, exact->elevation, 1e-3) << slope;
+  }
+}
+
 TEST(MaxRange, what_does_not_come_down_is_refused) {
   Environment weightless;
   weightless.gravity.model = GravityModel::off;
