@@ -107,7 +107,14 @@ class Fitter {
   Flight fly_as(const Unknowns& p) {
     const Until until{.ground = std::nullopt, .time = 600, .range = farthest_ * (1 + 1e-9)};
     ++flights_;
-    return fly(scaled(projectile_, exp(p.log_scale)), launch_as(p), environment_, fidelity_, {}, until);
+    Flight flight =
+        fly(scaled(projectile_, exp(p.log_scale)), launch_as(p), environment_, fidelity_, tolerance_, until);
+    if (!flight.error()) tolerance_.step = flight.step();  // pilot flights find it once; 0 of what steps itself
+    steps_ += flight.cost().steps;
+    if (steps_ > kMostSteps)
+      error_ = Error{"the fit takes more than five million steps", "fidelity.integrator",
+                     "use an adaptive one, or fewer measurements far away"};
+    return flight;
   }
 
   [[nodiscard]] Launch launch_as(const Unknowns& p) const {
@@ -225,6 +232,9 @@ class Fitter {
   FitOptions options_;
   double farthest_ = 0;
   std::int64_t flights_ = 0;
+  static constexpr std::int64_t kMostSteps = 5'000'000;  // of all flights
+  std::int64_t steps_ = 0;
+  Tolerance tolerance_;
   std::optional<Error> error_;
 };
 
