@@ -74,13 +74,13 @@ def places(text):
 
 def read_by_kernels(src):
     """What kernels include, and what that includes."""
-    todo, seen = [path for path in src.rglob("*_kernel.cpp")], set()
-    while todo:
-        path = todo.pop()
+    waiting, seen = list(src.rglob("*_kernel.cpp")), set()
+    while waiting:
+        path = waiting.pop()
         if path in seen or not path.is_file():
             continue
         seen.add(path)
-        todo += [src / name for name in re.findall(r'#include "([^"]+)"', path.read_text(encoding="utf-8"))]
+        waiting += [src / name for name in re.findall(r'#include "([^"]+)"', path.read_text(encoding="utf-8"))]
     return seen
 
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,7 +59,7 @@ struct EndColumns {
 /// What fly_columns() tells beside the columns.
 struct ColumnsResult {
   std::size_t refused = 0;          ///< shots [-]
-  std::optional<Error> error{};     ///< the first of a shot refused; its place names the column [-]
+  std::optional<Error> error{};     ///< the first of a shot refused, or of what all have in common [-]
   std::string kernel{};             ///< as BatchResult::kernel [-]
   FidelityInUse fidelity_in_use{};  ///< of the first shot that was not refused [-]
 };

@@ -179,8 +179,9 @@ class World {
   [[nodiscard]] std::size_t felt_by(ForceId force) const;
 
   // ------------------------------------------------------------------------------------------- time
-  /// One step of dt [s], now; above 0 and below 1e6. Fastest where dt stays the same. Integrators with fixed steps take
-  /// it as their step, whatever its error; where the ground bounces, steps of more than 0.1 s are flown in parts.
+  /// One step of dt [s], now; 1e-9 at least and below 1e6. Fastest where dt stays the same. Integrators with fixed
+  /// steps take it as their step, whatever its error; where the ground bounces, steps of more than 0.1 s are flown in
+  /// parts.
   Status step(double dt);
   /// Real time has passed: takes as many steps of WorldDef::step as fit; returns how many. None while paused, nor of
   /// time that is no number, runs backwards or is 1e9 s or more.

@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "flight/fidelity_candidates.hpp"
 #include "flight/flight_record.hpp"
+#include "flight/step_budget.hpp"
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "prepare/check.hpp"
@@ -23,14 +24,13 @@ namespace {
 
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr double kTruthTolerance = 1e-13, kDoubtTolerance = 1e-12;  // of the truth, and of the flight that doubts it
-constexpr int kSamples = 499;       // of a flight; a prime, so that times are not round and show their rounding
-constexpr int kLateSamples = 16;    // of a flight that lands after the true one
-constexpr double kLate = 1.5;       // times the true flight: who flies on, flies wrong
-constexpr double kMostSteps = 1e6;  // of a flight
-constexpr std::int64_t kMostWork = 5'000'000;  // steps of all flights of a search
-constexpr double kClosedFormAnswers = 8;       // taken from a closed form where steps are free
+constexpr int kSamples = 499;             // of a flight; a prime, so that times are not round and show their rounding
+constexpr int kLateSamples = 16;          // of a flight that lands after the true one
+constexpr double kLate = 1.5;             // times the true flight: who flies on, flies wrong
+constexpr double kMostSteps = 1e6;        // of a flight
+constexpr double kClosedFormAnswers = 8;  // taken from a closed form where steps are free
 
-std::string work_text() { return std::to_string(kMostWork / 1'000'000) + " million steps"; }
+std::string work_text() { return std::to_string(kMostSearchSteps / 1'000'000) + " million steps"; }
 
 /// A true flight. One that has landed stays where it landed.
 struct TruePath {
@@ -304,7 +304,7 @@ class Search {
   std::vector<TruePath> paths_;
   double total_time_ = 0;
   double truth_steps_ = 0;
-  std::int64_t work_left_ = kMostWork;  // steps
+  std::int64_t work_left_ = kMostSearchSteps;  // steps
   std::vector<LoweredTrial> lowered_;
   std::vector<StepperTrial> steppers_;
   AutoFidelity answer_;

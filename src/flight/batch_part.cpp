@@ -129,21 +129,29 @@ void BatchPart::fly(ShotGroup& group) {
     for (const std::uint32_t i : group.shots) refuse(i, status.error());
     return group.clear();
   }
-  group.cohort.finish();
-  if (granted.precision == Precision::float32)
-    fly_bodies<float>(group, batch_kernel().fly_float);
-  else
-    fly_bodies<double>(group, batch_kernel().fly_double);
+  run_kernel(group, nullptr);
+  for (const std::uint32_t i : by_shot_.order(group.events, group.shots.size())) keep(group, group.events[i]);
+  if (drifts(granted)) add_drift(group);
+  if (!group.turned.empty()) keep_attitudes(group);
   group.clear();
 }
 
+void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches) {
+  group.cohort.finish();
+  if (group.cohort.in_use.fidelity.precision == Precision::float32)
+    run_kernel<float>(group, launches, batch_kernel().fly_float);
+  else
+    run_kernel<double>(group, launches, batch_kernel().fly_double);
+}
+
 template <class S>
-void BatchPart::fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&)) {
+void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches, void (*kernel)(const BatchJob<S>&)) {
   const Fidelity& granted = group.cohort.in_use.fidelity;
-  const std::size_t count = group.shots.size();
-  PHYSIM_ASSERT(count <= kChunk && group.own_numbers.size() == count * group.own_stride());
-  PHYSIM_ASSERT(group.rotors.size() == (turns(granted) ? count : 0));
-  PHYSIM_ASSERT(group.drifts.size() == (drifts(granted) ? count : 0));
+  const std::size_t gathered = group.shots.size();
+  PHYSIM_ASSERT(gathered <= kChunk && group.own_numbers.size() == gathered * group.own_stride());
+  PHYSIM_ASSERT(group.rotors.size() == (turns(granted) ? gathered : 0));
+  PHYSIM_ASSERT(group.drifts.size() == (drifts(granted) ? gathered : 0));
+  PHYSIM_ASSERT(launches == nullptr || gathered == 0);
   watch_ = prepare_watch(task_.until, group.cohort.conditions, Watcher::batch);
   const Course<S> course = group.cohort.course<S>(task_.tolerance, *group.step, watch_);
   group.turned.resize(group.rotors.size());
@@ -151,12 +159,9 @@ void BatchPart::fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&))
   if (part_->wants_events)
     emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
   const NumberRuns own = (group.own & parts_flown(granted, group.cohort.conditions)).runs();
-  kernel({&course, nullptr, group.own_numbers.data(), group.own_stride(), own, &group.common, group.rotors.data(),
-          group.shots.data(), count, part_->shots.data(), group.turned.empty() ? nullptr : group.turned.data(), emit,
-          &group});
-  for (const std::uint32_t i : by_shot_.order(group.events, count)) keep(group, group.events[i]);
-  if (drifts(granted)) add_drift(group);
-  if (!group.turned.empty()) keep_attitudes(group);
+  kernel({&course, launches, group.own_numbers.data(), group.own_stride(), own, &group.common, group.rotors.data(),
+          launches ? nullptr : group.shots.data(), launches ? part_->shots.size() : gathered, part_->shots.data(),
+          group.turned.empty() ? nullptr : group.turned.data(), emit, &group});
 }
 
 // ------------------------------------------------------------------------------------------- columns
@@ -193,7 +198,8 @@ bool BatchPart::fly_as_columns() {
   const bool by_frames = steps_by_frames(granted) && !step_given(granted, task_.tolerance);
   const bool own_launch =
       group.own != PartSet::all() && from.common.rail_length <= 0 && from.common.sight.zero_range <= 0;
-  if (!own_launch || by_frames || granted.planar || is_round(granted.earth) || drifts(granted)) return false;
+  const bool all_in_launch = !turns(granted) && !drifts(granted) && !granted.planar && !is_round(granted.earth);
+  if (!own_launch || by_frames || !all_in_launch) return false;
   // Lower ones are looked at one by one: they may end where they begin.
   const double domain = kLowestAltitude - task_.environment.altitude + 1;
   const double above = std::max(domain, std::nextafter(task_.until.ground.value_or(domain), kInfinity));
@@ -211,24 +217,9 @@ bool BatchPart::fly_as_columns() {
                               column(from.azimuth, common.azimuth),
                               common.sight.look_angle,
                               common.sight.cant};
-  if (!part_->in_use) part_->in_use = group.cohort.in_use;
-  return fly_launches(group, launches);
-}
-
-bool BatchPart::fly_launches(ShotGroup& group, const LaunchSource& launches) {
   if (!put_step(group)) return false;
-  const auto run = [&]<class S>(S, void (*kernel)(const BatchJob<S>&)) {
-    watch_ = prepare_watch(task_.until, group.cohort.conditions, Watcher::batch);
-    const Course<S> course = group.cohort.course<S>(task_.tolerance, *group.step, watch_);
-    const NumberRuns own = (group.own & parts_flown(group.cohort.in_use.fidelity, group.cohort.conditions)).runs();
-    kernel({&course, &launches, nullptr, 0, own, &group.common, nullptr, nullptr, part_->shots.size(),
-            part_->shots.data(), nullptr, nullptr, nullptr});
-  };
-  group.cohort.finish();
-  if (group.cohort.in_use.fidelity.precision == Precision::float32)
-    run(0.0F, batch_kernel().fly_float);
-  else
-    run(0.0, batch_kernel().fly_double);
+  if (!part_->in_use) part_->in_use = group.cohort.in_use;
+  run_kernel(group, &launches);
   return true;
 }
 

@@ -67,10 +67,11 @@ class BatchPart {
   [[nodiscard]] bool asks_for(EventKind kind) const;
   [[nodiscard]] Status put_step(ShotGroup& group);
   [[nodiscard]] bool fly_as_columns();
-  [[nodiscard]] bool fly_launches(ShotGroup& group, const LaunchSource& launches);
   void fly(ShotGroup& group);
+  /// Flies a group's shots, or launches that lanes compute: all of the part.
+  void run_kernel(ShotGroup& group, const LaunchSource* launches);
   template <class S>
-  void fly_bodies(ShotGroup& group, void (*kernel)(const BatchJob<S>&));
+  void run_kernel(ShotGroup& group, const LaunchSource* launches, void (*kernel)(const BatchJob<S>&));
   void keep(const ShotGroup& group, const RawEvent& e);
   void add_drift(const ShotGroup& group);
   void keep_attitudes(const ShotGroup& group);

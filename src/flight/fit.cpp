@@ -12,6 +12,7 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
+#include "flight/step_budget.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
 #include "prepare/check.hpp"
@@ -110,10 +111,8 @@ class Fitter {
     Flight flight =
         fly(scaled(projectile_, exp(p.log_scale)), launch_as(p), environment_, fidelity_, tolerance_, until);
     if (!flight.error()) tolerance_.step = flight.step();  // pilot flights find it once; 0 of what steps itself
-    steps_ += flight.cost().steps;
-    if (steps_ > kMostSteps)
-      error_ = Error{"the fit takes more than five million steps", "fidelity.integrator",
-                     "use an adaptive one, or fewer measurements far away"};
+    budget_.spend(flight);
+    if (budget_.is_spent()) error_ = StepBudget::error("the fit");
     return flight;
   }
 
@@ -232,8 +231,7 @@ class Fitter {
   FitOptions options_;
   double farthest_ = 0;
   std::int64_t flights_ = 0;
-  static constexpr std::int64_t kMostSteps = 5'000'000;  // of all flights
-  std::int64_t steps_ = 0;
+  StepBudget budget_;
   Tolerance tolerance_;
   std::optional<Error> error_;
 };

@@ -5,6 +5,7 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
+#include "flight/step_budget.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "math/minimum.hpp"
@@ -62,10 +63,8 @@ class Carry {
     const Flight flight = fly_all();
     const std::optional<double> landing = landing_of(flight);
     if (flight.error()) error_ = flight.error();
-    steps_ += flight.cost().steps;
-    if (steps_ > kMostSteps && !error_)
-      error_ = Error{"the farthest range takes more than five million steps to find", "fidelity.integrator",
-                     "use an adaptive one, or a shorter time"};
+    budget_.spend(flight);
+    if (budget_.is_spent() && !error_) error_ = StepBudget::error("the farthest range");
     if (!landing && !error_) error_ = does_not_land(flight);
     if (!landing) return out;
     PHYSIM_ASSERT(*landing >= 0 && *landing <= flight.duration());
@@ -85,7 +84,7 @@ class Carry {
     launch_.elevation = 45 * kDegree;
     const Flight flight = fly_all();
     if (!flight.error()) tolerance_.step = flight.step();  // 0 of what steps itself
-    steps_ = flight.cost().steps;
+    budget_.spend(flight);
   }
   Flight fly_all() { return slope_ == 0 ? fly_until(until_.time) : fly_over_slope(); }
   Flight fly_until(double time) {
@@ -125,8 +124,7 @@ class Carry {
   Tolerance tolerance_;
   std::optional<Error> error_;
   std::int64_t flights_ = 0;
-  static constexpr std::int64_t kMostSteps = 5'000'000;  // of all flights
-  std::int64_t steps_ = 0;
+  StepBudget budget_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
+#include "flight/step_budget.hpp"
 #include "math/elementary.hpp"
 #include "math/root.hpp"
 #include "model/sight.hpp"
@@ -44,12 +45,16 @@ Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& lau
   if (exact.motion != Motion::closed_form) exact.integrator = Integrator::tsit5;
   const Until until{.ground = std::nullopt, .time = 600, .range = range};
   std::optional<Error> error;
+  StepBudget budget;
   double reached = 0;
   // Height over the line of sight at the range; a shot that never gets there counts as far below.
   const auto drop = [&](double elevation) {
+    if (budget.is_spent()) error = StepBudget::error("the zero");
+    if (error) return -range;
     upright.elevation = elevation;
     const Flight flight = fly(projectile, upright, air, exact, {}, until);
     if (flight.error()) error = flight.error();
+    budget.spend(flight);
     reached = max(reached, flight.end().range);
     return flight.outcome() == Outcome::reached_range ? flight.end().drop : -range;
   };
@@ -65,9 +70,11 @@ Result<double> zero_elevation(const ProjectileDef& projectile, const Launch& lau
     const double at_high = drop(high);
     if ((at_high > 0) != (at_low > 0)) {
       const double elevation = find_root(drop, low, at_low, high, at_high, 1e-13);
+      const double off = drop(elevation);
+      if (error) return *error;
       // Where the range is just out of reach the height jumps, and the end of a jump is no zero.
-      return abs(drop(elevation)) < 1e-6 * range + 1e-6 ? Result<double>(elevation)
-                                                        : out_of_reach(projectile, launch, range, reached);
+      return abs(off) < 1e-6 * range + 1e-6 ? Result<double>(elevation)
+                                            : out_of_reach(projectile, launch, range, reached);
     }
     low = high;
     at_low = at_high;

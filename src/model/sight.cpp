@@ -8,9 +8,6 @@
 namespace physim {
 namespace {
 
-/// What needs no computing is not computed.
-SinCos<double> sincos_or_axis(double angle) { return angle == 0 ? SinCos<double>{0, 1} : sincos_of(angle); }
-
 /// The azimuth of the plane of fire: as given, or that of a given velocity.
 double azimuth_of(const Launch& launch) {
   if (!launch.velocity) return launch.azimuth;
@@ -21,17 +18,15 @@ double azimuth_of(const Launch& launch) {
 }  // namespace
 
 SightFrame sight_frame(const Launch& launch) {
-  const SightAxes<double> axes(sincos_or_axis(azimuth_of(launch)), sincos_or_axis(launch.sight.look_angle),
-                               sincos_or_axis(launch.sight.cant));
-  const Vec3d& muzzle = launch.position;
-  return {muzzle, muzzle + axes.canted * launch.sight.height, axes.forward, axes.up, axes.right, axes.canted};
+  const SightAxes<double> axes(sincos_of(azimuth_of(launch)), sincos_of(launch.sight.look_angle),
+                               sincos_of(launch.sight.cant));
+  return {axes, launch.position, launch.position + axes.canted * launch.sight.height};
 }
 
 Vec3d launch_direction(const Launch& launch, const SightFrame& sight, double elevation) {
   const double speed = launch.velocity ? length(*launch.velocity) : 0;
   if (speed > 0) return *launch.velocity * (1 / speed);
-  const auto above = sincos_or_axis(elevation - launch.sight.look_angle);
-  return sight.forward * above.cos + sight.canted * above.sin;
+  return sight.bore(sincos_of(elevation - launch.sight.look_angle));
 }
 
 double launch_speed(const Launch& launch) { return launch.velocity ? length(*launch.velocity) : launch.speed; }

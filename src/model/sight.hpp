@@ -17,11 +17,13 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Most launches look straight ahead: zero gives zero and one exactly, whatever its sign.
+/// Zero gives zero and one exactly, whatever its sign. Most launches look straight ahead: one number at a time then
+/// computes nothing.
 template <class R>
 PHYSIM_INLINE SinCos<R> sincos_of(const R& angle) {
   using S = ScalarOf<R>;
   const auto zero = angle == R(S(0));
+  if (all(zero)) return {R(S(0)), R(S(1))};
   const SinCos<R> found = sincos(angle);
   return {select(zero, R(S(0)), found.sin), select(zero, R(S(1)), found.cos)};
 }
@@ -34,6 +36,7 @@ struct SightAxes {
   Vec3<R> up;       // u
   Vec3<R> canted;   // n
 
+  SightAxes() = default;
   PHYSIM_INLINE SightAxes(const SinCos<R>& azimuth, const SinCos<R>& look, const SinCos<R>& cant)
       : forward{look.cos * azimuth.cos, look.sin, look.cos * azimuth.sin},
         right{-azimuth.sin, R(ScalarOf<R>(0)), azimuth.cos},
@@ -48,13 +51,9 @@ PHYSIM_ISA_END
 
 namespace physim {
 
-struct SightFrame {
+struct SightFrame : SightAxes<double> {
   Vec3d muzzle;
-  Vec3d start;    // of the line of sight
-  Vec3d forward;  // f
-  Vec3d up;       // u
-  Vec3d right;    // r
-  Vec3d canted;   // n
+  Vec3d start;  // of the line of sight
 };
 
 [[nodiscard]] SightFrame sight_frame(const Launch& launch);

@@ -20,7 +20,7 @@ namespace {
 constexpr double kRightAngleUp = 1.5707963267948968;  // the next number above a right angle [rad]
 
 // Numbers further out mean nothing here, and what is computed from them is no number any more.
-constexpr double kSmallest = 1e-9;  // steps [s], distances between points of a table (of time [s], Mach number [-])
+constexpr double kSmallest = 1e-9;        // distance between points of a table [s, m, or Mach number]
 constexpr double kSmallestError = 1e-15;  // of a place, asked for [m]
 constexpr double kFastestAero = 100;      // Mach number of aerodynamic tables [-]
 constexpr double kWidestAero = 100;       // square of an angle there [rad^2]
@@ -313,13 +313,13 @@ Status check(const Tolerance& t, const Fidelity& f) {
             "lies below rounding",
             f.precision == Precision::float32 ? "float32 allows 5e-7 at best" : "float64 allows 1e-15 at best");
   c.not_negative(t.step, "tolerance.step", "0: found by a pilot flight");
-  c.require(t.step == 0 || t.step >= kSmallest, "tolerance.step", "is shorter than 1e-9 s",
+  c.require(t.step == 0 || t.step >= kShortestStep, "tolerance.step", "is shorter than 1e-9 s",
             "0: found by a pilot flight");
   c.positive(t.position_error, "tolerance.position_error", "in m");
   c.require(t.position_error >= kSmallestError, "tolerance.position_error", "is smaller than 1e-15 m",
             "no number keeps that");
   c.require(t.max_step > 0, "tolerance.max_step", "must be positive", "");
-  c.require(t.max_step >= kSmallest, "tolerance.max_step", "is shorter than 1e-9 s", "infinity: no limit");
+  c.require(t.max_step >= kShortestStep, "tolerance.max_step", "is shorter than 1e-9 s", "infinity: no limit");
   c.require(t.max_steps > 0 && t.max_steps <= 1'000'000'000, "tolerance.max_steps", "must lie between 1 and 1e9", "");
   return c.status();
 }

@@ -5,6 +5,8 @@
 
 namespace physim {
 
+inline constexpr double kShortestStep = 1e-9;  // a part of a shorter one is nothing [s]
+
 [[nodiscard]] Status check(const ProjectileDef& projectile);
 [[nodiscard]] Status check(const Launch& launch);
 /// What neither of them can say alone, where each is sound by itself.

@@ -52,6 +52,7 @@ Status check(const WorldDef& def) {
   Checker c;
   c.also(check(def.environment)).also(check(def.ground)).also(check(def.detail));
   c.require(def.step > 0 && def.step <= 10, "world.step", "must lie above 0 and not above 10 s", "1/60 s is usual");
+  c.require(def.step >= kShortestStep, "world.step", "is shorter than 1e-9 s", "1/60 s is usual");
   c.require(def.max_steps > 0, "world.max_steps", "must be positive");
   c.require(def.time_scale >= 0 && def.time_scale <= 1000, "world.time_scale", "must lie between 0 and 1000");
   c.also(check(def.tolerance, Fidelity{}));

@@ -5,6 +5,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
+#include "prepare/check.hpp"
 #include "world/kernels.hpp"
 #include "world/world_impl.hpp"
 
@@ -286,8 +287,8 @@ Status World::step(double dt) {
   WorldImpl& w = impl();
   const Recorded<Call::step> call(w, dt);
   if (call.is_refused()) return call.refusal();
-  if (!(dt > 0 && dt < kLongestStep))
-    return Error{"must lie above 0 and below 1e6 s, not " + rounded_text(dt), "dt", "take several steps"};
+  if (!(dt >= kShortestStep && dt < kLongestStep))
+    return Error{"must be 1e-9 s at least and below 1e6 s, not " + rounded_text(dt), "dt", "take several steps"};
   w.forget_events();
   w.step(dt);
   return {};

@@ -133,6 +133,17 @@ TEST(Columns, plain_launches_are_those_of_a_batch) {
   use_kernel("");
 }
 
+TEST(Columns, bodies_that_turn_fly_as_in_a_batch) {
+  const std::vector<double> speed(300, 200), elevation(300, 0.1);
+  ProjectileDef shell = bullet_308();
+  shell.inertia.moments = {1e-7, 8e-7, 8e-7};
+  shell.aero.lift = {{0, 0, 2}};
+  Fidelity turning = Fidelity::simulation();
+  turning.rotation = RotationModel::rigid_body;
+  const LaunchColumns from{.common = {.position = {0, 2, 0}}, .speed = speed, .elevation = elevation};
+  expect_as_batch(shell, from, {}, turning, {.max_steps = 60}, {.time = 0.05}, nullptr, "rigid body");
+}
+
 TEST(Columns, what_no_column_gives_stands_in_common) {
   const std::vector<double> speed{300, 400, 500};
   LaunchColumns from{.common = {.position = {1, 2, 3}, .azimuth = 0.2, .sight = {.height = 0.05, .zero_range = 100}},

@@ -480,6 +480,19 @@ TEST(Doors, a_step_that_is_too_long_is_told_the_limit) {
   EXPECT_TRUE(world.step(999'999));
 }
 
+TEST(Doors, a_step_too_short_to_be_divided_is_refused) {
+  World world;
+  const Status status = world.step(1e-30);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().place, "dt");
+  EXPECT_TRUE(world.step(1e-9));
+  WorldDef def;
+  def.step = 1e-30;
+  const auto made = World::create(def);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().place, "world.step");
+}
+
 TEST(Doors, numbers_in_errors_are_short) {
   World world;
   ProjectileDef p = stone();
