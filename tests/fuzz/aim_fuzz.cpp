@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "fuzz/arguments.hpp"
 #include "physim/physim.hpp"
 #include "random_shots.hpp"
 
@@ -210,22 +211,16 @@ void judge(long number, const Case& c, Tally& tally) {
 
 int main(int argc, char** argv) {
   using namespace physim::test;
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // a run that is stopped has told what it found
-  const long count = argc > 1 ? std::atol(argv[1]) : 100000;
-  const long seed = argc > 2 ? std::atol(argv[2]) : 1;
-  const long first = argc > 3 ? std::atol(argv[3]) : 0;
-  if (count < 1 || count > 100'000'000 || first < 0) {
-    std::fprintf(stderr, "usage: physim_fuzz [COUNT [SEED [FIRST]]]\n");
-    return 2;
-  }
+  const auto asked = read_arguments("physim_fuzz", argc, argv);
+  if (!asked) return 2;
   Tally tally;
-  for (long i = first; i < first + count; ++i) {
-    Random r(static_cast<std::uint64_t>(seed) * 1000003u + static_cast<std::uint64_t>(i));
+  for (long i = asked->first; i < asked->first + asked->count; ++i) {
+    Random r(static_cast<std::uint64_t>(asked->seed) * 1000003u + static_cast<std::uint64_t>(i));
     judge(i, any_case(r), tally);
-    if (i % 5000 == 4999) std::fprintf(stderr, "%ld cases\n", i + 1 - first);
+    if (i % 5000 == 4999) std::fprintf(stderr, "%ld cases\n", i + 1 - asked->first);
   }
-  std::printf("%ld cases: %ld hit, %ld missed, %ld refused; %ld wrong; of %ld reachable targets %ld not found\n", count,
-              tally.hit, tally.missed, tally.refused, tally.wrong, tally.reachable, tally.lost);
+  std::printf("%ld cases: %ld hit, %ld missed, %ld refused; %ld wrong; of %ld reachable targets %ld not found\n",
+              asked->count, tally.hit, tally.missed, tally.refused, tally.wrong, tally.reachable, tally.lost);
   std::printf("flown again, the worst solution misses by %.3f of the tolerance\n", tally.worst);
   const bool lost_many = static_cast<double>(tally.lost) > kMostLost * static_cast<double>(tally.reachable) + 2;
   return tally.wrong > 0 || lost_many ? 1 : 0;
