@@ -13,7 +13,7 @@ constexpr const char* kHelp =
     "physim_bench: how fast PhySim flies, against Boost.odeint and SUNDIALS at equal achieved error,\n"
     "and how fast its worlds step, against the original loop and Bullet\n"
     "  --quick            fewer rounds and flights: under a minute\n"
-    "  --only SECTION     1mm, 1um, mixed, threads, allocations, parts, aim, rotation or world\n"
+    "  --only SECTION     1mm, 1um, mixed, threads, allocations, parts, aim, rotation, world or casts\n"
     "  --cpu-time         count the time this thread ran, not the clock on the wall: for busy machines\n"
     "  --rounds N         turns of every contender\n"
     "  --json             print JSON\n"
@@ -115,6 +115,10 @@ int run(int count, char** given) {
   if (wanted("rotation")) add(rotation_section(a.options));
   if (wanted("world"))
     for (Section& section : world_sections(a.options)) add(std::move(section));
+  if (wanted("casts")) {
+    add(casts_section(a.options));
+    add(build_section(a.options));
+  }
   if (a.json) std::fputs(as_json(report).c_str(), stdout);
   if (!a.markdown.empty()) std::ofstream(a.markdown) << as_markdown(report, a.command);
   return 0;

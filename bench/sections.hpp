@@ -28,6 +28,10 @@ struct Options {
 [[nodiscard]] Section aim_section(const Options& options);
 /// Rigid bodies.
 [[nodiscard]] Section rotation_section(const Options& options);
+/// Segments cast into scenes beside Embree and Bullet.
+[[nodiscard]] Section casts_section(const Options& options);
+/// How long a mesh takes to be added, and what it takes in memory.
+[[nodiscard]] Section build_section(const Options& options);
 /// Worlds beside the original loop and Bullet; their rungs; what each operation costs.
 [[nodiscard]] std::vector<Section> world_sections(const Options& options);
 

@@ -142,17 +142,17 @@ std::unique_ptr<PeerData> peer_data() {
   m.layers = c.air.layers;
   for (int i = 0; i < c.air.layers; ++i) {
     m.base[i] = c.air.base[i];
-    m.lapse[i] = c.air.lapse[i];
-    m.power[i] = c.air.power[i];
-    m.decay[i] = c.air.decay[i];
-    m.base_density[i] = c.air.base_density[i];
-    m.base_per_sound_speed[i] = c.air.base_per_sound[i];
+    m.lapse[i] = c.air.common.lapse[i];
+    m.power[i] = c.air.common.power[i];
+    m.decay[i] = c.air.common.decay[i];
+    m.base_density[i] = c.air.common.base_density[i];
+    m.base_per_sound_speed[i] = c.air.common.base_per_sound[i];
   }
   m.middle = c.air.low_middle;
   m.scale = c.air.low_scale;
   m.top = c.air.low_top;
-  std::copy(std::begin(c.air.low_density), std::end(c.air.low_density), m.density);
-  std::copy(std::begin(c.air.low_per_sound), std::end(c.air.low_per_sound), m.per_sound_speed);
+  std::copy(std::begin(c.air.common.low_density), std::end(c.air.common.low_density), m.density);
+  std::copy(std::begin(c.air.common.low_per_sound), std::end(c.air.common.low_per_sound), m.per_sound_speed);
   m.rows = c.curve_rows + 4 * static_cast<std::size_t>(body.curve_row);
   m.curve_start = body.curve_start;
   m.cells_per_mach = body.curve_cells;

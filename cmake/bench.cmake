@@ -1,5 +1,5 @@
-# physim_bench: speed at equal achieved error, against the solvers that people use (odeint, ARKODE, CVODE); and worlds
-# against the original loop and Bullet.
+# physim_bench: speed at equal achieved error, against the solvers that people use (odeint, ARKODE, CVODE); worlds
+# against the original loop and Bullet; scenes against Embree and Bullet.
 find_package(Boost REQUIRED)
 find_path(SUNDIALS_INCLUDE_DIR cvode/cvode.h REQUIRED)
 set(bench_kernels ${bench_sources})
@@ -20,6 +20,17 @@ foreach(part IN ITEMS BulletDynamics BulletCollision LinearMath)
   find_library(BULLET_${part} ${part} REQUIRED)
   target_link_libraries(physim_bench PRIVATE ${BULLET_${part}})
 endforeach()
+
+# Embree 3 is asked where it is there.
+find_path(EMBREE_INCLUDE_DIR embree3/rtcore.h)
+find_library(EMBREE_LIBRARY embree3)
+if(EMBREE_INCLUDE_DIR AND EMBREE_LIBRARY)
+  target_include_directories(physim_bench SYSTEM PRIVATE ${EMBREE_INCLUDE_DIR})
+  target_link_libraries(physim_bench PRIVATE ${EMBREE_LIBRARY})
+  target_compile_definitions(physim_bench PRIVATE PHYSIM_BENCH_EMBREE=1)
+else()
+  target_compile_definitions(physim_bench PRIVATE PHYSIM_BENCH_EMBREE=0)
+endif()
 
 # The peers get every instruction of this machine and fused multiply-add; odeint also flies as our portable files do.
 set(bench_peers ${bench_sources})

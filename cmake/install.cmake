@@ -15,9 +15,12 @@ endif()
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/physim)
 install(EXPORT physim_targets FILE physim-targets.cmake NAMESPACE physim:: DESTINATION ${config_dir})
+if(assimp_FOUND AND TARGET physim_scenario)  # its static library is linked with it
+  set(needs_assimp "find_dependency(assimp)\n")
+endif()
 file(WRITE ${PROJECT_BINARY_DIR}/physim-config.cmake "include(CMakeFindDependencyMacro)
 find_dependency(Threads)
-include(\${CMAKE_CURRENT_LIST_DIR}/physim-targets.cmake)
+${needs_assimp}include(\${CMAKE_CURRENT_LIST_DIR}/physim-targets.cmake)
 ")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/physim-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/physim-config.cmake ${PROJECT_BINARY_DIR}/physim-config-version.cmake

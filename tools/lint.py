@@ -15,9 +15,9 @@ import additions
 import faults
 
 ROOT = Path(__file__).resolve().parent.parent
-LAYERS = ["base", "math", "model", "solve", "prepare", "flight", "collide", "world", "emit", "scenario", "report", "study",
+LAYERS = ["base", "math", "model", "solve", "prepare", "flight", "study", "collide", "world", "emit", "scenario", "report",
           "validation", "capi"]  # ground first
-KNOW_FILES = {"scenario", "report", "study", "validation", "capi"}
+KNOW_FILES = {"scenario", "report", "validation", "capi"}
 MAX_LINES, MAX_TEST_LINES, MAX_COLUMNS, MAX_BYTES = 500, 600, 120, 1_000_000
 MAX_FUNCTION_LINES = 60
 MAX_CASTS, MAX_CAST_FILES = 10, 3  # reinterpret_cast in include, src and apps

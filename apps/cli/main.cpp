@@ -46,6 +46,7 @@ void add_commands(Command& program) {
   add_max_range_command(program);
   add_danger_space_command(program);
   add_fit_command(program);
+  add_study_command(program);
   add_validate_command(program);
   add_list_command(program);
   add_replay_command(program);

@@ -177,11 +177,19 @@ void warn_of_size(const Scenario& scenario) {
                   " GB of memory if all are in the air at once");
 }
 
+/// The formats that have something to show of this world, each with a file in the folder.
+Outputs world_outputs_in_folder(const RunOptions& options, const Scenario& scenario) {
+  if (options.folder.empty()) return {};
+  Outputs outputs = outputs_in(options.folder, std::filesystem::path(scenario.file).stem().string(), Subject::world);
+  for (const Format* format : outputs.asked())
+    if (format->world_has != nullptr && !format->world_has(scenario)) outputs.forget(*format);
+  return outputs;
+}
+
 Result<int> run_world(const RunOptions& options, Scenario scenario, std::optional<double> interval) {
   if (options.threads) scenario.world.def.threading.threads = *options.threads;
   warn_of_size(scenario);
-  const std::string stem = std::filesystem::path(scenario.file).stem().string();
-  const Outputs in_folder = options.folder.empty() ? Outputs{} : outputs_in(options.folder, stem, Subject::world);
+  const Outputs in_folder = world_outputs_in_folder(options, scenario);
   LogOptions log_options{.parts = {},
                          .interval = interval,
                          .steps = options.steps,

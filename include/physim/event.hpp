@@ -29,6 +29,13 @@ enum class EventKind : std::uint8_t {
   expired,           ///< in a world: left by its despawn rules
   retired,           ///< in a world: taken out
   fidelity_changed,  ///< in a world: moved to another rung
+  hit,               ///< in a world: met a thing of its scene; the velocity is that before
+  entered,           ///< in a world: went into a thing that it passes, OnHit::pass
+  left,              ///< in a world: came out of a thing that it passes, or of a sensor
+  sensed,            ///< in a world: went into a sensor
+  ricocheted,        ///< in a world: was thrown off by what it met, as it came in flat; the velocity is that after
+  penetrated,        ///< in a world: came out behind what it met; place and velocity are those there, value the depth
+  stopped,           ///< in a world: stuck in what it met; value is the depth [m]
 };
 
 PHYSIM_UNORDERED(EventKind)
@@ -57,6 +64,7 @@ enum class Reason : std::uint8_t {
   non_finite,   ///< its numbers were no longer numbers
   left_domain,  ///< fell below the lower end of the standard atmosphere
   stalled,      ///< an adaptive integrator could not get through a step
+  inside,       ///< of a hit: it was inside of the thing, or touched it, when the step began
 };
 
 /// An event that happened.
@@ -65,10 +73,15 @@ struct Event {
   Crossing direction = Crossing::falling;  ///< of a quantity that crossed a value [-]
   Reason reason = Reason::none;            ///< of expired and retired [-]
   ProjectileId id{};                       ///< in a world [-]
-  double value = 0;                        ///< that a quantity crossed [unit of the kind]
+  double value = 0;                        ///< that a quantity crossed, or a depth [unit of the kind]
   double time = 0;                         ///< in a flight since launch, in a world of the world [s]
   Vec3d position{};                        ///< [m]
   Vec3d velocity{};                        ///< [m/s]
+  Vec3d normal{};                          ///< of the surface that was hit, towards the projectile [-]
+  InstanceId instance{};                   ///< that was hit, or that it bounced off; none: the ground [-]
+  std::uint32_t primitive = 0;             ///< of it, as SceneHit::primitive [-]
+  MaterialId material{};                   ///< of it [-]
+  double energy = 0;                       ///< that it lost by what its material did to it [J]
 };
 
 }  // namespace physim

@@ -20,6 +20,7 @@
 #include "physim/quat.hpp"
 #include "physim/result.hpp"
 #include "physim/vec3.hpp"
+#include "physim/weather.hpp"
 
 namespace physim {
 
@@ -213,23 +214,25 @@ struct BatchResult {
 /// bit; but apexes, ignition, burnout and rail exit are events of a batch only where Until asks for them. All shots
 /// share one fidelity, tolerance and set of events; an automatic step (Tolerance::step = 0) is found by pilot flights
 /// of a few of the shots, which makes it shorter than the step that fly() would find for one of them.
+/// `weather`: what of the environment differs from shot to shot; such shots share packs as others do.
 /// `runner`: whose threads fly it (make_thread_pool(), or an engine's own); null: the caller's alone. Numbers, events
 /// and their order do not depend on it. Functions of the environment (Wind::field, Environment::force) are then called
 /// from all of its threads at once.
 [[nodiscard]] BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment,
                                     const Fidelity& fidelity, const Tolerance& tolerance = {}, const Until& until = {},
-                                    TaskRunner* runner = nullptr);
+                                    TaskRunner* runner = nullptr, const Weather& weather = {});
 /// Flies many launches of one projectile, which is checked and prepared once; where it is bad, all are refused.
 [[nodiscard]] BatchResult fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches,
                                     const Environment& environment, const Fidelity& fidelity,
                                     const Tolerance& tolerance = {}, const Until& until = {},
-                                    TaskRunner* runner = nullptr);
+                                    TaskRunner* runner = nullptr, const Weather& weather = {});
 /// Flies into a result of before: all of it is written anew, its memory is used again.
 void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
-               const Tolerance& tolerance, const Until& until, BatchResult& result, TaskRunner* runner = nullptr);
+               const Tolerance& tolerance, const Until& until, BatchResult& result, TaskRunner* runner = nullptr,
+               const Weather& weather = {});
 void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
                const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, BatchResult& result,
-               TaskRunner* runner = nullptr);
+               TaskRunner* runner = nullptr, const Weather& weather = {});
 
 /// The bore elevation above the horizon [rad] with which the projectile hits the line of sight at a range [m]. It is
 /// found with the models of `fidelity`, an adaptive integrator and float64, upright, without spin drift, and in calm

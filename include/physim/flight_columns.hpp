@@ -70,6 +70,6 @@ struct ColumnsResult {
 [[nodiscard]] ColumnsResult fly_columns(const ProjectileDef& projectile, const LaunchColumns& launches,
                                         const Environment& environment, const Fidelity& fidelity,
                                         const Tolerance& tolerance, const Until& until, const EndColumns& into,
-                                        TaskRunner* runner = nullptr);
+                                        TaskRunner* runner = nullptr, const Weather& weather = {});
 
 }  // namespace physim

@@ -1,4 +1,4 @@
-// Ids: what projectiles, kinds and force generators of a world are named by.
+// Ids: what projectiles, kinds and force generators of a world are named by, and what stands in a scene.
 #pragma once
 
 #include <compare>
@@ -37,6 +37,29 @@ struct ForceId {
   auto operator<=>(const ForceId&) const = default;
 };
 
+/// Names a shape of one scene; index 0 is none. Ids of what is gone are told from those of what took its place.
+struct ShapeId {
+  std::uint32_t index = 0;       ///< [-]
+  std::uint32_t generation = 0;  ///< [-]
+
+  explicit operator bool() const { return index != 0; }
+  auto operator<=>(const ShapeId&) const = default;
+};
+/// Names a thing that stands in one scene; index 0 is none.
+struct InstanceId {
+  std::uint32_t index = 0;       ///< [-]
+  std::uint32_t generation = 0;  ///< [-]
+
+  explicit operator bool() const { return index != 0; }
+  auto operator<=>(const InstanceId&) const = default;
+};
+/// Names a material of one scene; 0 is the one that every scene begins with. Materials stay as long as their scene.
+struct MaterialId {
+  std::uint32_t index = 0;  ///< [-]
+
+  auto operator<=>(const MaterialId&) const = default;
+};
+
 }  // namespace physim
 
 template <>
@@ -52,6 +75,12 @@ struct std::hash<physim::KindId> {
 template <>
 struct std::hash<physim::ForceId> {
   std::size_t operator()(const physim::ForceId& id) const noexcept {
+    return std::hash<std::uint64_t>()(id.index | std::uint64_t{id.generation} << 32);
+  }
+};
+template <>
+struct std::hash<physim::InstanceId> {
+  std::size_t operator()(const physim::InstanceId& id) const noexcept {
     return std::hash<std::uint64_t>()(id.index | std::uint64_t{id.generation} << 32);
   }
 };

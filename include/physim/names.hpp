@@ -8,6 +8,7 @@
 #include "physim/aim.hpp"
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
+#include "physim/impact.hpp"
 #include "physim/world.hpp"
 
 namespace physim {
@@ -49,10 +50,13 @@ PHYSIM_NAMED_ENUM(Crossing)
 PHYSIM_NAMED_ENUM(Outcome)
 PHYSIM_NAMED_ENUM(Arc)
 PHYSIM_NAMED_ENUM(GroundMode)
+PHYSIM_NAMED_ENUM(MotionCurve)
+PHYSIM_NAMED_ENUM(OnHit)
 PHYSIM_NAMED_ENUM(Smoothing)
 PHYSIM_NAMED_ENUM(WhenFull)
 PHYSIM_NAMED_ENUM(LifeStatus)
 PHYSIM_NAMED_ENUM(Reason)
+PHYSIM_NAMED_ENUM(ImpactKind)
 #undef PHYSIM_NAMED_ENUM
 
 /// All rungs of an effect (an enumeration that Fidelity has a field of), cheap to true.

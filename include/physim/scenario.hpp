@@ -14,6 +14,8 @@
 #include "physim/projectile.hpp"
 #include "physim/quantity.hpp"
 #include "physim/result.hpp"
+#include "physim/scenario_scene.hpp"
+#include "physim/scenario_study.hpp"
 #include "physim/scenario_world.hpp"
 
 namespace physim {
@@ -51,6 +53,7 @@ enum class ExpectAt {
 /// One [[expect]] of a scenario: a figure that should come out, and why.
 struct Expectation {
   std::string shot{};           ///< name; empty: every shot [-]
+  std::string thing{};          ///< of figures of hits: name of what is hit; empty: all that is hit [-]
   ExpectAt at = ExpectAt::end;  ///< [-]
   double at_value = 0;          ///< time [s], range [m] or height [m]
   std::string quantity{};       ///< "drop", "windage", "range", "speed", "time", "x", "vy", "mach", "energy", ... [-]
@@ -74,7 +77,11 @@ struct Scenario {
   ScenarioWorld world{};                ///< [-]
   std::vector<Volley> volleys{};        ///< [-]
   std::vector<ScenarioForce> forces{};  ///< [-]
+  std::vector<Material> materials{};    ///< [-]
+  std::vector<ScenarioShape> shapes{};  ///< [-]
+  std::vector<ScenarioThing> things{};  ///< [-]
   std::vector<Expectation> expect{};    ///< [-]
+  ScenarioStudy study{};                ///< [-]
 };
 
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",

@@ -13,6 +13,7 @@
 #include "physim/flight.hpp"
 #include "physim/forces.hpp"
 #include "physim/result.hpp"
+#include "physim/scene.hpp"
 #include "physim/task_runner.hpp"
 #include "physim/world_def.hpp"
 #include "physim/world_projectile.hpp"
@@ -58,7 +59,7 @@ struct RecordOptions {
 
 inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 /// The format of a save's bytes; others are refused.
-inline constexpr std::uint32_t kSaveFormat = 2;
+inline constexpr std::uint32_t kSaveFormat = 3;
 
 /// What a save does not hold: functions are no data. They are given again: custom forces in the order they were added;
 /// those of environments in the order of these, each once, however many have it.
@@ -177,6 +178,25 @@ class World {
   [[nodiscard]] std::size_t force_count() const;
   /// Its targets of now that are in motion `force`; nobody: it acts, and nothing feels it.
   [[nodiscard]] std::size_t felt_by(ForceId force) const;
+
+  // ------------------------------------------------------------------------------------------- scene
+  /// What projectiles meet from now on, as BodyDef::on_hit says: a copy of this scene, whose ids it keeps. Who sleeps
+  /// wakes.
+  Status set_scene(const Scene& scene);
+  /// They meet nothing any more.
+  Status remove_scene();
+  /// What there is; null: no scene. It stays until the next call that changes it.
+  [[nodiscard]] const Scene* scene() const;
+  // Changes of the scene that cost what they change, as Scene has them; refused where there is none.
+  Result<ShapeId> add_shape(const ShapeDef& shape);
+  Status remove_shape(ShapeId shape);
+  Result<MaterialId> add_material(const Material& material);
+  Result<InstanceId> add_instance(const InstanceDef& instance);
+  Status remove_instance(InstanceId instance);
+  Status move_instance(InstanceId instance, const Transform& to);
+  /// Times of motions are those of the world.
+  Status set_instance_motion(InstanceId instance, const SceneMotion& motion);
+  Status set_instance_layers(InstanceId instance, std::uint32_t layers);
 
   // ------------------------------------------------------------------------------------------- time
   /// One step of dt [s], now; 1e-9 at least and below 1e6. Fastest where dt stays the same. Integrators with fixed

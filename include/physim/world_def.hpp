@@ -29,6 +29,15 @@ enum class GroundMode {
   bounce,  ///< it bounces and slides, rolls to rest and sleeps
 };
 
+/// What a projectile does where it meets a thing of the scene, see World::set_scene(). Each hit is told, too.
+enum class OnHit : std::uint8_t {
+  pass,    ///< flies on
+  stop,    ///< its flight ends: LifeStatus::landed, and it leaves the world
+  stick,   ///< it stays where it struck, at rest, LifeStatus::landed, until it is despawned or moved
+  bounce,  ///< it bounces by its restitution and friction times those of the material, slides, rolls to rest and sleeps
+  impact,  ///< as its material says (physim/impact.hpp): it ricochets, goes through, stays in it, or bounces as above
+};
+
 /// The ground: a plane of constant height (over a round Earth, a surface of constant height).
 struct Ground {
   GroundMode mode = GroundMode::land;  ///< [-]
@@ -57,6 +66,16 @@ enum class Smoothing : std::uint8_t {
   extrapolate,  ///< ahead of the last step by its velocity: on time, and corrected at every step
 };
 
+/// How a projectile meets the things of a scene.
+struct CollisionDef {
+  OnHit on_hit = OnHit::stop;         ///< what it does then [-]
+  double radius = 0;                  ///< it meets them as a ball of so much; 0: as a point, which nothing spins [m]
+  double inertia = 0.4;               ///< of the ball, over mass and radius squared: 2/5 solid, 2/3 hollow [-]
+  std::uint32_t layers = 0xffffffff;  ///< bits: things of these layers; 0: none [-]
+
+  bool operator==(const CollisionDef&) const = default;
+};
+
 /// How a world treats a kind of projectile. Those marked (live) may be changed for each projectile at any time.
 struct BodyDef {
   double gravity_scale = 1;           ///< (live) times gravity; 0: none [-]
@@ -74,6 +93,7 @@ struct BodyDef {
   double restitution = 0.5;           ///< speed kept by a bounce, 0..1 [-]
   double friction = 0.5;              ///< Coulomb's, of bounces and sliding [-]
   double rolling_resistance = 0.05;   ///< weight that resists rolling on the ground [-]
+  CollisionDef collision{};           ///< with things of the scene [-]
   DespawnRules despawn{};             ///< [-]
   Smoothing smoothing = Smoothing::interpolate;  ///< of World::render_position() (live) [-]
   std::uint32_t pool = 0;                        ///< index in WorldDef::pools [-]

@@ -27,6 +27,21 @@ struct Series {
   [[nodiscard]] double spread() const;
 };
 
+/// Hits of one group, on one thing or on all.
+struct ThingHits {
+  std::string thing{};             ///< its name; empty: all things [-]
+  std::uint64_t count = 0;         ///< [-]
+  std::uint64_t bounces = 0;       ///< ... that threw it back [-]
+  std::uint64_t ricochets = 0;     ///< ... that threw it off, as it came in flat [-]
+  std::uint64_t penetrations = 0;  ///< ... that let it through [-]
+  std::uint64_t stops = 0;         ///< ... that it stayed in or at, or ended at [-]
+  Series time{};                   ///< of the world [s]
+  Series x{}, y{}, z{};            ///< [m]
+  Series speed{}, speed_after{};   ///< [m/s]
+  Series obliquity{};              ///< [rad]
+  Series depth{};                  ///< of what went in [m]
+};
+
 /// What became of all that one [[volley]] fired, or of one [[shot]] that was fired by itself.
 struct WorldGroup {
   std::string name{};         ///< of the volley or shot [-]
@@ -40,16 +55,18 @@ struct WorldGroup {
   std::uint64_t slept = 0;    ///< times that one came to rest [-]
   std::uint64_t expired = 0;  ///< left by their rules [-]
   std::uint64_t retired = 0;  ///< taken out [-]
-  std::uint64_t hits = 0;     ///< on the wall [-]
+  std::uint64_t hits = 0;     ///< on the wall and on things of the scene [-]
   std::uint64_t alive = 0;    ///< at the end [-]
-  Series range{};             ///< horizontal distance to the impact: first touch of the ground, or the wall [m]
+  Series range{};             ///< horizontal distance to the impact: first touch of the ground, wall or a thing [m]
   Series time{};              ///< from launch to impact [s]
   Series speed{};             ///< at impact [m/s]
   Series apex{};              ///< height of the highest points, where the world tells them [m]
   Series hit_y{}, hit_z{};    ///< on the wall [m]
-  Vec3d position{};           ///< mean of those alive at the end [m]
-  Vec3d velocity{};           ///< mean of those alive at the end [m/s]
-  double mean_speed = 0;      ///< mean speed of those alive at the end [m/s]
+  ThingHits on_things{};      ///< all hits on things of the scene [-]
+  std::vector<ThingHits> by_thing{};  ///< those of each thing that was hit, in the order of the first [-]
+  Vec3d position{};                   ///< mean of those alive at the end [m]
+  Vec3d velocity{};                   ///< mean of those alive at the end [m/s]
+  double mean_speed = 0;              ///< mean speed of those alive at the end [m/s]
 };
 
 /// Which launch a projectile was.
@@ -71,6 +88,27 @@ struct WallHit {
   double time = 0;      ///< of the world [s]
   Vec3d position{};     ///< [m]
   Vec3d velocity{};     ///< [m/s]
+};
+
+/// What a projectile did with a thing of the scene: it hit it, or went through what it passes. A contact that goes on,
+/// of what slides, rolls or rests on a thing, is no hit.
+struct ThingHit {
+  static constexpr std::size_t kNone = ~std::size_t{0};
+
+  Launched launched{};           ///< [-]
+  ProjectileId id{};             ///< [-]
+  double time = 0;               ///< of the world [s]
+  Vec3d position{};              ///< [m]
+  Vec3d velocity{};              ///< before [m/s]
+  Vec3d velocity_after{};        ///< [m/s]
+  double obliquity = 0;          ///< between its way, as seen from the surface, and the normal [rad]
+  InstanceId instance{};         ///< in the scene of the world [-]
+  std::size_t thing = kNone;     ///< index in Scenario::things [-]
+  std::size_t material = kNone;  ///< index in Scenario::materials; kNone: that of every scene [-]
+  /// bounced, ricocheted, penetrated or stopped; entered, left or sensed for what is passed.
+  EventKind outcome = EventKind::hit;  ///< [-]
+  double depth = 0;                    ///< how far it went in [m]
+  double energy = 0;                   ///< that it lost by what the material did to it [J]
 };
 
 struct RunState;
@@ -109,6 +147,8 @@ class WorldRun {
   /// What happened in the last step, launches included.
   [[nodiscard]] std::span<const RunEvent> events() const;
   [[nodiscard]] std::span<const WallHit> hits() const;  ///< of the last step
+  /// What happened with things of the scene in the last step.
+  [[nodiscard]] std::span<const ThingHit> thing_hits() const;
   /// Counted so far; what stands at the end is that of now.
   [[nodiscard]] std::vector<WorldGroup> groups() const;
   /// Which launch a projectile was; none for a stranger.

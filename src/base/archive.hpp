@@ -32,6 +32,7 @@ std::size_t enumerators(Enum) {
 }
 inline std::size_t enumerators(Axes) { return static_cast<std::size_t>(Axes::all) + 1; }
 inline std::size_t enumerators(GroundMode) { return static_cast<std::size_t>(GroundMode::bounce) + 1; }
+inline std::size_t enumerators(OnHit) { return static_cast<std::size_t>(OnHit::impact) + 1; }
 inline std::size_t enumerators(Smoothing) { return static_cast<std::size_t>(Smoothing::extrapolate) + 1; }
 inline std::size_t enumerators(WhenFull) { return static_cast<std::size_t>(WhenFull::replace_oldest) + 1; }
 
@@ -84,6 +85,9 @@ class Archive {
       bits(word, sizeof(T));
     if constexpr (Self::kReads) x = static_cast<T>(word);  // what is written may be a constant
   }
+  template <class T>
+  requires std::is_empty_v<T>
+  void take(T&) {}
   void take(std::string& text) { self().text(text); }
   void take(std::vector<std::byte>& bytes) {
     std::string text(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size());
@@ -134,11 +138,13 @@ class Archive {
   void take(FieldFunction<Batch>& field) {
     self().function(field);
   }
+  void take(Scene& scene) { self().scene(scene); }
   /// It changes no result: who replays has another machine.
   void take(Threading&) {}
   template <class T>
-  requires std::is_class_v<T>
-  void take(T& x) {
+  requires(std::is_class_v<T> && !std::is_empty_v<T>) void take(T& x) {
+    if constexpr (requires { Self::says_nothing(x); })
+      if (Self::says_nothing(x)) return;
     with_members(x, [this](auto&... members) { (this->take(members), ...); });
   }
 };
@@ -167,6 +173,10 @@ class Writer : public Archive<Writer> {
     count(s.size());
     const auto bytes = std::as_bytes(std::span(s));
     to_.insert(to_.end(), bytes.begin(), bytes.end());
+  }
+  void scene(const Scene& scene) {
+    std::vector<std::byte> save = scene.save();
+    (*this)(save);
   }
   void function(const CustomForce& force) { number(force.function ? 1 : 0, 1); }
   /// Its number among those written so far, each counted once; 0 stands for none.
@@ -218,6 +228,13 @@ class Reader : public Archive<Reader> {
     s.assign(static_cast<const char*>(static_cast<const void*>(from_.data())), n);
     from_ = from_.subspan(n);
   }
+  void scene(Scene& scene) {
+    std::vector<std::byte> save;
+    (*this)(save);
+    auto loaded = Scene::load(save);
+    good_ = good_ && loaded;
+    if (good_) scene = std::move(*loaded);
+  }
   void function(CustomForce& force) {
     std::uint64_t there = 0;
     number(there, 1, 2);
@@ -263,6 +280,9 @@ class Hasher : public Archive<Hasher> {
   void number(std::uint64_t x, unsigned, std::uint64_t = 0) { hash_.add(x); }
   void count(std::size_t n) { hash_.add(std::uint64_t{n}); }
   void text(const std::string& s) { hash_.add(std::as_bytes(std::span(s))); }
+  void scene(const Scene& scene) { hash_.add(scene.hash()); }
+  /// Hashes of what meets things as it would by itself are what they were before there were scenes.
+  [[nodiscard]] static bool says_nothing(const CollisionDef& collision) { return collision == CollisionDef{}; }
   void function(const CustomForce& force) { hash_.add(std::uint64_t{force.function ? 1u : 0u}); }
   template <class Batch>
   void function(const FieldFunction<Batch>& field) {

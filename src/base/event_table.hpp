@@ -79,23 +79,30 @@ constexpr auto kEventTable = [] {
                .in_flights = true,
                .in_worlds = InWorlds::with_apexes,
                .direction = Crossing::falling,
-               .order = 3},
+               .order = 6},
       asked(K::range, "range", Watch::range),
       asked(K::height, "height", Watch::height),
       asked(K::mach, "mach", Watch::mach),
       asked(K::speed, "speed", Watch::speed),
       asked(K::time, "time", Watch::time),
-      stop(K::ignition, "ignition", Watch::ignition, Needs::motor, 10),
-      stop(K::burnout, "burnout", Watch::burnout, Needs::motor, 11),
-      stop(K::rail_exit, "rail_exit", Watch::rail, Needs::rail, 12),
+      stop(K::ignition, "ignition", Watch::ignition, Needs::motor, 18),
+      stop(K::burnout, "burnout", Watch::burnout, Needs::motor, 19),
+      stop(K::rail_exit, "rail_exit", Watch::rail, Needs::rail, 20),
       rule(K::spawned, "spawned", 1),
-      rule(K::landed, "landed", 2),
-      rule(K::bounced, "bounced", 4),
-      rule(K::slept, "slept", 5),
-      rule(K::woke, "woke", 6),
-      rule(K::expired, "expired", 7),
-      rule(K::retired, "retired", 8),
-      rule(K::fidelity_changed, "fidelity_changed", 9),
+      rule(K::landed, "landed", 5),
+      rule(K::bounced, "bounced", 7),
+      rule(K::slept, "slept", 12),
+      rule(K::woke, "woke", 14),
+      rule(K::expired, "expired", 15),
+      rule(K::retired, "retired", 16),
+      rule(K::fidelity_changed, "fidelity_changed", 17),
+      rule(K::hit, "hit", 4),
+      rule(K::entered, "entered", 3),
+      rule(K::left, "left", 11),
+      rule(K::sensed, "sensed", 2),
+      rule(K::ricocheted, "ricocheted", 8),
+      rule(K::penetrated, "penetrated", 9),
+      rule(K::stopped, "stopped", 10),
   };
 }();
 constexpr std::size_t kEventKinds = kEventTable.size();
@@ -119,7 +126,7 @@ constexpr bool is_enumerator() {
   constexpr std::string_view text = __PRETTY_FUNCTION__;
   return text[text.rfind("value = ") + 8] != '(';
 }
-static_assert(is_enumerator<EventKind::fidelity_changed>());
+static_assert(is_enumerator<EventKind::stopped>());
 static_assert(!is_enumerator<static_cast<EventKind>(kEventKinds)>(), "the last kinds of events have no row");
 
 /// How many kinds an EventSpec may ask for: the first ones.

@@ -61,7 +61,8 @@ inline constexpr std::size_t kMemberCount = detail::count_members<T>();
 template <class T, class F>
 constexpr decltype(auto) with_members(T& x, F&& f) {
   constexpr std::size_t n = kMemberCount<std::remove_const_t<T>>;
-  static_assert(n >= 1 && n <= 26, "one more line below");
+  static_assert(n <= 26, "one more line below");
+  if constexpr (n == 0) return f();
   // clang-format off
   PHYSIM_TAKE(1, a)
   PHYSIM_TAKE(2, a, b)

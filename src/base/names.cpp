@@ -31,11 +31,14 @@ PHYSIM_NAMES(Arc, both, "low", "high", "both")
 PHYSIM_NAMES(Outcome, refused, "landed", "reached_range", "event", "time_limit", "step_limit", "left_domain",
              "non_finite", "stalled", "refused")
 PHYSIM_NAMES(GroundMode, bounce, "none", "land", "stick", "bounce")
+PHYSIM_NAMES(MotionCurve, smooth, "straight", "smooth")
+PHYSIM_NAMES(OnHit, impact, "pass", "stop", "stick", "bounce", "impact")
 PHYSIM_NAMES(Smoothing, extrapolate, "none", "interpolate", "extrapolate")
 PHYSIM_NAMES(WhenFull, replace_oldest, "refuse", "replace_oldest")
 PHYSIM_NAMES(LifeStatus, retired, "unknown", "pending", "in_flight", "landed", "expired", "retired")
-PHYSIM_NAMES(Reason, stalled, "none", "below", "farther", "older", "slower", "outside_box", "despawned", "replaced",
-             "non_finite", "left_domain", "stalled")
+PHYSIM_NAMES(Reason, inside, "none", "below", "farther", "older", "slower", "outside_box", "despawned", "replaced",
+             "non_finite", "left_domain", "stalled", "inside")
+PHYSIM_NAMES(ImpactKind, stopped, "none", "bounced", "ricocheted", "penetrated", "stopped")
 
 #undef PHYSIM_NAMES
 

@@ -8,8 +8,25 @@
 
 namespace physim {
 
+namespace {
+
+Status check_columns(const Weather& weather, std::size_t shots) {
+  const std::pair<const char*, std::size_t> columns[] = {
+      {"weather.wind_x", weather.wind_x.size()},     {"weather.wind_y", weather.wind_y.size()},
+      {"weather.wind_z", weather.wind_z.size()},     {"weather.temperature", weather.temperature.size()},
+      {"weather.pressure", weather.pressure.size()}, {"weather.humidity", weather.humidity.size()},
+      {"weather.density", weather.density.size()}};
+  for (const auto& [place, length] : columns)
+    if (length != 0 && length != shots)
+      return Error{"has another length than there are shots", place, "one number for each shot, or none"};
+  return {};
+}
+
+}  // namespace
+
 Status check_common(const BatchTask& task) {
-  for (const Status& status : {check(task.environment), check(task.tolerance, task.fidelity), check(task.until)})
+  for (const Status& status : {check(task.environment), check(task.tolerance, task.fidelity), check(task.until),
+                               check_columns(task.weather, task.shots.size())})
     if (!status) return status;
   return task.shots.one_projectile ? check(*task.shots.one_projectile) : Status{};
 }
@@ -36,8 +53,11 @@ bool some_turned(const std::vector<PartResult>& parts) {
   return std::ranges::any_of(parts, [](const PartResult& part) { return part.turned; });
 }
 
-void fly_task(const BatchTask& task, BatchResult& result, TaskRunner* runner) {
+void fly_task(const ShotList& shots, const Environment& environment, const Fidelity& fidelity,
+              const Tolerance& tolerance, const Until& until, BatchResult& result, TaskRunner* runner,
+              const Weather& weather) {
   const IeeeMode mode;
+  const BatchTask task{shots, environment, weather, fidelity, tolerance, until};
   const std::size_t count = task.shots.size();
   result.kernel = batch_kernel().name;
   result.shots.resize(count);  // each is written once: how it ended, or that it was refused
@@ -73,29 +93,31 @@ void fly_task(const BatchTask& task, BatchResult& result, TaskRunner* runner) {
 }  // namespace
 
 void fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
-               const Tolerance& tolerance, const Until& until, BatchResult& result, TaskRunner* runner) {
+               const Tolerance& tolerance, const Until& until, BatchResult& result, TaskRunner* runner,
+               const Weather& weather) {
   const ShotList list{.shots = shots};
-  fly_task({list, environment, fidelity, tolerance, until}, result, runner);
+  fly_task(list, environment, fidelity, tolerance, until, result, runner, weather);
 }
 
 void fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
                const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, BatchResult& result,
-               TaskRunner* runner) {
+               TaskRunner* runner, const Weather& weather) {
   const ShotList list{.one_projectile = &projectile, .launches = launches};
-  fly_task({list, environment, fidelity, tolerance, until}, result, runner);
+  fly_task(list, environment, fidelity, tolerance, until, result, runner, weather);
 }
 
 BatchResult fly_batch(std::span<const Shot> shots, const Environment& environment, const Fidelity& fidelity,
-                      const Tolerance& tolerance, const Until& until, TaskRunner* runner) {
+                      const Tolerance& tolerance, const Until& until, TaskRunner* runner, const Weather& weather) {
   BatchResult result;
-  fly_batch(shots, environment, fidelity, tolerance, until, result, runner);
+  fly_batch(shots, environment, fidelity, tolerance, until, result, runner, weather);
   return result;
 }
 
 BatchResult fly_batch(const ProjectileDef& projectile, std::span<const Launch> launches, const Environment& environment,
-                      const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, TaskRunner* runner) {
+                      const Fidelity& fidelity, const Tolerance& tolerance, const Until& until, TaskRunner* runner,
+                      const Weather& weather) {
   BatchResult result;
-  fly_batch(projectile, launches, environment, fidelity, tolerance, until, result, runner);
+  fly_batch(projectile, launches, environment, fidelity, tolerance, until, result, runner, weather);
   return result;
 }
 

@@ -122,11 +122,11 @@ ColumnsResult refuse_all(std::size_t count, const Error& error) {
 
 ColumnsResult fly_columns(const ProjectileDef& projectile, const LaunchColumns& launches,
                           const Environment& environment, const Fidelity& fidelity, const Tolerance& tolerance,
-                          const Until& until, const EndColumns& into, TaskRunner* runner) {
+                          const Until& until, const EndColumns& into, TaskRunner* runner, const Weather& weather) {
   const IeeeMode mode;
   const std::size_t count = launches.size();
   const ShotList list{.one_projectile = &projectile, .columns = &launches};
-  const BatchTask task{list, environment, fidelity, tolerance, until};
+  const BatchTask task{list, environment, weather, fidelity, tolerance, until};
   Checker c;
   check_columns(c, launches, into);
   if (const Status status = c.also(check_common(task)).status(); !status) return refuse_all(count, status.error());

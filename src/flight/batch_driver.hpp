@@ -9,7 +9,7 @@ PHYSIM_ISA_BEGIN
 
 /// A column's numbers of the shots from `first` on; lanes without a shot repeat the last one.
 template <class W>
-PHYSIM_INLINE W take_column(const LaunchSource::Column& column, std::size_t first, int filled) {
+PHYSIM_INLINE W take_column(const NumberColumn& column, std::size_t first, int filled) {
   if (column.of_shots == nullptr) return W(column.common);
   W taken;
   for (int lane = 0; lane < kLanes<W>; ++lane)
@@ -22,13 +22,36 @@ template <class R>
 void put_launches(const LaunchSource& from, std::size_t first, int filled, Body<R>& into) {
   using W = Cast<double, R>;
   using S = ScalarOf<R>;
-  const auto take = [&](const LaunchSource::Column& column) { return take_column<W>(column, first, filled); };
+  const auto take = [&](const NumberColumn& column) { return take_column<W>(column, first, filled); };
   const SightAxes<W> axes(sincos_of(take(from.azimuth)), sincos_of(W(from.look_angle)), sincos_of(W(from.cant)));
   const Vec3<W> v = axes.bore(sincos_of(take(from.elevation) - W(from.look_angle))) * take(from.speed);
   into.launch.x = {cast<S>(take(from.x)), cast<S>(take(from.y)), cast<S>(take(from.z))};
   cast_numbers(v, into.launch.v);
   cast_numbers(axes.right, into.plane);
   cast_numbers(axes.forward, into.sight);
+}
+
+/// What prepare_air_numbers() (model/standard_atmosphere.hpp) gives, for a pack of shots with air of their own.
+template <class W>
+[[gnu::noinline]] void put_air(const WeatherSource& from, std::size_t first, int filled, AirNumbers<W>& air) {
+  const auto take = [&](const NumberColumn& column) { return take_column<W>(column, first, filled); };
+  const double* no_station = numbers(*from.no_station);
+  for (unsigned i = 0; i < kNumbers<AirNumbers>; ++i) numbers(air)[i] = W(no_station[i]);
+  if (from.has_station)
+    put_air(from.place, Readings<W>{take(from.temperature), take(from.pressure), take(from.humidity)}, air);
+  if (from.has_density) air.density = take(from.density);
+  if (from.has_sound_speed) air.per_sound_speed = W(from.per_sound_speed);
+}
+
+template <class R, class S>
+void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t first, int filled, Body<R>& into) {
+  using W = Cast<double, R>;
+  const auto take = [&](const NumberColumn& column) { return cast<S>(take_column<W>(column, first, filled)); };
+  if (c.has_own_wind) into.wind = {take(from.wind_x), take(from.wind_y), take(from.wind_z)};
+  if (!c.has_own_air) return;
+  AirNumbers<W> air;
+  put_air(from, first, filled, air);
+  cast_numbers(air, into.air);
 }
 
 /// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than
@@ -76,6 +99,8 @@ class ReadyShots {
       for_rotors(job_.course->conditions->fidelity, take_rotor, ready_);
     }
     if (job_.launches != nullptr) put_launches(*job_.launches, next_, filled_, ready_.body);
+    if (job_.launches != nullptr && job_.launches->weather != nullptr)
+      put_weather(*job_.launches->weather, *job_.course->conditions, next_, filled_, ready_.body);
     march_.launch();
     next_ += static_cast<std::size_t>(filled_);
     used_ = 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "model/station.hpp"
 #include "solve/judge.hpp"
 
 namespace physim {
@@ -17,17 +18,31 @@ struct RawEvent {
   State<double> state;
 };
 
-/// Launches that lanes compute themselves: columns from the first shot on, null where all have the number beside it.
+/// Numbers of shots, from the first one on; null: all have the number beside it.
+struct NumberColumn {
+  const double* of_shots;
+  double common;
+};
+
+/// Weather that lanes compute themselves.
+struct WeatherSource {
+  NumberColumn wind_x, wind_y, wind_z;           // [m/s]
+  NumberColumn temperature, pressure, humidity;  // at the station [K], [Pa], [-]
+  NumberColumn density;                          // at the origin, in the place of the station's [kg/m^3]
+  bool has_station, has_density, has_sound_speed;
+  double per_sound_speed;  // in the place of the station's [s/m]
+  StationPlace place;
+  const AirNumbers<double>* no_station;  // the air where no station measures
+};
+
+/// Launches that lanes compute themselves.
 struct LaunchSource {
-  struct Column {
-    const double* of_shots;
-    double common;
-  };
-  Column x, y, z;           // [m]
-  Column speed;             // [m/s]
-  Column elevation;         // above the horizon [rad]
-  Column azimuth;           // [rad]
-  double look_angle, cant;  // [rad]
+  NumberColumn x, y, z;          // [m]
+  NumberColumn speed;            // [m/s]
+  NumberColumn elevation;        // above the horizon [rad]
+  NumberColumn azimuth;          // [rad]
+  double look_angle, cant;       // [rad]
+  const WeatherSource* weather;  // null: all have that of the environment
 };
 
 /// Shots to fly. Events go through a function, so that kernels hold no container code.

@@ -7,8 +7,8 @@
 #include "flight/flight_record.hpp"
 #include "flight/kernels.hpp"
 #include "flight/pilot.hpp"
+#include "flight/plain_shots.hpp"
 #include "model/earth.hpp"
-#include "model/standard_atmosphere.hpp"
 #include "prepare/launch.hpp"
 #include "prepare/watch_list.hpp"
 
@@ -58,16 +58,17 @@ void BatchPart::fly_or_gather(std::uint32_t i) {
   if (!part_->in_use) part_->in_use = group.cohort.in_use;
   if (state == ShotState::over) return end_at_once(i);
   if (state == ShotState::alone) return fly_alone(i);
-  if (group.own != PartSet::all() && groups_.launch().rail_length > 0) {
+  if (group.own != groups_.parts_of_shots() && groups_.launch().rail_length > 0) {
     fly(group);  // those without a rail
-    group.own = PartSet::all();
+    group.own = groups_.parts_of_shots();
   }
   const Fidelity& granted = group.cohort.in_use.fidelity;
   group.add(i, kind.body);
   if (turns(granted)) group.rotors.push_back(kind.rotor);
   if (drifts(granted))
     group.drifts.emplace_back(
-        prepare_spin_drift(*kind.projectile, length(kind.body.launch.v), task_.environment, granted), kind.body.plane);
+        prepare_spin_drift(*kind.projectile, length(kind.body.launch.v), groups_.environment(), granted),
+        kind.body.plane);
   if (group.shots.size() == kChunk) fly(group);
 }
 
@@ -99,7 +100,7 @@ void BatchPart::end_at_once(std::uint32_t i) {
 }
 
 void BatchPart::fly_alone(std::uint32_t i) {
-  const Flight flight = physim::fly(*groups_.kind().projectile, groups_.launch(), task_.environment, task_.fidelity,
+  const Flight flight = physim::fly(*groups_.kind().projectile, groups_.launch(), groups_.environment(), task_.fidelity,
                                     task_.tolerance, task_.until);
   if (flight.error()) return refuse(i, *flight.error());
   const Sample end = flight.end();
@@ -164,29 +165,6 @@ void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches, void 
           group.turned.empty() ? nullptr : group.turned.data(), emit, &group});
 }
 
-// ------------------------------------------------------------------------------------------- columns
-namespace {
-
-/// Numbers of a column within bounds, so that no check of a launch would refuse them.
-bool all_within(std::span<const double> column, double low, double high) {
-  bool within = true;
-  for (const double x : column) within &= x >= low && x <= high;
-  return within;
-}
-
-/// Launches that need no look of their own: sound, not over where they begin, and numbers in float32 too.
-bool are_plain(const LaunchColumns& from, std::size_t first, std::size_t count, double lowest) {
-  constexpr double kFar = 1e15, kFast = 1e15, kTurn = 3.14;
-  const auto part = [&](std::span<const double> column) {
-    return column.empty() ? column : column.subspan(first, count);
-  };
-  return all_within(part(from.x), -kFar, kFar) && all_within(part(from.y), lowest, kFar) &&
-         all_within(part(from.z), -kFar, kFar) && all_within(part(from.speed), 0, kFast) &&
-         all_within(part(from.elevation), -kTurn, kTurn) && all_within(part(from.azimuth), -kFast, kFast);
-}
-
-}  // namespace
-
 /// Whether the lanes may compute the launches of a part themselves. What all have in common is asked of the first; any
 /// shot that is not plain sends the part the other way.
 bool BatchPart::fly_as_columns() {
@@ -197,29 +175,13 @@ bool BatchPart::fly_as_columns() {
   const Fidelity& granted = group.cohort.in_use.fidelity;
   const bool by_frames = steps_by_frames(granted) && !step_given(granted, task_.tolerance);
   const bool own_launch =
-      group.own != PartSet::all() && from.common.rail_length <= 0 && from.common.sight.zero_range <= 0;
+      group.own != groups_.parts_of_shots() && from.common.rail_length <= 0 && from.common.sight.zero_range <= 0;
   const bool all_in_launch = !turns(granted) && !drifts(granted) && !granted.planar && !is_round(granted.earth);
   if (!own_launch || by_frames || !all_in_launch) return false;
-  // Lower ones are looked at one by one: they may end where they begin.
-  const double domain = kLowestAltitude - task_.environment.altitude + 1;
-  const double above = std::max(domain, std::nextafter(task_.until.ground.value_or(domain), kInfinity));
-  if (from.y.empty() && from.common.position.y < above) return false;
-  if (!are_plain(from, first_, part_->shots.size(), above)) return false;
-  const auto column = [this](std::span<const double> numbers, double common) {
-    return LaunchSource::Column{numbers.empty() ? nullptr : numbers.data() + first_, common};
-  };
-  const Launch& common = from.common;
-  const LaunchSource launches{column(from.x, common.position.x),
-                              column(from.y, common.position.y),
-                              column(from.z, common.position.z),
-                              column(from.speed, common.speed),
-                              column(from.elevation, common.elevation),
-                              column(from.azimuth, common.azimuth),
-                              common.sight.look_angle,
-                              common.sight.cant};
-  if (!put_step(group)) return false;
+  const PlainShots plain(task_, granted, first_, part_->shots.size());
+  if (!plain.are_all() || !put_step(group)) return false;
   if (!part_->in_use) part_->in_use = group.cohort.in_use;
-  run_kernel(group, &launches);
+  run_kernel(group, &plain.launches());
   return true;
 }
 

@@ -42,8 +42,9 @@ Result<double> BatchSteps::choose(Known& known) {
   PilotStep worst{0, task_.tolerance.position_error};
   for (const std::size_t i : pilots(known)) {
     Launch scratch;
+    ShotEnvironments environments(task_);
     const auto found =
-        step_within(task_.shots.projectile(i), task_.shots.launch(i, scratch), task_.environment, known.granted,
+        step_within(task_.shots.projectile(i), task_.shots.launch(i, scratch), environments.of(i), known.granted,
                     task_.tolerance, task_.until, 0.4 * task_.tolerance.position_error, step);
     if (!found) return found.error();
     step = std::min(step, found->step);
@@ -58,7 +59,8 @@ bool BatchSteps::is_granted(std::size_t shot, const Fidelity& granted) {
   const ProjectileDef& projectile = task_.shots.projectile(shot);
   Launch scratch;
   const Launch& launch = task_.shots.launch(shot, scratch);
-  return check(projectile) && check(launch) && check(projectile, launch) &&
+  ShotEnvironments environments(task_);
+  return check(projectile) && check(launch) && check(projectile, launch) && check(environments.of(shot)) &&
          scout_.group_of(projectile).cohort.in_use.fidelity == granted;
 }
 

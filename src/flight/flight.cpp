@@ -206,7 +206,8 @@ Sample Flight::at(double time) const {
   out.acceleration = r.accelerations_at(time).total;
   out.speed = length(s.v);
   const bool has_air = c.fidelity.air != AirModel::vacuum;
-  out.mach = has_air ? length(air_velocity(c, r.body, r.clock + time, s)) * air_state(c, s.x).per_sound_speed : 0;
+  out.mach =
+      has_air ? length(air_velocity(c, r.body, r.clock + time, s)) * air_state(c, r.body, s.x).per_sound_speed : 0;
   const Body<double> b = r.body_at(time);
   out.mass = mass_at(b, r.clock + time);
   out.thrust = thrust_at(b, r.clock + time);

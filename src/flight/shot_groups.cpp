@@ -5,6 +5,7 @@
 #include "flight/pilot.hpp"
 #include "flight/zero.hpp"
 #include "model/drag_curves.hpp"
+#include "model/standard_atmosphere.hpp"
 #include "prepare/check.hpp"
 #include "prepare/conditions.hpp"
 #include "prepare/grant.hpp"
@@ -13,9 +14,6 @@
 
 namespace physim {
 namespace {
-
-constexpr unsigned kLaunchNumbers = kLaunchParts.runs().numbers();
-static_assert(kLaunchParts.runs().count == 1 && kLaunchParts.runs().run[0].first == 0, "a Body begins with them");
 
 /// Whether a launch without a rail gives a Body only the first numbers: what else put_launch() sets is not read.
 bool differ_by_launch_alone(const Conditions<double>& c) {
@@ -42,7 +40,7 @@ Body<double> ShotGroup::body(std::size_t i) const {
   return b;
 }
 
-unsigned ShotGroup::own_stride() const { return own == kLaunchParts ? kLaunchNumbers : kNumbers<Body>; }
+unsigned ShotGroup::own_stride() const { return own.runs().end(); }
 
 void ShotGroup::clear() {
   shots.clear();
@@ -77,13 +75,22 @@ ShotGroup& ShotGroups::group_of(const ProjectileDef& projectile) {
   PHYSIM_ASSERT(key < group_by_key_.size());
   ShotGroup*& known = group_by_key_[key];
   if (known) return *known;
-  const FidelityInUse in_use = grant(task_.fidelity, projectile, task_.environment);
+  const Environment environment = task_.granting();
+  const FidelityInUse in_use = grant(task_.fidelity, projectile, environment);
   for (ShotGroup& group : groups_)
     if (group.cohort.in_use.fidelity == in_use.fidelity) return *(known = &group);
   known = &groups_.emplace_back();
+  known->own = parts_of_shots();
   known->cohort.in_use = in_use;
-  known->cohort.conditions = prepare_conditions(task_.environment, in_use.fidelity);
+  Conditions<double>& conditions = known->cohort.conditions;
+  conditions = prepare_conditions(environment, in_use.fidelity);
+  conditions.has_own_wind = task_.weather.has_wind();
+  conditions.has_own_air = task_.weather.has_air();
   return *known;
+}
+
+PartSet ShotGroups::parts_of_shots() const {
+  return task_.weather.empty() ? PartSet::all() - kWeatherParts : PartSet::all();
 }
 
 /// What is known of a shot's projectile.
@@ -101,7 +108,7 @@ ShotKind& ShotGroups::kind_of(std::size_t shot) {
   if (steps_by_frames(cohort.in_use.fidelity)) cohort.finish();  // frame_step() looks at its drag
   if (!task_.shots.one_projectile) return kind_;
   group.common = kind_.body;
-  if (differ_by_launch_alone(cohort.conditions)) group.own = kLaunchParts;
+  if (differ_by_launch_alone(cohort.conditions)) group.own = kLaunchParts | (parts_of_shots() & kWeatherParts);
   return kind_;
 }
 
@@ -111,27 +118,39 @@ ShotState ShotGroups::refuse(Status why) {
   return ShotState::refused;
 }
 
+/// Takes a shot's launch and environment, and checks them.
+Status ShotGroups::look_at(std::size_t shot, const ProjectileDef& projectile) {
+  launch_ = &task_.shots.launch(shot, scratch_);
+  environment_ = &environments_.of(shot);
+  if (auto status = check(*launch_); !status) return status;
+  if (auto status = check(projectile, *launch_); !status) return status;
+  if (task_.weather.empty()) return {};
+  if (auto status = check(*environment_); !status) return status;
+  if (task_.weather.density.empty() || task_.weather.density[shot] > 0) return {};
+  return Error{"must be above 0", "weather.density[" + std::to_string(shot) + "]", "fly vacuum in a batch of its own"};
+}
+
 ShotState ShotGroups::prepare(std::size_t shot) {
   ShotKind& kind = kind_of(shot);
   if (!kind.status) return refuse(kind.status);
   const ProjectileDef& projectile = *kind.projectile;
-  const Launch& launch = task_.shots.launch(shot, scratch_);
-  launch_ = &launch;
-  if (auto status = check(launch); !status) return refuse(std::move(status));
-  if (auto status = check(projectile, launch); !status) return refuse(std::move(status));
+  if (auto status = look_at(shot, projectile); !status) return refuse(std::move(status));
+  const Launch& launch = *launch_;
   double elevation = launch.elevation;
   if (launch.sight.zero_range > 0) {
-    const auto found = elevation_of(projectile, launch, task_.environment, task_.fidelity);
+    const auto found = elevation_of(projectile, launch, *environment_, task_.fidelity);
     if (!found) return refuse(found.error());
     elevation = *found;
   }
   Cohort& cohort = kind.group->cohort;
   const Fidelity& granted = cohort.in_use.fidelity;
   Body<double>& body = kind.body;
+  if (task_.weather.has_wind()) body.wind = environment_->wind.velocity;
+  if (task_.weather.has_air()) body.air = prepare_air_numbers(*environment_, granted.air);
   put_launch(projectile, launch, elevation, cohort.conditions, body);
   if (auto status = check_fits(body.launch.x, body.launch.v, granted.precision); !status)
     return refuse(std::move(status));
-  jump_in_crosswind(projectile, task_.environment, cohort.conditions, body);
+  jump_in_crosswind(projectile, *environment_, cohort.conditions, body);
   if (turns(granted)) put_launch(projectile, launch, elevation, body, cohort.conditions, kind.rotor);
   if (const auto outcome = ends_at_once(cohort.conditions, body, task_.until)) {
     outcome_ = *outcome;

@@ -23,8 +23,8 @@ struct ShotGroup {
   std::optional<double> step;
   std::vector<std::uint32_t> shots;
   Body<double> common{};                            // what all bodies have ...
-  PartSet own = PartSet::all();                     // ... but for these parts, the first ones of a Body ...
-  std::vector<double> own_numbers;                  // ... which are here
+  PartSet own = PartSet::all();                     // ... but for these parts ...
+  std::vector<double> own_numbers;                  // ... which are here, with all that lies between them
   std::vector<Rotor<double>> rotors;                // of rungs that turn
   std::vector<std::pair<SpinDrift, Vec3d>> drifts;  // of the rung of that name, and where they point
   std::vector<Turn<double>> turned;                 // how they turn at their ends
@@ -56,20 +56,24 @@ enum class ShotState {
 /// Prepares shots one by one. Not for several threads: each has its own.
 class ShotGroups {
  public:
-  explicit ShotGroups(const BatchTask& task) : task_(task) {}
+  explicit ShotGroups(const BatchTask& task) : task_(task), environments_(task) {}
 
-  /// What else is known of the shot stands in kind(), launch(), refusal() and outcome() until the next.
+  /// What else is known of the shot stands in kind(), launch(), environment(), refusal() and outcome() until the next.
   [[nodiscard]] ShotState prepare(std::size_t shot);
   [[nodiscard]] const ShotKind& kind() const { return kind_; }
   [[nodiscard]] const Launch& launch() const { return *launch_; }
+  [[nodiscard]] const Environment& environment() const { return *environment_; }
   [[nodiscard]] const Error& refusal() const { return refusal_.error(); }
   [[nodiscard]] Outcome outcome() const { return outcome_; }
 
   [[nodiscard]] ShotGroup& group_of(const ProjectileDef& projectile);
   [[nodiscard]] std::deque<ShotGroup>& all() { return groups_; }
+  /// What of a body may be a shot's own.
+  [[nodiscard]] PartSet parts_of_shots() const;
 
  private:
   ShotKind& kind_of(std::size_t shot);
+  [[nodiscard]] Status look_at(std::size_t shot, const ProjectileDef& projectile);
   [[nodiscard]] unsigned grant_key(const ProjectileDef& projectile);
   [[nodiscard]] bool overshoots(const DragDef& drag);
   [[nodiscard]] ShotState refuse(Status why);
@@ -82,6 +86,8 @@ class ShotGroups {
   ShotKind kind_;
   Launch scratch_;
   const Launch* launch_ = nullptr;
+  ShotEnvironments environments_;
+  const Environment* environment_ = nullptr;
   Status refusal_;
   Outcome outcome_ = Outcome::refused;
 };

@@ -33,10 +33,38 @@ struct ShotList {
 /// All that a batch is called with.
 struct BatchTask {
   ShotList shots;
-  const Environment& environment;
-  const Fidelity fidelity;  // a copy: it may lie in the result
+  const Environment& environment;  // of all shots ...
+  const Weather& weather;          // ... but for this of each
+  const Fidelity fidelity;         // a copy: it may lie in the result
   const Tolerance& tolerance;
   const Until& until;
+
+  /// An environment that stands for those of all shots. Where they bring their own wind it is not calm, and air that
+  /// they bring is no vacuum: what is granted must suit them all.
+  [[nodiscard]] Environment granting() const {
+    Environment all = environment;
+    if (weather.has_wind()) all.wind = {.velocity = {1, 0, 0}};
+    if (!weather.density.empty()) all.atmosphere.density = 1;
+    return all;
+  }
+};
+
+/// The environment of one shot after the other.
+class ShotEnvironments {
+ public:
+  explicit ShotEnvironments(const BatchTask& task) : task_(task) {
+    if (!task.weather.empty()) own_ = task.environment;
+  }
+  [[nodiscard]] const Environment& of(std::size_t shot) {
+    PHYSIM_ASSERT(shot < task_.shots.size());
+    if (task_.weather.empty()) return task_.environment;
+    task_.weather.put(shot, own_);
+    return own_;
+  }
+
+ private:
+  const BatchTask& task_;
+  Environment own_;
 };
 
 }  // namespace physim

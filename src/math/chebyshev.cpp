@@ -36,13 +36,4 @@ ChebyshevFit::ChebyshevFit(int terms) {
   }
 }
 
-std::vector<double> ChebyshevFit::powers(const std::vector<double>& values) const {
-  const std::size_t n = points_.size();
-  PHYSIM_ASSERT(values.size() == n);
-  std::vector<double> out(n, 0.0);
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i < n; ++i) out[j] += matrix_[j * n + i] * values[i];
-  return out;
-}
-
 }  // namespace physim

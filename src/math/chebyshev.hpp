@@ -17,12 +17,13 @@ class ChebyshevFit {
 
   /// Where in -1..1 to evaluate the function.
   [[nodiscard]] const std::vector<double>& points() const { return points_; }
-  /// Coefficients of u^0, u^1, ... for the values at the points.
-  [[nodiscard]] std::vector<double> powers(const std::vector<double>& values) const;
+  /// Coefficients of u^0, u^1, ... from the values at the points: row j, as long as there are points, gives that of
+  /// u^j.
+  [[nodiscard]] const std::vector<double>& matrix() const { return matrix_; }
 
  private:
   std::vector<double> points_;
-  std::vector<double> matrix_;  // row j: coefficient of u^j from the values
+  std::vector<double> matrix_;
 };
 
 }  // namespace physim

@@ -39,6 +39,8 @@ struct NumberRuns {
     for (unsigned i = 0; i < count; ++i) sum += static_cast<unsigned>(run[i].end - run[i].first);
     return sum;
   }
+  /// The first number behind the last stretch.
+  [[nodiscard]] constexpr unsigned end() const { return count == 0 ? 0 : run[count - 1].end; }
   /// Calls f with the index of each number.
   PHYSIM_INLINE void each(const auto& f) const {
     for (unsigned k = 0; k < count; ++k)

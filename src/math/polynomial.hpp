@@ -14,7 +14,9 @@ constexpr int estrin_level(int n) { return n <= 2 ? 0 : 1 + estrin_level((n + 1)
 /// The part with the coefficients [kFrom, kFrom + kCount), divided by x^kFrom. `powers` holds x, x^2, x^4, x^8, ...
 template <int kFrom, int kCount, class R, class C, int N>
 PHYSIM_INLINE R polynomial_part(const R* powers, const C (&c)[N]) {
-  if constexpr (kCount == 1) {
+  if constexpr (kCount == 1 && std::is_same_v<C, R>) {
+    return c[kFrom];
+  } else if constexpr (kCount == 1) {
     return R(static_cast<ScalarOf<R>>(c[kFrom]));
   } else {
     constexpr int kLevel = estrin_level(kCount);
@@ -25,7 +27,7 @@ PHYSIM_INLINE R polynomial_part(const R* powers, const C (&c)[N]) {
   }
 }
 
-/// c[0] + c[1] x + ... + c[kTerms-1] x^(kTerms-1); all of c unless told otherwise.
+/// c[0] + c[1] x + ... + c[kTerms-1] x^(kTerms-1); all of c unless told otherwise. Lanes may have their own.
 template <int kTermsGiven = 0, class R, class C, int N>
 PHYSIM_INLINE R polynomial(const R& x, const C (&c)[N]) {
   constexpr int kTerms = kTermsGiven == 0 ? N : kTermsGiven;

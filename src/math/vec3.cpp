@@ -3,6 +3,11 @@
 
 namespace physim {
 
+template <class T>
+void Vec3<T>::add_scaled(const Vec3<T>& b, const T& s) {
+  physim::add_scaled(*this, b, s);
+}
+
 #define PHYSIM_VEC3(T)                                         \
   template void Vec3<T>::add_scaled(const Vec3<T>&, const T&); \
   template T dot(const Vec3<T>&, const Vec3<T>&);              \

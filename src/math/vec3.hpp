@@ -8,9 +8,11 @@
 
 namespace physim {
 
+// A function of its own: g++ 12 drops always_inline where the declaration within the class does not have it, and calls
+// the member from the stage sums of kernels.
 template <class T>
-PHYSIM_INLINE void Vec3<T>::add_scaled(const Vec3<T>& b, const T& s) {
-  x = x + b.x * s, y = y + b.y * s, z = z + b.z * s;
+PHYSIM_INLINE void add_scaled(Vec3<T>& sum, const Vec3<T>& b, const T& s) {
+  sum = {sum.x + b.x * s, sum.y + b.y * s, sum.z + b.z * s};
 }
 template <class T>
 PHYSIM_INLINE T dot(const Vec3<T>& a, const Vec3<T>& b) {

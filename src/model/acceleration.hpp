@@ -143,7 +143,7 @@ struct ShellInAir {
   template <class S, class AnySum>
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, AnySum& sum) {
     u = air_velocity(c, b, t, s);
-    air = air_state(c, s.x);
+    air = air_state(c, b, s.x);
     sum.add(&Accelerations::drag, drag_now_in(c, b, t, air, u));
   }
   template <class S>
@@ -163,7 +163,7 @@ struct BodyInAir {
   PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, AnySum& sum) {
     if (!c.has_aero && c.fidelity.drag == DragModel::off) return;
     const Vec3<R> u = air_velocity(c, b, t, s);
-    const AirState<R> air = air_state(c, s.x);  // simple drag does not need it, and is not worth a copy of all this
+    const AirState<R> air = air_state(c, b, s.x);  // simple drag does not need it, and is not worth a copy of all this
     sum.add(&Accelerations::drag, drag_now_in(c, b, t, air, u));
     if (!c.has_aero) return;
     const AeroLoad<R> load = body_aero(c, rotor, air, u, turn);

@@ -21,6 +21,7 @@
 
 #include "base/assert.hpp"
 #include "math/elementary.hpp"
+#include "model/body.hpp"
 #include "model/earth.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -32,22 +33,22 @@ struct AirState {
 };
 
 /// Any layer, by its law. Behind a call, as most shots stay below.
-template <class R, class S>
-[[gnu::noinline]] void layered_air(const Air<S>& air, const R& z, AirState<R>& out) {
+template <class R, class S, class N>
+[[gnu::noinline]] void layered_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z, AirState<R>& out) {
   PHYSIM_ASSERT(air.layers >= 1 && air.layers <= kAirLayers);
   const S r0 = static_cast<S>(kGeopotentialRadius);
   const R h = r0 * z / (r0 + z);
-  R base(air.base[0]), lapse(air.lapse[0]), power(air.power[0]), decay(air.decay[0]);
-  R density(air.base_density[0]), per_sound(air.base_per_sound[0]);
+  R base(air.base[0]), lapse(numbers.lapse[0]), power(numbers.power[0]), decay(numbers.decay[0]);
+  R density(numbers.base_density[0]), per_sound(numbers.base_per_sound[0]);
   for (int i = 1; i < air.layers; ++i) {
     const auto above = h >= R(air.base[i]);
     if (!any(above)) break;
     base = select(above, R(air.base[i]), base);
-    lapse = select(above, R(air.lapse[i]), lapse);
-    power = select(above, R(air.power[i]), power);
-    decay = select(above, R(air.decay[i]), decay);
-    density = select(above, R(air.base_density[i]), density);
-    per_sound = select(above, R(air.base_per_sound[i]), per_sound);
+    lapse = select(above, R(numbers.lapse[i]), lapse);
+    power = select(above, R(numbers.power[i]), power);
+    decay = select(above, R(numbers.decay[i]), decay);
+    density = select(above, R(numbers.base_density[i]), density);
+    per_sound = select(above, R(numbers.base_per_sound[i]), per_sound);
   }
   const R rise = h - base;
   const R excess = lapse * rise;  // T / T_b - 1, between -0.3 and 0.3 in the standard's layers
@@ -55,38 +56,53 @@ template <class R, class S>
 }
 
 /// Standard atmosphere at a geometric altitude [m].
-template <class R, class S>
-PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const R& z) {
+template <class R, class S, class N>
+PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z) {
   constexpr bool kDouble = sizeof(S) == 8;
   PHYSIM_ASSERT(air.low_scale > S(0));
   const R u = (z - air.low_middle) * air.low_scale;
-  const AirState<R> low{polynomial < kDouble ? kDensityTerms : 8 > (u, air.low_density),
-                        polynomial < kDouble ? kPerSoundTerms : 10 > (u, air.low_per_sound)};
+  const AirState<R> low{polynomial < kDouble ? kDensityTerms : 8 > (u, numbers.low_density),
+                        polynomial < kDouble ? kPerSoundTerms : 10 > (u, numbers.low_per_sound)};
   const auto high = z > R(air.low_top);
   if (!any(high)) return low;
   AirState<R> layered;
-  layered_air(air, z, layered);
+  layered_air(air, numbers, z, layered);
   return {select(high, layered.density, low.density), select(high, layered.per_sound_speed, low.per_sound_speed)};
 }
 
-template <class R, class S>
-PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const Vec3<R>& x) {
-  const Air<S>& air = c.air;
+template <class R, class S, class N>
+PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const AirNumbers<N>& air, const Vec3<R>& x) {
   switch (c.fidelity.air) {
-    case AirModel::isa: return standard_air<R>(air, altitude(c, x));
+    case AirModel::isa: return standard_air<R>(c.air, air, altitude(c, x));
     case AirModel::exponential:
-      return {air.density * exp_bounded(-(height(c, x) * air.per_scale_height)), R(air.per_sound_speed)};
+      return {air.density * exp_bounded(-(height(c, x) * c.air.per_scale_height)), R(air.per_sound_speed)};
     case AirModel::constant: return {R(air.density), R(air.per_sound_speed)};
     case AirModel::vacuum: break;
   }
   return {R(S(0)), R(air.per_sound_speed)};
 }
+/// Behind a call, as few have it.
+template <class R, class S>
+[[gnu::noinline]] void own_air_state(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& x, AirState<R>& out) {
+  out = air_state(c, b.air, x);
+}
+template <class R, class S>
+PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& x) {
+  if (!c.has_own_air) return air_state(c, c.air.common, x);
+  AirState<R> own;
+  own_air_state(c, b, x, own);
+  return own;
+}
 
 /// Temperature [K]. Sound speed knows it in the standard atmosphere; other air is as warm as at the origin.
+template <class R, class S, class N>
+PHYSIM_INLINE R temperature(const Conditions<S>& c, const AirNumbers<N>& air, const AirState<R>& state) {
+  if (c.fidelity.air != AirModel::isa) return R(air.temperature);
+  return air.kelvin_per_sound / (state.per_sound_speed * state.per_sound_speed);
+}
 template <class R, class S>
-PHYSIM_INLINE R temperature(const Conditions<S>& c, const AirState<R>& state) {
-  if (c.fidelity.air != AirModel::isa) return R(c.air.temperature);
-  return c.air.kelvin_per_sound / (state.per_sound_speed * state.per_sound_speed);
+PHYSIM_INLINE R temperature(const Conditions<S>& c, const Body<R>& b, const AirState<R>& state) {
+  return c.has_own_air ? temperature(c, b.air, state) : temperature(c, c.air.common, state);
 }
 
 /// Sutherland's dynamic viscosity [Pa s].

@@ -135,6 +135,16 @@ struct FreePart {
   Vec3<R> free;  // 1 along axes of W that it moves along, 0 along frozen ones [-]
 };
 
+/// The air and the wind of a shot that has weather of its own.
+template <class R>
+struct WindPart {
+  Vec3<R> wind;  // velocity of the air [m/s]
+};
+template <class R>
+struct AirPart {
+  AirNumbers<R> air;
+};
+
 /// Structures of R's, one behind the other.
 template <template <class> class... Part>
 struct PartList {
@@ -159,9 +169,10 @@ struct PartList {
 };
 
 /// In the order in which they lie in memory. What a launch alone gives comes first: batches copy it for every shot.
+/// Weather comes last: few have their own.
 using BodyParts =
     PartList<LaunchPart, PlanePart, SightPart, DampingPart, QuadraticPart, AreaPart, CurvePart, SpherePart, BandPart,
-             AppliedPart, SpinPart, MotorPart, RailPart, GravityPart, FreePart, BirthPart>;
+             AppliedPart, SpinPart, MotorPart, RailPart, GravityPart, FreePart, BirthPart, WindPart, AirPart>;
 
 template <class R>
 struct Body : BodyParts::Joined<R> {};
@@ -234,12 +245,17 @@ constexpr PartSet parts_read(const Fidelity& f, const Features& some) {
   set.add<PlanePart>(f.planar);
   set.add<GravityPart>(some.has_gravity_scale);
   set.add<FreePart>(some.has_frozen);
+  set.add<WindPart>(some.has_own_wind);
+  set.add<AirPart>(some.has_own_air);
   return set;
 }
 
 /// What a launch gives. Some cohorts get more from it (put_launch() in prepare/launch.hpp): a rail, spin, and the k2
 /// that stands in for the drag equation.
 inline constexpr PartSet kLaunchParts = PartSet::of<LaunchPart, PlanePart, SightPart>();
+
+/// What a shot's weather gives.
+inline constexpr PartSet kWeatherParts = PartSet::of<WindPart, AirPart>();
 
 /// What lanes of flights hold: launch and sight are asked for by events and by the first step, and where a nose without
 /// air about it points by answers about attitudes.

@@ -53,6 +53,7 @@ PHYSIM_INLINE State<R> closed_form_of_free(const Conditions<S>& c, const Body<R>
   const bool windy = c.fidelity.wind != WindModel::off;
   const Vec3<S> w = windy ? c.wind.velocity[0] : Vec3<S>{};
   Vec3<R> air{R(w.x), R(w.y), R(w.z)};
+  if (c.has_own_wind) air = b.wind;
   if (c.fidelity.planar) air -= b.plane * dot(b.plane, air);
   const Vec3<R> relative = start.v - air;
   s.x = start.x + air * t + relative * decayed;

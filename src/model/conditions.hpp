@@ -20,28 +20,35 @@ inline constexpr double kGeopotentialRadius = 6356766.0;
 inline constexpr int kDensityTerms = 14;
 inline constexpr int kPerSoundTerms = 16;
 
+/// What the weather changes of the air: one for a cohort, or one for each lane.
+template <class R>
+struct AirNumbers {
+  R density;           // constant and exponential air: at the origin [kg/m^3]
+  R per_sound_speed;   // 1 / sound speed [s/m]
+  R temperature;       // at the origin [K]
+  R kelvin_per_sound;  // temperature over the square of the sound speed [K s^2/m^2]
+  // The lowest layer, in powers of u = (Z - low_middle) low_scale:
+  R low_density[kDensityTerms];     // [kg/m^3]
+  R low_per_sound[kPerSoundTerms];  // [s/m]
+  // Layer i of the standard atmosphere, from its base:
+  R lapse[kAirLayers];           // L_b / T_b [1/m]
+  R power[kAirLayers];           // density ~ (T/T_b)^power [-]
+  R decay[kAirLayers];           // density ~ exp(decay (H - H_b)) where the layer is isothermal [1/m]
+  R base_density[kAirLayers];    // [kg/m^3]
+  R base_per_sound[kAirLayers];  // [s/m]
+};
+
 /// Air ready to compute; see model/air.hpp.
 template <class S>
 struct Air {
-  S density;           // constant and exponential air: at the origin [kg/m^3]
-  S per_sound_speed;   // 1 / sound speed [s/m]
-  S temperature;       // at the origin [K]
-  S per_scale_height;  // exponential air [1/m]
-  S kelvin_per_sound;  // temperature over the square of the sound speed [K s^2/m^2]
-  // The lowest layer, in powers of u = (Z - low_middle) low_scale, -1 <= u <= 1:
-  S low_middle;                     // [m]
-  S low_scale;                      // [1/m]
-  S low_top;                        // geometric altitude up to which they hold [m]
-  S low_density[kDensityTerms];     // [kg/m^3]
-  S low_per_sound[kPerSoundTerms];  // [s/m]
-  int layers;                       // of the standard atmosphere
-  // Layer i from its base at geopotential height base[i]:
-  S base[kAirLayers];            // H_b [m]
-  S lapse[kAirLayers];           // L_b / T_b [1/m]
-  S power[kAirLayers];           // density ~ (T/T_b)^power [-]
-  S decay[kAirLayers];           // density ~ exp(decay (H - H_b)) where the layer is isothermal [1/m]
-  S base_density[kAirLayers];    // [kg/m^3]
-  S base_per_sound[kAirLayers];  // [s/m]
+  AirNumbers<S> common;  // of all that have no air of their own
+  S per_scale_height;    // exponential air [1/m]
+  // The lowest layer in -1 <= u <= 1:
+  S low_middle;        // [m]
+  S low_scale;         // [1/m]
+  S low_top;           // geometric altitude up to which it reaches [m]
+  int layers;          // of the standard atmosphere
+  S base[kAirLayers];  // H_b, geopotential height at which layer i begins [m]
 };
 
 /// A vector that is not set to zero first, so that conditions can be made for a single pack.
@@ -96,6 +103,8 @@ struct Features {
   bool has_aero = false;             // aerodynamic coefficients beside drag
   bool has_aero_tables = false;      // ... that change with the Mach number
   bool has_aero_angles = false;      // ... or with the angle of attack
+  bool has_own_air = false;          // weather of its own: air
+  bool has_own_wind = false;         // ... and wind
   bool has_gravity_scale = false;    // its own part of gravity
   bool has_frozen = false;           // it does not move along some axis
 
@@ -135,7 +144,9 @@ struct Conditions : Features, EnvironmentNumbers<S>, FunctionPointers, TablePoin
 
 /// Counted here, since they hold arrays.
 template <class S>
-inline constexpr std::size_t kMemberCount<Air<S>> = 17;
+inline constexpr std::size_t kMemberCount<AirNumbers<S>> = 11;
+template <class S>
+inline constexpr std::size_t kMemberCount<Air<S>> = 7;
 template <class S>
 inline constexpr std::size_t kMemberCount<WindField<S>> = 6;
 

@@ -60,7 +60,7 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
   const R speed = length(u);
   R cd = curve_cd(c, b, speed * air.per_sound_speed);
   if (c.has_spheres) {
-    const R reynolds = air.density * speed * b.reynolds_length / viscosity(temperature(c, air));
+    const R reynolds = air.density * speed * b.reynolds_length / viscosity(temperature(c, b, air));
     R of_sphere;
     sphere_cd(reynolds, of_sphere);
     cd = select(b.reynolds_length > R(S(0)), of_sphere, cd);
@@ -88,7 +88,7 @@ PHYSIM_INLINE Vec3<R> simple_drag(const Conditions<S>& c, const Body<R>& b, cons
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   const Vec3<R> u = air_velocity(c, b, t, s);
-  if (c.fidelity.drag == DragModel::equation) return drag_equation(c, b, air_state(c, s.x), u);
+  if (c.fidelity.drag == DragModel::equation) return drag_equation(c, b, air_state(c, b, s.x), u);
   return simple_drag(c, b, u);
 }
 

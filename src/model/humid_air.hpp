@@ -13,11 +13,59 @@
 //   Metrologia 45 (2008) 149-155, eq. 1 and appendices A1, A2; vapour c_p: ideal-gas value of steam at 20 degC.
 #pragma once
 
-#include "physim/air.hpp"
+#include <type_traits>
+
+#include "math/elementary.hpp"
 
 namespace physim {
 
-/// Mole fraction of water vapour [-].
-[[nodiscard]] double vapour_fraction(double temperature, double pressure, double humidity);
+inline constexpr double kMolarGasConstant = 8.314472;     // the value of CIPM-2007 [J/(mol K)]
+inline constexpr double kDryMolarMass = 28.96546e-3;      // M_a with 400 ppm CO2 [kg/mol]
+inline constexpr double kWaterMolarMass = 18.01528e-3;    // M_v [kg/mol]
+inline constexpr double kStandardGasConstant = 8.31432;   // of US Standard Atmosphere 1976 [J/(mol K)]
+inline constexpr double kStandardMolarMass = 28.9644e-3;  // [kg/mol]
 
 }  // namespace physim
+
+PHYSIM_ISA_BEGIN
+
+/// Mole fraction of water vapour [-].
+template <class R>
+PHYSIM_INLINE R vapour_fraction(const R& temperature, const std::type_identity_t<R>& pressure,
+                                const std::type_identity_t<R>& humidity) {
+  const R t = temperature - R(273.15);
+  const R saturation = exp(R(1.2378847e-5) * temperature * temperature - R(1.9121316e-2) * temperature +
+                           R(33.93711047) - R(6.3431645e3) / temperature);
+  const R enhancement = R(1.00062) + R(3.14e-8) * pressure + R(5.6e-7) * t * t;
+  return humidity * enhancement * saturation / pressure;
+}
+
+/// Z.
+template <class R>
+PHYSIM_INLINE R compressibility(const R& temperature, const R& pressure, const R& x_v) {
+  const R t = temperature - R(273.15);
+  const R first = R(1.58123e-6) + t * (R(-2.9331e-8) + t * R(1.1043e-10)) + (R(5.707e-6) - R(2.051e-8) * t) * x_v +
+                  (R(1.9898e-4) - R(2.376e-6) * t) * x_v * x_v;
+  const R ratio = pressure / temperature;
+  return R(1.0) - ratio * first + ratio * ratio * (R(1.83e-11) - R(0.765e-8) * x_v * x_v);
+}
+
+/// [kg/m^3]
+template <class R>
+PHYSIM_INLINE R moist_density(const R& temperature, const R& pressure, const R& humidity) {
+  const R x_v = vapour_fraction(temperature, pressure, humidity);
+  const R z = compressibility(temperature, pressure, x_v);
+  return pressure * R(kDryMolarMass) / (z * R(kMolarGasConstant) * temperature) *
+         (R(1.0) - x_v * R(1 - kWaterMolarMass / kDryMolarMass));
+}
+
+/// [m/s]
+template <class R>
+PHYSIM_INLINE R moist_sound_speed(const R& temperature, const R& pressure, const R& humidity) {
+  const R x_v = vapour_fraction(temperature, pressure, humidity);
+  const R heat = R(3.5) * (R(1.0) - x_v) + R(4.04) * x_v;  // c_p / R
+  const R molar_mass = R(kStandardMolarMass) * (R(1.0) - x_v) + R(kWaterMolarMass) * x_v;
+  return sqrt(heat / (heat - R(1.0)) * R(kStandardGasConstant) * temperature / molar_mass);
+}
+
+PHYSIM_ISA_END

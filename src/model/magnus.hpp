@@ -60,7 +60,7 @@ template <class R, class S>
                                     SpinningAir<R>& out) {
   const R zero(S(0));
   const Vec3<R> u = air_velocity(c, b, t, s);
-  const AirState<R> air = air_state(c, s.x);
+  const AirState<R> air = air_state(c, b, s.x);
   const Vec3<R> omega = spin_at(b, t);
   const Vec3<R> across = cross(omega, u);
   const R speed = length(u);

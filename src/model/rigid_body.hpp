@@ -41,8 +41,8 @@ PHYSIM_INLINE Turn<R> operator*(const Turn<R>& a, const R& s) {
 template <class R>
 PHYSIM_INLINE void add_scaled(Turn<R>& sum, const Turn<R>& a, const R& s) {
   sum.w += a.w * s;
-  sum.u.add_scaled(a.u, s);
-  sum.h.add_scaled(a.h, s);
+  add_scaled(sum.u, a.u, s);
+  add_scaled(sum.h, a.h, s);
 }
 
 // ------------------------------------------------------------------------------------------- both forms

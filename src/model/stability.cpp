@@ -10,7 +10,7 @@ std::optional<Stability> stability_of(const Conditions<double>& c, const Body<do
                                       double time, const State<double>& s, const Turn<double>& t) {
   PHYSIM_ASSERT(turns(c.fidelity));
   const Vec3d u = air_velocity(c, b, time, s);
-  const AirState<double> air = air_state(c, s.x);
+  const AirState<double> air = air_state(c, b, s.x);
   const double speed = length(u);
   if (!c.has_aero || speed == 0 || air.density == 0) return std::nullopt;
   const double mach = speed * air.per_sound_speed;

@@ -45,6 +45,7 @@ template <class R, class S>
 /// As it blows at the origin.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> wind_at_origin(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& x) {
+  if (c.has_own_wind) return b.wind;
   const WindField<S>& field = c.wind;
   Vec3<R> w{R(field.velocity[0].x), R(field.velocity[0].y), R(field.velocity[0].z)};
   if (c.fidelity.wind != WindModel::profile) return w;

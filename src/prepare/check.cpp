@@ -269,7 +269,7 @@ Status check(const Environment& e) {
     c.require(*a.station_altitude >= kLowestAltitude && *a.station_altitude <= 80000,
               "environment.atmosphere.station_altitude", "must lie between -5000 m and 80000 m", "");
   if (a.humidity && *a.humidity > 0 && c.status_so_far()) {
-    const StationAir air = station_air(e);
+    const Readings<double> air = station_air(e);
     c.require(vapour_fraction(air.temperature, air.pressure, *a.humidity) < 0.5, "environment.atmosphere.humidity",
               "is more vapour than air of this temperature and pressure can be made of",
               "lower it, or raise the pressure");

@@ -19,7 +19,7 @@ double EquivalentDrag::k2_per_mass(const State<double>& s, double birth) {
   const Vec3d u = air_velocity(conditions_, body_, birth, s);
   const double speed = length(u);
   if (speed == 0) return 0;
-  return length(drag_equation(conditions_, body_, air_state(conditions_, s.x), u)) / (speed * speed);
+  return length(drag_equation(conditions_, body_, air_state(conditions_, body_, s.x), u)) / (speed * speed);
 }
 
 }  // namespace physim

@@ -4,6 +4,7 @@
 
 #include "base/assert.hpp"
 #include "report/number.hpp"
+#include "report/table.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/units.hpp"
 
@@ -60,7 +61,7 @@ Status fly_all(FlownScenario& flown, const Progress& progress) {
 std::string place_text(const Expectation& expectation) {
   const std::string value = as_typed(expectation.at_value);
   switch (expectation.at) {
-    case ExpectAt::end: return "end";
+    case ExpectAt::end: return expectation.thing.empty() ? "end" : one_line(expectation.thing);
     case ExpectAt::apex: return "apex";
     case ExpectAt::rail_exit: return "rail_exit";
     case ExpectAt::burnout: return "burnout";

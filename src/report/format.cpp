@@ -5,6 +5,7 @@
 #include "report/globe.hpp"
 #include "report/gnuplot.hpp"
 #include "report/pictures.hpp"
+#include "report/world_hits.hpp"
 
 namespace physim::report {
 namespace {
@@ -14,7 +15,7 @@ constexpr Format kFormats[] = {
     {.name = "json",
      .ending = ".json",
      .doc = "as JSON",
-     .world_parts = {.samples = true, .events = true},
+     .world_parts = {.samples = true, .events = true, .hits = true},
      .flights = flights_json,
      .world = world_json,
      .ladder = ladder_json,
@@ -53,6 +54,13 @@ constexpr Format kFormats[] = {
      .doc = "as CSV",
      .world_parts = {.events = true},
      .world = world_events_csv},
+    {.name = "hits",
+     .ending = "_hits.csv",
+     .what = "what was hit in a scene",
+     .doc = "as CSV",
+     .world_parts = {.hits = true},
+     .world = world_hits_csv,
+     .world_has = has_scene},
 };
 
 template <class S>

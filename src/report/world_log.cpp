@@ -13,6 +13,7 @@
 #include "report/summary.hpp"
 #include "report/table.hpp"
 #include "report/trajectory.hpp"
+#include "report/world_hits.hpp"
 
 namespace physim::report {
 namespace {
@@ -54,6 +55,7 @@ class Logger {
       take(run_.events().subspan(launched));
       for (const WallHit& hit : run_.hits())
         tell({"hit", "wall", hit.launched, hit.time, {hit.position, hit.velocity}}, &log_.hits);
+      take_hits();
       if (options_.parts.paths && (step % draw_every_ == 0 || step == log_.steps)) draw();
       if (step % sample_every_ == 0 || step == log_.steps)
         if (Status status = sample(); !status) return status;
@@ -131,6 +133,13 @@ class Logger {
       const bool is_impact = event.kind == EventKind::landed || event.kind == EventKind::bounced;
       tell({name(event.kind), name(event.reason), each.launched, event.time, {event.position, event.velocity}},
            is_impact ? &log_.impacts : nullptr);
+    }
+  }
+
+  void take_hits() {
+    for (const ThingHit& hit : run_.thing_hits()) {
+      if (options_.parts.hits || log_.thing_hits.size() < kShownHits) log_.thing_hits.push_back(hit);
+      ++log_.thing_hit_count;
     }
   }
 
@@ -221,9 +230,9 @@ std::string wall_table(const std::vector<WorldGroup>& groups, double wall) {
       {"hits on the wall at " + as_typed(wall) + " m", "count", "height [m]", "spread", "to the right [m]", "spread"},
       "l");
   for (const WorldGroup& g : groups)
-    if (g.hits > 0)
-      table.add_row({one_line(g.name), std::to_string(g.hits), fixed(g.hit_y.mean, 3), fixed(g.hit_y.spread(), 3),
-                     fixed(g.hit_z.mean, 3), fixed(g.hit_z.spread(), 3)});
+    if (g.hit_y.count > 0)
+      table.add_row({one_line(g.name), std::to_string(g.hit_y.count), fixed(g.hit_y.mean, 3),
+                     fixed(g.hit_y.spread(), 3), fixed(g.hit_z.mean, 3), fixed(g.hit_z.spread(), 3)});
   return below(table);
 }
 
@@ -327,6 +336,7 @@ std::string world_text(const WorldLog& log, const Style& style) {
   std::string out = style.bold(one_line(title_of(log.scenario))) + "\n\n";
   out += counts_table(log.groups) + impacts_table(log.groups);
   if (log.scenario.world.wall) out += wall_table(log.groups, *log.scenario.world.wall);
+  out += hits_table(log);
   out += alive_table(log.groups, log.time) + fidelities(log, style);
   out += "\n  steps " + std::to_string(log.steps) + " of " + significant(step, 6) + " s, projectile-steps " +
          std::to_string(log.counters.projectile_steps) + ", hash " + hash_text(log.hash) + "\n";
@@ -367,6 +377,11 @@ Content world_json(const WorldLog& log) {
     out.list("events");
     for (const LoggedEvent& event : log.events) out.push(event_json(log, event));
     out.close();
+    if (!log.scenario.things.empty()) {
+      out.list("hits");
+      for (const ThingHit& hit : log.thing_hits) out.push(hit_json(log, hit));
+      out.close();
+    }
     out.object("trajectories");
     add_columns(out, records_of(log));
     out.close();

@@ -13,11 +13,12 @@ namespace physim::report {
 
 /// What is kept of a run.
 struct LogParts {
-  bool samples = false, events = false, paths = false;
+  bool samples = false, events = false, paths = false, hits = false;
   void add(const LogParts& more) {
     samples = samples || more.samples;
     events = events || more.events;
     paths = paths || more.paths;
+    hits = hits || more.hits;
   }
 };
 
@@ -64,6 +65,8 @@ struct WorldLog {
 
   std::deque<WorldSample> samples;  // of very many, a longer list must not need the room of two
   std::deque<LoggedEvent> events;
+  std::deque<ThingHit> thing_hits;    // the first, where no part of the log asks for all
+  std::uint64_t thing_hit_count = 0;  // of all
   std::vector<LoggedPath> paths;
   std::vector<std::vector<Vec3d>> impacts;  // by group
   std::vector<std::vector<Vec3d>> hits;     // by group

@@ -123,6 +123,7 @@ Status check_expectations(const Scenario& scenario, const Value& document, const
       return Error{"expect.shot: no shot is named " + in_quotes(expect.shot), place_of(table, {"shot"}),
                    suggestion(expect.shot, names, "shots")};
     }
+    if (!expect.thing.empty()) return Error{"expect.thing: there is no [world] for it", place_of(table, {"thing"}), ""};
     const Figure* figure = find_figure(expect.quantity);
     PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
     if (!figure->is_of_flights())

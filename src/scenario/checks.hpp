@@ -12,6 +12,12 @@ namespace physim {
 /// Contradictions of a [world], or of what there is without one.
 [[nodiscard]] Status check_world(const Scenario& scenario, const Value& document);
 
+/// Contradictions of what a [world] has for projectiles to hit; it makes the scene to see whether it can be made.
+[[nodiscard]] Status check_scene(const Scenario& scenario, const Value& document);
+
+/// Default names of a scene's parts, published materials that things name, and meshes out of files.
+[[nodiscard]] Status complete_scene(Scenario& scenario, const Value& document);
+
 /// Default names, laws without numbers, and whether there is a world at all.
 void complete_world(Scenario& scenario, const Value& document);
 

@@ -47,7 +47,7 @@ Status check_absence(const Scenario& scenario, const Value& document) {
   const auto needs_world = [](const std::string& path, const Value& value) {
     return Error{path + ": there is no [world] for it", value.place.text(), "write [world], and the shots fly in it"};
   };
-  for (const std::string_view key : {"volley", "force"})
+  for (const std::string_view key : kWorldLists)
     if (const Value* value = document.find(key)) return needs_world(std::string(key), *value);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i)
     if (const Value* body = element(document, "shot", i).find("body")) return needs_world("shot.body", *body);
@@ -158,6 +158,20 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
   return {};
 }
 
+Status check_thing_expectation(const Scenario& scenario, const Expectation& expect, const Figure& figure,
+                               const Value& table) {
+  PHYSIM_ASSERT(!expect.thing.empty());
+  std::vector<std::string_view> names;
+  for (const ScenarioThing& thing : scenario.things) names.push_back(thing.name);
+  if (std::ranges::count(names, expect.thing) == 0)
+    return Error{"expect.thing: no thing is named " + in_quotes(expect.thing), place_of(table, {"thing"}),
+                 suggestion(expect.thing, names, "things")};
+  if (figure.of_hits == nullptr)
+    return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is no figure of hits",
+                 place_of(table, {"quantity"}), suggestion(expect.quantity, hit_figure_names(), "of hits there are")};
+  return {};
+}
+
 Status check_group_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
   const std::vector<std::string_view> names = group_names(scenario);
   if (!expect.shot.empty() && std::ranges::count(names, expect.shot) == 0)
@@ -167,7 +181,9 @@ Status check_group_expectation(const Scenario& scenario, const Expectation& expe
     return Error{"expect.at: a world is looked at when its run is over", place_of(table, {"at"}), "leave it out"};
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
-  if (figure->of_group == nullptr)
+  if (!expect.thing.empty())
+    if (Status status = check_thing_expectation(scenario, expect, *figure, table); !status) return status;
+  if (figure->of_group == nullptr && figure->of_hits == nullptr)
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
                  place_of(table, {"quantity"}),
                  suggestion(expect.quantity, group_figure_names(), "in a world there are")};
@@ -205,6 +221,7 @@ Status check_world(const Scenario& scenario, const Value& document) {
     return in_file(status.error(), "world", *document.find("world"));
   if (Status status = check_pools(scenario, document); !status) return status;
   if (Status status = check_bodies(scenario, document); !status) return status;
+  if (Status status = check_scene(scenario, document); !status) return status;
   if (Status status = check_volleys(scenario, document); !status) return status;
   for (std::size_t i = 0; i < scenario.forces.size(); ++i)
     if (Status status = check_force(scenario, scenario.forces[i], element(document, "force", i)); !status)

@@ -28,6 +28,21 @@ Amount spread_of(const WorldGroup& g) {
   return numbers.count > 0 ? Amount(numbers.spread()) : std::nullopt;
 }
 
+template <std::uint64_t ThingHits::*count>
+Amount hits_of(const ThingHits& h) {
+  return static_cast<double>(h.*count);
+}
+template <Series ThingHits::*series, double Series::*part = &Series::mean>
+Amount hits_part(const ThingHits& h) {
+  const Series& numbers = h.*series;
+  return numbers.count > 0 ? Amount(numbers.*part) : std::nullopt;
+}
+using OfHits = Amount (*)(const ThingHits&);
+/// A figure of hits alone.
+constexpr Figure of_hits(std::string_view name, Quantity quantity, OfHits measure) {
+  return {name, quantity, nullptr, nullptr, nullptr, nullptr, measure};
+}
+
 /// The number where rotation was flown.
 Amount flown(const Flight& flight, double value) {
   return turns(flight.fidelity_in_use().fidelity) ? Amount(value) : std::nullopt;
@@ -79,11 +94,12 @@ constexpr Figure kFigures[] = {
     {"spawned", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::spawned>},
     {"refused", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::refused>},
     {"landed", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::landed>},
-    {"bounces", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::bounces>},
+    {"bounces", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::bounces>, nullptr,
+     hits_of<&ThingHits::bounces>},
     {"slept", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::slept>},
     {"expired", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::expired>},
     {"retired", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::retired>},
-    {"hits", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::hits>},
+    {"hits", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::hits>, nullptr, hits_of<&ThingHits::count>},
     {"alive", Quantity::number, nullptr, nullptr, count_of<&WorldGroup::alive>},
     {"impact_range", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::mean>},
     {"impact_range_min", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::range, &Series::low>},
@@ -93,10 +109,22 @@ constexpr Figure kFigures[] = {
     {"impact_speed", Quantity::speed, nullptr, nullptr, part_of<&WorldGroup::speed, &Series::mean>},
     {"apex", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex, &Series::mean>},
     {"apex_max", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::apex, &Series::high>},
-    {"hit_y", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::hit_y, &Series::mean>},
-    {"hit_z", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::hit_z, &Series::mean>},
+    {"hit_y", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::hit_y, &Series::mean>, nullptr,
+     hits_part<&ThingHits::y>},
+    {"hit_z", Quantity::length, nullptr, nullptr, part_of<&WorldGroup::hit_z, &Series::mean>, nullptr,
+     hits_part<&ThingHits::z>},
     {"hit_y_spread", Quantity::length, nullptr, nullptr, spread_of<&WorldGroup::hit_y>},
     {"hit_z_spread", Quantity::length, nullptr, nullptr, spread_of<&WorldGroup::hit_z>},
+    // Figures of hits on things of the scene: on one that the expectation names, or on all.
+    of_hits("ricochets", Quantity::number, hits_of<&ThingHits::ricochets>),
+    of_hits("penetrations", Quantity::number, hits_of<&ThingHits::penetrations>),
+    of_hits("stops", Quantity::number, hits_of<&ThingHits::stops>),
+    of_hits("hit_time", Quantity::time, hits_part<&ThingHits::time>),
+    of_hits("hit_x", Quantity::length, hits_part<&ThingHits::x>),
+    of_hits("hit_speed", Quantity::speed, hits_part<&ThingHits::speed>),
+    of_hits("hit_speed_after", Quantity::speed, hits_part<&ThingHits::speed_after>),
+    of_hits("hit_obliquity", Quantity::angle, hits_part<&ThingHits::obliquity>),
+    of_hits("hit_depth", Quantity::length, hits_part<&ThingHits::depth>),
 };
 
 constexpr auto kFigureNames = [] {
@@ -111,11 +139,22 @@ std::span<const Figure> figures() { return kFigures; }
 
 std::span<const std::string_view> figure_names() { return kFigureNames; }
 
-std::vector<std::string_view> group_figure_names() {
+namespace {
+template <class Is>
+std::vector<std::string_view> names_where(const Is& is) {
   std::vector<std::string_view> names;
   for (const Figure& figure : kFigures)
-    if (figure.of_group != nullptr) names.push_back(figure.name);
+    if (is(figure)) names.push_back(figure.name);
   return names;
+}
+}  // namespace
+
+std::vector<std::string_view> group_figure_names() {
+  return names_where([](const Figure& f) { return f.of_group != nullptr || f.of_hits != nullptr; });
+}
+
+std::vector<std::string_view> hit_figure_names() {
+  return names_where([](const Figure& f) { return f.of_hits != nullptr; });
 }
 
 const Figure* find_figure(std::string_view name) {

@@ -10,7 +10,8 @@
 namespace physim {
 
 /// A figure: of a flight at one time, by its sample, by its place on the Earth or by more of the flight; of a flight as
-/// a whole where there is none of these; and of a group of projectiles at the end of a world's run.
+/// a whole where there is none of these; and of a group of projectiles at the end of a world's run, or of its hits on
+/// things.
 struct Figure {
   std::string_view name;
   Quantity quantity;
@@ -18,15 +19,18 @@ struct Figure {
   double Geodetic::*place = nullptr;
   std::optional<double> (*of_group)(const WorldGroup&) = nullptr;                // nothing: nothing there to measure
   std::optional<double> (*of_rotation)(const Flight&, const Sample&) = nullptr;  // nothing: rotation was not flown
+  std::optional<double> (*of_hits)(const ThingHits&) = nullptr;                  // nothing: nothing there to measure
 
   [[nodiscard]] bool is_of_flights() const {
-    return value != nullptr || place != nullptr || of_rotation != nullptr || of_group == nullptr;
+    return value != nullptr || place != nullptr || of_rotation != nullptr ||
+           (of_group == nullptr && of_hits == nullptr);
   }
 };
 
 [[nodiscard]] std::span<const Figure> figures();
 [[nodiscard]] std::span<const std::string_view> figure_names();
 [[nodiscard]] std::vector<std::string_view> group_figure_names();
+[[nodiscard]] std::vector<std::string_view> hit_figure_names();
 /// The figure of a name; null where there is none.
 [[nodiscard]] const Figure* find_figure(std::string_view name);
 

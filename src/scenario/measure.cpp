@@ -32,6 +32,14 @@ Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
   PHYSIM_UNREACHABLE();
 }
 
+/// The hits of a group on a thing, or on all; none where it never hit it.
+ThingHits hits_on(const WorldGroup& group, const std::string& thing) {
+  if (thing.empty()) return group.on_things;
+  for (const ThingHits& hits : group.by_thing)
+    if (hits.thing == thing) return hits;
+  return {};
+}
+
 Result<double> measure_anywhere(const Flight& flight, const Expectation& expectation) {
   if (flight.error()) return *flight.error();
   const Figure* figure = find_figure(expectation.quantity);
@@ -65,10 +73,16 @@ Result<double> measure(const Flight& flight, const Expectation& expectation) {
 Result<double> measure(const WorldGroup& group, const Expectation& expectation) {
   const IeeeMode mode;
   const Figure* figure = find_figure(expectation.quantity);
-  if (figure == nullptr || figure->of_group == nullptr)
+  if (figure == nullptr || (figure->of_group == nullptr && figure->of_hits == nullptr))
     return Error{in_quotes(expectation.quantity) + " is no figure of a world", expectation.place,
                  suggestion(expectation.quantity, group_figure_names(), "known are")};
-  if (const std::optional<double> value = figure->of_group(group)) return *value;
+  const bool of_hits = figure->of_group == nullptr || !expectation.thing.empty();
+  if (of_hits && figure->of_hits == nullptr)
+    return Error{in_quotes(expectation.quantity) + " is no figure of hits", expectation.place,
+                 suggestion(expectation.quantity, hit_figure_names(), "known are")};
+  const std::optional<double> value =
+      of_hits ? figure->of_hits(hits_on(group, expectation.thing)) : figure->of_group(group);
+  if (value) return *value;
   return Error{"there is nothing of " + in_quotes(group.name) + " to measure", expectation.place, "its count is zero"};
 }
 

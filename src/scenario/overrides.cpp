@@ -58,7 +58,7 @@ Result<Addressed> named_target(const Value& document, std::string_view path, con
   return unknown_setting(path, place);
 }
 
-Result<Addressed> target_of(const Value& document, std::string_view path, const Place& place) {
+Result<Addressed> addressed_in(const Value& document, std::string_view path, const Place& place) {
   if (const SchemaNode* node = find_node(path); node != nullptr) return Addressed{node, std::nullopt};
   if (path.starts_with(kShot)) return named_target(document, path, place);
   return unknown_setting(path, place);
@@ -125,7 +125,7 @@ Status apply_override(Value& document, const std::string& override_text) {
   const std::string_view text = trimmed(std::string_view(override_text).substr(equals + 1));
   if (text.empty())
     return Error{"an override without a value", place.text(), "write path=value, such as shot.mass=\"168 gr\""};
-  const Result<Addressed> target = target_of(document, path, place);
+  const Result<Addressed> target = addressed_in(document, path, place);
   if (!target) return target.error();
   return put(document, schema(), target->node->path, *target, parse_override_value(text, place));
 }

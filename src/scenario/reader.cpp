@@ -2,6 +2,7 @@
 #include "scenario/reader.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "scenario/suggest.hpp"
@@ -284,6 +285,39 @@ Status read_texts(const Entry& entry, const Value& value, std::vector<std::strin
   return {};
 }
 
+/// [[x, y, z], ...]
+Status read_vectors(const Wanted& wanted, const Value& value, std::vector<Vec3d>& list) {
+  list.clear();
+  const Array* array = value.get<Array>();
+  if (array == nullptr) return wrong_kind(wanted.path, value, "a list of places [[x, y, z], ...]");
+  if (Status status = check_length(wanted.path, value, array->size(), wanted.range); !status) return status;
+  for (const Value& each : *array)
+    if (Status status = read_vector({wanted.path, wanted.quantity, {}}, each, list.emplace_back()); !status)
+      return status;
+  return {};
+}
+
+/// [[a, b, c], ...]
+Status read_triangles(const Entry& entry, const Value& value, std::vector<Triangle>& list) {
+  constexpr std::string_view kWanted = "triangles [[a, b, c], ...] of numbers of vertices, from 0";
+  list.clear();
+  const Array* array = value.get<Array>();
+  if (array == nullptr) return wrong_kind(entry.path, value, std::string(kWanted));
+  if (Status status = check_length(entry.path, value, array->size(), entry.range); !status) return status;
+  for (const Value& each : *array) {
+    const Array* corners = each.get<Array>();
+    const auto* first = corners && corners->size() == 3 ? &corners->front() : nullptr;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto* index = first ? first[i].get<std::int64_t>() : nullptr;
+      if (index == nullptr || !std::in_range<std::uint32_t>(*index))
+        return fault(entry.path, each, "this is no triangle", "expected " + std::string(kWanted));
+    }
+    Triangle& triangle = list.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) triangle[i] = static_cast<std::uint32_t>(*first[i].get<std::int64_t>());
+  }
+  return {};
+}
+
 Status read_records(const SchemaNode& node, const Records& records, const Value& value) {
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(node.path, value, "a list of tables; write [[" + node.path + "]]");
@@ -337,6 +371,8 @@ Status read_setting(const SchemaNode& node, const Scope& scope, const Value& val
                         [&](AeroCoefficient* coefficient) { return read_aero(entry, value, *coefficient); },
                         [&](std::vector<double>* list) { return read_numbers(wanted, value, *list); },
                         [&](std::vector<std::string>* list) { return read_texts(entry, value, *list); },
+                        [&](std::vector<Vec3d>* list) { return read_vectors(wanted, value, *list); },
+                        [&](std::vector<Triangle>* list) { return read_triangles(entry, value, *list); },
                         [&](const Records& records) { return read_records(node, records, value); },
                     },
                     entry.slot(scope));

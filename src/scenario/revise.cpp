@@ -95,13 +95,13 @@ bool put(std::string& text, const Value& table, const SchemaNode& node, std::str
 }
 
 bool put(std::string& text, const Value& document, const Scenario& scenario, const Change& change) {
-  constexpr std::string_view kShot = "shot.";
-  if (!change.path.starts_with(kShot)) return put(text, document, schema(), change.path, change.value);
+  constexpr std::string_view kShotPath = "shot.";
+  if (!change.path.starts_with(kShotPath)) return put(text, document, schema(), change.path, change.value);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
-    const std::string prefix = std::string(kShot) + scenario.shots[i].projectile.name + ".";
+    const std::string prefix = std::string(kShotPath) + scenario.shots[i].projectile.name + ".";
     if (!change.path.starts_with(prefix)) continue;
     const std::string rest = change.path.substr(prefix.size());
-    if (find_node(std::string(kShot) + rest) == nullptr) continue;  // another shot, with a longer name
+    if (find_node(std::string(kShotPath) + rest) == nullptr) continue;  // another shot, with a longer name
     return put(text, element(document, "shot", i), *find_node("shot"), rest, change.value);
   }
   return false;

@@ -9,7 +9,7 @@ namespace physim {
 namespace {
 
 constexpr char kMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'W', '\n'};
-constexpr std::uint32_t kRunFormat = 1;
+constexpr std::uint32_t kRunFormat = 2;
 constexpr std::size_t kHead = sizeof kMagic + sizeof kRunFormat;
 constexpr std::size_t kSumBytes = 8;
 
@@ -27,7 +27,8 @@ bool fits(const RunState& s) {
   return std::ranges::all_of(s.magazines, [&](const Magazine& m) { return known(m.group); }) &&
          std::ranges::all_of(s.tracks, [&](const Track& t) { return t.generation == 0 || known(t.launched.group); }) &&
          std::ranges::all_of(s.events, [&](const RunEvent& e) { return known(e.launched.group); }) &&
-         std::ranges::all_of(s.hits, [&](const WallHit& h) { return known(h.launched.group); });
+         std::ranges::all_of(s.hits, [&](const WallHit& h) { return known(h.launched.group); }) &&
+         std::ranges::all_of(s.thing_hits, [&](const ThingHit& h) { return known(h.launched.group); });
 }
 
 }  // namespace

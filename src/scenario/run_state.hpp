@@ -13,6 +13,7 @@ struct Track {
   bool touched = false;  // the ground or the wall
   double since = 0;
   Vec3d from;
+  std::size_t hit = 0;  // its last one, in RunState::thing_hits of this step
 };
 
 /// What is still to be fired of a group.
@@ -29,6 +30,7 @@ struct RunState {
   std::vector<Track> tracks;        // by index of the projectile's id
   std::vector<RunEvent> events;
   std::vector<WallHit> hits;
+  std::vector<ThingHit> thing_hits;
   std::vector<ProjectileId> lone;  // by shot: of those fired by themselves
   std::uint64_t launches = 0;
   bool is_loaded = false;  // the launches of the next step are made

@@ -4,6 +4,7 @@
 // documentation. Its type and default are read from the field itself. Everything else is made from the list.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -35,6 +36,10 @@ struct Scope {
   Volley* volley = nullptr;
   ScenarioForce* force = nullptr;
   Thrust::Point* thrust_point = nullptr;
+  Material* material = nullptr;
+  ScenarioShape* shape = nullptr;
+  ScenarioThing* thing = nullptr;
+  ScenarioKey* key = nullptr;
 
   /// All of them, to be found by what they point to.
   [[nodiscard]] auto pointers() {
@@ -84,10 +89,13 @@ struct Records {
   std::function<Scope(std::size_t)> element;
 };
 
+/// Indices of the vertices of a mesh.
+using Triangle = std::array<std::uint32_t, 3>;
+
 /// Where a setting's value is, and of which type it is.
-using ValueRef =
-    std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, Integer, bool*, std::string*, Reference,
-                 Choice, Points, AeroCoefficient*, std::vector<double>*, std::vector<std::string>*, Records>;
+using ValueRef = std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, Integer, bool*, std::string*,
+                              Reference, Choice, Points, AeroCoefficient*, std::vector<double>*,
+                              std::vector<std::string>*, std::vector<Vec3d>*, std::vector<Triangle>*, Records>;
 
 /// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
 struct Range {
@@ -139,6 +147,9 @@ struct SchemaNode {
 [[nodiscard]] const SchemaNode& schema();
 /// The node of a path; null where there is none.
 [[nodiscard]] const SchemaNode* find_node(std::string_view path);
+/// Lists of tables that only a scenario with a [world] has.
+inline constexpr std::string_view kWorldLists[] = {"volley", "force", "material", "shape", "thing"};
+
 /// The paths of all settings.
 [[nodiscard]] const std::vector<std::string_view>& setting_paths();
 
@@ -152,7 +163,7 @@ class Defaults {
  private:
   std::int64_t format_ = 1;
   std::tuple<Scenario, ScenarioShot, Expectation, EventSpec, WindPoint, BallisticBand, MagnusPoint, PoolDef, DetailRung,
-             Volley, ScenarioForce, Thrust::Point>
+             Volley, ScenarioForce, Thrust::Point, Material, ScenarioShape, ScenarioThing, ScenarioKey>
       objects_;  // in the order of Scope
 };
 

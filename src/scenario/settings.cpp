@@ -148,6 +148,7 @@ constexpr Entry kRunSettings[] = {
     PHYSIM_SCENARIO(target.arc, "the solution of the shortest or of the longest time of flight, or both"),
     PHYSIM_SCENARIO(expect, "figures that should come out", at_most(100000)),
     PHYSIM_EXPECT(shot, "name of the shot; empty: every shot"),
+    PHYSIM_EXPECT(thing, "of hits: name of what is hit; empty: all that is hit"),
     setting("expect.at.moment", moment_slot, "where to look: a moment", kShorthand),
     setting("expect.at.time", at_slot<ExpectAt::time>, "where to look: time since launch", Quantity::time, at_least(0)),
     setting("expect.at.range", at_slot<ExpectAt::range>,
@@ -166,8 +167,9 @@ constexpr Entry kRunSettings[] = {
 std::span<const Entry> entries() {
   static const std::vector<Entry> all = [] {
     std::vector<Entry> list;
-    for (const std::span<const Entry> part : {std::span<const Entry>(kFileSettings), shot_settings(), world_settings(),
-                                              force_settings(), std::span<const Entry>(kRunSettings)})
+    for (const std::span<const Entry> part :
+         {std::span<const Entry>(kFileSettings), shot_settings(), world_settings(), force_settings(), scene_settings(),
+          study_settings(), std::span<const Entry>(kRunSettings)})
       list.insert(list.end(), part.begin(), part.end());
     PHYSIM_ASSERT(list.front().path == "physim");  // the version is read first
     return list;

@@ -103,6 +103,10 @@ struct QuantityBy {
   Quantity (*quantity)(const Scope&);
   std::string_view unit;
 };
+/// Another setting decides whether there is a value to write.
+struct WhereTrue {
+  bool (*is_there)(const Scope&);
+};
 /// How the absence of a value is written.
 struct Absent {
   std::string_view word;
@@ -114,6 +118,7 @@ inline constexpr Trait kRequired = Trait::required, kShorthand = Trait::shorthan
 constexpr void say(Entry& entry, Quantity quantity) { entry.quantity = quantity; }
 constexpr void say(Entry& entry, const Range& range) { entry.range = range; }
 constexpr void say(Entry& entry, Absent absent) { entry.none = absent.word; }
+constexpr void say(Entry& entry, WhereTrue where) { entry.is_there = where.is_there; }
 constexpr void say(Entry& entry, Trait trait) {
   switch (trait) {
     case Trait::required: entry.required = true; return;
@@ -145,5 +150,7 @@ constexpr Entry setting(std::string_view path, ValueRef (*slot)(const Scope&), s
 [[nodiscard]] std::span<const Entry> shot_settings();   // [[shot]], but for [shot.body]
 [[nodiscard]] std::span<const Entry> world_settings();  // [shot.body], [world], [[volley]]
 [[nodiscard]] std::span<const Entry> force_settings();  // [[force]]
+[[nodiscard]] std::span<const Entry> scene_settings();  // [[material]], [[shape]], [[thing]]
+[[nodiscard]] std::span<const Entry> study_settings();  // [study]
 
 }  // namespace physim

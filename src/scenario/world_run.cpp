@@ -12,7 +12,9 @@
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
 #include "scenario/run_state.hpp"
+#include "scenario/scene_maker.hpp"
 #include "scenario/suggest.hpp"
+#include "scenario/thing_hits.hpp"
 #include "scenario/volley.hpp"
 
 namespace physim {
@@ -50,12 +52,14 @@ double Series::spread() const {
 struct WorldRun::Impl : RunState {
   Scenario scenario;
   World world;
+  std::vector<MaterialId> materials;  // in the scene of the world
   std::vector<Segment> segments;      // work space
   std::vector<ProjectileId> stopped;  // work space
 
   Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)) { lone.resize(scenario.shots.size()); }
 
   Status load();
+  Status set_scene();
   Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
   Status add_forces(bool to_shots);
   Status add_force(const ScenarioForce& force);
@@ -78,11 +82,20 @@ Status WorldRun::Impl::load() {
   for (const Volley& volley : scenario.volleys)
     if (Status status = add_group(volley.name, index_of(scenario.shots, volley.shot), volley); !status) return status;
   world.set_observer(scenario.world.observer);
+  if (Status status = set_scene(); !status) return status;
   // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
   if (Status status = add_forces(false); !status) return status;
   fire();
   is_loaded = true;
   return add_forces(true);
+}
+
+Status WorldRun::Impl::set_scene() {
+  if (scenario.things.empty()) return {};
+  SceneMaker maker(scenario);
+  if (Status status = maker.make_all(); !status) return with_place(status.error(), scenario.file);
+  materials = maker.materials();
+  return world.set_scene(maker.scene());
 }
 
 Status WorldRun::Impl::add_forces(bool to_shots) {
@@ -186,12 +199,18 @@ void WorldRun::Impl::touch(Track& track, WorldGroup& group, double time, const V
 }
 
 void WorldRun::Impl::count(std::span<const Event> news) {
+  const SceneOfRun scene_of_run{&scenario, materials};
   for (const Event& event : news) {
     Track* track = track_of(event.id);
     if (track == nullptr) continue;
     PHYSIM_ASSERT(track->launched.group < groups.size());
     events.push_back({track->launched, event});
     WorldGroup& group = groups[track->launched.group];
+    const Scene* scene = world.scene();
+    if (const ThingHit* hit = scene ? take_event(*this, *track, scene_of_run, event, *scene) : nullptr) {
+      count_hit(group, *hit, scenario);
+      touch(*track, group, hit->time, hit->position, hit->velocity);
+    }
     switch (event.kind) {
       case EventKind::spawned: ++group.spawned; break;
       case EventKind::landed:
@@ -216,7 +235,14 @@ void WorldRun::Impl::count(std::span<const Event> news) {
       case EventKind::burnout:
       case EventKind::rail_exit:
       case EventKind::woke:
-      case EventKind::fidelity_changed: break;
+      case EventKind::fidelity_changed:
+      case EventKind::hit:
+      case EventKind::entered:
+      case EventKind::left:
+      case EventKind::sensed:
+      case EventKind::ricocheted:
+      case EventKind::penetrated:
+      case EventKind::stopped: break;
     }
   }
 }
@@ -263,10 +289,12 @@ void WorldRun::Impl::step() {
   }
   is_loaded = false;
   hits.clear();
+  thing_hits.clear();
   const double dt = scenario.world.def.step;
   PHYSIM_ASSERT(dt > 0);
   world.step(dt);
   count(world.events());
+  drop_contacts(*this);
   if (scenario.world.wall) look_at_wall(dt);
 }
 
@@ -280,7 +308,8 @@ namespace {
 
 /// The hash of all that a run is made from.
 std::uint64_t hash_of_run(const Scenario& scenario) {
-  std::uint64_t hash = hash_of(scenario.world.def, scenario.volleys, scenario.forces);
+  std::uint64_t hash = hash_of(scenario.world.def, scenario.volleys, scenario.forces, scenario.materials,
+                               scenario.shapes, scenario.things);
   for (const ScenarioShot& shot : scenario.shots) hash = hash_of(hash, shot.projectile, shot.launch, shot.body);
   return hash;
 }
@@ -355,6 +384,7 @@ const World& WorldRun::world() const { return impl_->world; }
 const Scenario& WorldRun::scenario() const { return impl_->scenario; }
 std::span<const RunEvent> WorldRun::events() const { return impl_->events; }
 std::span<const WallHit> WorldRun::hits() const { return impl_->hits; }
+std::span<const ThingHit> WorldRun::thing_hits() const { return impl_->thing_hits; }
 
 std::optional<Launched> WorldRun::launched(ProjectileId id) const {
   const Track* track = impl_->track_of(id);

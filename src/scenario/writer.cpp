@@ -1,5 +1,6 @@
 #include "scenario/writer.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 #include "base/assert.hpp"
@@ -71,6 +72,10 @@ std::string numbers_value(const std::vector<double>& list, Quantity quantity) {
 }
 
 std::string vector_value(const Vec3d& v, Quantity quantity) { return numbers_value({v.x, v.y, v.z}, quantity); }
+
+std::string triangle_value(const Triangle& t) {
+  return "[" + std::to_string(t[0]) + ", " + std::to_string(t[1]) + ", " + std::to_string(t[2]) + "]";
+}
 
 std::string points_value(const Points& points) {
   return array_value(points.get(), [&](const auto& point) {
@@ -157,6 +162,10 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                         [&](const AeroCoefficient* coefficient) -> Text { return aero_value(*coefficient); },
                         [&](const std::vector<double>* list) -> Text { return numbers_value(*list, quantity); },
                         [&](const std::vector<std::string>* list) -> Text { return array_value(*list, toml_string); },
+                        [&](const std::vector<Vec3d>* list) -> Text {
+                          return array_value(*list, [&](const Vec3d& v) { return vector_value(v, quantity); });
+                        },
+                        [](const std::vector<Triangle>* list) -> Text { return array_value(*list, triangle_value); },
                         [&](const Records& records) -> Text { return records_value(entry, records, scope, style); },
                     },
                     entry.slot(scope));
@@ -165,7 +174,7 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
 /// Settings of worlds are for scenarios that have one, and would make one; those of single flights are for the others.
 bool is_left_out(const SchemaNode& node, const Scenario& scenario) {
   if (!scenario.world.given)
-    return node.path == "world" || node.path == "volley" || node.path == "force" || node.path == "shot.body";
+    return node.path == "world" || node.path == "shot.body" || std::ranges::count(kWorldLists, node.path) > 0;
   return node.path == "until" || node.path == "output";
 }
 
@@ -238,7 +247,7 @@ void collect(const SchemaNode& node, const Scope& scope, std::vector<std::option
 std::optional<std::string> preset_text(const SchemaNode& node, const Scope& scope, const Scope& reader) {
   const SchemaNode* table = find_node(node.path.substr(0, node.path.rfind('.')));
   PHYSIM_ASSERT(table != nullptr);
-  PHYSIM_ASSERT(reader.shot != nullptr);
+  PHYSIM_ASSERT((reader.shot != nullptr) != (reader.material != nullptr));
   std::vector<std::optional<std::string>> wanted, had;
   collect(*table, scope, wanted);
   const auto left_to_say = [&](Scope scope_of_reader) {
@@ -246,7 +255,7 @@ std::optional<std::string> preset_text(const SchemaNode& node, const Scope& scop
     scope_of_reader.scenario = scope.scenario;
     collect(*table, scope_of_reader, had);
     PHYSIM_ASSERT(had.size() == wanted.size());
-    const bool has_body = scope.scenario->world.given || scope_of_reader.shot->body == scope.shot->body;
+    const bool has_body = scope.scenario->world.given || !scope.shot || scope_of_reader.shot->body == scope.shot->body;
     std::size_t count = has_body ? 0 : had.size();
     for (std::size_t i = 0; i < had.size(); ++i) count += had[i] != wanted[i];
     return count;
@@ -255,10 +264,14 @@ std::optional<std::string> preset_text(const SchemaNode& node, const Scope& scop
   std::optional<std::size_t> best;
   std::size_t fewest = left_to_say(reader);
   for (std::size_t i = 0; i < presets.names.size(); ++i) {
-    ScenarioShot shot = *reader.shot;
+    ScenarioShot shot = reader.shot ? *reader.shot : ScenarioShot();
+    Material material = reader.material ? *reader.material : Material();
     Scope trial = reader;
-    trial.shot = &shot;
+    if (reader.shot) trial.shot = &shot;
+    if (reader.material) trial.material = &material;
     std::get<Choice>(node.entry->slot(trial)).set(i);
+    // Whatever resists as oak does may be said by "oak"; that which does not is something else.
+    if (reader.material && material.penetration != scope.material->penetration) continue;
     const std::size_t count = left_to_say(trial) + 1;
     if (count < fewest) fewest = count, best = i;
   }

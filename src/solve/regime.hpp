@@ -77,7 +77,7 @@ template <class R, class S>
   if (drag_has_corners(c)) {
     const R speed = length(air_velocity(c, b, t, s));
     if (c.fidelity.interpolation == Interpolation::linear)
-      r.curve_cell = curve_cell_index(c, b, speed * air_state(c, s.x).per_sound_speed);
+      r.curve_cell = curve_cell_index(c, b, speed * air_state(c, b, s.x).per_sound_speed);
     if (c.has_bands)
       for (int i = 0; i < kMaxBands; ++i) r.band += select(speed >= b.band_above[i], R(S(1)), zero);
   }
@@ -91,7 +91,7 @@ template <class R, class S>
   if (c.has_applied) r.force = select(t >= b.applied_until, R(S(1)), zero);
   if (c.has_aero_tables)
     r.aero_cell =
-        cell_of(c.curve_rows, rotor.mach, length(air_velocity(c, b, t, s)) * air_state(c, s.x).per_sound_speed);
+        cell_of(c.curve_rows, rotor.mach, length(air_velocity(c, b, t, s)) * air_state(c, b, s.x).per_sound_speed);
   return r;
 }
 

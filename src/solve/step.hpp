@@ -73,8 +73,8 @@ PHYSIM_INLINE State<R> operator*(const State<R>& a, const R& s) {
 }
 template <class R>
 PHYSIM_INLINE void add_scaled(State<R>& sum, const State<R>& a, const R& s) {
-  sum.x.add_scaled(a.x, s);
-  sum.v.add_scaled(a.v, s);
+  add_scaled(sum.x, a.x, s);
+  add_scaled(sum.v, a.v, s);
 }
 template <class R, class Mask>
 PHYSIM_INLINE Vec3<R> select(const Mask& mask, const Vec3<R>& a, const Vec3<R>& b) {

@@ -5,7 +5,7 @@
 
 namespace physim {
 
-RowLayout layout_of(const Fidelity& granted, const Features& features, bool launch_place) {
+RowLayout layout_of(const Fidelity& granted, const Features& features, bool launch_place, bool meets) {
   const PartSet read = parts_read(granted, features);
   RowLayout layout;
   const auto add = [&](PartSet parts) {
@@ -26,6 +26,7 @@ RowLayout layout_of(const Fidelity& granted, const Features& features, bool laun
   layout.carried = is_classic(granted);
   layout.launched = launch_place;
   layout.turning = turns(granted);
+  layout.meeting = meets;
   return layout;
 }
 

@@ -6,7 +6,8 @@
 
 namespace physim {
 
-/// The columns of a cohort; `launch_place`: a rule asks how far a projectile is from its launch.
-[[nodiscard]] RowLayout layout_of(const Fidelity& granted, const Features& features, bool launch_place);
+/// The columns of a cohort; `launch_place`: a rule asks how far a projectile is from its launch; `meets`:
+/// it meets things of a scene.
+[[nodiscard]] RowLayout layout_of(const Fidelity& granted, const Features& features, bool launch_place, bool meets);
 
 }  // namespace physim

@@ -56,11 +56,10 @@ bool advance_packs(const ForcedJob<S>& job) {
     s.start = load_state<R>(job.rows, row);
     advance_rows(job, c, row, flyer);
     if (!last) continue;
-    const unsigned bits =
-        lane_bits(noteworthy(job.rows, c, s, row) | turned_bad(c, flyer)) & filled_lanes<R>(job.rows.last - row);
-    const unsigned shift = row % kRowsPerWord;
-    std::uint32_t& word = job.rows.attention[row / kRowsPerWord];
-    word = shift == 0 ? bits : word | bits << shift;
+    MaskOf<R> found = noteworthy(job.rows, c, s, row) | turned_bad(c, flyer);
+    if (job.rows.columns.clear != nullptr) found = found | comes_near(job.rows, s, row);
+    const unsigned bits = lane_bits(found) & filled_lanes<R>(job.rows.last - row);
+    mark(job.rows.attention, row, bits);
     attention = attention || bits != 0;
   }
   return attention;

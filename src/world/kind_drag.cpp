@@ -26,7 +26,7 @@ std::uint32_t KindDrag::add(const ProjectileDef& projectile) {
 }
 
 Vec3d KindDrag::force(std::uint32_t index, double mass, double density, const Vec3d& u) const {
-  const AirState<double> air{density, conditions_.air.per_sound_speed};
+  const AirState<double> air{density, conditions_.air.common.per_sound_speed};
   return drag_equation(conditions_, bodies_[index], air, u) * mass;
 }
 

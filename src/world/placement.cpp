@@ -33,6 +33,7 @@ void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<doub
     if (layout.carried) Rows::put(c.carried, row, {});
     if (layout.launched) Rows::put(c.launch, row, at.position);
     if (layout.turning) rows.put_rotor(row, *n.rotor);
+    rows.forget_clear(row);
     if (!layout.clocked) return;
     c.offset[row] = static_cast<S>(n.age);
     c.born[row] = static_cast<S>(n.now);
@@ -161,6 +162,7 @@ void Placement::set_row_state(std::uint32_t index, const BodyState& given) {
     Rows::put(c.position, slot.row, at.position);
     Rows::put(c.velocity, slot.row, at.velocity);
   });
+  state_.rows_of(slot).forget_clear(slot.row);
 }
 
 void Placement::take_out(Slot& slot) {

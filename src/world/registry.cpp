@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/archive.hpp"
 #include "base/assert.hpp"
@@ -16,20 +17,27 @@
 #include "world/slots.hpp"
 
 namespace physim {
-namespace {
 
-/// A projectile with so many times the drag, on every rung.
-ProjectileDef with_drag_scaled(ProjectileDef p, double scale) {
+Result<ProjectileDef> with_drag_scaled(ProjectileDef p, double scale) {
   if (scale == 1) return p;
-  p.drag.k1 *= scale;
-  p.drag.k2 *= scale;
-  p.drag.form_factor *= scale;
-  if (p.drag.ballistic_coefficient > 0) p.drag.ballistic_coefficient /= scale;
-  for (BallisticBand& band : p.drag.bands) band.ballistic_coefficient /= scale;
+  PHYSIM_ASSERT(scale >= 0);
+  DragDef& drag = p.drag;
+  drag.k1 *= scale;
+  drag.k2 *= scale;
+  drag.form_factor *= scale;
+  if (drag.ballistic_coefficient > 0) drag.ballistic_coefficient /= scale;
+  for (BallisticBand& band : drag.bands) band.ballistic_coefficient /= scale;
   for (AeroPoint& point : p.aero.drag_yaw) point.value *= scale;
-  p.drag.damping = pow(p.drag.damping, scale);
+  drag.damping = pow(drag.damping, scale);
+  const bool finite =
+      std::isfinite(half_area_per_mass(p)) && std::isfinite(drag.k1) && std::isfinite(drag.k2) && drag.damping > 0 &&
+      std::ranges::all_of(drag.bands, [](const BallisticBand& b) { return b.ballistic_coefficient > 0; }) &&
+      std::ranges::all_of(p.aero.drag_yaw, [](const AeroPoint& a) { return std::isfinite(a.value); });
+  if (!finite) return Error{"makes the drag of this projectile infinite", "body.drag_scale", "1 changes nothing"};
   return p;
 }
+
+namespace {
 
 /// Switches of a new projectile.
 std::uint32_t flags_of(const BodyDef& body) {
@@ -72,9 +80,11 @@ Result<std::uint32_t> Registry::find_or_add_kind(const ProjectileDef& projectile
     if (const Status status = check(projectile); !status) return status.error();
     if (const Status status = check(body, def_, environments_.size()); !status) return status.error();
     if (kinds.is_full()) return Error{"there are too many kinds of projectiles", "world", "reuse kinds"};
+    Result<ProjectileDef> flown = with_drag_scaled(projectile, body.drag_scale);
+    if (!flown) return flown.error();
     added.projectile = projectile;
     added.body = body;
-    added.flown = with_drag_scaled(projectile, body.drag_scale);
+    added.flown = std::move(*flown);
     added.flags = flags_of(body);
     added.born = moment;
     index = kinds.add(std::move(added));
@@ -86,7 +96,7 @@ Result<std::uint32_t> Registry::find_or_add_kind(const ProjectileDef& projectile
 
 void Registry::add_saved_kind(Kind saved) {
   saved.hash = hash_of(saved.projectile, saved.body);
-  saved.flown = with_drag_scaled(saved.projectile, saved.body.drag_scale);
+  saved.flown = with_drag_scaled(saved.projectile, saved.body.drag_scale).value();
   saved.flags = flags_of(saved.body);
   Kind& k = kind(kinds.add(std::move(saved)));
   for (Prepared& r : k.rungs) {
@@ -97,7 +107,7 @@ void Registry::add_saved_kind(Kind saved) {
 
 void Registry::grow(const std::vector<Grown>& growth) {
   for (const Grown& each : growth) {
-    const ProjectileDef flown = with_drag_scaled(each.projectile, each.drag_scale);
+    const ProjectileDef flown = with_drag_scaled(each.projectile, each.drag_scale).value();
     // Granted once more, as it may come from a save: an environment changes no table.
     const Fidelity granted = grant(each.granted, flown, Environment{}).fidelity;
     Conditions<double> probe = prepare_conditions(Environment{}, granted);
@@ -179,6 +189,7 @@ std::uint16_t Registry::cohort(std::uint32_t index, std::uint16_t rung, const Va
     key.rules.sleep_speed = k.body.sleep_speed;
     key.rules.sleep_time = k.body.sleep_time;
   }
+  key.meets = has_scene_ && k.body.collision.layers != 0;
   key.forced = variant.forced;
   key.still = variant.still;
   return known = find_or_add(key);
@@ -190,7 +201,7 @@ std::uint16_t Registry::find_or_add(const CohortKey& key) {
   if (cohorts_.size() >= kMostCohorts) return kNoCohort;
   WorldCohort& added = cohorts_.emplace_back();
   added.key = key;
-  added.layout = layout_of(key.fidelity, key.features, key.launch_place);
+  added.layout = layout_of(key.fidelity, key.features, key.launch_place, key.meets);
   prepare(added);
   return static_cast<std::uint16_t>(cohorts_.size() - 1);
 }
@@ -242,6 +253,13 @@ Status Registry::set_environment(std::uint32_t index, const Environment& environ
     for (Prepared& r : k.rungs) prepare(k, r);
   });
   return {};
+}
+
+void Registry::meet_scene(bool there) {
+  if (std::exchange(has_scene_, there) == there) return;
+  kinds.each([](Kind& k) {
+    for (Prepared& r : k.rungs) std::fill(std::begin(r.cohort), std::end(r.cohort), kNoCohort);
+  });
 }
 
 void Registry::restore_environments(const std::vector<Environment>& then) {

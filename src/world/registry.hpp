@@ -30,6 +30,7 @@ struct CohortKey {
   Fidelity fidelity;
   Features features;
   bool launch_place = false;  // a rule asks how far a projectile is from there
+  bool meets = false;         // things of the scene
   CohortRules rules;
   bool forced = false;  // generators act on it
   bool still = false;   // asleep, kinematic, pending or stuck: not stepped
@@ -65,6 +66,9 @@ struct WorldCohort {
   }
 };
 
+/// A projectile with so many times the drag, on every rung.
+[[nodiscard]] Result<ProjectileDef> with_drag_scaled(ProjectileDef projectile, double scale);
+
 /// What tables were made for: a projectile, with so many times its drag, on a rung.
 struct Grown {
   ProjectileDef projectile;
@@ -99,6 +103,8 @@ class Registry {
 
   [[nodiscard]] Result<std::uint32_t> add_environment(const Environment& environment);
   Status set_environment(std::uint32_t index, const Environment& environment);
+  /// Whether there is a scene: kinds that meet its things go to other cohorts then.
+  void meet_scene(bool there);
   /// Back to what they were. Kinds that fly in one that is not there then have none until it is added again.
   void restore_environments(const std::vector<Environment>& then);
   [[nodiscard]] bool has_environment_of(const Kind& k) const { return k.body.environment < environments_.size(); }
@@ -123,6 +129,7 @@ class Registry {
 
   WorldDef def_;
   std::vector<Environment> environments_;
+  bool has_scene_ = false;
   std::uint32_t last_given_ = 0;  // number of the kind that was found last
   std::deque<WorldCohort> cohorts_;
   TablePool tables_[3];

@@ -22,6 +22,7 @@ struct RowLayout {
   bool carried = false;              // the original loop's acceleration register
   bool launched = false;             // the place of launch
   bool turning = false;              // a Turn and RotorConstants
+  bool meeting = false;              // how far it may fly before it can be near a thing of the scene
   std::vector<std::uint8_t> fields;  // members of Body that the models read, as indices of its numbers
 
   bool operator==(const RowLayout&) const = default;
@@ -36,8 +37,10 @@ struct RowColumns {
   S* velocity[3];
   S* carried[3];
   S* launch[3];
-  S* offset;  // of the clock: time since launch = offset + (now - born) h
-  S* born;    // step at which the clock started
+  S* offset;      // of the clock: time since launch = offset + (now - born) h
+  S* born;        // step at which the clock started
+  S* clear;       // so far it may fly; at or below 0: nobody looked [m]
+  S* started[3];  // velocity at the start of the step at hand, of rows that came near
   S* field[kNumbers<Body>];
   S* turn[kNumbers<Turn>];
   S* rotor[kNumbers<RotorConstants>];
@@ -131,6 +134,15 @@ class Rows : RowMemory {
   /// Fills in the numbers of a row that the models read.
   void write_fields(std::uint32_t row, const Body<double>& body);
   [[nodiscard]] const RowMasks& field_masks() const { return field_masks_; }
+  /// Nobody knows any more how far it may fly.
+  void forget_clear(std::uint32_t row) const {
+    PHYSIM_ASSERT(row < size_);
+    if (!layout_.meeting) return;
+    visit([row](const auto& c) {
+      c.clear[row] = 0;
+      put(c.started, row, {});
+    });
+  }
   /// The rotation of a row of a rung that turns.
   [[nodiscard]] Turn<double> turn(std::uint32_t row) const {
     PHYSIM_ASSERT(layout_.turning && row < size_);

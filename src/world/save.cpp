@@ -94,13 +94,16 @@ class Loading {
     world_->registry.restore_environments(saved_.environments);
     state().detail = saved_.detail;
     state().observer = saved_.observer;
+    if (saved_.scene) state().scene = std::make_shared<Scene>(std::move(*saved_.scene));
+    world_->registry.meet_scene(state().scene != nullptr);
     return {};
   }
 
   Status kinds() {
     Registry& registry = world_->registry;
     for (const auto& each : saved_.growth)
-      if (!check(each.projectile) || !(each.drag_scale >= 0) || !check(Tolerance{}, each.granted))
+      if (!check(each.projectile) || !(each.drag_scale >= 0) || !with_drag_scaled(each.projectile, each.drag_scale) ||
+          !check(Tolerance{}, each.granted))
         return makes_no_sense("its tables");
     registry.grow(saved_.growth);
     if (saved_.kinds.size() > kMostKinds) return makes_no_sense("its kinds");
@@ -112,6 +115,7 @@ class Loading {
       if (Status status = check(each.projectile); !status) return status;
       // Its environment may have been taken back by a restore.
       if (Status status = check(each.body, world_->def, 4096); !status) return status;
+      if (auto flown = with_drag_scaled(each.projectile, each.body.drag_scale); !flown) return flown.error();
       Kind kind;
       kind.number = each.number;
       kind.stays = each.stays;
@@ -294,6 +298,7 @@ SavedWorld saved_world(const WorldImpl& world) {
   saved.counters = state.counters;
   saved.observer = state.observer;
   saved.detail = state.detail;
+  if (state.scene) saved.scene = *state.scene;
   return saved;
 }
 

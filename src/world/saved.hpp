@@ -72,6 +72,7 @@ struct SavedWorld {
   WorldCounters counters;
   Vec3d observer;
   DetailRule detail;
+  std::optional<Scene> scene;
 };
 
 }  // namespace physim

@@ -90,6 +90,7 @@ bool Placement::put_saved(std::uint32_t index, const std::vector<double>& number
   if (has_burn(layout)) good = put_burn(c, next(), body) && good;
   state_.rows_of(slot).write_fields(slot.row, body);
   if (layout.turning) rows.put_rotor(slot.row, *rung.rotor);
+  rows.forget_clear(slot.row);
   return good && at == numbers.size();
 }
 

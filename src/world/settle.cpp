@@ -6,6 +6,7 @@
 
 #include "flight/under_way.hpp"
 #include "model/contact.hpp"
+#include "world/scene_contact.hpp"
 #include "world/settled_row.hpp"
 
 namespace physim {
@@ -23,7 +24,7 @@ template <class S>
 class Settling {
  public:
   Settling(const SettleContext& context, Chunk& chunk, std::uint32_t row)
-      : context_(context), r_(context, chunk, row), course_(r_.march.course()) {}
+      : context_(context), r_(context, chunk, row), course_(r_.march.course()), contacts_(context, r_) {}
 
   void run() {
     if (!is_finite(r_.now())) return r_.leave(LifeStatus::retired, Reason::non_finite);
@@ -34,20 +35,24 @@ class Settling {
     else if (r_.taken())
       look_at_taken();
     else
-      start_part(0), fly_part(0);
+      start_part(0), resume_ = 0.0;
+    fly_on();
     while (!r_.gone() && part_end_ < context_.dt) {
       const double from = part_end_;
-      start_part(from), fly_part(from);
+      start_part(from), resume_ = from;
+      fly_on();
     }
     if (r_.gone()) return;
     if (!is_finite(r_.now())) return r_.leave(LifeStatus::retired, Reason::non_finite);  // a roll's end may overflow
     follow_rules();
     r_.write();
+    if (r_.meets()) r_.put_clear(contacts_ ? contacts_.clear_way() : S(0));
   }
 
  private:
   [[nodiscard]] const Conditions<double>& conditions() const { return r_.conditions(); }
   [[nodiscard]] const Ground& ground() const { return context_.def->ground; }
+  [[nodiscard]] const BodyDef& body() const { return context_.registry->kind(r_.slot().kind).body; }
 
   /// On the ground or below it, and not on its way up.
   [[nodiscard]] bool descends_into_ground() const {
@@ -62,11 +67,17 @@ class Settling {
   void start_part(double from) {
     bounces_ = 0;
     part_end_ = context_.dt;
-    if (!is_near_ground_ && !flies_in_parts(*context_.def, context_.dt)) return;
+    if (!is_near_ && !flies_in_parts(*context_.def, context_.dt)) return;
     part_end_ = end_of_part(from, context_.dt, kLongestPart);
     PHYSIM_ASSERT(part_end_ > from || from == context_.dt);
   }
-  void fly_part(double from) { go(static_cast<S>(part_end_ - from), from); }
+  /// From where the last contact left it, to the end of the part.
+  void fly_on() {
+    while (resume_ && !r_.gone()) {
+      const double from = *std::exchange(resume_, std::nullopt);
+      go(static_cast<S>(part_end_ - from), from);
+    }
+  }
 
   /// Flies on for a time h, `passed` into the step, as far as nothing ends it.
   void go(S h, double passed) {
@@ -120,9 +131,10 @@ class Settling {
     // The generators' part in the higher terms would take them once more: the cubic through both ends does.
     if (r_.taken()) drop_higher_terms(at);
     find_crossings<S>(course_, true, judgement_);
-    // Bouncing goes on from here with other steps, so what was found is kept.
-    const CrossingList crossings = judgement_.crossings[0];
+    const CrossingList& crossings = judgement_.crossings[0];
+    const auto met = contacts_ ? meeting(crossings, clock) : std::nullopt;
     for (int i = 0; i < crossings.count; ++i) {
+      if (met && met->theta < crossings.found[i].theta) break;
       const double t = at.time(crossings.found[i].theta);
       const State<double> s = at.at_time(t);
       const Watched& watched = course_.watch.item[crossings.found[i].index];
@@ -131,17 +143,22 @@ class Settling {
       if (watched.outcome == Outcome::left_domain) return r_.leave(LifeStatus::retired, Reason::left_domain), true;
       r_.tell(watched.spec.kind, Reason::none, t + clock, s);
     }
-    return false;
+    if (met) strike(*met, clock);
+    return met.has_value();
   }
 
   /// Came to the ground inside a step.
   void land(const State<double>& s, double t, double passed) {
+    stop_at(t, passed);
+    contact(s, passed);
+  }
+  /// What goes on from a time inside the step begins there.
+  void stop_at(double t, double passed) {
     if (r_.turning()) r_.put_turn(judgement_.at.turn_at_time(t));
     if (const TakenStep<S>* taken = r_.taken()) {
       const S part = static_cast<S>(passed / context_.dt);
       r_.feel(taken->push[0] + (taken->push[1] - taken->push[0]) * part, r_.t_start() + static_cast<S>(passed));
     }
-    contact(s, passed);
   }
 
   // ------------------------------------------------------------------------------------------- on the ground
@@ -150,11 +167,13 @@ class Settling {
     const Conditions<double>& c = conditions();
     const Vec3d n = normal_at(c, s.x);
     if (passed > 0) s.x -= n * (height(c, s.x) - ground().height);
-    if (ground().mode != GroundMode::bounce) return stay(s, passed);
-    const BodyDef& body = context_.registry->kind(r_.slot().kind).body;
-    if (!std::exchange(is_near_ground_, true)) start_part(passed);
-    const Surface surface{ground().restitution * body.restitution, ground().friction * body.friction,
-                          body.rolling_resistance};
+    if (ground().mode != GroundMode::bounce) {
+      r_.tell(EventKind::landed, Reason::none, passed, s);
+      return stay(s, ground().mode == GroundMode::stick);
+    }
+    if (!std::exchange(is_near_, true)) start_part(passed);
+    const BodyDef& b = body();
+    const Surface surface{ground().restitution * b.restitution, ground().friction * b.friction, b.rolling_resistance};
     const Vec3d v = bounced(s.v, n, surface);
     const Vec3d a = r_.acceleration_at(s, passed);
     // A bounce that would be over within this step does not lift it any more.
@@ -186,16 +205,51 @@ class Settling {
   }
   void go_on(const Vec3d& x, const Vec3d& v, double passed) {
     put(x, v, passed);
-    fly_part(passed);
+    resume_ = passed;
   }
 
-  /// Where the ground holds what lands on it.
-  void stay(const State<double>& s, double passed) {
-    r_.tell(EventKind::landed, Reason::none, passed, s);
+  /// Ends where it struck: it leaves the world, or stays there.
+  void stay(const State<double>& s, bool sticks) {
     part_end_ = context_.dt;
     r_.now() = {vec_cast<S>(s.x), {}};
-    if (ground().mode == GroundMode::land) return r_.leave(LifeStatus::landed, Reason::none);
+    if (!sticks) return r_.leave(LifeStatus::landed, Reason::none);
     r_.change(Change::Kind::stick, LifeStatus::landed, Reason::none);
+  }
+
+  // ------------------------------------------------------------------------------------------- things of the scene
+  /// Where the step at hand meets something, before what ends it.
+  [[nodiscard]] std::optional<collide::PathHit> meeting(const CrossingList& crossings, double clock) {
+    const DenseLanes<S>& at = judgement_.at;
+    double end = 1;
+    if (crossings.count > 0) {
+      const Found& last = crossings.found[crossings.count - 1];
+      if (course_.watch.item[last.index].spec.terminal) end = last.theta;
+    }
+    // The end of one step is the start of the next one, to the bit.
+    const auto path = [&](double theta) { return theta == 0 ? at.n0.y : theta == 1 ? at.n1.y : at(theta); };
+    return contacts_.meeting(path, end, at.n0.t + clock, at.n1.t - at.n0.t);
+  }
+
+  /// Met something inside a step.
+  void strike(const collide::PathHit& met, double clock) {
+    const double t = judgement_.at.time(met.theta);
+    const double passed = std::min(t + clock, part_end_);
+    State<double> s = judgement_.at.at_time(t);
+    s.x = met.hit.position;
+    put(s.x, s.v, passed);
+    stop_at(t, passed);
+    if (!std::exchange(is_near_, true)) start_part(passed);
+    const auto after = contacts_.struck(s, met.hit, passed);
+    using Then = typename SceneContacts<S>::Then;
+    switch (after.then) {
+      case Then::stops: return stay(after.state, false);
+      case Then::sticks: return stay(after.state, true);
+      case Then::lies: return put_at_last(after.state.x, after.state.v, after.passed);
+      case Then::flies_on: break;
+    }
+    if (after.passed >= part_end_) start_part(after.passed);
+    if (after.passed < context_.dt) return go_on(after.state.x, after.state.v, after.passed);
+    put_at_last(after.state.x, after.state.v, context_.dt);
   }
 
   // ------------------------------------------------------------------------------------------- rules
@@ -211,7 +265,7 @@ class Settling {
     if (d.outside_box && (outside(x.x, d.box_low.x, d.box_high.x) || outside(x.y, d.box_low.y, d.box_high.y) ||
                           outside(x.z, d.box_low.z, d.box_high.z)))
       return expire(Reason::outside_box);
-    if (speed < rules.sleep_speed && !waits_for_motor()) rest(rules.sleep_time);
+    if (speed < rules.sleep_speed && !waits_for_motor() && !contacts_.is_carried()) rest(rules.sleep_time);
   }
 
   /// On its rail, or before burnout: it only looks as if it rested.
@@ -240,9 +294,11 @@ class Settling {
   const SettleContext& context_;
   SettledRow<S> r_;
   const Course<S>& course_;
+  SceneContacts<S> contacts_;
   Judgement<S> judgement_{};
+  std::optional<double> resume_;   // it flies on from there [s]
   double part_end_ = context_.dt;  // time into the step [s]
-  bool is_near_ground_ = false;
+  bool is_near_ = false;
   int bounces_ = 0;
 };
 
@@ -254,6 +310,44 @@ bool is_in_its_cohort(const SettleContext& context, std::uint16_t cohort, std::u
   const std::uint16_t known = rung.cohort[slot.variant().index()];  // none where its environment was set anew
   return slot.is(kAlive) && !slot.is(kStill) && slot.cohort == cohort && slot.row == row &&
          (known == cohort || known == kNoCohort);
+}
+
+namespace {
+
+/// Where a row is after its step, if that was not settled: it lies on a path from one end to the other.
+template <class S>
+[[nodiscard]] bool meets_nothing(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row,
+                                 const CollisionDef& collision) {
+  const Vec3d from = Rows::at(c.position, row), to = Rows::at(c.previous, row);
+  const Vec3d mean = (to - from) * (1 / context.dt);
+  // Twice as far as a cubic with these velocities at its ends is from its chord.
+  const double bend = length(Rows::at(c.started, row) - mean) + length(Rows::at(c.velocity, row) - mean);
+  const double beside = 8.0 / 27 * context.dt * bend + 1e-9;
+  const SceneFilter filter{.layers = collision.layers};
+  if (context.scene->any_hit({from, to, collision.radius + beside, context.time, context.dt}, filter)) return false;
+  // A look farther around is worth it where the last one told something; who was near then mostly still is.
+  constexpr std::uint32_t kSeldom = 8;
+  const bool was_clear = static_cast<double>(c.clear[row]) > -0.5 * length(mean) * context.dt;
+  const bool looks = was_clear || (row + static_cast<std::uint32_t>(context.state->clock.steps)) % kSeldom == 0;
+  c.clear[row] = looks && !context.scene->has_motion() ? clear_way<S>(context, to, mean, collision) : S(0);
+  return true;
+}
+
+template <class S>
+void look_around_in(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
+  const Rows& rows = context.state->rows[chunk.cohort];
+  const RowColumns<S>& c = rows.columns<S>();
+  const Slot& slot = context.state->slots[rows.slot(row)];
+  if (context.scene && meets_nothing(context, c, row, context.registry->kind(slot.kind).body.collision)) return;
+  for (int axis = 0; axis < 3; ++axis) c.velocity[axis][row] = c.started[axis][row];
+  settle_row(context, chunk, row);
+}
+
+}  // namespace
+
+void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
+  const RowLayout& layout = context.state->rows[chunk.cohort].layout();
+  return layout.float32 ? look_around_in<float>(context, chunk, row) : look_around_in<double>(context, chunk, row);
 }
 
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row) {

@@ -11,11 +11,12 @@ namespace physim {
 
 /// What settling decided that concerns more than the row itself; done after the step, in order of slots.
 struct Change {
-  enum class Kind : std::uint8_t { remove, stick, sleep };
+  enum class Kind : std::uint8_t { remove, spin, stick, sleep };
   std::uint32_t slot;
   Kind kind;
   LifeStatus status;
   Reason reason;
+  Vec3d spin;  // [rad/s]
 };
 
 /// Rows of one cohort that one thread steps.
@@ -31,6 +32,7 @@ struct Chunk {
 /// Memory that steps use again and again.
 struct StepScratch {
   std::vector<std::uint32_t> attention;   // a bit for each row
+  std::vector<std::uint32_t> near;        // likewise
   std::vector<std::size_t> words_before;  // of each cohort's rows in it
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;
@@ -45,6 +47,7 @@ struct SettleContext {
   double dt;
   double now;                   // number of the step, as rows count
   double time;                  // at the start of the step [s]
+  const Scene* scene;           // null: none
   const void* taken = nullptr;  // forced rows: the TakenStep of their number type
 };
 
@@ -72,6 +75,9 @@ inline constexpr double kLongestBouncingStep = 0.1;  // [s]
 [[nodiscard]] inline bool flies_in_parts(const WorldDef& def, double dt) {
   return def.ground.mode == GroundMode::bounce && dt > kLongestBouncingStep;
 }
+
+/// Looks at a row that moved on and may have come near a thing of the scene: where it did, it is put back and settled.
+void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 
 /// Steps one row that was left where it was, and writes where it is after the step.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);

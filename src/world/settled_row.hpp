@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "base/assert.hpp"
+#include "model/attitude.hpp"
+#include "model/magnus.hpp"
 #include "solve/judge.hpp"
 #include "world/settle.hpp"
 
@@ -41,9 +44,45 @@ class SettledRow {
   [[nodiscard]] bool is_clocked() const { return rows_.layout().clocked; }
   [[nodiscard]] S t_start() const { return t_start_; }
   [[nodiscard]] S t_end() const { return t_end_; }
+  [[nodiscard]] bool meets() const { return rows_.layout().meeting; }
+  /// So far from where it is now it may fly before it can be near anything.
+  void put_clear(S clear) const { columns_.clear[row_] = clear; }
   [[nodiscard]] bool has_launch_place() const { return rows_.layout().launched; }
   [[nodiscard]] Vec3d launch_place() const { return Rows::at(columns_.launch, row_); }
 
+  /// How it spins, `passed` into the step, in W: as its rung flies it, or as it is shown [rad/s].
+  [[nodiscard]] Vec3d spin(double passed) const {
+    if (is_rigid()) {
+      const Attitude now = attitude(passed);
+      return rotate(now.q_WB, now.omega) - spin_of_W();
+    }
+    if (spins(cohort_.key.fidelity))
+      return vec_cast<double>(spin_at(march.lanes.body, t_start_ + static_cast<S>(passed)));
+    if (shown_) return *shown_;
+    const Turning* turning = context_.state->extras.find_turning(slot_index_);
+    return turning ? turning->angular_velocity : Vec3d{};
+  }
+  void put_spin(const Vec3d& spin, double passed) {
+    if (spin == this->spin(passed)) return;
+    if (is_rigid()) {
+      Attitude now = attitude(passed);
+      now.omega = rotate(conjugate(now.q_WB), spin + spin_of_W());
+      Rotor<double> rotor;
+      cast_numbers(*march.lanes.rotor, rotor);
+      return put_turn(turn_of(cohort_.key.fidelity, rotor, now));
+    }
+    if (!spins(cohort_.key.fidelity)) {
+      shown_ = spin;
+      return;
+    }
+    // The model counts the decay from launch on.
+    Body<S>& body = march.lanes.body;
+    const S decay = body.spin_decay * (t_start_ + static_cast<S>(passed));
+    constexpr S kAllGone(60);  // by then nothing turns that could
+    body.spin = vec_cast<S>(spin) * exp(decay < kAllGone ? decay : kAllGone);
+    from_row_.spin = body.spin;
+    respun_ = true;
+  }
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
@@ -74,16 +113,23 @@ class SettledRow {
   }
 
   // ------------------------------------------------------------------------------------------- what happens to it
-  void tell(EventKind kind, Reason reason, double passed, const State<double>& s) {
+  void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
+            double depth = 0, double energy = 0) {
     chunk_.events.push_back({.kind = kind,
                              .reason = reason,
                              .id = {slot_index_, slot().generation},
+                             .value = depth,
                              .time = context_.time + passed,
                              .position = s.x,
-                             .velocity = s.v});
+                             .velocity = s.v,
+                             .normal = hit.normal,
+                             .instance = hit.instance,
+                             .primitive = hit.primitive,
+                             .material = hit.material,
+                             .energy = energy});
   }
   void change(Change::Kind kind, LifeStatus status, Reason reason) {
-    chunk_.changes.push_back({slot_index_, kind, status, reason});
+    chunk_.changes.push_back({slot_index_, kind, status, reason, {}});
   }
   /// Leaves the world; it keeps the last sound state that it had.
   void leave(LifeStatus status, Reason reason) {
@@ -101,7 +147,9 @@ class SettledRow {
       if (rows_.layout().carried) columns_.carried[axis][row_] = part(march.lanes.step.slope[0].v, axis);
     }
     if (turning()) Rows::put(columns_.turn, row_, march.lanes.step.turn->start);
-    if (!relaunched_ && !has_passed_stops()) return;
+    if (shown_)
+      chunk_.changes.push_back({slot_index_, Change::Kind::spin, LifeStatus::in_flight, Reason::none, *shown_});
+    if (!relaunched_ && !respun_ && !has_passed_stops()) return;
     Body<S>& body = march.lanes.body;
     body.applied = from_row_.applied;  // what generators gave is not its own
     body.applied_until = from_row_.applied_until;
@@ -113,6 +161,22 @@ class SettledRow {
   }
 
  private:
+  [[nodiscard]] bool is_rigid() const { return cohort_.key.fidelity.rotation == RotationModel::rigid_body; }
+  [[nodiscard]] Attitude attitude(double passed) const {
+    Body<double> body;
+    cast_numbers(march.lanes.body, body);
+    Rotor<double> rotor;
+    cast_numbers(*march.lanes.rotor, rotor);
+    Turn<double> turn;
+    cast_numbers(march.lanes.step.turn->start, turn);
+    const State<double> s{vec_cast<double>(now().x), vec_cast<double>(now().v)};
+    return attitude_of(conditions(), body, rotor, static_cast<double>(t_start_) + passed, s, turn);
+  }
+  /// Angular velocity of W in inertial space [rad/s].
+  [[nodiscard]] Vec3d spin_of_W() const {
+    return is_turning(cohort_.key.fidelity.earth) ? conditions().omega : Vec3d{};
+  }
+
   void read() {
     Lanes<S>& lane = march.lanes;
     lane.body = {};
@@ -158,6 +222,8 @@ class SettledRow {
   S t_end_ = 0;
   bool gone_ = false;
   bool relaunched_ = false;
+  bool respun_ = false;
+  std::optional<Vec3d> shown_;  // the spin that a contact gave to what only shows it [rad/s]
 
  public:
   March<S> march;

@@ -1,9 +1,11 @@
 // WorldState: everything of a world that changes as it runs. A snapshot is a copy of it.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "physim/scene.hpp"
 #include "physim/world.hpp"
 #include "world/clock.hpp"
 #include "world/generators.hpp"
@@ -28,6 +30,7 @@ class WorldState {
   std::vector<Event> events;
   std::size_t events_of_step = 0;  // the first of them
   WorldCounters counters;
+  std::shared_ptr<Scene> scene;  // null: none; whoever changes it makes it his own first
   Vec3d observer;
   DetailRule detail;
   std::vector<Environment> environments;

@@ -71,6 +71,18 @@ template <class R, class S>
   }
 }
 
+/// Rows that may have come near a thing of the scene: they have flown as far as was clear about them. A step goes no
+/// farther from its start than this, as long as it is fastest at one of its ends.
+template <class S, class M>
+PHYSIM_INLINE auto comes_near(const WorldJob<S>& job, const M& m, std::uint32_t row) {
+  using R = decltype(m.end.x.x);
+  const Vec3<R> change = m.end.v - m.start.v;
+  const R flown = length(m.end.v) + (abs(change.x) + abs(change.y) + abs(change.z)) * S(1.5);
+  const R clear = load<R>(job.columns.clear, row) - flown * job.h;
+  clear.store(job.columns.clear + row);
+  return !(clear > R(S(0)));
+}
+
 /// Rows that need a closer look: something may have happened to them inside the step. `m` has a start and an end. A
 /// closer look at a row to which nothing happened changes nothing, so the tests are as few as can be.
 template <class S, class M>
@@ -177,6 +189,26 @@ PHYSIM_INLINE unsigned filled_lanes(std::uint32_t rows) {
   return rows >= unsigned(kLanes<R>) ? ~0u : (1u << rows) - 1;
 }
 
+/// Marks the rows of a pack.
+PHYSIM_INLINE void mark(std::uint32_t* words, std::uint32_t row, unsigned bits) {
+  const unsigned shift = row % kRowsPerWord;
+  std::uint32_t& word = words[row / kRowsPerWord];
+  word = shift == 0 ? bits : word | bits << shift;
+}
+
+/// Marks rows that came near, or leaves them where they were, where nobody looks at rows that have moved on.
+template <class R, class S>
+PHYSIM_INLINE void look_for_near(const WorldJob<S>& job, const Moved<R>& m, std::uint32_t row, MaskOf<R>& left) {
+  const MaskOf<R> near = comes_near(job, m, row);
+  if (job.near == nullptr) {
+    left = left | near;
+    return;
+  }
+  const unsigned bits = lane_bits(near & !left) & filled_lanes<R>(job.last - row);
+  mark(job.near, row, bits);
+  if (bits != 0) store_vector(m.start.v, job.columns.started, row);
+}
+
 /// Steps packs of rows. `frame(row)` says where a pack gets to.
 template <class R, class S, class Frame>
 PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, const Frame& frame) {
@@ -185,11 +217,10 @@ PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, co
   bool attention = false;
   for (std::uint32_t row = job.first; row < job.last; row += kN) {
     Moved<R> m = frame(row);
-    const MaskOf<R> left = m.lost | noteworthy(job, c, m, row);
+    MaskOf<R> left = m.lost | noteworthy(job, c, m, row);
+    if (job.columns.clear != nullptr) look_for_near(job, m, row, left);
     const unsigned bits = lane_bits(left) & filled_lanes<R>(job.last - row);
-    const unsigned shift = row % kRowsPerWord;
-    std::uint32_t& word = job.attention[row / kRowsPerWord];
-    word = shift == 0 ? bits : word | bits << shift;
+    mark(job.attention, row, bits);
     if (bits != 0) {
       attention = true;
       m.end = select(left, m.start, m.end);

@@ -88,6 +88,14 @@ struct WorldImpl : Gate {
   bool uses_detail() const { return !state.detail.rungs.empty(); }
   void apply_detail();
 
+  // ------------------------------------------------------------------------------------------- scene
+  void put_scene(std::shared_ptr<Scene> scene);
+  Scene& own_scene();
+  void stir_scene();
+  void move_scene(double dt);
+  template <class F>
+  void each_sleeper(const F& f) const;
+
   // ------------------------------------------------------------------------------------------- forces
   /// A generator acts on it that it can feel.
   [[nodiscard]] bool feels_forces(std::uint32_t slot) const;

@@ -44,6 +44,7 @@ struct WorldJob {
   std::uint32_t first;  // row, a multiple of 32
   std::uint32_t last;
   std::uint32_t* attention;  // bit i of word w: row 32 w + i was left where it was, and needs a closer look
+  std::uint32_t* near;       // likewise: it has moved on, and may have come near a thing; null: nobody looks
 };
 
 }  // namespace physim

@@ -34,6 +34,7 @@ Status World::restore(const Snapshot& snapshot) {
   if (call.is_refused()) return call.refusal();
   w.outgrown.push_back(std::move(w.state.events));  // somebody may be reading them
   w.state = then;
+  w.registry.meet_scene(w.state.scene != nullptr);
   w.registry.restore_environments(then.environments);
   w.registry.kinds.recount(w.moments, [&w](const auto& join) {
     w.state.slots.each_alive([&](std::uint32_t slot) { join(w.state.slots[slot].kind); });
@@ -139,6 +140,7 @@ std::uint64_t WorldImpl::hash() const {
   state.pools.add_to(h);
   state.generators.add_to(h);
   h.add(hash_of(state.observer, state.detail, registry.environments()));
+  if (state.scene) h.add(state.scene->hash());
   return h.value();
 }
 

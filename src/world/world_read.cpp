@@ -4,6 +4,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
+#include "model/magnus.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -136,8 +137,8 @@ double ProjectileView::mach() const {
   const Conditions<double>& c = world_->registry.cohort(slot->cohort).conditions;
   const BodyState now = world_->state.state_of(*slot);
   const State<double> s{now.position, now.velocity};
-  return length(air_velocity(c, world_->placement.body_of(*slot), world_->placement.clock_of(*slot), s)) *
-         air_state(c, s.x).per_sound_speed;
+  const Body<double> body = world_->placement.body_of(*slot);
+  return length(air_velocity(c, body, world_->placement.clock_of(*slot), s)) * air_state(c, body, s.x).per_sound_speed;
 }
 
 KindId ProjectileView::kind() const {
@@ -161,6 +162,8 @@ Vec3d ProjectileView::angular_velocity() const {
   if (!slot) return {};
   if (const auto flown = world_->placement.attitude(id_.index))
     return rotate(flown->q_WB, flown->omega - world_->placement.omega_of_W(*slot, flown->q_WB));
+  if (spins(world_->registry.cohort(slot->cohort).key.fidelity))
+    return spin_at(world_->placement.body_of(*slot), world_->placement.clock_of(*slot));
   const Turning* turning = world_->state.extras.find_turning(id_.index);
   return turning ? turning->angular_velocity : Vec3d{};
 }

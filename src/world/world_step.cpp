@@ -84,10 +84,19 @@ struct StepWork {
   SettleContext context;
   WorldKernel kernel;
   std::uint32_t* attention;
+  std::uint32_t* near;
   const std::size_t* words_before;
   Chunk* chunks;
   bool stream;
 };
+
+/// Calls f with every row of a chunk that is marked.
+template <class F>
+void each_marked(const Chunk& chunk, const std::uint32_t* words, const F& f) {
+  for (std::uint32_t word = chunk.first / kRowsPerWord; word * kRowsPerWord < chunk.last; ++word)
+    for (std::uint32_t bits = words[word]; bits != 0; bits &= bits - 1)
+      f(word * static_cast<std::uint32_t>(kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+}
 
 template <class S>
 void step_chunk(const StepWork& work, Chunk& chunk) {
@@ -102,11 +111,13 @@ void step_chunk(const StepWork& work, Chunk& chunk) {
   job.last = chunk.last;
   job.attention = work.attention + work.words_before[chunk.cohort];
   job.stream = work.stream;
-  if (!step_rows_with(work.kernel, job)) return;
-  for (std::uint32_t word = chunk.first / kRowsPerWord; word * kRowsPerWord < chunk.last; ++word)
-    for (std::uint32_t bits = job.attention[word]; bits != 0; bits &= bits - 1)
-      settle_row(work.context, chunk,
-                 word * static_cast<std::uint32_t>(kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+  // What stands in its row beside place and velocity cannot be put back.
+  const RowLayout& layout = work.context.state->rows[chunk.cohort].layout();
+  const bool looks = layout.meeting && !layout.carried && !layout.turning;
+  if (looks) job.near = work.near + work.words_before[chunk.cohort];
+  const bool attention = step_rows_with(work.kernel, job);
+  if (looks) each_marked(chunk, job.near, [&](std::uint32_t row) { look_around(work.context, chunk, row); });
+  if (attention) each_marked(chunk, job.attention, [&](std::uint32_t row) { settle_row(work.context, chunk, row); });
 }
 
 void run_chunk(void* shared, std::size_t i) {
@@ -186,9 +197,11 @@ void WorldImpl::step_free(double dt) {
     }
   }
   if (scratch.attention.size() < words) scratch.attention.resize(words);
-  StepWork work{{&def, &registry, &state, dt, state.clock.now(), state.clock.time()},
+  if (scratch.near.size() < words) scratch.near.resize(words);
+  StepWork work{{&def, &registry, &state, dt, state.clock.now(), state.clock.time(), state.scene.get()},
                 world_kernel(),
                 scratch.attention.data(),
+                scratch.near.data(),
                 scratch.words_before.data(),
                 scratch.chunks.data(),
                 bytes > kCacheBytes};
@@ -231,6 +244,10 @@ void WorldImpl::finish_step() {
         if (change.reason == Reason::non_finite) ++state.counters.retired;
         remove(change.slot, change.status);
         break;
+      case Change::Kind::spin:
+        slot.set(kTurning, true);
+        state.extras.turning[change.slot].angular_velocity = change.spin;
+        break;
       case Change::Kind::stick:
         placement.set_row_state(change.slot, {state.state_of(slot).position, {}});
         placement.stop_turning(change.slot);
@@ -263,6 +280,7 @@ void WorldImpl::step(double dt) {
   launch_pending();
   begin_generators(dt);
   apply_detail();
+  move_scene(dt);
   step_forced(dt);  // before the others move: its springs may end at them
   step_free(dt);
   turn(dt);

@@ -82,6 +82,40 @@ class OddFlights {
     check(result, shots.size());
     fly_batch(r_.projectile(), launches, environment, fidelity, tolerance, until, result);
     check(result, launches.size());
+    if (r_.one_in(4)) fly_from_columns(environment, fidelity, tolerance, until);
+  }
+  /// Launches and weather from columns, some of another length: all are refused, or they fly as in a batch.
+  void fly_from_columns(const Environment& environment, const Fidelity& fidelity, const Tolerance& tolerance,
+                        const Until& until) {
+    const auto count = static_cast<std::size_t>(1 + r_.below(40));
+    const auto column = [&](double low, double high, bool wanted = false) {
+      std::vector<double> numbers(!wanted && r_.coin() ? 0 : r_.one_in(60) ? count + 1 : count);
+      for (double& x : numbers) x = r_.number(low, high);
+      return numbers;
+    };
+    const auto speed = column(1, 900, true), elevation = column(-0.1, 1), y = column(0, 30), wind = column(-9, 9),
+               temperature = column(250, 310), pressure = column(5e4, 1e5), humidity = column(0, 1),
+               density = column(0.1, 2);
+    const LaunchColumns from{.common = {.position = {0, 5, 0}}, .y = y, .speed = speed, .elevation = elevation};
+    const Weather weather{
+        .wind_z = wind, .temperature = temperature, .pressure = pressure, .humidity = humidity, .density = density};
+    const ProjectileDef projectile = r_.projectile();
+    std::vector<double> time(from.size()), x(from.size());
+    const ColumnsResult ends = fly_columns(projectile, from, environment, fidelity, tolerance, until,
+                                           {.time = time, .x = x}, nullptr, weather);
+    expect((ends.refused > 0) == ends.error.has_value(), "columns refused without a reason");
+    if (ends.refused == from.size()) return;
+    std::vector<Launch> launches;
+    for (std::size_t i = 0; i < from.size(); ++i) launches.push_back(from.at(i));
+    const BatchResult batch =
+        fly_batch(projectile, launches, environment, fidelity, tolerance, until, nullptr, weather);
+    check(batch, launches.size());
+    for (std::size_t i = 0; i < launches.size(); ++i) {
+      const ShotResult& shot = batch.shots[i];
+      const bool refused = shot.outcome == Outcome::refused;
+      expect(refused ? std::isnan(time[i]) : time[i] == shot.time && x[i] == shot.position.x,
+             "a shot of columns is not that of a batch");
+    }
   }
   static void check(const BatchResult& result, std::size_t shots) {
     expect(result.shots.size() == shots, "a batch of another size");

@@ -211,7 +211,61 @@ class Odd : public Random {
     b.pool = one_in(3) ? count(2) : 0, b.environment = one_in(3) ? count(2) : 0;
     if (one_in(600)) b.cheapest_within = number(0.1, 1), b.within_time = number(0.1, 0.5);
     b.layers = count(3), b.label = text();
+    if (coin()) b.collision = {any<OnHit>(), one_in(3) ? number(0, 0.5) : 0, number(0.4, 0.7), count(3)};
     return b;
+  }
+  Transform transform() {
+    return {vector3(20), {number(-1, 1), number(-1, 1), number(-1, 1), number(0, 1)}, one_in(3) ? number(0.3, 3) : 1};
+  }
+  Material material() {
+    Material m;
+    m.restitution = number(0, 1), m.friction = number(0, 1), m.grip_restitution = one_in(3) ? number(0, 1) : 0;
+    m.density = one_in(3) ? number(500, 2000) : 0;
+    if (one_in(3)) m.ricochet = {number(0.1, 1), number(0, 1), number(0, 1), one_in(4)};
+    switch (below(8)) {
+      case 0: m.penetration = PonceletDef{number(1e6, 1e8), number(0, 1), number(0, 2)}; break;
+      case 1: m.penetration = YoungDef{number(1, 10), coin()}; break;
+      case 2: m.penetration = DeMarreDef{number(0.5, 1), number(0, 1)}; break;
+      case 3: m.penetration = LambertDef{number(1000, 4000)}; break;
+      case 4: m.penetration = BallisticLimitDef{number(1, 100), number(0, 1), number(1, 3)}; break;
+      default: break;
+    }
+    if (one_in(3)) m.spread = {number(0, 0.1), number(0, 0.1)};
+    return m;
+  }
+  ShapeDef shape() {
+    switch (below(8)) {
+      case 0: return PlaneShape{};
+      case 1: return SphereShape{number(0.5, 5)};
+      case 2: return CapsuleShape{number(0.5, 5), number(0, 5)};
+      case 3: return CylinderShape{number(0.5, 5), number(0.1, 5)};
+      case 4: {
+        MeshShape m;
+        for (int i = 0, n = below(8); i < n; ++i) m.vertices.push_back(vector3(10));
+        for (int i = 0, n = below(8); i < n; ++i) m.triangles.push_back({count(8), count(8), count(8)});
+        return m;
+      }
+      case 5: {
+        HeightFieldShape f{
+            .columns = count(5), .rows = count(5), .spacing_x = number(1, 10), .spacing_z = number(1, 10)};
+        for (int i = 0, n = below(26); i < n; ++i) f.heights.push_back(number(-3, 3));
+        return f;
+      }
+      case 6: {
+        ConvexHullShape h;
+        for (int i = 0, n = below(12); i < n; ++i) h.points.push_back(vector3(5));
+        return h;
+      }
+      default: return BoxShape{vector3(5)};
+    }
+  }
+  SceneMotion motion() {
+    if (one_in(3)) return SteadyMotion{number(0, 5), vector3(20), vector3(3)};
+    if (coin()) return AtRest{};
+    KeyedMotion k{.curve = any<MotionCurve>()};
+    for (int i = 0, n = below(5); i < n; ++i)
+      k.keys.push_back({number(i, i + 1), vector3(20), {number(-1, 1), number(-1, 1), 0, 1}, vector3(5)});
+    return k;
   }
   DetailRule detail() {
     DetailRule rule{.hysteresis = number(0, 0.5), .layers = count(3)};

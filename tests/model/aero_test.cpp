@@ -116,8 +116,8 @@ Evaluated evaluated_at(const ProjectileDef& p, BodyForm form, double angle, cons
   ProjectileDef unrifled = p;
   unrifled.twist = 0;
   const Prepared b(unrifled, launch, plain_air(), in_air(form));
-  const AeroLoad<double> load =
-      body_aero(b.conditions(), b.rotor, air_state(b.conditions(), b.body.launch.x), b.body.launch.v, b.rotor.launch);
+  const AeroLoad<double> load = body_aero(b.conditions(), b.rotor, air_state(b.conditions(), b.body, b.body.launch.x),
+                                          b.body.launch.v, b.rotor.launch);
   const Attitude a = attitude_of(b.conditions(), b.body, b.rotor, 0, b.body.launch, b.rotor.launch);
   return {load.acceleration, form == BodyForm::axis ? load.moment : rotate(a.q_WB, load.moment)};
 }

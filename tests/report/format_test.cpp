@@ -32,7 +32,7 @@ struct Results {
     EXPECT_TRUE(fly_all(flown).ok());
     times = sample_times(flown.shots, 0.5).value();
     const std::string file = testing::TempDir() + "physim_format_test.rec";
-    world = run_world(scenario, {.parts = {true, true, true}, .record = file}).value();
+    world = run_world(scenario, {.parts = {true, true, true, true}, .record = file}).value();
     const Flight& flight = flown.shots[0].flight;
     ladder.rungs.push_back({{Family::preset, "reference", "", {}}, flight, "", 0, 0, 1e-6});
     replay = play_recording(file, {}).value();
@@ -61,7 +61,8 @@ TEST(Formats, RowsAreComplete) {
     EXPECT_TRUE(std::ranges::any_of(kSubjects, [&](Subject s) { return can_write(format, s); })) << format.name;
     const bool shows_worlds = can_write(format, Subject::world);
     const LogParts& parts = format.world_parts;
-    EXPECT_TRUE(!shows_worlds || parts.samples || parts.events || parts.paths) << format.name << " reads nothing";
+    EXPECT_TRUE(!shows_worlds || parts.samples || parts.events || parts.paths || parts.hits)
+        << format.name << " reads nothing";
   }
 }
 

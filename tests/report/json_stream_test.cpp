@@ -79,7 +79,9 @@ struct Many {
   Scenario scenario = parse_scenario(
                           "physim = 1\n[world]\nduration = \"2 s\"\n[[shot]]\nname = \"ball\"\nposition = [0, 100, 0]\n"
                           "speed = \"10 m/s\"\nfidelity = \"game\"\n"
-                          "[[volley]]\nshot = \"ball\"\ncount = 5000\nrate = \"4000 Hz\"\n",
+                          "[[volley]]\nshot = \"ball\"\ncount = 5000\nrate = \"4000 Hz\"\n"
+                          "[[shape]]\nsphere = 5\n"
+                          "[[thing]]\nshape = \"shape-1\"\nposition = [10, 97, 0]\nsensor = true\n",
                           "many.toml")
                           .value();
   std::optional<WorldLog> world;
@@ -87,7 +89,7 @@ struct Many {
   Many() {
     EXPECT_TRUE(fly_all(flown).ok());
     times = sample_times(flown.shots, 0.01).value();
-    world = run_world(scenario, {.parts = {true, true, true}}).value();
+    world = run_world(scenario, {.parts = {true, true, true, true}}).value();
   }
   [[nodiscard]] std::vector<Text> texts() const {
     std::vector<Text> all;

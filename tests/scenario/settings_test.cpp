@@ -5,6 +5,7 @@
 #include <cstring>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "physim/scenario.hpp"
 #include "scenario/schema.hpp"
@@ -38,11 +39,40 @@ detail = { rungs = [{ fidelity = "simulation" }, { fidelity = "game" }] }
 shot = "shot-1"
 [[shot]]
 name = "other"
-[[force]]
 )";
 
+std::string part_of(const std::string& path, std::size_t number) {
+  std::istringstream parts(path);
+  std::string part;
+  for (std::size_t i = 0; i <= number; ++i)
+    if (!std::getline(parts, part, '.')) return "";
+  return part;
+}
+
+/// A scene whose shape and material are of the kinds that a setting belongs to, with what these need.
+std::string scene_for(const std::string& path) {
+  const std::string list = part_of(path, 0), kind = part_of(path, 1);
+  const bool deep = !part_of(path, 2).empty();
+  const std::string shape = list == "shape" && deep ? kind : "sphere";
+  const std::string inside = shape == "hull"   ? "points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]"
+                             : shape == "mesh" ? "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]]"
+                             : shape == "height_field" ? "columns = 2, rows = 2, heights = [0, 0, 0, 0]"
+                             : shape == "box"          ? "half = [1, 1, 1]"
+                             : shape == "sphere"       ? "radius = 1"
+                                                       : "radius = 1, half_height = 1";
+  const std::string material = kind == "young"             ? "young = { s_number = 1 }"
+                               : kind == "poncelet"        ? "poncelet = { strength = 1e6, inertia = 1 }"
+                               : kind == "lambert"         ? "lambert = 4000"
+                               : kind == "ballistic_limit" ? "ballistic_limit = \"300 m/s\""
+                                                           : "";
+  const std::string keys = kind == "keys" ? "keys = [{}]\n" : "";
+  return "[[material]]\ndensity = 1000\n" + material + "\n[[shape]]\n" +
+         (path == "shape" || path == "shape.kind" ? "" : shape + " = { " + inside + " }\n") +
+         (path == "shape" ? "" : "[[thing]]\nshape = \"shape-1\"\n" + keys) + "[[force]]\n";
+}
+
 bool is_of_worlds(const std::string& path) {
-  for (const char* table : {"world", "volley", "force", "shot.body"})
+  for (const char* table : {"world", "volley", "force", "material", "shape", "thing", "shot.body"})
     if (path == table || path.starts_with(std::string(table) + ".")) return true;
   return false;
 }
@@ -62,7 +92,8 @@ std::string law_of(const std::string& path) {
 
 Result<Scenario> with_override(const std::string& path, const std::string& value) {
   const std::vector<std::string> overrides = {path + "=" + value};
-  return parse_scenario(is_of_worlds(path) ? kOneOfEachInAWorld + law_of(path) : kOneOfEach, "f.toml", overrides);
+  return parse_scenario(is_of_worlds(path) ? kOneOfEachInAWorld + scene_for(path) + law_of(path) : kOneOfEach, "f.toml",
+                        overrides);
 }
 
 TEST(Settings, AreDescribed) {
@@ -101,12 +132,27 @@ TEST(Settings, HaveTheDefaultsOfTheLibrary) {
   EXPECT_EQ(by_path.at("shot.drag.curve").type, "points");
 }
 
+/// Lists that must hold something, and numbers without which their table means nothing: their defaults fit nothing.
+bool is_needed(const std::string& path) {
+  constexpr std::string_view kNeeded[] = {"shape.hull.points",
+                                          "shape.mesh.vertices",
+                                          "shape.mesh.triangles",
+                                          "shape.height_field.columns",
+                                          "shape.height_field.rows",
+                                          "shape.height_field.heights",
+                                          "material.young.s_number",
+                                          "material.ballistic_limit.speed",
+                                          "shape"};
+  return std::ranges::count(kNeeded, path) > 0;
+}
+
 /// Settings with a default of their own; "" are required or say nothing by themselves. A curve of thrust has two points
 /// at different times, so the defaults of its points fit no list.
 std::vector<Setting> with_default() {
   std::vector<Setting> list;
   for (const Setting& setting : settings())
-    if (!setting.default_value.empty() && setting.path != "shot" && !setting.path.starts_with("force.thrust.curve"))
+    if (!setting.default_value.empty() && setting.path != "shot" && !setting.path.starts_with("force.thrust.curve") &&
+        !is_needed(setting.path))
       list.push_back(setting);
   return list;
 }

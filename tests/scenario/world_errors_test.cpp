@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
             "x, y, z, vx, vy, vz, spawned, refused, landed, bounces, slept, expired, retired, hits, alive, "
             "impact_range, "
             "impact_range_min, impact_range_max, impact_range_spread, impact_time, impact_speed, apex, apex_max, "
-            "hit_y, hit_z, hit_y_spread, hit_z_spread"},
+            "hit_y, hit_z, hit_y_spread, hit_z_spread, ricochets, penetrations, ..."},
         Bad{"[[shot]]\n[[expect]]\nquantity = \"hits\"\nequals = 1\nwithin = 1",
             "f.toml:4:12: error: expect.quantity: \"hits\" is a figure of a [world]; write [world], and the shots fly "
             "in it"},

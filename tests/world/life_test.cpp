@@ -227,6 +227,34 @@ TEST(Life, a_drag_scale_is_that_of_every_rung) {
   }
 }
 
+TEST(Life, a_drag_scale_leaves_the_drag_finite) {
+  World world = make_world(WorldDef{});
+  const auto refusal_of = [&](const ProjectileDef& p, double scale) {
+    BodyDef body;
+    body.drag_scale = scale;
+    const auto id = world.spawn(p, {.speed = 1}, body);
+    return id ? std::string("none") : id.error().place;
+  };
+  ProjectileDef tiny = stone();
+  tiny.diameter = 1e-200;  // whose square is nothing in double
+  EXPECT_EQ(refusal_of(tiny, 1e300), "none");
+  tiny.drag.form_factor = 1e100;
+  EXPECT_EQ(refusal_of(tiny, 1e300), "body.drag_scale") << "infinite times nothing";
+  ProjectileDef damped = stone();
+  damped.drag.damping = 0.5;
+  EXPECT_EQ(refusal_of(damped, 1e4), "body.drag_scale");
+  EXPECT_EQ(refusal_of(damped, 100), "none");
+  ProjectileDef linear = stone();
+  linear.drag.k1 = 1e300;
+  EXPECT_EQ(refusal_of(linear, 1e10), "body.drag_scale");
+  ProjectileDef banded = stone();
+  banded.drag.bands = {{0, 300}, {500, 200}};
+  EXPECT_EQ(refusal_of(banded, 0), "none");
+  EXPECT_EQ(refusal_of(banded, 1e308), "none");
+  banded.drag.bands[0].ballistic_coefficient = 1e-300;
+  EXPECT_EQ(refusal_of(banded, 1e308), "body.drag_scale");
+}
+
 TEST(Life, a_drag_scale_is_in_the_zero) {
   WorldDef def;
   def.ground.mode = GroundMode::none;

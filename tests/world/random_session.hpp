@@ -35,7 +35,7 @@ class RandomSession {
 
   /// One call of any kind; most are sensible.
   void act() {
-    const int what = below(45);
+    const int what = below(48);
     if (what < 10) return spawn();
     if (what < 14) return time();
     if (what < 16) return moment();
@@ -44,6 +44,7 @@ class RandomSession {
     if (what == 22) return void(world_[some()].despawn());
     if (what == 23) return void(world_.despawn(several()));
     if (what == 24 && below(20) == 0) return world_.clear();
+    if (what >= 45) return scene();
     change(what % 20);
   }
 
@@ -92,6 +93,7 @@ class RandomSession {
     b.environment = static_cast<std::uint32_t>(below(static_cast<int>(environments_ + 1)));  // now and then none
     b.layers = static_cast<std::uint32_t>(1 + below(3));
     b.label = coin() ? "" : "a ball";
+    if (below(3) != 0) b.collision = {.on_hit = static_cast<OnHit>(below(5)), .radius = below(3) * 0.1};
     return b;
   }
 
@@ -134,6 +136,38 @@ class RandomSession {
       case 2: return void(world_.set_observer(vector(100)));
       case 3: return void(world_.set_detail(coin() ? session_world().detail : DetailRule{}));
       default: return kinds_.push_back(or_null(world_.add_kind(projectile(), body())));
+    }
+  }
+  /// A floor, a wall, and a plank that moves.
+  Scene things() {
+    Scene scene;
+    const MaterialId hard = or_null(scene.add_material({.restitution = 0.8, .friction = 0.3}));
+    const MaterialId soft = or_null(scene.add_material(materials::oak()));
+    or_null(scene.add({.shape = or_null(scene.add_shape(PlaneShape{})), .transform = {.position = {0, -2, 0}}}));
+    const ShapeId box = or_null(scene.add_shape(BoxShape{{0.2, 5, 20}}));
+    or_null(scene.add({.shape = box, .transform = {.position = {15, 3, 0}}, .material = soft}));
+    if (coin())
+      or_null(
+          scene.add({.shape = box, .material = hard, .name = "plank", .motion = SteadyMotion{.velocity = vector(5)}}));
+    return scene;
+  }
+  InstanceId thing() {
+    return things_.empty() ? InstanceId{} : things_[static_cast<std::size_t>(below(static_cast<int>(things_.size())))];
+  }
+  void scene() {
+    switch (below(9)) {
+      case 0: return void(below(4) == 0 && world_.remove_scene());
+      case 1: return void(world_.set_scene(things()));
+      case 2: return shapes_.push_back(or_null(world_.add_shape(SphereShape{real(0.5, 3)})));
+      case 3: return void(shapes_.empty() || world_.remove_shape(shapes_.back()).ok());
+      case 4: return void(world_.remove_instance(thing()));
+      case 5: return void(world_.move_instance(thing(), {.position = vector(20)}));
+      case 6: return void(world_.set_instance_motion(thing(), SteadyMotion{world_.time(), vector(9), vector(1)}));
+      case 7: return void(world_.set_instance_layers(thing(), static_cast<std::uint32_t>(below(4))));
+      default:
+        if (shapes_.empty()) return void(world_.add_material({.restitution = real(0, 1)}));
+        return things_.push_back(or_null(world_.add_instance(
+            {.shape = shapes_.back(), .transform = {.position = vector(20)}, .sensor = below(4) == 0})));
     }
   }
   void force() {
@@ -203,6 +237,8 @@ class RandomSession {
   std::vector<KindId> kinds_;
   std::vector<ForceId> forces_;
   std::vector<Snapshot> snapshots_;
+  std::vector<ShapeId> shapes_;
+  std::vector<InstanceId> things_;
   std::uint32_t environments_ = 1;
 };
 

@@ -157,6 +157,9 @@ TEST(Recording, a_difference_is_told_with_its_step_and_hashes) {
   EXPECT_EQ(report->difference->step, 3u);
   EXPECT_EQ(report->difference->time, 0.02);
   EXPECT_EQ(report->difference->call, "step");
+  EXPECT_GT(report->difference->place, at(Call::set_velocity)) << "where in the recording";
+  EXPECT_LT(report->difference->place, bytes.size());
+  EXPECT_NE(std::ranges::find(places.frame, report->difference->place), places.frame.end()) << "a frame begins there";
   EXPECT_NE(report->difference->recorded_hash, report->difference->replayed_hash);
   EXPECT_EQ(report->hashes, 2u);
   EXPECT_NE(report->difference->what.find("was recorded"), std::string::npos);
@@ -234,7 +237,7 @@ TEST(Recording, other_files_and_formats_are_refused) {
   EXPECT_NE(error_of({}).find("byte 0: error: this is not a recording"), std::string::npos);
   EXPECT_NE(error_of(Bytes(100)).find("this is not a recording"), std::string::npos);
   bytes[8] = std::byte{9};
-  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 9; this library reads format 6");
+  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 9; this library reads format 7");
   bytes = small_recording();
   bytes.push_back({});
   EXPECT_NE(error_of(bytes).find("something follows"), std::string::npos);

@@ -1,0 +1,291 @@
+// physim study: how likely each end of a shot is, whose numbers are uncertain.
+#include "physim/study.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include "asked.hpp"
+#include "outputs.hpp"
+#include "physim/task_runner.hpp"
+#include "report/file.hpp"
+#include "report/number.hpp"
+#include "report/study_answer.hpp"
+#include "report/table.hpp"
+#include "terminal.hpp"
+
+namespace physim::cli {
+namespace {
+
+struct StudyCommand {
+  Question question;
+  std::optional<std::uint64_t> shots;
+  std::optional<std::uint32_t> threads;
+  std::vector<std::string> vary, targets, merge;
+  std::string range, ranges, width, csv, resume, shards;
+};
+
+// ------------------------------------------------------------------------------------------------------- part files
+Result<StudyPart> read_part(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return Error{"the file cannot be read", file, ""};
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  auto part = load_part(std::as_bytes(std::span(text)));
+  if (part) return part;
+  Error error = part.error();
+  error.place = file;
+  return error;
+}
+
+Status write_part(const std::string& file, const StudyPart& part) {
+  const std::vector<std::byte> bytes = save_part(part);
+  return write_file(file,
+                    std::string_view(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size()));
+}
+
+/// What was flown before: in the file that is gone on with, where there is one, and in those to be joined.
+Result<StudyPart> flown_before(const StudyCommand& command) {
+  std::vector<std::string> files = command.merge;
+  if (!command.resume.empty() && std::filesystem::exists(command.resume)) files.push_back(command.resume);
+  StudyPart all;
+  for (const std::string& file : files) {
+    const auto part = read_part(file);
+    if (!part) return part.error();
+    auto merged = merge(all, *part);
+    if (!merged) return Error{merged.error().message, file, merged.error().hint};
+    all = *std::move(merged);
+  }
+  return all;
+}
+
+/// Keeps what is flown in a file, once a second.
+class PartKeeper {
+ public:
+  explicit PartKeeper(std::string file) : file_(std::move(file)) {}
+
+  /// False where it could not be written.
+  bool take(const StudyPart& part) {
+    using Clock = std::chrono::steady_clock;
+    if (file_.empty() || Clock::now() - last_ < std::chrono::seconds(1)) return true;
+    last_ = Clock::now();
+    return write(part);
+  }
+  bool write(const StudyPart& part) {
+    if (!file_.empty()) status_ = write_part(file_, part);
+    return status_.ok();
+  }
+  [[nodiscard]] const Status& status() const { return status_; }
+
+ private:
+  std::string file_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  Status status_;
+};
+
+/// "17/512": the 17th of 512 parts of the shards.
+struct ShardRange {
+  std::uint64_t first, count;
+};
+Result<ShardRange> shards_of(const std::string& text, std::uint64_t all) {
+  const Error unreadable{"\"" + text + "\" is no part of the shards", "--shards",
+                         "as in 17/512, from 1/512 to 512/512"};
+  const char *begin = text.data(), *end = begin + text.size();
+  std::uint64_t number = 0, parts = 0;
+  const auto [slash, bad_number] = std::from_chars(begin, end, number);
+  if (bad_number != std::errc() || slash == end || *slash != '/') return unreadable;
+  const auto [rest, bad_parts] = std::from_chars(slash + 1, end, parts);
+  if (bad_parts != std::errc() || rest != end || number < 1 || number > parts || parts > (1u << 30)) return unreadable;
+  const auto begin_of = [&](std::uint64_t part) { return all / parts * part + all % parts * part / parts; };
+  return ShardRange{begin_of(number - 1), begin_of(number) - begin_of(number - 1)};
+}
+
+// ----------------------------------------------------------------------------------------------------------- studies
+/// What the options say besides the file.
+Status add_options(const StudyCommand& command, Scenario& scenario) {
+  for (const std::string& text : command.vary) scenario.study.inputs.push_back(text);
+  for (const std::string& text : command.targets) scenario.study.targets.push_back(text);
+  if (command.shots) scenario.study.shots = static_cast<std::int64_t>(*command.shots);
+  const auto range = option_value("--range", command.range, Quantity::length);
+  if (!range) return range.error();
+  if (*range) scenario.until.range = **range;
+  return {};
+}
+
+/// The hit probability of the first target, or the mean of the first quantity, to a width.
+Status add_width(const StudyCommand& command, Study& study) {
+  if (command.width.empty()) return {};
+  const bool hits = !study.targets.empty();
+  const auto width = option_value("--until-width", command.width, hits ? Quantity::number : Quantity::length);
+  if (!width) return width.error();
+  study.until_width = StudyWidth{.width = **width};
+  if (hits) study.until_width->target = 0;
+  return {};
+}
+
+/// "3 hours": two digits of the unit that suits it.
+std::string duration_text(double seconds) {
+  const std::pair<double, const char*> units[] = {{365.25 * 86400, "years"}, {86400, "days"}, {3600, "hours"}};
+  for (const auto& [length, name] : units)
+    if (seconds >= 2 * length) return readable(seconds / length, 2) + " " + name;
+  return readable(seconds / 60, 2) + " minutes";
+}
+
+/// What a large study takes, as its first shard tells.
+void tell_length(const StudyPlan& plan, std::uint64_t missing, unsigned threads) {
+  constexpr std::uint64_t kMany = 20'000;
+  if (missing < kMany) return;
+  const auto start = std::chrono::steady_clock::now();
+  static_cast<void>(run_shard(plan, 0));
+  const std::chrono::duration<double> shard = std::chrono::steady_clock::now() - start;
+  const double all = shard.count() * static_cast<double>(missing) / threads;
+  print_warning(std::to_string(missing) + " shards of " + std::to_string(plan.study().shard_shots) +
+                " shots take about " + duration_text(all) + " on " + std::to_string(threads) + " threads");
+}
+
+StudyOptions options_of(const StudyPlan& plan, const Progress& progress, PartKeeper& keeper, const StudyPart& so_far) {
+  return {.so_far = so_far, .after_shard = [&plan, &progress, &keeper](const StudyPart& part) {
+            if (progress) progress(static_cast<std::size_t>(part.shards()), static_cast<std::size_t>(plan.shards()));
+            return keeper.take(part);
+          }};
+}
+
+Result<FlownStudy> fly_study(const Study& study, TaskRunner& threads, const StudyCommand& command = {}) {
+  const auto plan = plan_study(study);
+  if (!plan) return plan.error();
+  for (const std::string& note : plan->notes()) print_warning(note);
+  const auto before = flown_before(command);
+  if (!before) return before.error();
+  tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()), threads.threads());
+  PartKeeper keeper(command.resume);
+  const Progress progress = progress_bar("study");
+  StudyOptions options = options_of(*plan, progress, keeper, *before);
+  StudyPart last = *before;
+  options.after_shard = [&, take = options.after_shard](const StudyPart& part) { return last = part, take(part); };
+  auto result = run_study(*plan, &threads, options);
+  keeper.write(last);
+  if (!keeper.status()) return keeper.status().error();
+  if (!result) return result.error();
+  FlownStudy flown{*plan, *std::move(result), {}};
+  if (auto linear = propagate_linearly(*plan)) flown.linear = *std::move(linear);
+  return flown;
+}
+
+/// One of the parts of an array of jobs: flown into its file, and nothing more.
+Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner& threads) {
+  if (command.resume.empty()) return Error{"a part of a study goes into a file", "--shards", "give --resume FILE"};
+  const auto plan = plan_study(study);
+  if (!plan) return plan.error();
+  const auto range = shards_of(command.shards, plan->shards());
+  if (!range) return range.error();
+  const auto before = flown_before(command);
+  if (!before) return before.error();
+  PartKeeper keeper(command.resume);
+  const Progress progress = progress_bar("study");
+  const auto part =
+      run_shards(*plan, range->first, range->count, &threads, options_of(*plan, progress, keeper, *before));
+  if (!part) return part.error();
+  if (!keeper.write(*part)) return keeper.status().error();
+  return done(print(std::to_string(part->shards()) + " of " + std::to_string(plan->shards()) + " shards are in " +
+                    command.resume + "\n"));
+}
+
+/// The study at each range. A shot that is zeroed is zeroed there, as a shooter does who knows the range.
+Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked, Study study, TaskRunner& threads) {
+  std::vector<StudyAtRange> list;
+  for (const double range : asked.scenario.ranges) {
+    study.until.range = range;
+    if (study.launch.sight.zero_range > 0) study.launch.sight.zero_range = range;
+    auto flown = fly_study(study, threads);
+    if (!flown) return about(asked, flown.error());
+    list.push_back({range, std::move(flown->result)});
+  }
+  if (command.csv != "-") {
+    const std::string title = one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name);
+    if (Status status = print(style_of(stdout).bold(title) + "\n" + over_range_text(list)); !status)
+      return status.error();
+  }
+  return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list))));
+}
+
+Status check_command(const StudyCommand& command) {
+  const bool in_parts = !command.resume.empty() || !command.merge.empty() || !command.shards.empty();
+  if (!command.ranges.empty() && in_parts)
+    return Error{"a study over ranges is not flown in parts", "--ranges", "give --range, and fly one after the other"};
+  if (!command.ranges.empty() && !command.question.json.empty())
+    return Error{"a study over ranges writes CSV alone", "--json", "give --csv"};
+  for (const std::string& file : {command.csv, command.resume})
+    if (!file.empty())
+      if (Status status = check_output(file); !status) return status;
+  return {};
+}
+
+Result<int> run(const StudyCommand& command) {
+  if (Status status = check_command(command); !status) return status.error();
+  Question question = command.question;
+  if (!command.ranges.empty()) question.input.overrides.push_back("output.ranges=" + command.ranges);
+  Result<AskedShot> asked = ask(question);
+  if (!asked) return asked.error();
+  if (Status status = add_options(command, asked->scenario); !status) return status.error();
+  auto study = study_of(asked->scenario, asked->shot());
+  if (!study) return about(*asked, study.error());
+  if (Status status = add_width(command, *study); !status) return status.error();
+  const auto threads = make_thread_pool(command.threads.value_or(0));
+  if (!command.shards.empty()) return run_part(command, *study, *threads);
+  if (!command.ranges.empty()) return run_over_ranges(command, *asked, *study, *threads);
+  const auto flown = fly_study(*study, *threads, command);
+  if (!flown) return about(*asked, flown.error());
+  if (!command.csv.empty())
+    if (Status status = write_output(command.csv, csv_text(records_of(*flown))); !status) return status.error();
+  if (command.csv == "-") return kExitOk;
+  return done(give(command.question, study_answer(*asked, *flown, style_of(stdout))));
+}
+
+void add_part_options(Command& command, StudyCommand& options) {
+  command.add_option("--resume", options.resume, "FILE",
+                     "Keep what is flown in this file, and go on with what it has: a run that dies loses a second");
+  command.add_option("--shards", options.shards, "K/N",
+                     "Fly the K-th of N parts alone into the file of --resume, for arrays of jobs");
+  command.add_option("--merge", options.merge, "FILE", "Join what another run flew; may be given many times")
+      .one_value_each();
+}
+
+}  // namespace
+
+void add_study_command(Command& program) {
+  Command command =
+      program.add_command("study", "Fly a shot with uncertain numbers: hit probability, spread, what matters");
+  auto options = std::make_shared<StudyCommand>();
+  add_question_options(command, options->question);
+  command
+      .add_option("--vary", options->vary, "TEXT",
+                  "A further uncertain number, as \"shot.speed = 800 m/s +- 3 m/s\"; may be given many times")
+      .one_value_each();
+  command
+      .add_option("--target", options->targets, "TEXT",
+                  "A further target, as \"circle 10 cm\" or \"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\"")
+      .one_value_each();
+  command.add_option("--range", options->range, "LENGTH", "Where the plane of impact stands, instead of until.range");
+  command.add_option("--ranges", options->ranges, "RANGES",
+                     "Hit probability over range, as \"100 m .. 1000 m step 100 m\"; a zeroed shot is zeroed at each");
+  command.add_option("--shots", options->shots, "At least so many, instead of study.shots");
+  command.add_option("--until-width", options->width, "WIDTH",
+                     "Stop when the hit probability of the first target is known to so much, as \"1 %\"; without "
+                     "targets, the first quantity's mean, as \"2 mm\"");
+  command.add_option("--threads", options->threads, "That fly; without it all that the machine has");
+  command.add_option("--csv", options->csv, "FILE", "Write all figures as CSV; - is the standard output");
+  add_part_options(command, *options);
+  command.footer(
+      "The same study has the same bits with any number of threads, and in any parts.\n\n"
+      "Examples:\n"
+      "  physim study scenarios/study_308.toml\n"
+      "  physim study scenarios/308_168gr_g7.toml --range \"600 m\" --vary \"shot.speed = +- 3 m/s\" \\\n"
+      "      --vary \"environment.wind.velocity.z = -2 m/s .. 2 m/s\" --target \"rectangle 45 cm x 75 cm\"\n"
+      "  physim study scenarios/study_308.toml --shots 1000000000 --resume out/308.part\n");
+  command.action([options] { return run(*options); });
+}
+
+}  // namespace physim::cli

@@ -1,0 +1,221 @@
+// Study: many flights of one shot whose numbers are uncertain, and how likely each end of them is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "physim/distribution.hpp"
+#include "physim/flight.hpp"
+#include "physim/names.hpp"
+#include "physim/study_result.hpp"
+
+namespace physim {
+
+class TaskRunner;
+
+/// How the numbers of a study are spread.
+enum class Sampling {
+  random,           ///< each shot by itself
+  latin_hypercube,  ///< evenly over each input within a shard
+  sobol,            ///< evenly over all inputs at once: Sobol's sequence, scrambled
+};
+
+PHYSIM_UNORDERED(Sampling)
+
+/// How often an uncertain number is drawn.
+enum class DrawnFor {
+  round,     ///< for each shot
+  occasion,  ///< once for all shots of an occasion: Study::rounds of them
+};
+
+PHYSIM_UNORDERED(DrawnFor)
+
+/// A number that is not known for sure. Several entries may name one number; then all but one are `added`.
+struct StudyInput {
+  std::string path{};                    ///< which number: one of study_paths(), "shot.speed" [-]
+  Distribution distribution{};           ///< of the number [unit of the number]
+  DrawnFor drawn_for = DrawnFor::round;  ///< how often it is drawn [-]
+  bool added = false;                    ///< to what is there, instead of taking its place [-]
+
+  bool operator==(const StudyInput&) const = default;
+};
+
+/// Inputs that go with each other. The correlations are those of the normal numbers that they are made of: exact for
+/// normal distributions, near for others.
+struct StudyCorrelation {
+  std::vector<std::size_t> inputs{};  ///< indices in Study::inputs, drawn equally often [-]
+  std::vector<double> matrix{};       ///< of correlations, row by row: symmetric, positive definite [-]
+
+  bool operator==(const StudyCorrelation&) const = default;
+};
+
+struct CircleTarget {
+  PlanePoint centre{};  ///< [m]
+  double radius = 0.1;  ///< [m]
+
+  bool operator==(const CircleTarget&) const = default;
+};
+struct RectangleTarget {
+  PlanePoint centre{};  ///< [m]
+  double width = 1;     ///< [m]
+  double height = 1;    ///< [m]
+
+  bool operator==(const RectangleTarget&) const = default;
+};
+/// A closed outline, which may cross itself: inside is what it goes round an odd number of times.
+struct PolygonTarget {
+  std::vector<PlanePoint> corners{};  ///< three or more [m]
+
+  bool operator==(const PolygonTarget&) const = default;
+};
+/// What is to be hit. A shot on the rim hits a circle; of other shapes the left and the lower edge belong to them.
+struct StudyTarget {
+  std::string name{};                                                  ///< [-]
+  std::variant<CircleTarget, RectangleTarget, PolygonTarget> shape{};  ///< [-]
+
+  bool operator==(const StudyTarget&) const = default;
+};
+
+/// A figure known to a width ends a study.
+struct StudyWidth {
+  std::optional<std::size_t> target{};  ///< the hit probability of this target; none: the mean of `quantity` [-]
+  std::size_t quantity = 0;             ///< index in the list of quantities [-]
+  double width = 0;                     ///< of the 95 % interval, from end to end [unit of the figure]
+
+  bool operator==(const StudyWidth&) const = default;
+};
+
+/// A projectile, a launch and a place of which some numbers are uncertain, and what is asked of their flights.
+struct Study {
+  ProjectileDef projectile{};  ///< [-]
+  /// A zero range is put into an elevation once, without uncertainty [-]
+  Launch launch{};
+  Environment environment{};                            ///< [-]
+  Fidelity fidelity{};                                  ///< [-]
+  Tolerance tolerance{};                                ///< [-]
+  Until until{};                                        ///< with a range the plane of impact stands there [-]
+  std::vector<StudyInput> inputs{};                     ///< at most 64 [-]
+  std::vector<StudyCorrelation> correlated{};           ///< each input in one of them at most [-]
+  std::uint32_t rounds = 1;                             ///< of an occasion; divides shard_shots [-]
+  Sampling sampling = Sampling::random;                 ///< [-]
+  std::uint64_t seed = 1;                               ///< [-]
+  std::uint64_t shots = 100'000;                        ///< at least; the last shard is flown to its end [-]
+  std::optional<StudyWidth> until_width{};              ///< ends it earlier, at one of a row of shard counts [-]
+  std::uint32_t shard_shots = 4096;                     ///< 16 to 65536; for Sobol's sequence a power of two [-]
+  std::vector<StudyQuantity> quantities{};              ///< two for the plane of impact, then others; empty: right, up
+                                                        ///< (without a range: along), time, speed [-]
+  PlanePoint aim{};                                     ///< where shots should end, on the plane of impact [m]
+  std::vector<StudyTarget> targets{};                   ///< [-]
+  std::vector<std::uint32_t> group_sizes = {3, 5, 10};  ///< of extreme spreads, 2 to 100 shots [-]
+  bool indices = false;                                 ///< Sobol indices: each shot is flown once more for each
+                                                        ///< group of inputs, and once besides [-]
+};
+
+/// A number that may be uncertain.
+struct StudyPath {
+  std::string path{};   ///< as in scenarios [-]
+  std::string unit{};   ///< [-]
+  std::string about{};  ///< [-]
+};
+/// All of them.
+[[nodiscard]] std::vector<StudyPath> study_paths();
+
+/// A model of one's own in the place of flights: a column of each input comes in, one of each quantity goes out. NaN in
+/// the first: the shot is not counted as one that arrived. It depends on its columns alone, shot by shot, and is called
+/// from several threads at once.
+using StudyFunction =
+    std::function<void(std::span<const std::span<const double>> inputs, std::span<const std::span<double>> quantities)>;
+
+struct StudyPlanRecord;
+
+/// A study that was checked and prepared. Cheap to copy.
+class StudyPlan {
+ public:
+  explicit StudyPlan(std::shared_ptr<const StudyPlanRecord> record) : record_(std::move(record)) {}
+
+  [[nodiscard]] const Study& study() const;
+  /// Shards of Study::shots; whole rounds of replicates for Latin hypercubes and Sobol's sequence.
+  [[nodiscard]] std::uint64_t shards() const;
+  /// What should be known before it is flown: how often the impossible is drawn ...
+  [[nodiscard]] const std::vector<std::string>& notes() const;
+  [[nodiscard]] const StudyPlanRecord& record() const { return *record_; }
+
+ private:
+  std::shared_ptr<const StudyPlanRecord> record_;
+};
+
+/// Checks and prepares a study: it flies the shot without uncertainty and a few with it.
+[[nodiscard]] Result<StudyPlan> plan_study(const Study& study);
+/// ... of a function: its inputs have paths of one's own, and projectile, launch and place are not looked at.
+[[nodiscard]] Result<StudyPlan> plan_study(const Study& study, const StudyFunction& function);
+
+struct StudyPartRecord;
+
+/// What some shards of a study came to. Cheap to copy.
+class StudyPart {
+ public:
+  /// No shards.
+  StudyPart();
+  explicit StudyPart(std::shared_ptr<const StudyPartRecord> record) : record_(std::move(record)) {}
+
+  [[nodiscard]] std::uint64_t shards() const;
+  [[nodiscard]] bool has(std::uint64_t shard) const;
+  /// The first shard that is missing, counted from 0.
+  [[nodiscard]] std::uint64_t first_missing() const;
+  [[nodiscard]] const StudyPartRecord& record() const { return *record_; }
+
+ private:
+  std::shared_ptr<const StudyPartRecord> record_;
+};
+
+/// Flies a shard. The result depends on nothing but the study and the number.
+[[nodiscard]] StudyPart run_shard(const StudyPlan& plan, std::uint64_t shard);
+/// Joins parts of one study; an error where both have a shard, or they are of different studies. In whatever order
+/// parts are joined, the bits of the result are the same.
+[[nodiscard]] Result<StudyPart> merge(const StudyPart& a, const StudyPart& b);
+/// A part as bytes, and back, with all its bits; an error for what is no part, or is damaged.
+[[nodiscard]] std::vector<std::byte> save_part(const StudyPart& part);
+[[nodiscard]] Result<StudyPart> load_part(std::span<const std::byte> bytes);
+
+/// What is told and asked while a study runs.
+struct StudyOptions {
+  StudyPart so_far{};  ///< shards that were flown before [-]
+  /// Called after each shard, by one thread at a time, with all that is there; false stops. May be empty. [-]
+  std::function<bool(const StudyPart&)> after_shard{};
+};
+
+/// Flies what is missing of a study, and tells what it came to. Its bits do not depend on the runner's threads.
+/// Stopped, it tells of the shards from the first to the first that is missing.
+[[nodiscard]] Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner = nullptr,
+                                            const StudyOptions& options = {});
+/// ... checked, prepared and flown.
+[[nodiscard]] Result<StudyResult> run_study(const Study& study, TaskRunner* runner = nullptr);
+/// Flies those of the shards first ... first + count - 1 that options.so_far has not; gives all that is there then.
+[[nodiscard]] Result<StudyPart> run_shards(const StudyPlan& plan, std::uint64_t first, std::uint64_t count,
+                                           TaskRunner* runner = nullptr, const StudyOptions& options = {});
+/// What the first `shards` of a part come to; an error, which names them, where some are missing.
+[[nodiscard]] Result<StudyResult> result_of(const StudyPlan& plan, const StudyPart& part, std::uint64_t shards);
+
+/// The numbers that a shot draws, in the order of Study::inputs, with what its path has besides.
+[[nodiscard]] std::vector<double> draws_of(const StudyPlan& plan, std::uint64_t shot);
+/// What a shot comes to: each quantity; NaN where it did not arrive.
+[[nodiscard]] std::vector<double> fly_shot_of(const StudyPlan& plan, std::uint64_t shot);
+
+/// Covariances carried through the flight by its slopes, without sampling.
+[[nodiscard]] Result<LinearResult> propagate_linearly(const StudyPlan& plan);
+
+template <>
+std::span<const std::string_view> names_of<Sampling>();
+template <>
+std::span<const std::string_view> names_of<DrawnFor>();
+template <>
+std::span<const std::string_view> names_of<StudyQuantity>();
+
+}  // namespace physim

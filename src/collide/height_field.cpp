@@ -1,0 +1,157 @@
+#include "collide/height_field.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace physim::collide {
+
+constexpr float kNoHeight = std::numeric_limits<float>::infinity();
+
+Result<HeightField> HeightField::make(const HeightFieldShape& shape) {
+  const std::size_t points = std::size_t{shape.columns} * shape.rows;
+  if (shape.columns < 2 || shape.rows < 2)
+    return Error{"needs two columns and two rows at least", "shape.columns", "a cell lies between four points"};
+  if (points > std::numeric_limits<std::uint32_t>::max() / 2)
+    return Error{"has more than 2^31 points", "shape.columns", "cut it into several"};
+  if (shape.heights.size() != points)
+    return Error{"has " + std::to_string(shape.heights.size()) + " numbers, not columns times rows", "shape.heights",
+                 std::to_string(points) + " of them"};
+  for (const double spacing : {shape.spacing_x, shape.spacing_z})
+    if (!(spacing >= 1e-9 && spacing * std::max(shape.columns, shape.rows) <= kFarthest))
+      return Error{"must be 1e-9 m at least, and the field within 1e15 m", "shape.spacing_x", "in m"};
+  for (std::size_t i = 0; i < points; ++i)
+    if (!(std::abs(shape.heights[i]) <= kFarthest))
+      return Error{"must be a number within 1e15 m", "shape.heights[" + std::to_string(i) + "]", ""};
+  HeightField field;
+  field.columns_ = shape.columns;
+  field.rows_ = shape.rows;
+  field.spacing_x_ = shape.spacing_x;
+  field.spacing_z_ = shape.spacing_z;
+  field.per_spacing_x_ = 1 / shape.spacing_x;
+  field.per_spacing_z_ = 1 / shape.spacing_z;
+  field.heights_ = shape.heights;
+  const auto [least, most] = std::ranges::minmax(shape.heights);
+  field.bounds_.take(Vec3d{0, least, 0});
+  field.bounds_.take(Vec3d{(shape.columns - 1) * shape.spacing_x, most, (shape.rows - 1) * shape.spacing_z});
+  field.extent_ = std::max({field.bounds_.high.x, field.bounds_.high.z, std::abs(least), std::abs(most)});
+  field.build_levels();
+  return field;
+}
+
+std::size_t HeightField::bytes() const {
+  std::size_t sum = heights_.capacity() * sizeof(double);
+  for (const Level& level : levels_) sum += level.blocks.capacity() * sizeof(Heights);
+  return sum;
+}
+
+void HeightField::build_levels() {
+  const auto blocks = [](std::uint32_t cells, std::uint32_t size) { return (cells + size - 1) / size; };
+  Level first{blocks(columns_ - 1, kBlock), blocks(rows_ - 1, kBlock), {}};
+  first.blocks.reserve(std::size_t{first.columns} * first.rows);
+  for (std::uint32_t row = 0; row < first.rows; ++row)
+    for (std::uint32_t column = 0; column < first.columns; ++column) {
+      double low = kInfinity, high = -kInfinity;
+      for (std::uint32_t j = row * kBlock; j <= std::min((row + 1) * kBlock, rows_ - 1); ++j)
+        for (std::uint32_t i = column * kBlock; i <= std::min((column + 1) * kBlock, columns_ - 1); ++i) {
+          low = std::min(low, height(i, j));
+          high = std::max(high, height(i, j));
+        }
+      first.blocks.push_back({float_below(low), float_above(high)});
+    }
+  levels_.push_back(std::move(first));
+  while (levels_.back().blocks.size() > 1) {
+    const Level& fine = levels_.back();
+    Level coarse{blocks(fine.columns, 2), blocks(fine.rows, 2), {}};
+    coarse.blocks.assign(std::size_t{coarse.columns} * coarse.rows, {kNoHeight, -kNoHeight});
+    for (std::uint32_t row = 0; row < fine.rows; ++row)
+      for (std::uint32_t column = 0; column < fine.columns; ++column) {
+        Heights& into = coarse.blocks[std::size_t{row / 2} * coarse.columns + column / 2];
+        const Heights& from = fine.blocks[std::size_t{row} * fine.columns + column];
+        into = {std::min(into.low, from.low), std::max(into.high, from.high)};
+      }
+    levels_.push_back(std::move(coarse));
+  }
+}
+
+/// About a block; empty where it lies beyond the field.
+Bounds HeightField::box(std::size_t level, std::uint32_t column, std::uint32_t row) const {
+  PHYSIM_ASSERT(level < levels_.size());
+  const Level& of = levels_[level];
+  if (column >= of.columns || row >= of.rows) return {};
+  const double cells = std::uint64_t{kBlock} << level;
+  const Heights& heights = of.blocks[std::size_t{row} * of.columns + column];
+  Bounds box;
+  box.take(Vec3d{column * cells * spacing_x_, heights.low, row * cells * spacing_z_});
+  box.take(Vec3d{std::min((column + 1) * cells, columns_ - 1.0) * spacing_x_, heights.high,
+                 std::min((row + 1) * cells, rows_ - 1.0) * spacing_z_});
+  return box;
+}
+
+double HeightField::clearance(const Vec3d& p) const {
+  double within = kFarthest;
+  clear_of(p, levels_.size() - 1, 0, 0, within);
+  return within;
+}
+
+/// Goes into a block that is not farther than it is large, the nearest quarter first. Of a distance from a triangle
+/// half is kept, so that what is not nearer than that need not be looked at.
+void HeightField::clear_of(const Vec3d& p, std::size_t level, std::uint32_t column, std::uint32_t row,
+                           double& within) const {
+  const Bounds about = box(level, column, row);
+  if (about.low.x > about.high.x) return;
+  const double distance = about.least_distance(p);
+  if (distance >= within) return;
+  if (distance > length(about.high - about.low)) return void(within = distance);
+  if (level > 0) {
+    const Vec3d middle = about.middle();
+    const std::uint32_t right = p.x > middle.x ? 1 : 0, far = p.z > middle.z ? 1 : 0;
+    for (std::uint32_t i = 0; i < 4; ++i)
+      clear_of(p, level - 1, 2 * column + (right ^ (i & 1)), 2 * row + (far ^ (i >> 1)), within);
+    return;
+  }
+  for (std::uint32_t j = row * kBlock; j < std::min((row + 1) * kBlock, rows_ - 1); ++j)
+    for (std::uint32_t i = column * kBlock; i < std::min((column + 1) * kBlock, columns_ - 1); ++i) {
+      Bounds cell;
+      for (const Vec3d& corner : {point(i, j), point(i + 1, j), point(i, j + 1), point(i + 1, j + 1)})
+        cell.take(corner);
+      const double beside = cell.least_distance(p);
+      if (beside >= within) continue;
+      if (beside > length(cell.high - cell.low)) {
+        within = beside;
+        continue;
+      }
+      for (std::uint32_t half = 0; half < 2; ++half)
+        within = std::min(within, 0.5 * length(p - nearest_point(triangle(i, j, half), p)));
+    }
+}
+
+/// Rings of cells about the point, until none can be nearer.
+std::optional<Vec3d> HeightField::nearest(const Vec3d& p, double& within) const {
+  std::optional<Vec3d> found;
+  const auto cell_of = [](double place, double spacing, std::uint32_t points) {
+    return static_cast<std::int64_t>(std::clamp(std::floor(place / spacing), 0.0, points - 2.0));
+  };
+  const std::int64_t column = cell_of(p.x, spacing_x_, columns_), row = cell_of(p.z, spacing_z_, rows_);
+  const std::int64_t last_column = columns_ - 2, last_row = rows_ - 2;
+  const auto look_at = [&](std::int64_t i, std::int64_t j) {
+    if (i < 0 || i > last_column || j < 0 || j > last_row) return;
+    for (std::uint32_t half = 0; half < 2; ++half) {
+      const Vec3d point =
+          nearest_point(triangle(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), half), p);
+      const double distance = length(p - point);
+      if (distance <= within) within = distance, found = point;
+    }
+  };
+  const std::int64_t most = std::max({column, last_column - column, row, last_row - row});
+  for (std::int64_t ring = 0; ring <= most; ++ring) {
+    if (static_cast<double>(ring - 1) * std::min(spacing_x_, spacing_z_) > within) break;
+    for (std::int64_t i = -ring; i <= ring; ++i) {
+      const bool side = i == -ring || i == ring;
+      for (std::int64_t j = -ring; j <= ring; j += side ? 1 : std::max<std::int64_t>(2 * ring, 1))
+        look_at(column + i, row + j);
+    }
+  }
+  return found;
+}
+
+}  // namespace physim::collide

@@ -1,0 +1,65 @@
+// Meshes of triangles, in a tree of boxes.
+#pragma once
+
+#include "collide/bvh.hpp"
+#include "collide/triangle.hpp"
+#include "physim/scene.hpp"
+
+namespace physim::collide {
+
+class Mesh {
+ public:
+  /// Triangles without area are left out. An error where a number is none, an index names no vertex, or the triangles
+  /// close a body that is inside out.
+  [[nodiscard]] static Result<Mesh> make(const MeshShape& shape, std::size_t materials);
+
+  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+  [[nodiscard]] ShapeInfo info() const;
+  /// What it was made of; triangles without area come back as such, vertices in the order in which it keeps them.
+  [[nodiscard]] MeshShape definition() const;
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(triangles_.size()); }
+  [[nodiscard]] Triangle triangle(std::uint32_t i) const {
+    PHYSIM_ASSERT(i < triangles_.size());
+    const auto& corners = triangles_[i];
+    return {vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]};
+  }
+  /// The material of a triangle, by its number as it was given.
+  [[nodiscard]] std::optional<MaterialId> material(std::uint32_t triangle) const {
+    PHYSIM_ASSERT(materials_.empty() || triangle < materials_.size());
+    return materials_.empty() ? std::nullopt : std::optional(materials_[triangle]);
+  }
+
+  /// Calls take(crossing, segment) for each triangle met.
+  template <class Take>
+  void crossings(Segment& segment, const Take& take) const {
+    const Shear shear(segment);
+    tree_.along(segment, [&](std::uint32_t i, Segment& s) {
+      auto crossing = meets(s, shear, triangle(i));
+      if (!crossing) return;
+      crossing->primitive = number(i);
+      take(*crossing, s);
+    });
+  }
+  /// The point of the surface nearest to p, where one is nearer than `within`, which is shortened to its distance.
+  [[nodiscard]] std::optional<Vec3d> nearest(const Vec3d& p, double& within) const;
+  /// Between the distance of p and half of it.
+  [[nodiscard]] double clearance(const Vec3d& p) const;
+
+ private:
+  /// The number of a triangle as it was given.
+  [[nodiscard]] std::uint32_t number(std::uint32_t i) const { return numbers_[i]; }
+  void put_vertices_in_order();
+  [[nodiscard]] bool is_closed() const;
+  [[nodiscard]] double volume() const;
+
+  std::vector<Vec3d> vertices_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;  // leaf by leaf of the tree
+  std::vector<std::uint32_t> numbers_;                   // as they were given
+  std::vector<MaterialId> materials_;                    // by number
+  Bvh tree_;
+  Bounds bounds_;
+  std::size_t degenerate_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace physim::collide

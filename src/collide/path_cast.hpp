@@ -1,0 +1,117 @@
+// Where a curved path first meets a scene.
+//
+// What it models: a point or a sphere that moves along a path x(theta), 0 <= theta <= 1, and the first theta at which
+// it
+//   touches something.
+// How: a path bends away from the chord of a part of it by no more than delta = M w^2 / 8, w the part's width in theta
+//   and M a bound of |x''|. A sphere that is larger by delta, cast along the chord, meets nothing before the path does:
+//   so far the path is clear, and there a shorter part begins, whose delta is smaller by the square. Where delta is
+//   below what places are known to, the chord is the path.
+// When it is wrong: M comes from five places of the path and is exact for cubics; a path that wriggles more than once
+//   within them may touch something that is nearer than the wriggle is wide.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/assert.hpp"
+#include "math/vec3.hpp"
+#include "physim/scene.hpp"
+
+namespace physim::collide {
+
+/// Where a path meets something.
+struct PathHit {
+  double theta = 0;
+  SceneHit hit;
+};
+
+/// When a path is where: theta 0 at `start`, 1 after `span` [s].
+struct PathTime {
+  double start = 0;
+  double span = 0;
+
+  [[nodiscard]] SceneSegment chord(const Vec3d& from, const Vec3d& to, double radius, double at, double end) const {
+    return {from, to, radius, start + at * span, (end - at) * span};
+  }
+};
+
+/// A bound of the second derivative of a path by theta: that at its inner places, and how far it may grow up to the
+/// ends.
+template <class Path>
+[[nodiscard]] double bend_of(const Path& path) {
+  constexpr int kPlaces = 5;
+  constexpr double kWidth = 1.0 / (kPlaces - 1);
+  Vec3d x[kPlaces];
+  for (int i = 0; i < kPlaces; ++i) x[i] = path(i * kWidth);
+  Vec3d bend[kPlaces - 2];
+  double most = 0, change = 0;
+  for (int i = 0; i < kPlaces - 2; ++i) {
+    bend[i] = (x[i] - x[i + 1] * 2.0 + x[i + 2]) * (1 / (kWidth * kWidth));
+    most = std::max(most, length(bend[i]));
+    if (i > 0) change = std::max(change, length(bend[i] - bend[i - 1]));
+  }
+  return 1.25 * (most + change);
+}
+
+/// The first meeting of a path with a scene, up to `end`. `path(theta)` gives places in W [m].
+template <class Path>
+[[nodiscard]] std::optional<PathHit> first_meeting(const Scene& scene, const SceneFilter& filter, double radius,
+                                                   const Path& path, const PathTime& time, double end = 1) {
+  PHYSIM_ASSERT(end >= 0 && end <= 1 && radius >= 0);
+  constexpr int kMostCasts = 1000;
+  const double bend = bend_of(path);
+  Vec3d from = path(0.0);
+  // Places have sixteen digits; a tenth of a nanometre is nothing.
+  const double fine = std::max(1e-10, 4e-16 * length(from));
+  double at = 0, width = end;
+  for (int cast = 0; at < end; ++cast) {
+    width = std::min(width, end - at);
+    const double to = width == end - at ? end : at + width;
+    const Vec3d there = path(to);
+    const double delta = 0.125 * bend * width * width;
+    const bool is_fine = delta <= fine || cast >= kMostCasts;
+    const SceneHit hit = scene.first_hit(time.chord(from, there, is_fine ? radius : radius + delta, at, to), filter);
+    if (!hit) {
+      at = to;
+      from = there;
+      width *= 2;
+      continue;
+    }
+    const double met = at + hit.part * (to - at);
+    if (is_fine) return PathHit{std::min(met, end), hit};
+    // The gap that is left is about 2 delta: as long as it takes to close it, and a quarter at most.
+    const Vec3d towards = (there - from) - hit.velocity * ((to - at) * time.span);
+    const double closing = std::abs(dot(hit.normal, towards)) / (to - at);
+    if (met > at) {
+      at = met;
+      from = path(at);
+    }
+    width = std::min(0.25 * width, closing > 0 ? 4 * delta / closing : width);
+    width = std::max(width, std::sqrt(8 * 0.5 * fine / bend));
+  }
+  return std::nullopt;
+}
+
+/// Calls tell(theta, hit) for every surface that a path goes through behind its start and up to `end`, in and out: its
+/// points, without a radius, along chords that stay within a micrometre of it.
+template <class Path, class Tell>
+void each_passage(const Scene& scene, const SceneFilter& filter, const Path& path, const PathTime& time, double end,
+                  const Tell& tell) {
+  PHYSIM_ASSERT(end >= 0 && end <= 1);
+  constexpr double kAside = 1e-6;  // [m]
+  constexpr double kMostChords = 64;
+  const double chords = std::clamp(std::ceil(end * std::sqrt(bend_of(path) / (8 * kAside))), 1.0, kMostChords);
+  Vec3d from = path(0.0);
+  for (double i = 0; i < chords; ++i) {
+    const double begin = end * (i / chords);
+    const double to = i + 1 == chords ? end : end * ((i + 1) / chords);
+    const Vec3d there = path(to);
+    for (const SceneHit& hit : scene.all_hits(time.chord(from, there, 0, begin, to), filter))
+      if (hit.part > 0) tell(begin + hit.part * (to - begin), hit);  // what is met at its start the chord before told
+    from = there;
+  }
+}
+
+}  // namespace physim::collide

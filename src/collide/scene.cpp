@@ -1,0 +1,156 @@
+// What a scene holds, from the user's side: shapes, materials and things come, go and change.
+#include "physim/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
+#include "collide/content.hpp"
+#include "physim/impact.hpp"
+
+namespace physim {
+
+Scene::Scene() : impl_(std::make_unique<Impl>()) {}
+Scene::~Scene() = default;
+Scene::Scene(const Scene& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+Scene& Scene::operator=(const Scene& other) {
+  if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+  return *this;
+}
+Scene::Scene(Scene&& other) noexcept : impl_(std::move(other.impl_)) { other.impl_ = std::make_unique<Impl>(); }
+Scene& Scene::operator=(Scene&& other) noexcept {
+  std::swap(impl_, other.impl_);
+  return *this;
+}
+
+Result<ShapeId> Scene::add_shape(const ShapeDef& def) {
+  const IeeeMode mode;
+  std::vector<std::uint32_t> parts;
+  Result<collide::Shape> shape = impl_->prepare(def, parts);
+  if (!shape) return shape.error();
+  const std::uint32_t index = collide::take_slot(impl_->shapes, impl_->free_shapes);
+  Impl::ShapeSlot& slot = impl_->shapes[index];
+  ++slot.generation;
+  impl_->put(slot, std::move(*shape), std::move(parts));
+  return ShapeId{index, slot.generation};
+}
+
+Status Scene::remove_shape(ShapeId id) {
+  const Impl::ShapeSlot* found = impl_->find(id);
+  if (!found) return Error{"is not there", "shape", ""};
+  if (found->uses > 0) return Error{"is in use by " + std::to_string(found->uses), "shape", "remove what has it first"};
+  Impl::ShapeSlot& slot = impl_->shapes[id.index];
+  for (const std::uint32_t part : slot.parts) --impl_->shapes[part].uses;
+  slot.parts.clear();
+  slot.shape.reset();
+  impl_->free_shapes.push_back(id.index);
+  return {};
+}
+
+std::optional<ShapeInfo> Scene::info(ShapeId id) const {
+  const Impl::ShapeSlot* slot = impl_->find(id);
+  if (!slot) return std::nullopt;
+  return std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.info(); })
+          return one.info();
+        else
+          return ShapeInfo{.bytes = sizeof(collide::Shape)};
+      },
+      *slot->shape);
+}
+
+Result<MaterialId> Scene::add_material(const Material& material) {
+  if (auto status = check_material(material); !status) return status.error();
+  impl_->materials.push_back(material);
+  return MaterialId{static_cast<std::uint32_t>(impl_->materials.size() - 1)};
+}
+
+const Material& Scene::material(MaterialId id) const {
+  return impl_->materials[id.index < impl_->materials.size() ? id.index : 0];
+}
+
+Result<InstanceId> Scene::add(const InstanceDef& def) {
+  const IeeeMode mode;
+  auto path = impl_->check(def);
+  if (!path) return path.error();
+  const std::uint32_t index = collide::take_slot(impl_->instances, impl_->free_instances);
+  const std::uint32_t generation = ++impl_->instances[index].generation;
+  impl_->put(index, def, std::move(*path));
+  return InstanceId{index, generation};
+}
+
+Status Scene::remove(InstanceId id) {
+  if (!impl_->find(id)) return Error{"is not there", "instance", ""};
+  impl_->remove(id.index);
+  return {};
+}
+
+Status Scene::move(InstanceId id, const Transform& to) {
+  const IeeeMode mode;
+  if (!impl_->find(id)) return Error{"is not there", "instance", ""};
+  if (auto status = collide::check(to, "transform"); !status) return status;
+  impl_->set_motion(id.index, to, AtRest{}, nullptr);
+  return {};
+}
+
+Status Scene::set_motion(InstanceId id, const SceneMotion& motion) {
+  const IeeeMode mode;
+  const Impl::InstanceSlot* slot = impl_->find(id);
+  if (!slot) return Error{"is not there", "instance", ""};
+  InstanceDef def = slot->def;
+  def.motion = motion;
+  auto path = impl_->check(def);
+  if (!path) return path.error();
+  impl_->set_motion(id.index, def.transform, motion, std::move(*path));
+  return {};
+}
+
+Status Scene::cover(double from, double to) {
+  const IeeeMode mode;
+  if (!(from >= -collide::kLatest && to <= collide::kLatest && from <= to))
+    return Error{"must lie within 1e9 s, and the first one not behind the other one", "times", ""};
+  impl_->cover(from, to);
+  return {};
+}
+
+std::optional<MotionState> Scene::state(InstanceId id, double time) const {
+  const IeeeMode mode;
+  const Impl::InstanceSlot* slot = impl_->find(id);
+  if (!slot || !(std::abs(time) <= collide::kLatest)) return std::nullopt;
+  return slot->state_at(time);
+}
+
+std::uint64_t Scene::changes() const { return impl_->changes; }
+
+Status Scene::set_layers(InstanceId id, std::uint32_t layers) {
+  Impl::InstanceSlot* slot = impl_->find(id);
+  if (!slot) return Error{"is not there", "instance", ""};
+  slot->def.layers = slot->layers = layers;
+  ++impl_->changes;
+  return {};
+}
+
+std::optional<InstanceDef> Scene::instance(InstanceId id) const {
+  const Impl::InstanceSlot* slot = impl_->find(id);
+  return slot ? std::optional(slot->def) : std::nullopt;
+}
+
+bool Scene::has_sensors() const { return impl_->sensors > 0; }
+bool Scene::has_motion() const { return impl_->in_motion > 0; }
+
+std::size_t Scene::size() const { return impl_->alive; }
+
+std::size_t Scene::bytes() const {
+  std::size_t sum = sizeof(Impl) + impl_->resting.bytes() + impl_->moving.bytes() +
+                    impl_->shapes.capacity() * sizeof(Impl::ShapeSlot) +
+                    impl_->instances.capacity() * sizeof(Impl::InstanceSlot);
+  for (const std::uint32_t index : impl_->movers) sum += impl_->instances[index].path->bytes();
+  for (std::uint32_t i = 1; i < impl_->shapes.size(); ++i)
+    if (const auto known = info({i, impl_->shapes[i].generation})) sum += known->bytes;
+  return sum;
+}
+
+}  // namespace physim

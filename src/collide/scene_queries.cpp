@@ -1,0 +1,261 @@
+// Questions to a scene.
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
+#include "collide/content.hpp"
+#include "collide/sweep.hpp"
+#include "physim/scene.hpp"
+
+namespace physim {
+namespace collide {
+namespace {
+
+/// Where something may stand: lengths from there are numbers.
+bool is_near(const Vec3d& p) { return dot(p, p) <= kFarthest * kFarthest; }
+bool is_soon(double time) { return std::abs(time) <= kLatest; }
+
+bool is_sound(const SceneSegment& s) {
+  return is_near(s.from) && is_near(s.to) && s.radius >= 0 && s.radius <= kFarthest && is_soon(s.time) &&
+         s.duration >= 0 && s.duration <= kLatest;
+}
+
+/// Calls visit(index) for what moves and may be near between two times: visit_tree(tree) where the tree knows of them.
+template <class VisitTree, class Visit>
+void for_movers(const SceneContent& scene, double from, double to, const VisitTree& visit_tree, const Visit& visit) {
+  if (scene.movers.empty()) return;
+  if (from >= scene.covered_from && to <= scene.covered_to) return visit_tree(scene.moving);
+  for (const std::uint32_t index : scene.movers) visit(index);
+}
+
+SceneHit hit_of(const SceneContent& scene, std::uint32_t index, const Crossing& crossing, const SceneSegment& asked) {
+  const SceneContent::InstanceSlot& slot = scene.instances[index];
+  PHYSIM_ASSERT(slot.alive && crossing.t >= 0 && crossing.t <= 1);
+  SceneHit hit{.part = crossing.t,
+               .position = asked.from + (asked.to - asked.from) * crossing.t,
+               .normal = slot.placement.turned(crossing.normal),
+               .time = asked.time + asked.duration * crossing.t,
+               .instance = {index, slot.generation},
+               .primitive = crossing.primitive,
+               .material = scene.material_of(slot, crossing.primitive),
+               .entering = crossing.entering,
+               .starts_inside = crossing.starts_inside};
+  if (!slot.path) return hit;
+  hit.normal = slot.path->placement(hit.time).turned(crossing.normal);
+  const MotionState state = slot.path->at(hit.time);
+  const Vec3d touched = hit.starts_inside ? hit.position : hit.position - hit.normal * asked.radius;
+  hit.velocity = state.velocity + cross(state.angular_velocity, touched - state.position);
+  return hit;
+}
+
+/// Calls take(index, crossing, segment) for whatever a segment meets; take shortens the segment's reach.
+template <bool kExits, class Take>
+void cross_all(const SceneContent& scene, const SceneSegment& asked, double radius, const SceneFilter& filter,
+               const Take& take) {
+  if (!is_sound(asked)) return;
+  Segment segment{asked.from, asked.to - asked.from, radius, 1};
+  const auto look_at = [&](std::uint32_t index, Segment& s) {
+    const SceneContent::InstanceSlot& slot = scene.instances[index];
+    if (!slot.is_asked(filter)) return;
+    Segment inside = slot.placement.inside(s);
+    cross<kExits>(*slot.shape, inside, [&](const Crossing& crossing, Segment& within) {
+      take(index, crossing, s);
+      within.reach = s.reach;
+    });
+  };
+  const auto look_at_mover = [&](std::uint32_t index, Segment& s) {
+    const SceneContent::InstanceSlot& slot = scene.instances[index];
+    if (!slot.is_asked(filter)) return;
+    const auto taken = [&](const Crossing& crossing, Segment& within) { take(index, crossing, within); };
+    Sweep<kExits, decltype(taken)>(*slot.shape, *slot.path, asked.time, asked.duration, s, taken);
+  };
+  for (const std::uint32_t index : scene.unbounded)
+    if (scene.instances[index].path)
+      look_at_mover(index, segment);
+    else
+      look_at(index, segment);
+  scene.resting.along(segment, look_at);
+  const double end = asked.time + asked.duration;
+  for_movers(
+      scene, asked.time, end, [&](const Tree& tree) { tree.along(segment, look_at_mover); },
+      [&](std::uint32_t index) {
+        const SceneContent::InstanceSlot& slot = scene.instances[index];
+        const Bounds box = slot.path->bounds(bounds_of(*slot.shape), asked.time, end);
+        if (BoxTest(segment).enters(box, segment.reach) <= segment.reach) look_at_mover(index, segment);
+      });
+}
+
+SceneHit first_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter) {
+  Crossing best;
+  best.t = kInfinity;
+  std::uint32_t who = 0;
+  cross_all<false>(scene, asked, asked.radius, filter, [&](std::uint32_t index, const Crossing& crossing, Segment& s) {
+    // Met at once, the one of the lowest numbers is first, whatever the tree looks like.
+    const bool first = crossing.t < best.t ||
+                       (crossing.t == best.t && (index < who || (index == who && crossing.primitive < best.primitive)));
+    if (!first) return;
+    best = crossing;
+    who = index;
+    s.reach = crossing.t;
+  });
+  return who == 0 ? SceneHit{} : hit_of(scene, who, best, asked);
+}
+
+}  // namespace
+}  // namespace collide
+
+SceneHit Scene::first_hit(const SceneSegment& segment, const SceneFilter& filter) const {
+  const IeeeMode mode;
+  return collide::first_hit(*impl_, segment, filter);
+}
+
+bool Scene::any_hit(const SceneSegment& segment, const SceneFilter& filter) const {
+  const IeeeMode mode;
+  bool some = false;
+  collide::cross_all<false>(*impl_, segment, segment.radius, filter,
+                            [&](std::uint32_t, const collide::Crossing&, collide::Segment& s) {
+                              some = true;
+                              s.reach = -1;
+                            });
+  return some;
+}
+
+std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFilter& filter) const {
+  const IeeeMode mode;
+  std::vector<SceneHit> hits;
+  SceneSegment points = segment;
+  points.radius = segment.radius >= 0 ? 0 : segment.radius;
+  collide::cross_all<true>(*impl_, segment, 0, filter,
+                           [&](std::uint32_t index, const collide::Crossing& crossing, collide::Segment&) {
+                             hits.push_back(collide::hit_of(*impl_, index, crossing, points));
+                           });
+  std::ranges::sort(hits, [](const SceneHit& a, const SceneHit& b) {
+    return std::tie(a.instance.index, a.part, b.entering, a.primitive) <
+           std::tie(b.instance.index, b.part, a.entering, b.primitive);
+  });
+  // Through an edge two triangles are passed at once; where chords along a curve meet, they tell of one place twice.
+  const auto same = [&](const SceneHit& a, const SceneHit& b) {
+    const bool moves = impl_->instances[a.instance.index].path != nullptr;
+    return a.instance == b.instance && a.entering == b.entering && b.part - a.part <= (moves ? 4e-9 : 1e-12);
+  };
+  hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
+  std::ranges::stable_sort(hits, {}, &SceneHit::part);
+  return hits;
+}
+
+void Scene::first_hits(std::span<const SceneSegment> segments, std::span<SceneHit> into, const SceneFilter& filter,
+                       TaskRunner* runner) const {
+  constexpr std::size_t kTask = 256;
+  struct Call {
+    const Impl& scene;
+    std::span<const SceneSegment> segments;
+    std::span<SceneHit> into;
+    const SceneFilter& filter;
+
+    static void run(void* self, std::size_t task) {
+      const IeeeMode mode;
+      const Call& call = *static_cast<const Call*>(self);
+      const std::size_t end = std::min(call.segments.size(), (task + 1) * kTask);
+      for (std::size_t i = task * kTask; i < end; ++i)
+        call.into[i] = collide::first_hit(call.scene, call.segments[i], call.filter);
+    }
+  } call{*impl_, segments.first(std::min(segments.size(), into.size())), into, filter};
+  const std::size_t tasks = (call.segments.size() + kTask - 1) / kTask;
+  if (runner && tasks > 1) return runner->run(tasks, Call::run, &call);
+  for (std::size_t task = 0; task < tasks; ++task) Call::run(&call, task);
+}
+
+SceneNearest Scene::nearest(const Vec3d& point, double within, const SceneFilter& filter, double time) const {
+  const IeeeMode mode;
+  SceneNearest found;
+  if (!collide::is_near(point) || !(within >= 0) || !collide::is_soon(time)) return found;
+  const auto look_at = [&](std::uint32_t index, double& least) {
+    const Impl::InstanceSlot& slot = impl_->instances[index];
+    if (!slot.is_asked(filter)) return;
+    const collide::Placement placement = slot.placement_at(time);
+    double own = least / placement.scale();
+    const auto place = nearest_of(*slot.shape, placement.inside(point), own);
+    const double distance = own * placement.scale();
+    if (!place ||
+        (found && (distance > found.distance || (distance == found.distance && index > found.instance.index))))
+      return;
+    found = {distance, distance == 0 ? point : placement.outside(*place), {index, slot.generation}};
+    least = distance;
+  };
+  for (const std::uint32_t index : impl_->unbounded) look_at(index, within);
+  impl_->resting.around(point, within, look_at);
+  collide::for_movers(
+      *impl_, time, time, [&](const collide::Tree& tree) { tree.around(point, within, look_at); },
+      [&](std::uint32_t index) { look_at(index, within); });
+  return found;
+}
+
+namespace collide {
+namespace {
+
+/// Not more than the distance of p from a thing between two times, nor than `least`; but not less than that of its box,
+/// so that it does not matter which boxes the tree has looked at.
+double thing_clearance(const SceneContent& scene, std::uint32_t index, const Vec3d& p, double least, double from,
+                       double to) {
+  const SceneContent::InstanceSlot& slot = scene.instances[index];
+  const Bounds own = bounds_of(*slot.shape);
+  double beside = 0;
+  if (own.low.x <= own.high.x)
+    beside = (slot.path ? slot.path->bounds(own, from, to) : scene.resting.box(index)).least_distance(p);
+  if (beside >= least) return least;
+  const Placement placement = slot.placement_at(from);
+  const double approach = slot.path && from < to ? slot.path->most_approach(p, from, to) * (to - from) : 0;
+  // What p is rounded to on its way into the frame of the thing, and what comes nearer meanwhile.
+  const double lost = approach + 1e-14 * (length(p) + length(placement.position()));
+  const double found = clearance_of(*slot.shape, placement.inside(p)) * placement.scale();
+  PHYSIM_ASSERT(found >= 0 && beside >= 0);
+  return std::min(least, std::max(beside, found * (1 - 1e-14) - lost));
+}
+
+}  // namespace
+}  // namespace collide
+
+double Scene::clearance(const Vec3d& point, double reach, const SceneFilter& filter, double from, double to) const {
+  const IeeeMode mode;
+  if (!collide::is_near(point) || !(reach >= 0) || !collide::is_soon(from) || !collide::is_soon(to) || !(from <= to))
+    return 0;
+  double least = std::min(reach, collide::kFarthest);
+  const auto look_at = [&](std::uint32_t index, double& within) {
+    const Impl::InstanceSlot& slot = impl_->instances[index];
+    if (!slot.is_asked(filter)) return;
+    within = collide::thing_clearance(*impl_, index, point, within, from, to);
+  };
+  for (const std::uint32_t index : impl_->unbounded) look_at(index, least);
+  impl_->resting.around(point, least, look_at);
+  collide::for_movers(
+      *impl_, from, to, [&](const collide::Tree& tree) { tree.around(point, least, look_at); },
+      [&](std::uint32_t index) { look_at(index, least); });
+  return least;
+}
+
+std::vector<InstanceId> Scene::overlaps(const Vec3d& middle, double radius, const SceneFilter& filter,
+                                        double time) const {
+  const IeeeMode mode;
+  std::vector<InstanceId> found;
+  if (!collide::is_near(middle) || !(radius >= 0 && radius <= collide::kFarthest) || !collide::is_soon(time))
+    return found;
+  const auto look_at = [&](std::uint32_t index) {
+    const Impl::InstanceSlot& slot = impl_->instances[index];
+    if (!slot.is_asked(filter)) return;
+    const collide::Placement placement = slot.placement_at(time);
+    double own = radius / placement.scale();
+    if (nearest_of(*slot.shape, placement.inside(middle), own)) found.push_back({index, slot.generation});
+  };
+  for (const std::uint32_t index : impl_->unbounded) look_at(index);
+  const Vec3d about{radius, radius, radius};
+  const collide::Bounds box{middle - about, middle + about};
+  impl_->resting.overlapping(box, look_at);
+  collide::for_movers(
+      *impl_, time, time, [&](const collide::Tree& tree) { tree.overlapping(box, look_at); }, look_at);
+  std::ranges::sort(found);
+  return found;
+}
+
+}  // namespace physim

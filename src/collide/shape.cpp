@@ -1,0 +1,126 @@
+#include "collide/shape.hpp"
+
+namespace physim::collide {
+
+Placement::Placement(const Transform& t) : position_(t.position), scale_(t.scale), per_scale_(1 / t.scale) {
+  PHYSIM_ASSERT(t.scale > 0 && norm_squared(t.rotation) > 0);
+  const Quatd q = normalized(t.rotation);
+  x_ = rotate(q, Vec3d{1, 0, 0});
+  y_ = rotate(q, Vec3d{0, 1, 0});
+  z_ = rotate(q, Vec3d{0, 0, 1});
+}
+
+Bounds Placement::outside(const Bounds& box) const {
+  Bounds all;
+  for (int corner = 0; corner < 8; ++corner)
+    all.take(outside(Vec3d{(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
+                           (corner & 4 ? box.high : box.low).z}));
+  const auto most = [](const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  const double slack = 16 * std::numeric_limits<double>::epsilon() * (most(all.low) + most(all.high));
+  all.low -= Vec3d{slack, slack, slack};
+  all.high += Vec3d{slack, slack, slack};
+  return all;
+}
+
+namespace {
+
+Bounds about(const Vec3d& half) {
+  Bounds box;
+  box.take(half);
+  box.take(-half);
+  return box;
+}
+
+Bounds bounds(const HalfSpace&) { return {}; }
+Bounds bounds(const Sphere& s) { return about({s.radius, s.radius, s.radius}); }
+Bounds bounds(const Box& b) { return about(b.half); }
+Bounds bounds(const Capsule& c) { return about({c.radius, c.half_height + c.radius, c.radius}); }
+Bounds bounds(const Cylinder& c) { return about({c.radius, c.half_height, c.radius}); }
+Bounds bounds(const ConvexHull& h) { return h.bounds(); }
+Bounds bounds(const Mesh& m) { return m.bounds(); }
+Bounds bounds(const HeightField& f) { return f.bounds(); }
+Bounds bounds(const Compound& c) {
+  Bounds all;
+  for (const Compound::Part& part : c.parts) all.take(part.bounds);
+  return all;
+}
+
+template <class Surface>
+std::optional<Vec3d> nearest(const Surface& surface, const Vec3d& p, double& within) {
+  if constexpr (requires { surface.nearest(p, within); }) {
+    return surface.nearest(p, within);
+  } else {
+    const Nearest core = surface.nearest(p);
+    const double distance = std::max(core.distance - surface.margin(), 0.0);
+    if (distance > within) return std::nullopt;
+    within = distance;
+    return p - core.away * distance;
+  }
+}
+std::optional<Vec3d> nearest(const Compound& compound, const Vec3d& p, double& within) {
+  std::optional<Vec3d> found;
+  for (const Compound::Part& part : compound.parts) {
+    double least = within / part.placement.scale();
+    const auto point = nearest_of(*part.shape, part.placement.inside(p), least);
+    if (!point || (found && least * part.placement.scale() >= within)) continue;
+    found = part.placement.outside(*point);
+    within = least * part.placement.scale();
+  }
+  return found;
+}
+
+template <class Surface>
+double clearance(const Surface& surface, const Vec3d& p) {
+  if constexpr (requires { surface.clearance(p); })
+    return surface.clearance(p);
+  else
+    return std::max(surface.nearest(p).distance - surface.margin(), 0.0);
+}
+double clearance(const Compound& compound, const Vec3d& p) {
+  double least = kFarthest;
+  for (const Compound::Part& part : compound.parts) {
+    const double beside = part.bounds.least_distance(p);
+    if (beside >= least) continue;
+    const double own = clearance_of(*part.shape, part.placement.inside(p)) * part.placement.scale();
+    least = std::min(least, std::max(beside, own));
+  }
+  return least;
+}
+
+}  // namespace
+
+Bounds bounds_of(const Shape& shape) {
+  return std::visit([](const auto& one) { return bounds(one); }, shape);
+}
+
+namespace {
+
+ShapeDef definition(const HalfSpace&) { return PlaneShape{}; }
+ShapeDef definition(const Sphere& s) { return SphereShape{s.radius}; }
+ShapeDef definition(const Box& b) { return BoxShape{b.half}; }
+ShapeDef definition(const Capsule& c) { return CapsuleShape{c.radius, c.half_height}; }
+ShapeDef definition(const Cylinder& c) { return CylinderShape{c.radius, c.half_height}; }
+ShapeDef definition(const Mesh& m) { return m.definition(); }
+ShapeDef definition(const HeightField& f) { return f.definition(); }
+ShapeDef definition(const ConvexHull& h) { return h.definition(); }
+ShapeDef definition(const Compound& c) {
+  CompoundShape shape;
+  for (const Compound::Part& part : c.parts) shape.parts.push_back(part.definition);
+  return shape;
+}
+
+}  // namespace
+
+ShapeDef definition_of(const Shape& shape) {
+  return std::visit([](const auto& one) { return definition(one); }, shape);
+}
+
+double clearance_of(const Shape& shape, const Vec3d& p) {
+  return std::visit([&](const auto& one) { return clearance(one, p); }, shape);
+}
+
+std::optional<Vec3d> nearest_of(const Shape& shape, const Vec3d& p, double& within) {
+  return std::visit([&](const auto& one) { return nearest(one, p, within); }, shape);
+}
+
+}  // namespace physim::collide

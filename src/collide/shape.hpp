@@ -1,0 +1,102 @@
+// Shapes ready to be met, and where they stand.
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "collide/convex_hull.hpp"
+#include "collide/height_field.hpp"
+#include "collide/mesh.hpp"
+#include "math/quat.hpp"
+
+namespace physim::collide {
+
+/// A Transform, ready to compute.
+class Placement {
+ public:
+  Placement() = default;
+  explicit Placement(const Transform& t);
+
+  [[nodiscard]] Vec3d turned(const Vec3d& v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
+  [[nodiscard]] Vec3d turned_back(const Vec3d& v) const { return {dot(x_, v), dot(y_, v), dot(z_, v)}; }
+  [[nodiscard]] Vec3d inside(const Vec3d& p) const { return turned_back(p - position_) * per_scale_; }
+  [[nodiscard]] Vec3d outside(const Vec3d& p) const { return turned(p * scale_) + position_; }
+  /// As seen from the shape.
+  [[nodiscard]] Segment inside(const Segment& s) const {
+    return {inside(s.from), turned_back(s.along) * per_scale_, s.radius * per_scale_, s.reach};
+  }
+  /// A box about what a box becomes, with what is rounded on the way.
+  [[nodiscard]] Bounds outside(const Bounds& box) const;
+  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] const Vec3d& position() const { return position_; }
+
+ private:
+  Vec3d x_{1, 0, 0}, y_{0, 1, 0}, z_{0, 0, 1};  // its axes outside
+  Vec3d position_;
+  double scale_ = 1, per_scale_ = 1;
+};
+
+struct Compound;
+using Shape = std::variant<HalfSpace, Sphere, Box, Capsule, Cylinder, Mesh, HeightField, Compound, ConvexHull>;
+
+struct Compound {
+  struct Part {
+    CompoundShape::Part definition;
+    Placement placement;
+    Bounds bounds;  // in the compound's frame
+    std::shared_ptr<const Shape> shape;
+  };
+  std::vector<Part> parts;
+};
+
+/// What a shape was made of.
+[[nodiscard]] ShapeDef definition_of(const Shape& shape);
+/// Empty of half-spaces, which have none.
+[[nodiscard]] Bounds bounds_of(const Shape& shape);
+
+namespace detail {
+/// A shape that is no compound.
+template <bool kExits, class Take>
+void cross_simple(const Shape& shape, Segment& s, const Take& take) {
+  std::visit(
+      [&](const auto& one) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Compound>) {
+          PHYSIM_ASSERT(false);
+        } else if constexpr (requires { one.crossings(s, take); }) {
+          one.crossings(s, take);
+        } else {
+          const Passage p = passage(s, one, kExits);
+          if (p.some) take(p.in, s);
+          if (kExits && p.some && p.out.t <= s.reach) take(p.out, s);
+        }
+      },
+      shape);
+}
+}  // namespace detail
+
+/// Calls take(crossing, segment) where a segment meets a shape. `kExits`: where it leaves convex shapes, too.
+template <bool kExits, class Take>
+void cross(const Shape& shape, Segment& s, const Take& take) {
+  const Compound* compound = std::get_if<Compound>(&shape);
+  if (!compound) return detail::cross_simple<kExits>(shape, s, take);
+  for (std::uint32_t i = 0; i < compound->parts.size(); ++i) {
+    const Compound::Part& part = compound->parts[i];
+    if (!(BoxTest(s).enters(part.bounds, s.reach) <= s.reach)) continue;
+    Segment inside = part.placement.inside(s);
+    detail::cross_simple<kExits>(*part.shape, inside, [&](Crossing crossing, Segment& within) {
+      crossing.normal = part.placement.turned(crossing.normal);
+      crossing.primitive = i;
+      take(crossing, s);
+      within.reach = s.reach;
+    });
+  }
+}
+
+/// The point of a surface that is nearest to p, where one is not farther than `within`, which is shortened to its
+/// distance; p itself inside of a solid.
+[[nodiscard]] std::optional<Vec3d> nearest_of(const Shape& shape, const Vec3d& p, double& within);
+
+/// Between the distance of p from a shape and half of it, but for rounding; cheap.
+[[nodiscard]] double clearance_of(const Shape& shape, const Vec3d& p);
+
+}  // namespace physim::collide

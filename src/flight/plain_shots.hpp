@@ -1,0 +1,35 @@
+// Shots of a batch of columns whose launches and weather lanes compute themselves, as none needs a look of its own.
+#pragma once
+
+#include "flight/batch_job.hpp"
+#include "flight/shot_list.hpp"
+
+namespace physim {
+
+/// A run of shots of a task that has columns.
+class PlainShots {
+ public:
+  PlainShots(const BatchTask& task, const Fidelity& granted, std::size_t first, std::size_t count);
+  PlainShots(const PlainShots&) = delete;  // the launches point to the weather
+  PlainShots& operator=(const PlainShots&) = delete;
+  ~PlainShots() = default;
+
+  /// Whether no check of a shot would refuse any, none is over where it begins, and all numbers are some in float32.
+  [[nodiscard]] bool are_all() const;
+  [[nodiscard]] const LaunchSource& launches() const { return launches_; }
+
+ private:
+  [[nodiscard]] NumberColumn column(std::span<const double> numbers, double common) const;
+  [[nodiscard]] bool within(std::span<const double> numbers, double low, double high) const;
+  [[nodiscard]] bool plain_launches() const;
+  [[nodiscard]] bool plain_weather() const;
+  void put_weather(const Fidelity& granted);
+
+  const BatchTask& task_;
+  std::size_t first_, count_;
+  AirNumbers<double> no_station_{};
+  WeatherSource weather_{};
+  LaunchSource launches_{};
+};
+
+}  // namespace physim

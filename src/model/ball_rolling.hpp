@@ -1,0 +1,65 @@
+// A ball on a surface: it slides as long as it slips, then it rolls.
+//
+// What it models: a hard ball that is pressed onto a plane: Coulomb friction at the point of contact turns it until
+// that
+//   point does not slip any more; from then on it rolls, against a resistance in proportion to what presses it on.
+// When to use it: balls of sports and billiards, round stones on slopes, over times in which the surface is plane.
+// When it is wrong: bodies that are not round; surfaces that give way; a slip whose direction turns much within the
+//   time, which is held; the spin about the normal is left as it is.
+// Symbols: n unit normal towards the ball; v velocity along the surface [m/s]; w spin [rad/s]; r radius [m]; k moment
+// of
+//   inertia over m r^2 [-]; u slip of the point of contact [m/s]; a acceleration by everything but the surface, a_t
+//   along it, p = -a . n what presses the ball on, over its mass [m/s^2]; mu friction, c rolling resistance [-].
+// Equations: u = v - r w x n.  Sliding: dv/dt = a_t - mu p u/|u|, dw/dt = mu p / (k r) n x u/|u|, so that
+//   du/dt = a_t - mu p (1 + 1/k) u/|u|.  Rolling (u = 0, w = n x v / r): dv/dt = (a_t - c p v/|v|) / (1 + k), as long
+//   as the friction that this needs, k |a_t| / (1 + k), is below mu p.
+// Source: D. Kleppner, R. Kolenkow, An Introduction to Mechanics (2nd ed. 2014), ch. 7 (rolling and slipping bodies);
+//   W. J. Stronge, Impact Mechanics (2000), sec. 3.2 (the friction of a slip).
+#pragma once
+
+#include "model/ball_contact.hpp"
+#include "model/contact.hpp"
+
+namespace physim {
+
+/// What friction and rolling are like.
+struct BallGrip {
+  double friction;            // mu [-]
+  double rolling_resistance;  // c [-]
+};
+
+/// How a ball on a surface went on.
+struct BallWay {
+  double time;  // [s]
+  Vec3d way;    // [m]
+  BallMotion motion;
+};
+
+/// Motion of a ball on a surface for a time, or until it begins to roll. Its velocity is along the surface.
+inline BallWay slid_or_rolled(const BallMotion& from, const Vec3d& a, const Vec3d& normal, const Ball& ball,
+                              const BallGrip& grip, double time) {
+  PHYSIM_ASSERT(time >= 0 && ball.radius > 0 && ball.inertia > 0);
+  constexpr double kNoSlip = 1e-9;  // [m/s]
+  const double pressure = max(-dot(a, normal), 0.0);
+  const Vec3d a_t = a - normal * dot(a, normal);
+  const Vec3d u = from.velocity - cross(from.spin, normal) * ball.radius;
+  const double slip = length(u);
+  const double k = ball.inertia;
+  const bool holds = k / (1 + k) * length(a_t) <= grip.friction * pressure;
+  if (slip <= kNoSlip && holds) {
+    const Rolled on = rolled(from.velocity, a * (1 / (1 + k)), normal, {0, 0, grip.rolling_resistance}, time);
+    const Vec3d about_normal = normal * dot(from.spin, normal);
+    return {time, on.way, {on.velocity, cross(normal, on.velocity) * (1 / ball.radius) + about_normal}};
+  }
+  const double pull = length(a_t);
+  const Vec3d along = slip > kNoSlip ? u * (1 / slip) : pull > 0 ? a_t * (1 / pull) : Vec3d{};
+  const double friction = grip.friction * pressure;
+  const double ending = friction * (1 + 1 / k) - dot(a_t, along);  // so fast the slip ends
+  const double taken = slip > kNoSlip && ending > 0 ? min(time, slip / ending) : time;
+  const Vec3d dv = a_t - along * friction;
+  const Vec3d dw = cross(normal, along) * (friction / (k * ball.radius));
+  return {
+      taken, from.velocity * taken + dv * (0.5 * taken * taken), {from.velocity + dv * taken, from.spin + dw * taken}};
+}
+
+}  // namespace physim

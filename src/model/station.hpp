@@ -1,0 +1,195 @@
+// The layers of the US Standard Atmosphere 1976 through what a station measures, for one station or for lanes of them.
+//
+// What it models: the standard temperature profile moved by T_station - T_standard(H_station) at all heights, pressure
+//   in hydrostatic equilibrium through the station's pressure, and the density of the station's moist air by CIPM-2007.
+// When to use it: wherever air is prepared (model/standard_atmosphere.hpp); in lanes where each shot has its own.
+// When it is wrong: the standard lapse rate need not be the day's; see model/air.hpp.
+// Symbols: as in model/air.hpp; f = rho_station R* T / (p M), density over that of the standard's dry ideal gas [-].
+// Equations: p = p_b (T / T_b)^-(f g0 M / (R* L)) or p_b exp(-f g0 M (H - H_b) / (R* T_b)); rho = f p M / (R* T).
+//   Without station data f = 1 and this is the standard atmosphere itself.
+// Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), table 4 and eq. 33a, 33b, 42, 50.
+#pragma once
+
+#include "base/assert.hpp"
+#include "math/elementary.hpp"
+#include "model/conditions.hpp"
+#include "model/humid_air.hpp"
+
+namespace physim {
+
+/// Geometric altitudes between which the standard is defined [m].
+inline constexpr double kLowestAltitude = -5000;
+inline constexpr double kHighestAltitude = 86000;
+
+[[nodiscard]] inline double geopotential(double z) { return kGeopotentialRadius * z / (kGeopotentialRadius + z); }
+
+/// What stations of one place measure, or the standard's air there where nobody measures it.
+template <class R>
+struct Readings {
+  R temperature;  // [K]
+  R pressure;     // [Pa]
+  R humidity;     // relative [-]
+};
+
+/// Values at some points to coefficients of a polynomial through them: see math/chebyshev.hpp.
+struct FitTable {
+  const double* points;  // in -1..1
+  const double* matrix;  // row j: coefficient of u^j from the values
+};
+/// Fits of density and of 1 / sound speed in the lowest layer.
+struct AirFits {
+  FitTable density, per_sound;
+};
+
+/// Where stations stand, and what air is wanted of them.
+struct StationPlace {
+  AirModel model;
+  double height;    // geopotential [m]
+  double standard;  // the standard's temperature there [K]
+  double origin;    // geopotential height of the origin [m]
+  AirFits fits;
+};
+
+}  // namespace physim
+
+PHYSIM_ISA_BEGIN
+
+/// The standard's constants.
+struct StandardAir {
+  static constexpr double kGravity = 9.80665;                                   // g0 [m/s^2]
+  static constexpr double kGasConstant = 8314.32;                               // R* [J/(kmol K)]
+  static constexpr double kMolarMass = 28.9644;                                 // M [kg/kmol]
+  static constexpr double kHeatRatio = 1.4;                                     // gamma [-]
+  static constexpr double kSeaLevelPressure = 101325;                           // [Pa]
+  static constexpr double kSeaLevelTemperature = 288.15;                        // [K]
+  static constexpr double kHydrostatic = kGravity * kMolarMass / kGasConstant;  // g0 M / R* [K/m]
+
+  // Table 4 of the standard: base height [m] and lapse rate [K/m]. The eighth layer goes on isothermally above 86 km;
+  // its base is at 84852.046 m, which the table rounds to a metre.
+  static constexpr double kBase[kAirLayers] = {
+      0,     11000, 20000, 32000,
+      47000, 51000, 71000, kGeopotentialRadius* kHighestAltitude / (kGeopotentialRadius + kHighestAltitude)};
+  static constexpr double kLapse[kAirLayers] = {-0.0065, 0, 0.001, 0.0028, 0, -0.0028, -0.002, 0};
+
+  /// Up to where the lowest layer reaches, geometric [m].
+  static constexpr double kLowTop = kGeopotentialRadius * kBase[1] / (kGeopotentialRadius - kBase[1]);
+  static constexpr double kLowMiddle = 0.5 * (kLowestAltitude + kLowTop);  // [m]
+  static constexpr double kLowScale = 2 / (kLowTop - kLowestAltitude);     // [1/m]
+
+  static int layer_of(double h) {
+    int layer = 0;
+    while (layer + 1 < kAirLayers && h >= kBase[layer + 1]) ++layer;
+    return layer;
+  }
+};
+
+/// Temperature and pressure by height.
+template <class R>
+struct AirProfile : StandardAir {
+  R temperature[kAirLayers];  // at the bases [K]
+  R pressure[kAirLayers];     // at the bases [Pa]
+  R density_factor;           // f
+  R sound_factor;             // sound speed over that of the standard's dry air
+
+  PHYSIM_INLINE R temperature_at(double h) const {
+    const int i = layer_of(h);
+    return temperature[i] + R(kLapse[i] * (h - kBase[i]));
+  }
+  PHYSIM_INLINE R pressure_at(double h) const {
+    const int i = layer_of(h);
+    return pressure[i] * pressure_ratio(i, kBase[i], h);
+  }
+  /// p(to) / p(from) along layer i. Behind a call: it is long.
+  [[nodiscard, gnu::noinline]] R pressure_ratio(int i, double from, double to) const {
+    const R t_from = temperature[i] + R(kLapse[i] * (from - kBase[i]));
+    const R t_to = temperature[i] + R(kLapse[i] * (to - kBase[i]));
+    if (kLapse[i] == 0) return exp(-density_factor * R(kHydrostatic) * R(to - from) / t_from);
+    return pow(t_to / t_from, -density_factor * R(kHydrostatic) / R(kLapse[i]));
+  }
+  PHYSIM_INLINE R density(const R& p, const R& t) const {
+    return density_factor * p * R(kMolarMass) / (R(kGasConstant) * t);
+  }
+  PHYSIM_INLINE R per_sound(const R& t) const { return R(1.0) / (sound_factor * dry_sound_speed(t)); }
+  PHYSIM_INLINE static R dry_sound_speed(const R& t) { return sqrt(R(kHeatRatio * kGasConstant) * t / R(kMolarMass)); }
+};
+
+/// The profile with the standard's temperatures plus `shift`, through pressure p at height h.
+template <class R>
+void profile_through(double h, const R& p, const R& shift, AirProfile<R>& profile) {
+  using A = StandardAir;
+  profile.temperature[0] = R(A::kSeaLevelTemperature) + shift;
+  for (int i = 1; i < kAirLayers; ++i)
+    profile.temperature[i] = profile.temperature[i - 1] + R(A::kLapse[i - 1] * (A::kBase[i] - A::kBase[i - 1]));
+  const int station = A::layer_of(h);
+  profile.pressure[station] = p * profile.pressure_ratio(station, h, A::kBase[station]);
+  for (int i = station + 1; i < kAirLayers; ++i)
+    profile.pressure[i] = profile.pressure[i - 1] * profile.pressure_ratio(i - 1, A::kBase[i - 1], A::kBase[i]);
+  for (int i = station; i-- > 0;)
+    profile.pressure[i] = profile.pressure[i + 1] * profile.pressure_ratio(i, A::kBase[i + 1], A::kBase[i]);
+}
+
+/// The profile through a station at geopotential height h [m], where the standard has `standard` [K].
+template <class R>
+void profile_of_station(double h, double standard, const Readings<R>& station, AirProfile<R>& profile) {
+  const auto& [t, p, humidity] = station;
+  profile.density_factor =
+      moist_density(t, p, humidity) * R(StandardAir::kGasConstant) * t / (p * R(StandardAir::kMolarMass));
+  profile.sound_factor = moist_sound_speed(t, p, humidity) / AirProfile<R>::dry_sound_speed(t);
+  profile_through(h, p, t - R(standard), profile);
+}
+
+/// Coefficients of a polynomial for f over the lowest layer.
+template <class R, int N>
+PHYSIM_INLINE void fit_low(const FitTable& fit, const auto& f, R (&out)[N]) {
+  R values[N];
+  for (int i = 0; i < N; ++i) values[i] = f(StandardAir::kLowMiddle + fit.points[i] / StandardAir::kLowScale);
+  for (int j = 0; j < N; ++j) {
+    out[j] = R(0.0);
+    for (int i = 0; i < N; ++i) out[j] += R(fit.matrix[j * N + i]) * values[i];
+  }
+}
+
+/// All layers, and the polynomials of the lowest one.
+template <class R>
+void put_layers(const AirProfile<R>& profile, const AirFits& fits, AirNumbers<R>& air) {
+  using A = StandardAir;
+  const R hydrostatic = profile.density_factor * R(A::kHydrostatic);
+  for (int i = 0; i < kAirLayers; ++i) {
+    const R t = profile.temperature[i];
+    const R lapse(A::kLapse[i]);
+    air.lapse[i] = lapse / t;
+    air.power[i] = A::kLapse[i] == 0 ? R(0.0) : -hydrostatic / lapse - R(1.0);
+    air.decay[i] = A::kLapse[i] == 0 ? -hydrostatic / t : R(0.0);
+    air.base_density[i] = profile.density(profile.pressure[i], t);
+    air.base_per_sound[i] = profile.per_sound(t);
+  }
+  const auto temperature_at = [&](double h) { return profile.temperature[0] + R(A::kLapse[0] * h); };
+  const auto density_at = [&](double z) {
+    const double h = geopotential(z);
+    return profile.density(profile.pressure[0] * profile.pressure_ratio(0, 0, h), temperature_at(h));
+  };
+  fit_low(fits.density, density_at, air.low_density);
+  fit_low(
+      fits.per_sound, [&](double z) { return profile.per_sound(temperature_at(geopotential(z))); }, air.low_per_sound);
+}
+
+/// The air at the origin, at geopotential height h [m].
+template <class R>
+PHYSIM_INLINE void put_origin(const AirProfile<R>& profile, double h, AirNumbers<R>& air) {
+  air.temperature = profile.temperature_at(h);
+  air.density = profile.density(profile.pressure_at(h), air.temperature);
+  air.per_sound_speed = profile.per_sound(air.temperature);
+  air.kelvin_per_sound = air.temperature * air.per_sound_speed * air.per_sound_speed;
+}
+
+/// The air through stations of one place.
+template <class R>
+void put_air(const StationPlace& place, const Readings<R>& station, AirNumbers<R>& air) {
+  AirProfile<R> profile;
+  profile_of_station(place.height, place.standard, station, profile);
+  if (place.model == AirModel::isa) put_layers(profile, place.fits, air);
+  put_origin(profile, place.origin, air);
+  if (place.model == AirModel::vacuum) air.density = R(0.0);
+}
+
+PHYSIM_ISA_END

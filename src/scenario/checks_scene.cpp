@@ -1,0 +1,183 @@
+// Checks of [[material]], [[shape]] and [[thing]]: by making the scene, so that what it refuses is told with its line.
+#include <algorithm>
+#include <filesystem>
+
+#include "base/assert.hpp"
+#include "physim/mesh_file.hpp"
+#include "scenario/checks.hpp"
+#include "scenario/published_materials.hpp"
+#include "scenario/scene_maker.hpp"
+#include "scenario/schema.hpp"
+#include "scenario/suggest.hpp"
+
+namespace physim {
+namespace {
+
+/// An error about an element of a list, as one of the file: at the key that it names, where the element has it.
+Error at_key(const Error& error, const std::string& list, const Value& table) {
+  const bool has_key = !error.place.empty() && table.find(error.place) != nullptr;
+  const std::string path = has_key               ? list + "." + error.place
+                           : error.place.empty() ? list
+                                                 : list + " (" + error.place + ")";
+  const std::string place = has_key ? place_of(table, {error.place}) : table.place.text();
+  return {path + ": " + error.message, place, error.hint};
+}
+
+/// The tables in an element that say of which kind it is, and the key that names one.
+std::vector<const Member*> kinds_of(const Value& element, const std::string& list, std::string_view kind_key,
+                                    std::initializer_list<std::string_view> others) {
+  PHYSIM_ASSERT(element.get<Table>() != nullptr);
+  std::vector<const Member*> kinds;
+  for (const Member& member : *element.get<Table>()) {
+    const SchemaNode* node = find_node(list + "." + member.key);
+    const bool is_kind = node && node->entry == nullptr && std::ranges::count(others, member.key) == 0;
+    if (is_kind || member.key == kind_key) kinds.push_back(&member);
+  }
+  return kinds;
+}
+
+Status check_one_kind(const Value& element, const std::string& list, std::string_view kind_key,
+                      std::initializer_list<std::string_view> others) {
+  const std::vector<const Member*> kinds = kinds_of(element, list, kind_key, others);
+  if (kinds.size() < 2) return {};
+  // A kind that is named beside its own table contradicts nothing.
+  const auto named = std::ranges::find(kinds, kind_key, &Member::key);
+  const auto* const text = named != kinds.end() ? (*named)->value.get<std::string>() : nullptr;
+  if (kinds.size() == 2 && text && (kinds[0]->key == *text || kinds[1]->key == *text)) return {};
+  return Error{list + ": it is of two kinds, " + kinds[0]->key + " and " + kinds[1]->key, kinds[1]->key_place.text(),
+               "give one of them"};
+}
+
+/// A file that a scenario names is found from where the scenario is.
+std::string beside_scenario(const Scenario& scenario, const std::string& file) {
+  return (std::filesystem::path(scenario.file).parent_path() / file).string();
+}
+
+bool is_mesh(const ScenarioShape& shape) { return std::holds_alternative<MeshShape>(shape.shape); }
+
+/// What a shape has in a file.
+Status read_file(ScenarioShape& shape, const Scenario& scenario) {
+  if (shape.file.empty()) return {};
+  const std::string file = beside_scenario(scenario, shape.file);
+  if (is_mesh(shape)) {
+    Result<MeshShape> mesh = read_mesh_file(file);
+    if (!mesh) return mesh.error();
+    shape.shape = std::move(*mesh);
+  } else if (auto* field = std::get_if<HeightFieldShape>(&shape.shape)) {
+    Result<HeightFieldShape> read = read_height_map(file, shape.low, shape.high);
+    if (!read) return read.error();
+    read->spacing_x = field->spacing_x;
+    read->spacing_z = field->spacing_z;
+    *field = std::move(*read);
+  }
+  return {};
+}
+
+Status check_material(const Value& table) {
+  if (table.find("preset") && table.find("concrete"))
+    return Error{"material.concrete: given together with preset", place_of(table, {"concrete"}), "give one of them"};
+  return check_one_kind(table, "material", "penetration", {"ricochet", "spread"});
+}
+
+Status check_shape(const Value& table) {
+  if (Status status = check_one_kind(table, "shape", "kind", {}); !status) return status;
+  for (const auto& [kind, others] :
+       {std::pair<std::string_view, std::vector<std::string_view>>{"mesh", {"vertices", "triangles"}},
+        {"height_field", {"columns", "rows", "heights"}}})
+    for (const std::string_view other : others) {
+      const Value* of_kind = table.find(kind);
+      if (!of_kind || !of_kind->find("file") || !of_kind->find(other)) continue;
+      return Error{"shape." + std::string(kind) + ".file: given together with " + std::string(other),
+                   place_of(*of_kind, {"file"}), "give one of them"};
+    }
+  return {};
+}
+
+Status check_rotation(const std::string& path, const ScenarioRotation& rotation, const Value& table) {
+  const bool by_angles = rotation.yaw != 0 || rotation.pitch != 0 || rotation.roll != 0;
+  if (rotation.angle != 0 && by_angles)
+    return Error{path + ".rotation: given by an angle and by yaw, pitch and roll", place_of(table, {"rotation"}),
+                 "give one of them"};
+  if (rotation.axis == Vec3d{})
+    return Error{path + ".rotation.axis: it has no direction", place_of(table, {"rotation", "axis"}), ""};
+  return {};
+}
+
+Status check_thing(const ScenarioThing& thing, const Value& table) {
+  if (Status status = check_rotation("thing", thing.rotation, table); !status) return status;
+  for (std::size_t i = 0; i < thing.keys.size(); ++i)
+    if (Status status = check_rotation("thing.keys", thing.keys[i].rotation, element(table, "keys", i)); !status)
+      return status;
+  const ScenarioRotation& turned = thing.rotation;
+  const std::pair<std::string_view, bool> given[] = {
+      {"velocity", thing.velocity != Vec3d{}},
+      {"angular_velocity", thing.angular_velocity != Vec3d{}},
+      {"position", thing.position != Vec3d{}},
+      {"rotation", turned.angle != 0 || turned.yaw != 0 || turned.pitch != 0 || turned.roll != 0}};
+  for (const auto& [key, is_given] : given)
+    if (is_given && !thing.keys.empty())
+      return Error{"thing." + std::string(key) + ": given together with keys", place_of(table, {key}),
+                   "the keys say where it is and how it moves"};
+  return {};
+}
+
+/// How many tables of a list the file has.
+std::size_t count_in(const Value& document, const std::string& list) {
+  const Value* value = document.find(list);
+  const Array* array = value ? value->get<Array>() : nullptr;
+  return array ? array->size() : 0;
+}
+
+template <class List, class Check>
+Status check_each(const List& list, const std::string& key, const Value& document, const Check& check) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (const Status status = check(i); !status) {
+      PHYSIM_ASSERT(i < count_in(document, key));  // materials that are there by their name alone are good
+      return at_key(status.error(), key, element(document, key, i));
+    }
+  return {};
+}
+
+}  // namespace
+
+Status complete_scene(Scenario& scenario, const Value& document) {
+  const auto name_each = [](auto& list, const std::string& kind) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (list[i].name.empty()) list[i].name = kind + "-" + std::to_string(i + 1);
+  };
+  name_each(scenario.materials, "material");
+  name_each(scenario.shapes, "shape");
+  name_each(scenario.things, "thing");
+  for (const ScenarioThing& thing : scenario.things) {
+    const bool is_given = std::ranges::count(scenario.materials, thing.material, &Material::name) > 0;
+    const auto published = is_given ? std::nullopt : published_material(thing.material);
+    if (published) scenario.materials.push_back(*published), scenario.materials.back().name = thing.material;
+  }
+  for (std::size_t i = 0; i < scenario.shapes.size(); ++i) {
+    const Status status = read_file(scenario.shapes[i], scenario);
+    if (status) continue;
+    const std::string_view kind = is_mesh(scenario.shapes[i]) ? "mesh" : "height_field";
+    return Error{"shape." + std::string(kind) + ".file: " + status.error().message,
+                 place_of(element(document, "shape", i), {kind, "file"}), status.error().hint};
+  }
+  return {};
+}
+
+Status check_scene(const Scenario& scenario, const Value& document) {
+  for (std::size_t i = 0; i < count_in(document, "material"); ++i)
+    if (Status status = check_material(element(document, "material", i)); !status) return status;
+  for (std::size_t i = 0; i < scenario.shapes.size(); ++i)
+    if (Status status = check_shape(element(document, "shape", i)); !status) return status;
+  for (std::size_t i = 0; i < scenario.things.size(); ++i)
+    if (Status status = check_thing(scenario.things[i], element(document, "thing", i)); !status) return status;
+  SceneMaker maker(scenario);
+  Status status =
+      check_each(scenario.materials, "material", document, [&](std::size_t i) { return maker.add_material(i); });
+  if (status)
+    status = check_each(scenario.shapes, "shape", document, [&](std::size_t i) { return maker.add_shape(i); });
+  if (status)
+    status = check_each(scenario.things, "thing", document, [&](std::size_t i) { return maker.add_thing(i); });
+  return status;
+}
+
+}  // namespace physim

@@ -1,0 +1,80 @@
+// The only file that knows Assimp. Its headers warn where ours do not, so they are system headers to the build.
+#include "physim/mesh_file.hpp"
+
+#include <filesystem>
+
+#include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
+
+#if PHYSIM_HAS_ASSIMP
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#endif
+
+namespace physim {
+
+bool reads_mesh_files() { return PHYSIM_HAS_ASSIMP != 0; }
+
+#if PHYSIM_HAS_ASSIMP
+
+namespace {
+
+constexpr std::uintmax_t kLargestMesh = 256 << 20;  // [bytes]
+
+/// The file is there and of a size that will not fill the memory.
+Status check_mesh_file(const std::string& file) {
+  std::error_code failure;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, failure);
+  if (failure) return Error{"the file cannot be read", file, ""};
+  if (bytes == 0) return Error{"the file is empty", file, ""};
+  if (bytes > kLargestMesh)
+    return Error{"the file has " + std::to_string(bytes >> 20) + " MB", file, "at most 256 MB are read"};
+  return {};
+}
+
+void add_mesh(MeshShape& to, const aiMesh& from) {
+  const auto first = static_cast<std::uint32_t>(to.vertices.size());
+  for (unsigned i = 0; i < from.mNumVertices; ++i)
+    to.vertices.push_back({from.mVertices[i].x, from.mVertices[i].y, from.mVertices[i].z});
+  for (unsigned i = 0; i < from.mNumFaces; ++i) {
+    const aiFace& face = from.mFaces[i];
+    if (face.mNumIndices != 3) continue;  // points and lines have no area
+    const unsigned* corner = face.mIndices;
+    PHYSIM_ASSERT(corner[0] < from.mNumVertices);
+    to.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
+  }
+}
+
+}  // namespace
+
+Result<MeshShape> read_mesh_file(const std::string& file) {
+  const IeeeMode mode;
+  if (const Status status = check_mesh_file(file); !status) return status.error();
+  Assimp::Importer importer;
+  // Corners are joined where they differ in nothing but what is not read.
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                                          aiComponent_COLORS | aiComponent_TEXCOORDS |
+                                                          aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
+                                                          aiComponent_TEXTURES | aiComponent_LIGHTS |
+                                                          aiComponent_CAMERAS | aiComponent_MATERIALS);
+  const aiScene* scene = importer.ReadFile(file, aiProcess_RemoveComponent | aiProcess_Triangulate |
+                                                     aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
+  if (scene == nullptr) return Error{"Assimp: " + std::string(importer.GetErrorString()), file, ""};
+  MeshShape mesh;
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) add_mesh(mesh, *scene->mMeshes[i]);
+  if (mesh.triangles.empty()) return Error{"there are no triangles in it", file, ""};
+  return mesh;
+}
+
+#else
+
+Result<MeshShape> read_mesh_file(const std::string& file) {
+  return Error{"this build reads no meshes from files", file,
+               "build it with Assimp (libassimp-dev), or write vertices and triangles into the scenario"};
+}
+
+#endif
+
+}  // namespace physim

@@ -1,0 +1,109 @@
+#include "scenario/scene_maker.hpp"
+
+#include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
+#include "scenario/published_materials.hpp"
+#include "scenario/suggest.hpp"
+
+namespace physim {
+namespace {
+
+SceneMotion motion_of(const ScenarioThing& thing) {
+  if (!thing.keys.empty()) {
+    KeyedMotion motion{.keys = {}, .curve = thing.curve};
+    for (const ScenarioKey& key : thing.keys)
+      motion.keys.push_back({key.time, key.position, key.rotation.quaternion(), key.velocity});
+    return motion;
+  }
+  if (thing.velocity == Vec3d{} && thing.angular_velocity == Vec3d{}) return AtRest{};
+  return SteadyMotion{thing.start, thing.velocity, thing.angular_velocity};
+}
+
+template <class Id>
+Result<Id> id_of(const std::map<std::string_view, Id>& ids, const std::string& name, const std::string& what,
+                 std::span<const std::string_view> others) {
+  if (const auto found = ids.find(name); found != ids.end()) return found->second;
+  std::vector<std::string_view> names(others.begin(), others.end());
+  for (const auto& [each, id] : ids) names.push_back(each);
+  const std::string hint = names.empty() ? "write a [[" + what + "]]" : suggestion(name, names, what + "s");
+  return Error{"no " + what + " is named " + in_quotes(name), what, hint};
+}
+
+template <class List, class Add>
+Status add_each(const List& list, const char* kind, const Add& add) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (const Status status = add(i); !status) {
+      Error error = status.error();
+      error.place = std::string(kind) + " " + in_quotes(list[i].name) + (error.place.empty() ? "" : ": " + error.place);
+      return error;
+    }
+  return {};
+}
+
+}  // namespace
+
+Quatd ScenarioRotation::quaternion() const {
+  const IeeeMode mode;
+  const bool by_angles = yaw != 0 || pitch != 0 || roll != 0;
+  return by_angles ? quat_from_yaw_pitch_roll(yaw, pitch, roll) : quat_from_axis_angle(axis, angle);
+}
+
+Status SceneMaker::add_material(std::size_t index) {
+  const Material& material = scenario_.materials[index];
+  PHYSIM_ASSERT(materials_.size() == index);
+  const Result<MaterialId> id = scene_.add_material(material);
+  if (!id) return id.error();
+  if (!material_ids_.emplace(material.name, *id).second)
+    return Error{"two materials are named " + in_quotes(material.name), "name", ""};
+  materials_.push_back(*id);
+  return {};
+}
+
+Status SceneMaker::add_shape(std::size_t index) {
+  const ScenarioShape& shape = scenario_.shapes[index];
+  if (std::holds_alternative<CompoundShape>(shape.shape))
+    return Error{"it is no shape", "", "give one of plane, sphere, box, capsule, cylinder, hull, mesh, height_field"};
+  const Result<ShapeId> id = scene_.add_shape(shape.shape);
+  if (!id) return id.error();
+  if (!shape_ids_.emplace(shape.name, *id).second)
+    return Error{"two shapes are named " + in_quotes(shape.name), "name", ""};
+  return {};
+}
+
+Status SceneMaker::add_thing(std::size_t index) {
+  const ScenarioThing& thing = scenario_.things[index];
+  const Result<ShapeId> shape = id_of(shape_ids_, thing.shape, "shape", {});
+  if (!shape) return shape.error();
+  InstanceDef def{.shape = *shape,
+                  .transform = {thing.position, thing.rotation.quaternion(), thing.scale},
+                  .material = {},
+                  .layers = thing.layers,
+                  .sensor = thing.sensor,
+                  .user_data = index,
+                  .name = thing.name,
+                  .motion = motion_of(thing)};
+  if (!thing.material.empty()) {
+    const Result<MaterialId> material = id_of(material_ids_, thing.material, "material", published_materials());
+    if (!material) return material.error();
+    def.material = *material;
+  }
+  const Result<InstanceId> added = scene_.add(def);
+  return added ? Status() : Status(added.error());
+}
+
+Status SceneMaker::make_all() {
+  PHYSIM_ASSERT(scene_.size() == 0);
+  Status status = add_each(scenario_.materials, "material", [this](std::size_t i) { return add_material(i); });
+  if (status) status = add_each(scenario_.shapes, "shape", [this](std::size_t i) { return add_shape(i); });
+  if (status) status = add_each(scenario_.things, "thing", [this](std::size_t i) { return add_thing(i); });
+  return status;
+}
+
+Result<Scene> scene_of(const Scenario& scenario) {
+  const IeeeMode mode;
+  SceneMaker maker(scenario);
+  if (const Status status = maker.make_all(); !status) return status.error();
+  return maker.scene();
+}
+
+}  // namespace physim

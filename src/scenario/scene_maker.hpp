@@ -1,0 +1,33 @@
+// The scene of a scenario, made part by part, so that what is wrong is told with its part.
+#pragma once
+
+#include <map>
+
+#include "physim/scenario.hpp"
+
+namespace physim {
+
+class SceneMaker {
+ public:
+  explicit SceneMaker(const Scenario& scenario) : scenario_(scenario) {}
+
+  // In their order, and in this one: materials, shapes, things.
+  [[nodiscard]] Status add_material(std::size_t index);
+  [[nodiscard]] Status add_shape(std::size_t index);
+  [[nodiscard]] Status add_thing(std::size_t index);
+  /// All of them; the place of an error names the part.
+  [[nodiscard]] Status make_all();
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  /// The ids of Scenario::materials, in their order.
+  [[nodiscard]] const std::vector<MaterialId>& materials() const { return materials_; }
+
+ private:
+  const Scenario& scenario_;
+  Scene scene_;
+  std::vector<MaterialId> materials_;
+  std::map<std::string_view, ShapeId> shape_ids_;
+  std::map<std::string_view, MaterialId> material_ids_;
+};
+
+}  // namespace physim

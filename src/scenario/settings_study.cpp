@@ -1,0 +1,27 @@
+// Settings of [study].
+#include "scenario/settings_parts.hpp"
+
+namespace physim {
+namespace {
+
+constexpr Range kCount = between(1, 1e15);
+
+constexpr Entry kStudySettings[] = {
+    PHYSIM_SCENARIO(study.inputs,
+                    "what `physim study` draws: \"shot.speed = 800 m/s +- 3 m/s\", see docs/uncertainty.md",
+                    at_most(64)),
+    PHYSIM_SCENARIO(study.correlated, "\"shot.speed with shot.mass = 0.5\"", at_most(1000)),
+    PHYSIM_SCENARIO(study.targets, "\"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\", \"circle 10 cm\"", at_most(1000)),
+    PHYSIM_SCENARIO(study.aim, "where shots should end on the plane of impact, \"0 m, 1 m\"; empty: its origin"),
+    PHYSIM_SCENARIO(study.sampling, "how draws are spread"),
+    PHYSIM_SCENARIO(study.shots, "at least; the last shard is flown to its end", kCount),
+    PHYSIM_SCENARIO(study.seed, "of the draws; equal seeds draw equally", between(0, 9007199254740992)),
+    PHYSIM_SCENARIO(study.rounds, "shots of an occasion", between(1, 65536)),
+    PHYSIM_SCENARIO(study.indices, "Sobol indices, for which every shot is flown again for each input"),
+};
+
+}  // namespace
+
+std::span<const Entry> study_settings() { return kStudySettings; }
+
+}  // namespace physim

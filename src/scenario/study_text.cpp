@@ -1,0 +1,305 @@
+// Studies of scenarios: distributions, correlations and targets written as people write them.
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.hpp"
+#include "physim/scenario.hpp"
+#include "scenario/schema.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+
+namespace physim {
+namespace {
+
+constexpr const char* kInputHint =
+    "write it as \"shot.speed = 800 m/s +- 3 m/s\", \"shot.speed = +- 3 m/s\", \"PATH = -2 m/s .. 2 m/s\" or \"PATH = "
+    "one "
+    "of 1 m/s, 2 m/s\"";
+constexpr const char* kTargetHint =
+    "write it as \"circle 10 cm at 0 m, 1 m\", \"NAME: rectangle 30 cm x 50 cm\" or \"polygon 0 m, 0 m; 1 m, 0 m; 0 m, "
+    "1 m\"";
+
+struct Halves {
+  std::string_view left, right;
+};
+
+/// The text before and behind a word; nothing where it is not there.
+std::optional<Halves> split(std::string_view text, std::string_view word) {
+  const std::size_t at = text.find(word);
+  if (at == std::string_view::npos) return std::nullopt;
+  return Halves{trimmed(text.substr(0, at)), trimmed(text.substr(at + word.size()))};
+}
+
+bool take_front(std::string_view& text, std::string_view word) {
+  if (!text.starts_with(word)) return false;
+  text = trimmed(text.substr(word.size()));
+  return true;
+}
+
+bool take_back(std::string_view& text, std::string_view word) {
+  if (!text.ends_with(word)) return false;
+  text = trimmed(text.substr(0, text.size() - word.size()));
+  return true;
+}
+
+std::vector<std::string_view> parts_of(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t at = std::min(text.find(separator, from), text.size());
+    parts.push_back(trimmed(text.substr(from, at - from)));
+    from = at + 1;
+  }
+  return parts;
+}
+
+/// What the number of a path measures: that of its setting, of which it may be a component.
+Quantity quantity_of_path(std::string_view path) {
+  const SchemaNode* node = find_node(path);
+  if (!node && path.size() > 2 && path[path.size() - 2] == '.') node = find_node(path.substr(0, path.size() - 2));
+  return node && node->entry ? node->entry->quantity : Quantity::number;
+}
+
+/// An error for what is no number of a shot that may be uncertain.
+Status check_path(std::string_view path) {
+  static const std::vector<StudyPath> kPaths = study_paths();
+  std::vector<std::string_view> names;
+  for (const StudyPath& known : kPaths) names.push_back(known.path);
+  if (std::ranges::count(names, path) > 0) return {};
+  return Error{"no number of a shot that may be uncertain is called " + in_quotes(path), "",
+               suggestion(path, names, "they are")};
+}
+
+/// Reads numbers of a quantity; a difference of temperatures has no zero of its own.
+class NumberReader {
+ public:
+  explicit NumberReader(Quantity quantity) : quantity_(quantity) {}
+
+  double value(std::string_view text) {
+    const auto number = parse_quantity(text, quantity_);
+    if (!number && !error_) error_ = number.error();
+    return number ? *number : 0;
+  }
+  double difference(std::string_view text) {
+    const double number = value(text);
+    const std::size_t unit = text.find_first_not_of("0123456789.+-eE \t");
+    if (quantity_ != Quantity::temperature || unit == std::string_view::npos || error_) return number;
+    return number - value("0 " + std::string(text.substr(unit)));
+  }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+ private:
+  Quantity quantity_;
+  std::optional<Error> error_;
+};
+
+/// Reads a distribution; `added`: all of its numbers are differences.
+class DistributionReader {
+ public:
+  DistributionReader(Quantity quantity, bool added) : read_(quantity), added_(added) {}
+
+  std::optional<Distribution> read(std::string_view text) {
+    if (take_front(text, "lognormal ")) {
+      const auto halves = split(text, "+-");
+      if (!halves) return std::nullopt;
+      return LognormalDistribution{number(halves->left), read_.difference(halves->right)};
+    }
+    if (take_front(text, "one of ")) {
+      DiscreteDistribution list;
+      for (const std::string_view part : parts_of(text, ',')) list.values.push_back(number(part));
+      return list;
+    }
+    if (split(text, "+-")) return bell(text);
+    if (const auto ends = split(text, "..")) {
+      if (const auto peak = split(ends->right, "peak "))
+        return TriangularDistribution{number(ends->left), number(peak->right), number(peak->left)};
+      return UniformDistribution{number(ends->left), number(ends->right)};
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] const std::optional<Error>& error() const { return read_.error(); }
+
+ private:
+  double number(std::string_view text) { return added_ ? read_.difference(text) : read_.value(text); }
+
+  std::optional<Distribution> bell(std::string_view text) {
+    const auto within = split(text, "within ");
+    const auto halves = split(within ? within->left : text, "+-");
+    PHYSIM_ASSERT(halves.has_value());
+    const double mean = halves->left.empty() ? 0 : number(halves->left), deviation = read_.difference(halves->right);
+    if (!within) return NormalDistribution{mean, deviation};
+    const auto ends = split(within->right, "..");
+    if (!ends) return std::nullopt;
+    TruncatedNormalDistribution cut{mean, deviation};
+    if (!ends->left.empty()) cut.low = number(ends->left);
+    if (!ends->right.empty()) cut.high = number(ends->right);
+    return cut;
+  }
+
+  NumberReader read_;
+  bool added_;
+};
+
+Error placed(Error error, const std::string& place) {
+  error.place = place;
+  return error;
+}
+
+std::optional<PlanePoint> point_of(std::string_view text, NumberReader& read) {
+  const auto halves = split(text, ",");
+  if (!halves) return std::nullopt;
+  return PlanePoint{read.value(halves->left), read.value(halves->right)};
+}
+
+/// The input of a path that a correlation names: the first of them.
+std::optional<std::size_t> input_of(const Study& study, std::string_view path) {
+  const auto at = std::ranges::find(study.inputs, path, &StudyInput::path);
+  if (at == study.inputs.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - study.inputs.begin());
+}
+
+struct PairOfInputs {
+  std::size_t a, b;
+  double correlation;
+};
+
+/// Inputs that pairs connect become one group, whose other pairs are not correlated.
+void add_groups(Study& study, std::vector<PairOfInputs> pairs) {
+  while (!pairs.empty()) {
+    std::vector<std::size_t> group{pairs[0].a};
+    const auto has = [&](std::size_t input) { return std::ranges::count(group, input) > 0; };
+    for (bool grows = true; grows;) {
+      grows = false;
+      for (const PairOfInputs& pair : pairs)
+        if (has(pair.a) != has(pair.b)) group.push_back(has(pair.a) ? pair.b : pair.a), grows = true;
+    }
+    const std::size_t n = group.size();
+    StudyCorrelation with{group, std::vector<double>(n * n)};
+    for (std::size_t i = 0; i < n; ++i) with.matrix[i * n + i] = 1;
+    const auto place = [&](std::size_t input) {
+      return static_cast<std::size_t>(std::ranges::find(group, input) - group.begin());
+    };
+    for (const PairOfInputs& pair : pairs)
+      if (has(pair.a)) {
+        const std::size_t i = place(pair.a), j = place(pair.b);
+        with.matrix[i * n + j] = with.matrix[j * n + i] = pair.correlation;
+      }
+    std::erase_if(pairs, [&](const PairOfInputs& pair) { return has(pair.a); });
+    study.correlated.push_back(std::move(with));
+  }
+}
+
+Result<PairOfInputs> pair_of(const Study& study, std::string_view text) {
+  const auto halves = split(text, "=");
+  const auto names = halves ? split(halves->left, " with ") : std::nullopt;
+  if (!names)
+    return Error{"\"" + std::string(text) + "\" is no correlation", "",
+                 "write it as \"shot.speed with shot.mass = 0.5\""};
+  const auto a = input_of(study, names->left), b = input_of(study, names->right);
+  const auto correlation = parse_quantity(halves->right, Quantity::number);
+  if (!a || !b) return Error{std::string(a ? names->right : names->left) + " is none of the study's inputs", "", ""};
+  if (!correlation) return correlation.error();
+  if (*a == *b) return Error{std::string(names->left) + " is correlated with itself", "", ""};
+  return PairOfInputs{*a, *b, *correlation};
+}
+
+Status add_texts(const ScenarioStudy& texts, Study& study) {
+  const auto numbered = [](const char* list, std::size_t i) {
+    return std::string(list) + '[' + std::to_string(i) + ']';
+  };
+  for (std::size_t i = 0; i < texts.inputs.size(); ++i) {
+    auto input = parse_study_input(texts.inputs[i]);
+    if (!input) return placed(input.error(), numbered("study.inputs", i));
+    study.inputs.push_back(*std::move(input));
+  }
+  std::vector<PairOfInputs> pairs;
+  for (std::size_t i = 0; i < texts.correlated.size(); ++i) {
+    const auto pair = pair_of(study, texts.correlated[i]);
+    if (!pair) return placed(pair.error(), numbered("study.correlated", i));
+    pairs.push_back(*pair);
+  }
+  add_groups(study, std::move(pairs));
+  for (std::size_t i = 0; i < texts.targets.size(); ++i) {
+    auto target = parse_study_target(texts.targets[i]);
+    if (!target) return placed(target.error(), numbered("study.targets", i));
+    if (target->name.empty()) target->name = "target-" + std::to_string(i + 1);
+    study.targets.push_back(*std::move(target));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<StudyInput> parse_study_input(std::string_view text) {
+  const auto halves = split(text, "=");
+  if (!halves) return Error{"\"" + std::string(text) + "\" names no number and its distribution", "", kInputHint};
+  if (Status status = check_path(halves->left); !status) return status.error();
+  StudyInput input{.path = std::string(halves->left)};
+  std::string_view rest = halves->right;
+  if (take_back(rest, "per occasion")) input.drawn_for = DrawnFor::occasion;
+  input.added = take_front(rest, "added ") || rest.starts_with("+-");
+  DistributionReader reader(quantity_of_path(input.path), input.added);
+  const auto distribution = reader.read(rest);
+  if (reader.error()) return *reader.error();
+  if (!distribution) return Error{"\"" + std::string(rest) + "\" is no distribution", "", kInputHint};
+  input.distribution = *distribution;
+  return input;
+}
+
+Result<StudyTarget> parse_study_target(std::string_view text) {
+  StudyTarget target;
+  const Error unreadable{"\"" + std::string(text) + "\" is no target", "", kTargetHint};
+  if (const auto named = split(text, ":")) target.name = std::string(named->left), text = named->right;
+  NumberReader read(Quantity::length);
+  PlanePoint centre;
+  if (const auto at = split(text, " at ")) {
+    const auto point = point_of(at->right, read);
+    if (!point) return unreadable;
+    centre = *point, text = at->left;
+  }
+  if (take_front(text, "circle ")) {
+    target.shape = CircleTarget{centre, read.value(text)};
+  } else if (take_front(text, "rectangle ")) {
+    const auto sides = split(text, " x ");
+    if (!sides) return unreadable;
+    target.shape = RectangleTarget{centre, read.value(sides->left), read.value(sides->right)};
+  } else if (take_front(text, "polygon ")) {
+    PolygonTarget polygon;
+    for (const std::string_view corner : parts_of(text, ';')) {
+      const auto point = point_of(corner, read);
+      if (!point) return unreadable;
+      polygon.corners.push_back({centre.right + point->right, centre.up + point->up});
+    }
+    target.shape = std::move(polygon);
+  } else {
+    return unreadable;
+  }
+  if (read.error()) return *read.error();
+  return target;
+}
+
+Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
+  const ScenarioStudy& texts = scenario.study;
+  Study study{.projectile = shot.projectile,
+              .launch = shot.launch,
+              .environment = scenario.environment,
+              .fidelity = shot.projectile.fidelity,
+              .tolerance = scenario.tolerance,
+              .until = scenario.until,
+              .rounds = static_cast<std::uint32_t>(texts.rounds),
+              .sampling = texts.sampling,
+              .seed = static_cast<std::uint64_t>(texts.seed),
+              .shots = static_cast<std::uint64_t>(texts.shots),
+              .indices = texts.indices};
+  study.until.events.clear();
+  if (Status status = add_texts(texts, study); !status) return status.error();
+  if (!texts.aim.empty()) {
+    NumberReader read(Quantity::length);
+    const auto aim = point_of(texts.aim, read);
+    if (read.error()) return placed(*read.error(), "study.aim");
+    if (!aim) return Error{"\"" + texts.aim + "\" is no point", "study.aim", "write it as \"0 m, 1 m\""};
+    study.aim = *aim;
+  }
+  return study;
+}
+
+}  // namespace physim

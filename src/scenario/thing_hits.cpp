@@ -1,0 +1,133 @@
+#include "scenario/thing_hits.hpp"
+
+#include <algorithm>
+
+#include "base/assert.hpp"
+#include "math/angles.hpp"
+#include "math/elementary.hpp"
+
+namespace physim {
+namespace {
+
+/// Between a way and the inward normal of a surface [rad]; precise where it is small, too.
+double angle_between(const Vec3d& way, const Vec3d& inwards) {
+  return atan2(length(cross(way, inwards)), dot(way, inwards));
+}
+
+void add_hit(ThingHits& to, const ThingHit& hit) {
+  ++to.count;
+  to.bounces += hit.outcome == EventKind::bounced;
+  to.ricochets += hit.outcome == EventKind::ricocheted;
+  to.penetrations += hit.outcome == EventKind::penetrated;
+  to.stops += hit.outcome == EventKind::stopped;
+  to.time.add(hit.time);
+  to.x.add(hit.position.x), to.y.add(hit.position.y), to.z.add(hit.position.z);
+  to.speed.add(length(hit.velocity));
+  to.speed_after.add(length(hit.velocity_after));
+  to.obliquity.add(hit.obliquity);
+  if (hit.depth > 0) to.depth.add(hit.depth);
+}
+
+/// The hit that an event goes on with: of which it is not known yet what became. `last`: the projectile's last one.
+ThingHit* open_hit(std::vector<ThingHit>& hits, std::size_t last, const Event& event) {
+  constexpr std::size_t kFar = 8;  // where several are met at one time, at a corner
+  for (std::size_t i = 0; i < kFar && i <= last && last < hits.size(); ++i) {
+    ThingHit& hit = hits[last - i];
+    if (hit.id == event.id && hit.instance == event.instance && hit.outcome == EventKind::hit) return &hit;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+ThingHit SceneOfRun::hit(const Launched& launched, const Event& event, const Scene& scene) const {
+  PHYSIM_ASSERT(scenario != nullptr);
+  ThingHit hit{.launched = launched, .id = event.id, .time = event.time, .position = event.position};
+  hit.velocity = hit.velocity_after = event.velocity;
+  hit.instance = event.instance;
+  Vec3d relative = event.velocity;
+  if (const auto thing = scene.instance(event.instance)) {
+    if (thing->user_data < scenario->things.size()) hit.thing = static_cast<std::size_t>(thing->user_data);
+    relative -= velocity_at(*scene.state(event.instance, event.time), event.position);
+  }
+  hit.obliquity = angle_between(relative, -event.normal);
+  if (event.kind == EventKind::left) hit.obliquity = kPi - hit.obliquity;  // it goes outwards
+  const auto known = std::ranges::find(materials, event.material);
+  if (known != materials.end()) hit.material = static_cast<std::size_t>(known - materials.begin());
+  return hit;
+}
+
+const ThingHit* take_event(RunState& state, Track& track, const SceneOfRun& run, const Event& event,
+                           const Scene& scene) {
+  if (!event.instance) return nullptr;
+  std::vector<ThingHit>& hits = state.thing_hits;
+  switch (event.kind) {
+    case EventKind::hit: {
+      track.hit = hits.size();
+      ThingHit& hit = hits.emplace_back(run.hit(track.launched, event, scene));
+      const WorldGroup& group = state.groups[hit.launched.group];
+      const OnHit on_hit = run.scenario->shots[group.shot].body.collision.on_hit;
+      const bool stays = on_hit == OnHit::stop || on_hit == OnHit::stick || event.reason == Reason::inside;
+      if (!stays) return nullptr;
+      hit.outcome = EventKind::stopped;
+      hit.velocity_after = {};
+      return &hit;
+    }
+    case EventKind::bounced:
+    case EventKind::ricocheted:
+    case EventKind::penetrated:
+    case EventKind::stopped: {
+      ThingHit* hit = open_hit(hits, track.hit, event);
+      if (hit == nullptr) return nullptr;
+      hit->outcome = event.kind;
+      hit->velocity_after = event.velocity;
+      hit->depth = event.value;
+      hit->energy = event.energy;
+      return hit;
+    }
+    case EventKind::entered:
+    case EventKind::left:
+    case EventKind::sensed: {
+      ThingHit& hit = hits.emplace_back(run.hit(track.launched, event, scene));
+      hit.outcome = event.kind;
+      return nullptr;  // told, and not counted: it hit nothing
+    }
+    case EventKind::ground:
+    case EventKind::apex:
+    case EventKind::range:
+    case EventKind::height:
+    case EventKind::mach:
+    case EventKind::speed:
+    case EventKind::time:
+    case EventKind::ignition:
+    case EventKind::burnout:
+    case EventKind::rail_exit:
+    case EventKind::spawned:
+    case EventKind::landed:
+    case EventKind::slept:
+    case EventKind::woke:
+    case EventKind::expired:
+    case EventKind::retired:
+    case EventKind::fidelity_changed: break;
+  }
+  return nullptr;
+}
+
+void drop_contacts(RunState& state) {
+  std::erase_if(state.thing_hits, [](const ThingHit& hit) { return hit.outcome == EventKind::hit; });
+}
+
+void count_hit(WorldGroup& group, const ThingHit& hit, const Scenario& scenario) {
+  ++group.hits;
+  add_hit(group.on_things, hit);
+  if (hit.thing == ThingHit::kNone) return;
+  const std::string& name = scenario.things[hit.thing].name;
+  auto of_thing = std::ranges::find(group.by_thing, name, &ThingHits::thing);
+  if (of_thing == group.by_thing.end()) {
+    group.by_thing.emplace_back().thing = name;
+    of_thing = group.by_thing.end() - 1;
+  }
+  add_hit(*of_thing, hit);
+}
+
+}  // namespace physim

@@ -1,0 +1,12 @@
+// What archives must know of a study: its enumerations, and the format of saved parts.
+#pragma once
+
+#include "base/archive.hpp"
+#include "physim/study.hpp"
+
+namespace physim {
+
+/// Raised whenever the results of shards, or the bytes of parts, change.
+inline constexpr std::uint32_t kStudyFormat = 1;
+
+}  // namespace physim

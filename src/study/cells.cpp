@@ -1,0 +1,109 @@
+#include "study/cells.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
+
+namespace physim {
+namespace {
+
+constexpr unsigned kDropped = 52 - 8;  // digits of t that do not matter
+constexpr std::uint64_t kOne = std::bit_cast<std::uint64_t>(1.0) >> kDropped;
+constexpr double kFarthest = 0x1p40;
+
+std::int64_t cell_of(double y) {
+  PHYSIM_ASSERT(y == y);
+  const double t = 1 + std::min(std::abs(y), kFarthest);
+  const auto k = static_cast<std::int64_t>((std::bit_cast<std::uint64_t>(t) >> kDropped) - kOne);
+  return y < 0 ? -1 - k : k;
+}
+
+/// The lower edge of a cell, in scales.
+double edge_of(std::int64_t cell) {
+  const auto k = static_cast<std::uint64_t>(cell < 0 ? -cell : cell);
+  const double distance = std::bit_cast<double>((k + kOne) << kDropped) - 1;
+  return cell < 0 ? -distance : distance;
+}
+
+/// Makes room for cells from `low` to `high`.
+void widen(CountedCells& cells, std::int64_t low, std::int64_t high) {
+  PHYSIM_ASSERT(low <= high);
+  if (cells.counts.empty()) cells.first = low;
+  const std::int64_t last = std::max(high, cells.first + static_cast<std::int64_t>(cells.counts.size()) - 1);
+  if (low < cells.first) {
+    cells.counts.insert(cells.counts.begin(), static_cast<std::size_t>(cells.first - low), 0);
+    cells.first = low;
+  }
+  cells.counts.resize(static_cast<std::size_t>(last - cells.first + 1));
+}
+
+}  // namespace
+
+void count_into(CountedCells& cells, std::span<const double> numbers) {
+  if (numbers.empty()) return;
+  PHYSIM_ASSERT(cells.scale > 0);
+  const double per_scale = 1 / cells.scale;
+  const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+  widen(cells, cell_of((*least - cells.centre) * per_scale), cell_of((*most - cells.centre) * per_scale));
+  for (const double x : numbers)
+    ++cells.counts[static_cast<std::size_t>(cell_of((x - cells.centre) * per_scale) - cells.first)];
+}
+
+void join(CountedCells& cells, const CountedCells& others) {
+  PHYSIM_ASSERT(cells.centre == others.centre && cells.scale == others.scale);
+  if (others.counts.empty()) return;
+  widen(cells, others.first, others.first + static_cast<std::int64_t>(others.counts.size()) - 1);
+  const auto offset = static_cast<std::size_t>(others.first - cells.first);
+  for (std::size_t i = 0; i < others.counts.size(); ++i) cells.counts[offset + i] += others.counts[i];
+}
+
+std::uint64_t CountedCells::count() const {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t n : counts) sum += n;
+  return sum;
+}
+
+double CountedCells::edge(std::size_t i) const {
+  const IeeeMode mode;
+  return centre + scale * edge_of(first + static_cast<std::int64_t>(i));
+}
+
+double CountedCells::quantile(double p) const {
+  const IeeeMode mode;
+  const std::uint64_t all = count();
+  if (all == 0 || !(p >= 0 && p <= 1)) return std::numeric_limits<double>::quiet_NaN();
+  const double wanted = p * static_cast<double>(all);
+  double below = 0;
+  std::size_t last = 0;  // a cell that has some
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    last = i;
+    const auto inside = static_cast<double>(counts[i]);
+    if (below + inside >= wanted) return edge(i) + (edge(i + 1) - edge(i)) * std::max(0.0, (wanted - below) / inside);
+    below += inside;
+  }
+  return edge(last + 1);
+}
+
+double CountedCells::part_below(double x) const {
+  const IeeeMode mode;
+  double below = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double low = edge(i), high = edge(i + 1);
+    if (x <= low) break;
+    below += static_cast<double>(counts[i]) * (x >= high ? 1 : (x - low) / (high - low));
+  }
+  const std::uint64_t all = count();
+  return all == 0 || x != x ? std::numeric_limits<double>::quiet_NaN() : below / static_cast<double>(all);
+}
+
+double CountedCells::error_at(double x) const {
+  const IeeeMode mode;
+  return (scale + std::abs(x - centre)) / 256;
+}
+
+}  // namespace physim

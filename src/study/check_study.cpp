@@ -1,0 +1,145 @@
+#include "study/check_study.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/checker.hpp"
+#include "study/correlation.hpp"
+#include "study/paths.hpp"
+#include "study/sobol.hpp"
+#include "study/targets.hpp"
+
+namespace physim {
+namespace {
+
+std::string numbered(const char* list, std::size_t i) { return std::string(list) + '[' + std::to_string(i) + ']'; }
+
+Error placed(const Error& error, const std::string& place) {
+  return {error.message, error.place.empty() ? place : place + '.' + error.place, error.hint};
+}
+
+std::string list_of_paths() {
+  std::string text;
+  for (const PathRow& row : all_paths()) text += (text.empty() ? "one of " : ", ") + std::string(row.path);
+  return text;
+}
+
+Status check_path(const Study& study, std::size_t i) {
+  const StudyInput& input = study.inputs[i];
+  const std::string place = numbered("inputs", i) + ".path";
+  const PathRow* row = find_path(input.path);
+  if (!row) return Error{"no number of a shot is called \"" + input.path + "\"", place, list_of_paths()};
+  const Wind& wind = study.environment.wind;
+  if (input.path.starts_with("environment.wind") && (!wind.profile.empty() || wind.field))
+    return Error{"an uncertain wind is the same everywhere, and the environment has a profile", place,
+                 "leave the profile out"};
+  for (std::size_t j = 0; j < i; ++j)
+    if (study.inputs[j].path == input.path && !study.inputs[j].added && !input.added)
+      return Error{input.path + " is drawn by " + numbered("inputs", j) + " already", place,
+                   "let one of the two be `added`"};
+  return {};
+}
+
+Status check_inputs(const Study& study, bool of_flights) {
+  const std::size_t count = study.inputs.size();
+  Checker c;
+  c.require(count >= 1, "inputs", "are none: nothing is uncertain", "name a number, and how it is distributed");
+  c.require(count <= 64, "inputs", "are more than 64");
+  const std::size_t dimensions = count * (study.indices ? 2 : 1);
+  c.require(study.sampling != Sampling::sobol || dimensions <= kSobolDimensions, "sampling",
+            "Sobol's sequence has 64 dimensions here; with indices each input takes two", "draw Latin hypercubes");
+  for (std::size_t i = 0; i < count && c.status_so_far(); ++i) {
+    if (const Status status = check(study.inputs[i].distribution); !status)
+      return placed(status.error(), numbered("inputs", i) + ".distribution");
+    c.require(static_cast<unsigned>(study.inputs[i].drawn_for) <= 1, numbered("inputs", i) + ".drawn_for",
+              "is none of the named values");
+    if (of_flights) c.also(check_path(study, i));
+  }
+  return c.status();
+}
+
+void check_sizes(Checker& c, const Study& study) {
+  constexpr std::uint64_t kMostShots = std::uint64_t{1} << 50;
+  c.named(study.sampling, Sampling::sobol, "sampling");
+  c.require(study.shots >= 1 && study.shots <= kMostShots, "shots", "must be from 1 to 2^50");
+  c.require(study.shard_shots >= 16 && study.shard_shots <= 65536, "shard_shots", "must be from 16 to 65536");
+  c.require(study.rounds >= 1, "rounds", "must be one or more");
+  if (!c.status_so_far()) return;
+  c.require(
+      study.shard_shots % study.rounds == 0, "rounds",
+      std::to_string(study.rounds) + " do not divide the " + std::to_string(study.shard_shots) + " shots of a shard",
+      "choose another shard_shots");
+  if (study.sampling != Sampling::sobol) return;
+  c.require(std::has_single_bit(study.shard_shots), "shard_shots", "must be a power of two for Sobol's sequence");
+  c.require(study.rounds == 1, "rounds", "Sobol's sequence knows no occasions", "draw at random or Latin hypercubes");
+}
+
+void check_plane(Checker& c, const Study& study) {
+  const bool has_plane = study.quantities.size() != 1;  // none: those of the rule
+  c.is_number(study.aim.right, "aim.right").is_number(study.aim.up, "aim.up");
+  c.require(study.targets.empty() || has_plane, "targets", "lie on a plane: ask for two quantities");
+  for (std::size_t i = 0; i < study.targets.size(); ++i) c.also(check(study.targets[i], numbered("targets", i)));
+  for (const std::uint32_t size : study.group_sizes)
+    c.require(size >= 2 && size <= 100, "group_sizes", "must be from 2 to 100 shots");
+}
+
+void check_quantities(Checker& c, const Study& study) {
+  for (std::size_t i = 0; i < study.quantities.size(); ++i) {
+    c.named(study.quantities[i], StudyQuantity::along, numbered("quantities", i));
+    const auto before = study.quantities.begin() + static_cast<std::ptrdiff_t>(i);
+    c.require(std::find(study.quantities.begin(), before, study.quantities[i]) == before, numbered("quantities", i),
+              "is asked for twice");
+  }
+  if (!study.until_width) return;
+  c.positive(study.until_width->width, "until_width.width");
+  const std::size_t quantities = study.quantities.empty() ? 4 : study.quantities.size();
+  c.require(!study.until_width->target || *study.until_width->target < study.targets.size(), "until_width.target",
+            "there is no such target");
+  c.require(study.until_width->quantity < quantities, "until_width.quantity", "there is no such quantity");
+}
+
+}  // namespace
+
+Status check(const Study& study, bool of_flights) {
+  Checker c;
+  check_sizes(c, study);
+  if (c.status_so_far()) c.also(check_inputs(study, of_flights));
+  check_plane(c, study);
+  check_quantities(c, study);
+  if (of_flights)
+    c.require(!study.launch.velocity, "launch.velocity", "has no numbers of its own in a study",
+              "give a speed, an elevation and an azimuth");
+  else
+    c.require(!study.quantities.empty(), "quantities", "must name the columns that the function fills");
+  return c.status();
+}
+
+Result<std::vector<InputGroup>> groups_of(const Study& study) {
+  std::vector<InputGroup> groups;
+  std::vector<bool> taken(study.inputs.size());
+  for (std::size_t i = 0; i < study.correlated.size(); ++i) {
+    const StudyCorrelation& with = study.correlated[i];
+    const std::string place = numbered("correlated", i);
+    std::vector<std::string> names;
+    for (const std::size_t input : with.inputs) {
+      if (input >= study.inputs.size())
+        return Error{"there is no input " + std::to_string(input), place + ".inputs", ""};
+      if (taken[input]) return Error{study.inputs[input].path + " is correlated twice", place + ".inputs", ""};
+      if (study.inputs[input].drawn_for != study.inputs[with.inputs[0]].drawn_for)
+        return Error{
+            study.inputs[input].path + " is drawn more or less often than " + study.inputs[with.inputs[0]].path,
+            place + ".inputs", "correlate what is drawn together"};
+      taken[input] = true;
+      names.push_back(study.inputs[input].path);
+    }
+    if (with.inputs.empty()) return Error{"names no inputs", place + ".inputs", ""};
+    auto root = correlation_root(with.matrix, names, place + ".matrix");
+    if (!root) return root.error();
+    groups.push_back({with.inputs, std::move(*root)});
+  }
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (!taken[i]) groups.push_back({{i}, {}});
+  return groups;
+}
+
+}  // namespace physim

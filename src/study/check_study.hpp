@@ -1,0 +1,13 @@
+// What can be wrong with a study.
+#pragma once
+
+#include "study/plan.hpp"
+
+namespace physim {
+
+/// All but what flights refuse. `of_flights`: its inputs are those of study_paths().
+[[nodiscard]] Status check(const Study& study, bool of_flights);
+/// Inputs that are drawn together; an error for correlations that cannot be.
+[[nodiscard]] Result<std::vector<InputGroup>> groups_of(const Study& study);
+
+}  // namespace physim

@@ -1,0 +1,128 @@
+#include "study/estimates.hpp"
+
+#include <algorithm>
+
+#include "math/elementary.hpp"
+#include "study/indices.hpp"
+#include "study/shard.hpp"
+#include "study/zone.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTwoSided = 1.959963984540054;      // normal, 95 %
+constexpr double kTwoSidedStudent = 2.131449545559;  // Student's t of kReplicates - 1 = 15, 95 %
+static_assert(kReplicates == 16);
+
+RadiusResult radius_result(const StudyPlanRecord& plan, const DistanceSums& sums) {
+  RadiusResult r;
+  const bool some = sums.moments.count > 0;
+  r.mean = {some ? sums.moments.mean[0] : kNotKnown, plan.is_plain() ? sums.moments.standard_error(0) : kNotKnown};
+  r.r50 = sums.cells.quantile(0.5);
+  r.r90 = sums.cells.quantile(0.9);
+  r.r95 = sums.cells.quantile(0.95);
+  r.cells = sums.cells;
+  return r;
+}
+
+/// The axes of the covariance of the plane: eigenvalues of a symmetric 2 x 2 matrix.
+EllipseResult ellipse_of(const SampleMoments& m) {
+  PHYSIM_ASSERT(m.size() >= 2 && m.count > 0);
+  const double a = m.covariance(0, 0), b = m.covariance(0, 1), c = m.covariance(1, 1);
+  const double middle = 0.5 * (a + c), half = 0.5 * (a - c), turn = std::sqrt(half * half + b * b);
+  return {m.mean[0], m.mean[1], std::sqrt(std::max(0.0, middle + turn)), std::sqrt(std::max(0.0, middle - turn)),
+          turn > 0 ? 0.5 * atan2(b, half) : 0};
+}
+
+void put_plane(const StudyPlanRecord& plan, const ShardSums& sums, StudyResult& result) {
+  const Study& study = plan.study;
+  result.from_aim = radius_result(plan, sums.from_aim);
+  result.from_centre = radius_result(plan, sums.from_centre);
+  if (sums.moments.count > 0) result.ellipse = ellipse_of(sums.moments);
+  for (std::size_t i = 0; i < sums.spreads.size(); ++i) {
+    const SampleMoments& m = sums.spreads[i].moments;
+    if (m.count == 0) continue;
+    const double error = study.rounds == 1 ? m.standard_error(0) : kNotKnown;
+    result.spreads.push_back(
+        {study.group_sizes[i], m.count, {m.mean[0], error}, std::sqrt(m.covariance(0, 0)), sums.spreads[i].cells});
+  }
+  if (plan.is_plain()) result.zone = zone_of(sums.reach, sums.moments.count);
+  for (std::size_t i = 0; i < study.targets.size(); ++i) result.hits.push_back(hits_on(plan, sums, i));
+}
+
+}  // namespace
+
+Interval wilson_interval(std::uint64_t hits, std::uint64_t shots) {
+  PHYSIM_ASSERT(hits <= shots);
+  if (shots == 0) return {0, 1};
+  const auto n = static_cast<double>(shots);
+  const double p = static_cast<double>(hits) / n, zz = kTwoSided * kTwoSided / n;
+  const double centre = p + 0.5 * zz, half = kTwoSided * std::sqrt(p * (1 - p) / n + 0.25 * zz / n);
+  return {hits == 0 ? 0 : (centre - half) / (1 + zz), hits == shots ? 1 : (centre + half) / (1 + zz)};
+}
+
+Estimate mean_of_quantity(const StudyPlanRecord& plan, const ShardSums& sums, std::size_t quantity) {
+  const SampleMoments& m = sums.moments;
+  if (m.count == 0) return {kNotKnown, kNotKnown};
+  if (plan.is_plain()) return {m.mean[quantity], m.standard_error(quantity)};
+  const auto mean = [&](const Replicate& part) {
+    return part.moments.count > 0 ? part.moments.mean[quantity] : kNotKnown;
+  };
+  return {m.mean[quantity], over_replicates(sums, mean).error};
+}
+
+HitResult hits_on(const StudyPlanRecord& plan, const ShardSums& sums, std::size_t target) {
+  PHYSIM_ASSERT(target < plan.study.targets.size() && sums.shots > 0);
+  HitResult hit{.name = plan.study.targets[target].name, .hits = sums.hits.empty() ? 0 : sums.hits[target]};
+  const auto shots = static_cast<double>(sums.shots);
+  const double p = static_cast<double>(hit.hits) / shots;
+  if (plan.is_plain()) {
+    const Interval interval = wilson_interval(hit.hits, sums.shots);
+    hit.probability = {p, std::sqrt(p * (1 - p) / shots)};
+    hit.low = interval.low, hit.high = interval.high;
+    return hit;
+  }
+  const Estimate parts = over_replicates(sums, [&](const Replicate& part) {
+    return (part.hits.empty() ? 0.0 : static_cast<double>(part.hits[target])) / static_cast<double>(part.shots);
+  });
+  hit.probability = {p, parts.error};
+  hit.low = std::max(0.0, p - kTwoSidedStudent * parts.error);
+  hit.high = std::min(1.0, p + kTwoSidedStudent * parts.error);
+  return hit;
+}
+
+double width_of(const StudyPlanRecord& plan, const ShardSums& sums) {
+  PHYSIM_ASSERT(plan.study.until_width.has_value());
+  const StudyWidth& asked = *plan.study.until_width;
+  if (asked.target) {
+    const HitResult hit = hits_on(plan, sums, *asked.target);
+    return hit.high - hit.low;
+  }
+  const double error = mean_of_quantity(plan, sums, asked.quantity).error;
+  return 2 * (plan.is_plain() ? kTwoSided : kTwoSidedStudent) * error;
+}
+
+StudyResult figures_of(const StudyPlanRecord& plan, const ShardSums& sums) {
+  const Study& study = plan.study;
+  StudyResult result;
+  result.shards = sums.shots / study.shard_shots;
+  result.shots = sums.shots, result.refused = sums.refused, result.not_arrived = sums.not_arrived;
+  if (sums.refusal) result.first_refusal = Error{sums.refusal->message, sums.refusal->place, sums.refusal->hint};
+  const std::size_t n = study.quantities.size();
+  const bool some = sums.moments.count > 0;
+  for (std::size_t q = 0; q < n; ++q)
+    result.quantities.push_back({study.quantities[q], mean_of_quantity(plan, sums, q),
+                                 some ? std::sqrt(sums.moments.covariance(q, q)) : kNotKnown,
+                                 some ? sums.least[q] : kNotKnown, some ? sums.most[q] : kNotKnown, sums.cells[q]});
+  for (std::size_t i = 0; i < n * n; ++i)
+    result.covariance.push_back(some ? sums.moments.covariance(i / n, i % n) : kNotKnown);
+  if (plan.has_plane()) put_plane(plan, sums, result);
+  if (!plan.in_space.empty()) result.in_space = radius_result(plan, sums.in_space);
+  for (const SumOfShot& shot : sums.worst)
+    result.worst.push_back({shot.shot, shot.distance, drawn_by(plan, shot.shot)});
+  if (study.indices && some) result.indices = indices_of(plan, sums);
+  return result;
+}
+
+}  // namespace physim

@@ -1,0 +1,245 @@
+// Flights of a block of shots: columns where launches and weather alone are uncertain, a structure for each shot where
+// more of it is.
+//
+// The plane of impact is that of the shot without uncertainty: across its line of sight, at the range. A flight ends on
+// the plane of its own line of sight, which an uncertain azimuth turns; from there it goes straight on, or back, at the
+// speed it has. With an azimuth e off [rad] the planes are range e^2 / 2 apart, and what that leaves out is 1/2 g t^2
+// of the time t it takes: 0.1 um at 1000 m and 10 mrad.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/checker.hpp"
+#include "flight/pilot.hpp"
+#include "math/vec3.hpp"
+#include "model/sight.hpp"
+#include "prepare/grant.hpp"
+#include "study/model.hpp"
+#include "study/paths.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+
+/// A number of the shot or its weather, and the inputs that are drawn for it.
+struct UncertainNumber {
+  const PathRow* row;
+  double there;           // without uncertainty
+  bool replaced = false;  // by the first of the inputs; the others are added
+  std::vector<std::size_t> inputs{};
+};
+
+/// How a block of shots ended.
+struct BlockEnds {
+  std::span<const Outcome> outcome;
+  std::span<double> time, x, y, z, vx, vy, vz;
+};
+
+class FlightModel : public ShotModel {
+ public:
+  explicit FlightModel(const Study& study)
+      : study_(study), plain_{study.projectile, study.launch}, sight_(sight_frame(study.launch)) {
+    study_.inputs.clear();
+    for (std::size_t i = 0; i < study.inputs.size(); ++i) take(study.inputs[i], i);
+  }
+  [[nodiscard]] Status prepare();
+  ModelTold evaluate(InputColumns inputs, QuantityColumns quantities, ModelScratch& scratch) const override;
+
+ private:
+  void take(const StudyInput& input, std::size_t index);
+  [[nodiscard]] std::span<const double> column_of(const UncertainNumber& number, InputColumns inputs,
+                                                  std::span<double> room) const;
+  [[nodiscard]] ModelTold fly_columns_of(const std::vector<std::span<const double>>& columns, std::size_t count,
+                                         std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const;
+  [[nodiscard]] ModelTold fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
+                                       ModelScratch& scratch, const BlockEnds& ends) const;
+  void move_to_plane(const BlockEnds& ends) const;
+  void put(StudyQuantity quantity, const BlockEnds& ends, std::span<double> into) const;
+
+  Study study_;
+  Shot plain_;
+  SightFrame sight_;
+  std::vector<UncertainNumber> numbers_;
+  bool as_columns_ = true;
+};
+
+void FlightModel::take(const StudyInput& input, std::size_t index) {
+  const PathRow* row = find_path(input.path);
+  PHYSIM_ASSERT(row != nullptr);
+  if (!row->launches && !row->weather) as_columns_ = false;
+  auto at = std::ranges::find(numbers_, row, &UncertainNumber::row);
+  if (at == numbers_.end()) {
+    const double there = row->there ? row->there(study_.environment) : row->number ? row->number(plain_) : 1;
+    numbers_.push_back({row, there});
+    at = numbers_.end() - 1;
+  }
+  at->inputs.insert(input.added ? at->inputs.end() : at->inputs.begin(), index);
+  at->replaced = at->replaced || !input.added;
+}
+
+/// An automatic step is chosen once for all shards, with the margin that batches have.
+Status FlightModel::prepare() {
+  const Flight flight =
+      fly(plain_.projectile, plain_.launch, study_.environment, study_.fidelity, study_.tolerance, study_.until);
+  if (flight.error()) return *flight.error();
+  const Fidelity& granted = flight.fidelity_in_use().fidelity;
+  if (step_given(granted, study_.tolerance) || steps_by_frames(granted)) return {};
+  Tolerance finer = study_.tolerance;
+  finer.position_error *= 0.4;
+  const auto step = pilot_step(plain_.projectile, plain_.launch, study_.environment, granted, finer, study_.until);
+  if (!step) return step.error();
+  study_.tolerance.step = *step;
+  return {};
+}
+
+std::span<const double> FlightModel::column_of(const UncertainNumber& number, InputColumns inputs,
+                                               std::span<double> room) const {
+  PHYSIM_ASSERT(!number.inputs.empty());
+  if (number.replaced && number.inputs.size() == 1) return inputs[number.inputs[0]];
+  std::fill(room.begin(), room.end(), number.replaced ? 0 : number.there);
+  for (const std::size_t input : number.inputs)
+    for (std::size_t i = 0; i < room.size(); ++i) room[i] += inputs[input][i];
+  return room;
+}
+
+ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>& columns, std::size_t count,
+                                      std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const {
+  LaunchColumns launches{.common = plain_.launch};
+  Weather weather;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    if (const auto column = numbers_[i].row->launches) launches.*column = columns[i];
+    if (const auto column = numbers_[i].row->weather) weather.*column = columns[i];
+  }
+  if (launches.speed.empty()) {
+    std::fill(speeds.begin(), speeds.end(), plain_.launch.speed);
+    launches.speed = speeds;
+  }
+  const EndColumns into{.outcome = std::span(scratch.outcomes).first(count),
+                        .time = ends.time,
+                        .x = ends.x,
+                        .y = ends.y,
+                        .z = ends.z,
+                        .vx = ends.vx,
+                        .vy = ends.vy,
+                        .vz = ends.vz};
+  const ColumnsResult result = fly_columns(plain_.projectile, launches, study_.environment, study_.fidelity,
+                                           study_.tolerance, study_.until, into, nullptr, weather);
+  return {result.refused, result.error, {}};
+}
+
+ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
+                                    ModelScratch& scratch, const BlockEnds& ends) const {
+  if (scratch.shots.size() < count) scratch.shots.resize(count, plain_);
+  Weather weather;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const PathRow& row = *numbers_[i].row;
+    if (row.weather) weather.*row.weather = columns[i];
+    for (std::size_t shot = 0; shot < count && row.number; ++shot) row.number(scratch.shots[shot]) = columns[i][shot];
+    for (std::size_t shot = 0; shot < count && row.scale; ++shot)
+      row.scale(scratch.shots[shot], plain_, columns[i][shot]);
+  }
+  BatchResult& batch = scratch.batch;
+  fly_batch(std::span(scratch.shots).first(count), study_.environment, study_.fidelity, study_.tolerance, study_.until,
+            batch, nullptr, weather);
+  ModelTold told{0, batch.error, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const ShotResult& shot = batch.shots[i];
+    scratch.outcomes[i] = shot.outcome;
+    told.refused += shot.outcome == Outcome::refused ? 1 : 0;
+    ends.time[i] = shot.time;
+    ends.x[i] = shot.position.x, ends.y[i] = shot.position.y, ends.z[i] = shot.position.z;
+    ends.vx[i] = shot.velocity.x, ends.vy[i] = shot.velocity.y, ends.vz[i] = shot.velocity.z;
+  }
+  return told;
+}
+
+void FlightModel::move_to_plane(const BlockEnds& ends) const {
+  const Vec3d &f = sight_.forward, &muzzle = sight_.muzzle;
+  PHYSIM_ASSERT(study_.until.range.has_value());
+  for (std::size_t i = 0; i < ends.x.size(); ++i) {
+    const double ahead = ends.vx[i] * f.x + ends.vy[i] * f.y + ends.vz[i] * f.z;
+    const double range = (ends.x[i] - muzzle.x) * f.x + (ends.y[i] - muzzle.y) * f.y + (ends.z[i] - muzzle.z) * f.z;
+    if (!(ahead > 0)) continue;
+    const double time = (*study_.until.range - range) / ahead;
+    ends.time[i] += time;
+    ends.x[i] += time * ends.vx[i], ends.y[i] += time * ends.vy[i], ends.z[i] += time * ends.vz[i];
+  }
+}
+
+void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, std::span<double> into) const {
+  const auto copy = [&](std::span<const double> from) { std::copy(from.begin(), from.end(), into.begin()); };
+  const auto seen = [&](const Vec3d& axis, const Vec3d& start) {
+    for (std::size_t i = 0; i < into.size(); ++i)
+      into[i] = (e.x[i] - start.x) * axis.x + (e.y[i] - start.y) * axis.y + (e.z[i] - start.z) * axis.z;
+  };
+  switch (quantity) {
+    case StudyQuantity::time: return copy(e.time);
+    case StudyQuantity::x: return copy(e.x);
+    case StudyQuantity::y: return copy(e.y);
+    case StudyQuantity::z: return copy(e.z);
+    case StudyQuantity::vx: return copy(e.vx);
+    case StudyQuantity::vy: return copy(e.vy);
+    case StudyQuantity::vz: return copy(e.vz);
+    case StudyQuantity::speed:
+      for (std::size_t i = 0; i < into.size(); ++i)
+        into[i] = std::sqrt(e.vx[i] * e.vx[i] + e.vy[i] * e.vy[i] + e.vz[i] * e.vz[i]);
+      return;
+    case StudyQuantity::right: return seen(sight_.right, sight_.start);
+    case StudyQuantity::up: return seen(sight_.up, sight_.start);
+    case StudyQuantity::along: return seen(sight_.forward, sight_.muzzle);
+  }
+  PHYSIM_UNREACHABLE();
+}
+
+ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities, ModelScratch& scratch) const {
+  PHYSIM_ASSERT(quantities.size() == study_.quantities.size());
+  const std::size_t count = quantities[0].size();
+  scratch.numbers.resize(count * (8 + numbers_.size()));
+  scratch.outcomes.resize(std::max(scratch.outcomes.size(), count));
+  std::size_t taken = 0;
+  const auto room = [&] { return std::span(scratch.numbers).subspan(count * taken++, count); };
+  const BlockEnds ends{
+      std::span(scratch.outcomes).first(count), room(), room(), room(), room(), room(), room(), room()};
+  const std::span<double> speeds = room();
+  std::vector<std::span<const double>> columns;
+  for (const UncertainNumber& number : numbers_) columns.push_back(column_of(number, inputs, room()));
+  ModelTold told =
+      as_columns_ ? fly_columns_of(columns, count, speeds, scratch, ends) : fly_shots_of(columns, count, scratch, ends);
+  if (study_.until.range) move_to_plane(ends);
+  for (std::size_t q = 0; q < quantities.size(); ++q) put(study_.quantities[q], ends, quantities[q]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Outcome outcome = ends.outcome[i];
+    if (outcome == Outcome::refused && !told.first) told.first = i;
+    const bool arrived = study_.until.range ? outcome == Outcome::reached_range : ended_as_planned(outcome);
+    if (arrived) continue;
+    for (const auto& column : quantities) column[i] = kNowhere;
+  }
+  return told;
+}
+
+class FunctionModel : public ShotModel {
+ public:
+  explicit FunctionModel(StudyFunction function) : function_(std::move(function)) {}
+  ModelTold evaluate(InputColumns inputs, QuantityColumns quantities, ModelScratch&) const override {
+    function_(inputs, quantities);
+    return {};
+  }
+
+ private:
+  StudyFunction function_;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const ShotModel>> flight_model(const Study& study) {
+  auto model = std::make_shared<FlightModel>(study);
+  if (const Status status = model->prepare(); !status) return status.error();
+  return std::shared_ptr<const ShotModel>(std::move(model));
+}
+
+std::shared_ptr<const ShotModel> function_model(const StudyFunction& function) {
+  return std::make_shared<FunctionModel>(function);
+}
+
+}  // namespace physim

@@ -1,0 +1,43 @@
+// What turns the inputs of shots into quantities: flights, or a function of one's own.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physim/study.hpp"
+
+namespace physim {
+
+/// Memory of one thread, used again from block to block.
+struct ModelScratch {
+  std::vector<double> numbers;
+  std::vector<Outcome> outcomes;
+  std::vector<Shot> shots;
+  BatchResult batch;
+};
+
+/// What a model tells beside its columns.
+struct ModelTold {
+  std::uint64_t refused = 0;
+  std::optional<Error> error{};        // of the first shot that was refused
+  std::optional<std::size_t> first{};  // that shot, by its place in the block
+};
+
+using InputColumns = std::span<const std::span<const double>>;
+using QuantityColumns = std::span<const std::span<double>>;
+
+class ShotModel {
+ public:
+  virtual ~ShotModel() = default;
+  /// One column of each input of the study in, one of each quantity out; NaN where a shot does not arrive.
+  virtual ModelTold evaluate(InputColumns inputs, QuantityColumns quantities, ModelScratch& scratch) const = 0;
+};
+
+/// Flights. An error for what all shots would be refused for.
+[[nodiscard]] Result<std::shared_ptr<const ShotModel>> flight_model(const Study& study);
+[[nodiscard]] std::shared_ptr<const ShotModel> function_model(const StudyFunction& function);
+
+}  // namespace physim

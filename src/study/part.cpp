@@ -1,0 +1,180 @@
+#include "study/part.hpp"
+
+#include <bit>
+#include <string>
+
+#include "base/archive.hpp"
+#include "base/ieee_mode.hpp"
+#include "study/archive.hpp"
+#include "study/estimates.hpp"
+#include "study/shard.hpp"
+
+namespace physim {
+namespace {
+
+using Node = StudyPartRecord::Node;
+
+std::string shards_text(std::uint64_t first, std::uint64_t count) {
+  if (count == 1) return "shard " + std::to_string(first);
+  return "shards " + std::to_string(first) + " to " + std::to_string(first + count - 1);
+}
+
+/// A node as it is saved.
+struct SavedNode {
+  std::uint64_t first = 0, count = 0;
+  ShardSums sums;
+};
+struct SavedPart {
+  std::string what;
+  std::uint32_t format = 0;
+  std::uint64_t hash = 0;
+  std::vector<SavedNode> nodes;
+};
+constexpr const char* kWhat = "physim study part";
+
+Error not_a_part(const char* why) {
+  return {std::string("these bytes are no part of a study: ") + why, "part", "take what save_part() gave"};
+}
+
+}  // namespace
+
+bool StudyPartRecord::has(std::uint64_t shard) const {
+  const auto after = nodes.upper_bound(shard);
+  if (after == nodes.begin()) return false;
+  const auto& [first, node] = *std::prev(after);
+  return shard - first < node.count;
+}
+
+std::uint64_t StudyPartRecord::first_missing() const {
+  std::uint64_t at = 0;
+  for (const auto& [first, node] : nodes) {
+    if (first != at) break;
+    at += node.count;
+  }
+  return at;
+}
+
+void StudyPartRecord::add(std::uint64_t first, Node node) {
+  PHYSIM_ASSERT(std::has_single_bit(node.count) && first % node.count == 0 && !has(first));
+  for (;;) {
+    const std::uint64_t other = first ^ node.count;
+    const auto sibling = nodes.find(other);
+    if (sibling == nodes.end() || sibling->second.count != node.count) break;
+    auto sums = std::make_shared<ShardSums>(other < first ? *sibling->second.sums : *node.sums);
+    join(*sums, other < first ? *node.sums : *sibling->second.sums);
+    nodes.erase(sibling);
+    first &= ~node.count;
+    node = {2 * node.count, std::move(sums)};
+  }
+  nodes.emplace(first, std::move(node));
+}
+
+Result<std::shared_ptr<const ShardSums>> StudyPartRecord::first_shards(std::uint64_t n) const {
+  std::uint64_t at = 0;
+  std::shared_ptr<ShardSums> sums;
+  for (const auto& [first, node] : nodes) {
+    if (at == n) break;
+    if (first != at)
+      return Error{shards_text(at, std::min(first, n) - at) + " of " + std::to_string(n) + " are missing", "part",
+                   "fly them, or join the part that has them"};
+    if (at + node.count > n)
+      return Error{shards_text(first, node.count) + " are joined already, and " + std::to_string(n) + " are asked for",
+                   "part", "ask for more, or fly them anew"};
+    if (sums)
+      join(*sums, *node.sums);
+    else
+      sums = std::make_shared<ShardSums>(*node.sums);
+    at += node.count;
+  }
+  if (at < n || n == 0)
+    return Error{
+        n == 0 ? "no shards are asked for" : shards_text(at, n - at) + " of " + std::to_string(n) + " are missing",
+        "part", "fly them, or join the part that has them"};
+  return std::shared_ptr<const ShardSums>(std::move(sums));
+}
+
+StudyPart::StudyPart() : record_(std::make_shared<const StudyPartRecord>()) {}
+
+std::uint64_t StudyPart::shards() const {
+  std::uint64_t count = 0;
+  for (const auto& [first, node] : record_->nodes) count += node.count;
+  return count;
+}
+bool StudyPart::has(std::uint64_t shard) const { return record_->has(shard); }
+std::uint64_t StudyPart::first_missing() const { return record_->first_missing(); }
+
+StudyPart run_shard(const StudyPlan& plan, std::uint64_t shard) {
+  const IeeeMode mode;
+  auto part = std::make_shared<StudyPartRecord>();
+  part->hash = plan.record().hash;
+  part->add(shard, {1, std::make_shared<const ShardSums>(ShardFlyer(plan.record()).fly(shard))});
+  return StudyPart(std::move(part));
+}
+
+Result<StudyPart> merge(const StudyPart& a, const StudyPart& b) {
+  const IeeeMode mode;
+  if (b.record().nodes.empty()) return a;
+  if (a.record().nodes.empty()) return b;
+  if (a.record().hash != b.record().hash)
+    return Error{"the parts are of different studies", "part", "join parts of one study, flown by one version"};
+  auto all = std::make_shared<StudyPartRecord>(a.record());
+  for (const auto& [first, node] : b.record().nodes) {
+    for (const auto& [known, other] : a.record().nodes)
+      if (first < known + other.count && known < first + node.count) {
+        const std::uint64_t low = std::max(first, known);
+        const std::uint64_t high = std::min(first + node.count, known + other.count);
+        return Error{"both parts have " + shards_text(low, high - low), "part", "join each shard once"};
+      }
+    all->add(first, node);
+  }
+  return StudyPart(std::move(all));
+}
+
+std::vector<std::byte> save_part(const StudyPart& part) {
+  SavedPart saved{kWhat, kStudyFormat, part.record().hash, {}};
+  for (const auto& [first, node] : part.record().nodes) saved.nodes.push_back({first, node.count, *node.sums});
+  std::vector<std::byte> bytes;
+  Writer writer(bytes);
+  writer.write(saved);
+  const std::uint64_t sum = hash_of(bytes);
+  writer.write(sum);
+  PHYSIM_ASSERT(writer.good());
+  return bytes;
+}
+
+Result<StudyPart> load_part(std::span<const std::byte> bytes) {
+  SavedPart saved;
+  std::uint64_t sum = 0;
+  Reader reader(bytes);
+  reader(saved.what, saved.format);
+  if (!reader.good() || saved.what != kWhat) return not_a_part("they begin otherwise");
+  if (saved.format != kStudyFormat)
+    return Error{
+        "the part has format " + std::to_string(saved.format) + ", this version " + std::to_string(kStudyFormat),
+        "part", "join it with the version that flew it"};
+  reader(saved.hash, saved.nodes, sum);
+  if (!reader.complete()) return not_a_part("they end too early, or too late");
+  const auto content = bytes.first(bytes.size() - sizeof(sum));
+  if (sum != hash_of(std::vector<std::byte>(content.begin(), content.end()))) return not_a_part("they are damaged");
+  auto part = std::make_shared<StudyPartRecord>();
+  part->hash = saved.hash;
+  std::uint64_t end = 0;
+  for (SavedNode& node : saved.nodes) {
+    if (!std::has_single_bit(node.count) || node.first % node.count != 0 || node.first < end)
+      return not_a_part("its shards do not fit together");
+    end = node.first + node.count;
+    part->add(node.first, {node.count, std::make_shared<const ShardSums>(std::move(node.sums))});
+  }
+  return StudyPart(std::move(part));
+}
+
+Result<StudyResult> result_of(const StudyPlan& plan, const StudyPart& part, std::uint64_t shards) {
+  const IeeeMode mode;
+  if (part.shards() > 0 && part.record().hash != plan.record().hash)
+    return Error{"the part is of another study, or of another version", "part", "fly this study"};
+  const auto sums = part.record().first_shards(shards);
+  if (!sums) return sums.error();
+  return figures_of(plan.record(), **sums);
+}
+
+}  // namespace physim

@@ -1,0 +1,33 @@
+// Sums of shards, joined in one tree whatever order they come in.
+//
+// Shards 2k and 2k + 1 are joined, then pairs of pairs, and so on: a node of 2^j shards begins at a multiple of 2^j.
+// What the first n shards come to is the join, from left to right, of the largest nodes that these are made of. So the
+// bits of a result depend on n alone, and no more than about log2(n) nodes are there when shards come in their order.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+#include "physim/study.hpp"
+#include "study/sums.hpp"
+
+namespace physim {
+
+struct StudyPartRecord {
+  struct Node {
+    std::uint64_t count = 0;  // of shards: a power of two
+    std::shared_ptr<const ShardSums> sums;
+  };
+  std::uint64_t hash = 0;               // of the study; 0: of none yet
+  std::map<std::uint64_t, Node> nodes;  // by their first shard
+
+  [[nodiscard]] bool has(std::uint64_t shard) const;
+  [[nodiscard]] std::uint64_t first_missing() const;
+  /// Takes in a node that overlaps none.
+  void add(std::uint64_t first, Node node);
+  /// What the first n shards come to.
+  [[nodiscard]] Result<std::shared_ptr<const ShardSums>> first_shards(std::uint64_t n) const;
+};
+
+}  // namespace physim

@@ -1,0 +1,147 @@
+#include "study/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/archive.hpp"
+#include "base/ieee_mode.hpp"
+#include "base/text.hpp"
+#include "study/archive.hpp"
+#include "study/check_study.hpp"
+#include "study/estimates.hpp"
+#include "study/moments.hpp"
+#include "study/paths.hpp"
+
+namespace physim {
+namespace {
+
+/// Evenly spread shots from which it is seen where the study's shots end.
+constexpr std::size_t kPilotShots = 1024;
+
+void fill_quantities(Study& study) {
+  if (!study.quantities.empty()) return;
+  const StudyQuantity second = study.until.range ? StudyQuantity::up : StudyQuantity::along;
+  study.quantities = {StudyQuantity::right, second, StudyQuantity::time, StudyQuantity::speed};
+}
+
+/// What belongs to the results of shards: not how many there are.
+std::uint64_t hash_of_study(Study study) {
+  study.shots = 0;
+  study.until_width.reset();
+  return hash_of(kStudyFormat, study);
+}
+
+/// Inputs that reach into what cannot be.
+void note_the_impossible(StudyPlanRecord& plan) {
+  for (const StudyInput& input : plan.study.inputs) {
+    const PathRow* row = find_path(input.path);
+    if (!row || !row->above_zero || input.added) continue;
+    const double part = probability_up_to(input.distribution, 0);
+    if (part * static_cast<double>(plan.study.shots) < 0.01) continue;
+    plan.notes.push_back(input.path + ": " + rounded_text(100 * part) +
+                         " % of its draws are not above zero; these shots are refused, so cut the distribution off");
+  }
+}
+
+std::uint64_t shards_of(const StudyPlanRecord& plan, std::uint64_t shots) {
+  const std::uint64_t shards = (shots + plan.study.shard_shots - 1) / plan.study.shard_shots;
+  if (plan.is_plain() && !plan.study.indices) return shards;
+  return (shards + kReplicates - 1) / kReplicates * kReplicates;
+}
+
+/// Where shots arrive, roughly: cells and distances are counted about that.
+void put_grids(StudyPlanRecord& plan, const SampleMoments& m) {
+  PHYSIM_ASSERT(m.size() == plan.study.quantities.size());
+  const auto deviation = [&](std::size_t q) { return std::sqrt(m.covariance(q, q)); };
+  const auto least = [&](std::size_t q) { return 1e-9 * std::max(std::abs(m.mean[q]), 1e-3); };
+  for (std::size_t q = 0; q < m.size(); ++q) plan.grids.push_back({m.mean[q], std::max(deviation(q), least(q))});
+  if (plan.has_plane()) {
+    plan.centre = {m.mean[0], m.mean[1]};
+    plan.radius_scale = std::max(plan.grids[0].scale, plan.grids[1].scale);
+  }
+  for (const StudyQuantity axis : {StudyQuantity::x, StudyQuantity::y, StudyQuantity::z}) {
+    const auto at = std::ranges::find(plan.study.quantities, axis);
+    if (at == plan.study.quantities.end()) return plan.in_space.clear();
+    plan.in_space.push_back(static_cast<std::size_t>(at - plan.study.quantities.begin()));
+    plan.space_scale =
+        std::max(plan.in_space.size() == 1 ? 0 : plan.space_scale, plan.grids[plan.in_space.back()].scale);
+  }
+}
+
+Status fly_pilot(StudyPlanRecord& plan) {
+  const std::size_t inputs = plan.study.inputs.size(), quantities = plan.study.quantities.size();
+  std::vector<double> numbers((inputs + quantities) * kPilotShots);
+  std::vector<std::span<double>> in, out;
+  for (std::size_t i = 0; i < inputs + quantities; ++i)
+    (i < inputs ? in : out).push_back(std::span(numbers).subspan(i * kPilotShots, kPilotShots));
+  const std::uint32_t rounds = std::exchange(plan.study.rounds, 1);
+  draw(plan, {Sampling::sobol, ~plan.study.seed}, 0, 0, in);
+  plan.study.rounds = rounds;
+  ModelScratch scratch;
+  const std::vector<std::span<const double>> read(in.begin(), in.end());
+  const ModelTold told = plan.model->evaluate(read, out, scratch);
+  if (told.refused == kPilotShots && told.error) return *told.error;
+  std::size_t arrived = 0;
+  for (std::size_t i = 0; i < kPilotShots; ++i) {
+    if (!std::ranges::all_of(out, [i](const auto& column) { return is_finite(column[i]); })) continue;
+    for (const auto& column : out) column[arrived] = column[i];
+    ++arrived;
+  }
+  if (arrived < 2)
+    return Error{"of " + std::to_string(kPilotShots) + " shots " + std::to_string(arrived) + " arrived", "until",
+                 "a range that the shot reaches, or more time"};
+  std::vector<std::span<const double>> columns;
+  for (const auto& column : out) columns.push_back(column.first(arrived));
+  put_grids(plan, moments_of(columns));
+  return {};
+}
+
+Result<StudyPlan> finish(StudyPlanRecord&& plan) {
+  auto groups = groups_of(plan.study);
+  if (!groups) return groups.error();
+  plan.groups = std::move(*groups);
+  for (const StudyInput& input : plan.study.inputs) plan.quantiles.emplace_back(input.distribution);
+  note_the_impossible(plan);
+  plan.hash = hash_of_study(plan.study);
+  plan.shards = shards_of(plan, plan.study.shots);
+  if (const Status status = fly_pilot(plan); !status) return status.error();
+  return StudyPlan(std::make_shared<const StudyPlanRecord>(std::move(plan)));
+}
+
+}  // namespace
+
+const Study& StudyPlan::study() const { return record_->study; }
+std::uint64_t StudyPlan::shards() const { return record_->shards; }
+const std::vector<std::string>& StudyPlan::notes() const { return record_->notes; }
+
+Result<StudyPlan> plan_study(const Study& study) {
+  const IeeeMode mode;
+  if (const Status status = check(study, true); !status) return status.error();
+  StudyPlanRecord plan;
+  plan.study = study;
+  fill_quantities(plan.study);
+  Launch& launch = plan.study.launch;
+  if (launch.sight.zero_range > 0) {
+    const auto elevation =
+        zero_elevation(study.projectile, launch, study.environment, study.fidelity, launch.sight.zero_range);
+    if (!elevation) return elevation.error();
+    launch.elevation = *elevation;
+    launch.sight.zero_range = 0;
+  }
+  auto model = flight_model(plan.study);
+  if (!model) return model.error();
+  plan.model = std::move(*model);
+  return finish(std::move(plan));
+}
+
+Result<StudyPlan> plan_study(const Study& study, const StudyFunction& function) {
+  const IeeeMode mode;
+  if (const Status status = check(study, false); !status) return status.error();
+  if (!function) return Error{"is empty", "function", ""};
+  StudyPlanRecord plan;
+  plan.study = study;
+  plan.model = function_model(function);
+  return finish(std::move(plan));
+}
+
+}  // namespace physim

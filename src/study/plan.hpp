@@ -1,0 +1,48 @@
+// A study checked and prepared: what shards read.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "study/distributions.hpp"
+#include "study/model.hpp"
+#include "study/sampling.hpp"
+
+namespace physim {
+
+/// Inputs that are drawn together: one that is correlated with none, or all of a correlation.
+struct InputGroup {
+  std::vector<std::size_t> inputs;
+  std::vector<double> root;  // of the correlations; empty: one input
+};
+
+/// What cells are counted about.
+struct CellGrid {
+  double centre = 0, scale = 1;
+};
+
+struct StudyPlanRecord {
+  Study study;  // with its quantities
+  std::uint64_t hash = 0;
+  std::vector<Quantiles> quantiles;  // of each input
+  std::vector<InputGroup> groups;
+  std::shared_ptr<const ShotModel> model;
+  std::vector<CellGrid> grids;        // of each quantity
+  PlanePoint centre;                  // mean point of impact of the pilot
+  double radius_scale = 1;            // of distances on the plane [m]
+  std::vector<std::size_t> in_space;  // indices of x, y and z; empty: not all are asked for
+  double space_scale = 1;             // of distances in space [m]
+  std::vector<std::string> notes;
+  std::uint64_t shards = 0;
+
+  [[nodiscard]] bool has_plane() const { return study.quantities.size() >= 2; }
+  /// Random shots that know nothing of each other.
+  [[nodiscard]] bool is_plain() const { return study.sampling == Sampling::random && study.rounds == 1; }
+};
+
+/// Draws the inputs of a shard. Dimensions of the sampler from `first_dimension` on: another set of shots.
+void draw(const StudyPlanRecord& plan, const Sampler& sampler, std::uint64_t shard, unsigned first_dimension,
+          std::span<const std::span<double>> columns);
+
+}  // namespace physim

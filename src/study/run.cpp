@@ -1,0 +1,137 @@
+// A study flown on threads, to its end or until a figure is known well enough.
+#include <algorithm>
+#include <mutex>
+
+#include "base/ieee_mode.hpp"
+#include "physim/task_runner.hpp"
+#include "study/estimates.hpp"
+#include "study/part.hpp"
+#include "study/shard.hpp"
+
+namespace physim {
+namespace {
+
+/// Shards of a study go to whichever thread is free; who flies which changes nothing.
+class ShardThreads {
+ public:
+  ShardThreads(const StudyPlan& plan, const StudyOptions& options) : plan_(plan), options_(options) {
+    part_ = options.so_far.record();
+    part_.hash = plan.record().hash;
+  }
+
+  /// Flies what is missing of the shards before `end`, from `first` on; false where it was stopped.
+  bool fly(std::uint64_t first, std::uint64_t end, TaskRunner* runner) {
+    end_ = end;
+    next_ = first;
+    const std::size_t threads = runner ? runner->threads() : 1;
+    if (threads <= 1)
+      work();
+    else
+      runner->run(
+          threads, [](void* self, std::size_t) { static_cast<ShardThreads*>(self)->work(); }, this);
+    return !stopped_;
+  }
+  [[nodiscard]] StudyPart part() const { return StudyPart(std::make_shared<const StudyPartRecord>(part_)); }
+
+ private:
+  void work() {
+    const IeeeMode mode;
+    ShardFlyer flyer(plan_.record());
+    for (std::uint64_t shard = 0; take(shard);) keep(shard, std::make_shared<const ShardSums>(flyer.fly(shard)));
+  }
+  bool take(std::uint64_t& shard) {
+    const std::lock_guard lock(mutex_);
+    while (next_ < end_ && part_.has(next_)) ++next_;
+    shard = next_;
+    return !stopped_ && next_++ < end_;
+  }
+  void keep(std::uint64_t shard, std::shared_ptr<const ShardSums> sums) {
+    const std::lock_guard lock(mutex_);
+    PHYSIM_ASSERT(shard < end_);
+    part_.add(shard, {1, std::move(sums)});
+    if (!stopped_ && options_.after_shard && !options_.after_shard(part())) stopped_ = true;
+  }
+
+  const StudyPlan& plan_;
+  const StudyOptions& options_;
+  std::mutex mutex_;
+  StudyPartRecord part_;
+  std::uint64_t end_ = 0, next_ = 0;
+  bool stopped_ = false;
+};
+
+/// Shard counts at which a width is judged: 1, 2, 3, 4, 6, 8, 12, ... times the replicates.
+std::uint64_t next_judged(std::uint64_t count) {
+  PHYSIM_ASSERT(count % kReplicates == 0);
+  const std::uint64_t parts = count / kReplicates;
+  if (parts < 2) return (parts + 1) * kReplicates;
+  std::uint64_t power = 1;
+  while (2 * power <= parts) power *= 2;
+  return (parts < power + power / 2 ? power + power / 2 : 2 * power) * kReplicates;
+}
+
+Status check_same(const StudyPlanRecord& plan, const StudyPart& so_far) {
+  if (so_far.shards() == 0 || so_far.record().hash == plan.hash) return {};
+  return Error{"what was flown before is of another study, or of another version", "so_far", "start anew"};
+}
+
+}  // namespace
+
+Result<StudyPart> run_shards(const StudyPlan& plan, std::uint64_t first, std::uint64_t count, TaskRunner* runner,
+                             const StudyOptions& options) {
+  const IeeeMode mode;
+  if (Status status = check_same(plan.record(), options.so_far); !status) return status.error();
+  if (first > plan.shards() || count > plan.shards() - first)
+    return Error{"the study has " + std::to_string(plan.shards()) + " shards", "count", "ask for fewer"};
+  ShardThreads threads(plan, options);
+  threads.fly(first, first + count, runner);
+  return threads.part();
+}
+
+Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner, const StudyOptions& options) {
+  const IeeeMode mode;
+  const StudyPlanRecord& record = plan.record();
+  if (Status status = check_same(record, options.so_far); !status) return status.error();
+  ShardThreads threads(plan, options);
+  const bool judged = record.study.until_width.has_value();
+  for (std::uint64_t count = 0; count < record.shards;) {
+    count = judged ? std::min(next_judged(count), record.shards) : record.shards;
+    if (!threads.fly(0, count, runner)) break;
+    if (!judged) continue;
+    const auto sums = threads.part().record().first_shards(count);
+    if (!sums) return sums.error();
+    if (!(width_of(record, **sums) <= record.study.until_width->width)) continue;
+    StudyResult result = figures_of(record, **sums);
+    result.width_reached = true;
+    return result;
+  }
+  const StudyPart part = threads.part();
+  return result_of(plan, part, std::min(part.first_missing(), record.shards));
+}
+
+Result<StudyResult> run_study(const Study& study, TaskRunner* runner) {
+  const auto plan = plan_study(study);
+  if (!plan) return plan.error();
+  return run_study(*plan, runner);
+}
+
+std::vector<double> draws_of(const StudyPlan& plan, std::uint64_t shot) {
+  const IeeeMode mode;
+  return drawn_by(plan.record(), shot);
+}
+
+std::vector<double> fly_shot_of(const StudyPlan& plan, std::uint64_t shot) {
+  const IeeeMode mode;
+  const StudyPlanRecord& record = plan.record();
+  const std::vector<double> drawn = drawn_by(record, shot);
+  std::vector<double> quantities(record.study.quantities.size());
+  std::vector<std::span<const double>> in;
+  std::vector<std::span<double>> out;
+  for (const double& x : drawn) in.emplace_back(&x, 1);
+  for (double& x : quantities) out.emplace_back(&x, 1);
+  ModelScratch scratch;
+  record.model->evaluate(in, out, scratch);
+  return quantities;
+}
+
+}  // namespace physim

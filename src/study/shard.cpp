@@ -1,0 +1,176 @@
+#include "study/shard.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/cells.hpp"
+#include "study/estimates.hpp"
+#include "study/indices.hpp"
+#include "study/targets.hpp"
+#include "study/zone.hpp"
+
+namespace physim {
+namespace {
+
+/// A function's columns are read, not written.
+std::vector<std::span<const double>> read_only(std::span<const std::span<double>> columns) {
+  return {columns.begin(), columns.end()};
+}
+
+CountedCells empty_cells(double centre, double scale) { return {.centre = centre, .scale = scale}; }
+
+}  // namespace
+
+void ShardFlyer::Block::set_size(std::size_t columns_wanted, std::size_t rows) {
+  numbers.resize(columns_wanted * rows);
+  columns.clear();
+  for (std::size_t i = 0; i < columns_wanted; ++i) columns.push_back(std::span(numbers).subspan(i * rows, rows));
+}
+
+ModelTold ShardFlyer::evaluate(const Block& inputs, Block& quantities) {
+  quantities.set_size(plan_.study.quantities.size(), inputs.columns[0].size());
+  return plan_.model->evaluate(read_only(inputs.columns), quantities.columns, scratch_);
+}
+
+ShardSums ShardFlyer::fly(std::uint64_t shard) {
+  const Study& study = plan_.study;
+  const Sampler sampler{study.sampling, study.seed};
+  ShardSums sums;
+  sums.shots = study.shard_shots;
+  sums.replicates.resize(kReplicates);
+  for (const CellGrid& grid : plan_.grids) sums.cells.push_back(empty_cells(grid.centre, grid.scale));
+  sums.from_aim.cells = sums.from_centre.cells = empty_cells(0, plan_.radius_scale);
+  sums.in_space.cells = empty_cells(0, plan_.space_scale);
+
+  inputs_.set_size(study.inputs.size(), study.shard_shots);
+  draw(plan_, sampler, shard, 0, inputs_.columns);
+  const ModelTold told = evaluate(inputs_, quantities_);
+  sums.refused = told.refused;
+  if (told.error && told.first)
+    sums.refusal =
+        FirstRefusal{shard * study.shard_shots + *told.first, told.error->message, told.error->place, told.error->hint};
+  add_arrived(shard, sums);
+  if (plan_.has_plane() && study.sampling == Sampling::random) add_spreads(sums);
+  Replicate& own = sums.replicates[shard % kReplicates];
+  own.shots = sums.shots, own.moments = sums.moments, own.hits = sums.hits;
+  if (study.indices) add_indices(shard, own.indices);
+  return sums;
+}
+
+/// Looks for those that arrived, and adds them up.
+void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
+  const auto& columns = quantities_.columns;
+  shots_.clear();
+  for (std::uint32_t i = 0; i < sums.shots; ++i) {
+    bool arrived = true;
+    for (const auto& column : columns) arrived = arrived && is_finite(column[i]);
+    if (arrived) shots_.push_back(i);
+  }
+  PHYSIM_ASSERT(shots_.size() + sums.refused <= sums.shots);
+  sums.not_arrived = sums.shots - sums.refused - shots_.size();
+  arrived_.set_size(columns.size(), shots_.size());
+  for (std::size_t q = 0; q < columns.size(); ++q)
+    for (std::size_t i = 0; i < shots_.size(); ++i) arrived_.columns[q][i] = columns[q][shots_[i]];
+  sums.moments = moments_of(read_only(arrived_.columns));
+  for (std::size_t q = 0; q < columns.size() && !shots_.empty(); ++q) {
+    const auto [least, most] = std::ranges::minmax(arrived_.columns[q]);
+    sums.least.push_back(least), sums.most.push_back(most);
+    count_into(sums.cells[q], arrived_.columns[q]);
+  }
+  distances_.resize(shots_.size());
+  if (plan_.has_plane()) add_plane(shard, sums);
+  if (plan_.in_space.empty()) return;
+  for (std::size_t i = 0; i < shots_.size(); ++i) {
+    double squares = 0;
+    for (const std::size_t q : plan_.in_space) {
+      const double from = arrived_.columns[q][i] - plan_.grids[q].centre;
+      squares += from * from;
+    }
+    distances_[i] = std::sqrt(squares);
+  }
+  add_distances(sums.in_space);
+}
+
+void ShardFlyer::add_distances(DistanceSums& sums) const {
+  const std::span<const double> column[] = {distances_};
+  sums.moments = moments_of(column);
+  count_into(sums.cells, distances_);
+}
+
+void ShardFlyer::add_plane(std::uint64_t shard, ShardSums& sums) {
+  const Study& study = plan_.study;
+  const std::span<const double> right = arrived_.columns[0], up = arrived_.columns[1];
+  const auto measure = [&](const PlanePoint& from) {
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      const double x = right[i] - from.right, y = up[i] - from.up;
+      distances_[i] = std::sqrt(x * x + y * y);
+    }
+  };
+  measure(plan_.centre);
+  add_distances(sums.from_centre);
+  measure(study.aim);
+  add_distances(sums.from_aim);
+  for (std::size_t i = 0; i < distances_.size(); ++i) {
+    if (sums.worst.size() == kWorstShots && distances_[i] <= sums.worst.back().distance) continue;
+    sums.worst.push_back({shard * study.shard_shots + shots_[i], distances_[i]});
+    keep_worst(sums.worst);
+  }
+  sums.reach = reach_of(right, up);
+  for (const StudyTarget& target : study.targets) sums.hits.push_back(hits_of(target, right, up));
+}
+
+/// Groups of shots that follow each other within an occasion; those of which a shot did not arrive are left out.
+void ShardFlyer::add_spreads(ShardSums& sums) {
+  const Study& study = plan_.study;
+  const std::span<const double> right = quantities_.columns[0], up = quantities_.columns[1];
+  PHYSIM_ASSERT(right.size() % study.rounds == 0);
+  const std::size_t run = study.rounds > 1 ? study.rounds : right.size();
+  for (const std::size_t size : study.group_sizes) {
+    distances_.clear();
+    for (std::size_t start = 0; start < right.size(); start += run)
+      for (std::size_t first = start; first + size <= start + run; first += size) {
+        double most = 0, all = 0;
+        for (std::size_t i = first; i < first + size; ++i) all += right[i] + up[i];
+        for (std::size_t i = first; i < first + size; ++i)
+          for (std::size_t j = first; j < i; ++j) {
+            const double x = right[i] - right[j], y = up[i] - up[j];
+            most = std::max(most, x * x + y * y);
+          }
+        if (is_finite(all)) distances_.push_back(std::sqrt(most));
+      }
+    DistanceSums& spread = sums.spreads.emplace_back();
+    spread.cells = empty_cells(0, plan_.radius_scale);
+    add_distances(spread);
+  }
+}
+
+void ShardFlyer::add_indices(std::uint64_t shard, IndexSums& sums) {
+  const Study& study = plan_.study;
+  const std::size_t inputs = study.inputs.size();
+  other_inputs_.set_size(inputs, study.shard_shots);
+  draw(plan_, {study.sampling, study.seed}, shard, static_cast<unsigned>(inputs), other_inputs_.columns);
+  evaluate(other_inputs_, other_quantities_);
+  for (std::size_t group = 0; group < plan_.groups.size(); ++group) {
+    mixed_inputs_.set_size(inputs, study.shard_shots);
+    for (std::size_t i = 0; i < inputs; ++i) std::ranges::copy(inputs_.columns[i], mixed_inputs_.columns[i].begin());
+    for (const std::size_t i : plan_.groups[group].inputs)
+      std::ranges::copy(other_inputs_.columns[i], mixed_inputs_.columns[i].begin());
+    evaluate(mixed_inputs_, mixed_quantities_);
+    add_index_sums(plan_, group, quantities_.columns, other_quantities_.columns, mixed_quantities_.columns, sums);
+  }
+}
+
+std::vector<double> drawn_by(const StudyPlanRecord& plan, std::uint64_t shot) {
+  const Study& study = plan.study;
+  PHYSIM_ASSERT(study.shard_shots > 0 && plan.quantiles.size() == study.inputs.size());
+  std::vector<double> numbers(study.inputs.size() * study.shard_shots);
+  std::vector<std::span<double>> columns;
+  for (std::size_t i = 0; i < study.inputs.size(); ++i)
+    columns.push_back(std::span(numbers).subspan(i * study.shard_shots, study.shard_shots));
+  draw(plan, {study.sampling, study.seed}, shot / study.shard_shots, 0, columns);
+  std::vector<double> drawn;
+  for (const auto& column : columns) drawn.push_back(column[shot % study.shard_shots]);
+  return drawn;
+}
+
+}  // namespace physim

@@ -1,0 +1,81 @@
+#include "study/sums.hpp"
+
+#include <algorithm>
+
+#include "base/assert.hpp"
+#include "study/cells.hpp"
+
+namespace physim {
+namespace {
+
+void join_distances(DistanceSums& all, const DistanceSums& more) {
+  join(all.moments, more.moments);
+  join(all.cells, more.cells);
+}
+
+template <class T>
+void add_each(std::vector<T>& all, const std::vector<T>& more) {
+  if (all.empty()) all.resize(more.size());
+  PHYSIM_ASSERT(more.empty() || all.size() == more.size());
+  for (std::size_t i = 0; i < more.size(); ++i) all[i] += more[i];
+}
+
+void join_replicate(Replicate& all, const Replicate& more) {
+  all.shots += more.shots;
+  join(all.moments, more.moments);
+  add_each(all.hits, more.hits);
+  add_each(all.indices.counts, more.indices.counts);
+  add_each(all.indices.first, more.indices.first);
+  add_each(all.indices.total, more.indices.total);
+}
+
+void join_ends(ShardSums& all, const ShardSums& later) {
+  if (later.least.empty()) return;
+  if (all.least.empty()) {
+    all.least = later.least, all.most = later.most;
+    return;
+  }
+  for (std::size_t i = 0; i < all.least.size(); ++i) {
+    all.least[i] = std::min(all.least[i], later.least[i]);
+    all.most[i] = std::max(all.most[i], later.most[i]);
+  }
+}
+
+}  // namespace
+
+void keep_worst(std::vector<SumOfShot>& shots) {
+  PHYSIM_ASSERT(shots.size() <= 2 * kWorstShots);
+  const auto is_worse = [](const SumOfShot& a, const SumOfShot& b) {
+    return a.distance != b.distance ? a.distance > b.distance : a.shot < b.shot;
+  };
+  const auto kept = shots.begin() + static_cast<std::ptrdiff_t>(std::min(kWorstShots, shots.size()));
+  std::partial_sort(shots.begin(), kept, shots.end(), is_worse);
+  shots.erase(kept, shots.end());
+}
+
+void join(ShardSums& all, const ShardSums& later) {
+  PHYSIM_ASSERT(all.cells.size() == later.cells.size() && all.spreads.size() == later.spreads.size());
+  PHYSIM_ASSERT(all.replicates.size() == later.replicates.size());
+  all.shots += later.shots;
+  all.refused += later.refused;
+  all.not_arrived += later.not_arrived;
+  if (!all.refusal) all.refusal = later.refusal;
+  join(all.moments, later.moments);
+  join_ends(all, later);
+  for (std::size_t i = 0; i < all.cells.size(); ++i) join(all.cells[i], later.cells[i]);
+  join_distances(all.from_aim, later.from_aim);
+  join_distances(all.from_centre, later.from_centre);
+  join_distances(all.in_space, later.in_space);
+  for (std::size_t i = 0; i < all.spreads.size(); ++i) join_distances(all.spreads[i], later.spreads[i]);
+  add_each(all.hits, later.hits);
+  for (std::size_t i = 0; i < later.reach.size(); ++i)
+    if (i < all.reach.size())
+      all.reach[i] = std::max(all.reach[i], later.reach[i]);
+    else
+      all.reach.push_back(later.reach[i]);
+  all.worst.insert(all.worst.end(), later.worst.begin(), later.worst.end());
+  keep_worst(all.worst);
+  for (std::size_t i = 0; i < all.replicates.size(); ++i) join_replicate(all.replicates[i], later.replicates[i]);
+}
+
+}  // namespace physim

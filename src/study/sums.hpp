@@ -1,0 +1,69 @@
+// What shards of a study come to, in a form that can be joined: memory stays the same however many shots there are.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physim/study_result.hpp"
+#include "study/moments.hpp"
+
+namespace physim {
+
+inline constexpr std::size_t kWorstShots = 10;
+
+/// Distances from a point, or spreads of groups.
+struct DistanceSums {
+  SampleMoments moments;
+  CountedCells cells;
+};
+
+struct SumOfShot {
+  std::uint64_t shot = 0;
+  double distance = 0;  // from the aim [m]
+};
+
+/// Sums of Sobol indices over the shots of which all flights arrived; see study/indices.hpp.
+struct IndexSums {
+  std::vector<std::uint64_t> counts;  // of each group of inputs
+  std::vector<double> first;          // of each group and quantity
+  std::vector<double> total;
+};
+
+/// One of the parts of a study from which errors are told.
+struct Replicate {
+  std::uint64_t shots = 0;
+  SampleMoments moments;
+  std::vector<std::uint64_t> hits;  // of each target
+  IndexSums indices;
+};
+
+/// The first shot that was refused.
+struct FirstRefusal {
+  std::uint64_t shot = 0;
+  std::string message, place, hint;
+};
+
+struct ShardSums {
+  std::uint64_t shots = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t not_arrived = 0;
+  std::optional<FirstRefusal> refusal;
+  SampleMoments moments;  // of all quantities
+  std::vector<double> least, most;
+  std::vector<CountedCells> cells;
+  DistanceSums from_aim, from_centre, in_space;
+  std::vector<DistanceSums> spreads;  // of each group size
+  std::vector<std::uint64_t> hits;    // of each target
+  std::vector<SumOfShot> worst;       // the worst first
+  std::vector<double> reach;          // farthest in each direction of the zone; none: no shot arrived
+  std::vector<Replicate> replicates;  // kReplicates of them
+};
+
+/// Takes in the shards that follow.
+void join(ShardSums& all, const ShardSums& later);
+/// Keeps the worst, in order.
+void keep_worst(std::vector<SumOfShot>& shots);
+
+}  // namespace physim

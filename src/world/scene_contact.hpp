@@ -1,0 +1,313 @@
+// Contact of a row with things of a scene: what its kind and their materials let follow.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "collide/path_cast.hpp"
+#include "model/ball_rolling.hpp"
+#include "physim/impact.hpp"
+#include "world/settled_row.hpp"
+
+namespace physim {
+
+/// Contacts of one row in a step: between two walls there may be many.
+inline constexpr int kMostHits = 1000;
+
+/// What a row's numbers are apart at a place [m].
+template <class S>
+[[nodiscard]] double spacing_at(const Vec3d& x) {
+  const double largest = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  return largest * static_cast<double>(std::numeric_limits<S>::epsilon());
+}
+
+/// So far something may fly from a place before it can touch anything, in a scene in which nothing moves [m].
+template <class S>
+[[nodiscard]] S clear_way(const SettleContext& context, const Vec3d& x, const Vec3d& velocity,
+                          const CollisionDef& collision) {
+  constexpr double kSteps = 64;  // looking farther costs more than looking again
+  const double reach = collision.radius + kSteps * context.dt * (length(velocity) + 10 * context.dt);
+  const double clear = context.scene->clearance(x, reach, {.layers = collision.layers});
+  return static_cast<S>(clear - collision.radius - 4 * spacing_at<S>(x));
+}
+
+template <class S>
+class SceneContacts {
+ public:
+  SceneContacts(const SettleContext& context, SettledRow<S>& row)
+      : context_(context), r_(row), scene_(row.meets() ? context.scene : nullptr) {
+    if (!scene_) return;
+    kind_ = &context.registry->kind(r_.slot().kind);
+    solids_ = {.layers = collision().layers, .sensors = false};
+  }
+  explicit operator bool() const { return scene_ != nullptr; }
+
+  /// What a contact leads to.
+  enum class Then { flies_on, lies, sticks, stops };
+  struct After {
+    Then then;
+    State<double> state;
+    double passed;  // into the step [s]
+  };
+
+  /// Where a path first meets something, up to `end`; what it passes on the way is told. `path(theta)` gives states,
+  /// `start` and `span` when they are, by the step's time [s].
+  template <class Path>
+  [[nodiscard]] std::optional<collide::PathHit> meeting(const Path& path, double end, double start, double span) {
+    const auto place = [&](double theta) { return path(theta).x; };
+    const collide::PathTime time{context_.time + start, span};
+    const bool passes = collision().on_hit == OnHit::pass;
+    std::optional<collide::PathHit> met;
+    if (!passes) met = collide::first_meeting(*scene_, solids_, collision().radius, place, time, end);
+    if (!passes && !scene_->has_sensors()) return met;
+    const auto tell = [&](double theta, const SceneHit& hit) {
+      const bool sensor = scene_->instance(hit.instance)->sensor;
+      if (!sensor && !passes) return;
+      const EventKind kind = !hit.entering ? EventKind::left : sensor ? EventKind::sensed : EventKind::entered;
+      r_.tell(kind, Reason::none, std::min(start + theta * span, context_.dt), path(theta), hit);
+    };
+    collide::each_passage(*scene_, {.layers = solids_.layers}, place, time, met ? met->theta : end, tell);
+    return met;
+  }
+
+  /// What follows from meeting something, `passed` into the step.
+  [[nodiscard]] After struck(State<double> s, SceneHit hit, double passed) {
+    std::optional<After> after;
+    hit = facing(hit);
+    while (!after) after = contact(s, hit, passed);
+    return *after;
+  }
+
+  /// It lies on what moves: it has no rest.
+  [[nodiscard]] bool is_carried() const { return carried_; }
+
+  /// So far it may fly from where it is now before it can touch anything [m].
+  [[nodiscard]] S clear_way() const {
+    if (scene_->has_motion()) return S(0);
+    return physim::clear_way<S>(context_, vec_cast<double>(r_.now().x), vec_cast<double>(r_.now().v), collision());
+  }
+
+ private:
+  [[nodiscard]] const CollisionDef& collision() const { return kind_->body.collision; }
+  [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia}; }
+  [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
+
+  [[nodiscard]] static Vec3d held(const Vec3d& x) { return vec_cast<double>(vec_cast<S>(x)); }
+
+  [[nodiscard]] SceneHit cast(const Vec3d& from, const Vec3d& to, double passed, double duration) const {
+    return facing(scene_->first_hit({from, to, collision().radius, context_.time + passed, duration}, solids_));
+  }
+  /// With the normal of a triangle towards who meets its back.
+  [[nodiscard]] static SceneHit facing(SceneHit hit) {
+    if (!hit.entering && !hit.starts_inside) hit.normal = -hit.normal;
+    return hit;
+  }
+
+  /// A place that a row can hold, from which what touches something at `x` can go on: outside of it, and of what stands
+  /// beside it. It lies about a tenth of a nanometre off, or as far as the row's numbers are apart.
+  [[nodiscard]] Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
+    const double gap = 1e-10 + 2 * spacing_at<S>(x);
+    Vec3d off = normal * gap;
+    constexpr int kMostSides = 6;  // more than three things seldom meet
+    for (int side = 0; side < kMostSides; ++side) {
+      const Vec3d place = held(x + off);
+      const SceneHit hit = cast(x + normal * 1e-10, place, passed, 0);
+      if (!hit || hit.starts_inside) return place;
+      off += hit.normal * gap;
+    }
+    return held(x + off);
+  }
+
+  /// One contact; nothing where another one follows in `s`, `hit` and `passed`.
+  [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
+    if (hit.starts_inside && is_ball()) push_out(s, hit, passed);
+    const bool inside = hit.starts_inside;
+    r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit);
+    const OnHit action = collision().on_hit;
+    if (action == OnHit::stop) return After{Then::stops, s, passed};
+    const Vec3d met = s.x;
+    if (!inside) s.x = outside(s.x, hit.normal, passed);
+    if (inside || action == OnHit::stick || ++hits_ > kMostHits) return After{Then::sticks, s, passed};
+    if (action == OnHit::impact)
+      if (auto after = impacted(s, met, hit, passed)) return after;
+    return rebound(s, hit, passed);
+  }
+
+  /// A ball that touches something where the step begins, as its middle is outside.
+  void push_out(State<double>& s, SceneHit& hit, double passed) const {
+    const double radius = collision().radius;
+    const SceneNearest near = scene_->nearest(s.x, radius, solids_, context_.time + passed);
+    if (!near || near.distance == 0) return;
+    hit.normal = (s.x - near.position) * (1 / near.distance);
+    hit.instance = near.instance;
+    hit.starts_inside = false;
+    s.x += hit.normal * (radius - near.distance);
+  }
+
+  [[nodiscard]] Surface surface(const SceneHit& hit) const {
+    const Material& material = scene_->material(hit.material);
+    const BodyDef& b = kind_->body;
+    return {material.restitution * b.restitution, material.friction * b.friction, b.rolling_resistance};
+  }
+
+  /// Bounces, or lies on what it met. All in the frame of the surface.
+  [[nodiscard]] std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed) {
+    const Vec3d n = hit.normal, u = hit.velocity;
+    const Surface on = surface(hit);
+    BallMotion motion{s.v - u, r_.spin(passed)};
+    if (dot(motion.velocity, n) >= 0) return After{Then::flies_on, s, passed};  // it moves away
+    const double before = dot(motion.velocity, n);
+    if (is_ball())
+      motion =
+          bounced(motion, n, ball(), {on.restitution, on.friction, scene_->material(hit.material).grip_restitution});
+    else
+      motion.velocity = bounced(motion.velocity, n, on);
+    if (is_ball()) r_.put_spin(motion.spin, passed);
+    const Vec3d a = r_.acceleration_at(s, passed);
+    // A bounce that would be over within this step does not lift it any more.
+    const double frame = std::min(context_.dt, kLongestPart);
+    if (dot(motion.velocity, n) > -dot(a, n) * (0.5 * frame) || dot(a, n) > 0) {
+      s.v = motion.velocity + u;
+      r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
+      return After{Then::flies_on, s, passed};
+    }
+    motion.velocity -= n * dot(motion.velocity, n);
+    s.v = motion.velocity + u;
+    // What falls from higher than a step's fall struck the surface, even where nothing of its speed is left.
+    if (before < dot(a, n) * frame) r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
+    return moves_along(s, hit, passed, motion, a);
+  }
+
+  /// Slides or rolls along what it lies on, up to what stands in its way.
+  [[nodiscard]] std::optional<After> moves_along(State<double>& s, SceneHit& hit, double& passed,
+                                                 const BallMotion& motion, const Vec3d& a) {
+    const Vec3d u = hit.velocity;
+    const Surface on = surface(hit);
+    const double left = std::min(context_.dt - passed, kLongestPart);
+    BallWay way{};
+    if (is_ball()) {
+      way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, left);
+    } else {
+      const Rolled on_it = rolled(motion.velocity, a, hit.normal, on, left);
+      way = {left, on_it.way, {on_it.velocity, motion.spin}};
+    }
+    carried_ = length_squared(u) > 0;
+    const Vec3d to = held(s.x + way.way + u * way.time);
+    const SceneHit next = cast(s.x, to, passed, way.time);
+    const double part = next && !next.starts_inside ? next.part : 1.0;
+    passed = part < 1 || way.time < context_.dt - passed ? passed + part * way.time : context_.dt;
+    const auto then = [part](const Vec3d& from, const Vec3d& end) {
+      return part < 1 ? from + (end - from) * part : end;
+    };
+    s = {part < 1 ? next.position : to, then(motion.velocity, way.motion.velocity) + u};
+    if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
+    if (part == 1) return After{passed < context_.dt ? Then::flies_on : Then::lies, s, passed};
+    const SceneHit below = std::exchange(hit, next);
+    s.x = outside(s.x, hit.normal, passed);
+    const bool goes_on = part * way.time > 1e-6 * context_.dt;
+    if (!goes_on) return lies_between(s, below, hit, passed, a);
+    if (dot(s.v - hit.velocity, hit.normal) < 0 && ++hits_ <= kMostHits) return std::nullopt;
+    s.v = hit.velocity;
+    return After{Then::lies, s, context_.dt};
+  }
+
+  /// It lies on one thing, and another one stands in its way at once: it goes along both, as on one between them, or
+  /// rests.
+  [[nodiscard]] After lies_between(State<double> s, const SceneHit& one, const SceneHit& other, double passed,
+                                   const Vec3d& a) const {
+    const Vec3d u = one.velocity;
+    const Vec3d line = cross(one.normal, other.normal), middle = one.normal + other.normal;
+    const double left = std::min(context_.dt - passed, kLongestPart);
+    if (length(line) < 1e-6 || length(middle) < 1e-6) return {Then::lies, {s.x, u}, context_.dt};
+    const Vec3d along = normalized(line), n = normalized(middle);
+    const Rolled on = rolled(along * dot(s.v - u, along), along * dot(a, along) + n * dot(a, n), n, surface(one), left);
+    const SceneHit next = cast(s.x, s.x + on.way + u * left, passed, left);
+    if (next && next.part * left <= 1e-6 * context_.dt) return {Then::lies, {s.x, u}, context_.dt};
+    const double part = next ? next.part : 1.0;
+    const double then = part < 1 || left < context_.dt - passed ? passed + part * left : context_.dt;
+    const Vec3d before = along * dot(s.v - u, along);
+    s = {next ? outside(next.position, next.normal, then) : held(s.x + on.way + u * left),
+         before + (on.velocity - before) * part + u};
+    return {then < context_.dt ? Then::flies_on : Then::lies, s, then};
+  }
+
+  // ------------------------------------------------------------------------------------------- into and through
+  /// As the material lets it, see impact(); nothing where it bounces.
+  [[nodiscard]] std::optional<After> impacted(State<double>& s, const Vec3d& met, const SceneHit& hit, double passed) {
+    const Vec3d relative = s.v - hit.velocity;
+    const double speed = length(relative);
+    if (!(speed > 0)) return std::nullopt;
+    const Vec3d way = relative * (1 / speed);
+    const Way through = way_through(met, way, hit, passed);
+    const Impact asked{
+        .mass = kind_->flown.mass,
+        .diameter = kind_->flown.diameter,
+        .length = kind_->flown.length,
+        .inertia = collision().inertia,
+        .velocity = s.v,
+        .spin = r_.spin(passed),
+        .normal = hit.normal,
+        .surface_velocity = hit.velocity,
+        .thickness = through.thickness,
+        .seed = r_.slot().generation,
+        .projectile = r_.slot_index(),
+        .hit = static_cast<std::uint32_t>(context_.state->clock.steps) * 1009u + static_cast<std::uint32_t>(hits_)};
+    const Result<ImpactResult> result = impact(asked, scene_->material(hit.material));
+    if (!result) return std::nullopt;
+    const auto tell = [&](EventKind kind) {
+      r_.tell(kind, Reason::none, passed, s, hit, result->depth, result->energy);
+    };
+    s.v = result->velocity;
+    switch (result->kind) {
+      case ImpactKind::none: return After{Then::flies_on, s, passed};
+      case ImpactKind::bounced: s.v = asked.velocity; return std::nullopt;
+      case ImpactKind::ricocheted:
+        tell(EventKind::ricocheted);
+        r_.put_spin(result->spin, passed);
+        return After{Then::flies_on, s, passed};
+      case ImpactKind::penetrated:
+        s.x = held(met + way * (through.before + result->depth));
+        s.x = outside(s.x, s.v * (1 / length(s.v)), passed);
+        tell(EventKind::penetrated);
+        return After{Then::flies_on, s, passed};
+      case ImpactKind::stopped:
+        s.x = held(met + way * (through.before + result->depth));
+        tell(EventKind::stopped);
+        return After{Then::sticks, s, passed};
+    }
+    return std::nullopt;
+  }
+
+  /// The straight way through a thing.
+  struct Way {
+    double before = 0;     // from the middle to where it goes in [m]
+    double thickness = 0;  // 0: it does not come out within the deepest that is looked at [m]
+  };
+  [[nodiscard]] Way way_through(const Vec3d& from, const Vec3d& way, const SceneHit& hit, double passed) const {
+    constexpr double kDeepest = 1000;  // [m]
+    const SceneSegment line{from - way * 1e-9, from + way * kDeepest, 0, context_.time + passed, 0};
+    Way through;
+    for (const SceneHit& each : scene_->all_hits(line, solids_)) {
+      if (each.instance != hit.instance) continue;
+      const double at = each.part * kDeepest;
+      if (each.entering && !each.starts_inside) through.before = at;
+      if (each.entering) continue;
+      through.thickness = at - through.before;
+      break;
+    }
+    return through;
+  }
+
+  const SettleContext& context_;
+  SettledRow<S>& r_;
+  const Scene* scene_;
+  const Kind* kind_ = nullptr;
+  SceneFilter solids_;
+  int hits_ = 0;
+  bool carried_ = false;
+};
+
+}  // namespace physim

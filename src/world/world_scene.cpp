@@ -1,0 +1,159 @@
+// The scene of a world: what its projectiles meet, and what follows where it changes.
+#include "base/ieee_mode.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+Error no_scene() { return {"the world has no scene", "scene", "World::set_scene() gives it one"}; }
+
+}  // namespace
+
+/// Calls f with the slot of each that sleeps and meets things.
+template <class F>
+void WorldImpl::each_sleeper(const F& f) const {
+  state.slots.each_alive([&](std::uint32_t slot) {
+    if (state.slots[slot].is(kAsleep) && registry.cohort(state.slots[slot].cohort).key.meets) f(slot);
+  });
+}
+
+/// Rows look anew how far they may fly, and who sleeps looks whether it still lies on something.
+void WorldImpl::stir_scene() {
+  for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
+    const Rows& rows = state.rows[c];
+    if (!rows.layout().meeting) continue;
+    for (std::uint32_t row = 0; row < rows.size(); ++row) rows.forget_clear(row);
+  }
+  std::vector<std::uint32_t> asleep;
+  each_sleeper([&](std::uint32_t slot) { asleep.push_back(slot); });
+  for (const std::uint32_t slot : asleep) wake(slot);
+}
+
+/// Before a step: what moves is found where it will be, and wakes who sleeps where it comes.
+void WorldImpl::move_scene(double dt) {
+  if (!state.scene || !state.scene->has_motion()) return;
+  const double now = state.clock.time();
+  if (const Status status = own_scene().cover(now, now + dt); !status) return;  // beyond 1e9 s nothing is met
+  constexpr double kNear = 1e-3;                                                // [m]
+  std::vector<std::uint32_t> struck;
+  each_sleeper([&](std::uint32_t slot) {
+    const CollisionDef& collision = registry.kind(state.slots[slot].kind).body.collision;
+    const Vec3d x = state.state_of(state.slots[slot]).position;
+    const SceneFilter filter{.layers = collision.layers, .sensors = false};
+    for (const InstanceId id : state.scene->overlaps(x, collision.radius + kNear, filter, now + dt)) {
+      const auto moves = state.scene->state(id, now + dt);
+      if (moves->velocity == Vec3d{} && moves->angular_velocity == Vec3d{}) continue;
+      return struck.push_back(slot);
+    }
+  });
+  for (const std::uint32_t slot : struck) wake(slot);
+}
+
+void WorldImpl::put_scene(std::shared_ptr<Scene> scene) {
+  state.scene = std::move(scene);
+  registry.meet_scene(state.scene != nullptr);
+  state.slots.each_alive([this](std::uint32_t slot) { placement.relocate(slot); });
+  stir_scene();
+}
+
+/// The scene, as nobody's but this state's.
+Scene& WorldImpl::own_scene() {
+  PHYSIM_ASSERT(state.scene != nullptr);
+  if (state.scene.use_count() > 1) state.scene = std::make_shared<Scene>(*state.scene);
+  return *state.scene;
+}
+
+Status World::set_scene(const Scene& scene) {
+  WorldImpl& w = impl();
+  const Recorded<Call::set_scene> call(w, scene);
+  if (call.is_refused()) return call.refusal();
+  w.put_scene(std::make_shared<Scene>(scene));
+  return {};
+}
+
+Status World::remove_scene() {
+  WorldImpl& w = impl();
+  const Recorded<Call::remove_scene> call(w);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.scene) return no_scene();
+  w.put_scene(nullptr);
+  return {};
+}
+
+const Scene* World::scene() const { return impl().state.scene.get(); }
+
+// What nothing stands for yet moves nobody.
+Result<ShapeId> World::add_shape(const ShapeDef& shape) {
+  WorldImpl& w = impl();
+  const Recorded<Call::add_shape> call(w, shape);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.scene) return no_scene();
+  return call.returns(w.own_scene().add_shape(shape));
+}
+
+Status World::remove_shape(ShapeId shape) {
+  WorldImpl& w = impl();
+  const Recorded<Call::remove_shape> call(w, shape);
+  if (call.is_refused()) return call.refusal();
+  return w.state.scene ? w.own_scene().remove_shape(shape) : Status(no_scene());
+}
+
+Result<MaterialId> World::add_material(const Material& material) {
+  WorldImpl& w = impl();
+  const Recorded<Call::add_material> call(w, material);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.scene) return no_scene();
+  return call.returns(w.own_scene().add_material(material));
+}
+
+Result<InstanceId> World::add_instance(const InstanceDef& instance) {
+  WorldImpl& w = impl();
+  const Recorded<Call::add_instance> call(w, instance);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.scene) return no_scene();
+  const Result<InstanceId> added = w.own_scene().add(instance);
+  if (added) w.stir_scene();
+  return call.returns(added);
+}
+
+Status World::remove_instance(InstanceId instance) {
+  WorldImpl& w = impl();
+  const Recorded<Call::remove_instance> call(w, instance);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.scene) return no_scene();
+  Status status = w.own_scene().remove(instance);
+  if (status) w.stir_scene();
+  return status;
+}
+
+Status World::move_instance(InstanceId instance, const Transform& to) {
+  WorldImpl& w = impl();
+  const Recorded<Call::move_instance> call(w, instance, to);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.scene) return no_scene();
+  Status status = w.own_scene().move(instance, to);
+  if (status) w.stir_scene();
+  return status;
+}
+
+Status World::set_instance_motion(InstanceId instance, const SceneMotion& motion) {
+  WorldImpl& w = impl();
+  const Recorded<Call::set_instance_motion> call(w, instance, motion);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.scene) return no_scene();
+  Status status = w.own_scene().set_motion(instance, motion);
+  if (status) w.stir_scene();
+  return status;
+}
+
+Status World::set_instance_layers(InstanceId instance, std::uint32_t layers) {
+  WorldImpl& w = impl();
+  const Recorded<Call::set_instance_layers> call(w, instance, layers);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.scene) return no_scene();
+  Status status = w.own_scene().set_layers(instance, layers);
+  if (status) w.stir_scene();
+  return status;
+}
+
+}  // namespace physim

@@ -1,0 +1,121 @@
+// `physim study`, as a user runs it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+#ifdef PHYSIM_CLI
+
+namespace physim::testing_cli {
+namespace {
+
+/// A throw in a vacuum whose speed is uncertain: mean and deviation of where it lands are known.
+constexpr const char* kThrow = R"(physim = 1
+title = "A throw"
+[environment]
+atmosphere = "vacuum"
+gravity = { model = "constant", acceleration = "10 m/s^2" }
+[[shot]]
+name = "ball"
+speed = "30 m/s"
+elevation = "45 deg"
+position = ["0 m", "1e-9 m", "0 m"]
+fidelity = { preset = "simulation", earth = "flat" }
+[study]
+inputs = ["shot.speed = +- 0.3 m/s"]
+targets = ["near: rectangle 1 m x 3.6 m at 0 m, 90 m"]
+aim = "0 m, 90 m"
+shots = 30000
+)";
+
+TEST(StudyCli, tells_figures_that_are_known) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow);
+  const Ran ran = physim({"study", file, "--json", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  const auto figure = [&](const std::string& name, const char* what = "value") {
+    for (const auto& each : json["figures"])
+      if (each["name"] == name) return each[what].get<double>();
+    ADD_FAILURE() << name << " is missing";
+    return 0.0;
+  };
+  const double mean = (900 + 0.09) / 10, deviation = 2 * 30 * 0.3 / 10;
+  EXPECT_NEAR(figure("along.mean [m]"), mean, 4 * figure("along.mean [m]", "error"));
+  EXPECT_NEAR(figure("along.deviation [m]"), deviation, 0.04);
+  EXPECT_NEAR(figure("hit.near"), 0.6827, 4 * figure("hit.near", "error")) << "within a deviation";
+  EXPECT_NEAR(json["inputs"][0]["slope"][1].get<double>(), 6, 1e-4);
+
+  const Ran text = physim({"study", file, "--threads", "1"});
+  EXPECT_EQ(text.code, 0);
+  EXPECT_TRUE(has(text.out, "32768 shots in 8 shards")) << text.out;
+  EXPECT_TRUE(has(text.out, "near"));
+}
+
+TEST(StudyCli, parts_are_joined_and_gone_on_with) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow), whole = folder / "whole.csv", joined = folder / "j.csv";
+  ASSERT_EQ(physim({"study", file, "--csv", whole}).code, 0);
+  std::vector<std::string> join = {"study", file, "--csv", joined};
+  for (const char* part : {"3/3", "1/3", "2/3"}) {
+    const std::string into = folder / std::string(1, part[0]);
+    ASSERT_EQ(physim({"study", file, "--shards", part, "--resume", into}).code, 0);
+    join.insert(join.end(), {"--merge", into});
+  }
+  ASSERT_EQ(physim(join).code, 0);
+  EXPECT_EQ(read(joined), read(whole));
+  ASSERT_EQ(physim({"study", file, "--resume", folder / "2", "--csv", joined}).code, 0);
+  EXPECT_EQ(read(joined), read(whole));
+
+  const Ran twice = physim({"study", file, "--merge", folder / "1", "--merge", folder / "1"});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_TRUE(has(twice.err, "both parts have shard")) << twice.err;
+  const Ran other = physim({"study", file, "--merge", folder / "1", "--vary", "shot.azimuth = +- 1 deg"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_TRUE(has(other.err, "another study")) << other.err;
+  EXPECT_FALSE(folder.write("damaged", read(folder / "1").substr(0, 1000)).empty());
+  const Ran damaged = physim({"study", file, "--merge", folder / "damaged"});
+  EXPECT_EQ(damaged.code, 2);
+  EXPECT_TRUE(has(damaged.err, "damaged")) << damaged.err;
+}
+
+TEST(StudyCli, over_range_and_until_a_width) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow);
+  const Ran ran = physim(
+      {"study", file, "--ranges", "20 m .. 40 m step 20 m", "--target", "wall: rectangle 100 m x 100 m", "--csv", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "\n20, ") && has(ran.out, "\n40, ") && has(ran.out, "hit.wall.low")) << ran.out;
+  const Ran width = physim({"study", file, "--until-width", "5 %", "--shots", "10000000"});
+  ASSERT_EQ(width.code, 0) << width.err;
+  EXPECT_TRUE(has(width.out, "65536 shots in 16 shards")) << width.out;
+}
+
+TEST(StudyCli, bad_input_says_what_is_wrong) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow);
+  const auto refusal = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"study", file};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ran ran = physim(arguments);
+    EXPECT_EQ(ran.code, 2) << ran.out;
+    return ran.err;
+  };
+  EXPECT_TRUE(has(refusal({"--vary", "shot.sped = +- 1 m/s"}), "shot.sped"));
+  EXPECT_TRUE(has(refusal({"--vary", "shot.mass = 1 kg"}), "no distribution"));
+  EXPECT_TRUE(has(refusal({"--target", "square 1 m"}), "no target"));
+  EXPECT_TRUE(has(refusal({"--range", "1 km"}), "arrived"));
+  EXPECT_TRUE(has(refusal({"--shards", "1/2"}), "--resume"));
+  EXPECT_TRUE(has(refusal({"--shards", "3/2", "--resume", folder / "x"}), "--shards"));
+  EXPECT_TRUE(has(refusal({"--merge", folder / "nothing"}), "cannot be read"));
+  EXPECT_TRUE(has(refusal({"--ranges", "20 m", "--resume", folder / "x"}), "--ranges"));
+  EXPECT_TRUE(has(refusal({"--until-width", "1 kg"}), "--until-width"));
+  EXPECT_TRUE(has(refusal({"--resume", folder / "no/folder"}), "folder"));
+}
+
+}  // namespace
+}  // namespace physim::testing_cli
+
+#endif

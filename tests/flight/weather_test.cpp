@@ -1,0 +1,240 @@
+// Batches whose shots have weather of their own: each flies as fly() lets it fly in its own environment.
+#include "physim/weather.hpp"
+
+#include "flight/batch_support.hpp"
+#include "physim/flight_columns.hpp"
+#include "physim/task_runner.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+struct Days {
+  std::vector<double> wind_x, wind_y, wind_z, temperature, pressure, humidity, density;
+
+  [[nodiscard]] Weather all() const {
+    return {.wind_x = wind_x,
+            .wind_y = wind_y,
+            .wind_z = wind_z,
+            .temperature = temperature,
+            .pressure = pressure,
+            .humidity = humidity,
+            .density = density};
+  }
+};
+
+Days random_days(std::size_t count) {
+  Random r(5);
+  Days d;
+  for (std::size_t i = 0; i < count; ++i) {
+    d.wind_x.push_back(r.in(-9, 9)), d.wind_y.push_back(r.in(-1, 1)), d.wind_z.push_back(r.in(-9, 9));
+    d.temperature.push_back(r.in(250, 310)), d.pressure.push_back(r.in(8e4, 1.05e5)), d.humidity.push_back(r.in(0, 1));
+    d.density.push_back(r.in(0.5, 1.5));
+  }
+  return d;
+}
+
+/// Each kind of weather alone, and all of it.
+std::vector<std::pair<std::string, Weather>> kinds_of(const Days& d) {
+  return {{"wind", {.wind_x = d.wind_x, .wind_y = d.wind_y, .wind_z = d.wind_z}},
+          {"crosswind", {.wind_z = d.wind_z}},
+          {"temperature", {.temperature = d.temperature}},
+          {"pressure", {.pressure = d.pressure}},
+          {"humidity", {.humidity = d.humidity}},
+          {"density", {.density = d.density}},
+          {"all", d.all()}};
+}
+
+void expect_as_flights(const BatchResult& batch, const ProjectileDef& projectile, const std::vector<Launch>& launches,
+                       const Environment& environment, const Weather& weather, const Fidelity& fidelity,
+                       const Tolerance& tolerance, const Until& until, const std::string& what) {
+  ASSERT_EQ(batch.shots.size(), launches.size()) << what;
+  for (std::size_t i = 0; i < launches.size() && !testing::Test::HasFailure(); ++i) {
+    const Flight flight = fly(projectile, launches[i], weather.at(i, environment), fidelity, tolerance, until);
+    const ShotResult& shot = batch.shots[i];
+    const Sample end = flight.end();
+    ASSERT_EQ(shot.outcome, flight.outcome()) << what << ' ' << i;
+    EXPECT_EQ(shot.cost.steps, flight.cost().steps) << what << ' ' << i;
+    EXPECT_TRUE(same_bits(shot.time, flight.duration()) && same_bits(shot.position, end.position) &&
+                same_bits(shot.velocity, end.velocity))
+        << what << ' ' << i << ": " << shot.position.x - end.position.x;
+  }
+}
+
+std::vector<Launch> random_launches(std::size_t count, double speed, double elevation) {
+  Random r(8);
+  std::vector<Launch> launches(count);
+  for (Launch& l : launches) {
+    l.position = {r.in(-5, 5), r.in(1, 3), 0};
+    l.speed = r.in(0.7, 1) * speed, l.elevation = r.in(0.5, 1) * elevation, l.azimuth = r.in(-0.1, 0.1);
+  }
+  return launches;
+}
+
+TEST(Weather, each_shot_flies_as_alone_in_its_own) {
+  const Days days = random_days(37);
+  const auto launches = random_launches(37, 800, 0.2);
+  for (const std::string& kernel : kernels()) {
+    ASSERT_TRUE(use_kernel(kernel));
+    for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::rk43})
+      for (const Precision precision : {Precision::float32, Precision::float64})
+        for (const AirModel air : {AirModel::constant, AirModel::exponential, AirModel::isa}) {
+          Fidelity f = Fidelity::simulation();
+          f.integrator = integrator, f.precision = precision, f.air = air;
+          const Tolerance tolerance{.relative = 1e-5, .absolute = 1e-5, .step = 0.05};
+          const Until until{.time = 2};
+          for (const auto& [name, weather] : kinds_of(days))
+            expect_as_flights(
+                fly_batch(bullet_308(), launches, {.altitude = 300}, f, tolerance, until, nullptr, weather),
+                bullet_308(), launches, {.altitude = 300}, weather, f, tolerance, until,
+                kernel + ' ' + name + ' ' + test::text(integrator));
+        }
+  }
+  use_kernel("");
+}
+
+/// Above the lowest layer of the atmosphere lanes have layers of their own.
+TEST(Weather, holds_at_all_heights) {
+  const Days days = random_days(21);
+  auto launches = random_launches(21, 1500, 1.5);
+  launches[3].position.y = 40e3;
+  ProjectileDef shell = bullet_308();
+  shell.mass = 40;
+  shell.diameter = 0.155;
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    Fidelity f = Fidelity::simulation();
+    f.integrator = Integrator::tsit5, f.precision = precision;
+    const Tolerance tolerance{.relative = 1e-5, .absolute = 1e-3};
+    const Environment mountain{.altitude = 1000, .atmosphere = {.station_altitude = 12e3}};
+    for (const auto& [name, weather] : kinds_of(days)) {
+      const BatchResult batch = fly_batch(shell, launches, mountain, f, tolerance, {.time = 90}, nullptr, weather);
+      expect_as_flights(batch, shell, launches, mountain, weather, f, tolerance, {.time = 90}, name);
+    }
+  }
+}
+
+/// What reads the air elsewhere: spheres by their Reynolds number, spin drift and jump, bodies that turn, closed forms,
+/// zeros, events by Mach number, an automatic step.
+TEST(Weather, every_rung_reads_its_own) {
+  const Days days = random_days(9);
+  const auto launches = random_launches(9, 300, 0.5);
+  const auto expect = [&](const ProjectileDef& projectile, const std::vector<Launch>& from, const Fidelity& f,
+                          const Tolerance& tolerance, const Until& until, const std::string& what) {
+    for (const auto& [name, weather] : kinds_of(days))
+      expect_as_flights(fly_batch(projectile, from, {}, f, tolerance, until, nullptr, weather), projectile, from, {},
+                        weather, f, tolerance, until, what + ", " + name);
+  };
+  ProjectileDef ball = bullet_308();
+  ball.mass = 0.046, ball.diameter = 0.043, ball.drag = {.table = DragTable::sphere};
+  expect(ball, launches, Fidelity::simulation(), {}, {.time = 2}, "a ball");
+  Fidelity drifting = Fidelity::small_arms();
+  drifting.rotation = RotationModel::spin_drift, drifting.aerodynamic_jump = true;
+  expect(bullet_308(), launches, drifting, {.step = 0.01}, {.time = 1}, "spin drift");
+  expect(bullet_308(), launches, Fidelity::game(), {.step = 0.01}, {.time = 1}, "k2 of the drag equation at launch");
+  ProjectileDef damped = bullet_308();
+  damped.drag.damping = 0.7;
+  expect(damped, launches, Fidelity::arcade(), {}, {.time = 1}, "closed form");
+  ProjectileDef body = bullet_308();
+  body.inertia.moments = {1e-7, 8e-7, 8e-7};
+  body.aero.lift = {{0, 0, 2}};
+  Fidelity turning = Fidelity::simulation();
+  turning.rotation = RotationModel::rigid_body;
+  expect(body, launches, turning, {.max_steps = 60}, {.time = 0.05}, "rigid body");
+  auto zeroed = launches;
+  for (Launch& l : zeroed) l = {.speed = 800, .sight = {.height = 0.05, .zero_range = 100}};
+  expect(bullet_308(), zeroed, Fidelity::small_arms(), {.step = 0.01}, {.range = 200}, "zeroed");
+  Until slow{.time = 1};
+  slow.events.push_back({.kind = EventKind::mach, .value = 0.7, .terminal = true});
+  expect(bullet_308(), launches, Fidelity::simulation(), {}, slow, "to Mach 0.7");
+}
+
+/// Sent through columns and lent threads the numbers stay.
+TEST(Weather, columns_and_threads_change_nothing) {
+  const std::size_t count = 2100;  // two parts
+  Days days = random_days(count);
+  std::vector<double> speed, elevation, x(count), y(count), z(count), time(count);
+  Random r(2);
+  for (std::size_t i = 0; i < count; ++i) speed.push_back(r.in(200, 800)), elevation.push_back(r.in(0.01, 0.2));
+  const LaunchColumns from{.common = {.position = {0, 2, 0}}, .speed = speed, .elevation = elevation};
+  std::vector<Launch> launches;
+  for (std::size_t i = 0; i < count; ++i) launches.push_back(from.at(i));
+  const auto pool = make_thread_pool(3);
+  const Until until{.time = 2, .range = 300};
+  const auto expect_same_ends = [&](const Fidelity& f, const Weather& weather, const std::string& what) {
+    const Tolerance tolerance{.relative = 1e-5, .step = 0.02};
+    const Environment hill{.altitude = 500};
+    const BatchResult batch = fly_batch(bullet_308(), launches, hill, f, tolerance, until, nullptr, weather);
+    const BatchResult lent = fly_batch(bullet_308(), launches, hill, f, tolerance, until, pool.get(), weather);
+    expect_same(batch, lent, what);
+    for (TaskRunner* runner : {static_cast<TaskRunner*>(nullptr), pool.get()}) {
+      const ColumnsResult result = fly_columns(bullet_308(), from, hill, f, tolerance, until,
+                                               {.time = time, .x = x, .y = y, .z = z}, runner, weather);
+      EXPECT_EQ(result.error ? result.error->text() : "", batch.error ? batch.error->text() : "") << what;
+      for (std::size_t i = 0; i < count && !HasFailure(); ++i) {
+        if (batch.shots[i].outcome == Outcome::refused) continue;
+        EXPECT_TRUE(same_bits(Vec3d{x[i], y[i], z[i]}, batch.shots[i].position) &&
+                    same_bits(time[i], batch.shots[i].time))
+            << what << ' ' << i;
+      }
+    }
+  };
+  for (const std::string& kernel : kernels()) {
+    ASSERT_TRUE(use_kernel(kernel));
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      Fidelity f = Fidelity::simulation();
+      f.integrator = Integrator::rk4, f.precision = precision, f.rotation = RotationModel::none;  // so lanes compute it
+      for (const auto& [name, weather] : kinds_of(days)) expect_same_ends(f, weather, kernel + ' ' + name);
+      for (f.air = AirModel::vacuum; f.air != AirModel::isa; f.air = static_cast<AirModel>(static_cast<int>(f.air) + 1))
+        expect_same_ends(f, days.all(), kernel + ' ' + std::string(name(f.air)));
+    }
+  }
+  use_kernel("");
+  days.temperature[100] = 400, days.humidity[2000] = kNan, days.density[2099] = 0;
+  expect_same_ends(Fidelity::simulation(), days.all(), "some refused");
+}
+
+/// Drag is proportional to density: in constant air without gravity a projectile of Cd constant slows down as
+/// v = v0 / (1 + v0 t rho Cd A / (2 m)).
+TEST(Weather, density_slows_by_the_closed_form) {
+  const std::vector<double> density{0.3, 0.9, 1.2, 1.8};
+  ProjectileDef ball;
+  ball.mass = 0.1, ball.diameter = 0.05, ball.drag = {.coefficient = 0.5};
+  Fidelity f = Fidelity::simulation();
+  f.air = AirModel::constant, f.gravity = GravityModel::off;
+  const std::vector<Launch> launches(density.size(), Launch{.speed = 100});
+  const BatchResult batch =
+      fly_batch(ball, launches, {}, f, {}, {.ground = {}, .time = 2}, nullptr, {.density = density});
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    const double k = density[i] * 0.5 * (3.14159265358979 * 0.05 * 0.05 / 4) / (2 * 0.1);
+    EXPECT_NEAR(batch.shots[i].velocity.x, 100 / (1 + 100 * 2 * k), 1e-6) << i;
+  }
+}
+
+TEST(Weather, bad_days_are_refused_alone_and_bad_columns_together) {
+  std::vector<double> temperature{290, kNan, 290, 500}, short_column{1, 2, 3};
+  const std::vector<Launch> launches(4, Launch{.position = {0, 2, 0}, .speed = 300});
+  const auto fly_in = [&](const Weather& weather) {
+    return fly_batch(bullet_308(), launches, {}, Fidelity::small_arms(), {}, {}, nullptr, weather);
+  };
+  const BatchResult some = fly_in({.temperature = temperature});
+  ASSERT_TRUE(some.error);
+  EXPECT_EQ(some.error->place, "environment.atmosphere.temperature");
+  EXPECT_EQ(some.shots[1].outcome, Outcome::refused);
+  EXPECT_EQ(some.shots[3].outcome, Outcome::refused);
+  EXPECT_EQ(some.shots[0].outcome, Outcome::landed);
+  EXPECT_EQ(some.shots[2].outcome, Outcome::landed);
+  const BatchResult all = fly_in({.wind_z = short_column});
+  ASSERT_TRUE(all.error);
+  EXPECT_EQ(all.error->place, "weather.wind_z");
+  for (const ShotResult& shot : all.shots) EXPECT_EQ(shot.outcome, Outcome::refused);
+  const std::vector<double> vacuum{0, 1, 1, -1};
+  const BatchResult thin = fly_in({.density = vacuum});
+  ASSERT_TRUE(thin.error);
+  EXPECT_EQ(thin.error->place, "weather.density[0]");
+  EXPECT_EQ(thin.shots[3].outcome, Outcome::refused);
+  EXPECT_EQ(thin.shots[1].outcome, Outcome::landed);
+}
+
+}  // namespace
+}  // namespace physim

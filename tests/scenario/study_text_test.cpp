@@ -1,0 +1,136 @@
+// Studies as scenarios write them.
+#include <gtest/gtest.h>
+
+#include "physim/scenario.hpp"
+
+namespace physim {
+namespace {
+
+Distribution distribution_of(const char* text) {
+  const auto input = parse_study_input(text);
+  EXPECT_TRUE(input) << input.error().text();
+  return input ? input->distribution : Distribution{};
+}
+
+std::string refusal(const char* text) {
+  const auto input = parse_study_input(text);
+  return input ? "" : input.error().text();
+}
+
+TEST(StudyText, distributions) {
+  EXPECT_EQ(distribution_of("shot.speed = 800 m/s +- 3 m/s"), Distribution(NormalDistribution{800, 3}));
+  EXPECT_EQ(distribution_of("shot.speed = 1000 ft/s +- 10 ft/s"), Distribution(NormalDistribution{304.8, 3.048}));
+  EXPECT_EQ(distribution_of("environment.wind.velocity.z = -2 m/s .. 3 m/s"), Distribution(UniformDistribution{-2, 3}));
+  EXPECT_EQ(distribution_of("shot.mass = 0.01 kg .. 0.013 kg peak 0.012 kg"),
+            Distribution(TriangularDistribution{0.01, 0.012, 0.013}));
+  EXPECT_EQ(distribution_of("shot.drag.form_factor = lognormal 1 +- 0.05"),
+            Distribution(LognormalDistribution{1, 0.05}));
+  EXPECT_EQ(distribution_of("shot.speed = 1 m/s +- 2 m/s within 0 m/s .. 4 m/s"),
+            Distribution(TruncatedNormalDistribution{1, 2, 0, 4}));
+  EXPECT_EQ(distribution_of("shot.speed = 1 m/s +- 2 m/s within 0 m/s .."),
+            Distribution(TruncatedNormalDistribution{1, 2, 0, kInfinity}));
+  EXPECT_EQ(distribution_of("shot.mass = one of 1 kg, 2 kg, 4 kg"), Distribution(DiscreteDistribution{{1, 2, 4}, {}}));
+}
+
+TEST(StudyText, what_is_added_and_how_often) {
+  const auto added = parse_study_input("shot.elevation = +- 1 mrad per occasion");
+  ASSERT_TRUE(added);
+  EXPECT_TRUE(added->added);
+  EXPECT_EQ(added->drawn_for, DrawnFor::occasion);
+  EXPECT_EQ(added->distribution, Distribution(NormalDistribution{0, 1e-3}));
+  const auto between = parse_study_input("shot.speed = added -1 m/s .. 1 m/s");
+  ASSERT_TRUE(between);
+  EXPECT_TRUE(between->added);
+  EXPECT_FALSE(parse_study_input("shot.speed = -1 m/s .. 1 m/s")->added);
+}
+
+/// 15 degC are 288.15 K, but 3 degC more are 3 K more.
+TEST(StudyText, differences_of_temperature_have_no_zero) {
+  const char* path = "environment.atmosphere.temperature = ";
+  const auto temperature = [&](const char* text) { return distribution_of((std::string(path) + text).c_str()); };
+  EXPECT_EQ(temperature("15 degC +- 3 K"), Distribution(NormalDistribution{288.15, 3}));
+  const auto celsius = std::get<NormalDistribution>(temperature("15 degC +- 3 degC"));
+  EXPECT_NEAR(celsius.deviation, 3, 1e-12);
+  const auto added = std::get<UniformDistribution>(temperature("added -9 degF .. 9 degF"));
+  EXPECT_NEAR(added.low, -5, 1e-12);
+  EXPECT_NEAR(added.high, 5, 1e-12);
+}
+
+TEST(StudyText, bad_texts_are_refused_with_how_to_write_them) {
+  EXPECT_NE(refusal("shot.speed").find("names no number"), std::string::npos);
+  EXPECT_NE(refusal("shot.sped = 800 m/s +- 3 m/s").find("did you mean \"shot.speed\""), std::string::npos);
+  EXPECT_NE(refusal("shot.speed = 800 m/s").find("no distribution"), std::string::npos);
+  EXPECT_NE(refusal("shot.speed = 800 kg +- 3 m/s").find("kg"), std::string::npos);
+  EXPECT_NE(refusal("shot.speed = lognormal 3 m/s").find("no distribution"), std::string::npos);
+  EXPECT_NE(refusal("shot.speed = 1 m/s +- 1 m/s within 3 m/s").find("no distribution"), std::string::npos);
+  EXPECT_FALSE(parse_study_target("square 1 m"));
+  EXPECT_FALSE(parse_study_target("circle 1 kg"));
+  EXPECT_FALSE(parse_study_target("rectangle 1 m"));
+  EXPECT_FALSE(parse_study_target("circle 1 m at 3 m"));
+}
+
+TEST(StudyText, targets) {
+  const auto circle = parse_study_target("plate: circle 10 cm at 1 m, -2 m");
+  ASSERT_TRUE(circle);
+  EXPECT_EQ(*circle, (StudyTarget{"plate", CircleTarget{{1, -2}, 0.1}}));
+  const auto rectangle = parse_study_target("rectangle 30 cm x 50 cm");
+  ASSERT_TRUE(rectangle);
+  EXPECT_EQ(*rectangle, (StudyTarget{"", RectangleTarget{{}, 0.3, 0.5}}));
+  const auto polygon = parse_study_target("polygon 0 m, 0 m; 1 m, 0 m; 0 m, 1 m at 5 m, 0 m");
+  ASSERT_TRUE(polygon);
+  EXPECT_EQ(*polygon, (StudyTarget{"", PolygonTarget{{{5, 0}, {6, 0}, {5, 1}}}}));
+}
+
+constexpr const char* kScenario = R"(
+physim = 1
+[[shot]]
+speed = "30 m/s"
+elevation = "30 deg"
+[study]
+inputs = ["shot.speed = +- 1 m/s", "shot.elevation = 30 deg +- 1 deg", "shot.azimuth = +- 1 deg",
+          "shot.mass = 1 kg .. 2 kg"]
+correlated = ["shot.speed with shot.mass = 0.5", "shot.mass with shot.azimuth = -0.25"]
+targets = ["circle 1 m"]
+aim = "1 m, 80 m"
+shots = 5000
+)";
+
+TEST(StudyText, of_a_scenario) {
+  const auto scenario = parse_scenario(kScenario, "test.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const auto study = study_of(*scenario, scenario->shots[0]);
+  ASSERT_TRUE(study) << study.error().text();
+  ASSERT_EQ(study->correlated.size(), 1U) << "pairs that share an input";
+  EXPECT_EQ(study->correlated[0].inputs, (std::vector<std::size_t>{0, 3, 2}));
+  EXPECT_EQ(study->correlated[0].matrix, (std::vector<double>{1, 0.5, 0, 0.5, 1, -0.25, 0, -0.25, 1}));
+  EXPECT_EQ(study->targets[0].name, "target-1");
+  EXPECT_EQ(study->aim, (PlanePoint{1, 80}));
+  EXPECT_EQ(study->shots, 5000U);
+  const auto again = parse_scenario(scenario_text(*scenario), "again.toml");
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(again->study.inputs, scenario->study.inputs);
+  EXPECT_EQ(again->study.aim, scenario->study.aim);
+
+  Scenario bad = *scenario;
+  bad.study.correlated = {"shot.speed with shot.diameter = 0.5"};
+  EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("shot.diameter is none"), std::string::npos);
+  bad = *scenario;
+  bad.study.inputs = {"shot.speed = fast"};
+  EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("study.inputs[0]"), std::string::npos);
+  bad = *scenario;
+  bad.study.aim = "1 m";
+  EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("study.aim"), std::string::npos);
+}
+
+/// Every path of a study is a setting, or a component or a factor of one.
+TEST(StudyText, paths_are_settings) {
+  for (const StudyPath& path : study_paths()) {
+    const std::string whole = path.path.substr(0, path.path.size() - 2);
+    const bool is_setting = std::ranges::any_of(
+        settings(), [&](const Setting& setting) { return setting.path == path.path || setting.path == whole; });
+    EXPECT_TRUE(is_setting) << path.path;
+  }
+}
+
+}  // namespace
+}  // namespace physim

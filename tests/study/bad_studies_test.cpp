@@ -1,0 +1,164 @@
+// What studies refuse, and with which words.
+#include "study_support.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+Study throw_of(const Distribution& speed = NormalDistribution{30, 1}) {
+  Study study;
+  study.environment.gravity.model = GravityModel::constant;
+  study.fidelity = vacuum();
+  study.fidelity.motion = Motion::closed_form;
+  study.launch = {.position = {0, 1, 0}, .speed = 30, .elevation = 0.5};
+  study.inputs = {input("shot.speed", speed)};
+  study.shard_shots = 64;
+  study.shots = 64;
+  return study;
+}
+
+std::string refusal(const Study& study) {
+  const auto plan = plan_study(study);
+  return plan ? "" : plan.error().text();
+}
+
+void expect_refusal(const Study& study, const char* words) {
+  const std::string said = refusal(study);
+  EXPECT_NE(said.find(words), std::string::npos) << '"' << said << "\" says nothing of \"" << words << '"';
+}
+
+TEST(BadStudies, inputs) {
+  Study study = throw_of();
+  EXPECT_EQ(refusal(study), "");
+  study.inputs.clear();
+  expect_refusal(study, "nothing is uncertain");
+  study = throw_of();
+  study.inputs[0].path = "shot.sped";
+  expect_refusal(study, "\"shot.sped\"");
+  expect_refusal(study, "shot.speed, shot.elevation");
+  expect_refusal(throw_of(NormalDistribution{30, 0}), "inputs[0].distribution.deviation");
+  study = throw_of();
+  study.inputs.push_back(study.inputs[0]);
+  expect_refusal(study, "drawn by inputs[0] already");
+  study.inputs[1].added = true;
+  EXPECT_EQ(refusal(study), "");
+  study.inputs[0].path = "environment.wind.velocity.x";
+  study.environment.wind.profile = {{0, {1, 0, 0}}};
+  expect_refusal(study, "profile");
+  study = throw_of();
+  study.launch.velocity = Vec3d{1, 2, 3};
+  expect_refusal(study, "launch.velocity");
+  study = throw_of();
+  study.inputs.assign(33, study.inputs[0]);
+  for (StudyInput& more : study.inputs) more.added = true;
+  study.sampling = Sampling::sobol;
+  EXPECT_EQ(refusal(study), "");
+  study.indices = true;
+  expect_refusal(study, "each input takes two");
+}
+
+TEST(BadStudies, correlations) {
+  Study study = throw_of();
+  study.inputs.push_back(input("shot.elevation", NormalDistribution{0.5, 0.01}));
+  study.inputs.push_back(input("shot.azimuth", NormalDistribution{0, 0.01}));
+  study.correlated = {{{0, 1, 2}, {1, 0.9, 0.9, 0.9, 1, -0.9, 0.9, -0.9, 1}}};
+  expect_refusal(study, "shot.azimuth with shot.speed = 0.9");
+  study.correlated = {{{0, 1}, {1, 0, 0, 1}}, {{1, 2}, {1, 0, 0, 1}}};
+  expect_refusal(study, "shot.elevation is correlated twice");
+  study.correlated = {{{0, 7}, {1, 0, 0, 1}}};
+  expect_refusal(study, "no input 7");
+  study.correlated = {{{}, {}}};
+  expect_refusal(study, "names no inputs");
+  study.correlated = {{{0, 1}, {1, 0, 0, 1}}};
+  study.inputs[1].drawn_for = DrawnFor::occasion;
+  expect_refusal(study, "more or less often");
+}
+
+TEST(BadStudies, sizes_and_figures) {
+  const auto with = [](auto change) {
+    Study study = throw_of();
+    change(study);
+    return study;
+  };
+  expect_refusal(with([](Study& s) { s.shots = 0; }), "shots");
+  expect_refusal(with([](Study& s) { s.shots = ~std::uint64_t{0}; }), "2^50");
+  expect_refusal(with([](Study& s) { s.shard_shots = 8; }), "shard_shots");
+  expect_refusal(with([](Study& s) { s.rounds = 0; }), "rounds");
+  expect_refusal(with([](Study& s) { s.rounds = 5; }), "5 do not divide the 64");
+  expect_refusal(with([](Study& s) { s.rounds = 4, s.sampling = Sampling::sobol; }), "no occasions");
+  expect_refusal(with([](Study& s) { s.shard_shots = 48, s.sampling = Sampling::sobol; }), "power of two");
+  expect_refusal(with([](Study& s) { s.group_sizes = {1}; }), "group_sizes");
+  expect_refusal(with([](Study& s) { s.aim.up = kNan; }), "aim.up");
+  expect_refusal(with([](Study& s) { s.targets = {{"a", CircleTarget{{}, 0}}}; }), "targets[0].radius");
+  expect_refusal(with([](Study& s) { s.targets = {{"a", PolygonTarget{{{0, 0}, {1, 1}}}}}; }), "three or more");
+  expect_refusal(with([](Study& s) { s.quantities = {StudyQuantity::x, StudyQuantity::x}; }), "asked for twice");
+  expect_refusal(with([](Study& s) { s.until_width = StudyWidth{.target = 2, .width = 1}; }), "no such target");
+  expect_refusal(with([](Study& s) { s.until_width = StudyWidth{.width = 0}; }), "until_width.width");
+  expect_refusal(with([](Study& s) { s.until.range = 1e6; }), "0 arrived");
+  expect_refusal(with([](Study& s) { s.projectile.mass = -1; }), "projectile.mass");
+  EXPECT_FALSE(plan_study(throw_of(), StudyFunction{}));
+}
+
+/// The share of draws below zero, Phi(-2) = 2.3 %, is told before, and so many shots are refused.
+TEST(BadStudies, the_impossible_is_told_and_counted) {
+  Study study = throw_of();
+  study.inputs = {input("shot.mass", NormalDistribution{2, 1})};
+  study.shots = 6400;
+  const auto plan = plan_study(study);
+  ASSERT_TRUE(plan) << plan.error().text();
+  ASSERT_EQ(plan->notes().size(), 1U);
+  EXPECT_NE(plan->notes()[0].find("2.3 %"), std::string::npos) << plan->notes()[0];
+  const auto run = run_study(*plan);
+  ASSERT_TRUE(run);
+  EXPECT_NEAR(static_cast<double>(run->refused), 0.02275 * 6400, 4 * std::sqrt(0.02275 * 6400));
+  ASSERT_TRUE(run->first_refusal);
+  EXPECT_NE(run->first_refusal->text().find("mass"), std::string::npos);
+  EXPECT_EQ(run->quantities[0].cells.count() + run->refused, run->shots);
+}
+
+/// Shots that fall short are misses, and no part of means.
+TEST(BadStudies, shots_that_do_not_arrive_are_counted) {
+  Study study = throw_of(NormalDistribution{30, 2});
+  study.until.range = 79;
+  study.targets = {{"wall", RectangleTarget{{}, 1000, 1000}}};
+  study.shots = 6400;
+  const auto run = run_study(study);
+  ASSERT_TRUE(run) << run.error().text();
+  EXPECT_GT(run->not_arrived, 500U);
+  EXPECT_EQ(run->hits[0].hits + run->not_arrived, run->shots);
+  EXPECT_GT(run->quantities[1].least, -1.1) << "none below the ground";
+}
+
+TEST(BadStudies, parts_that_do_not_fit) {
+  const auto plan = plan_study(throw_of()), other = plan_study(throw_of(NormalDistribution{31, 1}));
+  const StudyPart a = run_shard(*plan, 0), b = run_shard(*plan, 2);
+  const auto words = [](const auto& result) { return result ? std::string() : result.error().text(); };
+  EXPECT_NE(words(merge(a, a)).find("both parts have shard 0"), std::string::npos);
+  EXPECT_NE(words(merge(a, run_shard(*other, 1))).find("different studies"), std::string::npos);
+  const auto both = merge(a, b);
+  ASSERT_TRUE(both);
+  EXPECT_TRUE(both->has(2) && !both->has(1));
+  EXPECT_NE(words(result_of(*plan, *both, 3)).find("shard 1 of 3 are missing"), std::string::npos);
+  EXPECT_NE(words(result_of(*plan, *both, 5)).find("shard 1 of 5"), std::string::npos);
+  EXPECT_NE(words(result_of(*other, *both, 1)).find("another study"), std::string::npos);
+  EXPECT_NE(words(run_study(*other, nullptr, {.so_far = *both})).find("another study"), std::string::npos);
+  EXPECT_TRUE(result_of(*plan, *both, 1));
+  EXPECT_FALSE(result_of(*plan, StudyPart(), 1));
+}
+
+TEST(BadStudies, damaged_bytes_are_refused) {
+  const auto plan = plan_study(throw_of());
+  const std::vector<std::byte> bytes = save_part(run_shard(*plan, 0));
+  ASSERT_TRUE(load_part(bytes));
+  EXPECT_FALSE(load_part({}));
+  for (std::size_t i = 0; i < bytes.size(); i += 1 + bytes.size() / 300) {
+    std::vector<std::byte> damaged = bytes;
+    damaged[i] ^= std::byte{4};
+    EXPECT_FALSE(load_part(damaged)) << i;
+    EXPECT_FALSE(load_part(std::span(bytes).first(i))) << i;
+  }
+}
+
+}  // namespace
+}  // namespace physim

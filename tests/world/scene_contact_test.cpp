@@ -1,0 +1,292 @@
+// What contacts do in worlds: spin and velocity, things that move, ways into and through materials.
+#include <cmath>
+
+#include "physim/impact.hpp"
+#include "physim/presets.hpp"
+#include "support.hpp"
+#include "world/world_support.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kG = 9.80665;
+
+WorldDef open_space(AirModel air = AirModel::vacuum) {
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  def.environment.atmosphere.model = air;
+  return def;
+}
+
+Scene floor_of(const Material& material, double slope = 0) {
+  Scene scene;
+  const MaterialId made_of = *scene.add_material(material);
+  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(PlaneShape{}),
+                         .transform = {.rotation = {std::cos(slope / 2), 0, 0, -std::sin(slope / 2)}},
+                         .material = made_of}));
+  return scene;
+}
+
+BodyDef ball_body(double radius, double restitution = 1, double friction = 1) {
+  BodyDef body;
+  body.restitution = restitution;
+  body.friction = friction;
+  body.rolling_resistance = 0;
+  body.can_sleep = false;
+  body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+  return body;
+}
+
+/// A ball that is thrown down, spinning about z, at a floor that grips it: R. Cross, "Grip-slip behavior of a bouncing
+/// ball", Am. J. Phys. 70 (2002): what rolls without slip after the bounce has v' = (v - k r w) / (1 + k).
+struct Bounce {
+  double speed_along;
+  double spin;  // about z [rad/s]
+};
+Bounce gripped(const Bounce& before, double radius, double k) {
+  const double v = (before.speed_along - k * radius * before.spin) / (1 + k);
+  return {v, -v / radius};
+}
+/// It slides through the whole bounce: friction times the impulse.
+Bounce slid(const Bounce& before, double radius, double k, double impulse) {
+  const double sign = before.speed_along + radius * before.spin > 0 ? 1 : -1;
+  return {before.speed_along - sign * impulse, before.spin - sign * impulse / (k * radius)};
+}
+
+class SpinOfBounce : public testing::TestWithParam<RotationModel> {
+ protected:
+  /// Throws a ball and gives how it went on from the floor.
+  static Bounce thrown(const Bounce& before, double down, double friction, double k, double radius) {
+    ProjectilePreset golf = *projectile_preset("golf_ball");
+    ProjectileDef p = golf.projectile;
+    p.fidelity = Fidelity::simulation();
+    p.fidelity.precision = Precision::float64;
+    p.fidelity.rotation = GetParam();
+    p.fidelity.earth = EarthModel::flat;
+    p.diameter = 2 * radius;
+    p.inertia.moments = {1e-5, 1e-5, 1e-5};
+    World world = make_world(open_space(AirModel::isa));
+    EXPECT_TRUE(world.set_scene(floor_of({.restitution = 0.8, .friction = friction})));
+    BodyDef body = ball_body(radius);
+    body.collision.inertia = k;
+    Launch launch;
+    launch.position = {0, radius + 1e-3, 0};
+    launch.velocity = Vec3d{before.speed_along, -down, 0};
+    const ProjectileId id = *world.spawn(p, launch, body);
+    EXPECT_TRUE(world[id].set_angular_velocity({0, 0, before.spin}));
+    if (GetParam() == RotationModel::magnus) {  // its spin is that of its launch
+      world.despawn(std::array{id});
+      launch.spin.backspin = before.speed_along > 0 ? before.spin : -before.spin;  // seen along its way
+      EXPECT_TRUE(world.spawn(p, launch, body));
+    }
+    Bounce after{};
+    for (int i = 0; i < 10; ++i) {
+      world.step(1e-3);
+      for (const Event& e : events_of(world, EventKind::bounced)) {
+        after = {e.velocity.x, world[e.id].angular_velocity().z};
+        EXPECT_NEAR(e.velocity.y, 0.8 * down, 0.02);
+        return after;
+      }
+    }
+    ADD_FAILURE() << "it did not bounce";
+    return after;
+  }
+};
+
+TEST_P(SpinOfBounce, a_floor_that_grips_leaves_no_slip) {
+  for (const double k : {0.4, 2.0 / 3})
+    for (const Bounce before : {Bounce{5, 0}, Bounce{5, 300}, Bounce{5, -400}, Bounce{-2, 100}}) {
+      const Bounce after = thrown(before, 8, 5, k, 0.02);
+      const Bounce right = gripped(before, 0.02, k);
+      EXPECT_NEAR(after.speed_along, right.speed_along, 0.02);
+      EXPECT_NEAR(after.spin, right.spin, 1);
+    }
+}
+
+TEST_P(SpinOfBounce, a_slippery_floor_takes_what_friction_gives) {
+  for (const Bounce before : {Bounce{9, 0}, Bounce{9, 300}, Bounce{-9, 100}}) {
+    const Bounce after = thrown(before, 8, 0.1, 0.4, 0.02);
+    const Bounce right = slid(before, 0.02, 0.4, 0.1 * 1.8 * 8);
+    EXPECT_NEAR(after.speed_along, right.speed_along, 0.02);
+    EXPECT_NEAR(after.spin, right.spin, 1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rungs, SpinOfBounce,
+                         testing::Values(RotationModel::none, RotationModel::magnus, RotationModel::rigid_body));
+
+TEST(SceneContact, a_ball_on_a_slope_slides_or_rolls_as_friction_lets_it) {
+  constexpr double kSlope = 30 * test::kDegree;
+  struct Case {
+    double friction;
+    double acceleration;
+  };
+  const double g_along = kG * std::sin(kSlope), g_on = kG * std::cos(kSlope);
+  for (const auto& [friction, acceleration] :
+       {Case{1, g_along / 1.4}, Case{0.1, g_along - 0.1 * g_on}, Case{0, g_along}}) {
+    World world = make_world(open_space());
+    ASSERT_TRUE(world.set_scene(floor_of({.restitution = 0, .friction = friction}, kSlope)));
+    const Vec3d normal{std::sin(kSlope), std::cos(kSlope), 0};
+    const ProjectileId id = *world.spawn(stone(), {.position = normal * (0.05 + 1e-9)}, ball_body(0.05, 0));
+    run_for(world, 2, 1.0 / 60);
+    const double time = world.time();
+    EXPECT_NEAR(length(world[id].velocity()), acceleration * time, 1e-3 * acceleration * time);
+    EXPECT_NEAR(length(world[id].position() - normal * 0.05), 0.5 * acceleration * time * time, 0.01 * acceleration);
+    if (friction == 1) {
+      EXPECT_NEAR(world[id].angular_velocity().z, -acceleration * time / 0.05, 0.01 * acceleration * time / 0.05);
+    }
+  }
+}
+
+/// Two slopes of 45 degrees, and a groove between them that falls along z: down it without friction, at rest across.
+TEST(SceneContact, a_ball_in_a_groove_goes_along_it) {
+  constexpr double kFall = 20 * test::kDegree;
+  Scene scene;
+  const MaterialId ice = *scene.add_material({.restitution = 0, .friction = 0});
+  const ShapeId plane = *scene.add_shape(PlaneShape{});
+  const Quatd fall{std::cos(kFall / 2), std::sin(kFall / 2), 0, 0};  // about x
+  for (const double side : {-1.0, 1.0}) {
+    const double a = side * 45 * test::kDegree / 2;
+    ASSERT_TRUE(scene.add(
+        {.shape = plane, .transform = {.rotation = fall * Quatd{std::cos(a), 0, 0, std::sin(a)}}, .material = ice}));
+  }
+  World world = make_world(open_space());
+  ASSERT_TRUE(world.set_scene(scene));
+  const Vec3d up{0, std::cos(kFall), std::sin(kFall)}, down{0, -std::sin(kFall), std::cos(kFall)};
+  const ProjectileId id = *world.spawn(stone(), {.position = up * 0.2}, ball_body(0.1, 0));
+  run_for(world, 3, 1.0 / 60);
+  const Vec3d x = world[id].position(), v = world[id].velocity();
+  const double a = kG * std::sin(kFall);
+  EXPECT_NEAR(dot(v, down), a * world.time(), 0.05 * a);
+  EXPECT_NEAR(dot(x, down), 0.5 * a * world.time() * world.time(), 0.2 * a);
+  EXPECT_NEAR(x.x, 0, 0.01);
+  EXPECT_NEAR(dot(x, up), 0.1 * std::sqrt(2.0), 0.01);
+}
+
+/// A ball that slides, without spin at first, rolls with 5/7 of its speed in the end.
+TEST(SceneContact, sliding_becomes_rolling_with_five_sevenths_of_the_speed) {
+  World world = make_world(open_space());
+  ASSERT_TRUE(world.set_scene(floor_of({.restitution = 0, .friction = 0.2})));
+  Launch launch;
+  launch.position = {0, 0.03 + 1e-9, 0};
+  launch.velocity = Vec3d{7, 0, 0};
+  const ProjectileId id = *world.spawn(stone(), launch, ball_body(0.03, 0));
+  const double rolls_after = 7 * 2.0 / 7 / (0.2 * kG);  // u / (mu g (1 + 1/k))
+  run_for(world, 0.5 * rolls_after, 1.0 / 240);
+  EXPECT_NEAR(world[id].velocity().x, 7 - 0.2 * kG * world.time(), 0.02);
+  run_for(world, rolls_after, 1.0 / 240);
+  EXPECT_NEAR(world[id].velocity().x, 5, 0.01);
+  EXPECT_NEAR(world[id].angular_velocity().z, -5 / 0.03, 0.5);
+}
+
+TEST(SceneContact, a_wall_that_moves_strikes_what_stands) {
+  for (const double radius : {0.0, 0.1})
+    for (const bool keyed : {false, true}) {
+      Scene scene;
+      const MaterialId hard = *scene.add_material({.restitution = 1, .friction = 0});
+      SceneMotion motion = SteadyMotion{.velocity = {50, 0, 0}};
+      if (keyed) motion = KeyedMotion{{{.time = 0, .position = {-10, 0, 0}}, {.time = 10, .position = {490, 0, 0}}}};
+      ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.0005, 5, 5}}),
+                             .transform = {.position = {-10, 0, 0}},
+                             .material = hard,
+                             .motion = motion}));
+      World world = make_world(open_space());
+      ASSERT_TRUE(world.set_scene(scene));
+      BodyDef body = ball_body(radius);
+      body.gravity_scale = 0;
+      body.can_sleep = true;
+      body.sleep_time = 0.05;
+      const ProjectileId id = *world.spawn(stone(), {}, body);
+      std::vector<Event> bounced;
+      for (const Event& e : run_for(world, 0.5, 1.0 / 60))
+        if (e.kind == EventKind::bounced) bounced.push_back(e);
+      ASSERT_EQ(bounced.size(), 1u);
+      EXPECT_NEAR(bounced[0].time, (10 - 0.0005 - radius) / 50, 1e-8);
+      EXPECT_LT(length(world[id].velocity() - Vec3d{100, 0, 0}), 1e-9);
+    }
+}
+
+TEST(SceneContact, a_platform_carries_what_lies_on_it) {
+  Scene scene;
+  const MaterialId rough = *scene.add_material({.restitution = 0, .friction = 1});
+  const InstanceId lift = *scene.add({.shape = *scene.add_shape(BoxShape{{50, 0.5, 5}}),
+                                      .material = rough,
+                                      .motion = SteadyMotion{.velocity = {1, 0.5, 0}}});
+  World world = make_world(open_space());
+  ASSERT_TRUE(world.set_scene(scene));
+  BodyDef body = ball_body(0, 0);
+  body.rolling_resistance = 0.3;
+  body.can_sleep = true;
+  const ProjectileId id = *world.spawn(stone(), {.position = {0, 0.6, 0}}, body);
+  run_for(world, 4, 1.0 / 60);
+  EXPECT_LT(length(world[id].velocity() - Vec3d{1, 0.5, 0}), 1e-6);
+  EXPECT_NEAR(world[id].position().y, world.scene()->state(lift, world.time())->position.y + 0.5, 1e-6);
+  EXPECT_FALSE(world[id].is_asleep());
+}
+
+/// R. F. Recht, T. W. Ipson (1963): what comes out behind has v_r^2 = v^2 - limit^2 here.
+TEST(SceneContact, a_bullet_goes_through_a_plank_and_stops_in_a_wall) {
+  Scene scene;
+  const MaterialId plank =
+      *scene.add_material({.name = "plank", .penetration = BallisticLimitDef{.speed = 300, .a = 1, .p = 2}});
+  const MaterialId wall = *scene.add_material(materials::oak());
+  const InstanceId first = *scene.add(
+      {.shape = *scene.add_shape(BoxShape{{0.01, 1, 1}}), .transform = {.position = {10, 0, 0}}, .material = plank});
+  const InstanceId second = *scene.add(
+      {.shape = *scene.add_shape(BoxShape{{5, 10, 10}}), .transform = {.position = {25, 0, 0}}, .material = wall});
+  World world = make_world(open_space());
+  ASSERT_TRUE(world.set_scene(scene));
+  BodyDef body;
+  body.collision.on_hit = OnHit::impact;
+  body.gravity_scale = 0;
+  ProjectileDef p = bullet();
+  p.fidelity = stone().fidelity;
+  const ProjectileId id = *world.spawn(p, {.speed = 500}, body);
+  const auto events = run_for(world, 0.2, 1.0 / 60);
+  std::vector<Event> told;
+  for (const Event& e : events)
+    if (e.kind != EventKind::spawned) told.push_back(e);
+  ASSERT_EQ(told.size(), 4u);
+  EXPECT_EQ(told[0].kind, EventKind::hit);
+  EXPECT_EQ(told[0].instance, first);
+  EXPECT_EQ(told[1].kind, EventKind::penetrated);
+  EXPECT_NEAR(told[1].velocity.x, 400, 1e-9);
+  EXPECT_NEAR(told[1].position.x, 10.01, 1e-8);
+  EXPECT_NEAR(told[1].value, 0.02, 1e-8);
+  EXPECT_NEAR(told[1].energy, 0.5 * p.mass * (500 * 500 - 400 * 400), 1e-6);
+  EXPECT_EQ(told[2].kind, EventKind::hit);
+  EXPECT_EQ(told[2].instance, second);
+  EXPECT_NEAR(told[2].time, 9.99 / 500 + 9.99 / 400, 1e-8);
+  EXPECT_EQ(told[3].kind, EventKind::stopped);
+  EXPECT_NEAR(told[3].position.x, 20 + told[3].value, 1e-8);
+  EXPECT_GT(told[3].value, 0.01);
+  EXPECT_EQ(world[id].status(), LifeStatus::landed);
+  EXPECT_NEAR(world[id].position().x, told[3].position.x, 1e-9);
+}
+
+TEST(SceneContact, a_ball_skips_off_water_and_a_steep_one_does_not) {
+  Scene scene = floor_of(materials::water());
+  for (const double angle : {4 * test::kDegree, 60 * test::kDegree}) {
+    World world = make_world(open_space());
+    ASSERT_TRUE(world.set_scene(scene));
+    BodyDef body;
+    body.collision.on_hit = OnHit::impact;
+    ProjectileDef p = stone();
+    p.mass = 5;
+    p.diameter = 0.1;
+    Launch launch;
+    launch.position = {0, 1e-3, 0};
+    launch.velocity = Vec3d{std::cos(angle), -std::sin(angle), 0} * 200.0;
+    ASSERT_TRUE(world.spawn(p, launch, body));
+    world.step(1.0 / 60);
+    const bool skips = angle < 0.2;
+    EXPECT_EQ(events_of(world, EventKind::ricocheted).size(), skips ? 1u : 0u);
+    for (const Event& e : events_of(world, EventKind::ricocheted)) {
+      EXPECT_GT(e.velocity.y, 0);
+      EXPECT_LT(length(e.velocity), 200);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace physim

@@ -1,0 +1,164 @@
+// Worlds with scenes through every door of time: snapshots, saves, recordings, and changes in between.
+#include <cmath>
+
+#include "physim/recording.hpp"
+#include "world/world_support.hpp"
+
+namespace physim {
+namespace {
+
+/// Balls that bounce in a trough, beside a plank that moves to and fro.
+World trough() {
+  Scene scene;
+  const MaterialId hard = *scene.add_material({.restitution = 0.8, .friction = 0.3});
+  const MaterialId wood = *scene.add_material(materials::oak());
+  const ShapeId plane = *scene.add_shape(PlaneShape{});
+  for (const double side : {-1.0, 1.0})
+    EXPECT_TRUE(scene.add(
+        {.shape = plane, .transform = {.rotation = {1, 0, 0, side * 0.3}}, .material = hard, .name = "side"}));
+  EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.1, 1, 3}}),
+                         .transform = {.position = {8, 2, 0}},
+                         .material = wood,
+                         .name = "plank",
+                         .motion = KeyedMotion{{{.time = 0, .position = {8, 2, 0}},
+                                                {.time = 1, .position = {2, 2, 0}},
+                                                {.time = 2, .position = {8, 2, 0}}}}}));
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  World world = make_world(def);
+  EXPECT_TRUE(world.set_scene(scene));
+  return world;
+}
+
+void throw_in(World& world, int number) {
+  for (int i = 0; i < number; ++i) {
+    ProjectileDef p = bullet();
+    p.fidelity = i % 3 == 0 ? Fidelity::small_arms() : i % 3 == 1 ? Fidelity::game() : Fidelity::arcade();
+    BodyDef body;
+    body.collision = {.on_hit = i % 4 == 0 ? OnHit::impact : OnHit::bounce, .radius = i % 2 * 0.1};
+    ASSERT_TRUE(world.spawn(p, {.position = {0.3 * i - 3, 4 + 0.1 * i, 0.2 * i}, .speed = 3.0 * i}, body));
+  }
+}
+
+TEST(SceneMoments, a_save_goes_on_as_the_world_does) {
+  World world = trough();
+  throw_in(world, 24);
+  run_for(world, 0.7, 1.0 / 60);
+  const auto save = world.save();
+  ASSERT_TRUE(save);
+  Result<World> loaded = World::load(*save);
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  EXPECT_EQ(loaded->hash(), world.hash());
+  EXPECT_EQ(loaded->save().value(), *save);
+  for (int i = 0; i < 90; ++i) {
+    world.step(1.0 / 60), loaded->step(1.0 / 60);
+    ASSERT_EQ(loaded->hash(), world.hash()) << i;
+    ASSERT_EQ(loaded->events().size(), world.events().size());
+  }
+  const InstanceId added = *world.add_instance({.shape = *world.add_shape(SphereShape{2})});
+  ASSERT_EQ(*loaded->add_instance({.shape = *loaded->add_shape(SphereShape{2})}), added);
+  EXPECT_EQ(loaded->hash(), world.hash());
+}
+
+TEST(SceneMoments, the_hash_sees_the_scene) {
+  World world = trough();
+  const std::uint64_t before = world.hash();
+  const ShapeId ball = *world.add_shape(SphereShape{1});
+  const InstanceId added = *world.add_instance({.shape = ball});
+  const std::uint64_t with = world.hash();
+  EXPECT_NE(with, before);
+  ASSERT_TRUE(world.move_instance(added, {.position = {1, 0, 0}}));
+  EXPECT_NE(world.hash(), with);
+  ASSERT_TRUE(world.remove_scene());
+  EXPECT_EQ(world.scene(), nullptr);
+  EXPECT_NE(world.hash(), before);
+}
+
+TEST(SceneMoments, snapshots_keep_the_scene_that_was) {
+  World world = trough();
+  throw_in(world, 12);
+  run_for(world, 0.5, 1.0 / 60);
+  const Snapshot then = world.snapshot();
+  const auto play = [&] {
+    run_for(world, 0.5, 1.0 / 60);
+    return world.hash();
+  };
+  const std::uint64_t first = play();
+  ASSERT_TRUE(world.remove_scene());
+  run_for(world, 0.5, 1.0 / 60);
+  ASSERT_TRUE(world.restore(then));
+  ASSERT_NE(world.scene(), nullptr);
+  EXPECT_EQ(play(), first);
+  ASSERT_TRUE(world.restore(then));
+  for (const InstanceId id : {InstanceId{1, 1}, InstanceId{2, 1}}) ASSERT_TRUE(world.remove_instance(id));
+  run_for(world, 0.5, 1.0 / 60);
+  EXPECT_NE(world.hash(), first);
+  ASSERT_TRUE(world.restore(then));
+  EXPECT_EQ(world.scene()->size(), 3u);
+  EXPECT_EQ(play(), first);
+}
+
+TEST(SceneMoments, a_recording_plays_every_change_again) {
+  World world{};
+  std::vector<std::byte> bytes;
+  ASSERT_TRUE(world.record(record_into(bytes)));
+  {
+    const World model = trough();
+    ASSERT_TRUE(world.set_scene(*model.scene()));
+  }
+  throw_in(world, 12);
+  run_for(world, 0.3, 1.0 / 60);
+  const ShapeId ball = *world.add_shape(SphereShape{0.5});
+  const MaterialId soft = *world.add_material({.restitution = 0.1});
+  const InstanceId added = *world.add_instance({.shape = ball, .transform = {.position = {0, 3, 1}}, .material = soft});
+  run_for(world, 0.2, 1.0 / 60);
+  ASSERT_TRUE(world.set_instance_motion(added, SteadyMotion{world.time(), {-3, 0, 0}, {0, 1, 0}}));
+  run_for(world, 0.2, 1.0 / 60);
+  ASSERT_TRUE(world.move_instance(added, {.position = {2, 2, 0}}));
+  ASSERT_TRUE(world.set_instance_layers(added, 2));
+  run_for(world, 0.2, 1.0 / 60);
+  ASSERT_TRUE(world.remove_instance(added));
+  ASSERT_TRUE(world.remove_shape(ball));
+  run_for(world, 0.2, 1.0 / 60);
+  ASSERT_TRUE(world.stop_recording());
+  const auto report = replay(bytes);
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_FALSE(report->difference) << report->difference->what;
+  EXPECT_TRUE(report->complete);
+  EXPECT_GT(report->hashes, 60u);
+}
+
+TEST(SceneMoments, changes_of_no_scene_are_refused) {
+  World world{};
+  EXPECT_EQ(world.add_shape(SphereShape{1}).error().text(),
+            "scene: error: the world has no scene; World::set_scene() gives it one");
+  EXPECT_FALSE(world.remove_shape({1, 1}));
+  EXPECT_FALSE(world.add_material({}));
+  EXPECT_FALSE(world.add_instance({}));
+  EXPECT_FALSE(world.remove_instance({1, 1}));
+  EXPECT_FALSE(world.move_instance({1, 1}, {}));
+  EXPECT_FALSE(world.set_instance_motion({1, 1}, AtRest{}));
+  EXPECT_FALSE(world.set_instance_layers({1, 1}, 1));
+  EXPECT_FALSE(world.remove_scene());
+  ASSERT_TRUE(world.set_scene(Scene()));
+  EXPECT_FALSE(world.remove_instance({1, 1}));
+  EXPECT_TRUE(world.add_shape(SphereShape{1}));
+}
+
+TEST(SceneMoments, bad_collisions_are_refused_with_their_place) {
+  World world{};
+  const auto why = [&](const CollisionDef& collision) {
+    BodyDef body;
+    body.collision = collision;
+    const auto kind = world.add_kind(stone(), body);
+    return kind ? "" : kind.error().text();
+  };
+  EXPECT_NE(why({.on_hit = static_cast<OnHit>(17)}).find("body.collision.on_hit"), std::string::npos);
+  EXPECT_NE(why({.radius = -1}).find("body.collision.radius"), std::string::npos);
+  EXPECT_NE(why({.radius = std::nan("")}).find("body.collision.radius"), std::string::npos);
+  EXPECT_NE(why({.inertia = 0}).find("body.collision.inertia"), std::string::npos);
+  EXPECT_EQ(why({.radius = 1, .inertia = 2.0 / 3}), "");
+}
+
+}  // namespace
+}  // namespace physim
