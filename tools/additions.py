@@ -102,9 +102,10 @@ def fill(tree, wanted):
 
 
 def build():
-    """True where the patched copy builds."""
-    return subprocess.run(["cmake", "--build", str(COPY / "build"), "-j", str(os.cpu_count() or 2), "--target",
-                           "physim_additions"], check=False, stdout=subprocess.DEVNULL).returncode == 0
+    """What the compiler says where the patched copy does not build; nothing where it does."""
+    done = subprocess.run(["cmake", "--build", str(COPY / "build"), "-j", str(os.cpu_count() or 2), "--target",
+                           "physim_additions"], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return "" if done.returncode == 0 else done.stdout or "no output"
 
 
 def failing_tests():
@@ -119,7 +120,8 @@ def build_and_test():
     subprocess.run(["cmake", "-S", str(tree), "-B", str(COPY / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
                     "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_WERROR=ON"],
                    check=True, stdout=subprocess.DEVNULL)
-    if not build():
+    if failure := build():
+        print(failure, file=sys.stderr)
         sys.exit("additions: the patched sources do not build")
     for patch in patches():
         print(f"{patch.stem}: {len(touched(patch))} files of at most {limit(patch)}: {', '.join(touched(patch))}")
@@ -154,7 +156,7 @@ def taken_out(names):
             assert whole.count(before + added) == 1, (file, added)
             source.write_text(whole.replace(before + added, before + removed), encoding="utf-8")
             noticed = ""
-            if not build():
+            if build():
                 noticed = "does not build"
             else:
                 code, failed = failing_tests()

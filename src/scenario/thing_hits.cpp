@@ -59,58 +59,31 @@ ThingHit SceneOfRun::hit(const Launched& launched, const Event& event, const Sce
 
 const ThingHit* take_event(RunState& state, Track& track, const SceneOfRun& run, const Event& event,
                            const Scene& scene) {
-  if (!event.instance) return nullptr;
+  if (!event.instance) return nullptr;  // only what is met has one
   std::vector<ThingHit>& hits = state.thing_hits;
-  switch (event.kind) {
-    case EventKind::hit: {
-      track.hit = hits.size();
-      ThingHit& hit = hits.emplace_back(run.hit(track.launched, event, scene));
-      const WorldGroup& group = state.groups[hit.launched.group];
-      const OnHit on_hit = run.scenario->shots[group.shot].body.collision.on_hit;
-      const bool stays = on_hit == OnHit::stop || on_hit == OnHit::stick || event.reason == Reason::inside;
-      if (!stays) return nullptr;
-      hit.outcome = EventKind::stopped;
-      hit.velocity_after = {};
-      return &hit;
-    }
-    case EventKind::bounced:
-    case EventKind::ricocheted:
-    case EventKind::penetrated:
-    case EventKind::stopped: {
-      ThingHit* hit = open_hit(hits, track.hit, event);
-      if (hit == nullptr) return nullptr;
-      hit->outcome = event.kind;
-      hit->velocity_after = event.velocity;
-      hit->depth = event.value;
-      hit->energy = event.energy;
-      return hit;
-    }
-    case EventKind::entered:
-    case EventKind::left:
-    case EventKind::sensed: {
-      ThingHit& hit = hits.emplace_back(run.hit(track.launched, event, scene));
-      hit.outcome = event.kind;
-      return nullptr;  // told, and not counted: it hit nothing
-    }
-    case EventKind::ground:
-    case EventKind::apex:
-    case EventKind::range:
-    case EventKind::height:
-    case EventKind::mach:
-    case EventKind::speed:
-    case EventKind::time:
-    case EventKind::ignition:
-    case EventKind::burnout:
-    case EventKind::rail_exit:
-    case EventKind::spawned:
-    case EventKind::landed:
-    case EventKind::slept:
-    case EventKind::woke:
-    case EventKind::expired:
-    case EventKind::retired:
-    case EventKind::fidelity_changed: break;
+  const EventKind kind = event.kind;
+  if (kind == EventKind::entered || kind == EventKind::left || kind == EventKind::sensed) {
+    hits.emplace_back(run.hit(track.launched, event, scene)).outcome = kind;
+    return nullptr;  // told, and not counted: it hit nothing
   }
-  return nullptr;
+  if (kind == EventKind::hit) {
+    track.hit = hits.size();
+    ThingHit& hit = hits.emplace_back(run.hit(track.launched, event, scene));
+    const WorldGroup& group = state.groups[hit.launched.group];
+    const OnHit on_hit = run.scenario->shots[group.shot].body.collision.on_hit;
+    const bool stays = on_hit == OnHit::stop || on_hit == OnHit::stick || event.reason == Reason::inside;
+    if (!stays) return nullptr;
+    hit.outcome = EventKind::stopped;
+    hit.velocity_after = {};
+    return &hit;
+  }
+  ThingHit* hit = open_hit(hits, track.hit, event);  // what became of it
+  if (hit == nullptr) return nullptr;
+  hit->outcome = kind;
+  hit->velocity_after = event.velocity;
+  hit->depth = event.value;
+  hit->energy = event.energy;
+  return hit;
 }
 
 void drop_contacts(RunState& state) {
