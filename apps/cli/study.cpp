@@ -67,7 +67,7 @@ class PartKeeper {
  public:
   explicit PartKeeper(std::string file) : file_(std::move(file)) {}
 
-  /// False where it could not be written.
+  /// False where it could not be written, now or before.
   bool take(const StudyPart& part) {
     using Clock = std::chrono::steady_clock;
     if (file_.empty() || Clock::now() - last_ < std::chrono::seconds(1)) return true;
@@ -75,7 +75,9 @@ class PartKeeper {
     return write(part);
   }
   bool write(const StudyPart& part) {
-    if (!file_.empty()) status_ = write_part(file_, part);
+    if (file_.empty()) return true;
+    const Status written = write_part(file_, part);
+    if (status_.ok()) status_ = written;  // the first failure stopped the study
     return status_.ok();
   }
   [[nodiscard]] const Status& status() const { return status_; }
@@ -159,6 +161,9 @@ Result<FlownStudy> fly_study(const Study& study, TaskRunner& threads, const Stud
   for (const std::string& note : plan->notes()) print_warning(note);
   const auto before = flown_before(command);
   if (!before) return before.error();
+  const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width;
+  if (joins_only)
+    if (const auto whole = result_of(*plan, *before, plan->shards()); !whole) return whole.error();
   tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()), threads.threads());
   PartKeeper keeper(command.resume);
   const Progress progress = progress_bar("study");
@@ -249,7 +254,9 @@ void add_part_options(Command& command, StudyCommand& options) {
                      "Keep what is flown in this file, and go on with what it has: a run that dies loses a second");
   command.add_option("--shards", options.shards, "K/N",
                      "Fly the K-th of N parts alone into the file of --resume, for arrays of jobs");
-  command.add_option("--merge", options.merge, "FILE", "Join what another run flew; may be given many times")
+  command
+      .add_option("--merge", options.merge, "FILE",
+                  "Join what another run flew; may be given many times. With --resume what is missing is flown, too")
       .one_value_each();
 }
 

@@ -153,7 +153,8 @@ class StudyPlan {
 
 /// Checks and prepares a study: it flies the shot without uncertainty and a few with it.
 [[nodiscard]] Result<StudyPlan> plan_study(const Study& study);
-/// ... of a function: its inputs have paths of one's own, and projectile, launch and place are not looked at.
+/// ... of a function: its inputs have paths of one's own, and projectile, launch and place are not looked at. Nothing
+/// tells functions apart, so parts of two functions are joined without a word.
 [[nodiscard]] Result<StudyPlan> plan_study(const Study& study, const StudyFunction& function);
 
 struct StudyPartRecord;

@@ -29,7 +29,7 @@ double drag_of_cap(double z) {
   return 0.375 * atan2(sine, cosine) - 0.25 * sine_2 + 0.0625 * sine_2 * cosine_2;
 }
 
-/// J. With z = z_m (1 - w^2) the integrand is smooth: sixteen points leave an error below 1e-5 of it.
+/// J. With z = z_m (1 - w^2) the integrand is smooth: sixteen points leave an error of 1e-5 of it.
 double drag_integral(double x) {
   constexpr int kPoints = 16;
   const auto excess = [x](double z) { return lift_work(z) - x * kWholeLift; };

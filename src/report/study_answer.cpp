@@ -131,11 +131,12 @@ std::string quantities_text(const FlownStudy& flown) {
 /// How far a zone reaches along the axes of the plane.
 std::string zone_text(const ZoneResult& zone) {
   PHYSIM_ASSERT(!zone.corners.empty());
+  constexpr double kUpwards = 1.005;  // so that three digits never tell less than may lie outside
   const auto [left, right] = std::ranges::minmax(zone.corners, {}, &PlanePoint::right);
   const auto [low, high] = std::ranges::minmax(zone.corners, {}, &PlanePoint::up);
   return "a zone from " + significant(left.right, 4) + " to " + significant(right.right, 4) + " m and from " +
-         significant(low.up, 4) + " to " + significant(high.up, 4) + " m holds more than " +
-         significant(100 * zone.holds, 7) + " % of all shots that arrive, 95 % sure";
+         significant(low.up, 4) + " to " + significant(high.up, 4) + " m holds all but " +
+         significant(kUpwards * 100 * (1 - zone.holds), 3) + " % of all shots that arrive, 95 % sure";
 }
 
 std::string plane_text(const StudyResult& r) {

@@ -69,7 +69,8 @@ Status check_path(std::string_view path) {
                suggestion(path, names, "they are")};
 }
 
-/// Reads numbers of a quantity; a difference of temperatures has no zero of its own.
+/// Reads numbers of a quantity; a difference of temperatures has no zero of its own. Either all numbers of a text have
+/// a unit or none: "45 x 75 cm" would be 45 m wide.
 class NumberReader {
  public:
   explicit NumberReader(Quantity quantity) : quantity_(quantity) {}
@@ -77,17 +78,26 @@ class NumberReader {
   double value(std::string_view text) {
     const auto number = parse_quantity(text, quantity_);
     if (!number && !error_) error_ = number.error();
-    return number ? *number : 0;
+    if (!number) return 0;
+    if (std::isfinite(*number) && (*number != 0 || has_unit(text)))
+      (has_unit(text) ? with_unit_ : without_unit_) = text;
+    if (!with_unit_.empty() && !without_unit_.empty() && !error_)
+      error_ = Error{"\"" + without_unit_ + "\" has no unit, and \"" + with_unit_ + "\" has one", "",
+                     "give all of them a unit"};
+    return *number;
   }
   double difference(std::string_view text) {
     const double number = value(text);
-    const std::size_t unit = text.find_first_not_of("0123456789.+-eE \t");
-    if (quantity_ != Quantity::temperature || unit == std::string_view::npos || error_) return number;
-    return number - value("0 " + std::string(text.substr(unit)));
+    if (quantity_ != Quantity::temperature || !has_unit(text) || error_) return number;
+    return number - value("0 " + std::string(text.substr(unit_of(text))));
   }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
  private:
+  static std::size_t unit_of(std::string_view text) { return text.find_first_not_of("0123456789.+-eE \t"); }
+  static bool has_unit(std::string_view text) { return unit_of(text) != std::string_view::npos; }
+
+  std::string with_unit_, without_unit_;  // the last of each
   Quantity quantity_;
   std::optional<Error> error_;
 };
@@ -215,6 +225,10 @@ Status add_texts(const ScenarioStudy& texts, Study& study) {
   for (std::size_t i = 0; i < texts.correlated.size(); ++i) {
     const auto pair = pair_of(study, texts.correlated[i]);
     if (!pair) return placed(pair.error(), numbered("study.correlated", i));
+    const auto is_known = [&](const PairOfInputs& p) { return std::minmax(p.a, p.b) == std::minmax(pair->a, pair->b); };
+    if (std::ranges::any_of(pairs, is_known))
+      return Error{"\"" + texts.correlated[i] + "\" names a pair that has a correlation already",
+                   numbered("study.correlated", i), "give it once"};
     pairs.push_back(*pair);
   }
   add_groups(study, std::move(pairs));

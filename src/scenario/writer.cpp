@@ -33,7 +33,7 @@ std::string toml_string(std::string_view text) {
 /// As people write it: between three quotes, line by line. Quotes within are escaped where they would end it.
 std::string text_block(std::string_view text) {
   std::string out = "\"\"\"\n";
-  for (const char c : text) {
+  for (const char& c : text) {
     const std::string quoted = toml_string({&c, 1});
     out += c == '\n' || c == '\t'                                  ? std::string(1, c)
            : c == '"' && !out.ends_with('"') && &c != &text.back() ? "\""

@@ -33,6 +33,11 @@ Status check_path(const Study& study, std::size_t i) {
   if (input.path.starts_with("environment.wind") && (!wind.profile.empty() || wind.field))
     return Error{"an uncertain wind is the same everywhere, and the environment has a profile", place,
                  "leave the profile out"};
+  const AirModel asked = study.fidelity.air, there = study.environment.atmosphere.model;  // the simpler one is flown
+  const bool has_own_density = asked == AirModel::isa && there == AirModel::isa;
+  if (input.path == "environment.atmosphere.density" && has_own_density)
+    return Error{"a density is drawn for constant and exponential air, and this is isa", place,
+                 "draw temperature, pressure and humidity"};
   for (std::size_t j = 0; j < i; ++j)
     if (study.inputs[j].path == input.path && !study.inputs[j].added && !input.added)
       return Error{input.path + " is drawn by " + numbered("inputs", j) + " already", place,
@@ -53,6 +58,9 @@ Status check_inputs(const Study& study, bool of_flights) {
       return placed(status.error(), numbered("inputs", i) + ".distribution");
     c.require(static_cast<unsigned>(study.inputs[i].drawn_for) <= 1, numbered("inputs", i) + ".drawn_for",
               "is none of the named values");
+    c.require(study.inputs[i].drawn_for != DrawnFor::occasion || study.rounds > 1, "rounds",
+              "is one shot, and " + numbered("inputs", i) + " is drawn once for all shots of an occasion",
+              "say how many shots an occasion has");
     if (of_flights) c.also(check_path(study, i));
   }
   return c.status();

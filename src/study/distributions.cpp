@@ -98,6 +98,9 @@ struct FirstMoments {
   /// N. L. Johnson, S. Kotz, Continuous Univariate Distributions 1 (1970), sec. 13.7.
   MeanAndVariance operator()(const TruncatedNormalDistribution& d) const {
     const Ends e = ends_of(d);
+    // So narrow a piece of the bell is level to a hundredth; the formula below would lose its width to cancellation.
+    if (e.high - e.low < 1e-3 && std::max(std::abs(e.low), std::abs(e.high)) < 10)
+      return (*this)(UniformDistribution{d.low, d.high});
     const auto times = [](double z, double density) { return std::isfinite(z) ? z * density : 0; };
     const double low = bell_density(e.low), high = bell_density(e.high);
     const double shift = (low - high) / e.inside;

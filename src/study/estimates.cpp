@@ -11,9 +11,26 @@ namespace physim {
 namespace {
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kTwoSided = 1.959963984540054;      // normal, 95 %
-constexpr double kTwoSidedStudent = 2.131449545559;  // Student's t of kReplicates - 1 = 15, 95 %
-static_assert(kReplicates == 16);
+constexpr double kTwoSided = 1.959963984540054;  // normal, 95 %
+/// Student's t of 1, 2, ... degrees of freedom, 95 %.
+constexpr double kTwoSidedStudent[] = {12.706204736, 4.302652730, 3.182446305, 2.776445105, 2.570581836,
+                                       2.446911851,  2.364624252, 2.306004135, 2.262157163, 2.228138852,
+                                       2.200985160,  2.178812830, 2.160368656, 2.144786688, 2.131449546};
+static_assert(std::size(kTwoSidedStudent) == kReplicates - 1);
+
+/// So many errors is an interval of 95 % wide to each side.
+double two_sided(const StudyPlanRecord& plan, const ShardSums& sums) {
+  if (plan.is_plain()) return kTwoSided;
+  const auto parts = std::ranges::count_if(sums.replicates, [](const Replicate& part) { return part.shots > 0; });
+  return parts < 2 ? kNotKnown : kTwoSidedStudent[parts - 2];
+}
+
+/// Replicates that all have as many hits tell nothing of the error: the interval of as many independent shots, or of
+/// independent occasions where shots have one in common.
+Interval interval_of_equal_replicates(const StudyPlanRecord& plan, const HitResult& hit, std::uint64_t shots) {
+  const std::uint64_t each = plan.study.rounds;
+  return wilson_interval(hit.hits / each, shots / each);
+}
 
 RadiusResult radius_result(const StudyPlanRecord& plan, const DistanceSums& sums) {
   RadiusResult r;
@@ -87,8 +104,12 @@ HitResult hits_on(const StudyPlanRecord& plan, const ShardSums& sums, std::size_
     return (part.hits.empty() ? 0.0 : static_cast<double>(part.hits[target])) / static_cast<double>(part.shots);
   });
   hit.probability = {p, parts.error};
-  hit.low = std::max(0.0, p - kTwoSidedStudent * parts.error);
-  hit.high = std::min(1.0, p + kTwoSidedStudent * parts.error);
+  const double half = two_sided(plan, sums) * parts.error;
+  hit.low = std::max(0.0, p - half);
+  hit.high = std::min(1.0, p + half);
+  if (parts.error > 0) return hit;
+  const Interval interval = interval_of_equal_replicates(plan, hit, sums.shots);
+  hit.low = std::min(p, interval.low), hit.high = std::max(p, interval.high);
   return hit;
 }
 
@@ -100,7 +121,7 @@ double width_of(const StudyPlanRecord& plan, const ShardSums& sums) {
     return hit.high - hit.low;
   }
   const double error = mean_of_quantity(plan, sums, asked.quantity).error;
-  return 2 * (plan.is_plain() ? kTwoSided : kTwoSidedStudent) * error;
+  return 2 * two_sided(plan, sums) * error;
 }
 
 StudyResult figures_of(const StudyPlanRecord& plan, const ShardSums& sums) {

@@ -2,9 +2,12 @@
 // more of it is.
 //
 // The plane of impact is that of the shot without uncertainty: across its line of sight, at the range. A flight ends on
-// the plane of its own line of sight, which an uncertain azimuth turns; from there it goes straight on, or back, at the
-// speed it has. With an azimuth e off [rad] the planes are range e^2 / 2 apart, and what that leaves out is 1/2 g t^2
-// of the time t it takes: 0.1 um at 1000 m and 10 mrad.
+// the plane of its own line of sight, from its own muzzle, which an uncertain azimuth or place moves; from there it
+// goes on, or back, with the acceleration a that the shot without uncertainty has where it arrives: x + v t + a t^2 /
+// 2, v + a t, for the time t to the plane. With an azimuth e off [rad] the planes are range e^2 / 2 apart, and nothing
+// of it is left to see. With a muzzle off by 20 m, t is about 0.04 s; what is left out is the difference of the
+// accelerations and their change, some per cent of a t^2 / 2: millimetres, and 0.15 m/s. A shot that needs more than a
+// quarter of its time of flight to the plane, or does not go towards it, counts as not arrived.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,6 +64,7 @@ class FlightModel : public ShotModel {
   Shot plain_;
   SightFrame sight_;
   std::vector<UncertainNumber> numbers_;
+  Vec3d acceleration_{};  // of the shot without uncertainty, where it ends [m/s^2]
   bool as_columns_ = true;
 };
 
@@ -83,6 +87,7 @@ Status FlightModel::prepare() {
   const Flight flight =
       fly(plain_.projectile, plain_.launch, study_.environment, study_.fidelity, study_.tolerance, study_.until);
   if (flight.error()) return *flight.error();
+  acceleration_ = flight.accelerations(flight.duration()).total;
   const Fidelity& granted = flight.fidelity_in_use().fidelity;
   if (step_given(granted, study_.tolerance) || steps_by_frames(granted)) return {};
   Tolerance finer = study_.tolerance;
@@ -155,15 +160,23 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
 }
 
 void FlightModel::move_to_plane(const BlockEnds& ends) const {
-  const Vec3d &f = sight_.forward, &muzzle = sight_.muzzle;
+  constexpr double kFarthest = 0.25;  // parts of the time of flight
+  const Vec3d &f = sight_.forward, &a = acceleration_;
   PHYSIM_ASSERT(study_.until.range.has_value());
   for (std::size_t i = 0; i < ends.x.size(); ++i) {
-    const double ahead = ends.vx[i] * f.x + ends.vy[i] * f.y + ends.vz[i] * f.z;
-    const double range = (ends.x[i] - muzzle.x) * f.x + (ends.y[i] - muzzle.y) * f.y + (ends.z[i] - muzzle.z) * f.z;
-    if (!(ahead > 0)) continue;
-    const double time = (*study_.until.range - range) / ahead;
-    ends.time[i] += time;
-    ends.x[i] += time * ends.vx[i], ends.y[i] += time * ends.vy[i], ends.z[i] += time * ends.vz[i];
+    Vec3d x{ends.x[i], ends.y[i], ends.z[i]}, v{ends.vx[i], ends.vy[i], ends.vz[i]};
+    const double left = *study_.until.range - dot(x - sight_.muzzle, f), ahead = dot(v, f), slower = dot(a, f);
+    // left = ahead t + slower t^2 / 2, the root that is small where `left` is
+    const double t = 2 * left / (ahead + std::sqrt(ahead * ahead + 2 * slower * left));
+    if (!(ahead > 0 && std::abs(t) <= kFarthest * ends.time[i])) {
+      ends.x[i] = kNowhere;
+      continue;
+    }
+    x += v * t + a * (0.5 * t * t);
+    v += a * t;
+    ends.time[i] += t;
+    ends.x[i] = x.x, ends.y[i] = x.y, ends.z[i] = x.z;
+    ends.vx[i] = v.x, ends.vy[i] = v.y, ends.vz[i] = v.z;
   }
 }
 
@@ -211,7 +224,8 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
   for (std::size_t i = 0; i < count; ++i) {
     const Outcome outcome = ends.outcome[i];
     if (outcome == Outcome::refused && !told.first) told.first = i;
-    const bool arrived = study_.until.range ? outcome == Outcome::reached_range : ended_as_planned(outcome);
+    const bool arrived =
+        study_.until.range ? outcome == Outcome::reached_range && ends.x[i] == ends.x[i] : ended_as_planned(outcome);
     if (arrived) continue;
     for (const auto& column : quantities) column[i] = kNowhere;
   }

@@ -1,5 +1,6 @@
 #include "study/part.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <string>
 
@@ -36,6 +37,40 @@ Error not_a_part(const char* why) {
   return {std::string("these bytes are no part of a study: ") + why, "part", "take what save_part() gave"};
 }
 
+// Joining relies on the shapes that shards of one study have. A part is read from a file, which anyone may have
+// written.
+bool fits(const CountedCells& cells, const CountedCells& first) {
+  constexpr std::int64_t kFarthest = std::int64_t{1} << 15;  // beyond all that is counted
+  return cells.centre == first.centre && cells.scale == first.scale && cells.first > -kFarthest &&
+         cells.first < kFarthest && cells.counts.size() < std::size_t{2 * kFarthest};
+}
+bool fits(const SampleMoments& moments, std::size_t size) {
+  return moments.products.size() == moments.size() * (moments.size() + 1) / 2 &&
+         (moments.count == 0 || moments.size() == size);
+}
+bool fits(const DistanceSums& sums, const DistanceSums& first) {
+  return fits(sums.cells, first.cells) && fits(sums.moments, 1);
+}
+bool fits(const IndexSums& sums, const IndexSums& first) {
+  const auto sized = [](const auto& a, const auto& b) { return a.empty() || b.empty() || a.size() == b.size(); };
+  return sized(sums.counts, first.counts) && sized(sums.first, first.first) && sized(sums.total, first.total);
+}
+bool fits(const ShardSums& sums, const ShardSums& first) {
+  const auto sized = [](const auto& a, const auto& b) { return a.empty() || b.empty() || a.size() == b.size(); };
+  bool sound = sums.replicates.size() == kReplicates && sums.cells.size() == first.cells.size() &&
+               sums.spreads.size() == first.spreads.size() && sized(sums.hits, first.hits) &&
+               sized(sums.least, first.least) && sized(sums.most, sums.least) && sums.worst.size() <= kWorstShots;
+  for (std::size_t i = 0; sound && i < sums.cells.size(); ++i) sound = fits(sums.cells[i], first.cells[i]);
+  for (std::size_t i = 0; sound && i < sums.spreads.size(); ++i) sound = fits(sums.spreads[i], first.spreads[i]);
+  for (std::size_t i = 0; sound && i < kReplicates; ++i) {
+    const Replicate& part = sums.replicates[i];
+    sound = fits(part.moments, sums.cells.size()) && sized(part.hits, first.hits) &&
+            fits(part.indices, first.replicates[i].indices);
+  }
+  return sound && fits(sums.moments, sums.cells.size()) && fits(sums.from_aim, first.from_aim) &&
+         fits(sums.from_centre, first.from_centre) && fits(sums.in_space, first.in_space);
+}
+
 }  // namespace
 
 bool StudyPartRecord::has(std::uint64_t shard) const {
@@ -45,13 +80,11 @@ bool StudyPartRecord::has(std::uint64_t shard) const {
   return shard - first < node.count;
 }
 
-std::uint64_t StudyPartRecord::first_missing() const {
-  std::uint64_t at = 0;
-  for (const auto& [first, node] : nodes) {
-    if (first != at) break;
-    at += node.count;
-  }
-  return at;
+std::uint64_t StudyPartRecord::missing_from(std::uint64_t shard) const {
+  auto at = nodes.upper_bound(shard);
+  if (at != nodes.begin()) --at;
+  for (; at != nodes.end() && at->first <= shard; ++at) shard = std::max(shard, at->first + at->second.count);
+  return shard;
 }
 
 void StudyPartRecord::add(std::uint64_t first, Node node) {
@@ -101,7 +134,7 @@ std::uint64_t StudyPart::shards() const {
   return count;
 }
 bool StudyPart::has(std::uint64_t shard) const { return record_->has(shard); }
-std::uint64_t StudyPart::first_missing() const { return record_->first_missing(); }
+std::uint64_t StudyPart::first_missing() const { return record_->missing_from(0); }
 
 StudyPart run_shard(const StudyPlan& plan, std::uint64_t shard) {
   const IeeeMode mode;
@@ -159,11 +192,12 @@ Result<StudyPart> load_part(std::span<const std::byte> bytes) {
   auto part = std::make_shared<StudyPartRecord>();
   part->hash = saved.hash;
   std::uint64_t end = 0;
-  for (SavedNode& node : saved.nodes) {
-    if (!std::has_single_bit(node.count) || node.first % node.count != 0 || node.first < end)
+  for (const SavedNode& node : saved.nodes) {
+    if (!std::has_single_bit(node.count) || node.first % node.count != 0 || node.first < end ||
+        node.count > ~std::uint64_t{0} - node.first || !fits(node.sums, saved.nodes[0].sums))
       return not_a_part("its shards do not fit together");
     end = node.first + node.count;
-    part->add(node.first, {node.count, std::make_shared<const ShardSums>(std::move(node.sums))});
+    part->add(node.first, {node.count, std::make_shared<const ShardSums>(node.sums)});
   }
   return StudyPart(std::move(part));
 }

@@ -23,7 +23,8 @@ struct StudyPartRecord {
   std::map<std::uint64_t, Node> nodes;  // by their first shard
 
   [[nodiscard]] bool has(std::uint64_t shard) const;
-  [[nodiscard]] std::uint64_t first_missing() const;
+  /// The first shard, from one on, that it does not have.
+  [[nodiscard]] std::uint64_t missing_from(std::uint64_t shard) const;
   /// Takes in a node that overlaps none.
   void add(std::uint64_t first, Node node);
   /// What the first n shards come to.

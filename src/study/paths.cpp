@@ -58,7 +58,7 @@ constexpr PathRow kPathRows[] = {
     weather_row("environment.atmosphere.humidity", "-", "at the station, 0 to 1", &Weather::humidity,
                 PHYSIM_THERE(station_air(e).humidity)),
     weather_row("environment.atmosphere.density", "kg/m^3", "at the origin, of constant and exponential air",
-                &Weather::density, PHYSIM_THERE(e.atmosphere.density.value_or(0)), kAboveZero),
+                &Weather::density, PHYSIM_THERE(prepare_air_numbers(e, AirModel::constant).density), kAboveZero),
     shot_row("shot.mass", "kg", "of the projectile", PHYSIM_NUMBER(projectile.mass), kAboveZero),
     shot_row("shot.diameter", "m", "reference diameter", PHYSIM_NUMBER(projectile.diameter), kAboveZero),
     shot_row("shot.length", "m", "of the projectile", PHYSIM_NUMBER(projectile.length)),

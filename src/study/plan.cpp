@@ -35,7 +35,7 @@ std::uint64_t hash_of_study(Study study) {
 void note_the_impossible(StudyPlanRecord& plan) {
   for (const StudyInput& input : plan.study.inputs) {
     const PathRow* row = find_path(input.path);
-    if (!row || !row->above_zero || input.added) continue;
+    if (!row || !row->above_zero || input.added) continue;  // what is added is told by the pilot shots
     const double part = probability_up_to(input.distribution, 0);
     if (part * static_cast<double>(plan.study.shots) < 0.01) continue;
     plan.notes.push_back(input.path + ": " + rounded_text(100 * part) +
@@ -81,6 +81,9 @@ Status fly_pilot(StudyPlanRecord& plan) {
   const std::vector<std::span<const double>> read(in.begin(), in.end());
   const ModelTold told = plan.model->evaluate(read, out, scratch);
   if (told.refused == kPilotShots && told.error) return *told.error;
+  if (told.refused > 0 && told.error && plan.notes.empty())
+    plan.notes.push_back("about " + rounded_text(100.0 * static_cast<double>(told.refused) / kPilotShots) +
+                         " % of the shots are refused, as the first: " + told.error->text());
   std::size_t arrived = 0;
   for (std::size_t i = 0; i < kPilotShots; ++i) {
     if (!std::ranges::all_of(out, [i](const auto& column) { return is_finite(column[i]); })) continue;

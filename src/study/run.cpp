@@ -41,8 +41,7 @@ class ShardThreads {
   }
   bool take(std::uint64_t& shard) {
     const std::lock_guard lock(mutex_);
-    while (next_ < end_ && part_.has(next_)) ++next_;
-    shard = next_;
+    shard = next_ = part_.missing_from(next_);
     return !stopped_ && next_++ < end_;
   }
   void keep(std::uint64_t shard, std::shared_ptr<const ShardSums> sums) {
@@ -98,9 +97,9 @@ Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner, const S
     count = judged ? std::min(next_judged(count), record.shards) : record.shards;
     if (!threads.fly(0, count, runner)) break;
     if (!judged) continue;
+    // Where more was flown before, fewer shards are not to be told apart in it: they were judged then.
     const auto sums = threads.part().record().first_shards(count);
-    if (!sums) return sums.error();
-    if (!(width_of(record, **sums) <= record.study.until_width->width)) continue;
+    if (!sums || !(width_of(record, **sums) <= record.study.until_width->width)) continue;
     StudyResult result = figures_of(record, **sums);
     result.width_reached = true;
     return result;

@@ -69,6 +69,9 @@ TEST(StudyCli, parts_are_joined_and_gone_on_with) {
   ASSERT_EQ(physim({"study", file, "--resume", folder / "2", "--csv", joined}).code, 0);
   EXPECT_EQ(read(joined), read(whole));
 
+  const Ran missing = physim({"study", file, "--merge", folder / "1", "--merge", folder / "3"});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_TRUE(has(missing.err, "shards 2 to 4 of 8 are missing")) << missing.err;
   const Ran twice = physim({"study", file, "--merge", folder / "1", "--merge", folder / "1"});
   EXPECT_EQ(twice.code, 2);
   EXPECT_TRUE(has(twice.err, "both parts have shard")) << twice.err;

@@ -69,6 +69,19 @@ TEST(StudyText, bad_texts_are_refused_with_how_to_write_them) {
   EXPECT_FALSE(parse_study_target("circle 1 m at 3 m"));
 }
 
+/// "45 x 75 cm" would be 45 m wide.
+TEST(StudyText, all_numbers_have_a_unit_or_none) {
+  const auto target = parse_study_target("rectangle 45 x 75 cm");
+  ASSERT_FALSE(target);
+  EXPECT_NE(target.error().text().find("\"45\" has no unit, and \"75 cm\" has one"), std::string::npos);
+  EXPECT_TRUE(parse_study_target("rectangle 0.45 x 0.75"));
+  EXPECT_TRUE(parse_study_target("circle 10 cm at 0, 0"));
+  EXPECT_NE(refusal("shot.speed = 2650 +- 10 ft/s").find("give all of them a unit"), std::string::npos);
+  EXPECT_NE(refusal("environment.wind.velocity.z = -2 .. 2 mph").find("has no unit"), std::string::npos);
+  EXPECT_EQ(distribution_of("shot.speed = 800 +- 3"), Distribution(NormalDistribution{800, 3}));
+  EXPECT_EQ(distribution_of("environment.wind.velocity.z = 0 .. 1 m/s"), Distribution(UniformDistribution{0, 1}));
+}
+
 TEST(StudyText, targets) {
   const auto circle = parse_study_target("plate: circle 10 cm at 1 m, -2 m");
   ASSERT_TRUE(circle);
@@ -114,6 +127,8 @@ TEST(StudyText, of_a_scenario) {
   Scenario bad = *scenario;
   bad.study.correlated = {"shot.speed with shot.diameter = 0.5"};
   EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("shot.diameter is none"), std::string::npos);
+  bad.study.correlated = {"shot.speed with shot.mass = 0.5", "shot.mass with shot.speed = -0.5"};
+  EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("a correlation already"), std::string::npos);
   bad = *scenario;
   bad.study.inputs = {"shot.speed = fast"};
   EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("study.inputs[0]"), std::string::npos);

@@ -58,6 +58,17 @@ TEST(ScenarioText, KeepsTextThatNeedsQuotes) {
   EXPECT_EQ(after->shots[0].projectile.name, "one.two");
 }
 
+/// Within a block a quote is a quote; only one that would end the block is escaped.
+TEST(ScenarioText, EscapesNoMoreQuotesThanItMust) {
+  const Result<Scenario> scenario = parse_scenario("physim = 1\n[[shot]]\nspeed = \"30 m/s\"\n", "plain.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  Scenario titled = *scenario;
+  titled.title = "a \"quoted\" title\nof \"\" two lines, \"the end\"";
+  const std::string said = scenario_text(titled);
+  EXPECT_NE(said.find("a \"quoted\" title\nof \"\\\" two lines, \"the end\\\"\"\"\""), std::string::npos) << said;
+  EXPECT_EQ(parse_scenario(said, "written.toml")->title, titled.title);
+}
+
 TEST(ScenarioText, SaysWhatDiffersFromDefaultsAndPresets) {
   const std::string said =
       "physim = 1\n"

@@ -58,6 +58,35 @@ TEST(BadStudies, inputs) {
   expect_refusal(study, "each input takes two");
 }
 
+/// Densities are drawn where the air has one of its own, about the one that it has.
+TEST(BadStudies, densities) {
+  Study study = throw_of();
+  study.fidelity = Fidelity::small_arms();
+  study.fidelity.rotation = RotationModel::none;
+  const char* path = "environment.atmosphere.density";
+  study.inputs = {{.path = path, .distribution = NormalDistribution{0, 0.01}, .added = true}};
+  expect_refusal(study, "constant and exponential air");
+  study.environment.atmosphere.model = AirModel::constant;
+  const auto plan = plan_study(study);
+  ASSERT_TRUE(plan) << plan.error().text();
+  EXPECT_TRUE(plan->notes().empty()) << plan->notes()[0];
+  study.environment.atmosphere.density = 1.225 + draws_of(*plan, 5)[0];
+  const Flight flight = fly(study.projectile, study.launch, study.environment, study.fidelity);
+  EXPECT_NEAR(fly_shot_of(*plan, 5)[2], flight.end().time, 1e-5);
+}
+
+/// How many shots the pilot refuses is told, in whatever way a number comes to be impossible.
+TEST(BadStudies, what_is_refused_is_told_before) {
+  Study study = throw_of();
+  study.projectile.mass = 0.008;
+  study.fidelity.drag = DragModel::equation;
+  study.inputs = {{.path = "shot.mass", .distribution = NormalDistribution{0, 0.008}, .added = true}};
+  const auto plan = plan_study(study);
+  ASSERT_TRUE(plan) << plan.error().text();
+  ASSERT_EQ(plan->notes().size(), 1U);
+  EXPECT_NE(plan->notes()[0].find("about 16 %"), std::string::npos) << plan->notes()[0];
+}
+
 TEST(BadStudies, correlations) {
   Study study = throw_of();
   study.inputs.push_back(input("shot.elevation", NormalDistribution{0.5, 0.01}));
@@ -72,6 +101,7 @@ TEST(BadStudies, correlations) {
   expect_refusal(study, "names no inputs");
   study.correlated = {{{0, 1}, {1, 0, 0, 1}}};
   study.inputs[1].drawn_for = DrawnFor::occasion;
+  study.rounds = 4;
   expect_refusal(study, "more or less often");
 }
 
@@ -87,6 +117,7 @@ TEST(BadStudies, sizes_and_figures) {
   expect_refusal(with([](Study& s) { s.rounds = 0; }), "rounds");
   expect_refusal(with([](Study& s) { s.rounds = 5; }), "5 do not divide the 64");
   expect_refusal(with([](Study& s) { s.rounds = 4, s.sampling = Sampling::sobol; }), "no occasions");
+  expect_refusal(with([](Study& s) { s.inputs[0].drawn_for = DrawnFor::occasion; }), "how many shots an occasion has");
   expect_refusal(with([](Study& s) { s.shard_shots = 48, s.sampling = Sampling::sobol; }), "power of two");
   expect_refusal(with([](Study& s) { s.group_sizes = {1}; }), "group_sizes");
   expect_refusal(with([](Study& s) { s.aim.up = kNan; }), "aim.up");

@@ -35,6 +35,10 @@ TEST(Distributions, mean_and_variance_are_the_integrals_of_the_quantiles) {
     EXPECT_TRUE(near(mean_of(d), mean, 1e-5, 1e-5)) << name;
     EXPECT_TRUE(near(variance_of(d), squares, 5e-4)) << name;
   }
+  // so narrow a piece of a bell is level
+  EXPECT_NEAR(variance_of(TruncatedNormalDistribution{800, 1e5, 799.5, 800.5}), 1.0 / 12, 1e-9);
+  EXPECT_NEAR(mean_of(TruncatedNormalDistribution{800, 1e5, 799.5, 800.5}), 800, 1e-9);
+  EXPECT_NEAR(variance_of(TruncatedNormalDistribution{0, 1, -1e-6, 2e-6}), 9e-12 / 12, 1e-18);
   const DiscreteDistribution dice{{6, 1, 2, 3, 4, 5}, {}};
   EXPECT_DOUBLE_EQ(mean_of(dice), 3.5);
   EXPECT_DOUBLE_EQ(variance_of(dice), 35.0 / 12);

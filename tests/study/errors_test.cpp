@@ -34,6 +34,49 @@ TEST(StudyErrors, are_right_over_200_repeats) {
   }
 }
 
+/// Replicates without a hit say nothing of how rare hits are: three in as many shots may be expected, and no width is
+/// known. Neither is a hit certain where all hit.
+TEST(StudyErrors, hits_that_were_not_seen_are_not_impossible) {
+  for (const Sampling sampling : {Sampling::latin_hypercube, Sampling::sobol})
+    for (const double radius : {1e-9, 100.0}) {
+      Study study = scatter();
+      study.sampling = sampling;
+      study.shard_shots = 64;
+      study.shots = 64 * 64;
+      study.targets = {{"circle", CircleTarget{{}, radius}}};
+      study.until_width = StudyWidth{.target = 0, .width = 1e-4};
+      const StudyResult run = result_of(study, scattered);
+      EXPECT_EQ(run.hits[0].hits, radius < 1 ? 0 : run.shots);
+      EXPECT_NEAR(run.hits[0].high - run.hits[0].low, 3.84 / 4096, 1e-5);
+      EXPECT_FALSE(run.width_reached);
+      EXPECT_EQ(run.shards, 64U);
+    }
+}
+
+/// Of two replicates Student's t has one degree of freedom: 95 % of intervals hold the truth of stopped studies, too.
+TEST(StudyErrors, of_few_replicates_are_wide_enough) {
+  for (const std::uint64_t shards : {2u, 4u}) {
+    Study study = scatter();
+    study.sampling = Sampling::latin_hypercube;
+    study.shard_shots = 64;
+    study.shots = 64 * 16;
+    study.targets = {{"half", RectangleTarget{{5, 0}, 10, 100}}};
+    double covered = 0;
+    for (study.seed = 1; study.seed <= 400; ++study.seed) {
+      study.inputs[1].distribution = NormalDistribution{0, 1};
+      const StudyPlan plan = plan_study(study, [](auto in, auto out) {
+                               for (std::size_t i = 0; i < out[0].size(); ++i) {
+                                 out[0][i] = in[0][i] * in[1][i];  // what hypercubes do not even out
+                                 out[1][i] = in[1][i];
+                               }
+                             }).value();
+      const HitResult hit = physim::result_of(plan, *run_shards(plan, 0, shards), shards)->hits[0];
+      covered += hit.low <= 0.5 && 0.5 <= hit.high ? 1 : 0;
+    }
+    EXPECT_NEAR(covered, 380, 20) << shards;
+  }
+}
+
 /// What lies outside of a zone, by the bell curve beyond its edges at least, is more than it says in 5 % of studies.
 TEST(StudyErrors, zones_hold_what_they_say) {
   Study study = scatter(4, -2);

@@ -1,0 +1,46 @@
+// Balls on a surface: sliding until they roll, in one piece and as long as the closed form says.
+#include "model/ball_rolling.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+using test::near;
+
+constexpr Vec3d kUp{0, 1, 0}, kGravity{0, -10, 0};
+
+/// A ball that is thrown along a floor without spin rolls after v k / (mu g (1 + k)), at v / (1 + k): 2 v / 7 mu g and
+/// 5 v / 7 for a solid one (Kleppner and Kolenkow, ch. 7).
+TEST(BallRolling, a_slide_ends_where_the_closed_form_says) {
+  for (const double k : {0.4, 2.0 / 3}) {
+    const BallGrip grip{0.3, 0};
+    const double v = 5, ends = v * k / (0.3 * 10 * (1 + k)), rolls = v / (1 + k);
+    const BallWay slide = slid_or_rolled({{v, 0, 0}, {}}, kGravity, kUp, {0.1, k}, grip, 10);
+    EXPECT_NEAR(slide.time, ends, 1e-14);
+    EXPECT_TRUE(near(slide.motion.velocity, {rolls, 0, 0}, 1e-14));
+    EXPECT_TRUE(near(slide.motion.spin, {0, 0, -rolls / 0.1}, 1e-12));
+    EXPECT_TRUE(near(slide.way, {0.5 * (v + rolls) * ends, 0, 0}, 1e-14));
+    const BallWay part = slid_or_rolled({{v, 0, 0}, {}}, kGravity, kUp, {0.1, k}, grip, 0.1);
+    EXPECT_EQ(part.time, 0.1);
+    EXPECT_TRUE(near(part.motion.velocity, {v - 0.3, 0, 0}, 1e-14));
+    const BallWay roll = slid_or_rolled(slide.motion, kGravity, kUp, {0.1, k}, grip, 2);
+    EXPECT_EQ(roll.time, 2);
+    EXPECT_TRUE(near(roll.way, {2 * rolls, 0, 0}, 1e-12));
+  }
+}
+
+/// On a slope that grips a solid ball rolls with 5/7 of what pulls it; where it slips, with what friction leaves.
+TEST(BallRolling, on_a_slope_it_rolls_or_slides) {
+  const Vec3d down{6, -8, 0};  // gravity, as seen from a slope whose normal is up
+  const BallWay rolls = slid_or_rolled({}, down, kUp, {0.1, 0.4}, {1, 0}, 1);
+  EXPECT_TRUE(near(rolls.motion.velocity, {6 * 5.0 / 7, 0, 0}, 1e-14));
+  const BallWay slides = slid_or_rolled({}, down, kUp, {0.1, 0.4}, {0.1, 0}, 1);
+  EXPECT_TRUE(near(slides.motion.velocity, {6 - 0.8, 0, 0}, 1e-14));
+  EXPECT_TRUE(near(slides.motion.spin, {0, 0, -0.8 / (0.4 * 0.1)}, 1e-12));
+}
+
+}  // namespace
+}  // namespace physim
