@@ -112,6 +112,7 @@ std::string_view odd_end(Outcome outcome) {
     case Outcome::reached_range:
     case Outcome::event:
     case Outcome::time_limit:
+    case Outcome::hit:
     case Outcome::refused: break;
   }
   return {};

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "physim/flight.hpp"
 
@@ -36,6 +37,9 @@ struct AimOptions {
   std::optional<double> ground{};  ///< height of ground that stops the shot; none: no ground [m]
   double time = 600;               ///< longest time of flight [s]
   Tolerance flight{};              ///< of the flights [-]
+  const Scene* scene = nullptr;  ///< things that may stand in the way; null: none. It must stay while the call runs [-]
+  ContactDef contact{};          ///< of it collision.radius, collision.layers and scene_time are read [-]
+  InstanceId target_thing{};     ///< the thing of the scene that is to be hit, which is in nobody's way; or none [-]
 };
 
 /// A direction that was flown, and how it passed the target.
@@ -50,12 +54,21 @@ struct AimSolution {
   std::int64_t flights = 0;  ///< trajectories flown to find it [-]
 };
 
+/// A way to the target that something stands in.
+struct BlockedWay {
+  AimSolution solution{};  ///< as it hits where nothing stands [-]
+  Event hit{};             ///< what it meets, and where [-]
+};
+
 /// The answer of aim().
 struct Aim {
   std::optional<AimSolution> low{};   ///< of the shortest time of flight, where it was asked for [-]
   std::optional<AimSolution> high{};  ///< of the longest; equal to `low` where only one exists [-]
   AimSolution nearest{};              ///< the closest that any flight came; a solution, where there is one [-]
   bool behind_ground = false;         ///< paths hit the target, but only through AimOptions::ground [-]
+  std::vector<BlockedWay>
+      blocked{};  ///< ways to the target that something of AimOptions::scene stands in, low first [-]
+  std::optional<Event> sight_ends{};  ///< what hides the target from the muzzle, EventKind::hit; none: nothing does [-]
   std::int64_t flights = 0;           ///< trajectories flown in all; those that find a fixed step are not counted [-]
   FidelityInUse fidelity_in_use{};    ///< of the flights [-]
 

@@ -23,19 +23,19 @@ enum class EventKind : std::uint8_t {
   rail_exit,         ///< the end of the launch rail; waits for no value
   spawned,           ///< in a world: at its launch
   landed,            ///< in a world: on the ground
-  bounced,           ///< in a world: off the ground; the velocity is that after the bounce
+  bounced,           ///< off the ground of a world, or off a thing of a scene; the velocity is that after the bounce
   slept,             ///< in a world: came to rest and sleeps
   woke,              ///< in a world: was woken by a force or a change
   expired,           ///< in a world: left by its despawn rules
   retired,           ///< in a world: taken out
   fidelity_changed,  ///< in a world: moved to another rung
-  hit,               ///< in a world: met a thing of its scene; the velocity is that before
-  entered,           ///< in a world: went into a thing that it passes, OnHit::pass
-  left,              ///< in a world: came out of a thing that it passes, or of a sensor
-  sensed,            ///< in a world: went into a sensor
-  ricocheted,        ///< in a world: was thrown off by what it met, as it came in flat; the velocity is that after
-  penetrated,        ///< in a world: came out behind what it met; place and velocity are those there, value the depth
-  stopped,           ///< in a world: stuck in what it met; value is the depth [m]
+  hit,               ///< with a scene: met a thing of its scene; the velocity is that before
+  entered,           ///< with a scene: went into a thing that it passes, OnHit::pass
+  left,              ///< with a scene: came out of a thing that it passes, or of a sensor
+  sensed,            ///< with a scene: went into a sensor
+  ricocheted,        ///< with a scene: was thrown off by what it met, as it came in flat; the velocity is that after
+  penetrated,        ///< with a scene: came out behind what it met; place and velocity are those there, value the depth
+  stopped,           ///< with a scene: stuck in what it met; value is the depth [m]
 };
 
 PHYSIM_UNORDERED(EventKind)

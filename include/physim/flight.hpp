@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physim/accelerations.hpp"
+#include "physim/collision.hpp"
 #include "physim/departure.hpp"
 #include "physim/environment.hpp"
 #include "physim/event.hpp"
@@ -23,6 +24,8 @@
 #include "physim/weather.hpp"
 
 namespace physim {
+
+class Scene;
 
 /// The numerical error allowed.
 struct Tolerance {
@@ -43,6 +46,9 @@ struct Until {
   double time = 3600;                  ///< after launch [s]
   std::optional<double> range{};       ///< along the line of sight [m]
   std::vector<EventSpec> events{};     ///< further events, at most 24 [-]
+  const Scene* scene = nullptr;  ///< things that it meets on its way; null: none. It must stay, and stay as it is,
+                                 ///< while the call runs, and is not read any more afterwards [-]
+  ContactDef contact{};          ///< how it meets them, and what it does then [-]
 };
 
 /// How a flight ended.
@@ -56,6 +62,7 @@ enum class Outcome {
   non_finite,     ///< a number became infinite or NaN
   stalled,        ///< the step became too small to advance time
   refused,        ///< bad input; see Flight::error()
+  hit,            ///< stopped by a thing of Until::scene, stuck in it, or came to rest on it
 };
 
 PHYSIM_UNORDERED(Outcome)
@@ -66,6 +73,7 @@ constexpr bool ended_as_planned(Outcome outcome) {
     case Outcome::landed:
     case Outcome::reached_range:
     case Outcome::event:
+    case Outcome::hit:
     case Outcome::time_limit: return true;
     case Outcome::step_limit:
     case Outcome::left_domain:
@@ -130,7 +138,8 @@ class Flight {
   [[nodiscard]] const std::optional<Error>& error() const;
 
   [[nodiscard]] double duration() const;  ///< time of flight [s]
-  /// State at a time [s]; times outside 0..duration() give the nearer end, what is no number the start.
+  /// State at a time [s]; times outside 0..duration() give the nearer end, what is no number the start. At the time of
+  /// a bounce it is that after it.
   [[nodiscard]] Sample at(double time) const;
   /// State where the flight first crosses a range [m] along the line of sight; an error where it never does.
   [[nodiscard]] Result<Sample> at_range(double range) const;

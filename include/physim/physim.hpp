@@ -5,6 +5,7 @@
 #include "physim/aim.hpp"
 #include "physim/air.hpp"
 #include "physim/auto_fidelity.hpp"
+#include "physim/collision.hpp"
 #include "physim/compare.hpp"
 #include "physim/distribution.hpp"
 #include "physim/drag_curve.hpp"

@@ -149,10 +149,11 @@ class World {
   /// The flight from now on, its time 0, by steps of `step` [s] (0: WorldDef::step): attitude, spin, what its motor
   /// has burnt, its own gravity and other settings, and generators as they are now. At the end of each step it is, to
   /// the bit, where step() would bring it, as long as nothing changes it: rules that despawn, put to sleep or move it
-  /// to another rung are left out, and so are springs to other projectiles, which its notes tell. It ends where it
-  /// first meets `until`, such as the ground: it does not bounce. Range and sight are level, along its velocity.
-  /// Refused for one that is gone, stands still (asleep, kinematic, of infinite mass, stuck) or is pending, and for
-  /// events of kind `time` in `until`. Costs about as much as fly().
+  /// to another rung are left out, and so are springs to other projectiles, which its notes tell. It meets the things
+  /// of the world's scene as it will, those that move too, and tells its hits. It ends where it first meets `until`,
+  /// such as the ground: there it does not bounce. Range and sight are level, along its velocity.
+  /// Refused for one that is gone, stands still (asleep, kinematic, of infinite mass, stuck) or is pending, for events
+  /// of kind `time` in `until`, and for another scene there. Costs about as much as fly().
   [[nodiscard]] Flight predict(ProjectileId id, const Until& until, double step = 0) const;
   /// ... until the ground of this world, or for a time [s].
   [[nodiscard]] Flight predict(ProjectileId id, double time, double step = 0) const;

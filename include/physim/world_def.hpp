@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physim/collision.hpp"
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/ids.hpp"
@@ -27,15 +28,6 @@ enum class GroundMode {
   land,    ///< its flight ends: LifeStatus::landed, and it leaves the world
   stick,   ///< it stays where it struck, at rest, LifeStatus::landed, until it is despawned or moved
   bounce,  ///< it bounces and slides, rolls to rest and sleeps
-};
-
-/// What a projectile does where it meets a thing of the scene, see World::set_scene(). Each hit is told, too.
-enum class OnHit : std::uint8_t {
-  pass,    ///< flies on
-  stop,    ///< its flight ends: LifeStatus::landed, and it leaves the world
-  stick,   ///< it stays where it struck, at rest, LifeStatus::landed, until it is despawned or moved
-  bounce,  ///< it bounces by its restitution and friction times those of the material, slides, rolls to rest and sleeps
-  impact,  ///< as its material says (physim/impact.hpp): it ricochets, goes through, stays in it, or bounces as above
 };
 
 /// The ground: a plane of constant height (over a round Earth, a surface of constant height).
@@ -64,16 +56,6 @@ enum class Smoothing : std::uint8_t {
   none,         ///< as of the last step
   interpolate,  ///< between the last two steps: smooth, one step late
   extrapolate,  ///< ahead of the last step by its velocity: on time, and corrected at every step
-};
-
-/// How a projectile meets the things of a scene.
-struct CollisionDef {
-  OnHit on_hit = OnHit::stop;         ///< what it does then [-]
-  double radius = 0;                  ///< it meets them as a ball of so much; 0: as a point, which nothing spins [m]
-  double inertia = 0.4;               ///< of the ball, over mass and radius squared: 2/5 solid, 2/3 hollow [-]
-  std::uint32_t layers = 0xffffffff;  ///< bits: things of these layers; 0: none [-]
-
-  bool operator==(const CollisionDef&) const = default;
 };
 
 /// How a world treats a kind of projectile. Those marked (live) may be changed for each projectile at any time.

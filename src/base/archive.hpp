@@ -139,6 +139,8 @@ class Archive {
     self().function(field);
   }
   void take(Scene& scene) { self().scene(scene); }
+  /// Lent for a call: nothing that holds one is kept.
+  void take(const Scene*&) {}
   /// It changes no result: who replays has another machine.
   void take(Threading&) {}
   template <class T>
@@ -283,6 +285,7 @@ class Hasher : public Archive<Hasher> {
   void scene(const Scene& scene) { hash_.add(scene.hash()); }
   /// Hashes of what meets things as it would by itself are what they were before there were scenes.
   [[nodiscard]] static bool says_nothing(const CollisionDef& collision) { return collision == CollisionDef{}; }
+  [[nodiscard]] static bool says_nothing(const ContactDef& contact) { return contact == ContactDef{}; }
   void function(const CustomForce& force) { hash_.add(std::uint64_t{force.function ? 1u : 0u}); }
   template <class Batch>
   void function(const FieldFunction<Batch>& field) {

@@ -28,8 +28,8 @@ PHYSIM_NAMES(WindAxis, range, "height", "range")
 PHYSIM_NAMES(WindInterpolation, step, "linear", "step")
 PHYSIM_NAMES(Crossing, falling, "any", "rising", "falling")
 PHYSIM_NAMES(Arc, both, "low", "high", "both")
-PHYSIM_NAMES(Outcome, refused, "landed", "reached_range", "event", "time_limit", "step_limit", "left_domain",
-             "non_finite", "stalled", "refused")
+PHYSIM_NAMES(Outcome, hit, "landed", "reached_range", "event", "time_limit", "step_limit", "left_domain", "non_finite",
+             "stalled", "refused", "hit")
 PHYSIM_NAMES(GroundMode, bounce, "none", "land", "stick", "bounce")
 PHYSIM_NAMES(MotionCurve, smooth, "straight", "smooth")
 PHYSIM_NAMES(OnHit, impact, "pass", "stop", "stick", "bounce", "impact")

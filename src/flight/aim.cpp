@@ -17,10 +17,10 @@
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
-#include "base/text.hpp"
 #include "flight/neighbours.hpp"
 #include "flight/pilot.hpp"
 #include "flight/required_speed.hpp"
+#include "flight/ways.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
@@ -105,6 +105,8 @@ class Aimer {
     if (wants_high) answer_.high = high;
     if (low) answer_.nearest = low->miss < high->miss ? *low : *high;
     answer_.behind_ground = answer_.behind_ground && !low;
+    if (Status status = keep_open_ways(projectile_, environment_, fidelity_, target_, options_, answer_); !status)
+      return status.error();
     return std::move(answer_);
   }
 
@@ -458,6 +460,7 @@ Status check(const ProjectileDef& projectile, const Launch& launch, const Target
   if (speed != 0 || !has_motor(projectile)) c.positive(speed, "launch.speed", "a shot that is aimed needs one");
   c.positive(options.tolerance, "options.tolerance", "in m").positive(options.time, "options.time", "in s");
   if (options.ground) c.is_number(*options.ground, "options.ground");
+  if (options.scene) c.also(check(options.contact, "options.contact"));
   c.require(length(target.position - launch.position) > options.tolerance, "target.position", "is at the muzzle",
             "a target lies further away than options.tolerance");
   return c.status();
@@ -472,19 +475,6 @@ Result<Aim> aim(const ProjectileDef& projectile, const Launch& launch, const Env
                                check(options.flight, fidelity)})
     if (!status) return status.error();
   return Aimer(projectile, launch, environment, fidelity, target, options).run();
-}
-
-std::string Aim::explanation() const {
-  const IeeeMode mode;
-  const auto degrees = [](double angle) { return rounded_text(angle * (90 / kRightAngle)) + " deg"; };
-  const auto text = [&](const AimSolution& s) {
-    return "elevation " + degrees(s.launch.elevation) + ", hit after " + rounded_text(s.time) + " s";
-  };
-  if (low && high && low->launch.elevation != high->launch.elevation)
-    return "low: " + text(*low) + "; high: " + text(*high);
-  if (low || high) return text(low ? *low : *high);
-  return (behind_ground ? "behind the ground" : "out of reach") +
-         (": the nearest path passes " + length_text(nearest.miss) + " from the target");
 }
 
 }  // namespace physim

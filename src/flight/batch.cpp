@@ -25,6 +25,8 @@ Status check_columns(const Weather& weather, std::size_t shots) {
 }  // namespace
 
 Status check_common(const BatchTask& task) {
+  if (task.until.scene)
+    return Error{"many shots at once meet nothing", "until.scene", "fly() and worlds let projectiles meet things"};
   for (const Status& status : {check(task.environment), check(task.tolerance, task.fidelity), check(task.until),
                                check_columns(task.weather, task.shots.size())})
     if (!status) return status;

@@ -20,18 +20,33 @@ namespace {
 
 double nearest_time(double time, double duration) { return time > 0 ? std::min(time, duration) : 0; }
 
-/// Number of the node that ends the step which a time lies in.
-std::size_t later_node(const std::vector<Node>& nodes, double time) {
-  PHYSIM_ASSERT(nodes.size() >= 2 && nodes.front().t <= nodes.back().t);
-  const auto later =
-      std::upper_bound(nodes.begin() + 1, nodes.end() - 1, time, [](double t, const Node& node) { return t < node.t; });
+using LegPart = FlightRecord::LegPart;
+
+/// Number of the node that ends the step of a leg which a time lies in.
+std::size_t later_node(const std::vector<Node>& nodes, const LegPart& part, double time) {
+  PHYSIM_ASSERT(part.end_node <= nodes.size() && part.end_node - part.leg.first_node >= 2);
+  const auto at = [&](std::size_t node) { return nodes.begin() + static_cast<std::ptrdiff_t>(node); };
+  const auto later = std::upper_bound(at(part.leg.first_node + 1), at(part.end_node - 1), time,
+                                      [](double t, const Node& node) { return t < node.t; });
   return static_cast<std::size_t>(later - nodes.begin());
 }
 
-/// The node at a very time; null where there is none.
-const Node* node_at(const std::vector<Node>& nodes, double time) {
-  const auto at = std::lower_bound(nodes.begin(), nodes.end(), time, [](const Node& n, double t) { return n.t < t; });
-  return at != nodes.end() && at->t == time ? &*at : nullptr;
+/// The node of a leg at a very time; null where there is none.
+const Node* node_at(const std::vector<Node>& nodes, const LegPart& part, double time) {
+  const auto first = nodes.begin() + static_cast<std::ptrdiff_t>(part.leg.first_node);
+  const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(part.end_node);
+  const auto at = std::lower_bound(first, end, time, [](const Node& n, double t) { return n.t < t; });
+  return at != end && at->t == time ? &*at : nullptr;
+}
+
+/// Along a surface the velocity changes evenly.
+State<double> state_on_surface(const Node& n0, const Node& n1, double theta) {
+  const double h = n1.t - n0.t, u = 1 - theta;
+  const Vec3d rise = n1.y.x - n0.y.x;
+  const Vec3d x = n0.y.x + rise * (theta * theta * (3 - 2 * theta)) + n0.y.v * (h * theta * u * u) -
+                  n1.y.v * (h * theta * theta * u);
+  if (theta == 1) return n1.y;
+  return {x, n0.y.v + (n1.y.v - n0.y.v) * theta};
 }
 
 /// The coefficients of the step that a node ends.
@@ -46,7 +61,7 @@ const Y* coefficients_before(const std::vector<Y>& all, Integrator integrator, s
 std::vector<double> borders(const FlightRecord& r) {
   std::vector<double> times;
   if (r.cohort.in_use.fidelity.motion == Motion::closed_form) times.push_back(0);
-  for (const Node& node : r.path.nodes) times.push_back(std::min(node.t, r.duration));
+  for (const double time : r.node_times()) times.push_back(time);
   for (const Event& e : r.events)
     if (e.kind == EventKind::apex) times.push_back(e.time);
   return rising(std::move(times));
@@ -81,28 +96,59 @@ Error never(const std::string& what, const FlightRecord& r) {
 
 }  // namespace
 
+LegPart FlightRecord::leg(std::size_t number) const {
+  const bool is_last = number + 1 >= legs.size();
+  if (legs.empty()) return {{.clock = clock}, 0, path.nodes.size(), duration};
+  return {legs[number], number, is_last ? path.nodes.size() : legs[number + 1].first_node,
+          is_last ? duration : legs[number + 1].begins};
+}
+
+LegPart FlightRecord::leg_at(double time) const {
+  if (legs.empty()) return leg(0);
+  const auto later = std::upper_bound(legs.begin() + 1, legs.end(), time,
+                                      [](double t, const FlightLeg& each) { return t < each.begins; });
+  return leg(static_cast<std::size_t>(later - legs.begin()) - 1);
+}
+
+std::vector<double> FlightRecord::node_times() const {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < std::max<std::size_t>(legs.size(), 1); ++i) {
+    const LegPart part = leg(i);
+    for (std::size_t node = part.leg.first_node; node < part.end_node; ++node)
+      times.push_back(std::min({path.nodes[node].t, part.end, duration}));
+  }
+  return times;
+}
+
+const SpinDrift& FlightRecord::drift_at(double time) const {
+  static constexpr SpinDrift kNone{};
+  return leg_at(time).number == 0 ? drift : kNone;
+}
+
 Accelerations FlightRecord::accelerations_at(double time) const {
   Accelerations a = accelerations_of(cohort.conditions, body_at(time), rotor, clock + time, state(time), turn(time));
-  if (is_classic(cohort.in_use.fidelity) && path.nodes.size() > 1)
-    a.total = path.nodes[later_node(path.nodes, time) - 1].a;
+  const LegPart part = leg_at(time);
+  if (is_classic(cohort.in_use.fidelity) && part.end_node > part.leg.first_node + 1)
+    a.total = path.nodes[later_node(path.nodes, part, time) - 1].a;
   return a;
 }
 
 Body<double> FlightRecord::body_at(double time) const {
   const Conditions<double>& c = cohort.conditions;
-  Body<double> b = body;
+  const LegPart part = leg_at(time);
+  Body<double> b = body_of(part);
   if (has_stops(c)) {
     for (const Event& e : events)
       if (e.kind == EventKind::rail_exit && e.time <= time) b.rail_phase = kOffRail;
     State<double> s = state(time);
     pass_stops(c, clock + time, true, s, b);
   }
-  if (path.pushes.size() > 1) {
+  if (path.pushes.size() > 1 && part.end_node > part.leg.first_node + 1) {
     PHYSIM_ASSERT(path.pushes.size() == path.nodes.size());
-    const std::size_t later = later_node(path.nodes, time);
-    const double part = place_between(path.nodes[later - 1], path.nodes[later], time);
+    const std::size_t later = later_node(path.nodes, part, time);
+    const double place = place_between(path.nodes[later - 1], path.nodes[later], time);
     const Vec3d &before = path.pushes[later - 1], &after = path.pushes[later];
-    add_push(c, clock + time, before + (after - before) * part, has_own_force, b);
+    add_push(c, clock + time, before + (after - before) * place, has_own_force, b);
   }
   return b;
 }
@@ -110,31 +156,43 @@ Body<double> FlightRecord::body_at(double time) const {
 State<double> FlightRecord::state(double time) const {
   const Fidelity& f = cohort.in_use.fidelity;
   const auto& nodes = path.nodes;
-  if (f.motion == Motion::closed_form) {
-    if (const Node* node = is_framed ? node_at(nodes, time) : nullptr) return node->y;
-    if (f.precision == Precision::float64) return closed_form(cohort.conditions, body, clock + time);
-    const State<float> s = closed_form(cohort.conditions_float, body_float, static_cast<float>(clock + time));
+  const LegPart part = leg_at(time);
+  if (f.motion == Motion::closed_form && !part.leg.on_surface) {
+    if (const Node* node = is_framed ? node_at(nodes, part, time) : nullptr) return node->y;
+    const Body<double>& own = body_of(part);
+    if (f.precision == Precision::float64) return closed_form(cohort.conditions, own, part.leg.clock + time);
+    Body<float> narrow;
+    cast_numbers(own, narrow);
+    const State<float> s = closed_form(cohort.conditions_float, narrow, static_cast<float>(part.leg.clock + time));
     return {vec_cast<double>(s.x), vec_cast<double>(s.v)};
   }
-  if (nodes.size() < 2) return nodes.empty() ? body.launch : nodes.front().y;
-  const std::size_t later = later_node(nodes, time);
+  if (nodes.empty()) return body.launch;
+  if (part.end_node - part.leg.first_node < 2) return nodes[part.leg.first_node].y;
+  const std::size_t later = later_node(nodes, part, time);
   const Node &n0 = nodes[later - 1], &n1 = nodes[later];
-  const State<double>* c = coefficients_before(path.coefficients, f.integrator, later);
-  return dense_state(f.integrator, n0, n1, c, place_between(n0, n1, time));
+  const double theta = place_between(n0, n1, time);
+  if (part.leg.on_surface) return state_on_surface(n0, n1, theta);
+  return dense_state(f.integrator, n0, n1, coefficients_before(path.coefficients, f.integrator, later), theta);
 }
 
 Turn<double> FlightRecord::turn(double time) const {
   const auto& nodes = path.nodes;
-  if (!path.turn || nodes.size() < 2) return rotor.launch;
-  const Fidelity& f = cohort.in_use.fidelity;
-  const std::size_t later = later_node(nodes, time);
+  if (!path.turn || nodes.empty()) return rotor.launch;
+  const LegPart part = leg_at(time);
   PHYSIM_ASSERT(path.turn->nodes.size() == nodes.size());
+  if (part.end_node - part.leg.first_node < 2)
+    return part.number == 0 ? rotor.launch : path.turn->nodes[part.leg.first_node].y;
+  const Fidelity& f = cohort.in_use.fidelity;
+  const std::size_t later = later_node(nodes, part, time);
   const TurnNode &n0 = path.turn->nodes[later - 1], &n1 = path.turn->nodes[later];
-  const Turn<double>* c = coefficients_before(path.turn->coefficients, f.integrator, later);
-  return dense_turn(f, n0, n1, c, place_between(nodes[later - 1], nodes[later], time));
+  const double theta = place_between(nodes[later - 1], nodes[later], time);
+  if (part.leg.on_surface) return on_unit_length(f, n0.y + (n1.y - n0.y) * theta);
+  return dense_turn(f, n0, n1, coefficients_before(path.turn->coefficients, f.integrator, later), theta);
 }
 
-State<double> FlightRecord::shown(double time) const { return with_drift(state(time), drift, sight.right, time); }
+State<double> FlightRecord::shown(double time) const {
+  return with_drift(state(time), drift_at(time), sight.right, time);
+}
 
 std::shared_ptr<const FlightRecord> Flight::none() noexcept {
   static const auto record = [] {
@@ -245,8 +303,7 @@ Result<Sample> Flight::at_height(double level, Crossing direction) const {
 
 std::vector<double> Flight::step_times() const {
   const IeeeMode mode;
-  std::vector<double> times;
-  for (const Node& node : record_->path.nodes) times.push_back(std::min(node.t, record_->duration));
+  std::vector<double> times = record_->node_times();
   times.erase(std::unique(times.begin(), times.end()), times.end());  // nodes where the acceleration jumps
   return times;
 }

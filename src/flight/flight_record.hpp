@@ -20,6 +20,15 @@ struct FlownPath {
   std::vector<Vec3d> pushes;                // by generators at the nodes; empty: none pushes [m/s^2]
 };
 
+/// What is flown from one contact to the next, or along a surface. Its last node may lie beyond its end.
+struct FlightLeg {
+  std::size_t first_node = 0;
+  double begins = 0;        // since the flight began [s]
+  double clock = 0;         // what closed forms count their time from: the leg's clock + time [s]
+  std::size_t body = 0;     // in FlightRecord::bodies
+  bool on_surface = false;  // straight on between its two nodes
+};
+
 struct FlightRecord {
   Outcome outcome = Outcome::refused;
   std::optional<Error> error;
@@ -38,6 +47,8 @@ struct FlightRecord {
   double clock = 0;            // time since launch, as the models count it, where the record begins [s]
   bool is_framed = false;  // by frames of a world: closed forms are asked at nodes, whose clock is rounded as theirs
   FlownPath path;
+  std::vector<FlightLeg> legs;       // none: one, from the launch on
+  std::vector<Body<double>> bodies;  // of the legs
   std::vector<Event> events;
   FlightCost cost;
 
@@ -49,6 +60,23 @@ struct FlightRecord {
     environment.wind.field = where.wind.field;
     environment.force = where.force;
   }
+
+  /// The leg that a time lies in, and its nodes.
+  struct LegPart {
+    FlightLeg leg;
+    std::size_t number;
+    std::size_t end_node;
+    double end;  // [s]
+  };
+  [[nodiscard]] LegPart leg(std::size_t number) const;
+  [[nodiscard]] LegPart leg_at(double time) const;
+  [[nodiscard]] const Body<double>& body_of(const LegPart& part) const {
+    return bodies.empty() ? body : bodies[part.leg.body];
+  }
+  /// Times of the nodes, within their legs and the flight [s].
+  [[nodiscard]] std::vector<double> node_times() const;
+  /// From the first contact on the drift is in the path itself.
+  [[nodiscard]] const SpinDrift& drift_at(double time) const;
 
   /// State on the flown path, without spin drift, 0 <= time <= duration.
   [[nodiscard]] State<double> state(double time) const;

@@ -39,6 +39,29 @@ bool is_over_at_once(FlightRecord& record, const State<double>& now, const Turn<
   return true;
 }
 
+template <class S>
+void fly_lane(FlightRecord& record, const Tolerance& tolerance, const WatchList& watch, const Until& until,
+              const Body<S>& body) {
+  const Obstacles obstacles{until.scene, until.contact};
+  LaneFlight<S>(record, record.cohort.course<S>(tolerance, record.step, watch), body, obstacles)
+      .from_launch(until.time);
+}
+
+/// Steps of one length are flown one by one where they may end at a contact.
+template <class S>
+void fly_steps(FlightRecord& record, const Tolerance& tolerance, const WatchList& watch, const Until& until,
+               const Body<S>& body) {
+  FrameStart start{.now = record.body.launch, .turn = record.rotor.launch, .is_clocked = true, .dt = record.step};
+  start.longest_part = kInfinity;
+  start.obstacles = {until.scene, until.contact};
+  start.run_start = until.contact.scene_time;
+  start.from_launch = true;
+  Tolerance framed = tolerance;
+  framed.max_steps = kMostPartsOfFrame;
+  LaneFlight<S>(record, record.cohort.course<S>(framed, 0, watch), body, start.obstacles)
+      .by_frames(start, until.time, tolerance.max_steps);
+}
+
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
   const WatchList watch = prepare_watch(until, record.cohort.conditions, Watcher::flight);
   cast_numbers(record.body, record.body_float);
@@ -46,11 +69,12 @@ void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& u
   if (is_over_at_once(record, record.body.launch, record.rotor.launch, until)) return;
   if (record.cohort.conditions.has_motor && record.body.ignition == 0)
     keep_event(record, {{EventKind::ignition}, Outcome::event}, true, 0, record.body.launch);
-  if (record.cohort.in_use.fidelity.precision == Precision::float32)
-    LaneFlight<float>(record, record.cohort.course<float>(tolerance, record.step, watch), record.body_float)
-        .from_launch();
-  else
-    LaneFlight<double>(record, record.cohort.course<double>(tolerance, record.step, watch), record.body).from_launch();
+  const bool narrow = record.cohort.in_use.fidelity.precision == Precision::float32;
+  if (until.scene && record.step > 0)
+    return narrow ? fly_steps<float>(record, tolerance, watch, until, record.body_float)
+                  : fly_steps<double>(record, tolerance, watch, until, record.body);
+  return narrow ? fly_lane<float>(record, tolerance, watch, until, record.body_float)
+                : fly_lane<double>(record, tolerance, watch, until, record.body);
 }
 
 /// All but the path; the elevation is found.
@@ -86,7 +110,9 @@ Status choose_step(FlightRecord& record, const ProjectileDef& projectile, const 
     zeroed.elevation = record.elevation;
     zeroed.sight.zero_range = 0;
     const double allowed = tolerance.position_error;
-    const auto found = step_within(projectile, zeroed, environment, granted, tolerance, until, allowed);
+    Until free = until;  // whose flights end where this one may go on
+    free.scene = nullptr;
+    const auto found = step_within(projectile, zeroed, environment, granted, tolerance, free, allowed);
     if (!found) return found.error();
     record.step = found->step;
     if (found->reached > allowed) record.cohort.in_use.notes.push_back(note_of_step(*found, allowed));
@@ -113,10 +139,10 @@ void fly_on(FlightRecord& record, const FrameStart& from, const Tolerance& toler
   framed.max_step = kInfinity;
   framed.max_steps = kMostPartsOfFrame;
   if (record.cohort.in_use.fidelity.precision == Precision::float32)
-    LaneFlight<float>(record, record.cohort.course<float>(framed, 0, watch), record.body_float)
+    LaneFlight<float>(record, record.cohort.course<float>(framed, 0, watch), record.body_float, from.obstacles)
         .by_frames(from, until.time, tolerance.max_steps);
   else
-    LaneFlight<double>(record, record.cohort.course<double>(framed, 0, watch), record.body)
+    LaneFlight<double>(record, record.cohort.course<double>(framed, 0, watch), record.body, from.obstacles)
         .by_frames(from, until.time, tolerance.max_steps);
 }
 

@@ -2,24 +2,23 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/assert.hpp"
+#include "flight/meeting_lane.hpp"
+#include "flight/path_keeper.hpp"
 #include "flight/under_way.hpp"
 #include "solve/judge.hpp"
 #include "solve/stages.hpp"
 
 namespace physim {
 
-[[nodiscard]] inline std::size_t coefficient_count(const FlightRecord& record) {
-  const Fidelity& f = record.cohort.in_use.fidelity;
-  return f.motion == Motion::closed_form ? 0 : static_cast<std::size_t>(dense_coefficient_count(f.integrator));
-}
-
 /// Keeps what was crossed, with spin drift.
 inline void keep_event(FlightRecord& record, const Watched& watched, bool rising, double time,
                        const State<double>& flown) {
-  const State<double> s = with_drift(flown, record.drift, record.sight.right, time);
+  const State<double> s = with_drift(flown, record.drift_at(time), record.sight.right, time);
   record.events.push_back({.kind = watched.spec.kind,
                            .direction = rising ? Crossing::rising : Crossing::falling,
                            .value = watched.spec.value,
@@ -33,8 +32,13 @@ inline void keep_event(FlightRecord& record, const Watched& watched, bool rising
 template <class S>
 class LaneFlight {
  public:
-  LaneFlight(FlightRecord& record, const Course<S>& course, const Body<S>& body)
-      : record_(record), course_(course), march_(course_) {
+  LaneFlight(FlightRecord& record, const Course<S>& course, const Body<S>& body, const Obstacles& obstacles)
+      : record_(record),
+        course_(course),
+        march_(course_),
+        obstacles_(obstacles),
+        host_(record, march_, obstacles_),
+        path_(record, march_.lanes) {
     lane().body = body;
     const auto take_rotor = [&](auto& rotor) { cast_numbers(record.rotor, rotor); };
     for_rotors(fidelity(), take_rotor, lane());
@@ -43,27 +47,43 @@ class LaneFlight {
   LaneFlight& operator=(const LaneFlight&) = delete;
   ~LaneFlight() = default;
 
-  void from_launch() {
+  /// Up to a time [s], which what is watched ends it at; with steps that it chooses itself where it may meet things.
+  void from_launch(double until) {
+    ends_at_rest_ = true;
+    part_end_ = until;
     march_.launch();
-    keep_start(0);
-    while (!ended_) step();
+    path_.keep_start(0);
+    begin_contacts({.scene_time = obstacles_.contact.scene_time, .length = until, .ends = until});
+    while (!ended_) {
+      step();
+      if (resume_ && !ended_) relaunch(*std::exchange(resume_, std::nullopt));
+    }
     count_work();
+    put_events_in_order();
   }
 
   /// Up to a time after the start [s], or for so many frames.
-  void by_frames(const FrameStart& from, double until, std::int64_t most_frames) {
+  void by_frames(const FrameStart& start, double until, std::int64_t most_frames) {
+    frames_ = start;
+    const FrameStart& from = frames_;
     take_start(from);
     for (std::int64_t frame = 0; !ended_; ++frame) {
       begins_ = static_cast<double>(frame) * from.dt;
       if (begins_ >= until) break;
-      if (frame >= most_frames) return end(Outcome::step_limit, begins_);
+      if (frame >= most_frames) {
+        end(Outcome::step_limit, begins_);
+        break;
+      }
+      begin_frame(frame);
       if (from.pushes && from.pushes->begin_frame(frame, mass_now(from, frame)))
         pushed_frame(from, frame);
       else
         free_frame(from, frame);
+      if (is_relaunched_) frames_.clock = static_cast<double>(t_end_), frames_.steps = -static_cast<double>(frame + 1);
     }
+    put_events_in_order();
     if (ended_ && record_.duration <= until) return;
-    end(Outcome::time_limit, until);
+    end_at_limit(Outcome::time_limit, until);
     std::erase_if(record_.events, [until](const Event& e) { return e.time > until; });
   }
 
@@ -78,12 +98,12 @@ class LaneFlight {
     const bool sound = accepted && ends_finite(fidelity(), lane().step);
     if (sound) dense_lanes(course_, lane(), j_.at);
     judge(accepted, special, sound);
-    if (ended_) {
+    if (ended_ || met_) {
       if (sound) lane().count += S(1);
       return;
     }
     march_.accept(accepted);
-    if (sound && has_stops(*course_.conditions)) keep_jump();
+    if (sound && has_stops(*course_.conditions)) path_.keep_jump();
   }
 
   /// What the step tried means; its dense output is there where it is sound.
@@ -94,21 +114,33 @@ class LaneFlight {
       find_crossings<S>(course_, sound, j_);
       verdict = verdict_on(course_, lane(), step_marks(course_, lane()), 0, accepted, j_.crossings[0]);
     }
-    if (sound) keep_step();
+    if (sound) path_.keep_step(j_.at);
+    const auto met = sound && *contacts_ ? meeting() : std::nullopt;
+    bool ends = false;  // where something is crossed, before it meets anything
     for (int i = 0; i < j_.crossings[0].count; ++i) {
       const Found& found = j_.crossings[0].found[i];
+      if (met && met->theta < found.theta) return strike(*met);
       const double time = j_.at.time(found.theta);
-      PHYSIM_ASSERT(record_.events.empty() || record_.events.back().time <= since_start(time));
-      keep_event(record_, course_.watch.item[found.index], found.rising, since_start(time), j_.at.at_time(time));
+      PHYSIM_ASSERT(record_.events.empty() || record_.events.back().time <= path_.since_start(time));
+      ends = course_.watch.item[found.index].spec.terminal;
+      keep_crossing(course_.watch.item[found.index], found.rising, path_.since_start(time), j_.at.at_time(time));
     }
+    if (met && !ends) return strike(*met);
     if (verdict.ended)
-      end(verdict.outcome, sound ? since_start(j_.at.time(verdict.theta)) : record_.path.nodes.back().t);
+      end(verdict.outcome, sound ? path_.since_start(j_.at.time(verdict.theta)) : record_.path.nodes.back().t);
+  }
+
+  void keep_crossing(const Watched& watched, bool rising, double time, const State<double>& flown) {
+    keep_event(record_, watched, rising, time, flown);
+    if (row_of(watched.spec.kind).watch == Watch::range) record_.events.back().value += passed_range_;
+    if (row_of(watched.spec.kind).watch == Watch::time) record_.events.back().value += passed_time_;
   }
 
   void end(Outcome outcome, double duration) {
     record_.outcome = outcome;
     record_.duration = duration;
     ended_ = true;
+    resume_.reset();
     PHYSIM_ASSERT(duration >= 0 && !record_.path.nodes.empty());
   }
 
@@ -127,7 +159,7 @@ class LaneFlight {
     if (is_classic(fidelity())) lane().step.slope[0].v = vec_cast<S>(from.carried);
     const auto take_turn = [&](const auto&) { cast_numbers(from.turn, lane().step.turn->start); };
     for_rotors(fidelity(), take_turn, lane());
-    is_pushed_ = from.pushes != nullptr;
+    path_.is_pushed = from.pushes != nullptr;
     record_.has_own_force = from.has_own_force;
   }
   /// What the march's clock shows at the start of a frame.
@@ -148,41 +180,73 @@ class LaneFlight {
                                          : record_.projectile.mass;
   }
 
+  void begin_frame(std::int64_t frame) {
+    t_start_ = clock_at(frames_, frame);
+    t_end_ = clock_behind(frames_, frame);
+    is_near_ = is_relaunched_ = false;
+    push_at_start_ = push_at_end_ = {};
+    const double steps = static_cast<double>(frames_.run_steps + static_cast<std::uint64_t>(frame));
+    ends_at_rest_ = frames_.from_launch;
+    begin_contacts({.begins = begins_,
+                    .scene_time = frames_.run_start + steps * frames_.dt,
+                    .length = frames_.dt,
+                    .ends = end_of(frames_, frame),
+                    .draw = frames_.steps_ever + static_cast<std::uint64_t>(frame)});
+  }
+  /// From a time into the frame: how far the next part goes.
+  void start_part(double from) {
+    part_end_ = frames_.dt;
+    if (is_near_ || frames_.longest_part < kInfinity) part_end_ = end_of_part(from, frames_.dt, kLongestPart);
+  }
   /// Nothing but its own models moves it.
   void free_frame(const FrameStart& from, std::int64_t frame) {
-    const S start = clock_at(from, frame);
-    push_ = {};
-    for (double begin = 0; begin < from.dt && !ended_;) {
-      const double part = end_of_part(begin, from.dt, from.longest_part);
-      const bool whole = begin == 0 && part == from.dt;
-      const S h = static_cast<S>(part - begin);
-      lane().step.t = whole ? start : start + static_cast<S>(begin);
-      const S limit = whole ? clock_behind(from, frame) : lane().step.t + h;
-      note_times(lane().step.t, begins_ + begin, limit, part == from.dt ? end_of(from, frame) : begins_ + part);
-      march_.restart(limit, h);
-      starts_frame();
-      while (!march_.arrived() && !ended_) step();
-      count_work();
-      begin = part;
+    path_.push = {};
+    for (double begin = 0; begin < from.dt && !ended_; begin = part_end_) {
+      start_part(begin);
+      resume_ = begin;
+      fly_on(frame);
     }
+  }
+  /// From where the last contact left it, to the end of the part.
+  void fly_on(std::int64_t frame) {
+    while (resume_ && !ended_) go(*std::exchange(resume_, std::nullopt), frame);
+  }
+  void go(double passed, std::int64_t frame) {
+    const bool whole = passed == 0 && part_end_ == frames_.dt;
+    const S h = static_cast<S>(part_end_ - passed);
+    lane().step.t = whole ? t_start_ : t_start_ + static_cast<S>(passed);
+    into_step_ = passed - static_cast<double>(lane().step.t);
+    // From a launch each part ends where the next one begins, on the clock too: no time falls between them.
+    const S own = part_end_ == frames_.dt ? t_end_ : t_start_ + static_cast<S>(part_end_);
+    const S limit = whole || frames_.from_launch ? own : lane().step.t + h;
+    path_.note_times(lane().step.t, begins_ + passed, limit,
+                     part_end_ == frames_.dt ? end_of(frames_, frame) : begins_ + part_end_);
+    march_.restart(limit, h);
+    path_.starts_frame();
+    met_ = false;
+    while (!march_.arrived() && !ended_ && !met_) step();
+    count_work();
   }
 
   /// Generators push it, stage by stage; a frame is one step.
   void pushed_frame(const FrameStart& from, std::int64_t frame) {
     const Conditions<S>& c = *course_.conditions;
     Step<S>& s = lane().step;
-    s.t = clock_at(from, frame);
-    s.t_end = clock_behind(from, frame);
+    part_end_ = from.dt;
+    s.t = t_start_;
+    s.t_end = t_end_;
+    into_step_ = -static_cast<double>(s.t);
     s.h = static_cast<S>(from.dt);
-    note_times(s.t, begins_, s.t_end, end_of(from, frame));
+    path_.note_times(s.t, begins_, s.t_end, end_of(from, frame));
     const Body<S> own = lane().body;
     const auto feel = [&](double place, const State<S>& at, S t) {
       lane().body = own;
       State<double> wide;
       cast_numbers(at, wide);
-      push_ = from.pushes->at(place, wide);
-      if (place == 0 && record_.path.pushes.size() < 2) record_.path.pushes.assign(1, push_);
-      add_push(c, t, vec_cast<S>(push_), from.has_own_force, lane().body);
+      path_.push = from.pushes->at(place, wide);
+      (place == 0 ? push_at_start_ : push_at_end_) = path_.push;
+      if (place == 0 && record_.path.pushes.size() < 2) record_.path.pushes.assign(1, path_.push);
+      add_push(c, t, vec_cast<S>(path_.push), from.has_own_force, lane().body);
     };
     const Integrator integrator = fidelity().integrator;
     if (is_classic(fidelity())) s.slope[0].x = s.start.v;
@@ -197,13 +261,24 @@ class LaneFlight {
       feel(1, s.end, s.t_end);
       set_slope(c, lane(), end_slope(integrator));
     }
-    starts_frame();
+    if (is_classic(fidelity())) push_at_end_ = push_at_start_;
+    path_.own_body = own;
+    path_.starts_frame();
+    met_ = false;
     judge_pushed();
-    if (!ended_) march_.accept(true);
-    lane().body.applied = own.applied;
-    lane().body.applied_until = own.applied_until;
+    if (!ended_ && !met_) march_.accept(true);
     ++record_.cost.steps;
     record_.cost.evaluations += last_slope(fidelity());
+    fly_on(frame);
+    while (!ended_ && part_end_ < from.dt) {
+      const double begin = part_end_;
+      start_part(begin);
+      resume_ = begin;
+      fly_on(frame);
+    }
+    path_.own_body.reset();
+    lane().body.applied = own.applied;
+    lane().body.applied_until = own.applied_until;
   }
   void judge_pushed() {
     const bool sound = ends_finite(fidelity(), lane().step);
@@ -215,83 +290,197 @@ class LaneFlight {
     judge(true, true, sound);
   }
 
-  /// The first node of a frame: the last one's end, but where the acceleration jumps.
-  void starts_frame() {
-    if (record_.path.nodes.empty())
-      keep_start(0);
-    else if (fidelity().motion != Motion::closed_form)
-      keep_jump();
-  }
   [[nodiscard]] static double end_of(const FrameStart& from, std::int64_t frame) {
     return static_cast<double>(frame + 1) * from.dt;
   }
-  /// A part of a frame: its start and end on the march's clock, and since the flight began.
-  void note_times(S clock, double start, S limit, double finish) {
-    part_ = {static_cast<double>(clock), start, static_cast<double>(limit), finish};
-  }
-  /// A time of the march as one since the flight began. The end of a frame is a whole number of frames, so that flights
-  /// are asked there for what was flown and not for what lies a rounding beside it.
-  [[nodiscard]] double since_start(double time) const {
-    if (part_.finish == 0) return time;  // from a launch
-    if (time >= part_.limit) return part_.finish;
-    return std::min(part_.start + (time - part_.clock), part_.finish);
+  // ------------------------------------------------------------------------------------------- things of a scene
+  void begin_contacts(MeetingStep step) {
+    if (!is_framed()) step.draw = record_.legs.size();
+    host_.begin(step);
+    contacts_.emplace(host_);
   }
 
-  // ------------------------------------------------------------------------------------------- the record
-  void keep_step() {
-    const auto keep = [this, count = coefficient_count(record_)](const auto& dense, auto& path) {
-      PHYSIM_ASSERT(!path.nodes.empty() && path.coefficients.size() == (path.nodes.size() - 1) * count);
-      // Fixed steps count their time, which may differ from start + step by a rounding.
-      path.nodes.back().t = since_start(dense.n0.t);
-      path.nodes.push_back(dense.n1);
-      path.nodes.back().t = since_start(dense.n1.t);
-      path.coefficients.insert(path.coefficients.end(), dense.coefficient, dense.coefficient + count);
+  /// Where the step at hand meets something, before what ends it.
+  [[nodiscard]] std::optional<collide::PathHit> meeting() {
+    const DenseLanes<S>& at = j_.at;
+    const CrossingList& crossings = j_.crossings[0];
+    double end = 1;
+    if (crossings.count > 0) {
+      const Found& last = crossings.found[crossings.count - 1];
+      if (course_.watch.item[last.index].spec.terminal) end = last.theta;
+    }
+    // The end of one step is the start of the next one, to the bit.
+    const auto path = [&](double theta) {
+      return drifted(theta == 0 ? at.n0.y : theta == 1 ? at.n1.y : at(theta), at.time(theta));
     };
-    for_parts(fidelity(), keep, j_.at, record_.path);
-    keep_push();
+    return contacts_->meeting(path, end, at.n0.t + into_step_, at.n1.t - at.n0.t);
+  }
+  [[nodiscard]] State<double> drifted(const State<double>& s, double clock) const {
+    return record_.legs.empty() ? with_drift(s, record_.drift, record_.sight.right, path_.since_start(clock)) : s;
   }
 
-  /// Keeps where a step starts; of a state's slope the acceleration alone.
-  void keep_start(double time) {
-    const auto keep = [time](const auto& part, auto& path) {
-      path.nodes.push_back({});
-      auto& node = path.nodes.back();
-      node.t = time;
-      cast_numbers(part.start, node.y);
-      if constexpr (requires { node.slope; })
-        cast_numbers(part.slope[0], node.slope);
-      else
-        node.a = vec_cast<double>(part.slope[0].v);
-    };
-    for_parts(fidelity(), keep, lane().step, record_.path);
+  /// Met something inside a step.
+  void strike(const collide::PathHit& met) {
+    met_ = true;
+    const double clock = j_.at.time(met.theta);
+    const double passed = std::min(clock + into_step_, part_end_);
+    State<double> s = drifted(j_.at.at_time(clock), clock);
+    s.x = met.hit.position;
+    if (turns(fidelity())) cast_numbers(j_.at.turn_at_time(clock), lane().step.turn->start);
+    if (record_.legs.empty()) record_.legs.push_back({.clock = record_.clock}), record_.bodies.push_back(record_.body);
+    put(s, passed);
+    feel_push(passed);
+    if (is_framed() && !std::exchange(is_near_, true)) start_part(passed);
+    host_.slides.clear();
+    if (!is_framed() && passed - counts_from_ > kLongestPart) counts_from_ = passed, begin_contacts(host_.step());
+    const auto after = contacts_->struck(s, met.hit, passed);
+    keep_slides();
+    if (ended_) return;
+    using Then = typename SceneContacts<MeetingLane<S>>::Then;
+    const double time = host_.time_of(after.passed);
+    if (after.then == Then::stops || after.then == Then::sticks) {
+      const bool sticks = after.then == Then::sticks;
+      const Vec3d at = vec_cast<double>(vec_cast<S>(after.state.x));
+      path_.keep_node(time, {at, sticks ? Vec3d{} : after.state.v}, true);
+      return end(Outcome::hit, time);
+    }
+    put(after.state, after.passed);
+    path_.put_leg(time);
+    if (!is_framed()) {
+      resume_ = after.passed;
+      if (!(after.passed < part_end_)) end_at_limit(Outcome::time_limit, part_end_);
+      return;
+    }
+    if (after.passed >= part_end_ && after.then == Then::flies_on) start_part(after.passed);
+    if (after.passed < frames_.dt && after.then == Then::flies_on)
+      resume_ = after.passed;
+    else
+      part_end_ = frames_.dt;
+  }
+  /// The time is over, or the steps.
+  void end_at_limit(Outcome outcome, double time) {
+    path_.finish_leg();
+    end(outcome, time);
+  }
+  [[nodiscard]] bool is_framed() const { return frames_.dt > 0; }
+
+  /// Goes on from where a contact left it, with a step that it chooses itself.
+  void relaunch(double passed) {
+    const bool closed = fidelity().motion == Motion::closed_form;
+    lane().step.t = closed ? S(0) : static_cast<S>(passed);
+    into_step_ = passed - static_cast<double>(lane().step.t);
+    path_.note_times(lane().step.t, passed, static_cast<S>(kInfinity), kInfinity);
+    if (lane().step.t >= static_cast<S>(part_end_)) return end_at_limit(Outcome::time_limit, part_end_);
+    if (lane().tries >= course_.plan.max_tries) return end_at_limit(Outcome::step_limit, passed);
+    march_.relaunch();
+    path_.starts_frame();
+    met_ = false;
   }
 
-  /// Where a stop makes the acceleration jump, the next step starts from a node of its own, after a step of no length.
-  void keep_jump() {
-    const Node& last = record_.path.nodes.back();
-    if (vec_cast<double>(lane().step.slope[0].v) == last.a) return;
-    keep_start(last.t);
-    const auto no_change = [count = coefficient_count(record_)](auto& path) {
-      path.coefficients.resize(path.coefficients.size() + count);
-    };
-    for_parts(fidelity(), no_change, record_.path);
-    keep_push();
+  /// It is there now; closed forms know only their launch, and their clock starts there.
+  void put(const State<double>& s, double passed) {
+    Lanes<S>& l = lane();
+    l.step.start = {vec_cast<S>(s.x), vec_cast<S>(s.v)};
+    host_.put_clock(t_start_);
+    if (fidelity().motion != Motion::closed_form) return;
+    const double along = dot(s.x - vec_cast<double>(l.body.launch.x), vec_cast<double>(l.body.sight));
+    const double clock = static_cast<double>(t_start_) + passed;
+    l.body.launch = l.step.start;
+    t_start_ = -static_cast<S>(passed);
+    t_end_ = static_cast<S>(frames_.dt - passed);
+    host_.put_clock(t_start_);
+    is_relaunched_ = true;
+    // Ranges and times go on from the first launch.
+    passed_range_ += along;
+    passed_time_ += clock;
+    for (int i = 0; i < course_.watch.count; ++i) {
+      EventSpec& spec = course_.watch.item[i].spec;
+      if (row_of(spec.kind).watch == Watch::range) spec.value -= along;
+      if (row_of(spec.kind).watch == Watch::time) spec.value -= clock;
+    }
   }
-  void keep_push() {
-    if (is_pushed_) record_.path.pushes.resize(record_.path.nodes.size(), push_);
+  /// In a frame in which generators push it, they go on as they were at the contact.
+  void feel_push(double passed) {
+    if (!path_.own_body) return;
+    const double part = passed / frames_.dt;
+    path_.push = push_at_start_ + (push_at_end_ - push_at_start_) * part;
+    Body<S>& body = lane().body;
+    body.applied = path_.own_body->applied;
+    body.applied_until = path_.own_body->applied_until;
+    add_push(*course_.conditions, t_start_ + static_cast<S>(passed), vec_cast<S>(path_.push), frames_.has_own_force,
+             body);
+  }
+
+  /// What it did along surfaces, up to where something ends it there.
+  void keep_slides() {
+    for (const Slide& slide : host_.slides) {
+      if (slide.end < slide.begin) continue;
+      path_.keep_node(slide.begin, slide.from, true);
+      path_.keep_node(slide.end, slide.to, false);
+      if (find_crossings_of(slide)) return;
+      const bool rests = slide.from.v == Vec3d{} && slide.to.v == Vec3d{};
+      if (rests && ends_at_rest_ && !host_.scene()->has_motion() && !has_stops(*course_.conditions))
+        return end(Outcome::hit, slide.begin);
+    }
+  }
+  /// True where one of them ends the flight.
+  bool find_crossings_of(const Slide& slide) {
+    const Conditions<double>& c = *course_.conditions_double;
+    const Body<double> body = wide_body(lane());
+    struct Crossed {
+      double time;
+      int index;
+      bool rising;
+    };
+    std::vector<Crossed> found;
+    for (int i = 0; i < course_.watch.count; ++i) {
+      const EventSpec& spec = course_.watch.item[i].spec;
+      const double clock = static_cast<double>(t_start_) - begins_;  // of the march, at the start of the flight
+      const auto value = [&](double t) { return watched_value(c, body, spec, clock + t, record_.state(t)); };
+      const double from = value(slide.begin), to = watched_value(c, body, spec, clock + slide.end, slide.to);
+      if (!crosses(spec.direction, from, to)) continue;
+      found.push_back({find_root(value, slide.begin, from, slide.end, to, kThetaTolerance), i, from < 0});
+    }
+    std::ranges::stable_sort(found, {}, &Crossed::time);
+    for (const auto& [time, i, rising] : found) {
+      const Watched& watched = course_.watch.item[i];
+      keep_crossing(watched, rising, time, record_.state(time));
+      if (watched.spec.terminal) return end(watched.outcome, time), true;
+    }
+    return false;
+  }
+
+  void put_events_in_order() {
+    if (host_.told.empty()) return;
+    auto& events = record_.events;
+    events.insert(events.end(), host_.told.begin(), host_.told.end());
+    if (ended_) std::erase_if(events, [this](const Event& e) { return e.time > record_.duration; });
+    std::ranges::stable_sort(events, {}, &Event::time);
   }
 
   FlightRecord& record_;
   Course<S> course_;
   March<S> march_;
+  Obstacles obstacles_;
+  MeetingLane<S> host_;
+  PathKeeper<S> path_;
+  std::optional<SceneContacts<MeetingLane<S>>> contacts_;
+  FrameStart frames_;  // dt 0: none, from a launch
   Judgement<S> j_{};
   bool ended_ = false;
-  bool is_pushed_ = false;  // by generators, now and then
-  Vec3d push_{};            // of late [m/s^2]
-  double begins_ = 0;       // the frame at hand, since the flight began [s]
-  struct {
-    double clock, start, limit, finish;
-  } part_{};  // of it; all 0 in flights from a launch
+  bool met_ = false;            // something, in the step at hand
+  bool is_near_ = false;        // it did, in this frame
+  bool is_relaunched_ = false;  // a closed form, in this frame
+  bool ends_at_rest_ = false;
+  std::optional<double> resume_;  // it flies on from there [s]
+  double part_end_ = 0;           // of the frame, or the flight [s]
+  S t_start_{}, t_end_{};         // of the frame, on the march's clock
+  double into_step_ = 0;          // from the march's clock to the time into the contacts' step [s]
+  double passed_range_ = 0;       // where closed forms were launched anew [m]
+  double counts_from_ = 0;        // hits, where no frame does [s]
+  double passed_time_ = 0;        // likewise [s]
+  Vec3d push_at_start_{}, push_at_end_{};
+  double begins_ = 0;  // the frame at hand, since the flight began [s]
 };
 
 }  // namespace physim

@@ -20,6 +20,14 @@ class Pushes {
   [[nodiscard]] virtual Vec3d at(double place, const State<double>& state) = 0;
 };
 
+/// Things that a flight meets, and how.
+struct Obstacles {
+  const Scene* scene = nullptr;  // null: none
+  ContactDef contact{};
+  Vec3d shown_spin{};        // of rungs that fly none [rad/s]
+  std::uint32_t number = 0;  // of the projectile, for what is left to chance
+};
+
 /// Where a projectile is on its way, and by what frames it goes on.
 struct FrameStart {
   State<double> now{};
@@ -32,6 +40,11 @@ struct FrameStart {
   double longest_part = 0;     // frames are flown in equal parts of so much or less [s]
   bool has_own_force = false;  // ProjectileDef::force, or others of its cohort have one
   Pushes* pushes = nullptr;    // null: none
+  Obstacles obstacles{};
+  double run_start = 0;          // the scene's time when frames of this length began, and ...
+  std::uint64_t run_steps = 0;   // ... how many there were since then
+  std::uint64_t steps_ever = 0;  // number of the first frame
+  bool from_launch = false;      // no world steps it: it ends at rest on a thing that rests
 };
 
 /// Equal parts that a frame is flown in: where the one ends that begins at a time into the frame [s].

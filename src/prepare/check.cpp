@@ -331,6 +331,26 @@ Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precis
   return Error{"is too large for float32", near ? "velocity" : "position", "ask for float64"};
 }
 
+Status check(const CollisionDef& collision, const std::string& place) {
+  Checker c;
+  c.named(collision.on_hit, OnHit::impact, place + ".on_hit");
+  c.require(collision.inertia > 0 && collision.inertia <= 1, place + ".inertia", "must lie above 0 and not above 1",
+            "2/5: a solid ball");
+  c.require(collision.radius >= 0 && collision.radius <= 1e6, place + ".radius", "must lie between 0 and 1e6 m",
+            "0: a point");
+  return c.status();
+}
+
+Status check(const ContactDef& contact, const std::string& place) {
+  Checker c;
+  c.also(check(contact.collision, place + ".collision"));
+  c.require(contact.restitution >= 0 && contact.restitution <= 1, place + ".restitution", "must lie between 0 and 1");
+  c.not_negative(contact.friction, place + ".friction");
+  c.not_negative(contact.rolling_resistance, place + ".rolling_resistance");
+  c.require(abs(contact.scene_time) <= 1e9, place + ".scene_time", "must lie between -1e9 and 1e9 s");
+  return c.status();
+}
+
 Status check(const Until& u) {
   Checker c;
   if (u.ground) c.is_number(*u.ground, "until.ground");
@@ -343,6 +363,7 @@ Status check(const Until& u) {
     c.require(is_watchable(u.events[i].kind), place + ".kind", "is none of the named values");
     c.named(u.events[i].direction, Crossing::falling, place + ".direction");
   }
+  if (u.scene) c.also(check(u.contact, "until.contact"));
   return c.status();
 }
 

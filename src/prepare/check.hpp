@@ -1,6 +1,8 @@
 // What users give is refused where it is bad, with a place and a hint; nothing is returned where all is well.
 #pragma once
 
+#include <string>
+
 #include "physim/flight.hpp"
 
 namespace physim {
@@ -14,6 +16,8 @@ inline constexpr double kShortestStep = 1e-9;  // a part of a shorter one is not
 [[nodiscard]] Status check(const Environment& environment);
 [[nodiscard]] Status check(const Tolerance& tolerance, const Fidelity& fidelity);
 [[nodiscard]] Status check(const Until& until);
+[[nodiscard]] Status check(const CollisionDef& collision, const std::string& place);
+[[nodiscard]] Status check(const ContactDef& contact, const std::string& place);
 /// Whether a place [m] and a velocity [m/s] are numbers in a precision.
 [[nodiscard]] Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precision);
 

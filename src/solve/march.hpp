@@ -83,6 +83,20 @@ class March {
     framed_ = true;
   }
 
+  /// Goes on from step.start at the time step.t as from a launch, with what chooses its steps itself.
+  PHYSIM_INLINE void relaunch() {
+    const Conditions<S>& c = conditions();
+    Lanes<R>& l = lanes;
+    const R zero(S(0));
+    PHYSIM_ASSERT(steps_itself(c.fidelity) && course_->plan.step == S(0));
+    if (has_stops(c)) pass_stops(c, l.step.t, zero == zero, l.step.start, l.body);
+    begin_frame();
+    l.control = {zero, first_length()};
+    note_regime();
+    l.cut = zero;
+    framed_ = false;
+  }
+
   /// Tries one step in each of some marches side by side; says in which lanes of each it was accepted.
   PHYSIM_INLINE static void try_steps(March* const* marches, int count, Mask* accepted) {
     PHYSIM_ASSERT(count > 0 && count <= kMostSets && marches[0]->course_ != nullptr);

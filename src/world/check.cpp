@@ -73,11 +73,7 @@ Status check(const BodyDef& b, const WorldDef& def, std::size_t environments) {
   c.not_negative(b.sleep_speed, "body.sleep_speed").not_negative(b.sleep_time, "body.sleep_time");
   c.require(b.restitution >= 0 && b.restitution <= 1, "body.restitution", "must lie between 0 and 1");
   c.not_negative(b.friction, "body.friction").not_negative(b.rolling_resistance, "body.rolling_resistance");
-  c.named(b.collision.on_hit, OnHit::impact, "body.collision.on_hit");
-  c.require(b.collision.inertia > 0 && b.collision.inertia <= 1, "body.collision.inertia",
-            "must lie above 0 and not above 1", "2/5: a solid ball");
-  c.require(b.collision.radius >= 0 && b.collision.radius <= 1e6, "body.collision.radius",
-            "must lie between 0 and 1e6 m", "0: a point");
+  c.also(check(b.collision, "body.collision"));
   c.require(b.pool < std::max<std::size_t>(def.pools.size(), 1), "body.pool", "there is no such pool",
             "WorldDef::pools lists them");
   c.require(b.environment < environments, "body.environment", "there is no such environment",

@@ -58,11 +58,29 @@ std::optional<Error> no_flight(const WorldImpl& w, ProjectileId id, const Until&
   if (slot->is(kPending)) return Error{"it is not launched yet", "id", "ask when its delay is over"};
   if (slot->is(kStill)) return Error{"it stands still", "id", "it sleeps, sticks, is kinematic or has infinite mass"};
   if (!(step >= 0 && step < 1e6)) return Error{"must be zero or positive, and below 1e6", "step", "in s"};
+  if (until.scene) return Error{"predictions meet the scene of their world", "until.scene", "leave it out"};
   if (const Status status = check(until); !status) return status.error();
   for (const EventSpec& event : until.events)
     if (event.kind == EventKind::time)
       return Error{"predictions have no events by time", "until.events", "ask the flight at that time"};
   return std::nullopt;
+}
+
+/// What stands in its way, as the world will meet it.
+Obstacles obstacles_of(const WorldImpl& w, const Slot& slot) {
+  Obstacles obstacles;
+  if (!w.registry.cohort(slot.cohort).key.meets) return obstacles;
+  const BodyDef& body = w.registry.kind(slot.kind).body;
+  obstacles.scene = w.state.scene.get();
+  obstacles.contact = {.collision = body.collision,
+                       .restitution = body.restitution,
+                       .friction = body.friction,
+                       .rolling_resistance = body.rolling_resistance,
+                       .seed = slot.generation};
+  obstacles.number = w.state.slots.index_of(slot);
+  if (const Turning* turning = w.state.extras.find_turning(obstacles.number))
+    obstacles.shown_spin = turning->angular_velocity;
+  return obstacles;
 }
 
 /// Where the flight starts, as the row has it.
@@ -75,6 +93,10 @@ FrameStart start_of(const WorldImpl& w, const Slot& slot, const Clock& clock) {
   start.dt = clock.dt;
   start.longest_part = flies_in_parts(w.def, clock.dt) ? kLongestPart : kInfinity;
   start.has_own_force = cohort.key.features.has_applied;
+  start.obstacles = obstacles_of(w, slot);
+  start.run_start = clock.run_start;
+  start.run_steps = clock.run_steps;
+  start.steps_ever = clock.steps;
   if (rows.layout().turning) start.turn = rows.turn(slot.row);
   rows.visit([&]<class S>(const RowColumns<S>& c) {
     if (rows.layout().carried) start.carried = Rows::at(c.carried, slot.row);

@@ -6,7 +6,6 @@
 
 #include "flight/under_way.hpp"
 #include "model/contact.hpp"
-#include "world/scene_contact.hpp"
 #include "world/settled_row.hpp"
 
 namespace physim {
@@ -19,12 +18,22 @@ Vec3d normal_at(const Conditions<double>& c, const Vec3d& x) {
   return is_round(c.fidelity.earth) ? vertical_at(c, x) : Vec3d{0, 1, 0};
 }
 
+/// So far something may fly from a place before it can touch anything, in a scene in which nothing moves [m].
+template <class S>
+[[nodiscard]] S clear_way(const SettleContext& context, const Vec3d& x, const Vec3d& velocity,
+                          const CollisionDef& collision) {
+  constexpr double kSteps = 64;  // looking farther costs more than looking again
+  const double reach = collision.radius + kSteps * context.dt * (length(velocity) + 10 * context.dt);
+  const double clear = context.scene->clearance(x, reach, {.layers = collision.layers});
+  return static_cast<S>(clear - collision.radius - 4 * spacing_at<S>(x));
+}
+
 /// One row on its way through a step.
 template <class S>
 class Settling {
  public:
   Settling(const SettleContext& context, Chunk& chunk, std::uint32_t row)
-      : context_(context), r_(context, chunk, row), course_(r_.march.course()), contacts_(context, r_) {}
+      : context_(context), r_(context, chunk, row), course_(r_.march.course()), contacts_(r_) {}
 
   void run() {
     if (!is_finite(r_.now())) return r_.leave(LifeStatus::retired, Reason::non_finite);
@@ -46,10 +55,15 @@ class Settling {
     if (!is_finite(r_.now())) return r_.leave(LifeStatus::retired, Reason::non_finite);  // a roll's end may overflow
     follow_rules();
     r_.write();
-    if (r_.meets()) r_.put_clear(contacts_ ? contacts_.clear_way() : S(0));
+    if (r_.meets()) r_.put_clear(clear());
   }
 
  private:
+  /// So far it may fly from where it is now before it can touch anything [m].
+  [[nodiscard]] S clear() const {
+    if (!r_.scene() || r_.scene()->has_motion()) return S(0);
+    return clear_way<S>(context_, vec_cast<double>(r_.now().x), vec_cast<double>(r_.now().v), r_.collision());
+  }
   [[nodiscard]] const Conditions<double>& conditions() const { return r_.conditions(); }
   [[nodiscard]] const Ground& ground() const { return context_.def->ground; }
   [[nodiscard]] const BodyDef& body() const { return context_.registry->kind(r_.slot().kind).body; }
@@ -240,7 +254,7 @@ class Settling {
     stop_at(t, passed);
     if (!std::exchange(is_near_, true)) start_part(passed);
     const auto after = contacts_.struck(s, met.hit, passed);
-    using Then = typename SceneContacts<S>::Then;
+    using Then = typename SceneContacts<SettledRow<S>>::Then;
     switch (after.then) {
       case Then::stops: return stay(after.state, false);
       case Then::sticks: return stay(after.state, true);
@@ -294,7 +308,7 @@ class Settling {
   const SettleContext& context_;
   SettledRow<S> r_;
   const Course<S>& course_;
-  SceneContacts<S> contacts_;
+  SceneContacts<SettledRow<S>> contacts_;
   Judgement<S> judgement_{};
   std::optional<double> resume_;   // it flies on from there [s]
   double part_end_ = context_.dt;  // time into the step [s]

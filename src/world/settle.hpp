@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "collide/scene_contact.hpp"
 #include "world/state.hpp"
 #include "world/world_job.hpp"
 
@@ -67,9 +68,6 @@ template <class S>
 /// Whether the projectile of a row belongs where it lies, and moves.
 [[nodiscard]] bool is_in_its_cohort(const SettleContext& context, std::uint16_t cohort, std::uint32_t row);
 
-/// Near the ground long steps go on in parts of so much or less: what a bounce may be too low for is judged by them,
-/// and a ball that bounces on has steps that its way is right with [s].
-inline constexpr double kLongestPart = 1.0 / 30;
 /// Where the ground bounces, longer steps are flown in parts from their start: each row is looked at.
 inline constexpr double kLongestBouncingStep = 0.1;  // [s]
 [[nodiscard]] inline bool flies_in_parts(const WorldDef& def, double dt) {

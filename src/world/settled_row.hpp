@@ -5,9 +5,10 @@
 #include <optional>
 
 #include "base/assert.hpp"
-#include "model/attitude.hpp"
-#include "model/magnus.hpp"
+#include "model/contact.hpp"
+#include "physim/impact.hpp"
 #include "solve/judge.hpp"
+#include "solve/lane_motion.hpp"
 #include "world/settle.hpp"
 
 namespace physim {
@@ -15,6 +16,8 @@ namespace physim {
 template <class S>
 class SettledRow {
  public:
+  using Scalar = S;
+
   SettledRow(const SettleContext& context, Chunk& chunk, std::uint32_t row)
       : context_(context),
         chunk_(chunk),
@@ -45,6 +48,26 @@ class SettledRow {
   [[nodiscard]] S t_start() const { return t_start_; }
   [[nodiscard]] S t_end() const { return t_end_; }
   [[nodiscard]] bool meets() const { return rows_.layout().meeting; }
+  // ------------------------------------------------------------------------------------------- as SceneContacts asks
+  [[nodiscard]] const Scene* scene() const { return meets() ? context_.scene : nullptr; }
+  [[nodiscard]] const CollisionDef& collision() const { return kind().body.collision; }
+  [[nodiscard]] Surface surface() const {
+    return {kind().body.restitution, kind().body.friction, kind().body.rolling_resistance};
+  }
+  [[nodiscard]] double scene_time() const { return context_.time; }
+  [[nodiscard]] double step_length() const { return context_.dt; }
+  [[nodiscard]] Impact impact(int hits) const {
+    Impact impact;
+    impact.mass = kind().flown.mass;
+    impact.diameter = kind().flown.diameter;
+    impact.length = kind().flown.length;
+    impact.seed = slot().generation;
+    impact.projectile = slot_index_;
+    impact.hit = hit_number(context_.state->clock.steps, hits);
+    return impact;
+  }
+  void slid(const State<double>&, double, const State<double>&, double) const {}  // rows keep no path
+
   /// So far from where it is now it may fly before it can be near anything.
   void put_clear(S clear) const { columns_.clear[row_] = clear; }
   [[nodiscard]] bool has_launch_place() const { return rows_.layout().launched; }
@@ -52,50 +75,25 @@ class SettledRow {
 
   /// How it spins, `passed` into the step, in W: as its rung flies it, or as it is shown [rad/s].
   [[nodiscard]] Vec3d spin(double passed) const {
-    if (is_rigid()) {
-      const Attitude now = attitude(passed);
-      return rotate(now.q_WB, now.omega) - spin_of_W();
-    }
-    if (spins(cohort_.key.fidelity))
-      return vec_cast<double>(spin_at(march.lanes.body, t_start_ + static_cast<S>(passed)));
+    if (const auto flown = spin_of_lane(conditions(), march.lanes, t_start_, passed)) return *flown;
     if (shown_) return *shown_;
     const Turning* turning = context_.state->extras.find_turning(slot_index_);
     return turning ? turning->angular_velocity : Vec3d{};
   }
   void put_spin(const Vec3d& spin, double passed) {
     if (spin == this->spin(passed)) return;
-    if (is_rigid()) {
-      Attitude now = attitude(passed);
-      now.omega = rotate(conjugate(now.q_WB), spin + spin_of_W());
-      Rotor<double> rotor;
-      cast_numbers(*march.lanes.rotor, rotor);
-      return put_turn(turn_of(cohort_.key.fidelity, rotor, now));
-    }
-    if (!spins(cohort_.key.fidelity)) {
+    if (!put_spin_of_lane(conditions(), march.lanes, t_start_, passed, spin)) {
       shown_ = spin;
       return;
     }
-    // The model counts the decay from launch on.
-    Body<S>& body = march.lanes.body;
-    const S decay = body.spin_decay * (t_start_ + static_cast<S>(passed));
-    constexpr S kAllGone(60);  // by then nothing turns that could
-    body.spin = vec_cast<S>(spin) * exp(decay < kAllGone ? decay : kAllGone);
-    from_row_.spin = body.spin;
+    if (!spins(cohort_.key.fidelity)) return;
+    from_row_.spin = march.lanes.body.spin;
     respun_ = true;
   }
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
-    const Lanes<S>& lane = march.lanes;
-    Body<double> body;
-    cast_numbers(lane.body, body);
-    const double t = static_cast<double>(t_start_) + after;
-    if (!turning()) return acceleration(conditions(), body, t, s);
-    Rotor<double> rotor;
-    Turn<double> turn, slope;
-    cast_numbers(*lane.rotor, rotor);
-    cast_numbers(lane.step.turn->start, turn);
-    return evaluated(conditions(), body, rotor, t, s, turn, slope);
+    return acceleration_of_lane(conditions(), march.lanes, static_cast<double>(t_start_) + after, s);
   }
 
   /// From now on the models feel this acceleration by generators.
@@ -161,22 +159,7 @@ class SettledRow {
   }
 
  private:
-  [[nodiscard]] bool is_rigid() const { return cohort_.key.fidelity.rotation == RotationModel::rigid_body; }
-  [[nodiscard]] Attitude attitude(double passed) const {
-    Body<double> body;
-    cast_numbers(march.lanes.body, body);
-    Rotor<double> rotor;
-    cast_numbers(*march.lanes.rotor, rotor);
-    Turn<double> turn;
-    cast_numbers(march.lanes.step.turn->start, turn);
-    const State<double> s{vec_cast<double>(now().x), vec_cast<double>(now().v)};
-    return attitude_of(conditions(), body, rotor, static_cast<double>(t_start_) + passed, s, turn);
-  }
-  /// Angular velocity of W in inertial space [rad/s].
-  [[nodiscard]] Vec3d spin_of_W() const {
-    return is_turning(cohort_.key.fidelity.earth) ? conditions().omega : Vec3d{};
-  }
-
+  [[nodiscard]] const Kind& kind() const { return context_.registry->kind(slot().kind); }
   void read() {
     Lanes<S>& lane = march.lanes;
     lane.body = {};

@@ -375,5 +375,79 @@ TEST(AimRocket, what_is_too_far_is_told_and_balls_still_need_a_speed) {
   EXPECT_EQ(ball.error().place, "launch.speed");
 }
 
+// ------------------------------------------------------------------------------------------- through a scene
+/// A wall from the ground up, across the way to a target on level ground.
+struct Walled {
+  Scene scene;
+  InstanceId wall;
+  Walled(double at, double height) {
+    wall = *scene.add({.shape = *scene.add_shape(BoxShape{{0.5, height, 500}}), .transform = {.position = {at, 0, 0}}});
+  }
+};
+
+TEST(Aim, finds_the_arcs_that_clear_a_wall_as_parabolas_do) {
+  const double speed = 120, distance = 1000;
+  const Launch launch{.speed = speed};
+  const Target target{{distance, 0, 0}};
+  const auto [low, high] = elevations_in_vacuum(speed, distance, 0);
+  const auto height_at = [&](double elevation, double x) {
+    const double t = x / (speed * std::cos(elevation));
+    return x * std::tan(elevation) - 0.5 * kG * t * t;
+  };
+  // The sides of the wall that a path passes lowest.
+  const auto lowest = [&](double elevation, double at) {
+    return std::min(height_at(elevation, at - 0.5), height_at(elevation, at + 0.5));
+  };
+  for (const double at : {100.0, 500.0, 900.0})
+    for (const double radius : {0.0, 0.5}) {
+      for (const double part : {0.9, 0.999, 1.001, 1.1}) {
+        const Walled low_wall(at, part * lowest(low, at)), high_wall(at, part * lowest(high, at));
+        AimOptions options{.tolerance = 1e-6, .scene = &low_wall.scene};
+        options.contact.collision.radius = radius;
+        const bool clear = radius == 0 ? part < 1 : part * lowest(low, at) < lowest(low, at) - 2;
+        const bool surely = radius == 0 || clear || part > 1;
+        const Aim over_low = aimed({}, launch, constant_gravity(), vacuum(), target, options);
+        if (!surely) continue;
+        EXPECT_EQ(over_low.low.has_value(), clear) << at << ' ' << part;
+        ASSERT_TRUE(over_low.high);
+        EXPECT_NEAR(over_low.high->launch.elevation, high, 1e-7);
+        ASSERT_EQ(over_low.blocked.size(), clear ? 0u : 1u);
+        EXPECT_TRUE(over_low.sight_ends);
+        if (clear) continue;
+        EXPECT_NEAR(over_low.blocked[0].solution.launch.elevation, low, 1e-7);
+        EXPECT_EQ(over_low.blocked[0].hit.instance, low_wall.wall);
+        EXPECT_NEAR(over_low.blocked[0].hit.position.x, at, 0.6 + radius);
+        EXPECT_NE(over_low.explanation().find("blocked at elevation"), std::string::npos);
+        options.scene = &high_wall.scene;
+        if (radius > 0) continue;
+        const Aim over_high = aimed({}, launch, constant_gravity(), vacuum(), target, options);
+        EXPECT_FALSE(over_high.in_reach());
+        EXPECT_EQ(over_high.blocked.size(), 2u);
+      }
+    }
+}
+
+TEST(Aim, what_is_aimed_at_is_in_nobodys_way) {
+  Walled walled(1000, 30);
+  const Target target{{1000, 5, 0}};  // inside of it
+  AimOptions options{.tolerance = 1e-3, .scene = &walled.scene};
+  EXPECT_FALSE(aimed({}, {.speed = 120}, constant_gravity(), vacuum(), target, options).in_reach());
+  options.target_thing = walled.wall;
+  const Aim answer = aimed({}, {.speed = 120}, constant_gravity(), vacuum(), target, options);
+  EXPECT_TRUE(answer.low && answer.high);
+  EXPECT_TRUE(answer.blocked.empty());
+  EXPECT_FALSE(answer.sight_ends);
+  // On the ground itself the path ends at the target.
+  Scene ground;
+  ASSERT_TRUE(ground.add({.shape = *ground.add_shape(PlaneShape{})}));
+  options = {.tolerance = 1e-3, .scene = &ground};
+  EXPECT_TRUE(
+      aimed({}, {.position = {0, 1, 0}, .speed = 120}, constant_gravity(), vacuum(), {{900, 0, 0}}, options).low);
+  options.contact.collision.radius = -1;
+  const auto bad = aim({}, {.speed = 120}, constant_gravity(), vacuum(), target, options);
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.error().place, "options.contact.collision.radius");
+}
+
 }  // namespace
 }  // namespace physim

@@ -1,47 +1,61 @@
-// Contact of a row with things of a scene: what its kind and their materials let follow.
+// Contact of what flies with things of a scene: what it is and their materials let follow.
+//
+// Worlds and flights meet things alike: whoever flies is a Host, and says where it is in its own way. A Host has
+//   Scalar                              the type of its numbers
+//   scene()                             what it meets; null: nothing
+//   collision(), surface()              how; its own part in restitution, friction and rolling resistance
+//   scene_time(), step_length()         the time of the scene when its step begins, and how long that is [s]
+//   spin(passed), put_spin(spin, passed)       how it turns, in W, so long after the step began [rad/s]
+//   acceleration_at(state, passed)      by everything but the contact [m/s^2]
+//   impact(hits)                        mass, measures and draws of an Impact, the so-manyth of its step
+//   tell(kind, reason, passed, state, hit, depth, energy)      something happened
+//   slid(from, begin, to, end)          it went along a surface, from a state at one time of the step to another
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "collide/path_cast.hpp"
+
 #include "model/ball_rolling.hpp"
+#include "model/body.hpp"
+#include "physim/collision.hpp"
+#include "physim/event.hpp"
 #include "physim/impact.hpp"
-#include "world/settled_row.hpp"
 
 namespace physim {
 
-/// Contacts of one row in a step: between two walls there may be many.
+/// Contacts in a step: between two walls there may be many.
 inline constexpr int kMostHits = 1000;
 
-/// What a row's numbers are apart at a place [m].
+/// Near what it touched it goes on in parts of so much or less: what a bounce may be too low for is judged by them,
+/// and a ball that bounces on has steps that its way is right with [s].
+inline constexpr double kLongestPart = 1.0 / 30;
+
+/// Which draws of chance a hit takes: the so-manyth of a step.
+[[nodiscard]] inline std::uint32_t hit_number(std::uint64_t step, int hits) {
+  return static_cast<std::uint32_t>(step) * 1009u + static_cast<std::uint32_t>(hits);
+}
+
+/// What the numbers of a type are apart at a place [m].
 template <class S>
 [[nodiscard]] double spacing_at(const Vec3d& x) {
   const double largest = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
   return largest * static_cast<double>(std::numeric_limits<S>::epsilon());
 }
 
-/// So far something may fly from a place before it can touch anything, in a scene in which nothing moves [m].
-template <class S>
-[[nodiscard]] S clear_way(const SettleContext& context, const Vec3d& x, const Vec3d& velocity,
-                          const CollisionDef& collision) {
-  constexpr double kSteps = 64;  // looking farther costs more than looking again
-  const double reach = collision.radius + kSteps * context.dt * (length(velocity) + 10 * context.dt);
-  const double clear = context.scene->clearance(x, reach, {.layers = collision.layers});
-  return static_cast<S>(clear - collision.radius - 4 * spacing_at<S>(x));
-}
-
-template <class S>
+/// The contacts of one step.
+template <class Host>
 class SceneContacts {
+  using S = typename Host::Scalar;
+
  public:
-  SceneContacts(const SettleContext& context, SettledRow<S>& row)
-      : context_(context), r_(row), scene_(row.meets() ? context.scene : nullptr) {
-    if (!scene_) return;
-    kind_ = &context.registry->kind(r_.slot().kind);
-    solids_ = {.layers = collision().layers, .sensors = false};
+  explicit SceneContacts(Host& host) : r_(host), scene_(host.scene()) {
+    if (scene_) solids_ = {.layers = collision().layers, .sensors = false};
   }
   explicit operator bool() const { return scene_ != nullptr; }
 
@@ -58,7 +72,7 @@ class SceneContacts {
   template <class Path>
   [[nodiscard]] std::optional<collide::PathHit> meeting(const Path& path, double end, double start, double span) {
     const auto place = [&](double theta) { return path(theta).x; };
-    const collide::PathTime time{context_.time + start, span};
+    const collide::PathTime time{r_.scene_time() + start, span};
     const bool passes = collision().on_hit == OnHit::pass;
     std::optional<collide::PathHit> met;
     if (!passes) met = collide::first_meeting(*scene_, solids_, collision().radius, place, time, end);
@@ -67,7 +81,7 @@ class SceneContacts {
       const bool sensor = scene_->instance(hit.instance)->sensor;
       if (!sensor && !passes) return;
       const EventKind kind = !hit.entering ? EventKind::left : sensor ? EventKind::sensed : EventKind::entered;
-      r_.tell(kind, Reason::none, std::min(start + theta * span, context_.dt), path(theta), hit);
+      r_.tell(kind, Reason::none, std::min(start + theta * span, r_.step_length()), path(theta), hit);
     };
     collide::each_passage(*scene_, {.layers = solids_.layers}, place, time, met ? met->theta : end, tell);
     return met;
@@ -84,21 +98,19 @@ class SceneContacts {
   /// It lies on what moves: it has no rest.
   [[nodiscard]] bool is_carried() const { return carried_; }
 
-  /// So far it may fly from where it is now before it can touch anything [m].
-  [[nodiscard]] S clear_way() const {
-    if (scene_->has_motion()) return S(0);
-    return physim::clear_way<S>(context_, vec_cast<double>(r_.now().x), vec_cast<double>(r_.now().v), collision());
-  }
-
  private:
-  [[nodiscard]] const CollisionDef& collision() const { return kind_->body.collision; }
+  [[nodiscard]] const CollisionDef& collision() const { return r_.collision(); }
+  /// So long a contact is judged by [s].
+  [[nodiscard]] double frame() const { return std::min(r_.step_length(), kLongestPart); }
+  /// How long it may go on along what it touched [s].
+  [[nodiscard]] double longest_way(double passed) const { return std::min(r_.step_length() - passed, kLongestPart); }
   [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia}; }
   [[nodiscard]] bool is_ball() const { return collision().radius > 0; }
 
   [[nodiscard]] static Vec3d held(const Vec3d& x) { return vec_cast<double>(vec_cast<S>(x)); }
 
   [[nodiscard]] SceneHit cast(const Vec3d& from, const Vec3d& to, double passed, double duration) const {
-    return facing(scene_->first_hit({from, to, collision().radius, context_.time + passed, duration}, solids_));
+    return facing(scene_->first_hit({from, to, collision().radius, r_.scene_time() + passed, duration}, solids_));
   }
   /// With the normal of a triangle towards who meets its back.
   [[nodiscard]] static SceneHit facing(SceneHit hit) {
@@ -106,8 +118,8 @@ class SceneContacts {
     return hit;
   }
 
-  /// A place that a row can hold, from which what touches something at `x` can go on: outside of it, and of what stands
-  /// beside it. It lies about a tenth of a nanometre off, or as far as the row's numbers are apart.
+  /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
+  /// stands beside it. It lies about a tenth of a nanometre off, or as far as those are apart.
   [[nodiscard]] Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
     const double gap = 1e-10 + 2 * spacing_at<S>(x);
     Vec3d off = normal * gap;
@@ -139,7 +151,7 @@ class SceneContacts {
   /// A ball that touches something where the step begins, as its middle is outside.
   void push_out(State<double>& s, SceneHit& hit, double passed) const {
     const double radius = collision().radius;
-    const SceneNearest near = scene_->nearest(s.x, radius, solids_, context_.time + passed);
+    const SceneNearest near = scene_->nearest(s.x, radius, solids_, r_.scene_time() + passed);
     if (!near || near.distance == 0) return;
     hit.normal = (s.x - near.position) * (1 / near.distance);
     hit.instance = near.instance;
@@ -149,8 +161,8 @@ class SceneContacts {
 
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
     const Material& material = scene_->material(hit.material);
-    const BodyDef& b = kind_->body;
-    return {material.restitution * b.restitution, material.friction * b.friction, b.rolling_resistance};
+    const Surface own = r_.surface();
+    return {material.restitution * own.restitution, material.friction * own.friction, own.rolling_resistance};
   }
 
   /// Bounces, or lies on what it met. All in the frame of the surface.
@@ -168,8 +180,7 @@ class SceneContacts {
     if (is_ball()) r_.put_spin(motion.spin, passed);
     const Vec3d a = r_.acceleration_at(s, passed);
     // A bounce that would be over within this step does not lift it any more.
-    const double frame = std::min(context_.dt, kLongestPart);
-    if (dot(motion.velocity, n) > -dot(a, n) * (0.5 * frame) || dot(a, n) > 0) {
+    if (dot(motion.velocity, n) > -dot(a, n) * (0.5 * frame()) || dot(a, n) > 0) {
       s.v = motion.velocity + u;
       r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
       return After{Then::flies_on, s, passed};
@@ -177,7 +188,7 @@ class SceneContacts {
     motion.velocity -= n * dot(motion.velocity, n);
     s.v = motion.velocity + u;
     // What falls from higher than a step's fall struck the surface, even where nothing of its speed is left.
-    if (before < dot(a, n) * frame) r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
+    if (before < dot(a, n) * frame()) r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
     return moves_along(s, hit, passed, motion, a);
   }
 
@@ -186,7 +197,7 @@ class SceneContacts {
                                                  const BallMotion& motion, const Vec3d& a) {
     const Vec3d u = hit.velocity;
     const Surface on = surface(hit);
-    const double left = std::min(context_.dt - passed, kLongestPart);
+    const double left = longest_way(passed);
     BallWay way{};
     if (is_ball()) {
       way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, left);
@@ -198,20 +209,31 @@ class SceneContacts {
     const Vec3d to = held(s.x + way.way + u * way.time);
     const SceneHit next = cast(s.x, to, passed, way.time);
     const double part = next && !next.starts_inside ? next.part : 1.0;
-    passed = part < 1 || way.time < context_.dt - passed ? passed + part * way.time : context_.dt;
+    const State<double> began = s;
+    const double begin = passed;
+    passed = part < 1 || way.time < r_.step_length() - passed ? passed + part * way.time : r_.step_length();
     const auto then = [part](const Vec3d& from, const Vec3d& end) {
       return part < 1 ? from + (end - from) * part : end;
     };
     s = {part < 1 ? next.position : to, then(motion.velocity, way.motion.velocity) + u};
     if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
-    if (part == 1) return After{passed < context_.dt ? Then::flies_on : Then::lies, s, passed};
+    r_.slid(began, begin, s, passed);
+    if (part == 1) return After{passed < r_.step_length() ? Then::flies_on : Then::lies, s, passed};
     const SceneHit below = std::exchange(hit, next);
     s.x = outside(s.x, hit.normal, passed);
-    const bool goes_on = part * way.time > 1e-6 * context_.dt;
+    const bool goes_on = part * way.time > 1e-6 * frame();
     if (!goes_on) return lies_between(s, below, hit, passed, a);
     if (dot(s.v - hit.velocity, hit.normal) < 0 && ++hits_ <= kMostHits) return std::nullopt;
-    s.v = hit.velocity;
-    return After{Then::lies, s, context_.dt};
+    return rests(s.x, hit.velocity, passed);
+  }
+
+  /// Stays where it is, with what it touches.
+  [[nodiscard]] After rests(const Vec3d& x, const Vec3d& velocity, double passed) const {
+    const State<double> s{x, velocity};
+    const double end = passed + longest_way(passed);
+    const bool is_over = r_.step_length() - passed <= kLongestPart;
+    r_.slid(s, passed, s, is_over ? r_.step_length() : end);
+    return is_over ? After{Then::lies, s, r_.step_length()} : After{Then::flies_on, s, end};
   }
 
   /// It lies on one thing, and another one stands in its way at once: it goes along both, as on one between them, or
@@ -220,18 +242,20 @@ class SceneContacts {
                                    const Vec3d& a) const {
     const Vec3d u = one.velocity;
     const Vec3d line = cross(one.normal, other.normal), middle = one.normal + other.normal;
-    const double left = std::min(context_.dt - passed, kLongestPart);
-    if (length(line) < 1e-6 || length(middle) < 1e-6) return {Then::lies, {s.x, u}, context_.dt};
+    const double left = longest_way(passed);
+    if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, u, passed);
     const Vec3d along = normalized(line), n = normalized(middle);
     const Rolled on = rolled(along * dot(s.v - u, along), along * dot(a, along) + n * dot(a, n), n, surface(one), left);
     const SceneHit next = cast(s.x, s.x + on.way + u * left, passed, left);
-    if (next && next.part * left <= 1e-6 * context_.dt) return {Then::lies, {s.x, u}, context_.dt};
+    if (next && next.part * left <= 1e-6 * frame()) return rests(s.x, u, passed);
     const double part = next ? next.part : 1.0;
-    const double then = part < 1 || left < context_.dt - passed ? passed + part * left : context_.dt;
+    const double then = part < 1 || left < r_.step_length() - passed ? passed + part * left : r_.step_length();
     const Vec3d before = along * dot(s.v - u, along);
+    const State<double> began{s.x, before + u};
     s = {next ? outside(next.position, next.normal, then) : held(s.x + on.way + u * left),
          before + (on.velocity - before) * part + u};
-    return {then < context_.dt ? Then::flies_on : Then::lies, s, then};
+    r_.slid(began, passed, s, then);
+    return {then < r_.step_length() ? Then::flies_on : Then::lies, s, then};
   }
 
   // ------------------------------------------------------------------------------------------- into and through
@@ -242,19 +266,13 @@ class SceneContacts {
     if (!(speed > 0)) return std::nullopt;
     const Vec3d way = relative * (1 / speed);
     const Way through = way_through(met, way, hit, passed);
-    const Impact asked{
-        .mass = kind_->flown.mass,
-        .diameter = kind_->flown.diameter,
-        .length = kind_->flown.length,
-        .inertia = collision().inertia,
-        .velocity = s.v,
-        .spin = r_.spin(passed),
-        .normal = hit.normal,
-        .surface_velocity = hit.velocity,
-        .thickness = through.thickness,
-        .seed = r_.slot().generation,
-        .projectile = r_.slot_index(),
-        .hit = static_cast<std::uint32_t>(context_.state->clock.steps) * 1009u + static_cast<std::uint32_t>(hits_)};
+    Impact asked = r_.impact(hits_);
+    asked.inertia = collision().inertia;
+    asked.velocity = s.v;
+    asked.spin = r_.spin(passed);
+    asked.normal = hit.normal;
+    asked.surface_velocity = hit.velocity;
+    asked.thickness = through.thickness;
     const Result<ImpactResult> result = impact(asked, scene_->material(hit.material));
     if (!result) return std::nullopt;
     const auto tell = [&](EventKind kind) {
@@ -288,7 +306,7 @@ class SceneContacts {
   };
   [[nodiscard]] Way way_through(const Vec3d& from, const Vec3d& way, const SceneHit& hit, double passed) const {
     constexpr double kDeepest = 1000;  // [m]
-    const SceneSegment line{from - way * 1e-9, from + way * kDeepest, 0, context_.time + passed, 0};
+    const SceneSegment line{from - way * 1e-9, from + way * kDeepest, 0, r_.scene_time() + passed, 0};
     Way through;
     for (const SceneHit& each : scene_->all_hits(line, solids_)) {
       if (each.instance != hit.instance) continue;
@@ -301,10 +319,8 @@ class SceneContacts {
     return through;
   }
 
-  const SettleContext& context_;
-  SettledRow<S>& r_;
+  Host& r_;
   const Scene* scene_;
-  const Kind* kind_ = nullptr;
   SceneFilter solids_;
   int hits_ = 0;
   bool carried_ = false;

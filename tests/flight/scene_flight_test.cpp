@@ -1,0 +1,561 @@
+// Flights that meet things: against closed forms, and against worlds at the same fixed step.
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "physim/presets.hpp"
+#include "rigid.hpp"
+#include "support.hpp"
+#include "world/world_support.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kG = 9.80665;
+using test::same_bits;
+
+Environment vacuum_of(double g) {
+  Environment environment;
+  environment.atmosphere.model = AirModel::vacuum;
+  environment.gravity = {.model = g == 0 ? GravityModel::off : GravityModel::constant, .acceleration = g};
+  return environment;
+}
+
+Until meeting(const Scene& scene, OnHit on_hit = OnHit::stop, double radius = 0) {
+  Until until{.ground = std::nullopt, .time = 60};
+  until.scene = &scene;
+  until.contact.collision = {.on_hit = on_hit, .radius = radius};
+  return until;
+}
+
+Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
+  Fidelity fidelity = test::vacuum(integrator);
+  fidelity.precision = precision;
+  return fidelity;
+}
+Fidelity closed() {
+  Fidelity fidelity = test::vacuum();
+  fidelity.motion = Motion::closed_form;
+  return fidelity;
+}
+
+std::vector<Event> of_kind(const Flight& flight, EventKind kind) {
+  std::vector<Event> found;
+  for (const Event& e : flight.events())
+    if (e.kind == kind) found.push_back(e);
+  return found;
+}
+
+InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& position, MaterialId material = {}) {
+  const auto added =
+      scene.add({.shape = *scene.add_shape(shape), .transform = {.position = position}, .material = material});
+  EXPECT_TRUE(added);
+  return added ? *added : InstanceId{};
+}
+
+Scene room(const Vec3d& half, const Material& material) {
+  Scene scene;
+  const MaterialId made_of = *scene.add_material(material);
+  for (const double side : {-1.0, 1.0}) {
+    put(scene, BoxShape{{0.5, half.y + 1, half.z + 1}}, {side * (half.x + 0.5), 0, 0}, made_of);
+    put(scene, BoxShape{{half.x + 1, 0.5, half.z + 1}}, {0, side * (half.y + 0.5), 0}, made_of);
+    put(scene, BoxShape{{half.x + 1, half.y + 1, 0.5}}, {0, 0, side * (half.z + 0.5)}, made_of);
+  }
+  return scene;
+}
+
+// ------------------------------------------------------------------------------------------- closed forms
+TEST(SceneFlight, a_parabola_meets_a_slope_and_a_sphere_where_the_closed_form_does) {
+  const double slope = 0.3, speed = 40, elevation = 0.9;
+  Scene hill;
+  ASSERT_TRUE(hill.add({.shape = *hill.add_shape(PlaneShape{}),
+                        .transform = {.rotation = {std::cos(slope / 2), 0, 0, std::sin(slope / 2)}}}));
+  // On a slope through the muzzle: t = 2 v sin(a - s) / (g cos s). Started above it, so that it is not met at once.
+  const double time = 2 * speed * std::sin(elevation - slope) / (kG * std::cos(slope));
+  const double range = speed * std::cos(elevation) * time;
+  Scene ball;
+  const Vec3d middle{48, 40, 0};
+  const InstanceId sphere = put(ball, SphereShape{5}, middle);
+  const auto gap = [&](double t) {
+    const Vec3d at{speed * std::cos(elevation) * t, speed * std::sin(elevation) * t - 0.5 * kG * t * t, 0};
+    return length(at - middle) - 5;
+  };
+  double before = 1.2, after = 1.9;
+  ASSERT_GT(gap(before), 0);
+  ASSERT_LT(gap(after), 0);
+  for (int i = 0; i < 100; ++i) (gap(0.5 * (before + after)) > 0 ? before : after) = 0.5 * (before + after);
+  std::vector<Fidelity> rungs = {closed()};
+  for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::dop853})
+    rungs.push_back(rung(integrator));
+  for (const Fidelity& fidelity : rungs) {
+    const Flight on_hill = fly(stone(), {.position = {0, 1e-9, 0}, .speed = speed, .elevation = elevation},
+                               vacuum_of(kG), fidelity, {}, meeting(hill));
+    ASSERT_EQ(on_hill.outcome(), Outcome::hit);
+    EXPECT_NEAR(on_hill.duration(), time, 1e-8);
+    EXPECT_NEAR(on_hill.end().position.x, range, 1e-7);
+    EXPECT_NEAR(on_hill.end().position.y, range * std::tan(slope), 1e-7);
+    const Flight on_ball =
+        fly(stone(), {.speed = speed, .elevation = elevation}, vacuum_of(kG), fidelity, {}, meeting(ball));
+    ASSERT_EQ(on_ball.outcome(), Outcome::hit);
+    EXPECT_NEAR(on_ball.duration(), after, 1e-9);
+    const auto hits = of_kind(on_ball, EventKind::hit);
+    ASSERT_EQ(hits.size(), 1u);
+    EXPECT_EQ(hits[0].instance, sphere);
+    EXPECT_LT(length(hits[0].normal - (hits[0].position - middle) * 0.2), 1e-9);
+    EXPECT_TRUE(same_bits(hits[0].time, on_ball.duration()));
+    EXPECT_LT(length(hits[0].position - on_ball.end().position), 1e-9);
+    EXPECT_LT(length(hits[0].velocity - on_ball.end().velocity), 1e-9);
+  }
+}
+
+struct Unfolded {
+  double x, sign;
+};
+Unfolded unfolded(double x, double half) {
+  const double period = 4 * half;
+  double at = std::fmod(x + half, period);
+  if (at < 0) at += period;
+  return at < 2 * half ? Unfolded{at - half, 1} : Unfolded{3 * half - at, -1};
+}
+
+TEST(SceneFlight, elastic_bounces_in_a_room_follow_the_closed_form_at_every_time) {
+  const Vec3d half{5, 3, 4};
+  const Scene scene = room(half, {.restitution = 1, .friction = 0});
+  struct Rung {
+    Fidelity fidelity;
+    double within;
+  };
+  std::vector<Rung> rungs = {{closed(), 1e-9}, {rung(Integrator::tsit5, Precision::float32), 2e-5}};
+  for (const Integrator integrator : test::kIntegrators)
+    if (integrator != Integrator::classic) rungs.push_back({rung(integrator), 1e-9});
+  const Vec3d from{0.5, -0.25, 0.125};
+  for (const auto& [fidelity, within] : rungs)
+    for (const double speed : {10.0, 300.0})
+      for (const double radius : {0.0, 0.11}) {
+        Until until = meeting(scene, OnHit::bounce, radius);
+        until.time = 120 / speed;
+        until.contact.restitution = 1;
+        const Vec3d v0 = Vec3d{0.6, 0.48, 0.64} * speed;
+        const Flight flight = fly(stone(), {.position = from, .velocity = v0}, vacuum_of(0), fidelity,
+                                  {.step = fidelity.integrator == Integrator::tsit5 ? 0 : 1.0 / 60}, until);
+        ASSERT_EQ(flight.outcome(), Outcome::time_limit) << name(fidelity.integrator);
+        EXPECT_NEAR(flight.duration(), until.time, fidelity.precision == Precision::float32 ? 1e-6 : 1e-12);
+        EXPECT_GT(of_kind(flight, EventKind::bounced).size(), 10u);
+        for (int i = 0; i <= 500; ++i) {
+          const double t = until.time * i / 500;
+          const Vec3d free = from + v0 * t;
+          const Unfolded x = unfolded(free.x, half.x - radius), y = unfolded(free.y, half.y - radius),
+                         z = unfolded(free.z, half.z - radius);
+          const Sample s = flight.at(t);
+          ASSERT_LT(length(s.position - Vec3d{x.x, y.x, z.x}), within * speed * until.time)
+              << name(fidelity.integrator) << " at " << t;
+          // Next to a wall the sign of one of its parts is that of either side.
+          const Vec3d wall = half - Vec3d{radius, radius, radius};
+          const double gap = std::min({wall.x - std::abs(x.x), wall.y - std::abs(y.x), wall.z - std::abs(z.x)});
+          if (gap < within * speed * until.time) continue;
+          ASSERT_LT(length(s.velocity - Vec3d{x.sign * v0.x, y.sign * v0.y, z.sign * v0.z}), within * speed) << t;
+        }
+      }
+}
+
+TEST(SceneFlight, a_bounce_breaks_the_velocity_and_not_the_path) {
+  Scene scene;
+  put(scene, PlaneShape{}, {}, *scene.add_material({.restitution = 1, .friction = 0}));
+  std::vector<Fidelity> rungs = {closed(), rung(Integrator::rk4), rung(Integrator::tsit5), rung(Integrator::dop853)};
+  for (const Fidelity& fidelity : rungs) {
+    Until until = meeting(scene, OnHit::bounce);
+    until.contact.restitution = 0.8;
+    until.time = 3;
+    until.events = {{EventKind::height, 1, Crossing::any}, {EventKind::range, 7}, {EventKind::time, 2.5}};
+    const Flight flight =
+        fly(stone(), {.position = {0, 2, 0}, .speed = 4}, vacuum_of(kG), fidelity, {.step = 1.0 / 64}, until);
+    const double fall = std::sqrt(4 / kG), v = kG * fall;
+    double at = fall, up = 0.8 * v;
+    const auto bounces = of_kind(flight, EventKind::bounced);
+    ASSERT_GE(bounces.size(), 2u);
+    std::vector<double> crossings = {std::sqrt(2 / kG)};
+    for (const Event& e : bounces) {
+      EXPECT_NEAR(e.time, at, 1e-8);
+      EXPECT_NEAR(e.velocity.y, up, 1e-7);
+      EXPECT_TRUE(same_bits(flight.at(e.time).velocity, e.velocity)) << name(fidelity.integrator);
+      EXPECT_NEAR(flight.at(std::nextafter(e.time, 0)).velocity.y, -up / 0.8, 1e-6);
+      EXPECT_NEAR(flight.at(e.time).position.y, 0, 1e-9);
+      const double root = up * up - 2 * kG;
+      for (const double side : {-1.0, 1.0})
+        if (root > 0) crossings.push_back(at + (up + side * std::sqrt(root)) / kG);
+      at += 2 * up / kG;
+      up *= 0.8;
+    }
+    std::erase_if(crossings, [](double t) { return t > 3; });
+    const auto heights = of_kind(flight, EventKind::height);
+    ASSERT_EQ(heights.size(), crossings.size());
+    for (std::size_t i = 0; i < heights.size(); ++i) EXPECT_NEAR(heights[i].time, crossings[i], 1e-7);
+    ASSERT_EQ(of_kind(flight, EventKind::range).size(), 1u);
+    EXPECT_NEAR(of_kind(flight, EventKind::range)[0].time, 7.0 / 4, 1e-8);
+    EXPECT_EQ(of_kind(flight, EventKind::range)[0].value, 7);
+    ASSERT_EQ(of_kind(flight, EventKind::time).size(), 2u);  // and the end
+    EXPECT_NEAR(of_kind(flight, EventKind::time)[0].time, 2.5, 1e-12);
+    EXPECT_NEAR(of_kind(flight, EventKind::time)[0].value, 2.5, 1e-12);
+    const auto again = flight.at_height(1, Crossing::rising);
+    ASSERT_TRUE(again);
+    EXPECT_NEAR(again->time, crossings[1], 1e-7);
+    EXPECT_NEAR(flight.at_range(7)->time, 7.0 / 4, 1e-8);
+    for (std::size_t i = 1; i < flight.events().size(); ++i)
+      EXPECT_LE(flight.events()[i - 1].time, flight.events()[i].time);
+    const auto times = flight.step_times();
+    for (std::size_t i = 1; i < times.size(); ++i) EXPECT_LT(times[i - 1], times[i]);
+    EXPECT_EQ(times.back(), flight.duration());
+  }
+}
+
+// ------------------------------------------------------------------------------------------- as worlds do
+struct Case {
+  const char* name;
+  Fidelity fidelity;
+};
+std::vector<Case> fixed_step_cases() {
+  std::vector<Case> all;
+  const auto add = [&](const char* name, Fidelity fidelity, Integrator integrator, Precision precision) {
+    fidelity.integrator = integrator;
+    fidelity.precision = precision;
+    all.push_back({name, fidelity});
+  };
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    add("classic", Fidelity::classic(), Integrator::classic, precision);
+    add("game", Fidelity::game(), Integrator::semi_implicit_euler, precision);
+    add("game heun", Fidelity::game(), Integrator::heun, precision);
+    Fidelity spinning = Fidelity::sport_ball();
+    spinning.rotation = RotationModel::magnus;
+    add("ball", spinning, Integrator::rk4, precision);
+  }
+  return all;
+}
+
+TEST(SceneFlight, a_flight_and_a_world_meet_things_alike_to_rounding) {
+  const Scene scene = room({5, 3, 4}, {.restitution = 0.9, .friction = 0.3});
+  for (const auto& [label, fidelity] : fixed_step_cases())
+    for (const double radius : {0.0, 0.11})
+      for (const double h : {1.0 / 64, 1.0 / 16}) {
+        SCOPED_TRACE(std::string(label) + " radius " + std::to_string(radius) + " step " + std::to_string(h));
+        ProjectileDef p = presets::tennis_ball().projectile;
+        p.fidelity = fidelity;
+        p.drag.damping = 0.9;
+        Launch launch{.position = {0.5, 0.25, 0.125}, .speed = 35, .elevation = 0.4, .azimuth = 0.3};
+        launch.spin = {.backspin = 200, .sidespin = 50, .gyrospin = 30};
+        WorldDef def;
+        def.ground.mode = GroundMode::none;
+        World world = make_world(def);
+        ASSERT_TRUE(world.set_scene(scene));
+        BodyDef body;
+        body.can_sleep = false;
+        body.restitution = 0.95;
+        body.collision = {.on_hit = OnHit::bounce, .radius = radius};
+        const auto id = world.spawn(p, launch, body);
+        ASSERT_TRUE(id) << id.error().text();
+        Until until = meeting(scene, OnHit::bounce, radius);
+        until.contact.restitution = 0.95;
+        until.time = 4;
+        const Flight flight = fly(p, launch, def.environment, fidelity, {.step = h}, until);
+        ASSERT_FALSE(flight.error()) << flight.error()->text();
+        std::vector<Event> bounced;
+        while (world.time() < until.time - 0.5 * h) {
+          world.step(h);
+          for (const Event& e : events_of(world, EventKind::bounced)) bounced.push_back(e);
+          if (world.time() > flight.duration()) break;
+          const Sample s = flight.at(world.time());
+          const double within = fidelity.precision == Precision::float32 ? 1e-4 : 1e-11;
+          ASSERT_LE(length(world[*id].position() - s.position), within) << world.time();
+          ASSERT_LE(length(world[*id].velocity() - s.velocity), 35 * within) << world.time();
+        }
+        const auto told = of_kind(flight, EventKind::bounced);
+        ASSERT_GT(told.size(), 4u);
+        ASSERT_EQ(told.size(), bounced.size());
+        for (std::size_t i = 0; i < told.size(); ++i) {
+          EXPECT_NEAR(told[i].time, bounced[i].time, 1e-5);
+          // Between steps the clock of a flight runs on, and that of most rows begins anew: a rounding beside it.
+          const double rounding = fidelity.precision == Precision::float32 ? 1e-4 : 1e-12;
+          EXPECT_LT(length(told[i].position - bounced[i].position), rounding);
+          EXPECT_LT(length(told[i].velocity - bounced[i].velocity), rounding * 35);
+          EXPECT_EQ(told[i].instance, bounced[i].instance);
+        }
+      }
+}
+
+TEST(SceneFlight, adaptive_and_rigid_flights_meet_things_as_fine_worlds_do) {
+  const Scene scene = room({20, 12, 16}, {.restitution = 0.8, .friction = 0.3});
+  ProjectileDef ball = presets::tennis_ball().projectile;
+  ball.fidelity = Fidelity::sport_ball();
+  ProjectileDef brick = test::nasa_brick();
+  for (const bool rigid : {false, true}) {
+    ProjectileDef p = rigid ? brick : ball;
+    if (rigid) p.fidelity = test::rigid(Integrator::rk4);
+    Fidelity fixed = p.fidelity, adaptive = p.fidelity;
+    fixed.integrator = Integrator::rk4;
+    adaptive.integrator = Integrator::dop853;
+    fixed.precision = adaptive.precision = Precision::float64;
+    Launch launch{.position = {0.5, 0.25, 0.125}, .speed = 60, .elevation = 0.4, .azimuth = 0.3};
+    if (rigid) launch.attitude = test::spun_launch().attitude;
+    if (!rigid) launch.spin = {.backspin = 200, .sidespin = 50, .gyrospin = 30};
+    Until until = meeting(scene, OnHit::bounce, 0.03);
+    until.time = 2.5;
+    until.contact.restitution = 1;
+    const double step = rigid ? 1.0 / 2048 : 1.0 / 512;
+    const Flight fine = fly(p, launch, {}, fixed, {.step = step}, until);
+    const Flight free = fly(p, launch, {}, adaptive, {}, until);
+    ASSERT_FALSE(fine.error()) << fine.error()->text();
+    ASSERT_FALSE(free.error()) << free.error()->text();
+    const auto one = of_kind(fine, EventKind::bounced), other = of_kind(free, EventKind::bounced);
+    const std::size_t compared = rigid ? 1 : 2;
+    ASSERT_GE(std::min(one.size(), other.size()), compared);
+    // Brick walls make the brick spin so fast that only the first bounces can be compared.
+    for (std::size_t i = 0; i < compared; ++i) {
+      EXPECT_NEAR(one[i].time, other[i].time, 1e-6) << rigid;
+      EXPECT_LT(length(one[i].position - other[i].position), 1e-4) << rigid;
+      EXPECT_LT(length(one[i].velocity - other[i].velocity), 1e-3) << rigid;
+      const double after = one[i].time + 0.01;
+      EXPECT_LT(length(fine.at(after).angular_velocity - free.at(after).angular_velocity), 1e-2) << rigid;
+    }
+    if (!rigid) continue;
+    EXPECT_GT(length(free.at(one[0].time + 0.01).angular_velocity), 10);  // rad/s, of 0.65 before
+  }
+}
+
+TEST(SceneFlight, what_meets_nothing_flies_as_without_a_scene) {
+  Scene scene;
+  put(scene, BoxShape{{1, 1, 1}}, {0, -500, 0});
+  std::vector<Fidelity> rungs = {closed()};
+  for (const Integrator integrator : test::kIntegrators) rungs.push_back(rung(integrator));
+  for (const Fidelity& fidelity : rungs) {
+    const Tolerance tolerance{.step = 1.0 / 64};
+    const Launch launch{.position = {0, 1.5, 0}, .speed = 60, .elevation = 0.5};
+    Until until{.time = 20};
+    const Flight without = fly(stone(), launch, vacuum_of(kG), fidelity, tolerance, until);
+    until.scene = &scene;
+    const Flight with = fly(stone(), launch, vacuum_of(kG), fidelity, tolerance, until);
+    EXPECT_EQ(with.outcome(), Outcome::landed);
+    EXPECT_TRUE(same_bits(with.duration(), without.duration())) << name(fidelity.integrator);
+    EXPECT_TRUE(same_bits(with.end().position, without.end().position)) << name(fidelity.integrator);
+    EXPECT_EQ(with.step_times(), without.step_times());
+    EXPECT_EQ(with.cost().steps, without.cost().steps);
+    ASSERT_EQ(with.events().size(), without.events().size());
+  }
+}
+
+// ------------------------------------------------------------------------------------------- what happens
+TEST(SceneFlight, flights_do_what_collision_says) {
+  Scene scene;
+  const MaterialId steel = *scene.add_material({.name = "steel"});
+  const InstanceId wall = *scene.add({.shape = *scene.add_shape(BoxShape{{0.01, 5, 5}}),
+                                      .transform = {.position = {10, 0, 0}},
+                                      .material = steel,
+                                      .layers = 2});
+  const InstanceId gate = *scene.add(
+      {.shape = *scene.add_shape(BoxShape{{0.5, 5, 5}}), .transform = {.position = {5, 0, 0}}, .sensor = true});
+  const auto fired = [&](const CollisionDef& collision) {
+    Until until = meeting(scene);
+    until.contact.collision = collision;
+    until.time = 0.5;
+    return fly(stone(), {.speed = 100}, vacuum_of(0), rung(Integrator::tsit5), {}, until);
+  };
+  const Flight stops = fired({.on_hit = OnHit::stop}), sticks = fired({.on_hit = OnHit::stick}),
+               bounces = fired({.on_hit = OnHit::bounce}), passes = fired({.on_hit = OnHit::pass}),
+               others = fired({.layers = 4});
+  EXPECT_EQ(stops.outcome(), Outcome::hit);
+  EXPECT_NEAR(stops.end().speed, 100, 1e-9);
+  EXPECT_EQ(sticks.outcome(), Outcome::hit);
+  EXPECT_EQ(sticks.end().speed, 0);
+  EXPECT_NEAR(sticks.end().position.x, 9.99, 1e-9);
+  EXPECT_EQ(bounces.outcome(), Outcome::time_limit);
+  EXPECT_NEAR(bounces.end().velocity.x, -100 * 0.5 * scene.material(steel).restitution, 1e-9);
+  EXPECT_EQ(others.outcome(), Outcome::time_limit);
+  EXPECT_TRUE(of_kind(others, EventKind::hit).empty() && of_kind(others, EventKind::sensed).empty());
+  for (const Flight* flight : {&stops, &sticks, &bounces}) {
+    const auto hits = of_kind(*flight, EventKind::hit);
+    ASSERT_EQ(hits.size(), 1u);
+    EXPECT_EQ(hits[0].instance, wall);
+    EXPECT_EQ(hits[0].material, steel);
+    EXPECT_NEAR(hits[0].time, 0.0999, 1e-9);
+    EXPECT_EQ(hits[0].normal, (Vec3d{-1, 0, 0}));
+    EXPECT_NEAR(hits[0].velocity.x, 100, 1e-9);
+    ASSERT_GE(of_kind(*flight, EventKind::sensed).size(), 1u);
+    EXPECT_EQ(of_kind(*flight, EventKind::sensed)[0].instance, gate);
+    EXPECT_NEAR(of_kind(*flight, EventKind::sensed)[0].time, 0.045, 1e-9);
+    EXPECT_NEAR(of_kind(*flight, EventKind::left)[0].time, 0.055, 1e-9);
+  }
+  ASSERT_EQ(of_kind(passes, EventKind::entered).size(), 1u);
+  EXPECT_NEAR(of_kind(passes, EventKind::entered)[0].time, 0.0999, 1e-9);
+  EXPECT_NEAR(of_kind(passes, EventKind::left)[1].time, 0.1001, 1e-9);
+  EXPECT_NEAR(passes.end().position.x, 50, 1e-9);
+}
+
+TEST(SceneFlight, a_bullet_goes_through_a_plank_and_into_a_wall_as_impact_says) {
+  Scene scene;
+  const MaterialId fir = *scene.add_material(materials::fir()),
+                   concrete = *scene.add_material(materials::concrete(30e6));
+  put(scene, BoxShape{{0.009, 1, 1}}, {50, 0, 0}, fir);
+  put(scene, BoxShape{{0.15, 2, 3}}, {60, 0, 0}, concrete);
+  ProjectileDef p = stone();
+  p.mass = 0.0109;
+  p.diameter = 0.00782;
+  const Flight flight =
+      fly(p, {.speed = 780}, vacuum_of(0), rung(Integrator::dop853), {}, meeting(scene, OnHit::impact));
+  ASSERT_EQ(flight.outcome(), Outcome::hit);
+  const auto through = of_kind(flight, EventKind::penetrated), stuck = of_kind(flight, EventKind::stopped);
+  ASSERT_EQ(through.size(), 1u);
+  ASSERT_EQ(stuck.size(), 1u);
+  Impact asked{.mass = p.mass, .diameter = p.diameter, .length = p.length, .velocity = {780, 0, 0}};
+  asked.normal = {-1, 0, 0};
+  asked.thickness = 0.018;
+  const ImpactResult plank = *impact(asked, materials::fir());
+  EXPECT_NEAR(through[0].velocity.x, plank.velocity.x, 1e-6);
+  EXPECT_NEAR(through[0].energy, plank.energy, 1e-6);
+  EXPECT_NEAR(through[0].position.x, 50.009, 1e-8);
+  asked.velocity = plank.velocity;
+  asked.thickness = 0.3;
+  const ImpactResult wall = *impact(asked, materials::concrete(30e6));
+  EXPECT_NEAR(stuck[0].value, wall.depth, 1e-9);
+  EXPECT_NEAR(flight.end().position.x, 59.85 + wall.depth, 1e-8);
+  EXPECT_EQ(flight.end().speed, 0);
+  EXPECT_NEAR(flight.at(flight.duration() - 1e-6).velocity.x, plank.velocity.x, 1e-6);
+}
+
+TEST(SceneFlight, a_ball_slides_then_rolls_down_a_slope_and_rests_on_a_floor) {
+  constexpr double kSlope = 30 * test::kDegree;
+  Scene slope;
+  const MaterialId rough = *slope.add_material({.restitution = 0, .friction = 1});
+  ASSERT_TRUE(slope.add({.shape = *slope.add_shape(PlaneShape{}),
+                         .transform = {.rotation = {std::cos(kSlope / 2), 0, 0, -std::sin(kSlope / 2)}},
+                         .material = rough}));
+  for (const Fidelity& fidelity : {closed(), rung(Integrator::tsit5), rung(Integrator::rk4)}) {
+    Until until = meeting(slope, OnHit::bounce, 0.1);
+    until.contact.restitution = 0;
+    until.contact.rolling_resistance = 0;
+    until.contact.friction = 1;
+    until.time = 2;
+    const Vec3d normal{std::sin(kSlope), std::cos(kSlope), 0};
+    const Flight flight =
+        fly(stone(), {.position = normal * (0.1 + 1e-9)}, vacuum_of(kG), fidelity, {.step = 1.0 / 60}, until);
+    ASSERT_EQ(flight.outcome(), Outcome::time_limit);
+    const double a = kG * std::sin(kSlope) / 1.4;  // a solid ball rolls
+    for (const double t : {0.5, 1.0, 2.0}) {
+      EXPECT_NEAR(length(flight.at(t).position - normal * 0.1), 0.5 * a * t * t, 1e-3) << t;
+      EXPECT_NEAR(flight.at(t).speed, a * t, 1e-3) << t;
+      EXPECT_NEAR(dot(flight.at(t).position, normal), 0.1, 1e-6);
+    }
+    EXPECT_LE(of_kind(flight, EventKind::hit).size(), 2u);  // what goes on is no new hit
+  }
+  Scene floor;
+  put(floor, PlaneShape{}, {}, *floor.add_material({.restitution = 1, .friction = 1}));
+  for (const Fidelity& fidelity : {closed(), rung(Integrator::dop853), rung(Integrator::rk4)}) {
+    const Flight flight = fly(stone(), {.position = {0, 1, 0}, .speed = 1}, vacuum_of(kG), fidelity, {.step = 1.0 / 60},
+                              meeting(floor, OnHit::bounce));
+    EXPECT_EQ(flight.outcome(), Outcome::hit);  // at rest
+    EXPECT_EQ(flight.end().speed, 0);
+    EXPECT_LT(flight.duration(), 10);
+    EXPECT_NEAR(flight.end().position.y, 0, 1e-8);
+  }
+}
+
+TEST(SceneFlight, what_slides_past_a_range_ends_there) {
+  Scene floor;
+  put(floor, PlaneShape{}, {}, *floor.add_material({.restitution = 0, .friction = 0}));
+  Until until = meeting(floor, OnHit::bounce);
+  until.contact.rolling_resistance = 0;
+  until.range = 12;
+  for (const Fidelity& fidelity : {closed(), rung(Integrator::tsit5), rung(Integrator::rk4)}) {
+    const Flight flight =
+        fly(stone(), {.position = {0, 1e-6, 0}, .speed = 5}, vacuum_of(kG), fidelity, {.step = 1.0 / 60}, until);
+    EXPECT_EQ(flight.outcome(), Outcome::reached_range);
+    EXPECT_NEAR(flight.duration(), 2.4, 1e-6);
+    EXPECT_NEAR(flight.end().position.x, 12, 1e-6);
+  }
+}
+
+TEST(SceneFlight, moving_things_are_met_where_they_are_at_the_time) {
+  Scene scene;
+  const InstanceId wall =
+      *scene.add({.shape = *scene.add_shape(BoxShape{{0.1, 5, 5}}), .transform = {.position = {100, 0, 0}}});
+  ASSERT_TRUE(scene.set_motion(wall, SteadyMotion{.velocity = {-20, 0, 0}}));
+  for (const double begins : {0.0, 2.0}) {
+    Until until = meeting(scene);
+    until.contact.scene_time = begins;
+    const Flight flight = fly(stone(), {.speed = 30}, vacuum_of(0), rung(Integrator::tsit5), {}, until);
+    ASSERT_EQ(flight.outcome(), Outcome::hit);
+    EXPECT_NEAR(flight.duration(), (99.9 - 20 * begins) / 50, 1e-8);
+  }
+}
+
+TEST(SceneFlight, spin_of_a_bounce_bends_the_path_that_follows) {
+  Scene floor;
+  put(floor, PlaneShape{}, {}, *floor.add_material({.restitution = 0.8, .friction = 1}));
+  ProjectileDef p = presets::tennis_ball().projectile;
+  Fidelity fidelity = Fidelity::sport_ball();
+  fidelity.precision = Precision::float64;
+  fidelity.rotation = RotationModel::magnus;
+  Until until = meeting(floor, OnHit::bounce, 0.033);
+  until.contact.restitution = 1;
+  until.contact.friction = 1;
+  until.time = 1.2;
+  Launch launch{.position = {0, 2, 0}, .speed = 30};
+  launch.spin.backspin = 1e-6;  // without any the rung that flies it would not be granted
+  const Flight flight = fly(p, launch, {}, fidelity, {}, until);
+  const auto bounce = of_kind(flight, EventKind::bounced);
+  ASSERT_GE(bounce.size(), 1u);
+  // It had as good as no spin before, so nothing lifted it; a ball that grips the floor leaves with topspin, which
+  // pulls it down.
+  EXPECT_LT(length(flight.accelerations(0.9 * bounce[0].time).lift), 1e-6);
+  EXPECT_LT(flight.accelerations(bounce[0].time + 0.01).lift.y, -0.1);
+}
+
+TEST(SceneFlight, limits_starts_inside_and_bad_input) {
+  const Scene box = room({1, 1, 1}, {.restitution = 1, .friction = 0});
+  Until until = meeting(box, OnHit::bounce);
+  until.contact.restitution = 1;
+  const Launch launch{.velocity = Vec3d{70, 40, 30}};
+  for (const Integrator integrator : {Integrator::tsit5, Integrator::rk4}) {
+    const Flight flight =
+        fly(stone(), launch, vacuum_of(0), rung(integrator), {.step = 1.0 / 60, .max_steps = 50}, until);
+    EXPECT_EQ(flight.outcome(), Outcome::step_limit);
+    EXPECT_LE(flight.cost().steps, integrator == Integrator::rk4 ? 50 * 1000 : 51);
+  }
+  Scene solid;
+  put(solid, BoxShape{{1, 1, 1}}, {});
+  const Flight inside = fly(stone(), launch, vacuum_of(0), rung(Integrator::tsit5), {}, meeting(solid, OnHit::bounce));
+  EXPECT_EQ(inside.outcome(), Outcome::hit);
+  ASSERT_EQ(inside.events().size(), 1u);
+  EXPECT_EQ(inside.events()[0].reason, Reason::inside);
+  EXPECT_EQ(inside.duration(), 0);
+  EXPECT_EQ(inside.end().position, (Vec3d{}));
+  const auto refused = [&](auto change) {
+    Until bad = meeting(solid);
+    change(bad.contact);
+    const Flight flight = fly(stone(), launch, {}, rung(Integrator::tsit5), {}, bad);
+    EXPECT_EQ(flight.outcome(), Outcome::refused);
+    return flight.error() ? flight.error()->place : "";
+  };
+  EXPECT_EQ(refused([](ContactDef& c) { c.collision.radius = -1; }), "until.contact.collision.radius");
+  EXPECT_EQ(refused([](ContactDef& c) { c.collision.inertia = 0; }), "until.contact.collision.inertia");
+  EXPECT_EQ(refused([](ContactDef& c) { c.collision.on_hit = static_cast<OnHit>(9); }),
+            "until.contact.collision.on_hit");
+  EXPECT_EQ(refused([](ContactDef& c) { c.restitution = 1.1; }), "until.contact.restitution");
+  EXPECT_EQ(refused([](ContactDef& c) { c.friction = test::kNan; }), "until.contact.friction");
+  EXPECT_EQ(refused([](ContactDef& c) { c.rolling_resistance = -1; }), "until.contact.rolling_resistance");
+  EXPECT_EQ(refused([](ContactDef& c) { c.scene_time = kInfinity; }), "until.contact.scene_time");
+}
+
+TEST(SceneFlight, batches_refuse_a_scene) {
+  Scene scene;
+  put(scene, PlaneShape{}, {});
+  const Launch launches[] = {{.speed = 10}, {.speed = 20}};
+  const BatchResult batch = fly_batch(stone(), launches, {}, Fidelity::game(), {}, meeting(scene));
+  ASSERT_TRUE(batch.error);
+  EXPECT_EQ(batch.error->place, "until.scene");
+  EXPECT_EQ(batch.shots[1].outcome, Outcome::refused);
+  const double speeds[] = {10, 20, 30};
+  LaunchColumns columns;
+  columns.speed = speeds;
+  EXPECT_EQ(fly_columns(stone(), columns, {}, Fidelity::game(), {}, meeting(scene), {}).refused, 3u);
+}
+
+}  // namespace
+}  // namespace physim
