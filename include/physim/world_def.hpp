@@ -66,12 +66,13 @@ enum class Smoothing : std::uint8_t {
   extrapolate,  ///< ahead of the last step by its velocity: on time, and corrected at every step
 };
 
-/// How a projectile meets the things of a scene.
+/// How a projectile meets the things of a scene, and others.
 struct CollisionDef {
   OnHit on_hit = OnHit::stop;         ///< what it does then [-]
   double radius = 0;                  ///< it meets them as a ball of so much; 0: as a point, which nothing spins [m]
   double inertia = 0.4;               ///< of the ball, over mass and radius squared: 2/5 solid, 2/3 hollow [-]
   std::uint32_t layers = 0xffffffff;  ///< bits: things of these layers; 0: none [-]
+  std::uint32_t others = 0;           ///< bits: projectiles of these BodyDef::layers, which want its own; 0: none [-]
 
   bool operator==(const CollisionDef&) const = default;
 };
@@ -93,7 +94,7 @@ struct BodyDef {
   double restitution = 0.5;           ///< speed kept by a bounce, 0..1 [-]
   double friction = 0.5;              ///< Coulomb's, of bounces and sliding [-]
   double rolling_resistance = 0.05;   ///< weight that resists rolling on the ground [-]
-  CollisionDef collision{};           ///< with things of the scene [-]
+  CollisionDef collision{};           ///< with things of the scene, and with others [-]
   DespawnRules despawn{};             ///< [-]
   Smoothing smoothing = Smoothing::interpolate;  ///< of World::render_position() (live) [-]
   std::uint32_t pool = 0;                        ///< index in WorldDef::pools [-]
