@@ -297,9 +297,12 @@ class PairStep {
   // ------------------------------------------------------------------------------------------- what follows
   /// What one told of the rest of its step did not happen.
   void forget_after(const Collider& c, double time) {
-    const ProjectileId id = context_.state->slots.id_of(c.slot);
     const double end = context_.time + time;
-    if (!c.is_new && c.flies) cuts_.push_back({c.slot, end});
+    if (!c.is_new) {
+      if (c.flies) cuts_.push_back({c.slot, end});
+      return;
+    }
+    const ProjectileId id = context_.state->slots.id_of(c.slot);
     std::erase_if(s_.chunk.events, [&](const Event& e) { return e.id == id && e.time > end; });
     std::erase_if(s_.chunk.changes, [&](const Change& change) { return change.slot == c.slot; });
   }
