@@ -82,6 +82,7 @@ struct Event {
   std::uint32_t primitive = 0;             ///< of it, as SceneHit::primitive [-]
   MaterialId material{};                   ///< of it [-]
   double energy = 0;                       ///< that it lost by what its material did to it [J]
+  ProjectileId other{};                    ///< that it met in a world; none: no projectile [-]
 };
 
 }  // namespace physim

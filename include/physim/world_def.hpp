@@ -75,7 +75,7 @@ struct BodyDef {
   double restitution = 0.5;           ///< speed kept by a bounce, 0..1 [-]
   double friction = 0.5;              ///< Coulomb's, of bounces and sliding [-]
   double rolling_resistance = 0.05;   ///< weight that resists rolling on the ground [-]
-  CollisionDef collision{};           ///< with things of the scene [-]
+  CollisionDef collision{};           ///< with things of the scene, and with others [-]
   DespawnRules despawn{};             ///< [-]
   Smoothing smoothing = Smoothing::interpolate;  ///< of World::render_position() (live) [-]
   std::uint32_t pool = 0;                        ///< index in WorldDef::pools [-]

@@ -64,6 +64,7 @@ constexpr Entry kWorldSettings[] = {
     PHYSIM_SHOT(body.collision.inertia, "of the ball, over mass and radius squared",
                 Range{.low = 0, .high = 1, .low_open = true}),
     PHYSIM_SHOT(body.collision.layers, "bits: it meets things of these layers; 0: none", kBits),
+    PHYSIM_SHOT(body.collision.others, "bits: it meets projectiles of these layers that want its own; 0: none", kBits),
     PHYSIM_SHOT(body.despawn.below, "leaves below this height above the origin", Quantity::length, or_infinite({})),
     PHYSIM_SHOT(body.despawn.farther, "leaves farther than this from its launch", Quantity::length,
                 or_infinite(above(0))),

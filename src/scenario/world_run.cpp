@@ -221,6 +221,11 @@ void WorldRun::Impl::count(std::span<const Event> news) {
         ++group.bounces;
         touch(*track, group, event.time, event.position, event.velocity);
         break;
+      case EventKind::hit:
+        if (!event.other) break;  // a thing of the scene
+        ++group.hits;
+        touch(*track, group, event.time, event.position, event.velocity);
+        break;
       case EventKind::apex: group.apex.add(event.position.y); break;
       case EventKind::slept: ++group.slept; break;
       case EventKind::expired: ++group.expired; break;
@@ -236,7 +241,6 @@ void WorldRun::Impl::count(std::span<const Event> news) {
       case EventKind::rail_exit:
       case EventKind::woke:
       case EventKind::fidelity_changed:
-      case EventKind::hit:
       case EventKind::entered:
       case EventKind::left:
       case EventKind::sensed:

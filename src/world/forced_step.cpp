@@ -31,6 +31,20 @@ class ForcedStep {
     return count;
   }
 
+  /// Once more, with the step that a row took with the others.
+  template <class F>
+  void with_taken(std::uint16_t cohort, std::uint32_t row, const F& f) {
+    for (const ForcedRun& r : s_.runs) {
+      if (r.cohort != cohort) continue;
+      in_precision(r, [&]<class S>(S) {
+        const TakenStep<S> taken = taken_by<S>(r, row);
+        SettleContext context = context_;
+        context.taken = &taken;
+        f(context);
+      });
+    }
+  }
+
  private:
   static std::size_t padded(std::size_t rows) { return (rows + kRowsPerWord - 1) / kRowsPerWord * kRowsPerWord; }
   [[nodiscard]] Rows& rows_of(const ForcedRun& r) const { return context_.state->rows[r.cohort]; }
@@ -236,7 +250,13 @@ class ForcedStep {
 std::size_t step_forced_rows(const SettleContext& context, ForcedScratch& scratch) {
   scratch.chunk.events.clear();
   scratch.chunk.changes.clear();
+  scratch.chunk.traces.clear();
   return ForcedStep(context, scratch).run();
+}
+
+void with_taken_step(const SettleContext& context, ForcedScratch& scratch, std::uint16_t cohort, std::uint32_t row,
+                     const std::function<void(const SettleContext&)>& f) {
+  ForcedStep(context, scratch).with_taken(cohort, row, f);
 }
 
 }  // namespace physim

@@ -2,6 +2,8 @@
 // them and one user function sees them all.
 #pragma once
 
+#include <functional>
+
 #include "world/force_field.hpp"
 #include "world/settle.hpp"
 
@@ -45,5 +47,9 @@ struct ForcedScratch {
 
 /// Steps all forced rows that move; returns how many. Nothing that other rows see is changed before all are through.
 std::size_t step_forced_rows(const SettleContext& context, ForcedScratch& scratch);
+
+/// Calls f with what settles a row of a cohort in the step just taken, which is as it was before it.
+void with_taken_step(const SettleContext& context, ForcedScratch& scratch, std::uint16_t cohort, std::uint32_t row,
+                     const std::function<void(const SettleContext&)>& f);
 
 }  // namespace physim

@@ -26,6 +26,7 @@ std::uint32_t Kinds::find(std::uint64_t hash, const ProjectileDef& projectile, c
 std::uint32_t Kinds::add(Kind kind) {
   auto index = static_cast<std::uint32_t>(all_.size() + 1);
   if (kind.number == 0) kind.number = ++last_number_;
+  meet_others_ = meet_others_ || kind.body.collision.others != 0;
   if (free_.empty()) {
     all_.push_back(std::make_unique<Kind>(std::move(kind)));
   } else {

@@ -74,6 +74,8 @@ class Kinds {
   }
   [[nodiscard]] bool is_full() const { return by_number_.size() >= kMostKinds; }
   [[nodiscard]] bool is_new() const { return last_number_ == 0; }
+  /// Whether there ever was one that meets other projectiles.
+  [[nodiscard]] bool meet_others() const { return meet_others_; }
 
   /// A kind of a new number, or of one that a save tells; its index. It is idle.
   std::uint32_t add(Kind kind);
@@ -128,6 +130,7 @@ class Kinds {
   std::unordered_map<std::uint32_t, std::uint32_t> by_number_;
   std::unordered_multimap<std::uint64_t, std::uint32_t> by_hash_;
   std::uint32_t last_number_ = 0;
+  bool meet_others_ = false;
   std::deque<Idle> idle_;  // the longest first; some are idle no more
   std::size_t idle_count_ = 0;
   std::uint64_t idle_turns_ = 0;

@@ -83,6 +83,12 @@ std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
   return at;
 }
 
+void Rows::put_back(std::uint32_t row, const Rows& copy) {
+  PHYSIM_ASSERT(row < copy.size_ && copy.size_ == size_ && copy.swapped_ == swapped_ && copy.slot(row) == slot(row));
+  const std::size_t bytes = number_size();
+  for (unsigned k = 0; k < numbers_; ++k) std::memcpy(column(k) + row * bytes, copy.column(k) + row * bytes, bytes);
+}
+
 void Rows::write_fields(std::uint32_t row, const Body<double>& body) {
   PHYSIM_ASSERT(row < size_);
   const double* number = numbers(body);

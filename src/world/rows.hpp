@@ -85,6 +85,8 @@ class Rows : RowMemory {
   std::uint32_t swap_remove(std::uint32_t row);
   /// Copies a row of equal layout here, as a new last row.
   std::uint32_t push_copy(const Rows& from, std::uint32_t row);
+  /// Makes a row what it was in a copy that these rows were.
+  void put_back(std::uint32_t row, const Rows& copy);
   void clear() { size_ = 0; }
   /// Whether every number of a row was filled in since it was pushed; always true in builds without asserts.
   [[nodiscard]] bool is_filled(std::uint32_t row) const;

@@ -33,9 +33,15 @@ template <class S>
 class Settling {
  public:
   Settling(const SettleContext& context, Chunk& chunk, std::uint32_t row)
-      : context_(context), r_(context, chunk, row), course_(r_.march.course()), contacts_(r_) {}
+      : context_(context),
+        chunk_(chunk),
+        r_(context, chunk, row),
+        course_(r_.march.course()),
+        contacts_(r_),
+        traced_(context.pairs && body().collision.others != 0) {}
 
   void run() {
+    trace(0, r_.at_start());
     if (!is_finite(r_.now())) return r_.leave(LifeStatus::retired, Reason::non_finite);
     if (r_.taken() && !is_finite(State<S>{r_.taken()->push[0], {}}))
       return r_.leave(LifeStatus::retired, Reason::non_finite);
@@ -45,6 +51,30 @@ class Settling {
       look_at_taken();
     else
       start_part(0), resume_ = 0.0;
+    finish();
+  }
+
+  /// From a meeting with another one inside the step.
+  void run_after(const Parting& parting) {
+    go_to(parting);
+    if (parting.spin) r_.put_spin(*parting.spin, parting.passed);
+    put(parting.state.x, parting.state.v, parting.passed);
+    if (parting.then != Parting::Then::flies_on) {
+      stay(parting.state, parting.then == Parting::Then::sticks);
+    } else {
+      is_near_ = true;
+      start_part(parting.passed), resume_ = parting.passed;
+    }
+    finish();
+  }
+  [[nodiscard]] Vec3d spin_at(const Parting& parting) {
+    go_to(parting);
+    return r_.spin(parting.passed);
+  }
+
+ private:
+  /// The rest of the step.
+  void finish() {
     fly_on();
     while (!r_.gone() && part_end_ < context_.dt) {
       const double from = part_end_;
@@ -58,12 +88,47 @@ class Settling {
     if (r_.meets()) r_.put_clear(clear());
   }
 
- private:
   /// So far it may fly from where it is now before it can touch anything [m].
   [[nodiscard]] S clear() const {
     if (!r_.scene() || r_.scene()->has_motion()) return S(0);
     return clear_way<S>(context_, vec_cast<double>(r_.now().x), vec_cast<double>(r_.now().v), r_.collision());
   }
+
+  // ------------------------------------------------------------------------------------------- meeting others
+  void trace(double passed, const State<double>& s) {
+    if (!traced_) return;
+    Trace& moment = chunk_.traces.emplace_back(Trace{r_.slot_index(), passed, s, r_.spin(passed), {}});
+    if (r_.turning()) cast_numbers(r_.march.lanes.step.turn->start, moment.turn);
+  }
+  /// Somewhere along the ground or a thing: on the straight way there.
+  void trace_way_to(double passed, const Vec3d& x) {
+    if (!traced_ || chunk_.traces.empty() || !(passed > chunk_.traces.back().passed)) return;
+    const Trace last = chunk_.traces.back();
+    trace(last.passed, {last.state.x, (x - last.state.x) * (1 / (passed - last.passed))});
+  }
+
+  /// To the moment of a meeting. Of those that turn it needs how they do then; what others are like there follows from
+  /// the meeting.
+  void go_to(const Parting& parting) {
+    double from = 0;
+    if (const Trace* last = parting.from) {
+      from = last->passed;
+      if (r_.turning()) r_.put_turn(last->turn);
+      r_.now() = {vec_cast<S>(last->state.x), vec_cast<S>(last->state.v)};
+      r_.put_spin(last->spin, from);
+    }
+    if (const TakenStep<S>* taken = r_.taken()) feel_at(*taken, from);
+    if (r_.turning() && parting.passed > from) fly_unseen(from, parting.passed);
+    if (const TakenStep<S>* taken = r_.taken()) feel_at(*taken, parting.passed);
+  }
+  void fly_unseen(double from, double to) {
+    March<S>& march = r_.march;
+    march.lanes.step.t = r_.t_start() + static_cast<S>(from);
+    const S h = static_cast<S>(to - from);
+    march.restart(march.lanes.step.t + h, h);
+    while (!march.arrived() && !march.is_stuck()) march.accept(march.try_step());
+  }
+
   [[nodiscard]] const Conditions<double>& conditions() const { return r_.conditions(); }
   [[nodiscard]] const Ground& ground() const { return context_.def->ground; }
   [[nodiscard]] const BodyDef& body() const { return context_.registry->kind(r_.slot().kind).body; }
@@ -107,6 +172,7 @@ class Settling {
       if (!accepted) continue;
       if (look(clock)) return;
       march.accept(true);
+      trace_now(clock);
     }
   }
 
@@ -135,7 +201,14 @@ class Settling {
       set_slope(*course_.conditions, march.lanes, end_slope(f.integrator));
     }
     if (!ends_finite(f, s)) return r_.leave(LifeStatus::retired, Reason::non_finite);
-    if (!look(-static_cast<double>(s.t))) march.accept(true);
+    if (look(-static_cast<double>(s.t))) return;
+    march.accept(true);
+    trace(context_.dt, {vec_cast<double>(r_.now().x), vec_cast<double>(r_.now().v)});
+  }
+  void trace_now(double clock) {
+    // The march's clock is rounded to the row's precision.
+    const double passed = r_.march.arrived() ? part_end_ : static_cast<double>(r_.march.lanes.step.t) + clock;
+    if (traced_) trace(std::min(passed, part_end_), {vec_cast<double>(r_.now().x), vec_cast<double>(r_.now().v)});
   }
 
   /// Looks for events in the step just taken; true where one of them ends it.
@@ -169,10 +242,11 @@ class Settling {
   /// What goes on from a time inside the step begins there.
   void stop_at(double t, double passed) {
     if (r_.turning()) r_.put_turn(judgement_.at.turn_at_time(t));
-    if (const TakenStep<S>* taken = r_.taken()) {
-      const S part = static_cast<S>(passed / context_.dt);
-      r_.feel(taken->push[0] + (taken->push[1] - taken->push[0]) * part, r_.t_start() + static_cast<S>(passed));
-    }
+    if (const TakenStep<S>* taken = r_.taken()) feel_at(*taken, passed);
+  }
+  void feel_at(const TakenStep<S>& taken, double passed) {
+    const S part = static_cast<S>(passed / context_.dt);
+    r_.feel(taken.push[0] + (taken.push[1] - taken.push[0]) * part, r_.t_start() + static_cast<S>(passed));
   }
 
   // ------------------------------------------------------------------------------------------- on the ground
@@ -181,6 +255,7 @@ class Settling {
     const Conditions<double>& c = conditions();
     const Vec3d n = normal_at(c, s.x);
     if (passed > 0) s.x -= n * (height(c, s.x) - ground().height);
+    trace(passed, s);
     if (ground().mode != GroundMode::bounce) {
       r_.tell(EventKind::landed, Reason::none, passed, s);
       return stay(s, ground().mode == GroundMode::stick);
@@ -209,13 +284,17 @@ class Settling {
   }
 
   void put(const Vec3d& x, const Vec3d& v, double passed) {
+    trace_way_to(passed, x);
     r_.now() = {vec_cast<S>(x), vec_cast<S>(v)};
     r_.relaunch(passed);
+    trace(passed, {vec_cast<double>(r_.now().x), vec_cast<double>(r_.now().v)});
   }
   /// Nothing more happens in this step.
   void put_at_last(const Vec3d& x, const Vec3d& v, double passed) {
     put(x, v, passed);
     part_end_ = context_.dt;
+    trace_way_to(part_end_, x);
+    trace(part_end_, {vec_cast<double>(r_.now().x), vec_cast<double>(r_.now().v)});
   }
   void go_on(const Vec3d& x, const Vec3d& v, double passed) {
     put(x, v, passed);
@@ -250,6 +329,7 @@ class Settling {
     const double passed = std::min(t + clock, part_end_);
     State<double> s = judgement_.at.at_time(t);
     s.x = met.hit.position;
+    trace(passed, s);
     put(s.x, s.v, passed);
     stop_at(t, passed);
     if (!std::exchange(is_near_, true)) start_part(passed);
@@ -306,9 +386,11 @@ class Settling {
   }
 
   const SettleContext& context_;
+  Chunk& chunk_;
   SettledRow<S> r_;
   const Course<S>& course_;
   SceneContacts<SettledRow<S>> contacts_;
+  bool traced_;  // it meets others
   Judgement<S> judgement_{};
   std::optional<double> resume_;   // it flies on from there [s]
   double part_end_ = context_.dt;  // time into the step [s]
@@ -364,13 +446,32 @@ void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) 
   return layout.float32 ? look_around_in<float>(context, chunk, row) : look_around_in<double>(context, chunk, row);
 }
 
-void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
+namespace {
+
+template <class F>
+auto settling(const SettleContext& context, Chunk& chunk, std::uint32_t row, const F& f) {
   PHYSIM_ASSERT(chunk.cohort < context.state->rows.size() && context.dt > 0);
   PHYSIM_ASSERT(is_in_its_cohort(context, chunk.cohort, row));
-  if (context.state->rows[chunk.cohort].layout().float32)
-    Settling<float>(context, chunk, row).run();
-  else
-    Settling<double>(context, chunk, row).run();
+  if (context.state->rows[chunk.cohort].layout().float32) {
+    Settling<float> settling(context, chunk, row);
+    return f(settling);
+  }
+  Settling<double> settling(context, chunk, row);
+  return f(settling);
+}
+
+}  // namespace
+
+void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
+  settling(context, chunk, row, [](auto& settling) { settling.run(); });
+}
+
+void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting) {
+  settling(context, chunk, row, [&](auto& settling) { settling.run_after(parting); });
+}
+
+Vec3d spin_at(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting) {
+  return settling(context, chunk, row, [&](auto& settling) { return settling.spin_at(parting); });
 }
 
 }  // namespace physim

@@ -2,6 +2,7 @@
 // where they were; here each is stepped by itself, with the same numbers, its events are located and acted on.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "collide/scene_contact.hpp"
@@ -20,6 +21,26 @@ struct Change {
   Vec3d spin;  // [rad/s]
 };
 
+/// Where a row of a projectile that meets others was, at a moment of the step that was settled.
+struct Trace {
+  std::uint32_t slot = 0;
+  double passed = 0;  // into the step [s]
+  State<double> state{};
+  Vec3d spin{};         // [rad/s]
+  Turn<double> turn{};  // of rungs that turn
+};
+
+/// How a row goes on from a meeting with another one.
+struct Parting {
+  enum class Then : std::uint8_t { flies_on, stops, sticks };
+  double passed = 0;  // into the step [s]
+  const Trace* from =
+      nullptr;            // the last moment before, where the step was settled; null: it flew from the step's start
+  State<double> state{};  // after it
+  std::optional<Vec3d> spin{};  // that it has then; none: as it was [rad/s]
+  Then then = Then::flies_on;
+};
+
 /// Rows of one cohort that one thread steps.
 struct Chunk {
   std::uint16_t cohort = 0;
@@ -28,6 +49,7 @@ struct Chunk {
   bool attention = false;
   std::vector<Event> events;
   std::vector<Change> changes;
+  std::vector<Trace> traces;  // of those that meet others, each in order of time
 };
 
 /// Memory that steps use again and again.
@@ -50,6 +72,7 @@ struct SettleContext {
   double time;                  // at the start of the step [s]
   const Scene* scene;           // null: none
   const void* taken = nullptr;  // forced rows: the TakenStep of their number type
+  bool pairs = false;           // somebody meets others
 };
 
 /// A step that a forced row took together with others. What only follows from an event in it (the way on after a
@@ -79,5 +102,12 @@ void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 
 /// Steps one row that was left where it was, and writes where it is after the step.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);
+
+/// Steps a row that is as it was when the step began from a meeting inside of it, and writes where it is after the
+/// step.
+void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting);
+
+/// How such a row spins at a meeting, of which time and `from` are read [rad/s].
+[[nodiscard]] Vec3d spin_at(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting);
 
 }  // namespace physim

@@ -232,7 +232,7 @@ Vec3d WorldImpl::generator_force(std::uint32_t index) const {
 }
 
 void WorldImpl::step_forced(double dt) {
-  const SettleContext context{&def, &registry, &state, dt, state.clock.now(), state.clock.time(), state.scene.get()};
+  const SettleContext context = settle_context(dt);
   state.counters.projectile_steps += step_forced_rows(context, forced_scratch);
 }
 

@@ -6,6 +6,7 @@
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
 #include "world/forced_step.hpp"
+#include "world/pairs.hpp"
 #include "world/placement.hpp"
 #include "world/recorder.hpp"
 #include "world/settle.hpp"
@@ -31,6 +32,7 @@ struct WorldImpl : Gate {
   std::uint64_t def_hash = 0;
   std::vector<std::vector<Event>> outgrown;  // events that were given out, until the next step
   ForcedScratch forced_scratch;
+  PairScratch pairs;
 
   // ------------------------------------------------------------------------------------------- slots
   /// The slot of a projectile that is alive; null otherwise.
@@ -121,6 +123,9 @@ struct WorldImpl : Gate {
 
   // ------------------------------------------------------------------------------------------- stepping
   void step(double dt);
+  [[nodiscard]] SettleContext settle_context(double dt) {
+    return {&def, &registry, &state, dt, state.clock.now(), state.clock.time(), state.scene.get(), nullptr, pairs.used};
+  }
   void launch_pending();
   void expire_old();
   void step_free(double dt);

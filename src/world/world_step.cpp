@@ -194,17 +194,13 @@ void WorldImpl::step_free(double dt) {
       chunk.last = std::min(size, first + kChunkRows);
       chunk.events.clear();
       chunk.changes.clear();
+      chunk.traces.clear();
     }
   }
   if (scratch.attention.size() < words) scratch.attention.resize(words);
   if (scratch.near.size() < words) scratch.near.resize(words);
-  StepWork work{{&def, &registry, &state, dt, state.clock.now(), state.clock.time(), state.scene.get()},
-                world_kernel(),
-                scratch.attention.data(),
-                scratch.near.data(),
-                scratch.words_before.data(),
-                scratch.chunks.data(),
-                bytes > kCacheBytes};
+  StepWork work{settle_context(dt),          world_kernel(),        scratch.attention.data(), scratch.near.data(),
+                scratch.words_before.data(), scratch.chunks.data(), bytes > kCacheBytes};
   runner(moving).run(scratch.chunk_count, run_chunk, &work);
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const CohortKey& key = registry.cohort(c).key;
@@ -234,6 +230,12 @@ void WorldImpl::finish_step() {
   };
   for (std::size_t i = 0; i < scratch.chunk_count; ++i) collect(scratch.chunks[i]);
   collect(forced_scratch.chunk);
+  collect(pairs.chunk);
+  for (const PutAfter& put : pairs.put) {
+    if (!state.slots[put.slot].is(kAlive)) continue;
+    wake(put.slot);
+    placement.set_row_state(put.slot, put.state);
+  }
   std::sort(scratch.changes.begin(), scratch.changes.end(),
             [](const Change& a, const Change& b) { return a.slot != b.slot ? a.slot < b.slot : a.kind < b.kind; });
   for (const Change& change : scratch.changes) {
@@ -281,8 +283,10 @@ void WorldImpl::step(double dt) {
   begin_generators(dt);
   apply_detail();
   move_scene(dt);
+  begin_pairs(*this);
   step_forced(dt);  // before the others move: its springs may end at them
   step_free(dt);
+  meet_pairs(*this, settle_context(dt));
   turn(dt);
   state.clock.tick();
   PHYSIM_ASSERT(state.clock.time() >= before && state.clock.steps == steps_before + 1);

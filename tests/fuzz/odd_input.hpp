@@ -211,7 +211,7 @@ class Odd : public Random {
     b.pool = one_in(3) ? count(2) : 0, b.environment = one_in(3) ? count(2) : 0;
     if (one_in(600)) b.cheapest_within = number(0.1, 1), b.within_time = number(0.1, 0.5);
     b.layers = count(3), b.label = text();
-    if (coin()) b.collision = {any<OnHit>(), one_in(3) ? number(0, 0.5) : 0, number(0.4, 0.7), count(3)};
+    if (coin()) b.collision = {any<OnHit>(), one_in(3) ? number(0, 0.5) : 0, number(0.4, 0.7), count(3), count(3)};
     return b;
   }
   Transform transform() {

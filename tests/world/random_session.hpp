@@ -94,6 +94,7 @@ class RandomSession {
     b.layers = static_cast<std::uint32_t>(1 + below(3));
     b.label = coin() ? "" : "a ball";
     if (below(3) != 0) b.collision = {.on_hit = static_cast<OnHit>(below(5)), .radius = below(3) * 0.1};
+    if (b.layers == 1) b.collision.radius *= 20, b.collision.others = 3;  // so large that they meet
     return b;
   }
 

@@ -237,7 +237,7 @@ TEST(Recording, other_files_and_formats_are_refused) {
   EXPECT_NE(error_of({}).find("byte 0: error: this is not a recording"), std::string::npos);
   EXPECT_NE(error_of(Bytes(100)).find("this is not a recording"), std::string::npos);
   bytes[8] = std::byte{9};
-  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 9; this library reads format 7");
+  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 9; this library reads format 8");
   bytes = small_recording();
   bytes.push_back({});
   EXPECT_NE(error_of(bytes).find("something follows"), std::string::npos);

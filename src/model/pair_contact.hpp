@@ -1,0 +1,67 @@
+// Contact of two balls: what it does to their velocities and spins.
+//
+// What it models: the impulse that two hard balls give each other where they touch: restitution along the line of their
+//   middles; along the surfaces they slide through the whole contact against Coulomb friction, or grip before its end
+//   and have no slip left. Momentum stays, and so does the angular momentum of both; friction and e < 1 take energy.
+// When to use it: balls of sports and billiards, round shot, debris that meets debris.
+// When it is wrong: bodies that are not round; restitution of real balls falls with speed, and friction between them
+//   with slip. Three that touch at one moment are taken two by two, one after the other.
+// Symbols: a, b the two; n unit normal from b to a; v velocity before, v' after [m/s]; w spin [rad/s]; r radius [m];
+//   M = 1/m a diagonal matrix of inverse mass along the axes, 0 along those on which it cannot move [1/kg]; I moment of
+//   inertia [kg m^2]; e restitution, mu friction [-]; v_n = (v_a - v_b) . n < 0; u slip of the surfaces [m/s]; J
+//   impulse along n, T along the slip [N s].
+// Equations: u = v_a - v_b - v_n n - (r_a w_a + r_b w_b) x n;  t = u / |u|;
+//   J = -(1 + e) v_n / (n . (M_a + M_b) n);  T = min(mu J, |u| / (t . (M_a + M_b) t + r_a^2/I_a + r_b^2/I_b));
+//   P = J n - T t;  v_a' = v_a + M_a P, v_b' = v_b - M_b P;  w_a' = w_a + (r_a T / I_a) n x t, w_b' likewise.
+// Source: W. J. Stronge, Impact Mechanics (2000), ch. 3 and 4 (collinear impact of two bodies, friction that slides or
+//   stops sliding); R. Cross, "Grip-slip behavior of a bouncing ball", Am. J. Phys. 70 (2002) 1093-1102: b without end.
+#pragma once
+
+#include "base/assert.hpp"
+#include "math/pack.hpp"
+#include "math/vec3.hpp"
+
+namespace physim {
+
+/// One of two that touch.
+struct PairBody {
+  Vec3d velocity;          // v [m/s]
+  Vec3d spin;              // w [rad/s]
+  Vec3d mobility;          // M, its diagonal [1/kg]
+  double radius = 0;       // r [m]
+  double turnability = 0;  // 1/I [1/(kg m^2)]
+};
+
+struct PairSurface {
+  double restitution;  // e [-]
+  double friction;     // mu [-]
+};
+
+/// Motion of both after a contact in which they approach along the normal, which points from b to a.
+inline void meet(PairBody& a, PairBody& b, const Vec3d& normal, const PairSurface& surface) {
+  PHYSIM_ASSERT(!(abs(length_squared(normal) - 1) > 1e-6));
+  const Vec3d mobility = a.mobility + b.mobility;
+  const auto given_way = [&](const Vec3d& along) { return dot(component_product(mobility, along), along); };
+  if (!(given_way(normal) > 0)) return;  // nothing moves either of them there
+  const Vec3d relative = a.velocity - b.velocity;
+  const double v_n = dot(relative, normal);
+  PHYSIM_ASSERT(!(v_n > 0));
+  const double J = -(1 + surface.restitution) * v_n / given_way(normal);
+  Vec3d impulse = normal * J;
+  const Vec3d u = relative - normal * v_n - cross(a.spin * a.radius + b.spin * b.radius, normal);
+  const double slip = length(u);
+  if (surface.friction > 0 && slip > 0) {
+    const Vec3d t = u * (1 / slip);
+    const double turned = a.radius * a.radius * a.turnability + b.radius * b.radius * b.turnability;
+    const double give = given_way(t) + turned;
+    const double T = give > 0 ? min(surface.friction * J, slip / give) : 0.0;
+    impulse -= t * T;
+    const Vec3d about = cross(normal, t);
+    a.spin += about * (a.radius * T * a.turnability);
+    b.spin += about * (b.radius * T * b.turnability);
+  }
+  a.velocity += component_product(a.mobility, impulse);
+  b.velocity -= component_product(b.mobility, impulse);
+}
+
+}  // namespace physim

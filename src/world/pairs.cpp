@@ -1,0 +1,484 @@
+#include "world/pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <queue>
+#include <set>
+#include <tuple>
+
+#include "base/assert.hpp"
+#include "model/pair_contact.hpp"
+#include "world/pair_sweep.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+using collide::Knot;
+using collide::Touch;
+
+/// Meetings of one projectile in a step; who has more lies on what it meets.
+constexpr int kMostMeetings = 1000;
+
+[[nodiscard]] bool meets_others(const Slot& slot, const Kind& kind) {
+  return kind.body.collision.others != 0 && slot.is(kAlive) && !slot.is(kPending);
+}
+
+/// Layers of both, as both want.
+[[nodiscard]] bool want_each_other(const Collider& a, const Collider& b) {
+  return (a.kind->body.collision.others & b.layers) != 0 && (b.kind->body.collision.others & a.layers) != 0;
+}
+[[nodiscard]] bool may_move(const Collider& c) { return c.flies || c.sleeps; }
+[[nodiscard]] double reach(const Collider& c) { return c.kind->body.collision.radius; }
+[[nodiscard]] bool passes(const Collider& c) { return c.kind->body.collision.on_hit == OnHit::pass; }
+
+/// Two that touch, or pass through each other.
+struct Meeting {
+  double time;         // into the step [s]
+  std::uint32_t a, b;  // a < b
+  std::uint32_t version_a, version_b;
+  EventKind kind;  // hit, entered or left
+
+  /// Later, for a queue whose top is the first.
+  bool operator<(const Meeting& other) const { return std::tie(time, a, b) > std::tie(other.time, other.a, other.b); }
+};
+
+class PairStep {
+ public:
+  PairStep(WorldImpl& world, const SettleContext& context)
+      : w_(world), context_(context), s_(world.pairs), all_(world.pairs.colliders) {}
+
+  void run() {
+    find_paths();
+    sweep_.emplace(all_);
+    sweep_->each([this](std::uint32_t i, std::uint32_t j) { look(i, j, 0); });
+    if (queue_.empty()) return;
+    swap_rows();
+    while (!queue_.empty()) {
+      const Meeting m = queue_.top();
+      queue_.pop();
+      if (m.version_a != all_[m.a].version || m.version_b != all_[m.b].version) continue;
+      if (m.kind == EventKind::hit)
+        touch(m);
+      else
+        pass(m);
+    }
+    take_apart();
+    swap_rows();
+    forget_what_did_not_happen();
+  }
+
+ private:
+  // ------------------------------------------------------------------------------------------- paths
+  void find_paths() {
+    gather_traces(w_.forced_scratch.chunk);
+    for (std::size_t i = 0; i < w_.scratch.chunk_count; ++i) gather_traces(w_.scratch.chunks[i]);
+    std::stable_sort(traces_.begin(), traces_.end(), [](const Trace& a, const Trace& b) { return a.slot < b.slot; });
+    std::sort(leaving_.begin(), leaving_.end());
+    auto next = traces_.begin();
+    for (Collider& c : all_) {
+      while (next != traces_.end() && next->slot < c.slot) ++next;
+      for (; next != traces_.end() && next->slot == c.slot; ++next) c.traces.push_back(*next);
+      find_path(c);
+    }
+  }
+  void gather_traces(Chunk& chunk) {
+    traces_.insert(traces_.end(), chunk.traces.begin(), chunk.traces.end());
+    for (const Change& change : chunk.changes)
+      if (change.kind == Change::Kind::remove) leaving_.push_back(change.slot);
+  }
+  void find_path(Collider& c) {
+    const Rows& rows = context_.state->rows[c.cohort];
+    const double dt = context_.dt;
+    if (!c.flies) {
+      c.path = {{0, rows.position(c.row), {}}, {dt, rows.position(c.row), {}}};
+    } else if (c.traces.empty()) {
+      const Rows& before = *s_.before[c.cohort];
+      c.path = {{0, before.position(c.row), before.velocity(c.row)}, {dt, rows.position(c.row), rows.velocity(c.row)}};
+    } else {
+      follow_traces(c, std::binary_search(leaving_.begin(), leaving_.end(), c.slot));
+    }
+    look_how_far(c);
+  }
+  void follow_traces(Collider& c, bool leaves) {
+    c.path.clear();
+    for (const Trace& t : c.traces) c.path.push_back({t.passed, t.state.x, t.state.v});
+    c.is_gone = leaves && c.path.back().time < context_.dt;
+    if (c.is_gone || c.path.back().time >= context_.dt) return;
+    const Vec3d rests = c.path.back().x;
+    c.path.push_back({c.path.back().time, rests, {}});
+    c.path.push_back({context_.dt, rests, {}});
+  }
+  void look_how_far(Collider& c) {
+    c.box = {};
+    double largest = 0;
+    for (std::size_t i = 0; i < c.path.size(); ++i) {
+      const Knot& k = c.path[i];
+      c.box.take(k.x);
+      if (i + 1 < c.path.size()) c.box.take(k.x + k.v * ((c.path[i + 1].time - k.time) / 3));
+      if (i > 0) c.box.take(k.x - k.v * ((k.time - c.path[i - 1].time) / 3));
+    }
+    largest = c.box.extent();
+    const bool float32 = context_.state->rows[c.cohort].layout().float32;
+    const double epsilon =
+        float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
+    c.spacing = largest * epsilon;
+    c.box.widen(reach(c) * (1 + 1e-9) + 4 * c.spacing);
+    if (!std::isfinite(largest) || c.path.size() < 2) c.is_gone = true, c.box = {};
+  }
+
+  [[nodiscard]] static Knot at(const Collider& c, double time) {
+    return collide::leg_of(c.path, collide::leg_at(c.path, time)).at(time);
+  }
+  /// Over the leg of its path: within one, steps of low order may bend to and fro.
+  [[nodiscard]] static Vec3d acceleration(const Collider& c, double time) {
+    const collide::Leg leg = collide::leg_of(c.path, collide::leg_at(c.path, time));
+    return leg.span() > 0 ? (leg.end.v - leg.begin.v) * (1 / leg.span()) : Vec3d{};
+  }
+
+  // ------------------------------------------------------------------------------------------- who meets whom
+  /// Notes the next meeting of two after a moment.
+  void look(std::uint32_t i, std::uint32_t j, double from) {
+    const Collider &a = all_[i], &b = all_[j];
+    if ((!may_move(a) && !may_move(b)) || !want_each_other(a, b)) return;
+    const double radius = reach(a) + reach(b);
+    from = std::max({from, a.since, b.since});
+    const double to = std::min(a.path.empty() ? -1 : a.path.back().time, b.path.empty() ? -1 : b.path.back().time);
+    if (!(radius > 0) || from > to || a.path.size() < 2 || b.path.size() < 2) return;
+    const Knot on_a = at(a, from), on_b = at(b, from);
+    const double apart = length(on_a.x - on_b.x);
+    const auto note = [&](std::optional<double> time, EventKind kind) {
+      if (time) queue_.push({*time, i, j, a.version, b.version, kind});
+    };
+    if (passes(a) || passes(b)) {
+      // Once told, the next meeting is one that rounding does not make of the last one.
+      const auto told = inside_.find({i, j});
+      const bool is_told = told != inside_.end(), inside = is_told ? told->second : apart < radius;
+      const double beyond = is_told ? 1e-12 * radius + 4 * std::max(a.spacing, b.spacing) : 0;
+      return inside ? note(first(a, b, radius + beyond, Touch::goes_away, from), EventKind::left)
+                    : note(first(a, b, radius - beyond, Touch::comes_near, from), EventKind::entered);
+    }
+    if (lies_on_.contains({i, j})) return;
+    const double slack = this->slack(a, b);
+    if (apart > radius + slack) return note(first(a, b, radius, Touch::comes_near, from), EventKind::hit);
+    const double speed = dot(on_a.v - on_b.v, on_a.x - on_b.x);
+    if (speed < -rounding_of_speed(a, b, on_a, on_b) * apart) return note(from, EventKind::hit);
+    // They touch, and part or stay: what counts is where they come nearer than that.
+    note(first(a, b, std::min(radius, apart) - slack, Touch::comes_near, from), EventKind::hit);
+  }
+  [[nodiscard]] static std::optional<double> first(const Collider& a, const Collider& b, double distance, Touch touch,
+                                                   double from) {
+    return collide::first_touch(a.path, b.path, distance, touch, from);
+  }
+  /// So far two that touch may be from where they should be [m].
+  [[nodiscard]] static double slack(const Collider& a, const Collider& b) {
+    return 1e-9 * (reach(a) + reach(b)) + 4 * std::max(a.spacing, b.spacing);
+  }
+  [[nodiscard]] double rounding_of_speed(const Collider& a, const Collider& b, const Knot& on_a,
+                                         const Knot& on_b) const {
+    const bool float32 =
+        context_.state->rows[a.cohort].layout().float32 || context_.state->rows[b.cohort].layout().float32;
+    const double epsilon =
+        float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
+    return 8 * epsilon * (length(on_a.v) + length(on_b.v));
+  }
+
+  void look_around(std::uint32_t i, double from) {
+    sweep_->each_beside(i, [&](std::uint32_t j) { look(std::min(i, j), std::max(i, j), from); });
+  }
+
+  // ------------------------------------------------------------------------------------------- meeting
+  void tell(EventKind kind, const Collider& c, const Collider& other, const Knot& now, const Vec3d& normal,
+            Reason reason = Reason::none) {
+    s_.chunk.events.push_back({.kind = kind,
+                               .reason = reason,
+                               .id = context_.state->slots.id_of(c.slot),
+                               .time = context_.time + now.time,
+                               .position = now.x,
+                               .velocity = now.v,
+                               .normal = normal,
+                               .other = context_.state->slots.id_of(other.slot)});
+  }
+  [[nodiscard]] static Vec3d normal_between(const Knot& a, const Knot& b) {
+    const Vec3d between = a.x - b.x, relative = a.v - b.v;
+    if (length(between) > 0) return normalized(between);
+    return length(relative) > 0 ? -normalized(relative) : Vec3d{1, 0, 0};  // one in the middle of the other
+  }
+
+  void pass(const Meeting& m) {
+    const Collider &a = all_[m.a], &b = all_[m.b];
+    const Knot on_a = at(a, m.time), on_b = at(b, m.time);
+    const Vec3d n = normal_between(on_a, on_b);
+    tell(m.kind, a, b, on_a, n);
+    tell(m.kind, b, a, on_b, -n);
+    inside_[{m.a, m.b}] = m.kind == EventKind::entered;
+    look(m.a, m.b, m.time);
+  }
+
+  void touch(const Meeting& m) {
+    Collider &a = all_[m.a], &b = all_[m.b];
+    Knot on_a = at(a, m.time), on_b = at(b, m.time);
+    const Vec3d n = normal_between(on_a, on_b);
+    const double before = dot(on_a.v - on_b.v, n);
+    const double pull = dot(acceleration(a, m.time) - acceleration(b, m.time), n);
+    const double frame = std::min(context_.dt, kLongestPart);
+    const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
+    PairSurface surface{body_a.restitution * body_b.restitution, body_a.friction * body_b.friction};
+    // As on the ground: a bounce that would be over within this step does not lift it any more.
+    const bool lies = (pull < 0 && -surface.restitution * before <= -pull * (0.5 * frame)) ||
+                      std::max(++a.hits, ++b.hits) > kMostMeetings;
+    const bool strikes = !lies || before < pull * frame;
+    if (lies) surface.restitution = 0, lies_on_.insert({m.a, m.b});
+    const double apart = length(on_a.x - on_b.x);
+    const bool inside = m.time == 0 && apart < reach(a) + reach(b) - slack(a, b);
+    forget_after(a, m.time);
+    forget_after(b, m.time);
+    if (strikes) {
+      tell(EventKind::hit, a, b, on_a, n, inside ? Reason::inside : Reason::none);
+      tell(EventKind::hit, b, a, on_b, -n, inside ? Reason::inside : Reason::none);
+    }
+    if (before < 0) part(m, n, surface, on_a, on_b);
+    go_on(m.a, m.b, on_a, n, strikes);
+    go_on(m.b, m.a, on_b, -n, strikes);
+    look_around(m.a, m.time);
+    look_around(m.b, m.time);
+  }
+
+  /// The impulse that they give each other.
+  void part(const Meeting& m, const Vec3d& n, const PairSurface& surface, Knot& on_a, Knot& on_b) {
+    Collider &a = all_[m.a], &b = all_[m.b];
+    const bool rubs = surface.friction > 0;
+    PairBody one = body_of(a, on_a, rubs), other = body_of(b, on_b, rubs);
+    const PairBody first = one, second = other;
+    meet(one, other, n, surface);
+    on_a.v = one.velocity, on_b.v = other.velocity;
+    spin_[0] = spin_[1] = std::nullopt;
+    if (rubs && one.spin != first.spin) spin_[0] = one.spin;
+    if (rubs && other.spin != second.spin) spin_[1] = other.spin;
+  }
+  [[nodiscard]] PairBody body_of(const Collider& c, const Knot& now, bool rubs) {
+    const CollisionDef& ball = c.kind->body.collision;
+    PairBody body{now.v, {}, c.mobility, ball.radius, 0};
+    if (!rubs || !(ball.radius > 0)) return body;
+    body.spin = spin_of(c, now.time);
+    if (may_move(c)) body.turnability = 1 / (ball.inertia * c.kind->flown.mass * ball.radius * ball.radius);
+    return body;
+  }
+  [[nodiscard]] Vec3d spin_of(const Collider& c, double time) {
+    if (c.flies) {
+      Vec3d spin;
+      with_row(c, [&](const SettleContext& context) {
+        spin = spin_at(context, s_.chunk, c.row, {.passed = time, .from = last_trace(c, time)});
+      });
+      return spin;
+    }
+    const Turning* turning = context_.state->extras.find_turning(c.slot);
+    return turning ? turning->angular_velocity : Vec3d{};
+  }
+  [[nodiscard]] static const Trace* last_trace(const Collider& c, double time) {
+    const Trace* last = nullptr;
+    for (const Trace& t : c.traces)
+      if (t.passed <= time) last = &t;
+    return last;
+  }
+  /// Calls f for the row of one that flies, which is as it was when the step began.
+  template <class F>
+  void with_row(const Collider& c, const F& f) {
+    context_.state->rows[c.cohort].put_back(c.row, *s_.before[c.cohort]);
+    s_.chunk.cohort = c.cohort;
+    if (w_.registry.cohort(c.cohort).key.forced)
+      with_taken_step(context_, w_.forced_scratch, c.cohort, c.row, f);
+    else
+      f(context_);
+  }
+
+  // ------------------------------------------------------------------------------------------- what follows
+  /// What one told of the rest of its step did not happen.
+  void forget_after(const Collider& c, double time) {
+    const double end = context_.time + time;
+    if (!c.is_new) {
+      if (c.flies) cuts_.push_back({c.slot, end});
+      return;
+    }
+    const ProjectileId id = context_.state->slots.id_of(c.slot);
+    std::erase_if(s_.chunk.events, [&](const Event& e) { return e.id == id && e.time > end; });
+    std::erase_if(s_.chunk.changes, [&](const Change& change) { return change.slot == c.slot; });
+  }
+
+  /// From a meeting on, with another velocity.
+  void go_on(std::uint32_t i, std::uint32_t other, const Knot& now, const Vec3d& n, bool strikes) {
+    Collider& c = all_[i];
+    const std::optional<Vec3d> spin = std::exchange(spin_[i < other ? 0 : 1], std::nullopt);
+    if (!may_move(c)) return;
+    const OnHit on_hit = strikes ? c.kind->body.collision.on_hit : OnHit::bounce;
+    const bool ends = on_hit == OnHit::stop || on_hit == OnHit::stick;
+    if (strikes && !ends) tell(EventKind::bounced, c, all_[other], now, n);
+    if (!std::exchange(c.is_new, true)) sweep_->note_new(i);
+    ++c.version;
+    c.since = now.time;
+    if (c.sleeps)
+      slide(c, now, spin, on_hit);
+    else
+      fly_on(c, {now.time, last_trace(c, now.time), {now.x, now.v}, spin, then(on_hit)});
+    look_how_far(c);
+  }
+  [[nodiscard]] static Parting::Then then(OnHit on_hit) {
+    if (on_hit == OnHit::stop) return Parting::Then::stops;
+    return on_hit == OnHit::stick ? Parting::Then::sticks : Parting::Then::flies_on;
+  }
+  void fly_on(Collider& c, const Parting& parting) {
+    s_.chunk.traces.clear();
+    with_row(c, [&](const SettleContext& context) { settle_after(context, s_.chunk, c.row, parting); });
+    c.traces = s_.chunk.traces;
+    const auto leaves = [&](const Change& change) {
+      return change.slot == c.slot && change.kind == Change::Kind::remove;
+    };
+    follow_traces(c, std::ranges::any_of(s_.chunk.changes, leaves));
+  }
+  /// One that slept goes straight to the end of the step, and wakes there.
+  void slide(Collider& c, const Knot& now, const std::optional<Vec3d>& spin, OnHit on_hit) {
+    const bool ends = on_hit == OnHit::stop || on_hit == OnHit::stick;
+    const Vec3d v = ends ? Vec3d{} : now.v;
+    c.path = {{now.time, now.x, v}, {context_.dt, now.x + v * (context_.dt - now.time), v}};
+    c.is_gone = on_hit == OnHit::stop;
+    if (c.is_gone) c.path.clear();
+    if (spin && !ends)
+      s_.chunk.changes.push_back({c.slot, Change::Kind::spin, LifeStatus::in_flight, Reason::none, *spin});
+    if (!ends) return;
+    const auto kind = c.is_gone ? Change::Kind::remove : Change::Kind::stick;
+    s_.chunk.changes.push_back({c.slot, kind, LifeStatus::landed, Reason::none, {}});
+  }
+
+  // ------------------------------------------------------------------------------------------- the end
+  /// What lies on another one stays outside of it, and does not press into it.
+  void take_apart() {
+    std::vector<Knot> end(all_.size());
+    std::vector<std::uint32_t> moved;
+    for (std::uint32_t i = 0; i < all_.size(); ++i) {
+      if (all_[i].is_gone || all_[i].path.empty()) continue;
+      end[i] = all_[i].path.back();
+      if (all_[i].sleeps && all_[i].is_new) moved.push_back(i);
+    }
+    constexpr int kPasses = 16;  // more of them change little in what lies one on the other
+    for (int turn = 0; turn < kPasses; ++turn)
+      for (const auto& [i, j] : lies_on_) {
+        const Collider &a = all_[i], &b = all_[j];
+        if (a.is_gone || b.is_gone || !push_apart(a, b, end[i], end[j])) continue;
+        moved.push_back(i), moved.push_back(j);
+      }
+    std::sort(moved.begin(), moved.end());
+    moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+    for (const std::uint32_t i : moved)
+      if (may_move(all_[i])) s_.put.push_back({all_[i].slot, {end[i].x, end[i].v}});
+  }
+  [[nodiscard]] static bool push_apart(const Collider& a, const Collider& b, Knot& on_a, Knot& on_b) {
+    const Vec3d n = normal_between(on_a, on_b);
+    const double give = dot(component_product(a.mobility + b.mobility, n), n);
+    const double deep = reach(a) + reach(b) - length(on_a.x - on_b.x);
+    if (!(deep > 0) || !(give > 0)) return false;
+    const Vec3d push = n * (deep / give);
+    on_a.x += component_product(a.mobility, push);
+    on_b.x -= component_product(b.mobility, push);
+    const double speed = dot(on_a.v - on_b.v, n);
+    if (!(speed < 0)) return true;
+    const Vec3d impulse = n * (-speed / give);
+    on_a.v += component_product(a.mobility, impulse);
+    on_b.v -= component_product(b.mobility, impulse);
+    return true;
+  }
+
+  /// As they were while the step was flown, and back.
+  void swap_rows() {
+    for (std::size_t c = 0; c < s_.before.size(); ++c)
+      if (s_.before[c]) context_.state->rows[c].swap_positions();
+  }
+
+  void forget_what_did_not_happen() {
+    std::sort(cuts_.begin(), cuts_.end());
+    const auto cut_of = [this](std::uint32_t slot) {
+      const auto at = std::lower_bound(cuts_.begin(), cuts_.end(), std::pair{slot, -kInfinity});
+      return at != cuts_.end() && at->first == slot ? at->second : kInfinity;
+    };
+    const auto clean = [&](Chunk& chunk) {
+      std::erase_if(chunk.events, [&](const Event& e) { return e.time > cut_of(e.id.index); });
+      std::erase_if(chunk.changes, [&](const Change& change) { return cut_of(change.slot) < kInfinity; });
+    };
+    clean(w_.forced_scratch.chunk);
+    for (std::size_t i = 0; i < w_.scratch.chunk_count; ++i) clean(w_.scratch.chunks[i]);
+  }
+
+  WorldImpl& w_;
+  const SettleContext& context_;
+  PairScratch& s_;
+  std::vector<Collider>& all_;
+  std::vector<Trace> traces_;
+  std::vector<std::uint32_t> leaving_;
+  std::optional<PairSweep> sweep_;
+  std::priority_queue<Meeting> queue_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> lies_on_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> inside_;  // of those that pass: what was told last
+  std::vector<std::pair<std::uint32_t, double>> cuts_;              // slots, and until when what they told holds
+  std::optional<Vec3d> spin_[2];                                    // of the meeting at hand
+};
+
+}  // namespace
+
+namespace {
+
+/// One more; its vectors keep their memory from step to step.
+Collider& next_collider(std::vector<Collider>& all, std::size_t at) {
+  if (at == all.size()) return all.emplace_back();
+  Collider& c = all[at];
+  auto path = std::move(c.path);
+  auto traces = std::move(c.traces);
+  path.clear(), traces.clear();
+  c = {};
+  c.path = std::move(path), c.traces = std::move(traces);
+  return c;
+}
+
+void list_colliders(const WorldImpl& world, std::vector<Collider>& all) {
+  std::size_t count = 0;
+  world.state.slots.each_alive([&](std::uint32_t index) {
+    const Slot& slot = world.state.slots[index];
+    const Kind& kind = world.registry.kind(slot.kind);
+    if (!meets_others(slot, kind)) return;
+    Collider& c = next_collider(all, count++);
+    c.slot = index;
+    c.cohort = slot.cohort;
+    c.row = slot.row;
+    c.kind = &kind;
+    c.layers = world.layers_of(index);
+    c.sleeps = slot.is(kAsleep) && !slot.is(kStill & ~kAsleep);
+    c.flies = !slot.is(kStill);
+    if (!may_move(c)) return;
+    const Own* own = world.state.extras.find_own(index);
+    c.mobility = free_axes(own ? own->frozen : kind.body.frozen) * (1 / kind.flown.mass);
+  });
+  all.resize(count);
+}
+
+}  // namespace
+
+void begin_pairs(WorldImpl& world) {
+  PairScratch& s = world.pairs;
+  s.put.clear();
+  s.chunk.events.clear();
+  s.chunk.changes.clear();
+  s.used = world.registry.kinds.meet_others();
+  if (!s.used) return;
+  list_colliders(world, s.colliders);
+  s.used = s.colliders.size() > 1;
+  s.before.assign(world.state.rows.size(), std::nullopt);
+  if (!s.used) return;
+  for (const Collider& c : s.colliders)
+    if (c.flies && !s.before[c.cohort]) s.before[c.cohort] = world.state.rows[c.cohort];
+}
+
+void meet_pairs(WorldImpl& world, const SettleContext& context) {
+  if (world.pairs.used) PairStep(world, context).run();
+}
+
+}  // namespace physim

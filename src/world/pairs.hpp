@@ -1,0 +1,62 @@
+// Pairs: projectiles that meet each other inside a step.
+//
+// All fly their step as if alone. Then the paths that were flown are searched for the first touch of two of them; both
+// part as their restitution and friction say, and fly what is left of the step anew, with their own models, from there
+// on; what they told of the rest is forgotten. So it goes on until nobody touches anybody any more. Meetings are taken
+// in order of time, and of slots where two fall on one moment; nothing depends on threads, packs or the order of rows,
+// and nothing is kept from step to step.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "collide/bvh.hpp"
+#include "collide/pair_path.hpp"
+#include "world/settle.hpp"
+
+namespace physim {
+
+/// One that meets others, in the step at hand.
+struct Collider {
+  std::uint32_t slot = 0;
+  std::uint16_t cohort = 0;
+  std::uint32_t row = 0;
+  const Kind* kind = nullptr;
+  std::uint32_t layers = 0;  // its own
+  Vec3d mobility;            // one over its mass along each axis; 0 where nothing moves it [1/kg]
+  double spacing = 0;        // of its row's numbers, times their size [-]
+  std::vector<collide::Knot> path;
+  std::vector<Trace> traces;  // where its step was settled
+  collide::Bounds box;        // of its path, as wide as it is itself
+  double since = 0;           // its path counts from then on [s into the step]
+  std::uint32_t version = 0;  // of its path
+  int hits = 0;
+  bool sleeps = false;
+  bool flies = false;    // its row is stepped
+  bool is_gone = false;  // at the end of its path
+  bool is_new = false;   // its path is another one than it flew alone
+};
+
+/// How a projectile is put after a step, for what lies on it or slept until it was hit.
+struct PutAfter {
+  std::uint32_t slot;
+  BodyState state;
+};
+
+/// Memory that steps use again and again.
+struct PairScratch {
+  bool used = false;                        // in the step at hand
+  std::vector<std::optional<Rows>> before;  // by cohort: rows at the start of the step
+  std::vector<Collider> colliders;          // in order of slots
+  Chunk chunk;                              // events and changes since the first meetings
+  std::vector<PutAfter> put;
+};
+
+struct WorldImpl;
+
+/// Before a step: who meets others, and what their rows are.
+void begin_pairs(WorldImpl& world);
+/// After it, before what follows from it: lets them meet.
+void meet_pairs(WorldImpl& world, const SettleContext& context);
+
+}  // namespace physim

@@ -1,0 +1,513 @@
+// Projectiles that meet each other: where and when, what follows, and that nothing else matters.
+#include <cmath>
+#include <random>
+
+#include "physim/recording.hpp"
+#include "world/world_support.hpp"
+
+namespace physim {
+namespace {
+
+WorldDef space(GroundMode ground = GroundMode::none) {
+  WorldDef def;
+  def.ground.mode = ground;
+  def.environment.atmosphere.model = AirModel::vacuum;
+  return def;
+}
+
+ProjectileDef mass_of(double mass, Precision precision = Precision::float64) {
+  ProjectileDef p = stone();
+  p.mass = mass;
+  p.fidelity.precision = precision;
+  return p;
+}
+
+BodyDef ball(double radius, double restitution = 1, double friction = 0) {
+  BodyDef body;
+  body.gravity_scale = 0;
+  body.restitution = restitution;
+  body.friction = friction;
+  body.can_sleep = false;
+  body.collision = {.on_hit = OnHit::bounce, .radius = radius, .others = 1};
+  return body;
+}
+
+ProjectileId put(World& world, const ProjectileDef& p, const BodyDef& body, const Vec3d& x, const Vec3d& v = {}) {
+  const auto id = world.spawn(p, {.position = x, .velocity = v}, body);
+  EXPECT_TRUE(id) << (id ? "" : id.error().text());
+  return id ? *id : ProjectileId{};
+}
+
+std::vector<Event> of_kind(const std::vector<Event>& events, EventKind kind) {
+  std::vector<Event> found;
+  std::ranges::copy_if(events, std::back_inserter(found), [&](const Event& e) { return e.kind == kind; });
+  return found;
+}
+
+TEST(Pairs, two_balls_part_as_the_closed_form_says) {
+  for (const double restitution : {1.0, 0.5, 0.0}) {
+    World world = make_world(space());
+    const double m = 2, n = 3, v = 40, w = -25;
+    const ProjectileId a = put(world, mass_of(m), ball(0.2, restitution), {0, 0, 0}, {v, 0, 0});
+    const ProjectileId b = put(world, mass_of(n), ball(0.3), {10, 0, 0}, {w, 0, 0});
+    const auto events = run_for(world, 0.25);
+    const auto hits = of_kind(events, EventKind::hit);
+    ASSERT_EQ(hits.size(), 2u);
+    const double t = (10 - 0.5) / (v - w);
+    EXPECT_NEAR(hits[0].time, t, 1e-12);
+    EXPECT_EQ(hits[0].id, a);
+    EXPECT_EQ(hits[0].other, b);
+    EXPECT_EQ(hits[1].id, b);
+    EXPECT_EQ(hits[1].other, a);
+    EXPECT_NEAR(hits[0].position.x, v * t, 1e-10);
+    EXPECT_NEAR(hits[1].position.x - hits[0].position.x, 0.5, 1e-12);
+    EXPECT_NEAR(hits[0].normal.x, -1, 1e-12);
+    EXPECT_NEAR(hits[1].normal.x, 1, 1e-12);
+    EXPECT_EQ(hits[0].velocity.x, v);
+    const double middle = (m * v + n * w) / (m + n);
+    const double after_a = middle - restitution * n / (m + n) * (v - w);
+    const double after_b = middle + restitution * m / (m + n) * (v - w);
+    EXPECT_NEAR(world[a].velocity().x, after_a, 1e-12 * v);
+    EXPECT_NEAR(world[b].velocity().x, after_b, 1e-12 * v);
+    EXPECT_NEAR(world[a].position().x, v * t + after_a * (0.25 - t), 1e-10);
+    EXPECT_EQ(of_kind(events, EventKind::bounced).size(), 2u);
+  }
+}
+
+/// Of balls in a row of equal ones, that touch or nearly do, the last one leaves with the speed of the first.
+TEST(Pairs, newtons_cradle_passes_the_speed_on) {
+  for (const double gap : {0.0, 1e-3})
+    for (const bool backwards : {false, true})
+      for (const Precision precision : {Precision::float64, Precision::float32}) {
+        World world = make_world(space());
+        std::vector<ProjectileId> row(5);
+        for (int k = 0; k < 5; ++k) {
+          const int i = backwards ? 4 - k : k;
+          row[static_cast<std::size_t>(i)] =
+              put(world, mass_of(1, precision), ball(0.5), {i * (1 + gap) + (i == 0 ? -2.0 : 0.0), 0, 0},
+                  {i == 0 ? 8.0 : 0.0, 0, 0});
+        }
+        const auto events = run_for(world, 1);
+        for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(world[row[i]].velocity(), Vec3d{}) << i << " " << gap;
+        EXPECT_DOUBLE_EQ(world[row[4]].velocity().x, 8);
+        const auto hits = of_kind(events, EventKind::hit);
+        ASSERT_EQ(hits.size(), 8u);
+        EXPECT_NEAR(hits.back().time, (2 + 4 * gap) / 8, precision == Precision::float64 ? 1e-9 : 1e-6);
+        EXPECT_NEAR(world[row[4]].position().x, 4 * (1 + gap) + 8 * (1 - (2 + 4 * gap) / 8), 1e-5);
+      }
+}
+
+/// Two that fly in the same gravity and no air move along a line as one sees the other: hit or miss, and when, is
+/// known.
+TEST(Pairs, nothing_tunnels_and_nothing_is_made_up) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto any = [&] { return Vec3d{unit(random), unit(random), unit(random)}; };
+  int met = 0, missed = 0;
+  for (const Fidelity& fidelity : {Fidelity::small_arms(), Fidelity::game(), Fidelity::simulation()})
+    for (const Precision precision : {Precision::float64, Precision::float32})
+      for (const double speed : {5.0, 300.0, 8000.0})
+        for (int shot = 0; shot < 40; ++shot) {
+          World world = make_world(space());
+          ProjectileDef p = mass_of(0.01, precision);
+          p.fidelity = fidelity;
+          p.fidelity.precision = precision;
+          p.fidelity.drag = DragModel::off;
+          p.fidelity.gravity = GravityModel::constant;
+          p.fidelity.earth = EarthModel::flat;
+          p.fidelity.rotation = RotationModel::none;
+          BodyDef body = ball(0.005 + 0.1 * std::abs(unit(random)));
+          body.gravity_scale = 1;
+          const double radius = 2 * body.collision.radius;
+          const double dt = 1.0 / (30 << shot % 4);
+          const Vec3d x = any() * 3, v = any() * speed, w = any() * speed;
+          const double at = dt * (1.5 + unit(random));  // nearest to each other then
+          const Vec3d relative = v - w;
+          Vec3d beside = any();
+          beside -= relative * (dot(beside, relative) / length_squared(relative));
+          const double miss = radius * (1 + unit(random));
+          const Vec3d y = x + relative * at + normalized(beside) * miss;
+          if (std::abs(miss - radius) < 1e-4 * radius + 1e-5) continue;
+          if (length(y - x) < radius * 1.01) continue;
+          const ProjectileId a = put(world, p, body, x, v);
+          put(world, p, body, y, w);
+          std::vector<Event> hits;
+          for (int i = 0; i < 4; ++i) {
+            world.step(dt);
+            for (const Event& e : events_of(world, EventKind::hit)) hits.push_back(e);
+          }
+          const double square = length_squared(relative);
+          const double time = at - std::sqrt(std::max(radius * radius - miss * miss, 0.0) / square);
+          if (miss > radius || time < 0 || time > 4 * dt) {
+            EXPECT_TRUE(hits.empty()) << speed << " " << miss / radius;
+            ++missed;
+            continue;
+          }
+          ++met;
+          ASSERT_EQ(hits.size(), 2u) << speed << " " << miss / radius << " " << time / dt;
+          EXPECT_EQ(hits[0].id, a);
+          const double grazing = std::sqrt(1 - miss * miss / (radius * radius));
+          const double exact = precision == Precision::float64 ? 1e-9 : 5e-7 * (5 + 4 * dt * speed);
+          EXPECT_NEAR(hits[0].time, time, exact / std::sqrt(square) / grazing + 1e-12)
+              << speed << " m/s, " << miss / radius << ", radius " << radius;
+          EXPECT_NEAR(length(hits[0].position - hits[1].position), radius, exact);
+        }
+  EXPECT_GT(met, 200);
+  EXPECT_GT(missed, 200);
+}
+
+struct Sums {
+  Vec3d momentum;
+  double energy = 0;
+};
+/// Of each in a gas().
+double mass_in_gas(std::size_t i) { return 1 + static_cast<double>(i % 5); }
+
+Sums sums_of(const World& world, const std::vector<ProjectileId>& ids) {
+  Sums sums;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Vec3d v = world[ids[i]].velocity();
+    const double m = mass_in_gas(i);
+    sums.momentum += v * m;
+    sums.energy += 0.5 * m * dot(v, v);
+  }
+  return sums;
+}
+
+std::vector<ProjectileId> gas(World& world, int count, double friction = 0, Precision precision = Precision::float64) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<ProjectileId> ids;
+  for (int i = 0; i < count; ++i) {
+    const Vec3d x{1.3 * (i % 6), 1.3 * (i / 6 % 6), 1.3 * (i / 36)};
+    const Vec3d v{-(x.x - 3) * 5 + 5 * unit(random), -(x.y - 3) * 5 + 5 * unit(random),
+                  -(x.z - 3) * 5 + 5 * unit(random)};
+    ids.push_back(put(world, mass_of(mass_in_gas(static_cast<std::size_t>(i)), precision),
+                      ball(0.3 + 0.05 * (i % 4), 1, friction), x, v));
+  }
+  return ids;
+}
+
+TEST(Pairs, a_cloud_keeps_momentum_and_energy) {
+  World world = make_world(space());
+  const auto ids = gas(world, 216);
+  const Sums before = sums_of(world, ids);
+  const auto events = run_for(world, 2, 1.0 / 60);
+  const Sums after = sums_of(world, ids);
+  EXPECT_GT(of_kind(events, EventKind::hit).size(), 600u);
+  const double scale = std::sqrt(2 * before.energy * 600);
+  EXPECT_LT(length(after.momentum - before.momentum), 1e-13 * scale);
+  EXPECT_NEAR(after.energy / before.energy, 1, 1e-12);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double radius = 0.6 + 0.05 * static_cast<double>(i % 4 + j % 4);
+      ASSERT_GT(length(world[ids[i]].position() - world[ids[j]].position()), radius * (1 - 1e-8));
+    }
+}
+
+TEST(Pairs, friction_gains_no_energy_and_keeps_momentum) {
+  World world = make_world(space());
+  const auto ids = gas(world, 216, 0.7);
+  const auto total = [&](Vec3d& momentum, Vec3d& turning) {
+    double energy = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const ProjectileId id = ids[i];
+      const double m = mass_in_gas(i), r = world[id].body().collision.radius;
+      const Vec3d v = world[id].velocity(), w = world[id].angular_velocity();
+      energy += 0.5 * m * dot(v, v) + 0.5 * 0.4 * m * r * r * dot(w, w);
+      momentum += v * m;
+      turning += cross(world[id].position(), v) * m + w * (0.4 * m * r * r);
+    }
+    return energy;
+  };
+  Vec3d p, l, p_after, l_after;
+  double energy = total(p, l);
+  const double first = energy;
+  for (int i = 0; i < 60; ++i) {
+    world.step(1.0 / 60);
+    Vec3d unused;
+    const double now = total(unused, unused);
+    ASSERT_LE(now, energy * (1 + 1e-12));
+    energy = now;
+  }
+  EXPECT_LT(total(p_after, l_after), 0.98 * first);
+  EXPECT_LT(length(p_after - p), 1e-10);
+  EXPECT_LT(length(l_after - l), 1e-6) << "touches are exact to 1e-9 of the radii, and so is the moment of an impulse";
+}
+
+TEST(Pairs, neither_threads_nor_kernels_nor_order_of_spawning_matter) {
+  const auto states = [](unsigned threads, const char* kernel, bool backwards) {
+    EXPECT_TRUE(use_kernel(kernel));
+    WorldDef def = space();
+    def.threading = {.threads = threads, .rows_per_thread = 1};
+    World world = make_world(def);
+    std::vector<BodyState> at;
+    std::vector<ProjectileId> ids(64);
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    std::vector<std::pair<Vec3d, Vec3d>> launches;
+    for (int i = 0; i < 64; ++i) {
+      const Vec3d x{2.0 * (i % 4) + 0.1 * unit(random), 2.0 * (i / 4 % 4) + 0.1 * unit(random),
+                    2.0 * (i / 16) + 0.1 * unit(random)};
+      launches.push_back({x, (Vec3d{3, 3, 3} - x) * 4.0});
+    }
+    for (std::size_t k = 0; k < 64; ++k) {
+      const std::size_t i = backwards ? 63 - k : k;
+      ids[i] = put(world, mass_of(1, Precision::float32), ball(0.4, 0.9, 0.3), launches[i].first, launches[i].second);
+    }
+    for (int i = 0; i < 30; ++i) world.step(1.0 / 60);
+    for (const ProjectileId id : ids) at.push_back(world[id].state());
+    use_kernel("");
+    return at;
+  };
+  const auto expected = states(1, "", false);
+  for (const auto& other : {states(4, "", false), states(1, "scalar", false), states(2, "base", true)})
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      ASSERT_EQ(other[i].position, expected[i].position) << i;
+      ASSERT_EQ(other[i].velocity, expected[i].velocity) << i;
+    }
+}
+
+/// A small ball on a large one, dropped together: it is thrown up with (3M - m)/(M + m) of the speed that they fall
+/// with.
+TEST(Pairs, a_ball_on_a_ball_that_bounces_off_the_ground) {
+  WorldDef def = space(GroundMode::bounce);
+  World world = make_world(def);
+  const double m = 0.1, M = 0.9, gap = 1e-4, drop = 2, g = 9.80665;
+  BodyDef large = ball(0.2), small = ball(0.05);
+  large.gravity_scale = small.gravity_scale = 1;
+  ProjectileDef heavy = mass_of(M), light = mass_of(m);
+  heavy.fidelity.integrator = light.fidelity.integrator = Integrator::rk4;
+  put(world, heavy, large, {0, drop, 0});
+  const ProjectileId top = put(world, light, small, {0, drop + 0.25 + gap, 0});
+  std::vector<Event> events;
+  for (int i = 0; i < 64 && of_kind(events, EventKind::hit).empty(); ++i) {
+    world.step(1.0 / 60);
+    for (const Event& e : world.events()) events.push_back(e);
+  }
+  const auto bounces = of_kind(events, EventKind::bounced);
+  ASSERT_EQ(bounces.size(), 3u);  // of the large one off the ground, then of both
+  const double fall = std::sqrt(2 * drop / g), v = g * fall;
+  const double later = gap / (2 * v);  // it comes up as the small one comes down
+  EXPECT_NEAR(bounces[0].time, fall, 1e-9);
+  EXPECT_NEAR(bounces[1].time, fall + later, 1e-8);
+  const double up = v - g * later, down = -(v + g * later);
+  EXPECT_NEAR(bounces[2].velocity.y, ((m - M) * down + 2 * M * up) / (m + M), 1e-7);
+  EXPECT_EQ(bounces[2].id, top);
+  const double left = world.time() - bounces[2].time;
+  EXPECT_NEAR(world[top].velocity().y, bounces[2].velocity.y - g * left, 1e-9);
+}
+
+/// What is left of the step is flown with drag, as a step that begins at the hit.
+TEST(Pairs, the_rest_of_the_step_is_flown_with_the_models) {
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  for (const RotationModel rotation : {RotationModel::none, RotationModel::magnus, RotationModel::rigid_body}) {
+    ProjectileDef p = bullet();
+    p.fidelity = Fidelity::simulation();
+    p.fidelity.earth = EarthModel::flat;
+    p.fidelity.rotation = rotation;
+    p.inertia.moments = {6e-8, 5e-7, 5e-7};
+    BodyDef body = ball(0.004);
+    body.gravity_scale = 1;
+    BodyDef wall = body;
+    wall.kinematic = true;
+    World world = make_world(def);
+    const ProjectileId id = put(world, p, body, {0, 0, 0}, {800, 0, 0});
+    put(world, p, wall, {5, 0, 0});
+    world.step(1.0 / 60);
+    const auto bounces = events_of(world, EventKind::bounced);
+    ASSERT_EQ(bounces.size(), 1u);
+    World after = make_world(def);
+    const ProjectileId same = put(after, p, body, bounces[0].position, bounces[0].velocity);
+    after.step(1.0 / 60 - bounces[0].time);
+    const double exact = rotation == RotationModel::rigid_body ? 1e-3 : 1e-9;  // of which the attitude is another one
+    EXPECT_NEAR(length(world[id].position() - after[same].position()), 0, exact);
+    EXPECT_NEAR(length(world[id].velocity() - after[same].velocity()), 0, 100 * exact);
+  }
+}
+
+TEST(Pairs, every_rung_keeps_momentum_and_parts) {
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  for (const Fidelity& fidelity : {Fidelity::arcade(), Fidelity::game(), Fidelity::sport_ball(), Fidelity::small_arms(),
+                                   Fidelity::artillery(), Fidelity::simulation(), Fidelity::classic()})
+    for (const bool forced : {false, true}) {
+      World world = make_world(def);
+      ProjectileDef p = bullet();
+      p.fidelity = fidelity;
+      p.inertia.moments = {6e-8, 5e-7, 5e-7};
+      BodyDef body = ball(0.05, 1, 0.2);
+      const ProjectileId a = put(world, p, body, {0, 0.02, 0}, {90, 0, 0});
+      const ProjectileId b = put(world, p, body, {1, 0, 0}, {-90, 0, 0});
+      for (const ProjectileId id : {a, b})
+        if (forced) {
+          ASSERT_TRUE(world[id].add_force(ConstantForce{{0, 0.001, 0}}));
+        }
+      world.step(1.0 / 60);
+      const auto hits = events_of(world, EventKind::hit), bounces = events_of(world, EventKind::bounced);
+      ASSERT_EQ(hits.size(), 2u);
+      ASSERT_EQ(bounces.size(), 2u);
+      const double exact = fidelity.precision == Precision::float32 ? 1e-4 : 1e-10;
+      EXPECT_LT(length(hits[0].velocity + hits[1].velocity - bounces[0].velocity - bounces[1].velocity), exact);
+      EXPECT_LT(world[a].velocity().x, -50);
+      EXPECT_GT(world[b].velocity().x, 50);
+      EXPECT_NEAR(world[a].position().x, hits[0].position.x + bounces[0].velocity.x * (1.0 / 60 - hits[0].time), 0.05);
+      EXPECT_GT(length(world[a].angular_velocity()), 1) << "friction turns it";
+    }
+}
+
+TEST(Pairs, layers_of_both_decide) {
+  const auto meets = [](const BodyDef& one, const BodyDef& other) {
+    World world = make_world(space());
+    put(world, mass_of(1), one, {0, 0, 0}, {10, 0, 0});
+    put(world, mass_of(1), other, {2, 0, 0});
+    return !of_kind(run_for(world, 0.5), EventKind::hit).empty();
+  };
+  BodyDef one = ball(0.2), other = ball(0.2);
+  EXPECT_TRUE(meets(one, other));
+  other.layers = 2;
+  EXPECT_FALSE(meets(one, other));
+  one.collision.others = 2;
+  EXPECT_TRUE(meets(one, other));
+  other.collision.others = 4;
+  EXPECT_FALSE(meets(one, other));
+  EXPECT_FALSE(meets(ball(0.2), BodyDef{}));
+  EXPECT_FALSE(meets(ball(0), ball(0))) << "two points";
+}
+
+TEST(Pairs, what_each_does_is_its_own) {
+  const auto run = [](OnHit one, OnHit other, World& world, ProjectileId& a, ProjectileId& b) {
+    BodyDef body = ball(0.2);
+    body.collision.on_hit = one;
+    a = put(world, mass_of(1), body, {0, 0, 0}, {10, 0, 0});
+    body.collision.on_hit = other;
+    b = put(world, mass_of(1), body, {2, 0, 0});
+    return run_for(world, 0.5);
+  };
+  ProjectileId a, b;
+  World world = make_world(space());
+  auto events = run(OnHit::stop, OnHit::bounce, world, a, b);
+  EXPECT_FALSE(world[a].is_alive());
+  EXPECT_EQ(world[a].status(), LifeStatus::landed);
+  EXPECT_NEAR(world[b].velocity().x, 10, 1e-12);
+
+  world = make_world(space());
+  events = run(OnHit::stick, OnHit::bounce, world, a, b);
+  EXPECT_NEAR(world[a].position().x, 1.6, 1e-9);
+  EXPECT_EQ(world[a].velocity(), Vec3d{});
+  EXPECT_EQ(world[a].status(), LifeStatus::landed);
+
+  world = make_world(space());
+  events = run(OnHit::pass, OnHit::bounce, world, a, b);
+  EXPECT_TRUE(of_kind(events, EventKind::hit).empty());
+  ASSERT_EQ(of_kind(events, EventKind::entered).size(), 2u);
+  ASSERT_EQ(of_kind(events, EventKind::left).size(), 2u);
+  EXPECT_NEAR(of_kind(events, EventKind::entered)[0].time, 0.16, 1e-12);
+  EXPECT_NEAR(of_kind(events, EventKind::left)[0].time, 0.24, 1e-11);
+  EXPECT_EQ(world[a].velocity().x, 10);
+}
+
+TEST(Pairs, who_sleeps_wakes_and_who_is_held_stays) {
+  World world = make_world(space());
+  const ProjectileId a = put(world, mass_of(1), ball(0.2), {0, 0, 0}, {10, 0, 0});
+  const ProjectileId b = put(world, mass_of(1), ball(0.2), {2, 0, 0});
+  ASSERT_TRUE(world[b].sleep());
+  auto events = run_for(world, 0.5);
+  EXPECT_EQ(of_kind(events, EventKind::woke).size(), 1u);
+  EXPECT_FALSE(world[b].is_asleep());
+  EXPECT_NEAR(world[b].velocity().x, 10, 1e-12);
+  EXPECT_NEAR(world[b].position().x, 2 + 10 * (0.5 - 0.16), 1e-9);
+  EXPECT_EQ(world[a].velocity(), Vec3d{});
+
+  world = make_world(space());
+  BodyDef held = ball(0.2);
+  held.kinematic = true;
+  const ProjectileId c = put(world, mass_of(1), ball(0.2), {0, 0, 0}, {10, 0, 0});
+  const ProjectileId d = put(world, mass_of(1), held, {2, 0, 0});
+  run_for(world, 0.5);
+  EXPECT_EQ(world[d].position(), (Vec3d{2, 0, 0}));
+  EXPECT_NEAR(world[c].velocity().x, -10, 1e-12);
+
+  world = make_world(space());
+  BodyDef rail = ball(0.2);
+  rail.frozen = Axes::y | Axes::z;
+  const ProjectileId e = put(world, mass_of(1), rail, {0, 0, 0}, {10, 0, 0});
+  const ProjectileId f = put(world, mass_of(1), ball(0.2), {2, 0.2, 0});
+  run_for(world, 0.5);
+  EXPECT_EQ(world[e].velocity().y, 0);
+  const double energy = length_squared(world[e].velocity()) + length_squared(world[f].velocity());
+  EXPECT_NEAR(energy, 100, 1e-10);
+}
+
+/// A ball that lies on one that is held comes to rest, and does not sink.
+TEST(Pairs, what_lies_on_another_one_rests) {
+  World world = make_world(space());
+  BodyDef held = ball(0.5), loose = ball(0.5, 0.4);
+  held.kinematic = true;
+  loose.gravity_scale = 1;
+  put(world, mass_of(1), held, {0, 0, 0});
+  const ProjectileId top = put(world, mass_of(1), loose, {0, 1.2, 0});
+  run_for(world, 3, 1.0 / 60);
+  const Vec3d settled = world[top].position();
+  EXPECT_NEAR(settled.y, 1, 1e-6);
+  const auto events = run_for(world, 3, 1.0 / 60);
+  EXPECT_TRUE(of_kind(events, EventKind::hit).empty());
+  EXPECT_NEAR(world[top].position().y, settled.y, 1e-9);
+  EXPECT_NEAR(world[top].velocity().y, 0, 1e-9);
+}
+
+TEST(Pairs, who_begins_inside_of_another_one_is_told) {
+  World world = make_world(space());
+  const ProjectileId a = put(world, mass_of(1), ball(0.5), {0, 0, 0}, {1, 0, 0});
+  put(world, mass_of(1), ball(0.5), {0.6, 0, 0});
+  const auto events = run_for(world, 0.1);
+  const auto hits = of_kind(events, EventKind::hit);
+  ASSERT_EQ(hits.size(), 2u);
+  EXPECT_EQ(hits[0].reason, Reason::inside);
+  EXPECT_NEAR(world[a].velocity().x, 0, 1e-12);
+}
+
+World moving_world() {
+  WorldDef def = space(GroundMode::bounce);
+  World world = make_world(def);
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < 60; ++i) {
+    BodyDef body = ball(0.2, 0.8, 0.4);
+    body.gravity_scale = 1;
+    body.can_sleep = true;
+    ProjectileDef p = i % 3 == 0 ? mass_of(1) : bullet();
+    p.fidelity.precision = i % 2 == 0 ? Precision::float32 : Precision::float64;
+    put(world, p, body, {0.6 * (i % 8), 1 + 0.6 * (i / 8), 0.01 * unit(random)},
+        {5 * unit(random), 5 * unit(random), unit(random)});
+  }
+  return world;
+}
+
+TEST(Pairs, snapshots_saves_and_recordings_go_on_alike) {
+  World world = moving_world();
+  std::vector<std::byte> bytes;
+  ASSERT_TRUE(world.record(record_into(bytes), {.from_now = true}));
+  run_for(world, 0.5, 1.0 / 60);
+  const Snapshot then = world.snapshot();
+  const auto save = world.save();
+  ASSERT_TRUE(save);
+  run_for(world, 0.5, 1.0 / 60);
+  const std::uint64_t expected = world.hash();
+  ASSERT_TRUE(world.restore(then));
+  run_for(world, 0.5, 1.0 / 60);
+  EXPECT_EQ(world.hash(), expected);
+  Result<World> loaded = World::load(*save);
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  run_for(*loaded, 0.5, 1.0 / 60);
+  EXPECT_EQ(loaded->hash(), expected);
+  ASSERT_TRUE(world.stop_recording());
+  const auto report = replay(bytes);
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_FALSE(report->difference) << report->difference->what;
+  EXPECT_TRUE(report->complete);
+}
+
+}  // namespace
+}  // namespace physim
