@@ -260,7 +260,9 @@ Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
 }
 
 const Prediction& Client::prediction() {
-  if (predicted_at_ != versions() && !session.is_replay()) prediction_ = predict(session, launcher.shot());
+  if (predicted_at_ == versions()) return prediction_;
+  if (!predicted_at_ || predicted_at_->second != session_version_) predictor_.forget_world();
+  if (!session.is_replay()) prediction_ = predictor_.predict(session, launcher.shot());
   predicted_at_ = versions();
   return prediction_;
 }

@@ -163,6 +163,7 @@ class Client {
   using Versions = std::pair<std::uint64_t, std::uint64_t>;  // of the shot and of what it is fired into
   [[nodiscard]] Versions versions() const { return {launcher.version(), session_version_}; }
 
+  Predictor predictor_;
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;
   CostTable costs_;
