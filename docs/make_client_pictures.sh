@@ -16,6 +16,9 @@ pictures=docs/pictures
 "$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_compare.png" \
   --script "compare; camera; camera; wait 1; fire-compared; wait 60; fit; wait 1" scenarios/308_168gr_g7.toml
 
+"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_things.png" \
+  --script "settings; fit; wait 70; hits; wait 1; fit; wait 1" scenarios/billiards.toml
+
 for test in 1 2 3 4 5 6; do
   "$simclient" --hidden --size 1120x720 \
     --script "test $test; wait 200; picture-of-plots $pictures/client_test_$test.png; wait 1"

@@ -101,8 +101,10 @@ Status App::frame() {
     if (input.to_client) input.to_client();
   if (Status status = script_.run(client_); !status) return status;
   client_.advance(frame_time(), options_.hidden ? std::numeric_limits<double>::infinity() : kPatience);
+  const bool points = is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0;
+  client_.pointer = points ? std::optional(on_scene(mouse_x_, mouse_y_)) : std::nullopt;
   build_scene(client_, ui_->scale(), scene_);
-  ui_->set_mouse(on_scene(mouse_x_, mouse_y_), is_over_scene(mouse_x_, mouse_y_) && drag_.button < 0);
+  ui_->set_mouse(on_scene(mouse_x_, mouse_y_), points);
   ui_->draw(client_, scene_);
   ImGui::Render();
   render(scene_);

@@ -19,6 +19,8 @@ enum class SceneInk {
 class SceneCanvas {
  public:
   virtual ~SceneCanvas() = default;
+  /// What is drawn from now on is part of this thing.
+  virtual void begin(InstanceId thing) { static_cast<void>(thing); }
   /// Between two places in W [m].
   virtual void line(const Vec3d& a, const Vec3d& b, SceneInk ink) = 0;
   /// Counterclockwise as seen from outside [m].
@@ -29,13 +31,14 @@ class SceneCanvas {
 
 /// What Scene::draw() draws.
 struct SceneDrawing {
-  bool shapes = true;       ///< their surfaces; planes as a square of lines [-]
-  bool names = false;       ///< at the origin of each thing that has one [-]
-  bool boxes = false;       ///< of the trees of things [-]
-  double time = 0;          ///< at which things stand [s]
-  double ahead = 0;         ///< so long the paths of things that move are drawn on [s]
-  double plane_size = 100;  ///< half of a plane's square [m]
-  SceneFilter filter{};     ///< things that are drawn [-]
+  bool shapes = true;        ///< their surfaces; planes as a square of lines [-]
+  bool plane_faces = false;  ///< planes as a square of two triangles instead [-]
+  bool names = false;        ///< at the origin of each thing that has one [-]
+  bool boxes = false;        ///< of the trees of things [-]
+  double time = 0;           ///< at which things stand [s]
+  double ahead = 0;          ///< so long the paths of things that move are drawn on [s]
+  double plane_size = 100;   ///< half of a plane's square [m]
+  SceneFilter filter{};      ///< things that are drawn [-]
 };
 
 }  // namespace physim

@@ -106,6 +106,11 @@ void draw_shape(const Shape& shape, const Placement& at, SceneInk ink, const Sce
   if (std::holds_alternative<HalfSpace>(shape)) {
     const double size = what.plane_size / at.scale();
     const Vec3d corners[] = {{-size, 0, -size}, {-size, 0, size}, {size, 0, size}, {size, 0, -size}};
+    if (what.plane_faces) {
+      for (const std::size_t i : {0u, 2u})
+        canvas.triangle(at.outside(corners[i]), at.outside(corners[i + 1]), at.outside(corners[(i + 2) % 4]), ink);
+      return;
+    }
     for (std::size_t i = 0; i < 4; ++i) canvas.line(at.outside(corners[i]), at.outside(corners[(i + 1) % 4]), ink);
     return canvas.line(at.outside(corners[0]), at.outside(corners[2]), ink);
   }
@@ -130,8 +135,10 @@ void draw_box(const Bounds& box, SceneCanvas& canvas) {
 void Scene::draw(SceneCanvas& canvas, const SceneDrawing& what) const {
   const IeeeMode mode;
   if (!(std::abs(what.time) <= collide::kLatest && what.ahead >= 0 && what.ahead <= collide::kLatest)) return;
-  for (const Impl::InstanceSlot& slot : impl_->instances) {
+  for (std::uint32_t index = 0; index < impl_->instances.size(); ++index) {
+    const Impl::InstanceSlot& slot = impl_->instances[index];
     if (!slot.alive || !slot.is_asked(what.filter)) continue;
+    canvas.begin({index, slot.generation});
     const SceneInk ink = slot.def.sensor ? SceneInk::sensor : SceneInk::solid;
     if (what.shapes) collide::draw_shape(*slot.shape, slot.placement_at(what.time), ink, what, canvas);
     const Vec3d origin = slot.state_at(what.time).position;

@@ -6,6 +6,7 @@
 
 #include "base/assert.hpp"
 #include "scenario/document.hpp"
+#include "scenario/published_materials.hpp"
 #include "scenario/schema.hpp"
 #include "scenario/writer.hpp"
 
@@ -120,6 +121,29 @@ std::optional<std::vector<Change>> changes(const Scenario& before, const Scenari
   return all;
 }
 
+/// Takes the elements that a list has more than before out of it; as tables of their own.
+template <class List>
+std::string more_of(List Scenario::*list, const char* name, const Scenario& before, const Scenario& now,
+                    Scenario& kept) {
+  std::string added;
+  for (List& all = kept.*list; all.size() > (before.*list).size(); all.pop_back())
+    added = "\n[[" + std::string(name) + "]]\n" + element_text(now, name, all.size() - 1) + added;
+  return added;
+}
+
+/// ... of materials: who reads things that are made of published ones has those anyway.
+std::string more_materials(const Scenario& before, const Scenario& now, Scenario& kept) {
+  std::string added;
+  for (auto& all = kept.materials; all.size() > before.materials.size(); all.pop_back()) {
+    auto published = published_material(all.back().name);
+    if (published) published->name = all.back().name;
+    const bool is_made_of = std::ranges::count(now.things, all.back().name, &ScenarioThing::material) > 0;
+    if (published == all.back() && is_made_of) continue;
+    added = "\n[[material]]\n" + element_text(now, "material", all.size() - 1) + added;
+  }
+  return added;
+}
+
 }  // namespace
 
 bool say_the_same(const Scenario& a, const Scenario& b) {
@@ -131,9 +155,12 @@ std::optional<std::string> revised_text(const std::string& text, const std::stri
   const Result<Scenario> before = parse_scenario(text, file);
   if (!before) return std::nullopt;
   Scenario kept = now;
-  std::string revised = text, added;
-  for (; kept.shots.size() > before->shots.size(); kept.shots.pop_back())
-    added = "\n[[shot]]\n" + shot_text(now, kept.shots.size() - 1) + added;
+  std::string revised = text, added = more_of(&Scenario::shots, "shot", *before, now, kept);
+  if (now.world.given) {
+    added += more_materials(*before, now, kept);
+    added += more_of(&Scenario::shapes, "shape", *before, now, kept);
+    added += more_of(&Scenario::things, "thing", *before, now, kept);
+  }
   const auto wanted = changes(*before, kept);
   if (!wanted) return std::nullopt;
   for (const Change& change : *wanted) {

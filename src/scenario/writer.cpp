@@ -366,11 +366,12 @@ std::optional<std::string> written(const Entry& entry, const Scope& scope) {
   return value_text(entry, scope, Style::plain);
 }
 
-std::string shot_text(const Scenario& scenario, std::size_t index) {
-  PHYSIM_ASSERT(index < scenario.shots.size());
+std::string element_text(const Scenario& scenario, std::string_view list, std::size_t index) {
+  const SchemaNode* node = find_node(list);
+  PHYSIM_ASSERT(node != nullptr && node->is_list_of_tables());
   Scenario copy = scenario;
   std::int64_t format = 1;
-  return element_text(*find_node("shot"), {.format = &format, .scenario = &copy}, index);
+  return element_text(*node, {.format = &format, .scenario = &copy}, index);
 }
 
 void each_setting(const Scenario& scenario, const TakeSetting& take) {

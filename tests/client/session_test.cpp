@@ -208,7 +208,7 @@ TEST(Prediction, IsTheFlightItself) {
   Session session = session_of("308_168gr_g7.toml");
   const Launcher launcher(session.scenario());
   for (const ShotType& type : launcher.types()) {
-    const Prediction prediction = predict(session, type.shot, 2);
+    const Prediction prediction = Predictor().predict(session, type.shot, 2);
     ASSERT_FALSE(prediction.error) << prediction.error->text();
     ASSERT_TRUE(session.restart());
     const ProjectileId id = *session.fire(type.shot);
@@ -227,7 +227,7 @@ TEST(Prediction, FeelsTheForcesOfTheScenario) {
   for (const ShotType& type : launcher.types())
     if (type.name == "dart") dart = &type;
   ASSERT_NE(dart, nullptr);
-  const Prediction prediction = predict(session, dart->shot, 2);
+  const Prediction prediction = Predictor().predict(session, dart->shot, 2);
   const ProjectileId id = *session.fire(dart->shot);
   for (std::size_t i = 1; i < 30; ++i) session.single_step();
   EXPECT_LT(length(session.world()[id].position() - prediction.path[29].position), 1e-6);

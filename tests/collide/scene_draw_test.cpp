@@ -20,7 +20,9 @@ struct Sheet : SceneCanvas {
   std::vector<Drawn> triangles;
   std::vector<std::pair<SceneInk, double>> lines;  // with their lengths
   std::vector<std::string> texts;
+  std::vector<InstanceId> things;
 
+  void begin(InstanceId thing) override { things.push_back(thing); }
   void line(const Vec3d& a, const Vec3d& b, SceneInk ink) override { lines.emplace_back(ink, length(b - a)); }
   void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, SceneInk ink) override {
     triangles.push_back({a, b, c, ink});
@@ -57,6 +59,36 @@ TEST(SceneDraw, triangles_lie_on_the_surface_and_hold_its_volume) {
     EXPECT_GE(drawn, 8 * volume * 0.93) << shape.index;
     EXPECT_TRUE(scene.remove(thing));
   }
+}
+
+TEST(SceneDraw, tells_of_which_thing_it_is_and_draws_planes_as_faces) {
+  Scene scene;
+  const ShapeId box = scene.add_shape(BoxShape{}).value(), plane = scene.add_shape(PlaneShape{}).value();
+  const InstanceId first = scene.add({.shape = box}).value();
+  const InstanceId sea =
+      scene.add({.shape = plane, .transform = {.position = {0, 4, 0}, .rotation = {1, 0.5, 0, 0.2}}}).value();
+  const InstanceId second = scene.add({.shape = box}).value();
+  ASSERT_TRUE(scene.remove(sea));
+  const InstanceId again =
+      scene.add({.shape = plane, .transform = {.position = {0, 4, 0}, .rotation = {1, 0.5, 0, 0.2}}}).value();
+  Sheet sheet;
+  scene.draw(sheet, {.plane_faces = true, .plane_size = 10});
+  EXPECT_EQ(sheet.things, (std::vector<InstanceId>{first, again, second}));
+  EXPECT_TRUE(sheet.lines.empty());
+  ASSERT_EQ(sheet.triangles.size(), 26u);
+  double area = 0;
+  for (std::size_t i = 12; i < 14; ++i) {
+    const Sheet::Drawn& t = sheet.triangles[i];
+    const Vec3d facing = cross(t.b - t.a, t.c - t.a);
+    area += length(facing) / 2;
+    for (const Vec3d& corner : {t.a, t.b, t.c}) {
+      EXPECT_LT(std::abs(scene.nearest(corner).distance), 1e-12);
+      EXPECT_LT(length(scene.first_hit({.from = corner + facing * 0.1, .to = corner - facing * 0.1}).position - corner),
+                1e-12)
+          << "from outside";
+    }
+  }
+  EXPECT_NEAR(area, 400, 1e-10);
 }
 
 TEST(SceneDraw, what_is_asked_for_is_drawn) {

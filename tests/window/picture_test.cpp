@@ -74,6 +74,7 @@ constexpr View kViews[] = {
     {"side", "308_168gr_g7", "settings; wait 1; camera; camera; fire; wait 60"},
     {"force_field", "world_force_field", "wait 100"},
     {"vectors", "golf_ball_no_spin", "settings; fit; fire; wait 50; vectors; camera; wait 1"},
+    {"things", "billiards", "settings; statistics; fit; wait 50"},
     {"granted", "308_168gr_g7", "statistics; set shot.fidelity.motion=closed_form; set shot.mass=170 gr; wait 2"},
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
 #include <type_traits>
 #include <utility>
@@ -70,10 +71,35 @@ Status save_as(Client& client, const std::string& file) {
   return client.dialog = Dialog::save, Status();
 }
 
-void use_tape(Client& client) {
-  client.tool = client.tool == Tool::tape ? Tool::fire : Tool::tape;
-  client.tape = {};
-  if (client.tool == Tool::tape) client.say("tape measure: click two points on paths or on the ground");
+/// Four numbers, or nothing: then the mouse sets the ends.
+Status wall(Client& client, const std::string& ends) {
+  if (ends.empty()) return client.use_tool(Tool::wall), Status();
+  double x[4] = {};
+  char more = 0;
+  if (std::sscanf(ends.c_str(), "%lf %lf %lf %lf %c", &x[0], &x[1], &x[2], &x[3], &more) != 4)
+    return Error{"wall needs four numbers, not " + in_quotes(ends), "",
+                 "x and z of its two ends in metres: 50 -2 50 2"};
+  const double ground = client.session.ground().value_or(0);
+  return client.place_wall({x[0], ground, x[1]}, {x[2], ground, x[3]});
+}
+
+Status target(Client& client, const std::string& middle) {
+  if (middle.empty()) return client.use_tool(Tool::target), Status();
+  Vec3d at;
+  char more = 0;
+  if (std::sscanf(middle.c_str(), "%lf %lf %lf %c", &at.x, &at.y, &at.z, &more) != 3)
+    return Error{"target needs three numbers, not " + in_quotes(middle), "",
+                 "x, y and z of its middle in metres: 50 1 0"};
+  return client.place_target(at);
+}
+
+Status choose_material(Client& client, const std::string& name) {
+  const std::vector<std::string> choices = materials_to_choose(client.session.scenario());
+  if (std::ranges::count(choices, name) == 0) {
+    const std::vector<std::string_view> names(choices.begin(), choices.end());
+    return Error{"no material is named " + in_quotes(name), "", suggestion(name, names, "materials")};
+  }
+  return client.placing.material = name, Status();
 }
 
 Status check_determinism(Client& client) {
@@ -133,7 +159,7 @@ constexpr Action kActions[] = {
        c.show.vectors = true;
      })},
     {"prediction", "A", "View", "predicted path of the next shot", "", kToggle<&Shown::prediction>},
-    {"marks", "K", "View", "apex and impact marks", "", kToggle<&Shown::marks>},
+    {"marks", "K", "View", "marks of apex and impact, hits on things, and their names", "", kToggle<&Shown::marks>},
     {"clear", "X", "View", "forgets those that have left", "", act([](Client& c) { c.session.clear_tracks(); })},
     // panels
     {"settings", "F2", "Panels", "settings of the next shot", "", kToggle<&Shown::settings>},
@@ -144,11 +170,18 @@ constexpr Action kActions[] = {
      act([](Client& c) { c.show_bottom(BottomPanel::compare); })},
     {"performance", "F7", "Panels", "what steps and frames cost", "",
      act([](Client& c) { c.show_bottom(BottomPanel::performance); })},
+    {"hits", "L", "Panels", "what was hit: where, how fast, and what became of it", "",
+     act([](Client& c) { c.show_bottom(BottomPanel::hits); })},
     {"panel-keys", "F8", "Panels", "arrows, Space, Enter and Ctrl+Tab go to the panels, Alt to the menu", "",
      kToggle<&Shown::panel_keys>},
     {"help", "F1 H", "Help", "keys", "", kToggle<&Shown::help>},
     // tools
-    {"tape", "M", "Tools", "tape measure: left clicks set its ends", "", act([](Client& c) { use_tape(c); })},
+    {"tape", "M", "Tools", "tape measure: left clicks set its ends", "",
+     act([](Client& c) { c.use_tool(Tool::tape); })},
+    {"wall", "I", "Tools", "puts up a wall: left clicks set its two ends", "X Z X Z", wall},
+    {"target", "O", "Tools", "puts up a target: a left click on a path or the ground", "X Y Z", target},
+    {"material", "", "", "what the next wall or target is made of", "NAME", choose_material},
+    {"undo", "Ctrl+Z", "Tools", "takes away what was put up last", "", act([](Client& c) { return c.undo_placing(); })},
     {"fire-compared", "F6", "Tools", "fires the next shot on all rungs of the comparison", "",
      act([](Client& c) { return c.fire_compared(); })},
     {"fire-scenario", "", "Tools", "fires all shots of the scenario", "",

@@ -99,6 +99,9 @@ Status Client::use_session(Result<Session> opened) {
   launcher = Launcher(session.scenario(), launcher.version());
   selected = {};
   tape = {};
+  tool = Tool::fire;
+  wall_from.reset();
+  placed_.clear();
   ++session_version_;
   fit_view();
   return {};
@@ -120,6 +123,8 @@ Status Client::fire() {
 Status Client::fire_whole() {
   if (session.scenario().world.given)
     return Error{"its shots fly in a world", "fire-whole", "fire it into the world, as its scenario does"};
+  if (!session.scenario().things.empty())
+    return Error{"whole flights know no things", "fire-whole", "fire it, or take away what was put up: Ctrl+Z"};
   const ScenarioShot& shot = launcher.shot();
   const Result<ProjectileId> played = session.play(shot, fly_shot(session.scenario(), shot));
   if (!played) return played.error();
@@ -143,7 +148,7 @@ Status Client::fire_compared() {
     shot.projectile.fidelity = rung.asked;
     shot.projectile.name = rung.name;
     shot.body.colour = rung.colour;
-    const bool plays = rung.flight && !session.scenario().world.given;
+    const bool plays = rung.flight && !session.scenario().world.given && session.scenario().things.empty();
     const Result<ProjectileId> fired = plays ? session.play(shot, *rung.flight) : session.fire(shot);
     if (!fired) return fired.error();
   }
@@ -169,7 +174,10 @@ Scenario Client::with_next_shot() const {
     *namesake = next;
   else if (!scenario.world.given || scenario.shots.empty())
     scenario.shots.push_back(next);
-  return became_world_ ? with_world(scenario) : scenario;
+  // Things stand in worlds. Expectations of flights would not be read there.
+  const bool becomes_world = became_world_ || !scenario.things.empty();
+  if (becomes_world && !scenario.world.given) scenario.expect.clear();
+  return becomes_world ? with_world(scenario) : scenario;
 }
 
 Status Client::save(const std::string& file) {
@@ -185,6 +193,10 @@ Status Client::save(const std::string& file) {
   Result<Scenario> again = parse_scenario(text, path);
   if (!again) return Error{"what is set is no scenario: " + again.error().message, "save", again.error().hint};
   std::string left_out;
+  const Scenario& own_scenario = session.scenario();
+  if (scenario.world.given && !own_scenario.world.given && !own_scenario.things.empty())
+    left_out =
+        own_scenario.expect.empty() ? ", as a world" : ", as a world, without what its flights were expected to do";
   if (!say_the_same(*again, scenario)) {  // bodies are those of worlds
     became_world_ = scenario_file_.empty();
     if (became_world_)
@@ -196,7 +208,7 @@ Status Client::save(const std::string& file) {
   if (std::ranges::none_of(scenario.shots, is_next)) left_out = ", but for the next shot: its world would fire it";
   if (Status status = report::write_file(path, text); !status) return status;
   scenario_file_ = path;
-  text_ = text;
+  if (text_.empty()) text_ = text;  // else what its author wrote stays what changes are put into
   unsaved_ = false;
   recent.add(path);
   return say("saved " + path + left_out), Status();
@@ -260,7 +272,9 @@ Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
 }
 
 const Prediction& Client::prediction() {
-  if (predicted_at_ != versions() && !session.is_replay()) prediction_ = predict(session, launcher.shot());
+  if (predicted_at_ == versions()) return prediction_;
+  if (!predicted_at_ || predicted_at_->second != session_version_) predictor_.forget_world();
+  if (!session.is_replay()) prediction_ = predictor_.predict(session, launcher.shot());
   predicted_at_ = versions();
   return prediction_;
 }
@@ -286,24 +300,6 @@ std::optional<Client::Arrow> Client::arrow() {
   return Arrow{flight.muzzle, flight.muzzle + flight.velocity * (size / speed)};
 }
 
-void Client::click(const Pixel& pixel) {
-  if (tool == Tool::fire) {
-    if (Status status = fire(); !status) complain(status.error());
-    return;
-  }
-  const std::optional<Vec3d> point = point_under(pixel);
-  if (!point) return complain({"there is nothing to measure from", "tape measure", "click on a path or the ground"});
-  if (tape.from && !tape.to)
-    tape.to = point;
-  else
-    tape = {point, std::nullopt};
-}
-
-std::optional<Vec3d> Client::point_under(const Pixel& pixel) {
-  if (const auto found = probe(pixel)) return found->sample.position;
-  return camera.at_height(pixel, session.ground().value_or(0));
-}
-
 std::optional<Client::Probe> Client::probe(const Pixel& pixel) {
   std::optional<Probe> best;
   double nearest = kReach;
@@ -325,9 +321,18 @@ void Client::fit_view() {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   };
-  for (const TrackSample& s : prediction().path) include(s.position);
+  // What lies among things is small beside paths that go on for long after the end of the run.
+  const Scenery& things = scenery();
+  const double end = things.is_empty() ? kInfinity : session.scenario().world.duration;
+  for (const TrackSample& s : prediction().path)
+    if (s.time <= end) include(s.position);
   for (const Track& track : session.tracks())
-    for (const TrackSample& s : track.samples) include(s.position);
+    for (const TrackSample& s : track.samples)
+      if (s.time <= end) include(s.position);
+  constexpr double kMuchLarger = 3;  // than the paths: things that large are looked at from among them
+  const double of_paths = length(high - low);
+  if (things.has_size && (length(things.high - things.low) < kMuchLarger * of_paths || of_paths < 1e-3))
+    include(things.low), include(things.high);
   if (const auto height = session.ground()) include({low.x, *height, low.z});
   if (camera.mode == CameraMode::side) {
     camera.yaw = launcher.azimuth() - kRightAngle;
@@ -336,8 +341,8 @@ void Client::fit_view() {
     camera.stretch = upward > 0 ? std::clamp(scale_step(across / upward, 5), 1.0, 1000.0) : 1;
   } else {
     camera.stretch = 1;
-    camera.yaw = launcher.azimuth() - 0.35;
-    camera.pitch = 0.22;
+    camera.yaw = launcher.azimuth() - (things.is_empty() ? 0.35 : 0.8);  // things stand one behind the other
+    camera.pitch = things.is_empty() ? 0.22 : 0.3;
   }
   camera.fit(low, high);
 }

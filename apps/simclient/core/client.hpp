@@ -9,9 +9,11 @@
 #include "simclient/core/camera.hpp"
 #include "simclient/core/compare.hpp"
 #include "simclient/core/launcher.hpp"
+#include "simclient/core/placing.hpp"
 #include "simclient/core/plot_data.hpp"
 #include "simclient/core/prediction.hpp"
 #include "simclient/core/recent_files.hpp"
+#include "simclient/core/scenery.hpp"
 #include "simclient/core/session.hpp"
 #include "simclient/core/setting_rows.hpp"
 
@@ -27,11 +29,11 @@ struct Shown {
   bool vectors = false;
   bool forces_add_up = false;  // each force begins where the one before ends
   bool prediction = true;
-  bool marks = true;  // apex and impact
+  bool marks = true;  // apex, impact, hits on things, and what these are called
 };
 
 /// What stands under the scene.
-enum class BottomPanel { none, plots, compare, performance };
+enum class BottomPanel { none, plots, compare, performance, hits };
 
 struct Action;
 
@@ -54,7 +56,9 @@ struct PictureWish {
 /// What a left click on the scene does.
 enum class Tool {
   fire,
-  tape,  // sets the ends of the tape measure
+  tape,    // sets the ends of the tape measure
+  wall,    // sets the feet of a wall
+  target,  // puts a target there
 };
 
 /// The two ends of the tape measure.
@@ -80,7 +84,10 @@ class Client {
   Shown show;
   Tool tool = Tool::fire;
   Tape tape;
-  ProjectileId selected;  // whose numbers are shown in full; null: the last one fired
+  Placing placing;
+  std::optional<Vec3d> wall_from;  // the foot of a wall that was set first
+  std::optional<Pixel> pointer;    // the mouse over the scene
+  ProjectileId selected;           // whose numbers are shown in full; null: the last one fired
   BottomPanel bottom = BottomPanel::none;
   std::vector<PlotSpec> plots;
   bool plots_selected_alone = false;
@@ -140,6 +147,18 @@ class Client {
   [[nodiscard]] std::optional<Arrow> arrow();
   /// A click on the scene that was not a drag.
   void click(const Pixel& pixel);
+  /// The mouse goes on with this; with what it did before where it has it already.
+  void use_tool(Tool tool);
+  /// Where a pixel meets a thing or the ground, or height 0 where there is none.
+  [[nodiscard]] std::optional<Vec3d> surface_under(const Pixel& pixel) const;
+  [[nodiscard]] Status place_wall(const Vec3d& from, const Vec3d& to);
+  [[nodiscard]] Status place_target(const Vec3d& middle);
+  /// Where a target would stand for a click: on a path, or with its lower edge on what is there.
+  [[nodiscard]] std::optional<Vec3d> target_under(const Pixel& pixel);
+  /// Takes away what was placed last.
+  [[nodiscard]] Status undo_placing();
+  /// The things of the scene as they are drawn.
+  [[nodiscard]] const Scenery& scenery();
   /// The nearest moment of a path under the mouse, within 12 pixels.
   struct Probe {
     const Track* track = nullptr;  // null: the predicted path
@@ -160,9 +179,13 @@ class Client {
   [[nodiscard]] Status use_session(Result<Session> opened);
   [[nodiscard]] Status use(const Scenario& scenario, const ScenarioShot& shot);
   [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
+  [[nodiscard]] Status place(const Result<Placed>& placed);
   using Versions = std::pair<std::uint64_t, std::uint64_t>;  // of the shot and of what it is fired into
   [[nodiscard]] Versions versions() const { return {launcher.version(), session_version_}; }
 
+  SceneryMaker scenery_;
+  std::vector<bool> placed_;  // what was placed by hand, and whether it brought a material along
+  Predictor predictor_;
   Prediction prediction_;
   std::vector<ComparedRung> comparison_;
   CostTable costs_;

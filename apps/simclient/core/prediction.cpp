@@ -1,68 +1,80 @@
 #include "simclient/core/prediction.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace physim::client {
 namespace {
 
 constexpr std::uint64_t kMaxSteps = 12000;
-
-/// The forces of the scenario that would act on the shot. Those that tie two shots together are left out.
-void add_forces(World& world, const Session& session, const ScenarioShot& shot) {
-  for (const ScenarioForce& force : session.scenario().forces) {
-    const bool is_named = std::find(force.shots.begin(), force.shots.end(), shot.projectile.name) != force.shots.end();
-    const bool is_general = force.shots.empty() && force.layers == 0;
-    if (!force.other.empty() || !(is_named || is_general || (force.layers & shot.body.layers) != 0)) continue;
-    const double to_come = force.delay - session.time();
-    const double left = force.duration + std::min(to_come, 0.0);
-    if (left <= 0) continue;
-    world.add_force({force.law, ForceTarget::everything(), std::max(to_come, 0.0), left});
-  }
-}
+constexpr double kMostBehind = 20000;  // steps; a world that is farther behind the session's is saved anew
+constexpr int kMostHits = 4;           // on things: what comes later hangs on the last digits of the aim
 
 void look(Prediction& prediction, const Event& event) {
+  if (event.kind != EventKind::landed && event.kind != EventKind::expired && event.kind != EventKind::hit) return;
   TrackSample at = prediction.path.back();
   at.time = event.time, at.position = event.position, at.velocity = event.velocity;
-  if (event.kind == EventKind::apex && !prediction.apex) prediction.apex = at;
-  const bool touched = event.kind == EventKind::landed || event.kind == EventKind::bounced;
-  if (touched && !prediction.impact) prediction.impact = at;
-  if (event.kind == EventKind::landed || event.kind == EventKind::expired) prediction.path.push_back(at);
+  prediction.path.push_back(at);
+}
+
+/// Steps the world until the shot is gone or rests, or the limit is reached.
+void fly(World& world, ProjectileId id, std::uint64_t limit, Prediction& prediction) {
+  const ProjectileView projectile = world[id];
+  const double start = world.time();
+  int hits = 0;
+  for (std::uint64_t i = 0; i < limit && projectile.is_alive() && !projectile.is_asleep() && hits < kMostHits; ++i) {
+    world.step(world.def().step);
+    bool has_hit = false;  // once a step: what slides along a thing touches it all the time
+    for (Event event : world.events()) {
+      if (event.id != id) continue;
+      event.time -= start;
+      look(prediction, event);
+      has_hit |= event.kind == EventKind::bounced && event.instance;
+      has_hit |= event.kind == EventKind::ricocheted || event.kind == EventKind::penetrated;
+    }
+    hits += has_hit;
+    if (projectile.is_alive()) prediction.path.push_back(sample_of(projectile, projectile.age()));
+    if (projectile.status() == LifeStatus::landed) return;  // where it is, it stays
+  }
 }
 
 }  // namespace
 
-Prediction predict(const Session& session, const ScenarioShot& shot, double max_time) {
+/// The session's world as it is now, without those in it. One that was taken before catches up: nothing moves in it.
+Status Predictor::take_world(const Session& session) {
+  const World& now = session.world();
+  const double step = now.def().step, behind = world_ ? std::round((now.time() - empty_.time()) / step) : -1;
+  if (!(behind >= 0 && behind <= kMostBehind)) {
+    const Result<std::vector<std::byte>> save = now.save();
+    if (!save) return save.error();
+    LoadOptions alone;
+    alone.threading.threads = 1;
+    Result<World> copy = World::load(*save, alone);
+    if (!copy) return copy.error();
+    world_ = std::move(*copy);
+    world_->clear();
+  } else {
+    if (Status status = world_->restore(empty_); !status) return status;
+    for (double i = 0; i < behind; ++i) world_->step(step);
+    if (behind == 0) return {};
+  }
+  empty_ = world_->snapshot();
+  return {};
+}
+
+Prediction Predictor::predict(const Session& session, const ScenarioShot& shot, double max_time) {
   Prediction prediction;
-  WorldDef def = session.world().def();
-  def.environment = session.scenario().environment;
-  def.apex_events = true;
-  def.pools.clear();
-  def.threading.threads = 1;
-  Result<World> made = World::create(def);
-  if (!made) return prediction.error = made.error(), prediction;
-  World& world = *made;
-  add_forces(world, session, shot);
-  BodyDef body = body_of(session.scenario(), shot);
-  body.pool = 0;
-  const Result<ProjectileId> fired = world.spawn(shot.projectile, shot.launch, body);
+  if (Status status = take_world(session); !status) return prediction.error = status.error(), prediction;
+  World& world = *world_;
+  const Result<ProjectileId> fired = world.spawn(shot.projectile, shot.launch, body_of(session.scenario(), shot));
   if (!fired) return prediction.error = fired.error(), prediction;
   const ProjectileView projectile = world[*fired];
   prediction.muzzle = projectile.position();
   prediction.velocity = projectile.velocity();
   prediction.granted = projectile.fidelity_in_use();
   prediction.path.push_back(sample_of(projectile, projectile.age()));
-  const auto limit = std::min(kMaxSteps, static_cast<std::uint64_t>(std::ceil(max_time / def.step)));
-  const auto start = std::chrono::steady_clock::now();
-  while (projectile.is_alive() && !projectile.is_asleep() && prediction.steps < limit) {
-    world.step(def.step);
-    ++prediction.steps;
-    for (const Event& event : world.events()) look(prediction, event);
-    if (projectile.is_alive()) prediction.path.push_back(sample_of(projectile, projectile.age()));
-  }
-  prediction.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  prediction.complete = !projectile.is_alive() || projectile.is_asleep();
+  fly(world, *fired, std::min(kMaxSteps, static_cast<std::uint64_t>(std::ceil(max_time / world.def().step))),
+      prediction);
   return prediction;
 }
 

@@ -1,4 +1,5 @@
-// Prediction: the flight that a shot would have, flown in a world of its own that is like the session's.
+// Prediction: the flight that a shot would have. It is fired into the session's own world, as that was saved, with
+// nobody else in it: what the world would do to it, bounces, things and forces included, is done.
 #pragma once
 
 #include <optional>
@@ -13,13 +14,21 @@ struct Prediction {
   Vec3d muzzle, velocity;      // at launch
   FidelityInUse granted;
   std::vector<TrackSample> path;  // one for each step, up to the end or the limit
-  std::optional<TrackSample> apex, impact;
-  std::uint64_t steps = 0;
-  double seconds = 0;     // that the steps took on this machine
-  bool complete = false;  // the flight ends within the limit
 };
 
-/// Flies a shot from now on until it leaves, or for `max_time` [s].
-[[nodiscard]] Prediction predict(const Session& session, const ScenarioShot& shot, double max_time = 200);
+/// Predicts the shots of one session.
+class Predictor {
+ public:
+  /// The world is saved anew at the next prediction: the session was changed by more than steps and shots.
+  void forget_world() { world_.reset(); }
+  /// Flies a shot from now on until it leaves, for `max_time` [s], or until it has met things a few times.
+  [[nodiscard]] Prediction predict(const Session& session, const ScenarioShot& shot, double max_time = 200);
+
+ private:
+  [[nodiscard]] Status take_world(const Session& session);
+
+  std::optional<World> world_;
+  Snapshot empty_;  // of it, before anything is fired
+};
 
 }  // namespace physim::client

@@ -80,6 +80,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   scene.ground = client.session.ground().value_or(0);
   scene.has_ground = client.session.ground().has_value();
   build_ground(client, scale, scene);
+  build_things(client, scale, scene);
   build_projectiles(client, scale, scene);
   if (client.bottom == BottomPanel::compare) build_comparison(client, scale, scene);
   build_aim(client, scale, scene);

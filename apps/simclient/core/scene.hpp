@@ -42,9 +42,10 @@ struct Scene {
   std::vector<SceneBall> balls;
   std::vector<SceneDot> crowd;
   std::vector<SceneLabel> labels;
-  float crowd_size = 3;    // of each of the crowd [pixels]
-  double ground = 0;       // [m]
-  bool has_ground = true;  // there is one to land on
+  const Scenery* scenery = nullptr;  // the client's; null: there is none to be seen
+  float crowd_size = 3;              // of each of the crowd [pixels]
+  double ground = 0;                 // [m]
+  bool has_ground = true;            // there is one to land on
 
   void clear();
   void line(const Vec3d& a, const Vec3d& b, Colour colour, double width, double fog = 0);
@@ -64,8 +65,11 @@ void build_comparison(Client& client, double scale, Scene& scene);
 void build_aim(Client& client, double scale, Scene& scene);
 void build_projectiles(const Client& client, double scale, Scene& scene);
 void build_vectors(const Client& client, double scale, Scene& scene);
-void build_tools(const Client& client, double scale, Scene& scene);
+void build_tools(Client& client, double scale, Scene& scene);
+void build_things(Client& client, double scale, Scene& scene);
 
+/// "plank: penetrated, 780 to 778 m/s".
+[[nodiscard]] std::string hit_text(const Hit& hit);
 /// The distance between scale lines, 1, 2 or 5 times a power of ten, so that about `wanted` of them fit into `length`.
 [[nodiscard]] double scale_step(double length, double wanted);
 /// A length as people write it: "0.5 m", "200 m", "1.2 km".

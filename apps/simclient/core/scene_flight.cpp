@@ -154,16 +154,4 @@ void build_vectors(const Client& client, double scale, Scene& scene) {
     draw(at, a.total * unit, colours::kAcceleration, formatted("a %.3g m/s\u00b2, m a %.3g N", total, total * mass));
 }
 
-void build_tools(const Client& client, double scale, Scene& scene) {
-  const Tape& tape = client.tape;
-  if (tape.from) scene.ball(*tape.from, colours::kForce, 4 * scale);
-  if (!tape.from || !tape.to) return;
-  const Vec3d way = *tape.to - *tape.from;
-  scene.ball(*tape.to, colours::kForce, 4 * scale);
-  scene.line(*tape.from, *tape.to, colours::kForce, 2 * scale);
-  const Vec3d middle = (*tape.from + *tape.to) * 0.5;
-  scene.label(middle, formatted("%.3f m", length(way)), colours::kForce, -1);
-  scene.label(middle, formatted("along %.3f, up %.3f, right %.3f m", way.x, way.y, way.z), colours::kForce, 0);
-}
-
 }  // namespace physim::client

@@ -17,6 +17,17 @@ Vec3d main_axis(double azimuth) {
   }
 }
 
+/// Behind a thing, or within it. Letters, unlike what they stand at, are drawn over everything.
+bool is_hidden(const Client& client, const Vec3d& at) {
+  const physim::Scene* things = client.session.world().scene();
+  if (things == nullptr) return false;
+  const Camera& camera = client.camera;
+  Vec3d eye = camera.eye();
+  eye.y = camera.target.y + (eye.y - camera.target.y) / camera.stretch;
+  const Vec3d nearly = at + (eye - at) * 1e-3;  // what it lies on does not hide it
+  return things->any_hit({.from = eye, .to = nearly, .time = client.session.shown_time()}, {.sensors = false});
+}
+
 /// The wall that stops what reaches it: its foot, its sides, and how far away it is.
 void build_wall(const Client& client, double scale, double size, Scene& scene) {
   const std::optional<double>& wall = client.session.scenario().world.wall;
@@ -53,7 +64,8 @@ void build_ground(const Client& client, double scale, Scene& scene) {
     if (std::abs(i) > 14) continue;
     const Vec3d half = across * (step * 0.18);
     scene.line(mark - half, mark + half, colours::kText, 2.5 * scale, reach);
-    scene.labels.push_back({mark + across * (step * 0.24), distance_text(x), colours::kText, false, 0});
+    if (!is_hidden(client, mark))
+      scene.labels.push_back({mark + across * (step * 0.24), distance_text(x), colours::kText, false, 0});
   }
   build_wall(client, scale, step, scene);
 }

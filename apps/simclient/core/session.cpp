@@ -109,6 +109,7 @@ Status Session::start(const std::string& recording) {
   if (!run) return run.error();
   run_ = std::move(*run);
   tracks_.clear();
+  hits_.clear();
   moments_.clear();
   step_ = fired_ = by_hand_ = 0;
   leftover_ = 0;
@@ -124,6 +125,7 @@ Status Session::restart(const std::string& recording) {
   if (!again) return again.error();
   replay_ = std::move(*again);
   tracks_.clear();
+  hits_.clear();
   step_ = 0;
   leftover_ = 0;
   over_ = false;
@@ -259,6 +261,25 @@ Status Session::set_environment(const Environment& environment) {
   return {};
 }
 
+Status Session::set_scene(const Scenario& changed) {
+  if (is_replay()) return cannot_change();
+  World& world = run_->world();
+  if (changed.things.empty()) {
+    if (Status status = world.scene() != nullptr ? world.remove_scene() : Status(); !status) return status;
+  } else {
+    const Result<physim::Scene> scene = scene_of(changed);
+    if (!scene) return scene.error();
+    if (Status status = world.set_scene(*scene); !status) return status;
+  }
+  scenario_.materials = changed.materials;
+  scenario_.shapes = changed.shapes;
+  scenario_.things = changed.things;
+  hits_.forget_gone(world.scene());
+  moments_.clear();
+  remember_moment(true);
+  return {};
+}
+
 Status Session::stop_recording() {
   if (is_replay()) return cannot_change();
   return run_->world().stop_recording();
@@ -346,6 +367,7 @@ void Session::add_launch(Track& track) const {
 }
 
 void Session::look() {
+  look_at_hits();
   look_at_events(world().events());
   if (!is_replay()) look_at_wall();
   for (Track& track : tracks_) {
@@ -391,8 +413,34 @@ void Session::look_at_wall() {
   }
 }
 
+/// Paths have a corner, or their end, where something was hit.
+void Session::look_at_hits() {
+  const std::uint64_t known = hits_.count();
+  hits_.look_at(world(), world().events());
+  const auto& hits = hits_.hits();
+  for (std::size_t i = hits.size() - std::min<std::size_t>(hits.size(), hits_.count() - known); i < hits.size(); ++i) {
+    Track* track = find(hits[i].id);
+    if (track == nullptr || track->samples.empty()) continue;
+    const TrackSample at = within_step(*track, hits[i].time, hits[i].position, hits[i].velocity);
+    if (is_passed(hits[i])) continue;
+    if (!track->impact) track->impact = at;
+    add_later(*track, at);
+  }
+}
+
+std::string Session::title_of(const Hit& hit) const {
+  const Track* found = track(hit.id);
+  return found != nullptr ? found->title() : hit.shot;
+}
+
+Colour Session::colour_of(const Hit& hit) const {
+  const Track* found = track(hit.id);
+  return found != nullptr ? found->colour : hit.colour;
+}
+
 void Session::forget_after(double time) {
   const double late = time + kInstant;
+  hits_.forget_after(late);
   std::erase_if(tracks_, [late](const Track& track) { return track.born > late; });
   for (Track& track : tracks_) {
     const auto is_late = [&](const TrackSample& s) { return track.born + s.time > late; };

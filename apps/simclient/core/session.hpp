@@ -14,6 +14,7 @@
 #include "physim/recording.hpp"
 #include "physim/scenario.hpp"
 #include "physim/world_run.hpp"
+#include "simclient/core/hits.hpp"
 #include "simclient/core/track.hpp"
 
 namespace physim::client {
@@ -86,7 +87,14 @@ class Session {
   [[nodiscard]] const Scenario& scenario() const { return scenario_; }
   [[nodiscard]] std::span<const Track> tracks() const { return tracks_; }
   [[nodiscard]] const Track* track(ProjectileId id) const;
+  /// On things of the scene.
+  [[nodiscard]] const HitLog& hits() const { return hits_; }
+  /// "bullet #3", or its name alone where it is no track.
+  [[nodiscard]] std::string title_of(const Hit& hit) const;
+  [[nodiscard]] Colour colour_of(const Hit& hit) const;
   [[nodiscard]] std::optional<double> ground() const;
+  /// The time of what is shown: the world's, and what is left over since the last step [s].
+  [[nodiscard]] double shown_time() const { return world().time() + leftover_; }
   /// Where to draw a projectile of the world between the last two steps.
   [[nodiscard]] Vec3d shown_position(ProjectileId id) const;
   /// A projectile that flies, as it is drawn.
@@ -112,6 +120,9 @@ class Session {
   /// Steps, goes back, steps again, and compares the hashes of every step; then stands where it stood.
   [[nodiscard]] Result<DeterminismCheck> check_determinism(std::uint64_t steps = 60);
   Status set_environment(const Environment& environment);
+  /// The materials, shapes and things of a scenario instead of those of this one; what flies, flies on. Going back
+  /// ends here.
+  Status set_scene(const Scenario& changed);
   /// Forgets the tracks of those that have left.
   void clear_tracks();
 
@@ -129,6 +140,7 @@ class Session {
   void follow_new(ProjectileId id);
   void look_at_events(std::span<const Event> events);
   void look_at_wall();
+  void look_at_hits();
   void follow_flights();
   [[nodiscard]] bool is_whole(ProjectileId id) const;
   void begin_track(ProjectileId id, const std::string& name, Colour colour, bool by_hand);
@@ -146,6 +158,7 @@ class Session {
   std::optional<Replay> replay_;
   std::vector<std::byte> replayed_;  // to start again
   std::vector<Track> tracks_;
+  HitLog hits_;
   std::deque<Moment> moments_;
   std::size_t most_tracks_of_run_ = 0;
   std::uint64_t step_ = 0, fired_ = 0, by_hand_ = 0;

@@ -50,6 +50,27 @@ Json track_state(const Client& client, const Track& track) {
           {"pixel", pixel(client, s.position)}};
 }
 
+Json hit_state(const Client& client, const Hit& hit) {
+  return {{"time", hit.time},
+          {"shot", client.session.title_of(hit)},
+          {"thing", hit.thing},
+          {"material", hit.material},
+          {"what", name(hit.outcome)},
+          {"speed", length(hit.velocity)},
+          {"speed_after", length(hit.after)},
+          {"obliquity", hit.obliquity},
+          {"depth", hit.depth},
+          {"position", vector_json(hit.position)},
+          {"pixel", pixel(client, hit.position)}};
+}
+
+Json thing_state(const Client& client, const ScenarioThing& thing) {
+  return {{"name", thing.name},
+          {"material", thing.material},
+          {"position", vector_json(thing.position)},
+          {"pixel", pixel(client, thing.position)}};
+}
+
 }  // namespace
 
 std::string state_line(Client& client, std::uint64_t frame) {
@@ -65,6 +86,14 @@ std::string state_line(Client& client, std::uint64_t frame) {
   for (const Track& track : client.session.tracks()) line["tracks"].push_back(track_state(client, track));
   if (const auto arrow = client.arrow())
     line["arrow"] = {{"from", pixel(client, arrow->from)}, {"to", pixel(client, arrow->to)}};
+  constexpr std::size_t kMostHits = 8, kMostThings = 32;  // the last ones: lines are read as they are written
+  const auto& hits = client.session.hits().hits();
+  const auto& things = client.session.scenario().things;
+  line["hits"] = line["things"] = Json::array();
+  for (std::size_t i = hits.size() - std::min(hits.size(), kMostHits); i < hits.size(); ++i)
+    line["hits"].push_back(hit_state(client, hits[i]));
+  for (std::size_t i = things.size() - std::min(things.size(), kMostThings); i < things.size(); ++i)
+    line["things"].push_back(thing_state(client, things[i]));
   if (client.question) line["question"] = client.question->text;
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
   return report::json_line(line);

@@ -85,9 +85,11 @@ GLsizei upload(const Pass& pass, const std::vector<Thing>& things, const Fill& f
   return static_cast<GLsizei>(data.size());
 }
 
-void draw_ground(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+void draw_ground(const Pass& pass, const SceneryPass& scenery, const Scene& scene, const Camera& camera,
+                 const Mat4& matrix) {
   const Shader& shader = pass.shader;
   begin(pass, camera, matrix);
+  scenery.hand_shadows(shader, scene.scenery != nullptr);
   glUniform1f(shader.uniform("height"), static_cast<float>(camera.shown({0, scene.ground, 0}).y - camera.eye().y));
   glUniform1f(shader.uniform("reach"), static_cast<float>(camera.distance * 100));
   glUniform3fv(shader.uniform("near_colour"), 1, kNear);
@@ -95,8 +97,9 @@ void draw_ground(const Pass& pass, const Scene& scene, const Camera& camera, con
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void draw_lines(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+void draw_lines(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix, float part) {
   begin(pass, camera, matrix);
+  glUniform1f(pass.shader.uniform("part"), part);
   glUniform1f(pass.shader.uniform("near"), static_cast<float>(camera.near_plane()));
   const auto fill = [&camera, eye = camera.eye()](const SceneLine& line, LineInstance& out) {
     relative(line.a, camera, eye, out.a);
@@ -122,15 +125,20 @@ void draw_crowd(const Pass& pass, const Scene& scene, const Camera& camera, cons
   glEnable(GL_BLEND);
 }
 
-void draw_balls(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
-  begin(pass, camera, matrix);
-  glUniform1f(pass.shader.uniform("focal"), static_cast<float>(camera.focal()));
+GLsizei upload_balls(const Pass& pass, const Scene& scene, const Camera& camera) {
   const auto fill = [&camera, eye = camera.eye()](const SceneBall& ball, BallInstance& out) {
     relative(ball.at, camera, eye, out.at);
     bytes(ball.colour, out.colour);
     out.radius = ball.radius, out.pixels = ball.pixels;
   };
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload<BallInstance>(pass, scene.balls, fill));
+  return upload<BallInstance>(pass, scene.balls, fill);
+}
+
+void draw_balls(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix, float part) {
+  begin(pass, camera, matrix);
+  glUniform1f(pass.shader.uniform("focal"), static_cast<float>(camera.focal()));
+  glUniform1f(pass.shader.uniform("part"), part);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload_balls(pass, scene, camera));
 }
 
 }  // namespace
@@ -149,30 +157,68 @@ Status Renderer::make() {
   } passes[] = {{"ground", kGroundVertex, kGroundFragment, ground_},
                 {"line", kLineVertex, kLineFragment, line_},
                 {"ball", kBallVertex, kBallFragment, ball_},
-                {"crowd", kCrowdVertex, kCrowdFragment, crowd_}};
+                {"crowd", kCrowdVertex, kCrowdFragment, crowd_},
+                {"ball shadow", kBallShadowVertex, kBallShadowFragment, ball_shadow_}};
   for (const auto& each : passes)
     if (Status status = each.pass.shader.make(each.name, each.vertex, each.fragment); !status) return status;
   make_arrays(ground_, &kSquare, {});
   make_arrays(line_, &kStrip, {3, 3, 4, 2});
   make_arrays(ball_, &kSquare, {3, 4, 2});
   make_arrays(crowd_, nullptr, {3, 4});
-  return {};
+  make_arrays(ball_shadow_, &kSquare, {3, 4, 2});
+  return scenery_.make();
 }
 
-void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& viewport) const {
+/// Into the sun's map. Balls that mark a place throw none: those of projectiles have a size.
+void Renderer::draw_shadows(const Scene& scene, const Camera& camera) {
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  scenery_.begin_shadows(*scene.scenery, camera);
+  begin(ball_shadow_, camera, camera.matrix());
+  const Shader& shader = ball_shadow_.shader;
+  const ShadowMap& map = scenery_.shadows();
+  glUniformMatrix4fv(shader.uniform("sun"), 1, GL_FALSE, map.matrix.data());
+  glUniform1f(shader.uniform("focal"), static_cast<float>(camera.focal()));
+  glUniform1f(shader.uniform("metres"), static_cast<float>(map.metres));
+  Scene with_size;
+  for (const SceneBall& ball : scene.balls)
+    if (ball.radius > 0) with_size.balls.push_back(ball);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload_balls(ball_shadow_, with_size, camera));
+  scenery_.end_shadows(static_cast<GLuint>(target));
+}
+
+void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& viewport) {
+  const bool has_things = scene.scenery != nullptr;
+  if (has_things) draw_shadows(scene, camera);
   glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
   glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
   glEnable(GL_SCISSOR_TEST);
   glClearColor(kSky[0], kSky[1], kSky[2], 1);
-  glClear(GL_COLOR_BUFFER_BIT);
+  glDepthMask(GL_TRUE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const Mat4 matrix = camera.matrix();
-  if (scene.has_ground) draw_ground(ground_, scene, camera, matrix);
+  if (has_things) glEnable(GL_DEPTH_TEST), glDepthFunc(GL_LEQUAL);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(2, 8);  // the grid lies on the ground, and things that stand on it are seen to their feet
+  if (scene.has_ground) draw_ground(ground_, scenery_, scene, camera, matrix);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  if (has_things) scenery_.draw(*scene.scenery, camera);
+  glDepthMask(GL_FALSE);
   draw_crowd(crowd_, scene, camera, matrix);
-  draw_lines(line_, scene, camera, matrix);
-  draw_balls(ball_, scene, camera, matrix);
+  if (has_things) {
+    constexpr float kShowsThrough = 0.25F;
+    glDepthFunc(GL_GREATER);
+    draw_lines(line_, scene, camera, matrix, kShowsThrough);
+    draw_balls(ball_, scene, camera, matrix, kShowsThrough);
+    glDepthFunc(GL_LEQUAL);
+  }
+  draw_lines(line_, scene, camera, matrix, 1);
+  draw_balls(ball_, scene, camera, matrix, 1);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
   glBindVertexArray(0);
   glDisable(GL_SCISSOR_TEST);
 }

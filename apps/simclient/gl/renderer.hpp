@@ -1,8 +1,9 @@
 // Renderer: draws a scene with OpenGL 3.3. Lines and balls are instances of one quad each, a crowd is points: any
-// number of them is one call.
+// number of them is one call. Things of the world's scene are lit triangles; without them nothing needs depth.
 #pragma once
 
 #include "simclient/core/scene.hpp"
+#include "simclient/gl/scenery_pass.hpp"
 #include "simclient/gl/shader.hpp"
 
 namespace physim::client {
@@ -23,10 +24,14 @@ class Renderer {
  public:
   /// Where there is a context; before anything is drawn.
   [[nodiscard]] Status make();
-  void draw(const Scene& scene, const Camera& camera, const Viewport& viewport) const;
+  /// Into the framebuffer in use, which has depth where there are things to be seen.
+  void draw(const Scene& scene, const Camera& camera, const Viewport& viewport);
 
  private:
-  Pass ground_, line_, ball_, crowd_;
+  void draw_shadows(const Scene& scene, const Camera& camera);
+
+  Pass ground_, line_, ball_, crowd_, ball_shadow_;
+  SceneryPass scenery_;
 };
 
 }  // namespace physim::client

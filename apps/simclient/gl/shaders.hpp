@@ -15,7 +15,25 @@ void main() {
 }
 )";
 
-inline constexpr const char* kGroundFragment = R"(#version 330 core
+// How much of the sun reaches a place: 1, or less in shadow. Edges are as soft as a few pixels of the map.
+#define PHYSIM_SHADOW_LOOKUP                                                         \
+  "uniform int has_shadows;\n"                                                       \
+  "uniform sampler2DShadow shadow_map;\n"                                            \
+  "uniform mat4 sun;\n"                                                              \
+  "float sunlight(vec3 at) {\n"                                                      \
+  "  if (has_shadows == 0) return 1.0;\n"                                            \
+  "  vec3 on_map = (sun * vec4(at, 1.0)).xyz * 0.5 + 0.5;\n"                         \
+  "  if (any(greaterThan(abs(on_map - 0.5), vec3(0.495)))) return 1.0;\n"            \
+  "  float light = 0.0;\n"                                                           \
+  "  for (int i = 0; i < 4; ++i) {\n"                                                \
+  "    vec2 aside = vec2(float(i & 1) - 0.5, float(i >> 1) - 0.5) * 1.6 / 1024.0;\n" \
+  "    light += texture(shadow_map, on_map + vec3(aside, 0.0));\n"                   \
+  "  }\n"                                                                            \
+  "  vec2 rim = smoothstep(0.42, 0.495, abs(on_map.xy - 0.5));\n"                    \
+  "  return mix(light * 0.25, 1.0, max(rim.x, rim.y));\n"                            \
+  "}\n"
+
+inline constexpr const char* kGroundFragment = "#version 330 core\n" PHYSIM_SHADOW_LOOKUP R"(
 in vec3 place;
 uniform vec3 near_colour, far_colour;
 uniform float reach;
@@ -23,7 +41,75 @@ out vec4 colour;
 void main() {
   float away = clamp(length(place.xz) / reach * 4.0, 0.0, 1.0);
   colour = vec4(mix(near_colour, far_colour, sqrt(away)), 1.0);
+  if (has_shadows != 0) colour.rgb *= 0.55 + 0.45 * sunlight(place);
 }
+)";
+
+inline constexpr const char* kThingVertex = R"(#version 330 core
+layout(location = 0) in vec3 at;  // from the scenery's origin
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 thing_colour;
+uniform mat4 matrix;
+uniform vec3 origin;    // of the scenery, relative to the eye
+uniform float stretch;  // of heights
+out vec3 place;
+out vec3 facing;
+out vec4 shade;
+void main() {
+  place = origin + at * vec3(1.0, stretch, 1.0);
+  facing = normal * vec3(1.0, 1.0 / stretch, 1.0);
+  shade = thing_colour;
+  gl_Position = matrix * vec4(place, 1.0);
+}
+)";
+
+inline constexpr const char* kThingFragment = "#version 330 core\n" PHYSIM_SHADOW_LOOKUP R"(
+in vec3 place;
+in vec3 facing;
+in vec4 shade;
+uniform vec3 to_sun;
+uniform float map_pixel;  // of the shadow map [m]
+uniform float haze;       // what is that far away is as the sky
+out vec4 colour;
+void main() {
+  vec3 n = normalize(facing);
+  if (dot(n, place) > 0.0) n = -n;  // sheets are seen from both sides
+  float sun_on_it = max(dot(n, to_sun), 0.0);
+  if (sun_on_it > 0.0) sun_on_it *= sunlight(place + n * (map_pixel * 1.5));
+  float sky = 0.5 + 0.5 * n.y;
+  vec3 light = mix(vec3(0.20, 0.19, 0.18), vec3(0.36, 0.40, 0.46), sky) + vec3(0.80, 0.76, 0.68) * sun_on_it;
+  vec3 seen = shade.rgb * light;
+  float away = clamp(length(place) / haze, 0.0, 1.0);
+  colour = vec4(mix(seen, vec3(0.075, 0.086, 0.105), away * away), shade.a);
+}
+)";
+
+inline constexpr const char* kShadowFragment = R"(#version 330 core
+void main() {}
+)";
+
+// The shadow of a ball: a disc that faces the sun.
+inline constexpr const char* kBallShadowVertex = R"(#version 330 core
+layout(location = 0) in vec2 corner;
+layout(location = 1) in vec3 at;
+layout(location = 3) in vec2 radius_pixels;
+uniform mat4 matrix;   // of the eye
+uniform mat4 sun;
+uniform vec2 size;
+uniform float focal;
+uniform float metres;  // that the map is wide
+out vec2 spot;
+void main() {
+  vec4 centre = matrix * vec4(at, 1.0);
+  float radius = max(radius_pixels.x, radius_pixels.y * max(centre.w, 1e-4) / focal);
+  spot = corner;
+  gl_Position = sun * vec4(at, 1.0) + vec4(corner * radius * 2.0 / metres, 0.0, 0.0);
+}
+)";
+
+inline constexpr const char* kBallShadowFragment = R"(#version 330 core
+in vec2 spot;
+void main() { if (dot(spot, spot) > 1.0) discard; }
 )";
 
 // A line is a quad as wide as the line and one pixel more, which lets its edges fade out.
@@ -68,9 +154,11 @@ in vec3 place;
 noperspective in float across;
 flat in float half_width;
 flat in float fog;
+uniform float part;  // of its opacity: what is hidden by things shows through
 out vec4 colour;
 void main() {
-  float cover = clamp(half_width + 0.5 - abs(across), 0.0, 1.0);
+  if (fog > 0.0 && part < 1.0) discard;  // the grid does not
+  float cover = clamp(half_width + 0.5 - abs(across), 0.0, 1.0) * part;
   if (fog > 0.0) cover *= clamp(1.0 - length(place) / fog, 0.0, 1.0);
   if (cover <= 0.003) discard;
   colour = vec4(shade.rgb, shade.a * cover);
@@ -95,6 +183,10 @@ void main() {
   shade = ball_colour;
   gl_Position = centre.w < 1e-4 ? vec4(2.0, 2.0, 2.0, 1.0)
                                 : centre + vec4(spot * pixels * 2.0 / size * centre.w, 0.0, 0.0);
+  // As near as the ball's front: what it lies on does not cut it.
+  vec3 front = at * max(1.0 - pixels / focal * centre.w / max(length(at), 1e-6), 0.0);
+  vec4 nearest = matrix * vec4(front, 1.0);
+  if (nearest.w > 1e-4) gl_Position.z = nearest.z / nearest.w * gl_Position.w;
 }
 )";
 
@@ -102,10 +194,11 @@ inline constexpr const char* kBallFragment = R"(#version 330 core
 in vec4 shade;
 in vec2 spot;
 flat in float pixels;
+uniform float part;
 out vec4 colour;
 void main() {
   float away = length(spot);
-  float cover = clamp((1.0 - away) * pixels + 0.5, 0.0, 1.0);
+  float cover = clamp((1.0 - away) * pixels + 0.5, 0.0, 1.0) * part;
   if (cover <= 0.0) discard;
   float up = sqrt(max(0.0, 1.0 - away * away));
   float light = pixels < 3.0 ? 1.0 : 0.62 + 0.38 * clamp(dot(vec3(spot, up), vec3(-0.35, 0.6, 0.72)), 0.0, 1.0);

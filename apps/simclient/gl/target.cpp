@@ -9,15 +9,20 @@ namespace physim::client {
 Target::Target(int width, int height) {
   glGenFramebuffers(1, &framebuffer_);
   glGenRenderbuffers(1, &colour_);
+  glGenRenderbuffers(1, &depth_);
   glBindRenderbuffer(GL_RENDERBUFFER, colour_);
   glRenderbufferStorage(GL_RENDERBUFFER, GL_RGB8, width, height);
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
 }
 
 Target::~Target() {
   glDeleteFramebuffers(1, &framebuffer_);
   glDeleteRenderbuffers(1, &colour_);
+  glDeleteRenderbuffers(1, &depth_);
 }
 
 Picture read_picture(int x, int y, int width, int height) {

@@ -20,7 +20,7 @@ class Target {
   void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
 
  private:
-  GLuint framebuffer_ = 0, colour_ = 0;
+  GLuint framebuffer_ = 0, colour_ = 0, depth_ = 0;
 };
 
 /// Red, green, blue; the top row first.

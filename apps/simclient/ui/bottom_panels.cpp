@@ -1,6 +1,8 @@
-// The panels under the scene: plots, the comparison of rungs, and what everything costs.
+// The panels under the scene: plots, the comparison of rungs, what everything costs, and what was hit.
 #include <algorithm>
 
+#include "base/text.hpp"
+#include "math/angles.hpp"
 #include "physim/names.hpp"
 #include "simclient/core/actions.hpp"
 #include "simclient/ui/panel.hpp"
@@ -54,7 +56,11 @@ void pick_rungs(Client& client) {
 void draw_comparison(Client& client) {
   if (client.session.is_replay()) return ImGui::TextWrapped("A replay fires by itself.");
   pick_rungs(client);
-  if (!client.session.scenario().forces.empty()) ImGui::TextDisabled("without the forces of the scenario");
+  const Scenario& scenario = client.session.scenario();
+  if (!scenario.forces.empty() || !scenario.things.empty())
+    ImGui::TextDisabled("without the %s of the scenario", scenario.things.empty()   ? "forces"
+                                                          : scenario.forces.empty() ? "things"
+                                                                                    : "forces and things");
   const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("rungs", 10, flags)) return;
@@ -106,15 +112,58 @@ void draw_performance(Client& client) {
   ImGui::EndChild();
 }
 
+void draw_hit(Client& client, const Hit& hit) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, tint(client.session.colour_of(hit)));
+  ImGui::PushID(&hit);
+  const bool is_selected = client.selected == hit.id;
+  if (ImGui::Selectable(formatted("%.4f", hit.time).c_str(), is_selected, ImGuiSelectableFlags_SpanAllColumns))
+    client.selected = hit.id;
+  ImGui::PopID();
+  cell("%s", client.session.title_of(hit).c_str());
+  ImGui::PopStyleColor();
+  cell("%s", hit.thing.c_str());
+  cell("%s", hit.material.c_str());
+  cell("%s", std::string(name(hit.outcome)).c_str());
+  cell("%.5g", length(hit.velocity));
+  cell("%.5g", length(hit.after));
+  cell("%.2f", hit.obliquity / kDegree);
+  cell("%s", hit.depth > 0 ? formatted("%.4g", 1000 * hit.depth).c_str() : "");
+  cell("%s", hit.energy > 0 ? formatted("%.4g", hit.energy).c_str() : "");
+  cell("%.4g, %.4g, %.4g", hit.position.x, hit.position.y, hit.position.z);
+}
+
+/// The last one on top.
+void draw_hits(Client& client) {
+  const HitLog& log = client.session.hits();
+  if (log.hits().empty())
+    return ImGui::TextDisabled(client.session.world().scene() == nullptr
+                                   ? "There is nothing to hit. Tools put up walls (I) and targets (O)."
+                                   : "Nothing has been hit yet.");
+  if (log.count() > log.hits().size())
+    ImGui::TextDisabled("the last %zu of %llu", log.hits().size(), static_cast<unsigned long long>(log.count()));
+  const ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollX |
+                                ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
+  if (!ImGui::BeginTable("hits", 11, flags)) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  headings({"time [s]", "shot", "thing", "material", "what", "speed [m/s]", "after [m/s]", "off normal [\u00b0]",
+            "depth [mm]", "energy lost [J]", "place [m]"});
+  const auto& hits = log.hits();
+  for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) draw_hit(client, *hit);
+  ImGui::EndTable();
+}
+
 }  // namespace
 
 void draw_bottom_panel(Client& client, const Box& box, bool bare) {
-  static constexpr const char* kTitles[] = {"", "Plots", "Comparison", "Performance"};
+  static constexpr const char* kTitles[] = {"", "Plots", "Comparison", "Performance", "Hits"};
   const std::string title = std::string(kTitles[static_cast<int>(client.bottom)]) + "###bottom";
   if (begin_panel(title.c_str(), box, !bare)) {
     if (client.bottom == BottomPanel::plots) draw_plots(client, bare);
     if (client.bottom == BottomPanel::compare) draw_comparison(client);
     if (client.bottom == BottomPanel::performance) draw_performance(client);
+    if (client.bottom == BottomPanel::hits) draw_hits(client);
   }
   end_panel();
 }

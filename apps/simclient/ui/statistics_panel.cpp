@@ -1,6 +1,7 @@
 // Live numbers of every projectile, in its own colour.
 #include "base/text.hpp"
 #include "physim/names.hpp"
+#include "simclient/core/scene.hpp"
 #include "simclient/ui/panel.hpp"
 
 namespace physim::client {
@@ -13,6 +14,17 @@ void vector_row(const char* what, const char* unit, const Vec3d& v) {
   for (const double x : {v.x, v.y, v.z}) cell("%9s", fitting_text(x, 8).c_str());
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", unit);
+}
+
+/// The last ones, the first of them on top.
+void draw_hits_of(const Session& session, const Track& track) {
+  constexpr std::size_t kMost = 3;
+  std::vector<const Hit*> last;
+  const auto& hits = session.hits().hits();
+  for (auto hit = hits.rbegin(); hit != hits.rend() && last.size() < kMost; ++hit)
+    if (hit->id == track.id) last.push_back(&*hit);
+  for (auto hit = last.rbegin(); hit != last.rend(); ++hit)
+    ImGui::TextWrapped("%.3f s  %s", (*hit)->time - track.born, hit_text(**hit).c_str());
 }
 
 void draw_track(Client& client, const Track& track, bool is_selected) {
@@ -31,6 +43,7 @@ void draw_track(Client& client, const Track& track, bool is_selected) {
     ImGui::EndTable();
   }
   ImGui::TextWrapped("speed %.2f m/s  Mach %.3f  %.4g kg", length(s.velocity), s.mach, s.mass);
+  draw_hits_of(client.session, track);
   ImGui::PopStyleColor();
   ImGui::Separator();
   ImGui::PopID();

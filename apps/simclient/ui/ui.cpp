@@ -47,6 +47,7 @@ void Ui::draw(Client& client, const Scene& scene) {
   draw_status(client);
   draw_messages(client);
   draw_probe(client);
+  draw_placing(client);
   draw_context_menu(client);
   if (client.show.help) draw_help(client);
   draw_file_dialog(client);
@@ -73,6 +74,7 @@ bool Ui::close_something(Client& client) {
   if (client.dialog != Dialog::none) return client.dialog = Dialog::none, true;
   if (client.show.help) return client.show.help = false, true;
   if (client.show.panel_keys) return client.show.panel_keys = false, true;
+  if (client.tool != Tool::fire) return client.use_tool(client.tool), true;
   return false;
 }
 
@@ -126,6 +128,8 @@ void Ui::draw_context_menu(Client& client) {
   action_item(client, "fit", "Look at everything");
   action_item(client, "camera", "Next camera");
   action_item(client, "tape", "Tape measure");
+  action_item(client, "wall", "Put up a wall");
+  action_item(client, "target", "Put up a target");
   ImGui::Separator();
   action_item(client, "quit", "Leave");
   ImGui::EndPopup();
@@ -297,8 +301,37 @@ void Ui::draw_messages(const Client& client) {
   ImGui::End();
 }
 
+/// What a wall or a target will be like, while the mouse puts one up.
+void Ui::draw_placing(Client& client) {
+  if (client.tool != Tool::wall && client.tool != Tool::target) return;
+  const bool is_wall = client.tool == Tool::wall;
+  const Box& s = layout_.scene;
+  ImGui::SetNextWindowPos({s.x + 10 * scale_, s.y + s.height - 10 * scale_}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSize({std::min(s.width - 20 * scale_, 270 * scale_), 0});
+  ImGui::Begin(is_wall ? "A wall###placing" : "A target###placing", nullptr,
+               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  const std::string& material = client.placing.material;
+  ImGui::SetNextItemWidth(150 * scale_);
+  if (ImGui::BeginCombo("material", material.empty() ? "any" : material.c_str())) {
+    for (const std::string& each : materials_to_choose(client.session.scenario()))
+      if (ImGui::Selectable(each.c_str(), each == material)) client.placing.material = each;
+    ImGui::EndCombo();
+  }
+  const auto length = [&](const char* what, double& value) {
+    double typed = value;
+    ImGui::SetNextItemWidth(150 * scale_);
+    if (ImGui::InputDouble(what, &typed, 0, 0, "%.4g") && typed > 0 && typed < 1e6) value = typed;
+  };
+  if (is_wall) length("height [m]", client.placing.height);
+  if (is_wall) length("thickness [m]", client.placing.thickness);
+  if (!is_wall) length("radius [m]", client.placing.radius);
+  ImGui::TextDisabled("Esc: puts up nothing");
+  ImGui::End();
+}
+
 void Ui::draw_probe(Client& client) {
-  if (!mouse_on_scene_) return;
+  if (!mouse_on_scene_ || client.tool == Tool::wall || client.tool == Tool::target) return;
   const auto found = client.probe(mouse_);
   if (!found) return;
   const TrackSample& s = found->sample;

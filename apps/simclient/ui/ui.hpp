@@ -44,6 +44,7 @@ class Ui {
   void draw_status(Client& client);
   void draw_labels(const Client& client, const Scene& scene);
   void draw_messages(const Client& client);
+  void draw_placing(Client& client);
   void draw_probe(Client& client);
   void draw_help(Client& client);
   void draw_question(Client& client);

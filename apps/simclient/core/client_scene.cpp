@@ -1,0 +1,106 @@
+// What the mouse does in the scene of a client, and what it puts there.
+#include <cmath>
+
+#include "simclient/core/client.hpp"
+
+namespace physim::client {
+
+void Client::use_tool(Tool wanted) {
+  tool = tool == wanted ? Tool::fire : wanted;
+  tape = {};
+  wall_from.reset();
+  if (tool == Tool::tape) say("tape measure: click two points on paths, things or the ground");
+  if (tool == Tool::wall || tool == Tool::target) fit_sizes(placing, camera.distance);
+  if (tool == Tool::wall) say("wall: click where its two ends stand");
+  if (tool == Tool::target) say("target: click on a path, a thing or the ground");
+}
+
+void Client::click(const Pixel& pixel) {
+  if (tool == Tool::fire) {
+    if (Status status = fire(); !status) complain(status.error());
+    return;
+  }
+  const std::optional<Vec3d> point = tool == Tool::wall     ? surface_under(pixel)
+                                     : tool == Tool::target ? target_under(pixel)
+                                                            : point_under(pixel);
+  if (!point) return complain({"there is nothing", "here", "click on a path, a thing or the ground"});
+  if (tool == Tool::tape) {
+    if (tape.from && !tape.to)
+      tape.to = point;
+    else
+      tape = {point, std::nullopt};
+    return;
+  }
+  if (tool == Tool::wall && !wall_from) return void(wall_from = point);
+  const Status status = tool == Tool::wall ? place_wall(*wall_from, *point) : place_target(*point);
+  wall_from.reset();
+  if (!status) return complain(status.error());
+  tool = Tool::fire;
+}
+
+std::optional<Vec3d> Client::point_under(const Pixel& pixel) {
+  if (const auto found = probe(pixel)) return found->sample.position;
+  return surface_under(pixel);
+}
+
+std::optional<Vec3d> Client::surface_under(const Pixel& pixel) const {
+  const std::optional<Vec3d> ground = camera.at_height(pixel, session.ground().value_or(0));
+  const physim::Scene* scene = session.world().scene();
+  if (scene == nullptr) return ground;
+  // Rays are straight as they are drawn; heights may be stretched there.
+  const Ray ray = camera.ray(pixel);
+  const auto in_world = [&](const Vec3d& shown) {
+    return Vec3d{shown.x, camera.target.y + (shown.y - camera.target.y) / camera.stretch, shown.z};
+  };
+  SceneSegment segment;
+  segment.from = in_world(ray.origin);
+  segment.to = in_world(ray.origin + ray.direction * (1e4 * camera.distance));
+  segment.time = session.shown_time();
+  const SceneHit hit = scene->first_hit(segment);
+  if (!hit) return ground;
+  const bool is_nearer = !ground || length(hit.position - segment.from) < length(*ground - segment.from);
+  return is_nearer || !session.ground() ? hit.position : *ground;
+}
+
+std::optional<Vec3d> Client::target_under(const Pixel& pixel) {
+  if (const auto found = probe(pixel)) return found->sample.position;
+  std::optional<Vec3d> place = surface_under(pixel);
+  if (place) place->y += placing.radius;
+  return place;
+}
+
+Status Client::place_wall(const Vec3d& from, const Vec3d& to) {
+  return place(with_wall(session.scenario(), from, to, placing));
+}
+
+Status Client::place_target(const Vec3d& middle) {
+  return place(with_target(session.scenario(), middle, launcher.shot().launch.position, placing));
+}
+
+Status Client::place(const Result<Placed>& placed) {
+  if (!placed) return placed.error();
+  if (Status status = session.set_scene(placed->scenario); !status) return status;
+  placed_.push_back(placed->brings_material);
+  unsaved_ = true;
+  ++session_version_;
+  const std::string of = placing.material.empty() ? "" : " of " + placing.material;
+  return say(placed->name + of + "; Ctrl+Z takes it away"), Status();
+}
+
+Status Client::undo_placing() {
+  if (placed_.empty()) return Error{"nothing was placed by hand", "undo", "wall and target place things"};
+  const std::string name = session.scenario().things.back().name;
+  if (Status status = session.set_scene(without_last(session.scenario(), placed_.back())); !status) return status;
+  placed_.pop_back();
+  unsaved_ = true;
+  ++session_version_;
+  return say("took away " + name), Status();
+}
+
+const Scenery& Client::scenery() {
+  // Planes reach so far that their edges are beyond what is looked at.
+  const double reach = std::exp2(std::ceil(std::log2(40 * camera.distance + length(camera.target))));
+  return scenery_.make(session.world().scene(), session_version_, session.shown_time(), reach);
+}
+
+}  // namespace physim::client

@@ -1,0 +1,102 @@
+#include "simclient/core/hits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace physim::client {
+namespace {
+
+/// What an event says about a thing.
+Hit hit_of(const World& world, const physim::Scene& scene, const Event& event) {
+  Hit hit;
+  hit.id = event.id;
+  hit.instance = event.instance;
+  hit.time = event.time;
+  hit.position = event.position;
+  hit.velocity = hit.after = event.velocity;
+  hit.material = scene.material(event.material).name;
+  const ProjectileView projectile = world[event.id];
+  hit.colour = projectile.colour();
+  if (const ProjectileDef* what = projectile.definition()) hit.shot = what->name, hit.radius = what->diameter / 2;
+  const auto thing = scene.instance(event.instance);
+  const auto state = scene.state(event.instance, event.time);
+  if (!thing || !state) return hit;
+  hit.thing = thing->name;
+  const Quatd back = conjugate(state->rotation);
+  // The event of a ball tells where its middle is.
+  const SceneNearest nearest = scene.nearest(event.position, 4 * hit.radius, {}, event.time);
+  const Vec3d surface = nearest && nearest.instance == event.instance ? nearest.position : event.position;
+  hit.at = hit.end = rotate(back, surface - state->position);
+  hit.normal = rotate(back, event.normal);
+  const Vec3d way = event.velocity - velocity_at(*state, event.position);
+  const double cosine = -dot(way, event.normal) / std::max(length(way), 1e-300);
+  hit.obliquity = std::acos(std::clamp(event.kind == EventKind::left ? -cosine : cosine, -1.0, 1.0));
+  return hit;
+}
+
+/// What became of a hit.
+void complete(Hit& hit, const physim::Scene& scene, const Event& event) {
+  hit.outcome = event.kind;
+  hit.after = event.kind == EventKind::stopped ? Vec3d{} : event.velocity;
+  hit.energy = event.energy;
+  if (event.kind == EventKind::penetrated || event.kind == EventKind::stopped) hit.depth = event.value;
+  if (event.kind != EventKind::penetrated && event.kind != EventKind::stopped) return;
+  if (const auto state = scene.state(event.instance, event.time))
+    hit.end = rotate(conjugate(state->rotation), event.position - state->position);
+}
+
+}  // namespace
+
+Vec3d place_in_world(const MotionState& thing, const Vec3d& at) { return thing.position + rotate(thing.rotation, at); }
+
+bool is_passed(const Hit& hit) {
+  return hit.outcome == EventKind::entered || hit.outcome == EventKind::left || hit.outcome == EventKind::sensed;
+}
+
+void HitLog::look_at(const World& world, std::span<const Event> events) {
+  const physim::Scene* scene = world.scene();
+  if (scene == nullptr) return;
+  std::vector<Hit> open;  // of this step
+  for (const Event& event : events) {
+    if (!event.instance) continue;
+    const bool is_outcome = event.kind == EventKind::bounced || event.kind == EventKind::ricocheted ||
+                            event.kind == EventKind::penetrated || event.kind == EventKind::stopped;
+    if (!is_outcome) {
+      open.push_back(hit_of(world, *scene, event));
+      // A projectile that stays where it struck, or ends there, has no other event.
+      const bool ends = event.reason == Reason::inside || world[event.id].status() == LifeStatus::landed;
+      if (event.kind != EventKind::hit)
+        open.back().outcome = event.kind;
+      else if (ends)
+        open.back().outcome = EventKind::stopped, open.back().after = {};
+      continue;
+    }
+    const auto is_its = [&](const Hit& hit) {
+      const bool is_open = hit.outcome == EventKind::hit || hit.outcome == EventKind::stopped;
+      return hit.id == event.id && hit.instance == event.instance && is_open;
+    };
+    const auto hit = std::find_if(open.rbegin(), open.rend(), is_its);
+    if (hit != open.rend()) complete(*hit, *scene, event);
+  }
+  for (Hit& hit : open)
+    if (hit.outcome != EventKind::hit) add(std::move(hit));
+}
+
+void HitLog::add(Hit hit) {
+  if (hits_.size() >= kMost) hits_.pop_front();
+  hits_.push_back(std::move(hit));
+  ++count_;
+}
+
+void HitLog::forget_after(double time) {
+  const std::size_t before = hits_.size();
+  std::erase_if(hits_, [time](const Hit& hit) { return hit.time > time; });
+  count_ -= before - hits_.size();
+}
+
+void HitLog::forget_gone(const physim::Scene* scene) {
+  std::erase_if(hits_, [scene](const Hit& hit) { return scene == nullptr || !scene->instance(hit.instance); });
+}
+
+}  // namespace physim::client

@@ -1,0 +1,180 @@
+#include "simclient/core/scenery.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "physim/scene_draw.hpp"
+
+namespace physim::client {
+namespace {
+
+constexpr double kSmooth = 0.8;         // cosine of the largest angle between faces that are one round surface
+constexpr std::size_t kMostNames = 40;  // more would hide each other
+constexpr std::size_t kMostEdges = 4000;
+
+struct Face {
+  Vec3d corners[3], normal;
+};
+
+/// Corners that faces share, by their place.
+struct PlaceHash {
+  std::size_t operator()(const Vec3d& p) const {
+    const std::hash<double> hash;
+    return hash(p.x) ^ (hash(p.y) * 0x9E3779B97F4A7C15U) ^ (hash(p.z) * 0xC2B2AE3D27D4EB4FU);
+  }
+};
+struct SamePlace {
+  bool operator()(const Vec3d& a, const Vec3d& b) const { return a == b; }
+};
+
+/// Takes what is drawn, thing by thing.
+class Gatherer final : public SceneCanvas {
+ public:
+  Gatherer(const physim::Scene& scene, Scenery& into) : scene_(scene), into_(into) {}
+
+  void begin(InstanceId thing) override {
+    finish();
+    thing_ = scene_.instance(thing);
+  }
+  void line(const Vec3d&, const Vec3d&, SceneInk) override {}
+  void text(const Vec3d&, std::string_view) override {}
+  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, SceneInk ink) override {
+    const Vec3d facing = cross(b - a, c - a);
+    if (!(length(facing) > 0)) return;
+    faces_.push_back({{a, b, c}, normalized(facing)});
+    is_sensor_ = ink == SceneInk::sensor;
+  }
+
+  /// The faces of the thing become vertices.
+  void finish() {
+    if (thing_ && !faces_.empty()) add_thing();
+    faces_.clear();
+    thing_.reset();
+  }
+  /// Sensors come last.
+  void end() {
+    finish();
+    into_.solid = into_.vertices.size();
+    into_.vertices.insert(into_.vertices.end(), sensors_.begin(), sensors_.end());
+  }
+
+ private:
+  void add_thing() {
+    const bool is_plane = faces_.size() == 2;
+    if (into_.vertices.empty() && sensors_.empty()) into_.origin = faces_[0].corners[0];
+    Vec3d low = faces_[0].corners[0], high = low;
+    for (const Face& face : faces_)
+      for (const Vec3d& p : face.corners) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      }
+    if (!is_plane) include(low, high);
+    const Vec3d top = is_plane ? thing_->transform.position : Vec3d{(low.x + high.x) / 2, high.y, (low.z + high.z) / 2};
+    if (!thing_->name.empty() && into_.names.size() < kMostNames) into_.names.push_back({top, thing_->name});
+    const Colour plain = colour_of_material(scene_.material(thing_->material).name);
+    add_faces(is_sensor_ ? faded(plain, 0.3) : plain);
+    if (!is_plane && !is_sensor_ && faces_.size() < kMostEdges) add_edges(darker(plain));
+  }
+
+  static Colour darker(Colour colour) {
+    Colour out = colour & 0xFF;
+    for (const int shift : {8, 16, 24}) out |= ((colour >> shift & 0xFF) * 2 / 5) << shift;
+    return out;
+  }
+
+  /// Those that are no part of a round surface.
+  void add_edges(Colour colour) {
+    std::map<std::array<double, 6>, std::vector<Vec3d>> normals;  // of the faces at each edge
+    for (const Face& face : faces_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::array<double, 3> a = {face.corners[i].x, face.corners[i].y, face.corners[i].z};
+        const Vec3d& next = face.corners[(i + 1) % 3];
+        std::array<double, 3> b = {next.x, next.y, next.z};
+        if (b < a) std::swap(a, b);
+        normals[{a[0], a[1], a[2], b[0], b[1], b[2]}].push_back(face.normal);
+      }
+    for (const auto& [ends, of_faces] : normals) {
+      const bool is_round = of_faces.size() == 2 && dot(of_faces[0], of_faces[1]) > kSmooth;
+      if (is_round || into_.edges.size() >= kMostEdges) continue;
+      into_.edges.push_back({{ends[0], ends[1], ends[2]}, {ends[3], ends[4], ends[5]}, colour});
+    }
+  }
+
+  void include(const Vec3d& low, const Vec3d& high) {
+    if (!into_.has_size) into_.low = low, into_.high = high, into_.has_size = true;
+    into_.low = {std::min(low.x, into_.low.x), std::min(low.y, into_.low.y), std::min(low.z, into_.low.z)};
+    into_.high = {std::max(high.x, into_.high.x), std::max(high.y, into_.high.y), std::max(high.z, into_.high.z)};
+  }
+
+  void add_faces(Colour colour) {
+    std::unordered_map<Vec3d, std::vector<std::uint32_t>, PlaceHash, SamePlace> around;
+    for (std::uint32_t i = 0; i < faces_.size(); ++i)
+      for (const Vec3d& p : faces_[i].corners) around[p].push_back(i);
+    std::vector<SceneryVertex>& to = is_sensor_ ? sensors_ : into_.vertices;
+    for (const Face& face : faces_)
+      for (const Vec3d& p : face.corners) {
+        Vec3d normal;
+        for (const std::uint32_t i : around[p])
+          if (dot(faces_[i].normal, face.normal) > kSmooth) normal += faces_[i].normal;
+        to.push_back(vertex(p - into_.origin, normalized(normal), colour));
+      }
+  }
+
+  static SceneryVertex vertex(const Vec3d& at, const Vec3d& normal, Colour colour) {
+    SceneryVertex out;
+    const double places[] = {at.x, at.y, at.z}, ways[] = {normal.x, normal.y, normal.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      out.at[i] = static_cast<float>(places[i]);
+      out.normal[i] = static_cast<float>(ways[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) out.colour[i] = static_cast<std::uint8_t>(colour >> (24 - 8 * i));
+    return out;
+  }
+
+  const physim::Scene& scene_;
+  Scenery& into_;
+  std::optional<InstanceDef> thing_;
+  std::vector<Face> faces_;
+  std::vector<SceneryVertex> sensors_;
+  bool is_sensor_ = false;
+};
+
+}  // namespace
+
+Colour colour_of_material(const std::string& name) {
+  constexpr std::pair<const char*, Colour> kKnown[] = {
+      {"water", 0x2E6E8EFF},    {"fir", 0xC9A06EFF},   {"oak", 0x9C6E42FF},    {"wood", 0xB08856FF},
+      {"concrete", 0xA3A39DFF}, {"steel", 0x7E8B98FF}, {"armour", 0x6C7683FF}, {"aluminium", 0xB9C1C9FF},
+      {"soil", 0x7D664CFF},     {"sand", 0xC4B088FF},  {"grass", 0x63824EFF},  {"rock", 0x857F78FF},
+      {"ice", 0xB5D3E2FF},      {"brick", 0xA5604AFF}, {"rubber", 0x4A4A4EFF}, {"clay", 0xAD7A55FF},
+  };
+  for (const auto& [part, colour] : kKnown)
+    if (name.find(part) != name.npos) return colour;
+  if (name.empty()) return 0x95A1ADFF;
+  constexpr Colour kOthers[] = {0x4F8464FF, 0xA4695DFF, 0x657CA3FF, 0x9C8B58FF, 0x806896FF};
+  std::size_t sum = 0;
+  for (const char c : name) sum += static_cast<unsigned char>(c);
+  return kOthers[sum % std::size(kOthers)];
+}
+
+const Scenery& SceneryMaker::make(const physim::Scene* scene, std::uint64_t version, double time, double reach) {
+  if (scene == nullptr) {
+    if (!scenery_.is_empty()) scenery_ = Scenery{.version = scenery_.version + 1};
+    made_of_ = nullptr;
+    return scenery_;
+  }
+  const bool is_as_before = made_of_ == scene && made_at_ == version && changes_ == scene->changes() &&
+                            reach_ == reach && (time_ == time || !scene->has_motion());
+  if (is_as_before) return scenery_;
+  scenery_ = Scenery{.version = scenery_.version + 1};
+  made_of_ = scene, made_at_ = version, changes_ = scene->changes(), time_ = time, reach_ = reach;
+  Gatherer gatherer(*scene, scenery_);
+  scene->draw(gatherer, {.plane_faces = true, .time = time, .plane_size = reach});
+  gatherer.end();
+  return scenery_;
+}
+
+}  // namespace physim::client

@@ -1,0 +1,62 @@
+// Scenery: the things of a world's scene as triangles to be lit, and where their names stand.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "physim/scene.hpp"
+#include "simclient/core/palette.hpp"
+
+namespace physim::client {
+
+/// A corner of a triangle, as the renderer reads it.
+struct SceneryVertex {
+  float at[3];      // from Scenery::origin [m]
+  float normal[3];  // of the surface there; round things have those of what they stand for
+  std::uint8_t colour[4];
+};
+
+/// A thing with a name.
+struct SceneryName {
+  Vec3d at;  // above its middle
+  std::string text;
+};
+
+/// Where two faces meet at an angle, or one ends.
+struct SceneryEdge {
+  Vec3d a, b;
+  Colour colour = 0;
+};
+
+struct Scenery {
+  Vec3d origin;
+  std::vector<SceneryVertex> vertices;  // three for each triangle; those of sensors, which are seen through, come last
+  std::size_t solid = 0;                // vertices before those of sensors
+  std::vector<SceneryEdge> edges;       // not of sensors, nor of planes
+  std::vector<SceneryName> names;
+  bool has_size = false;      // something in it ends somewhere: it is no plane
+  Vec3d low, high;            // of all that does
+  std::uint64_t version = 0;  // rises where vertices change
+
+  [[nodiscard]] bool is_empty() const { return vertices.empty(); }
+};
+
+/// Keeps the scenery of one scene up to date.
+class SceneryMaker {
+ public:
+  /// As the scene stands at a time [s], planes about their origins as far as `reach` [m]; null: there is no scene.
+  /// `version`: another one for another scene.
+  const Scenery& make(const physim::Scene* scene, std::uint64_t version, double time, double reach);
+
+ private:
+  Scenery scenery_;
+  const void* made_of_ = nullptr;
+  std::uint64_t made_at_ = 0, changes_ = 0;
+  double time_ = 0, reach_ = 0;
+};
+
+/// What a material looks like: published ones by their name, others each in a colour of its own.
+[[nodiscard]] Colour colour_of_material(const std::string& name);
+
+}  // namespace physim::client

@@ -1,0 +1,329 @@
+// Scenes in the client: what was hit, what is drawn of it, what a hand puts up, and what is saved of that.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "cli/program.hpp"
+#include "client/support.hpp"
+#include "math/angles.hpp"
+#include "physim/world_run.hpp"
+#include "scenario/revise.hpp"
+#include "simclient/core/scene.hpp"
+#include "simclient/core/state_log.hpp"
+
+namespace physim::client {
+namespace {
+
+using testing_cli::Folder;
+
+std::string shipped(const std::string& name) { return PHYSIM_SOURCE_DIR "/scenarios/" + name + ".toml"; }
+
+void step(Client& client, int steps) {
+  for (int i = 0; i < steps; ++i) client.session.single_step();
+}
+
+// ---------------------------------------------------------------------------------------------------------------- hits
+class HitsOf : public testing::TestWithParam<const char*> {};
+
+/// What the client lists is what `physim run` does, hit by hit.
+TEST_P(HitsOf, AreThoseOfTheCommandLine) {
+  Client client = client_of(GetParam());
+  WorldRun run = std::move(WorldRun::create(load_scenario(shipped(GetParam())).value()).value());
+  std::vector<ThingHit> expected;
+  for (std::uint64_t i = 0; i < run.steps(); ++i) {
+    run.step();
+    expected.insert(expected.end(), run.thing_hits().begin(), run.thing_hits().end());
+  }
+  step(client, static_cast<int>(run.steps()));
+  const auto& hits = client.session.hits().hits();
+  ASSERT_EQ(hits.size(), expected.size());
+  ASSERT_GT(hits.size(), 1U);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    EXPECT_EQ(hits[i].outcome, expected[i].outcome);
+    EXPECT_EQ(hits[i].time, expected[i].time);
+    EXPECT_EQ(hits[i].position, expected[i].position);
+    EXPECT_EQ(hits[i].velocity, expected[i].velocity);
+    EXPECT_EQ(hits[i].depth, expected[i].depth);
+    EXPECT_EQ(hits[i].energy, expected[i].energy);
+    EXPECT_NEAR(hits[i].obliquity, expected[i].obliquity, 1e-7);
+    EXPECT_EQ(hits[i].thing, run.scenario().things[expected[i].thing].name);
+    if (hits[i].outcome == EventKind::stopped) continue;
+    EXPECT_EQ(hits[i].after, expected[i].velocity_after);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, HitsOf, testing::Values("bullet_through_plank", "ricochet_on_water", "billiards"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(Hits, AreToldInTheStateAndByTheirText) {
+  Client client = client_of("bullet_through_plank");
+  step(client, 12);
+  ASSERT_EQ(client.session.hits().hits().size(), 2U);
+  EXPECT_EQ(hit_text(client.session.hits().hits()[0]), "plank: penetrated, 780 to 778 m/s");
+  EXPECT_EQ(hit_text(client.session.hits().hits()[1]), "wall: stopped 107.9 mm deep, 778 m/s");
+  const std::string state = state_line(client, 1);
+  EXPECT_NE(state.find("\"thing\":\"plank\",\"material\":\"fir\",\"what\":\"penetrated\""), std::string::npos) << state;
+  // Its trail has a corner at each, and ends in the wall.
+  EXPECT_NEAR(client.session.tracks()[0].samples.back().position.x, 60.10792, 1e-4);
+  EXPECT_NEAR(client.session.tracks()[0].impact->position.x, 49.991, 1e-4);
+}
+
+TEST(Hits, AreForgottenOnTheWayBackAndKeptInNumberBelowABound) {
+  Client client = client_of("bullet_through_plank");
+  step(client, 12);
+  while (client.session.time() > 0.07) ASSERT_TRUE(client.session.step_back());
+  EXPECT_EQ(client.session.hits().hits().size(), 1U);
+  step(client, 1);
+  ASSERT_TRUE(client.restart());
+  EXPECT_EQ(client.session.hits().count(), 0U);
+  Client table = client_of("billiards");
+  step(table, 60 * 120);
+  const HitLog& log = table.session.hits();
+  EXPECT_EQ(log.hits().size(), HitLog::kMost);
+  EXPECT_GT(log.count(), HitLog::kMost);
+  EXPECT_NEAR(log.hits().back().time, 120, 1);
+  Scene scene;
+  build_scene(table, 1, scene);
+  EXPECT_LT(scene.lines.size(), 300 * HitLog::kMost);
+}
+
+/// A mark stays where it was made on a thing that moves and turns.
+TEST(Hits, StayOnThingsThatMove) {
+  physim::Scene scene;
+  const ShapeId box = scene.add_shape(BoxShape{{0.5, 2, 2}}).value();
+  const SteadyMotion motion{.velocity = {0, 1, 0}, .angular_velocity = {0, 0.5, 0}};
+  const InstanceId door =
+      scene.add({.shape = box, .transform = {.position = {10, 0, 0}}, .name = "door", .motion = motion}).value();
+  WorldDef def;
+  def.ground.mode = GroundMode::none;
+  def.environment.gravity.model = GravityModel::off;
+  World world = std::move(World::create(def).value());
+  ASSERT_TRUE(world.set_scene(scene));
+  ProjectileDef ball;
+  ball.name = "ball";
+  Launch launch;
+  launch.velocity = Vec3d{40, 0, 0};
+  ASSERT_TRUE(world.spawn(ball, launch));
+  HitLog log;
+  for (int i = 0; i < 60 && log.count() == 0; ++i) world.step(1.0 / 60), log.look_at(world, world.events());
+  ASSERT_EQ(log.hits().size(), 1U);
+  const Hit& hit = log.hits()[0];
+  EXPECT_EQ(hit.outcome, EventKind::stopped);
+  EXPECT_LT(length(place_in_world(*scene.state(door, hit.time), hit.at) - hit.position), 1e-9);
+  for (const double later : {0.5, 2.0}) {
+    const MotionState then = *scene.state(door, hit.time + later);
+    EXPECT_LT(scene.nearest(place_in_world(then, hit.at), 1, {}, hit.time + later).distance, 1e-9);
+    EXPECT_NEAR(place_in_world(then, hit.at).y - hit.position.y, later, 1e-9);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------- prediction
+/// Through the plank, into the wall, off the cushions: as the shot then flies, to the bit.
+TEST(Prediction, MeetsThingsAsTheShotDoes) {
+  for (const char* name : {"bullet_through_plank", "ricochet_on_water", "billiards"}) {
+    Client client = client_of(name);
+    step(client, 3);
+    const std::vector<TrackSample> path = client.prediction().path;
+    ASSERT_TRUE(client.fire());
+    step(client, 40);
+    const Track& track = client.session.tracks().back();
+    std::size_t compared = 0;
+    for (const TrackSample& s : track.samples)
+      for (const TrackSample& p : path)
+        if (std::abs(p.time - s.time) < 1e-9) {
+          EXPECT_LT(length(p.position - s.position), 1e-9) << name << " at " << s.time;
+          ++compared;
+        }
+    EXPECT_GT(compared, 6U) << name;
+  }
+  Client client = client_of("bullet_through_plank");
+  EXPECT_NEAR(client.prediction().path.back().position.x, 60.10792, 1e-4);
+}
+
+TEST(Prediction, SeesWhatWasPutUpAndWhatMovesByItself) {
+  Client client = client_of();
+  const double before = client.prediction().path.back().position.x;
+  ASSERT_TRUE(run(client, "wall 10 -3 10 3"));
+  EXPECT_NEAR(client.prediction().path.back().position.x, 9.9, 0.1);
+  ASSERT_TRUE(run(client, "undo"));
+  EXPECT_EQ(client.prediction().path.back().position.x, before);
+}
+
+// --------------------------------------------------------------------------------------------------------------- drawn
+TEST(Scenery, IsTheSurfaceOfThings) {
+  Client client = client_of("billiards");
+  const physim::Scene& scene = *client.session.world().scene();
+  const Scenery& scenery = client.scenery();
+  ASSERT_EQ(scenery.vertices.size(), 5U * 36);
+  EXPECT_EQ(scenery.solid, scenery.vertices.size());
+  EXPECT_EQ(scenery.names.size(), 5U);
+  for (const SceneryVertex& v : scenery.vertices) {
+    const Vec3d at = scenery.origin + Vec3d{v.at[0], v.at[1], v.at[2]}, normal{v.normal[0], v.normal[1], v.normal[2]};
+    EXPECT_NEAR(length(normal), 1, 1e-6);
+    EXPECT_LT(scene.nearest(at).distance, 1e-6);
+    const Vec3d inwards = at - normal * 0.01;
+    EXPECT_LT(scene.nearest(inwards).distance, 0.01 + 1e-6);
+  }
+  EXPECT_NEAR(scenery.high.x, 1.52, 1e-6);
+  EXPECT_NEAR(scenery.low.y, -0.1, 1e-6);
+  const std::uint64_t version = scenery.version;
+  EXPECT_EQ(client.scenery().version, version) << "nothing changed";
+  ASSERT_TRUE(run(client, "target 0 1 0"));
+  EXPECT_NE(client.scenery().version, version);
+  EXPECT_EQ(client.scenery().names.size(), 6U);
+}
+
+TEST(Scenery, OfPlanesHasNoSizeAndOfNothingIsEmpty) {
+  Client sea = client_of("ricochet_on_water");
+  EXPECT_EQ(sea.scenery().vertices.size(), 6U);
+  EXPECT_FALSE(sea.scenery().has_size);
+  Client range = client_of();
+  EXPECT_TRUE(range.scenery().is_empty());
+  Scene scene;
+  build_scene(range, 1, scene);
+  EXPECT_EQ(scene.scenery, nullptr);
+  EXPECT_NE(colour_of_material("water"), colour_of_material("concrete"));
+}
+
+TEST(Scenery, FitsIntoTheView) {
+  for (const char* name : {"bullet_through_plank", "billiards"}) {
+    Client client = client_of(name);
+    client.fit_view();
+    for (const Vec3d& corner : {client.scenery().low, client.scenery().high}) {
+      const auto pixel = client.camera.project(corner);
+      ASSERT_TRUE(pixel) << name;
+      EXPECT_GE(std::min(pixel->x, pixel->y), 0) << name;
+      EXPECT_LE(pixel->x, client.camera.width()) << name;
+      EXPECT_LE(pixel->y, client.camera.height()) << name;
+    }
+  }
+}
+
+// -------------------------------------------------------------------------------------------------------------- placed
+/// Two clicks on the ground: the wall stands between them, stops what is fired at it, and is named in the list of hits.
+TEST(Placing, AWallStandsBetweenTwoClicks) {
+  Client client = client_of();
+  ASSERT_TRUE(run(client, "wall; material oak"));
+  client.placing.height = 3, client.placing.thickness = 0.2;
+  const Vec3d from{14, 0, -4}, to{16, 0, 5};
+  client.click(*client.camera.project(from));
+  EXPECT_TRUE(client.session.scenario().things.empty());
+  client.click(*client.camera.project(to));
+  ASSERT_EQ(client.session.scenario().things.size(), 1U);
+  EXPECT_EQ(client.tool, Tool::fire);
+  EXPECT_TRUE(client.has_unsaved_settings());
+  const physim::Scene& scene = *client.session.world().scene();
+  const Vec3d along = normalized(to - from), across{along.z, 0, -along.x};
+  for (const double part : {0.02, 0.5, 0.98})
+    for (const double height : {0.05, 2.95}) {
+      const Vec3d at = from + (to - from) * part + Vec3d{0, height, 0};
+      const SceneHit hit = scene.first_hit({.from = at + across * 2, .to = at - across * 2});
+      ASSERT_TRUE(hit) << part << " " << height;
+      EXPECT_NEAR(length(hit.position - at), 0.1, 0.02);
+    }
+  EXPECT_FALSE(scene.any_hit({.from = from - along * 0.1 + across, .to = from - along * 0.1 - across}));
+  ASSERT_TRUE(run(client, "fire; wait 60"));
+  ASSERT_EQ(client.session.hits().hits().size(), 1U);
+  EXPECT_EQ(client.session.hits().hits()[0].thing, "wall-1");
+  EXPECT_EQ(client.session.hits().hits()[0].material, "oak");
+  ASSERT_TRUE(run(client, "undo"));
+  EXPECT_EQ(client.session.world().scene(), nullptr);
+  EXPECT_TRUE(client.session.hits().hits().empty()) << "with what it was on";
+  EXPECT_FALSE(run(client, "undo"));
+}
+
+/// A target on the predicted path faces the muzzle and is hit in its middle.
+TEST(Placing, ATargetOnThePathIsHit) {
+  Client client = client_of();
+  const std::vector<TrackSample> path = client.prediction().path;
+  const Vec3d middle = path[path.size() / 2].position;
+  client.launcher.turn(0.3, 0);
+  const Vec3d turned = client.prediction().path[path.size() / 2].position;
+  ASSERT_TRUE(run(client, "target"));
+  client.click(*client.camera.project(turned));
+  ASSERT_EQ(client.session.scenario().things.size(), 1U);
+  EXPECT_LT(length(client.session.scenario().things[0].position - turned), 0.5);
+  EXPECT_GT(length(turned - middle), 1);
+  ASSERT_TRUE(run(client, "fire; wait 90"));
+  ASSERT_EQ(client.session.hits().hits().size(), 1U);
+  const Hit& hit = client.session.hits().hits()[0];
+  EXPECT_EQ(hit.thing, "target-1");
+  EXPECT_LT(length(hit.position - client.session.scenario().things[0].position), 0.5);
+  EXPECT_LT(hit.obliquity, 20 * kDegree) << "it faces the shot";
+}
+
+TEST(Placing, TellsWhatCannotBe) {
+  Client client = client_of();
+  for (const char* bad : {"wall 1 2 3", "wall a b c d", "wall 1 1 1 1", "wall 0 0 0 0 0", "target 1 2",
+                          "target 1 2 3 x", "material unobtainium"})
+    EXPECT_FALSE(run(client, bad)) << bad;
+  EXPECT_NE(run(client, "material cocnrete").error().text().find("concrete"), std::string::npos);
+  EXPECT_TRUE(client.session.scenario().things.empty());
+  const Folder folder;
+  ASSERT_TRUE(run(client, "record " + (folder / "a.rec") + "; fire; wait 2; wall 20 -3 20 3; wait 40; record; replay"));
+  while (!client.session.is_over()) client.session.single_step();
+  EXPECT_FALSE(client.session.replay_report()->difference);
+  ASSERT_EQ(client.session.hits().hits().size(), 1U) << "things that were put up are recorded";
+  EXPECT_EQ(client.session.hits().hits()[0].thing, "wall-1");
+  EXPECT_FALSE(run(client, "wall 10 -3 10 3")) << "a replay is not changed";
+}
+
+TEST(Placing, WholeFlightsDoNotGoThroughWalls) {
+  Client client = client_of("arrow");
+  ASSERT_TRUE(run(client, "wall 20 -3 20 3"));
+  const Status status = run(client, "fire-whole");
+  ASSERT_FALSE(status);
+  EXPECT_NE(status.error().text().find("things"), std::string::npos) << status.error().text();
+  ASSERT_TRUE(run(client, "undo; fire-whole; clear"));
+}
+
+/// What flies is not disturbed by what is put up where it is not.
+TEST(Placing, ChangesNothingOfOtherFlights) {
+  Client client = client_of(), other = client_of();
+  ASSERT_TRUE(run(client, "sphere; fire; wait 10"));
+  ASSERT_TRUE(run(other, "sphere; fire; wait 10; wall 0 50 5 50"));
+  for (Client* each : {&client, &other}) ASSERT_TRUE(run(*each, "wait 30"));
+  const auto &a = client.session.tracks()[0].samples, &b = other.session.tracks()[0].samples;
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].position, b[i].position);
+}
+
+// --------------------------------------------------------------------------------------------------------------- saved
+TEST(Save, KeepsWhatWasPutUpAndTheCommentsOfTheFile) {
+  for (const char* name : {"bullet_through_plank", "billiards", "world_sparks"}) {
+    const Folder folder;
+    const std::string file = folder / "mine.toml", before = testing_cli::read(shipped(name));
+    std::filesystem::copy_file(shipped(name), file);
+    Client client = std::move(open_client(file, {}).value());
+    ASSERT_TRUE(run(client, "material oak; wall 20 -3 21 3; material concrete; target 30 1 0; save"));
+    const std::string text = testing_cli::read(file);
+    EXPECT_TRUE(text.starts_with(before)) << name << ": what was there stays\n" << text;
+    EXPECT_NE(text.find("[[shape]]\nname = \"wall-1\"", before.size() - 1), std::string::npos) << text;
+    Client again = std::move(open_client(file, {}).value());
+    EXPECT_TRUE(say_the_same(again.session.scenario(), client.session.scenario())) << name;
+    EXPECT_EQ(again.session.world().scene()->hash(), scene_of(client.session.scenario()).value().hash()) << name;
+    ASSERT_TRUE(run(client, "undo; undo; save"));
+    EXPECT_EQ(testing_cli::read(file), before) << name;
+  }
+}
+
+TEST(Save, OfAFlightWithThingsIsAWorld) {
+  const Folder folder;
+  Client client = client_of("golf_ball_no_spin");
+  ASSERT_TRUE(run(client, "target 100 1 0; save " + (folder / "a.toml")));
+  EXPECT_NE(client.messages().back().text.find("as a world"), std::string::npos) << client.messages().back().text;
+  const Scenario saved = load_scenario(folder / "a.toml").value();
+  EXPECT_TRUE(saved.world.given);
+  EXPECT_TRUE(saved.expect.empty());
+  ASSERT_EQ(saved.things.size(), 1U);
+  EXPECT_EQ(saved.things[0].material, "concrete");
+  Client range = client_of();
+  ASSERT_TRUE(run(range, "wall 10 -3 10 3; save " + (folder / "b.toml") + "; target 5 1 0; save"));
+  Client again = std::move(open_client(folder / "b.toml", {}).value());
+  EXPECT_EQ(again.session.scenario().things.size(), 2U);
+  EXPECT_EQ(again.session.world().scene()->hash(), range.session.world().scene()->hash());
+}
+
+}  // namespace
+}  // namespace physim::client
