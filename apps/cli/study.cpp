@@ -13,8 +13,10 @@
 #include "outputs.hpp"
 #include "physim/task_runner.hpp"
 #include "report/file.hpp"
+#include "report/gnuplot.hpp"
 #include "report/number.hpp"
-#include "report/study_answer.hpp"
+#include "report/study_map.hpp"
+#include "report/study_pictures.hpp"
 #include "report/table.hpp"
 #include "terminal.hpp"
 
@@ -26,7 +28,7 @@ struct StudyCommand {
   std::optional<std::uint64_t> shots;
   std::optional<std::uint32_t> threads;
   std::vector<std::string> vary, targets, merge;
-  std::string range, ranges, width, csv, resume, shards;
+  std::string range, ranges, width, csv, plot, kml, resume, shards;
 };
 
 // ------------------------------------------------------------------------------------------------------- part files
@@ -203,11 +205,12 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
     if (!flown) return about(asked, flown.error());
     list.push_back({range, std::move(flown->result)});
   }
-  if (command.csv != "-") {
-    const std::string title = one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name);
+  const std::string title = title_of_study(asked);
+  if (!command.plot.empty())
+    if (Status status = draw(command.plot, ranges_picture(title, list)); !status) return status.error();
+  if (command.csv != "-")
     if (Status status = print(style_of(stdout).bold(title) + "\n" + over_range_text(list)); !status)
       return status.error();
-  }
   return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list))));
 }
 
@@ -217,10 +220,25 @@ Status check_command(const StudyCommand& command) {
     return Error{"a study over ranges is not flown in parts", "--ranges", "give --range, and fly one after the other"};
   if (!command.ranges.empty() && !command.question.json.empty())
     return Error{"a study over ranges writes CSV alone", "--json", "give --csv"};
-  for (const std::string& file : {command.csv, command.resume})
+  if (!command.ranges.empty() && !command.kml.empty())
+    return Error{"a map is of shots that come down on the ground", "--kml", "leave --ranges out"};
+  if (!command.shards.empty() && !(command.plot.empty() && command.kml.empty()))
+    return Error{"a part of a study is not drawn", "--shards", "draw the whole, where the parts are joined"};
+  for (const std::string& file : {command.csv, command.kml, command.resume})
     if (!file.empty())
       if (Status status = check_output(file); !status) return status;
-  return {};
+  return command.plot.empty() ? Status() : check_plot(command.plot);
+}
+
+Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown) {
+  if (!command.plot.empty())
+    if (Status status = draw(command.plot, study_picture(title_of_study(asked), flown)); !status) return status;
+  if (!command.kml.empty()) {
+    const auto map = study_kml(asked, flown);
+    if (!map) return map.error();
+    if (Status status = write_output(command.kml, *map); !status) return status;
+  }
+  return command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(flown)));
 }
 
 Result<int> run(const StudyCommand& command) {
@@ -238,9 +256,8 @@ Result<int> run(const StudyCommand& command) {
   if (!command.ranges.empty()) return run_over_ranges(command, *asked, *study, *threads);
   const auto flown = fly_study(*study, *threads, command);
   if (!flown) return about(*asked, flown.error());
-  if (!command.csv.empty())
-    if (Status status = write_output(command.csv, csv_text(records_of(*flown))); !status) return status.error();
-  if (command.csv == "-") return kExitOk;
+  if (Status status = write_files(command, *asked, *flown); !status) return status.error();
+  if (command.csv == "-" || command.kml == "-") return kExitOk;
   return done(give(command.question, study_answer(*asked, *flown, style_of(stdout))));
 }
 
@@ -277,6 +294,12 @@ void add_study_command(Command& program) {
                      "targets, the first quantity's mean, as \"2 mm\"");
   command.add_option("--threads", options->threads, "That fly; without it all that the machine has");
   command.add_option("--csv", options->csv, "FILE", "Write all figures as CSV; - is the standard output");
+  command.add_option("--plot", options->plot, "FILE.png|svg",
+                     "Draw it: impacts with ellipses and targets, what each input does, how the figure settles; with "
+                     "--ranges hits over range");
+  command.add_option(
+      "--kml", options->kml, "FILE",
+      "Write a map of where shots come down, for globes: ellipses, safety zone, shots; - is the standard output");
   add_part_options(command, *options);
   command.footer(
       "The same study has the same bits with any number of threads, and in any parts.\n\n"

@@ -30,9 +30,10 @@ Status check_path(const Study& study, std::size_t i) {
   const PathRow* row = find_path(input.path);
   if (!row) return Error{"no number of a shot is called \"" + input.path + "\"", place, list_of_paths()};
   const Wind& wind = study.environment.wind;
-  if (input.path.starts_with("environment.wind") && (!wind.profile.empty() || wind.field))
+  const bool is_wind = input.path.starts_with("environment.wind");
+  if (is_wind && (wind.field || (!wind.profile.empty() && !input.added)))
     return Error{"an uncertain wind is the same everywhere, and the environment has a profile", place,
-                 "leave the profile out"};
+                 "leave the profile out, or let what is drawn be `added` to it"};
   for (std::size_t j = 0; j < i; ++j)
     if (study.inputs[j].path == input.path && !study.inputs[j].added && !input.added)
       return Error{input.path + " is drawn by " + numbered("inputs", j) + " already", place,
