@@ -38,3 +38,7 @@ draw_world() {
 }
 draw_world force_field --set volley.count=12
 draw_world machine_gun --set volley.count=30 --set title="Machine gun: 30 rounds on a wall at 100 m"
+
+"$physim" study scenarios/study_308.toml --plot "$pictures/study_308.png" >/dev/null
+"$physim" study scenarios/study_308.toml --ranges "100 m .. 1000 m step 100 m" --shots 20000 --target "head: circle 10 cm" \
+  --plot "$pictures/study_308_ranges.png" >/dev/null

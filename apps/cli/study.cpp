@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,9 +15,12 @@
 #include "outputs.hpp"
 #include "physim/task_runner.hpp"
 #include "report/file.hpp"
+#include "report/gnuplot.hpp"
 #include "report/number.hpp"
-#include "report/study_answer.hpp"
+#include "report/study_map.hpp"
+#include "report/study_pictures.hpp"
 #include "report/table.hpp"
+#include "study_ranks.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -26,7 +31,7 @@ struct StudyCommand {
   std::optional<std::uint64_t> shots;
   std::optional<std::uint32_t> threads;
   std::vector<std::string> vary, targets, merge;
-  std::string range, ranges, width, csv, resume, shards;
+  std::string range, ranges, width, csv, plot, kml, resume, shards;
 };
 
 // ------------------------------------------------------------------------------------------------------- part files
@@ -137,7 +142,7 @@ std::string duration_text(double seconds) {
 }
 
 /// What a large study takes, as its first shard tells.
-void tell_length(const StudyPlan& plan, std::uint64_t missing, unsigned threads) {
+void tell_length(const StudyPlan& plan, std::uint64_t missing, unsigned threads, const char* flyers) {
   constexpr std::uint64_t kMany = 20'000;
   if (missing < kMany) return;
   const auto start = std::chrono::steady_clock::now();
@@ -145,7 +150,7 @@ void tell_length(const StudyPlan& plan, std::uint64_t missing, unsigned threads)
   const std::chrono::duration<double> shard = std::chrono::steady_clock::now() - start;
   const double all = shard.count() * static_cast<double>(missing) / threads;
   print_warning(std::to_string(missing) + " shards of " + std::to_string(plan.study().shard_shots) +
-                " shots take about " + duration_text(all) + " on " + std::to_string(threads) + " threads");
+                " shots take about " + duration_text(all) + " on " + std::to_string(threads) + " " + flyers);
 }
 
 StudyOptions options_of(const StudyPlan& plan, const Progress& progress, PartKeeper& keeper, const StudyPart& so_far) {
@@ -155,7 +160,43 @@ StudyOptions options_of(const StudyPlan& plan, const Progress& progress, PartKee
           }};
 }
 
-Result<FlownStudy> fly_study(const Study& study, TaskRunner& threads, const StudyCommand& command = {}) {
+/// A job that failed says what is left of its work.
+Error with_what_is_kept(Error error, const StudyPart& part, const std::string& file) {
+  const std::string shards = std::to_string(part.shards()) + " shards";
+  const std::string left = file.empty() ? shards + " are lost: give --resume FILE to keep them"
+                                        : shards + " are in " + file + ": go on with --resume " + file;
+  error.hint += (error.hint.empty() ? "" : "; ") + left;
+  return error;
+}
+
+/// Told before, since mpirun passes on nothing that ranks say once one of them died.
+void tell_of_ranks(unsigned ranks, const std::string& file) {
+  std::fprintf(stderr, "%u ranks fly this study; should one die, %s\n", ranks,
+               file.empty() ? "all is lost: --resume FILE keeps what is flown"
+                            : ("go on with --resume " + file + ", which has all but the last second").c_str());
+}
+
+[[noreturn]] void end_now(const Error& error, const StudyPartRecord& flown, const std::string& file,
+                          PartKeeper& keeper) {
+  const StudyPart part(std::make_shared<const StudyPartRecord>(flown));
+  print_error(keeper.write(part) ? with_what_is_kept(error, part, file) : keeper.status().error());
+  std::_Exit(kExitBadInput);
+}
+
+/// On the ranks of a job where there are several, else on threads.
+Result<StudyResult> fly_on(Ranks& ranks, TaskRunner& threads, const StudyPlan& plan, const StudyOptions& options,
+                           const std::string& file, PartKeeper& keeper) {
+  if (ranks.count() == 1) return run_study(plan, &threads, options);
+  auto result = run_study_on(plan, options.so_far, [&](StudyPartRecord& part, std::uint64_t end) {
+    const bool flown = ranks.fly(plan, part, end, options.after_shard);
+    if (ranks.was_ended()) end_now(ranks.failed().error(), part, file, keeper);
+    return flown;
+  });
+  if (!ranks.failed()) return ranks.failed().error();
+  return result;
+}
+
+Result<FlownStudy> fly_study(const Study& study, TaskRunner& threads, Ranks& ranks, const StudyCommand& command = {}) {
   const auto plan = plan_study(study);
   if (!plan) return plan.error();
   for (const std::string& note : plan->notes()) print_warning(note);
@@ -164,19 +205,42 @@ Result<FlownStudy> fly_study(const Study& study, TaskRunner& threads, const Stud
   const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width;
   if (joins_only)
     if (const auto whole = result_of(*plan, *before, plan->shards()); !whole) return whole.error();
-  tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()), threads.threads());
+  const bool alone = ranks.count() == 1;
+  if (!alone) tell_of_ranks(ranks.count(), command.resume);
+  tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()),
+              alone ? threads.threads() : ranks.count(), alone ? "threads" : "ranks");
   PartKeeper keeper(command.resume);
   const Progress progress = progress_bar("study");
   StudyOptions options = options_of(*plan, progress, keeper, *before);
   StudyPart last = *before;
   options.after_shard = [&, take = options.after_shard](const StudyPart& part) { return last = part, take(part); };
-  auto result = run_study(*plan, &threads, options);
+  auto result = fly_on(ranks, threads, *plan, options, command.resume, keeper);
   keeper.write(last);
   if (!keeper.status()) return keeper.status().error();
+  if (!ranks.failed()) return with_what_is_kept(ranks.failed().error(), last, command.resume);
   if (!result) return result.error();
   FlownStudy flown{*plan, *std::move(result), {}};
   if (auto linear = propagate_linearly(*plan)) flown.linear = *std::move(linear);
   return flown;
+}
+
+/// What other ranks of a job do: they fly what the first tells them to.
+Result<int> serve(const StudyCommand& command, Ranks& ranks) {
+  const auto plan_of_ranks = [&]() -> Result<StudyPlan> {
+    Result<AskedShot> asked = ask(command.question);
+    if (!asked) return asked.error();
+    if (Status status = add_options(command, asked->scenario); !status) return status.error();
+    auto study = study_of(asked->scenario, asked->shot());
+    if (!study) return study.error();
+    if (Status status = add_width(command, *study); !status) return status.error();
+    return plan_study(*study);
+  };
+  const auto plan = plan_of_ranks();
+  if (plan)
+    ranks.serve(*plan);
+  else
+    ranks.give_up(plan.error());
+  return kExitOk;  // the first rank says what is wrong; a launcher ends all ranks when one does
 }
 
 /// One of the parts of an array of jobs: flown into its file, and nothing more.
@@ -199,20 +263,22 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
 }
 
 /// The study at each range. A shot that is zeroed is zeroed there, as a shooter does who knows the range.
-Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked, Study study, TaskRunner& threads) {
+Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked, Study study, TaskRunner& threads,
+                            Ranks& ranks) {
   std::vector<StudyAtRange> list;
   for (const double range : asked.scenario.ranges) {
     study.until.range = range;
     if (study.launch.sight.zero_range > 0) study.launch.sight.zero_range = range;
-    auto flown = fly_study(study, threads);
+    auto flown = fly_study(study, threads, ranks);
     if (!flown) return about(asked, flown.error());
     list.push_back({range, std::move(flown->result)});
   }
-  if (command.csv != "-") {
-    const std::string title = one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name);
+  const std::string title = title_of_study(asked);
+  if (!command.plot.empty())
+    if (Status status = draw(command.plot, ranges_picture(title, list)); !status) return status.error();
+  if (command.csv != "-")
     if (Status status = print(style_of(stdout).bold(title) + "\n" + over_range_text(list)); !status)
       return status.error();
-  }
   return done(command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(list))));
 }
 
@@ -222,13 +288,40 @@ Status check_command(const StudyCommand& command) {
     return Error{"a study over ranges is not flown in parts", "--ranges", "give --range, and fly one after the other"};
   if (!command.ranges.empty() && !command.question.json.empty())
     return Error{"a study over ranges writes CSV alone", "--json", "give --csv"};
-  for (const std::string& file : {command.csv, command.resume})
+  if (!command.ranges.empty() && !command.kml.empty())
+    return Error{"a map is of shots that come down on the ground", "--kml", "leave --ranges out"};
+  if (!command.shards.empty() && !(command.plot.empty() && command.kml.empty()))
+    return Error{"a part of a study is not drawn", "--shards", "draw the whole, where the parts are joined"};
+  for (const std::string& file : {command.csv, command.kml, command.resume})
     if (!file.empty())
       if (Status status = check_output(file); !status) return status;
+  return command.plot.empty() ? Status() : check_plot(command.plot);
+}
+
+Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown) {
+  if (!command.plot.empty())
+    if (Status status = draw(command.plot, study_picture(title_of_study(asked), flown)); !status) return status;
+  if (!command.kml.empty()) {
+    const auto map = study_kml(asked, flown);
+    if (!map) return map.error();
+    if (Status status = write_output(command.kml, *map); !status) return status;
+  }
+  return command.csv.empty() ? Status() : write_output(command.csv, csv_text(records_of(flown)));
+}
+
+/// What several ranks do not fly.
+Status check_job(const StudyCommand& command, const Ranks& ranks) {
+  if (Status status = ranks.status(); !status || ranks.count() == 1) return status;
+  if (!command.ranges.empty()) return Error{"ranks of a job fly one study", "--ranges", "give --range"};
+  if (!command.shards.empty())
+    return Error{"ranks of a job fly all of a study", "--shards", "leave it out; the first rank hands out shards"};
   return {};
 }
 
 Result<int> run(const StudyCommand& command) {
+  Ranks ranks;
+  if (ranks.number() > 0) return serve(command, ranks);
+  if (Status status = check_job(command, ranks); !status) return status.error();
   if (Status status = check_command(command); !status) return status.error();
   Question question = command.question;
   if (!command.ranges.empty()) question.input.overrides.push_back("output.ranges=" + command.ranges);
@@ -240,12 +333,11 @@ Result<int> run(const StudyCommand& command) {
   if (Status status = add_width(command, *study); !status) return status.error();
   const auto threads = make_thread_pool(command.threads.value_or(0));
   if (!command.shards.empty()) return run_part(command, *study, *threads);
-  if (!command.ranges.empty()) return run_over_ranges(command, *asked, *study, *threads);
-  const auto flown = fly_study(*study, *threads, command);
+  if (!command.ranges.empty()) return run_over_ranges(command, *asked, *study, *threads, ranks);
+  const auto flown = fly_study(*study, *threads, ranks, command);
   if (!flown) return about(*asked, flown.error());
-  if (!command.csv.empty())
-    if (Status status = write_output(command.csv, csv_text(records_of(*flown))); !status) return status.error();
-  if (command.csv == "-") return kExitOk;
+  if (Status status = write_files(command, *asked, *flown); !status) return status.error();
+  if (command.csv == "-" || command.kml == "-") return kExitOk;
   return done(give(command.question, study_answer(*asked, *flown, style_of(stdout))));
 }
 
@@ -284,9 +376,16 @@ void add_study_command(Command& program) {
                      "targets, the first quantity's mean, as \"2 mm\"");
   command.add_option("--threads", options->threads, "That fly; without it all that the machine has");
   command.add_option("--csv", options->csv, "FILE", "Write all figures as CSV; - is the standard output");
+  command.add_option("--plot", options->plot, "FILE.png|svg",
+                     "Draw it: impacts with ellipses and targets, what each input does, how the figure settles; with "
+                     "--ranges hits over range");
+  command.add_option(
+      "--kml", options->kml, "FILE",
+      "Write a map of where shots come down, for globes: ellipses, safety zone, shots; - is the standard output");
   add_part_options(command, *options);
   command.footer(
-      "The same study has the same bits with any number of threads, and in any parts.\n\n"
+      "As a job of MPI, `mpirun -n 64 physim study FILE`, all ranks fly one study, one thread each.\n"
+      "The same study has the same bits with any number of threads and ranks, and in any parts.\n\n"
       "Examples:\n"
       "  physim study scenarios/study_308.toml\n"
       "  physim study scenarios/308_168gr_g7.toml --range \"600 m\" --vary \"shot.speed = +- 3 m/s\" \\\n"

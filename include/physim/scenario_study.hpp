@@ -17,13 +17,14 @@ struct ScenarioShot;
 struct ScenarioStudy {
   std::vector<std::string> inputs{};      ///< "shot.speed = 800 m/s +- 3 m/s"; see parse_study_input() [-]
   std::vector<std::string> correlated{};  ///< "shot.speed with shot.mass = 0.5" [-]
-  std::vector<std::string> targets{};    ///< "plate: rectangle 30 cm x 50 cm at 0 m, 1 m"; see parse_study_target() [-]
-  std::string aim{};                     ///< on the plane of impact, "0 m, 1 m"; empty: its origin [m]
-  Sampling sampling = Sampling::random;  ///< [-]
-  std::int64_t shots = 100'000;          ///< [-]
-  std::int64_t seed = 1;                 ///< [-]
-  std::int64_t rounds = 1;               ///< of an occasion [-]
-  bool indices = false;                  ///< Sobol indices [-]
+  std::vector<std::string> targets{};  ///< "plate: rectangle 30 cm x 50 cm at 0 m, 1 m"; see parse_study_target() [-]
+  std::vector<std::string> quantities{};  ///< "y", "time": StudyQuantity; empty: those of Study [-]
+  std::string aim{};                      ///< on the plane of impact, "0 m, 1 m"; empty: its origin [m]
+  Sampling sampling = Sampling::random;   ///< [-]
+  std::int64_t shots = 100'000;           ///< [-]
+  std::int64_t seed = 1;                  ///< [-]
+  std::int64_t rounds = 1;                ///< of an occasion [-]
+  bool indices = false;                   ///< Sobol indices [-]
 };
 
 /// A number and its distribution from a text, PATH = DISTRIBUTION:

@@ -209,6 +209,14 @@ struct StudyOptions {
 /// What a shot comes to: each quantity; NaN where it did not arrive.
 [[nodiscard]] std::vector<double> fly_shot_of(const StudyPlan& plan, std::uint64_t shot);
 
+/// Shots as they were drawn and as they ended, column by column.
+struct StudyShots {
+  std::vector<std::vector<double>> inputs{};      ///< in the order of Study::inputs [unit of each]
+  std::vector<std::vector<double>> quantities{};  ///< NaN where a shot did not arrive [unit of each]
+};
+/// Flies a shard again and keeps its shots, to be drawn or looked at one by one: shots shard * shard_shots and on.
+[[nodiscard]] StudyShots fly_shots_of(const StudyPlan& plan, std::uint64_t shard);
+
 /// Covariances carried through the flight by its slopes, without sampling.
 [[nodiscard]] Result<LinearResult> propagate_linearly(const StudyPlan& plan);
 

@@ -132,6 +132,15 @@ struct HitResult {
   bool operator==(const HitResult&) const = default;
 };
 
+/// What the first shots of a study came to: a point of the way to its figures.
+struct StudyStage {
+  std::uint64_t shots = 0;        ///< [-]
+  Estimate distance{};            ///< mean distance from the aim; without a plane the mean of the first quantity [unit]
+  std::vector<HitResult> hits{};  ///< of each target; without an interval where replicates tell errors [-]
+
+  bool operator==(const StudyStage&) const = default;
+};
+
 /// A shot far from the aim.
 struct WorstShot {
   std::uint64_t shot = 0;       ///< its number [-]
@@ -168,6 +177,7 @@ struct StudyResult {
   std::vector<HitResult> hits{};              ///< of each target [-]
   std::vector<WorstShot> worst{};             ///< ten at most, the worst first [-]
   std::vector<IndexResult> indices{};         ///< where they are asked for [-]
+  std::vector<StudyStage> stages{};           ///< from the first shard on, each a tenth more than the one before [-]
   bool width_reached = false;                 ///< Study::until_width ended it [-]
 };
 

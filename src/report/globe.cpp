@@ -9,6 +9,7 @@
 #include "model/ladder.hpp"
 #include "physim/names.hpp"
 #include "report/json.hpp"
+#include "report/kml.hpp"
 #include "report/number.hpp"
 
 namespace physim::report {
@@ -57,18 +58,7 @@ std::vector<Mark> marks_of(const Flight& flight) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------- KML
-std::string xml(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const bool is_control = static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t';
-    if (!is_control) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  }
-  return out;
-}
-
-std::string kml_coordinates(const GlobePoint& p) {
-  return shortest(p.longitude) + "," + shortest(p.latitude) + "," + shortest(p.height);
-}
+std::string kml_coordinates(const GlobePoint& p) { return report::kml_coordinates(p.longitude, p.latitude, p.height); }
 
 void write_kml_shot(const Sink& sink, const FlownShot& shot, const std::vector<double>& times) {
   sink(" <Folder>\n  <name>" + xml(shot.name) +
@@ -200,13 +190,10 @@ Content globe_kml(const Flights& flights) {
   return [flights](const Sink& sink) {
     const auto& [flown, times] = flights;
     PHYSIM_ASSERT(times.size() == flown.shots.size());
-    sink(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n "
-        "<name>" +
-        xml(title_of(flown.scenario)) + "</name>\n <description>" + xml(flown.scenario.source) +
-        "</description>\n <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n");
+    sink(kml_begin(title_of(flown.scenario), flown.scenario.source) +
+         " <Style id=\"path\"><LineStyle><color>ff00a0ff</color><width>2</width></LineStyle></Style>\n");
     for (std::size_t i = 0; i < flown.shots.size(); ++i) write_kml_shot(sink, flown.shots[i], times[i]);
-    sink("</Document>\n</kml>\n");
+    sink(kml_end());
   };
 }
 

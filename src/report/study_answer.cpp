@@ -23,24 +23,6 @@ struct Figure {
 
 constexpr double kNoError = std::numeric_limits<double>::quiet_NaN();
 
-std::string unit_of(StudyQuantity quantity) {
-  switch (quantity) {
-    case StudyQuantity::time: return "s";
-    case StudyQuantity::vx:
-    case StudyQuantity::vy:
-    case StudyQuantity::vz:
-    case StudyQuantity::speed: return "m/s";
-    case StudyQuantity::x:
-    case StudyQuantity::y:
-    case StudyQuantity::z:
-    case StudyQuantity::right:
-    case StudyQuantity::up:
-    case StudyQuantity::along: return "m";
-  }
-  PHYSIM_UNREACHABLE();
-}
-
-std::string with_unit(StudyQuantity quantity) { return std::string(name(quantity)) + " [" + unit_of(quantity) + "]"; }
 std::string percent(double part) { return significant(100 * part, 3); }
 
 /// The names of a group of inputs.
@@ -71,7 +53,7 @@ std::vector<Figure> figures_of(const FlownStudy& flown) {
                               {"refused", static_cast<double>(r.refused), kNoError},
                               {"not_arrived", static_cast<double>(r.not_arrived), kNoError}};
   for (const QuantityResult& q : r.quantities) {
-    const std::string head(name(q.quantity)), unit = " [" + unit_of(q.quantity) + "]";
+    const std::string head(name(q.quantity)), unit = " [" + std::string(unit_of(q.quantity)) + "]";
     list.push_back({head + ".mean" + unit, q.mean.value, q.mean.error});
     list.push_back({head + ".deviation" + unit, q.deviation, kNoError});
     list.push_back({head + ".least" + unit, q.least, kNoError});
@@ -259,9 +241,33 @@ Json json_of(const FlownStudy& flown) {
 
 }  // namespace
 
+std::string_view unit_of(StudyQuantity quantity) {
+  switch (quantity) {
+    case StudyQuantity::time: return "s";
+    case StudyQuantity::vx:
+    case StudyQuantity::vy:
+    case StudyQuantity::vz:
+    case StudyQuantity::speed: return "m/s";
+    case StudyQuantity::x:
+    case StudyQuantity::y:
+    case StudyQuantity::z:
+    case StudyQuantity::right:
+    case StudyQuantity::up:
+    case StudyQuantity::along: return "m";
+  }
+  PHYSIM_UNREACHABLE();
+}
+
+std::string with_unit(StudyQuantity quantity) {
+  return std::string(name(quantity)) + " [" + std::string(unit_of(quantity)) + "]";
+}
+
+std::string title_of_study(const AskedShot& asked) {
+  return one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name);
+}
+
 Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style) {
-  std::string text =
-      style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name)) + "\n";
+  std::string text = style.bold(title_of_study(asked)) + "\n";
   text += counts_text(flown) + quantities_text(flown) + plane_text(flown.result) + hits_text(flown.result) +
           inputs_text(flown) + indices_text(flown) + worst_text(flown);
   return {std::move(text), [&asked, members = json_of(flown)](const Sink& sink) {

@@ -12,6 +12,11 @@ constexpr Entry kStudySettings[] = {
                     at_most(64)),
     PHYSIM_SCENARIO(study.correlated, "\"shot.speed with shot.mass = 0.5\"", at_most(1000)),
     PHYSIM_SCENARIO(study.targets, "\"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\", \"circle 10 cm\"", at_most(1000)),
+    PHYSIM_SCENARIO(
+        study.quantities,
+        "what is asked of the ends of flights, two of the plane first, as [\"right\", \"up\"]; empty: right, "
+        "up (without a range along), time, speed",
+        at_most(11)),
     PHYSIM_SCENARIO(study.aim, "where shots should end on the plane of impact, \"0 m, 1 m\"; empty: its origin"),
     PHYSIM_SCENARIO(study.sampling, "how draws are spread"),
     PHYSIM_SCENARIO(study.shots, "at least; the last shard is flown to its end", kCount),

@@ -304,8 +304,16 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
               .seed = static_cast<std::uint64_t>(texts.seed),
               .shots = static_cast<std::uint64_t>(texts.shots),
               .indices = texts.indices};
-  study.until.events.clear();
+  std::erase_if(study.until.events, [](const EventSpec& event) { return !event.terminal; });
   if (Status status = add_texts(texts, study); !status) return status.error();
+  for (std::size_t i = 0; i < texts.quantities.size(); ++i) {
+    const auto quantity = value_of<StudyQuantity>(texts.quantities[i]);
+    if (!quantity)
+      return Error{"no quantity of the end of a flight is called " + in_quotes(texts.quantities[i]),
+                   "study.quantities[" + std::to_string(i) + ']',
+                   suggestion(texts.quantities[i], names_of<StudyQuantity>(), "they are")};
+    study.quantities.push_back(*quantity);
+  }
   if (!texts.aim.empty()) {
     NumberReader read(Quantity::length);
     const auto aim = point_of(texts.aim, read);

@@ -7,6 +7,6 @@
 namespace physim {
 
 /// Raised whenever the results of shards, or the bytes of parts, change.
-inline constexpr std::uint32_t kStudyFormat = 1;
+inline constexpr std::uint32_t kStudyFormat = 2;
 
 }  // namespace physim

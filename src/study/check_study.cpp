@@ -30,9 +30,10 @@ Status check_path(const Study& study, std::size_t i) {
   const PathRow* row = find_path(input.path);
   if (!row) return Error{"no number of a shot is called \"" + input.path + "\"", place, list_of_paths()};
   const Wind& wind = study.environment.wind;
-  if (input.path.starts_with("environment.wind") && (!wind.profile.empty() || wind.field))
+  const bool is_wind = input.path.starts_with("environment.wind");
+  if (is_wind && (wind.field || (!wind.profile.empty() && !input.added)))
     return Error{"an uncertain wind is the same everywhere, and the environment has a profile", place,
-                 "leave the profile out"};
+                 "leave the profile out, or let what is drawn be `added` to it"};
   const AirModel asked = study.fidelity.air, there = study.environment.atmosphere.model;  // the simpler one is flown
   const bool has_own_density = asked == AirModel::isa && there == AirModel::isa;
   if (input.path == "environment.atmosphere.density" && has_own_density)

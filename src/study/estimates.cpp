@@ -52,6 +52,21 @@ EllipseResult ellipse_of(const SampleMoments& m) {
           turn > 0 ? 0.5 * atan2(b, half) : 0};
 }
 
+/// Intervals as of independent shots; else by replicates, which a stage does not have.
+StudyStage stage_result(const StudyPlanRecord& plan, const StageSums& sums) {
+  const bool plain = plan.is_plain(), some = sums.distance.count > 0;
+  StudyStage stage{.shots = sums.shots};
+  stage.distance = {some ? sums.distance.mean[0] : kNotKnown,
+                    some && plain ? sums.distance.standard_error(0) : kNotKnown};
+  for (std::size_t i = 0; i < sums.hits.size(); ++i) {
+    const double p = static_cast<double>(sums.hits[i]) / static_cast<double>(sums.shots);
+    const Interval interval = plain ? wilson_interval(sums.hits[i], sums.shots) : Interval{kNotKnown, kNotKnown};
+    const double error = plain ? std::sqrt(p * (1 - p) / static_cast<double>(sums.shots)) : kNotKnown;
+    stage.hits.push_back({plan.study.targets[i].name, sums.hits[i], {p, error}, interval.low, interval.high});
+  }
+  return stage;
+}
+
 void put_plane(const StudyPlanRecord& plan, const ShardSums& sums, StudyResult& result) {
   const Study& study = plan.study;
   result.from_aim = radius_result(plan, sums.from_aim);
@@ -140,6 +155,7 @@ StudyResult figures_of(const StudyPlanRecord& plan, const ShardSums& sums) {
     result.covariance.push_back(some ? sums.moments.covariance(i / n, i % n) : kNotKnown);
   if (plan.has_plane()) put_plane(plan, sums, result);
   if (!plan.in_space.empty()) result.in_space = radius_result(plan, sums.in_space);
+  for (const StageSums& stage : sums.stages) result.stages.push_back(stage_result(plan, stage));
   for (const SumOfShot& shot : sums.worst)
     result.worst.push_back({shot.shot, shot.distance, drawn_by(plan, shot.shot)});
   if (study.indices && some) result.indices = indices_of(plan, sums);

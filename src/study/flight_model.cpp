@@ -23,6 +23,7 @@
 namespace physim {
 namespace {
 
+constexpr std::string_view kWindPath = "environment.wind.velocity";
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of the shot or its weather, and the inputs that are drawn for it.
@@ -57,6 +58,8 @@ class FlightModel : public ShotModel {
                                          std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const;
   [[nodiscard]] ModelTold fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
                                        ModelScratch& scratch, const BlockEnds& ends) const;
+  void fly_in_own_winds(const std::vector<std::span<const double>>& columns, const Weather& weather,
+                        std::span<const Shot> shots, ModelScratch& scratch) const;
   void move_to_plane(const BlockEnds& ends) const;
   void put(StudyQuantity quantity, const BlockEnds& ends, std::span<double> into) const;
 
@@ -66,12 +69,14 @@ class FlightModel : public ShotModel {
   std::vector<UncertainNumber> numbers_;
   Vec3d acceleration_{};  // of the shot without uncertainty, where it ends [m/s^2]
   bool as_columns_ = true;
+  bool moves_profile_ = false;  // an uncertain wind is added to a profile
 };
 
 void FlightModel::take(const StudyInput& input, std::size_t index) {
   const PathRow* row = find_path(input.path);
   PHYSIM_ASSERT(row != nullptr);
-  if (!row->launches && !row->weather) as_columns_ = false;
+  if (input.path.starts_with(kWindPath) && study_.environment.wind.profile.size() > 0) moves_profile_ = true;
+  if ((!row->launches && !row->weather) || moves_profile_) as_columns_ = false;
   auto at = std::ranges::find(numbers_, row, &UncertainNumber::row);
   if (at == numbers_.end()) {
     const double there = row->there ? row->there(study_.environment) : row->number ? row->number(plain_) : 1;
@@ -139,14 +144,18 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
   Weather weather;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const PathRow& row = *numbers_[i].row;
-    if (row.weather) weather.*row.weather = columns[i];
+    const bool moves_profile = moves_profile_ && row.path.starts_with(kWindPath);
+    if (row.weather && !moves_profile) weather.*row.weather = columns[i];
     for (std::size_t shot = 0; shot < count && row.number; ++shot) row.number(scratch.shots[shot]) = columns[i][shot];
     for (std::size_t shot = 0; shot < count && row.scale; ++shot)
       row.scale(scratch.shots[shot], plain_, columns[i][shot]);
   }
   BatchResult& batch = scratch.batch;
-  fly_batch(std::span(scratch.shots).first(count), study_.environment, study_.fidelity, study_.tolerance, study_.until,
-            batch, nullptr, weather);
+  const auto shots = std::span(scratch.shots).first(count);
+  if (moves_profile_)
+    fly_in_own_winds(columns, weather, shots, scratch);
+  else
+    fly_batch(shots, study_.environment, study_.fidelity, study_.tolerance, study_.until, batch, nullptr, weather);
   ModelTold told{0, batch.error, {}};
   for (std::size_t i = 0; i < count; ++i) {
     const ShotResult& shot = batch.shots[i];
@@ -157,6 +166,30 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
     ends.vx[i] = shot.velocity.x, ends.vy[i] = shot.velocity.y, ends.vz[i] = shot.velocity.z;
   }
   return told;
+}
+
+/// Each shot alone, in a profile of wind of its own: what is drawn moves all of its points by one velocity.
+void FlightModel::fly_in_own_winds(const std::vector<std::span<const double>>& columns, const Weather& weather,
+                                   std::span<const Shot> shots, ModelScratch& scratch) const {
+  const Vec3d& there = study_.environment.wind.velocity;
+  BatchResult all, one;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    Environment own = weather.empty() ? study_.environment : weather.at(i, study_.environment);
+    Vec3d moved{};
+    for (std::size_t k = 0; k < numbers_.size(); ++k) {
+      const auto column = numbers_[k].row->weather;
+      if (column == &Weather::wind_x) moved.x = columns[k][i] - there.x;
+      if (column == &Weather::wind_y) moved.y = columns[k][i] - there.y;
+      if (column == &Weather::wind_z) moved.z = columns[k][i] - there.z;
+    }
+    for (WindPoint& point : own.wind.profile)
+      point.velocity = {point.velocity.x + moved.x, point.velocity.y + moved.y, point.velocity.z + moved.z};
+    fly_batch(shots.subspan(i, 1), own, study_.fidelity, study_.tolerance, study_.until, one);
+    PHYSIM_ASSERT(one.shots.size() == 1);
+    all.shots.push_back(one.shots[0]);
+    if (one.error && !all.error) all.error = one.error;
+  }
+  scratch.batch = std::move(all);
 }
 
 void FlightModel::move_to_plane(const BlockEnds& ends) const {

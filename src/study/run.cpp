@@ -4,6 +4,7 @@
 
 #include "base/ieee_mode.hpp"
 #include "physim/task_runner.hpp"
+#include "study/engine.hpp"
 #include "study/estimates.hpp"
 #include "study/part.hpp"
 #include "study/shard.hpp"
@@ -11,13 +12,19 @@
 namespace physim {
 namespace {
 
+StudyPart copy_of(const StudyPartRecord& part) { return StudyPart(std::make_shared<const StudyPartRecord>(part)); }
+
+StudyPartRecord begun(const StudyPlan& plan, const StudyPart& so_far) {
+  StudyPartRecord part = so_far.record();
+  part.hash = plan.record().hash;
+  return part;
+}
+
 /// Shards of a study go to whichever thread is free; who flies which changes nothing.
 class ShardThreads {
  public:
-  ShardThreads(const StudyPlan& plan, const StudyOptions& options) : plan_(plan), options_(options) {
-    part_ = options.so_far.record();
-    part_.hash = plan.record().hash;
-  }
+  ShardThreads(const StudyPlan& plan, const StudyOptions& options, StudyPartRecord& part)
+      : plan_(plan), options_(options), part_(part) {}
 
   /// Flies what is missing of the shards before `end`, from `first` on; false where it was stopped.
   bool fly(std::uint64_t first, std::uint64_t end, TaskRunner* runner) {
@@ -31,7 +38,6 @@ class ShardThreads {
           threads, [](void* self, std::size_t) { static_cast<ShardThreads*>(self)->work(); }, this);
     return !stopped_;
   }
-  [[nodiscard]] StudyPart part() const { return StudyPart(std::make_shared<const StudyPartRecord>(part_)); }
 
  private:
   void work() {
@@ -48,13 +54,13 @@ class ShardThreads {
     const std::lock_guard lock(mutex_);
     PHYSIM_ASSERT(shard < end_);
     part_.add(shard, {1, std::move(sums)});
-    if (!stopped_ && options_.after_shard && !options_.after_shard(part())) stopped_ = true;
+    if (!stopped_ && options_.after_shard && !options_.after_shard(copy_of(part_))) stopped_ = true;
   }
 
   const StudyPlan& plan_;
   const StudyOptions& options_;
   std::mutex mutex_;
-  StudyPartRecord part_;
+  StudyPartRecord& part_;
   std::uint64_t end_ = 0, next_ = 0;
   bool stopped_ = false;
 };
@@ -82,30 +88,35 @@ Result<StudyPart> run_shards(const StudyPlan& plan, std::uint64_t first, std::ui
   if (Status status = check_same(plan.record(), options.so_far); !status) return status.error();
   if (first > plan.shards() || count > plan.shards() - first)
     return Error{"the study has " + std::to_string(plan.shards()) + " shards", "count", "ask for fewer"};
-  ShardThreads threads(plan, options);
-  threads.fly(first, first + count, runner);
-  return threads.part();
+  StudyPartRecord part = begun(plan, options.so_far);
+  ShardThreads(plan, options, part).fly(first, first + count, runner);
+  return copy_of(part);
 }
 
-Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner, const StudyOptions& options) {
+Result<StudyResult> run_study_on(const StudyPlan& plan, const StudyPart& so_far, const ShardEngine& engine) {
   const IeeeMode mode;
   const StudyPlanRecord& record = plan.record();
-  if (Status status = check_same(record, options.so_far); !status) return status.error();
-  ShardThreads threads(plan, options);
+  if (Status status = check_same(record, so_far); !status) return status.error();
+  StudyPartRecord part = begun(plan, so_far);
   const bool judged = record.study.until_width.has_value();
   for (std::uint64_t count = 0; count < record.shards;) {
     count = judged ? std::min(next_judged(count), record.shards) : record.shards;
-    if (!threads.fly(0, count, runner)) break;
+    if (!engine(part, count)) break;
     if (!judged) continue;
     // Where more was flown before, fewer shards are not to be told apart in it: they were judged then.
-    const auto sums = threads.part().record().first_shards(count);
+    const auto sums = part.first_shards(count);
     if (!sums || !(width_of(record, **sums) <= record.study.until_width->width)) continue;
     StudyResult result = figures_of(record, **sums);
     result.width_reached = true;
     return result;
   }
-  const StudyPart part = threads.part();
-  return result_of(plan, part, std::min(part.first_missing(), record.shards));
+  return result_of(plan, copy_of(part), std::min(part.first_missing(), record.shards));
+}
+
+Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner, const StudyOptions& options) {
+  return run_study_on(plan, options.so_far, [&](StudyPartRecord& part, std::uint64_t end) {
+    return ShardThreads(plan, options, part).fly(0, end, runner);
+  });
 }
 
 Result<StudyResult> run_study(const Study& study, TaskRunner* runner) {
@@ -131,6 +142,11 @@ std::vector<double> fly_shot_of(const StudyPlan& plan, std::uint64_t shot) {
   ModelScratch scratch;
   record.model->evaluate(in, out, scratch);
   return quantities;
+}
+
+StudyShots fly_shots_of(const StudyPlan& plan, std::uint64_t shard) {
+  const IeeeMode mode;
+  return ShardFlyer(plan.record()).shots_of(shard);
 }
 
 }  // namespace physim

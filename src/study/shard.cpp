@@ -51,6 +51,8 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
         FirstRefusal{shard * study.shard_shots + *told.first, told.error->message, told.error->place, told.error->hint};
   add_arrived(shard, sums);
   if (plan_.has_plane() && study.sampling == Sampling::random) add_spreads(sums);
+  const std::span<const double> first[] = {arrived_.columns[0]};
+  sums.stages = {{sums.shots, sums.hits, plan_.has_plane() ? sums.from_aim.moments : moments_of(first)}};
   Replicate& own = sums.replicates[shard % kReplicates];
   own.shots = sums.shots, own.moments = sums.moments, own.hits = sums.hits;
   if (study.indices) add_indices(shard, own.indices);
@@ -158,6 +160,17 @@ void ShardFlyer::add_indices(std::uint64_t shard, IndexSums& sums) {
     evaluate(mixed_inputs_, mixed_quantities_);
     add_index_sums(plan_, group, quantities_.columns, other_quantities_.columns, mixed_quantities_.columns, sums);
   }
+}
+
+StudyShots ShardFlyer::shots_of(std::uint64_t shard) {
+  const Study& study = plan_.study;
+  inputs_.set_size(study.inputs.size(), study.shard_shots);
+  draw(plan_, {study.sampling, study.seed}, shard, 0, inputs_.columns);
+  evaluate(inputs_, quantities_);
+  StudyShots shots;
+  for (const auto& column : inputs_.columns) shots.inputs.emplace_back(column.begin(), column.end());
+  for (const auto& column : quantities_.columns) shots.quantities.emplace_back(column.begin(), column.end());
+  return shots;
 }
 
 std::vector<double> drawn_by(const StudyPlanRecord& plan, std::uint64_t shot) {

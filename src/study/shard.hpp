@@ -1,4 +1,4 @@
-// One shard of a study: its inputs are drawn, flown and added up, and nothing of a single shot is kept.
+// One shard of a study: its inputs are drawn, flown and added up; shots are kept where that is asked for alone.
 #pragma once
 
 #include <span>
@@ -15,6 +15,8 @@ class ShardFlyer {
   explicit ShardFlyer(const StudyPlanRecord& plan) : plan_(plan) {}
 
   [[nodiscard]] ShardSums fly(std::uint64_t shard);
+  /// Its shots one by one.
+  [[nodiscard]] StudyShots shots_of(std::uint64_t shard);
 
  private:
   struct Block {

@@ -41,6 +41,29 @@ void join_ends(ShardSums& all, const ShardSums& later) {
   }
 }
 
+/// The first is kept, then each that has a tenth more shots than the one before: some 300 of them for 10^15 shots. The
+/// last of all is always there.
+void thin(std::vector<StageSums>& stages) {
+  PHYSIM_ASSERT(!stages.empty());
+  std::vector<StageSums> kept;
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    if (kept.empty() || i + 1 == stages.size() || 10 * stages[i].shots >= 11 * kept.back().shots)
+      kept.push_back(std::move(stages[i]));
+  stages = std::move(kept);
+}
+
+void join_stages(std::vector<StageSums>& all, const std::vector<StageSums>& later) {
+  PHYSIM_ASSERT(!all.empty() && !later.empty());
+  const StageSums before = all.back();
+  for (const StageSums& stage : later) {
+    StageSums& sum = all.emplace_back(before);
+    sum.shots += stage.shots;
+    add_each(sum.hits, stage.hits);
+    join(sum.distance, stage.distance);
+  }
+  thin(all);
+}
+
 }  // namespace
 
 void keep_worst(std::vector<SumOfShot>& shots) {
@@ -76,6 +99,7 @@ void join(ShardSums& all, const ShardSums& later) {
   all.worst.insert(all.worst.end(), later.worst.begin(), later.worst.end());
   keep_worst(all.worst);
   for (std::size_t i = 0; i < all.replicates.size(); ++i) join_replicate(all.replicates[i], later.replicates[i]);
+  join_stages(all.stages, later.stages);
 }
 
 }  // namespace physim

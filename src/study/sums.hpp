@@ -39,6 +39,13 @@ struct Replicate {
   IndexSums indices;
 };
 
+/// What the shots of some shards from the first on came to.
+struct StageSums {
+  std::uint64_t shots = 0;
+  std::vector<std::uint64_t> hits;  // of each target
+  SampleMoments distance;           // from the aim; without a plane the first quantity
+};
+
 /// The first shot that was refused.
 struct FirstRefusal {
   std::uint64_t shot = 0;
@@ -59,6 +66,7 @@ struct ShardSums {
   std::vector<SumOfShot> worst;       // the worst first
   std::vector<double> reach;          // farthest in each direction of the zone; none: no shot arrived
   std::vector<Replicate> replicates;  // kReplicates of them
+  std::vector<StageSums> stages;      // the last of them is of all shots
 };
 
 /// Takes in the shards that follow.

@@ -1,0 +1,109 @@
+// Pictures and maps of `physim study`, as a user asks for them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "cli/program.hpp"
+
+#ifdef PHYSIM_CLI
+
+namespace physim::testing_cli {
+namespace {
+
+constexpr const char* kThrow = R"(physim = 1
+title = "A throw"
+[environment]
+atmosphere = "vacuum"
+gravity = { model = "constant", acceleration = "10 m/s^2" }
+[[shot]]
+name = "ball"
+speed = "30 m/s"
+elevation = "45 deg"
+position = ["0 m", "1e-9 m", "0 m"]
+fidelity = { preset = "simulation", earth = "flat" }
+[study]
+inputs = ["shot.speed = +- 0.3 m/s", "shot.azimuth = +- 1 deg"]
+targets = ["near: rectangle 1 m x 3.6 m at 0 m, 90 m"]
+aim = "0 m, 90 m"
+shots = 8192
+)";
+
+bool gnuplot_is_there() { return std::system("gnuplot --version >/dev/null 2>&1") == 0; }
+
+TEST(StudyPlot, shows_impacts_inputs_and_how_figures_settle) {
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not there";
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow), picture = folder / "a.svg";
+  const Ran ran = physim({"study", file, "--plot", picture});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::string svg = read(picture);
+  for (const char* text : {"A throw: ball", "8192 shots, random, seed 1", "the first 4096 shots", "3σ", "on a target",
+                           "shot.speed  ± 0.3 m/s", "hits on near [%]", "holds"})
+    EXPECT_TRUE(has(svg, text)) << text;
+  EXPECT_EQ(physim({"study", file, "--plot", folder / "b.png"}).code, 0);
+  const Ran one = physim({"study", file, "--set", "study.targets=[]", "--set",
+                          "study.quantities=[\"along\"]", "--plot", folder / "c.svg"});
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_TRUE(has(read(folder / "c.svg"), "mean along [m]"));
+}
+
+TEST(StudyPlot, shows_hits_over_range) {
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not there";
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow), picture = folder / "a.svg";
+  const Ran ran = physim({"study", file, "--ranges", "20 m .. 60 m step 20 m", "--plot", picture, "--target",
+                          "wall: rectangle 100 m x 100 m"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (const char* text : {"A throw: ball", "wall 100 %", "R95", "range [m]"})
+    EXPECT_TRUE(has(read(picture), text)) << text;
+}
+
+TEST(StudyPlot, a_missing_gnuplot_is_named_with_its_package) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow);
+  const Ran ran = physim({"study", file, "--plot", folder / "a.png"}, {"PATH=" + (folder / "empty")});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_TRUE(has(ran.err, "apt-get install gnuplot-nox")) << ran.err;
+}
+
+/// 90 m to the north of the equator: 90 m over the meridian's radius of curvature there, a (1 - e^2) = 6335439 m.
+TEST(StudyPlot, maps_lie_where_shots_come_down) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow);
+  const Ran ran = physim({"study", file, "--set", "shot.fidelity.earth=ellipsoid", "--set", "study.targets=[]", "--set",
+                          "environment.earth.rotation_rate=0", "--kml", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (const char* text : {"<name>A throw: ball</name>", "mean impact", "3 deviations", "zone that holds", "</kml>"})
+    EXPECT_TRUE(has(ran.out, text)) << text;
+  const std::size_t at = ran.out.find("<coordinates>", ran.out.find("mean impact"));
+  ASSERT_NE(at, std::string::npos);
+  double longitude = 0, latitude = 0;
+  ASSERT_EQ(std::sscanf(ran.out.c_str() + at, "<coordinates>%lf,%lf,0<", &longitude, &latitude), 2);
+  EXPECT_NEAR(longitude * 6378137 * 3.14159265358979 / 180, 0, 0.1) << "standard error 0.02 m";
+  EXPECT_NEAR(latitude * 6335439 * 3.14159265358979 / 180, 90, 0.2);
+}
+
+TEST(StudyPlot, bad_input_says_what_is_wrong) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow);
+  const auto refusal = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"study", file};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ran ran = physim(arguments);
+    EXPECT_EQ(ran.code, 2) << ran.out;
+    return ran.err;
+  };
+  EXPECT_TRUE(has(refusal({"--plot", folder / "a.pdf"}), ".png or .svg"));
+  EXPECT_TRUE(has(refusal({"--kml", "-"}), "flat Earth"));
+  EXPECT_TRUE(has(refusal({"--kml", "-", "--range", "20 m"}), "come down on the ground"));
+  EXPECT_TRUE(has(refusal({"--kml", "-", "--ranges", "20 m"}), "--kml"));
+  EXPECT_TRUE(has(refusal({"--shards", "1/2", "--resume", folder / "x", "--plot", folder / "a.png"}), "--shards"));
+  const std::string quantity = refusal({"--set", "study.quantities=[\"hight\"]"});
+  EXPECT_TRUE(has(quantity, "study.quantities[0]") && has(quantity, "right")) << quantity;
+}
+
+}  // namespace
+}  // namespace physim::testing_cli
+
+#endif
