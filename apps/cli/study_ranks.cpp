@@ -51,7 +51,7 @@ struct Ranks::Round {
 
   /// The next shard that is missing.
   std::optional<std::uint64_t> take() {
-    while (next < end && part.has(next)) ++next;
+    next = part.missing_from(next);
     if (stopped || next >= end) return std::nullopt;
     return next++;
   }
@@ -134,7 +134,7 @@ void Ranks::hear(Round& round) {
 bool Ranks::fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end,
                 const std::function<bool(const StudyPart&)>& after_shard) {
   PHYSIM_ASSERT(number_ == 0);
-  Round round{plan, part, end, after_shard, part.first_missing()};
+  Round round{plan, part, end, after_shard, part.missing_from(0)};
   std::future<StudyPart> own;  // a shard that this rank flies beside its messages
   for (;;) {
     if (asked_to_end != 0) {

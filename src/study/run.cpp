@@ -110,7 +110,7 @@ Result<StudyResult> run_study_on(const StudyPlan& plan, const StudyPart& so_far,
     result.width_reached = true;
     return result;
   }
-  return result_of(plan, copy_of(part), std::min(part.first_missing(), record.shards));
+  return result_of(plan, copy_of(part), std::min(part.missing_from(0), record.shards));
 }
 
 Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner, const StudyOptions& options) {

@@ -115,7 +115,7 @@ class PairSweep {
       for (std::uint32_t j = other.of(box.low[other.axis]); j <= other.of(box.high[other.axis]); ++j)
         f(column_of(i, j));
   }
-  /// Of the columns that two boxes share, the one in which they are told.
+  /// The one column, among those that two boxes share, in which they are told.
   [[nodiscard]] std::uint64_t first_common(const collide::Bounds& a, const collide::Bounds& b) const {
     const auto first = [&](const Cells& cells) {
       return std::max(cells.of(a.low[cells.axis]), cells.of(b.low[cells.axis]));
