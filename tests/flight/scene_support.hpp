@@ -1,0 +1,64 @@
+// Scenes, rungs and questions that tests of flights through scenes share.
+#pragma once
+
+#include <vector>
+
+#include "physim/presets.hpp"
+#include "support.hpp"
+#include "world/world_support.hpp"
+
+namespace physim::test_scene {
+
+inline constexpr double kG = 9.80665;
+
+inline Environment vacuum_of(double g) {
+  Environment environment;
+  environment.atmosphere.model = AirModel::vacuum;
+  environment.gravity = {.model = g == 0 ? GravityModel::off : GravityModel::constant, .acceleration = g};
+  return environment;
+}
+
+inline Until meeting(const Scene& scene, OnHit on_hit = OnHit::stop, double radius = 0) {
+  Until until{.ground = std::nullopt, .time = 60};
+  until.scene = &scene;
+  until.contact.collision = {.on_hit = on_hit, .radius = radius};
+  return until;
+}
+
+inline Fidelity rung(Integrator integrator, Precision precision = Precision::float64) {
+  Fidelity fidelity = test::vacuum(integrator);
+  fidelity.precision = precision;
+  return fidelity;
+}
+inline Fidelity closed() {
+  Fidelity fidelity = test::vacuum();
+  fidelity.motion = Motion::closed_form;
+  return fidelity;
+}
+
+inline std::vector<Event> of_kind(const Flight& flight, EventKind kind) {
+  std::vector<Event> found;
+  for (const Event& e : flight.events())
+    if (e.kind == kind) found.push_back(e);
+  return found;
+}
+
+inline InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& position, MaterialId material = {}) {
+  const auto added =
+      scene.add({.shape = *scene.add_shape(shape), .transform = {.position = position}, .material = material});
+  EXPECT_TRUE(added);
+  return added ? *added : InstanceId{};
+}
+
+inline Scene room(const Vec3d& half, const Material& material) {
+  Scene scene;
+  const MaterialId made_of = *scene.add_material(material);
+  for (const double side : {-1.0, 1.0}) {
+    put(scene, BoxShape{{0.5, half.y + 1, half.z + 1}}, {side * (half.x + 0.5), 0, 0}, made_of);
+    put(scene, BoxShape{{half.x + 1, 0.5, half.z + 1}}, {0, side * (half.y + 0.5), 0}, made_of);
+    put(scene, BoxShape{{half.x + 1, half.y + 1, 0.5}}, {0, 0, side * (half.z + 0.5)}, made_of);
+  }
+  return scene;
+}
+
+}  // namespace physim::test_scene
