@@ -55,7 +55,7 @@ struct WorldGroup {
   std::uint64_t slept = 0;    ///< times that one came to rest [-]
   std::uint64_t expired = 0;  ///< left by their rules [-]
   std::uint64_t retired = 0;  ///< taken out [-]
-  std::uint64_t hits = 0;     ///< on the wall and on things of the scene [-]
+  std::uint64_t hits = 0;     ///< on the wall, on things of the scene and on others [-]
   std::uint64_t alive = 0;    ///< at the end [-]
   Series range{};             ///< horizontal distance to the impact: first touch of the ground, wall or a thing [m]
   Series time{};              ///< from launch to impact [s]

@@ -33,6 +33,8 @@ class RandomSession {
   /// `moments`: it goes back to snapshots, which hold for one world alone.
   RandomSession(World& world, unsigned seed, bool moments = true) : world_(world), random_(seed), moments_(moments) {}
 
+  bool meet_others = true;  // some of its projectiles
+
   /// One call of any kind; most are sensible.
   void act() {
     const int what = below(48);
@@ -94,7 +96,7 @@ class RandomSession {
     b.layers = static_cast<std::uint32_t>(1 + below(3));
     b.label = coin() ? "" : "a ball";
     if (below(3) != 0) b.collision = {.on_hit = static_cast<OnHit>(below(5)), .radius = below(3) * 0.1};
-    if (b.layers == 1) b.collision.radius *= 20, b.collision.others = 3;  // so large that they meet
+    if (b.layers == 1 && meet_others) b.collision.radius *= 20, b.collision.others = 3;  // so large that they meet
     return b;
   }
 
