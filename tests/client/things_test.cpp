@@ -186,6 +186,23 @@ TEST(Scenery, OfPlanesHasNoSizeAndOfNothingIsEmpty) {
   EXPECT_NE(colour_of_material("water"), colour_of_material("concrete"));
 }
 
+/// A mesh of two triangles ends somewhere, a plane that is drawn by two does not; only planes reach as far as is seen.
+TEST(Scenery, TellsSheetsFromPlanes) {
+  physim::Scene scene;
+  const MeshShape sheet{{{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}};
+  ASSERT_TRUE(scene.add({.shape = scene.add_shape(sheet).value()}));
+  SceneryMaker maker;
+  EXPECT_TRUE(maker.make(&scene, 1, 0, 64).has_size);
+  EXPECT_EQ(maker.make(&scene, 1, 0, 64).high.y, 3);
+  const std::uint64_t version = maker.make(&scene, 1, 0, 64).version;
+  EXPECT_EQ(maker.make(&scene, 1, 0, 128).version, version);
+  ASSERT_TRUE(scene.add({.shape = scene.add_shape(PlaneShape{}).value()}));
+  EXPECT_EQ(maker.make(&scene, 1, 0, 128).high.y, 3);
+  const std::uint64_t near = maker.make(&scene, 1, 0, 128).version, far = maker.make(&scene, 1, 0, 256).version;
+  EXPECT_NE(near, far);
+  EXPECT_TRUE(maker.make(nullptr, 1, 0, 128).is_empty());
+}
+
 TEST(Scenery, FitsIntoTheView) {
   for (const char* name : {"bullet_through_plank", "billiards"}) {
     Client client = client_of(name);

@@ -14,6 +14,7 @@ namespace {
 constexpr double kSmooth = 0.8;         // cosine of the largest angle between faces that are one round surface
 constexpr std::size_t kMostNames = 40;  // more would hide each other
 constexpr std::size_t kMostEdges = 4000;
+constexpr double kAnyReach = 0;  // without planes nothing depends on it
 
 struct Face {
   Vec3d corners[3], normal;
@@ -54,6 +55,7 @@ class Gatherer final : public SceneCanvas {
     faces_.clear();
     thing_.reset();
   }
+  [[nodiscard]] bool has_planes() const { return has_planes_; }
   /// Sensors come last.
   void end() {
     finish();
@@ -63,7 +65,9 @@ class Gatherer final : public SceneCanvas {
 
  private:
   void add_thing() {
-    const bool is_plane = faces_.size() == 2;
+    const auto shape = scene_.info(thing_->shape);
+    const bool is_plane = faces_.size() == 2 && shape && shape->triangles == 0;  // else a mesh of two triangles
+    has_planes_ |= is_plane;
     if (into_.vertices.empty() && sensors_.empty()) into_.origin = faces_[0].corners[0];
     Vec3d low = faces_[0].corners[0], high = low;
     for (const Face& face : faces_)
@@ -139,7 +143,7 @@ class Gatherer final : public SceneCanvas {
   std::optional<InstanceDef> thing_;
   std::vector<Face> faces_;
   std::vector<SceneryVertex> sensors_;
-  bool is_sensor_ = false;
+  bool is_sensor_ = false, has_planes_ = false;
 };
 
 }  // namespace
@@ -167,13 +171,14 @@ const Scenery& SceneryMaker::make(const physim::Scene* scene, std::uint64_t vers
     return scenery_;
   }
   const bool is_as_before = made_of_ == scene && made_at_ == version && changes_ == scene->changes() &&
-                            reach_ == reach && (time_ == time || !scene->has_motion());
+                            (reach_ == reach || reach_ == kAnyReach) && (time_ == time || !scene->has_motion());
   if (is_as_before) return scenery_;
   scenery_ = Scenery{.version = scenery_.version + 1};
   made_of_ = scene, made_at_ = version, changes_ = scene->changes(), time_ = time, reach_ = reach;
   Gatherer gatherer(*scene, scenery_);
   scene->draw(gatherer, {.plane_faces = true, .time = time, .plane_size = reach});
   gatherer.end();
+  if (!gatherer.has_planes()) reach_ = kAnyReach;
   return scenery_;
 }
 
