@@ -127,7 +127,10 @@ class PairSearch {
   while (leg + 2 < path.size() && path[leg + 1].time <= time) ++leg;
   return leg;
 }
-[[nodiscard]] inline Leg leg_of(std::span<const Knot> path, std::size_t leg) { return {path[leg], path[leg + 1]}; }
+[[nodiscard]] inline Leg leg_of(std::span<const Knot> path, std::size_t leg) {
+  PHYSIM_ASSERT(leg + 1 < path.size());
+  return {path[leg], path[leg + 1]};
+}
 
 /// When two paths come within a distance of each other for the first time, or part from it, from a time on.
 [[nodiscard]] inline std::optional<double> first_touch(std::span<const Knot> a, std::span<const Knot> b,

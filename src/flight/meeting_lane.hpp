@@ -37,7 +37,10 @@ class MeetingLane {
   MeetingLane(const FlightRecord& record, March<S>& march, const Obstacles& obstacles)
       : record_(record), march_(march), from_(obstacles), shown_(obstacles.shown_spin) {}
 
-  void begin(const MeetingStep& step) { step_ = step; }
+  void begin(const MeetingStep& step) {
+    PHYSIM_ASSERT(step.length >= 0 && step.ends >= step.begins);
+    step_ = step;
+  }
   [[nodiscard]] const MeetingStep& step() const { return step_; }
   /// The march's clock when the step begins.
   void put_clock(S clock) { clock_ = clock; }
@@ -93,6 +96,7 @@ class MeetingLane {
                     .energy = energy});
   }
   void slid(const State<double>& from, double begin, const State<double>& to, double end) {
+    PHYSIM_ASSERT(end >= begin);
     slides.push_back({held(from), time_of(begin), held(to), time_of(end)});
     slid_on_ = touched_;
     slid_until_ = time_of(end);

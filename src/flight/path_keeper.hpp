@@ -70,6 +70,7 @@ class PathKeeper {
 
   /// Where a stop makes the acceleration jump, the next step starts from a node of its own, after a step of no length.
   void keep_jump() {
+    PHYSIM_ASSERT(!record_.path.nodes.empty());
     const Node& last = record_.path.nodes.back();
     if (vec_cast<double>(lane_.step.slope[0].v) == last.a) return;
     keep_start(last.t);

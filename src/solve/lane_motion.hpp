@@ -20,6 +20,7 @@ template <class S>
 /// How it points and turns where its step starts, where its rung flies that.
 template <class S>
 [[nodiscard]] Attitude attitude_of_lane(const Conditions<double>& c, const Lanes<S>& lane, double t) {
+  PHYSIM_ASSERT(turns(c.fidelity));
   Rotor<double> rotor;
   Turn<double> turn;
   cast_numbers(*lane.rotor, rotor);

@@ -20,6 +20,7 @@ static_assert(std::size(kTwoSidedStudent) == kReplicates - 1);
 
 /// So many errors is an interval of 95 % wide to each side.
 double two_sided(const StudyPlanRecord& plan, const ShardSums& sums) {
+  PHYSIM_ASSERT(sums.replicates.size() == kReplicates);
   if (plan.is_plain()) return kTwoSided;
   const auto parts = std::ranges::count_if(sums.replicates, [](const Replicate& part) { return part.shots > 0; });
   return parts < 2 ? kNotKnown : kTwoSidedStudent[parts - 2];
@@ -29,6 +30,7 @@ double two_sided(const StudyPlanRecord& plan, const ShardSums& sums) {
 /// independent occasions where shots have one in common.
 Interval interval_of_equal_replicates(const StudyPlanRecord& plan, const HitResult& hit, std::uint64_t shots) {
   const std::uint64_t each = plan.study.rounds;
+  PHYSIM_ASSERT(each >= 1 && hit.hits <= shots);
   return wilson_interval(hit.hits / each, shots / each);
 }
 

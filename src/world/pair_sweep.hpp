@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "world/pairs.hpp"
 
 namespace physim {
@@ -43,11 +44,15 @@ class PairSweep {
   }
 
   /// It has another path now.
-  void note_new(std::uint32_t i) { new_.push_back(i); }
+  void note_new(std::uint32_t i) {
+    PHYSIM_ASSERT(i < colliders_.size() && colliders_[i].is_new);
+    new_.push_back(i);
+  }
 
   /// Calls visit(j) for all others whose boxes meet its own.
   template <class Visit>
   void each_beside(std::uint32_t i, const Visit& visit) const {
+    PHYSIM_ASSERT(i < colliders_.size());
     const collide::Bounds& box = colliders_[i].box;
     if (!is_there(box)) return;
     each_column(box, [&](std::uint64_t column) {

@@ -92,6 +92,7 @@ class PairStep {
   void find_path(Collider& c) {
     const Rows& rows = context_.state->rows[c.cohort];
     const double dt = context_.dt;
+    PHYSIM_ASSERT(!c.flies || s_.before[c.cohort].has_value());
     if (!c.flies) {
       c.path = {{0, rows.position(c.row), {}}, {dt, rows.position(c.row), {}}};
     } else if (c.traces.empty()) {
@@ -218,6 +219,8 @@ class PairStep {
   }
 
   void touch(const Meeting& m) {
+    PHYSIM_ASSERT(m.a < m.b && m.b < all_.size());
+    PHYSIM_ASSERT(m.time >= 0 && m.time <= context_.dt);
     Collider &a = all_[m.a], &b = all_[m.b];
     Knot on_a = at(a, m.time), on_b = at(b, m.time);
     const Vec3d n = normal_between(on_a, on_b);
@@ -249,6 +252,7 @@ class PairStep {
   /// The impulse that they give each other.
   void part(const Meeting& m, const Vec3d& n, const PairSurface& surface, Knot& on_a, Knot& on_b) {
     Collider &a = all_[m.a], &b = all_[m.b];
+    PHYSIM_ASSERT(may_move(a) || may_move(b));
     const bool rubs = surface.friction > 0;
     PairBody one = body_of(a, on_a, rubs), other = body_of(b, on_b, rubs);
     const PairBody first = one, second = other;
@@ -286,6 +290,7 @@ class PairStep {
   /// Calls f for the row of one that flies, which is as it was when the step began.
   template <class F>
   void with_row(const Collider& c, const F& f) {
+    PHYSIM_ASSERT(c.flies && s_.before[c.cohort].has_value());
     context_.state->rows[c.cohort].put_back(c.row, *s_.before[c.cohort]);
     s_.chunk.cohort = c.cohort;
     if (w_.registry.cohort(c.cohort).key.forced)
@@ -317,6 +322,7 @@ class PairStep {
     if (strikes && !ends) tell(EventKind::bounced, c, all_[other], now, n);
     if (!std::exchange(c.is_new, true)) sweep_->note_new(i);
     ++c.version;
+    PHYSIM_ASSERT(now.time >= c.since);  // meetings come in order of time
     c.since = now.time;
     if (c.sleeps)
       slide(c, now, spin, on_hit);
@@ -454,6 +460,7 @@ void list_colliders(const WorldImpl& world, std::vector<Collider>& all) {
     c.sleeps = slot.is(kAsleep) && !slot.is(kStill & ~kAsleep);
     c.flies = !slot.is(kStill);
     if (!may_move(c)) return;
+    PHYSIM_ASSERT(kind.flown.mass > 0);
     const Own* own = world.state.extras.find_own(index);
     c.mobility = free_axes(own ? own->frozen : kind.body.frozen) * (1 / kind.flown.mass);
   });

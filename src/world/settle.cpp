@@ -6,6 +6,7 @@
 
 #include "flight/under_way.hpp"
 #include "model/contact.hpp"
+#include "world/look_around.hpp"
 #include "world/settled_row.hpp"
 
 namespace physim {
@@ -16,16 +17,6 @@ constexpr int kMostBounces = 16;
 
 Vec3d normal_at(const Conditions<double>& c, const Vec3d& x) {
   return is_round(c.fidelity.earth) ? vertical_at(c, x) : Vec3d{0, 1, 0};
-}
-
-/// So far something may fly from a place before it can touch anything, in a scene in which nothing moves [m].
-template <class S>
-[[nodiscard]] S clear_way(const SettleContext& context, const Vec3d& x, const Vec3d& velocity,
-                          const CollisionDef& collision) {
-  constexpr double kSteps = 64;  // looking farther costs more than looking again
-  const double reach = collision.radius + kSteps * context.dt * (length(velocity) + 10 * context.dt);
-  const double clear = context.scene->clearance(x, reach, {.layers = collision.layers});
-  return static_cast<S>(clear - collision.radius - 4 * spacing_at<S>(x));
 }
 
 /// One row on its way through a step.
@@ -442,44 +433,6 @@ bool is_in_its_cohort(const SettleContext& context, std::uint16_t cohort, std::u
   const std::uint16_t known = rung.cohort[slot.variant().index()];  // none where its environment was set anew
   return slot.is(kAlive) && !slot.is(kStill) && slot.cohort == cohort && slot.row == row &&
          (known == cohort || known == kNoCohort);
-}
-
-namespace {
-
-/// Where a row is after its step, if that was not settled: it lies on a path from one end to the other.
-template <class S>
-[[nodiscard]] bool meets_nothing(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row,
-                                 const CollisionDef& collision) {
-  const Vec3d from = Rows::at(c.position, row), to = Rows::at(c.previous, row);
-  const Vec3d mean = (to - from) * (1 / context.dt);
-  // Twice as far as a cubic with these velocities at its ends is from its chord.
-  const double bend = length(Rows::at(c.started, row) - mean) + length(Rows::at(c.velocity, row) - mean);
-  const double beside = 8.0 / 27 * context.dt * bend + 1e-9;
-  const SceneFilter filter{.layers = collision.layers};
-  if (context.scene->any_hit({from, to, collision.radius + beside, context.time, context.dt}, filter)) return false;
-  // A look farther around is worth it where the last one told something; who was near then mostly still is.
-  constexpr std::uint32_t kSeldom = 8;
-  const bool was_clear = static_cast<double>(c.clear[row]) > -0.5 * length(mean) * context.dt;
-  const bool looks = was_clear || (row + static_cast<std::uint32_t>(context.state->clock.steps)) % kSeldom == 0;
-  c.clear[row] = looks && !context.scene->has_motion() ? clear_way<S>(context, to, mean, collision) : S(0);
-  return true;
-}
-
-template <class S>
-void look_around_in(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
-  const Rows& rows = context.state->rows[chunk.cohort];
-  const RowColumns<S>& c = rows.columns<S>();
-  const Slot& slot = context.state->slots[rows.slot(row)];
-  if (context.scene && meets_nothing(context, c, row, context.registry->kind(slot.kind).body.collision)) return;
-  for (int axis = 0; axis < 3; ++axis) c.velocity[axis][row] = c.started[axis][row];
-  settle_row(context, chunk, row);
-}
-
-}  // namespace
-
-void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
-  const RowLayout& layout = context.state->rows[chunk.cohort].layout();
-  return layout.float32 ? look_around_in<float>(context, chunk, row) : look_around_in<double>(context, chunk, row);
 }
 
 namespace {

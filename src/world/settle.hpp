@@ -33,10 +33,9 @@ struct Trace {
 /// How a row goes on from a meeting with another one.
 struct Parting {
   enum class Then : std::uint8_t { flies_on, stops, sticks };
-  double passed = 0;  // into the step [s]
-  const Trace* from =
-      nullptr;            // the last moment before, where the step was settled; null: it flew from the step's start
-  State<double> state{};  // after it
+  double passed = 0;            // into the step [s]
+  const Trace* from = nullptr;  // the last moment before, where the step was settled; null: it flew from its start
+  State<double> state{};        // after it
   std::optional<Vec3d> spin{};  // that it has then; none: as it was [rad/s]
   Then then = Then::flies_on;
 };
@@ -96,9 +95,6 @@ inline constexpr double kLongestBouncingStep = 0.1;  // [s]
 [[nodiscard]] inline bool flies_in_parts(const WorldDef& def, double dt) {
   return def.ground.mode == GroundMode::bounce && dt > kLongestBouncingStep;
 }
-
-/// Looks at a row that moved on and may have come near a thing of the scene: where it did, it is put back and settled.
-void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 
 /// Steps one row that was left where it was, and writes where it is after the step.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "prepare/check.hpp"
 #include "world/kernels.hpp"
+#include "world/look_around.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
