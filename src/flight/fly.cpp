@@ -110,9 +110,7 @@ Status choose_step(FlightRecord& record, const ProjectileDef& projectile, const 
     zeroed.elevation = record.elevation;
     zeroed.sight.zero_range = 0;
     const double allowed = tolerance.position_error;
-    Until free = until;  // whose flights end where this one may go on
-    free.scene = nullptr;
-    const auto found = step_within(projectile, zeroed, environment, granted, tolerance, free, allowed);
+    const auto found = step_within(projectile, zeroed, environment, granted, tolerance, until, allowed);
     if (!found) return found.error();
     record.step = found->step;
     if (found->reached > allowed) record.cohort.in_use.notes.push_back(note_of_step(*found, allowed));

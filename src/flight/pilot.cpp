@@ -78,12 +78,20 @@ Result<Reference> fly_reference(const ProjectileDef& projectile, const Launch& l
   return Reference(std::move(record));
 }
 
+/// Pilot flights end at their first contact: what is right up to there is right behind it, and bounces part paths.
+Until up_to_contact(Until until) {
+  if (until.contact.collision.on_hit == OnHit::pass) until.scene = nullptr;
+  until.contact.collision.on_hit = OnHit::stop;
+  return until;
+}
+
 }  // namespace
 
 Result<PilotStep> step_within(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
-                              const Fidelity& fidelity, const Tolerance& tolerance, const Until& until,
+                              const Fidelity& fidelity, const Tolerance& tolerance, const Until& asked,
                               double error_allowed, double longest) {
   PHYSIM_ASSERT(error_allowed > 0 && longest > 0);
+  const Until until = up_to_contact(asked);
   const auto reference = fly_reference(projectile, launch, environment, fidelity, tolerance, until, error_allowed);
   if (!reference) return reference.error();
   // What ends where it begins takes any step.

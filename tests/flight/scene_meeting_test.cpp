@@ -282,6 +282,25 @@ TEST(MeetingFlight, limits_starts_inside_and_bad_input) {
   EXPECT_EQ(refused([](ContactDef& c) { c.scene_time = kInfinity; }), "until.contact.scene_time");
 }
 
+TEST(MeetingFlight, an_automatic_step_is_found_up_to_the_first_contact) {
+  Scene floor;
+  put(floor, PlaneShape{}, {}, *floor.add_material({.restitution = 0.8, .friction = 0.5}));
+  Until until = meeting(floor, OnHit::bounce, 0.03);
+  until.time = 3600;  // without the floor it would fall for an hour
+  Fidelity fixed = Fidelity::sport_ball();
+  fixed.integrator = Integrator::heun;
+  const ProjectileDef ball = presets::tennis_ball().projectile;
+  const Launch launch{.position = {0, 2, 0}, .speed = 25, .elevation = 0.3};
+  const Flight flight = fly(ball, launch, {}, fixed, {}, until);
+  ASSERT_EQ(flight.outcome(), Outcome::hit);
+  EXPECT_GT(flight.step(), 1e-4);
+  Fidelity exact = fixed;
+  exact.integrator = Integrator::dop853;
+  exact.precision = Precision::float64;
+  const Flight reference = fly(ball, launch, {}, exact, {}, until);
+  EXPECT_LT(length(of_kind(flight, EventKind::hit)[0].position - of_kind(reference, EventKind::hit)[0].position), 2e-3);
+}
+
 TEST(MeetingFlight, batches_refuse_a_scene) {
   Scene scene;
   put(scene, PlaneShape{}, {});
