@@ -42,8 +42,8 @@ TEST(StudyPlot, shows_impacts_inputs_and_how_figures_settle) {
                            "shot.speed  ± 0.3 m/s", "hits on near [%]", "holds"})
     EXPECT_TRUE(has(svg, text)) << text;
   EXPECT_EQ(physim({"study", file, "--plot", folder / "b.png"}).code, 0);
-  const Ran one = physim({"study", file, "--set", "study.targets=[]", "--set",
-                          "study.quantities=[\"along\"]", "--plot", folder / "c.svg"});
+  const Ran one = physim({"study", file, "--set", "study.targets=[]", "--set", "study.quantities=[\"along\"]", "--plot",
+                          folder / "c.svg"});
   ASSERT_EQ(one.code, 0) << one.err;
   EXPECT_TRUE(has(read(folder / "c.svg"), "mean along [m]"));
 }
