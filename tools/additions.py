@@ -6,7 +6,8 @@ may touch beside tests and docs (`Files: 4`). A patch is the honest measure: a r
 be a rung of the library, and one that is made of test hooks would not pass through the places that real ones touch.
 
 `./dev lint` checks that every patch still applies and touches no more files than it may: cheap, at every change.
-`./dev additions` applies all of them to a copy of the sources, builds the library and their tests, and runs them.
+`./dev additions` applies all of them to a copy of the sources, builds the library, the command line and their tests,
+without any optional library, and runs them.
 `./dev additions --write NAME` writes a patch anew from the files changed in the working tree.
 `./dev additions --taken-out [NAME ...]` takes out what the patches add to the sources, one run of lines at a time, and
 says what notices it: a build that fails, or tests. Fails where nothing does.
@@ -104,7 +105,7 @@ def fill(tree, wanted):
 def build():
     """What the compiler says where the patched copy does not build; nothing where it does."""
     done = subprocess.run(["cmake", "--build", str(COPY / "build"), "-j", str(os.cpu_count() or 2), "--target",
-                           "physim_additions"], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                           "physim_additions", "physim_cli"], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     return "" if done.returncode == 0 else done.stdout or "no output"
 
 
@@ -118,7 +119,8 @@ def build_and_test():
     tree, wanted = copy_sources()
     fill(tree, wanted)
     subprocess.run(["cmake", "-S", str(tree), "-B", str(COPY / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
-                    "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_WERROR=ON"],
+                    "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_WERROR=ON",
+                    *[f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("assimp", "MPI")]],
                    check=True, stdout=subprocess.DEVNULL)
     if failure := build():
         print(failure, file=sys.stderr)
