@@ -120,7 +120,7 @@ class PairSweep {
       for (std::uint32_t j = other.of(box.low[other.axis]); j <= other.of(box.high[other.axis]); ++j)
         f(column_of(i, j));
   }
-  /// The one column, among those that two boxes share, in which they are told.
+  /// The first column that two boxes share: there they are told.
   [[nodiscard]] std::uint64_t first_common(const collide::Bounds& a, const collide::Bounds& b) const {
     const auto first = [&](const Cells& cells) {
       return std::max(cells.of(a.low[cells.axis]), cells.of(b.low[cells.axis]));
@@ -134,7 +134,7 @@ class PairSweep {
   std::vector<collide::Bounds> boxes_;  // that they had at first
   std::vector<Place> places_;           // of these
   std::vector<std::uint32_t> new_;      // those that have other boxes now
-  double widest_ = 0;                   // of the boxes at first, along the axis
+  double widest_ = 0;                   // along the axis, of the boxes at first [m]
 };
 
 }  // namespace physim
