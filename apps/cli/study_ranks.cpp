@@ -1,11 +1,10 @@
 #include "study_ranks.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <future>
-#include <limits>
-#include <optional>
 #include <thread>
 
 #include "base/assert.hpp"
@@ -31,7 +30,7 @@ bool job_is_there() {
 namespace {
 
 constexpr int kResultTag = 1, kFailureTag = 2, kOrderTag = 3;
-constexpr std::uint64_t kOver = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kMostShards = 64;  // of an order
 
 /// The launcher asks for the end of all ranks when one of them died.
 volatile std::sig_atomic_t asked_to_end = 0;
@@ -49,11 +48,25 @@ struct Ranks::Round {
   std::size_t in_flight = 0;  // of other ranks
   bool stopped = false;
 
-  /// The next shard that is missing.
-  std::optional<std::uint64_t> take() {
+  /// The next shards that are missing: 1, 2, 4 ... of them, which make up a node of the tree, so that they are joined
+  /// where they are flown and travel as one. The fewer are left, the fewer at once: all ranks end at about one time.
+  Order take(std::uint64_t most) {
     next = part.missing_from(next);
-    if (stopped || next >= end) return std::nullopt;
-    return next++;
+    if (stopped || next >= end) return {};
+    std::uint64_t count = 1;
+    while (2 * count <= most && next % (2 * count) == 0 && are_missing(next + count, count)) count *= 2;
+    next += count;
+    return {next - count, count};
+  }
+  [[nodiscard]] bool are_missing(std::uint64_t first, std::uint64_t count) const {
+    if (first + count > end) return false;
+    for (std::uint64_t i = 0; i < count; ++i)
+      if (part.has(first + i)) return false;
+    return true;
+  }
+  /// For one of so many ranks, which should each come back some times.
+  [[nodiscard]] std::uint64_t share(unsigned ranks) const {
+    return std::clamp<std::uint64_t>((end - next) / (std::uint64_t{8} * ranks), 1, kMostShards);
   }
 };
 
@@ -80,7 +93,7 @@ Ranks::~Ranks() {
         MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, &status);
         idle_.push_back(status.MPI_SOURCE);
       }
-      order(idle_.back(), kOver);
+      order(idle_.back(), {});
       idle_.pop_back();
     }
   MPI_Finalize();
@@ -88,9 +101,10 @@ Ranks::~Ranks() {
 
 Status Ranks::status() const { return {}; }
 
-void Ranks::order(int rank, std::uint64_t shard) {
+void Ranks::order(int rank, const Order& order) {
   PHYSIM_ASSERT(rank > 0 && rank < count_);
-  MPI_Send(&shard, 1, MPI_UINT64_T, rank, kOrderTag, MPI_COMM_WORLD);
+  const std::uint64_t words[] = {order.first, order.count};
+  MPI_Send(words, 2, MPI_UINT64_T, rank, kOrderTag, MPI_COMM_WORLD);
 }
 
 void Ranks::keep(Round& round, const StudyPart& flown) {
@@ -99,12 +113,12 @@ void Ranks::keep(Round& round, const StudyPart& flown) {
   if (!round.stopped && round.after_shard && !round.after_shard(so_far)) round.stopped = true;
 }
 
-/// A shard that a rank flew; nothing where it only asks for its first.
+/// Shards that a rank flew; nothing where it only asks for its first.
 void Ranks::take_in(Round& round, int from, std::span<const std::byte> bytes) {
   if (bytes.empty()) return;
   --round.in_flight;
   const auto flown = load_part(bytes);
-  const bool is_ours = flown && flown->record().hash == round.part.hash && flown->shards() == 1;
+  const bool is_ours = flown && flown->record().hash == round.part.hash && flown->record().nodes.size() == 1;
   if (is_ours) return keep(round, *flown);
   round.stopped = true;
   failed_ = Error{"rank " + std::to_string(from) + " flies another study, or is of another version", "mpirun",
@@ -145,12 +159,12 @@ bool Ranks::fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end,
     }
     if (own.valid() && own.wait_for(std::chrono::seconds(0)) == std::future_status::ready) keep(round, own.get());
     if (!own.valid())
-      if (const auto shard = round.take())
-        own = std::async(std::launch::async, [&plan, number = *shard] { return run_shard(plan, number); });
+      if (const Order mine = round.take(1); mine.count > 0)
+        own = std::async(std::launch::async, [&plan, mine] { return run_shard(plan, mine.first); });
     while (!idle_.empty()) {
-      const auto shard = round.take();
-      if (!shard) break;
-      order(idle_.back(), *shard);
+      const Order next = round.take(round.share(count()));
+      if (next.count == 0) break;
+      order(idle_.back(), next);
       idle_.pop_back();
       ++round.in_flight;
     }
@@ -164,19 +178,22 @@ void Ranks::serve(const StudyPlan& plan) {
   std::vector<std::byte> flown;  // none yet
   for (;;) {
     MPI_Send(flown.data(), static_cast<int>(flown.size()), MPI_BYTE, 0, kResultTag, MPI_COMM_WORLD);
-    std::uint64_t shard = kOver;
-    MPI_Recv(&shard, 1, MPI_UINT64_T, 0, kOrderTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    if (shard == kOver) return;
-    flown = save_part(run_shard(plan, shard));
+    std::uint64_t words[] = {0, 0};
+    MPI_Recv(words, 2, MPI_UINT64_T, 0, kOrderTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    const Order order{words[0], words[1]};
+    if (order.count == 0) return;
+    const auto part = run_shards(plan, order.first, order.count);
+    PHYSIM_ASSERT(part.ok() && part->record().nodes.size() == 1);
+    flown = save_part(*part);
   }
 }
 
 void Ranks::give_up(const Error& error) {
   PHYSIM_ASSERT(number_ > 0);
   const std::string text = error.text();
-  std::uint64_t over = 0;
+  std::uint64_t over[] = {0, 0};
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_BYTE, 0, kFailureTag, MPI_COMM_WORLD);
-  MPI_Recv(&over, 1, MPI_UINT64_T, 0, kOrderTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  MPI_Recv(over, 2, MPI_UINT64_T, 0, kOrderTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
 }
 
 #else

@@ -1,6 +1,6 @@
-// Ranks of an MPI job (`mpirun -n 64 physim study FILE`) that fly one study: the first hands out shards, one at a time
-// to whoever asks, flies some itself, and joins what comes back. Shards are joined in the tree that threads join them
-// in, so the bits are theirs.
+// Ranks of an MPI job (`mpirun -n 64 physim study FILE`) that fly one study: the first hands out shards, a few at a
+// time to whoever asks, flies some itself, and joins what comes back. Shards are joined in the tree that threads join
+// them in, so the bits are theirs.
 #pragma once
 
 #include <functional>
@@ -40,10 +40,14 @@ class Ranks {
 
  private:
   struct Round;
+  /// So many shards from one on; none: it is over.
+  struct Order {
+    std::uint64_t first = 0, count = 0;
+  };
   void hear(Round& round);
   void take_in(Round& round, int from, std::span<const std::byte> bytes);
   void keep(Round& round, const StudyPart& flown);
-  void order(int rank, std::uint64_t shard);
+  void order(int rank, const Order& order);
 
   int number_ = 0, count_ = 1;
   bool joined_ = false, was_ended_ = false;
