@@ -203,6 +203,38 @@ TEST(Scenery, TellsSheetsFromPlanes) {
   EXPECT_TRUE(maker.make(nullptr, 1, 0, 128).is_empty());
 }
 
+/// Moved triangles are those of a scenery that is made anew at that time; at the first time they are where they were.
+TEST(Scenery, MovesWithItsThings) {
+  physim::Scene scene;
+  const ShapeId box = scene.add_shape(BoxShape{{1, 2, 3}}).value(), ball = scene.add_shape(SphereShape{1}).value();
+  ASSERT_TRUE(scene.add({.shape = ball, .transform = {.position = {50, 1, 0}}, .sensor = true, .name = "gate"}));
+  ASSERT_TRUE(scene.add({.shape = box, .name = "rests"}));
+  const SteadyMotion motion{.velocity = {1, 2, -3}, .angular_velocity = {0.3, -0.5, 0.7}};
+  const Transform at{.position = {10, 0, 5}, .rotation = {1, 0.2, 0.3, -0.1}, .scale = 2};
+  ASSERT_TRUE(scene.add({.shape = box, .transform = at, .name = "turns", .motion = motion}));
+  ASSERT_TRUE(scene.add({.shape = ball, .transform = at, .sensor = true, .motion = motion}));
+  SceneryMaker moving;
+  const std::vector<SceneryVertex> first = moving.make(&scene, 1, 0, 64).vertices;
+  for (const double time : {0.5, 3.0, 0.0}) {
+    const physim::Scene copy(scene);  // worlds copy a scene that a moment of them keeps
+    const Scenery& moved = moving.make(&copy, 1, time, 64);
+    SceneryMaker maker;
+    const Scenery anew = maker.make(&scene, 1, time, 64);
+    ASSERT_EQ(moved.vertices.size(), anew.vertices.size());
+    ASSERT_EQ(moved.edges.size(), anew.edges.size());
+    EXPECT_EQ(moved.solid, 72U);
+    double farthest = 0;
+    for (std::size_t i = 0; i < anew.vertices.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double a = moved.vertices[i].at[axis] + moved.origin[axis];
+        EXPECT_NEAR(a, anew.vertices[i].at[axis] + anew.origin[axis], 1e-4);
+        EXPECT_NEAR(moved.vertices[i].normal[axis], anew.vertices[i].normal[axis], 1e-5);
+        farthest = std::max<double>(farthest, std::abs(moved.vertices[i].at[axis] - first[i].at[axis]));
+      }
+    EXPECT_EQ(farthest > 1, time > 0);
+  }
+}
+
 TEST(Scenery, FitsIntoTheView) {
   for (const char* name : {"bullet_through_plank", "billiards"}) {
     Client client = client_of(name);

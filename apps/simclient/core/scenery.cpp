@@ -34,10 +34,11 @@ struct SamePlace {
 /// Takes what is drawn, thing by thing.
 class Gatherer final : public SceneCanvas {
  public:
-  Gatherer(const physim::Scene& scene, Scenery& into) : scene_(scene), into_(into) {}
+  Gatherer(const physim::Scene& scene, double time, Scenery& into) : scene_(scene), time_(time), into_(into) {}
 
   void begin(InstanceId thing) override {
     finish();
+    id_ = thing;
     thing_ = scene_.instance(thing);
   }
   void line(const Vec3d&, const Vec3d&, SceneInk) override {}
@@ -56,11 +57,14 @@ class Gatherer final : public SceneCanvas {
     thing_.reset();
   }
   [[nodiscard]] bool has_planes() const { return has_planes_; }
+  [[nodiscard]] std::vector<SceneryPart> take_parts() { return std::move(parts_); }
   /// Sensors come last.
   void end() {
     finish();
     into_.solid = into_.vertices.size();
     into_.vertices.insert(into_.vertices.end(), sensors_.begin(), sensors_.end());
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      if (of_sensors_[i]) parts_[i].vertex += into_.solid;
   }
 
  private:
@@ -68,6 +72,15 @@ class Gatherer final : public SceneCanvas {
     const auto shape = scene_.info(thing_->shape);
     const bool is_plane = faces_.size() == 2 && shape && shape->triangles == 0;  // else a mesh of two triangles
     has_planes_ |= is_plane;
+    const std::vector<SceneryVertex>& vertices = is_sensor_ ? sensors_ : into_.vertices;
+    SceneryPart part{id_,
+                     scene_.state(id_, time_).value_or(MotionState{}),
+                     vertices.size(),
+                     0,
+                     into_.edges.size(),
+                     0,
+                     into_.names.size(),
+                     0};
     if (into_.vertices.empty() && sensors_.empty()) into_.origin = faces_[0].corners[0];
     Vec3d low = faces_[0].corners[0], high = low;
     for (const Face& face : faces_)
@@ -81,6 +94,12 @@ class Gatherer final : public SceneCanvas {
     const Colour plain = colour_of_material(scene_.material(thing_->material).name);
     add_faces(is_sensor_ ? faded(plain, 0.3) : plain);
     if (!is_plane && !is_sensor_ && faces_.size() < kMostEdges) add_edges(darker(plain));
+    part.vertices = vertices.size() - part.vertex;
+    part.edges = into_.edges.size() - part.edge;
+    part.names = into_.names.size() - part.name;
+    if (std::holds_alternative<AtRest>(thing_->motion)) return;
+    parts_.push_back(part);
+    of_sensors_.push_back(is_sensor_);
   }
 
   static Colour darker(Colour colour) {
@@ -139,14 +158,42 @@ class Gatherer final : public SceneCanvas {
   }
 
   const physim::Scene& scene_;
+  const double time_;
   Scenery& into_;
+  InstanceId id_;
   std::optional<InstanceDef> thing_;
+  std::vector<SceneryPart> parts_;
+  std::vector<bool> of_sensors_;  // of each part
   std::vector<Face> faces_;
   std::vector<SceneryVertex> sensors_;
   bool is_sensor_ = false, has_planes_ = false;
 };
 
 }  // namespace
+
+/// From where each thing was when all was made, so that no errors add up.
+void SceneryMaker::move_things(const physim::Scene& scene, double time) {
+  time_ = time;
+  ++scenery_.version;
+  for (const SceneryPart& part : parts_) {
+    const std::optional<MotionState> now = scene.state(part.thing, time);
+    if (!now) continue;
+    const Quatd turn = now->rotation * conjugate(part.made.rotation);
+    const auto moved = [&](const Vec3d& p) { return now->position + rotate(turn, p - part.made.position); };
+    const auto set = [](float(&to)[3], const Vec3d& v) {
+      to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
+    };
+    for (std::size_t i = part.vertex; i < part.vertex + part.vertices; ++i) {
+      const SceneryVertex& was = made_.vertices[i];
+      set(scenery_.vertices[i].at, moved(scenery_.origin + Vec3d{was.at[0], was.at[1], was.at[2]}) - scenery_.origin);
+      set(scenery_.vertices[i].normal, rotate(turn, Vec3d{was.normal[0], was.normal[1], was.normal[2]}));
+    }
+    for (std::size_t i = part.edge; i < part.edge + part.edges; ++i)
+      scenery_.edges[i] = {moved(made_.edges[i].a), moved(made_.edges[i].b), made_.edges[i].colour};
+    for (std::size_t i = part.name; i < part.name + part.names; ++i)
+      scenery_.names[i].at = made_.names[i].at + (now->position - part.made.position);
+  }
+}
 
 Colour colour_of_material(const std::string& name) {
   constexpr std::pair<const char*, Colour> kKnown[] = {
@@ -167,18 +214,23 @@ Colour colour_of_material(const std::string& name) {
 const Scenery& SceneryMaker::make(const physim::Scene* scene, std::uint64_t version, double time, double reach) {
   if (scene == nullptr) {
     if (!scenery_.is_empty()) scenery_ = Scenery{.version = scenery_.version + 1};
-    made_of_ = nullptr;
+    is_made_ = false;
     return scenery_;
   }
-  const bool is_as_before = made_of_ == scene && made_at_ == version && changes_ == scene->changes() &&
-                            (reach_ == reach || reach_ == kAnyReach) && (time_ == time || !scene->has_motion());
-  if (is_as_before) return scenery_;
+  const bool is_as_before =
+      is_made_ && made_at_ == version && changes_ == scene->changes() && (reach_ == reach || reach_ == kAnyReach);
+  if (is_as_before) {
+    if (time_ != time && scene->has_motion()) move_things(*scene, time);
+    return scenery_;
+  }
   scenery_ = Scenery{.version = scenery_.version + 1};
-  made_of_ = scene, made_at_ = version, changes_ = scene->changes(), time_ = time, reach_ = reach;
-  Gatherer gatherer(*scene, scenery_);
+  is_made_ = true, made_at_ = version, changes_ = scene->changes(), time_ = time, reach_ = reach;
+  Gatherer gatherer(*scene, time, scenery_);
   scene->draw(gatherer, {.plane_faces = true, .time = time, .plane_size = reach});
   gatherer.end();
   if (!gatherer.has_planes()) reach_ = kAnyReach;
+  parts_ = gatherer.take_parts();
+  made_ = scene->has_motion() ? scenery_ : Scenery{};
   return scenery_;
 }
 

@@ -29,6 +29,13 @@ struct SceneryEdge {
   Colour colour = 0;
 };
 
+/// What of the scenery is one thing that moves.
+struct SceneryPart {
+  InstanceId thing;
+  MotionState made;                                                                // where the thing was
+  std::size_t vertex = 0, vertices = 0, edge = 0, edges = 0, name = 0, names = 0;  // the first of them; how many
+};
+
 struct Scenery {
   Vec3d origin;
   std::vector<SceneryVertex> vertices;  // three for each triangle; those of sensors, which are seen through, come last
@@ -47,11 +54,15 @@ class SceneryMaker {
  public:
   /// As the scene stands at a time [s], planes about their origins as far as `reach` [m]; null: there is no scene.
   /// `version`: another one for another scene.
+  /// Things that move take their triangles along; other changes make all of it anew.
   const Scenery& make(const physim::Scene* scene, std::uint64_t version, double time, double reach);
 
  private:
-  Scenery scenery_;
-  const void* made_of_ = nullptr;
+  void move_things(const physim::Scene& scene, double time);
+
+  Scenery scenery_, made_;  // as it is, and as it was when all of it was made
+  std::vector<SceneryPart> parts_;
+  bool is_made_ = false;
   std::uint64_t made_at_ = 0, changes_ = 0;
   double time_ = 0, reach_ = 0;
 };
