@@ -185,6 +185,8 @@ class Scene {
   [[nodiscard]] std::optional<InstanceDef> instance(InstanceId instance) const;
   /// Whether some of them are sensors.
   [[nodiscard]] bool has_sensors() const;
+  /// Whether this one is; false where it is gone.
+  [[nodiscard]] bool is_sensor(InstanceId instance) const;
   /// Whether some of them move.
   [[nodiscard]] bool has_motion() const;
   /// Where a thing is and how it moves at a time within 1e9 s; nothing where it is gone.
@@ -232,6 +234,10 @@ class Scene {
   /// The things that a sphere touches at a time [s], by index.
   [[nodiscard]] std::vector<InstanceId> overlaps(const Vec3d& middle, double radius, const SceneFilter& filter = {},
                                                  double time = 0) const;
+  /// Whether something that moves between two times touches a sphere that stands still, at any time between them [s].
+  /// What rests meanwhile does not count.
+  [[nodiscard]] bool is_reached(const Vec3d& middle, double radius, const SceneFilter& filter, double from,
+                                double to) const;
 
  private:
   struct Impl;

@@ -71,8 +71,10 @@ class Bvh::Builder {
 
     Bins(const Range& range, int bins) : low(range.middles.low) {
       const Quad width = range.middles.high - range.middles.low;
-      for (int axis = 0; axis < 3; ++axis)
-        per_width.set(axis, width[axis] > 0 ? static_cast<float>(bins) * (1 - 0x1p-22f) / width[axis] : 0);
+      for (int axis = 0; axis < 3; ++axis) {
+        const float per = width[axis] > 0 ? static_cast<float>(bins) * (1 - 0x1p-22f) / width[axis] : 0;
+        per_width.set(axis, per < kFloatInfinity ? per : 0);  // middles that are too near for it are one
+      }
       per_width.set(3, 0);
     }
     PHYSIM_INLINE Quad of(const QuadBox& box) const { return (box.low + box.high - low) * per_width; }

@@ -144,10 +144,10 @@ class Clipped {
  public:
   explicit Clipped(const Segment& s) : from_(s.from), along_(s.along) {}
 
-  /// Inside are points p with dot(normal, p) <= offset.
+  /// Inside are points p with dot(normal, p) < offset; what goes along the plane is outside.
   void by_plane(const Vec3d& normal, double offset) {
     const double above = dot(normal, from_) - offset, rate = dot(normal, along_);
-    if (rate == 0) return by_interval(above <= 0 ? -kInfinity : kInfinity, normal, kInfinity, normal);
+    if (rate == 0) return by_interval(above < 0 ? -kInfinity : kInfinity, normal, kInfinity, normal);
     const double t = -above / rate;
     if (rate < 0)
       by_interval(t, normal, kInfinity, normal);
@@ -159,7 +159,7 @@ class Clipped {
     const double a = along_.x * along_.x + along_.z * along_.z;
     const double b = from_.x * along_.x + from_.z * along_.z;
     const double c = from_.x * from_.x + from_.z * from_.z - radius * radius;
-    if (a == 0) return by_interval(c <= 0 ? -kInfinity : kInfinity, {}, kInfinity, {});
+    if (a == 0) return by_interval(c < 0 ? -kInfinity : kInfinity, {}, kInfinity, {});
     // By the distance of the line from the axis: the discriminant cancels less than b^2 - a c, and normals have
     // length 1.
     const double size = std::sqrt(a), dx = along_.x / size, dz = along_.z / size;
@@ -174,7 +174,7 @@ class Clipped {
   }
 
   [[nodiscard]] Passage passage(double reach) const {
-    if (!(in_ <= out_) || in_ > reach || out_ < 0) return {};
+    if (!(in_ <= out_) || in_ > reach || out_ <= 0) return {};  // what leaves from the surface meets nothing
     PHYSIM_ASSERT(in_ == -kInfinity || std::abs(length(in_normal_) - 1) < 1e-6);
     PHYSIM_ASSERT(out_ == kInfinity || std::abs(length(out_normal_) - 1) < 1e-6);
     Passage passage{{in_, in_normal_}, {out_, out_normal_, 0, false}, true};

@@ -137,6 +137,15 @@ Transform Path::transform(const Piece& piece, double time) const {
   return {state.position, state.rotation, scale_};
 }
 
+bool Path::rests(double from, double to) const {
+  bool some = false;
+  pieces(from, to, [&](const Piece& piece, double, double) {
+    some = some || !piece.is_straight() || piece.c1 != Vec3d{};
+    return !some;
+  });
+  return !some;
+}
+
 Bounds Path::bounds(const Bounds& own, double from, double to) const {
   PHYSIM_ASSERT(own.low.x <= own.high.x);
   const Vec3d far{std::max(std::abs(own.low.x), std::abs(own.high.x)),

@@ -57,6 +57,8 @@ class Path {
     }
   }
 
+  /// Whether it stands still between two times.
+  [[nodiscard]] bool rests(double from, double to) const;
   /// A box about what a box becomes between two times.
   [[nodiscard]] Bounds bounds(const Bounds& own, double from, double to) const;
   /// How fast the distance of p from the thing changes at most between two times.

@@ -139,6 +139,10 @@ std::optional<InstanceDef> Scene::instance(InstanceId id) const {
 }
 
 bool Scene::has_sensors() const { return impl_->sensors > 0; }
+bool Scene::is_sensor(InstanceId id) const {
+  const Impl::InstanceSlot* slot = impl_->find(id);
+  return slot && slot->sensor;
+}
 bool Scene::has_motion() const { return impl_->in_motion > 0; }
 
 std::size_t Scene::size() const { return impl_->alive; }

@@ -7,6 +7,7 @@
 //   scene_time(), step_length()         the time of the scene when its step begins, and how long that is [s]
 //   spin(passed), put_spin(spin, passed)       how it turns, in W, so long after the step began [rad/s]
 //   acceleration_at(state, passed)      by everything but the contact [m/s^2]
+//   kept(vector)                        what the constraints of its motion leave of a vector
 //   impact(hits)                        mass, measures and draws of an Impact, the so-manyth of its step
 //   tell(kind, reason, passed, state, hit, depth, energy)      something happened
 //   slid(from, begin, to, end)          it went along a surface, from a state at one time of the step to another
@@ -36,9 +37,11 @@ inline constexpr int kMostHits = 1000;
 /// and a ball that bounces on has steps that its way is right with [s].
 inline constexpr double kLongestPart = 1.0 / 30;
 
-/// Which draws of chance a hit takes: the so-manyth of a step.
+/// Which draws of chance a hit takes: the so-manyth of a step. The step is told by a number, or by the bits of a time,
+/// the lowest of which are often 0.
 [[nodiscard]] inline std::uint32_t hit_number(std::uint64_t step, int hits) {
-  return static_cast<std::uint32_t>(step) * 1009u + static_cast<std::uint32_t>(hits);
+  const auto mixed = static_cast<std::uint32_t>((step * 0x9e3779b97f4a7c15u) >> 32);
+  return mixed * 1009u + static_cast<std::uint32_t>(hits);
 }
 
 /// What the numbers of a type are apart at a place [m].
@@ -73,17 +76,10 @@ class SceneContacts {
   [[nodiscard]] std::optional<collide::PathHit> meeting(const Path& path, double end, double start, double span) {
     const auto place = [&](double theta) { return path(theta).x; };
     const collide::PathTime time{r_.scene_time() + start, span};
-    const bool passes = collision().on_hit == OnHit::pass;
     std::optional<collide::PathHit> met;
-    if (!passes) met = collide::first_meeting(*scene_, solids_, collision().radius, place, time, end);
-    if (!passes && !scene_->has_sensors()) return met;
-    const auto tell = [&](double theta, const SceneHit& hit) {
-      const bool sensor = scene_->instance(hit.instance)->sensor;
-      if (!sensor && !passes) return;
-      const EventKind kind = !hit.entering ? EventKind::left : sensor ? EventKind::sensed : EventKind::entered;
-      r_.tell(kind, Reason::none, std::min(start + theta * span, r_.step_length()), path(theta), hit);
-    };
-    collide::each_passage(*scene_, {.layers = solids_.layers}, place, time, met ? met->theta : end, tell);
+    if (collision().on_hit != OnHit::pass)
+      met = collide::first_meeting(*scene_, solids_, collision().radius, place, time, end);
+    tell_passages(path, met ? met->theta : end, start, span);
     return met;
   }
 
@@ -92,6 +88,7 @@ class SceneContacts {
     std::optional<After> after;
     hit = facing(hit);
     while (!after) after = contact(s, hit, passed);
+    after->state.v = r_.kept(after->state.v);
     return *after;
   }
 
@@ -99,6 +96,29 @@ class SceneContacts {
   [[nodiscard]] bool is_carried() const { return carried_; }
 
  private:
+  /// Tells what a path goes through up to `end`: sensors, and where it passes everything, all of it.
+  template <class Path>
+  void tell_passages(const Path& path, double end, double start, double span) {
+    const bool passes = collision().on_hit == OnHit::pass;
+    if (!passes && !scene_->has_sensors()) return;
+    const auto tell = [&](double theta, const SceneHit& hit) {
+      const bool sensor = scene_->is_sensor(hit.instance);
+      if (!sensor && !passes) return;
+      const EventKind kind = !hit.entering ? EventKind::left : sensor ? EventKind::sensed : EventKind::entered;
+      r_.tell(kind, Reason::none, std::min(start + theta * span, r_.step_length()), path(theta), hit);
+    };
+    const auto place = [&](double theta) { return path(theta).x; };
+    collide::each_passage(*scene_, {.layers = solids_.layers}, place, {r_.scene_time() + start, span}, end, tell);
+  }
+  /// Went straight along a surface.
+  void went(const State<double>& from, double begin, const State<double>& to, double end) {
+    r_.slid(from, begin, to, end);
+    const auto path = [&](double theta) {
+      return State<double>{from.x + (to.x - from.x) * theta, from.v + (to.v - from.v) * theta};
+    };
+    tell_passages(path, 1, begin, end - begin);
+  }
+
   [[nodiscard]] const CollisionDef& collision() const { return r_.collision(); }
   /// So long a contact is judged by [s].
   [[nodiscard]] double frame() const { return std::min(r_.step_length(), kLongestPart); }
@@ -118,10 +138,13 @@ class SceneContacts {
     return hit;
   }
 
+  /// So far outside of a surface something is put that goes on [m].
+  [[nodiscard]] static double gap_at(const Vec3d& x) { return 1e-10 + 2 * spacing_at<S>(x); }
+
   /// A place that its numbers can hold, from which what touches something at `x` can go on: outside of it, and of what
   /// stands beside it. It lies about a tenth of a nanometre off, or as far as those are apart.
   [[nodiscard]] Vec3d outside(const Vec3d& x, const Vec3d& normal, double passed) const {
-    const double gap = 1e-10 + 2 * spacing_at<S>(x);
+    const double gap = gap_at(x);
     Vec3d off = normal * gap;
     constexpr int kMostSides = 6;  // more than three things seldom meet
     for (int side = 0; side < kMostSides; ++side) {
@@ -136,27 +159,75 @@ class SceneContacts {
   /// One contact; nothing where another one follows in `s`, `hit` and `passed`.
   [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
     if (hit.starts_inside && is_ball()) push_out(s, hit, passed);
+    if (hit.starts_inside) look_for_surface(s, hit, passed);
     const bool inside = hit.starts_inside;
-    r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit);
+    const bool leaves = !inside && dot(s.v - hit.velocity, hit.normal) >= 0;
+    if (!leaves) r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit);
     const OnHit action = collision().on_hit;
-    if (action == OnHit::stop) return After{Then::stops, s, passed};
-    const Vec3d met = s.x;
+    if (action == OnHit::stop && !leaves) return After{Then::stops, s, passed};
+    const Vec3d met = s.x, normal = hit.normal;
+    constrain(hit);
     if (!inside) s.x = outside(s.x, hit.normal, passed);
-    if (inside || action == OnHit::stick || ++hits_ > kMostHits) return After{Then::sticks, s, passed};
+    if (inside || (action == OnHit::stick && !leaves) || ++hits_ > kMostHits) return After{Then::sticks, s, passed};
+    if (leaves) return After{Then::flies_on, s, passed};
     if (action == OnHit::impact)
-      if (auto after = impacted(s, met, hit, passed)) return after;
+      if (auto after = impacted(s, met, normal, hit, passed)) return after;
     return rebound(s, hit, passed);
+  }
+
+  /// Constraints take up what would push it to where it is not free to go: it meets the line in which the surface cuts
+  /// the plane that it is held in, and that line moves as the surface does there.
+  void constrain(SceneHit& hit) const {
+    const Vec3d along = r_.kept(hit.normal);
+    if (along == hit.normal && r_.kept(hit.velocity) == hit.velocity) return;
+    const double part = length(along);
+    const double speed = dot(hit.velocity, hit.normal);
+    hit.velocity = r_.kept(hit.velocity);
+    if (!(part > 1e-9)) return;
+    hit.normal = along * (1 / part);
+    hit.velocity += hit.normal * (speed / part - dot(hit.velocity, hit.normal));
   }
 
   /// A ball that touches something where the step begins, as its middle is outside.
   void push_out(State<double>& s, SceneHit& hit, double passed) const {
-    const double radius = collision().radius;
-    const SceneNearest near = scene_->nearest(s.x, radius, solids_, r_.scene_time() + passed);
+    const double radius = collision().radius, time = r_.scene_time() + passed;
+    const SceneNearest near = scene_->nearest(s.x, radius, solids_, time);
     if (!near || near.distance == 0) return;
-    hit.normal = (s.x - near.position) * (1 / near.distance);
+    const Vec3d away = (s.x - near.position) * (1 / near.distance);
+    // What lies there: at an edge a point may miss it.
+    const SceneHit there = scene_->first_hit({s.x, s.x - away * (2 * radius), 0, time, 0}, solids_);
+    const bool found = there.instance == near.instance;
+    const auto moves = scene_->state(near.instance, time);
+    hit.material = found ? there.material : scene_->instance(near.instance)->material;
+    hit.primitive = found ? there.primitive : 0;
+    hit.velocity = moves->velocity + cross(moves->angular_velocity, near.position - moves->position);
+    hit.normal = away;
     hit.instance = near.instance;
     hit.starts_inside = false;
-    s.x += hit.normal * (radius - near.distance);
+    hit.entering = !found || there.entering;
+    SceneHit held_back = hit;
+    constrain(held_back);
+    const double part = std::max(dot(held_back.normal, away), 0.1);
+    s.x += held_back.normal * ((radius - near.distance) / part);
+  }
+
+  /// What is inside by no more than places are rounded to goes in, or out, where it is. So does a ball that came out of
+  /// one thing into what stands behind it at once.
+  void look_for_surface(State<double>& s, SceneHit& hit, double passed) const {
+    const Vec3d relative = s.v - hit.velocity;
+    const double speed = length(relative);
+    if (!(speed > 0)) return;
+    const bool went_through = is_ball() && collision().on_hit == OnHit::impact;
+    const double near = 4 * gap_at(s.x) + (went_through ? 2 * collision().radius : 0);
+    const Vec3d off = relative * (near / speed);
+    const InstanceId inside_of = hit.instance;
+    for (const SceneHit& each : scene_->all_hits({s.x - off, s.x + off, 0, r_.scene_time() + passed, 0}, solids_)) {
+      if (each.instance != inside_of || each.starts_inside) continue;
+      const bool is_it = each.entering ? each.part <= 0.5 : hit.starts_inside && each.part >= 0.5 && !is_ball();
+      if (!is_it) continue;
+      hit = each;
+      s.x = each.position + each.normal * collision().radius;
+    }
   }
 
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
@@ -170,14 +241,19 @@ class SceneContacts {
     const Vec3d n = hit.normal, u = hit.velocity;
     const Surface on = surface(hit);
     BallMotion motion{s.v - u, r_.spin(passed)};
-    if (dot(motion.velocity, n) >= 0) return After{Then::flies_on, s, passed};  // it moves away
     const double before = dot(motion.velocity, n);
-    if (is_ball())
-      motion =
-          bounced(motion, n, ball(), {on.restitution, on.friction, scene_->material(hit.material).grip_restitution});
-    else
-      motion.velocity = bounced(motion.velocity, n, on);
-    if (is_ball()) r_.put_spin(motion.spin, passed);
+    if (before >= 0) return After{Then::flies_on, s, passed};
+    const BallMotion came = motion;
+    const auto bounce = [&](double grip) {
+      if (is_ball())
+        motion = bounced(came, n, ball(), {on.restitution, on.friction, grip});
+      else
+        motion.velocity = bounced(came.velocity, n, on);
+      motion.velocity = r_.kept(motion.velocity);
+      if (is_ball()) r_.put_spin(motion.spin, passed);
+    };
+    const double grip = scene_->material(hit.material).grip_restitution;
+    bounce(grip);
     const Vec3d a = r_.acceleration_at(s, passed);
     // A bounce that would be over within this step does not lift it any more.
     if (dot(motion.velocity, n) > -dot(a, n) * (0.5 * frame()) || dot(a, n) > 0) {
@@ -185,6 +261,7 @@ class SceneContacts {
       r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
       return After{Then::flies_on, s, passed};
     }
+    if (grip > 0) bounce(0);  // and what stays on the surface does not turn its slip around
     motion.velocity -= n * dot(motion.velocity, n);
     s.v = motion.velocity + u;
     // What falls from higher than a step's fall struck the surface, even where nothing of its speed is left.
@@ -201,6 +278,8 @@ class SceneContacts {
     BallWay way{};
     if (is_ball()) {
       way = slid_or_rolled(motion, a, hit.normal, ball(), {on.friction, on.rolling_resistance}, left);
+      way.way = r_.kept(way.way);
+      way.motion.velocity = r_.kept(way.motion.velocity);
     } else {
       const Rolled on_it = rolled(motion.velocity, a, hit.normal, on, left);
       way = {left, on_it.way, {on_it.velocity, motion.spin}};
@@ -217,7 +296,9 @@ class SceneContacts {
     };
     s = {part < 1 ? next.position : to, then(motion.velocity, way.motion.velocity) + u};
     if (is_ball()) r_.put_spin(then(motion.spin, way.motion.spin), passed);
-    r_.slid(began, begin, s, passed);
+    went(began, begin, s, passed);
+    // It slid until it rolls.
+    if (part == 1 && way.time < left && ++hits_ <= kMostHits) return moves_along(s, hit, passed, way.motion, a);
     if (part == 1) return After{passed < r_.step_length() ? Then::flies_on : Then::lies, s, passed};
     const SceneHit below = std::exchange(hit, next);
     s.x = outside(s.x, hit.normal, passed);
@@ -228,20 +309,21 @@ class SceneContacts {
   }
 
   /// Stays where it is, with what it touches.
-  [[nodiscard]] After rests(const Vec3d& x, const Vec3d& velocity, double passed) const {
+  [[nodiscard]] After rests(const Vec3d& x, const Vec3d& velocity, double passed) {
     const State<double> s{x, velocity};
     const double end = passed + longest_way(passed);
     const bool is_over = r_.step_length() - passed <= kLongestPart;
-    r_.slid(s, passed, s, is_over ? r_.step_length() : end);
+    went(s, passed, s, is_over ? r_.step_length() : end);
     return is_over ? After{Then::lies, s, r_.step_length()} : After{Then::flies_on, s, end};
   }
 
   /// It lies on one thing, and another one stands in its way at once: it goes along both, as on one between them, or
   /// rests.
-  [[nodiscard]] After lies_between(State<double> s, const SceneHit& one, const SceneHit& other, double passed,
-                                   const Vec3d& a) const {
+  [[nodiscard]] After lies_between(State<double> s, const SceneHit& one, SceneHit other, double passed,
+                                   const Vec3d& a) {
+    constrain(other);
     const Vec3d u = one.velocity;
-    const Vec3d line = cross(one.normal, other.normal), middle = one.normal + other.normal;
+    const Vec3d line = r_.kept(cross(one.normal, other.normal)), middle = one.normal + other.normal;
     const double left = longest_way(passed);
     if (length(line) < 1e-6 || length(middle) < 1e-6) return rests(s.x, u, passed);
     const Vec3d along = normalized(line), n = normalized(middle);
@@ -254,31 +336,33 @@ class SceneContacts {
     const State<double> began{s.x, before + u};
     s = {next ? outside(next.position, next.normal, then) : held(s.x + on.way + u * left),
          before + (on.velocity - before) * part + u};
-    r_.slid(began, passed, s, then);
+    went(began, passed, s, then);
     return {then < r_.step_length() ? Then::flies_on : Then::lies, s, then};
   }
 
   // ------------------------------------------------------------------------------------------- into and through
-  /// As the material lets it, see impact(); nothing where it bounces.
-  [[nodiscard]] std::optional<After> impacted(State<double>& s, const Vec3d& met, const SceneHit& hit, double passed) {
+  /// As the material lets it, see impact(); nothing where it bounces. `normal`: of the surface, whatever it is held by.
+  [[nodiscard]] std::optional<After> impacted(State<double>& s, const Vec3d& met, const Vec3d& normal,
+                                              const SceneHit& hit, double passed) {
     const Vec3d relative = s.v - hit.velocity;
     const double speed = length(relative);
     if (!(speed > 0)) return std::nullopt;
     const Vec3d way = relative * (1 / speed);
-    const Way through = way_through(met, way, hit, passed);
+    const auto through = way_through(met - normal * collision().radius, way, hit, passed);
+    if (!through) return std::nullopt;
     Impact asked = r_.impact(hits_);
     asked.inertia = collision().inertia;
     asked.velocity = s.v;
     asked.spin = r_.spin(passed);
-    asked.normal = hit.normal;
+    asked.normal = normal;
     asked.surface_velocity = hit.velocity;
-    asked.thickness = through.thickness;
+    asked.thickness = through->thickness;
     const Result<ImpactResult> result = impact(asked, scene_->material(hit.material));
-    if (!result) return std::nullopt;
+    if (!result) return std::nullopt;  // no law knows what has no mass or diameter
     const auto tell = [&](EventKind kind) {
       r_.tell(kind, Reason::none, passed, s, hit, result->depth, result->energy);
     };
-    s.v = result->velocity;
+    s.v = r_.kept(result->velocity);
     switch (result->kind) {
       case ImpactKind::none: return After{Then::flies_on, s, passed};
       case ImpactKind::bounced: s.v = asked.velocity; return std::nullopt;
@@ -287,12 +371,11 @@ class SceneContacts {
         r_.put_spin(result->spin, passed);
         return After{Then::flies_on, s, passed};
       case ImpactKind::penetrated:
-        s.x = held(met + way * (through.before + result->depth));
-        s.x = outside(s.x, s.v * (1 / length(s.v)), passed);
+        s.x = behind(met, way, *through, passed);
         tell(EventKind::penetrated);
         return After{Then::flies_on, s, passed};
       case ImpactKind::stopped:
-        s.x = held(met + way * (through.before + result->depth));
+        s.x = held(met + way * result->depth);
         tell(EventKind::stopped);
         return After{Then::sticks, s, passed};
     }
@@ -301,22 +384,47 @@ class SceneContacts {
 
   /// The straight way through a thing.
   struct Way {
-    double before = 0;     // from the middle to where it goes in [m]
-    double thickness = 0;  // 0: it does not come out within the deepest that is looked at [m]
+    double thickness = 0;  // 0: a sheet, or it does not come out within the deepest that is looked at [m]
+    Vec3d out, normal;     // where it comes out, and of the surface there
   };
-  [[nodiscard]] Way way_through(const Vec3d& from, const Vec3d& way, const SceneHit& hit, double passed) const {
+  /// From where something touches a thing; nothing where a ball only grazes an edge. Parts of a thing that touch or
+  /// overlap are one.
+  [[nodiscard]] std::optional<Way> way_through(const Vec3d& touched, const Vec3d& way, const SceneHit& hit,
+                                               double passed) const {
     constexpr double kDeepest = 1000;  // [m]
-    const SceneSegment line{from - way * 1e-9, from + way * kDeepest, 0, r_.scene_time() + passed, 0};
+    constexpr double kOne = 1e-9;      // thinner is nothing, and nearer is one [m]
+    const Way endless{0, touched, -hit.normal};
+    if (!hit.entering) return endless;  // the back of a sheet
+    const double back = kOne + 8 * spacing_at<double>(touched), far = kDeepest + back;
+    const double latest = 1e-5 + 2 * collision().radius;  // behind that it is another part that is met [m]
+    std::optional<double> in;
     Way through;
+    int depth = 0;
+    const SceneSegment line{touched - way * back, touched + way * kDeepest, 0, r_.scene_time() + passed, 0};
     for (const SceneHit& each : scene_->all_hits(line, solids_)) {
       if (each.instance != hit.instance) continue;
-      const double at = each.part * kDeepest;
-      if (each.entering && !each.starts_inside) through.before = at;
-      if (each.entering) continue;
-      through.thickness = at - through.before;
-      break;
+      const double at = std::max(each.part * far - back, 0.0);
+      if (depth == 0 && (in ? at > *in + through.thickness + kOne : at > latest)) break;
+      if (!in && !each.entering && is_ball()) return endless;  // likewise
+      if (!in) in = at, depth = each.entering ? 0 : 1;
+      if (each.entering) {
+        ++depth;
+      } else if (depth > 0 && --depth == 0) {
+        through = {std::max(at - *in, kOne), each.position, each.normal};
+      }
     }
-    return through;
+    if (!in) return std::nullopt;
+    return depth == 0 ? through : endless;
+  }
+  /// Where it comes out; a ball's middle is then a radius beyond the surface.
+  [[nodiscard]] Vec3d behind(const Vec3d& met, const Vec3d& way, const Way& through, double passed) const {
+    const double radius = collision().radius;
+    const double cosine = dot(way, through.normal);
+    Vec3d x = through.out + through.normal * radius;
+    if (radius > 0 && cosine > 0.1) x = met + way * ((dot(through.out - met, through.normal) + radius) / cosine);
+    const Vec3d off = r_.kept(through.normal);
+    // What has no end is left so far behind that it is not met again.
+    return through.thickness > 0 ? outside(x, off, passed) : held(x + off * (8 * gap_at(x)));
   }
 
   Host& r_;

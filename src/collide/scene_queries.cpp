@@ -138,7 +138,9 @@ std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFi
   // Through an edge two triangles are passed at once; where chords along a curve meet, they tell of one place twice.
   const auto same = [&](const SceneHit& a, const SceneHit& b) {
     const bool moves = impl_->instances[a.instance.index].path != nullptr;
-    return a.instance == b.instance && a.entering == b.entering && b.part - a.part <= (moves ? 4e-9 : 1e-12);
+    const bool differ = a.primitive != b.primitive &&  // parts of a compound may share a face
+                        std::holds_alternative<collide::Compound>(*impl_->instances[a.instance.index].shape);
+    return a.instance == b.instance && a.entering == b.entering && !differ && b.part - a.part <= (moves ? 4e-9 : 1e-12);
   };
   hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
   std::ranges::stable_sort(hits, {}, &SceneHit::part);
@@ -256,6 +258,27 @@ std::vector<InstanceId> Scene::overlaps(const Vec3d& middle, double radius, cons
       *impl_, time, time, [&](const collide::Tree& tree) { tree.overlapping(box, look_at); }, look_at);
   std::ranges::sort(found);
   return found;
+}
+
+bool Scene::is_reached(const Vec3d& middle, double radius, const SceneFilter& filter, double from, double to) const {
+  const IeeeMode mode;
+  if (!collide::is_sound({middle, middle, radius, from, to - from}) || !collide::is_soon(to)) return false;
+  collide::Segment segment{middle, {}, radius, 1};
+  bool some = false;
+  const auto look_at = [&](std::uint32_t index, collide::Segment& s) {
+    const Impl::InstanceSlot& slot = impl_->instances[index];
+    if (some || !slot.path || !slot.is_asked(filter) || slot.path->rests(from, to)) return;
+    const auto taken = [&](const collide::Crossing&, collide::Segment& within) {
+      some = true;
+      within.reach = -1;
+    };
+    collide::Sweep<false, decltype(taken)>(*slot.shape, *slot.path, from, to - from, s, taken);
+  };
+  for (const std::uint32_t index : impl_->unbounded) look_at(index, segment);
+  collide::for_movers(
+      *impl_, from, to, [&](const collide::Tree& tree) { tree.along(segment, look_at); },
+      [&](std::uint32_t index) { look_at(index, segment); });
+  return some;
 }
 
 }  // namespace physim

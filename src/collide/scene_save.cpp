@@ -184,7 +184,13 @@ Result<Scene> Scene::load(std::span<const std::byte> save) {
 
 std::uint64_t Scene::hash() const {
   Hasher hasher;
-  hasher.add(impl_->materials, collide::saved_instances(*impl_), impl_->free_shapes, impl_->free_instances);
+  hasher.add(impl_->materials);
+  hasher.count(impl_->instances.size());
+  for (const Impl::InstanceSlot& slot : impl_->instances) {  // where they stand: definitions are not copied
+    hasher.add(slot.generation, slot.alive);
+    if (slot.alive) hasher.add(slot.def);
+  }
+  hasher.add(impl_->free_shapes, impl_->free_instances);
   for (const Impl::ShapeSlot& slot : impl_->shapes) {
     std::uint64_t hash = 0;
     if (slot.shape && (hash = slot.hash->load(std::memory_order_relaxed)) == 0) {

@@ -87,15 +87,27 @@ class Shear {
   return t.a + ab * (vb * per_sum) + ac * (vc * per_sum);
 }
 
+/// Whether p is not below a plane through a, but for what the difference of their coordinates is rounded to.
+[[nodiscard]] inline bool leaves_from(const Vec3d& a, const Vec3d& normal, const Vec3d& p) {
+  double above = 0, size = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    above += normal[axis] * (p[axis] - a[axis]);
+    size += std::abs(normal[axis]) * std::max(std::abs(p[axis]), std::abs(a[axis]));
+  }
+  return above >= -std::numeric_limits<double>::epsilon() * size;
+}
+
 /// Where a segment, or a sphere about its points, meets a triangle from either side. Points enter where they come
-/// against the normal; a sphere always does.
+/// against the normal; a sphere always does. What begins at the surface and leaves along the normal does not meet it.
 [[nodiscard]] inline std::optional<Crossing> meets(const Segment& s, const Shear& shear, const Triangle& triangle) {
   if (s.radius > 0)
     return first_touch(s, 0, [&](const Vec3d& p) { return nearest_by(p - nearest_point(triangle, p)); });
   const auto t = shear.passes(triangle);
   if (!t || *t < 0 || *t > s.reach) return std::nullopt;
   const Vec3d normal = triangle.normal();
-  return Crossing{*t, normal, 0, dot(normal, s.along) < 0};
+  const bool enters = dot(normal, s.along) < 0;
+  if (!enters && leaves_from(triangle.a, normal, s.from)) return std::nullopt;
+  return Crossing{*t, normal, 0, enters};
 }
 
 }  // namespace physim::collide

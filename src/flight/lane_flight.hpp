@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -187,11 +188,12 @@ class LaneFlight {
     push_at_start_ = push_at_end_ = {};
     const double steps = static_cast<double>(frames_.run_steps + static_cast<std::uint64_t>(frame));
     ends_at_rest_ = frames_.from_launch;
+    const double now = frames_.run_start + steps * frames_.dt;
     begin_contacts({.begins = begins_,
-                    .scene_time = frames_.run_start + steps * frames_.dt,
+                    .scene_time = now,
                     .length = frames_.dt,
                     .ends = end_of(frames_, frame),
-                    .draw = frames_.steps_ever + static_cast<std::uint64_t>(frame)});
+                    .draw = std::bit_cast<std::uint64_t>(now)});
   }
   /// From a time into the frame: how far the next part goes.
   void start_part(double from) {

@@ -60,6 +60,7 @@ class MeetingLane {
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double passed) const {
     return acceleration_of_lane(conditions(), march_.lanes, static_cast<double>(clock_) + passed, s);
   }
+  [[nodiscard]] Vec3d kept(const Vec3d& v) const { return kept_of_lane(conditions(), march_.lanes, v); }
   [[nodiscard]] Impact impact(int hits) const {
     Impact impact;
     impact.mass = record_.projectile.mass;
@@ -77,7 +78,7 @@ class MeetingLane {
     const double time = time_of(passed);
     const bool goes_on = kind == EventKind::hit && hit.instance == slid_on_ &&
                          time - slid_until_ < kAtOnce * std::min(step_.length, kLongestPart);
-    touched_ = hit.instance;
+    if (kind == EventKind::hit) touched_ = hit.instance;
     if (goes_on) return;
     told.push_back({.kind = kind,
                     .reason = reason,

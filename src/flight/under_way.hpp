@@ -41,10 +41,9 @@ struct FrameStart {
   bool has_own_force = false;  // ProjectileDef::force, or others of its cohort have one
   Pushes* pushes = nullptr;    // null: none
   Obstacles obstacles{};
-  double run_start = 0;          // the scene's time when frames of this length began, and ...
-  std::uint64_t run_steps = 0;   // ... how many there were since then
-  std::uint64_t steps_ever = 0;  // number of the first frame
-  bool from_launch = false;      // no world steps it: it ends at rest on a thing that rests
+  double run_start = 0;         // the scene's time when frames of this length began, and ...
+  std::uint64_t run_steps = 0;  // ... how many there were since then
+  bool from_launch = false;     // no world steps it: it ends at rest on a thing that rests
 };
 
 /// Equal parts that a frame is flown in: where the one ends that begins at a time into the frame [s].

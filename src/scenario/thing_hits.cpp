@@ -30,9 +30,9 @@ void add_hit(ThingHits& to, const ThingHit& hit) {
 
 /// The hit that an event goes on with: of which it is not known yet what became. `last`: the projectile's last one.
 ThingHit* open_hit(std::vector<ThingHit>& hits, std::size_t last, const Event& event) {
-  constexpr std::size_t kFar = 8;  // where several are met at one time, at a corner
-  for (std::size_t i = 0; i < kFar && i <= last && last < hits.size(); ++i) {
+  for (std::size_t i = 0; i <= last && last < hits.size(); ++i) {
     ThingHit& hit = hits[last - i];
+    if (hit.time < event.time) break;  // several may be met at one time, at a corner
     if (hit.id == event.id && hit.instance == event.instance && hit.outcome == EventKind::hit) return &hit;
   }
   return nullptr;

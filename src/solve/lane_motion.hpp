@@ -40,6 +40,13 @@ template <class S>
   return evaluated(c, wide_body(lane), rotor, t, s, turn, slope);
 }
 
+/// What the constraints of its motion leave of a velocity or a way.
+template <class S>
+[[nodiscard]] Vec3d kept_of_lane(const Conditions<double>& c, const Lanes<S>& lane, const Vec3d& v) {
+  if (!c.fidelity.planar && !c.has_frozen && !c.has_rail) return v;
+  return constrained(c, wide_body(lane), v);
+}
+
 /// Angular velocity of W in inertial space [rad/s].
 [[nodiscard]] inline Vec3d spin_of_W(const Conditions<double>& c) {
   return is_turning(c.fidelity.earth) ? c.omega : Vec3d{};

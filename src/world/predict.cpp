@@ -96,7 +96,6 @@ FrameStart start_of(const WorldImpl& w, const Slot& slot, const Clock& clock) {
   start.obstacles = obstacles_of(w, slot);
   start.run_start = clock.run_start;
   start.run_steps = clock.run_steps;
-  start.steps_ever = clock.steps;
   if (rows.layout().turning) start.turn = rows.turn(slot.row);
   rows.visit([&]<class S>(const RowColumns<S>& c) {
     if (rows.layout().carried) start.carried = Rows::at(c.carried, slot.row);

@@ -188,7 +188,7 @@ class Settling {
     if (!std::exchange(is_near_, true)) start_part(passed);
     const BodyDef& b = body();
     const Surface surface{ground().restitution * b.restitution, ground().friction * b.friction, b.rolling_resistance};
-    const Vec3d v = bounced(s.v, n, surface);
+    const Vec3d v = r_.kept(bounced(s.v, n, surface));
     const Vec3d a = r_.acceleration_at(s, passed);
     // A bounce that would be over within this step does not lift it any more.
     const double frame = std::min(context_.dt, kLongestPart);
@@ -203,9 +203,38 @@ class Settling {
     // What falls from higher than a step's fall struck the ground, even where nothing of its speed is left.
     if (dot(s.v, n) < dot(a, n) * frame) r_.tell(EventKind::bounced, Reason::none, passed, {s.x, v - n * dot(v, n)});
     const Rolled rolled_on = rolled(v, a, n, surface, context_.dt - passed);
-    Vec3d x = s.x + rolled_on.way;
+    Vec3d x = s.x + r_.kept(rolled_on.way);
     x -= normal_at(c, x) * (height(c, x) - ground().height);
-    put_at_last(x, rolled_on.velocity, context_.dt);
+    roll({s.x, v - n * dot(v, n)}, {x, r_.kept(rolled_on.velocity)}, passed);
+  }
+
+  /// Straight over the ground to the end of the step, or to what it meets there.
+  void roll(const State<double>& from, const State<double>& to, double passed) {
+    const double left = context_.dt - passed;
+    const auto path = [&](double theta) {
+      return State<double>{from.x + (to.x - from.x) * theta, from.v + (to.v - from.v) * theta};
+    };
+    const auto met = contacts_ ? contacts_.meeting(path, 1, passed, left) : std::nullopt;
+    if (!met) return put_at_last(to.x, to.v, context_.dt);
+    State<double> s = path(met->theta);
+    s.x = met->hit.position;
+    const double at = std::min(passed + met->theta * left, context_.dt);
+    put(s.x, s.v, at);
+    follow_contact(s, met->hit, at);
+  }
+  /// At the ground's height or below it, and not on its way up.
+  [[nodiscard]] bool is_on_ground(const State<double>& s) const {
+    return ground().mode == GroundMode::bounce && height(conditions(), s.x) <= ground().height &&
+           climb_rate(conditions(), s) <= 0;
+  }
+  /// Where it lies: what slid along a thing down to the ground lies on that.
+  void lie(State<double> s, double passed) {
+    if (is_on_ground(s)) {
+      const Vec3d n = normal_at(conditions(), s.x);
+      s.x -= n * (height(conditions(), s.x) - ground().height);
+      s.v -= n * dot(s.v, n);
+    }
+    put_at_last(s.x, s.v, passed);
   }
 
   void put(const Vec3d& x, const Vec3d& v, double passed) {
@@ -252,16 +281,23 @@ class Settling {
     s.x = met.hit.position;
     put(s.x, s.v, passed);
     stop_at(t, passed);
+    follow_contact(s, met.hit, passed);
+  }
+  void follow_contact(const State<double>& s, const SceneHit& hit, double passed) {
     if (!std::exchange(is_near_, true)) start_part(passed);
-    const auto after = contacts_.struck(s, met.hit, passed);
+    const auto after = contacts_.struck(s, hit, passed);
     using Then = typename SceneContacts<SettledRow<S>>::Then;
     switch (after.then) {
       case Then::stops: return stay(after.state, false);
       case Then::sticks: return stay(after.state, true);
-      case Then::lies: return put_at_last(after.state.x, after.state.v, after.passed);
+      case Then::lies: return lie(after.state, after.passed);
       case Then::flies_on: break;
     }
     if (after.passed >= part_end_) start_part(after.passed);
+    if (after.passed < context_.dt && is_on_ground(after.state)) {
+      const bool goes_on = bounces_++ < kMostBounces;
+      return goes_on ? contact(after.state, after.passed) : lie(after.state, context_.dt);
+    }
     if (after.passed < context_.dt) return go_on(after.state.x, after.state.v, after.passed);
     put_at_last(after.state.x, after.state.v, context_.dt);
   }

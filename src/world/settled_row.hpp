@@ -1,6 +1,7 @@
 // One row of a cohort, taken out of its columns to be stepped by itself, and put back. S is the cohort's number type.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -63,7 +64,7 @@ class SettledRow {
     impact.length = kind().flown.length;
     impact.seed = slot().generation;
     impact.projectile = slot_index_;
-    impact.hit = hit_number(context_.state->clock.steps, hits);
+    impact.hit = hit_number(std::bit_cast<std::uint64_t>(context_.time), hits);  // a time is part of the hash
     return impact;
   }
   void slid(const State<double>&, double, const State<double>&, double) const {}  // rows keep no path
@@ -95,6 +96,9 @@ class SettledRow {
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
     return acceleration_of_lane(conditions(), march.lanes, static_cast<double>(t_start_) + after, s);
   }
+
+  /// What constraints leave of a velocity or a way.
+  [[nodiscard]] Vec3d kept(const Vec3d& v) const { return kept_of_lane(conditions(), march.lanes, v); }
 
   /// From now on the models feel this acceleration by generators.
   void feel(const Vec3<S>& push, S t) {

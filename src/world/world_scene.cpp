@@ -40,11 +40,7 @@ void WorldImpl::move_scene(double dt) {
     const CollisionDef& collision = registry.kind(state.slots[slot].kind).body.collision;
     const Vec3d x = state.state_of(state.slots[slot]).position;
     const SceneFilter filter{.layers = collision.layers, .sensors = false};
-    for (const InstanceId id : state.scene->overlaps(x, collision.radius + kNear, filter, now + dt)) {
-      const auto moves = state.scene->state(id, now + dt);
-      if (moves->velocity == Vec3d{} && moves->angular_velocity == Vec3d{}) continue;
-      return struck.push_back(slot);
-    }
+    if (state.scene->is_reached(x, collision.radius + kNear, filter, now, now + dt)) struck.push_back(slot);
   });
   for (const std::uint32_t slot : struck) wake(slot);
 }

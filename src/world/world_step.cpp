@@ -290,7 +290,8 @@ void WorldImpl::step(double dt) {
   finish_step();
   expire_old();
   end_generators();
-  std::sort(state.events.begin(), state.events.end(), [](const Event& a, const Event& b) {
+  // What a projectile tells at one time stays in the order in which it was told.
+  std::stable_sort(state.events.begin(), state.events.end(), [](const Event& a, const Event& b) {
     if (a.time != b.time) return a.time < b.time;
     if (a.id.index != b.id.index) return a.id.index < b.id.index;
     return row_of(a.kind).order < row_of(b.kind).order;

@@ -217,6 +217,79 @@ TEST(Scene, all_hits_tell_thicknesses) {
   EXPECT_TRUE(scene.first_hit({{10, 0, 0}, {100, 0, 0}}).starts_inside);
 }
 
+/// Parts that share a face are entered there once each: who counts entries and exits finds where all of it ends.
+TEST(Scene, parts_of_a_compound_that_share_a_face_are_told_each) {
+  Scene scene;
+  const ShapeId thin = *scene.add_shape(BoxShape{{0.1, 1, 1}}), thick = *scene.add_shape(BoxShape{{0.3, 1, 1}});
+  const ShapeId both =
+      *scene.add_shape(CompoundShape{{{thin, {.position = {0.1, 0, 0}}}, {thick, {.position = {0.3, 0, 0}}}}});
+  ASSERT_TRUE(scene.add({.shape = both}));
+  const auto hits = scene.all_hits({{-1, 0.2, 0.3}, {4, 0.2, 0.3}});
+  ASSERT_EQ(hits.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(hits[i].entering, i < 2);
+    EXPECT_NEAR(hits[i].position.x, i < 2 ? 0 : i == 2 ? 0.2 : 0.6, 1e-12);
+  }
+}
+
+/// A shape whose surface is the plane y = 0 about the origin, everything else below it.
+std::vector<ShapeDef> shapes_below_the_origin() {
+  ConvexHullShape hull;
+  for (const double x : {-5.0, 5.0})
+    for (const double z : {-5.0, 5.0}) hull.points.insert(hull.points.end(), {{x, 0, z}, {x, -3, z}});
+  return {PlaneShape{}, hull, MeshShape{{{-5, 0, -5}, {-5, 0, 5}, {5, 0, 5}, {5, 0, -5}}, {{0, 1, 2}, {0, 2, 3}}, {}},
+          HeightFieldShape{3, 3, 4, 4, std::vector<double>(9, 0.0)}};
+}
+
+TEST(Scene, what_leaves_from_a_surface_does_not_meet_it) {
+  const auto expect = [](const ShapeDef& shape, const Vec3d& at) {
+    Scene scene;
+    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(shape), .transform = {.position = at}}));
+    const Vec3d from{0.5, 0, 0.25};
+    for (const Vec3d& way : {Vec3d{0, 1, 0}, Vec3d{1, 1e-3, 0}, Vec3d{-1, 2, 0.5}, Vec3d{1, 0, 0.5}}) {
+      EXPECT_FALSE(scene.first_hit({from, from + way})) << shape.index() << ": " << way.y;
+      EXPECT_TRUE(scene.all_hits({from, from + way}).empty()) << shape.index();
+    }
+    const SceneHit hit = scene.first_hit({from, {0.5, -1, 0.5}});
+    EXPECT_TRUE(hit && hit.part == 0 && hit.entering && !hit.starts_inside) << shape.index();
+    EXPECT_EQ(hit.normal, (Vec3d{0, 1, 0}));
+  };
+  for (const ShapeDef& shape : shapes_below_the_origin())
+    expect(shape, std::holds_alternative<HeightFieldShape>(shape) ? Vec3d{-4, 0, -4} : Vec3d{});
+  expect(BoxShape{{5, 1, 5}}, {0, -1, 0});
+  expect(CylinderShape{5, 1}, {0, -1, 0});
+  Scene scene;
+  ASSERT_TRUE(scene.add({.shape = *scene.add_shape(CylinderShape{1, 1})}));
+  EXPECT_FALSE(scene.first_hit({{1, -0.5, 0}, {1, 0.5, 0}})) << "along its side";
+}
+
+/// Heights that are numbers, but none that a float could tell apart or invert.
+TEST(Scene, meshes_whose_triangles_nearly_agree_in_a_coordinate_are_met) {
+  for (const double tiny : {1e-300, 1e-40, 3e-39, 1e-37}) {
+    MeshShape hill;
+    constexpr int kSide = 40;
+    for (int i = 0; i <= kSide; ++i)
+      for (int j = 0; j <= kSide; ++j) hill.vertices.push_back({i - 20.0, (i * j) % 7 == 0 ? -tiny : 0, j - 20.0});
+    for (std::uint32_t i = 0; i < kSide; ++i)
+      for (std::uint32_t j = 0; j < kSide; ++j) {
+        const std::uint32_t a = i * (kSide + 1) + j;
+        hill.triangles.push_back({a, a + 1, a + kSide + 1});
+        hill.triangles.push_back({a + 1, a + kSide + 2, a + kSide + 1});
+      }
+    Scene scene;
+    const auto shape = scene.add_shape(hill);
+    ASSERT_TRUE(shape);
+    ASSERT_TRUE(scene.add({.shape = *shape}));
+    Random r(3);
+    for (int i = 0; i < 100; ++i) {
+      const Vec3d at{r.in(-19, 19), 0, r.in(-19, 19)};
+      const SceneHit hit = scene.first_hit({at + Vec3d{0, 1, 0}, at - Vec3d{0, 1, 0}});
+      ASSERT_TRUE(hit) << tiny;
+      EXPECT_NEAR(hit.part, 0.5, 1e-12);
+    }
+  }
+}
+
 /// A scene of many things says what each of them alone says, whatever came, went and moved before.
 TEST(Scene, things_come_go_and_move) {
   Random r(9);

@@ -60,6 +60,123 @@ TEST(SceneMoments, a_save_goes_on_as_the_world_does) {
   EXPECT_EQ(loaded->hash(), world.hash());
 }
 
+/// What one projectile meets at one time is told in one order, wherever its row lies.
+TEST(SceneMoments, what_is_met_at_once_is_told_in_one_order) {
+  Scene scene;
+  const ShapeId box = *scene.add_shape(BoxShape{{0.5, 50, 50}});
+  for (int i = 0; i < 4; ++i)
+    ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {5.5, 0, 0}}, .sensor = true}));
+  World world = make_world({});
+  ASSERT_TRUE(world.set_scene(scene));
+  BodyDef body;
+  body.gravity_scale = 0;
+  std::vector<ProjectileId> ids;
+  for (int i = 0; i < 80; ++i) ids.push_back(*world.spawn(stone(), {.position = {0, 1, 0.1 * i}, .speed = 100}, body));
+  for (std::size_t i = 0; i < 40; ++i) EXPECT_TRUE(world[ids[i * 37 % 40]].despawn());
+  world.step(1.0 / 60);
+  Result<World> loaded = World::load(*world.save());
+  ASSERT_TRUE(loaded);
+  std::size_t told = 0;
+  for (int i = 0; i < 3; ++i) {
+    world.step(1.0 / 60), loaded->step(1.0 / 60);
+    ASSERT_EQ(world.events().size(), loaded->events().size());
+    for (std::size_t e = 0; e < world.events().size(); ++e) {
+      const Event &one = world.events()[e], &other = loaded->events()[e];
+      EXPECT_EQ(one.instance, other.instance) << e;
+      EXPECT_EQ(one.id, other.id);
+      if (one.kind != EventKind::sensed) continue;
+      EXPECT_EQ(one.instance.index, 1 + told % 4);
+      ++told;
+    }
+  }
+  EXPECT_EQ(told, 160u);
+}
+
+/// Worlds of one hash have one future, whatever their steps were.
+TEST(SceneMoments, chance_follows_from_what_is_hashed) {
+  Material loose = materials::fir();
+  loose.spread.deflection = 0.1;
+  const auto world_after = [&](int steps) {
+    Scene scene;
+    EXPECT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{{0.009, 5, 5}}),
+                           .transform = {.position = {50, 0, 0}},
+                           .material = *scene.add_material(loose)}));
+    World world = make_world({});
+    EXPECT_TRUE(world.set_scene(scene));
+    for (int i = 0; i < steps; ++i) world.step(0.25 / steps);
+    world.step(1.0 / 64);
+    BodyDef body;
+    body.collision.on_hit = OnHit::impact;
+    EXPECT_TRUE(world.spawn(bullet(), {.position = {0, 2, 0}, .speed = 780}, body));
+    return world;
+  };
+  World one = world_after(4), other = world_after(8);
+  ASSERT_EQ(one.hash(), other.hash());
+  std::vector<Vec3d> ways;
+  for (World* world : {&one, &other}) {
+    for (const Event& e : run_for(*world, 0.2, 1.0 / 64))
+      if (e.kind == EventKind::penetrated) ways.push_back(e.velocity);
+  }
+  ASSERT_EQ(ways.size(), 2u);
+  EXPECT_EQ(ways[0], ways[1]);
+  EXPECT_EQ(one.hash(), other.hash());
+  run_for(one, 1.0 / 64, 1.0 / 64);
+  EXPECT_TRUE(one.spawn(bullet(), {.position = {0, 2, 0}, .speed = 780}, {.collision = {.on_hit = OnHit::impact}}));
+  const auto later = run_for(one, 0.2, 1.0 / 64);
+  const auto out = std::ranges::find(later, EventKind::penetrated, &Event::kind);
+  ASSERT_NE(out, later.end());
+  EXPECT_GT(length(out->velocity - ways[0]), 1e-3) << "at another time";
+}
+
+/// What moves wakes who sleeps in its way, wherever in the step it comes by, sets out or ends.
+TEST(SceneMoments, what_comes_by_wakes_who_sleeps) {
+  struct Case {
+    SceneMotion motion;
+    Vec3d half;
+    bool on_it;  // the ball lies on what moves
+  };
+  const auto keys = [](std::initializer_list<MotionKey> list) { return KeyedMotion{{list}}; };
+  const Vec3d hammer{0.1, 0.2, 0.2};
+  const Case cases[] = {
+      {SteadyMotion{.start = 0, .velocity = {100, 0, 0}}, hammer, false},
+      {keys({{.time = 0, .position = {-1, 0.25, 0}},
+             {.time = 1.0001, .position = {-1, 0.25, 0}},
+             {.time = 1.0101, .position = {-0.1, 0.25, 0}}}),
+       hammer, false},
+      {keys({{.time = 0, .position = {0, -0.5, 0}},
+             {.time = 1.005, .position = {0, -0.5, 0}},
+             {.time = 3, .position = {0, -4.5, 0}}}),
+       {5, 0.5, 5},
+       true},
+  };
+  for (const Case& c : cases) {
+    Scene scene;
+    const bool steady = std::holds_alternative<SteadyMotion>(c.motion);
+    ASSERT_TRUE(scene.add({.shape = *scene.add_shape(BoxShape{c.half}),
+                           .transform = {.position = {steady ? -100.4 : 0, 0.25, 0}},
+                           .motion = c.motion}));
+    const ShapeId floor = *scene.add_shape(BoxShape{{5, 0.5, 5}});
+    ASSERT_TRUE(c.on_it || scene.add({.shape = floor, .transform = {.position = {0, -0.5, 0}}}));
+    WorldDef def;
+    def.ground.mode = GroundMode::none;
+    World world = make_world(def);
+    ASSERT_TRUE(world.set_scene(scene));
+    BodyDef body;
+    body.restitution = 0;
+    body.sleep_time = 0.1;
+    body.collision = {.on_hit = OnHit::bounce, .radius = 0.05};
+    const ProjectileId id = *world.spawn(stone(), {.position = {0, 0.0500001, 0}}, body);
+    run_for(world, 0.9, 1.0 / 60);
+    ASSERT_TRUE(world[id].is_asleep());
+    std::vector<double> woke;
+    for (const Event& e : run_for(world, 0.6, 1.0 / 60))
+      if (e.kind == EventKind::woke) woke.push_back(e.time);
+    ASSERT_EQ(woke.size(), 1u);
+    EXPECT_NEAR(woke[0], 1.0, 0.02);
+    EXPECT_GT(length(world[id].position() - Vec3d{0, 0.05, 0}), 0.05) << "it was struck, or fell";
+  }
+}
+
 TEST(SceneMoments, the_hash_sees_the_scene) {
   World world = trough();
   const std::uint64_t before = world.hash();
