@@ -31,6 +31,7 @@ struct WorldImpl : Gate {
   std::uint64_t def_hash = 0;
   std::vector<std::vector<Event>> outgrown;  // events that were given out, until the next step
   ForcedScratch forced_scratch;
+  bool is_stirred = false;  // nobody who meets things sleeps, or knows how far it may fly
 
   // ------------------------------------------------------------------------------------------- slots
   /// The slot of a projectile that is alive; null otherwise.

@@ -281,6 +281,7 @@ void WorldImpl::step(double dt) {
   begin_generators(dt);
   apply_detail();
   move_scene(dt);
+  is_stirred = false;
   step_forced(dt);  // before the others move: its springs may end at them
   step_free(dt);
   turn(dt);
