@@ -184,6 +184,7 @@ class SceneContacts {
     const double speed = dot(hit.velocity, hit.normal);
     hit.velocity = r_.kept(hit.velocity);
     if (!(part > 1e-9)) return;
+    PHYSIM_ASSERT(part <= 1 + 1e-6);
     hit.normal = along * (1 / part);
     hit.velocity += hit.normal * (speed / part - dot(hit.velocity, hit.normal));
   }
@@ -391,6 +392,7 @@ class SceneContacts {
   /// overlap are one.
   [[nodiscard]] std::optional<Way> way_through(const Vec3d& touched, const Vec3d& way, const SceneHit& hit,
                                                double passed) const {
+    PHYSIM_ASSERT(std::abs(length(way) - 1) < 1e-6);
     constexpr double kDeepest = 1000;  // [m]
     constexpr double kOne = 1e-9;      // thinner is nothing, and nearer is one [m]
     const Way endless{0, touched, -hit.normal};
@@ -419,6 +421,7 @@ class SceneContacts {
   /// Where it comes out; a ball's middle is then a radius beyond the surface.
   [[nodiscard]] Vec3d behind(const Vec3d& met, const Vec3d& way, const Way& through, double passed) const {
     const double radius = collision().radius;
+    PHYSIM_ASSERT(std::abs(length(through.normal) - 1) < 1e-6);
     const double cosine = dot(way, through.normal);
     Vec3d x = through.out + through.normal * radius;
     if (radius > 0 && cosine > 0.1) x = met + way * ((dot(through.out - met, through.normal) + radius) / cosine);

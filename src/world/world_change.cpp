@@ -62,6 +62,7 @@ bool WorldImpl::put_to_sleep(std::uint32_t index) {
   Slot& slot = state.slots[index];
   if (slot.is(kStill)) return false;
   slot.set(kAsleep, true);
+  is_stirred = false;
   placement.relocate(index);
   placement.set_row_state(index, {state.state_of(slot).position, {}});
   placement.stop_turning(index);

@@ -33,6 +33,7 @@ struct WorldImpl : Gate {
   std::vector<std::vector<Event>> outgrown;  // events that were given out, until the next step
   ForcedScratch forced_scratch;
   PairScratch pairs;
+  bool is_stirred = false;  // nobody who meets things sleeps, or knows how far it may fly
 
   // ------------------------------------------------------------------------------------------- slots
   /// The slot of a projectile that is alive; null otherwise.

@@ -1,4 +1,6 @@
 // The scene of a world: what its projectiles meet, and what follows where it changes.
+#include <utility>
+
 #include "base/ieee_mode.hpp"
 #include "world/world_impl.hpp"
 
@@ -17,8 +19,10 @@ void WorldImpl::each_sleeper(const F& f) const {
   });
 }
 
-/// Rows look anew how far they may fly, and who sleeps looks whether it still lies on something.
+/// Rows look anew how far they may fly, and who sleeps looks whether it still lies on something; of many changes
+/// between two steps the first one alone asks all of them.
 void WorldImpl::stir_scene() {
+  if (std::exchange(is_stirred, true)) return;
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const Rows& rows = state.rows[c];
     if (!rows.layout().meeting) continue;
@@ -49,6 +53,7 @@ void WorldImpl::put_scene(std::shared_ptr<Scene> scene) {
   state.scene = std::move(scene);
   registry.meet_scene(state.scene != nullptr);
   state.slots.each_alive([this](std::uint32_t slot) { placement.relocate(slot); });
+  is_stirred = false;
   stir_scene();
 }
 

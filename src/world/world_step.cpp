@@ -285,6 +285,7 @@ void WorldImpl::step(double dt) {
   apply_detail();
   move_scene(dt);
   begin_pairs(*this);
+  is_stirred = false;
   step_forced(dt);  // before the others move: its springs may end at them
   step_free(dt);
   meet_pairs(*this, settle_context(dt));

@@ -176,6 +176,35 @@ ground = "none"
 )";
 
 /// A constant resistance takes the energy strength * area * thickness, so two sheets are passed and how fast is known.
+/// Ways through things take no time: all of a stack are hit at one, and each has its outcome.
+TEST(ThingHits, KeepTheOutcomesOfManyThatAreMetAtOneTime) {
+  std::string text = R"(
+[[shape]]
+name = "board"
+box = ["1 mm", "1 m", "1 m"]
+[[shot]]
+preset = "rifle_bullet"
+body = { gravity_scale = 0, collision = { on_hit = "impact" } }
+[world]
+duration = "0.1 s"
+ground = "none"
+)";
+  constexpr std::size_t kBoards = 20;
+  for (std::size_t i = 0; i < kBoards; ++i)
+    text += "[[thing]]\nshape = \"board\"\nmaterial = \"fir\"\nposition = [" +
+            std::to_string(20 + 0.002 * static_cast<double>(i)) + ", 0, 0]\n";
+  WorldRun run = run_of_scene(text);
+  const auto hits = hits_of(run);
+  ASSERT_EQ(hits.size(), kBoards);
+  for (std::size_t i = 0; i < kBoards; ++i) {
+    EXPECT_EQ(hits[i].outcome, EventKind::penetrated) << i;
+    EXPECT_EQ(hits[i].time, hits[0].time);
+    EXPECT_EQ(hits[i].thing, i);
+    EXPECT_NEAR(hits[i].depth, 0.002, 1e-9);
+    EXPECT_EQ(hits[i].velocity, i == 0 ? hits[0].velocity : hits[i - 1].velocity_after);
+  }
+}
+
 TEST(ThingHits, CountPassagesByThing) {
   WorldRun run = run_of_scene(kThrough);
   const auto hits = hits_of(run);

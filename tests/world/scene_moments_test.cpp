@@ -128,6 +128,35 @@ TEST(SceneMoments, chance_follows_from_what_is_hashed) {
   EXPECT_GT(length(out->velocity - ways[0]), 1e-3) << "at another time";
 }
 
+/// Each change wakes whoever sleeps then, though only the first one between two steps has to ask all.
+TEST(SceneMoments, every_change_wakes_who_sleeps_then) {
+  World world = trough();
+  const ShapeId ball = *world.add_shape(SphereShape{1});
+  BodyDef body;
+  body.collision.on_hit = OnHit::bounce;
+  const ProjectileId id = *world.spawn(stone(), {.position = {0, 50, 0}}, body);
+  const auto change = [&] { return *world.add_instance({.shape = ball, .transform = {.position = {0, 100, 0}}}); };
+  const auto put_to_sleep = [&] { return world[id].sleep().ok() && world[id].is_asleep(); };
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(put_to_sleep());
+    change();
+    EXPECT_FALSE(world[id].is_asleep());
+    const InstanceId other = change();
+    ASSERT_TRUE(put_to_sleep());
+    const Snapshot then = world.snapshot();
+    ASSERT_TRUE(world.remove_instance(other));
+    EXPECT_FALSE(world[id].is_asleep());
+    ASSERT_TRUE(world.restore(then));
+    EXPECT_TRUE(world[id].is_asleep());
+    ASSERT_TRUE(world.move_instance(other, {.position = {0, 90, 0}}));
+    EXPECT_FALSE(world[id].is_asleep());
+    world.step(1.0 / 60);
+  }
+  ASSERT_TRUE(put_to_sleep());
+  ASSERT_TRUE(world.set_scene(*trough().scene()));
+  EXPECT_FALSE(world[id].is_asleep());
+}
+
 /// What moves wakes who sleeps in its way, wherever in the step it comes by, sets out or ends.
 TEST(SceneMoments, what_comes_by_wakes_who_sleeps) {
   struct Case {
