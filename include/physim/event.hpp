@@ -64,7 +64,7 @@ enum class Reason : std::uint8_t {
   non_finite,   ///< its numbers were no longer numbers
   left_domain,  ///< fell below the lower end of the standard atmosphere
   stalled,      ///< an adaptive integrator could not get through a step
-  inside,       ///< of a hit: it was inside of the thing, or touched it, when the step began
+  inside,       ///< of a hit: it was inside of the thing when the step began, and stays there
 };
 
 /// An event that happened.

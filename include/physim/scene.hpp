@@ -211,7 +211,8 @@ class Scene {
   [[nodiscard]] std::uint64_t hash() const;
 
   // ---- questions; a segment with a number that is none, or beyond 1e15 m, meets nothing. What moves straight without
-  // turning is met exactly; what turns or moves along a curve may be missed where it is grazed by less than 1e-6 m.
+  // turning is met exactly; what turns or moves along a curve may be missed where it is grazed by less than 1e-6 m, and
+  // by more where it turns so often within a segment's duration that 65536 chords are not enough.
   /// What a segment meets first.
   [[nodiscard]] SceneHit first_hit(const SceneSegment& segment, const SceneFilter& filter = {}) const;
   /// Whether it meets anything.
