@@ -254,7 +254,7 @@ class Settling {
     if (!std::exchange(is_near_, true)) start_part(passed);
     const BodyDef& b = body();
     const Surface surface{ground().restitution * b.restitution, ground().friction * b.friction, b.rolling_resistance};
-    const Vec3d v = r_.kept(bounced(s.v, n, surface));
+    const Vec3d v = bounced(s.v, n, surface);
     const Vec3d a = r_.acceleration_at(s, passed);
     // A bounce that would be over within this step does not lift it any more.
     const double frame = std::min(context_.dt, kLongestPart);
@@ -269,9 +269,9 @@ class Settling {
     // What falls from higher than a step's fall struck the ground, even where nothing of its speed is left.
     if (dot(s.v, n) < dot(a, n) * frame) r_.tell(EventKind::bounced, Reason::none, passed, {s.x, v - n * dot(v, n)});
     const Rolled rolled_on = rolled(v, a, n, surface, context_.dt - passed);
-    Vec3d x = s.x + r_.kept(rolled_on.way);
+    Vec3d x = s.x + rolled_on.way;
     x -= normal_at(c, x) * (height(c, x) - ground().height);
-    roll({s.x, v - n * dot(v, n)}, {x, r_.kept(rolled_on.velocity)}, passed);
+    roll({s.x, v - n * dot(v, n)}, {x, rolled_on.velocity}, passed);
   }
 
   /// Straight over the ground to the end of the step, or to what it meets there.
