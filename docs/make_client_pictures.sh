@@ -24,3 +24,4 @@ for test in 1 2 3 4 5 6; do
     --script "test $test; wait 200; picture-of-plots $pictures/client_test_$test.png; wait 1"
 done
 python3 tools/shrink_png.py --shades 64 "$pictures"/client*.png
+pngquant --strip --force --skip-if-larger --ext .png 128 "$pictures"/client_things.png || [[ $? == 98 ]]

@@ -2,8 +2,10 @@
 #include "report/format.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -31,11 +33,13 @@ struct Results {
   Results() {
     EXPECT_TRUE(fly_all(flown).ok());
     times = sample_times(flown.shots, 0.5).value();
-    const std::string file = testing::TempDir() + "physim_format_test.rec";
+    const std::string file =
+        testing::TempDir() + "physim_format_" + std::to_string(getpid()) + ".rec";  // tests run at once
     world = run_world(scenario, {.parts = {true, true, true, true}, .record = file}).value();
     const Flight& flight = flown.shots[0].flight;
     ladder.rungs.push_back({{Family::preset, "reference", "", {}}, flight, "", 0, 0, 1e-6});
     replay = play_recording(file, {}).value();
+    std::filesystem::remove(file);
   }
   [[nodiscard]] Content content(const Format& format, Subject subject) const {
     const Flights flights{flown, times};

@@ -2,6 +2,7 @@
 #include "report/json_stream.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -135,7 +136,7 @@ TEST(Texts, of_a_file_that_fails_leave_what_was_there) {
   ASSERT_FALSE(full.ok());
   EXPECT_NE(full.error().message.find("No space left"), std::string::npos);
 
-  const std::string path = testing::TempDir() + "physim_stream_test.txt";
+  const std::string path = testing::TempDir() + "physim_stream_" + std::to_string(getpid()) + ".txt";
   ASSERT_TRUE(write_file(path, "before").ok());
   bool stood = false;
   ASSERT_TRUE(write_file(path, [&](const Sink& sink) {
@@ -145,6 +146,7 @@ TEST(Texts, of_a_file_that_fails_leave_what_was_there) {
               }).ok());
   EXPECT_TRUE(stood) << "the old file went before the new one was whole";
   EXPECT_EQ(std::filesystem::file_size(path), 1'000'000u);
+  std::filesystem::remove(path);
 }
 
 }  // namespace

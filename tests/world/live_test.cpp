@@ -107,6 +107,7 @@ TEST(Live, the_list_of_settings_marks_what_set_body_takes) {
                                                      {"collision.radius", "0.1 m"},
                                                      {"collision.inertia", "0.6"},
                                                      {"collision.layers", "6"},
+                                                     {"collision.others", "6"},
                                                      {"despawn.below", "-9 m"},
                                                      {"despawn.farther", "9 m"},
                                                      {"despawn.older", "9 s"},
