@@ -44,11 +44,17 @@ TEST(StudyRanks, a_job_is_told_apart_from_a_run_alone) {
 
 #ifdef PHYSIM_MPIRUN
 
-/// Runs so many ranks, on however few cores, and as whoever runs the tests.
-Ran job(int ranks, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {"--oversubscribe", "--allow-run-as-root", "-n", std::to_string(ranks), PHYSIM_CLI};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+/// Runs so many ranks of a program on this machine, without a shell of others, on however few cores, and as whoever
+/// runs the tests.
+Ran mpirun(int ranks, const std::vector<std::string>& program) {
+  std::vector<std::string> words = {"--oversubscribe",    "--allow-run-as-root", "--mca", "plm", "isolated", "-n",
+                                    std::to_string(ranks)};
+  words.insert(words.end(), program.begin(), program.end());
   return run_program(PHYSIM_MPIRUN, words);
+}
+Ran job(int ranks, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), PHYSIM_CLI);
+  return mpirun(ranks, arguments);
 }
 
 TEST(StudyRanks, have_the_bits_of_threads) {
@@ -103,10 +109,10 @@ TEST(StudyRanks, lose_nothing_when_one_dies) {
                                         "#!/bin/sh\n"
                                         "[ \"$OMPI_COMM_WORLD_RANK\" = 2 ] && (sleep 1.5; kill -9 $$) &\n"
                                         "exec \"$@\"\n");
-  std::vector<std::string> words = {"--oversubscribe", "--allow-run-as-root", "-n", "3", "/bin/sh", rank, PHYSIM_CLI};
+  std::vector<std::string> words = {"/bin/sh", rank, PHYSIM_CLI};
   const std::vector<std::string> flown = study({"--resume", kept});
   words.insert(words.end(), flown.begin(), flown.end());
-  const Ran died = run_program(PHYSIM_MPIRUN, words);
+  const Ran died = mpirun(3, words);
   if (died.code == 0) GTEST_SKIP() << "it was over before the rank died";
   EXPECT_TRUE(has(died.err, "should one die, go on with --resume " + kept)) << died.err;
   EXPECT_TRUE(has(died.err, "rank 2")) << "mpirun says who: " << died.err;
