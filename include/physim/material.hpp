@@ -31,10 +31,10 @@ struct PonceletDef {
 
   bool operator==(const PonceletDef&) const = default;
 };
-/// Soil, rock, ice and concrete hit by heavy penetrators (docs/models/young.md).
+/// Soil, rock and concrete hit by heavy penetrators (docs/models/young.md).
 struct YoungDef {
   double s_number = 0;  ///< penetrability: concrete about 1, soils more; above 0 [-]
-  bool hard = false;    ///< rock, concrete or ice: the correction for light penetrators is theirs, not that of soil [-]
+  bool hard = false;    ///< rock or concrete: the correction for light penetrators is theirs, not that of soil [-]
 
   bool operator==(const YoungDef&) const = default;
 };

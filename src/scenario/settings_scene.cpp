@@ -179,7 +179,7 @@ constexpr Entry kSceneSettings[] = {
                        "depth over which the resistance grows from 0, in diameters; concrete 2", at_least(0)),
     PHYSIM_PENETRATION("young", YoungDef, s_number, "penetrability: concrete about 1, soils more", at_least(0),
                        kShorthand),
-    PHYSIM_PENETRATION("young", YoungDef, hard, "rock, concrete or ice"),
+    PHYSIM_PENETRATION("young", YoungDef, hard, "rock or concrete"),
     PHYSIM_PENETRATION("de_marre", DeMarreDef, quality, "limit speed over that of nickel steel", above(0), kShorthand),
     PHYSIM_PENETRATION("de_marre", DeMarreDef, plug, "part of a plug that the shot drives out", kPart),
     PHYSIM_PENETRATION("lambert", LambertDef, coefficient,
