@@ -208,7 +208,7 @@ def main(copy, words):
     linker = ["-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld"] if shutil.which("ld.lld") else []  # in a tenth of the time
     os.environ["CCACHE_SLOPPINESS"] = "pch_defines,time_macros,include_file_mtime,include_file_ctime"
     subprocess.run(["cmake", "-S", str(tree), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
-                    "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -ftree-vrp -fpch-preprocess", "-DPHYSIM_ISAS=base", "-DPHYSIM_SMALL_KERNELS=ON",
+                    "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -fpch-preprocess", "-DPHYSIM_ISAS=base", "-DPHYSIM_SMALL_KERNELS=ON",
                     "-DPHYSIM_CLIENT=OFF", *launcher, *linker], check=True, stdout=subprocess.DEVNULL)
     if build(folder).returncode != 0:
         sys.exit("faults: the sources do not build")

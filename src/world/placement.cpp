@@ -203,15 +203,17 @@ Status Placement::relocate(std::uint32_t index) {
   if (spins(there.fidelity) || has_stops(there)) *body = body_of(slot), old = &*body;  // spin and rail go along
   const BodyState at{source.position(old_row), source.velocity(old_row)};
   const Vec3d previous = source.previous(old_row);
-  Vec3d launch{};
+  Vec3d launch{}, carried{};
   const std::optional<Attitude> turned = source.layout().turning ? attitude(index) : std::nullopt;
   if (source.layout().launched) launch = source.visit([&](const auto& c) { return Rows::at(c.launch, old_row); });
+  if (source.layout().carried) carried = source.visit([&](const auto& c) { return Rows::at(c.carried, old_row); });
   take_out(slot);
   slot.cohort = to;
   slot.row = state_.rows[to].push(index);
   write_row(index, at, {.previous = previous, .old = old, .age = age});
   if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}, 0));
   if (layout.launched) state_.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
+  if (layout.carried) state_.rows[to].visit([&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
   PHYSIM_ASSERT(state_.rows_of(slot).is_filled(slot.row));
   return {};
 }

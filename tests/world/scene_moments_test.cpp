@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "physim/recording.hpp"
+#include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim {
@@ -126,6 +127,28 @@ TEST(SceneMoments, chance_follows_from_what_is_hashed) {
   const auto out = std::ranges::find(later, EventKind::penetrated, &Event::kind);
   ASSERT_NE(out, later.end());
   EXPECT_GT(length(out->velocity - ways[0]), 1e-3) << "at another time";
+}
+
+/// Rows get other columns where a world has things to meet. What the original loop carries from its last frame goes
+/// along: a scene that is nowhere near changes no path.
+TEST(SceneMoments, the_first_scene_changes_no_path) {
+  const Scene far = *trough().scene();
+  for (const Fidelity& fidelity : {Fidelity::classic(), Fidelity::game(), Fidelity::small_arms()}) {
+    WorldDef def;
+    def.ground.mode = GroundMode::none;
+    World alone = make_world(def), meets = make_world(def);
+    ProjectileDef p = bullet();
+    p.fidelity = fidelity;
+    const Launch launch{.position = {0, 1000, 0}, .speed = 300, .elevation = 1.2};
+    const ProjectileId id = *alone.spawn(p, launch);
+    ASSERT_EQ(*meets.spawn(p, launch), id);
+    for (int i = 0; i < 30; ++i) {
+      if (i == 10) ASSERT_TRUE(meets.set_scene(far));
+      alone.step(1.0 / 60), meets.step(1.0 / 60);
+      EXPECT_TRUE(test::same_bits(meets[id].state().position.y, alone[id].state().position.y)) << i;
+      EXPECT_TRUE(test::same_bits(meets[id].state().velocity.y, alone[id].state().velocity.y)) << i;
+    }
+  }
 }
 
 /// Each change wakes whoever sleeps then, though only the first one between two steps has to ask all.
