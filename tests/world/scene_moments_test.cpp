@@ -143,7 +143,9 @@ TEST(SceneMoments, the_first_scene_changes_no_path) {
     const ProjectileId id = *alone.spawn(p, launch);
     ASSERT_EQ(*meets.spawn(p, launch), id);
     for (int i = 0; i < 30; ++i) {
-      if (i == 10) ASSERT_TRUE(meets.set_scene(far));
+      if (i == 10) {
+        ASSERT_TRUE(meets.set_scene(far));
+      }
       alone.step(1.0 / 60), meets.step(1.0 / 60);
       EXPECT_TRUE(test::same_bits(meets[id].state().position.y, alone[id].state().position.y)) << i;
       EXPECT_TRUE(test::same_bits(meets[id].state().velocity.y, alone[id].state().velocity.y)) << i;
