@@ -36,7 +36,7 @@ FAULTS = [
     ("a pool that nobody leaves", "src/world/pools.cpp", "--pool.count;", ";", "Life.*:Moments.*:Recording.*"),
     ("one who is gone is counted as alive", "src/world/slots.cpp", "--alive_;", ";", "Life.*"),
     ("a generator that is gone still acts", "src/world/generators.cpp", "std::erase(order_, index);", ";", "Forces.*:*Force*"),
-    ("an event at another time", "src/world/settled_row.hpp", ".time = context_.time + passed,", ".time = passed - 1,",
+    ("an event at another time", "src/world/settled_row.hpp", "event.time = context_.time + passed;", "event.time = passed - 1;",
      "Ground.*"),
     ("forced rows read one too far", "src/world/forced_step.cpp", "first += size;", "first += size + 1;", "*Force*"),
     ("a projectile left in the cohort it was in", "src/world/world_change.cpp",

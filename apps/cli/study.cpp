@@ -224,18 +224,26 @@ Result<FlownStudy> fly_study(const Study& study, TaskRunner& threads, Ranks& ran
   return flown;
 }
 
+struct AskedStudy {
+  AskedShot asked;
+  Study study;
+};
+Result<AskedStudy> ask_study(const StudyCommand& command) {
+  Question question = command.question;
+  if (!command.ranges.empty()) question.input.overrides.push_back("output.ranges=" + command.ranges);
+  Result<AskedShot> asked = ask(question);
+  if (!asked) return asked.error();
+  if (Status status = add_options(command, asked->scenario); !status) return status.error();
+  auto study = study_of(asked->scenario, asked->shot());
+  if (!study) return about(*asked, study.error());
+  if (Status status = add_width(command, *study); !status) return status.error();
+  return AskedStudy{*std::move(asked), *std::move(study)};
+}
+
 /// What other ranks of a job do: they fly what the first tells them to.
 Result<int> serve(const StudyCommand& command, Ranks& ranks) {
-  const auto plan_of_ranks = [&]() -> Result<StudyPlan> {
-    Result<AskedShot> asked = ask(command.question);
-    if (!asked) return asked.error();
-    if (Status status = add_options(command, asked->scenario); !status) return status.error();
-    auto study = study_of(asked->scenario, asked->shot());
-    if (!study) return study.error();
-    if (Status status = add_width(command, *study); !status) return status.error();
-    return plan_study(*study);
-  };
-  const auto plan = plan_of_ranks();
+  const auto asked = ask_study(command);
+  const auto plan = asked ? plan_study(asked->study) : asked.error();
   if (plan)
     ranks.serve(*plan);
   else
@@ -273,7 +281,7 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
     if (!flown) return about(asked, flown.error());
     list.push_back({range, std::move(flown->result)});
   }
-  const std::string title = title_of_study(asked);
+  const std::string title = title_of_shot(asked);
   if (!command.plot.empty())
     if (Status status = draw(command.plot, ranges_picture(title, list)); !status) return status.error();
   if (command.csv != "-")
@@ -300,7 +308,7 @@ Status check_command(const StudyCommand& command) {
 
 Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown) {
   if (!command.plot.empty())
-    if (Status status = draw(command.plot, study_picture(title_of_study(asked), flown)); !status) return status;
+    if (Status status = draw(command.plot, study_picture(title_of_shot(asked), flown)); !status) return status;
   if (!command.kml.empty()) {
     const auto map = study_kml(asked, flown);
     if (!map) return map.error();
@@ -323,22 +331,17 @@ Result<int> run(const StudyCommand& command) {
   if (ranks.number() > 0) return serve(command, ranks);
   if (Status status = check_job(command, ranks); !status) return status.error();
   if (Status status = check_command(command); !status) return status.error();
-  Question question = command.question;
-  if (!command.ranges.empty()) question.input.overrides.push_back("output.ranges=" + command.ranges);
-  Result<AskedShot> asked = ask(question);
-  if (!asked) return asked.error();
-  if (Status status = add_options(command, asked->scenario); !status) return status.error();
-  auto study = study_of(asked->scenario, asked->shot());
-  if (!study) return about(*asked, study.error());
-  if (Status status = add_width(command, *study); !status) return status.error();
+  const auto all = ask_study(command);
+  if (!all) return all.error();
+  const auto& [asked, study] = *all;
   const auto threads = make_thread_pool(command.threads.value_or(0));
-  if (!command.shards.empty()) return run_part(command, *study, *threads);
-  if (!command.ranges.empty()) return run_over_ranges(command, *asked, *study, *threads, ranks);
-  const auto flown = fly_study(*study, *threads, ranks, command);
-  if (!flown) return about(*asked, flown.error());
-  if (Status status = write_files(command, *asked, *flown); !status) return status.error();
+  if (!command.shards.empty()) return run_part(command, study, *threads);
+  if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);
+  const auto flown = fly_study(study, *threads, ranks, command);
+  if (!flown) return about(asked, flown.error());
+  if (Status status = write_files(command, asked, *flown); !status) return status.error();
   if (command.csv == "-" || command.kml == "-") return kExitOk;
-  return done(give(command.question, study_answer(*asked, *flown, style_of(stdout))));
+  return done(give(command.question, study_answer(asked, *flown, style_of(stdout))));
 }
 
 void add_part_options(Command& command, StudyCommand& options) {

@@ -36,6 +36,20 @@ constexpr std::uint64_t kMostShards = 64;  // of an order
 volatile std::sig_atomic_t asked_to_end = 0;
 extern "C" void note_end(int) { asked_to_end = 1; }
 
+/// What another rank sent.
+struct Message {
+  int from, tag;
+  std::vector<std::byte> bytes;
+};
+/// The message that was probed.
+Message receive(MPI_Status& probed) {
+  int size = 0;
+  MPI_Get_count(&probed, MPI_BYTE, &size);
+  Message message{probed.MPI_SOURCE, probed.MPI_TAG, std::vector<std::byte>(static_cast<std::size_t>(size))};
+  MPI_Recv(message.bytes.data(), size, MPI_BYTE, message.from, message.tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return message;
+}
+
 }  // namespace
 
 /// What the first rank does until a number of shards is flown.
@@ -87,11 +101,7 @@ Ranks::~Ranks() {
       if (idle_.empty()) {
         MPI_Status status;
         MPI_Probe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &status);
-        int size = 0;
-        MPI_Get_count(&status, MPI_BYTE, &size);
-        std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-        MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, &status);
-        idle_.push_back(status.MPI_SOURCE);
+        idle_.push_back(receive(status).from);
       }
       order(idle_.back(), {});
       idle_.pop_back();
@@ -128,21 +138,19 @@ void Ranks::take_in(Round& round, int from, std::span<const std::byte> bytes) {
 /// One message, where there is one.
 void Ranks::hear(Round& round) {
   MPI_Status status;
-  int is_there = 0, size = 0;
+  int is_there = 0;
   MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &status);
   if (is_there == 0) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
     return;
   }
-  MPI_Get_count(&status, MPI_BYTE, &size);
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, &status);
-  idle_.push_back(status.MPI_SOURCE);
-  if (status.MPI_TAG != kFailureTag) return take_in(round, status.MPI_SOURCE, bytes);
+  const Message message = receive(status);
+  idle_.push_back(message.from);
+  if (message.tag != kFailureTag) return take_in(round, message.from, message.bytes);
   std::string text;
-  for (const std::byte byte : bytes) text += static_cast<char>(byte);
+  for (const std::byte byte : message.bytes) text += static_cast<char>(byte);
   round.stopped = true;
-  failed_ = Error{"rank " + std::to_string(status.MPI_SOURCE) + " cannot fly: " + text, "mpirun", ""};
+  failed_ = Error{"rank " + std::to_string(message.from) + " cannot fly: " + text, "mpirun", ""};
 }
 
 bool Ranks::fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end,

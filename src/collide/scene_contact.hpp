@@ -9,7 +9,7 @@
 //   acceleration_at(state, passed)      by everything but the contact [m/s^2]
 //   kept(vector)                        what the constraints of its motion leave of a vector
 //   impact(hits)                        mass, measures and draws of an Impact, the so-manyth of its step
-//   tell(kind, reason, passed, state, hit, depth, energy)      something happened
+//   tell(kind, reason, passed, state, hit, depth, energy)      something happened: event_of() has all but who and when
 //   slid(from, begin, to, end)          it went along a surface, from a state at one time of the step to another
 #pragma once
 
@@ -21,7 +21,6 @@
 #include <utility>
 
 #include "collide/path_cast.hpp"
-
 #include "model/ball_rolling.hpp"
 #include "model/body.hpp"
 #include "physim/collision.hpp"
@@ -42,6 +41,21 @@ inline constexpr double kLongestPart = 1.0 / 30;
 [[nodiscard]] inline std::uint32_t hit_number(std::uint64_t step, int hits) {
   const auto mixed = static_cast<std::uint32_t>((step * 0x9e3779b97f4a7c15u) >> 32);
   return mixed * 1009u + static_cast<std::uint32_t>(hits);
+}
+
+/// What an event tells of a state and of what was met there; not whose it is, nor when.
+[[nodiscard]] inline Event event_of(EventKind kind, Reason reason, const State<double>& s, const SceneHit& hit,
+                                    double depth, double energy) {
+  return {.kind = kind,
+          .reason = reason,
+          .value = depth,
+          .position = s.x,
+          .velocity = s.v,
+          .normal = hit.normal,
+          .instance = hit.instance,
+          .primitive = hit.primitive,
+          .material = hit.material,
+          .energy = energy};
 }
 
 /// What the numbers of a type are apart at a place [m].

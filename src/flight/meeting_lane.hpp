@@ -83,17 +83,8 @@ class MeetingLane {
                          time - slid_until_ < kAtOnce * std::min(step_.length, kLongestPart);
     if (kind == EventKind::hit) touched_ = hit.instance;
     if (goes_on) return;
-    told.push_back({.kind = kind,
-                    .reason = reason,
-                    .value = depth,
-                    .time = time,
-                    .position = s.x,
-                    .velocity = s.v,
-                    .normal = hit.normal,
-                    .instance = hit.instance,
-                    .primitive = hit.primitive,
-                    .material = hit.material,
-                    .energy = energy});
+    told.push_back(event_of(kind, reason, s, hit, depth, energy));
+    told.back().time = time;
   }
   void slid(const State<double>& from, double begin, const State<double>& to, double end) {
     PHYSIM_ASSERT(end >= begin);

@@ -27,22 +27,6 @@ Json solution_json(const AimSolution& s) {
           {"flights", s.flights}};
 }
 
-/// Under the name of the shot, and behind where the answer comes from.
-Answer about_shot(const AskedShot& asked, const Style& style, const std::string& text, Json members) {
-  PHYSIM_ASSERT(asked.index < asked.scenario.shots.size());
-  const std::string& shot = asked.shot().projectile.name;
-  PHYSIM_ASSERT(members.is_object());
-  return {style.bold(one_line(title_of(asked.scenario)) + ": " + one_line(shot)) + "\n" + text,
-          [&asked, members = std::move(members)](const Sink& sink) {
-            JsonStream out(sink);
-            out.object();
-            add_provenance(out, asked.scenario);
-            out.add({{"shot", asked.shot().projectile.name}});
-            out.add(members);
-            out.close();
-          }};
-}
-
 std::string vector_text(const Vec3d& v) {
   return "(" + as_typed(v.x) + ", " + as_typed(v.y) + ", " + as_typed(v.z) + ")";
 }
@@ -101,6 +85,23 @@ std::string fit_text(std::span<const Measurement> measurements, bool fits_speed,
 }
 
 }  // namespace
+
+std::string title_of_shot(const AskedShot& asked) {
+  PHYSIM_ASSERT(asked.index < asked.scenario.shots.size());
+  return one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name);
+}
+
+Answer about_shot(const AskedShot& asked, const Style& style, const std::string& text, Json members) {
+  PHYSIM_ASSERT(members.is_object());
+  return {style.bold(title_of_shot(asked)) + "\n" + text, [&asked, members = std::move(members)](const Sink& sink) {
+            JsonStream out(sink);
+            out.object();
+            add_provenance(out, asked.scenario);
+            out.add({{"shot", asked.shot().projectile.name}});
+            out.add(members);
+            out.close();
+          }};
+}
 
 Answer aim_answer(const AskedShot& asked, const Target& t, double tolerance, const Aim& aim, const Style& style) {
   std::string text = "  target at " + vector_text(t.position) + " m";

@@ -1,6 +1,7 @@
 // Answers to one question about one shot: text for people, JSON for programs.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -16,6 +17,12 @@ struct Answer {
   std::string text;
   Text json;  // reads the shot that was asked about
 };
+
+/// What a shot and its scenario are called.
+[[nodiscard]] std::string title_of_shot(const AskedShot& asked);
+/// Under that title, and as JSON behind where the answer comes from.
+[[nodiscard]] Answer about_shot(const AskedShot& asked, const Style& style, const std::string& text,
+                                nlohmann::ordered_json members);
 
 [[nodiscard]] Answer aim_answer(const AskedShot& asked, const Target& target, double tolerance, const Aim& aim,
                                 const Style& style);

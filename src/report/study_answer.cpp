@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/assert.hpp"
@@ -262,22 +261,10 @@ std::string with_unit(StudyQuantity quantity) {
   return std::string(name(quantity)) + " [" + std::string(unit_of(quantity)) + "]";
 }
 
-std::string title_of_study(const AskedShot& asked) {
-  return one_line(title_of(asked.scenario)) + ": " + one_line(asked.shot().projectile.name);
-}
-
 Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style) {
-  std::string text = style.bold(title_of_study(asked)) + "\n";
-  text += counts_text(flown) + quantities_text(flown) + plane_text(flown.result) + hits_text(flown.result) +
-          inputs_text(flown) + indices_text(flown) + worst_text(flown);
-  return {std::move(text), [&asked, members = json_of(flown)](const Sink& sink) {
-            JsonStream out(sink);
-            out.object();
-            add_provenance(out, asked.scenario);
-            out.add({{"shot", asked.shot().projectile.name}});
-            out.add(members);
-            out.close();
-          }};
+  const std::string text = counts_text(flown) + quantities_text(flown) + plane_text(flown.result) +
+                           hits_text(flown.result) + inputs_text(flown) + indices_text(flown) + worst_text(flown);
+  return about_shot(asked, style, text, json_of(flown));
 }
 
 std::string over_range_text(std::span<const StudyAtRange> list) {

@@ -21,8 +21,6 @@ struct FlownStudy {
 [[nodiscard]] std::string_view unit_of(StudyQuantity quantity);
 /// "right [m]"
 [[nodiscard]] std::string with_unit(StudyQuantity quantity);
-/// What a shot and its scenario are called.
-[[nodiscard]] std::string title_of_study(const AskedShot& asked);
 
 [[nodiscard]] Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style);
 /// A study with its plane of impact at a range [m].

@@ -101,7 +101,7 @@ Result<Text> study_kml(const AskedShot& asked, const FlownStudy& flown) {
   PHYSIM_ASSERT(flown.result.ellipse.has_value());
   const Ground ground(study, flight);
   const EllipseResult& ellipse = *flown.result.ellipse;
-  std::string out = kml_begin(title_of_study(asked), asked.scenario.source);
+  std::string out = kml_begin(title_of_shot(asked), asked.scenario.source);
   out += kml_style("ellipse", "ff0000ff", "260000ff") + kml_style("zone", "ff303030", "1a303030") +
          kml_style("target", "ffb27200", "40b27200") +
          " <Style id=\"shots\"><IconStyle><scale>0.3</scale></IconStyle></Style>\n";

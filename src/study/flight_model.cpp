@@ -3,11 +3,12 @@
 //
 // The plane of impact is that of the shot without uncertainty: across its line of sight, at the range. A flight ends on
 // the plane of its own line of sight, from its own muzzle, which an uncertain azimuth or place moves; from there it
-// goes on, or back, with the acceleration a that the shot without uncertainty has where it arrives: x + v t + a t^2 /
-// 2, v + a t, for the time t to the plane. With an azimuth e off [rad] the planes are range e^2 / 2 apart, and nothing
-// of it is left to see. With a muzzle off by 20 m, t is about 0.04 s; what is left out is the difference of the
-// accelerations and their change, some per cent of a t^2 / 2: millimetres, and 0.15 m/s. A shot that needs more than a
-// quarter of its time of flight to the plane, or does not go towards it, counts as not arrived.
+// goes on, or back, for the time t to the plane:
+//   x' = x + v t + a t^2 / 2,  v' = v + a t,
+// a the acceleration of the shot without uncertainty where it arrives. With an azimuth e off [rad] the planes are
+// range e^2 / 2 apart, and nothing of it is left to see. With a muzzle off by 20 m, t is about 0.04 s; what is left out
+// is how accelerations differ and change, some per cent of a t^2 / 2: millimetres, and 0.15 m/s. A shot that needs more
+// than a quarter of its time of flight to the plane, or does not go towards it, counts as not arrived.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -182,8 +183,7 @@ void FlightModel::fly_in_own_winds(const std::vector<std::span<const double>>& c
       if (column == &Weather::wind_y) moved.y = columns[k][i] - there.y;
       if (column == &Weather::wind_z) moved.z = columns[k][i] - there.z;
     }
-    for (WindPoint& point : own.wind.profile)
-      point.velocity = {point.velocity.x + moved.x, point.velocity.y + moved.y, point.velocity.z + moved.z};
+    for (WindPoint& point : own.wind.profile) point.velocity += moved;
     fly_batch(shots.subspan(i, 1), own, study_.fidelity, study_.tolerance, study_.until, one);
     PHYSIM_ASSERT(one.shots.size() == 1);
     all.shots.push_back(one.shots[0]);
@@ -258,7 +258,7 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
     const Outcome outcome = ends.outcome[i];
     if (outcome == Outcome::refused && !told.first) told.first = i;
     const bool arrived =
-        study_.until.range ? outcome == Outcome::reached_range && ends.x[i] == ends.x[i] : ended_as_planned(outcome);
+        study_.until.range ? outcome == Outcome::reached_range && std::isfinite(ends.x[i]) : ended_as_planned(outcome);
     if (arrived) continue;
     for (const auto& column : quantities) column[i] = kNowhere;
   }

@@ -33,6 +33,7 @@ constexpr int kMostMeetings = 1000;
 [[nodiscard]] bool may_move(const Collider& c) { return c.flies || c.sleeps; }
 [[nodiscard]] double reach(const Collider& c) { return c.kind->body.collision.radius; }
 [[nodiscard]] bool passes(const Collider& c) { return c.kind->body.collision.on_hit == OnHit::pass; }
+[[nodiscard]] bool ends_flights(OnHit on_hit) { return on_hit == OnHit::stop || on_hit == OnHit::stick; }
 
 /// Two that touch, or pass through each other.
 struct Meeting {
@@ -114,22 +115,23 @@ class PairStep {
   }
   void look_how_far(Collider& c) {
     c.box = {};
-    double largest = 0;
     for (std::size_t i = 0; i < c.path.size(); ++i) {
       const Knot& k = c.path[i];
       c.box.take(k.x);
       if (i + 1 < c.path.size()) c.box.take(k.x + k.v * ((c.path[i + 1].time - k.time) / 3));
       if (i > 0) c.box.take(k.x - k.v * ((k.time - c.path[i - 1].time) / 3));
     }
-    largest = c.box.extent();
-    const bool float32 = context_.state->rows[c.cohort].layout().float32;
-    const double epsilon =
-        float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
-    c.spacing = largest * epsilon;
+    const double largest = c.box.extent();
+    c.spacing = largest * epsilon_of(c);
     c.box.widen(reach(c) * (1 + 1e-9) + 4 * c.spacing);
     if (!std::isfinite(largest) || c.path.size() < 2) c.is_gone = true, c.box = {};
   }
 
+  /// What the numbers of its row are rounded by [-].
+  [[nodiscard]] double epsilon_of(const Collider& c) const {
+    const bool float32 = context_.state->rows[c.cohort].layout().float32;
+    return float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
+  }
   [[nodiscard]] static Knot at(const Collider& c, double time) {
     return collide::leg_of(c.path, collide::leg_at(c.path, time)).at(time);
   }
@@ -179,11 +181,7 @@ class PairStep {
   }
   [[nodiscard]] double rounding_of_speed(const Collider& a, const Collider& b, const Knot& on_a,
                                          const Knot& on_b) const {
-    const bool float32 =
-        context_.state->rows[a.cohort].layout().float32 || context_.state->rows[b.cohort].layout().float32;
-    const double epsilon =
-        float32 ? double{std::numeric_limits<float>::epsilon()} : std::numeric_limits<double>::epsilon();
-    return 8 * epsilon * (length(on_a.v) + length(on_b.v));
+    return 8 * std::max(epsilon_of(a), epsilon_of(b)) * (length(on_a.v) + length(on_b.v));
   }
 
   void look_around(std::uint32_t i, double from) {
@@ -318,8 +316,7 @@ class PairStep {
     const std::optional<Vec3d> spin = std::exchange(spin_[i < other ? 0 : 1], std::nullopt);
     if (!may_move(c)) return;
     const OnHit on_hit = strikes ? c.kind->body.collision.on_hit : OnHit::bounce;
-    const bool ends = on_hit == OnHit::stop || on_hit == OnHit::stick;
-    if (strikes && !ends) tell(EventKind::bounced, c, all_[other], now, n);
+    if (strikes && !ends_flights(on_hit)) tell(EventKind::bounced, c, all_[other], now, n);
     if (!std::exchange(c.is_new, true)) sweep_->note_new(i);
     ++c.version;
     PHYSIM_ASSERT(now.time >= c.since);  // meetings come in order of time
@@ -345,7 +342,7 @@ class PairStep {
   }
   /// One that slept goes straight to the end of the step, and wakes there.
   void slide(Collider& c, const Knot& now, const std::optional<Vec3d>& spin, OnHit on_hit) {
-    const bool ends = on_hit == OnHit::stop || on_hit == OnHit::stick;
+    const bool ends = ends_flights(on_hit);
     const Vec3d v = ends ? Vec3d{} : now.v;
     c.path = {{now.time, now.x, v}, {context_.dt, now.x + v * (context_.dt - now.time), v}};
     c.is_gone = on_hit == OnHit::stop;
@@ -428,10 +425,6 @@ class PairStep {
   std::vector<std::pair<std::uint32_t, double>> cuts_;              // slots, and until when what they told holds
   std::optional<Vec3d> spin_[2];                                    // of the meeting at hand
 };
-
-}  // namespace
-
-namespace {
 
 /// One more; its vectors keep their memory from step to step.
 Collider& next_collider(std::vector<Collider>& all, std::size_t at) {

@@ -49,6 +49,7 @@ class SettledRow {
   [[nodiscard]] S t_start() const { return t_start_; }
   [[nodiscard]] S t_end() const { return t_end_; }
   [[nodiscard]] bool meets() const { return rows_.layout().meeting; }
+
   // ------------------------------------------------------------------------------------------- as SceneContacts asks
   [[nodiscard]] const Scene* scene() const { return meets() ? context_.scene : nullptr; }
   [[nodiscard]] const CollisionDef& collision() const { return kind().body.collision; }
@@ -117,18 +118,9 @@ class SettledRow {
   // ------------------------------------------------------------------------------------------- what happens to it
   void tell(EventKind kind, Reason reason, double passed, const State<double>& s, const SceneHit& hit = {},
             double depth = 0, double energy = 0) {
-    chunk_.events.push_back({.kind = kind,
-                             .reason = reason,
-                             .id = {slot_index_, slot().generation},
-                             .value = depth,
-                             .time = context_.time + passed,
-                             .position = s.x,
-                             .velocity = s.v,
-                             .normal = hit.normal,
-                             .instance = hit.instance,
-                             .primitive = hit.primitive,
-                             .material = hit.material,
-                             .energy = energy});
+    Event& event = chunk_.events.emplace_back(event_of(kind, reason, s, hit, depth, energy));
+    event.id = {slot_index_, slot().generation};
+    event.time = context_.time + passed;
   }
   void change(Change::Kind kind, LifeStatus status, Reason reason) {
     chunk_.changes.push_back({slot_index_, kind, status, reason, {}});

@@ -94,6 +94,8 @@ struct WorldImpl : Gate {
   // ------------------------------------------------------------------------------------------- scene
   void put_scene(std::shared_ptr<Scene> scene);
   Scene& own_scene();
+  template <class F>
+  Status change_scene(const F& f);
   void stir_scene();
   void move_scene(double dt);
   template <class F>

@@ -64,6 +64,15 @@ Scene& WorldImpl::own_scene() {
   return *state.scene;
 }
 
+/// Calls f with the scene, where there is one; what it changed is looked at anew.
+template <class F>
+Status WorldImpl::change_scene(const F& f) {
+  if (!state.scene) return no_scene();
+  Status status = f(own_scene());
+  if (status) stir_scene();
+  return status;
+}
+
 Status World::set_scene(const Scene& scene) {
   WorldImpl& w = impl();
   const Recorded<Call::set_scene> call(w, scene);
@@ -121,40 +130,28 @@ Status World::remove_instance(InstanceId instance) {
   WorldImpl& w = impl();
   const Recorded<Call::remove_instance> call(w, instance);
   if (call.is_refused()) return call.refusal();
-  if (!w.state.scene) return no_scene();
-  Status status = w.own_scene().remove(instance);
-  if (status) w.stir_scene();
-  return status;
+  return w.change_scene([&](Scene& scene) { return scene.remove(instance); });
 }
 
 Status World::move_instance(InstanceId instance, const Transform& to) {
   WorldImpl& w = impl();
   const Recorded<Call::move_instance> call(w, instance, to);
   if (call.is_refused()) return call.refusal();
-  if (!w.state.scene) return no_scene();
-  Status status = w.own_scene().move(instance, to);
-  if (status) w.stir_scene();
-  return status;
+  return w.change_scene([&](Scene& scene) { return scene.move(instance, to); });
 }
 
 Status World::set_instance_motion(InstanceId instance, const SceneMotion& motion) {
   WorldImpl& w = impl();
   const Recorded<Call::set_instance_motion> call(w, instance, motion);
   if (call.is_refused()) return call.refusal();
-  if (!w.state.scene) return no_scene();
-  Status status = w.own_scene().set_motion(instance, motion);
-  if (status) w.stir_scene();
-  return status;
+  return w.change_scene([&](Scene& scene) { return scene.set_motion(instance, motion); });
 }
 
 Status World::set_instance_layers(InstanceId instance, std::uint32_t layers) {
   WorldImpl& w = impl();
   const Recorded<Call::set_instance_layers> call(w, instance, layers);
   if (call.is_refused()) return call.refusal();
-  if (!w.state.scene) return no_scene();
-  Status status = w.own_scene().set_layers(instance, layers);
-  if (status) w.stir_scene();
-  return status;
+  return w.change_scene([&](Scene& scene) { return scene.set_layers(instance, layers); });
 }
 
 }  // namespace physim

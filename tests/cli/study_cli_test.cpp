@@ -5,34 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
+#include "cli/throw_study.hpp"
 
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
 namespace {
 
-/// A throw in a vacuum whose speed is uncertain: mean and deviation of where it lands are known.
-constexpr const char* kThrow = R"(physim = 1
-title = "A throw"
-[environment]
-atmosphere = "vacuum"
-gravity = { model = "constant", acceleration = "10 m/s^2" }
-[[shot]]
-name = "ball"
-speed = "30 m/s"
-elevation = "45 deg"
-position = ["0 m", "1e-9 m", "0 m"]
-fidelity = { preset = "simulation", earth = "flat" }
-[study]
-inputs = ["shot.speed = +- 0.3 m/s"]
-targets = ["near: rectangle 1 m x 3.6 m at 0 m, 90 m"]
-aim = "0 m, 90 m"
-shots = 30000
-)";
-
 TEST(StudyCli, tells_figures_that_are_known) {
   const Folder folder;
-  const std::string file = folder.write("throw.toml", kThrow);
+  const std::string file = folder.write("throw.toml", throw_study(30000));
   const Ran ran = physim({"study", file, "--json", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const auto json = nlohmann::json::parse(ran.out);
@@ -56,7 +38,8 @@ TEST(StudyCli, tells_figures_that_are_known) {
 
 TEST(StudyCli, parts_are_joined_and_gone_on_with) {
   const Folder folder;
-  const std::string file = folder.write("throw.toml", kThrow), whole = folder / "whole.csv", joined = folder / "j.csv";
+  const std::string file = folder.write("throw.toml", throw_study(30000)), whole = folder / "whole.csv",
+                    joined = folder / "j.csv";
   ASSERT_EQ(physim({"study", file, "--csv", whole}).code, 0);
   std::vector<std::string> join = {"study", file, "--csv", joined};
   for (const char* part : {"3/3", "1/3", "2/3"}) {
@@ -86,7 +69,7 @@ TEST(StudyCli, parts_are_joined_and_gone_on_with) {
 
 TEST(StudyCli, over_range_and_until_a_width) {
   const Folder folder;
-  const std::string file = folder.write("throw.toml", kThrow);
+  const std::string file = folder.write("throw.toml", throw_study(30000));
   const Ran ran = physim(
       {"study", file, "--ranges", "20 m .. 40 m step 20 m", "--target", "wall: rectangle 100 m x 100 m", "--csv", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
@@ -98,7 +81,7 @@ TEST(StudyCli, over_range_and_until_a_width) {
 
 TEST(StudyCli, bad_input_says_what_is_wrong) {
   const Folder folder;
-  const std::string file = folder.write("throw.toml", kThrow);
+  const std::string file = folder.write("throw.toml", throw_study(30000));
   const auto refusal = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"study", file};
     arguments.insert(arguments.end(), more.begin(), more.end());

@@ -5,29 +5,14 @@
 #include <cstdlib>
 
 #include "cli/program.hpp"
+#include "cli/throw_study.hpp"
 
 #ifdef PHYSIM_CLI
 
 namespace physim::testing_cli {
 namespace {
 
-constexpr const char* kThrow = R"(physim = 1
-title = "A throw"
-[environment]
-atmosphere = "vacuum"
-gravity = { model = "constant", acceleration = "10 m/s^2" }
-[[shot]]
-name = "ball"
-speed = "30 m/s"
-elevation = "45 deg"
-position = ["0 m", "1e-9 m", "0 m"]
-fidelity = { preset = "simulation", earth = "flat" }
-[study]
-inputs = ["shot.speed = +- 0.3 m/s", "shot.azimuth = +- 1 deg"]
-targets = ["near: rectangle 1 m x 3.6 m at 0 m, 90 m"]
-aim = "0 m, 90 m"
-shots = 8192
-)";
+const std::string kThrow = throw_study(8192, R"(, "shot.azimuth = +- 1 deg")");
 
 bool gnuplot_is_there() { return std::system("gnuplot --version >/dev/null 2>&1") == 0; }
 

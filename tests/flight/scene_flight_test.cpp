@@ -2,8 +2,8 @@
 #include <cmath>
 #include <string>
 
-#include "flight/scene_support.hpp"
 #include "rigid.hpp"
+#include "scene_support.hpp"
 
 namespace physim {
 namespace {

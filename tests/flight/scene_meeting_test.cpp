@@ -1,8 +1,8 @@
 // What flights do where they meet things: each way to meet them, spin, rest, limits, bad input, and random scenes.
 #include <cmath>
 
-#include "flight/scene_support.hpp"
 #include "random_shots.hpp"
+#include "scene_support.hpp"
 
 namespace physim {
 namespace {

@@ -5,36 +5,22 @@
 
 #include "physim/presets.hpp"
 #include "random_shots.hpp"
+#include "scene_support.hpp"
 #include "support.hpp"
 #include "world/world_support.hpp"
 
 namespace physim {
 namespace {
 
-constexpr double kG = 9.80665;
 using test::Random;
+using test_scene::kG;
+using test_scene::room;
 
 WorldDef no_ground() {
   WorldDef def;
   def.ground.mode = GroundMode::none;
   def.environment.atmosphere.model = AirModel::vacuum;
   return def;
-}
-
-/// A hollow box of six walls a metre thick about a room.
-Scene room(const Vec3d& half, const Material& material) {
-  Scene scene;
-  const MaterialId made_of = *scene.add_material(material);
-  const auto wall = [&](const Vec3d& middle, const Vec3d& size) {
-    EXPECT_TRUE(
-        scene.add({.shape = *scene.add_shape(BoxShape{size}), .transform = {.position = middle}, .material = made_of}));
-  };
-  for (const double side : {-1.0, 1.0}) {
-    wall({side * (half.x + 0.5), 0, 0}, {0.5, half.y + 1, half.z + 1});
-    wall({0, side * (half.y + 0.5), 0}, {half.x + 1, 0.5, half.z + 1});
-    wall({0, 0, side * (half.z + 0.5)}, {half.x + 1, half.y + 1, 0.5});
-  }
-  return scene;
 }
 
 /// A path between two walls at -half and half, unfolded: where it is, and which way it goes.

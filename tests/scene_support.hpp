@@ -1,4 +1,4 @@
-// Scenes, rungs and questions that tests of flights through scenes share.
+// Scenes, rungs and questions that tests of flights and of worlds in scenes share.
 #pragma once
 
 #include <vector>
@@ -50,6 +50,7 @@ inline InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& position
   return added ? *added : InstanceId{};
 }
 
+/// A hollow box of six walls a metre thick about a room.
 inline Scene room(const Vec3d& half, const Material& material) {
   Scene scene;
   const MaterialId made_of = *scene.add_material(material);

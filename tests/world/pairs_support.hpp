@@ -1,0 +1,49 @@
+// Balls in empty space, for tests of what meets what.
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "world/world_support.hpp"
+
+namespace physim::test_pairs {
+
+inline WorldDef space(GroundMode ground = GroundMode::none) {
+  WorldDef def;
+  def.ground.mode = ground;
+  def.environment.atmosphere.model = AirModel::vacuum;
+  return def;
+}
+
+inline ProjectileDef mass_of(double mass, Precision precision = Precision::float64) {
+  ProjectileDef p = stone();
+  p.mass = mass;
+  p.fidelity.precision = precision;
+  return p;
+}
+
+inline BodyDef ball(double radius, double restitution = 1, double friction = 0) {
+  BodyDef body;
+  body.gravity_scale = 0;
+  body.restitution = restitution;
+  body.friction = friction;
+  body.can_sleep = false;
+  body.collision = {.on_hit = OnHit::bounce, .radius = radius, .others = 1};
+  return body;
+}
+
+inline ProjectileId put(World& world, const ProjectileDef& p, const BodyDef& body, const Vec3d& x,
+                        const Vec3d& v = {}) {
+  const auto id = world.spawn(p, {.position = x, .velocity = v}, body);
+  EXPECT_TRUE(id) << (id ? "" : id.error().text());
+  return id ? *id : ProjectileId{};
+}
+
+inline std::vector<Event> of_kind(const std::vector<Event>& events, EventKind kind) {
+  std::vector<Event> found;
+  std::ranges::copy_if(events, std::back_inserter(found), [&](const Event& e) { return e.kind == kind; });
+  return found;
+}
+
+}  // namespace physim::test_pairs
