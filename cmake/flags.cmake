@@ -28,7 +28,8 @@ set(PHYSIM_USERS_WARNINGS -Wall -Wextra -Wpedantic -Werror)
 function(physim_flags target)
   target_compile_features(${target} PRIVATE cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
-  target_compile_definitions(${target} PRIVATE PHYSIM_ASSERTS=$<OR:$<BOOL:${PHYSIM_ASSERTS}>,$<CONFIG:Debug>>)
+  target_compile_definitions(${target} PRIVATE PHYSIM_ASSERTS=$<OR:$<BOOL:${PHYSIM_ASSERTS}>,$<CONFIG:Debug>>
+                                               $<$<BOOL:${PHYSIM_SMALL_KERNELS}>:PHYSIM_SMALL_KERNELS>)
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_compile_options(${target} PRIVATE ${PHYSIM_WARNINGS} "${PHYSIM_IEEE}")
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -55,10 +56,10 @@ function(physim_compile_sooner target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Eight files at a time are compiled as one, so that their headers are read once: half of the time that they take. Names
+# Many files at a time are compiled as one, so that their headers are read once: half of the time that they take. Names
 # of a file's own must not meet those of its neighbours then; builds one file at a time see that each includes what it
 # needs.
 option(PHYSIM_UNITY "Compile files of the library and the command line together, in half of the time" OFF)
 function(physim_compile_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PHYSIM_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PHYSIM_UNITY} UNITY_BUILD_BATCH_SIZE 12)
 endfunction()

@@ -54,6 +54,9 @@ function(physim_isas_asked out)
       message(FATAL_ERROR "PHYSIM_ISAS: there is no \"${isa}\" here; give all, native, or a list of: ${physim_isas}")
     endif()
   endforeach()
+  if(PHYSIM_SMALL_KERNELS AND NOT isas STREQUAL base)
+    message(FATAL_ERROR "PHYSIM_SMALL_KERNELS: they are of base alone, give PHYSIM_ISAS=base")
+  endif()
   if(NOT base IN_LIST isas)
     message(FATAL_ERROR "PHYSIM_ISAS: base is missing; it is what flies where nothing else runs")
   endif()
@@ -64,9 +67,10 @@ set(physim_isa_flags_base "")
 set(physim_isa_flags_avx2 -march=x86-64-v3)
 set(physim_isa_flags_avx512 -march=x86-64-v4)
 
-# For sanitizers, which take many minutes and gigabytes to compile kernels as they ship: the same code on fewer registers
-# at a time, optimised less, and without guards around variables on the stack; all other memory is checked.
-option(PHYSIM_SMALL_KERNELS "Compile kernels for sanitizers, in a fifth of the time" OFF)
+# For sanitizers, which take many minutes and gigabytes to compile kernels as they ship, and for a first look: functions
+# are called instead of written out again and again, on fewer registers at a time, and without guards around variables on
+# the stack; all other memory is checked.
+option(PHYSIM_SMALL_KERNELS "Compile slow kernels, of base alone, in a fifth of the time" OFF)
 
 # PHYSIM_BATCH_PACKS: packs of one register that a batch flies side by side; PHYSIM_PACK_BYTES: size of the packs that a
 # world steps.
@@ -99,8 +103,8 @@ function(physim_add_kernels target)
                                                 $<$<CONFIG:Debug>:-O2> -ftree-slp-vectorize)
       if(PHYSIM_SMALL_KERNELS)
         set(no_guards $<IF:$<CXX_COMPILER_ID:GNU>,--param=asan-stack=0,SHELL:-mllvm -asan-stack=0>)
-        # At -O1 g++ 12 does not survive the selects of packs (gimple-isel.cc), and -O2 takes no longer.
-        target_compile_options(${kernels} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-O1> ${no_guards})
+        # At -O1 g++ 12 does not survive the selects of packs in longer functions (gimple-isel.cc).
+        target_compile_options(${kernels} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-fno-inline> ${no_guards})
       endif()
     endif()
     target_include_directories(${kernels} PRIVATE include src)

@@ -2,8 +2,8 @@
 #pragma once
 
 /// Forces inlining, so that a small function compiled for several instruction sets never leaves a shared copy behind. A
-/// lambda says PHYSIM_INLINE_LAMBDA behind its parameters.
-#if defined(__GNUC__) || defined(__clang__)
+/// lambda says PHYSIM_INLINE_LAMBDA behind its parameters. Builds with small kernels, which hold no copy but one, call.
+#if (defined(__GNUC__) || defined(__clang__)) && !defined(PHYSIM_SMALL_KERNELS)
 #define PHYSIM_INLINE [[gnu::always_inline]] inline
 #define PHYSIM_INLINE_LAMBDA __attribute__((always_inline))
 #else

@@ -10,8 +10,8 @@
 namespace physim {
 namespace {
 
-constexpr int kSpeeds = 48;             // of the learned drag
-constexpr std::size_t kMostSteps = 32;  // between nodes, before stiff ones are divided
+constexpr int kSpeeds = 48;                 // of the learned drag
+constexpr std::size_t kMostIntervals = 32;  // between nodes, before stiff ones are divided
 constexpr std::size_t kLeastSteps = 10;
 constexpr std::size_t kMostParts = 40;   // of a stiff step
 constexpr double kTiny = 1e-4;           // difference of launch velocities, relative to the speed
@@ -22,7 +22,7 @@ std::vector<double> useful_times(const Flight& flight) {
   const std::vector<double> steps = flight.step_times();
   PHYSIM_ASSERT(steps.size() >= 2);
   const std::size_t count = steps.size() - 1;
-  const std::size_t stride = (count + kMostSteps - 1) / kMostSteps;
+  const std::size_t stride = (count + kMostIntervals - 1) / kMostIntervals;
   std::vector<double> times{0};
   for (std::size_t i = stride; i < count + stride; i += stride) {
     const double from = times.back();

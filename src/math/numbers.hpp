@@ -90,7 +90,7 @@ PHYSIM_INLINE void copy_lane(const Struct<R>& from, int from_lane, Struct<Into>&
   static_assert(std::is_same_v<ScalarOf<R>, ScalarOf<Into>>);
   const char* source = lane_bytes(numbers(from), from_lane);
   char* to = lane_bytes(numbers(into), lane);
-  runs.each([ source, to ](unsigned i) __attribute__((always_inline)) {
+  runs.each([source, to](unsigned i) PHYSIM_INLINE_LAMBDA {
     std::memcpy(to + i * sizeof(Into), source + i * sizeof(R), sizeof(ScalarOf<R>));
   });
 }
@@ -105,7 +105,7 @@ PHYSIM_INLINE void put_lane(const double* from, Struct<R>& into, int lane, const
   using S = ScalarOf<R>;
   PHYSIM_ASSERT(from != nullptr);
   char* to = lane_bytes(numbers(into), lane);
-  runs.each([ from, to ](unsigned i) __attribute__((always_inline)) {
+  runs.each([from, to](unsigned i) PHYSIM_INLINE_LAMBDA {
     const S number = static_cast<S>(from[i]);
     std::memcpy(to + i * sizeof(R), &number, sizeof(S));
   });
@@ -120,7 +120,7 @@ template <template <class> class Struct, class R, class Into, class Runs = AllNu
 PHYSIM_INLINE void cast_numbers(const Struct<R>& from, Struct<Into>& into, const Runs& runs = {}) {
   const R* source = numbers(from);
   Into* to = numbers(into);
-  runs.each([ source, to ](unsigned i) __attribute__((always_inline)) { to[i] = cast<ScalarOf<Into>>(source[i]); });
+  runs.each([source, to](unsigned i) PHYSIM_INLINE_LAMBDA { to[i] = cast<ScalarOf<Into>>(source[i]); });
 }
 
 PHYSIM_ISA_END

@@ -128,7 +128,7 @@ template <template <class> class Part, class R, class S>
 PHYSIM_INLINE void load_part(const WorldJob<S>& job, std::uint32_t row, Body<R>& b) {
   constexpr unsigned kFirst = BodyParts::first(BodyParts::index<Part>());
   R* number = numbers(static_cast<Part<R>&>(b));
-  const auto load_each = [&]<unsigned... I>(std::integer_sequence<unsigned, I...>) __attribute__((always_inline)) {
+  const auto load_each = [&]<unsigned... I>(std::integer_sequence<unsigned, I...>) PHYSIM_INLINE_LAMBDA {
     ((number[I] = load_field<R>(job, kFirst + I, row)), ...);
   };
   load_each(std::make_integer_sequence<unsigned, kNumbers<Part>>());
