@@ -1,6 +1,7 @@
-// Prints one hash over elementary functions and flights. Every compiler, optimisation and instruction set must print
-// the same: `./dev determinism` builds and runs this with all of them. `physim_golden upward` calls the library from a
-// thread that rounds upwards, `physim_golden flush` from one that takes subnormal numbers for zero.
+// Prints three hashes: over elementary functions, flights and worlds, over what meets things, and over studies. Every
+// compiler, optimisation and instruction set must print the same: `./dev determinism` builds and runs this with all of
+// them. `physim_golden upward` calls the library from a thread that rounds upwards, `physim_golden flush` from one that
+// takes subnormal numbers for zero.
 #include <cfenv>
 #include <cinttypes>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include "physim/air.hpp"
 #include "physim/physim.hpp"
 #include "random_shots.hpp"
+#include "scenes.hpp"
 #include "world.hpp"
 
 namespace physim::test {
@@ -19,6 +21,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 constexpr std::uint64_t kExpected = 0x1d4ef4299df7053c;
+constexpr std::uint64_t kExpectedScenes = 0x752b3273ef42da61;
+constexpr std::uint64_t kExpectedStudies = 0x3ea2bf48c75b9059;
 
 /// FNV-1a over the bits of numbers; all NaNs count as one, since their bits are nobody's promise.
 class Hash {
@@ -324,9 +328,13 @@ int run(const std::string& mode) {
   std::uint64_t worlds = 0;
   good = add_worlds(worlds) && good;
   hash.add_bits(worlds);
-  std::printf("%016" PRIx64 "\n", hash.value());
-  if (hash.value() != kExpected) {
-    std::fprintf(stderr, "golden: %016" PRIx64 " was expected\n", kExpected);
+  std::uint64_t scenes = 0, studies = 0;
+  good = add_scenes(scenes) && good;
+  good = add_studies(studies) && good;
+  std::printf("%016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", hash.value(), scenes, studies);
+  if (hash.value() != kExpected || scenes != kExpectedScenes || studies != kExpectedStudies) {
+    std::fprintf(stderr, "golden: %016" PRIx64 " %016" PRIx64 " %016" PRIx64 " was expected\n", kExpected,
+                 kExpectedScenes, kExpectedStudies);
     good = false;
   }
   return good ? 0 : 1;

@@ -1,5 +1,6 @@
 // Projectiles that meet each other: what each kind does then, who sleeps, and every way to go on.
 #include <cmath>
+#include <random>
 
 #include "physim/recording.hpp"
 #include "world/pairs_support.hpp"

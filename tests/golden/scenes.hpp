@@ -1,0 +1,14 @@
+// Scenes and studies in the golden hash.
+#pragma once
+
+#include <cstdint>
+
+namespace physim::test {
+
+/// Random worlds and flights that meet things and each other; false where kernels or threads change a bit.
+bool add_scenes(std::uint64_t& hash);
+
+/// Studies by each way of drawing; false where kernels or threads change a bit.
+bool add_studies(std::uint64_t& hash);
+
+}  // namespace physim::test

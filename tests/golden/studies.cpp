@@ -1,0 +1,70 @@
+// Studies in the golden hash: what their shards hold to the bit, drawn in each way, for every kernel and several
+// numbers of threads.
+#include <cstdio>
+#include <optional>
+
+#include "base/hash.hpp"
+#include "physim/presets.hpp"
+#include "physim/study.hpp"
+#include "physim/task_runner.hpp"
+#include "scenes.hpp"
+
+namespace physim::test {
+namespace {
+
+/// A rifle's shots at a target, in wind and weather that are not known.
+Study rifle(Sampling sampling) {
+  Study study;
+  study.projectile = presets::rifle_bullet().projectile;
+  study.launch = {.speed = 790, .elevation = 0.003};
+  study.fidelity = Fidelity::small_arms();
+  study.until = {.ground = std::nullopt, .range = 500};
+  study.sampling = sampling;
+  study.inputs = {{.path = "shot.speed", .distribution = NormalDistribution{790, 3}},
+                  {.path = "environment.wind.velocity.z", .distribution = UniformDistribution{-2, 2}},
+                  {.path = "environment.atmosphere.temperature", .distribution = TriangularDistribution{280, 288, 300}},
+                  {.path = "shot.elevation", .distribution = NormalDistribution{0.003, 0.0002}}};
+  study.correlated = {{.inputs = {0, 3}, .matrix = {1, 0.3, 0.3, 1}}};
+  study.targets = {{"plate", RectangleTarget{.width = 0.5, .height = 0.5}}, {"circle", CircleTarget{.radius = 0.3}}};
+  study.indices = sampling == Sampling::random;
+  study.shard_shots = 256;
+  study.shots = 2048;
+  return study;
+}
+
+std::uint64_t fly(unsigned threads) {
+  Hash hash;
+  const auto pool = make_thread_pool(threads);
+  for (const Sampling sampling : {Sampling::random, Sampling::latin_hypercube, Sampling::sobol}) {
+    const auto plan = plan_study(rifle(sampling));
+    if (!plan) return std::fprintf(stderr, "golden: %s\n", plan.error().text().c_str()), 0;
+    const auto part = run_shards(*plan, 0, plan->shards(), pool.get());
+    if (!part) return 0;
+    hash.add(save_part(*part));
+    const auto result = result_of(*plan, *part, plan->shards());
+    if (!result) return 0;
+    for (const QuantityResult& q : result->quantities) hash.add(q.mean.value, q.mean.error), hash.add(q.deviation);
+    for (const HitResult& hit : result->hits) hash.add(hit.low, hit.high);
+  }
+  return hash.value();
+}
+
+}  // namespace
+
+bool add_studies(std::uint64_t& hash) {
+  bool same = true;
+  hash = fly(1);
+  if (hash == 0) std::fprintf(stderr, "golden: a study is refused\n");
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    for (const unsigned threads : {1u, 3u}) {
+      if (fly(threads) == hash) continue;
+      std::fprintf(stderr, "golden: studies differ with kernel %s on %u threads\n", kernel.c_str(), threads);
+      same = false;
+    }
+  }
+  use_kernel("");
+  return same && hash != 0;
+}
+
+}  // namespace physim::test
