@@ -103,8 +103,8 @@ function(physim_add_kernels target)
                                                 $<$<CONFIG:Debug>:-O2> -ftree-slp-vectorize)
       if(PHYSIM_SMALL_KERNELS)
         set(no_guards $<IF:$<CXX_COMPILER_ID:GNU>,--param=asan-stack=0,SHELL:-mllvm -asan-stack=0>)
-        # At -O1 g++ 12 does not survive the selects of packs in longer functions (gimple-isel.cc).
-        target_compile_options(${kernels} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-fno-inline> ${no_guards})
+        # At -O1 g++ 12 does not survive the selects of packs (gimple-isel.cc).
+        target_compile_options(${kernels} PRIVATE $<IF:$<CXX_COMPILER_ID:GNU>,-O2,-O1> ${no_guards})
       endif()
     endif()
     target_include_directories(${kernels} PRIVATE include src)

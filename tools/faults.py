@@ -101,7 +101,8 @@ def main(words):
     if words[:1] == ["--random"]:
         return random_faults.main(COPY, words[1:])
     subprocess.run(["cmake", "-S", str(COPY / "tree"), "-B", str(COPY / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
-                    "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_CLIENT=OFF"],
+                    "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DPHYSIM_ISAS=base", "-DPHYSIM_SMALL_KERNELS=ON",
+                    "-DPHYSIM_CLIENT=OFF"],
                    check=True, stdout=subprocess.DEVNULL)
     if build().returncode != 0:
         sys.exit("faults: the sources do not build")

@@ -4,8 +4,9 @@
 condition that never holds, a constant one larger, a statement left out ... in src/, outside of comments, texts, asserts
 and directives. One that does not compile, or that leaves the programs as they are (code for other processors, a constant
 whose value does not matter), is drawn again. The tests of the folder of its name run first, then all
-others, until one fails. Golden hash, documents, windows, the client, examples and random checks are left aside: the
-first would notice any other number, the others show what is told and tested elsewhere.
+others, those of the command line last, until one fails. Golden hash, documents, windows, the client, examples, jobs of
+several ranks and random checks are left aside: the first would notice any other number, the others show what is told and
+tested elsewhere.
 
 What a kernel includes takes minutes to compile: such a place is drawn a tenth as often as another.
 """
@@ -23,6 +24,8 @@ import time
 
 LAYERS = ("base", "math", "model", "solve", "prepare", "flight", "study", "collide", "world", "scenario", "report")
 LEFT_ASIDE = {"docs", "client", "window", "additions"}  # folders of tests
+LAST = {"cli"}  # programs that run take longer than calls
+TOO_LONG = "StudyRanks.*"  # kill and go on with studies of many shots; others run the same code
 TABLES = {"standard_drag_functions.cpp"}  # thousands of numbers of one kind, which are published figures
 KERNEL_WEIGHT = 0.1
 PATIENCE = 1200  # for all tests [s]; longer is a hang, which is noticed, too
@@ -132,8 +135,8 @@ class Tests:
         for i in range(shards):
             out = tempfile.TemporaryFile("w+")
             environment = dict(os.environ, GTEST_TOTAL_SHARDS=str(shards), GTEST_SHARD_INDEX=str(i))
-            running.append((out, subprocess.Popen([str(self.program), f"--gtest_filter={wanted}", "--gtest_fail_fast"],
-                                                  env=environment, stdout=out, stderr=subprocess.STDOUT)))
+            command = [str(self.program), f"--gtest_filter={wanted}-{TOO_LONG}", "--gtest_fail_fast"]
+            running.append((out, subprocess.Popen(command, env=environment, stdout=out, stderr=subprocess.STDOUT)))
         failure, end = "", time.monotonic() + PATIENCE
         while running and not failure:
             time.sleep(0.2)
@@ -155,7 +158,10 @@ class Tests:
         concerned = path.parent.name
         if failure := self.first_failure(self.named([concerned])) if self.suites.get(concerned) else "":
             return failure
-        return self.first_failure(self.named(sorted(set(self.suites) - {concerned} - LEFT_ASIDE)))
+        for folders in (set(self.suites) - LAST, LAST & set(self.suites)):
+            if failure := self.first_failure(self.named(sorted(folders - {concerned} - LEFT_ASIDE))):
+                return failure
+        return ""
 
 
 def what_failed(out):
