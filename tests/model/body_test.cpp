@@ -64,5 +64,21 @@ TEST(BodyParts, that_are_not_named_are_not_read) {
   }
 }
 
+/// Each part is a column of every row in memory.
+TEST(BodyParts, of_other_rungs_are_not_carried) {
+  Fidelity f{.motion = Motion::closed_form, .drag = DragModel::off, .planar = false};
+  EXPECT_EQ(parts_read(f, {}), PartSet::of<LaunchPart>());
+  f.drag = DragModel::equation;  // some closed forms have a damping that stands for it
+  EXPECT_EQ(parts_read(f, {}), (PartSet::of<LaunchPart, DampingPart>()));
+  f.motion = Motion::force;
+  EXPECT_EQ(parts_read(f, {}), (PartSet::of<AreaPart, CurvePart>()));
+  f.drag = DragModel::linear_quadratic;
+  EXPECT_EQ(parts_read(f, {}), PartSet::of<QuadraticPart>());
+  f.drag = DragModel::damping;
+  EXPECT_EQ(parts_read(f, {}), PartSet::of<DampingPart>());
+  f.drag = DragModel::off;
+  EXPECT_EQ(parts_read(f, {}), PartSet());
+}
+
 }  // namespace
 }  // namespace physim
