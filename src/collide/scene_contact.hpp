@@ -26,6 +26,7 @@
 #include "physim/collision.hpp"
 #include "physim/event.hpp"
 #include "physim/impact.hpp"
+#include "solve/judge.hpp"
 
 namespace physim {
 
@@ -35,6 +36,29 @@ inline constexpr int kMostHits = 1000;
 /// Near what it touched it goes on in parts of so much or less: what a bounce may be too low for is judged by them,
 /// and a ball that bounces on has steps that its way is right with [s].
 inline constexpr double kLongestPart = 1.0 / 30;
+
+/// By so much of the step that follows a contact is judged [s].
+[[nodiscard]] inline double frame_of_contact(double step_length) { return std::min(step_length, kLongestPart); }
+/// Along the normal: a bounce that would be over within that time does not lift it any more.
+[[nodiscard]] inline bool lifts_off(double speed, double acceleration, double frame) {
+  return speed > -acceleration * (0.5 * frame);
+}
+/// What falls from higher than a step's fall strikes the surface, even where nothing of its speed is left.
+[[nodiscard]] inline bool is_strike(double speed, double acceleration, double frame) {
+  return speed < acceleration * frame;
+}
+
+/// What a surface and what touches it are to each other.
+[[nodiscard]] inline Surface surface_between(double restitution, double friction, const Surface& own) {
+  return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
+}
+
+/// The states of a straight way from one to another.
+[[nodiscard]] inline auto straight(const State<double>& from, const State<double>& to) {
+  return [from, to](double theta) {
+    return State<double>{from.x + (to.x - from.x) * theta, from.v + (to.v - from.v) * theta};
+  };
+}
 
 /// Which draws of chance a hit takes: the so-manyth of a step. The step is told by a number, or by the bits of a time,
 /// the lowest of which are often 0.
@@ -84,6 +108,24 @@ class SceneContacts {
     double passed;  // into the step [s]
   };
 
+  /// Where a step of a march first meets something, before what is watched ends it. `clock`: from the march's time to
+  /// that of the step that contacts know [s]; `seen(state, time)`: where a state is for the scene.
+  template <class Seen>
+  [[nodiscard]] std::optional<collide::PathHit> meeting(const Course<S>& course, const Judgement<S>& judged,
+                                                        double clock, const Seen& seen) {
+    const DenseLanes<S>& at = judged.at;
+    const CrossingList& crossings = judged.crossings[0];
+    double end = 1;
+    if (crossings.count > 0) {
+      const Found& last = crossings.found[crossings.count - 1];
+      if (course.watch.item[last.index].spec.terminal) end = last.theta;
+    }
+    // The end of one step is the start of the next one, to the bit.
+    const auto path = [&](double theta) {
+      return seen(theta == 0 ? at.n0.y : theta == 1 ? at.n1.y : at(theta), at.time(theta));
+    };
+    return meeting(path, end, at.n0.t + clock, at.n1.t - at.n0.t);
+  }
   /// Where a path first meets something, up to `end`; what it passes on the way is told. `path(theta)` gives states,
   /// `start` and `span` when they are, by the step's time [s].
   template <class Path>
@@ -127,15 +169,11 @@ class SceneContacts {
   /// Went straight along a surface.
   void went(const State<double>& from, double begin, const State<double>& to, double end) {
     r_.slid(from, begin, to, end);
-    const auto path = [&](double theta) {
-      return State<double>{from.x + (to.x - from.x) * theta, from.v + (to.v - from.v) * theta};
-    };
-    tell_passages(path, 1, begin, end - begin);
+    tell_passages(straight(from, to), 1, begin, end - begin);
   }
 
   [[nodiscard]] const CollisionDef& collision() const { return r_.collision(); }
-  /// So long a contact is judged by [s].
-  [[nodiscard]] double frame() const { return std::min(r_.step_length(), kLongestPart); }
+  [[nodiscard]] double frame() const { return frame_of_contact(r_.step_length()); }
   /// How long it may go on along what it touched [s].
   [[nodiscard]] double longest_way(double passed) const { return std::min(r_.step_length() - passed, kLongestPart); }
   [[nodiscard]] Ball ball() const { return {collision().radius, collision().inertia}; }
@@ -247,8 +285,7 @@ class SceneContacts {
 
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
     const Material& material = scene_->material(hit.material);
-    const Surface own = r_.surface();
-    return {material.restitution * own.restitution, material.friction * own.friction, own.rolling_resistance};
+    return surface_between(material.restitution, material.friction, r_.surface());
   }
 
   /// Bounces, or lies on what it met. All in the frame of the surface.
@@ -270,8 +307,7 @@ class SceneContacts {
     const double grip = scene_->material(hit.material).grip_restitution;
     bounce(grip);
     const Vec3d a = r_.acceleration_at(s, passed);
-    // A bounce that would be over within this step does not lift it any more.
-    if (dot(motion.velocity, n) > -dot(a, n) * (0.5 * frame()) || dot(a, n) > 0) {
+    if (lifts_off(dot(motion.velocity, n), dot(a, n), frame()) || dot(a, n) > 0) {
       s.v = motion.velocity + u;
       r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
       return After{Then::flies_on, s, passed};
@@ -279,8 +315,7 @@ class SceneContacts {
     if (grip > 0) bounce(0);  // and what stays on the surface does not turn its slip around
     motion.velocity -= n * dot(motion.velocity, n);
     s.v = motion.velocity + u;
-    // What falls from higher than a step's fall struck the surface, even where nothing of its speed is left.
-    if (before < dot(a, n) * frame()) r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
+    if (is_strike(before, dot(a, n), frame())) r_.tell(EventKind::bounced, Reason::none, passed, s, hit);
     return moves_along(s, hit, passed, motion, a);
   }
 

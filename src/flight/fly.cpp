@@ -1,6 +1,4 @@
 // fly(): computes one flight and keeps its dense output.
-#include <cmath>
-
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
 #include "flight/lane_flight.hpp"
@@ -52,7 +50,6 @@ template <class S>
 void fly_steps(FlightRecord& record, const Tolerance& tolerance, const WatchList& watch, const Until& until,
                const Body<S>& body) {
   FrameStart start{.now = record.body.launch, .turn = record.rotor.launch, .is_clocked = true, .dt = record.step};
-  start.longest_part = kInfinity;
   start.obstacles = {until.scene, until.contact};
   start.run_start = until.contact.scene_time;
   start.from_launch = true;
@@ -121,13 +118,8 @@ Status choose_step(FlightRecord& record, const ProjectileDef& projectile, const 
 
 }  // namespace
 
-double end_of_part(double from, double dt, double longest_part) {
-  const double parts = std::ceil((dt - from) / longest_part - 1e-9);
-  return parts > 1 ? from + (dt - from) / parts : dt;
-}
-
 void fly_on(FlightRecord& record, const FrameStart& from, const Tolerance& tolerance, const Until& until) {
-  PHYSIM_ASSERT(record.path.nodes.empty() && from.dt > 0 && from.longest_part > 0);
+  PHYSIM_ASSERT(record.path.nodes.empty() && from.dt > 0);
   cast_numbers(record.body, record.body_float);
   if (is_over_at_once(record, from.now, from.turn, until)) return;
   Until events = until;

@@ -10,6 +10,7 @@
 #include "base/assert.hpp"
 #include "flight/meeting_lane.hpp"
 #include "flight/path_keeper.hpp"
+#include "flight/step_parts.hpp"
 #include "flight/under_way.hpp"
 #include "solve/judge.hpp"
 #include "solve/stages.hpp"
@@ -51,13 +52,14 @@ class LaneFlight {
   /// Up to a time [s], which what is watched ends it at; with steps that it chooses itself where it may meet things.
   void from_launch(double until) {
     ends_at_rest_ = true;
-    part_end_ = until;
+    parts_ = {until, false};
+    parts_.make_last();
     march_.launch();
     path_.keep_start(0);
     begin_contacts({.scene_time = obstacles_.contact.scene_time, .length = until, .ends = until});
     while (!ended_) {
       step();
-      if (resume_ && !ended_) relaunch(*std::exchange(resume_, std::nullopt));
+      if (const auto from = next()) relaunch(*from);
     }
     count_work();
     put_events_in_order();
@@ -79,7 +81,7 @@ class LaneFlight {
       if (from.pushes && from.pushes->begin_frame(frame, mass_now(from, frame)))
         pushed_frame(from, frame);
       else
-        free_frame(from, frame);
+        free_frame(frame);
       if (is_relaunched_) frames_.clock = static_cast<double>(t_end_), frames_.steps = -static_cast<double>(frame + 1);
     }
     put_events_in_order();
@@ -141,7 +143,6 @@ class LaneFlight {
     record_.outcome = outcome;
     record_.duration = duration;
     ended_ = true;
-    resume_.reset();
     PHYSIM_ASSERT(duration >= 0 && !record_.path.nodes.empty());
   }
 
@@ -184,7 +185,8 @@ class LaneFlight {
   void begin_frame(std::int64_t frame) {
     t_start_ = clock_at(frames_, frame);
     t_end_ = clock_behind(frames_, frame);
-    is_near_ = is_relaunched_ = false;
+    is_relaunched_ = false;
+    parts_ = {frames_.dt, frames_.in_parts};
     push_at_start_ = push_at_end_ = {};
     const double steps = static_cast<double>(frames_.run_steps + static_cast<std::uint64_t>(frame));
     ends_at_rest_ = frames_.from_launch;
@@ -195,34 +197,26 @@ class LaneFlight {
                     .ends = end_of(frames_, frame),
                     .draw = std::bit_cast<std::uint64_t>(now)});
   }
-  /// From a time into the frame: how far the next part goes.
-  void start_part(double from) {
-    part_end_ = frames_.dt;
-    if (is_near_ || frames_.longest_part < kInfinity) part_end_ = end_of_part(from, frames_.dt, kLongestPart);
-  }
   /// Nothing but its own models moves it.
-  void free_frame(const FrameStart& from, std::int64_t frame) {
+  void free_frame(std::int64_t frame) {
     path_.push = {};
-    for (double begin = 0; begin < from.dt && !ended_; begin = part_end_) {
-      start_part(begin);
-      resume_ = begin;
-      fly_on(frame);
-    }
+    fly_on(frame);
   }
-  /// From where the last contact left it, to the end of the part.
+  /// To the end of the frame.
   void fly_on(std::int64_t frame) {
-    while (resume_ && !ended_) go(*std::exchange(resume_, std::nullopt), frame);
+    while (const auto from = next()) go(*from, frame);
   }
+  [[nodiscard]] std::optional<double> next() { return ended_ ? std::nullopt : parts_.next(); }
   void go(double passed, std::int64_t frame) {
-    const bool whole = passed == 0 && part_end_ == frames_.dt;
-    const S h = static_cast<S>(part_end_ - passed);
+    const bool whole = passed == 0 && parts_.is_last();
+    const S h = static_cast<S>(parts_.end() - passed);
     lane().step.t = whole ? t_start_ : t_start_ + static_cast<S>(passed);
     into_step_ = passed - static_cast<double>(lane().step.t);
     // From a launch each part ends where the next one begins, on the clock too: no time falls between them.
-    const S own = part_end_ == frames_.dt ? t_end_ : t_start_ + static_cast<S>(part_end_);
+    const S own = parts_.is_last() ? t_end_ : t_start_ + static_cast<S>(parts_.end());
     const S limit = whole || frames_.from_launch ? own : lane().step.t + h;
     path_.note_times(lane().step.t, begins_ + passed, limit,
-                     part_end_ == frames_.dt ? end_of(frames_, frame) : begins_ + part_end_);
+                     parts_.is_last() ? end_of(frames_, frame) : begins_ + parts_.end());
     march_.restart(limit, h);
     path_.starts_frame();
     met_ = false;
@@ -234,7 +228,7 @@ class LaneFlight {
   void pushed_frame(const FrameStart& from, std::int64_t frame) {
     const Conditions<S>& c = *course_.conditions;
     Step<S>& s = lane().step;
-    part_end_ = from.dt;
+    parts_.make_last();
     s.t = t_start_;
     s.t_end = t_end_;
     into_step_ = -static_cast<double>(s.t);
@@ -272,12 +266,6 @@ class LaneFlight {
     ++record_.cost.steps;
     record_.cost.evaluations += last_slope(fidelity());
     fly_on(frame);
-    while (!ended_ && part_end_ < from.dt) {
-      const double begin = part_end_;
-      start_part(begin);
-      resume_ = begin;
-      fly_on(frame);
-    }
     path_.own_body.reset();
     lane().body.applied = own.applied;
     lane().body.applied_until = own.applied_until;
@@ -302,20 +290,9 @@ class LaneFlight {
     contacts_.emplace(host_);
   }
 
-  /// Where the step at hand meets something, before what ends it.
   [[nodiscard]] std::optional<collide::PathHit> meeting() {
-    const DenseLanes<S>& at = j_.at;
-    const CrossingList& crossings = j_.crossings[0];
-    double end = 1;
-    if (crossings.count > 0) {
-      const Found& last = crossings.found[crossings.count - 1];
-      if (course_.watch.item[last.index].spec.terminal) end = last.theta;
-    }
-    // The end of one step is the start of the next one, to the bit.
-    const auto path = [&](double theta) {
-      return drifted(theta == 0 ? at.n0.y : theta == 1 ? at.n1.y : at(theta), at.time(theta));
-    };
-    return contacts_->meeting(path, end, at.n0.t + into_step_, at.n1.t - at.n0.t);
+    const auto seen = [this](const State<double>& s, double clock) { return drifted(s, clock); };
+    return contacts_->meeting(course_, j_, into_step_, seen);
   }
   [[nodiscard]] State<double> drifted(const State<double>& s, double clock) const {
     return record_.legs.empty() ? with_drift(s, record_.drift, record_.sight.right, path_.since_start(clock)) : s;
@@ -325,14 +302,14 @@ class LaneFlight {
   void strike(const collide::PathHit& met) {
     met_ = true;
     const double clock = j_.at.time(met.theta);
-    const double passed = std::min(clock + into_step_, part_end_);
+    const double passed = std::min(clock + into_step_, parts_.end());
     State<double> s = drifted(j_.at.at_time(clock), clock);
     s.x = met.hit.position;
     if (turns(fidelity())) cast_numbers(j_.at.turn_at_time(clock), lane().step.turn->start);
     if (record_.legs.empty()) record_.legs.push_back({.clock = record_.clock}), record_.bodies.push_back(record_.body);
     put(s, passed);
     feel_push(passed);
-    if (is_framed() && !std::exchange(is_near_, true)) start_part(passed);
+    if (is_framed()) parts_.come_near(passed);
     host_.slides.clear();
     if (!is_framed() && passed - counts_from_ > kLongestPart) counts_from_ = passed, begin_contacts(host_.step());
     const auto after = contacts_->struck(s, met.hit, passed);
@@ -348,16 +325,10 @@ class LaneFlight {
     }
     put(after.state, after.passed);
     path_.put_leg(time);
-    if (!is_framed()) {
-      resume_ = after.passed;
-      if (!(after.passed < part_end_)) end_at_limit(Outcome::time_limit, part_end_);
-      return;
-    }
-    if (after.passed >= part_end_ && after.then == Then::flies_on) start_part(after.passed);
-    if (after.passed < frames_.dt && after.then == Then::flies_on)
-      resume_ = after.passed;
-    else
-      part_end_ = frames_.dt;
+    if (is_framed() && (after.then == Then::lies || !(after.passed < frames_.dt))) return parts_.make_last();
+    if (is_framed()) parts_.come_to(after.passed);
+    parts_.go_on(after.passed);
+    if (!is_framed() && !(after.passed < parts_.end())) end_at_limit(Outcome::time_limit, parts_.end());
   }
   /// The time is over, or the steps.
   void end_at_limit(Outcome outcome, double time) {
@@ -372,7 +343,7 @@ class LaneFlight {
     lane().step.t = closed ? S(0) : static_cast<S>(passed);
     into_step_ = passed - static_cast<double>(lane().step.t);
     path_.note_times(lane().step.t, passed, static_cast<S>(kInfinity), kInfinity);
-    if (lane().step.t >= static_cast<S>(part_end_)) return end_at_limit(Outcome::time_limit, part_end_);
+    if (lane().step.t >= static_cast<S>(parts_.end())) return end_at_limit(Outcome::time_limit, parts_.end());
     if (lane().tries >= course_.plan.max_tries) return end_at_limit(Outcome::step_limit, passed);
     march_.relaunch();
     path_.starts_frame();
@@ -471,16 +442,14 @@ class LaneFlight {
   Judgement<S> j_{};
   bool ended_ = false;
   bool met_ = false;            // something, in the step at hand
-  bool is_near_ = false;        // it did, in this frame
   bool is_relaunched_ = false;  // a closed form, in this frame
   bool ends_at_rest_ = false;
-  std::optional<double> resume_;  // it flies on from there [s]
-  double part_end_ = 0;           // of the frame, or the flight [s]
-  S t_start_{}, t_end_{};         // of the frame, on the march's clock
-  double into_step_ = 0;          // from the march's clock to the time into the contacts' step [s]
-  double passed_range_ = 0;       // where closed forms were launched anew [m]
-  double counts_from_ = 0;        // hits, where no frame does [s]
-  double passed_time_ = 0;        // likewise [s]
+  StepParts parts_{0, false};  // of the frame, or the flight
+  S t_start_{}, t_end_{};      // of the frame, on the march's clock
+  double into_step_ = 0;       // from the march's clock to the time into the contacts' step [s]
+  double passed_range_ = 0;    // where closed forms were launched anew [m]
+  double counts_from_ = 0;     // hits, where no frame does [s]
+  double passed_time_ = 0;     // likewise [s]
   Vec3d push_at_start_{}, push_at_end_{};
   double begins_ = 0;  // the frame at hand, since the flight began [s]
 };

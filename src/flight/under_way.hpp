@@ -37,7 +37,7 @@ struct FrameStart {
   double clock = 0;            // [s]
   double steps = 0;            // frames since the clock read that
   double dt = 0;               // of a frame [s]
-  double longest_part = 0;     // frames are flown in equal parts of so much or less [s]
+  bool in_parts = false;       // frames are flown in short parts from their start (flight/step_parts.hpp)
   bool has_own_force = false;  // ProjectileDef::force, or others of its cohort have one
   Pushes* pushes = nullptr;    // null: none
   Obstacles obstacles{};
@@ -45,9 +45,6 @@ struct FrameStart {
   std::uint64_t run_steps = 0;  // ... how many there were since then
   bool from_launch = false;     // no world steps it: it ends at rest on a thing that rests
 };
-
-/// Equal parts that a frame is flown in: where the one ends that begins at a time into the frame [s].
-[[nodiscard]] double end_of_part(double from, double dt, double longest_part);
 
 /// Flies on. The record has all but its path: what is in use, conditions, body and rotor as they are now. The bits at
 /// the ends of frames are those of a world (world/settle.cpp, world/forced_step.cpp).

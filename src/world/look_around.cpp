@@ -20,7 +20,7 @@ template <class S>
   constexpr std::uint32_t kSeldom = 8;
   const bool was_clear = static_cast<double>(c.clear[row]) > -0.5 * length(mean) * context.dt;
   const bool looks = was_clear || (row + static_cast<std::uint32_t>(context.state->clock.steps)) % kSeldom == 0;
-  c.clear[row] = looks && !context.scene->has_motion() ? clear_way<S>(context, to, mean, collision) : S(0);
+  c.clear[row] = looks ? clear_way<S>(context, {to, mean}, collision) : S(0);
   return true;
 }
 

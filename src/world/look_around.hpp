@@ -1,19 +1,20 @@
 // How far rows are from the things of a scene: who may have come near is looked at once a step.
 #pragma once
 
+#include "collide/scene_contact.hpp"
 #include "world/settle.hpp"
 
 namespace physim {
 
-/// So far something may fly from a place before it can touch anything, in a scene in which nothing moves [m].
+/// So far something may fly from where it is before it can touch anything; 0 where things move, or there is none [m].
 template <class S>
-[[nodiscard]] S clear_way(const SettleContext& context, const Vec3d& x, const Vec3d& velocity,
-                          const CollisionDef& collision) {
-  PHYSIM_ASSERT(context.scene != nullptr && context.dt > 0);
+[[nodiscard]] S clear_way(const SettleContext& context, const State<double>& s, const CollisionDef& collision) {
+  PHYSIM_ASSERT(context.dt > 0);
+  if (!context.scene || context.scene->has_motion()) return S(0);
   constexpr double kSteps = 64;  // looking farther costs more than looking again
-  const double reach = collision.radius + kSteps * context.dt * (length(velocity) + 10 * context.dt);
-  const double clear = context.scene->clearance(x, reach, {.layers = collision.layers});
-  return static_cast<S>(clear - collision.radius - 4 * spacing_at<S>(x));
+  const double reach = collision.radius + kSteps * context.dt * (length(s.v) + 10 * context.dt);
+  const double clear = context.scene->clearance(s.x, reach, {.layers = collision.layers});
+  return static_cast<S>(clear - collision.radius - 4 * spacing_at<S>(s.x));
 }
 
 /// Looks at a row that moved on and may have come near a thing of the scene: where it did, it is put back and settled.

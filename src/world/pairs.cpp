@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/assert.hpp"
+#include "collide/scene_contact.hpp"
 #include "model/pair_contact.hpp"
 #include "world/pair_sweep.hpp"
 #include "world/world_impl.hpp"
@@ -224,13 +225,13 @@ class PairStep {
     const Vec3d n = normal_between(on_a, on_b);
     const double before = dot(on_a.v - on_b.v, n);
     const double pull = dot(acceleration(a, m.time) - acceleration(b, m.time), n);
-    const double frame = std::min(context_.dt, kLongestPart);
+    const double frame = frame_of_contact(context_.dt);
     const BodyDef &body_a = a.kind->body, &body_b = b.kind->body;
     PairSurface surface{body_a.restitution * body_b.restitution, body_a.friction * body_b.friction};
     // As on the ground: a bounce that would be over within this step does not lift it any more.
     const bool lies = (pull < 0 && -surface.restitution * before <= -pull * (0.5 * frame)) ||
                       std::max(++a.hits, ++b.hits) > kMostMeetings;
-    const bool strikes = !lies || before < pull * frame;
+    const bool strikes = !lies || is_strike(before, pull, frame);
     if (lies) surface.restitution = 0, lies_on_.insert({m.a, m.b});
     const double apart = length(on_a.x - on_b.x);
     const bool inside = m.time == 0 && apart < reach(a) + reach(b) - slack(a, b);

@@ -264,4 +264,12 @@ void Placement::rebase(double new_dt) {
   if (new_length) clock.start_run(new_dt);
 }
 
+bool is_in_place(const Registry& registry, const WorldState& state, std::uint16_t cohort, std::uint32_t row) {
+  const Slot& slot = state.slots[state.rows[cohort].slot(row)];
+  const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
+  const std::uint16_t known = rung.cohort[slot.variant().index()];  // none where its environment was set anew
+  return slot.is(kAlive) && !slot.is(kStill) && slot.cohort == cohort && slot.row == row &&
+         (known == cohort || known == kNoCohort);
+}
+
 }  // namespace physim

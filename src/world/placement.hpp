@@ -65,4 +65,8 @@ class Placement {
   WorldState& state_;
 };
 
+/// Whether the projectile of a row belongs where it lies, and moves.
+[[nodiscard]] bool is_in_place(const Registry& registry, const WorldState& state, std::uint16_t cohort,
+                               std::uint32_t row);
+
 }  // namespace physim

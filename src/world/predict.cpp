@@ -91,7 +91,7 @@ FrameStart start_of(const WorldImpl& w, const Slot& slot, const Clock& clock) {
   FrameStart start;
   start.now = {at.position, at.velocity};
   start.dt = clock.dt;
-  start.longest_part = flies_in_parts(w.def, clock.dt) ? kLongestPart : kInfinity;
+  start.in_parts = flies_in_parts(w.def, clock.dt);
   start.has_own_force = cohort.key.features.has_applied;
   start.obstacles = obstacles_of(w, slot);
   start.run_start = clock.run_start;

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "collide/scene_contact.hpp"
 #include "world/state.hpp"
 #include "world/world_job.hpp"
 
@@ -86,9 +85,6 @@ struct TakenStep {
 /// The rows of a cohort as a kernel wants them; which of them, and where they are marked, is left open.
 template <class S>
 [[nodiscard]] WorldJob<S> rows_job(const SettleContext& context, std::uint16_t cohort);
-
-/// Whether the projectile of a row belongs where it lies, and moves.
-[[nodiscard]] bool is_in_its_cohort(const SettleContext& context, std::uint16_t cohort, std::uint32_t row);
 
 /// Where the ground bounces, longer steps are flown in parts from their start: each row is looked at.
 inline constexpr double kLongestBouncingStep = 0.1;  // [s]

@@ -28,16 +28,23 @@ class SettledRow {
         row_(row),
         slot_index_(rows_.slot(row)),
         taken_(static_cast<const TakenStep<S>*>(context.taken)),
+        is_traced_(context.pairs && collision().others != 0),
         march(cohort_.course<S>()) {
     PHYSIM_ASSERT(row < rows_.size());
     read();
-    start_ = {vec_cast<double>(now().x), vec_cast<double>(now().v)};
+    start_ = here();
   }
 
   // ------------------------------------------------------------------------------------------- where it is
   [[nodiscard]] State<S>& now() { return march.lanes.step.start; }
   [[nodiscard]] const State<S>& now() const { return march.lanes.step.start; }
+  [[nodiscard]] State<double> here() const { return {vec_cast<double>(now().x), vec_cast<double>(now().v)}; }
   [[nodiscard]] const State<double>& at_start() const { return start_; }
+  /// It is somewhere, and what generators give it there is a number.
+  [[nodiscard]] bool is_sound() const {
+    return is_finite(now()) && (!taken_ || is_finite(State<S>{taken_->push[0], {}}));
+  }
+  [[nodiscard]] bool ends_finite() const { return physim::ends_finite(cohort_.key.fidelity, march.lanes.step); }
   [[nodiscard]] bool gone() const { return gone_; }
   [[nodiscard]] const Slot& slot() const { return context_.state->slots[slot_index_]; }
   [[nodiscard]] std::uint32_t slot_index() const { return slot_index_; }
@@ -101,18 +108,55 @@ class SettledRow {
   /// What constraints leave of a velocity or a way.
   [[nodiscard]] Vec3d kept(const Vec3d& v) const { return kept_of_lane(conditions(), march.lanes, v); }
 
-  /// From now on the models feel this acceleration by generators.
-  void feel(const Vec3<S>& push, S t) {
-    march.lanes.body = from_row_;
-    add_push(*march.course().conditions, t, push, taken_->own_force, march.lanes.body);
+  /// From now on the models feel what generators gave it then.
+  void feel_as_at(double passed) {
+    if (!taken_) return;
+    const S part = static_cast<S>(passed / context_.dt);
+    feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, t_start_ + static_cast<S>(passed));
   }
-  /// Closed forms know only their launch: after a bounce it is where they bounced, and their clock starts there.
-  void relaunch(double passed) {
-    if (cohort_.key.fidelity.motion != Motion::closed_form) return;
-    march.lanes.body.launch = now();
-    t_start_ = -static_cast<S>(passed);
-    t_end_ = static_cast<S>(context_.dt - passed);
-    relaunched_ = true;
+
+  // ------------------------------------------------------------------------------------------- where it is put
+  /// It is there now. Of the way there, along the ground or a thing, others see that it was straight.
+  void put(const State<double>& s, double passed) {
+    trace_way_to(passed, s.x);
+    now() = {vec_cast<S>(s.x), vec_cast<S>(s.v)};
+    relaunch(passed);
+    trace(passed, here());
+  }
+  /// Nothing more happens to it in this step.
+  void put_at_last(const State<double>& s, double passed) {
+    put(s, passed);
+    trace_way_to(context_.dt, s.x);
+    trace(context_.dt, here());
+  }
+  /// To the end of the step that was taken together with others; what is missing is the slope there.
+  void put_taken() {
+    Step<S>& s = march.lanes.step;
+    const Fidelity& f = cohort_.key.fidelity;
+    s = taken_->step;
+    s.h = static_cast<S>(context_.dt);
+    s.t = t_start_;
+    s.t_end = is_clocked() ? t_end_ : t_start_ + s.h;
+    if (is_classic(f)) {
+      s.slope[0].v = s.slope[1].v;  // what its next frame begins with
+    } else {
+      feel(taken_->push[1], s.t_end);
+      set_slope(*march.course().conditions, march.lanes, end_slope(f.integrator));
+    }
+  }
+  /// To the moment of a meeting with another one. Of those that turn it needs how they do then; what others are like
+  /// there follows from the meeting.
+  void go_to(const Parting& parting) {
+    double from = 0;
+    if (const Trace* last = parting.from) {
+      from = last->passed;
+      if (turning()) put_turn(last->turn);
+      now() = {vec_cast<S>(last->state.x), vec_cast<S>(last->state.v)};
+      put_spin(last->spin, from);
+    }
+    feel_as_at(from);
+    if (turning() && parting.passed > from) fly_unseen(from, parting.passed);
+    feel_as_at(parting.passed);
   }
 
   // ------------------------------------------------------------------------------------------- what happens to it
@@ -125,11 +169,27 @@ class SettledRow {
   void change(Change::Kind kind, LifeStatus status, Reason reason) {
     chunk_.changes.push_back({slot_index_, kind, status, reason, {}});
   }
-  /// Leaves the world; it keeps the last sound state that it had.
   void leave(LifeStatus status, Reason reason) {
     gone_ = true;
-    if (status == LifeStatus::retired) tell(EventKind::retired, reason, 0, start_);
     change(Change::Kind::remove, status, reason);
+  }
+  /// Leaves the world; it keeps the last sound state that it had.
+  void retire(Reason reason) {
+    tell(EventKind::retired, reason, 0, start_);
+    leave(LifeStatus::retired, reason);
+  }
+  /// Whether a step that was tried leaves it in the world.
+  [[nodiscard]] bool outlives(bool accepted) {
+    const bool finite = is_finite(march.lanes.step.error) || !is_adaptive(cohort_.key.fidelity.integrator);
+    if (march.is_stuck()) return retire(finite ? Reason::stalled : Reason::non_finite), false;
+    if (!accepted || ends_finite()) return true;
+    return retire(Reason::non_finite), false;
+  }
+  /// Keeps a moment for others that it may meet.
+  void trace(double passed, const State<double>& s) {
+    if (!is_traced_) return;
+    Trace& moment = chunk_.traces.emplace_back(Trace{slot_index_, passed, s, spin(passed), {}});
+    if (turning()) cast_numbers(march.lanes.step.turn->start, moment.turn);
   }
 
   void write() {
@@ -178,6 +238,30 @@ class SettledRow {
     }
     if (taken_) feel(taken_->push[0], t_start_);
   }
+  /// From now on the models feel that acceleration by generators.
+  void feel(const Vec3<S>& push, S t) {
+    march.lanes.body = from_row_;
+    add_push(*march.course().conditions, t, push, taken_->own_force, march.lanes.body);
+  }
+  /// Closed forms know only their launch: after a bounce it is where they bounced, and their clock starts there.
+  void relaunch(double passed) {
+    if (cohort_.key.fidelity.motion != Motion::closed_form) return;
+    march.lanes.body.launch = now();
+    t_start_ = -static_cast<S>(passed);
+    t_end_ = static_cast<S>(context_.dt - passed);
+    relaunched_ = true;
+  }
+  void trace_way_to(double passed, const Vec3d& x) {
+    if (!is_traced_ || chunk_.traces.empty() || !(passed > chunk_.traces.back().passed)) return;
+    const Trace last = chunk_.traces.back();
+    trace(last.passed, {last.state.x, (x - last.state.x) * (1 / (passed - last.passed))});
+  }
+  void fly_unseen(double from, double to) {
+    march.lanes.step.t = t_start_ + static_cast<S>(from);
+    const S h = static_cast<S>(to - from);
+    march.restart(march.lanes.step.t + h, h);
+    while (!march.arrived() && !march.is_stuck()) march.accept(march.try_step());
+  }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
   /// Another piece of its motor's table, another phase on the rail.
@@ -195,6 +279,7 @@ class SettledRow {
   std::uint32_t row_;
   std::uint32_t slot_index_;
   const TakenStep<S>* taken_;
+  bool is_traced_;  // it meets others
   Body<S> from_row_{};
   State<double> start_{};
   S t_start_ = 0;

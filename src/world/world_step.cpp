@@ -104,8 +104,8 @@ void step_chunk(const StepWork& work, Chunk& chunk) {
   PHYSIM_ASSERT(chunk.first % kRowsPerWord == 0 && chunk.last <= work.context.state->rows[chunk.cohort].size());
   PHYSIM_ASSERT(chunk.first < chunk.last);
   // One row of each chunk, another one in each step.
-  PHYSIM_ASSERT(is_in_its_cohort(
-      work.context, chunk.cohort,
+  PHYSIM_ASSERT(is_in_place(
+      *work.context.registry, *work.context.state, chunk.cohort,
       chunk.first + static_cast<std::uint32_t>(work.context.state->clock.steps % (chunk.last - chunk.first))));
   WorldJob<S> job = rows_job<S>(work.context, chunk.cohort);
   job.first = chunk.first;
