@@ -21,7 +21,7 @@ struct DangerCommand {
 Result<int> run(const MaxRangeCommand& command) {
   const auto slope = option_value("--slope", command.slope, Quantity::angle);
   if (!slope) return slope.error();
-  const Result<AskedShot> asked = ask(command.question);
+  const Result<AskedShot> asked = ask_without_things(command.question, "the farthest range");
   if (!asked) return asked.error();
   const Scenario& scenario = asked->scenario;
   const ScenarioShot& shot = asked->shot();
