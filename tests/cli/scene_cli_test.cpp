@@ -99,6 +99,24 @@ TEST(CliScene, AimsAtAThing) {
       << unknown.err;
 }
 
+/// A parabola over the slope of the hill: they are 2 m apart at the smaller root of its quadratic, and meet at the end.
+TEST(CliScene, DangerSpaceOnTheSlopeOfTheHill) {
+  const auto json =
+      json_of(physim({"danger-space", kMortar, "--range", "447 m", "--height", "2 m", "--terrain", "--json", "-"}));
+  const double e = 20 * kDegree, a = 150.0 / 260, k = 9.80665 / (2 * 120 * 120 * std::cos(e) * std::cos(e));
+  const double b = std::tan(e) - a, c = 300 * a;  // x b - k x^2 + c is the height over the slope
+  const auto place = [&](double h) { return (b + std::sqrt(b * b + 4 * k * (c - h))) / (2 * k); };
+  EXPECT_NEAR(json["from [m]"], place(2), 1e-6);
+  EXPECT_NEAR(json["to [m]"], place(0), 1e-5);
+  const Ran high = physim({"danger-space", kMortar, "--range", "400 m", "--height", "2 m", "--terrain"});
+  EXPECT_EQ(high.code, 2);
+  EXPECT_TRUE(has(high.err, "above the ground there; it hits nothing there that is 2 m high")) << high.err;
+  const Ran bare = physim({"danger-space", PHYSIM_SOURCE_DIR "/scenarios/308_168gr_g7.toml", "--range", "400 m",
+                           "--height", "2 m", "--terrain"});
+  EXPECT_EQ(bare.code, 2);
+  EXPECT_TRUE(has(bare.err, "--terrain: error: the scenario has nothing to stand on")) << bare.err;
+}
+
 }  // namespace
 }  // namespace physim::testing_cli
 
