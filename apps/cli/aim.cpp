@@ -1,11 +1,13 @@
 // physim aim: the directions with which a shot hits a target.
 #include "physim/aim.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "asked.hpp"
 #include "physim/names.hpp"
+#include "physim/scene_parts.hpp"
 #include "terminal.hpp"
 
 namespace physim::cli {
@@ -15,7 +17,7 @@ struct AimCommand {
   Question question;
   std::string position, velocity, acceleration;
   std::string range, height, cross;
-  std::string tolerance, arc, time;
+  std::string tolerance, arc, time, thing;
 };
 
 /// What is aimed at: [target] of the scenario, with what the options say instead.
@@ -44,7 +46,28 @@ Result<std::optional<Vec3d>> place_by_range(const AimCommand& command, const Lau
                                                       ahead * std::sin(a) + aside * std::cos(a)});
 }
 
-Result<Wanted> wanted(const AimCommand& command, const AskedShot& asked) {
+/// The thing of --thing; without another target its origin is aimed at, as it moves when the shot is fired.
+Status want_thing(const AimCommand& command, const AskedShot& asked, const SceneParts& parts, bool is_placed,
+                  Wanted& out) {
+  if (command.thing.empty()) return {};
+  const std::vector<ScenarioThing>& things = asked.scenario.things;
+  const auto named = std::ranges::find(things, command.thing, &ScenarioThing::name);
+  if (named == things.end()) {
+    std::string names;
+    for (const ScenarioThing& thing : things) names += (names.empty() ? "\"" : ", \"") + thing.name + "\"";
+    return Error{.message = "there is no thing \"" + command.thing + "\"",
+                 .place = "--thing",
+                 .hint = names.empty() ? "the scenario has none" : "its things are " + names};
+  }
+  out.options.target_thing = parts.things[static_cast<std::size_t>(named - things.begin())];
+  if (is_placed) return {};
+  const auto state = parts.scene.state(out.options.target_thing);
+  if (!state) return Error{"it is not there", "--thing", ""};
+  out.target = {.position = state->position, .velocity = state->velocity};
+  return {};
+}
+
+Result<Wanted> wanted(const AimCommand& command, const AskedShot& asked, const SceneParts& parts) {
   const ScenarioTarget& given = asked.scenario.target;
   Wanted out;
   out.options = {.arc = given.arc,
@@ -60,12 +83,16 @@ Result<Wanted> wanted(const AimCommand& command, const AskedShot& asked) {
   if (!by_range) return by_range.error();
   if (position->has_value() && by_range->has_value())
     return Error{.message = "given together with --range", .place = "--target", .hint = "give one of them"};
+  const bool is_placed = position->has_value() || by_range->has_value();
   const auto place = position->has_value() ? *position : by_range->has_value() ? *by_range : given.position;
-  if (!place)
+  if (!place && command.thing.empty())
     return Error{.message = "there is no target",
                  .place = asked.scenario.file,
                  .hint = "write --target \"500 m, 20 m, 0 m\", --range \"500 m\", or a [target] into the scenario"};
-  out.target = {*place, velocity->value_or(given.velocity), acceleration->value_or(given.acceleration)};
+  out.target = {place.value_or(Vec3d{}), given.velocity, given.acceleration};
+  if (Status status = want_thing(command, asked, parts, is_placed, out); !status) return status.error();
+  out.target.velocity = velocity->value_or(out.target.velocity);
+  out.target.acceleration = acceleration->value_or(out.target.acceleration);
   const auto tolerance = option_value("--tolerance", command.tolerance, Quantity::length);
   const auto time = option_value("--time", command.time, Quantity::time);
   for (const auto* each : {&tolerance, &time})
@@ -84,15 +111,19 @@ Result<Wanted> wanted(const AimCommand& command, const AskedShot& asked) {
 Result<int> run(const AimCommand& command) {
   const Result<AskedShot> asked = ask(command.question);
   if (!asked) return asked.error();
-  const Result<Wanted> target = wanted(command, *asked);
+  const Result<SceneParts> parts = scene_parts(asked->scenario);
+  if (!parts) return about(*asked, parts.error());
+  Result<Wanted> target = wanted(command, *asked, *parts);
   if (!target) return target.error();
   const ScenarioShot& shot = asked->shot();
+  if (!asked->scenario.things.empty()) target->options.scene = &parts->scene;
+  target->options.contact = contact_of(shot);
   Launch launch = shot.launch;
   launch.sight = {};
   const Result<Aim> found = aim(shot.projectile, launch, asked->scenario.environment, shot.projectile.fidelity,
                                 target->target, target->options);
   if (!found) return about(*asked, found.error());
-  const Answer answer = aim_answer(*asked, target->target, target->options.tolerance, *found, style_of(stdout));
+  const Answer answer = aim_answer(*asked, target->target, target->options, *found, style_of(stdout));
   return done(give(command.question, answer), found->in_reach() ? kExitOk : kExitCheckMissed);
 }
 
@@ -111,6 +142,8 @@ void add_aim_command(Command& program) {
   command.add_option("--target-velocity", options->velocity, "\"X, Y, Z\"",
                      "How the target moves, as \"0 m/s, 0 m/s, 15 m/s\"");
   command.add_option("--target-acceleration", options->acceleration, "\"X, Y, Z\"", "Its constant acceleration");
+  command.add_option("--thing", options->thing, "NAME",
+                     "The thing that is to be hit, which is in nobody's way; without --target and --range its origin");
   command.add_option("--tolerance", options->tolerance, "LENGTH", "A path that passes so near hits; without it 1 cm");
   command.add_option("--time", options->time, "TIME", "Longest time of flight; without it 600 s");
   command.add_option("--arc", options->arc, "low|high|both",
@@ -118,6 +151,7 @@ void add_aim_command(Command& program) {
   command.footer(
       "Without --target and --range the [target] of the scenario is aimed at. Elevation, azimuth and sight of the shot "
       "are not read.\n"
+      "Ways that a thing of the scenario stands in are told with what they hit, and so is what hides the target.\n"
       "Exit code 0; 1 where the target is out of reach; 2 for bad input.\n\n"
       "Examples:\n"
       "  physim aim scenarios/308_168gr_g7.toml --range \"800 yd\" --height \"-30 m\"\n"

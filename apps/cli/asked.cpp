@@ -36,6 +36,16 @@ Result<AskedShot> ask(const Question& question) {
   return AskedShot{*std::move(scenario), *index};
 }
 
+Result<AskedShot> ask_without_things(const Question& question, const std::string& answer) {
+  Result<AskedShot> asked = ask(question);
+  if (!asked || asked->scenario.world.given || asked->scenario.things.empty()) return asked;
+  print_warning("the things of the scenario are left aside: " + answer + " is of shots that meet nothing");
+  asked->scenario.materials.clear();
+  asked->scenario.shapes.clear();
+  asked->scenario.things.clear();
+  return asked;
+}
+
 Result<std::optional<double>> option_value(const char* option, const std::string& text, Quantity quantity) {
   if (text.empty()) return std::optional<double>();
   const Result<double> value = parse_quantity(text, quantity);

@@ -17,7 +17,7 @@ struct CompareOptions {
 
 Status compare(const CompareOptions& options) {
   if (Status status = check(options.outputs, "the scenario", options.question.input.file); !status) return status;
-  const Result<AskedShot> asked = ask(options.question);
+  const Result<AskedShot> asked = ask_without_things(options.question, "a comparison");
   if (!asked) return asked.error();
   const Result<Ladder> ladder = climb(asked->scenario, asked->shot(), progress_bar("comparing"));
   if (!ladder) return ladder.error();

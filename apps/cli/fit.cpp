@@ -193,7 +193,7 @@ Error located(const FitCommand& command, const AskedShot& asked, const FitData& 
 Result<int> run(const FitCommand& command) {
   const Result<FitOptions> options = options_of(command);
   if (!options) return options.error();
-  const Result<AskedShot> asked = ask(command.question);
+  const Result<AskedShot> asked = ask_without_things(command.question, "a fit");
   if (!asked) return asked.error();
   const Result<FitData> data = Reader(command.data).read();
   if (!data) return data.error();

@@ -16,12 +16,13 @@ struct MaxRangeCommand {
 struct DangerCommand {
   Question question;
   std::string range, height;
+  bool terrain = false;
 };
 
 Result<int> run(const MaxRangeCommand& command) {
   const auto slope = option_value("--slope", command.slope, Quantity::angle);
   if (!slope) return slope.error();
-  const Result<AskedShot> asked = ask(command.question);
+  const Result<AskedShot> asked = ask_without_things(command.question, "the farthest range");
   if (!asked) return asked.error();
   const Scenario& scenario = asked->scenario;
   const ScenarioShot& shot = asked->shot();
@@ -39,9 +40,15 @@ Result<int> run(const DangerCommand& command) {
   if (!height) return height.error();
   const Result<AskedShot> asked = ask(command.question);
   if (!asked) return asked.error();
-  const Flight flight = fly_shot(asked->scenario, asked->shot());
-  if (flight.error()) return refusal(asked->scenario, asked->shot(), flight);
-  const auto space = danger_space(flight, **range, **height);
+  const ScenarioShot& shot = asked->shot();
+  if (command.terrain && asked->scenario.things.empty())
+    return Error{"the scenario has nothing to stand on", "--terrain", "write a [[thing]] into it"};
+  const Result<Scene> ground = scene_of(asked->scenario);
+  if (!ground) return about(*asked, ground.error());
+  const Flight flight = fly_shot(asked->scenario, shot);
+  if (flight.error()) return refusal(asked->scenario, shot, flight);
+  const auto space = command.terrain ? danger_space(flight, **range, **height, *ground, shot.body.collision.layers)
+                                     : danger_space(flight, **range, **height);
   if (!space) return about(*asked, space.error());
   return done(give(command.question, danger_space_answer(*asked, **range, **height, *space, style_of(stdout))));
 }
@@ -69,8 +76,10 @@ void add_danger_space_command(Command& program) {
   command.add_option("--range", options->range, "LENGTH", "At which the path goes through the target's middle")
       .required();
   command.add_option("--height", options->height, "LENGTH", "Of the target").required();
+  command.add_flag("--terrain", options->terrain, "The target stands on the scenario's things, below the path");
   command.footer(
-      "Ranges run along the line of sight; the path lies within half the height of where it is at the range.\n\n"
+      "Ranges run along the line of sight; the path lies within half the height of where it is at the range, or with "
+      "--terrain\nno more than the height above what is below it.\n\n"
       "Example:\n"
       "  physim danger-space scenarios/308_168gr_g7.toml --range \"600 m\" --height \"50 cm\"\n");
   command.action([options] { return run(*options); });

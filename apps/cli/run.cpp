@@ -50,13 +50,19 @@ std::string file_part(const std::string& name) {
   return out;
 }
 
+/// Whether a scenario has what a format shows.
+bool has_for(const Format& format, const Scenario& scenario) {
+  return format.scenario_has == nullptr || format.scenario_has(scenario);
+}
+
 /// The formats that can show these flights, each with a file in the folder.
 Outputs outputs_in_folder(const RunOptions& options, const FlownScenario& flown) {
   if (options.folder.empty()) return {};
   const std::string stem = file_part(std::filesystem::path(flown.scenario.file).stem().string());
   Outputs outputs = outputs_in(options.folder, stem, Subject::flights);
   for (const Format* format : outputs.asked())
-    if (format->check != nullptr && !format->check(flown)) outputs.forget(*format);
+    if (!has_for(*format, flown.scenario) || (format->check != nullptr && !format->check(flown)))
+      outputs.forget(*format);
   return outputs;
 }
 
@@ -183,7 +189,7 @@ Outputs world_outputs_in_folder(const RunOptions& options, const Scenario& scena
   if (options.folder.empty()) return {};
   Outputs outputs = outputs_in(options.folder, std::filesystem::path(scenario.file).stem().string(), Subject::world);
   for (const Format* format : outputs.asked())
-    if (format->world_has != nullptr && !format->world_has(scenario)) outputs.forget(*format);
+    if (!has_for(*format, scenario)) outputs.forget(*format);
   return outputs;
 }
 

@@ -1,6 +1,7 @@
 // Asking backwards: aim() finds the directions that hit a target, max_range() the one that carries farthest.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -115,6 +116,12 @@ struct DangerSpace {
 /// The ranges around `range` [m] within which a target of a height [m], aimed at in its middle, is hit by a flight that
 /// passes its middle at `range`: the path lies within half the height of where it is there. Ends with the flight.
 [[nodiscard]] Result<DangerSpace> danger_space(const Flight& flight, double range, double height);
+/// ... of a target that stands on the ground of a scene, which is as it is at time 0: the ranges around `range` within
+/// which the path lies no more than `height` [m] above the nearest surface below it, of things of these layers but for
+/// sensors. It is looked at each quarter of the height along the path; where a step of the ground is narrower, it may
+/// be missed. Ends with the flight. An error where the path lies higher at `range`, or over no ground.
+[[nodiscard]] Result<DangerSpace> danger_space(const Flight& flight, double range, double height, const Scene& ground,
+                                               std::uint32_t layers = 0xffffffff);
 
 /// Time of flight [s] to a range [m] along the line of sight of `launch`, with its elevation or its zero range.
 [[nodiscard]] Result<double> time_to_range(const ProjectileDef& projectile, const Launch& launch,

@@ -24,7 +24,7 @@ namespace physim {
 struct ScenarioShot {
   ProjectileDef projectile{};  ///< [-]
   Launch launch{};             ///< [-]
-  BodyDef body{};              ///< how a world treats it [-]
+  BodyDef body{};              ///< how a world treats it; contact_of() it is how a flight meets things [-]
   std::string pool{};          ///< name of its pool in the world; empty: the first [-]
   /// Flies the cheapest fidelity that stays so close to projectile.fidelity at any time; none: that one itself [m]
   std::optional<double> cheapest_within{};
@@ -94,11 +94,17 @@ struct Scenario {
 
 /// A scenario as the text of a file: the settings that differ from their defaults, and of its shots from the presets
 /// nearest to them. parse_scenario() reads it back as it was, bit for bit; but shots of a scenario without a [world]
-/// have no settings of their own for worlds, [shot.body].
+/// have no settings of their own for worlds: of [shot.body] those that contact_of() reads, where there are things.
 [[nodiscard]] std::string scenario_text(const Scenario& scenario);
 
-/// Flies a shot of a scenario as it asks for, until the scenario ends it.
+/// Flies a shot of a scenario as it asks for, until the scenario ends it. Without a [world] it meets the scenario's
+/// things as contact_of() the shot says; in one it flies by itself, and meets nothing.
 [[nodiscard]] Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot);
+/// ... through a scene that is there already, as scene_of() the scenario.
+[[nodiscard]] Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot, const Scene& scene);
+
+/// How a shot meets things in a flight of its own: as its body says, from time 0 of the scene on.
+[[nodiscard]] ContactDef contact_of(const ScenarioShot& shot);
 
 /// The value of an expectation on a flown shot [SI unit of the quantity], or why there is none.
 [[nodiscard]] Result<double> measure(const Flight& flight, const Expectation& expectation);

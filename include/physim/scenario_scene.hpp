@@ -1,4 +1,4 @@
-// What a scenario with a [world] says of its scene: shapes, and things that have them. Part of physim_scenario.
+// What a scenario says of its scene: shapes, and things that have them. Part of physim_scenario.
 #pragma once
 
 #include <cstddef>

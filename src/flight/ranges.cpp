@@ -11,9 +11,11 @@
 #include "math/minimum.hpp"
 #include "math/root.hpp"
 #include "math/vec3.hpp"
+#include "model/earth.hpp"
 #include "model/sight.hpp"
 #include "physim/aim.hpp"
 #include "physim/names.hpp"
+#include "physim/scene.hpp"
 #include "prepare/check.hpp"
 #include "prepare/grant.hpp"
 
@@ -127,6 +129,59 @@ class Carry {
   StepBudget budget_;
 };
 
+/// The surfaces of a scene that a path passes over.
+struct GroundBelow {
+  static constexpr double kLift = 1e-6;  // what lies on a surface is not below it by a rounding [m]
+  static constexpr double kDeepest = 1e5;
+
+  const Scene& scene;
+  SceneFilter filter;
+  EarthFrames frames;
+  bool is_round;
+
+  /// Above the nearest surface below a place [m]; in a solid, or over nothing, -kDeepest or kDeepest.
+  [[nodiscard]] double height_of(const Vec3d& place) const {
+    const Vec3d up = is_round ? frames.from_local(place, {0, 0, 1}) : Vec3d{0, 1, 0};
+    const SceneHit hit = scene.first_hit({place + up * kLift, place - up * kDeepest, 0, 0, 0}, filter);
+    if (!hit) return kDeepest;
+    return hit.starts_inside ? -kDeepest : dot(place - hit.position, up);
+  }
+};
+
+/// Where a flight passes a target of a height.
+Result<Sample> middle_of(const Flight& flight, double range, double height) {
+  if (!(std::isfinite(height) && height > 0))
+    return Error{"must be a positive number, not " + short_text(height), "height", "of the target, in m"};
+  return flight.at_range(range);
+}
+
+/// The ranges around a time of a flight within which a value is not negative; `longest`: way between two looks [m].
+DangerSpace space_around(const Flight& flight, double middle, const auto& inside, double longest) {
+  std::vector<double> times = flight.step_times();
+  times.push_back(middle);
+  std::sort(times.begin(), times.end());
+  const auto here = static_cast<std::size_t>(std::find(times.begin(), times.end(), middle) - times.begin());
+  PHYSIM_ASSERT(here < times.size());
+  const auto edge = [&](int step) {  // walks from the middle to where the path leaves the space, or to an end
+    double from = middle, at_from = inside(from);
+    for (std::size_t i = here; step < 0 ? i > 0 : i + 1 < times.size();) {
+      i = step < 0 ? i - 1 : i + 1;
+      constexpr double kFewest = 4, kMost = 1e6;
+      const double start = from, way = length(flight.at(times[i]).position - flight.at(start).position);
+      const int parts = static_cast<int>(std::clamp(std::ceil(way / longest), kFewest, kMost));
+      for (int part = 1; part <= parts; ++part) {
+        const double to = start + (times[i] - start) * part / parts;
+        const double at_to = inside(to);
+        if (at_to < 0) return flight.at(find_root(inside, from, at_from, to, at_to, 1e-13)).range;
+        from = to;
+        at_from = at_to;
+      }
+    }
+    return flight.at(from).range;
+  };
+  return {edge(-1), edge(1)};
+}
+
 }  // namespace
 
 Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,
@@ -160,33 +215,33 @@ Result<MaxRange> max_range(const ProjectileDef& projectile, const Launch& launch
 
 Result<DangerSpace> danger_space(const Flight& flight, double range, double height) {
   const IeeeMode mode;
-  if (!(std::isfinite(height) && height > 0))
-    return Error{"must be a positive number, not " + short_text(height), "height", "of the target, in m"};
-  const Result<Sample> middle = flight.at_range(range);
+  const auto middle = middle_of(flight, range, height);
   if (!middle) return middle.error();
   const auto inside = [&](double t) { return 0.5 * height - abs(flight.at(t).drop - middle->drop); };
-  std::vector<double> times = flight.step_times();
-  times.push_back(middle->time);
-  std::sort(times.begin(), times.end());
-  const auto here = static_cast<std::size_t>(std::find(times.begin(), times.end(), middle->time) - times.begin());
-  PHYSIM_ASSERT(here < times.size());
-  const auto edge = [&](int step) {  // walks from the middle to where the path leaves the space, or to an end
-    double from = middle->time, at_from = inside(from);
-    for (std::size_t i = here; step < 0 ? i > 0 : i + 1 < times.size();) {
-      i = step < 0 ? i - 1 : i + 1;
-      constexpr int kParts = 4;
-      const double start = from;
-      for (int part = 1; part <= kParts; ++part) {
-        const double to = start + (times[i] - start) * part / kParts;
-        const double at_to = inside(to);
-        if (at_to < 0) return flight.at(find_root(inside, from, at_from, to, at_to, 1e-13)).range;
-        from = to;
-        at_from = at_to;
-      }
-    }
-    return flight.at(from).range;
+  return space_around(flight, middle->time, inside, kInfinity);
+}
+
+Result<DangerSpace> danger_space(const Flight& flight, double range, double height, const Scene& ground,
+                                 std::uint32_t layers) {
+  const IeeeMode mode;
+  const auto middle = middle_of(flight, range, height);
+  if (!middle) return middle.error();
+  const GroundBelow below{ground,
+                          {.layers = layers, .sensors = false},
+                          flight.earth_frames(),
+                          is_round(flight.fidelity_in_use().fidelity.earth)};
+  const auto inside = [&](double t) {
+    const double above = below.height_of(flight.at(t).position);
+    return std::min(above + GroundBelow::kLift, height - above);
   };
-  return DangerSpace{edge(-1), edge(1)};
+  if (inside(middle->time) < 0) {
+    const double above = below.height_of(middle->position);
+    const bool is_there = abs(above) < GroundBelow::kDeepest;
+    return Error{is_there ? "the path passes " + length_text(above) + " above the ground there"
+                          : "the path passes over no ground there",
+                 "range", "it hits nothing there that is " + length_text(height) + " high"};
+  }
+  return space_around(flight, middle->time, inside, 0.25 * height);
 }
 
 Result<double> time_to_range(const ProjectileDef& projectile, const Launch& launch, const Environment& environment,

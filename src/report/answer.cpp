@@ -8,6 +8,7 @@
 #include "report/json.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
+#include "scenario/suggest.hpp"
 
 namespace physim::report {
 namespace {
@@ -40,6 +41,34 @@ Table solutions_table(const std::vector<std::pair<std::string, const AimSolution
                    fixed(s->time, 4), fixed(s->speed, 2), fixed(s->descent / kDegree, 2), readable(s->miss * 1e3, 3),
                    s->flights > 0 ? std::to_string(s->flights) : ""});
   return table;
+}
+
+/// The name of what was met.
+std::string met_thing(const AimOptions& options, const Event& hit) {
+  PHYSIM_ASSERT(options.scene != nullptr);
+  const auto thing = options.scene->instance(hit.instance);
+  return thing ? thing->name : "";
+}
+
+Json hit_json(const AimOptions& options, const Event& hit) {
+  return {{"thing", met_thing(options, hit)},
+          {"time [s]", hit.time},
+          {"position [m]", vector_json(hit.position)},
+          {"velocity [m/s]", vector_json(hit.velocity)}};
+}
+
+/// What stands in the ways to the target, and in the line to it.
+std::string obstacles_text(const AimOptions& options, const Aim& aim) {
+  if (options.scene == nullptr) return "";
+  Table table({"blocked at [deg]", "azimuth [deg]", "by", "at [s]", "x [m]", "y [m]", "z [m]", "speed [m/s]"}, "rrlr");
+  for (const BlockedWay& way : aim.blocked)
+    table.add_row({fixed(way.solution.launch.elevation / kDegree, 5), fixed(way.solution.launch.azimuth / kDegree, 5),
+                   one_line(met_thing(options, way.hit)), fixed(way.hit.time, 4), fixed(way.hit.position.x, 3),
+                   fixed(way.hit.position.y, 3), fixed(way.hit.position.z, 3), fixed(length(way.hit.velocity), 2)});
+  std::string text = table.empty() ? "" : "\n" + table.text(2);
+  if (aim.sight_ends)
+    text += "\n  " + in_quotes(one_line(met_thing(options, *aim.sight_ends))) + " hides the target from the muzzle\n";
+  return text;
 }
 
 /// "0.462 kg/m^2 +- 0.003"; without the error where that is 0.
@@ -103,7 +132,8 @@ Answer about_shot(const AskedShot& asked, const Style& style, const std::string&
           }};
 }
 
-Answer aim_answer(const AskedShot& asked, const Target& t, double tolerance, const Aim& aim, const Style& style) {
+Answer aim_answer(const AskedShot& asked, const Target& t, const AimOptions& options, const Aim& aim,
+                  const Style& style) {
   std::string text = "  target at " + vector_text(t.position) + " m";
   if (t.velocity != Vec3d{}) text += ", moving at " + vector_text(t.velocity) + " m/s";
   if (t.acceleration != Vec3d{}) text += ", accelerating by " + vector_text(t.acceleration) + " m/s^2";
@@ -115,17 +145,26 @@ Answer aim_answer(const AskedShot& asked, const Target& t, double tolerance, con
   if (list.empty()) list.emplace_back("nearest", &aim.nearest);
   text += "\n\n" + solutions_table(list).text(2);
   if (!aim.in_reach()) text += "\n  " + style.bad(aim.explanation()) + "\n";
+  text += obstacles_text(options, aim);
   text += "\n  " + std::to_string(aim.flights) + " trajectories flown\n";
   Json out = {{"target",
                {{"position [m]", vector_json(t.position)},
                 {"velocity [m/s]", vector_json(t.velocity)},
                 {"acceleration [m/s^2]", vector_json(t.acceleration)},
-                {"tolerance [m]", tolerance}}},
+                {"tolerance [m]", options.tolerance}}},
               {"in_reach", aim.in_reach()},
               {"explanation", aim.explanation()}};
   if (aim.low) out["low"] = solution_json(*aim.low);
   if (aim.high) out["high"] = solution_json(*aim.high);
   out["nearest"] = solution_json(aim.nearest);
+  if (options.scene != nullptr) {
+    Json& blocked = out["blocked"] = Json::array();
+    for (const BlockedWay& way : aim.blocked) {
+      blocked.push_back(solution_json(way.solution));
+      blocked.back()["hit"] = hit_json(options, way.hit);
+    }
+    out["sight_ends"] = aim.sight_ends ? hit_json(options, *aim.sight_ends) : Json();
+  }
   out["flights"] = aim.flights;
   return about_shot(asked, style, text, out);
 }

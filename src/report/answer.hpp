@@ -24,7 +24,8 @@ struct Answer {
 [[nodiscard]] Answer about_shot(const AskedShot& asked, const Style& style, const std::string& text,
                                 nlohmann::ordered_json members);
 
-[[nodiscard]] Answer aim_answer(const AskedShot& asked, const Target& target, double tolerance, const Aim& aim,
+/// `options`: as aim() was asked; their scene is still there.
+[[nodiscard]] Answer aim_answer(const AskedShot& asked, const Target& target, const AimOptions& options, const Aim& aim,
                                 const Style& style);
 /// `fits_speed`: the muzzle speed was fitted, too.
 [[nodiscard]] Answer fit_answer(const AskedShot& asked, std::span<const Measurement> measurements, bool fits_speed,

@@ -45,16 +45,24 @@ Check judged(const Expectation& expectation, const std::string& shot, Result<dou
 Status fly_all(FlownScenario& flown, const Progress& progress) {
   PHYSIM_ASSERT(flown.shots.empty());
   const Scenario& scenario = flown.scenario;
+  const Result<SceneParts> parts = scene_parts(scenario);
+  if (!parts) return parts.error();
+  std::vector<FlightHits> hits;
   for (const ScenarioShot& shot : scenario.shots) {
-    Flight flight = fly_shot(scenario, shot);
+    Flight flight = scenario.things.empty() ? fly_shot(scenario, shot) : fly_shot(scenario, shot, parts->scene);
     if (flight.outcome() == Outcome::refused) return refusal(scenario, shot, flight);
+    hits.push_back(flight_hits(scenario, shot, flight, *parts));
+    flown.hits.insert(flown.hits.end(), hits.back().all.begin(), hits.back().all.end());
     flown.shots.push_back({shot.projectile.name, &shot, std::move(flight)});
     if (progress) progress(flown.shots.size(), scenario.shots.size());
   }
+  PHYSIM_ASSERT(hits.size() == flown.shots.size());
   for (const Expectation& expectation : scenario.expect)
-    for (const FlownShot& shot : flown.shots)
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const FlownShot& shot = flown.shots[i];
       if (expectation.shot.empty() || expectation.shot == shot.name)
-        flown.checks.push_back(judged(expectation, shot.name, measure(shot.flight, expectation)));
+        flown.checks.push_back(judged(expectation, shot.name, measure(shot.flight, hits[i], expectation)));
+    }
   return {};
 }
 

@@ -1,10 +1,12 @@
 // Shots of a scenario and their flights, with the scenario's checks.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <vector>
 
 #include "physim/flight.hpp"
+#include "physim/flight_hits.hpp"
 #include "physim/progress.hpp"
 #include "physim/scenario.hpp"
 
@@ -44,6 +46,7 @@ struct FlownScenario {
   Scenario scenario;
   std::vector<FlownShot> shots;
   std::vector<Check> checks;
+  std::deque<ThingHit> hits = {};  // on things, shot by shot
 };
 
 /// What came out of an expectation on a shot or a group.

@@ -59,8 +59,9 @@ constexpr Format kFormats[] = {
      .what = "what was hit in a scene",
      .doc = "as CSV",
      .world_parts = {.hits = true},
+     .flights = flight_hits_csv,
      .world = world_hits_csv,
-     .world_has = has_scene},
+     .scenario_has = has_scene},
 };
 
 template <class S>

@@ -36,8 +36,8 @@ struct Format {
   Text (*records)(Records records) = nullptr;
   /// An error where it cannot show these flights; may be missing.
   Status (*check)(const FlownScenario& flown) = nullptr;
-  /// Whether the world of a scenario has what it shows; missing: every world has.
-  bool (*world_has)(const Scenario& scenario) = nullptr;
+  /// Whether a scenario has what it shows; missing: every one has.
+  bool (*scenario_has)(const Scenario& scenario) = nullptr;
 };
 
 [[nodiscard]] std::span<const Format> formats();

@@ -23,10 +23,19 @@ struct Curve {
   std::string name;
   std::string block;  // of gnuplot: "$shot0"
   std::vector<std::array<double, kColumns>> rows;
+  std::string hits;  // rows of distance and height where it hits things; empty: none
 };
 
+std::string hits_of(const Flight& flight) {
+  std::string rows;
+  for (const Event& event : flight.events())
+    if (const Vec3d& x = event.position; event.kind == EventKind::hit)
+      rows += significant(std::hypot(x.x, x.z), 9) + " " + significant(x.y, 9) + "\n";
+  return rows;
+}
+
 Curve curve_of(const FlownShot& shot, std::size_t index) {
-  Curve curve{shot.name, "$shot" + std::to_string(index), {}};
+  Curve curve{shot.name, "$shot" + std::to_string(index), {}, hits_of(shot.flight)};
   const double duration = shot.flight.duration();
   for (int k = 0; k <= kPoints; ++k) {
     const Sample sample = shot.flight.at(duration * k / kPoints);
@@ -45,7 +54,8 @@ std::string datablock_of(const Curve& curve) {
     for (const double value : row) rows += (std::isfinite(value) ? significant(value, 9) : "NaN") + " ";
     rows += "\n";
   }
-  return datablock(curve.block, rows);
+  const std::string hits = curve.hits.empty() ? "" : datablock(curve.block + "hits", curve.hits);
+  return datablock(curve.block, rows) + hits;
 }
 
 Extent extent_of(const std::vector<Curve>& curves, int column) {
@@ -137,12 +147,17 @@ class FlightsPicture {
     return std::string(kPalette[shots_.size() == 1 ? static_cast<std::size_t>(row) : shot % kPalette.size()]);
   }
 
-  // plot ...: one curve for each shot. `row` colours a single shot.
+  // plot ...: one curve for each shot, with marks where it hits things in the panel of heights. `row` colours a single
+  // shot.
   [[nodiscard]] std::string curves(int x, int y, int row) const {
     std::string out = "plot ";
     for (std::size_t i = 0; i < curves_.size(); ++i)
       out += (i == 0 ? "" : ", ") + curves_[i].block + " using " + std::to_string(x) + ":" + std::to_string(y) +
              " with lines" + curve_style("2.5", i, colour_of(i, row)) + " notitle";
+    for (std::size_t i = 0; i < curves_.size() && y == kHeightColumn; ++i)
+      if (!curves_[i].hits.empty())
+        out += ", " + curves_[i].block + "hits using 1:2 with points pt 7 ps 1.2 lc rgb " + literal(colour_of(i, row)) +
+               " notitle";
     return out + "\n";
   }
 

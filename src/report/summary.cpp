@@ -11,6 +11,7 @@
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
 #include "report/table.hpp"
+#include "report/world_hits.hpp"
 
 namespace physim::report {
 namespace {
@@ -190,6 +191,7 @@ Text summary_text(const FlownScenario& flown, const Style& style) {
     const Scenario& scenario = flown.scenario;
     sink(style.bold(one_line(title_of(scenario))) + "\n");
     for (const FlownShot& shot : flown.shots) sink("\n" + shot_text(shot, scenario, style));
+    sink(hits_table(hits_of(flown)));
     if (!flown.checks.empty()) sink("\n" + checks_text(flown.checks, style));
   };
 }

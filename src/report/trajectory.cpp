@@ -7,6 +7,7 @@
 #include "base/assert.hpp"
 #include "report/json.hpp"
 #include "report/number.hpp"
+#include "report/world_hits.hpp"
 
 namespace physim::report {
 namespace {
@@ -134,6 +135,7 @@ Content flights_json(const Flights& flights) {
       out.close();
     }
     out.close();
+    if (has_scene(flown.scenario)) add_hits(out, hits_of(flown));
     add_checks(out, flown.checks);
     out.close();
   };

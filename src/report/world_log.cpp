@@ -336,7 +336,7 @@ std::string world_text(const WorldLog& log, const Style& style) {
   std::string out = style.bold(one_line(title_of(log.scenario))) + "\n\n";
   out += counts_table(log.groups) + impacts_table(log.groups);
   if (log.scenario.world.wall) out += wall_table(log.groups, *log.scenario.world.wall);
-  out += hits_table(log);
+  out += hits_table(hits_of(log));
   out += alive_table(log.groups, log.time) + fidelities(log, style);
   out += "\n  steps " + std::to_string(log.steps) + " of " + significant(step, 6) + " s, projectile-steps " +
          std::to_string(log.counters.projectile_steps) + ", hash " + hash_text(log.hash) + "\n";
@@ -377,11 +377,7 @@ Content world_json(const WorldLog& log) {
     out.list("events");
     for (const LoggedEvent& event : log.events) out.push(event_json(log, event));
     out.close();
-    if (!log.scenario.things.empty()) {
-      out.list("hits");
-      for (const ThingHit& hit : log.thing_hits) out.push(hit_json(log, hit));
-      out.close();
-    }
+    if (has_scene(log.scenario)) add_hits(out, hits_of(log));
     out.object("trajectories");
     add_columns(out, records_of(log));
     out.close();

@@ -113,6 +113,23 @@ Status check_wind(const Wind& wind, const Value& document) {
   return {};
 }
 
+/// Flights have figures of their own, and where there are things, those of hits.
+Status check_hit_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
+  const bool has_things = !scenario.things.empty();
+  if (!expect.thing.empty() && !has_things)
+    return Error{"expect.thing: there is no [world] for it", place_of(table, {"thing"}), ""};
+  if (!expect.thing.empty())
+    if (Status status = check_thing_expectation(scenario, expect, table); !status) return status;
+  const Figure* figure = find_figure(expect.quantity);
+  PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
+  if (figure->is_of_flights()) return {};
+  if (!has_things || figure->of_hits == nullptr)
+    return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of a [world]",
+                 place_of(table, {"quantity"}), "write [world], and the shots fly in it"};
+  if (expect.at == ExpectAt::end) return {};
+  return Error{"expect.at: hits are those of the whole flight", place_of(table, {"at"}), "leave it out"};
+}
+
 Status check_expectations(const Scenario& scenario, const Value& document, const NamesSeen& seen) {
   for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
     const Value& table = element(document, "expect", i);
@@ -123,12 +140,7 @@ Status check_expectations(const Scenario& scenario, const Value& document, const
       return Error{"expect.shot: no shot is named " + in_quotes(expect.shot), place_of(table, {"shot"}),
                    suggestion(expect.shot, names, "shots")};
     }
-    if (!expect.thing.empty()) return Error{"expect.thing: there is no [world] for it", place_of(table, {"thing"}), ""};
-    const Figure* figure = find_figure(expect.quantity);
-    PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
-    if (!figure->is_of_flights())
-      return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of a [world]",
-                   place_of(table, {"quantity"}), "write [world], and the shots fly in it"};
+    if (Status status = check_hit_expectation(scenario, expect, table); !status) return status;
     const Value* at = table.find("at");
     if (const Table* places = at ? at->get<Table>() : nullptr; places && places->size() != 1)
       return Error{"expect.at: " + std::to_string(places->size()) + " places", at->place.text(),

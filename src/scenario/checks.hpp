@@ -12,8 +12,10 @@ namespace physim {
 /// Contradictions of a [world], or of what there is without one.
 [[nodiscard]] Status check_world(const Scenario& scenario, const Value& document);
 
-/// Contradictions of what a [world] has for projectiles to hit; it makes the scene to see whether it can be made.
+/// Contradictions of what there is for projectiles to hit; it makes the scene to see whether it can be made.
 [[nodiscard]] Status check_scene(const Scenario& scenario, const Value& document);
+/// Whether there is the thing that an expectation asks about, and a figure of hits on it.
+[[nodiscard]] Status check_thing_expectation(const Scenario& scenario, const Expectation& expect, const Value& table);
 
 /// Default names of a scene's parts, published materials that things name, and meshes out of files.
 [[nodiscard]] Status complete_scene(Scenario& scenario, const Value& document);

@@ -5,6 +5,7 @@
 #include "base/assert.hpp"
 #include "physim/mesh_file.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/expectation.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/scene_maker.hpp"
 #include "scenario/schema.hpp"
@@ -178,6 +179,20 @@ Status check_scene(const Scenario& scenario, const Value& document) {
   if (status)
     status = check_each(scenario.things, "thing", document, [&](std::size_t i) { return maker.add_thing(i); });
   return status;
+}
+
+Status check_thing_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
+  PHYSIM_ASSERT(!expect.thing.empty());
+  std::vector<std::string_view> names;
+  for (const ScenarioThing& thing : scenario.things) names.push_back(thing.name);
+  if (std::ranges::count(names, expect.thing) == 0)
+    return Error{"expect.thing: no thing is named " + in_quotes(expect.thing), place_of(table, {"thing"}),
+                 suggestion(expect.thing, names, "things")};
+  const Figure* figure = find_figure(expect.quantity);
+  PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
+  if (figure->of_hits != nullptr) return {};
+  return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is no figure of hits",
+               place_of(table, {"quantity"}), suggestion(expect.quantity, hit_figure_names(), "of hits there are")};
 }
 
 }  // namespace physim

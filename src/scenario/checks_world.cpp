@@ -43,14 +43,31 @@ Status check_shot_name(const Scenario& scenario, const std::string& name, const 
   return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names, "shots")};
 }
 
+Error needs_world(const std::string& path, const Value& value) {
+  return {path + ": there is no [world] for it", value.place.text(), "write [world], and the shots fly in it"};
+}
+
+/// Flights read how a body meets things, and nothing else that is in its tables.
+Status check_contact_keys(const std::string& path, const Value& table) {
+  const Table* members = table.get<Table>();
+  if (members == nullptr) return {};
+  for (const Member& member : *members) {
+    const std::string key = path + "." + member.key;
+    if (!is_of_contact(key)) return needs_world(key, member.value);
+    if (Status status = check_contact_keys(key, member.value); !status) return status;
+  }
+  return {};
+}
+
 Status check_absence(const Scenario& scenario, const Value& document) {
-  const auto needs_world = [](const std::string& path, const Value& value) {
-    return Error{path + ": there is no [world] for it", value.place.text(), "write [world], and the shots fly in it"};
-  };
   for (const std::string_view key : kWorldLists)
     if (const Value* value = document.find(key)) return needs_world(std::string(key), *value);
-  for (std::size_t i = 0; i < scenario.shots.size(); ++i)
-    if (const Value* body = element(document, "shot", i).find("body")) return needs_world("shot.body", *body);
+  for (std::size_t i = 0; i < scenario.shots.size(); ++i) {
+    const Value* body = element(document, "shot", i).find("body");
+    if (body == nullptr) continue;
+    if (scenario.things.empty()) return needs_world("shot.body", *body);
+    if (Status status = check_contact_keys("shot.body", *body); !status) return status;
+  }
   return {};
 }
 
@@ -158,20 +175,6 @@ Status check_force(const Scenario& scenario, const ScenarioForce& force, const V
   return {};
 }
 
-Status check_thing_expectation(const Scenario& scenario, const Expectation& expect, const Figure& figure,
-                               const Value& table) {
-  PHYSIM_ASSERT(!expect.thing.empty());
-  std::vector<std::string_view> names;
-  for (const ScenarioThing& thing : scenario.things) names.push_back(thing.name);
-  if (std::ranges::count(names, expect.thing) == 0)
-    return Error{"expect.thing: no thing is named " + in_quotes(expect.thing), place_of(table, {"thing"}),
-                 suggestion(expect.thing, names, "things")};
-  if (figure.of_hits == nullptr)
-    return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is no figure of hits",
-                 place_of(table, {"quantity"}), suggestion(expect.quantity, hit_figure_names(), "of hits there are")};
-  return {};
-}
-
 Status check_group_expectation(const Scenario& scenario, const Expectation& expect, const Value& table) {
   const std::vector<std::string_view> names = group_names(scenario);
   if (!expect.shot.empty() && std::ranges::count(names, expect.shot) == 0)
@@ -182,7 +185,7 @@ Status check_group_expectation(const Scenario& scenario, const Expectation& expe
   const Figure* figure = find_figure(expect.quantity);
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (!expect.thing.empty())
-    if (Status status = check_thing_expectation(scenario, expect, *figure, table); !status) return status;
+    if (Status status = check_thing_expectation(scenario, expect, table); !status) return status;
   if (figure->of_group == nullptr && figure->of_hits == nullptr)
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
                  place_of(table, {"quantity"}),
@@ -215,7 +218,11 @@ void complete_world(Scenario& scenario, const Value& document) {
 }
 
 Status check_world(const Scenario& scenario, const Value& document) {
-  if (!scenario.world.given) return check_absence(scenario, document);
+  if (!scenario.world.given) {
+    if (Status status = check_absence(scenario, document); !status) return status;
+    if (Status status = check_bodies(scenario, document); !status) return status;
+    return check_scene(scenario, document);
+  }
   if (Status status = check_unused(document); !status) return status;
   if (const Status status = check(scenario.world.def); !status)
     return in_file(status.error(), "world", *document.find("world"));

@@ -1,33 +1,68 @@
-// Flies a shot of a scenario; where it asks for a fidelity by its error, that is found first.
+// Flies a shot of a scenario through its things; where it asks for a fidelity by its error, that is found first.
 #include <algorithm>
 
 #include "base/ieee_mode.hpp"
+#include "flight/flight_record.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "physim/scenario.hpp"
 
 namespace physim {
+namespace {
 
-Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot) {
-  const IeeeMode mode;
+/// How long a fidelity must keep its error: it is measured on flights that meet nothing, and may land elsewhere.
+double time_of_purpose(const Flight& flight, const Until& until) {
+  for (const Event& event : flight.events())
+    if (event.kind == EventKind::hit && event.time > 0) return event.time;
+  return flight.outcome() == Outcome::landed ? std::min(2 * flight.duration(), until.time) : flight.duration();
+}
+
+Flight fly_until(const Scenario& scenario, const ScenarioShot& shot, const Until& until) {
   const ProjectileDef& projectile = shot.projectile;
   const auto fly_at = [&](const Fidelity& fidelity) {
-    return fly(projectile, shot.launch, scenario.environment, fidelity, scenario.tolerance, scenario.until);
+    return fly(projectile, shot.launch, scenario.environment, fidelity, scenario.tolerance, until);
   };
   if (!shot.cheapest_within) return fly_at(projectile.fidelity);
 
   // The scenario may end a flight in ways that a purpose does not know; a first flight tells how long it lasts.
   Purpose purpose{.error = *shot.cheapest_within,
                   .step = scenario.tolerance.step,
-                  .ground = scenario.until.ground,
+                  .ground = until.ground,
                   .truth = projectile.fidelity,
                   .tolerance = scenario.tolerance};
   purpose.truth.integrator = Integrator::dop853;
   purpose.truth.precision = Precision::float64;
   const Flight flight = fly_at(purpose.truth);
   if (flight.error()) return flight;
-  const bool landed = flight.outcome() == Outcome::landed;
-  purpose.time = landed ? std::min(2 * flight.duration(), scenario.until.time) : flight.duration();
-  return fly_within(projectile, shot.launch, scenario.environment, purpose, scenario.until);
+  purpose.time = time_of_purpose(flight, until);
+  return fly_within(projectile, shot.launch, scenario.environment, purpose, until);
+}
+
+}  // namespace
+
+ContactDef contact_of(const ScenarioShot& shot) {
+  const BodyDef& body = shot.body;
+  return {.collision = body.collision,
+          .restitution = body.restitution,
+          .friction = body.friction,
+          .rolling_resistance = body.rolling_resistance};
+}
+
+Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot, const Scene& scene) {
+  const IeeeMode mode;
+  Until until = scenario.until;
+  until.scene = &scene;
+  until.contact = contact_of(shot);
+  return fly_until(scenario, shot, until);
+}
+
+Flight fly_shot(const Scenario& scenario, const ScenarioShot& shot) {
+  const IeeeMode mode;
+  if (scenario.world.given || scenario.things.empty()) return fly_until(scenario, shot, scenario.until);
+  const Result<Scene> scene = scene_of(scenario);
+  if (scene) return fly_shot(scenario, shot, *scene);
+  auto refused = std::make_shared<FlightRecord>();
+  refused->error = scene.error();
+  return Flight(refused);
 }
 
 }  // namespace physim

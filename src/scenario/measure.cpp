@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "physim/flight_hits.hpp"
 #include "physim/names.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/suggest.hpp"
@@ -32,10 +33,11 @@ Result<Sample> sample_at(const Flight& flight, const Expectation& expectation) {
   PHYSIM_UNREACHABLE();
 }
 
-/// The hits of a group on a thing, or on all; none where it never hit it.
-ThingHits hits_on(const WorldGroup& group, const std::string& thing) {
-  if (thing.empty()) return group.on_things;
-  for (const ThingHits& hits : group.by_thing)
+/// The hits of a group or a flight on a thing, or on all; none where it never hit it.
+template <class Hits>
+ThingHits hits_on(const Hits& of, const std::string& thing) {
+  if (thing.empty()) return of.on_things;
+  for (const ThingHits& hits : of.by_thing)
     if (hits.thing == thing) return hits;
   return {};
 }
@@ -68,6 +70,14 @@ Result<double> measure(const Flight& flight, const Expectation& expectation) {
   Error error = value.error();
   error.place = expectation.place;  // the line of the file that asked
   return error;
+}
+
+Result<double> measure(const Flight& flight, const FlightHits& hits, const Expectation& expectation) {
+  const IeeeMode mode;
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure == nullptr || figure->is_of_flights() || figure->of_hits == nullptr) return measure(flight, expectation);
+  if (const auto value = figure->of_hits(hits_on(hits, expectation.thing))) return *value;
+  return Error{"there is no hit to measure", expectation.place, "its count is zero"};
 }
 
 Result<double> measure(const WorldGroup& group, const Expectation& expectation) {

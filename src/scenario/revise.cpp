@@ -156,11 +156,9 @@ std::optional<std::string> revised_text(const std::string& text, const std::stri
   if (!before) return std::nullopt;
   Scenario kept = now;
   std::string revised = text, added = more_of(&Scenario::shots, "shot", *before, now, kept);
-  if (now.world.given) {
-    added += more_materials(*before, now, kept);
-    added += more_of(&Scenario::shapes, "shape", *before, now, kept);
-    added += more_of(&Scenario::things, "thing", *before, now, kept);
-  }
+  added += more_materials(*before, now, kept);
+  added += more_of(&Scenario::shapes, "shape", *before, now, kept);
+  added += more_of(&Scenario::things, "thing", *before, now, kept);
   const auto wanted = changes(*before, kept);
   if (!wanted) return std::nullopt;
   for (const Change& change : *wanted) {

@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "physim/scene_parts.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/suggest.hpp"
 
@@ -88,7 +89,10 @@ Status SceneMaker::add_thing(std::size_t index) {
     def.material = *material;
   }
   const Result<InstanceId> added = scene_.add(def);
-  return added ? Status() : Status(added.error());
+  if (!added) return added.error();
+  PHYSIM_ASSERT(things_.size() == index);
+  things_.push_back(*added);
+  return {};
 }
 
 Status SceneMaker::make_all() {
@@ -104,6 +108,13 @@ Result<Scene> scene_of(const Scenario& scenario) {
   SceneMaker maker(scenario);
   if (const Status status = maker.make_all(); !status) return status.error();
   return maker.scene();
+}
+
+Result<SceneParts> scene_parts(const Scenario& scenario) {
+  const IeeeMode mode;
+  SceneMaker maker(scenario);
+  if (const Status status = maker.make_all(); !status) return status.error();
+  return SceneParts{maker.scene(), maker.materials(), maker.things()};
 }
 
 }  // namespace physim

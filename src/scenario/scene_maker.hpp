@@ -21,11 +21,14 @@ class SceneMaker {
   [[nodiscard]] const Scene& scene() const { return scene_; }
   /// The ids of Scenario::materials, in their order.
   [[nodiscard]] const std::vector<MaterialId>& materials() const { return materials_; }
+  /// The ids of Scenario::things, in their order.
+  [[nodiscard]] const std::vector<InstanceId>& things() const { return things_; }
 
  private:
   const Scenario& scenario_;
   Scene scene_;
   std::vector<MaterialId> materials_;
+  std::vector<InstanceId> things_;
   std::map<std::string_view, ShapeId> shape_ids_;
   std::map<std::string_view, MaterialId> material_ids_;
 };

@@ -116,6 +116,19 @@ const SchemaNode* find_node(std::string_view path) {
   return node;
 }
 
+bool is_of_contact(std::string_view path) {
+  constexpr std::string_view kPaths[] = {"shot.body",
+                                         "shot.body.restitution",
+                                         "shot.body.friction",
+                                         "shot.body.rolling_resistance",
+                                         "shot.body.collision",
+                                         "shot.body.collision.on_hit",
+                                         "shot.body.collision.radius",
+                                         "shot.body.collision.inertia",
+                                         "shot.body.collision.layers"};
+  return std::ranges::count(kPaths, path) > 0;
+}
+
 const std::vector<std::string_view>& setting_paths() {
   static const std::vector<std::string_view> paths = [] {
     std::vector<std::string_view> list;

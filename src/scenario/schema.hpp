@@ -148,7 +148,11 @@ struct SchemaNode {
 /// The node of a path; null where there is none.
 [[nodiscard]] const SchemaNode* find_node(std::string_view path);
 /// Lists of tables that only a scenario with a [world] has.
-inline constexpr std::string_view kWorldLists[] = {"volley", "force", "material", "shape", "thing"};
+inline constexpr std::string_view kWorldLists[] = {"volley", "force"};
+/// Lists of tables that say what there is to hit, in a [world] and for single flights.
+inline constexpr std::string_view kSceneLists[] = {"material", "shape", "thing"};
+/// Whether shot.body, or what is in it at this path, says how a shot meets things: single flights read that, too.
+[[nodiscard]] bool is_of_contact(std::string_view path);
 
 /// The paths of all settings.
 [[nodiscard]] const std::vector<std::string_view>& setting_paths();

@@ -233,8 +233,7 @@ constexpr Entry kSceneSettings[] = {
         "shape.kind", [](const Scope& s) -> ValueRef { return kind_choice<kShapes>(s.shape->shape); },
         "where no table says so; plane: everything below y = 0"),
 
-    setting("thing", PHYSIM_FIELD(scenario->things), "what stands in the world, for projectiles to hit",
-            at_most(100000)),
+    setting("thing", PHYSIM_FIELD(scenario->things), "what stands there, for projectiles to hit", at_most(100000)),
     PHYSIM_THING(name, "in tables; default: thing-1, thing-2, ..."),
     PHYSIM_THING(shape, "name of its shape", kRequired),
     PHYSIM_THING(material, "name of its material, or of a preset; empty: that of every scene"),
@@ -247,7 +246,7 @@ constexpr Entry kSceneSettings[] = {
     PHYSIM_THING(velocity, "steady", Quantity::speed),
     PHYSIM_THING(angular_velocity, "steady, about its origin", Quantity::angular_rate),
     PHYSIM_THING(keys, "where it is at rising times, instead of a position and steady motion", at_most(10000)),
-    PHYSIM_ROW("thing.keys", key, time, "of the world", Quantity::time),
+    PHYSIM_ROW("thing.keys", key, time, "of the world; without one, since the launch", Quantity::time),
     PHYSIM_ROW("thing.keys", key, position, "of its origin then", Quantity::length),
     PHYSIM_ROTATION("thing.keys", key),
     PHYSIM_ROW("thing.keys", key, velocity, "of its origin then, for curve = \"smooth\"", Quantity::speed),

@@ -293,6 +293,9 @@ Result<StudyTarget> parse_study_target(std::string_view text) {
 
 Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
   const ScenarioStudy& texts = scenario.study;
+  if (!scenario.world.given && !scenario.things.empty())
+    return Error{"many shots at once meet nothing, and the scenario has things", "thing",
+                 "take each [[thing]] out of it"};
   Study study{.projectile = shot.projectile,
               .launch = shot.launch,
               .environment = scenario.environment,

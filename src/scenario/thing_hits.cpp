@@ -57,10 +57,9 @@ ThingHit SceneOfRun::hit(const Launched& launched, const Event& event, const Sce
   return hit;
 }
 
-const ThingHit* take_event(RunState& state, Track& track, const SceneOfRun& run, const Event& event,
-                           const Scene& scene) {
+const ThingHit* take_event(std::vector<ThingHit>& hits, Track& track, OnHit on_hit, const SceneOfRun& run,
+                           const Event& event, const Scene& scene) {
   if (!event.instance) return nullptr;  // only what is met has one
-  std::vector<ThingHit>& hits = state.thing_hits;
   const EventKind kind = event.kind;
   if (kind == EventKind::entered || kind == EventKind::left || kind == EventKind::sensed) {
     hits.emplace_back(run.hit(track.launched, event, scene)).outcome = kind;
@@ -69,8 +68,6 @@ const ThingHit* take_event(RunState& state, Track& track, const SceneOfRun& run,
   if (kind == EventKind::hit) {
     track.hit = hits.size();
     ThingHit& hit = hits.emplace_back(run.hit(track.launched, event, scene));
-    const WorldGroup& group = state.groups[hit.launched.group];
-    const OnHit on_hit = run.scenario->shots[group.shot].body.collision.on_hit;
     const bool stays = on_hit == OnHit::stop || on_hit == OnHit::stick || event.reason == Reason::inside;
     if (!stays) return nullptr;
     hit.outcome = EventKind::stopped;
@@ -86,19 +83,18 @@ const ThingHit* take_event(RunState& state, Track& track, const SceneOfRun& run,
   return hit;
 }
 
-void drop_contacts(RunState& state) {
-  std::erase_if(state.thing_hits, [](const ThingHit& hit) { return hit.outcome == EventKind::hit; });
+void drop_contacts(std::vector<ThingHit>& hits) {
+  std::erase_if(hits, [](const ThingHit& hit) { return hit.outcome == EventKind::hit; });
 }
 
-void count_hit(WorldGroup& group, const ThingHit& hit, const Scenario& scenario) {
-  ++group.hits;
-  add_hit(group.on_things, hit);
+void count_hit(ThingHits& on_things, std::vector<ThingHits>& by_thing, const ThingHit& hit, const Scenario& scenario) {
+  add_hit(on_things, hit);
   if (hit.thing == ThingHit::kNone) return;
   const std::string& name = scenario.things[hit.thing].name;
-  auto of_thing = std::ranges::find(group.by_thing, name, &ThingHits::thing);
-  if (of_thing == group.by_thing.end()) {
-    group.by_thing.emplace_back().thing = name;
-    of_thing = group.by_thing.end() - 1;
+  auto of_thing = std::ranges::find(by_thing, name, &ThingHits::thing);
+  if (of_thing == by_thing.end()) {
+    by_thing.emplace_back().thing = name;
+    of_thing = by_thing.end() - 1;
   }
   add_hit(*of_thing, hit);
 }

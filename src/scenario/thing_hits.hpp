@@ -8,7 +8,7 @@
 
 namespace physim {
 
-/// What a run knows of its scene.
+/// What a run, or a flight, knows of its scene.
 struct SceneOfRun {
   const Scenario* scenario = nullptr;
   std::span<const MaterialId> materials;  // of Scenario::materials
@@ -16,14 +16,15 @@ struct SceneOfRun {
   [[nodiscard]] ThingHit hit(const Launched& launched, const Event& event, const Scene& scene) const;
 };
 
-/// Where an event belongs to a hit, the hit that it makes complete, or null: not complete yet, or of no hit.
-[[nodiscard]] const ThingHit* take_event(RunState& state, Track& track, const SceneOfRun& run, const Event& event,
-                                         const Scene& scene);
+/// Where an event belongs to a hit, the hit that it makes complete, or null: not complete yet, or of no hit. `on_hit`:
+/// what the projectile does then.
+[[nodiscard]] const ThingHit* take_event(std::vector<ThingHit>& hits, Track& track, OnHit on_hit, const SceneOfRun& run,
+                                         const Event& event, const Scene& scene);
 
 /// Drops what became nothing: contacts that go on.
-void drop_contacts(RunState& state);
+void drop_contacts(std::vector<ThingHit>& hits);
 
-/// Counts a hit.
-void count_hit(WorldGroup& group, const ThingHit& hit, const Scenario& scenario);
+/// Counts a hit: on all things, and on its own.
+void count_hit(ThingHits& on_things, std::vector<ThingHits>& by_thing, const ThingHit& hit, const Scenario& scenario);
 
 }  // namespace physim

@@ -207,8 +207,10 @@ void WorldRun::Impl::count(std::span<const Event> news) {
     events.push_back({track->launched, event});
     WorldGroup& group = groups[track->launched.group];
     const Scene* scene = world.scene();
-    if (const ThingHit* hit = scene ? take_event(*this, *track, scene_of_run, event, *scene) : nullptr) {
-      count_hit(group, *hit, scenario);
+    const OnHit on_hit = scenario.shots[group.shot].body.collision.on_hit;
+    if (const ThingHit* hit = scene ? take_event(thing_hits, *track, on_hit, scene_of_run, event, *scene) : nullptr) {
+      ++group.hits;
+      count_hit(group.on_things, group.by_thing, *hit, scenario);
       touch(*track, group, hit->time, hit->position, hit->velocity);
     }
     switch (event.kind) {
@@ -298,7 +300,7 @@ void WorldRun::Impl::step() {
   PHYSIM_ASSERT(dt > 0);
   world.step(dt);
   count(world.events());
-  drop_contacts(*this);
+  drop_contacts(thing_hits);
   if (scenario.world.wall) look_at_wall(dt);
 }
 

@@ -172,10 +172,27 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
 }
 
 /// Settings of worlds are for scenarios that have one, and would make one; those of single flights are for the others.
+/// Flights that have nothing to meet know nothing of scenes.
 bool is_left_out(const SchemaNode& node, const Scenario& scenario) {
-  if (!scenario.world.given)
-    return node.path == "world" || node.path == "shot.body" || std::ranges::count(kWorldLists, node.path) > 0;
-  return node.path == "until" || node.path == "output";
+  if (scenario.world.given) return node.path == "until" || node.path == "output";
+  if (node.path == "world" || std::ranges::count(kWorldLists, node.path) > 0) return true;
+  if (std::ranges::count(kSceneLists, node.path) > 0)
+    return scenario.materials.empty() && scenario.shapes.empty() && scenario.things.empty();
+  return node.path.starts_with("shot.body") && (scenario.things.empty() || !is_of_contact(node.path));
+}
+
+/// A body but for what the file of a scenario can say.
+BodyDef unsaid(BodyDef body, const Scenario& scenario) {
+  if (scenario.world.given) return {};
+  if (scenario.things.empty()) return body;
+  const BodyDef usual;
+  body.restitution = usual.restitution;
+  body.friction = usual.friction;
+  body.rolling_resistance = usual.rolling_resistance;
+  const std::uint32_t others = body.collision.others;
+  body.collision = usual.collision;
+  body.collision.others = others;
+  return body;
 }
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
@@ -255,7 +272,8 @@ std::optional<std::string> preset_text(const SchemaNode& node, const Scope& scop
     scope_of_reader.scenario = scope.scenario;
     collect(*table, scope_of_reader, had);
     PHYSIM_ASSERT(had.size() == wanted.size());
-    const bool has_body = scope.scenario->world.given || !scope.shot || scope_of_reader.shot->body == scope.shot->body;
+    const bool has_body =
+        !scope.shot || unsaid(scope_of_reader.shot->body, *scope.scenario) == unsaid(scope.shot->body, *scope.scenario);
     std::size_t count = has_body ? 0 : had.size();
     for (std::size_t i = 0; i < had.size(); ++i) count += had[i] != wanted[i];
     return count;

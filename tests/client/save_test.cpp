@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "cli/program.hpp"
+#include "physim/flight_hits.hpp"
 #include "physim/world_run.hpp"
 #include "scenario/revise.hpp"
 #include "simclient/core/actions.hpp"
@@ -48,13 +49,15 @@ std::string outcome(const Scenario& scenario) {
         if (expect.shot.empty() || expect.shot == group.name) judge(expect, measure(group, expect));
     return out;
   }
+  const SceneParts parts = scene_parts(scenario).value();
   for (const ScenarioShot& shot : scenario.shots) {
     const Flight flight = fly_shot(scenario, shot);
+    const FlightHits hits = flight_hits(scenario, shot, flight, parts);
     const Sample end = flight.end();
     for (const double x : {end.time, end.position.x, end.position.y, end.position.z, end.speed, flight.elevation()})
       out += bits(x);
     for (const Expectation& expect : scenario.expect)
-      if (expect.shot.empty() || expect.shot == shot.projectile.name) judge(expect, measure(flight, expect));
+      if (expect.shot.empty() || expect.shot == shot.projectile.name) judge(expect, measure(flight, hits, expect));
   }
   return out;
 }

@@ -10,6 +10,7 @@
 #include <regex>
 #include <sstream>
 
+#include "physim/flight_hits.hpp"
 #include "physim/scenario.hpp"
 #include "physim/world_run.hpp"
 
@@ -202,14 +203,16 @@ TEST(Scenarios, AllMeetTheirExpectations) {
       expect_of_world(*scenario);
       continue;
     }
+    const SceneParts parts = scene_parts(*scenario).value();
     for (const ScenarioShot& shot : scenario->shots) {
       const ProjectileDef& p = shot.projectile;
       const Flight flight = fly_shot(*scenario, shot);
       ASSERT_FALSE(flight.error()) << file << ": " << p.name << ": " << flight.error()->text();
+      const FlightHits hits = flight_hits(*scenario, shot, flight, parts);
       for (const Expectation& expect : scenario->expect) {
         if (!expect.shot.empty() && expect.shot != p.name) continue;
         EXPECT_FALSE(expect.source.empty()) << expect.place << ": no source";
-        const Result<double> value = measure(flight, expect);
+        const Result<double> value = measure(flight, hits, expect);
         ASSERT_TRUE(value.ok()) << value.error().text();
         EXPECT_NEAR(*value, expect.equals, expect.within) << expect.place << ": " << p.name << ": " << expect.quantity;
       }

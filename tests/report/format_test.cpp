@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "physim/recording_file.hpp"
+#include "report/pictures.hpp"
 
 namespace physim::report {
 namespace {
@@ -127,6 +128,20 @@ TEST(Formats, GlobesNeedARoundEarth) {
     EXPECT_TRUE(format.check(results.flown).ok()) << format.name;
     EXPECT_FALSE(format.check(flown).ok()) << format.name;
   }
+}
+
+TEST(Formats, PicturesMarkWhereFlightsHit) {
+  const std::string wall =
+      "[[shape]]\nname = \"a\"\nbox = [1, 50, 50]\n[[thing]]\nshape = \"a\"\nposition = [81, 0, 0]\n";
+  const std::string text =
+      "physim = 1\n[[shot]]\nspeed = 100\nelevation = \"10 deg\"\nfidelity = \"arcade\"\n[[shot]]\nspeed = 10\n";
+  FlownScenario flown{.scenario = parse_scenario(text + wall, "wall.toml").value(), .shots = {}, .checks = {}};
+  ASSERT_TRUE(fly_all(flown).ok());
+  ASSERT_EQ(flown.hits.size(), 1U);
+  const std::string script = shots_picture("", flown.shots).script;
+  EXPECT_NE(script.find("$shot0hits << EndOfData\n80 "), std::string::npos) << script.substr(0, 500);
+  EXPECT_NE(script.find("$shot0hits using 1:2 with points"), std::string::npos);
+  EXPECT_EQ(script.find("$shot1hits"), std::string::npos) << "it comes down before";
 }
 
 TEST(Records, CsvQuotesWhatNeedsIt) {

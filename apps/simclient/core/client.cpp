@@ -78,6 +78,8 @@ void Client::take_file(const std::string& file) {
   const Result<std::string> text = read_text_file(file, kMostBytes, "scenario file");
   text_ = text ? *text : "";
   unsaved_ = became_world_ = false;
+  const Scenario& scenario = session.scenario();
+  meets_things_ = !scenario.world.given && !scenario.things.empty();
 }
 
 void Client::advance(double real_dt, double patience) {
@@ -174,8 +176,9 @@ Scenario Client::with_next_shot() const {
     *namesake = next;
   else if (!scenario.world.given || scenario.shots.empty())
     scenario.shots.push_back(next);
-  // Things stand in worlds. Expectations of flights would not be read there.
-  const bool becomes_world = became_world_ || !scenario.things.empty();
+  // Flights that had things keep theirs; what is put up beside other flights stands in a world, where expectations of
+  // flights would not be read.
+  const bool becomes_world = became_world_ || (!scenario.things.empty() && !meets_things_);
   if (becomes_world && !scenario.world.given) scenario.expect.clear();
   return becomes_world ? with_world(scenario) : scenario;
 }

@@ -193,6 +193,7 @@ class Client {
   std::optional<Versions> compared_at_, predicted_at_;  // none: never
   std::string scenario_file_, text_;                    // of the scenario: its file, and what that says
   bool unsaved_ = false, became_world_ = false;         // became: when it was saved, as its shots ask for one
+  bool meets_things_ = false;                           // its file is of flights, and has things
   std::string recorded_;                                // file of the last recording
   std::uint64_t session_version_ = 0;
   std::deque<Message> messages_;

@@ -1,0 +1,123 @@
+// Things in the way of single flights, on the command line: what `physim run` tells of them, what other commands leave
+// aside, and how `physim aim` finds its way.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+#ifdef PHYSIM_CLI
+
+namespace physim::testing_cli {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+const std::string kMortar = PHYSIM_SOURCE_DIR "/scenarios/mortar_over_hill.toml";
+
+nlohmann::json json_of(const Ran& ran) {
+  EXPECT_EQ(ran.err, "");
+  return nlohmann::json::parse(ran.out, nullptr, false);
+}
+
+TEST(CliScene, RunTellsWhatFlightsHit) {
+  const Ran ran = physim({"run", kMortar});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "\n  hit            at 3.9774 s: ")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "hit at [s]  what  thing")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "12 of 12 met")) << ran.out;
+}
+
+TEST(CliScene, RunWritesHits) {
+  const Folder folder;
+  const auto json = json_of(physim({"run", kMortar, "--json", "-", "--hits", folder / "hits.csv"}));
+  ASSERT_EQ(json["hits"].size(), 2u);
+  const auto& low = json["hits"][0];
+  EXPECT_EQ(low["what"], "low");
+  EXPECT_EQ(low["thing"], "hill");
+  EXPECT_EQ(low["then"], "stopped");
+  EXPECT_NEAR(low["position [m]"][0], 448.499602, 1e-5);
+  EXPECT_EQ(json["hits"][1]["material"], "ice");
+  EXPECT_EQ(json["shots"][0]["outcome"], "hit");
+  EXPECT_EQ(json["shots"][1]["outcome"], "landed");
+  EXPECT_EQ(json["settings"]["shot.back.body.collision.on_hit"], "bounce");
+  EXPECT_EQ(std::ranges::count(read(folder / "hits.csv"), '\n'), 3);
+}
+
+TEST(CliScene, OthersSayThatTheyLeaveThingsAside) {
+  const Ran table = physim({"table", kMortar, "--ranges", "900 m"});
+  EXPECT_EQ(table.code, 0);
+  EXPECT_TRUE(has(table.err, "the things of the scenario are left aside: a range card is of")) << table.err;
+  EXPECT_FALSE(has(table.out, "not reached")) << "through the hill: " << table.out;
+  const Ran far = physim({"max-range", kMortar});
+  EXPECT_EQ(far.code, 0);
+  EXPECT_TRUE(has(far.err, "left aside")) << far.err;
+  const Ran study = physim({"study", kMortar, "--range", "400 m", "--vary", "shot.speed = +- 3 m/s"});
+  EXPECT_EQ(study.code, 2);
+  EXPECT_TRUE(has(study.err, "many shots at once meet nothing")) << study.err;
+  EXPECT_EQ(physim({"table", PHYSIM_SOURCE_DIR "/scenarios/bullet_through_plank.toml"}).err, "") << "of worlds, all is";
+}
+
+TEST(CliScene, AimTellsBlockedWaysAndByWhat) {
+  const Ran ran = physim({"aim", kMortar});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "\"hill\" hides the target")) << ran.out;
+  const auto json = json_of(physim({"aim", kMortar, "--json", "-"}));
+  EXPECT_TRUE(json["in_reach"]);
+  EXPECT_NEAR(json["high"]["elevation [rad]"], 70 * kDegree, 1e-3);
+  ASSERT_EQ(json["blocked"].size(), 1u);
+  const auto& blocked = json["blocked"][0];
+  EXPECT_NEAR(blocked["elevation [rad]"], 20 * kDegree, 2e-3);
+  EXPECT_EQ(blocked["hit"]["thing"], "hill");
+  // On the face of the hill, and on the parabola of that elevation.
+  const double x = blocked["hit"]["position [m]"][0], y = blocked["hit"]["position [m]"][1];
+  const double e = blocked["elevation [rad]"], across = 120 * std::cos(e);
+  EXPECT_NEAR(y, (x - 300) * 150 / 260, 1e-6);
+  EXPECT_NEAR(y, x * std::tan(e) - 9.80665 * x * x / (2 * across * across), 1e-6);
+  EXPECT_EQ(json["sight_ends"]["thing"], "hill");
+}
+
+TEST(CliScene, AimFindsNothingBehindWhatIsTooHigh) {
+  const Ran ran = physim({"aim", kMortar, "--arc", "low"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_TRUE(has(ran.out, "blocked at elevation 20 deg")) << ran.out;
+}
+
+TEST(CliScene, AimsAtAThing) {
+  const std::string wall = "300 m, 80 m, 0 m";  // in the face of nothing: before the hill
+  const auto at_wall = json_of(physim({"aim", kMortar, "--shot", "back", "--thing", "wall", "--json", "-"}));
+  EXPECT_TRUE(at_wall["in_reach"]);
+  EXPECT_TRUE(at_wall["blocked"].empty()) << "the thing that is aimed at is in nobody's way";
+  EXPECT_EQ(at_wall["target"]["position [m]"][0], -101);
+  EXPECT_EQ(at_wall["target"]["position [m]"][1], 50);
+  const auto beside = json_of(physim({"aim", kMortar, "--target", wall, "--json", "-"}));
+  EXPECT_TRUE(beside["sight_ends"].is_null());
+  const Ran unknown = physim({"aim", kMortar, "--thing", "wal"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_TRUE(has(unknown.err, "--thing: error: there is no thing \"wal\"; its things are \"hill\", \"wall\""))
+      << unknown.err;
+}
+
+/// A parabola over the slope of the hill: they are 2 m apart at the smaller root of its quadratic, and meet at the end.
+TEST(CliScene, DangerSpaceOnTheSlopeOfTheHill) {
+  const auto json =
+      json_of(physim({"danger-space", kMortar, "--range", "447 m", "--height", "2 m", "--terrain", "--json", "-"}));
+  const double e = 20 * kDegree, a = 150.0 / 260, k = 9.80665 / (2 * 120 * 120 * std::cos(e) * std::cos(e));
+  const double b = std::tan(e) - a, c = 300 * a;  // x b - k x^2 + c is the height over the slope
+  const auto place = [&](double h) { return (b + std::sqrt(b * b + 4 * k * (c - h))) / (2 * k); };
+  EXPECT_NEAR(json["from [m]"], place(2), 1e-6);
+  EXPECT_NEAR(json["to [m]"], place(0), 1e-5);
+  const Ran high = physim({"danger-space", kMortar, "--range", "400 m", "--height", "2 m", "--terrain"});
+  EXPECT_EQ(high.code, 2);
+  EXPECT_TRUE(has(high.err, "above the ground there; it hits nothing there that is 2 m high")) << high.err;
+  const Ran bare = physim({"danger-space", PHYSIM_SOURCE_DIR "/scenarios/308_168gr_g7.toml", "--range", "400 m",
+                           "--height", "2 m", "--terrain"});
+  EXPECT_EQ(bare.code, 2);
+  EXPECT_TRUE(has(bare.err, "--terrain: error: the scenario has nothing to stand on")) << bare.err;
+}
+
+}  // namespace
+}  // namespace physim::testing_cli
+
+#endif

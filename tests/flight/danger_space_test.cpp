@@ -1,0 +1,113 @@
+// danger_space() over the ground of a scene: a parabola over a slope, a straight path over a plateau, and what is
+// refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "physim/aim.hpp"
+#include "physim/scene.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kG = 9.80665, kDegree = 3.14159265358979323846 / 180;
+
+Fidelity simple(GravityModel gravity) {
+  Fidelity fidelity = Fidelity::simulation();
+  fidelity.gravity = gravity;
+  fidelity.earth = EarthModel::flat;
+  return fidelity;
+}
+Environment airless() {
+  Environment environment;
+  environment.gravity = {.model = GravityModel::constant, .acceleration = kG};
+  environment.atmosphere.model = AirModel::vacuum;
+  return environment;
+}
+
+Scene slope(double tilt) {
+  Scene scene;
+  const ShapeId plane = scene.add_shape(PlaneShape{}).value();
+  EXPECT_TRUE(scene.add({.shape = plane, .transform = {.rotation = quat_from_axis_angle({0, 0, 1}, tilt)}}));
+  return scene;
+}
+
+/// y = x tan e - k x^2 over y = x tan a: they are h apart where x (tan e - tan a) - k x^2 = h.
+TEST(DangerSpaceOverGround, OfAParabolaOverASlope) {
+  for (const double tilt : {-10 * kDegree, 0.0, 10 * kDegree, 25 * kDegree}) {
+    const Scene scene = slope(tilt);
+    const double e = 30 * kDegree, v = 100, h = 1.7, k = kG / (2 * v * v * std::cos(e) * std::cos(e));
+    Until until{.ground = {}, .time = 60};
+    until.scene = &scene;
+    const Launch launch{.position = {0, 1e-3, 0}, .speed = v, .elevation = e};
+    const Flight flight = fly({}, launch, airless(), simple(GravityModel::constant), {}, until);
+    ASSERT_EQ(flight.outcome(), Outcome::hit);
+    const double b = std::tan(e) - std::tan(tilt);
+    const auto place = [&](double height) {  // on the falling branch; it starts a millimetre high
+      return (b + std::sqrt(b * b - 4 * k * (height - 1e-3))) / (2 * k);
+    };
+    const auto space = danger_space(flight, 0.5 * (place(0) + place(h)), h, scene);
+    ASSERT_TRUE(space) << space.error().text();
+    EXPECT_NEAR(space->from, place(h), 1e-6) << tilt;
+    EXPECT_NEAR(space->to, place(0), 1e-5) << tilt;
+    // Near the muzzle it rises out of the target again.
+    const auto first = danger_space(flight, 1, h, scene);
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->from, 0);
+    EXPECT_NEAR(first->to, (b - std::sqrt(b * b - 4 * k * (h - 1e-3))) / (2 * k), 1e-6);
+  }
+}
+
+/// 9 m of a plateau below a straight path at 10 m: what stands on it is hit from edge to edge, and nothing beside it.
+TEST(DangerSpaceOverGround, EndsAtTheEdgesOfAPlateau) {
+  Scene scene = slope(0);
+  const ShapeId box = scene.add_shape(BoxShape{{50, 9, 50}}).value();
+  ASSERT_TRUE(scene.add({.shape = box, .transform = {.position = {550, 0, 0}}, .layers = 2}));
+  const Flight flight = fly({}, {.position = {0, 10, 0}, .speed = 200}, airless(), simple(GravityModel::off), {},
+                            {.ground = {}, .time = 5});
+  const auto space = danger_space(flight, 530, 2, scene);
+  ASSERT_TRUE(space) << space.error().text();
+  EXPECT_NEAR(space->from, 500, 1e-6);
+  EXPECT_NEAR(space->to, 600, 1e-6);
+  const auto beside = danger_space(flight, 400, 2, scene);
+  ASSERT_FALSE(beside);
+  EXPECT_EQ(beside.error().message, "the path passes 10 m above the ground there");
+  EXPECT_FALSE(danger_space(flight, 530, 2, scene, 1)) << "the plateau is of another layer";
+  const auto high = danger_space(flight, 400, 11, scene);
+  ASSERT_TRUE(high);
+  EXPECT_EQ(high->from, 0);
+  EXPECT_NEAR(high->to, 1000, 1e-9);
+}
+
+/// Over a sphere as large as the Earth, a straight path rises: it leaves the target where its altitude is the height.
+TEST(DangerSpaceOverGround, LiesBelowAlongTheVerticalOfARoundEarth) {
+  Fidelity fidelity = simple(GravityModel::off);
+  fidelity.earth = EarthModel::sphere;
+  const Flight flight =
+      fly({}, {.position = {0, 10, 0}, .speed = 2000}, airless(), fidelity, {}, {.ground = {}, .time = 5});
+  const EarthFrames frames = flight.earth_frames();
+  const double radius = length(frames.earth_fixed({}, {}).position);
+  Scene scene;
+  const ShapeId ball = scene.add_shape(SphereShape{radius}).value();
+  ASSERT_TRUE(scene.add({.shape = ball, .transform = {.position = {0, -radius, 0}}}));
+  const auto space = danger_space(flight, 1000, 11, scene);
+  ASSERT_TRUE(space) << space.error().text();
+  EXPECT_EQ(space->from, 0);
+  EXPECT_NEAR(space->to, std::sqrt((radius + 11) * (radius + 11) - (radius + 10) * (radius + 10)), 0.01);
+  EXPECT_NEAR(frames.geodetic(flight.at_range(space->to)->position).height, 11, 1e-6);
+}
+
+TEST(DangerSpaceOverGround, RefusesWhatHasNone) {
+  const Scene nothing;
+  const Flight flight = fly({}, {.position = {0, 10, 0}, .speed = 200}, airless(), simple(GravityModel::off), {},
+                            {.ground = {}, .time = 5});
+  const auto space = danger_space(flight, 400, 2, nothing);
+  ASSERT_FALSE(space);
+  EXPECT_EQ(space.error().message, "the path passes over no ground there");
+  EXPECT_EQ(space.error().place, "range");
+  EXPECT_FALSE(danger_space(flight, 400, 0, nothing));
+  EXPECT_FALSE(danger_space(flight, 1e6, 2, nothing));
+}
+
+}  // namespace
+}  // namespace physim

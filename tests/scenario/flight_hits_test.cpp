@@ -1,0 +1,233 @@
+// Flights of scenarios through things: what they hit is told, counted and judged, read and written, and refused.
+#include "physim/flight_hits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "physim/scenario_study.hpp"
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+constexpr double kG = 9.80665, kPi = 3.14159265358979323846;
+
+const std::string kHead = "physim = 1\n[environment]\ngravity = \"constant\"\natmosphere = \"vacuum\"\n";
+
+/// A ball that falls on a slope, and bounces down it; with a step of its own, so that a world flies the same.
+const std::string kSlope = R"([tolerance]
+step = "10 ms"
+[[material]]
+name = "ice"
+restitution = 1
+friction = 0
+[[shape]]
+name = "plane"
+kind = "plane"
+[[thing]]
+name = "slope"
+shape = "plane"
+material = "ice"
+rotation = { axis = [0, 0, 1], angle = "-30 deg" }
+[[shot]]
+name = "ball"
+position = [0, "5 m", 0]
+speed = 0
+fidelity = { preset = "game", integrator = "rk4", precision = "float64", drag = "off" }
+body = { restitution = 0.5, friction = 0, collision = { on_hit = "bounce" } }
+)";
+const std::string kNoGround = "[until]\nground = \"off\"\ntime = \"3 s\"\n";
+
+Scenario read_scenario(const std::string& text) {
+  const Result<Scenario> scenario = parse_scenario(kHead + text, "f.toml");
+  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
+  return scenario ? *scenario : Scenario{};
+}
+
+struct Flown {
+  SceneParts parts;
+  Flight flight;
+  FlightHits hits;
+};
+Flown flown(const Scenario& scenario, std::size_t shot = 0) {
+  SceneParts parts = scene_parts(scenario).value();
+  Flight flight = fly_shot(scenario, scenario.shots.at(shot), parts.scene);
+  FlightHits hits = flight_hits(scenario, scenario.shots[shot], flight, parts);
+  return {std::move(parts), std::move(flight), std::move(hits)};
+}
+
+TEST(FlightHits, TellABounceByItsClosedForm) {
+  const Flown ball = flown(read_scenario(kSlope + kNoGround));
+  ASSERT_GE(ball.hits.all.size(), 2u);
+  const ThingHit& hit = ball.hits.all[0];
+  const double time = std::sqrt(2 * 5 / kG), speed = kG * time, tilt = kPi / 6;
+  EXPECT_NEAR(hit.time, time, 1e-9);
+  EXPECT_NEAR(hit.obliquity, tilt, 1e-12);
+  EXPECT_NEAR(length(hit.velocity), speed, 1e-9);
+  const double along = speed * std::sin(tilt), off = 0.5 * speed * std::cos(tilt);
+  EXPECT_NEAR(length(hit.velocity_after), std::hypot(along, off), 1e-9);
+  EXPECT_EQ(hit.outcome, EventKind::bounced);
+  EXPECT_EQ(hit.thing, 0u);
+  EXPECT_EQ(hit.material, 0u);
+  EXPECT_EQ(hit.launched.group, 0u);
+  EXPECT_EQ(hit.launched.number, 1u);
+  // Off the slope and back to it, by the part of gravity that is normal to it.
+  EXPECT_NEAR(ball.hits.all[1].time - time, 2 * off / (kG * std::cos(tilt)), 1e-9);
+  EXPECT_EQ(ball.hits.on_things.count, ball.hits.all.size());
+  EXPECT_EQ(ball.hits.on_things.bounces, ball.hits.all.size());
+  ASSERT_EQ(ball.hits.by_thing.size(), 1u);
+  EXPECT_EQ(ball.hits.by_thing[0].thing, "slope");
+}
+
+TEST(FlightHits, AreThoseOfAWorld) {
+  const Flown ball = flown(read_scenario(kSlope + kNoGround));
+  WorldRun run =
+      WorldRun::create(read_scenario(kSlope + "[world]\nstep = \"10 ms\"\nduration = \"3 s\"\nground = \"none\"\n"))
+          .value();
+  std::vector<ThingHit> hits;
+  for (std::uint64_t i = 0; i < run.steps(); ++i) {
+    run.step();
+    hits.insert(hits.end(), run.thing_hits().begin(), run.thing_hits().end());
+  }
+  ASSERT_EQ(hits.size(), ball.hits.all.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    EXPECT_NEAR(hits[i].time, ball.hits.all[i].time, 1e-9);
+    EXPECT_LT(length(hits[i].position - ball.hits.all[i].position), 1e-9);
+    EXPECT_LT(length(hits[i].velocity_after - ball.hits.all[i].velocity_after), 1e-9);
+    EXPECT_EQ(hits[i].outcome, ball.hits.all[i].outcome);
+  }
+}
+
+TEST(FlightHits, EndAFlightThatStops) {
+  Scenario scenario = read_scenario(kSlope + kNoGround);
+  scenario.shots[0].body.collision.on_hit = OnHit::stop;
+  const Flown ball = flown(scenario);
+  EXPECT_EQ(ball.flight.outcome(), Outcome::hit);
+  ASSERT_EQ(ball.hits.all.size(), 1u);
+  EXPECT_EQ(ball.hits.all[0].outcome, EventKind::stopped);
+  EXPECT_EQ(ball.hits.on_things.stops, 1u);
+  const Flight again = fly_shot(scenario, scenario.shots[0]);  // makes the scene itself
+  EXPECT_EQ(again.duration(), ball.flight.duration());
+}
+
+TEST(FlightHits, AreJudged) {
+  const Flown ball = flown(read_scenario(kSlope + kNoGround));
+  const auto value = [&](const std::string& quantity, const std::string& thing) {
+    return measure(ball.flight, ball.hits, {.thing = thing, .quantity = quantity});
+  };
+  EXPECT_EQ(value("hits", "").value(), static_cast<double>(ball.hits.all.size()));
+  EXPECT_EQ(value("bounces", "slope").value(), static_cast<double>(ball.hits.all.size()));
+  EXPECT_EQ(value("stops", "slope").value(), 0);
+  EXPECT_NEAR(value("hit_obliquity", "slope").value(), ball.hits.on_things.obliquity.mean, 1e-15);
+  EXPECT_NEAR(value("time", "").value(), 3, 1e-12) << "a figure of the flight";
+  EXPECT_FALSE(value("hit_depth", "slope")) << "nothing went in";
+  EXPECT_FALSE(value("hit_y", "another"));
+  EXPECT_FALSE(value("spawned", "")) << "a figure of worlds";
+}
+
+/// The cheapest fidelity is found up to the first contact, whatever comes after it.
+TEST(FlightHits, OfAFidelityThatIsChosen) {
+  const std::string text =
+      "[[shape]]\nname = \"wall\"\nbox = [1, 100, 100]\n[[thing]]\nshape = \"wall\"\nposition = [301, 0, 0]\n"
+      "[[shot]]\nmass = \"168 gr\"\ndiameter = \"0.308 in\"\nspeed = 800\nelevation = 0.01\n"
+      "drag = { table = \"g7\", ballistic_coefficient = \"0.218 lb/in^2\" }\n"
+      "body = { collision = { on_hit = \"bounce\" } }\n";
+  const auto hit_of = [&](const std::string& fidelity) {
+    Scenario scenario =
+        parse_scenario("physim = 1\n" + text + "fidelity = " + fidelity + "\n" + kNoGround, "f.toml").value();
+    const Flown bullet = flown(scenario);
+    EXPECT_FALSE(bullet.flight.error()) << bullet.flight.error()->text();
+    EXPECT_EQ(bullet.hits.all.size(), 1u) << fidelity;
+    return bullet.hits.all.empty() ? ThingHit{} : bullet.hits.all[0];
+  };
+  const ThingHit truth = hit_of("\"reference\""), near = hit_of("{ cheapest_within = \"1 cm\" }");
+  EXPECT_LT(length(truth.position - near.position), 0.01);
+  EXPECT_NEAR(truth.position.x, 300, 1e-6);
+  const ThingHit stepped = hit_of("{ preset = \"small_arms\", integrator = \"rk4\" }");  // by an automatic step
+  EXPECT_LT(length(stepped.position - hit_of("\"small_arms\"").position), 2e-3);
+}
+
+TEST(FlightHits, KnowNothingOfTheThingsOfAWorld) {
+  const Scenario scenario = read_scenario(kSlope + "[world]\n");
+  EXPECT_EQ(fly_shot(scenario, scenario.shots[0]).outcome(), Outcome::landed);
+}
+
+TEST(FlightHits, OfASceneThatCannotBeMadeAreRefused) {
+  Scenario scenario = read_scenario(kSlope + kNoGround);
+  scenario.things[0].shape = "another";
+  const Flight flight = fly_shot(scenario, scenario.shots[0]);
+  EXPECT_EQ(flight.outcome(), Outcome::refused);
+  ASSERT_TRUE(flight.error());
+  EXPECT_EQ(flight.error()->message, "no shape is named \"another\"");
+}
+
+TEST(FlightHits, AreNotOfStudies) {
+  const Scenario scenario = read_scenario(kSlope + kNoGround);
+  const auto study = study_of(scenario, scenario.shots[0]);
+  ASSERT_FALSE(study);
+  EXPECT_EQ(study.error().place, "thing");
+}
+
+// ----------------------------------------------------------------------------------------------------- read and
+// written
+TEST(SceneOfFlights, IsWrittenAndReadBack) {
+  const Scenario before = read_scenario(kSlope + kNoGround);
+  const std::string text = scenario_text(before);
+  const Result<Scenario> after = parse_scenario(text, "g.toml");
+  ASSERT_TRUE(after) << after.error().text() << "\n" << text;
+  EXPECT_FALSE(after->world.given);
+  EXPECT_EQ(after->shots[0].body, before.shots[0].body);
+  EXPECT_EQ(after->things.size(), 1u);
+  EXPECT_EQ(effective_settings(*after), effective_settings(before));
+  std::vector<std::string> overrides;
+  for (const auto& [path, value] : effective_settings(before)) overrides.push_back(path + "=" + value);
+  const Result<Scenario> again = parse_scenario("physim = 1\n[[shot]]\nname = \"ball\"\n", "h.toml", overrides);
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(effective_settings(*again), effective_settings(before));
+}
+
+TEST(SceneOfFlights, IsNotSaidWhereThereIsNone) {
+  for (const auto& [path, value] : effective_settings(read_scenario("[[shot]]\nspeed = 10\n")))
+    EXPECT_TRUE(!path.starts_with("thing") && path.find(".body.") == path.npos) << path;
+}
+
+struct BadFlight {
+  std::string text, error;
+  friend std::ostream& operator<<(std::ostream& out, const BadFlight& bad) { return out << bad.error; }
+};
+class BadFlightTest : public testing::TestWithParam<BadFlight> {};
+TEST_P(BadFlightTest, SaysWhereAndWhy) {
+  const std::string head =
+      "physim = 1\n[[shape]]\nname = \"a\"\nsphere = 1\n[[thing]]\nname = \"ball\"\nshape = \"a\"\n";
+  const Result<Scenario> scenario = parse_scenario(head + GetParam().text, "f.toml");
+  EXPECT_EQ(scenario.ok() ? "no error" : scenario.error().text(), GetParam().error) << GetParam().text;
+}
+
+// The text begins on line 8.
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, BadFlightTest,
+    testing::Values(
+        BadFlight{
+            "[[shot]]\nbody = { gravity_scale = 0 }",
+            "f.toml:9:26: error: shot.body.gravity_scale: there is no [world] for it; write [world], and the shots "
+            "fly in it"},
+        BadFlight{"[[shot]]\nbody.collision.others = 1",
+                  "f.toml:9:25: error: shot.body.collision.others: there is no [world] for it; write [world], and the "
+                  "shots fly in it"},
+        BadFlight{"[[shot]]\nbody.collision.on_hit = \"bonce\"",
+                  "f.toml:9:25: error: shot.body.collision.on_hit: unknown value \"bonce\"; did you mean \"bounce\"?"},
+        BadFlight{"[[shot]]\nbody.restitution = 2",
+                  "f.toml:9:20: error: shot.body.restitution: 2 is out of range; must be 0 .. 1"},
+        BadFlight{"[[shot]]\n[[expect]]\nquantity = \"hits\"\nat = \"apex\"\nequals = 0\nwithin = 0",
+                  "f.toml:11:6: error: expect.at: hits are those of the whole flight; leave it out"},
+        BadFlight{"[[shot]]\n[[expect]]\nquantity = \"spawned\"\nequals = 0\nwithin = 0",
+                  "f.toml:10:12: error: expect.quantity: \"spawned\" is a figure of a [world]; write [world], and the "
+                  "shots fly in it"},
+        BadFlight{"[[shot]]\n[[expect]]\nthing = \"bal\"\nquantity = \"hits\"\nequals = 0\nwithin = 0",
+                  "f.toml:10:9: error: expect.thing: no thing is named \"bal\"; did you mean \"ball\"?"},
+        BadFlight{"[[shot]]\n[[thing]]\nshape = \"b\"",
+                  "f.toml:10:9: error: thing.shape: no shape is named \"b\"; shapes: a"}));
+
+}  // namespace
+}  // namespace physim
