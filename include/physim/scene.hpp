@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -141,6 +142,43 @@ struct SceneNearest {
   explicit operator bool() const { return static_cast<bool>(instance); }
 };
 
+/// What an engine is asked: what each of some segments meets first.
+struct EngineBatch {
+  std::span<const SceneSegment> segments{};  ///< none is without length; their times are those of the world [m]
+  std::uint32_t layers = 0xffffffff;         ///< bits: things of these [-]
+  std::span<SceneHit> hits{};  ///< of each segment, empty as it comes: to be filled where it meets something
+                               ///< with `part`, `normal` and `instance.index`, above 0 and the engine's own;
+                               ///< `velocity`, `primitive`, `material` (of the scene) and `entering` count
+                               ///< where they are given, `starts_inside` as well, all else is known [-]
+};
+/// An engine's own physics, which answers. See EngineScene.
+using EngineQuery = std::function<void(const EngineBatch&)>;
+
+/// Things of an engine's own physics, which a scene's questions go to, too (docs/scenes.md#an-engines-own-scene).
+///
+/// A normal points outwards, of any length but zero. The solid in which a segment starts is best not met by it, as rays
+/// of most engines have it. A surface that is met from its back says so by `entering`: the wall of a closed mesh from
+/// within. One that tells nothing of its back is a sheet where both sides are met at one place.
+///
+/// The answer must follow from the segment. Calls are made one after another by whoever asks the scene, a world from
+/// the thread that steps it; they may read that world, but not change it, nor ask its scene about the engine's things.
+/// An answer with a number that is none, a part outside 0 to 1 or a normal without length, and what throws twice, is no
+/// hit: EngineCounters::refused tells.
+struct EngineScene {
+  EngineQuery query{};  ///< empty: no engine [-]
+  double skin = 1e-3;   ///< things are met so far outside of their surfaces: ten times as much, or more, as the
+                        ///< engine's numbers may be off there; 1e-6 to 0.1 [m]
+};
+
+/// What an engine was asked so far; copies of a scene count together.
+struct EngineCounters {
+  std::uint64_t calls = 0;     ///< of its query [-]
+  std::uint64_t segments = 0;  ///< in these [-]
+  std::uint64_t refused = 0;   ///< answers that made no sense, or threw: nothing was met [-]
+};
+/// InstanceId::generation of an engine's things.
+inline constexpr std::uint32_t kEngineGeneration = 0xffffffff;
+
 /// What a shape came to be.
 struct ShapeInfo {
   std::size_t triangles = 0;   ///< kept, or of a hull [-]
@@ -181,6 +219,15 @@ class Scene {
   /// each thing that moves. A scene begins with time 0 alone.
   Status cover(double from, double to);
   Status set_layers(InstanceId instance, std::uint32_t layers);
+  /// Lets an engine answer beside the things that stand here: first_hit(), first_hits(), any_hit() and all_hits() tell
+  /// what is met first of both. Its things are no sensors and not in motion to instance(), state() and others that name
+  /// one; nearest(), overlaps() and is_reached() leave them out, clearance() is 0. An error where the skin is none.
+  Status set_engine(const EngineScene& engine);
+  /// The engine; null: none.
+  [[nodiscard]] const EngineScene* engine() const;
+  [[nodiscard]] EngineCounters engine_counters() const;
+  /// EngineScene::skin, or 0 [m].
+  [[nodiscard]] double skin() const;
   /// What a thing was made of, where it is now; nothing where it is gone.
   [[nodiscard]] std::optional<InstanceDef> instance(InstanceId instance) const;
   /// Whether some of them are sensors.
@@ -205,8 +252,9 @@ class Scene {
   /// All of it as bytes, each shape once, however many things have it.
   [[nodiscard]] std::vector<std::byte> save() const;
   /// The scene that a save holds: with the same ids, now and of what is added later, and the same answers. An error
-  /// where the bytes are none, cut, damaged or of another format.
-  [[nodiscard]] static Result<Scene> load(std::span<const std::byte> save);
+  /// where the bytes are none, cut, damaged or of another format, and where the scene had an engine and `query` is
+  /// empty: functions are no data.
+  [[nodiscard]] static Result<Scene> load(std::span<const std::byte> save, const EngineQuery& query = {});
   /// Tells scenes of different content apart; what is covered does not count. A shape is looked at once [-].
   [[nodiscard]] std::uint64_t hash() const;
 

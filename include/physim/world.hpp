@@ -62,12 +62,13 @@ inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 inline constexpr std::uint32_t kSaveFormat = 4;
 
 /// What a save does not hold: functions are no data. They are given again: custom forces in the order they were added;
-/// those of environments in the order of these, each once, however many have it.
+/// those of environments in the order of these, each once, however many have it. A scene has one engine, if any.
 struct LoadOptions {
   Threading threading{};                      ///< it changes no result [-]
   std::vector<CustomForce> custom_forces{};   ///< of ForceDef [-]
   std::vector<WindFunction> wind_fields{};    ///< of Wind::field [-]
   std::vector<ForceFunction> force_fields{};  ///< of Environment::force [-]
+  std::vector<EngineQuery> engine_queries{};  ///< of each scene with an engine that was given, in order [-]
 };
 
 class WorldState;
@@ -91,9 +92,9 @@ class Snapshot {
 /// Threads: calls that change a world are made from one thread at a time, and while none is made any number of threads
 /// may read (all that is const, hash(), snapshot() and save() too).
 ///
-/// Callbacks: from inside its own step (a CustomForce, a TaskRunner) and from its RecordSink a world may be read, but
-/// not changed: every call that would is refused, those that return numbers return 0, snapshot() is empty, and
-/// accelerations() are without custom forces. A world that is destroyed or moved there ends its step first.
+/// Callbacks: from inside its own step (a CustomForce, an EngineQuery, a TaskRunner) and from its RecordSink a world
+/// can be read, but not changed: every call that would is refused, those that return numbers return 0, snapshot() is
+/// empty, and accelerations() are without custom forces. A world that is destroyed or moved there ends its step first.
 ///
 /// A world that was moved away is as World() makes it.
 class World {
@@ -181,8 +182,8 @@ class World {
   [[nodiscard]] std::size_t felt_by(ForceId force) const;
 
   // ------------------------------------------------------------------------------------------- scene
-  /// What projectiles meet from now on, as BodyDef::on_hit says: a copy of this scene, whose ids it keeps. Who sleeps
-  /// wakes.
+  /// What projectiles meet from now on, as BodyDef::on_hit says: a copy of this scene, whose ids it keeps, and the
+  /// engine that answers beside it. Who sleeps wakes.
   Status set_scene(const Scene& scene);
   /// They meet nothing any more.
   Status remove_scene();

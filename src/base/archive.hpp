@@ -43,11 +43,13 @@ struct FunctionCounts {
   std::size_t custom_forces = 0;
   std::size_t wind_fields = 0;
   std::size_t force_fields = 0;
+  std::size_t engine_queries = 0;
 
   FunctionCounts& operator+=(const FunctionCounts& more) {
     custom_forces += more.custom_forces;
     wind_fields += more.wind_fields;
     force_fields += more.force_fields;
+    engine_queries += more.engine_queries;
     return *this;
   }
 };
@@ -233,9 +235,13 @@ class Reader : public Archive<Reader> {
   void scene(Scene& scene) {
     std::vector<std::byte> save;
     (*this)(save);
-    auto loaded = Scene::load(save);
+    EngineQuery query = given(&LoadOptions::engine_queries, before_.engine_queries + used_.engine_queries);
+    if (!query) query = [](const EngineBatch&) {};  // who only counts has none; a world is not made without
+    auto loaded = Scene::load(save, query);
     good_ = good_ && loaded;
-    if (good_) scene = std::move(*loaded);
+    if (!good_) return;
+    scene = std::move(*loaded);
+    if (scene.engine()) ++used_.engine_queries;
   }
   void function(CustomForce& force) {
     std::uint64_t there = 0;

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "collide/engine.hpp"
 #include "collide/path.hpp"
+#include "collide/question.hpp"
 #include "collide/resting.hpp"
 #include "collide/shape.hpp"
 #include "collide/tree.hpp"
 
 namespace physim::collide {
-
-inline constexpr double kLatest = 1e9;  // times beyond are not asked about [s]
 
 struct SceneContent {
   struct ShapeSlot {
@@ -56,6 +56,7 @@ struct SceneContent {
   std::size_t alive = 0;
   std::size_t sensors = 0, in_motion = 0;  // of those
   std::uint64_t changes = 0;
+  std::shared_ptr<const Engine> engine;  // null: none
 
   [[nodiscard]] const ShapeSlot* find(ShapeId id) const {
     if (id.index == 0 || id.index >= shapes.size()) return nullptr;

@@ -63,15 +63,18 @@ template <class Path>
   constexpr int kMostCasts = 1000;
   const double bend = bend_of(path);
   Vec3d from = path(0.0);
-  // Places have sixteen digits; a tenth of a nanometre is nothing.
-  const double fine = std::max(1e-10, 4e-16 * length(from));
+  // Places have sixteen digits; a tenth of a nanometre is nothing, and half of a skin.
+  const double fine = std::max({1e-10, 4e-16 * length(from), 0.5 * scene.skin()});
+  // Engines need not tell what a sphere touches where it starts: theirs are no larger than what flies.
+  const bool asks_engine = scene.skin() > 0;
+  const double widest = asks_engine && bend > 0 ? std::max(std::sqrt(8 * fine / bend), 1.0 / kMostCasts) : 1;
   double at = 0, width = end;
   for (int cast = 0; at < end; ++cast) {
-    width = std::min(width, end - at);
+    width = std::min({width, end - at, widest});
     const double to = width == end - at ? end : at + width;
     const Vec3d there = path(to);
     const double delta = 0.125 * bend * width * width;
-    const bool is_fine = delta <= fine || cast >= kMostCasts;
+    const bool is_fine = asks_engine || delta <= fine || cast >= kMostCasts;
     const SceneHit hit = scene.first_hit(time.chord(from, there, is_fine ? radius : radius + delta, at, to), filter);
     if (!hit) {
       at = to;

@@ -133,6 +133,17 @@ Status Scene::set_layers(InstanceId id, std::uint32_t layers) {
   return {};
 }
 
+Status Scene::set_engine(const EngineScene& engine) {
+  if (!(engine.skin >= 1e-6 && engine.skin <= 0.1))
+    return Error{"must lie between 1e-6 and 0.1 m", "engine.skin", "ten times what the engine may be off, or more"};
+  impl_->engine = engine.query ? std::make_shared<const collide::Engine>(engine) : nullptr;
+  ++impl_->changes;
+  return {};
+}
+const EngineScene* Scene::engine() const { return impl_->engine ? &impl_->engine->def() : nullptr; }
+EngineCounters Scene::engine_counters() const { return impl_->engine ? impl_->engine->counters() : EngineCounters{}; }
+double Scene::skin() const { return impl_->engine ? impl_->engine->def().skin : 0; }
+
 std::optional<InstanceDef> Scene::instance(InstanceId id) const {
   const Impl::InstanceSlot* slot = impl_->find(id);
   return slot ? std::optional(slot->def) : std::nullopt;

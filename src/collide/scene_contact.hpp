@@ -447,7 +447,9 @@ class SceneContacts {
     const Way endless{0, touched, -hit.normal};
     if (!hit.entering) return endless;  // the back of a sheet
     const double back = kOne + 8 * spacing_at<double>(touched), far = kDeepest + back;
-    const double latest = 1e-5 + 2 * collision().radius;  // behind that it is another part that is met [m]
+    // Behind that it is another part that is met [m]. From a skin it is farther to the surface where the way is flat.
+    const double flat = std::max(-dot(way, hit.normal), 0.02);
+    const double latest = 1e-5 + 2 * collision().radius + 2 * scene_->skin() / flat;
     std::optional<double> in;
     Way through;
     int depth = 0;
@@ -469,7 +471,7 @@ class SceneContacts {
   }
   /// Where it comes out; a ball's middle is then a radius beyond the surface.
   [[nodiscard]] Vec3d behind(const Vec3d& met, const Vec3d& way, const Way& through, double passed) const {
-    const double radius = collision().radius;
+    const double radius = collision().radius + scene_->skin();
     PHYSIM_ASSERT(std::abs(length(through.normal) - 1) < 1e-6);
     const double cosine = dot(way, through.normal);
     Vec3d x = through.out + through.normal * radius;

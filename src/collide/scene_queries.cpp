@@ -6,21 +6,13 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "collide/content.hpp"
+#include "collide/question.hpp"
 #include "collide/sweep.hpp"
 #include "physim/scene.hpp"
 
 namespace physim {
 namespace collide {
 namespace {
-
-/// Where something may stand: lengths from there are numbers.
-bool is_near(const Vec3d& p) { return dot(p, p) <= kFarthest * kFarthest; }
-bool is_soon(double time) { return std::abs(time) <= kLatest; }
-
-bool is_sound(const SceneSegment& s) {
-  return is_near(s.from) && is_near(s.to) && s.radius >= 0 && s.radius <= kFarthest && is_soon(s.time) &&
-         s.duration >= 0 && s.duration <= kLatest;
-}
 
 /// Calls visit(index) for what moves and may be near between two times: visit_tree(tree) where the tree knows of them.
 template <class VisitTree, class Visit>
@@ -108,7 +100,9 @@ SceneHit first_hit(const SceneContent& scene, const SceneSegment& asked, const S
 
 SceneHit Scene::first_hit(const SceneSegment& segment, const SceneFilter& filter) const {
   const IeeeMode mode;
-  return collide::first_hit(*impl_, segment, filter);
+  SceneHit hit = collide::first_hit(*impl_, segment, filter);
+  if (impl_->engine) impl_->engine->first_hits({&segment, 1}, filter.layers, {&hit, 1});
+  return hit;
 }
 
 bool Scene::any_hit(const SceneSegment& segment, const SceneFilter& filter) const {
@@ -119,7 +113,10 @@ bool Scene::any_hit(const SceneSegment& segment, const SceneFilter& filter) cons
                               some = true;
                               s.reach = -1;
                             });
-  return some;
+  if (some || !impl_->engine) return some;
+  SceneHit hit;
+  impl_->engine->first_hits({&segment, 1}, filter.layers, {&hit, 1});
+  return bool(hit);
 }
 
 std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFilter& filter) const {
@@ -143,6 +140,7 @@ std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFi
     return a.instance == b.instance && a.entering == b.entering && !differ && b.part - a.part <= (moves ? 4e-9 : 1e-12);
   };
   hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
+  if (impl_->engine) impl_->engine->all_hits(points, filter.layers, hits);
   std::ranges::stable_sort(hits, {}, &SceneHit::part);
   return hits;
 }
@@ -165,8 +163,13 @@ void Scene::first_hits(std::span<const SceneSegment> segments, std::span<SceneHi
     }
   } call{*impl_, segments.first(std::min(segments.size(), into.size())), into, filter};
   const std::size_t tasks = (call.segments.size() + kTask - 1) / kTask;
-  if (runner && tasks > 1) return runner->run(tasks, Call::run, &call);
-  for (std::size_t task = 0; task < tasks; ++task) Call::run(&call, task);
+  if (runner && tasks > 1)
+    runner->run(tasks, Call::run, &call);
+  else
+    for (std::size_t task = 0; task < tasks; ++task) Call::run(&call, task);
+  if (!impl_->engine) return;
+  const IeeeMode mode;
+  impl_->engine->first_hits(call.segments, filter.layers, into.first(call.segments.size()));
 }
 
 SceneNearest Scene::nearest(const Vec3d& point, double within, const SceneFilter& filter, double time) const {
@@ -223,6 +226,7 @@ double Scene::clearance(const Vec3d& point, double reach, const SceneFilter& fil
   const IeeeMode mode;
   if (!collide::is_near(point) || !(reach >= 0) || !collide::is_soon(from) || !collide::is_soon(to) || !(from <= to))
     return 0;
+  if (impl_->engine) return 0;  // nobody knows how far its things are
   double least = std::min(reach, collide::kFarthest);
   const auto look_at = [&](std::uint32_t index, double& within) {
     const Impl::InstanceSlot& slot = impl_->instances[index];

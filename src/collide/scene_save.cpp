@@ -17,6 +17,7 @@ namespace {
 
 constexpr char kSceneMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'C', '\n'};
 constexpr std::uint32_t kSceneFormat = 1;
+constexpr std::uint32_t kEngineFormat = 2;  // likewise, with the skin of an engine behind it
 constexpr std::size_t kSceneHead = sizeof kSceneMagic + sizeof kSceneFormat + 8, kSceneSum = 8;
 
 struct SavedShape {
@@ -124,15 +125,19 @@ class SceneLoading {
   SceneContent& scene_;
 };
 
-/// What stands between head and check sum.
-Result<std::span<const std::byte>> scene_bytes(std::span<const std::byte> save) {
+/// What stands between head and check sum, and its format.
+struct SceneBytes {
+  std::span<const std::byte> content;
+  std::uint64_t format = 0;
+};
+Result<SceneBytes> scene_bytes(std::span<const std::byte> save) {
   if (save.size() < sizeof kSceneMagic || std::memcmp(save.data(), kSceneMagic, sizeof kSceneMagic) != 0)
     return not_a_scene("this is not the save of a scene");
   Reader head(save.subspan(sizeof kSceneMagic));
   std::uint64_t format = 0, length = 0, sum = 0;
   head.number(format, sizeof kSceneFormat);
   head.number(length, 8);
-  if (head.good() && format != kSceneFormat)
+  if (head.good() && format != kSceneFormat && format != kEngineFormat)
     return not_a_scene("the save is of format " + std::to_string(format) + "; this library reads format " +
                        std::to_string(kSceneFormat));
   if (save.size() < kSceneHead + kSceneSum || length != save.size() - kSceneHead - kSceneSum)
@@ -140,7 +145,7 @@ Result<std::span<const std::byte>> scene_bytes(std::span<const std::byte> save) 
   const auto content = save.subspan(kSceneHead, static_cast<std::size_t>(length));
   Reader(save.subspan(kSceneHead + content.size())).number(sum, kSceneSum);
   if (sum != sum_of_bytes(content)) return not_a_scene("the save is damaged");
-  return content;
+  return SceneBytes{content, format};
 }
 
 }  // namespace
@@ -160,24 +165,31 @@ std::vector<std::byte> Scene::save() const {
         {slot.generation, slot.shape ? std::optional(collide::definition_of(*slot.shape)) : std::nullopt});
   std::vector<std::byte> content, bytes;
   Writer(content).write(saved);
+  if (impl_->engine) Writer(content).write(skin());
   for (const char c : collide::kSceneMagic) bytes.push_back(static_cast<std::byte>(c));
   Writer writer(bytes);
-  writer.number(collide::kSceneFormat, sizeof collide::kSceneFormat);
+  writer.number(impl_->engine ? collide::kEngineFormat : collide::kSceneFormat, sizeof collide::kSceneFormat);
   writer.number(content.size(), 8);
   bytes.insert(bytes.end(), content.begin(), content.end());
   writer.number(collide::sum_of_bytes(content), collide::kSceneSum);
   return bytes;
 }
 
-Result<Scene> Scene::load(std::span<const std::byte> save) {
+Result<Scene> Scene::load(std::span<const std::byte> save, const EngineQuery& query) {
   const IeeeMode mode;
-  const auto content = collide::scene_bytes(save);
-  if (!content) return content.error();
+  const auto bytes = collide::scene_bytes(save);
+  if (!bytes) return bytes.error();
+  const bool has_engine = bytes->format == collide::kEngineFormat;
   collide::SavedScene saved;
-  Reader reader(*content);
+  EngineScene engine{has_engine ? query : EngineQuery{}};
+  Reader reader(bytes->content);
   reader(saved);
+  if (has_engine) reader(engine.skin);
   if (!reader.complete()) return collide::not_a_scene("the save makes no sense");
+  if (has_engine && !query)
+    return Error{"the scene has an engine, and no function was given", "query", "no file holds functions: give it"};
   Scene scene;
+  if (auto status = scene.set_engine(engine); !status) return status.error();
   if (auto status = collide::SceneLoading(saved, *scene.impl_).run(); !status) return status.error();
   return scene;
 }
@@ -199,6 +211,7 @@ std::uint64_t Scene::hash() const {
     }
     hasher.add(slot.generation, hash);
   }
+  if (impl_->engine) hasher.add(skin());
   return hasher.value();
 }
 

@@ -1,44 +1,147 @@
 #include "world/look_around.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace physim {
 namespace {
 
-/// Where a row is after its step, if that was not settled: it lies on a path from one end to the other.
+/// Where a row is after its step, if that was not settled: it lies on a path from one end to the other, which is a
+/// cubic with its velocities there, by and large.
 template <class S>
-[[nodiscard]] bool meets_nothing(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row,
-                                 const CollisionDef& collision) {
+struct Way {
+  Vec3d from, to, started, ended;
+
+  Way(const RowColumns<S>& c, std::uint32_t row)
+      : from(Rows::at(c.position, row)),
+        to(Rows::at(c.previous, row)),
+        started(Rows::at(c.started, row)),
+        ended(Rows::at(c.velocity, row)) {}
+
+  /// Twice as far as that cubic is from its chord [m].
+  [[nodiscard]] double beside(double dt) const {
+    const Vec3d mean = (to - from) * (1 / dt);
+    return 8.0 / 27 * dt * (length(started - mean) + length(ended - mean));
+  }
+  [[nodiscard]] Vec3d at(double part, double dt) const {
+    const double rest = 1 - part;
+    return from + (to - from) * (part * part * (3 - 2 * part)) + (started * rest - ended * part) * (dt * part * rest);
+  }
+};
+
+/// Nothing is in its way: so far it may fly now.
+template <class S>
+void pass(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const CollisionDef& collision) {
   const Vec3d from = Rows::at(c.position, row), to = Rows::at(c.previous, row);
   const Vec3d mean = (to - from) * (1 / context.dt);
-  // Twice as far as a cubic with these velocities at its ends is from its chord.
-  const double bend = length(Rows::at(c.started, row) - mean) + length(Rows::at(c.velocity, row) - mean);
-  const double beside = 8.0 / 27 * context.dt * bend + 1e-9;
-  const SceneFilter filter{.layers = collision.layers};
-  if (context.scene->any_hit({from, to, collision.radius + beside, context.time, context.dt}, filter)) return false;
   // A look farther around is worth it where the last one told something; who was near then mostly still is.
   constexpr std::uint32_t kSeldom = 8;
   const bool was_clear = static_cast<double>(c.clear[row]) > -0.5 * length(mean) * context.dt;
   const bool looks = was_clear || (row + static_cast<std::uint32_t>(context.state->clock.steps)) % kSeldom == 0;
   c.clear[row] = looks ? clear_way<S>(context, {to, mean}, collision) : S(0);
-  return true;
 }
 
+/// It may meet something: it is put back and settled.
 template <class S>
-void look_around_in(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
-  const Rows& rows = context.state->rows[chunk.cohort];
-  const RowColumns<S>& c = rows.columns<S>();
-  const Slot& slot = context.state->slots[rows.slot(row)];
-  if (context.scene && meets_nothing(context, c, row, context.registry->kind(slot.kind).body.collision)) return;
+void put_back(const SettleContext& context, Chunk& chunk, const RowColumns<S>& c, std::uint32_t row) {
   for (int axis = 0; axis < 3; ++axis) c.velocity[axis][row] = c.started[axis][row];
   settle_row(context, chunk, row);
+}
+
+/// Calls f with the columns of a row and how it collides.
+template <class F>
+auto with_row(const SettleContext& context, const Chunk& chunk, std::uint32_t row, const F& f) {
+  const Rows& rows = context.state->rows[chunk.cohort];
+  const Slot& slot = context.state->slots[rows.slot(row)];
+  return rows.visit([&](const auto& columns) { return f(columns, context.registry->kind(slot.kind).body.collision); });
 }
 
 }  // namespace
 
 void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
-  const RowLayout& layout = context.state->rows[chunk.cohort].layout();
-  return layout.float32 ? look_around_in<float>(context, chunk, row) : look_around_in<double>(context, chunk, row);
+  with_row(context, chunk, row, [&](const auto& c, const CollisionDef& collision) {
+    const Way way(c, row);
+    const double beside = way.beside(context.dt) + 1e-9;
+    const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
+    if (context.scene && !context.scene->any_hit(segment, {.layers = collision.layers}))
+      return pass(context, c, row, collision);
+    put_back(context, chunk, c, row);
+  });
+}
+
+namespace {
+
+/// What an engine is asked about near rows.
+struct Question {
+  NearRow row;
+  std::uint32_t layers;
+  std::size_t pieces;  // 0: settling asks
+};
+
+/// Chords so short that the path stays within half of a skin of them.
+template <class S>
+std::size_t add_pieces(const SettleContext& context, const Way<S>& way, double radius,
+                       std::vector<SceneSegment>& into) {
+  constexpr double kMostPieces = 16;
+  const double pieces = std::max(std::ceil(std::sqrt(way.beside(context.dt) / context.scene->skin())), 1.0);
+  if (!(pieces <= kMostPieces)) return 0;
+  Vec3d from = way.from;
+  for (double i = 0; i < pieces; ++i) {
+    const Vec3d to = i + 1 == pieces ? way.to : way.at((i + 1) / pieces, context.dt);
+    into.push_back({from, to, radius, context.time + i / pieces * context.dt, context.dt / pieces});
+    from = to;
+  }
+  return static_cast<std::size_t>(pieces);
+}
+
+std::vector<Question> questions_about(const SettleContext& context, const std::vector<NearRow>& rows) {
+  std::vector<Question> questions;
+  for (const NearRow& near : rows)
+    with_row(context, *near.chunk, near.row, [&](const auto&, const CollisionDef& collision) {
+      questions.push_back({near, collision.layers, 0});
+    });
+  std::ranges::stable_sort(questions, {}, &Question::layers);
+  return questions;
+}
+
+/// What the pieces of all questions meet, one behind another.
+std::vector<SceneHit> answers_to(const SettleContext& context, std::vector<Question>& questions) {
+  std::vector<SceneSegment> pieces;
+  std::vector<SceneHit> hits;
+  for (std::size_t first = 0, end = 0; first < questions.size(); first = end) {
+    const std::size_t begin = pieces.size();
+    for (; end < questions.size() && questions[end].layers == questions[first].layers; ++end) {
+      const NearRow& near = questions[end].row;
+      with_row(context, *near.chunk, near.row, [&](const auto& c, const CollisionDef& collision) {
+        // Who passes is told where he comes out of what he began in, too.
+        if (collision.on_hit == OnHit::pass) return;
+        questions[end].pieces = add_pieces(context, Way(c, near.row), collision.radius, pieces);
+      });
+    }
+    hits.resize(pieces.size());
+    context.scene->first_hits(std::span(pieces).subspan(begin), std::span(hits).subspan(begin),
+                              {.layers = questions[first].layers});
+  }
+  return hits;
+}
+
+}  // namespace
+
+void look_around(const SettleContext& context, const std::vector<NearRow>& rows) {
+  PHYSIM_ASSERT(rows.empty() || context.scene->engine() != nullptr);
+  std::vector<Question> questions = questions_about(context, rows);
+  const std::vector<SceneHit> hits = answers_to(context, questions);
+  std::size_t at = 0;
+  for (const Question& question : questions) {
+    const auto own = std::span(hits).subspan(at, question.pieces);
+    at += question.pieces;
+    const bool is_clear = !own.empty() && std::ranges::none_of(own, [](const SceneHit& hit) { return bool(hit); });
+    const NearRow& near = question.row;
+    with_row(context, *near.chunk, near.row, [&](const auto& c, const CollisionDef& collision) {
+      if (is_clear) return pass(context, c, near.row, collision);
+      put_back(context, *near.chunk, c, near.row);
+    });
+  }
 }
 
 }  // namespace physim

@@ -17,6 +17,14 @@ template <class S>
   return static_cast<S>(clear - collision.radius - 4 * spacing_at<S>(s.x));
 }
 
+/// A row that moved on and may have come near a thing of an engine, in the chunk that it belongs to.
+struct NearRow {
+  Chunk* chunk = nullptr;
+  std::uint32_t row = 0;
+};
+/// Looks at such rows; the engine is asked about all of those of the same layers in one call.
+void look_around(const SettleContext& context, const std::vector<NearRow>& rows);
+
 /// Looks at a row that moved on and may have come near a thing of the scene: where it did, it is put back and settled.
 void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 

@@ -4,6 +4,7 @@
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "base/restored.hpp"
 #include "flight/under_way.hpp"
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
@@ -17,15 +18,11 @@ namespace {
 class WorldPushes final : public Pushes {
  public:
   WorldPushes(const WorldImpl& world, std::uint32_t slot, const Clock& clock)
-      : clock_(clock), field_(world.registry, world.state, rows_, zones_), before_(Gate::in_question) {
+      : clock_(clock), field_(world.registry, world.state, rows_, zones_) {
     rows_.add(world.registry, world.state, slot);
     if (world.is_closed()) field_.leave_functions_out();
     field_.leave_pairs_out();
-    Gate::in_question = &world;
   }
-  WorldPushes(const WorldPushes&) = delete;
-  WorldPushes& operator=(const WorldPushes&) = delete;
-  ~WorldPushes() override { Gate::in_question = before_; }
 
   bool begin_frame(std::int64_t frame, double mass) override {
     PHYSIM_ASSERT(mass > 0);
@@ -48,7 +45,6 @@ class WorldPushes final : public Pushes {
   ForceRows rows_;
   ZoneDrag zones_;
   ForceField field_;
-  const Gate* before_;
 };
 
 /// Why there is no flight of a projectile from now on.
@@ -173,6 +169,7 @@ std::shared_ptr<FlightRecord> predicted(const WorldImpl& w, ProjectileId id, Unt
   if (until.range) *until.range += passed;
   for (EventSpec& event : until.events)
     if (event.kind == EventKind::range) event.value += passed;
+  const Restored<const Gate*> asking(Gate::in_question, &w);
   fly_on(*record, start, w.def.tolerance, until);
   for (Event& event : record->events)
     if (event.kind == EventKind::range) event.value -= passed;

@@ -35,7 +35,7 @@ class Recorder;
 struct Gate : std::enable_shared_from_this<Gate> {
   bool is_inside = false;  // a step, or the sink of the recording
   std::unique_ptr<Recorder> recorder;
-  /// The world whose forces this thread asks between steps, as accelerations() does.
+  /// The world whose forces or engine this thread asks between steps, as accelerations() and predict() do.
   static thread_local const Gate* in_question;
 
   Gate();

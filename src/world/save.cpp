@@ -339,7 +339,8 @@ Status check_given(const FunctionCounts& needed, const LoadOptions& given, const
   };
   if (Status s = check(given.custom_forces, needed.custom_forces, "custom_forces", "custom forces"); !s) return s;
   if (Status s = check(given.wind_fields, needed.wind_fields, "wind_fields", "fields of wind"); !s) return s;
-  return check(given.force_fields, needed.force_fields, "force_fields", "fields of force");
+  if (Status s = check(given.force_fields, needed.force_fields, "force_fields", "fields of force"); !s) return s;
+  return check(given.engine_queries, needed.engine_queries, "engine_queries", "engines of scenes");
 }
 
 Result<std::shared_ptr<WorldImpl>> loaded(std::span<const std::byte> save, const LoadOptions& options) {

@@ -44,7 +44,8 @@ struct Chunk {
   std::uint16_t cohort = 0;
   std::uint32_t first = 0;
   std::uint32_t last = 0;
-  bool attention = false;
+  bool looks = false;      // rows that came near are looked at where they have moved on to
+  bool attention = false;  // some rows were left where they were
   std::vector<Event> events;
   std::vector<Change> changes;
   std::vector<Trace> traces;  // of those that meet others, each in order of time

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/restored.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -221,13 +222,12 @@ Vec3d WorldImpl::generator_force(std::uint32_t index) const {
   ZoneDrag zones;
   ForceField field(registry, state, rows, zones);
   if (is_closed()) field.leave_functions_out();
-  const Gate* const before = std::exchange(in_question, this);
+  const Restored<const Gate*> asking(in_question, this);
   field.begin_step(state.clock.time(), state.clock.dt);
   const BodyState now = state.state_of(state.slots[index]);
   rows.position[0] = now.position;
   rows.velocity[0] = now.velocity;
   field.evaluate(0);
-  in_question = before;
   return rows.force[0];
 }
 

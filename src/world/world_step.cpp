@@ -89,6 +89,7 @@ struct StepWork {
   const std::size_t* words_before;
   Chunk* chunks;
   bool stream;
+  bool asks_engine;  // rows are looked at when all have moved, in the caller's thread
 };
 
 /// Calls f with every row of a chunk that is marked.
@@ -100,7 +101,7 @@ void each_marked(const Chunk& chunk, const std::uint32_t* words, const F& f) {
 }
 
 template <class S>
-void step_chunk(const StepWork& work, Chunk& chunk) {
+void move_chunk(const StepWork& work, Chunk& chunk) {
   PHYSIM_ASSERT(chunk.first % kRowsPerWord == 0 && chunk.last <= work.context.state->rows[chunk.cohort].size());
   PHYSIM_ASSERT(chunk.first < chunk.last);
   // One row of each chunk, another one in each step.
@@ -114,11 +115,29 @@ void step_chunk(const StepWork& work, Chunk& chunk) {
   job.stream = work.stream;
   // What stands in its row beside place and velocity cannot be put back.
   const RowLayout& layout = work.context.state->rows[chunk.cohort].layout();
-  const bool looks = layout.meeting && !layout.carried && !layout.turning;
-  if (looks) job.near = work.near + work.words_before[chunk.cohort];
-  const bool attention = step_rows_with(work.kernel, job);
-  if (looks) each_marked(chunk, job.near, [&](std::uint32_t row) { look_around(work.context, chunk, row); });
-  if (attention) each_marked(chunk, job.attention, [&](std::uint32_t row) { settle_row(work.context, chunk, row); });
+  chunk.looks = layout.meeting && !layout.carried && !layout.turning;
+  if (chunk.looks) job.near = work.near + work.words_before[chunk.cohort];
+  chunk.attention = step_rows_with(work.kernel, job);
+}
+
+/// Calls f with every row of a chunk that came near a thing.
+template <class F>
+void each_near(const StepWork& work, const Chunk& chunk, const F& f) {
+  if (chunk.looks) each_marked(chunk, work.near + work.words_before[chunk.cohort], f);
+}
+
+void settle_chunk(const StepWork& work, Chunk& chunk) {
+  if (!chunk.attention) return;
+  each_marked(chunk, work.attention + work.words_before[chunk.cohort],
+              [&](std::uint32_t row) { settle_row(work.context, chunk, row); });
+}
+
+/// All rows that came near something ask in one call.
+void ask_engine(const StepWork& work, std::span<Chunk> chunks) {
+  std::vector<NearRow> rows;
+  for (Chunk& chunk : chunks) each_near(work, chunk, [&](std::uint32_t row) { rows.push_back({&chunk, row}); });
+  look_around(work.context, rows);
+  for (Chunk& chunk : chunks) settle_chunk(work, chunk);
 }
 
 void run_chunk(void* shared, std::size_t i) {
@@ -126,9 +145,12 @@ void run_chunk(void* shared, std::size_t i) {
   const auto& work = *static_cast<const StepWork*>(shared);
   Chunk& chunk = work.chunks[i];
   if (work.context.state->rows[chunk.cohort].layout().float32)
-    step_chunk<float>(work, chunk);
+    move_chunk<float>(work, chunk);
   else
-    step_chunk<double>(work, chunk);
+    move_chunk<double>(work, chunk);
+  if (work.asks_engine) return;
+  each_near(work, chunk, [&](std::uint32_t row) { look_around(work.context, chunk, row); });
+  settle_chunk(work, chunk);
 }
 
 /// Does everything in the caller's thread.
@@ -200,9 +222,12 @@ void WorldImpl::step_free(double dt) {
   }
   if (scratch.attention.size() < words) scratch.attention.resize(words);
   if (scratch.near.size() < words) scratch.near.resize(words);
-  StepWork work{settle_context(dt),          world_kernel(),        scratch.attention.data(), scratch.near.data(),
-                scratch.words_before.data(), scratch.chunks.data(), bytes > kCacheBytes};
+  StepWork work{settle_context(dt),          world_kernel(),
+                scratch.attention.data(),    scratch.near.data(),
+                scratch.words_before.data(), scratch.chunks.data(),
+                bytes > kCacheBytes,         state.scene && state.scene->engine()};
   runner(moving).run(scratch.chunk_count, run_chunk, &work);
+  if (work.asks_engine) ask_engine(work, std::span(scratch.chunks).first(scratch.chunk_count));
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const CohortKey& key = registry.cohort(c).key;
     if (!key.still && !key.forced) state.rows[c].swap_positions();
