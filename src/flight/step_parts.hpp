@@ -40,7 +40,10 @@ class StepParts {
   void make_last() { end_ = length_; }
 
   /// It flies on from a contact, within the part at hand.
-  void go_on(double from) { resume_ = from; }
+  void go_on(double from) {
+    PHYSIM_ASSERT(from >= 0 && from <= length_);
+    resume_ = from;
+  }
   /// From where it flies on: from the last contact, or into the next part. None: the step is over.
   [[nodiscard]] std::optional<double> next() {
     if (resume_) return std::exchange(resume_, std::nullopt);

@@ -83,6 +83,7 @@ template <class S>
 std::size_t add_pieces(const SettleContext& context, const Way<S>& way, double radius,
                        std::vector<SceneSegment>& into) {
   constexpr double kMostPieces = 16;
+  PHYSIM_ASSERT(context.dt > 0 && radius >= 0);
   const double pieces = std::max(std::ceil(std::sqrt(way.beside(context.dt) / context.scene->skin())), 1.0);
   if (!(pieces <= kMostPieces)) return 0;
   Vec3d from = way.from;
@@ -142,6 +143,7 @@ void look_around(const SettleContext& context, const std::vector<NearRow>& rows)
       put_back(context, *near.chunk, c, near.row);
     });
   }
+  PHYSIM_ASSERT(at == hits.size());
 }
 
 }  // namespace physim
