@@ -57,26 +57,33 @@ class PairSearch {
     same_ = 1e-13 + 8 * std::numeric_limits<double>::epsilon() * largest;
   }
 
-  [[nodiscard]] std::optional<double> first(double from, double to) const {
+  [[nodiscard]] std::optional<double> first(double from, double to) {
     if (!(to >= from)) return std::nullopt;
-    return within(apart(from), apart(to), 0);
+    for (;; same_ *= 64) {  // two that go along each other, or so wildly that no piece is straight
+      pieces_ = 0;
+      const auto found = within(apart(from), apart(to), 0);
+      if (pieces_ <= kMostPieces) return found;
+    }
   }
 
  private:
+  static constexpr int kMostPieces = 1 << 14;
+
   [[nodiscard]] Knot apart(double time) const {
     const Knot a = a_.at(time), b = b_.at(time);
     return {time, a.x - b.x, a.v - b.v};
   }
 
-  [[nodiscard]] std::optional<double> within(const Knot& from, const Knot& to, int depth) const {
+  [[nodiscard]] std::optional<double> within(const Knot& from, const Knot& to, int depth) {
     constexpr int kDeepest = 48;
+    if (++pieces_ > kMostPieces) return std::nullopt;
     const double h = to.time - from.time;
     const Vec3d chord = to.x - from.x;
     // The inner control points of the cubic less those of its chord: it bends away by 3/4 of the longer at most.
     const double bend = 0.75 / 3 * std::max(length(from.v * h - chord), length(chord - to.v * h));
     if (touch_ == Touch::comes_near) {
-      if (nearest(from.x, chord) - bend > distance_) return std::nullopt;
-    } else if (std::max(length(from.x), length(to.x)) + bend < distance_) {
+      if (!(nearest(from.x, chord) - bend <= distance_)) return std::nullopt;  // what is no number meets nothing
+    } else if (!(std::max(length(from.x), length(to.x)) + bend >= distance_)) {
       return std::nullopt;
     }
     const double middle = from.time + 0.5 * h;
@@ -118,6 +125,7 @@ class PairSearch {
   double distance_;
   Touch touch_;
   double same_;  // chord and cubic [m]
+  int pieces_ = 0;
 };
 
 /// The leg of a path, of two knots at least, on which it is at a time, and after it.

@@ -125,7 +125,8 @@ class PairStep {
     const double largest = c.box.extent();
     c.spacing = largest * epsilon_of(c);
     c.box.widen(reach(c) * (1 + 1e-9) + 4 * c.spacing);
-    if (!std::isfinite(largest) || c.path.size() < 2) c.is_gone = true, c.box = {};
+    const bool is_sound = std::ranges::all_of(c.path, [](const Knot& k) { return std::isfinite(length_squared(k.v)); });
+    if (!std::isfinite(largest) || !is_sound || c.path.size() < 2) c.is_gone = true, c.box = {};
   }
 
   /// What the numbers of its row are rounded by [-].

@@ -104,5 +104,37 @@ TEST_F(PairPaths, far_from_the_origin_the_search_ends) {
   EXPECT_NEAR(length(one.at(*found).x - other.at(*found).x), 1, 1e-8);
 }
 
+/// One flies around another one at just the distance at which they touch: no piece of the way is for sure too far.
+TEST_F(PairPaths, along_each_other_the_search_ends) {
+  const double radius = 1, turn = 1.5;
+  const auto on_circle = [&](double t, double r) {
+    const double a = turn * t;
+    return Knot{t, {r * std::cos(a), r * std::sin(a), 0}, {-r * turn * std::sin(a), r * turn * std::cos(a), 0}};
+  };
+  const std::vector<Knot> rests{{0, {}, {}}, {1, {}, {}}};
+  std::vector<Knot> around, wider;
+  for (int i = 0; i <= 64; ++i)
+    around.push_back(on_circle(i / 64.0, radius)), wider.push_back(on_circle(i / 64.0, 1.1));
+  EXPECT_TRUE(first_touch(around, rests, radius * (1 + 1e-6), Touch::comes_near, 0));
+  EXPECT_FALSE(first_touch(wider, rests, radius, Touch::comes_near, 0));
+  // A cubic lies inside of the circle by 1e-12 of it here, so it may touch or not.
+  static_cast<void>(first_touch(around, rests, radius * (1 - 2e-12), Touch::comes_near, 0));
+  static_cast<void>(first_touch(around, rests, radius * (1 + 2e-12), Touch::goes_away, 0));
+}
+
+TEST_F(PairPaths, wild_ones_and_those_without_numbers_end) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Knot> rests{{0, {}, {}}, {1, {}, {}}};
+  for (const double wild : {1e20, 1e160, 1e300, std::numeric_limits<double>::infinity(), nan})
+    for (const bool by_place : {false, true}) {
+      const Knot end{1, by_place ? Vec3d{wild, 0, 0} : Vec3d{2, 0, 0}, by_place ? Vec3d{} : Vec3d{-wild, wild, 0}};
+      const std::vector<Knot> path{{0, {3, 0, 0}, {1, 2, 3}}, end};
+      for (const Touch touch : {Touch::comes_near, Touch::goes_away})
+        static_cast<void>(first_touch(path, rests, 1, touch, 0));
+    }
+  const std::vector<Knot> none{{0, {3, 0, 0}, {nan, 0, 0}}, {1, {2, 0, 0}, {}}};
+  EXPECT_FALSE(first_touch(none, rests, 1, Touch::comes_near, 0)) << "and meet nothing";
+}
+
 }  // namespace
 }  // namespace physim::collide
