@@ -162,8 +162,9 @@ void add_flights(Hash& hash) {
     for (const Shot& shot : random_shots(r, 4)) {
       until.contact = {.collision = random_collision(r), .restitution = r.unit(), .friction = r.unit()};
       until.contact.collision.others = 0;
-      const Flight flight =
-          fly(shot.projectile, launch_among_things(r), environment, random_fidelity(r), {1e-6, 1e-6, 0.02}, until);
+      const Fidelity fidelity = random_fidelity(r);  // one after the other: arguments have no order
+      const Launch launch = launch_among_things(r);
+      const Flight flight = fly(shot.projectile, launch, environment, fidelity, {1e-6, 1e-6, 0.02}, until);
       hash.add(static_cast<std::uint64_t>(flight.outcome()));
       for (const Event& e : flight.events()) add(hash, e);
       const Sample end = flight.at(flight.duration());
