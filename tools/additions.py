@@ -163,7 +163,7 @@ def taken_out(names):
                 noticed = "does not build"
             else:
                 code, failed = failing_tests()
-                noticed = ", ".join(failed) if code != 0 else ""
+                noticed = (", ".join(failed) or "the tests break off") if code != 0 else ""
             source.write_text(whole, encoding="utf-8")
             silent += not noticed
             print(f"{patch.stem}: {file}: {added.strip().splitlines()[0]}: {noticed or 'NOTHING NOTICES'}", flush=True)
