@@ -53,7 +53,9 @@ Status check_contact_keys(const std::string& path, const Value& table) {
   if (members == nullptr) return {};
   for (const Member& member : *members) {
     const std::string key = path + "." + member.key;
-    if (!is_of_contact(key)) return needs_world(key, member.value);
+    const SchemaNode* node = find_node(key);
+    PHYSIM_ASSERT(node != nullptr);  // the reader knows no others
+    if (!is_of_contact(*node)) return needs_world(key, member.value);
     if (Status status = check_contact_keys(key, member.value); !status) return status;
   }
   return {};

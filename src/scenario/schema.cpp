@@ -116,17 +116,8 @@ const SchemaNode* find_node(std::string_view path) {
   return node;
 }
 
-bool is_of_contact(std::string_view path) {
-  constexpr std::string_view kPaths[] = {"shot.body",
-                                         "shot.body.restitution",
-                                         "shot.body.friction",
-                                         "shot.body.rolling_resistance",
-                                         "shot.body.collision",
-                                         "shot.body.collision.on_hit",
-                                         "shot.body.collision.radius",
-                                         "shot.body.collision.inertia",
-                                         "shot.body.collision.layers"};
-  return std::ranges::count(kPaths, path) > 0;
+bool is_of_contact(const SchemaNode& node) {
+  return (node.entry != nullptr && node.entry->of_contact) || std::ranges::any_of(node.children, is_of_contact);
 }
 
 const std::vector<std::string_view>& setting_paths() {

@@ -121,6 +121,7 @@ struct Entry {
   bool shorthand = false;                           // its table may be written as this value alone
   bool starts = false;                              // a choice of presets, which other settings of its table change
   bool live = false;                                // worlds can change it for one projectile in flight
+  bool of_contact = false;                          // of how a shot meets things, which single flights read, too
   Quantity (*quantity_by)(const Scope&) = nullptr;  // where another setting decides the quantity
   std::string_view unit_by = {};                    // by which: "of the kind"
   bool (*is_there)(const Scope&) = nullptr;         // where another setting decides whether there is a value to write
@@ -151,8 +152,8 @@ struct SchemaNode {
 inline constexpr std::string_view kWorldLists[] = {"volley", "force"};
 /// Lists of tables that say what there is to hit, in a [world] and for single flights.
 inline constexpr std::string_view kSceneLists[] = {"material", "shape", "thing"};
-/// Whether shot.body, or what is in it at this path, says how a shot meets things: single flights read that, too.
-[[nodiscard]] bool is_of_contact(std::string_view path);
+/// Whether it, or something in it, says how a shot meets things.
+[[nodiscard]] bool is_of_contact(const SchemaNode& node);
 
 /// The paths of all settings.
 [[nodiscard]] const std::vector<std::string_view>& setting_paths();

@@ -111,9 +111,9 @@ struct WhereTrue {
 struct Absent {
   std::string_view word;
 };
-enum class Trait { required, shorthand, preset, live };
+enum class Trait { required, shorthand, preset, live, contact };
 inline constexpr Trait kRequired = Trait::required, kShorthand = Trait::shorthand, kPreset = Trait::preset,
-                       kLive = Trait::live;
+                       kLive = Trait::live, kContact = Trait::contact;
 
 constexpr void say(Entry& entry, Quantity quantity) { entry.quantity = quantity; }
 constexpr void say(Entry& entry, const Range& range) { entry.range = range; }
@@ -125,6 +125,7 @@ constexpr void say(Entry& entry, Trait trait) {
     case Trait::shorthand: entry.shorthand = true; return;
     case Trait::preset: entry.starts = true; return;
     case Trait::live: entry.live = true; return;
+    case Trait::contact: entry.of_contact = true; return;
   }
 }
 constexpr void say(Entry& entry, QuantityBy by) {

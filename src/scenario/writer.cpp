@@ -178,7 +178,7 @@ bool is_left_out(const SchemaNode& node, const Scenario& scenario) {
   if (node.path == "world" || std::ranges::count(kWorldLists, node.path) > 0) return true;
   if (std::ranges::count(kSceneLists, node.path) > 0)
     return scenario.materials.empty() && scenario.shapes.empty() && scenario.things.empty();
-  return node.path.starts_with("shot.body") && (scenario.things.empty() || !is_of_contact(node.path));
+  return node.path.starts_with("shot.body") && (scenario.things.empty() || !is_of_contact(node));
 }
 
 /// A body but for what the file of a scenario can say.
