@@ -3,8 +3,8 @@
 #include "scenes.hpp"
 
 #include <bit>
-#include <cstdio>
 
+#include "alike.hpp"
 #include "base/hash.hpp"
 #include "physim/world.hpp"
 #include "random_shots.hpp"
@@ -176,17 +176,8 @@ void add_flights(Hash& hash) {
 }  // namespace
 
 bool add_scenes(std::uint64_t& hash) {
-  bool same = true;
   hash = run_worlds(1);
-  for (const std::string& kernel : kernels()) {
-    use_kernel(kernel);
-    for (const unsigned threads : {1u, 3u}) {
-      if (run_worlds(threads) == hash) continue;
-      std::fprintf(stderr, "golden: worlds with scenes differ with kernel %s on %u threads\n", kernel.c_str(), threads);
-      same = false;
-    }
-  }
-  use_kernel("");
+  const bool same = gives_alike("worlds with scenes", hash, {1u, 3u}, run_worlds);
   Hash flights;
   flights.add(hash);
   add_flights(flights);

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "alike.hpp"
 #include "base/hash.hpp"
 #include "physim/presets.hpp"
 #include "physim/study.hpp"
@@ -52,18 +53,9 @@ std::uint64_t fly(unsigned threads) {
 }  // namespace
 
 bool add_studies(std::uint64_t& hash) {
-  bool same = true;
   hash = fly(1);
   if (hash == 0) std::fprintf(stderr, "golden: a study is refused\n");
-  for (const std::string& kernel : kernels()) {
-    use_kernel(kernel);
-    for (const unsigned threads : {1u, 3u}) {
-      if (fly(threads) == hash) continue;
-      std::fprintf(stderr, "golden: studies differ with kernel %s on %u threads\n", kernel.c_str(), threads);
-      same = false;
-    }
-  }
-  use_kernel("");
+  const bool same = gives_alike("studies", hash, {1u, 3u}, fly);
   return same && hash != 0;
 }
 

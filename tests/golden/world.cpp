@@ -2,8 +2,7 @@
 // every kernel and several numbers of threads.
 #include "world.hpp"
 
-#include <cstdio>
-
+#include "alike.hpp"
 #include "random_shots.hpp"
 
 namespace physim::test {
@@ -78,17 +77,8 @@ std::uint64_t run_worlds(unsigned threads) {
 }  // namespace
 
 bool add_worlds(std::uint64_t& hash) {
-  bool same = true;
   hash = run_worlds(1);
-  for (const std::string& kernel : kernels()) {
-    use_kernel(kernel);
-    for (const unsigned threads : {1u, 2u, 7u}) {
-      if (run_worlds(threads) == hash) continue;
-      std::fprintf(stderr, "golden: worlds differ with kernel %s on %u threads\n", kernel.c_str(), threads);
-      same = false;
-    }
-  }
-  use_kernel("");
+  const bool same = gives_alike("worlds", hash, {1u, 2u, 7u}, run_worlds);
   return same;
 }
 
