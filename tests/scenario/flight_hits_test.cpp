@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "physim/scenario_study.hpp"
+#include "scenario/slope_scene.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -13,34 +14,12 @@ namespace {
 
 constexpr double kG = 9.80665, kPi = 3.14159265358979323846;
 
-const std::string kHead = "physim = 1\n[environment]\ngravity = \"constant\"\natmosphere = \"vacuum\"\n";
-
-/// A ball that falls on a slope, and bounces down it; with a step of its own, so that a world flies the same.
-const std::string kSlope = R"([tolerance]
-step = "10 ms"
-[[material]]
-name = "ice"
-restitution = 1
-friction = 0
-[[shape]]
-name = "plane"
-kind = "plane"
-[[thing]]
-name = "slope"
-shape = "plane"
-material = "ice"
-rotation = { axis = [0, 0, 1], angle = "-30 deg" }
-[[shot]]
-name = "ball"
-position = [0, "5 m", 0]
-speed = 0
-fidelity = { preset = "game", integrator = "rk4", precision = "float64", drag = "off" }
-body = { restitution = 0.5, friction = 0, collision = { on_hit = "bounce" } }
-)";
+/// A ball that bounces down a slope, with a step of its own, so that a world flies the same.
+const std::string kSlope = "[tolerance]\nstep = \"10 ms\"\n" + ball_over_slope("-30 deg");
 const std::string kNoGround = "[until]\nground = \"off\"\ntime = \"3 s\"\n";
 
 Scenario read_scenario(const std::string& text) {
-  const Result<Scenario> scenario = parse_scenario(kHead + text, "f.toml");
+  const Result<Scenario> scenario = parse_scenario(kVacuum + text, "f.toml");
   EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
   return scenario ? *scenario : Scenario{};
 }

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "physim/world_run.hpp"
+#include "scenario/slope_scene.hpp"
 #include "support.hpp"
 
 namespace physim {
 namespace {
 
 constexpr double kG = 9.80665;
-
-const std::string kVacuum = "physim = 1\n[environment]\ngravity = \"constant\"\natmosphere = \"vacuum\"\n";
 
 WorldRun run_of_scene(const std::string& text) {
   const Result<Scenario> scenario = parse_scenario(kVacuum + text, "f.toml");
@@ -36,25 +35,7 @@ Expectation expected(const std::string& quantity, const std::string& thing = "")
 /// A ball that falls on a plane, turned by 30 degrees: it moves with the speed of the fall, and comes off the slope
 /// under the angle that restitution and no friction leave.
 TEST(ThingHits, TellAFallByItsClosedForm) {
-  WorldRun run = run_of_scene(R"(
-[[material]]
-name = "ice"
-restitution = 1
-friction = 0
-[[shape]]
-name = "plane"
-kind = "plane"
-[[thing]]
-name = "slope"
-shape = "plane"
-material = "ice"
-rotation = { axis = [0, 0, 1], angle = "30 deg" }
-[[shot]]
-name = "ball"
-position = [0, "5 m", 0]
-speed = 0
-fidelity = { preset = "game", integrator = "rk4", precision = "float64", drag = "off" }
-body = { restitution = 0.5, friction = 0, collision = { on_hit = "bounce" } }
+  WorldRun run = run_of_scene(ball_over_slope("30 deg") + R"(
 [world]
 duration = "1.1 s"
 ground = "none"
