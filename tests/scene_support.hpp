@@ -10,6 +10,7 @@
 namespace physim::test_scene {
 
 inline constexpr double kG = 9.80665;
+using test::of_kind;
 
 inline Environment vacuum_of(double g) {
   Environment environment;
@@ -34,13 +35,6 @@ inline Fidelity closed() {
   Fidelity fidelity = test::vacuum();
   fidelity.motion = Motion::closed_form;
   return fidelity;
-}
-
-inline std::vector<Event> of_kind(const Flight& flight, EventKind kind) {
-  std::vector<Event> found;
-  for (const Event& e : flight.events())
-    if (e.kind == kind) found.push_back(e);
-  return found;
 }
 
 inline InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& position, MaterialId material = {}) {

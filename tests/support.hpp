@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "physim/names.hpp"
 #include "physim/physim.hpp"
@@ -35,6 +39,13 @@ inline testing::AssertionResult near(const Vec3d& actual, const Vec3d& expected,
                                      << expected.x << ", " << expected.y << ", " << expected.z << "): off by "
                                      << length(actual - expected) << ", allowed " << gate;
 }
+
+inline std::vector<Event> of_kind(std::span<const Event> events, EventKind kind) {
+  std::vector<Event> found;
+  std::ranges::copy_if(events, std::back_inserter(found), [&](const Event& e) { return e.kind == kind; });
+  return found;
+}
+inline std::vector<Event> of_kind(const Flight& flight, EventKind kind) { return of_kind(flight.events(), kind); }
 
 /// Equal bits; NaNs are equal whatever their bits.
 inline bool same_bits(double a, double b) { return (a != a && b != b) || to_bits(a) == to_bits(b); }

@@ -28,13 +28,6 @@ double time_at_height(double y, bool rising) {
   return (50 + (rising ? -root : root)) / kG;
 }
 
-std::vector<Event> of_kind(const Flight& flight, EventKind kind) {
-  std::vector<Event> found;
-  for (const Event& e : flight.events())
-    if (e.kind == kind) found.push_back(e);
-  return found;
-}
-
 TEST(Events, each_kind_is_found_where_it_should_be) {
   Until until;
   until.events = {{EventKind::height, 100},

@@ -43,11 +43,4 @@ inline Fidelity weightless(Integrator integrator) {
   return f;
 }
 
-inline std::vector<Event> of_kind(const Flight& flight, EventKind kind) {
-  std::vector<Event> found;
-  for (const Event& e : flight.events())
-    if (e.kind == kind) found.push_back(e);
-  return found;
-}
-
 }  // namespace physim::test

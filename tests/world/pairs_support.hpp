@@ -1,13 +1,11 @@
 // Balls in empty space, for tests of what meets what.
 #pragma once
 
-#include <algorithm>
-#include <iterator>
-#include <vector>
-
 #include "world/world_support.hpp"
 
 namespace physim::test_pairs {
+
+using test::of_kind;
 
 inline WorldDef space(GroundMode ground = GroundMode::none) {
   WorldDef def;
@@ -38,12 +36,6 @@ inline ProjectileId put(World& world, const ProjectileDef& p, const BodyDef& bod
   const auto id = world.spawn(p, {.position = x, .velocity = v}, body);
   EXPECT_TRUE(id) << (id ? "" : id.error().text());
   return id ? *id : ProjectileId{};
-}
-
-inline std::vector<Event> of_kind(const std::vector<Event>& events, EventKind kind) {
-  std::vector<Event> found;
-  std::ranges::copy_if(events, std::back_inserter(found), [&](const Event& e) { return e.kind == kind; });
-  return found;
 }
 
 }  // namespace physim::test_pairs

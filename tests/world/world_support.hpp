@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physim/world.hpp"
+#include "support.hpp"
 
 namespace physim {
 
@@ -16,12 +17,7 @@ inline World make_world(const WorldDef& def) {
   return made ? std::move(made.value()) : World();
 }
 
-inline std::vector<Event> events_of(const World& world, EventKind kind) {
-  std::vector<Event> found;
-  for (const Event& e : world.events())
-    if (e.kind == kind) found.push_back(e);
-  return found;
-}
+inline std::vector<Event> events_of(const World& world, EventKind kind) { return test::of_kind(world.events(), kind); }
 
 /// A stone without drag.
 inline ProjectileDef stone() {
@@ -53,6 +49,14 @@ inline std::vector<Event> run_for(World& world, double seconds, double step = 1.
     all.insert(all.end(), world.events().begin(), world.events().end());
   }
   return all;
+}
+
+/// Shells that land in the same step.
+inline World volley(int count) {
+  World world;
+  for (int i = 0; i < count; ++i)
+    EXPECT_TRUE(world.spawn(stone(), {.position = {double(i), 0.01, 0}, .velocity = Vec3d{0, -5, 0}}));
+  return world;
 }
 
 }  // namespace physim
