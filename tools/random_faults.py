@@ -22,7 +22,7 @@ import sys
 import tempfile
 import time
 
-LAYERS = ("base", "math", "model", "solve", "prepare", "flight", "study", "collide", "world", "scenario", "report")
+LAYERS = ("base", "math", "model", "solve", "prepare", "flight", "study", "collide", "emit", "world", "scenario", "report")
 LEFT_ASIDE = {"docs", "client", "window", "additions"}  # folders of tests
 LAST = {"cli"}  # programs that run take longer than calls
 TOO_LONG = "StudyRanks.*"  # kill and go on with studies of many shots; others run the same code

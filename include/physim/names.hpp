@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "physim/aim.hpp"
+#include "physim/emitter.hpp"
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/impact.hpp"
@@ -57,6 +58,11 @@ PHYSIM_NAMED_ENUM(WhenFull)
 PHYSIM_NAMED_ENUM(LifeStatus)
 PHYSIM_NAMED_ENUM(Reason)
 PHYSIM_NAMED_ENUM(ImpactKind)
+PHYSIM_NAMED_ENUM(EmitShape)
+PHYSIM_NAMED_ENUM(ArcMode)
+PHYSIM_NAMED_ENUM(SubEvent)
+PHYSIM_NAMED_ENUM(SubAxis)
+PHYSIM_NAMED_ENUM(StopAction)
 #undef PHYSIM_NAMED_ENUM
 
 /// All rungs of an effect (an enumeration that Fidelity has a field of), cheap to true.

@@ -10,6 +10,7 @@
 #include "physim/distribution.hpp"
 #include "physim/drag_curve.hpp"
 #include "physim/drag_point.hpp"
+#include "physim/emitter.hpp"
 #include "physim/environment.hpp"
 #include "physim/event.hpp"
 #include "physim/fidelity.hpp"

@@ -10,6 +10,7 @@
 
 #include "physim/accelerations.hpp"
 #include "physim/departure.hpp"
+#include "physim/emitter.hpp"
 #include "physim/flight.hpp"
 #include "physim/forces.hpp"
 #include "physim/result.hpp"
@@ -199,6 +200,30 @@ class World {
   /// Times of motions are those of the world.
   Status set_instance_motion(InstanceId instance, const SceneMotion& motion);
   Status set_instance_layers(InstanceId instance, std::uint32_t layers);
+
+  // ------------------------------------------------------------------------------------------- emitters
+  /// From now on it fires, at moments of its own inside of steps. What is born flies the rest of that step; who is
+  /// born, when, where and how fast follows from the definition alone, however long steps are.
+  Result<EmitterId> add_emitter(const EmitterDef& def);
+  /// What it fired stays, and is nobody's from then on.
+  Status remove_emitter(EmitterId emitter);
+  /// It begins anew, with the delay before its first cycle; particles are numbered on.
+  Status play_emitter(EmitterId emitter);
+  /// It fires no more by itself.
+  Status stop_emitter(EmitterId emitter);
+  /// In the course of the next step it goes straight to that place, and turns; later it stays there. Its scale does not
+  /// count. Refused for one that follows a projectile or has a motion.
+  Status move_emitter(EmitterId emitter, const Transform& to);
+  /// It fires so many now, beside what it does by itself, up to 1e6; how many were born.
+  Result<std::size_t> emit(EmitterId emitter, std::uint32_t count);
+  /// Its sub-emitters that wait for SubEvent::trigger fire now, at each of its particles.
+  Status trigger_emitter(EmitterId emitter);
+  [[nodiscard]] std::vector<EmitterId> emitters() const;                ///< of all there are, by index
+  [[nodiscard]] const EmitterDef* emitter(EmitterId emitter) const;     ///< null: it is gone
+  [[nodiscard]] bool is_playing(EmitterId emitter) const;               ///< it may fire by itself
+  [[nodiscard]] EmitterCounts emitter_counts(EmitterId emitter) const;  ///< zeros: it is gone
+  /// Its particles, by the index of their ids; returns how many there are. Columns that are shorter get the first ones.
+  std::size_t particles(EmitterId emitter, const ParticleColumns& into) const;
 
   // ------------------------------------------------------------------------------------------- time
   /// One step of dt [s], now; 1e-9 at least and below 1e6. Fastest where dt stays the same. Integrators with fixed

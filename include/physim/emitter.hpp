@@ -1,0 +1,291 @@
+// Emitters: what fires projectiles into a world by itself, at their own moments inside of its steps: guns, sprays,
+// fireworks. EmitterDef: what, when, from where and how.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physim/ids.hpp"
+#include "physim/infinity.hpp"
+#include "physim/projectile.hpp"
+#include "physim/quat.hpp"
+#include "physim/scene_motion.hpp"
+#include "physim/vec3.hpp"
+#include "physim/world_def.hpp"
+
+namespace physim {
+
+/// Names an emitter of one world; index 0 is none. Ids of what is gone are told from those of what took its place.
+struct EmitterId {
+  std::uint32_t index = 0;       ///< [-]
+  std::uint32_t generation = 0;  ///< [-]
+
+  explicit operator bool() const { return index != 0; }
+  auto operator<=>(const EmitterId&) const = default;
+};
+
+// ------------------------------------------------------------------------------------------------- numbers
+/// A point of a curve.
+struct CurveKey {
+  double at = 0;     ///< part of the span, 0..1, above that of the key before [-]
+  double value = 0;  ///< [unit of the curve]
+
+  bool operator==(const CurveKey&) const = default;
+};
+/// A curve over a span, such as a cycle or a life: monotone cubics (PCHIP) through its keys, held before the first and
+/// after the last one; no keys: 1 everywhere.
+using Curve = std::vector<CurveKey>;
+
+/// A number that emitters draw: {5} is a constant, {4, 6} lies evenly between two, {10, {}, {{0, 1}, {1, 0}}} falls
+/// from 10 to 0 over the span, {4, 6, low, high} lies evenly between two curves.
+struct DrawnNumber {
+  double value = 0;            ///< times `curve` [unit of the number]
+  std::optional<double> to{};  ///< times `to_curve`: it lies evenly between both; none: it is `value` [same unit]
+  Curve curve{};               ///< [-]
+  Curve to_curve{};            ///< none: `curve` [-]
+
+  bool operator==(const DrawnNumber&) const = default;
+};
+
+/// A point of a gradient.
+struct ColourKey {
+  double at = 0;                      ///< part of the span, 0..1, above that of the key before [-]
+  std::uint32_t colour = 0xffffffff;  ///< RGBA, a byte each [-]
+
+  bool operator==(const ColourKey&) const = default;
+};
+/// Colours over a span, in straight lines for each of red, green, blue and alpha; no keys: white.
+using Gradient = std::vector<ColourKey>;
+
+/// A colour that emitters draw, as DrawnNumber: both factors are multiplied, as parts of 255.
+struct DrawnColour {
+  std::uint32_t colour = 0xffffffff;  ///< times `gradient` [-]
+  std::optional<std::uint32_t> to{};  ///< times `to_gradient`: it lies evenly between both; none: `colour` [-]
+  Gradient gradient{};                ///< [-]
+  Gradient to_gradient{};             ///< none: `gradient` [-]
+
+  bool operator==(const DrawnColour&) const = default;
+};
+
+// ------------------------------------------------------------------------------------------------- when
+/// Many at one moment, once or again and again.
+struct Burst {
+  double time = 0;           ///< into the cycle [s]
+  DrawnNumber count{1};      ///< rounded to the nearest whole number; curves go over the cycle [-]
+  std::uint32_t cycles = 1;  ///< times; 0: to the end of the cycle [-]
+  double interval = 0.1;     ///< between them [s]
+  double probability = 1;    ///< of each [-]
+
+  bool operator==(const Burst&) const = default;
+};
+
+/// Where one of several barrels is, in the emitter's frame: x forward, y up, z right.
+struct Barrel {
+  Vec3d position{};  ///< of its muzzle [m]
+
+  bool operator==(const Barrel&) const = default;
+};
+
+/// Fires rounds one by one while the emitter plays.
+struct GunDef {
+  double rounds_per_minute = 0;    ///< 0: no gun [1/min]
+  std::uint32_t burst_rounds = 0;  ///< rounds, then a pause; 0: one goes on after the other [-]
+  double burst_pause = 0;          ///< after the last round of a burst, on top of the time between rounds [s]
+  std::uint32_t magazine = 0;      ///< rounds, then it reloads; 0: it never runs out [-]
+  double reload = 0;               ///< from the last round of a magazine to the first of the next [s]
+  std::uint32_t magazines = 0;     ///< then it is silent; 0: without end [-]
+  double dispersion = 0;           ///< standard deviation of the direction, to each side and up and down [rad]
+  std::uint32_t tracer_every = 0;  ///< every so manyth round is of the kind `tracer`; 0: none [-]
+  KindId tracer{};                 ///< [-]
+  std::vector<Barrel> barrels{};   ///< in turn; none: one, at the origin [-]
+  double convergence = 0;          ///< distance at which the barrels' lines meet; 0: they are parallel [m]
+  Curve recoil_up{};               ///< over the rounds of a burst (of a magazine without bursts), times recoil [-]
+  Curve recoil_right{};            ///< likewise [-]
+  double recoil = 0;               ///< by which the direction climbs where a curve is 1 [rad]
+
+  bool operator==(const GunDef&) const = default;
+};
+
+// ------------------------------------------------------------------------------------------------- where
+/// What particles come out of. Its axis is the emitter's x axis.
+enum class EmitShape : std::uint8_t {
+  point,       ///< forwards
+  cone,        ///< from a disc of `radius`, away from the tip of a cone of half angle `angle`
+  sphere,      ///< away from the middle of a ball of `radius`
+  hemisphere,  ///< away from the middle of the half of a ball that lies forwards
+  box,         ///< forwards, from a box of `size` about the origin
+  circle,      ///< away from the middle of a disc of `radius` across the axis
+  ring,        ///< away from the middle line of a torus of `radius` and of a tube of `tube`
+  line,        ///< forwards, from a line of `length` along z about the origin
+};
+
+/// Where on the arc particles come out, one after the other.
+enum class ArcMode : std::uint8_t {
+  random,     ///< anywhere
+  loop,       ///< further by arc_speed all the time
+  ping_pong,  ///< to and fro by arc_speed
+  spread,     ///< those of one moment evenly over the arc
+};
+
+struct EmitFrom {
+  EmitShape shape = EmitShape::point;  ///< [-]
+  double radius = 1;                   ///< of cone, sphere, hemisphere, circle, ring [m]
+  double angle = 0.4363323129985824;   ///< of a cone, 0 to below pi/2: half of its opening (25 degrees) [rad]
+  double tube = 0.1;                   ///< radius of the ring's tube [m]
+  Vec3d size{1, 1, 1};                 ///< of the box [m]
+  double length = 1;                   ///< of the line [m]
+  double thickness = 1;                ///< 1: from the whole volume or disc; 0: from its surface or edge [-]
+  double arc =
+      6.283185307179586;  ///< about the axis, of cone, hemisphere, sphere, circle, ring; a line: all of it [rad]
+  ArcMode arc_mode = ArcMode::random;  ///< of those with an arc, and of the line [-]
+  double arc_speed = 1;                ///< of loop and ping_pong: arcs a second [1/s]
+  double randomise = 0;                ///< part of the way from its direction to a random one, 0..1 [-]
+
+  bool operator==(const EmitFrom&) const = default;
+};
+
+// ------------------------------------------------------------------------------------------------- what
+/// How a particle starts; curves go over the emitter's cycle.
+struct ParticleStart {
+  DrawnNumber lifetime{5};    ///< above 0, infinity too; then it expires, Reason::older, at that moment [s]
+  DrawnNumber speed{5};       ///< in the direction of the shape; below 0: backwards [m/s]
+  DrawnNumber size{1};        ///< shown only [m]
+  DrawnNumber size_y{1};      ///< times `size`, across [-]
+  DrawnNumber size_z{1};      ///< times `size`, the third axis [-]
+  DrawnNumber rotation{0};    ///< about the axis towards the viewer; shown only [rad]
+  DrawnNumber rotation_y{0};  ///< about its own y axis [rad]
+  DrawnNumber rotation_z{0};  ///< about its own z axis [rad]
+  double flipped = 0;         ///< part of the particles that turn the other way, 0..1 [-]
+  DrawnColour colour{};       ///< shown only [-]
+  DrawnNumber gravity{1};     ///< times BodyDef::gravity_scale [-]
+
+  bool operator==(const ParticleStart&) const = default;
+};
+
+/// What changes as a particle grows older; shown only. Curves go over its lifetime, or over 1 s where that is infinite.
+struct ParticleLife {
+  DrawnNumber size{1};         ///< times the size at the start [-]
+  DrawnNumber turn{0};         ///< rate of its rotation [rad/s]
+  DrawnColour colour{};        ///< times the colour at the start [-]
+  double fast = 0;             ///< speed at which size_by_speed and colour_by_speed end; 0: neither counts [m/s]
+  Curve size_by_speed{};       ///< over 0 .. fast, times the size [-]
+  Gradient colour_by_speed{};  ///< over 0 .. fast, times the colour [-]
+
+  bool operator==(const ParticleLife&) const = default;
+};
+
+/// What a sub-emitter fires at.
+enum class SubEvent : std::uint8_t {
+  birth,   ///< of a particle
+  hit,     ///< it met a thing of the scene, whatever followed
+  bounce,  ///< off the ground or a thing
+  ricochet,
+  exit,     ///< it came out of a thing: EventKind::penetrated and left
+  landing,  ///< on the ground, where that ends its flight
+  apex,     ///< WorldDef::apex_events must be set
+  death,    ///< however it ends, but for World::despawn() and clear()
+  age,      ///< it has reached an age
+  trigger,  ///< World::trigger_emitter()
+};
+
+/// Which way the axis of a sub-emitter's shape points.
+enum class SubAxis : std::uint8_t {
+  emitter,   ///< as the emitter that it is
+  velocity,  ///< along the velocity of what it follows from, after the event
+  normal,    ///< along the normal of what was hit; where nothing was, as the emitter
+};
+
+/// An emitter of the same world fires where something happens to a particle of this one: exactly once each, at the
+/// moment and place of the event.
+struct SubEmitter {
+  SubEvent on = SubEvent::death;    ///< [-]
+  EmitterId emitter{};              ///< whose kind, shape and start are taken; it need not play itself [-]
+  DrawnNumber count{1};             ///< rounded to the nearest whole number [-]
+  double probability = 1;           ///< of each event [-]
+  double age = 0;                   ///< of SubEvent::age, above 0 [s]
+  SubAxis axis = SubAxis::emitter;  ///< [-]
+  double inherit_velocity = 0;      ///< part of the particle's velocity that is added [-]
+  bool inherit_colour = false;      ///< times the particle's colour then [-]
+  bool inherit_size = false;        ///< times the particle's size then [-]
+
+  bool operator==(const SubEmitter&) const = default;
+};
+
+/// What happens when an emitter that does not loop is over and its last particle is gone.
+enum class StopAction : std::uint8_t {
+  none,    ///< it stays, and may play again
+  remove,  ///< World::remove_emitter()
+};
+
+/// When an emitter plays.
+struct EmitterCycle {
+  double duration = 5;                 ///< of a cycle, above 0 [s]
+  bool looping = true;                 ///< cycle after cycle [-]
+  DrawnNumber delay{0};                ///< from the start to the first cycle; curves do not count [s]
+  bool prewarm = false;                ///< starts as if it had played one cycle (looping ones, without a delay) [-]
+  double rate = 1;                     ///< its own clock runs so many times as fast as the world's, above 0 [-]
+  bool plays = true;                   ///< from the moment it is added; false: World::play_emitter() starts it [-]
+  StopAction stop = StopAction::none;  ///< [-]
+
+  bool operator==(const EmitterCycle&) const = default;
+};
+
+struct EmitterDef {
+  std::string name{};    ///< in messages and tables [-]
+  KindId kind{};         ///< what it fires: World::add_kind() [-]
+  Launch launch{};       ///< what else a launch says: rail, attitude, spin; the rest is the emitter's [-]
+  EmitterCycle cycle{};  ///< [-]
+  std::optional<std::uint64_t>
+      seed{};                    ///< of all that is drawn; none: one of its own, by the emitters added before [-]
+  Vec3d position{};              ///< of its origin, where it does not move [m]
+  Quatd rotation{};              ///< from its frame (x forward, y up, z right) to W; of any length but zero [-]
+  SceneMotion motion{};          ///< its path over the world's time; at rest: as position and rotation say [-]
+  ProjectileId follows{};        ///< its origin is that projectile; when it is gone the emitter stops [-]
+  double inherit_velocity = 0;   ///< part of the emitter's own velocity that is added to particles [-]
+  DrawnNumber per_second{10};    ///< particles a second; curves go over the cycle [1/s]
+  double per_metre = 0;          ///< particles for each metre that the emitter moves [1/m]
+  std::vector<Burst> bursts{};   ///< [-]
+  GunDef gun{};                  ///< [-]
+  EmitFrom from{};               ///< [-]
+  ParticleStart start{};         ///< [-]
+  ParticleLife life{};           ///< [-]
+  std::uint32_t maximum = 1000;  ///< particles alive at once [-]
+  WhenFull when_full = WhenFull::refuse;  ///< a new one then: refused, or the oldest makes room; both are counted [-]
+  std::vector<SubEmitter> subs{};         ///< [-]
+
+  bool operator==(const EmitterDef&) const = default;
+};
+
+// ------------------------------------------------------------------------------------------------- what became of it
+/// What an emitter has done since it was added.
+struct EmitterCounts {
+  std::uint64_t born = 0;      ///< [-]
+  std::uint64_t refused = 0;   ///< full, or the world did not take them [-]
+  std::uint64_t aged = 0;      ///< gone at the end of their lifetime [-]
+  std::uint64_t landed = 0;    ///< gone on the ground or on a thing that stopped them [-]
+  std::uint64_t expired = 0;   ///< gone by other rules of DespawnRules [-]
+  std::uint64_t replaced = 0;  ///< gone for a newer one [-]
+  std::uint64_t taken = 0;     ///< despawned by a call, or retired as no number was left [-]
+  std::uint32_t alive = 0;     ///< now [-]
+
+  bool operator==(const EmitterCounts&) const = default;
+};
+
+/// Columns for a renderer, in the caller's memory, each as long as there are particles to be shown; those left empty
+/// are not wanted.
+struct ParticleColumns {
+  std::span<ProjectileId> id{};       ///< [-]
+  std::span<Vec3d> position{};        ///< [m]
+  std::span<Vec3d> previous{};        ///< before the last step, or where it was born in it [m]
+  std::span<Vec3d> velocity{};        ///< [m/s]
+  std::span<Vec3d> size{};            ///< by its own axes [m]
+  std::span<Vec3d> rotation{};        ///< about x (towards the viewer), y and z [rad]
+  std::span<std::uint32_t> colour{};  ///< RGBA [-]
+  std::span<double> age{};            ///< [s]
+  std::span<std::uint64_t> number{};  ///< of the particle among those of its emitter, from 0 [-]
+};
+
+}  // namespace physim

@@ -1,0 +1,46 @@
+// Timeline: when an emitter fires by itself. The moments follow from its definition and seed alone, one after the
+// other, so that no frame can shift one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "emit/emission.hpp"
+
+namespace physim {
+
+/// Many, or one, at one time.
+struct EmitMoment {
+  double time = 0;   // since the emitter began to play, by its own clock [s]
+  double phase = 0;  // of the cycle, 0..1
+  std::uint32_t count = 1;
+  bool is_round = false;    // of the gun
+  std::uint64_t round = 0;  // its number then, from 0
+};
+
+/// How far an emitter has come: how many moments of each source were taken. Plain numbers, which a save holds.
+struct TimelineState {
+  std::uint64_t play = 0;  // how often it has begun to play before; what is drawn differs
+  std::vector<std::uint64_t> taken{};
+};
+
+class Timeline {
+ public:
+  explicit Timeline(const Emission& emission) : emission_(emission) {}
+
+  /// Nothing was taken.
+  [[nodiscard]] TimelineState begin(std::uint64_t play) const;
+  /// The first moment that was not taken; none: it will not fire any more. Of one time, those with a lower source
+  /// first.
+  [[nodiscard]] std::optional<EmitMoment> next(const TimelineState& state) const;
+  /// Takes that moment.
+  void take(TimelineState& state) const;
+  /// When the cycle of a time began, and which one that is, by the emitter's clock.
+  [[nodiscard]] double phase_at(std::uint64_t play, double time) const;
+
+ private:
+  const Emission& emission_;
+};
+
+}  // namespace physim
