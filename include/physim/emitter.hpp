@@ -186,7 +186,7 @@ enum class SubEvent : std::uint8_t {
   exit,     ///< it came out of a thing: EventKind::penetrated and left
   landing,  ///< on the ground, where that ends its flight
   apex,     ///< WorldDef::apex_events must be set
-  death,    ///< however it ends, but for World::despawn() and clear()
+  death,    ///< however it ends, but by a call or to make room
   age,      ///< it has reached an age
   trigger,  ///< World::trigger_emitter()
 };
@@ -194,7 +194,7 @@ enum class SubEvent : std::uint8_t {
 /// Which way the axis of a sub-emitter's shape points.
 enum class SubAxis : std::uint8_t {
   emitter,   ///< as the emitter that it is
-  velocity,  ///< along the velocity of what it follows from, after the event
+  velocity,  ///< along the velocity that the event tells
   normal,    ///< along the normal of what was hit; where nothing was, as the emitter
 };
 
@@ -269,6 +269,7 @@ struct EmitterCounts {
   std::uint64_t expired = 0;   ///< gone by other rules of DespawnRules [-]
   std::uint64_t replaced = 0;  ///< gone for a newer one [-]
   std::uint64_t taken = 0;     ///< despawned by a call, or retired as no number was left [-]
+  std::uint64_t cut = 0;       ///< not born, as sub-emitters would have fired each other without end [-]
   std::uint32_t alive = 0;     ///< now [-]
 
   bool operator==(const EmitterCounts&) const = default;

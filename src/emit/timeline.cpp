@@ -96,6 +96,12 @@ void Timeline::take(TimelineState& state) const {
   find(state, source);
 }
 
+std::pair<double, double> Timeline::span(std::uint64_t play) const {
+  const Emission::Parts& p = *emission_.parts_;
+  const double delay = delay_of(p.when, p.seed, play);
+  return {delay, p.def.cycle.looping ? kInfinity : delay + p.def.cycle.duration};
+}
+
 double Timeline::phase_at(std::uint64_t play, double time) const {
   const Emission::Parts& p = *emission_.parts_;
   return phase_of(p.def.cycle, std::max(time - delay_of(p.when, p.seed, play), 0.0));

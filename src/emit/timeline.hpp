@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "emit/emission.hpp"
@@ -42,6 +43,8 @@ class Timeline {
   [[nodiscard]] std::optional<EmitMoment> next(const TimelineState& state) const;
   /// Takes that moment.
   void take(TimelineState& state) const;
+  /// When its first cycle begins and its last one ends, by the emitter's clock; infinite where it loops [s].
+  [[nodiscard]] std::pair<double, double> span(std::uint64_t play) const;
   /// How far through its cycle an emitter is at a time of its clock, 0..1.
   [[nodiscard]] double phase_at(std::uint64_t play, double time) const;
 

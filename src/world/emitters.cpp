@@ -32,16 +32,18 @@ void Emitters::erase(std::uint32_t index) {
     if (particle.emitter == index) particle = {};
 }
 
-void Emitters::join(ProjectileId id, const Particle& particle, double birth) {
-  PHYSIM_ASSERT(id && particle.emitter > 0 && particle.dies > birth);
+void Emitters::join(ProjectileId id, const Particle& particle, double birth, double seen) {
+  PHYSIM_ASSERT(id && particle.emitter > 0 && particle.dies >= birth);
   if (particles_.size() <= id.index) particles_.resize(std::max<std::size_t>(id.index + 1, particles_.size() * 2));
   particles_[id.index] = particle;
   Emitter& emitter = (*this)[particle.emitter];
   ++emitter.counts.alive;
   if (emitter.def().when_full == WhenFull::replace_oldest) emitter.by_age.push_back(id);
-  if (std::isfinite(particle.dies)) lives.add(particle.dies, id);
-  for (const SubEmitter& sub : emitter.def().subs)
-    if (sub.on == SubEvent::age && birth + sub.age <= particle.dies) ages.add(birth + sub.age, id);
+  if (std::isfinite(particle.dies) && particle.dies > seen) lives.add(particle.dies, id);
+  for (const SubEmitter& sub : emitter.def().subs) {
+    const double then = birth + sub.age;
+    if (sub.on == SubEvent::age && then > seen && then <= particle.dies) ages.add(then, id);
+  }
 }
 
 void Emitters::leave(std::uint32_t slot, EmitterCount why) {

@@ -77,7 +77,7 @@ class Emitters {
 
   /// A place for one more, active.
   std::uint32_t add();
-  /// It is gone; its particles are nobody's.
+  /// It is gone; its particles are nobody's, but their lives end as they would.
   void erase(std::uint32_t index);
 
   /// The particle of a slot; null: no emitter fired it.
@@ -88,8 +88,8 @@ class Emitters {
   [[nodiscard]] const Particle* particle(std::uint32_t slot) const {
     return const_cast<Emitters*>(this)->particle(slot);
   }
-  /// One was born: its life ends, and it reaches ages, at those times.
-  void join(ProjectileId id, const Particle& particle, double birth);
+  /// One was born. What it will come to by `seen` somebody has looked at already [s].
+  void join(ProjectileId id, const Particle& particle, double birth, double seen);
   /// It is gone, for that reason; nothing where no emitter fired it.
   void leave(std::uint32_t slot, EmitterCount why);
   /// The oldest particle of an emitter that lets it make room.

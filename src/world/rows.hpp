@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "model/body.hpp"
@@ -108,6 +109,14 @@ class Rows : RowMemory {
   }
   /// After a step: what was written as the next position is the current one.
   void swap_positions();
+
+  /// Likewise, of one row.
+  void swap_positions(std::uint32_t row) const {
+    PHYSIM_ASSERT(row < size_);
+    visit([row](const auto& c) {
+      for (int axis = 0; axis < 3; ++axis) std::swap(c.position[axis][row], c.previous[axis][row]);
+    });
+  }
 
   /// Calls f with the columns, of float or of double.
   template <class F>

@@ -36,13 +36,14 @@ class Settling {
 
   /// One that is born inside the step.
   void run_born(double passed) {
-    r_.begin_at(passed);
-    fly_from(passed);
+    run_part(passed);
     follow_rules();
   }
-
-  /// As far as the row's part of the step goes, for somebody who only looks.
-  void run_part() { fly_from(0); }
+  /// As far as the row's part of the step goes.
+  void run_part(std::optional<double> born) {
+    if (born) r_.begin_at(*born);
+    fly_from(born.value_or(0));
+  }
 
   /// From a meeting with another one inside the step.
   void run_after(const Parting& parting) {
@@ -262,10 +263,11 @@ void settle_born(const SettleContext& context, Chunk& chunk, std::uint32_t row, 
   with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_born(passed); });
 }
 
-std::optional<State<double>> state_inside(const SettleContext& context, Chunk& chunk, std::uint32_t row, double until) {
+std::optional<State<double>> state_inside(const SettleContext& context, Chunk& chunk, std::uint32_t row,
+                                          std::optional<double> born, double until) {
   return with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) -> std::optional<State<double>> {
     r.end_at(until);
-    Settling<S>(context, r).run_part();
+    Settling<S>(context, r).run_part(born);
     if (r.gone()) return std::nullopt;
     return r.here();
   });

@@ -104,10 +104,11 @@ void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row,
 /// position. Forced rows feel in it what `taken` gives.
 void settle_born(const SettleContext& context, Chunk& chunk, std::uint32_t row, double passed);
 
-/// Where a row that is as it was when the step began is at a time inside of the step, and what happens to it before;
-/// the row stays as it was. None: it is gone by then. Forced rows feel what `taken` gives.
+/// Where a row that is as it was when the step began, or as it was born `born` into it, is at a time inside of the
+/// step, and what happens to it before; the row stays as it was. None: it is gone by then. Forced rows feel what
+/// `taken` gives.
 [[nodiscard]] std::optional<State<double>> state_inside(const SettleContext& context, Chunk& chunk, std::uint32_t row,
-                                                        double until);
+                                                        std::optional<double> born, double until);
 
 /// How such a row spins at a meeting, of which time and `from` are read [rad/s].
 [[nodiscard]] Vec3d spin_at(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting);

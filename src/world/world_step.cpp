@@ -184,7 +184,7 @@ void WorldImpl::launch_pending() {
     const Body<double> old = placement.body_of(slot);
     placement.relocate(id.index);
     placement.write_row(id.index, at, {.previous = at.position, .old = &old});  // its clock starts now
-    tell_launch(id.index, 0);
+    tell_launch(id.index, {});
   }
 }
 
@@ -264,27 +264,29 @@ void WorldImpl::finish_step() {
   }
   std::sort(scratch.changes.begin(), scratch.changes.end(),
             [](const Change& a, const Change& b) { return a.slot != b.slot ? a.slot < b.slot : a.kind < b.kind; });
-  for (const Change& change : scratch.changes) {
-    Slot& slot = state.slots[change.slot];
-    if (!slot.is(kAlive)) continue;
-    switch (change.kind) {
-      case Change::Kind::remove:
-        if (change.reason == Reason::non_finite) ++state.counters.retired;
-        remove(change.slot, change.status);
-        break;
-      case Change::Kind::spin:
-        slot.set(kTurning, true);
-        state.extras.turning[change.slot].angular_velocity = change.spin;
-        break;
-      case Change::Kind::stick:
-        placement.set_row_state(change.slot, {state.state_of(slot).position, {}});
-        placement.stop_turning(change.slot);
-        slot.set(kStuck, true);
-        slot.set_status(LifeStatus::landed);
-        placement.relocate(change.slot);
-        break;
-      case Change::Kind::sleep: put_to_sleep(change.slot); break;
-    }
+  for (const Change& change : scratch.changes) carry_out(change);
+}
+
+void WorldImpl::carry_out(const Change& change) {
+  Slot& slot = state.slots[change.slot];
+  if (!slot.is(kAlive)) return;
+  switch (change.kind) {
+    case Change::Kind::remove:
+      if (change.reason == Reason::non_finite) ++state.counters.retired;
+      remove(change.slot, change.status);
+      break;
+    case Change::Kind::spin:
+      slot.set(kTurning, true);
+      state.extras.turning[change.slot].angular_velocity = change.spin;
+      break;
+    case Change::Kind::stick:
+      placement.set_row_state(change.slot, {state.state_of(slot).position, {}});
+      placement.stop_turning(change.slot);
+      slot.set(kStuck, true);
+      slot.set_status(LifeStatus::landed);
+      placement.relocate(change.slot);
+      break;
+    case Change::Kind::sleep: put_to_sleep(change.slot); break;
   }
 }
 
