@@ -202,7 +202,7 @@ enum class SubAxis : std::uint8_t {
 /// moment and place of the event.
 struct SubEmitter {
   SubEvent on = SubEvent::death;    ///< [-]
-  EmitterId emitter{};              ///< whose kind, shape and start are taken; it need not play itself [-]
+  EmitterId emitter{};              ///< whose kind, shape and start are taken; it need not play; none: its own [-]
   DrawnNumber count{1};             ///< rounded to the nearest whole number; curves do not count [-]
   double probability = 1;           ///< of each event [-]
   double age = 0;                   ///< of SubEvent::age, above 0 [s]

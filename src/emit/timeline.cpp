@@ -55,6 +55,13 @@ TimelineState Timeline::begin(std::uint64_t play) const {
   return state;
 }
 
+bool Timeline::is_of(const TimelineState& state) const {
+  const std::size_t sources = emission_.parts_->when.bursts.size() + 2;
+  const auto is_time = [](double time) { return time >= 0; };
+  return state.taken.size() == sources && state.at.size() == sources && std::ranges::all_of(state.at, is_time) &&
+         std::isfinite(state.rate_before);
+}
+
 void Timeline::find(TimelineState& state, std::size_t source) const {
   const Emission::Parts& p = *emission_.parts_;
   const std::size_t gun = p.when.bursts.size() + 1;

@@ -38,6 +38,8 @@ class Timeline {
 
   /// Nothing was taken.
   [[nodiscard]] TimelineState begin(std::uint64_t play) const;
+  /// Whether a state, as a save may tell it, can be one of this emitter's.
+  [[nodiscard]] bool is_of(const TimelineState& state) const;
   /// The first moment that was not taken; none: it will not fire any more. Of one time, those with a lower source
   /// first.
   [[nodiscard]] std::optional<EmitMoment> next(const TimelineState& state) const;

@@ -8,6 +8,7 @@
 namespace physim {
 
 std::uint32_t Emitters::add() {
+  ++added_;
   std::uint32_t index = size();
   if (!free_.empty()) {
     index = free_.back();
@@ -34,16 +35,21 @@ void Emitters::erase(std::uint32_t index) {
 
 void Emitters::join(ProjectileId id, const Particle& particle, double birth, double seen) {
   PHYSIM_ASSERT(id && particle.emitter > 0 && particle.dies >= birth);
-  if (particles_.size() <= id.index) particles_.resize(std::max<std::size_t>(id.index + 1, particles_.size() * 2));
-  particles_[id.index] = particle;
-  Emitter& emitter = (*this)[particle.emitter];
-  ++emitter.counts.alive;
-  if (emitter.def().when_full == WhenFull::replace_oldest) emitter.by_age.push_back(id);
+  resume(id, particle);
+  const Emitter& emitter = (*this)[particle.emitter];
   if (std::isfinite(particle.dies) && particle.dies > seen) lives.add(particle.dies, id);
   for (const SubEmitter& sub : emitter.def().subs) {
     const double then = birth + sub.age;
     if (sub.on == SubEvent::age && then > seen && then <= particle.dies) ages.add(then, id);
   }
+}
+
+void Emitters::resume(ProjectileId id, const Particle& particle) {
+  if (particles_.size() <= id.index) particles_.resize(std::max<std::size_t>(id.index + 1, particles_.size() * 2));
+  particles_[id.index] = particle;
+  Emitter& emitter = (*this)[particle.emitter];
+  ++emitter.counts.alive;
+  if (emitter.def().when_full == WhenFull::replace_oldest) emitter.by_age.push_back(id);
 }
 
 void Emitters::leave(std::uint32_t slot, EmitterCount why) {
@@ -101,6 +107,7 @@ void add_emitter(Hash& hash, const Emitter& e) {
 
 void Emitters::add_to(Hash& hash) const {
   if (empty()) return;
+  hash.add(added_);
   for (const Emitter& emitter : all_) add_emitter(hash, emitter);
   for (const std::uint32_t index : free_) hash.add(std::uint64_t{index});
   each_particle([&hash](std::uint32_t slot, const Particle& p) {
@@ -113,7 +120,7 @@ void Emitters::add_to(Hash& hash) const {
   });
 }
 
-bool Emitters::restore(std::vector<Emitter> all, std::vector<std::uint32_t> free) {
+bool Emitters::restore(std::vector<Emitter> all, std::vector<std::uint32_t> free, std::uint64_t added) {
   std::vector<bool> is_free(all.size());
   for (const std::uint32_t index : free) {
     if (index == 0 || index >= all.size() || is_free[index] || all[index].active) return false;
@@ -123,6 +130,7 @@ bool Emitters::restore(std::vector<Emitter> all, std::vector<std::uint32_t> free
     if (!all[i].active && !is_free[i]) return false;
   all_ = std::move(all);
   free_ = std::move(free);
+  added_ = added;
   return true;
 }
 

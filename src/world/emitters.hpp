@@ -73,6 +73,8 @@ class Emitters {
     return e.active && e.generation == id.generation ? &e : nullptr;
   }
   [[nodiscard]] const Emitter* find(EmitterId id) const { return const_cast<Emitters*>(this)->find(id); }
+  /// So many were added before and are now.
+  [[nodiscard]] std::uint64_t added() const { return added_; }
   [[nodiscard]] EmitterId id_of(std::uint32_t index) const { return {index, (*this)[index].generation}; }
 
   /// A place for one more, active.
@@ -111,10 +113,13 @@ class Emitters {
   [[nodiscard]] const std::vector<Emitter>& all() const { return all_; }  // the first is none
   [[nodiscard]] const std::vector<std::uint32_t>& free() const { return free_; }
   /// False where that makes no sense. Particles join afterwards, in order of their births.
-  bool restore(std::vector<Emitter> all, std::vector<std::uint32_t> free);
+  bool restore(std::vector<Emitter> all, std::vector<std::uint32_t> free, std::uint64_t added);
+  /// One that was born before; in order of births.
+  void resume(ProjectileId id, const Particle& particle);
 
  private:
   std::vector<Emitter> all_{1};  // 0 is none
+  std::uint64_t added_ = 0;
   std::vector<std::uint32_t> free_;
   std::vector<Particle> particles_;  // by slot
 };

@@ -110,18 +110,17 @@ class Rows : RowMemory {
   /// After a step: what was written as the next position is the current one.
   void swap_positions();
 
-  /// Likewise, of one row.
+  /// Calls f with the columns, of float or of double.
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    return layout_.float32 ? f(float_) : f(double_);
+  }
+  /// What was written as the next position of one row is its current one.
   void swap_positions(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
     visit([row](const auto& c) {
       for (int axis = 0; axis < 3; ++axis) std::swap(c.position[axis][row], c.previous[axis][row]);
     });
-  }
-
-  /// Calls f with the columns, of float or of double.
-  template <class F>
-  decltype(auto) visit(F&& f) const {
-    return layout_.float32 ? f(float_) : f(double_);
   }
   [[nodiscard]] Vec3d position(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);

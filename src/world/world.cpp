@@ -303,6 +303,9 @@ void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
   state.pools.leave(registry.kind(slot.kind).body.pool, index);
   state.extras.forget(index);
   state.generators.forget(index);
+  state.emitters.leave(index, status == LifeStatus::landed    ? &EmitterCounts::landed
+                              : status == LifeStatus::expired ? &EmitterCounts::expired
+                                                              : &EmitterCounts::taken);
   registry.kinds.leave(slot.kind, moments, living);
   state.slots.release(index, status);
 }

@@ -5,6 +5,7 @@
 
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
+#include "world/emitter_step.hpp"
 #include "world/forced_step.hpp"
 #include "world/pairs.hpp"
 #include "world/placement.hpp"
@@ -41,6 +42,7 @@ struct WorldImpl : Gate {
   std::vector<std::vector<Event>> outgrown;  // events that were given out, until the next step
   ForcedScratch forced_scratch;
   PairScratch pairs;
+  EmitterScratch emitting;
   bool is_stirred = false;  // nobody who meets things sleeps, or knows how far it may fly
 
   // ------------------------------------------------------------------------------------------- slots
@@ -131,6 +133,14 @@ struct WorldImpl : Gate {
   Status remove_target(ForceId force, ProjectileId id);
   /// By all generators on one projectile now [N].
   [[nodiscard]] Vec3d generator_force(std::uint32_t slot) const;
+
+  // ------------------------------------------------------------------------------------------- emitters
+  [[nodiscard]] Status refuses(const EmitterDef& asked) const;
+  /// What follows from a definition that makes sense.
+  void equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const;
+  void play(Emitter& emitter);
+  /// Births by distance are counted from where it began to play.
+  void count_metres(Emitter& emitter) const;
 
   // ------------------------------------------------------------------------------------------- stepping
   void step(double dt);

@@ -191,6 +191,7 @@ void WorldImpl::launch_pending() {
 void WorldImpl::expire_old() {
   while (const ProjectileId id = state.old_age.take_due(state.clock.time(), state.slots)) {
     tell(EventKind::expired, id.index, Reason::older);
+    leave_after_step(*this, id.index);
     remove(id.index, LifeStatus::expired);
   }
 }
@@ -311,17 +312,21 @@ void WorldImpl::step(double dt) {
   begin_generators(dt);
   apply_detail();
   move_scene(dt);
+  begin_emitters(*this, dt);
   begin_pairs(*this);
   is_stirred = false;
   step_forced(dt);  // before the others move: its springs may end at them
   step_free(dt);
-  meet_pairs(*this, settle_context(dt));
+  const SettleContext context = settle_context(dt);
+  meet_pairs(*this, context);
   turn(dt);
   state.clock.tick();
   PHYSIM_ASSERT(state.clock.time() >= before && state.clock.steps == steps_before + 1);
   ++state.counters.steps;
+  watch_for_emitters(*this, context);
   finish_step();
   expire_old();
+  fire_emitters(*this, context);
   end_generators();
   // What a projectile tells at one time stays in the order in which it was told.
   std::stable_sort(state.events.begin(), state.events.end(), [](const Event& a, const Event& b) {
