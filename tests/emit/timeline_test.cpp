@@ -179,6 +179,13 @@ TEST(Timeline, burst_probability_is_that_of_each_moment) {
   def.bursts = {{.probability = 0.3}};
   const double n = kMillion;
   EXPECT_NEAR(double(Played(def, n - 0.5).count()), 0.3 * n, 4 * std::sqrt(0.21 * n));
+  const auto first_of = [&def](std::uint64_t play) {  // the first hundred times, as one number
+    double sum = 0;
+    for (const EmitMoment& m : Played(def, 100, play).moments) sum = 1.01 * sum + m.time;
+    return sum;
+  };
+  EXPECT_EQ(first_of(1), first_of(1));
+  EXPECT_NE(first_of(1), first_of(2));
   def.bursts[0].probability = 1e-5;
   EXPECT_NEAR(double(Played(def, n - 0.5).count()), 10, 13);
   def.bursts[0].probability = 0;
