@@ -134,7 +134,7 @@ struct EmitFrom {
   EmitShape shape = EmitShape::point;  ///< [-]
   double radius = 1;                   ///< of cone, sphere, hemisphere, circle, ring [m]
   double angle = 0.4363323129985824;   ///< of a cone, 0 to below pi/2: half of its opening (25 degrees) [rad]
-  double tube = 0.1;                   ///< radius of the ring's tube [m]
+  double tube = 0.1;                   ///< radius of the ring's tube, up to that of the ring [m]
   Vec3d size{1, 1, 1};                 ///< of the box [m]
   double length = 1;                   ///< of the line [m]
   double thickness = 1;                ///< 1: from the whole volume or disc; 0: from its surface or edge [-]
@@ -255,8 +255,6 @@ struct EmitterDef {
   std::uint32_t maximum = 1000;  ///< particles alive at once [-]
   WhenFull when_full = WhenFull::refuse;  ///< a new one then: refused, or the oldest makes room; both are counted [-]
   std::vector<SubEmitter> subs{};         ///< [-]
-
-  bool operator==(const EmitterDef&) const = default;
 };
 
 // ------------------------------------------------------------------------------------------------- what became of it
