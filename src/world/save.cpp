@@ -259,7 +259,9 @@ class Loading {
       if (!has_kinds || !is_there || !std::isfinite(each.began) || !std::isfinite(each.travelled))
         return makes_no_sense("its emitters");
       world_->equip(e, each.def, each.seed);
-      if (!Timeline(*e.emission).is_of(each.timeline)) return makes_no_sense("the moments of its emitters");
+      const bool has_played = each.plays || each.plays_before > 0;
+      if (has_played && !Timeline(*e.emission).is_of(each.timeline))
+        return makes_no_sense("the moments of its emitters");
       e.plays = each.plays;
       e.began = each.began;
       e.timeline = each.timeline;

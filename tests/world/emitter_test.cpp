@@ -162,7 +162,8 @@ TEST(Emitter, ages_apexes_and_births_set_off_too) {
       if (at[e.time] != 1) continue;
       const auto b = std::ranges::find_if(born, [&](const Event& x) { return x.time + 0.2005 == e.time; });
       ASSERT_NE(b, born.end());
-      EXPECT_LT(length(e.position - (b->position + b->velocity * 0.2005 + Vec3d{0, -9.80665 / 2 * 0.2005 * 0.2005, 0})), 1e-11);
+      EXPECT_LT(length(e.position - (b->position + b->velocity * 0.2005 + Vec3d{0, -9.80665 / 2 * 0.2005 * 0.2005, 0})),
+                1e-11);
     }
   }
 }
@@ -335,6 +336,7 @@ TEST(Emitter, fires_kinds_of_any_rung) {
   rocket.motor.propellant_mass = 0.1;
   EmitterDef def;
   def.kind = kind_of(world, rocket);
+  def.launch.rail_length = 0.5;
   def.per_second = {4};
   def.start.speed = {0};
   def.start.lifetime = {kInfinity};
@@ -353,7 +355,9 @@ TEST(Emitter, particles_that_generators_act_on_feel_them_from_their_birth_on) {
   World world = make_world({.ground = {.mode = GroundMode::none}});
   ProjectileDef p = spark(Motion::force, Integrator::rk4);
   const KindId kind = kind_of(world, p);
-  ASSERT_TRUE(world.add_force({.law = ConstantForce{.force = {0.02, 0, 0}}}));
+  const auto force =
+      world.add_force({.law = ConstantForce{.force = {0.02, 0, 0}}, .target = ForceTarget::everything()});
+  ASSERT_TRUE(force) << force.error().text();
   EmitterDef def = spray(kind, 100, 5);
   def.start.speed = {0};
   const EmitterId id = added(world, def);
