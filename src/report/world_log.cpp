@@ -14,6 +14,7 @@
 #include "report/table.hpp"
 #include "report/trajectory.hpp"
 #include "report/world_hits.hpp"
+#include "scenario/expectation.hpp"
 
 namespace physim::report {
 namespace {
@@ -22,6 +23,12 @@ constexpr std::uint64_t kSamplesOfRun = 200;  // over the run
 constexpr std::uint64_t kPathPoints = 900;    // over the run, of each path
 constexpr std::size_t kMostPaths = 400;       // of all groups together
 constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn
+
+bool asks_about(const Expectation& expectation, const WorldGroup& group) {
+  const Figure* figure = find_figure(expectation.quantity);
+  if (figure != nullptr && figure->is_of_emitters && !group.emitter) return false;
+  return expectation.shot.empty() || expectation.shot == group.name;
+}
 
 class Logger {
  public:
@@ -73,7 +80,7 @@ class Logger {
     PHYSIM_ASSERT(log_.groups.size() == log_.hits.size());
     for (const Expectation& expectation : log_.scenario.expect)
       for (const WorldGroup& group : log_.groups)
-        if (expectation.shot.empty() || expectation.shot == group.name)
+        if (asks_about(expectation, group))
           log_.checks.push_back(judged(expectation, group.name, measure(group, expectation)));
     return std::move(log_);
   }
@@ -186,29 +193,64 @@ constexpr int kTableIndent = 2;
 std::string hash_text(std::uint64_t value) { return hex(value).substr(2); }
 
 // -------------------------------------------------------------------------------------------------------- the summary
-using Count = std::uint64_t WorldGroup::*;
-constexpr std::pair<std::string_view, Count> kCounts[] = {
-    {"spawned", &WorldGroup::spawned}, {"refused", &WorldGroup::refused}, {"landed", &WorldGroup::landed},
-    {"hits", &WorldGroup::hits},       {"bounces", &WorldGroup::bounces}, {"slept", &WorldGroup::slept},
-    {"expired", &WorldGroup::expired}, {"retired", &WorldGroup::retired}, {"alive", &WorldGroup::alive}};
+struct CountColumn {
+  std::string_view name;
+  std::uint64_t (*of)(const WorldGroup&);
+  bool always = false;  // shown where it is zero everywhere, too
+};
+constexpr CountColumn kCounts[] = {
+    {"spawned", [](const WorldGroup& g) { return g.spawned; }, true},
+    {"refused", [](const WorldGroup& g) { return g.refused; }},
+    {"landed", [](const WorldGroup& g) { return g.landed; }},
+    {"hits", [](const WorldGroup& g) { return g.hits; }},
+    {"bounces", [](const WorldGroup& g) { return g.bounces; }},
+    {"slept", [](const WorldGroup& g) { return g.slept; }},
+    {"expired", [](const WorldGroup& g) { return g.expired; }},
+    {"retired", [](const WorldGroup& g) { return g.retired; }},
+    {"alive", [](const WorldGroup& g) { return g.alive; }, true},
+};
+
+// What emitters say of their particles, beside how often these hit and bounced.
+constexpr CountColumn kEmitterCounts[] = {
+    {"born", [](const WorldGroup& g) { return g.counts.born; }, true},
+    {"alive", [](const WorldGroup& g) { return std::uint64_t{g.counts.alive}; }, true},
+    {"refused", [](const WorldGroup& g) { return g.counts.refused; }},
+    {"aged", [](const WorldGroup& g) { return g.counts.aged; }},
+    {"landed", [](const WorldGroup& g) { return g.counts.landed; }},
+    {"expired", [](const WorldGroup& g) { return g.counts.expired; }},
+    {"replaced", [](const WorldGroup& g) { return g.counts.replaced; }},
+    {"taken", [](const WorldGroup& g) { return g.counts.taken; }},
+    {"hits", [](const WorldGroup& g) { return g.hits; }},
+    {"bounces", [](const WorldGroup& g) { return g.bounces; }},
+    {"slept", [](const WorldGroup& g) { return g.slept; }},
+};
 
 // Counts that are zero everywhere are left out.
-std::string counts_table(const std::vector<WorldGroup>& groups) {
-  std::vector<std::string> columns = {"what"};
-  std::vector<Count> shown;
-  for (const auto& [name, count] : kCounts) {
-    const bool always = count == &WorldGroup::spawned || count == &WorldGroup::alive;
-    if (!always && std::ranges::all_of(groups, [part = count](const WorldGroup& g) { return g.*part == 0; })) continue;
-    columns.emplace_back(name);
-    shown.push_back(count);
+std::string counts_table(const std::vector<WorldGroup>& all, bool of_emitters, std::span<const CountColumn> counts) {
+  std::vector<const WorldGroup*> groups;
+  for (const WorldGroup& group : all)
+    if (static_cast<bool>(group.emitter) == of_emitters) groups.push_back(&group);
+  std::vector<std::string> columns = {of_emitters ? "emitter" : "what"};
+  std::vector<CountColumn> shown;
+  for (const CountColumn& column : counts) {
+    const bool is_zero = std::ranges::all_of(groups, [&](const WorldGroup* g) { return column.of(*g) == 0; });
+    if (!column.always && is_zero) continue;
+    columns.emplace_back(column.name);
+    shown.push_back(column);
   }
   Table table(columns, "l");
-  for (const WorldGroup& group : groups) {
-    std::vector<std::string> row = {one_line(group.name)};
-    for (const Count count : shown) row.push_back(std::to_string(group.*count));
+  for (const WorldGroup* group : groups) {
+    std::vector<std::string> row = {one_line(group->name)};
+    for (const CountColumn& column : shown) row.push_back(std::to_string(column.of(*group)));
     table.add_row(std::move(row));
   }
-  return table.text(kTableIndent);
+  return table.empty() ? "" : table.text(kTableIndent);
+}
+
+/// What was fired by itself or in volleys, then what emitters fired.
+std::string counts_tables(const std::vector<WorldGroup>& groups) {
+  const std::string fired = counts_table(groups, false, kCounts), emitted = counts_table(groups, true, kEmitterCounts);
+  return fired + (fired.empty() || emitted.empty() ? "" : "\n") + emitted;
 }
 
 std::string below(const Table& table) { return table.empty() ? "" : "\n" + table.text(kTableIndent); }
@@ -293,7 +335,9 @@ Json group_json(const WorldLog& log, std::size_t index) {
   PHYSIM_ASSERT(g.shot < log.scenario.shots.size());
   PHYSIM_ASSERT(g.alive <= g.spawned);
   Json out = {{"name", g.name}, {"shot", log.scenario.shots[g.shot].projectile.name}};
-  for (const auto& [name, count] : kCounts) out[std::string(name)] = g.*count;
+  for (const CountColumn& column : kCounts) out[std::string(column.name)] = column.of(g);
+  if (g.emitter)
+    for (const CountColumn& column : kEmitterCounts) out["emitter"][std::string(column.name)] = column.of(g);
   out["impact_range [m]"] = series_json(g.range);
   out["impact_time [s]"] = series_json(g.time);
   out["impact_speed [m/s]"] = series_json(g.speed);
@@ -334,7 +378,7 @@ Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, 
 std::string world_text(const WorldLog& log, const Style& style) {
   const double step = log.scenario.world.def.step;
   std::string out = style.bold(one_line(title_of(log.scenario))) + "\n\n";
-  out += counts_table(log.groups) + impacts_table(log.groups);
+  out += counts_tables(log.groups) + impacts_table(log.groups);
   if (log.scenario.world.wall) out += wall_table(log.groups, *log.scenario.world.wall);
   out += hits_table(hits_of(log));
   out += alive_table(log.groups, log.time) + fidelities(log, style);

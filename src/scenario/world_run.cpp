@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
@@ -11,6 +12,8 @@
 #include "model/force_laws.hpp"
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
+#include "scenario/checks.hpp"
+#include "scenario/emitter_maker.hpp"
 #include "scenario/run_state.hpp"
 #include "scenario/scene_maker.hpp"
 #include "scenario/suggest.hpp"
@@ -60,7 +63,11 @@ struct WorldRun::Impl : RunState {
 
   Status load();
   Status set_scene();
+  Result<KindId> kind_of(std::size_t shot);
+  Status add_group(const std::string& name, std::size_t shot);
   Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
+  Status add_emitters();
+  [[nodiscard]] std::string place_of_shot(std::size_t index) const;
   Status add_forces(bool to_shots);
   Status add_force(const ScenarioForce& force);
   void fire();
@@ -73,14 +80,19 @@ struct WorldRun::Impl : RunState {
 };
 
 // ----------------------------------------------------------------------------------------------------------- loading
+std::string WorldRun::Impl::place_of_shot(std::size_t index) const {
+  return scenario.file + ": shot " + in_quotes(scenario.shots[index].projectile.name);
+}
+
 Status WorldRun::Impl::load() {
-  std::vector<bool> in_volley(scenario.shots.size());
-  for (const Volley& volley : scenario.volleys) in_volley[index_of(scenario.shots, volley.shot)] = true;
+  const std::set<std::string_view> of_others = shots_of_others(scenario);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i)
-    if (!in_volley[i])
-      if (Status status = add_group(scenario.shots[i].projectile.name, i, Volley{}); !status) return status;
+    if (const std::string name = scenario.shots[i].projectile.name; !of_others.contains(name))
+      if (Status status = add_group(name, i, Volley{}); !status) return status;
   for (const Volley& volley : scenario.volleys)
     if (Status status = add_group(volley.name, index_of(scenario.shots, volley.shot), volley); !status) return status;
+  for (const ScenarioEmitter& emitter : scenario.emitters)
+    if (Status status = add_group(emitter.def.name, index_of(scenario.shots, emitter.shot)); !status) return status;
   world.set_observer(scenario.world.observer);
   if (Status status = set_scene(); !status) return status;
   // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
@@ -106,23 +118,33 @@ Status WorldRun::Impl::add_forces(bool to_shots) {
   return {};
 }
 
-Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, const Volley& volley) {
+Result<KindId> WorldRun::Impl::kind_of(std::size_t index) {
   PHYSIM_ASSERT(index < scenario.shots.size());
   ScenarioShot& shot = scenario.shots[index];
-  const std::string place = scenario.file + ": shot " + in_quotes(shot.projectile.name);
   for (std::uint32_t i = 0; i < scenario.world.def.pools.size() && !shot.pool.empty(); ++i)
     if (scenario.world.def.pools[i].name == shot.pool) shot.body.pool = i;
+  shot.body.cheapest_within = shot.cheapest_within.value_or(0);
+  const Result<KindId> kind = world.add_kind(shot.projectile, shot.body);
+  return kind ? kind : with_place(kind.error(), place_of_shot(index));
+}
+
+Status WorldRun::Impl::add_group(const std::string& name, std::size_t index) {
   WorldGroup group;
   group.name = name;
   group.shot = index;
-  shot.body.cheapest_within = shot.cheapest_within.value_or(0);
-  const Result<KindId> kind = world.add_kind(shot.projectile, shot.body);
-  if (!kind) return with_place(kind.error(), place);
+  const Result<KindId> kind = kind_of(index);
+  if (!kind) return kind.error();
   group.kind = *kind;
-  const auto aimed = aimed_launch(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
-  if (!aimed) return with_place(aimed.error(), place);
-  magazines.push_back({groups.size(), 0, volley, *aimed});
   groups.push_back(std::move(group));
+  return {};
+}
+
+Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, const Volley& volley) {
+  if (Status status = add_group(name, index); !status) return status;
+  const ScenarioShot& shot = scenario.shots[index];
+  const auto aimed = aimed_launch(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
+  if (!aimed) return with_place(aimed.error(), place_of_shot(index));
+  magazines.push_back({groups.size() - 1, 0, volley, *aimed});
   return {};
 }
 
@@ -315,7 +337,7 @@ namespace {
 /// The hash of all that a run is made from.
 std::uint64_t hash_of_run(const Scenario& scenario) {
   std::uint64_t hash = hash_of(scenario.world.def, scenario.volleys, scenario.forces, scenario.materials,
-                               scenario.shapes, scenario.things);
+                               scenario.shapes, scenario.things, scenario.emitters);
   for (const ScenarioShot& shot : scenario.shots) hash = hash_of(hash, shot.projectile, shot.launch, shot.body);
   return hash;
 }
