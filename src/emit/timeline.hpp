@@ -19,10 +19,16 @@ struct EmitMoment {
   std::uint64_t round = 0;  // its number then, from 0
 };
 
-/// How far an emitter has come: how many moments of each source were taken. Plain numbers, which a save holds.
+/// How far an emitter has come, for each source: its rate, each of its bursts, its gun. Plain numbers, which a save
+/// holds; they follow from how many moments were taken, and spare finding each again.
 struct TimelineState {
-  std::uint64_t play = 0;  // how often it has begun to play before; what is drawn differs
-  std::vector<std::uint64_t> taken{};
+  std::uint64_t play = 0;              // how often it has begun to play before; what is drawn differs
+  std::vector<std::uint64_t> taken{};  // moments taken, and those of bursts that came to nothing
+  std::vector<double> at{};            // when the next one is, since the first cycle began; infinite: none [s]
+  std::uint64_t rate_cycle = 0;        // of a rate that each cycle draws: which cycle the next birth lies in
+  double rate_before = 0;              // and the births of the cycles before, parts of one too
+
+  bool operator==(const TimelineState&) const = default;
 };
 
 class Timeline {
@@ -36,10 +42,13 @@ class Timeline {
   [[nodiscard]] std::optional<EmitMoment> next(const TimelineState& state) const;
   /// Takes that moment.
   void take(TimelineState& state) const;
-  /// When the cycle of a time began, and which one that is, by the emitter's clock.
+  /// How far through its cycle an emitter is at a time of its clock, 0..1.
   [[nodiscard]] double phase_at(std::uint64_t play, double time) const;
 
  private:
+  /// Finds the next moment of a source.
+  void find(TimelineState& state, std::size_t source) const;
+
   const Emission& emission_;
 };
 

@@ -1,0 +1,145 @@
+#include "emit/drawn.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "emit/emission.hpp"
+#include "math/interpolation.hpp"
+
+namespace physim {
+namespace {
+
+double integral_of(const std::array<double, 4>& c, double s) {
+  return s * (c[0] + s * (c[1] / 2 + s * (c[2] / 3 + s * (c[3] / 4))));
+}
+
+/// The least and the most of a curve, which lies between its keys.
+NumberRange range_of(const Curve& keys) {
+  if (keys.empty()) return {1, 1};
+  NumberRange range{keys[0].value, keys[0].value};
+  for (const CurveKey& key : keys) {
+    range.least = key.value < range.least || std::isnan(key.value) ? key.value : range.least;
+    range.most = key.value > range.most || std::isnan(key.value) ? key.value : range.most;
+  }
+  return range;
+}
+NumberRange scaled(double factor, const NumberRange& range) {
+  const double a = factor * range.least, b = factor * range.most;
+  return a <= b ? NumberRange{a, b} : NumberRange{b, a};
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------------- curves
+EmitCurve::EmitCurve(const Curve& keys) {
+  if (keys.empty()) return;
+  std::vector<double> x, y;
+  for (const CurveKey& key : keys) x.push_back(key.at), y.push_back(key.value);
+  const PiecewiseCubic cubic = interpolate(x, y, Interpolation::pchip);
+  const auto add = [this](double start, const std::array<double, 4>& c, double end) {
+    double before = 0;
+    if (!pieces_.empty()) before = pieces_.back().before + integral_of(pieces_.back().c, start - pieces_.back().start);
+    pieces_.push_back({start, c, std::min(c[0], end), std::max(c[0], end), before});
+  };
+  const auto held = [&](double start, double value) { add(start, {value, 0, 0, 0}, value); };
+  if (x[0] > 0) held(0, y[0]);
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) add(x[i], cubic.pieces[i], y[i + 1]);
+  held(x.back(), y.back());
+  PHYSIM_ASSERT(pieces_.front().start == 0);
+}
+
+const EmitCurve::Piece& EmitCurve::piece_at(double x) const {
+  PHYSIM_ASSERT(!pieces_.empty());
+  const auto next =
+      std::upper_bound(pieces_.begin() + 1, pieces_.end(), x, [](double at, const Piece& p) { return at < p.start; });
+  return *(next - 1);
+}
+
+double EmitCurve::value(double x) const {
+  const Piece& p = piece_at(x);
+  const double s = x - p.start;
+  return std::clamp(p.c[0] + s * (p.c[1] + s * (p.c[2] + s * p.c[3])), p.low, p.high);
+}
+
+double EmitCurve::sum(double x) const {
+  const Piece& p = piece_at(x);
+  return p.before + integral_of(p.c, x - p.start);
+}
+
+std::vector<double> EmitCurve::knots() const {
+  std::vector<double> starts;
+  for (const Piece& piece : pieces_) starts.push_back(piece.start);
+  return starts;
+}
+
+// ------------------------------------------------------------------------------------------------- numbers
+EmitNumber::EmitNumber(const DrawnNumber& def)
+    : value_(def.value),
+      to_(def.to.value_or(def.value)),
+      drawn_(def.to.has_value()),
+      curve_(def.curve),
+      to_curve_(def.to_curve.empty() ? def.curve : def.to_curve) {}
+
+NumberRange range_of(const DrawnNumber& number) {
+  const NumberRange from = scaled(number.value, range_of(number.curve));
+  if (!number.to) return from;
+  const NumberRange to = scaled(*number.to, range_of(number.to_curve.empty() ? number.curve : number.to_curve));
+  return {std::min(from.least, to.least), std::max(from.most, to.most)};
+}
+
+std::uint32_t whole_count(double x) {
+  PHYSIM_ASSERT(x < 4294967295.0);
+  return x >= 0.5 ? static_cast<std::uint32_t>(std::floor(x + 0.5)) : 0;
+}
+
+// ------------------------------------------------------------------------------------------------- colours
+Rgba Rgba::of(std::uint32_t colour) {
+  const auto byte = [colour](int shift) { return static_cast<double>(colour >> shift & 0xff); };
+  return {{byte(24), byte(16), byte(8), byte(0)}};
+}
+
+std::uint32_t Rgba::packed() const {
+  std::uint32_t colour = 0;
+  for (const double x : part) {
+    PHYSIM_ASSERT(x >= 0 && x < 255.5);
+    colour = colour << 8 | static_cast<std::uint32_t>(x + 0.5);
+  }
+  return colour;
+}
+
+Rgba times(const Rgba& a, const Rgba& b) {
+  Rgba product;
+  for (std::size_t i = 0; i < 4; ++i) product.part[i] = a.part[i] * b.part[i] / 255;
+  return product;
+}
+
+Rgba mixed(const Rgba& a, const Rgba& b, double u) {
+  PHYSIM_ASSERT(u >= 0 && u <= 1);
+  Rgba mix;
+  for (std::size_t i = 0; i < 4; ++i) mix.part[i] = a.part[i] + u * (b.part[i] - a.part[i]);
+  return mix;
+}
+
+std::uint32_t times(std::uint32_t a, std::uint32_t b) { return times(Rgba::of(a), Rgba::of(b)).packed(); }
+
+EmitGradient::EmitGradient(const Gradient& keys) {
+  for (const ColourKey& key : keys) keys_.push_back({key.at, Rgba::of(key.colour)});
+}
+
+Rgba EmitGradient::operator()(double x) const {
+  if (keys_.empty()) return {};
+  const auto next = std::upper_bound(keys_.begin(), keys_.end(), x, [](double at, const Key& k) { return at < k.at; });
+  if (next == keys_.begin()) return next->colour;
+  const Key& before = *(next - 1);
+  if (next == keys_.end()) return before.colour;
+  return mixed(before.colour, next->colour, (x - before.at) / (next->at - before.at));
+}
+
+EmitColour::EmitColour(const DrawnColour& def)
+    : colour_(Rgba::of(def.colour)),
+      to_(Rgba::of(def.to.value_or(def.colour))),
+      drawn_(def.to.has_value()),
+      gradient_(def.gradient),
+      to_gradient_(def.to_gradient.empty() ? def.gradient : def.to_gradient) {}
+
+}  // namespace physim

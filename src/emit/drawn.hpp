@@ -1,0 +1,139 @@
+// Numbers and colours that emitters draw, prepared: curves and gradients as pieces, constants found out.
+//
+// Symbols: a(x) = value curve(x), b(x) = to to_curve(x), x part of the span; u between 0 and 1.
+// Equation: number = a + u (b - a); its integral from 0 to x likewise, of the integrals of both curves. A piece
+//   c0 + c1 s + c2 s^2 + c3 s^3 has the integral s (c0 + s (c1 / 2 + s (c2 / 3 + s c3 / 4))).
+// Source: F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300-304, for the monotone cubics.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/assert.hpp"
+#include "physim/emitter.hpp"
+
+namespace physim {
+
+/// A curve over 0..1; 1 where it has no keys.
+class EmitCurve {
+ public:
+  EmitCurve() = default;
+  explicit EmitCurve(const Curve& keys);
+
+  [[nodiscard]] bool is_one() const { return pieces_.empty(); }
+  [[nodiscard]] double operator()(double x) const { return pieces_.empty() ? 1 : value(x); }
+  /// From 0 to x >= 0, beyond 1 too.
+  [[nodiscard]] double integral(double x) const { return pieces_.empty() ? x : sum(x); }
+  /// Where its pieces begin.
+  [[nodiscard]] std::vector<double> knots() const;
+
+ private:
+  struct Piece {
+    double start;
+    std::array<double, 4> c;
+    double low, high;  // its ends, between which it stays: rounding would not
+    double before;     // the integral from 0 to its start
+  };
+  [[nodiscard]] const Piece& piece_at(double x) const;
+  [[nodiscard]] double value(double x) const;
+  [[nodiscard]] double sum(double x) const;
+
+  std::vector<Piece> pieces_;  // in order; the first starts at 0, the last one goes on for ever
+};
+
+/// A number that is drawn. What wants `draw` calls it for u where it is needed, and not otherwise.
+class EmitNumber {
+ public:
+  explicit EmitNumber(const DrawnNumber& def);
+
+  [[nodiscard]] bool is_constant() const { return !drawn_ && curve_.is_one(); }
+  [[nodiscard]] bool is_drawn() const { return drawn_; }
+  [[nodiscard]] const EmitCurve& curve() const { return curve_; }
+  [[nodiscard]] const EmitCurve& to_curve() const { return to_curve_; }
+
+  template <class DrawU>
+  [[nodiscard]] double at(double x, DrawU&& draw) const {
+    const double a = curve_.is_one() ? value_ : value_ * curve_(x);
+    return drawn_ ? between(a, to_ * to_curve_(x), std::forward<DrawU>(draw)()) : a;
+  }
+  template <class DrawU>
+  [[nodiscard]] double integral(double x, DrawU&& draw) const {
+    const double a = value_ * curve_.integral(x);
+    return drawn_ ? between(a, to_ * to_curve_.integral(x), std::forward<DrawU>(draw)()) : a;
+  }
+  /// Where curves do not count.
+  template <class DrawU>
+  [[nodiscard]] double plain(DrawU&& draw) const {
+    return drawn_ ? between(value_, to_, std::forward<DrawU>(draw)()) : value_;
+  }
+
+ private:
+  static double between(double a, double b, double u) {
+    PHYSIM_ASSERT(u >= 0 && u <= 1);
+    return a == b ? a : a + u * (b - a);
+  }
+
+  double value_, to_;
+  bool drawn_;
+  EmitCurve curve_, to_curve_;
+};
+
+/// The smallest and the largest number that can be drawn. NaN where something is none.
+struct NumberRange {
+  double least, most;
+};
+[[nodiscard]] NumberRange range_of(const DrawnNumber& number);
+
+/// The nearest whole number, 0 below.
+[[nodiscard]] std::uint32_t whole_count(double x);
+
+/// Red, green, blue and alpha, 0..255.
+struct Rgba {
+  std::array<double, 4> part{255, 255, 255, 255};
+
+  [[nodiscard]] static Rgba of(std::uint32_t colour);
+  [[nodiscard]] std::uint32_t packed() const;  // rounded to the nearest
+  [[nodiscard]] bool is_white() const { return part == Rgba{}.part; }
+};
+[[nodiscard]] Rgba times(const Rgba& a, const Rgba& b);
+/// a at u = 0, b at u = 1.
+[[nodiscard]] Rgba mixed(const Rgba& a, const Rgba& b, double u);
+
+/// A gradient over 0..1; white where it has no keys.
+class EmitGradient {
+ public:
+  EmitGradient() = default;
+  explicit EmitGradient(const Gradient& keys);
+
+  [[nodiscard]] bool is_white() const { return keys_.empty(); }
+  [[nodiscard]] Rgba operator()(double x) const;
+
+ private:
+  struct Key {
+    double at;
+    Rgba colour;
+  };
+  std::vector<Key> keys_;
+};
+
+/// A colour that is drawn.
+class EmitColour {
+ public:
+  explicit EmitColour(const DrawnColour& def);
+
+  [[nodiscard]] bool is_white() const { return !drawn_ && gradient_.is_white() && colour_.is_white(); }
+  template <class DrawU>
+  [[nodiscard]] Rgba at(double x, DrawU&& draw) const {
+    const Rgba a = gradient_.is_white() ? colour_ : times(colour_, gradient_(x));
+    return drawn_ ? mixed(a, times(to_, to_gradient_(x)), std::forward<DrawU>(draw)()) : a;
+  }
+
+ private:
+  Rgba colour_, to_;
+  bool drawn_;
+  EmitGradient gradient_, to_gradient_;
+};
+
+}  // namespace physim

@@ -1,0 +1,72 @@
+// Moments: when an emitter's rate and bursts let particles out, counted from its first cycle.
+//
+// Symbols: D duration of a cycle; r rate; k number of a birth, from 0; c number of a cycle; x part of a cycle;
+//   R(x) = D integral of the rate's curve from 0 to x, C = R(1); u a number between 0 and 1, drawn once a cycle where
+//   the rate lies between two.
+// Equations: constant rates: t = (k + 1) / r, one division. Curves: c = ceil((k + 1) / C) - 1 and R(x) = k + 1 - c C,
+// so
+//   that t = c D + x D is the first time at which k + 1 are through. Drawn ones: c is the first cycle with sum C >=
+//   k + 1. Bursts: t = c D + time + j interval.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "emit/chance.hpp"
+#include "emit/drawn.hpp"
+
+namespace physim {
+
+/// Which cycle a search for births has come to, where each cycle draws a rate of its own.
+struct RateReached {
+  std::uint64_t cycle = 0;
+  double before = 0;  // births in the cycles before it
+
+  bool operator==(const RateReached&) const = default;
+};
+
+class BirthRate {
+ public:
+  BirthRate(const EmitterDef& def, std::uint64_t seed);
+
+  /// When birth k is; infinite where there is none. Births are asked for in order where the rate is drawn: `reached`
+  /// is what the one before left, and as new for the first one.
+  [[nodiscard]] double time_of(std::uint64_t k, std::uint64_t play, RateReached& reached) const;
+
+ private:
+  [[nodiscard]] double steady(double births) const;
+  [[nodiscard]] double by_curve(double births) const;
+  [[nodiscard]] double drawn(double births, std::uint64_t play, RateReached& reached) const;
+  [[nodiscard]] double in_cycle(double x, double u) const;  // births from its start
+  [[nodiscard]] double place_of(double births, double u) const;
+
+  EmitNumber rate_;
+  double duration_;
+  bool looping_, silent_;
+  std::uint64_t seed_;
+  std::vector<double> knots_;  // 0, 1 and where a curve has a piece's end between them
+  double constant_ = 0;        // the rate, where it is one
+  double of_cycle_ = 0;        // births in a cycle, where it is not drawn
+};
+
+/// A burst: its moments, numbered from cycle to cycle.
+class BurstMoments {
+ public:
+  BurstMoments(const EmitterDef& def, std::size_t burst, std::uint64_t seed);
+
+  /// How many moments it has in all; those without end are more than can be counted.
+  [[nodiscard]] std::uint64_t moments() const { return moments_; }
+  [[nodiscard]] double time_of(std::uint64_t moment) const;
+  [[nodiscard]] std::uint32_t count_of(std::uint64_t moment, std::uint64_t play) const;
+
+ private:
+  EmitNumber count_;
+  double time_, interval_, probability_, duration_;
+  std::uint32_t index_;
+  std::uint64_t seed_, per_cycle_, moments_;
+};
+
+/// How many moments of a burst lie in a cycle.
+[[nodiscard]] double moments_in_cycle(const Burst& burst, double duration);
+
+}  // namespace physim
