@@ -7,6 +7,7 @@
 #include "scenario/read_values.hpp"
 #include "scenario/settings_parts.hpp"
 #include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
 
 namespace physim {
 namespace {
@@ -119,7 +120,8 @@ Status read_gradient(std::string_view path, const Value& value, Gradient& target
     if (Status status = read_number({path, Quantity::number, kPart}, (*pair)[0], next.at); !status) return status;
     if (Status status = read_colour(path, (*pair)[1], next.colour); !status) return status;
     if (!read.empty() && next.at <= read.back().at)
-      return fault(path, (*pair)[0], "part of the span " + shown((*pair)[0]) + " is not above the one before",
+      return fault(path, (*pair)[0],
+                   "part of the span " + number_text(next.at) + " after " + number_text(read.back().at),
                    "they must rise");
     read.push_back(next);
   }

@@ -67,6 +67,7 @@ struct WorldRun::Impl : RunState {
   Status add_group(const std::string& name, std::size_t shot);
   Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
   Status add_emitters();
+  Track* adopt(const Event& born);
   [[nodiscard]] std::string place_of_shot(std::size_t index) const;
   Status add_forces(bool to_shots);
   Status add_force(const ScenarioForce& force);
@@ -98,6 +99,9 @@ Status WorldRun::Impl::load() {
   // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
   if (Status status = add_forces(false); !status) return status;
   fire();
+  const std::size_t known = world.events().size();
+  if (Status status = add_emitters(); !status) return status;
+  count(world.events().subspan(known));  // what they fired before the start
   is_loaded = true;
   return add_forces(true);
 }
@@ -170,6 +174,38 @@ Status WorldRun::Impl::add_force(const ScenarioForce& force) {
   return {};
 }
 
+// ----------------------------------------------------------------------------------------------------------- emitters
+Status WorldRun::Impl::add_emitters() {
+  PHYSIM_ASSERT(groups.size() >= scenario.emitters.size());
+  const std::size_t first = groups.size() - scenario.emitters.size();
+  for (std::size_t i = 0; i < scenario.emitters.size(); ++i) {
+    const ScenarioEmitter& emitter = scenario.emitters[i];
+    EmitterDef def = def_in_world(scenario, i);
+    def.kind = groups[first + i].kind;
+    if (!emitter.follows.empty()) def.follows = lone[index_of(scenario.shots, emitter.follows)];
+    if (!emitter.tracer.empty()) {
+      const Result<KindId> tracer = kind_of(index_of(scenario.shots, emitter.tracer));
+      if (!tracer) return tracer.error();
+      def.gun.tracer = *tracer;
+    }
+    const Result<EmitterId> added = world.add_emitter(def);
+    if (!added) return with_place(added.error(), scenario.file + ": emitter " + in_quotes(emitter.def.name));
+    PHYSIM_ASSERT(*added == emitter_id(i));
+    groups[first + i].emitter = *added;
+  }
+  return {};
+}
+
+/// The track of what an emitter fired; null where none did.
+Track* WorldRun::Impl::adopt(const Event& born) {
+  const std::size_t first = groups.size() - scenario.emitters.size();
+  const auto emitter = static_cast<std::size_t>(born.value);  // its index, from 1
+  if (emitter == 0 || emitter > scenario.emitters.size()) return nullptr;
+  if (tracks.size() <= born.id.index) tracks.resize(born.id.index + std::size_t{1});
+  tracks[born.id.index] = {born.id.generation, {first + emitter - 1, ++launches}, false, born.time, born.position};
+  return &tracks[born.id.index];
+}
+
 // ------------------------------------------------------------------------------------------------------------- firing
 void WorldRun::Impl::fire() {
   for (Magazine& magazine : magazines) fire(magazine);
@@ -224,6 +260,7 @@ void WorldRun::Impl::count(std::span<const Event> news) {
   const SceneOfRun scene_of_run{&scenario, materials};
   for (const Event& event : news) {
     Track* track = track_of(event.id);
+    if (track == nullptr && event.kind == EventKind::spawned) track = adopt(event);
     if (track == nullptr) continue;
     PHYSIM_ASSERT(track->launched.group < groups.size());
     events.push_back({track->launched, event});
@@ -431,6 +468,14 @@ std::vector<WorldGroup> WorldRun::groups() const {
     group.position += (at.position - group.position) * part;
     group.velocity += (at.velocity - group.velocity) * part;
     group.mean_speed += (length(at.velocity) - group.mean_speed) * part;
+  }
+  for (WorldGroup& group : groups) {
+    if (!group.emitter) continue;
+    group.counts = impl_->world.emitter_counts(group.emitter);
+    group.spawned = group.counts.born;
+    group.refused = group.counts.refused;
+    group.landed = group.counts.landed;
+    group.expired = group.counts.expired;
   }
   return groups;
 }

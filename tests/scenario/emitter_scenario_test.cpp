@@ -259,12 +259,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Bad{"per_secnd = 1", "f.toml:6:1: error: unknown key \"per_secnd\" in [emitter]; did you mean \"per_second\"?"},
         Bad{"start.speed = \"1 m\"",
-            "f.toml:6:15: error: emitter.start.speed: \"1 m\" is a length; expected a speed such as \"2600 ft/s\""},
+            "f.toml:6:15: error: emitter.start.speed: \"1 m\" is a length; expected a speed such as \"800 m/s\""},
         Bad{"start.speed = [1, 2, 3]",
             "f.toml:6:15: error: emitter.start.speed: found 3 entries; expected a value, or two to draw from: [low, "
             "high]"},
         Bad{"start.speed = [1, \"2 s\"]",
-            "f.toml:6:19: error: emitter.start.speed: \"2 s\" is a time; expected a speed such as \"2600 ft/s\""},
+            "f.toml:6:19: error: emitter.start.speed: \"2 s\" is a time; expected a speed such as \"800 m/s\""},
         Bad{"start.speed = { valu = 1 }",
             "f.toml:6:17: error: emitter.start.speed: unknown key \"valu\"; did you mean \"value\"?"},
         Bad{"start.speed = { to = 1 }",
@@ -285,14 +285,24 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:6:16: error: emitter.start.colour: -1 is no colour; expected a colour such as \"#ff8000\", with "
             "transparency \"#ff800080\""},
         Bad{"life.colour_by_speed = [[1, \"#ffffff\"], [0, \"#ffffff\"]]",
-            "f.toml:6:43: error: emitter.life.colour_by_speed: part of the span 0 is not above the one before; they "
-            "must rise"},
+            "f.toml:6:42: error: emitter.life.colour_by_speed: part of the span 0 after 1; they must rise"},
         Bad{"life.colour_by_speed = [\"#ffffff\"]",
             "f.toml:6:25: error: emitter.life.colour_by_speed: this is no key; expected colours [[part of the span, "
             "\"#rrggbb\"], ...]"},
         Bad{"from = \"con\"", "f.toml:6:8: error: emitter.from.shape: unknown value \"con\"; did you mean \"cone\"?"},
         Bad{"seed = 1.5",
             "f.toml:6:8: error: emitter.seed: 1.5 is not a whole number; expected a whole number such as 1000"},
+        Bad{"start.lifetime = { value = 1, curve = [[0, 1], [1, 0]] }",
+            "f.toml:6:18: error: emitter.start.lifetime: becomes 0 on its curve; keep its keys above 0"},
+        Bad{"bursts = [{}, { cycles = 0, interval = 0 }]",
+            "f.toml:6:40: error: emitter.bursts[1].interval: must be positive, not 0; it goes on to the end of the "
+            "cycle: the moments would not end"},
+        Bad{"sub = [{ emitter = \"emitter-1\", on = \"age\" }]",
+            "f.toml:6:8: error: emitter.sub[0].age: must be positive, not 0; at what age it fires, in s"},
+        Bad{"per_second = 1e12",
+            "f.toml:6:14: error: emitter.per_second: would let out 1e+12 particles a second; at most 1e9, by rate, "
+            "bursts and gun together"},
+        Bad{"motion = { keys = [{}, {}] }", "?"},
         Bad{"seed = -1", "f.toml:6:8: error: emitter.seed: -1 is out of range; must be 0 .. 9007199254740992"}));
 
 INSTANTIATE_TEST_SUITE_P(
