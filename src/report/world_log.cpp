@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::uint64_t kSamplesOfRun = 200;  // over the run
 constexpr std::uint64_t kPathPoints = 900;    // over the run, of each path
-constexpr std::size_t kMostPaths = 400;       // of all groups together
-constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn
+constexpr std::size_t kMostPaths = 400;       // of all groups together, evenly out of their launches
+constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn; and of those alive at the end
 
 bool asks_about(const Expectation& expectation, const WorldGroup& group) {
   const Figure* figure = find_figure(expectation.quantity);
@@ -40,7 +40,9 @@ class Logger {
     met_.resize(groups);
     log_.impacts.resize(groups);
     log_.hits.resize(groups);
-    paths_left_.assign(groups, std::max<std::size_t>(kMostPaths / std::max<std::size_t>(groups, 1), 1));
+    log_.alive.resize(groups);
+    drawn_.resize(groups);
+    most_drawn_ = std::max<std::size_t>(kMostPaths / std::max<std::size_t>(groups, 1), 2);
     const double dt = run.scenario().world.def.step;
     const auto asked = static_cast<std::uint64_t>(std::llround(std::min(options.interval.value_or(0) / dt, 1e15)));
     sample_every_ = std::max<std::uint64_t>(options.interval ? asked : log_.steps / kSamplesOfRun, 1);
@@ -78,6 +80,8 @@ class Logger {
     log_.hash = run_.world().hash();
     log_.counters = run_.world().counters();
     PHYSIM_ASSERT(log_.groups.size() == log_.hits.size());
+    if (options_.parts.paths) mark_alive();
+    std::erase_if(log_.paths, [](const LoggedPath& path) { return path.points.empty(); });
     for (const Expectation& expectation : log_.scenario.expect)
       for (const WorldGroup& group : log_.groups)
         if (asks_about(expectation, group))
@@ -86,6 +90,13 @@ class Logger {
   }
 
  private:
+  /// Which launches of a group draw their path.
+  struct Drawn {
+    std::uint64_t launches = 0;          // so far
+    std::uint64_t every = 1;             // so manyth of them
+    std::vector<std::uint64_t> numbers;  // of those that do
+  };
+
   /// Those that a save brought along.
   void meet_all() {
     for (const ProjectileId id : run_.world().ids())
@@ -125,11 +136,40 @@ class Logger {
       log_.in_use[group] = run_.world()[spawned.event.id].fidelity_in_use();
       met_[group] = true;
     }
-    if (!options_.parts.paths || paths_left_[group] == 0) return;
-    --paths_left_[group];
+    if (!options_.parts.paths) return;
+    Drawn& drawn = drawn_[group];
+    const bool is_due = drawn.launches++ % drawn.every == 0;
+    if (is_due && drawn.numbers.size() == most_drawn_) thin_out(drawn);
+    if ((drawn.launches - 1) % drawn.every != 0) return;
+    drawn.numbers.push_back(number);
     log_.paths.push_back({group, {}});
     path_.resize(number + 1);
     path_[number] = log_.paths.size();
+  }
+
+  /// Takes every second path of a group away, and draws every second one of those to come.
+  void thin_out(Drawn& drawn) {
+    drawn.every *= 2;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < drawn.numbers.size(); ++i) {
+      std::size_t& path = path_[drawn.numbers[i]];
+      PHYSIM_ASSERT(path > 0);
+      if (i % 2 == 0) {
+        drawn.numbers[kept++] = drawn.numbers[i];
+      } else {
+        log_.paths[path - 1].points = {};
+        path = 0;
+      }
+    }
+    drawn.numbers.resize(kept);
+  }
+
+  /// Where the particles of emitters are at the end.
+  void mark_alive() {
+    for (const ProjectileId id : run_.world().ids())
+      if (const auto launched = run_.launched(id); launched && log_.groups[launched->group].emitter)
+        if (auto& points = log_.alive[launched->group]; points.size() < kMostImpacts)
+          points.push_back(run_.world()[id].position());
   }
 
   void take(std::span<const RunEvent> events) {
@@ -180,9 +220,10 @@ class Logger {
   WorldRun& run_;
   const LogOptions& options_;
   WorldLog log_;
-  std::vector<std::size_t> path_;        // by number of the launch: 0 for none, or one more than its index
-  std::vector<std::size_t> paths_left_;  // by group
-  std::vector<bool> met_;                // groups
+  std::vector<std::size_t> path_;  // by number of the launch: 0 for none, or one more than its index
+  std::vector<Drawn> drawn_;       // by group
+  std::size_t most_drawn_ = 0;     // paths of each group
+  std::vector<bool> met_;          // groups
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
   bool is_saved_ = false;
 };

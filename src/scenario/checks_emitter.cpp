@@ -7,6 +7,7 @@
 #include "scenario/checks.hpp"
 #include "scenario/checks_motion.hpp"
 #include "scenario/emitter_maker.hpp"
+#include "scenario/scene_maker.hpp"
 #include "scenario/suggest.hpp"
 
 namespace physim {
@@ -105,7 +106,10 @@ Status check_emitters(const Scenario& scenario, const Value& document, std::vect
     counted.push_back(emitter.def.name);
     if (Status status = check_emitter(scenario, emitter, table); !status) return status;
   }
-  return {};
+  const auto order = order_of_emitters(scenario);
+  if (order) return {};
+  const Value& table = element(document, "emitter", index_of_emitter(scenario, order.error().place));
+  return Error{"emitter.sub: " + order.error().message, place_of(table, {"sub"}), order.error().hint};
 }
 
 }  // namespace physim

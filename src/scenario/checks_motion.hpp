@@ -21,8 +21,7 @@ namespace physim {
   return {};
 }
 
-/// Of what says its motion by the members of ScenarioMotion, which the file has in `motion`: `table` itself or a table
-/// in it.
+/// A motion said by the members of ScenarioMotion, which the file has in `motion`: `table` itself or a table in it.
 template <class Moving>
 [[nodiscard]] Status check_motion(const std::string& path, const Moving& moving, const Vec3d& position,
                                   const ScenarioRotation& rotation, const Value& table, const Value& motion) {

@@ -13,29 +13,13 @@
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
 #include "scenario/checks.hpp"
-#include "scenario/emitter_maker.hpp"
-#include "scenario/run_state.hpp"
 #include "scenario/scene_maker.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/thing_hits.hpp"
 #include "scenario/volley.hpp"
+#include "scenario/world_run_impl.hpp"
 
 namespace physim {
-namespace {
-
-Error with_place(Error error, const std::string& place) {
-  error.place = place + (error.place.empty() ? "" : ": " + error.place);
-  return error;
-}
-
-std::size_t index_of(const std::vector<ScenarioShot>& shots, const std::string& name) {
-  std::size_t i = 0;
-  while (i < shots.size() && shots[i].projectile.name != name) ++i;
-  PHYSIM_ASSERT(i < shots.size());  // names are checked when a scenario is read
-  return i;
-}
-
-}  // namespace
 
 void Series::add(double value) {
   const IeeeMode mode;
@@ -51,34 +35,6 @@ double Series::spread() const {
   const IeeeMode mode;
   return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0;
 }
-
-struct WorldRun::Impl : RunState {
-  Scenario scenario;
-  World world;
-  std::vector<MaterialId> materials;  // in the scene of the world
-  std::vector<Segment> segments;      // work space
-  std::vector<ProjectileId> stopped;  // work space
-
-  Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)) { lone.resize(scenario.shots.size()); }
-
-  Status load();
-  Status set_scene();
-  Result<KindId> kind_of(std::size_t shot);
-  Status add_group(const std::string& name, std::size_t shot);
-  Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
-  Status add_emitters();
-  Track* adopt(const Event& born);
-  [[nodiscard]] std::string place_of_shot(std::size_t index) const;
-  Status add_forces(bool to_shots);
-  Status add_force(const ScenarioForce& force);
-  void fire();
-  void fire(Magazine& magazine);
-  void look_at_wall(double dt);
-  void count(std::span<const Event> news);
-  void touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity);
-  void step();
-  [[nodiscard]] Track* track_of(ProjectileId id);
-};
 
 // ----------------------------------------------------------------------------------------------------------- loading
 std::string WorldRun::Impl::place_of_shot(std::size_t index) const {
@@ -172,38 +128,6 @@ Status WorldRun::Impl::add_force(const ScenarioForce& force) {
     if (const Result<ForceId> added = world.add_force(def); !added) return added.error();
   }
   return {};
-}
-
-// ----------------------------------------------------------------------------------------------------------- emitters
-Status WorldRun::Impl::add_emitters() {
-  PHYSIM_ASSERT(groups.size() >= scenario.emitters.size());
-  const std::size_t first = groups.size() - scenario.emitters.size();
-  for (std::size_t i = 0; i < scenario.emitters.size(); ++i) {
-    const ScenarioEmitter& emitter = scenario.emitters[i];
-    EmitterDef def = def_in_world(scenario, i);
-    def.kind = groups[first + i].kind;
-    if (!emitter.follows.empty()) def.follows = lone[index_of(scenario.shots, emitter.follows)];
-    if (!emitter.tracer.empty()) {
-      const Result<KindId> tracer = kind_of(index_of(scenario.shots, emitter.tracer));
-      if (!tracer) return tracer.error();
-      def.gun.tracer = *tracer;
-    }
-    const Result<EmitterId> added = world.add_emitter(def);
-    if (!added) return with_place(added.error(), scenario.file + ": emitter " + in_quotes(emitter.def.name));
-    PHYSIM_ASSERT(*added == emitter_id(i));
-    groups[first + i].emitter = *added;
-  }
-  return {};
-}
-
-/// The track of what an emitter fired; null where none did.
-Track* WorldRun::Impl::adopt(const Event& born) {
-  const std::size_t first = groups.size() - scenario.emitters.size();
-  const auto emitter = static_cast<std::size_t>(born.value);  // its index, from 1
-  if (emitter == 0 || emitter > scenario.emitters.size()) return nullptr;
-  if (tracks.size() <= born.id.index) tracks.resize(born.id.index + std::size_t{1});
-  tracks[born.id.index] = {born.id.generation, {first + emitter - 1, ++launches}, false, born.time, born.position};
-  return &tracks[born.id.index];
 }
 
 // ------------------------------------------------------------------------------------------------------------- firing

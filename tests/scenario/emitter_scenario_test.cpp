@@ -302,7 +302,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"per_second = 1e12",
             "f.toml:6:14: error: emitter.per_second: would let out 1e+12 particles a second; at most 1e9, by rate, "
             "bursts and gun together"},
-        Bad{"motion = { keys = [{}, {}] }", "?"},
+        Bad{"motion = { keys = [{}, {}] }",
+            "f.toml:6:24: error: emitter.motion.keys[1].time: must be later than the key before; by more than 1e-9 s"},
         Bad{"seed = -1", "f.toml:6:8: error: emitter.seed: -1 is out of range; must be 0 .. 9007199254740992"}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -321,6 +322,10 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"name = \"a\"\nsub = [{ emitter = \"a\", on = \"apex\" }]",
             "f.toml:7:30: error: emitter.sub.on: nobody tells when a particle is at its apex; write apex_events = true "
             "into [world]"},
+        Bad{"name = \"a\"\nsub = [{ emitter = \"b\" }]\n[[emitter]]\nshot = \"shot-1\"\nname = \"b\"\nsub = [{ "
+            "emitter = \"a\" }]",
+            "f.toml:7:7: error: emitter.sub: emitters fire each other in a circle; an emitter may fire itself, and "
+            "those that do not lead back to it"},
         Bad{"gun = { tracer_every = 5 }",
             "f.toml:6:24: error: emitter.gun.tracer_every: there is no tracer; name a shot: tracer = \"...\""},
         Bad{"gun = { tracer = \"shot-1\" }",
