@@ -134,7 +134,7 @@ struct EmitFrom {
   EmitShape shape = EmitShape::point;  ///< [-]
   double radius = 1;                   ///< of cone, sphere, hemisphere, circle, ring [m]
   double angle = 0.4363323129985824;   ///< of a cone, 0 to below pi/2: half of its opening (25 degrees) [rad]
-  double tube = 0.1;                   ///< radius of the ring's tube [m]
+  double tube = 0.1;                   ///< radius of the ring's tube, up to that of the ring [m]
   Vec3d size{1, 1, 1};                 ///< of the box [m]
   double length = 1;                   ///< of the line [m]
   double thickness = 1;                ///< 1: from the whole volume or disc; 0: from its surface or edge [-]
@@ -186,7 +186,7 @@ enum class SubEvent : std::uint8_t {
   exit,     ///< it came out of a thing: EventKind::penetrated and left
   landing,  ///< on the ground, where that ends its flight
   apex,     ///< WorldDef::apex_events must be set
-  death,    ///< however it ends, but for World::despawn() and clear()
+  death,    ///< however it ends, but by a call or to make room
   age,      ///< it has reached an age
   trigger,  ///< World::trigger_emitter()
 };
@@ -194,7 +194,7 @@ enum class SubEvent : std::uint8_t {
 /// Which way the axis of a sub-emitter's shape points.
 enum class SubAxis : std::uint8_t {
   emitter,   ///< as the emitter that it is
-  velocity,  ///< along the velocity of what it follows from, after the event
+  velocity,  ///< along the velocity that the event tells
   normal,    ///< along the normal of what was hit; where nothing was, as the emitter
 };
 
@@ -202,7 +202,7 @@ enum class SubAxis : std::uint8_t {
 /// moment and place of the event.
 struct SubEmitter {
   SubEvent on = SubEvent::death;    ///< [-]
-  EmitterId emitter{};              ///< whose kind, shape and start are taken; it need not play itself [-]
+  EmitterId emitter{};              ///< whose kind, shape and start are taken; it need not play; none: its own [-]
   DrawnNumber count{1};             ///< rounded to the nearest whole number; curves do not count [-]
   double probability = 1;           ///< of each event [-]
   double age = 0;                   ///< of SubEvent::age, above 0 [s]
@@ -255,8 +255,6 @@ struct EmitterDef {
   std::uint32_t maximum = 1000;  ///< particles alive at once [-]
   WhenFull when_full = WhenFull::refuse;  ///< a new one then: refused, or the oldest makes room; both are counted [-]
   std::vector<SubEmitter> subs{};         ///< [-]
-
-  bool operator==(const EmitterDef&) const = default;
 };
 
 // ------------------------------------------------------------------------------------------------- what became of it
@@ -269,6 +267,7 @@ struct EmitterCounts {
   std::uint64_t expired = 0;   ///< gone by other rules of DespawnRules [-]
   std::uint64_t replaced = 0;  ///< gone for a newer one [-]
   std::uint64_t taken = 0;     ///< despawned by a call, or retired as no number was left [-]
+  std::uint64_t cut = 0;       ///< not born, as sub-emitters would have fired each other without end [-]
   std::uint32_t alive = 0;     ///< now [-]
 
   bool operator==(const EmitterCounts&) const = default;

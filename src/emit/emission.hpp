@@ -40,7 +40,7 @@ struct Look {
 
 class Emission {
  public:
-  /// Of a definition that makes sense; `seed` of all that it draws.
+  /// `def` has passed check(); all that it draws follows from `seed`.
   Emission(const EmitterDef& def, std::uint64_t seed);
   ~Emission();
   Emission(const Emission&) = delete;
@@ -50,7 +50,7 @@ class Emission {
   [[nodiscard]] std::uint64_t seed() const;
 
   [[nodiscard]] Newborn newborn(const Birth& birth) const;
-  /// Of a particle of that number, born at that phase of the cycle. `age` within 0..lifetime [s]; `speed` [m/s].
+  /// How a particle of that number looks, born at that phase of the cycle. `age` within 0..lifetime [s]; `speed` [m/s].
   [[nodiscard]] Look look(std::uint64_t number, double phase, double lifetime, double age, double speed) const;
   /// How many a sub-emitter fires for a particle's event, the nth of it; 0 where its probability says no.
   [[nodiscard]] std::uint32_t fired_by(std::size_t sub, std::uint64_t number, std::uint64_t nth) const;

@@ -112,7 +112,7 @@ Outlet ShapeOutlets::ring(const Birth& birth, ParticleChance& chance) const {
 Vec3d ShapeOutlets::in_box(ParticleChance& chance) const {
   // Even in -1..1; and how deep in the shell, 0..1, on which side.
   const Vec3d even{2 * chance(Draw::along) - 1, 2 * chance(Draw::arc) - 1, 2 * chance(Draw::depth) - 1};
-  // Of a line or a point the whole is its surface.
+  // A line or a point is all surface.
   if (from_.thickness == 1 || slab_[2] == 0) return component_product(half_, even);
   const auto shell = [this](double side, double half) {
     return side < 0 ? -half - side * shell_ : half - side * shell_;

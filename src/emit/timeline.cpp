@@ -55,6 +55,13 @@ TimelineState Timeline::begin(std::uint64_t play) const {
   return state;
 }
 
+bool Timeline::is_of(const TimelineState& state) const {
+  const std::size_t sources = emission_.parts_->when.bursts.size() + 2;
+  const auto is_time = [](double time) { return time >= 0; };
+  return state.taken.size() == sources && state.at.size() == sources && std::ranges::all_of(state.at, is_time) &&
+         std::isfinite(state.rate_before);
+}
+
 void Timeline::find(TimelineState& state, std::size_t source) const {
   const Emission::Parts& p = *emission_.parts_;
   const std::size_t gun = p.when.bursts.size() + 1;
@@ -94,6 +101,12 @@ void Timeline::take(TimelineState& state) const {
   PHYSIM_ASSERT(state.at[source] < kInfinity);
   ++state.taken[source];
   find(state, source);
+}
+
+std::pair<double, double> Timeline::span(std::uint64_t play) const {
+  const Emission::Parts& p = *emission_.parts_;
+  const double delay = delay_of(p.when, p.seed, play);
+  return {delay, p.def.cycle.looping ? kInfinity : delay + p.def.cycle.duration};
 }
 
 double Timeline::phase_at(std::uint64_t play, double time) const {

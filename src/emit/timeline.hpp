@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "emit/emission.hpp"
@@ -37,11 +38,15 @@ class Timeline {
 
   /// Nothing was taken.
   [[nodiscard]] TimelineState begin(std::uint64_t play) const;
+  /// Whether a state, as a save may tell it, can be one of this emitter's.
+  [[nodiscard]] bool is_of(const TimelineState& state) const;
   /// The first moment that was not taken; none: it will not fire any more. Of one time, those with a lower source
   /// first.
   [[nodiscard]] std::optional<EmitMoment> next(const TimelineState& state) const;
   /// Takes that moment.
   void take(TimelineState& state) const;
+  /// When its first cycle begins and its last one ends, by the emitter's clock; infinite where it loops [s].
+  [[nodiscard]] std::pair<double, double> span(std::uint64_t play) const;
   /// How far through its cycle an emitter is at a time of its clock, 0..1.
   [[nodiscard]] double phase_at(std::uint64_t play, double time) const;
 

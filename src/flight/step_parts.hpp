@@ -16,9 +16,14 @@ class StepParts {
   /// `short_ones`: from the start, and not only once something was touched.
   StepParts(double length, bool short_ones) : length_(length), short_ones_(short_ones) { PHYSIM_ASSERT(length >= 0); }
 
-  /// Where the part at hand ends; 0 before the first one.
+  /// Where the part at hand ends; before the first one, where that begins.
   [[nodiscard]] double end() const { return end_; }
   [[nodiscard]] bool is_last() const { return end_ == length_; }
+  /// Before the first part: it is not under way before that time.
+  void start_at(double passed) {
+    PHYSIM_ASSERT(end_ == 0 && passed >= 0 && passed <= length_);
+    end_ = passed;
+  }
   /// A part begins. Before the first contact most steps are one part.
   void begin(double from) {
     bounces_ = 0;

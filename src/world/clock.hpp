@@ -19,6 +19,8 @@ struct Clock {
   bool paused = false;
 
   [[nodiscard]] double time() const { return run_start + static_cast<double>(run_steps) * dt; }
+  /// What time() is after the coming step.
+  [[nodiscard]] double next() const { return run_start + static_cast<double>(run_steps + 1) * dt; }
   /// The number of the coming step, as rows count.
   [[nodiscard]] double now() const {
     PHYSIM_ASSERT(steps >= epoch);

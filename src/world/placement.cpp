@@ -53,11 +53,12 @@ std::uint16_t Placement::cohort_for(const Slot& slot) {
   return index;
 }
 
-void Placement::place(std::uint32_t index, const BodyState& at, const Launch& launch, double elevation) {
+void Placement::place(std::uint32_t index, const BodyState& at, const Launch& launch, double elevation,
+                      std::optional<double> birth) {
   Slot& slot = state_.slots[index];
   PHYSIM_ASSERT(slot.is(kAlive) && slot.cohort < state_.rows.size());
   slot.row = state_.rows[slot.cohort].push(index);
-  write_row(index, at, {.previous = at.position, .launch = &launch, .elevation = elevation});
+  write_row(index, at, {.previous = at.position, .launch = &launch, .elevation = elevation, .birth = birth});
   if (state_.rows_of(slot).layout().turning)
     set_attitude(index, attitude_at_launch(slot, at.velocity, launch, elevation));
   PHYSIM_ASSERT(state_.rows_of(slot).is_filled(slot.row));
@@ -138,7 +139,7 @@ Body<double> Placement::special_body(std::uint32_t index, BodyState& at, const R
   if (c.fidelity.planar || spins(c.fidelity) || has_stops(c))
     put_launch(start.launch ? *start.launch : launch_of(at), start.elevation, c.fidelity, body);
   at.velocity = body.launch.v = component_product(body.launch.v, body.free);
-  body.birth = state_.clock.time() - start.age;
+  body.birth = start.birth.value_or(state_.clock.time() - start.age);
   if (rung.equivalent_drag) body.k2_per_mass = rung.equivalent_drag->k2_per_mass(body.launch, body.birth);
   if (start.old) {
     body.spin = start.old->spin;

@@ -17,8 +17,9 @@ class Placement {
 
   /// The cohort of a slot's kind, rung and switches; kNoCohort where there are too many.
   std::uint16_t cohort_for(const Slot& slot);
-  /// Puts a projectile that has no row yet into its cohort.
-  void place(std::uint32_t slot, const BodyState& at, const Launch& launch, double elevation);
+  /// Puts a projectile that has no row yet into its cohort; `birth`: when it is launched, if that is not now [s].
+  void place(std::uint32_t slot, const BodyState& at, const Launch& launch, double elevation,
+             std::optional<double> birth = {});
   /// One that was just placed is on its way already.
   void depart(std::uint32_t slot, const Departure& from);
   /// Moves a projectile to where it belongs after its flags or rung changed.
@@ -41,6 +42,7 @@ class Placement {
     const Body<double>* old = nullptr;  // ... and what the row was, the rail
     double age = 0;                     // time since launch as motors count it [s]
     double elevation = 0;               // of the launch's bore above the horizon [rad]
+    std::optional<double> birth{};      // time of the launch; none: as its age says [s]
   };
   /// Fills a row anew: the models start from here.
   void write_row(std::uint32_t slot, const BodyState& at, const RowStart& start);

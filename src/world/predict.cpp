@@ -235,7 +235,7 @@ Result<ProjectileId> World::spawn_departed(const ProjectileDef& projectile, cons
     Launch launch;
     launch.position = from.position;
     launch.velocity = from.velocity;
-    Result<ProjectileId> made = w.spawn(projectile, launch, body, 0, from.age);
+    Result<ProjectileId> made = w.spawn(projectile, launch, body, {.age = from.age});
     if (made) w.placement.depart(made->index, from);
     return made;
   }();

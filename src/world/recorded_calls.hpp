@@ -59,3 +59,10 @@ PHYSIM_CALL(move_instance, w.move_instance(instance, to), InstanceId instance, c
 PHYSIM_CALL(set_instance_layers, w.set_instance_layers(instance, layers), InstanceId instance, std::uint32_t layers)
 PHYSIM_CALL(set_instance_motion, w.set_instance_motion(instance, motion), InstanceId instance,
             const SceneMotion& motion)
+PHYSIM_CALL(add_emitter, w.add_emitter(def), const EmitterDef& def)
+PHYSIM_CALL(remove_emitter, w.remove_emitter(emitter), EmitterId emitter)
+PHYSIM_CALL(play_emitter, w.play_emitter(emitter), EmitterId emitter)
+PHYSIM_CALL(stop_emitter, w.stop_emitter(emitter), EmitterId emitter)
+PHYSIM_CALL(move_emitter, w.move_emitter(emitter, to), EmitterId emitter, const Transform& to)
+PHYSIM_CALL(emit, w.emit(emitter, count), EmitterId emitter, std::uint32_t count)
+PHYSIM_CALL(trigger_emitter, w.trigger_emitter(emitter), EmitterId emitter)

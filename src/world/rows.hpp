@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "model/body.hpp"
@@ -113,6 +114,13 @@ class Rows : RowMemory {
   template <class F>
   decltype(auto) visit(F&& f) const {
     return layout_.float32 ? f(float_) : f(double_);
+  }
+  /// What was written as the next position of one row is its current one.
+  void swap_positions(std::uint32_t row) const {
+    PHYSIM_ASSERT(row < size_);
+    visit([row](const auto& c) {
+      for (int axis = 0; axis < 3; ++axis) std::swap(c.position[axis][row], c.previous[axis][row]);
+    });
   }
   [[nodiscard]] Vec3d position(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);

@@ -73,7 +73,7 @@ class Loading {
     world_ = std::make_shared<WorldImpl>(saved_.def);
     for (Status (Loading::*part)() :
          {&Loading::surroundings, &Loading::kinds, &Loading::time, &Loading::slots, &Loading::rows, &Loading::few,
-          &Loading::pools, &Loading::waiting, &Loading::generators})
+          &Loading::pools, &Loading::waiting, &Loading::generators, &Loading::emitters, &Loading::particles})
       if (Status status = (this->*part)(); !status) return status.error();
     state().counters = saved_.counters;
     return std::move(world_);
@@ -245,6 +245,59 @@ class Loading {
     return {};
   }
 
+  Status emitters() {
+    std::vector<Emitter> all(1);
+    for (const SavedEmitter& each : saved_.emitters.all) {
+      Emitter& e = all.emplace_back();
+      e.generation = each.generation;
+      e.active = each.active;
+      if (!each.active) continue;
+      if (Status status = check(each.def); !status) return status;
+      const bool has_kinds = world_->registry.kinds.find(each.def.kind) != 0 &&
+                             (each.def.gun.tracer_every == 0 || world_->registry.kinds.find(each.def.gun.tracer) != 0);
+      const bool is_there = finite(each.at.position) && (!each.to || finite(each.to->position));
+      if (!has_kinds || !is_there || !std::isfinite(each.began) || !std::isfinite(each.travelled))
+        return makes_no_sense("its emitters");
+      world_->equip(e, each.def, each.seed);
+      const bool has_played = each.plays || each.plays_before > 0;
+      if (has_played && !Timeline(*e.emission).is_of(each.timeline))
+        return makes_no_sense("the moments of its emitters");
+      e.plays = each.plays;
+      e.began = each.began;
+      e.timeline = each.timeline;
+      e.plays_before = each.plays_before;
+      e.born = each.born;
+      e.travelled = each.travelled;
+      e.metre = each.metre;
+      e.at = each.at;
+      e.to = each.to;
+      e.counts = each.counts;
+      e.counts.alive = 0;
+      world_->count_metres(e);
+    }
+    const bool fits = state().emitters.restore(std::move(all), saved_.emitters.free, saved_.emitters.added);
+    return fits ? Status() : makes_no_sense("the places of its emitters");
+  }
+
+  Status particles() {
+    Emitters& emitters = state().emitters;
+    std::ranges::sort(saved_.emitters.particles, {}, [](const SavedParticle& p) { return p.particle.number; });
+    for (const auto& [slot, particle] : saved_.emitters.particles) {
+      const bool fits = is_alive(slot) && particle.emitter > 0 && particle.emitter < emitters.size() &&
+                        emitters[particle.emitter].active && !emitters.particle(slot) && !std::isnan(particle.dies) &&
+                        std::isfinite(particle.phase) && std::isfinite(particle.size);
+      if (!fits) return makes_no_sense("its particles");
+      emitters.resume(state().slots.id_of(slot), particle);
+    }
+    for (const auto& [list, schedule] :
+         {std::pair(&saved_.emitters.lives, &emitters.lives), std::pair(&saved_.emitters.ages, &emitters.ages)})
+      for (const Due& due : *list) {
+        if (std::isnan(due.time) || !due.id) return makes_no_sense("the lives of its particles");
+        schedule->add(due.time, due.id);
+      }
+    return {};
+  }
+
   SavedWorld& saved_;
   std::shared_ptr<WorldImpl> world_;
 };
@@ -268,6 +321,35 @@ SavedSlot saved_slot(const WorldImpl& world, std::uint32_t index) {
 SavedKind saved_kind(const Kind& kind) {
   SavedKind saved{kind.number, kind.stays, kind.projectile, kind.body, {}};
   for (const Prepared& rung : kind.rungs) saved.rungs.push_back({rung.asked, rung.chosen});
+  return saved;
+}
+
+SavedEmitters saved_emitters(const Emitters& emitters) {
+  SavedEmitters saved;
+  for (std::uint32_t i = 1; i < emitters.size(); ++i) {
+    const Emitter& e = emitters[i];
+    SavedEmitter& each = saved.all.emplace_back();
+    each.generation = e.generation;
+    each.active = e.active;
+    if (!e.active) continue;
+    each.def = e.def();
+    each.seed = e.emission->seed();
+    each.plays = e.plays;
+    each.began = e.began;
+    each.timeline = e.timeline;
+    each.plays_before = e.plays_before;
+    each.born = e.born;
+    each.travelled = e.travelled;
+    each.metre = e.metre;
+    each.at = e.at;
+    each.to = e.to;
+    each.counts = e.counts;
+  }
+  saved.free = emitters.free();
+  saved.added = emitters.added();
+  emitters.each_particle([&](std::uint32_t slot, const Particle& p) { saved.particles.push_back({slot, p}); });
+  saved.lives = emitters.lives.all();
+  saved.ages = emitters.ages.all();
   return saved;
 }
 
@@ -299,6 +381,7 @@ SavedWorld saved_world(const WorldImpl& world) {
   saved.observer = state.observer;
   saved.detail = state.detail;
   if (state.scene) saved.scene = *state.scene;
+  saved.emitters = saved_emitters(state.emitters);
   return saved;
 }
 

@@ -49,6 +49,35 @@ struct SavedTurning {
   Turning turning;
 };
 
+struct SavedEmitter {
+  std::uint32_t generation = 0;
+  bool active = false;
+  EmitterDef def;
+  std::uint64_t seed = 0;
+  bool plays = false;
+  double began = 0;  // [s]
+  TimelineState timeline;
+  std::uint64_t plays_before = 0;
+  std::uint64_t born = 0;
+  double travelled = 0;  // [m]
+  std::uint64_t metre = 0;
+  Transform at;
+  std::optional<Transform> to;
+  EmitterCounts counts;
+};
+struct SavedParticle {
+  std::uint32_t slot = 0;
+  Particle particle;
+};
+struct SavedEmitters {
+  std::vector<SavedEmitter> all;    // from index 1 on
+  std::vector<std::uint32_t> free;  // places, in the order in which they were left
+  std::uint64_t added = 0;
+  std::vector<SavedParticle> particles;
+  std::vector<Due> lives;
+  std::vector<Due> ages;
+};
+
 struct SavedWorld {
   std::string made_by;  // version of the library
   WorldDef def;
@@ -73,6 +102,7 @@ struct SavedWorld {
   Vec3d observer;
   DetailRule detail;
   std::optional<Scene> scene;
+  SavedEmitters emitters;
 };
 
 }  // namespace physim

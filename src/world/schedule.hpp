@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "world/slots.hpp"
@@ -21,15 +22,20 @@ class Schedule {
     heap_.push_back({time, id});
     std::push_heap(heap_.begin(), heap_.end(), is_later);
   }
-  /// Takes out the next one alive that is due by now; null where there is none.
-  ProjectileId take_due(double now, const SlotTable& slots) {
+  /// Takes out the next one alive that is due by now, if there is one.
+  std::optional<Due> take(double now, const SlotTable& slots) {
     while (!heap_.empty() && heap_.front().time <= now) {
-      const ProjectileId id = heap_.front().id;
+      const Due due = heap_.front();
       std::pop_heap(heap_.begin(), heap_.end(), is_later);
       heap_.pop_back();
-      if (slots.find(id)) return id;
+      if (slots.find(due.id)) return due;
     }
-    return {};
+    return std::nullopt;
+  }
+  /// Likewise; null where there is none.
+  ProjectileId take_due(double now, const SlotTable& slots) {
+    const std::optional<Due> due = take(now, slots);
+    return due ? due->id : ProjectileId{};
   }
   [[nodiscard]] const std::vector<Due>& all() const { return heap_; }  // in no order
   [[nodiscard]] std::size_t bytes() const { return heap_.capacity() * sizeof(Due); }

@@ -20,7 +20,7 @@ class Settling {
       : context_(context),
         r_(row),
         course_(row.march.course()),
-        parts_(context.dt, flies_in_parts(*context.def, context.dt)),
+        parts_(row.step_length(), flies_in_parts(*context.def, context.dt)),
         ground_(row, context.def->ground, parts_),
         scene_(row) {}
 
@@ -32,6 +32,17 @@ class Settling {
     else if (r_.taken())
       look_at_taken();
     finish();
+  }
+
+  /// One that is born inside the step.
+  void run_born(double passed) {
+    run_part(passed);
+    follow_rules();
+  }
+  /// As far as the row's part of the step goes.
+  void run_part(std::optional<double> born) {
+    if (born) r_.begin_at(*born);
+    fly_from(born.value_or(0));
   }
 
   /// From a meeting with another one inside the step.
@@ -51,9 +62,25 @@ class Settling {
  private:
   /// The rest of the step.
   void finish() {
+    fly();
+    follow_rules();
+  }
+  /// A step, or what is flown of it, that is all its own.
+  void fly_from(double passed) {
+    if (!r_.is_sound()) return r_.retire(Reason::non_finite);
+    parts_.start_at(passed);
+    if (ground_.is_met_at_start(r_.at_start())) {
+      parts_.begin(passed);
+      touch_ground(r_.at_start(), passed);
+    }
+    fly();
+  }
+  void fly() {
     while (const auto from = r_.gone() ? std::nullopt : parts_.next()) go(*from);
+    if (!r_.gone() && !is_finite(r_.now())) r_.retire(Reason::non_finite);  // a roll's end may overflow
+  }
+  void follow_rules() {
     if (r_.gone()) return;
-    if (!is_finite(r_.now())) return r_.retire(Reason::non_finite);  // a roll's end may overflow
     RowRules<S>(context_, r_).follow(scene_.is_carried());
     r_.write();
     if (r_.meets()) r_.put_clear(clear_way<S>(context_, r_.here(), r_.collision()));
@@ -65,7 +92,7 @@ class Settling {
     March<S>& march = r_.march;
     Step<S>& s = march.lanes.step;
     const S h = static_cast<S>(parts_.end() - passed);
-    const bool whole = passed == 0 && parts_.is_last();
+    const bool whole = passed == 0 && parts_.end() == context_.dt;
     s.t = whole ? r_.t_start() : r_.t_start() + static_cast<S>(passed);
     const double clock = passed - static_cast<double>(s.t);  // from the march's clock to time into the step
     march.restart(whole && r_.is_clocked() ? r_.t_end() : s.t + h, h);
@@ -155,12 +182,12 @@ class Settling {
   }
   /// Straight over the ground to the end of the step, or to what it meets there.
   void roll(const State<double>& from, const State<double>& to, double passed) {
-    const double left = context_.dt - passed;
+    const double left = r_.step_length() - passed;
     const auto path = straight(from, to);
     const auto met = scene_ ? scene_.meeting(path, 1, passed, left) : std::nullopt;
-    if (!met) return lie(to, context_.dt);
+    if (!met) return lie(to, r_.step_length());
     const State<double> s{met->hit.position, path(met->theta).v};
-    const double at = std::min(passed + met->theta * left, context_.dt);
+    const double at = std::min(passed + met->theta * left, r_.step_length());
     r_.put(s, at);
     touch_thing(s, met->hit, at);
   }
@@ -176,9 +203,9 @@ class Settling {
       case Then::flies_on: break;
     }
     parts_.come_to(after.passed);
-    if (!(after.passed < context_.dt)) return lie(after.state, context_.dt);
+    if (!(after.passed < r_.step_length())) return lie(after.state, r_.step_length());
     if (!ground_.is_met_too(after.state)) return go_on(after.state, after.passed);
-    if (!parts_.may_bounce()) return lie(ground_.lying(after.state), context_.dt);
+    if (!parts_.may_bounce()) return lie(ground_.lying(after.state), r_.step_length());
     touch_ground(after.state, after.passed);
   }
 
@@ -230,6 +257,20 @@ void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
 
 void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting) {
   with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_after(parting); });
+}
+
+void settle_born(const SettleContext& context, Chunk& chunk, std::uint32_t row, double passed) {
+  with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_born(passed); });
+}
+
+std::optional<State<double>> state_inside(const SettleContext& context, Chunk& chunk, std::uint32_t row,
+                                          std::optional<double> born, double until) {
+  return with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) -> std::optional<State<double>> {
+    r.end_at(until);
+    Settling<S>(context, r).run_part(born);
+    if (r.gone()) return std::nullopt;
+    return r.here();
+  });
 }
 
 Vec3d spin_at(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting) {

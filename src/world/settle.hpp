@@ -100,6 +100,16 @@ void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 /// step.
 void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting);
 
+/// Flies a row that was born `passed` into the step to the end of the step, and writes where it is then, as the next
+/// position. Forced rows feel in it what `taken` gives.
+void settle_born(const SettleContext& context, Chunk& chunk, std::uint32_t row, double passed);
+
+/// Where a row that is as it was when the step began, or as it was born `born` into it, is at a time inside of the
+/// step, and what happens to it before; the row stays as it was. None: it is gone by then. Forced rows feel what
+/// `taken` gives.
+[[nodiscard]] std::optional<State<double>> state_inside(const SettleContext& context, Chunk& chunk, std::uint32_t row,
+                                                        std::optional<double> born, double until);
+
 /// How such a row spins at a meeting, of which time and `from` are read [rad/s].
 [[nodiscard]] Vec3d spin_at(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting);
 

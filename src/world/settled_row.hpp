@@ -64,7 +64,7 @@ class SettledRow {
     return {kind().body.restitution, kind().body.friction, kind().body.rolling_resistance};
   }
   [[nodiscard]] double scene_time() const { return context_.time; }
-  [[nodiscard]] double step_length() const { return context_.dt; }
+  [[nodiscard]] double step_length() const { return length_; }
   [[nodiscard]] Impact impact(int hits) const {
     Impact impact;
     impact.mass = kind().flown.mass;
@@ -115,6 +115,21 @@ class SettledRow {
     feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, t_start_ + static_cast<S>(passed));
   }
 
+  // ------------------------------------------------------------------------------------------- parts of a step
+  /// Only so much of the step is flown [s].
+  void end_at(double until) {
+    PHYSIM_ASSERT(until >= 0 && until <= context_.dt);
+    length_ = until;
+  }
+  /// It was born `passed` into the step: its clock starts there.
+  void begin_at(double passed) {
+    PHYSIM_ASSERT(passed >= 0 && passed <= length_);
+    t_start_ = -static_cast<S>(passed);
+    t_end_ = static_cast<S>(context_.dt - passed);
+    relaunched_ = is_clocked();
+    feel_as_at(passed);
+  }
+
   // ------------------------------------------------------------------------------------------- where it is put
   /// It is there now. Of the way there, along the ground or a thing, others see that it was straight.
   void put(const State<double>& s, double passed) {
@@ -126,8 +141,8 @@ class SettledRow {
   /// Nothing more happens to it in this step.
   void put_at_last(const State<double>& s, double passed) {
     put(s, passed);
-    trace_way_to(context_.dt, s.x);
-    trace(context_.dt, here());
+    trace_way_to(length_, s.x);
+    trace(length_, here());
   }
   /// To the end of the step that was taken together with others; what is missing is the slope there.
   void put_taken() {
@@ -284,6 +299,7 @@ class SettledRow {
   State<double> start_{};
   S t_start_ = 0;
   S t_end_ = 0;
+  double length_ = context_.dt;  // of the step as far as it is flown [s]
   bool gone_ = false;
   bool relaunched_ = false;
   bool respun_ = false;

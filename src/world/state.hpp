@@ -8,6 +8,7 @@
 #include "physim/scene.hpp"
 #include "physim/world.hpp"
 #include "world/clock.hpp"
+#include "world/emitters.hpp"
 #include "world/generators.hpp"
 #include "world/pools.hpp"
 #include "world/schedule.hpp"
@@ -27,6 +28,7 @@ class WorldState {
   Schedule launches;  // that wait
   Schedule old_age;   // ends by DespawnRules::older
   Generators generators;
+  Emitters emitters;
   std::vector<Event> events;
   std::size_t events_of_step = 0;  // the first of them
   WorldCounters counters;

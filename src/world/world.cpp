@@ -110,15 +110,15 @@ Status WorldImpl::make_room(std::uint32_t index) {
   return {};
 }
 
-Environment WorldImpl::surroundings_of(const Kind& kind, double delay) const {
-  return as_launched_at(state.clock.time() + delay, registry.environments()[kind.body.environment]);
+Environment WorldImpl::surroundings_of(const Kind& kind, double time) const {
+  return as_launched_at(time, registry.environments()[kind.body.environment]);
 }
 
 /// The cheapest rung for a launch, where the kind asks for it; its own otherwise.
-Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double delay) {
+Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double time) {
   const Kind& kind = registry.kind(kind_index);
   if (kind.body.cheapest_within == 0) return std::uint16_t{0};
-  Environment environment = surroundings_of(kind, delay);
+  Environment environment = surroundings_of(kind, time);
   environment.gravity.acceleration *= own_of(kind.body).gravity_scale;
   Purpose purpose;
   purpose.error = kind.body.cheapest_within;
@@ -140,22 +140,23 @@ Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch
   return *rung;
 }
 
-Result<double> WorldImpl::bore_of(const Kind& kind, const Launch& launch, double delay) const {
+Result<double> WorldImpl::bore_of(const Kind& kind, const Launch& launch, double time) const {
   if (const Status status = check(launch); !status) return status.error();
   if (const Status status = check(kind.flown, launch); !status) return status.error();
   if (launch.sight.zero_range <= 0) return launch.elevation;
-  return elevation_of(kind.flown, launch, surroundings_of(kind, delay), kind.projectile.fidelity);
+  return elevation_of(kind.flown, launch, surroundings_of(kind, time), kind.projectile.fidelity);
 }
 
-Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch& launch, double delay, double age) {
+Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch& launch, const Coming& coming) {
   const Kind& kind = registry.kind(kind_index);
   const BodyDef& body = kind.body;
-  const Result<double> elevation = bore_of(kind, launch, delay);
+  const double launched = coming.moment.value_or(state.clock.time() + coming.delay);
+  const Result<double> elevation = bore_of(kind, launch, launched);
   if (!elevation) return elevation.error();
   const BodyState at{launch.position,
                      launch.velocity ? *launch.velocity : launch_velocity(launch, sight_frame(launch), *elevation)};
-  if (!(delay >= 0 && delay < 1e15)) return Error{"must be zero or positive", "delay", "in s"};
-  const auto rung = rung_for(kind_index, launch, delay);
+  if (!(coming.delay >= 0 && coming.delay < 1e15)) return Error{"must be zero or positive", "delay", "in s"};
+  const auto rung = rung_for(kind_index, launch, launched);
   if (!rung) return rung.error();
   Slot wanted;
   wanted.kind = kind_index;
@@ -168,10 +169,14 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
   slot.kind = kind_index;
   slot.rung = *rung;
   state.slots.come_alive(index, kind.flags);
-  slot.set(kPending, delay > 0);
+  slot.set(kPending, coming.delay > 0);
   slot.set(kRailed, launch.rail_length > 0);
-  slot.set_status(delay > 0 ? LifeStatus::pending : LifeStatus::in_flight);
-  if (slot.is(kOwn)) own(index);
+  slot.set_status(coming.delay > 0 ? LifeStatus::pending : LifeStatus::in_flight);
+  if (slot.is(kOwn) || coming.gravity != 1) {
+    Own& mine = own(index);
+    mine.gravity_scale *= coming.gravity;
+    for (const OwnPart& part : kOwnParts) slot.set(part.flag, part.differs(mine));
+  }
   slot.set(kForced, feels_forces(index));
   slot.cohort = placement.cohort_for(slot);
   if (slot.cohort == kNoCohort) {
@@ -179,26 +184,25 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
     state.slots.release(index, LifeStatus::unknown);
     return Error{"there are too many different rungs and rules", "world", "at most 65535"};
   }
-  const double now = state.clock.time();
-  state.slots.birth(index) = now + delay - age;
+  state.slots.birth(index) = launched - coming.age;
   state.slots.rest(index) = {};
   state.pools.join(body.pool, index);
-  placement.place(index, at, launch, *elevation);
+  placement.place(index, at, launch, *elevation, coming.moment);
   const ProjectileId id = state.slots.id_of(index);
   if (body.angular_velocity != Vec3d{}) {
     slot.set(kTurning, true);
     state.extras.turning[index] = {Quatd{}, body.angular_velocity};
   }
-  if (std::isfinite(body.despawn.older)) state.old_age.add(now + delay + body.despawn.older, id);
-  if (delay > 0)
-    state.launches.add(now + delay, id);
+  if (std::isfinite(body.despawn.older)) state.old_age.add(launched + body.despawn.older, id);
+  if (coming.delay > 0)
+    state.launches.add(launched, id);
   else
-    tell_launch(index, age);
+    tell_launch(index, coming);
   return id;
 }
 
 /// Spawns after a look at the kind, and counts what is refused.
-Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double delay, double age) {
+Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, const Coming& coming) {
   Result<ProjectileId> id = [&]() -> Result<ProjectileId> {
     const std::uint32_t index = registry.kinds.find(kind);
     if (index == 0) return Error{"there is no such kind", "kind", "add_kind() makes one"};
@@ -207,7 +211,7 @@ Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double 
     registry.kinds.join(index);  // first: who makes room may be the last of another kind, which lets idle ones go
     Result<ProjectileId> made = Error{"no memory for another projectile", "world", "lower max_projectiles"};
     try {
-      made = spawn_of(index, launch, delay, age);
+      made = spawn_of(index, launch, coming);
     } catch (const std::bad_alloc&) {
     }
     if (!made) registry.kinds.leave(index, moments, living);
@@ -218,13 +222,13 @@ Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, double 
 }
 
 Result<ProjectileId> WorldImpl::spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body,
-                                      double delay, double age) {
+                                      const Coming& coming) {
   const Result<std::uint32_t> kind = find_or_add_kind(projectile, body);
   if (!kind) {
     ++state.counters.refused;
     return kind.error();
   }
-  Result<ProjectileId> id = spawn(KindId{registry.kind(*kind).number}, launch, delay, age);
+  Result<ProjectileId> id = spawn(KindId{registry.kind(*kind).number}, launch, coming);
   registry.kinds.forget_idle(living);
   return id;
 }
@@ -233,7 +237,7 @@ Result<ProjectileId> World::spawn(KindId kind, const Launch& launch, double dela
   WorldImpl& w = impl();
   const Recorded<Call::spawn> call(w, kind, launch, delay);
   if (call.is_refused()) return call.refusal();
-  Result<ProjectileId> id = w.spawn(kind, launch, delay, 0);
+  Result<ProjectileId> id = w.spawn(kind, launch, {.delay = delay});
   call.returns(id ? *id : ProjectileId{});
   return id;
 }
@@ -243,7 +247,7 @@ Result<ProjectileId> World::spawn(const ProjectileDef& projectile, const Launch&
   WorldImpl& w = impl();
   const Recorded<Call::spawn_def> call(w, projectile, launch, body, delay);
   if (call.is_refused()) return call.refusal();
-  Result<ProjectileId> id = w.spawn(projectile, launch, body, delay, 0);
+  Result<ProjectileId> id = w.spawn(projectile, launch, body, {.delay = delay});
   call.returns(id ? *id : ProjectileId{});
   return id;
 }
@@ -255,7 +259,7 @@ std::size_t World::spawn(KindId kind, std::span<const Launch> launches, std::spa
   if (call.is_refused()) return 0;
   std::size_t spawned = 0;
   for (std::size_t i = 0; i < launches.size(); ++i) {
-    const Result<ProjectileId> id = w.spawn(kind, launches[i], 0, 0);
+    const Result<ProjectileId> id = w.spawn(kind, launches[i], {});
     if (i < ids.size()) ids[i] = id ? *id : ProjectileId{};
     if (id) ++spawned;
   }
@@ -299,6 +303,9 @@ void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
   state.pools.leave(registry.kind(slot.kind).body.pool, index);
   state.extras.forget(index);
   state.generators.forget(index);
+  state.emitters.leave(index, status == LifeStatus::landed    ? &EmitterCounts::landed
+                              : status == LifeStatus::expired ? &EmitterCounts::expired
+                                                              : &EmitterCounts::taken);
   registry.kinds.leave(slot.kind, moments, living);
   state.slots.release(index, status);
 }

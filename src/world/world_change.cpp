@@ -19,12 +19,12 @@ Error not_finite(const char* place) { return {"must have three finite components
 
 }  // namespace
 
-void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason) {
+void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::optional<double> moment) {
   const BodyState at = state.state_of(state.slots[slot]);
   keep_event({.kind = kind,
               .reason = reason,
               .id = state.slots.id_of(slot),
-              .time = state.clock.time(),
+              .time = moment.value_or(state.clock.time()),
               .position = at.position,
               .velocity = at.velocity});
 }
@@ -50,11 +50,12 @@ void WorldImpl::forget_events() {
   outgrown.clear();
 }
 
-void WorldImpl::tell_launch(std::uint32_t index, double age) {
-  tell(EventKind::spawned, index);
+void WorldImpl::tell_launch(std::uint32_t index, const Coming& coming) {
+  tell(EventKind::spawned, index, Reason::none, coming.moment);
   const Kind& kind = registry.kind(state.slots[index].kind);
   const bool burns = registry.cohort(state.slots[index].cohort).conditions.has_motor && has_motor(kind.projectile);
-  if (burns && age == 0 && kind.projectile.motor.ignition_delay == 0) tell(EventKind::ignition, index);
+  if (burns && coming.age == 0 && kind.projectile.motor.ignition_delay == 0)
+    tell(EventKind::ignition, index, Reason::none, coming.moment);
 }
 
 // ------------------------------------------------------------------------------------------- sleep

@@ -5,6 +5,7 @@
 
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
+#include "world/emitter_step.hpp"
 #include "world/forced_step.hpp"
 #include "world/pairs.hpp"
 #include "world/placement.hpp"
@@ -13,6 +14,14 @@
 #include "world/state.hpp"
 
 namespace physim {
+
+/// How a projectile comes.
+struct Coming {
+  double delay = 0;                // pending until then [s]
+  double age = 0;                  // launched so long ago [s]
+  std::optional<double> moment{};  // launched at that time, inside the step just taken [s]
+  double gravity = 1;              // times that of its kind
+};
 
 struct WorldImpl : Gate {
   explicit WorldImpl(const WorldDef& definition);
@@ -33,6 +42,7 @@ struct WorldImpl : Gate {
   std::vector<std::vector<Event>> outgrown;  // events that were given out, until the next step
   ForcedScratch forced_scratch;
   PairScratch pairs;
+  EmitterScratch emitting;
   bool is_stirred = false;  // nobody who meets things sleeps, or knows how far it may fly
 
   // ------------------------------------------------------------------------------------------- slots
@@ -54,31 +64,31 @@ struct WorldImpl : Gate {
   Result<std::uint32_t> find_or_add_kind(const ProjectileDef& projectile, const BodyDef& body) {
     return registry.find_or_add_kind(projectile, body, moments);
   }
-  /// `age`: it was launched so long ago [s].
-  Result<ProjectileId> spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body, double delay,
-                             double age);
-  Result<ProjectileId> spawn(KindId kind, const Launch& launch, double delay, double age);
-  Result<ProjectileId> spawn_of(std::uint32_t kind, const Launch& launch, double delay, double age);
+  Result<ProjectileId> spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body,
+                             const Coming& coming);
+  Result<ProjectileId> spawn(KindId kind, const Launch& launch, const Coming& coming);
+  Result<ProjectileId> spawn_of(std::uint32_t kind, const Launch& launch, const Coming& coming);
   /// The elevation of a launch's bore above the horizon, for a launch that makes sense [rad].
-  [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch, double delay) const;
+  [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch, double time) const;
   /// Refuses a state whose numbers the rung's precision cannot hold.
   [[nodiscard]] Status fits(const Slot& slot, const BodyState& at) const;
-  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch, double delay);
-  /// Where a kind flies, by the clock of a launch to come.
-  [[nodiscard]] Environment surroundings_of(const Kind& kind, double delay) const;
+  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch, double time);
+  /// Where a kind flies, by the clock of a launch at a time [s].
+  [[nodiscard]] Environment surroundings_of(const Kind& kind, double time) const;
   /// Takes a projectile out of the world; the event is told before.
   void remove(std::uint32_t slot, LifeStatus status);
   void retire(std::uint32_t slot, Reason reason);
   [[nodiscard]] Status make_room(std::uint32_t pool);
 
   // ------------------------------------------------------------------------------------------- changes
-  void tell(EventKind kind, std::uint32_t slot, Reason reason = Reason::none);
+  /// Now, or at a time inside of the step just taken [s].
+  void tell(EventKind kind, std::uint32_t slot, Reason reason = Reason::none, std::optional<double> moment = {});
   /// Keeps an event; those that were given out stay where they are.
   void keep_event(const Event& event);
   void make_room_for_events(std::size_t count);
   void forget_events();
   /// A projectile comes, launched so long ago [s]; where its motor has no delay, it is ignited by its launch.
-  void tell_launch(std::uint32_t slot, double age);
+  void tell_launch(std::uint32_t slot, const Coming& coming);
   bool put_to_sleep(std::uint32_t slot);
   bool wake(std::uint32_t slot);
   Status change_state(ProjectileId id, const BodyState& to);
@@ -124,6 +134,14 @@ struct WorldImpl : Gate {
   /// By all generators on one projectile now [N].
   [[nodiscard]] Vec3d generator_force(std::uint32_t slot) const;
 
+  // ------------------------------------------------------------------------------------------- emitters
+  [[nodiscard]] Status refuses(const EmitterDef& asked) const;
+  /// What follows from a definition that makes sense.
+  void equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const;
+  void play(Emitter& emitter);
+  /// Births by distance are counted from where it began to play.
+  void count_metres(Emitter& emitter) const;
+
   // ------------------------------------------------------------------------------------------- stepping
   void step(double dt);
   [[nodiscard]] SettleContext settle_context(double dt) {
@@ -135,6 +153,8 @@ struct WorldImpl : Gate {
   void step_forced(double dt);
   void turn(double dt);
   void finish_step();
+  /// What settling decided of one projectile.
+  void carry_out(const Change& change);
   [[nodiscard]] TaskRunner& runner(std::size_t rows);
 
   // ------------------------------------------------------------------------------------------- moments

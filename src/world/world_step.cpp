@@ -184,13 +184,14 @@ void WorldImpl::launch_pending() {
     const Body<double> old = placement.body_of(slot);
     placement.relocate(id.index);
     placement.write_row(id.index, at, {.previous = at.position, .old = &old});  // its clock starts now
-    tell_launch(id.index, 0);
+    tell_launch(id.index, {});
   }
 }
 
 void WorldImpl::expire_old() {
   while (const ProjectileId id = state.old_age.take_due(state.clock.time(), state.slots)) {
     tell(EventKind::expired, id.index, Reason::older);
+    leave_after_step(*this, id.index);
     remove(id.index, LifeStatus::expired);
   }
 }
@@ -264,27 +265,29 @@ void WorldImpl::finish_step() {
   }
   std::sort(scratch.changes.begin(), scratch.changes.end(),
             [](const Change& a, const Change& b) { return a.slot != b.slot ? a.slot < b.slot : a.kind < b.kind; });
-  for (const Change& change : scratch.changes) {
-    Slot& slot = state.slots[change.slot];
-    if (!slot.is(kAlive)) continue;
-    switch (change.kind) {
-      case Change::Kind::remove:
-        if (change.reason == Reason::non_finite) ++state.counters.retired;
-        remove(change.slot, change.status);
-        break;
-      case Change::Kind::spin:
-        slot.set(kTurning, true);
-        state.extras.turning[change.slot].angular_velocity = change.spin;
-        break;
-      case Change::Kind::stick:
-        placement.set_row_state(change.slot, {state.state_of(slot).position, {}});
-        placement.stop_turning(change.slot);
-        slot.set(kStuck, true);
-        slot.set_status(LifeStatus::landed);
-        placement.relocate(change.slot);
-        break;
-      case Change::Kind::sleep: put_to_sleep(change.slot); break;
-    }
+  for (const Change& change : scratch.changes) carry_out(change);
+}
+
+void WorldImpl::carry_out(const Change& change) {
+  Slot& slot = state.slots[change.slot];
+  if (!slot.is(kAlive)) return;
+  switch (change.kind) {
+    case Change::Kind::remove:
+      if (change.reason == Reason::non_finite) ++state.counters.retired;
+      remove(change.slot, change.status);
+      break;
+    case Change::Kind::spin:
+      slot.set(kTurning, true);
+      state.extras.turning[change.slot].angular_velocity = change.spin;
+      break;
+    case Change::Kind::stick:
+      placement.set_row_state(change.slot, {state.state_of(slot).position, {}});
+      placement.stop_turning(change.slot);
+      slot.set(kStuck, true);
+      slot.set_status(LifeStatus::landed);
+      placement.relocate(change.slot);
+      break;
+    case Change::Kind::sleep: put_to_sleep(change.slot); break;
   }
 }
 
@@ -309,17 +312,21 @@ void WorldImpl::step(double dt) {
   begin_generators(dt);
   apply_detail();
   move_scene(dt);
+  begin_emitters(*this, dt);
   begin_pairs(*this);
   is_stirred = false;
   step_forced(dt);  // before the others move: its springs may end at them
   step_free(dt);
-  meet_pairs(*this, settle_context(dt));
+  const SettleContext context = settle_context(dt);
+  meet_pairs(*this, context);
   turn(dt);
   state.clock.tick();
   PHYSIM_ASSERT(state.clock.time() >= before && state.clock.steps == steps_before + 1);
   ++state.counters.steps;
+  watch_for_emitters(*this, context);
   finish_step();
   expire_old();
+  fire_emitters(*this, context);
   end_generators();
   // What a projectile tells at one time stays in the order in which it was told.
   std::stable_sort(state.events.begin(), state.events.end(), [](const Event& a, const Event& b) {

@@ -1,0 +1,352 @@
+#include "world/emitter_step.hpp"
+
+#include <algorithm>
+#include <queue>
+#include <unordered_map>
+
+#include "math/elementary.hpp"
+#include "world/emitter_firing.hpp"
+#include "world/emitter_watch.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+/// Births that lead to one another at one moment, and those of sub-emitters in one step: more are cut.
+constexpr std::uint32_t kDeepest = 32;
+constexpr std::uint64_t kMostBirths = 1u << 22;
+
+class EmitterBirths {
+ public:
+  EmitterBirths(WorldImpl& world, const SettleContext& context, double end)
+      : w_(world),
+        context_(context),
+        all_(world.state.emitters),
+        s_(world.emitting),
+        end_(end),
+        watch_(world, context, end) {}
+
+  [[nodiscard]] EmitterWatch& watch() { return watch_; }
+
+  // ------------------------------------------------------------------------------------------- births
+  void fire() {
+    take_departures();
+    for (std::uint32_t i = 1; i < all_.size(); ++i) {
+      queue_moment(i);
+      queue_metre(i);
+    }
+    work_off();
+    for (std::uint32_t i = 1; i < all_.size(); ++i) finish(i);
+  }
+  /// All that waits, in order of time.
+  void work_off() {
+    queue_triggers();
+    while (!queue_.empty()) {
+      const Firing firing = queue_.top();
+      queue_.pop();
+      if (firing.rank == kOwn) {
+        Emitter& e = all_[firing.emitter];
+        Timeline(*e.emission).take(e.timeline);
+        queue_moment(firing.emitter);
+      } else if (firing.rank == kMetre) {
+        ++all_[firing.emitter].metre;
+        queue_metre(firing.emitter);
+      }
+      fire(firing);
+      queue_triggers();
+    }
+  }
+  void fire(const Firing& firing) {
+    Emitter& e = all_[firing.emitter];
+    const std::optional<Pose> pose = firing.by ? pose_of(firing) : pose_at(firing.emitter, firing.time);
+    if (!pose) {
+      e.plays = false;
+      return;
+    }
+    for (std::uint32_t i = 0; i < firing.moment.count; ++i) bear(firing, *pose, i);
+  }
+  [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t index, double time) const {
+    const Emitter& e = all_[index];
+    if (e.def().follows) {
+      const auto& followed = s_.followed[index];
+      if (!followed || time > followed->to) return std::nullopt;
+      const BodyState at = between(*followed, time);
+      return Pose{at.position, e.at.rotation, at.velocity};
+    }
+    if (e.path) {
+      const MotionState at = e.path->at(time);
+      return Pose{at.position, at.rotation, at.velocity};
+    }
+    if (!e.to) return Pose{e.at.position, e.at.rotation, {}};
+    const double span = end_ - context_.time, u = span > 0 ? (time - context_.time) / span : 1;
+    const Vec3d way = e.to->position - e.at.position;
+    return Pose{e.at.position + way * u, turned(e.at.rotation, e.to->rotation, u), way * (span > 0 ? 1 / span : 0)};
+  }
+
+ private:
+  enum Rank : std::uint32_t { kOwn, kMetre, kSub };
+
+  // ------------------------------------------------------------------------------------------- what comes next
+  void queue_moment(std::uint32_t index) {
+    const Emitter& e = all_[index];
+    if (!e.active || !e.plays) return;
+    const auto moment = Timeline(*e.emission).next(e.timeline);
+    if (!moment) return;
+    const double time = e.began + moment->time / e.def().cycle.rate;
+    if (time > end_) return;
+    queue_.push({.time = std::max(time, context_.time), .emitter = index, .rank = kOwn, .moment = *moment});
+  }
+  void queue_metre(std::uint32_t index) {
+    const Emitter& e = all_[index];
+    if (!e.active || !e.plays || !(e.def().per_metre > 0)) return;
+    const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
+    const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_moved(index, distance);
+    const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
+    if (!time || *time < context_.time || *time > e.began + last / rate) return;
+    const double own = (*time - e.began) * rate;
+    EmitMoment moment{.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own)};
+    queue_.push({.time = *time, .emitter = index, .rank = kMetre, .moment = moment});
+  }
+  /// By when it has come so far, where calls or a projectile move it.
+  [[nodiscard]] std::optional<double> when_moved(std::uint32_t index, double distance) const {
+    const double way = way_of(index), left = distance - all_[index].travelled;
+    if (!(way > 0) || left > way) return std::nullopt;
+    const double from = context_.time, to = all_[index].def().follows ? s_.followed[index]->to : end_;
+    return from + (to - from) * std::max(left / way, 0.0);
+  }
+  /// Of this step, straight from its start to its end [m].
+  [[nodiscard]] double way_of(std::uint32_t index) const {
+    const Emitter& e = all_[index];
+    if (e.def().follows) {
+      const auto& followed = s_.followed[index];
+      return followed ? length(followed->end.position - followed->begin.position) : 0;
+    }
+    return e.to ? length(e.to->position - e.at.position) : 0;
+  }
+
+  void queue_triggers() {
+    for (const EmitterTrigger& trigger : s_.triggers) {
+      const Emitter& parent = all_[trigger.particle.emitter];
+      if (!parent.active) continue;
+      const auto& subs = parent.def().subs;
+      for (std::size_t i = 0; i < subs.size(); ++i)
+        if (subs[i].on == trigger.on && (trigger.only == ~0u || trigger.only == i)) queue_sub(parent, i, trigger);
+    }
+    s_.triggers.clear();
+  }
+  void queue_sub(const Emitter& parent, std::size_t sub, const EmitterTrigger& trigger) {
+    const EmitterId named = parent.def().subs[sub].emitter;
+    const EmitterId id = named ? named : all_.id_of(trigger.particle.emitter);
+    if (!all_.find(id)) return;  // it was removed
+    const std::uint32_t count = parent.emission->fired_by(sub, trigger.particle.number, trigger.particle.events);
+    if (count == 0) return;
+    queue_.push({.time = trigger.time,
+                 .emitter = id.index,
+                 .rank = kSub,
+                 .parent = trigger.particle.number,
+                 .sub = sub,
+                 .parent_emitter = trigger.particle.emitter,
+                 .order = found_++,
+                 .moment = {.time = 0, .phase = 0, .count = count},
+                 .by = trigger});
+  }
+
+  // ------------------------------------------------------------------------------------------- being born
+  [[nodiscard]] const SubEmitter& sub_of(const Firing& firing) const {
+    return all_[firing.parent_emitter].def().subs[firing.sub];
+  }
+  [[nodiscard]] Pose pose_of(const Firing& firing) const {
+    const EmitterTrigger& by = *firing.by;
+    const Emitter& e = all_[firing.emitter];
+    Pose pose{by.at.position, e.path ? e.path->at(firing.time).rotation : e.at.rotation, by.at.velocity};
+    const SubAxis axis = sub_of(firing).axis;
+    const Vec3d along = axis == SubAxis::velocity ? by.at.velocity : axis == SubAxis::normal ? by.normal : Vec3d{};
+    if (length(along) > 0) pose.rotation = looking_along(along);
+    return pose;
+  }
+
+  /// Those alive at that moment: some of them have left since.
+  [[nodiscard]] std::uint64_t alive_at(std::uint32_t index, double time) {
+    auto& later = later_[index];
+    while (!later.empty() && later.top() <= time) later.pop();
+    return all_[index].counts.alive + later.size();
+  }
+  void take_departures() {
+    for (const auto& departure : s_.departures) later_[departure.emitter].push(departure.time);
+    s_.departures.clear();
+  }
+  /// Whether there is room for one more, which the oldest may have to make.
+  bool has_room(std::uint32_t index, double time) {
+    Emitter& e = all_[index];
+    if (e.def().when_full == WhenFull::refuse) return alive_at(index, time) < e.def().maximum;
+    if (e.counts.alive < e.def().maximum) return true;
+    const ProjectileId oldest = all_.oldest(index, w_.state.slots);
+    PHYSIM_ASSERT(oldest);
+    all_.leave(oldest.index, &EmitterCounts::replaced);
+    w_.retire(oldest.index, Reason::replaced);
+    return true;
+  }
+
+  void bear(const Firing& firing, const Pose& pose, std::uint32_t of_moment) {
+    Emitter& e = all_[firing.emitter];
+    if (firing.by && (depth_of(firing) > kDeepest || ++s_.births > kMostBirths)) return void(++e.counts.cut);
+    const EmitMoment& m = firing.moment;
+    const Birth birth{e.born++, m.time, m.phase, of_moment, m.count, m.is_round, m.round};
+    if (!has_room(firing.emitter, firing.time)) return void(++e.counts.refused);
+    const Newborn newborn = e.emission->newborn(birth);
+    const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
+    const Launch launch = launch_of(firing, pose, newborn);
+    const Result<ProjectileId> id = w_.spawn(kind, launch, {.moment = firing.time, .gravity = newborn.gravity});
+    if (!id) return void(++e.counts.refused);
+    ++e.counts.born;
+    Particle particle{.emitter = firing.emitter,
+                      .number = birth.number,
+                      .phase = birth.phase,
+                      .dies = firing.time + newborn.lifetime,
+                      .depth = depth_of(firing)};
+    if (firing.by) inherit(firing, particle);
+    all_.join(*id, particle, firing.time, end_);
+    watch_.trigger(id->index, SubEvent::birth, firing.time, w_.state.state_of(*w_.find(*id)), {});
+    live_on(*id, firing.time, particle.dies);
+  }
+  [[nodiscard]] std::uint32_t depth_of(const Firing& firing) const {
+    return firing.by && firing.by->time == firing.by->birth ? firing.by->particle.depth + 1 : 0;
+  }
+  void inherit(const Firing& firing, Particle& particle) const {
+    const SubEmitter& sub = sub_of(firing);
+    if (!sub.inherit_colour && !sub.inherit_size) return;
+    const Particle& parent = firing.by->particle;
+    const Look look =
+        all_[parent.emitter].emission->look(parent.number, parent.phase, parent.dies - firing.by->birth,
+                                            firing.time - firing.by->birth, length(firing.by->at.velocity));
+    if (sub.inherit_colour) particle.colour = times(look.colour, parent.colour);
+    if (sub.inherit_size) particle.size = look.size.x * parent.size;
+  }
+  [[nodiscard]] Launch launch_of(const Firing& firing, const Pose& pose, const Newborn& newborn) const {
+    const EmitterDef& def = all_[firing.emitter].def();
+    Launch launch = def.launch;
+    launch.position = pose.position + rotate(pose.rotation, newborn.place);
+    const Vec3d direction = rotate(pose.rotation, newborn.direction);
+    const double inherited = firing.by ? sub_of(firing).inherit_velocity : def.inherit_velocity;
+    const Vec3d velocity = direction * newborn.speed + pose.velocity * inherited;
+    if (length(velocity) > 0) {
+      launch.velocity = velocity;
+      return launch;
+    }
+    // At rest its bore says where it points.
+    launch.velocity.reset();
+    launch.speed = 0;
+    launch.elevation = asin(std::clamp(direction.y, -1.0, 1.0));
+    launch.azimuth = atan2(direction.z, direction.x);
+    return launch;
+  }
+
+  /// From its birth to the end of the step.
+  void live_on(ProjectileId id, double birth, double dies) {
+    if (birth >= end_) return;
+    const double born = watch_.passed_at(birth);
+    watch_.look_ahead(id.index, born, birth, std::min(end_, dies));
+    if (dies <= end_)
+      watch_.end_life(id.index, born, dies);
+    else
+      watch_.fly_newborn(id.index, born);
+    take_departures();
+  }
+
+  // ------------------------------------------------------------------------------------------- the end
+  void finish(std::uint32_t index) {
+    Emitter& e = all_[index];
+    if (!e.active) return;
+    if (!e.odometer) e.travelled += way_of(index);
+    if (e.to) e.at = *std::exchange(e.to, std::nullopt);
+    if (e.def().follows && !w_.find(e.def().follows)) e.plays = false;
+    const double last = Timeline(*e.emission).span(e.timeline.play).second;
+    if (e.plays && e.began + last / e.def().cycle.rate <= end_) e.plays = false;
+    if (!e.plays && e.def().cycle.stop == StopAction::remove && e.plays_before > 0 && e.counts.alive == 0)
+      all_.erase(index);
+  }
+
+  WorldImpl& w_;
+  const SettleContext& context_;
+  Emitters& all_;
+  EmitterScratch& s_;
+  double end_;  // of the step [s]
+  EmitterWatch watch_;
+  std::priority_queue<Firing> queue_;
+  std::uint64_t found_ = 0;
+  std::unordered_map<std::uint32_t, std::priority_queue<double, std::vector<double>, std::greater<>>> later_;
+};
+
+/// What settling would need between two steps.
+SettleContext now_of(WorldImpl& world) {
+  SettleContext context = world.settle_context(world.state.clock.dt);
+  context.pairs = false;
+  return context;
+}
+
+SettleContext alone(SettleContext context) {
+  context.pairs = false;
+  context.taken = nullptr;
+  return context;
+}
+
+}  // namespace
+
+void begin_emitters(WorldImpl& world, double dt) {
+  if (world.state.emitters.empty()) return;
+  world.emitting.triggers.clear();
+  world.emitting.departures.clear();
+  world.emitting.births = 0;
+  const SettleContext context = alone(world.settle_context(dt));
+  EmitterWatch step(world, context, world.state.clock.next());
+  step.note_followed();
+  step.reach_ages();
+  step.end_lives();
+}
+
+void watch_for_emitters(WorldImpl& world, const SettleContext& context) {
+  if (world.state.emitters.empty()) return;
+  const SettleContext own = alone(context);
+  EmitterWatch step(world, own, world.state.clock.time());
+  step.follow_to_end();
+  for (std::size_t i = 0; i < world.scratch.chunk_count; ++i) step.watch(world.scratch.chunks[i]);
+  step.watch(world.forced_scratch.chunk);
+  step.watch(world.pairs.chunk);
+}
+
+void fire_emitters(WorldImpl& world, const SettleContext& context) {
+  if (world.state.emitters.empty()) return;
+  const SettleContext own = alone(context);
+  EmitterBirths(world, own, world.state.clock.time()).fire();
+}
+
+std::size_t fire_now(WorldImpl& world, std::uint32_t index, std::uint32_t count) {
+  const SettleContext context = now_of(world);
+  EmitterBirths step(world, context, context.time);
+  step.watch().note_followed();
+  const Emitter& e = world.state.emitters[index];
+  const std::uint64_t before = e.counts.born;
+  const double own = e.plays ? (context.time - e.began) * e.def().cycle.rate : 0;
+  step.fire({.time = context.time,
+             .emitter = index,
+             .moment = {own, Timeline(*e.emission).phase_at(e.timeline.play, own), count}});
+  const std::uint64_t born = e.counts.born - before;
+  step.work_off();
+  return static_cast<std::size_t>(born);
+}
+
+void trigger_now(WorldImpl& world, std::uint32_t index) {
+  const SettleContext context = now_of(world);
+  EmitterBirths step(world, context, context.time);
+  step.watch().note_followed();
+  step.watch().trigger_all(index);
+  step.work_off();
+}
+
+void leave_after_step(WorldImpl& world, std::uint32_t slot) {
+  if (!world.state.emitters.particle(slot)) return;
+  const SettleContext context = now_of(world);
+  EmitterWatch(world, context, world.state.clock.time()).leave_now(slot);
+}
+
+}  // namespace physim

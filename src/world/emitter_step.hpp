@@ -1,0 +1,59 @@
+// What emitters do in a step: who is born inside of it, whose life ends in it, and which sub-emitters fire.
+//
+// Before the others move, those whose life ends within the step are flown to that moment and leave, and what reaches an
+// age is looked at. Then all fly. What was told then, or on the way to the end of a life, sets off sub-emitters; these
+// and the emitters' own moments are gone through in order of time. Each particle is placed at its own moment and flown
+// to the end of the step by the code that settles rows, and what is told on that way sets off more. So nothing depends
+// on frames but for the rows' own steps; neither on threads, nor on the order of rows.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "world/emitter_pose.hpp"
+#include "world/emitters.hpp"
+#include "world/settle.hpp"
+
+namespace physim {
+
+/// Something happened to a particle whose emitter has sub-emitters.
+struct EmitterTrigger {
+  SubEvent on = SubEvent::birth;
+  double time = 0;   // [s]
+  double birth = 0;  // of the particle [s]
+  Particle particle;
+  BodyState at;
+  Vec3d normal;            // of what it hit; zero: nothing
+  std::size_t only = ~0u;  // of its subs; otherwise all that wait for it
+};
+
+/// Memory that steps use again and again.
+struct EmitterScratch {
+  struct Departure {
+    std::uint32_t emitter;
+    double time;  // [s]
+  };
+  std::vector<EmitterTrigger> triggers;
+  std::vector<Departure> departures;              // of particles, in the step at hand
+  std::vector<std::optional<Followed>> followed;  // by emitter
+  std::uint64_t births = 0;                       // by sub-emitters, in the step at hand
+  Chunk chunk;
+};
+
+struct WorldImpl;
+
+/// Before a step: ends of lives, ages, and where followed projectiles are.
+void begin_emitters(WorldImpl& world, double dt);
+/// All have moved, and nobody has left yet: what that sets off.
+void watch_for_emitters(WorldImpl& world, const SettleContext& context);
+/// Whoever had to has left: births.
+void fire_emitters(WorldImpl& world, const SettleContext& context);
+
+/// Between steps: so many of one emitter; how many were born.
+std::size_t fire_now(WorldImpl& world, std::uint32_t emitter, std::uint32_t count);
+/// Between steps: SubEvent::trigger of all of its particles.
+void trigger_now(WorldImpl& world, std::uint32_t emitter);
+/// A particle leaves now by a rule that is looked at after a step.
+void leave_after_step(WorldImpl& world, std::uint32_t slot);
+
+}  // namespace physim

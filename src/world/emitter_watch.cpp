@@ -1,0 +1,223 @@
+#include "world/emitter_watch.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+/// What a kind of event is to sub-emitters.
+std::optional<SubEvent> sub_event(EventKind kind) {
+  if (kind == EventKind::hit) return SubEvent::hit;
+  if (kind == EventKind::bounced) return SubEvent::bounce;
+  if (kind == EventKind::ricocheted) return SubEvent::ricochet;
+  if (kind == EventKind::penetrated || kind == EventKind::left) return SubEvent::exit;
+  if (kind == EventKind::landed) return SubEvent::landing;
+  if (kind == EventKind::apex) return SubEvent::apex;
+  return std::nullopt;
+}
+
+bool waits_for(const EmitterDef& def, SubEvent on) {
+  return std::ranges::any_of(def.subs, [on](const SubEmitter& sub) { return sub.on == on; });
+}
+
+/// Calls f with what a row of a slot is settled in; one that is forced feels generators as they are, held.
+template <class F>
+auto with_held_forces(const WorldImpl& world, const SettleContext& context, const Slot& slot, const F& f) {
+  const WorldCohort& cohort = world.registry.cohort(slot.cohort);
+  if (!cohort.key.forced) return f(context);
+  const std::uint32_t index = world.state.slots.index_of(slot);
+  const Vec3d push = world.generator_force(index) * (1 / world.registry.kind(slot.kind).flown.mass);
+  SettleContext held = context;
+  const auto with = [&]<class S>(TakenStep<S> taken) {
+    taken.push[0] = taken.push[1] = vec_cast<S>(push);
+    taken.own_force = cohort.key.features.has_applied;
+    held.taken = &taken;
+    return f(held);
+  };
+  return cohort.layout.float32 ? with(TakenStep<float>{}) : with(TakenStep<double>{});
+}
+
+}  // namespace
+
+EmitterWatch::EmitterWatch(WorldImpl& world, const SettleContext& context, double end)
+    : w_(world), context_(context), all_(world.state.emitters), s_(world.emitting), end_(end) {
+  PHYSIM_ASSERT(!context.pairs && !context.taken);
+}
+
+// ------------------------------------------------------------------------------------------- before the step
+void EmitterWatch::note_followed() {
+  s_.followed.assign(all_.size(), std::nullopt);
+  for (std::uint32_t i = 1; i < all_.size(); ++i) {
+    if (!all_[i].active || !all_[i].def().follows) continue;
+    const Slot* slot = w_.find(all_[i].def().follows);
+    if (!slot) continue;
+    const BodyState now = w_.state.state_of(*slot);
+    s_.followed[i] = {context_.time, end_, now, now};
+  }
+}
+
+void EmitterWatch::reach_ages() {
+  while (const auto due = all_.ages.take(end_, w_.state.slots)) {
+    const Particle* particle = all_.particle(due->id.index);
+    if (!particle) continue;
+    if (const auto at = seen_at(due->id.index, std::nullopt, due->time)) trigger_age(due->id.index, *at, due->time);
+  }
+}
+
+void EmitterWatch::end_lives() {
+  while (const auto due = all_.lives.take(end_, w_.state.slots)) end_life(due->id.index, std::nullopt, due->time);
+}
+
+// ------------------------------------------------------------------------------------------- after it
+void EmitterWatch::watch(const Chunk& chunk) {
+  for (const Event& event : chunk.events) watch(event);
+  std::unordered_map<std::uint32_t, const Event*> last;  // of those that leave
+  for (const Change& change : chunk.changes)
+    if (change.kind == Change::Kind::remove && is_known(change.slot)) last[change.slot] = nullptr;
+  if (last.empty()) return;
+  for (const Event& event : chunk.events)
+    if (const auto at = last.find(event.id.index); at != last.end()) at->second = &event;
+  for (const auto& change : chunk.changes) {
+    const auto at = last.find(change.slot);
+    if (at == last.end()) continue;
+    leaves(change.slot, at->second);
+    last.erase(at);
+  }
+}
+void EmitterWatch::follow_to_end() {
+  for (std::uint32_t i = 1; i < all_.size(); ++i) {
+    std::optional<Followed>& followed = s_.followed[i];
+    if (!followed || followed->to < end_) continue;
+    if (const Slot* slot = w_.find(all_[i].def().follows)) followed->end = w_.state.state_of(*slot);
+  }
+}
+
+/// By a rule that is looked at when the step is over.
+void EmitterWatch::leave_now(std::uint32_t slot) {
+  depart(slot, all_.particle(slot)->emitter, w_.state.state_of(w_.state.slots[slot]), end_);
+}
+void EmitterWatch::trigger_all(std::uint32_t index) {
+  std::vector<std::uint32_t> slots;
+  all_.each_particle([&](std::uint32_t slot, const Particle& particle) {
+    if (particle.emitter == index) slots.push_back(slot);
+  });
+  for (const std::uint32_t slot : slots)
+    trigger(slot, SubEvent::trigger, end_, w_.state.state_of(w_.state.slots[slot]), {});
+}
+
+// ------------------------------------------------------------------------------------------- what happens
+bool EmitterWatch::is_known(std::uint32_t slot) const {
+  if (all_.particle(slot)) return true;
+  return std::ranges::any_of(all_.all(), [&](const Emitter& e) { return e.active && follows(e, slot); });
+}
+bool EmitterWatch::follows(const Emitter& e, std::uint32_t slot) const {
+  return e.def().follows && e.def().follows == w_.state.slots.id_of(slot);
+}
+void EmitterWatch::watch(const Event& event) {
+  if (!all_.particle(event.id.index)) return;
+  if (const auto on = sub_event(event.kind))
+    trigger(event.id.index, *on, event.time, {event.position, event.velocity}, event.normal);
+}
+/// It leaves the world where its last event says, or at the end of the step.
+void EmitterWatch::leaves(std::uint32_t slot, const Event* last) {
+  const BodyState at = last ? BodyState{last->position, last->velocity} : w_.state.state_of(w_.state.slots[slot]);
+  const double time = last ? last->time : end_;
+  for (std::uint32_t i = 1; i < all_.size(); ++i)
+    if (all_[i].active && follows(all_[i], slot) && s_.followed[i]) s_.followed[i]->to = time, s_.followed[i]->end = at;
+  if (const Particle* particle = all_.particle(slot)) depart(slot, particle->emitter, at, time);
+}
+void EmitterWatch::depart(std::uint32_t slot, std::uint32_t emitter, const BodyState& at, double time) {
+  s_.departures.push_back({emitter, time});
+  trigger(slot, SubEvent::death, time, at, {});
+}
+void EmitterWatch::trigger(std::uint32_t slot, SubEvent on, double time, const BodyState& at, const Vec3d& normal,
+                           std::size_t only) {
+  Particle& particle = *all_.particle(slot);
+  if (!waits_for(all_[particle.emitter].def(), on)) return;
+  ++particle.events;
+  s_.triggers.push_back({on, time, w_.state.slots.birth(slot), particle, at, normal, only});
+}
+
+// ------------------------------------------------------------------------------------------- ages, ends of lives
+/// Where one is at a time inside of the step, for somebody who only looks.
+std::optional<BodyState> EmitterWatch::seen_at(std::uint32_t index, std::optional<double> born, double time) {
+  const Slot& slot = w_.state.slots[index];
+  if (slot.is(kStill)) return w_.state.state_of(slot);
+  s_.chunk.cohort = slot.cohort;
+  const auto at = with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
+    return state_inside(context, s_.chunk, slot.row, born, passed_at(time));
+  });
+  s_.chunk.events.clear(), s_.chunk.changes.clear();
+  if (!at) return std::nullopt;
+  return BodyState{at->x, at->v};
+}
+void EmitterWatch::trigger_age(std::uint32_t index, const BodyState& at, double time) {
+  const auto& subs = all_[all_.particle(index)->emitter].def().subs;
+  for (std::size_t i = 0; i < subs.size(); ++i)
+    if (subs[i].on == SubEvent::age && w_.state.slots.birth(index) + subs[i].age == time)
+      trigger(index, SubEvent::age, time, at, {}, i);
+}
+
+void EmitterWatch::end_life(std::uint32_t index, std::optional<double> born, double time) {
+  const Slot& slot = w_.state.slots[index];
+  std::optional<BodyState> at = w_.state.state_of(slot);
+  if (!slot.is(kStill)) {
+    s_.chunk.cohort = slot.cohort;
+    const auto end = with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
+      return state_inside(context, s_.chunk, slot.row, born, passed_at(time));
+    });
+    at = end ? std::optional(BodyState{end->x, end->v}) : std::nullopt;
+    if (tell_chunk()) return;  // it left before
+  }
+  if (at) expire(index, *at, time);
+}
+void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time) {
+  w_.keep_event({.kind = EventKind::expired,
+                 .reason = Reason::older,
+                 .id = w_.state.slots.id_of(index),
+                 .time = time,
+                 .position = at.position,
+                 .velocity = at.velocity});
+  if (const Particle* particle = all_.particle(index)) depart(index, particle->emitter, at, time);
+  all_.leave(index, &EmitterCounts::aged);
+  w_.remove(index, LifeStatus::expired);
+}
+/// Of one that was flown alone: what it told, and what follows from it. Whether it left.
+bool EmitterWatch::tell_chunk() {
+  Chunk& chunk = s_.chunk;
+  watch(chunk);
+  for (const Event& event : chunk.events) w_.keep_event(event);
+  bool left = false;
+  for (const Change& change : chunk.changes) {
+    left = left || change.kind == Change::Kind::remove;
+    w_.carry_out(change);
+  }
+  chunk.events.clear(), chunk.changes.clear();
+  return left;
+}
+
+// ------------------------------------------------------------------------------------------- of one newborn
+void EmitterWatch::look_ahead(std::uint32_t index, double born, double birth, double until) {
+  for (const SubEmitter& sub : all_[all_.particle(index)->emitter].def().subs) {
+    const double then = birth + sub.age;
+    if (sub.on != SubEvent::age || then > until) continue;
+    if (const auto at = seen_at(index, born, then)) trigger_age(index, *at, then);
+  }
+}
+
+void EmitterWatch::fly_newborn(std::uint32_t index, double born) {
+  const Slot& slot = w_.state.slots[index];
+  if (slot.is(kStill)) return;
+  s_.chunk.cohort = slot.cohort;
+  with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
+    settle_born(context, s_.chunk, slot.row, born);
+    return 0;
+  });
+  w_.state.rows_of(slot).swap_positions(slot.row);  // it was written as the next position
+  tell_chunk();
+}
+
+}  // namespace physim

@@ -1,0 +1,59 @@
+// What happens to the particles of emitters in a step: whose life ends, who reaches an age, and what sets off
+// sub-emitters. All of it is noted in the world's EmitterScratch.
+#pragma once
+
+#include <optional>
+
+#include "world/emitter_step.hpp"
+
+namespace physim {
+
+class EmitterWatch {
+ public:
+  /// Of a step that ends at `end` [s].
+  EmitterWatch(WorldImpl& world, const SettleContext& context, double end);
+
+  // ------------------------------------------------------------------------------------------- before the step
+  void note_followed();
+  void reach_ages();
+  void end_lives();
+
+  // ------------------------------------------------------------------------------------------- after it
+  void watch(const Chunk& chunk);
+  void follow_to_end();
+  /// By a rule that is looked at when the step is over.
+  void leave_now(std::uint32_t slot);
+  void trigger_all(std::uint32_t emitter);
+  void trigger(std::uint32_t slot, SubEvent on, double time, const BodyState& at, const Vec3d& normal,
+               std::size_t only = ~0u);
+
+  // ------------------------------------------------------------------------------------------- of one newborn
+  /// The ages that one born `born` into the step reaches in it, and the end of its life there.
+  void look_ahead(std::uint32_t slot, double born, double birth, double until);
+  void end_life(std::uint32_t slot, std::optional<double> born, double time);
+  /// From its birth to the end of the step.
+  void fly_newborn(std::uint32_t slot, double born);
+  [[nodiscard]] double passed_at(double time) const { return std::clamp(time - context_.time, 0.0, context_.dt); }
+
+ private:
+  [[nodiscard]] bool is_known(std::uint32_t slot) const;
+  [[nodiscard]] bool follows(const Emitter& e, std::uint32_t slot) const;
+  void watch(const Event& event);
+  /// It leaves the world where its last event says, or at the end of the step.
+  void leaves(std::uint32_t slot, const Event* last);
+  void depart(std::uint32_t slot, std::uint32_t emitter, const BodyState& at, double time);
+  /// Where one is at a time inside of the step, for somebody who only looks.
+  std::optional<BodyState> seen_at(std::uint32_t slot, std::optional<double> born, double time);
+  void trigger_age(std::uint32_t slot, const BodyState& at, double time);
+  void expire(std::uint32_t slot, const BodyState& at, double time);
+  /// Of one that was flown alone: what it told, and what follows from it. Whether it left.
+  bool tell_chunk();
+
+  WorldImpl& w_;
+  const SettleContext& context_;
+  Emitters& all_;
+  EmitterScratch& s_;
+  double end_;  // of the step [s]
+};
+
+}  // namespace physim

@@ -1,0 +1,137 @@
+#include "world/emitters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/archive.hpp"
+
+namespace physim {
+
+std::uint32_t Emitters::add() {
+  ++added_;
+  std::uint32_t index = size();
+  if (!free_.empty()) {
+    index = free_.back();
+    free_.pop_back();
+  } else {
+    all_.emplace_back();
+  }
+  const std::uint32_t generation = all_[index].generation + 1;
+  all_[index] = {};
+  all_[index].generation = generation;
+  all_[index].active = true;
+  return index;
+}
+
+void Emitters::erase(std::uint32_t index) {
+  const std::uint32_t generation = (*this)[index].generation;
+  PHYSIM_ASSERT(all_[index].active);
+  all_[index] = {};
+  all_[index].generation = generation;
+  free_.push_back(index);
+  for (Particle& particle : particles_)
+    if (particle.emitter == index) particle = {};
+}
+
+void Emitters::join(ProjectileId id, const Particle& particle, double birth, double seen) {
+  PHYSIM_ASSERT(id && particle.emitter > 0 && particle.dies >= birth);
+  resume(id, particle);
+  const Emitter& emitter = (*this)[particle.emitter];
+  if (std::isfinite(particle.dies) && particle.dies > seen) lives.add(particle.dies, id);
+  for (const SubEmitter& sub : emitter.def().subs) {
+    const double then = birth + sub.age;
+    if (sub.on == SubEvent::age && then > seen && then <= particle.dies) ages.add(then, id);
+  }
+}
+
+void Emitters::resume(ProjectileId id, const Particle& particle) {
+  if (particles_.size() <= id.index) particles_.resize(std::max<std::size_t>(id.index + 1, particles_.size() * 2));
+  particles_[id.index] = particle;
+  Emitter& emitter = (*this)[particle.emitter];
+  ++emitter.counts.alive;
+  if (emitter.def().when_full == WhenFull::replace_oldest) emitter.by_age.push_back(id);
+}
+
+void Emitters::leave(std::uint32_t slot, EmitterCount why) {
+  Particle* gone = particle(slot);
+  if (!gone) return;
+  EmitterCounts& counts = (*this)[gone->emitter].counts;
+  PHYSIM_ASSERT(counts.alive > 0);
+  --counts.alive;
+  ++(counts.*why);
+  *gone = {};
+}
+
+ProjectileId Emitters::oldest(std::uint32_t index, const SlotTable& slots) {
+  Emitter& emitter = (*this)[index];
+  constexpr std::size_t kFew = 1024;
+  if (emitter.oldest > kFew && 2 * emitter.oldest > emitter.by_age.size()) {
+    emitter.by_age.erase(emitter.by_age.begin(), emitter.by_age.begin() + static_cast<std::ptrdiff_t>(emitter.oldest));
+    emitter.oldest = 0;
+  }
+  for (; emitter.oldest < emitter.by_age.size(); ++emitter.oldest)
+    if (slots.find(emitter.by_age[emitter.oldest])) return emitter.by_age[emitter.oldest];
+  return {};
+}
+
+std::size_t Emitters::bytes() const {
+  std::size_t sum = particles_.capacity() * sizeof(Particle) + all_.capacity() * sizeof(Emitter) + lives.bytes() +
+                    ages.bytes() + free_.capacity() * sizeof(std::uint32_t);
+  for (const Emitter& emitter : all_) sum += emitter.by_age.capacity() * sizeof(ProjectileId);
+  return sum;
+}
+
+namespace {
+
+void add_place(Hash& hash, const Transform& at) {
+  for (const double x : {at.position.x, at.position.y, at.position.z}) hash.add(x);
+  for (const double x : {at.rotation.w, at.rotation.x, at.rotation.y, at.rotation.z}) hash.add(x);
+}
+
+void add_emitter(Hash& hash, const Emitter& e) {
+  hash.add(e.generation, static_cast<std::uint32_t>(e.active) | static_cast<std::uint32_t>(e.plays) << 1 |
+                             static_cast<std::uint32_t>(e.to.has_value()) << 2);
+  if (!e.active) return;
+  hash.add(e.hash);
+  hash.add(e.began);
+  hash.add(hash_of(e.timeline));
+  hash.add(e.plays_before);
+  hash.add(e.born);
+  hash.add(e.travelled);
+  hash.add(e.metre);
+  add_place(hash, e.at);
+  if (e.to) add_place(hash, *e.to);
+}
+
+}  // namespace
+
+void Emitters::add_to(Hash& hash) const {
+  if (empty()) return;
+  hash.add(added_);
+  for (const Emitter& emitter : all_) add_emitter(hash, emitter);
+  for (const std::uint32_t index : free_) hash.add(std::uint64_t{index});
+  each_particle([&hash](std::uint32_t slot, const Particle& p) {
+    hash.add(slot, p.emitter);
+    hash.add(p.number);
+    hash.add(p.dies);
+    hash.add(p.phase);
+    hash.add(p.size);
+    hash.add(p.events, p.colour);
+  });
+}
+
+bool Emitters::restore(std::vector<Emitter> all, std::vector<std::uint32_t> free, std::uint64_t added) {
+  std::vector<bool> is_free(all.size());
+  for (const std::uint32_t index : free) {
+    if (index == 0 || index >= all.size() || is_free[index] || all[index].active) return false;
+    is_free[index] = true;
+  }
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (!all[i].active && !is_free[i]) return false;
+  all_ = std::move(all);
+  free_ = std::move(free);
+  added_ = added;
+  return true;
+}
+
+}  // namespace physim

@@ -1,0 +1,127 @@
+// Emitters: what a world keeps of its emitters and of the particles that they fired.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/assert.hpp"
+#include "base/hash.hpp"
+#include "collide/path.hpp"
+#include "emit/emission.hpp"
+#include "emit/odometer.hpp"
+#include "emit/timeline.hpp"
+#include "world/schedule.hpp"
+
+namespace physim {
+
+/// A particle, beside what every projectile has. Nothing of how it looks: that follows from its number.
+struct Particle {
+  std::uint32_t emitter = 0;          // index; 0: nobody fired it
+  std::uint32_t events = 0;           // that sub-emitters were asked about
+  std::uint64_t number = 0;           // among those of its emitter
+  double phase = 0;                   // of the cycle at its birth
+  double dies = 0;                    // [s]
+  double size = 1;                    // inherited, times its own
+  std::uint32_t colour = 0xffffffff;  // inherited, times its own
+  std::uint32_t depth = 0;            // births at its own moment that led to it
+};
+
+/// Why a particle went, as EmitterCounts has it.
+using EmitterCount = std::uint64_t EmitterCounts::*;
+
+/// An emitter and how far it has come.
+struct Emitter {
+  std::uint32_t generation = 0;
+  bool active = false;
+  std::shared_ptr<const Emission> emission;
+  std::shared_ptr<const collide::Path> path;  // of its motion; null: it has none
+  std::shared_ptr<const Odometer> odometer;   // along the path; null: distances do not count
+  std::uint64_t hash = 0;                     // of definition and seed
+  bool plays = false;
+  double began = 0;  // to play [s]
+  TimelineState timeline;
+  std::uint64_t plays_before = 0;
+  std::uint64_t born = 0;       // the number of the next particle
+  double travelled = 0;         // since it began, where calls or a projectile move it [m]
+  std::uint64_t metre = 0;      // births by distance since it began
+  Transform at;                 // where it stands, rotation of length one
+  std::optional<Transform> to;  // where it goes in the next step
+  EmitterCounts counts;
+  std::vector<ProjectileId> by_age;  // its particles, where the oldest makes room; some are gone
+  std::size_t oldest = 0;            // in by_age
+
+  [[nodiscard]] const EmitterDef& def() const { return emission->def(); }
+};
+
+class Emitters {
+ public:
+  /// Whether there is any, or a particle of one.
+  [[nodiscard]] bool empty() const { return all_.size() == 1; }
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(all_.size()); }
+  [[nodiscard]] Emitter& operator[](std::uint32_t index) {
+    PHYSIM_ASSERT(index > 0 && index < all_.size());
+    return all_[index];
+  }
+  [[nodiscard]] const Emitter& operator[](std::uint32_t index) const {
+    PHYSIM_ASSERT(index > 0 && index < all_.size());
+    return all_[index];
+  }
+  [[nodiscard]] Emitter* find(EmitterId id) {
+    if (id.index == 0 || id.index >= all_.size()) return nullptr;
+    Emitter& e = all_[id.index];
+    return e.active && e.generation == id.generation ? &e : nullptr;
+  }
+  [[nodiscard]] const Emitter* find(EmitterId id) const { return const_cast<Emitters*>(this)->find(id); }
+  /// So many were added before and are now.
+  [[nodiscard]] std::uint64_t added() const { return added_; }
+  [[nodiscard]] EmitterId id_of(std::uint32_t index) const { return {index, (*this)[index].generation}; }
+
+  /// A place for one more, active.
+  std::uint32_t add();
+  /// It is gone; its particles are nobody's, but their lives end as they would.
+  void erase(std::uint32_t index);
+
+  /// The particle of a slot; null: no emitter fired it.
+  [[nodiscard]] Particle* particle(std::uint32_t slot) {
+    if (slot >= particles_.size() || particles_[slot].emitter == 0) return nullptr;
+    return &particles_[slot];
+  }
+  [[nodiscard]] const Particle* particle(std::uint32_t slot) const {
+    return const_cast<Emitters*>(this)->particle(slot);
+  }
+  /// One was born. What it will come to by `seen` somebody has looked at already [s].
+  void join(ProjectileId id, const Particle& particle, double birth, double seen);
+  /// It is gone, for that reason; nothing where no emitter fired it.
+  void leave(std::uint32_t slot, EmitterCount why);
+  /// The oldest particle of an emitter that lets it make room.
+  [[nodiscard]] ProjectileId oldest(std::uint32_t index, const SlotTable& slots);
+  /// Calls f with the slot and the particle of each one alive, in order of slots.
+  template <class F>
+  void each_particle(const F& f) const {
+    for (std::uint32_t slot = 1; slot < particles_.size(); ++slot)
+      if (particles_[slot].emitter != 0) f(slot, particles_[slot]);
+  }
+
+  Schedule lives;  // when they end
+  Schedule ages;   // when sub-emitters fire at them
+
+  [[nodiscard]] std::size_t bytes() const;
+  void add_to(Hash& hash) const;
+
+  // ------------------------------------------------------------------------------------------- as a save tells it
+  [[nodiscard]] const std::vector<Emitter>& all() const { return all_; }  // the first is none
+  [[nodiscard]] const std::vector<std::uint32_t>& free() const { return free_; }
+  /// False where that makes no sense. Particles join afterwards, in order of their births.
+  bool restore(std::vector<Emitter> all, std::vector<std::uint32_t> free, std::uint64_t added);
+  /// One that was born before; in order of births.
+  void resume(ProjectileId id, const Particle& particle);
+
+ private:
+  std::vector<Emitter> all_{1};  // 0 is none
+  std::uint64_t added_ = 0;
+  std::vector<std::uint32_t> free_;
+  std::vector<Particle> particles_;  // by slot
+};
+
+}  // namespace physim

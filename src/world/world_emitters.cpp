@@ -1,0 +1,204 @@
+// Emitters of a world: adding, playing, moving and reading them.
+#include <algorithm>
+#include <cmath>
+
+#include "base/archive.hpp"
+#include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
+#include "math/quat.hpp"
+#include "world/emitter_step.hpp"
+#include "world/world_impl.hpp"
+
+namespace physim {
+namespace {
+
+constexpr std::uint32_t kMostAtOnce = 1'000'000;  // of World::emit()
+
+Error no_emitter() { return {"there is no such emitter", "emitter", "it was removed, or never added"}; }
+
+}  // namespace
+
+/// Whether all that a definition names is there.
+Status WorldImpl::refuses(const EmitterDef& asked) const {
+  Checker c;
+  c.also(check(asked));
+  const auto is_kind = [this](KindId kind) {
+    const std::uint32_t index = registry.kinds.find(kind);
+    return index != 0 && registry.has_environment_of(registry.kind(index));
+  };
+  c.require(is_kind(asked.kind), "emitter.kind", "there is no such kind", "add_kind() makes one");
+  c.require(asked.gun.tracer_every == 0 || is_kind(asked.gun.tracer), "emitter.gun.tracer", "there is no such kind",
+            "add_kind() makes one");
+  c.require(!asked.follows || find(asked.follows), "emitter.follows", "there is no such projectile",
+            "spawn() makes one");
+  for (const SubEmitter& sub : asked.subs)
+    c.require(!sub.emitter || state.emitters.find(sub.emitter), "emitter.subs.emitter", "there is no such emitter",
+              "add it first");
+  return c.status();
+}
+
+void WorldImpl::equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const {
+  emitter.emission = std::make_shared<const Emission>(asked, seed);
+  emitter.hash = hash_of(asked, seed);
+  if (std::holds_alternative<AtRest>(asked.motion)) return;
+  if (auto path = collide::Path::make(asked.motion, {asked.position, asked.rotation, 1}))
+    emitter.path = std::make_shared<const collide::Path>(std::move(*path));
+}
+
+void WorldImpl::play(Emitter& emitter) {
+  emitter.plays = true;
+  emitter.began = state.clock.time();
+  emitter.timeline = Timeline(*emitter.emission).begin(emitter.plays_before++);
+  emitter.travelled = 0;
+  emitter.metre = 0;
+  count_metres(emitter);
+}
+
+void WorldImpl::count_metres(Emitter& emitter) const {
+  if (!emitter.path || !(emitter.def().per_metre > 0)) return;
+  // None of its path counts before its first cycle.
+  const double delay = Timeline(*emitter.emission).span(emitter.timeline.play).first;
+  emitter.odometer = std::make_shared<const Odometer>(*emitter.path, emitter.began + delay / emitter.def().cycle.rate);
+}
+
+Result<EmitterId> World::add_emitter(const EmitterDef& def) {
+  WorldImpl& w = impl();
+  const Recorded<Call::add_emitter> call(w, def);
+  if (call.is_refused()) return call.refusal();
+  if (Status status = w.refuses(def); !status) return status.error();
+  w.registry.kinds.keep(w.registry.kinds.find(def.kind));
+  if (def.gun.tracer) w.registry.kinds.keep(w.registry.kinds.find(def.gun.tracer));
+  const std::uint32_t index = w.state.emitters.add();
+  Emitter& emitter = w.state.emitters[index];
+  Hash own;
+  own.add(w.state.emitters.added());
+  w.equip(emitter, def, def.seed.value_or(own.value()));
+  emitter.at = {def.position, normalized(def.rotation), 1};
+  if (def.cycle.plays) w.play(emitter);
+  return call.returns(w.state.emitters.id_of(index));
+}
+
+Status World::remove_emitter(EmitterId id) {
+  WorldImpl& w = impl();
+  const Recorded<Call::remove_emitter> call(w, id);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.emitters.find(id)) return no_emitter();
+  w.state.emitters.erase(id.index);
+  return {};
+}
+
+Status World::play_emitter(EmitterId id) {
+  WorldImpl& w = impl();
+  const Recorded<Call::play_emitter> call(w, id);
+  if (call.is_refused()) return call.refusal();
+  Emitter* emitter = w.state.emitters.find(id);
+  if (!emitter) return no_emitter();
+  w.play(*emitter);
+  return {};
+}
+
+Status World::stop_emitter(EmitterId id) {
+  WorldImpl& w = impl();
+  const Recorded<Call::stop_emitter> call(w, id);
+  if (call.is_refused()) return call.refusal();
+  Emitter* emitter = w.state.emitters.find(id);
+  if (!emitter) return no_emitter();
+  emitter->plays = false;
+  return {};
+}
+
+Status World::move_emitter(EmitterId id, const Transform& to) {
+  WorldImpl& w = impl();
+  const Recorded<Call::move_emitter> call(w, id, to);
+  if (call.is_refused()) return call.refusal();
+  Emitter* emitter = w.state.emitters.find(id);
+  if (!emitter) return no_emitter();
+  if (emitter->path || emitter->def().follows)
+    return Error{"has a motion, or follows a projectile", "emitter", "move one that stands"};
+  const double turned = norm(to.rotation);
+  if (!finite(to.position) || !(turned > 0 && std::isfinite(turned)))
+    return Error{"must have a finite position, and a rotation of a length that is not zero", "to", ""};
+  emitter->to = Transform{to.position, normalized(to.rotation), 1};
+  return {};
+}
+
+Result<std::size_t> World::emit(EmitterId id, std::uint32_t count) {
+  WorldImpl& w = impl();
+  const Recorded<Call::emit> call(w, id, count);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.emitters.find(id)) return no_emitter();
+  if (count > kMostAtOnce) return Error{"must not be above a million", "count", "call it again"};
+  return fire_now(w, id.index, count);
+}
+
+Status World::trigger_emitter(EmitterId id) {
+  WorldImpl& w = impl();
+  const Recorded<Call::trigger_emitter> call(w, id);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.emitters.find(id)) return no_emitter();
+  trigger_now(w, id.index);
+  return {};
+}
+
+// ------------------------------------------------------------------------------------------- reading
+std::vector<EmitterId> World::emitters() const {
+  const Emitters& all = impl().state.emitters;
+  std::vector<EmitterId> ids;
+  for (std::uint32_t i = 1; i < all.size(); ++i)
+    if (all[i].active) ids.push_back(all.id_of(i));
+  return ids;
+}
+const EmitterDef* World::emitter(EmitterId id) const {
+  const Emitter* emitter = impl().state.emitters.find(id);
+  return emitter ? &emitter->def() : nullptr;
+}
+bool World::is_playing(EmitterId id) const {
+  const Emitter* emitter = impl().state.emitters.find(id);
+  return emitter && emitter->plays;
+}
+EmitterCounts World::emitter_counts(EmitterId id) const {
+  const Emitter* emitter = impl().state.emitters.find(id);
+  return emitter ? emitter->counts : EmitterCounts{};
+}
+
+namespace {
+
+template <class T>
+void put(std::span<T> column, std::size_t i, const T& value) {
+  if (i < column.size()) column[i] = value;
+}
+
+}  // namespace
+
+std::size_t World::particles(EmitterId id, const ParticleColumns& into) const {
+  const IeeeMode mode;
+  const WorldState& state = impl().state;
+  const Emitter* emitter = state.emitters.find(id);
+  if (!emitter) return 0;
+  const bool looks = !into.size.empty() || !into.rotation.empty() || !into.colour.empty();
+  const double now = state.clock.time();
+  std::size_t i = 0;
+  state.emitters.each_particle([&](std::uint32_t index, const Particle& particle) {
+    if (particle.emitter != id.index) return;
+    const Slot& slot = state.slots[index];
+    const Rows& rows = state.rows_of(slot);
+    const double birth = state.slots.birth(index), age = std::max(now - birth, 0.0);
+    put(into.id, i, state.slots.id_of(index));
+    put(into.position, i, rows.position(slot.row));
+    put(into.previous, i, rows.previous(slot.row));
+    put(into.velocity, i, rows.velocity(slot.row));
+    put(into.age, i, age);
+    put(into.number, i, particle.number);
+    if (looks) {
+      const double speed = length(rows.velocity(slot.row));
+      const Look look = emitter->emission->look(particle.number, particle.phase, particle.dies - birth, age, speed);
+      put(into.size, i, look.size * particle.size);
+      put(into.rotation, i, look.rotation);
+      put(into.colour, i, times(look.colour, particle.colour));
+    }
+    ++i;
+  });
+  return i;
+}
+
+}  // namespace physim
