@@ -261,6 +261,7 @@ constexpr CountColumn kEmitterCounts[] = {
     {"expired", [](const WorldGroup& g) { return g.counts.expired; }},
     {"replaced", [](const WorldGroup& g) { return g.counts.replaced; }},
     {"taken", [](const WorldGroup& g) { return g.counts.taken; }},
+    {"cut", [](const WorldGroup& g) { return g.counts.cut; }},
     {"hits", [](const WorldGroup& g) { return g.hits; }},
     {"bounces", [](const WorldGroup& g) { return g.bounces; }},
     {"slept", [](const WorldGroup& g) { return g.slept; }},

@@ -139,6 +139,7 @@ constexpr Figure kFigures[] = {
     of_emitters("aged", emitted<&EmitterCounts::aged>),
     of_emitters("replaced", emitted<&EmitterCounts::replaced>),
     of_emitters("taken", emitted<&EmitterCounts::taken>),
+    of_emitters("cut", emitted<&EmitterCounts::cut>),
 };
 
 constexpr auto kFigureNames = [] {

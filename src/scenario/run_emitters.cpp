@@ -54,6 +54,8 @@ Track* WorldRun::Impl::adopt(const Event& born) {
   if (index == 0 || fired == groups.end()) return nullptr;
   if (tracks.size() <= born.id.index) tracks.resize(born.id.index + std::size_t{1});
   const auto group = static_cast<std::size_t>(fired - groups.begin());
+  if (const Track& before = tracks[born.id.index]; before.generation != 0)
+    taken_over.emplace(ProjectileId{born.id.index, before.generation}, before);
   tracks[born.id.index] = {born.id.generation, {group, ++launches}, false, born.time, born.position};
   return &tracks[born.id.index];
 }

@@ -166,8 +166,9 @@ void WorldRun::Impl::fire(Magazine& magazine) {
 
 // ----------------------------------------------------------------------------------------------------------- counting
 Track* WorldRun::Impl::track_of(ProjectileId id) {
-  const bool known = id.index < tracks.size() && tracks[id.index].generation == id.generation;
-  return known ? &tracks[id.index] : nullptr;
+  if (id.index < tracks.size() && tracks[id.index].generation == id.generation) return &tracks[id.index];
+  const auto gone = taken_over.find(id);
+  return gone != taken_over.end() ? &gone->second : nullptr;
 }
 
 void WorldRun::Impl::touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity) {
@@ -234,6 +235,7 @@ void WorldRun::Impl::count(std::span<const Event> news) {
       case EventKind::stopped: break;
     }
   }
+  taken_over.clear();
 }
 
 /// Between two steps a path is a parabola: straight, less the sag of its acceleration.

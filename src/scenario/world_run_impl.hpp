@@ -1,6 +1,7 @@
 // What is behind a WorldRun.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct WorldRun::Impl : RunState {
   std::vector<MaterialId> materials;  // in the scene of the world
   std::vector<Segment> segments;      // work space
   std::vector<ProjectileId> stopped;  // work space
+  // Tracks of those whose index a particle took over in the step whose events are counted: it may be born before they
+  // leave.
+  std::map<ProjectileId, Track> taken_over;
 
   Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)) { lone.resize(scenario.shots.size()); }
 

@@ -88,6 +88,14 @@ TEST(EmitterRun, FiguresAreThoseOfItsCounts) {
   EXPECT_EQ(figure_of(newest, "refused"), 0);
 }
 
+/// Those born in a step have the indices of those that leave later in it.
+TEST(EmitterRun, TellsEveryImpactWhereIndicesAreUsedAgain) {
+  const WorldGroup jet = run_to_end(parsed(kDrops, {"emitter.per_second=500", "world.step=20 ms"})).groups().at(0);
+  EXPECT_EQ(jet.landed, 1025u);
+  EXPECT_EQ(jet.time.count, 1025u);
+  EXPECT_LT(jet.time.spread(), 1e-9);
+}
+
 /// What flies for less than a step is told too, and of the right emitter.
 TEST(EmitterRun, TellsShortLivesOfSeveralEmitters) {
   const Scenario scenario = parsed(kDrops + R"(
@@ -214,16 +222,6 @@ TEST(EmitterRun, GoesBackToASnapshot) {
   EXPECT_NE(run.groups().at(0).counts, counts);
   ASSERT_TRUE(run.restore(then));
   EXPECT_EQ(run.groups().at(0).counts, counts);
-}
-
-/// Particles of before the start are those of a cycle that was played.
-TEST(EmitterRun, CountsWhatWasWarmedUp) {
-  const Scenario scenario = parsed(kDrops, {"emitter.cycle={ duration = \"1 s\", prewarm = true }"});
-  const WorldRun run = WorldRun::create(scenario).value();
-  const WorldGroup jet = run.groups().at(0);
-  EXPECT_EQ(jet.counts.born, 10u);
-  EXPECT_EQ(jet.alive, 10u);
-  for (const ProjectileId id : run.world().ids()) EXPECT_TRUE(run.launched(id)) << "it is somebody's";
 }
 
 TEST(EmitterRun, AnExpectationOfEmittersNeedsOne) {
