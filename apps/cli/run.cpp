@@ -154,7 +154,7 @@ Result<int> run_flights(const RunOptions& options, Scenario scenario, std::optio
 
 void warn_of_refusals(const std::vector<WorldGroup>& groups) {
   for (const WorldGroup& group : groups)
-    if (group.refused > 0)
+    if (group.refused > 0 && !group.emitter)  // an emitter has a maximum, and its own table says what it refused
       print_warning(std::to_string(group.refused) + " launches of \"" + one_line(group.name) +
                     "\" were refused: " + group.refusal);
 }

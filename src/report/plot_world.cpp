@@ -41,6 +41,7 @@ class WorldPicture {
   explicit WorldPicture(const WorldLog& log) : log_(log) {
     PHYSIM_ASSERT(log.impacts.size() == log.groups.size());
     PHYSIM_ASSERT(log.hits.size() == log.groups.size());
+    PHYSIM_ASSERT(log.alive.size() == log.groups.size());
     for (const WorldGroup& group : log.groups)
       if (group.spawned > 0) shown_.push_back(static_cast<std::size_t>(&group - log.groups.data()));
     has_hits_ = std::ranges::any_of(log.hits, [](const auto& hits) { return !hits.empty(); });
@@ -69,7 +70,7 @@ class WorldPicture {
       for (const LoggedPath& path : log_.paths)
         if (path.group == g) paths += rows_of(path.points) + "\n";
       out += datablock("$path" + index, paths) + datablock("$impact" + index, rows_of(log_.impacts[g])) +
-             datablock("$hit" + index, rows_of(log_.hits[g]));
+             datablock("$hit" + index, rows_of(log_.hits[g])) + datablock("$alive" + index, rows_of(log_.alive[g]));
     }
     return out;
   }
@@ -77,7 +78,7 @@ class WorldPicture {
   [[nodiscard]] Extent extent_of(Axis axis) const {
     Extent bounds;
     for (const LoggedPath& path : log_.paths) add(path.points, axis, bounds);
-    for (const auto* list : {&log_.impacts, &log_.hits})
+    for (const auto* list : {&log_.impacts, &log_.hits, &log_.alive})
       for (const auto& points : *list) add(points, axis, bounds);
     if (axis == &Vec3d::y && has_ground()) bounds.add(log_.scenario.world.def.ground.height);
     return bounds.or_zero();
@@ -96,9 +97,16 @@ class WorldPicture {
     PHYSIM_ASSERT(found != shown_.end());
     return static_cast<std::size_t>(found - shown_.begin());
   }
-  // A shot's own colour where it has one.
+  // An emitter's particles have the colour that the scenario gives them at their start, others that of their shot.
+  [[nodiscard]] std::uint32_t own_colour(const WorldGroup& group) const {
+    const auto& emitters = log_.scenario.emitters;
+    const auto fires = std::ranges::find(emitters, group.name, [](const auto& emitter) { return emitter.def.name; });
+    if (!group.emitter || fires == emitters.end()) return log_.scenario.shots[group.shot].body.colour;
+    return fires->def.start.colour.colour;
+  }
+  // A group's own colour where it has one.
   [[nodiscard]] std::string colour(std::size_t group) const {
-    const std::uint32_t own = log_.scenario.shots[log_.groups[group].shot].body.colour;
+    const std::uint32_t own = own_colour(log_.groups[group]);
     if (own == kNoColour) return std::string(kPalette[place_of(group) % kPalette.size()]);
     char text[8];
     std::snprintf(text, sizeof text, "#%06x", own >> 8);
@@ -160,9 +168,10 @@ class WorldPicture {
       if (with_paths && std::ranges::count(log_.paths, g, &LoggedPath::group) > 0)
         add("path", g, "lines" + path_style(g));
     for (const std::size_t g : shown_) {
-      const std::size_t impacts = log_.impacts[g].size(), hits = log_.hits[g].size();
+      const std::size_t impacts = log_.impacts[g].size(), hits = log_.hits[g].size(), alive = log_.alive[g].size();
       if (with_impacts && impacts > 0) add("impact", g, "points" + mark_style(g, impacts));
       if (hits > 0) add("hit", g, "points" + mark_style(g, hits));
+      if (with_paths && alive > 0) add("alive", g, "points" + mark_style(g, alive));
     }
     return out.empty() ? "plot NaN notitle\n" : out + "\n";
   }
