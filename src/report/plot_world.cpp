@@ -44,6 +44,7 @@ class WorldPicture {
     PHYSIM_ASSERT(log.alive.size() == log.groups.size());
     for (const WorldGroup& group : log.groups)
       if (group.spawned > 0) shown_.push_back(static_cast<std::size_t>(&group - log.groups.data()));
+    colours_ = colours();
     has_hits_ = std::ranges::any_of(log.hits, [](const auto& hits) { return !hits.empty(); });
   }
 
@@ -104,14 +105,33 @@ class WorldPicture {
     if (!group.emitter || fires == emitters.end()) return log_.scenario.shots[group.shot].body.colour;
     return fires->def.start.colour.colour;
   }
-  // A group's own colour where it has one.
-  [[nodiscard]] std::string colour(std::size_t group) const {
-    const std::uint32_t own = own_colour(log_.groups[group]);
-    if (own == kNoColour) return std::string(kPalette[place_of(group) % kPalette.size()]);
-    char text[8];
-    std::snprintf(text, sizeof text, "#%06x", own >> 8);
-    return text;
+  // Colours of the groups that are shown: their own, where they have one; others have that of their place, or the first
+  // that is left where another group has it.
+  [[nodiscard]] std::vector<std::string> colours() const {
+    std::vector<std::string> list(shown_.size());
+    const auto give_those_left = [&](const auto& wanted) {
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (std::string colour = list[i].empty() ? wanted(i) : ""; !colour.empty()) list[i] = std::move(colour);
+    };
+    const auto if_free = [&](std::string_view colour) {
+      return std::ranges::count(list, colour) == 0 ? std::string(colour) : std::string();
+    };
+    give_those_left([&](std::size_t i) {
+      const std::uint32_t own = own_colour(log_.groups[shown_[i]]);
+      char text[8] = "";
+      if (own != kNoColour) std::snprintf(text, sizeof text, "#%06X", own >> 8);
+      return std::string(text);
+    });
+    give_those_left([&](std::size_t i) { return i < kPalette.size() ? if_free(kPalette[i]) : ""; });
+    give_those_left([&](std::size_t) {
+      for (const std::string_view colour : kPalette)
+        if (std::string free = if_free(colour); !free.empty()) return free;
+      return std::string();
+    });
+    give_those_left([&](std::size_t i) { return std::string(kPalette[i % kPalette.size()]); });
+    return list;
   }
+  [[nodiscard]] const std::string& colour(std::size_t group) const { return colours_[place_of(group)]; }
   // Many paths let each other shine through.
   [[nodiscard]] std::string path_style(std::size_t group) const {
     const auto count = std::ranges::count(log_.paths, group, &LoggedPath::group);
@@ -201,7 +221,8 @@ class WorldPicture {
   }
 
   const WorldLog& log_;
-  std::vector<std::size_t> shown_;  // groups that fired
+  std::vector<std::size_t> shown_;    // groups that fired
+  std::vector<std::string> colours_;  // theirs
   bool has_hits_ = false;
 };
 

@@ -224,6 +224,16 @@ TEST(EmitterRun, GoesBackToASnapshot) {
   EXPECT_EQ(run.groups().at(0).counts, counts);
 }
 
+/// Particles of before the start are those of a cycle that was played.
+TEST(EmitterRun, CountsWhatWasWarmedUp) {
+  const Scenario scenario = parsed(kDrops, {"emitter.cycle={ duration = \"1 s\", prewarm = true }"});
+  const WorldRun run = WorldRun::create(scenario).value();
+  const WorldGroup jet = run.groups().at(0);
+  EXPECT_EQ(jet.counts.born, 10u);
+  EXPECT_EQ(jet.alive, 10u);
+  for (const ProjectileId id : run.world().ids()) EXPECT_TRUE(run.launched(id)) << "it is somebody's";
+}
+
 TEST(EmitterRun, AnExpectationOfEmittersNeedsOne) {
   WorldGroup group;
   group.name = "gun";
