@@ -122,7 +122,7 @@ class EmitterBirths {
     const double from = context_.time, to = all_[index].def().follows ? s_.followed[index]->to : end_;
     return from + (to - from) * std::max(left / way, 0.0);
   }
-  /// Of this step, straight from its start to its end [m].
+  /// The way of this step, straight from its start to its end [m].
   [[nodiscard]] double way_of(std::uint32_t index) const {
     const Emitter& e = all_[index];
     if (e.def().follows) {

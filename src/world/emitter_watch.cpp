@@ -186,7 +186,7 @@ void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time)
   all_.leave(index, &EmitterCounts::aged);
   w_.remove(index, LifeStatus::expired);
 }
-/// Of one that was flown alone: what it told, and what follows from it. Whether it left.
+/// Takes what one told that was flown alone, and what follows from it; whether it left.
 bool EmitterWatch::tell_chunk() {
   Chunk& chunk = s_.chunk;
   watch(chunk);

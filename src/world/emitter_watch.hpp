@@ -10,7 +10,7 @@ namespace physim {
 
 class EmitterWatch {
  public:
-  /// Of a step that ends at `end` [s].
+  /// The step ends at `end` [s].
   EmitterWatch(WorldImpl& world, const SettleContext& context, double end);
 
   // ------------------------------------------------------------------------------------------- before the step
@@ -51,7 +51,7 @@ class EmitterWatch {
   bool fly_in_parts(std::uint32_t slot, double from, double to, bool is_birth);
   void count_from(const Slot& slot, double step);
   void expire(std::uint32_t slot, const BodyState& at, double time);
-  /// Of one that was flown alone: what it told, and what follows from it. Whether it left.
+  /// Takes what one told that was flown alone, and what follows from it; whether it left.
   bool tell_chunk();
 
   WorldImpl& w_;

@@ -407,10 +407,10 @@ TEST(Emitter, the_past_of_a_prewarmed_one_sets_off_too) {
     EmitterDef def = spray(kind_of(world, spark()), 0, 5);
     def.cycle.plays = false;
     const EmitterId marks = added(world, def);
-    def = spray(def.kind, 40, 0.51);
+    def = spray(def.kind, 40, 0.5071);
     def.cycle = {.duration = 2, .prewarm = prewarm};
     def.subs = {{.on = SubEvent::death, .emitter = marks, .count = {3}},
-                {.on = SubEvent::age, .emitter = marks, .age = 0.21},
+                {.on = SubEvent::age, .emitter = marks, .age = 0.2137},
                 {.on = SubEvent::birth, .emitter = marks}};
     added(world, def);
     return marks;
