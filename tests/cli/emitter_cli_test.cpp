@@ -113,6 +113,28 @@ TEST(CliEmitter, GoesOnFromASaveAndIsReplayed) {
   EXPECT_EQ(nlohmann::json::parse(replayed.out).at("hash"), "0x" + hash_of(whole));
 }
 
+/// An emitter that fires itself at every birth would never end: it is cut, and that is told.
+TEST(CliEmitter, WarnsOfWhatWasCut) {
+  const Folder folder;
+  const Ran ran = physim({"run", folder.write("e.toml", R"(physim = 1
+[[shot]]
+name = "dot"
+fidelity = { preset = "arcade", precision = "float64" }
+[[emitter]]
+name = "mirror"
+shot = "dot"
+sub = [{ emitter = "mirror", on = "birth" }]
+maximum = 100000
+[world]
+duration = "0.15 s"
+)")});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(
+      has(ran.err, "warning: 1 particles of \"mirror\" were not born: sub-emitters would have fired without end"))
+      << ran.err;
+  EXPECT_TRUE(has(ran.out, "  cut\n")) << ran.out;
+}
+
 TEST(CliEmitter, SaysWhereAFileIsWrong) {
   const Folder folder;
   const std::string file = folder.write("e.toml", kEmitters);

@@ -225,6 +225,17 @@ TEST(EmitterScenario, SaysNothingOfDefaults) {
   EXPECT_TRUE(scenario_text(read).ends_with("\n[[emitter]]\nname = \"a\"\nshot = \"shot-1\"\n")) << scenario_text(read);
 }
 
+/// Who adds an emitter and saves keeps the file as it was, with comments, and the emitter behind it.
+TEST(EmitterScenario, OneMoreIsWrittenBehindTheFile) {
+  const std::string text = "physim = 1\n[[shot]]  # a\n[world]  # b\n[[emitter]]  # c\nshot = \"shot-1\"\n";
+  Scenario now = parse_scenario(text, "f.toml").value();
+  now.emitters.push_back(now.emitters[0]);
+  now.emitters[1].def.name = "second";
+  now.emitters[1].def.start.speed = {4, 6};
+  EXPECT_EQ(revised_text(text, "f.toml", now),
+            text + "\n[[emitter]]\nname = \"second\"\nshot = \"shot-1\"\nstart = { speed = [\"4 m/s\", \"6 m/s\"] }\n");
+}
+
 TEST(EmitterScenario, TakesOverrides) {
   const std::vector<std::string> overrides = {
       "emitter.start.speed=12 m/s", "emitter.start.lifetime={ value = 2, curve = [[0, 1], [1, 0.5]] }",
