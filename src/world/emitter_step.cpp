@@ -12,9 +12,10 @@
 namespace physim {
 namespace {
 
-/// Births that lead to one another at one moment, and those of sub-emitters in one step: more are cut.
+/// Births that lead to one another at one moment, and those of all sub-emitters, or of one emitter by itself, in one
+/// step: more are cut.
 constexpr std::uint32_t kDeepest = 32;
-constexpr std::uint64_t kMostBirths = 1u << 22;
+constexpr std::uint32_t kMostBirths = 1u << 20;
 
 class EmitterBirths {
  public:
@@ -52,6 +53,7 @@ class EmitterBirths {
     while (!queue_.empty()) {
       const Firing firing = queue_.top();
       queue_.pop();
+      if (firing.rank != kSub && !all_[firing.emitter].plays) continue;
       if (firing.rank == kOwn) {
         Emitter& e = all_[firing.emitter];
         Timeline(*e.emission).take(e.timeline);
@@ -71,7 +73,8 @@ class EmitterBirths {
       e.plays = false;
       return;
     }
-    for (std::uint32_t i = 0; i < firing.moment.count; ++i) bear(firing, *pose, i);
+    const std::uint64_t cut = e.counts.cut;
+    for (std::uint32_t i = 0; i < firing.moment.count && e.counts.cut == cut; ++i) bear(firing, *pose, i);
   }
   [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t index, double time) const {
     const Emitter& e = all_[index];
@@ -109,9 +112,11 @@ class EmitterBirths {
     if (!e.active || !e.plays || !(e.def().per_metre > 0)) return;
     const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
     const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_moved(index, distance);
-    const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
+    const double rate = e.def().cycle.rate;
+    const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
     if (!time || *time < context_.time || *time > e.began + last / rate) return;
     const double own = (*time - e.began) * rate;
+    if (own < first) return;
     EmitMoment moment{.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own)};
     queue_.push({.time = *time, .emitter = index, .rank = kMetre, .moment = moment});
   }
@@ -195,9 +200,16 @@ class EmitterBirths {
     return true;
   }
 
+  /// One too many. An emitter that lets out so many by itself stops.
+  bool is_cut(const Firing& firing) {
+    if (firing.by) return depth_of(firing) > kDeepest || ++s_.births > kMostBirths;
+    if (++s_.own_births[firing.emitter] <= kMostBirths) return false;
+    all_[firing.emitter].plays = false;
+    return true;
+  }
   void bear(const Firing& firing, const Pose& pose, std::uint32_t of_moment) {
     Emitter& e = all_[firing.emitter];
-    if (firing.by && (depth_of(firing) > kDeepest || ++s_.births > kMostBirths)) return void(++e.counts.cut);
+    if (is_cut(firing)) return void(++e.counts.cut);
     const EmitMoment& m = firing.moment;
     const Birth birth{e.born++, m.time, m.phase, of_moment, m.count, m.is_round, m.round};
     if (!has_room(firing.emitter, firing.time)) return void(++e.counts.refused);
@@ -273,11 +285,12 @@ class EmitterBirths {
   void finish(std::uint32_t index) {
     Emitter& e = all_[index];
     if (!e.active) return;
-    if (!e.odometer) e.travelled += way_of(index);
+    const double rate = e.def().cycle.rate;
+    const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
+    if (!e.odometer && e.plays && e.began + first / rate < end_) e.travelled += way_of(index);
     if (e.to) e.at = *std::exchange(e.to, std::nullopt);
     if (e.def().follows && !w_.find(e.def().follows)) e.plays = false;
-    const double last = Timeline(*e.emission).span(e.timeline.play).second;
-    if (e.plays && e.began + last / e.def().cycle.rate <= end_) e.plays = false;
+    if (e.plays && e.began + last / rate <= end_) e.plays = false;
     if (!e.plays && e.def().cycle.stop == StopAction::remove && e.plays_before > 0 && e.counts.alive == 0)
       all_.erase(index);
   }

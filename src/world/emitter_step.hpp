@@ -36,7 +36,8 @@ struct EmitterScratch {
   std::vector<EmitterTrigger> triggers;
   std::vector<Departure> departures;              // of particles, in the step at hand
   std::vector<std::optional<Followed>> followed;  // by emitter
-  std::uint64_t births = 0;                       // by sub-emitters, in the step at hand
+  std::uint32_t births = 0;                       // by sub-emitters, in the step at hand
+  std::vector<std::uint32_t> own_births;          // of each emitter by itself, in the step at hand
   Chunk chunk;
 };
 

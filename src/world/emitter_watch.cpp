@@ -51,6 +51,7 @@ EmitterWatch::EmitterWatch(WorldImpl& world, const SettleContext& context, doubl
 // ------------------------------------------------------------------------------------------- before the step
 void EmitterWatch::note_followed() {
   s_.followed.assign(all_.size(), std::nullopt);
+  s_.own_births.assign(all_.size(), 0);
   for (std::uint32_t i = 1; i < all_.size(); ++i) {
     if (!all_[i].active || !all_[i].def().follows) continue;
     const Slot* slot = w_.find(all_[i].def().follows);
