@@ -154,9 +154,13 @@ Result<int> run_flights(const RunOptions& options, Scenario scenario, std::optio
 
 void warn_of_refusals(const std::vector<WorldGroup>& groups) {
   for (const WorldGroup& group : groups)
-    if (group.refused > 0)
+    if (group.refused > 0 && !group.emitter)  // an emitter has a maximum, and its own table says what it refused
       print_warning(std::to_string(group.refused) + " launches of \"" + one_line(group.name) +
                     "\" were refused: " + group.refusal);
+  for (const WorldGroup& group : groups)
+    if (group.counts.cut > 0)
+      print_warning(std::to_string(group.counts.cut) + " particles of \"" + one_line(group.name) +
+                    "\" were not born: sub-emitters would have fired without end");
 }
 
 /// When a run is to be saved.

@@ -73,7 +73,7 @@ struct Event {
   Crossing direction = Crossing::falling;  ///< of a quantity that crossed a value [-]
   Reason reason = Reason::none;            ///< of expired and retired [-]
   ProjectileId id{};                       ///< in a world [-]
-  double value = 0;                        ///< that a quantity crossed, or a depth [unit of the kind]
+  double value = 0;                        ///< crossed, a depth, or of spawned its emitter's index [unit of the kind]
   double time = 0;                         ///< in a flight since launch, in a world of the world [s]
   Vec3d position{};                        ///< [m]
   Vec3d velocity{};                        ///< [m/s]

@@ -65,23 +65,24 @@ struct Expectation {
 
 /// A whole scenario.
 struct Scenario {
-  std::string file{};                   ///< path it was read from [-]
-  std::string title{};                  ///< [-]
-  std::string source{};                 ///< where its figures come from [-]
-  Environment environment{};            ///< [-]
-  Tolerance tolerance{};                ///< [-]
-  Until until{};                        ///< [-]
-  std::vector<double> ranges{};         ///< of the range card [m]
-  ScenarioTarget target{};              ///< [-]
-  std::vector<ScenarioShot> shots{};    ///< [-]
-  ScenarioWorld world{};                ///< [-]
-  std::vector<Volley> volleys{};        ///< [-]
-  std::vector<ScenarioForce> forces{};  ///< [-]
-  std::vector<Material> materials{};    ///< [-]
-  std::vector<ScenarioShape> shapes{};  ///< [-]
-  std::vector<ScenarioThing> things{};  ///< [-]
-  std::vector<Expectation> expect{};    ///< [-]
-  ScenarioStudy study{};                ///< [-]
+  std::string file{};                       ///< path it was read from [-]
+  std::string title{};                      ///< [-]
+  std::string source{};                     ///< where its figures come from [-]
+  Environment environment{};                ///< [-]
+  Tolerance tolerance{};                    ///< [-]
+  Until until{};                            ///< [-]
+  std::vector<double> ranges{};             ///< of the range card [m]
+  ScenarioTarget target{};                  ///< [-]
+  std::vector<ScenarioShot> shots{};        ///< [-]
+  ScenarioWorld world{};                    ///< [-]
+  std::vector<Volley> volleys{};            ///< [-]
+  std::vector<ScenarioForce> forces{};      ///< [-]
+  std::vector<ScenarioEmitter> emitters{};  ///< [-]
+  std::vector<Material> materials{};        ///< [-]
+  std::vector<ScenarioShape> shapes{};      ///< [-]
+  std::vector<ScenarioThing> things{};      ///< [-]
+  std::vector<Expectation> expect{};        ///< [-]
+  ScenarioStudy study{};                    ///< [-]
 };
 
 /// Reads a scenario file. Each override is "path=value" as on the command line: "environment.gravity.model=off",
@@ -118,8 +119,10 @@ struct Scenario {
 
 /// One public setting, declared once. Files, overrides, docs, panels and error messages are made from this list.
 struct Setting {
-  std::string path{};                    ///< "shot.drag.ballistic_coefficient" [-]
-  std::string type{};                    ///< quantity, integer, boolean, text, choice, vector, points or list [-]
+  std::string path{};  ///< "shot.drag.ballistic_coefficient" [-]
+  /// quantity, integer, boolean, text, choice, vector, points, list, drawn (a number that emitters draw), colour (that
+  /// they draw) or gradient [-]
+  std::string type{};
   Quantity quantity = Quantity::number;  ///< of quantities, vectors and lists of numbers [-]
   std::string unit{};                    ///< SI unit, "" for none, "of the kind" where another setting decides [-]
   std::string default_value{};           ///< as typed in an override; "" where there is none [-]

@@ -6,23 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "physim/scenario_motion.hpp"
 #include "physim/scene.hpp"
 
 namespace physim {
 
 struct Scenario;
-
-/// How something is turned: about an axis, or by yaw, pitch and roll (quat_from_yaw_pitch_roll()), not by both.
-struct ScenarioRotation {
-  Vec3d axis{0, 1, 0};  ///< of any length but zero [-]
-  double angle = 0;     ///< about the axis, right-handed [rad]
-  double yaw = 0;       ///< of its x axis, to the right, first [rad]
-  double pitch = 0;     ///< of its x axis, up, second [rad]
-  double roll = 0;      ///< about its x axis, right side down, third [rad]
-
-  /// From its own frame to W.
-  [[nodiscard]] Quatd quaternion() const;
-};
 
 /// One [[shape]]. A compound, which no file can say, is none yet.
 struct ScenarioShape {
@@ -31,14 +20,6 @@ struct ScenarioShape {
   double low = 0;                    ///< height of black in a file of heights [m]
   double high = 1;                   ///< height of white in a file of heights [m]
   ShapeDef shape = CompoundShape{};  ///< [-]
-};
-
-/// Where a thing is at a time.
-struct ScenarioKey {
-  double time = 0;              ///< of the world [s]
-  Vec3d position{};             ///< [m]
-  ScenarioRotation rotation{};  ///< [-]
-  Vec3d velocity{};             ///< for MotionCurve::smooth [m/s]
 };
 
 /// One [[thing]] of the scene. It rests where nothing is said about its motion.

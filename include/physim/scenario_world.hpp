@@ -1,4 +1,5 @@
-// What a scenario with a [world] says beside its shots: the world, volleys and forces. Part of physim_scenario.
+// What a scenario with a [world] says beside its shots: the world, volleys, forces and emitters. Part of
+// physim_scenario.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "physim/emitter.hpp"
 #include "physim/forces.hpp"
 #include "physim/infinity.hpp"
+#include "physim/scenario_motion.hpp"
 #include "physim/world_def.hpp"
 
 namespace physim {
@@ -58,6 +61,23 @@ struct ScenarioForce {
   std::string other{};               ///< of a spring or bungee: the shot at its other end, fired once [-]
   double delay = 0;                  ///< before it starts [s]
   double duration = kInfinity;       ///< then it ends [s]
+};
+
+/// One of the `sub` of an [[emitter]].
+struct ScenarioSub {
+  std::string emitter{};  ///< name of the emitter that fires; another one or itself [-]
+  SubEmitter def{};       ///< but for the emitter [-]
+};
+
+/// One [[emitter]].
+struct ScenarioEmitter {
+  EmitterDef def{};                 ///< but for what the members below say, and for kind, launch and subs [-]
+  std::string shot{};               ///< name of the shot whose projectile, body, rail, attitude and spin it fires [-]
+  std::string tracer{};             ///< of a gun: name of the shot that every tracer_every-th round is; empty: none [-]
+  std::string follows{};            ///< name of a shot, fired once, that it sits on; empty: none [-]
+  ScenarioRotation rotation{};      ///< from its frame (x forward, y up, z right) to W [-]
+  ScenarioMotion motion{};          ///< [-]
+  std::vector<ScenarioSub> subs{};  ///< [-]
 };
 
 }  // namespace physim

@@ -42,13 +42,13 @@ struct ThingHits {
   Series depth{};                  ///< of what went in [m]
 };
 
-/// What became of all that one [[volley]] fired, or of one [[shot]] that was fired by itself.
+/// What became of all that one [[volley]] or [[emitter]] fired, or of one [[shot]] that was fired by itself.
 struct WorldGroup {
-  std::string name{};         ///< of the volley or shot [-]
-  std::size_t shot = 0;       ///< index in Scenario::shots [-]
+  std::string name{};         ///< of the volley, emitter or shot [-]
+  std::size_t shot = 0;       ///< index in Scenario::shots; of an emitter that of its kind, not of its tracers [-]
   KindId kind{};              ///< in the world [-]
   std::uint64_t spawned = 0;  ///< launched [-]
-  std::uint64_t refused = 0;  ///< not launched: a full pool or world [-]
+  std::uint64_t refused = 0;  ///< not launched: a full pool, emitter or world [-]
   std::string refusal{};      ///< why the first of these was not [-]
   std::uint64_t landed = 0;   ///< ended on the ground [-]
   std::uint64_t bounces = 0;  ///< off the ground, of all together [-]
@@ -67,6 +67,8 @@ struct WorldGroup {
   Vec3d position{};                   ///< mean of those alive at the end [m]
   Vec3d velocity{};                   ///< mean of those alive at the end [m/s]
   double mean_speed = 0;              ///< mean speed of those alive at the end [m/s]
+  EmitterId emitter{};                ///< in the world; none: it is a volley or shot [-]
+  EmitterCounts counts{};             ///< of the emitter, which also says what was born, refused, landed, expired [-]
 };
 
 /// Which launch a projectile was.

@@ -41,8 +41,10 @@ class WorldPicture {
   explicit WorldPicture(const WorldLog& log) : log_(log) {
     PHYSIM_ASSERT(log.impacts.size() == log.groups.size());
     PHYSIM_ASSERT(log.hits.size() == log.groups.size());
+    PHYSIM_ASSERT(log.alive.size() == log.groups.size());
     for (const WorldGroup& group : log.groups)
       if (group.spawned > 0) shown_.push_back(static_cast<std::size_t>(&group - log.groups.data()));
+    colours_ = colours();
     has_hits_ = std::ranges::any_of(log.hits, [](const auto& hits) { return !hits.empty(); });
   }
 
@@ -69,7 +71,7 @@ class WorldPicture {
       for (const LoggedPath& path : log_.paths)
         if (path.group == g) paths += rows_of(path.points) + "\n";
       out += datablock("$path" + index, paths) + datablock("$impact" + index, rows_of(log_.impacts[g])) +
-             datablock("$hit" + index, rows_of(log_.hits[g]));
+             datablock("$hit" + index, rows_of(log_.hits[g])) + datablock("$alive" + index, rows_of(log_.alive[g]));
     }
     return out;
   }
@@ -77,7 +79,7 @@ class WorldPicture {
   [[nodiscard]] Extent extent_of(Axis axis) const {
     Extent bounds;
     for (const LoggedPath& path : log_.paths) add(path.points, axis, bounds);
-    for (const auto* list : {&log_.impacts, &log_.hits})
+    for (const auto* list : {&log_.impacts, &log_.hits, &log_.alive})
       for (const auto& points : *list) add(points, axis, bounds);
     if (axis == &Vec3d::y && has_ground()) bounds.add(log_.scenario.world.def.ground.height);
     return bounds.or_zero();
@@ -96,14 +98,40 @@ class WorldPicture {
     PHYSIM_ASSERT(found != shown_.end());
     return static_cast<std::size_t>(found - shown_.begin());
   }
-  // A shot's own colour where it has one.
-  [[nodiscard]] std::string colour(std::size_t group) const {
-    const std::uint32_t own = log_.scenario.shots[log_.groups[group].shot].body.colour;
-    if (own == kNoColour) return std::string(kPalette[place_of(group) % kPalette.size()]);
-    char text[8];
-    std::snprintf(text, sizeof text, "#%06x", own >> 8);
-    return text;
+  // An emitter's particles have the colour that the scenario gives them at their start, others that of their shot.
+  [[nodiscard]] std::uint32_t own_colour(const WorldGroup& group) const {
+    const auto& emitters = log_.scenario.emitters;
+    const auto fires = std::ranges::find(emitters, group.name, [](const auto& emitter) { return emitter.def.name; });
+    if (!group.emitter || fires == emitters.end()) return log_.scenario.shots[group.shot].body.colour;
+    return fires->def.start.colour.colour;
   }
+  // Colours of the groups that are shown: their own, where they have one; others have that of their place, or the first
+  // that is left where another group has it.
+  [[nodiscard]] std::vector<std::string> colours() const {
+    std::vector<std::string> list(shown_.size());
+    const auto give_those_left = [&](const auto& wanted) {
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (std::string colour = list[i].empty() ? wanted(i) : ""; !colour.empty()) list[i] = std::move(colour);
+    };
+    const auto if_free = [&](std::string_view colour) {
+      return std::ranges::count(list, colour) == 0 ? std::string(colour) : std::string();
+    };
+    give_those_left([&](std::size_t i) {
+      const std::uint32_t own = own_colour(log_.groups[shown_[i]]);
+      char text[8] = "";
+      if (own != kNoColour) std::snprintf(text, sizeof text, "#%06X", own >> 8);
+      return std::string(text);
+    });
+    give_those_left([&](std::size_t i) { return i < kPalette.size() ? if_free(kPalette[i]) : ""; });
+    give_those_left([&](std::size_t) {
+      for (const std::string_view colour : kPalette)
+        if (std::string free = if_free(colour); !free.empty()) return free;
+      return std::string();
+    });
+    give_those_left([&](std::size_t i) { return std::string(kPalette[i % kPalette.size()]); });
+    return list;
+  }
+  [[nodiscard]] const std::string& colour(std::size_t group) const { return colours_[place_of(group)]; }
   // Many paths let each other shine through.
   [[nodiscard]] std::string path_style(std::size_t group) const {
     const auto count = std::ranges::count(log_.paths, group, &LoggedPath::group);
@@ -160,9 +188,10 @@ class WorldPicture {
       if (with_paths && std::ranges::count(log_.paths, g, &LoggedPath::group) > 0)
         add("path", g, "lines" + path_style(g));
     for (const std::size_t g : shown_) {
-      const std::size_t impacts = log_.impacts[g].size(), hits = log_.hits[g].size();
+      const std::size_t impacts = log_.impacts[g].size(), hits = log_.hits[g].size(), alive = log_.alive[g].size();
       if (with_impacts && impacts > 0) add("impact", g, "points" + mark_style(g, impacts));
       if (hits > 0) add("hit", g, "points" + mark_style(g, hits));
+      if (with_paths && alive > 0) add("alive", g, "points" + mark_style(g, alive));
     }
     return out.empty() ? "plot NaN notitle\n" : out + "\n";
   }
@@ -192,7 +221,8 @@ class WorldPicture {
   }
 
   const WorldLog& log_;
-  std::vector<std::size_t> shown_;  // groups that fired
+  std::vector<std::size_t> shown_;    // groups that fired
+  std::vector<std::string> colours_;  // theirs
   bool has_hits_ = false;
 };
 

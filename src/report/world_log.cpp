@@ -14,14 +14,21 @@
 #include "report/table.hpp"
 #include "report/trajectory.hpp"
 #include "report/world_hits.hpp"
+#include "scenario/expectation.hpp"
 
 namespace physim::report {
 namespace {
 
 constexpr std::uint64_t kSamplesOfRun = 200;  // over the run
 constexpr std::uint64_t kPathPoints = 900;    // over the run, of each path
-constexpr std::size_t kMostPaths = 400;       // of all groups together
-constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn
+constexpr std::size_t kMostPaths = 400;       // of all groups together, evenly out of their launches
+constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn; and of those alive at the end
+
+bool asks_about(const Expectation& expectation, const WorldGroup& group) {
+  const physim::Figure* figure = find_figure(expectation.quantity);
+  if (figure != nullptr && figure->is_of_emitters && !group.emitter) return false;
+  return expectation.shot.empty() || expectation.shot == group.name;
+}
 
 class Logger {
  public:
@@ -33,7 +40,9 @@ class Logger {
     met_.resize(groups);
     log_.impacts.resize(groups);
     log_.hits.resize(groups);
-    paths_left_.assign(groups, std::max<std::size_t>(kMostPaths / std::max<std::size_t>(groups, 1), 1));
+    log_.alive.resize(groups);
+    drawn_.resize(groups);
+    most_drawn_ = std::max<std::size_t>(kMostPaths / std::max<std::size_t>(groups, 1), 2);
     const double dt = run.scenario().world.def.step;
     const auto asked = static_cast<std::uint64_t>(std::llround(std::min(options.interval.value_or(0) / dt, 1e15)));
     sample_every_ = std::max<std::uint64_t>(options.interval ? asked : log_.steps / kSamplesOfRun, 1);
@@ -71,14 +80,23 @@ class Logger {
     log_.hash = run_.world().hash();
     log_.counters = run_.world().counters();
     PHYSIM_ASSERT(log_.groups.size() == log_.hits.size());
+    if (options_.parts.paths) mark_alive();
+    std::erase_if(log_.paths, [](const LoggedPath& path) { return path.points.empty(); });
     for (const Expectation& expectation : log_.scenario.expect)
       for (const WorldGroup& group : log_.groups)
-        if (expectation.shot.empty() || expectation.shot == group.name)
+        if (asks_about(expectation, group))
           log_.checks.push_back(judged(expectation, group.name, measure(group, expectation)));
     return std::move(log_);
   }
 
  private:
+  /// Which launches of a group draw their path.
+  struct Drawn {
+    std::uint64_t launches = 0;          // so far
+    std::uint64_t every = 1;             // so manyth of them
+    std::vector<std::uint64_t> numbers;  // of those that do
+  };
+
   /// Those that a save brought along.
   void meet_all() {
     for (const ProjectileId id : run_.world().ids())
@@ -118,11 +136,40 @@ class Logger {
       log_.in_use[group] = run_.world()[spawned.event.id].fidelity_in_use();
       met_[group] = true;
     }
-    if (!options_.parts.paths || paths_left_[group] == 0) return;
-    --paths_left_[group];
+    if (!options_.parts.paths) return;
+    Drawn& drawn = drawn_[group];
+    const bool is_due = drawn.launches++ % drawn.every == 0;
+    if (is_due && drawn.numbers.size() == most_drawn_) thin_out(drawn);
+    if ((drawn.launches - 1) % drawn.every != 0) return;
+    drawn.numbers.push_back(number);
     log_.paths.push_back({group, {}});
     path_.resize(number + 1);
     path_[number] = log_.paths.size();
+  }
+
+  /// Takes every second path of a group away, and draws every second one of those to come.
+  void thin_out(Drawn& drawn) {
+    drawn.every *= 2;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < drawn.numbers.size(); ++i) {
+      std::size_t& path = path_[drawn.numbers[i]];
+      PHYSIM_ASSERT(path > 0);
+      if (i % 2 == 0) {
+        drawn.numbers[kept++] = drawn.numbers[i];
+      } else {
+        log_.paths[path - 1].points = {};
+        path = 0;
+      }
+    }
+    drawn.numbers.resize(kept);
+  }
+
+  /// Where the particles of emitters are at the end.
+  void mark_alive() {
+    for (const ProjectileId id : run_.world().ids())
+      if (const auto launched = run_.launched(id); launched && log_.groups[launched->group].emitter)
+        if (auto& points = log_.alive[launched->group]; points.size() < kMostImpacts)
+          points.push_back(run_.world()[id].position());
   }
 
   void take(std::span<const RunEvent> events) {
@@ -173,9 +220,10 @@ class Logger {
   WorldRun& run_;
   const LogOptions& options_;
   WorldLog log_;
-  std::vector<std::size_t> path_;        // by number of the launch: 0 for none, or one more than its index
-  std::vector<std::size_t> paths_left_;  // by group
-  std::vector<bool> met_;                // groups
+  std::vector<std::size_t> path_;  // by number of the launch: 0 for none, or one more than its index
+  std::vector<Drawn> drawn_;       // by group
+  std::size_t most_drawn_ = 0;     // paths of each group
+  std::vector<bool> met_;          // groups
   std::uint64_t sample_every_ = 1, draw_every_ = 1;
   bool is_saved_ = false;
 };
@@ -186,29 +234,65 @@ constexpr int kTableIndent = 2;
 std::string hash_text(std::uint64_t value) { return hex(value).substr(2); }
 
 // -------------------------------------------------------------------------------------------------------- the summary
-using Count = std::uint64_t WorldGroup::*;
-constexpr std::pair<std::string_view, Count> kCounts[] = {
-    {"spawned", &WorldGroup::spawned}, {"refused", &WorldGroup::refused}, {"landed", &WorldGroup::landed},
-    {"hits", &WorldGroup::hits},       {"bounces", &WorldGroup::bounces}, {"slept", &WorldGroup::slept},
-    {"expired", &WorldGroup::expired}, {"retired", &WorldGroup::retired}, {"alive", &WorldGroup::alive}};
+struct CountColumn {
+  std::string_view name;
+  std::uint64_t (*of)(const WorldGroup&);
+  bool always = false;  // shown where it is zero everywhere, too
+};
+constexpr CountColumn kCounts[] = {
+    {"spawned", [](const WorldGroup& g) { return g.spawned; }, true},
+    {"refused", [](const WorldGroup& g) { return g.refused; }},
+    {"landed", [](const WorldGroup& g) { return g.landed; }},
+    {"hits", [](const WorldGroup& g) { return g.hits; }},
+    {"bounces", [](const WorldGroup& g) { return g.bounces; }},
+    {"slept", [](const WorldGroup& g) { return g.slept; }},
+    {"expired", [](const WorldGroup& g) { return g.expired; }},
+    {"retired", [](const WorldGroup& g) { return g.retired; }},
+    {"alive", [](const WorldGroup& g) { return g.alive; }, true},
+};
+
+// What emitters say of their particles, beside how often these hit and bounced.
+constexpr CountColumn kEmitterCounts[] = {
+    {"born", [](const WorldGroup& g) { return g.counts.born; }, true},
+    {"alive", [](const WorldGroup& g) { return std::uint64_t{g.counts.alive}; }, true},
+    {"refused", [](const WorldGroup& g) { return g.counts.refused; }},
+    {"aged", [](const WorldGroup& g) { return g.counts.aged; }},
+    {"landed", [](const WorldGroup& g) { return g.counts.landed; }},
+    {"expired", [](const WorldGroup& g) { return g.counts.expired; }},
+    {"replaced", [](const WorldGroup& g) { return g.counts.replaced; }},
+    {"taken", [](const WorldGroup& g) { return g.counts.taken; }},
+    {"cut", [](const WorldGroup& g) { return g.counts.cut; }},
+    {"hits", [](const WorldGroup& g) { return g.hits; }},
+    {"bounces", [](const WorldGroup& g) { return g.bounces; }},
+    {"slept", [](const WorldGroup& g) { return g.slept; }},
+};
 
 // Counts that are zero everywhere are left out.
-std::string counts_table(const std::vector<WorldGroup>& groups) {
-  std::vector<std::string> columns = {"what"};
-  std::vector<Count> shown;
-  for (const auto& [name, count] : kCounts) {
-    const bool always = count == &WorldGroup::spawned || count == &WorldGroup::alive;
-    if (!always && std::ranges::all_of(groups, [part = count](const WorldGroup& g) { return g.*part == 0; })) continue;
-    columns.emplace_back(name);
-    shown.push_back(count);
+std::string counts_table(const std::vector<WorldGroup>& all, bool of_emitters, std::span<const CountColumn> counts) {
+  std::vector<const WorldGroup*> groups;
+  for (const WorldGroup& group : all)
+    if (static_cast<bool>(group.emitter) == of_emitters) groups.push_back(&group);
+  std::vector<std::string> columns = {of_emitters ? "emitter" : "what"};
+  std::vector<CountColumn> shown;
+  for (const CountColumn& column : counts) {
+    const bool is_zero = std::ranges::all_of(groups, [&](const WorldGroup* g) { return column.of(*g) == 0; });
+    if (!column.always && is_zero) continue;
+    columns.emplace_back(column.name);
+    shown.push_back(column);
   }
   Table table(columns, "l");
-  for (const WorldGroup& group : groups) {
-    std::vector<std::string> row = {one_line(group.name)};
-    for (const Count count : shown) row.push_back(std::to_string(group.*count));
+  for (const WorldGroup* group : groups) {
+    std::vector<std::string> row = {one_line(group->name)};
+    for (const CountColumn& column : shown) row.push_back(std::to_string(column.of(*group)));
     table.add_row(std::move(row));
   }
-  return table.text(kTableIndent);
+  return table.empty() ? "" : table.text(kTableIndent);
+}
+
+/// What was fired by itself or in volleys, then what emitters fired.
+std::string counts_tables(const std::vector<WorldGroup>& groups) {
+  const std::string fired = counts_table(groups, false, kCounts), emitted = counts_table(groups, true, kEmitterCounts);
+  return fired + (fired.empty() || emitted.empty() ? "" : "\n") + emitted;
 }
 
 std::string below(const Table& table) { return table.empty() ? "" : "\n" + table.text(kTableIndent); }
@@ -293,7 +377,9 @@ Json group_json(const WorldLog& log, std::size_t index) {
   PHYSIM_ASSERT(g.shot < log.scenario.shots.size());
   PHYSIM_ASSERT(g.alive <= g.spawned);
   Json out = {{"name", g.name}, {"shot", log.scenario.shots[g.shot].projectile.name}};
-  for (const auto& [name, count] : kCounts) out[std::string(name)] = g.*count;
+  for (const CountColumn& column : kCounts) out[std::string(column.name)] = column.of(g);
+  if (g.emitter)
+    for (const CountColumn& column : kEmitterCounts) out["emitter"][std::string(column.name)] = column.of(g);
   out["impact_range [m]"] = series_json(g.range);
   out["impact_time [s]"] = series_json(g.time);
   out["impact_speed [m/s]"] = series_json(g.speed);
@@ -334,7 +420,7 @@ Result<WorldLog> run_world(const Scenario& scenario, const LogOptions& options, 
 std::string world_text(const WorldLog& log, const Style& style) {
   const double step = log.scenario.world.def.step;
   std::string out = style.bold(one_line(title_of(log.scenario))) + "\n\n";
-  out += counts_table(log.groups) + impacts_table(log.groups);
+  out += counts_tables(log.groups) + impacts_table(log.groups);
   if (log.scenario.world.wall) out += wall_table(log.groups, *log.scenario.world.wall);
   out += hits_table(hits_of(log));
   out += alive_table(log.groups, log.time) + fidelities(log, style);

@@ -70,6 +70,7 @@ struct WorldLog {
   std::vector<LoggedPath> paths;
   std::vector<std::vector<Vec3d>> impacts;  // by group
   std::vector<std::vector<Vec3d>> hits;     // by group
+  std::vector<std::vector<Vec3d>> alive;    // by group, where it is an emitter: those at the end
 };
 
 /// Runs a scenario that has a [world]. An error with the place "interval" where there are too many samples.

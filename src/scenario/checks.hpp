@@ -1,6 +1,8 @@
 // Checks that need more than one setting; of scenarios with a [world], what its tables cannot say about themselves.
 #pragma once
 
+#include <set>
+
 #include "physim/scenario.hpp"
 #include "scenario/document.hpp"
 
@@ -23,7 +25,22 @@ namespace physim {
 /// Default names, laws without numbers, and whether there is a world at all.
 void complete_world(Scenario& scenario, const Value& document);
 
-/// Names of what is counted together: volleys, and shots that are in none.
+/// Contradictions of [[emitter]]; the names of shots and volleys that are counted by themselves.
+[[nodiscard]] Status check_emitters(const Scenario& scenario, const Value& document,
+                                    std::vector<std::string_view> counted);
+
+/// Names of all shots.
+[[nodiscard]] std::vector<std::string_view> shot_names(const Scenario& scenario);
+[[nodiscard]] Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,
+                                     const std::string& place);
+/// ... of a shot that is fired by itself, so that there is one of it.
+[[nodiscard]] Status check_lone_shot(const Scenario& scenario, const std::string& name, const std::string& path,
+                                     const std::string& place);
+
+/// Names of shots that volleys or emitters fire; all others are fired once, at the start.
+[[nodiscard]] std::set<std::string_view> shots_of_others(const Scenario& scenario);
+
+/// Names of what is counted together: shots that are fired by themselves, volleys and emitters.
 [[nodiscard]] std::vector<std::string_view> group_names(const Scenario& scenario);
 
 }  // namespace physim

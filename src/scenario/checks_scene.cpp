@@ -5,6 +5,7 @@
 #include "base/assert.hpp"
 #include "physim/mesh_file.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/checks_motion.hpp"
 #include "scenario/expectation.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/scene_maker.hpp"
@@ -94,32 +95,8 @@ Status check_shape(const Value& table) {
   return {};
 }
 
-Status check_rotation(const std::string& path, const ScenarioRotation& rotation, const Value& table) {
-  const bool by_angles = rotation.yaw != 0 || rotation.pitch != 0 || rotation.roll != 0;
-  if (rotation.angle != 0 && by_angles)
-    return Error{path + ".rotation: given by an angle and by yaw, pitch and roll", place_of(table, {"rotation"}),
-                 "give one of them"};
-  if (rotation.axis == Vec3d{})
-    return Error{path + ".rotation.axis: it has no direction", place_of(table, {"rotation", "axis"}), ""};
-  return {};
-}
-
 Status check_thing(const ScenarioThing& thing, const Value& table) {
-  if (Status status = check_rotation("thing", thing.rotation, table); !status) return status;
-  for (std::size_t i = 0; i < thing.keys.size(); ++i)
-    if (Status status = check_rotation("thing.keys", thing.keys[i].rotation, element(table, "keys", i)); !status)
-      return status;
-  const ScenarioRotation& turned = thing.rotation;
-  const std::pair<std::string_view, bool> given[] = {
-      {"velocity", thing.velocity != Vec3d{}},
-      {"angular_velocity", thing.angular_velocity != Vec3d{}},
-      {"position", thing.position != Vec3d{}},
-      {"rotation", turned.angle != 0 || turned.yaw != 0 || turned.pitch != 0 || turned.roll != 0}};
-  for (const auto& [key, is_given] : given)
-    if (is_given && !thing.keys.empty())
-      return Error{"thing." + std::string(key) + ": given together with keys", place_of(table, {key}),
-                   "the keys say where it is and how it moves"};
-  return {};
+  return check_motion("thing", thing, thing.position, thing.rotation, table, table);
 }
 
 /// How many tables of a list the file has.

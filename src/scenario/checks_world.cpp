@@ -19,28 +19,16 @@ Error in_file(const Error& error, const std::string& path, const Value& where) {
           error.hint};
 }
 
-std::vector<std::string_view> shot_names(const Scenario& scenario) {
-  std::vector<std::string_view> names;
-  for (const ScenarioShot& shot : scenario.shots) names.push_back(shot.projectile.name);
-  return names;
-}
-
 bool is_in_volley(const Scenario& scenario, std::string_view shot) {
   return std::ranges::any_of(scenario.volleys, [&](const Volley& volley) { return volley.shot == shot; });
 }
 
-/// Shots that no volley fires.
+/// Shots that are fired by themselves.
 std::vector<std::string_view> lone_shots(const Scenario& scenario) {
+  const std::set<std::string_view> others = shots_of_others(scenario);
   std::vector<std::string_view> names = shot_names(scenario);
-  std::erase_if(names, [&](std::string_view name) { return is_in_volley(scenario, name); });
+  std::erase_if(names, [&](std::string_view name) { return others.contains(name); });
   return names;
-}
-
-Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,
-                       const std::string& place) {
-  const std::vector<std::string_view> names = shot_names(scenario);
-  if (std::ranges::count(names, name) > 0) return {};
-  return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names, "shots")};
 }
 
 Error needs_world(const std::string& path, const Value& value) {
@@ -151,10 +139,7 @@ std::vector<std::string_view> law_names() {
 
 Status check_other(const Scenario& scenario, const ScenarioForce& force, const Member& law) {
   const std::string path = "force." + law.key + ".other", place = place_of(law.value, {"other"});
-  if (Status status = check_shot_name(scenario, force.other, path, place); !status) return status;
-  if (!is_in_volley(scenario, force.other)) return {};
-  return Error{path + ": " + in_quotes(force.other) + " is fired by a volley", place,
-               "name a shot that no volley fires: there is one of it"};
+  return check_lone_shot(scenario, force.other, path, place);
 }
 
 Status check_force(const Scenario& scenario, const ScenarioForce& force, const Value& table) {
@@ -188,6 +173,13 @@ Status check_group_expectation(const Scenario& scenario, const Expectation& expe
   PHYSIM_ASSERT(figure != nullptr);  // the reader knows no others
   if (!expect.thing.empty())
     if (Status status = check_thing_expectation(scenario, expect, table); !status) return status;
+  const bool has_emitter = std::ranges::any_of(scenario.emitters, [&](const ScenarioEmitter& emitter) {
+    return expect.shot.empty() || emitter.def.name == expect.shot;
+  });
+  if (figure->is_of_emitters && !has_emitter)
+    return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of emitters",
+                 place_of(table, {"quantity"}),
+                 scenario.emitters.empty() ? "there is no [[emitter]]" : "name one as expect.shot"};
   if (figure->of_group == nullptr && figure->of_hits == nullptr)
     return Error{"expect.quantity: " + in_quotes(expect.quantity) + " is a figure of single flights",
                  place_of(table, {"quantity"}),
@@ -197,9 +189,42 @@ Status check_group_expectation(const Scenario& scenario, const Expectation& expe
 
 }  // namespace
 
+std::vector<std::string_view> shot_names(const Scenario& scenario) {
+  std::vector<std::string_view> names;
+  for (const ScenarioShot& shot : scenario.shots) names.push_back(shot.projectile.name);
+  return names;
+}
+
+Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,
+                       const std::string& place) {
+  const std::vector<std::string_view> names = shot_names(scenario);
+  if (std::ranges::count(names, name) > 0) return {};
+  return Error{path + ": no shot is named " + in_quotes(name), place, suggestion(name, names, "shots")};
+}
+
+Status check_lone_shot(const Scenario& scenario, const std::string& name, const std::string& path,
+                       const std::string& place) {
+  if (Status status = check_shot_name(scenario, name, path, place); !status) return status;
+  if (is_in_volley(scenario, name))
+    return Error{path + ": " + in_quotes(name) + " is fired by a volley", place,
+                 "name a shot that no volley fires: there is one of it"};
+  if (!shots_of_others(scenario).contains(name)) return {};
+  return Error{path + ": " + in_quotes(name) + " is fired by an emitter", place,
+               "name a shot that no emitter fires: there is one of it"};
+}
+
+std::set<std::string_view> shots_of_others(const Scenario& scenario) {
+  std::set<std::string_view> names;
+  for (const Volley& volley : scenario.volleys) names.insert(volley.shot);
+  for (const ScenarioEmitter& emitter : scenario.emitters) names.insert({emitter.shot, emitter.tracer});
+  names.erase("");  // no tracer
+  return names;
+}
+
 std::vector<std::string_view> group_names(const Scenario& scenario) {
   std::vector<std::string_view> names = lone_shots(scenario);
   for (const Volley& volley : scenario.volleys) names.push_back(volley.name);
+  for (const ScenarioEmitter& emitter : scenario.emitters) names.push_back(emitter.def.name);
   return names;
 }
 
@@ -207,6 +232,8 @@ void complete_world(Scenario& scenario, const Value& document) {
   scenario.world.given = document.find("world") != nullptr;
   for (std::size_t i = 0; i < scenario.volleys.size(); ++i)
     if (scenario.volleys[i].name.empty()) scenario.volleys[i].name = "volley-" + std::to_string(i + 1);
+  for (std::size_t i = 0; i < scenario.emitters.size(); ++i)
+    if (std::string& name = scenario.emitters[i].def.name; name.empty()) name = "emitter-" + std::to_string(i + 1);
   for (std::size_t i = 0; i < scenario.forces.size(); ++i) {
     ScenarioForce& force = scenario.forces[i];
     if (force.name.empty()) force.name = "force-" + std::to_string(i + 1);
@@ -235,6 +262,9 @@ Status check_world(const Scenario& scenario, const Value& document) {
   for (std::size_t i = 0; i < scenario.forces.size(); ++i)
     if (Status status = check_force(scenario, scenario.forces[i], element(document, "force", i)); !status)
       return status;
+  std::vector<std::string_view> counted = lone_shots(scenario);
+  for (const Volley& volley : scenario.volleys) counted.push_back(volley.name);
+  if (Status status = check_emitters(scenario, document, std::move(counted)); !status) return status;
   for (std::size_t i = 0; i < scenario.expect.size(); ++i)
     if (Status status = check_group_expectation(scenario, scenario.expect[i], element(document, "expect", i)); !status)
       return status;

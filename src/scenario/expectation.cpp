@@ -43,6 +43,15 @@ constexpr Figure of_hits(std::string_view name, Quantity quantity, OfHits measur
   return {name, quantity, nullptr, nullptr, nullptr, nullptr, measure};
 }
 
+/// A count that emitters alone have.
+template <std::uint64_t EmitterCounts::*count>
+Amount emitted(const WorldGroup& g) {
+  return g.emitter ? Amount(static_cast<double>(g.counts.*count)) : std::nullopt;
+}
+constexpr Figure of_emitters(std::string_view name, std::optional<double> (*measure)(const WorldGroup&)) {
+  return {name, Quantity::number, nullptr, nullptr, measure, nullptr, nullptr, true};
+}
+
 /// The number where rotation was flown.
 Amount flown(const Flight& flight, double value) {
   return turns(flight.fidelity_in_use().fidelity) ? Amount(value) : std::nullopt;
@@ -125,6 +134,12 @@ constexpr Figure kFigures[] = {
     of_hits("hit_speed_after", Quantity::speed, hits_part<&ThingHits::speed_after>),
     of_hits("hit_obliquity", Quantity::angle, hits_part<&ThingHits::obliquity>),
     of_hits("hit_depth", Quantity::length, hits_part<&ThingHits::depth>),
+    // Figures of emitters; refused, landed, expired and alive are those of groups.
+    of_emitters("born", emitted<&EmitterCounts::born>),
+    of_emitters("aged", emitted<&EmitterCounts::aged>),
+    of_emitters("replaced", emitted<&EmitterCounts::replaced>),
+    of_emitters("taken", emitted<&EmitterCounts::taken>),
+    of_emitters("cut", emitted<&EmitterCounts::cut>),
 };
 
 constexpr auto kFigureNames = [] {

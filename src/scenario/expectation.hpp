@@ -20,6 +20,7 @@ struct Figure {
   std::optional<double> (*of_group)(const WorldGroup&) = nullptr;                // nothing: nothing there to measure
   std::optional<double> (*of_rotation)(const Flight&, const Sample&) = nullptr;  // nothing: rotation was not flown
   std::optional<double> (*of_hits)(const ThingHits&) = nullptr;                  // nothing: nothing there to measure
+  bool is_of_emitters = false;                                                   // of groups, those that emitters fire
 
   [[nodiscard]] bool is_of_flights() const {
     return value != nullptr || place != nullptr || of_rotation != nullptr ||

@@ -90,6 +90,8 @@ Result<double> measure(const WorldGroup& group, const Expectation& expectation) 
   if (of_hits && figure->of_hits == nullptr)
     return Error{in_quotes(expectation.quantity) + " is no figure of hits", expectation.place,
                  suggestion(expectation.quantity, hit_figure_names(), "known are")};
+  if (figure->is_of_emitters && !group.emitter)
+    return Error{in_quotes(group.name) + " is no emitter", expectation.place, "name one as expect.shot"};
   const std::optional<double> value =
       of_hits ? figure->of_hits(hits_on(group, expectation.thing)) : figure->of_group(group);
   if (value) return *value;

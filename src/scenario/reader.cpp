@@ -5,20 +5,11 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "scenario/read_values.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
 namespace physim {
-namespace {
-
-constexpr std::size_t kMostRanges = 100'000;  // values in output.ranges
-
-/// What a number must be, and how its setting is called in messages.
-struct Wanted {
-  std::string_view path;
-  Quantity quantity;
-  Range range;
-};
 
 Error fault(std::string_view path, const Value& value, const std::string& message, const std::string& hint) {
   return {std::string(path) + ": " + message, value.place.text(), hint};
@@ -29,6 +20,10 @@ Error wrong_kind(std::string_view path, const Value& value, const std::string& w
 }
 
 // ------------------------------------------------------------------------------------------------------------- numbers
+namespace {
+
+constexpr std::size_t kMostRanges = 100'000;  // values in output.ranges
+
 Error out_of_range(const Wanted& wanted, const Value& value, double number) {
   if (!std::isfinite(number))
     return fault(wanted.path, value, shown(value) + " is not a finite number", expected(wanted.quantity));
@@ -39,7 +34,8 @@ Error out_of_range(const Wanted& wanted, const Value& value, double number) {
   return fault(wanted.path, value, shown(value) + " is out of range", hint);
 }
 
-/// A target is changed only where its value is good.
+}  // namespace
+
 Status read_number(const Wanted& wanted, const Value& value, double& target) {
   double number = 0;
   if (const auto* integer = value.get<std::int64_t>()) {
@@ -59,6 +55,8 @@ Status read_number(const Wanted& wanted, const Value& value, double& target) {
   target = number;
   return {};
 }
+
+namespace {
 
 Status read_vector(const Wanted& wanted, const Value& value, Vec3d& target) {
   const Array* array = value.get<Array>();
@@ -133,6 +131,8 @@ Status read_choice(const Entry& entry, const Value& value, const Choice& choice)
                suggestion(text ? *text : std::string{}, choice.names, "known values"));
 }
 
+}  // namespace
+
 // --------------------------------------------------------------------------------------------------------------- lists
 Status check_length(std::string_view path, const Value& value, std::size_t length, const Range& range) {
   if (range.contains(static_cast<double>(length))) return {};
@@ -142,7 +142,6 @@ Status check_length(std::string_view path, const Value& value, std::size_t lengt
       "allowed are " + range.text());
 }
 
-/// [[first, second], ...] with rising first numbers.
 Status read_points(const Entry& entry, const Value& value, const Points& points) {
   const std::string first(points.names[0]), second(points.names[1]);
   const std::string wanted = "points [[" + first + ", " + second + "], ...]";
@@ -155,7 +154,7 @@ Status read_points(const Entry& entry, const Value& value, const Points& points)
     if (pair == nullptr || pair->size() != 2) return fault(entry.path, point, "this is no point", "expected " + wanted);
     double xy[2];
     for (std::size_t i = 0; i < 2; ++i) {
-      const Wanted coordinate{entry.path, points.quantities[i], {.low = 0}};
+      const Wanted coordinate{entry.path, points.quantities[i], points.ranges[i]};
       if (Status status = read_number(coordinate, (*pair)[i], xy[i]); !status) return status;
     }
     if (!pairs.empty() && xy[0] <= pairs.back().first)
@@ -166,6 +165,8 @@ Status read_points(const Entry& entry, const Value& value, const Points& points)
   points.set(pairs);
   return {};
 }
+
+namespace {
 
 /// A number, or points at rising Mach numbers; the angle in square degrees.
 Status read_aero(const Entry& entry, const Value& value, AeroCoefficient& coefficient) {
@@ -360,6 +361,12 @@ Status read_setting(const SchemaNode& node, const Scope& scope, const Value& val
                           if (Status status = read_integer(entry, value, number); !status) return status;
                           return target.set(number), Status();
                         },
+                        [&](const OptionalInteger& target) -> Status {
+                          if (is_none(entry, value)) return target.set(std::nullopt), Status();
+                          std::int64_t number = 0;
+                          if (Status status = read_integer(entry, value, number); !status) return status;
+                          return target.set(number), Status();
+                        },
                         [&](bool* target) -> Status {
                           if (value.get<bool>() == nullptr) return wrong_kind(entry.path, value, "true or false");
                           return *target = *value.get<bool>(), Status();
@@ -369,6 +376,9 @@ Status read_setting(const SchemaNode& node, const Scope& scope, const Value& val
                         [&](const Reference& reference) { return read_reference(entry, value, reference); },
                         [&](const Points& points) { return read_points(entry, value, points); },
                         [&](AeroCoefficient* coefficient) { return read_aero(entry, value, *coefficient); },
+                        [&](DrawnNumber* number) { return read_drawn(wanted, value, *number); },
+                        [&](DrawnColour* colour) { return read_drawn(entry.path, value, *colour); },
+                        [&](Gradient* gradient) { return read_gradient(entry.path, value, *gradient); },
                         [&](std::vector<double>* list) { return read_numbers(wanted, value, *list); },
                         [&](std::vector<std::string>* list) { return read_texts(entry, value, *list); },
                         [&](std::vector<Vec3d>* list) { return read_vectors(wanted, value, *list); },

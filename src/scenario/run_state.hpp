@@ -16,7 +16,7 @@ struct Track {
   std::size_t hit = 0;  // its last one, in RunState::thing_hits of this step
 };
 
-/// What is still to be fired of a group.
+/// What is still to be fired of a group, but for those of emitters.
 struct Magazine {
   std::size_t group = 0;
   std::uint64_t fired = 0;

@@ -9,17 +9,6 @@
 namespace physim {
 namespace {
 
-SceneMotion motion_of(const ScenarioThing& thing) {
-  if (!thing.keys.empty()) {
-    KeyedMotion motion{.keys = {}, .curve = thing.curve};
-    for (const ScenarioKey& key : thing.keys)
-      motion.keys.push_back({key.time, key.position, key.rotation.quaternion(), key.velocity});
-    return motion;
-  }
-  if (thing.velocity == Vec3d{} && thing.angular_velocity == Vec3d{}) return AtRest{};
-  return SteadyMotion{thing.start, thing.velocity, thing.angular_velocity};
-}
-
 template <class Id>
 Result<Id> id_of(const std::map<std::string_view, Id>& ids, const std::string& name, const std::string& what,
                  std::span<const std::string_view> others) {

@@ -7,6 +7,19 @@
 
 namespace physim {
 
+/// The motion of what says it by the members of ScenarioMotion.
+template <class Moving>
+[[nodiscard]] SceneMotion motion_of(const Moving& moving) {
+  if (!moving.keys.empty()) {
+    KeyedMotion motion{.keys = {}, .curve = moving.curve};
+    for (const ScenarioKey& key : moving.keys)
+      motion.keys.push_back({key.time, key.position, key.rotation.quaternion(), key.velocity});
+    return motion;
+  }
+  if (moving.velocity == Vec3d{} && moving.angular_velocity == Vec3d{}) return AtRest{};
+  return SteadyMotion{moving.start, moving.velocity, moving.angular_velocity};
+}
+
 class SceneMaker {
  public:
   explicit SceneMaker(const Scenario& scenario) : scenario_(scenario) {}

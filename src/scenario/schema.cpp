@@ -39,16 +39,27 @@ void plant(SchemaNode& root, const Entry& entry) {
 }
 
 std::string type_of(const ValueRef& slot) {
-  return std::visit(
-      Overloaded{[](double*) { return "quantity"; }, [](const OptionalNumber&) { return "quantity"; },
-                 [](Vec3d*) { return "vector"; }, [](std::optional<Vec3d>*) { return "vector"; },
-                 [](const Integer&) { return "integer"; }, [](bool*) { return "boolean"; },
-                 [](std::string*) { return "text"; }, [](const Reference&) { return "text"; },
-                 [](const Choice&) { return "choice"; }, [](const Points&) { return "points"; },
-                 [](AeroCoefficient*) { return "points"; }, [](std::vector<double>*) { return "list"; },
-                 [](std::vector<std::string>*) { return "list"; }, [](std::vector<Vec3d>*) { return "list"; },
-                 [](std::vector<Triangle>*) { return "list"; }, [](const Records&) { return "list"; }},
-      slot);
+  return std::visit(Overloaded{[](double*) { return "quantity"; },
+                               [](const OptionalNumber&) { return "quantity"; },
+                               [](Vec3d*) { return "vector"; },
+                               [](std::optional<Vec3d>*) { return "vector"; },
+                               [](const Integer&) { return "integer"; },
+                               [](const OptionalInteger&) { return "integer"; },
+                               [](DrawnNumber*) { return "drawn"; },
+                               [](DrawnColour*) { return "colour"; },
+                               [](Gradient*) { return "gradient"; },
+                               [](bool*) { return "boolean"; },
+                               [](std::string*) { return "text"; },
+                               [](const Reference&) { return "text"; },
+                               [](const Choice&) { return "choice"; },
+                               [](const Points&) { return "points"; },
+                               [](AeroCoefficient*) { return "points"; },
+                               [](std::vector<double>*) { return "list"; },
+                               [](std::vector<std::string>*) { return "list"; },
+                               [](std::vector<Vec3d>*) { return "list"; },
+                               [](std::vector<Triangle>*) { return "list"; },
+                               [](const Records&) { return "list"; }},
+                    slot);
 }
 
 std::string range_of(const Entry& entry, const ValueRef& slot) {

@@ -40,11 +40,27 @@ struct Scope {
   ScenarioShape* shape = nullptr;
   ScenarioThing* thing = nullptr;
   ScenarioKey* key = nullptr;
+  ScenarioEmitter* emitter = nullptr;
+  Burst* burst = nullptr;
+  Barrel* barrel = nullptr;
+  ScenarioSub* sub = nullptr;
 
   /// All of them, to be found by what they point to.
   [[nodiscard]] auto pointers() {
     return with_members(*this, [](auto&... each) { return std::tie(each...); });
   }
+};
+
+/// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;   // low itself is out of range
+  bool infinite = false;   // infinity is in range
+  std::string_view words;  // instead of the text made from the numbers
+
+  [[nodiscard]] bool contains(double value) const;
+  [[nodiscard]] std::string text() const;  // "> 0", "0 .. 1", ""
 };
 
 /// A number that may be absent.
@@ -57,6 +73,12 @@ struct OptionalNumber {
 struct Integer {
   std::function<std::int64_t()> get;
   std::function<void(std::int64_t)> set;
+};
+
+/// A whole number that may be absent.
+struct OptionalInteger {
+  std::function<std::optional<std::int64_t>()> get;
+  std::function<void(std::optional<std::int64_t>)> set;
 };
 
 /// One of several names. Nothing: no name fits what is there (a fidelity that is no preset).
@@ -74,6 +96,7 @@ struct Points {
   Quantity quantities[2];
   std::function<Pairs()> get;
   std::function<void(const Pairs&)> set;
+  Range ranges[2] = {{.low = 0}, {.low = 0}};
 };
 
 /// A text that stands for what is read where it points to, and is not written again. An error without a place is one
@@ -93,21 +116,10 @@ struct Records {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Where a setting's value is, and of which type it is.
-using ValueRef = std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, Integer, bool*, std::string*,
-                              Reference, Choice, Points, AeroCoefficient*, std::vector<double>*,
-                              std::vector<std::string>*, std::vector<Vec3d>*, std::vector<Triangle>*, Records>;
-
-/// The values a number may have, or the lengths a list may have. Infinity only where the range asks for it.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;   // low itself is out of range
-  bool infinite = false;   // infinity is in range
-  std::string_view words;  // instead of the text made from the numbers
-
-  [[nodiscard]] bool contains(double value) const;
-  [[nodiscard]] std::string text() const;  // "> 0", "0 .. 1", ""
-};
+using ValueRef =
+    std::variant<double*, OptionalNumber, Vec3d*, std::optional<Vec3d>*, Integer, OptionalInteger, bool*, std::string*,
+                 Reference, Choice, Points, AeroCoefficient*, DrawnNumber*, DrawnColour*, Gradient*,
+                 std::vector<double>*, std::vector<std::string>*, std::vector<Vec3d>*, std::vector<Triangle>*, Records>;
 
 /// One setting.
 struct Entry {
@@ -149,7 +161,7 @@ struct SchemaNode {
 /// The node of a path; null where there is none.
 [[nodiscard]] const SchemaNode* find_node(std::string_view path);
 /// Lists of tables that only a scenario with a [world] has.
-inline constexpr std::string_view kWorldLists[] = {"volley", "force"};
+inline constexpr std::string_view kWorldLists[] = {"volley", "force", "emitter"};
 /// Lists of tables that say what there is to hit, in a [world] and for single flights.
 inline constexpr std::string_view kSceneLists[] = {"material", "shape", "thing"};
 /// Whether it, or something in it, says how a shot meets things.
@@ -168,7 +180,8 @@ class Defaults {
  private:
   std::int64_t format_ = 1;
   std::tuple<Scenario, ScenarioShot, Expectation, EventSpec, WindPoint, BallisticBand, MagnusPoint, PoolDef, DetailRung,
-             Volley, ScenarioForce, Thrust::Point, Material, ScenarioShape, ScenarioThing, ScenarioKey>
+             Volley, ScenarioForce, Thrust::Point, Material, ScenarioShape, ScenarioThing, ScenarioKey, ScenarioEmitter,
+             Burst, Barrel, ScenarioSub>
       objects_;  // in the order of Scope
 };
 

@@ -22,6 +22,9 @@ constexpr Range or_infinite(Range range) {
 inline constexpr Range kHalfTurn = {.low = -kRightAngle, .high = kRightAngle, .words = "-90 deg .. 90 deg"};
 inline constexpr Range kTurn = {.low = -4 * kRightAngle, .high = 4 * kRightAngle, .words = "-360 deg .. 360 deg"};
 inline constexpr Range kBits = {.low = 0, .high = 4294967295.0};
+inline constexpr Range kPart = {.low = 0, .high = 1};
+inline constexpr Range kCurveKeys = {.low = 0, .high = 10'000};  // of a curve or gradient of an emitter
+inline constexpr Range kBelowRightAngle = {.low = 0, .high = kRightAngle, .words = "0 .. 90 deg"};
 inline constexpr Range kToBothSides = {.low = 0, .high = 2 * kRightAngle, .words = "0 .. 180 deg"};
 
 // --------------------------------------------------------------------------------------------- slots from field types
@@ -50,6 +53,11 @@ inline ValueRef points_of(std::vector<ThrustPoint>& list) {
 inline ValueRef points_of(std::vector<PropellantPoint>& list) {
   return points(list, &PropellantPoint::time, &PropellantPoint::mass,
                 {{"time", "mass"}, {Quantity::time, Quantity::mass}, {}, {}});
+}
+inline ValueRef points_of(Curve& curve) {
+  return points(
+      curve, &CurveKey::at, &CurveKey::value,
+      {{"part of the span", "value"}, {Quantity::number, Quantity::number}, {}, {}, {{.low = 0, .high = 1}, {}}});
 }
 
 /// A list of tables; in the scope of an element, the pointer for its kind points to it.
@@ -82,6 +90,12 @@ ValueRef slot_of(const Scope& scope, T& value) {
     return slot;
   } else if constexpr (std::is_same_v<T, std::optional<double>>) {
     return OptionalNumber{[&value] { return value; }, [&value](std::optional<double> v) { value = v; }};
+  } else if constexpr (std::is_same_v<T, std::optional<std::uint64_t>>) {
+    return OptionalInteger{[&value] { return value ? std::optional(static_cast<std::int64_t>(*value)) : std::nullopt; },
+                           [&value](std::optional<std::int64_t> v) {
+                             PHYSIM_ASSERT(!v || *v >= 0);  // by the range of the setting
+                             value = v ? std::optional(static_cast<std::uint64_t>(*v)) : std::nullopt;
+                           }};
   } else if constexpr (std::is_constructible_v<ValueRef, T*>) {
     return &value;
   } else if constexpr (std::is_integral_v<T>) {
@@ -146,12 +160,25 @@ constexpr Entry setting(std::string_view path, ValueRef (*slot)(const Scope&), s
 #define PHYSIM_ROW(table, pointer, field, ...) setting(table "." #field, PHYSIM_FIELD(pointer->field), __VA_ARGS__)
 /// A row of what a scenario calls as its file does.
 #define PHYSIM_SCENARIO(field, ...) setting(#field, PHYSIM_FIELD(scenario->field), __VA_ARGS__)
+/// Rows of how something is turned (ScenarioRotation).
+#define PHYSIM_ROTATION(table, pointer)                                                                       \
+  PHYSIM_ROW(table, pointer, rotation.axis, "that it is turned about, instead of yaw, pitch and roll"),       \
+      PHYSIM_ROW(table, pointer, rotation.angle, "about the axis, right-handed", Quantity::angle, kTurn),     \
+      PHYSIM_ROW(table, pointer, rotation.yaw, "of its x axis, to the right, first", Quantity::angle, kTurn), \
+      PHYSIM_ROW(table, pointer, rotation.pitch, "of its x axis, up, second", Quantity::angle, kTurn),        \
+      PHYSIM_ROW(table, pointer, rotation.roll, "about its x axis, right side down, third", Quantity::angle, kTurn)
+/// Rows of where something is at a time (ScenarioKey).
+#define PHYSIM_KEYS(table)                                                                                   \
+  PHYSIM_ROW(table, key, time, "of the world; without one, since the launch", Quantity::time),               \
+      PHYSIM_ROW(table, key, position, "of its origin then", Quantity::length), PHYSIM_ROTATION(table, key), \
+      PHYSIM_ROW(table, key, velocity, "of its origin then, for curve = \"smooth\"", Quantity::speed)
 
 // ------------------------------------------------------------------------- parts of the list in files of their own
-[[nodiscard]] std::span<const Entry> shot_settings();   // [[shot]], but for [shot.body]
-[[nodiscard]] std::span<const Entry> world_settings();  // [shot.body], [world], [[volley]]
-[[nodiscard]] std::span<const Entry> force_settings();  // [[force]]
-[[nodiscard]] std::span<const Entry> scene_settings();  // [[material]], [[shape]], [[thing]]
-[[nodiscard]] std::span<const Entry> study_settings();  // [study]
+[[nodiscard]] std::span<const Entry> shot_settings();     // [[shot]], but for [shot.body]
+[[nodiscard]] std::span<const Entry> world_settings();    // [shot.body], [world], [[volley]]
+[[nodiscard]] std::span<const Entry> force_settings();    // [[force]]
+[[nodiscard]] std::span<const Entry> scene_settings();    // [[material]], [[shape]], [[thing]]
+[[nodiscard]] std::span<const Entry> emitter_settings();  // [[emitter]]
+[[nodiscard]] std::span<const Entry> study_settings();    // [study]
 
 }  // namespace physim

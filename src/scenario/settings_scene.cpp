@@ -144,16 +144,8 @@ ValueRef concrete_slot(const Scope& scope) {
       "shape.height_field." #field, [](const Scope& s) { return slot_of(s, shape_as<HeightFieldShape>(s).field); }, \
       __VA_ARGS__, WhereTrue{is_field_in_place})
 #define PHYSIM_THING(...) PHYSIM_ROW("thing", thing, __VA_ARGS__)
-#define PHYSIM_ROTATION(table, pointer)                                                                       \
-  PHYSIM_ROW(table, pointer, rotation.axis, "that it is turned about, instead of yaw, pitch and roll"),       \
-      PHYSIM_ROW(table, pointer, rotation.angle, "about the axis, right-handed", Quantity::angle, kTurn),     \
-      PHYSIM_ROW(table, pointer, rotation.yaw, "of its x axis, to the right, first", Quantity::angle, kTurn), \
-      PHYSIM_ROW(table, pointer, rotation.pitch, "of its x axis, up, second", Quantity::angle, kTurn),        \
-      PHYSIM_ROW(table, pointer, rotation.roll, "about its x axis, right side down, third", Quantity::angle, kTurn)
 
-constexpr Range kBelowRightAngle = {.low = 0, .high = kRightAngle, .words = "0 .. 90 deg"};
 constexpr Range kPoints = {.low = 0, .high = 1e6};  // of lists
-constexpr Range kPart = {.low = 0, .high = 1};
 
 constexpr Entry kSceneSettings[] = {
     setting("material", PHYSIM_FIELD(scenario->materials), "what things are made of", at_most(1000)),
@@ -246,10 +238,7 @@ constexpr Entry kSceneSettings[] = {
     PHYSIM_THING(velocity, "steady", Quantity::speed),
     PHYSIM_THING(angular_velocity, "steady, about its origin", Quantity::angular_rate),
     PHYSIM_THING(keys, "where it is at rising times, instead of a position and steady motion", at_most(10000)),
-    PHYSIM_ROW("thing.keys", key, time, "of the world; without one, since the launch", Quantity::time),
-    PHYSIM_ROW("thing.keys", key, position, "of its origin then", Quantity::length),
-    PHYSIM_ROTATION("thing.keys", key),
-    PHYSIM_ROW("thing.keys", key, velocity, "of its origin then, for curve = \"smooth\"", Quantity::speed),
+    PHYSIM_KEYS("thing.keys"),
     PHYSIM_THING(curve, "which way it takes from key to key"),
 };
 

@@ -112,7 +112,7 @@ constexpr Entry kWorldSettings[] = {
     PHYSIM_WORLD_DEF(max_steps, "of one frame in real time", between(1, 1000000)),
     PHYSIM_WORLD_DEF(time_scale, "in real time: so many times as fast", between(0, 1000)),
     setting("volley", PHYSIM_FIELD(scenario->volleys),
-            "shots fired many times; a shot of no volley is fired once, at the start", at_most(100000)),
+            "shots fired many times; a shot of no volley and no emitter is fired once, at the start", at_most(100000)),
     PHYSIM_VOLLEY(name, "in tables; default: volley-1, volley-2, ..."),
     PHYSIM_VOLLEY(shot, "name of the shot", kRequired),
     PHYSIM_VOLLEY(count, "launches", between(1, 1e8)),

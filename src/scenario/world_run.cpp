@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
@@ -11,28 +12,14 @@
 #include "model/force_laws.hpp"
 #include "model/sight.hpp"
 #include "physim/recording_file.hpp"
-#include "scenario/run_state.hpp"
+#include "scenario/checks.hpp"
 #include "scenario/scene_maker.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/thing_hits.hpp"
 #include "scenario/volley.hpp"
+#include "scenario/world_run_impl.hpp"
 
 namespace physim {
-namespace {
-
-Error with_place(Error error, const std::string& place) {
-  error.place = place + (error.place.empty() ? "" : ": " + error.place);
-  return error;
-}
-
-std::size_t index_of(const std::vector<ScenarioShot>& shots, const std::string& name) {
-  std::size_t i = 0;
-  while (i < shots.size() && shots[i].projectile.name != name) ++i;
-  PHYSIM_ASSERT(i < shots.size());  // names are checked when a scenario is read
-  return i;
-}
-
-}  // namespace
 
 void Series::add(double value) {
   const IeeeMode mode;
@@ -49,43 +36,28 @@ double Series::spread() const {
   return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0;
 }
 
-struct WorldRun::Impl : RunState {
-  Scenario scenario;
-  World world;
-  std::vector<MaterialId> materials;  // in the scene of the world
-  std::vector<Segment> segments;      // work space
-  std::vector<ProjectileId> stopped;  // work space
-
-  Impl(Scenario s, World w) : scenario(std::move(s)), world(std::move(w)) { lone.resize(scenario.shots.size()); }
-
-  Status load();
-  Status set_scene();
-  Status add_group(const std::string& name, std::size_t shot, const Volley& volley);
-  Status add_forces(bool to_shots);
-  Status add_force(const ScenarioForce& force);
-  void fire();
-  void fire(Magazine& magazine);
-  void look_at_wall(double dt);
-  void count(std::span<const Event> news);
-  void touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity);
-  void step();
-  [[nodiscard]] Track* track_of(ProjectileId id);
-};
-
 // ----------------------------------------------------------------------------------------------------------- loading
+std::string WorldRun::Impl::place_of_shot(std::size_t index) const {
+  return scenario.file + ": shot " + in_quotes(scenario.shots[index].projectile.name);
+}
+
 Status WorldRun::Impl::load() {
-  std::vector<bool> in_volley(scenario.shots.size());
-  for (const Volley& volley : scenario.volleys) in_volley[index_of(scenario.shots, volley.shot)] = true;
+  const std::set<std::string_view> of_others = shots_of_others(scenario);
   for (std::size_t i = 0; i < scenario.shots.size(); ++i)
-    if (!in_volley[i])
-      if (Status status = add_group(scenario.shots[i].projectile.name, i, Volley{}); !status) return status;
+    if (const std::string name = scenario.shots[i].projectile.name; !of_others.contains(name))
+      if (Status status = add_group(name, i, Volley{}); !status) return status;
   for (const Volley& volley : scenario.volleys)
     if (Status status = add_group(volley.name, index_of(scenario.shots, volley.shot), volley); !status) return status;
+  for (const ScenarioEmitter& emitter : scenario.emitters)
+    if (Status status = add_group(emitter.def.name, index_of(scenario.shots, emitter.shot)); !status) return status;
   world.set_observer(scenario.world.observer);
   if (Status status = set_scene(); !status) return status;
   // Springs to a shot need it to be there; all other forces are there first, so that what is fired knows of them.
   if (Status status = add_forces(false); !status) return status;
   fire();
+  const std::size_t known = world.events().size();
+  if (Status status = add_emitters(); !status) return status;
+  count(world.events().subspan(known));  // what they fired before the start
   is_loaded = true;
   return add_forces(true);
 }
@@ -106,23 +78,33 @@ Status WorldRun::Impl::add_forces(bool to_shots) {
   return {};
 }
 
-Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, const Volley& volley) {
+Result<KindId> WorldRun::Impl::kind_of(std::size_t index) {
   PHYSIM_ASSERT(index < scenario.shots.size());
   ScenarioShot& shot = scenario.shots[index];
-  const std::string place = scenario.file + ": shot " + in_quotes(shot.projectile.name);
   for (std::uint32_t i = 0; i < scenario.world.def.pools.size() && !shot.pool.empty(); ++i)
     if (scenario.world.def.pools[i].name == shot.pool) shot.body.pool = i;
+  shot.body.cheapest_within = shot.cheapest_within.value_or(0);
+  const Result<KindId> kind = world.add_kind(shot.projectile, shot.body);
+  return kind ? kind : with_place(kind.error(), place_of_shot(index));
+}
+
+Status WorldRun::Impl::add_group(const std::string& name, std::size_t index) {
   WorldGroup group;
   group.name = name;
   group.shot = index;
-  shot.body.cheapest_within = shot.cheapest_within.value_or(0);
-  const Result<KindId> kind = world.add_kind(shot.projectile, shot.body);
-  if (!kind) return with_place(kind.error(), place);
+  const Result<KindId> kind = kind_of(index);
+  if (!kind) return kind.error();
   group.kind = *kind;
-  const auto aimed = aimed_launch(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
-  if (!aimed) return with_place(aimed.error(), place);
-  magazines.push_back({groups.size(), 0, volley, *aimed});
   groups.push_back(std::move(group));
+  return {};
+}
+
+Status WorldRun::Impl::add_group(const std::string& name, std::size_t index, const Volley& volley) {
+  if (Status status = add_group(name, index); !status) return status;
+  const ScenarioShot& shot = scenario.shots[index];
+  const auto aimed = aimed_launch(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity);
+  if (!aimed) return with_place(aimed.error(), place_of_shot(index));
+  magazines.push_back({groups.size() - 1, 0, volley, *aimed});
   return {};
 }
 
@@ -184,8 +166,9 @@ void WorldRun::Impl::fire(Magazine& magazine) {
 
 // ----------------------------------------------------------------------------------------------------------- counting
 Track* WorldRun::Impl::track_of(ProjectileId id) {
-  const bool known = id.index < tracks.size() && tracks[id.index].generation == id.generation;
-  return known ? &tracks[id.index] : nullptr;
+  if (id.index < tracks.size() && tracks[id.index].generation == id.generation) return &tracks[id.index];
+  const auto gone = taken_over.find(id);
+  return gone != taken_over.end() ? &gone->second : nullptr;
 }
 
 void WorldRun::Impl::touch(Track& track, WorldGroup& group, double time, const Vec3d& position, const Vec3d& velocity) {
@@ -202,6 +185,7 @@ void WorldRun::Impl::count(std::span<const Event> news) {
   const SceneOfRun scene_of_run{&scenario, materials};
   for (const Event& event : news) {
     Track* track = track_of(event.id);
+    if (track == nullptr && event.kind == EventKind::spawned) track = adopt(event);
     if (track == nullptr) continue;
     PHYSIM_ASSERT(track->launched.group < groups.size());
     events.push_back({track->launched, event});
@@ -251,6 +235,7 @@ void WorldRun::Impl::count(std::span<const Event> news) {
       case EventKind::stopped: break;
     }
   }
+  taken_over.clear();
 }
 
 /// Between two steps a path is a parabola: straight, less the sag of its acceleration.
@@ -315,7 +300,7 @@ namespace {
 /// The hash of all that a run is made from.
 std::uint64_t hash_of_run(const Scenario& scenario) {
   std::uint64_t hash = hash_of(scenario.world.def, scenario.volleys, scenario.forces, scenario.materials,
-                               scenario.shapes, scenario.things);
+                               scenario.shapes, scenario.things, scenario.emitters);
   for (const ScenarioShot& shot : scenario.shots) hash = hash_of(hash, shot.projectile, shot.launch, shot.body);
   return hash;
 }
@@ -409,6 +394,14 @@ std::vector<WorldGroup> WorldRun::groups() const {
     group.position += (at.position - group.position) * part;
     group.velocity += (at.velocity - group.velocity) * part;
     group.mean_speed += (length(at.velocity) - group.mean_speed) * part;
+  }
+  for (WorldGroup& group : groups) {
+    if (!group.emitter) continue;
+    group.counts = impl_->world.emitter_counts(group.emitter);
+    group.spawned = group.counts.born;
+    group.refused = group.counts.refused;
+    group.landed = group.counts.landed;
+    group.expired = group.counts.expired;
   }
   return groups;
 }

@@ -1,6 +1,7 @@
 #include "scenario/writer.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <tuple>
 
 #include "base/assert.hpp"
@@ -95,6 +96,53 @@ std::string aero_value(const AeroCoefficient& coefficient) {
   });
 }
 
+// ------------------------------------------------------------------------------------------ what emitters draw
+std::string curve_value(const Curve& curve) {
+  return array_value(curve, [](const CurveKey& key) { return numbers_value({key.at, key.value}, Quantity::number); });
+}
+
+std::string colour_value(std::uint32_t colour, Style style) {
+  char text[10];
+  std::snprintf(text, sizeof text, (colour & 0xffU) == 0xffU ? "#%06x" : "#%08x",
+                (colour & 0xffU) == 0xffU ? colour >> 8 : colour);
+  return word(text, style);
+}
+
+std::string gradient_value(const Gradient& gradient) {
+  return array_value(gradient, [](const ColourKey& key) {
+    return "[" + number_text(key.at) + ", " + colour_value(key.colour, Style::whole) + "]";
+  });
+}
+
+/// One end, or two of them, or a table of ends and curves; `names` of its keys.
+std::string ends_value(const std::string (&ends)[2], const std::string (&curves)[2], const std::string_view (&names)[4],
+                       Style style, const std::string& plain) {
+  constexpr std::string_view kNone = "[]";
+  PHYSIM_ASSERT(!ends[0].empty());
+  const bool has_curves = curves[0] != kNone || curves[1] != kNone;
+  if (!has_curves && ends[1].empty()) return style == Style::plain ? plain : ends[0];
+  if (!has_curves) return "[" + ends[0] + ", " + ends[1] + "]";
+  std::string out = std::string(names[0]) + " = " + ends[0];
+  if (!ends[1].empty()) out += ", " + std::string(names[1]) + " = " + ends[1];
+  for (std::size_t i = 0; i < 2; ++i)
+    if (curves[i] != kNone) out += ", " + std::string(names[i + 2]) + " = " + curves[i];
+  return "{ " + out + " }";
+}
+
+std::string drawn_value(const DrawnNumber& x, Quantity quantity, Style style) {
+  const std::string to = x.to ? number_value(*x.to, quantity, Style::whole) : "";
+  return ends_value({number_value(x.value, quantity, Style::whole), to},
+                    {curve_value(x.curve), curve_value(x.to_curve)}, {"value", "to", "curve", "to_curve"}, style,
+                    number_value(x.value, quantity, Style::plain));
+}
+
+std::string drawn_value(const DrawnColour& x, Style style) {
+  const std::string to = x.to ? colour_value(*x.to, Style::whole) : "";
+  return ends_value({colour_value(x.colour, Style::whole), to},
+                    {gradient_value(x.gradient), gradient_value(x.to_gradient)},
+                    {"colour", "to", "gradient", "to_gradient"}, style, colour_value(x.colour, Style::plain));
+}
+
 std::optional<std::string> value_text(const Entry& entry, const Scope& scope, Style style);
 
 constexpr std::string_view kNothing = "{}";
@@ -150,6 +198,10 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                           return *value ? vector_value(**value, quantity) : absent(entry, style);
                         },
                         [&](const Integer& value) -> Text { return std::to_string(value.get()); },
+                        [&](const OptionalInteger& number) -> Text {
+                          const std::optional<std::int64_t> value = number.get();
+                          return value ? std::to_string(*value) : absent(entry, style);
+                        },
                         [&](const bool* value) -> Text { return *value ? "true" : "false"; },
                         [&](const std::string* value) -> Text { return text_value(*value, style); },
                         [&](const Choice& choice) -> Text {
@@ -160,6 +212,9 @@ std::optional<std::string> value_text(const Entry& entry, const Scope& scope, St
                         [](const Reference&) -> Text { return std::nullopt; },
                         [](const Points& points) -> Text { return points_value(points); },
                         [&](const AeroCoefficient* coefficient) -> Text { return aero_value(*coefficient); },
+                        [&](const DrawnNumber* number) -> Text { return drawn_value(*number, quantity, style); },
+                        [&](const DrawnColour* colour) -> Text { return drawn_value(*colour, style); },
+                        [](const Gradient* gradient) -> Text { return gradient_value(*gradient); },
                         [&](const std::vector<double>* list) -> Text { return numbers_value(*list, quantity); },
                         [&](const std::vector<std::string>* list) -> Text { return array_value(*list, toml_string); },
                         [&](const std::vector<Vec3d>* list) -> Text {

@@ -220,7 +220,8 @@ class EmitterBirths {
     }
     const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
     const Launch launch = launch_of(firing, pose, newborn);
-    const Result<ProjectileId> id = w_.spawn(kind, launch, {.moment = firing.time, .gravity = newborn.gravity});
+    const Result<ProjectileId> id =
+        w_.spawn(kind, launch, {.moment = firing.time, .gravity = newborn.gravity, .emitter = firing.emitter});
     if (!id) return void(++e.counts.refused);
     ++e.counts.born;
     Particle particle{.emitter = firing.emitter,

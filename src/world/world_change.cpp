@@ -19,11 +19,12 @@ Error not_finite(const char* place) { return {"must have three finite components
 
 }  // namespace
 
-void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::optional<double> moment) {
+void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::optional<double> moment, double value) {
   const BodyState at = state.state_of(state.slots[slot]);
   keep_event({.kind = kind,
               .reason = reason,
               .id = state.slots.id_of(slot),
+              .value = value,
               .time = moment.value_or(state.clock.time()),
               .position = at.position,
               .velocity = at.velocity});
@@ -51,7 +52,7 @@ void WorldImpl::forget_events() {
 }
 
 void WorldImpl::tell_launch(std::uint32_t index, const Coming& coming) {
-  tell(EventKind::spawned, index, Reason::none, coming.moment);
+  tell(EventKind::spawned, index, Reason::none, coming.moment, coming.emitter);
   const Kind& kind = registry.kind(state.slots[index].kind);
   const bool burns = registry.cohort(state.slots[index].cohort).conditions.has_motor && has_motor(kind.projectile);
   if (burns && coming.age == 0 && kind.projectile.motor.ignition_delay == 0)

@@ -21,6 +21,7 @@ struct Coming {
   double age = 0;                  // launched so long ago [s]
   std::optional<double> moment{};  // launched at that time, inside the step just taken [s]
   double gravity = 1;              // times that of its kind
+  std::uint32_t emitter = 0;       // index of who fired it; 0: no emitter
 };
 
 struct WorldImpl : Gate {
@@ -82,7 +83,8 @@ struct WorldImpl : Gate {
 
   // ------------------------------------------------------------------------------------------- changes
   /// Now, or at a time inside of the step just taken [s].
-  void tell(EventKind kind, std::uint32_t slot, Reason reason = Reason::none, std::optional<double> moment = {});
+  void tell(EventKind kind, std::uint32_t slot, Reason reason = Reason::none, std::optional<double> moment = {},
+            double value = 0);
   /// Keeps an event; those that were given out stay where they are.
   void keep_event(const Event& event);
   void make_room_for_events(std::size_t count);

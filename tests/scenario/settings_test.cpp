@@ -71,8 +71,19 @@ std::string scene_for(const std::string& path) {
          (path == "shape" ? "" : "[[thing]]\nshape = \"shape-1\"\n" + keys) + "[[force]]\n";
 }
 
+/// An emitter with the list that a setting belongs to.
+std::string emitter_for(const std::string& path) {
+  const auto is_in = [&path](const std::string& list) { return path.starts_with("emitter." + list + "."); };
+  const std::string inside = is_in("motion.keys")   ? "motion = { keys = [{}] }\n"
+                             : is_in("bursts")      ? "bursts = [{}]\n"
+                             : is_in("gun.barrels") ? "gun = { barrels = [{}] }\n"
+                             : is_in("sub")         ? "sub = [{ emitter = \"emitter-1\" }]\n"
+                                                    : "";
+  return path == "emitter" ? "" : "[[emitter]]\nshot = \"shot-1\"\n" + inside;
+}
+
 bool is_of_worlds(const std::string& path) {
-  for (const char* table : {"world", "volley", "force", "material", "shape", "thing", "shot.body"})
+  for (const char* table : {"world", "volley", "force", "emitter", "material", "shape", "thing", "shot.body"})
     if (path == table || path.starts_with(std::string(table) + ".")) return true;
   return false;
 }
@@ -92,8 +103,9 @@ std::string law_of(const std::string& path) {
 
 Result<Scenario> with_override(const std::string& path, const std::string& value) {
   const std::vector<std::string> overrides = {path + "=" + value};
-  return parse_scenario(is_of_worlds(path) ? kOneOfEachInAWorld + scene_for(path) + law_of(path) : kOneOfEach, "f.toml",
-                        overrides);
+  return parse_scenario(
+      is_of_worlds(path) ? kOneOfEachInAWorld + emitter_for(path) + scene_for(path) + law_of(path) : kOneOfEach,
+      "f.toml", overrides);
 }
 
 TEST(Settings, AreDescribed) {
@@ -177,12 +189,13 @@ TEST(Settings, AreAllReachableByAnOverride) {
 TEST(Settings, RefuseWhatIsOutOfRange) {
   int checked = 0;
   for (const Setting& setting : settings()) {
-    if (setting.type != "quantity") continue;
+    if (setting.type != "quantity" && setting.type != "drawn") continue;
     EXPECT_FALSE(with_override(setting.path, "nan").ok()) << setting.path;
-    constexpr std::string_view kTakeInfinity[] = {
-        "shot.force_duration",        "tolerance.max_step",      "shot.body.despawn.below",
-        "shot.body.despawn.farther",  "shot.body.despawn.older", "world.detail.rungs.within",
-        "world.detail.rungs.younger", "force.duration",          "shot.magnus.decay_time"};
+    constexpr std::string_view kTakeInfinity[] = {"shot.force_duration",        "tolerance.max_step",
+                                                  "shot.body.despawn.below",    "shot.body.despawn.farther",
+                                                  "shot.body.despawn.older",    "world.detail.rungs.within",
+                                                  "world.detail.rungs.younger", "force.duration",
+                                                  "shot.magnus.decay_time",     "emitter.start.lifetime"};
     const bool takes_infinity = std::ranges::count(kTakeInfinity, setting.path) > 0;
     EXPECT_EQ(with_override(setting.path, "inf").ok(), takes_infinity) << setting.path;
     if (setting.range.empty()) continue;

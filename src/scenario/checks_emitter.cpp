@@ -1,0 +1,115 @@
+// Checks of [[emitter]]: what it names is there, and its definition makes sense, told with its line.
+#include <algorithm>
+#include <charconv>
+
+#include "base/assert.hpp"
+#include "emit/emission.hpp"
+#include "scenario/checks.hpp"
+#include "scenario/checks_motion.hpp"
+#include "scenario/emitter_maker.hpp"
+#include "scenario/scene_maker.hpp"
+#include "scenario/suggest.hpp"
+
+namespace physim {
+namespace {
+
+/// Where the library's place "emitter.bursts[1].count" stands in a file; where it does not, what is around it.
+const Value& value_at(const Value& table, std::string_view path) {
+  const Value* value = &table;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find('.')), key = part.substr(0, part.find('['));
+    path.remove_prefix(std::min(part.size() + 1, path.size()));
+    const Value* next = value->find(key);
+    if (next == nullptr) break;
+    value = next;
+    std::size_t index = 0;
+    const Array* array = value->get<Array>();
+    if (key.size() == part.size() || array == nullptr) continue;
+    const auto read = std::from_chars(part.data() + key.size() + 1, part.data() + part.size(), index);
+    if (read.ec == std::errc() && index < array->size()) value = &(*array)[index];
+  }
+  return *value;
+}
+
+/// An error of the library about an emitter, as one of the file, whose settings have the library's paths.
+Error in_file(const Error& error, const Value& table) {
+  constexpr std::string_view kEmitter = "emitter.", kSubs = "subs", kSub = "sub";
+  std::string path = error.place;
+  if (path.starts_with(kEmitter)) path.erase(0, kEmitter.size());
+  if (path.starts_with(kSubs)) path.replace(0, kSubs.size(), kSub);
+  const std::string name = path.empty() ? "emitter" : std::string(kEmitter) + path;
+  return {name + ": " + error.message, value_at(table, path).place.text(), error.hint};
+}
+
+Status check_gun(const Scenario& scenario, const ScenarioEmitter& emitter, const Value& table) {
+  const bool has_tracer = !emitter.tracer.empty(), fires_tracers = emitter.def.gun.tracer_every > 0;
+  if (fires_tracers && !has_tracer)
+    return Error{"emitter.gun.tracer_every: there is no tracer", place_of(table, {"gun", "tracer_every"}),
+                 "name a shot: tracer = \"...\""};
+  if (!has_tracer) return {};
+  const std::string place = place_of(table, {"gun", "tracer"});
+  if (!fires_tracers) return Error{"emitter.gun.tracer: no round is one", place, "say which: tracer_every = 5"};
+  return check_shot_name(scenario, emitter.tracer, "emitter.gun.tracer", place);
+}
+
+Status check_subs(const Scenario& scenario, const ScenarioEmitter& emitter, const Value& table) {
+  std::vector<std::string_view> names;
+  for (const ScenarioEmitter& each : scenario.emitters) names.push_back(each.def.name);
+  for (std::size_t i = 0; i < emitter.subs.size(); ++i) {
+    const ScenarioSub& sub = emitter.subs[i];
+    const Value& of_sub = element(table, "sub", i);
+    if (std::ranges::count(names, sub.emitter) == 0)
+      return Error{"emitter.sub.emitter: no emitter is named " + in_quotes(sub.emitter), place_of(of_sub, {"emitter"}),
+                   suggestion(sub.emitter, names, "emitters")};
+    if (sub.def.on == SubEvent::apex && !scenario.world.def.apex_events)
+      return Error{"emitter.sub.on: nobody tells when a particle is at its apex", place_of(of_sub, {"on"}),
+                   "write apex_events = true into [world]"};
+  }
+  return {};
+}
+
+/// Where it is: with a shot, on a path, or at rest.
+Status check_place(const Scenario& scenario, const ScenarioEmitter& emitter, const Value& table) {
+  const Value* given = table.find("motion");
+  const Value empty{.content = Table{}, .place = table.place, .end = {}, .raw = {}};
+  const Value& motion = given != nullptr ? *given : empty;
+  const EmitterDef& def = emitter.def;
+  if (Status status = check_motion("emitter", emitter.motion, def.position, emitter.rotation, table, motion); !status)
+    return status;
+  if (emitter.follows.empty()) return {};
+  const std::string place = place_of(table, {"follows"});
+  if (motion_of(emitter.motion).index() != 0)
+    return Error{"emitter.follows: given together with motion", place, "give one of them"};
+  return check_lone_shot(scenario, emitter.follows, "emitter.follows", place);
+}
+
+Status check_emitter(const Scenario& scenario, const ScenarioEmitter& emitter, const Value& table) {
+  const std::string place = place_of(table, {"shot"});
+  if (Status status = check_shot_name(scenario, emitter.shot, "emitter.shot", place); !status) return status;
+  if (Status status = check_place(scenario, emitter, table); !status) return status;
+  if (Status status = check_gun(scenario, emitter, table); !status) return status;
+  if (Status status = check_subs(scenario, emitter, table); !status) return status;
+  const Status status = check(def_of(emitter));
+  return status ? Status() : Status(in_file(status.error(), table));
+}
+
+}  // namespace
+
+Status check_emitters(const Scenario& scenario, const Value& document, std::vector<std::string_view> counted) {
+  for (std::size_t i = 0; i < scenario.emitters.size(); ++i) {
+    const ScenarioEmitter& emitter = scenario.emitters[i];
+    PHYSIM_ASSERT(!emitter.def.name.empty());  // given or made up by now
+    const Value& table = element(document, "emitter", i);
+    if (std::ranges::count(counted, emitter.def.name) > 0)
+      return Error{"emitter.name: another emitter, volley or shot is named " + in_quotes(emitter.def.name),
+                   place_of(table, {"name"}), "give it a name of its own"};
+    counted.push_back(emitter.def.name);
+    if (Status status = check_emitter(scenario, emitter, table); !status) return status;
+  }
+  const auto order = order_of_emitters(scenario);
+  if (order) return {};
+  const Value& table = element(document, "emitter", index_of_emitter(scenario, order.error().place));
+  return Error{"emitter.sub: " + order.error().message, place_of(table, {"sub"}), order.error().hint};
+}
+
+}  // namespace physim

@@ -1,0 +1,67 @@
+// Paths that a run's picture draws: evenly out of all launches, few enough to be seen, and dots where particles are.
+#include <gtest/gtest.h>
+
+#include "physim/scenario.hpp"
+#include "report/world_log.hpp"
+
+namespace physim::report {
+namespace {
+
+/// 1000 a second from a muzzle that moves along z at 10 m/s: where a path begins tells when.
+const std::string kMoving = R"(physim = 1
+[environment]
+gravity = "off"
+atmosphere = "vacuum"
+[[shot]]
+name = "dot"
+fidelity = { preset = "arcade", precision = "float64" }
+[[emitter]]
+name = "sweep"
+shot = "dot"
+motion = { velocity = [0, 0, "10 m/s"] }
+per_second = 1000
+maximum = 5000
+start = { speed = "1 m/s", lifetime = "0.5 s", colour = "#112233" }
+[world]
+step = "10 ms"
+duration = "3.005 s"
+ground = "none"
+)";
+
+WorldLog logged(const std::string& text) {
+  const Result<Scenario> scenario = parse_scenario(text, "f.toml");
+  EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
+  return run_world(*scenario, {.parts = {.paths = true}}).value();
+}
+
+TEST(WorldPaths, AreEvenlyOutOfAllLaunches) {
+  const WorldLog log = logged(kMoving);
+  ASSERT_EQ(log.groups.at(0).spawned, 3010u);
+  ASSERT_GT(log.paths.size(), 150u);
+  EXPECT_LE(log.paths.size(), 400u);
+  const double gap = log.paths[1].points.at(0).z - log.paths[0].points.at(0).z;
+  EXPECT_NEAR(gap, 0.08, 0.04) << "every eighth, or one of its neighbours among powers of two";
+  for (std::size_t i = 1; i < log.paths.size(); ++i) {
+    EXPECT_NEAR(log.paths[i].points.at(0).z - log.paths[i - 1].points.at(0).z, gap, 1e-9) << i;
+    EXPECT_NEAR(log.paths[i].points.back().x, 0.5, 0.011) << "a whole life at 1 m/s, but for those at the end" << i;
+    if (log.paths[i].points.at(0).z > 25) break;
+  }
+  EXPECT_GT(log.paths.back().points.at(0).z, 29);
+}
+
+TEST(WorldPaths, DotsStandWhereParticlesAre) {
+  const WorldLog log = logged(kMoving);
+  ASSERT_EQ(log.alive.size(), 1u);
+  EXPECT_EQ(log.alive[0].size(), log.groups[0].alive);
+  for (const Vec3d& place : log.alive[0]) EXPECT_NEAR(place.z / 10 + place.x, log.time, 1e-9);
+}
+
+TEST(WorldPaths, AreAllThereWhereTheyAreFew) {
+  std::string text = kMoving;
+  text.replace(text.find("per_second = 1000"), 17, "per_second = 100 ");
+  const WorldLog log = logged(text);
+  EXPECT_EQ(log.paths.size(), 301u);
+}
+
+}  // namespace
+}  // namespace physim::report
