@@ -39,6 +39,20 @@ draw_world() {
 draw_world force_field --set volley.count=12
 draw_world machine_gun --set volley.count=30 --set title="Machine gun: 30 rounds on a wall at 100 m"
 
+# Of emitters, at a moment when there is much to be seen.
+draw_emitters() {
+  local name=$1
+  shift
+  "$physim" run "scenarios/emit_$name.toml" "$@" --plot "$pictures/emit_$name.png" >/dev/null || [[ $? == 1 ]]
+}
+draw_emitters fountain --set world.duration="2.5 s" --set title="Fountain: a ring of jets"
+draw_emitters machine_gun
+draw_emitters fireworks --set world.duration="11 s"
+draw_emitters shotgun
+draw_emitters rain
+draw_emitters volcano --set world.duration="16 s"
+draw_emitters spiral
+
 "$physim" study scenarios/study_308.toml --plot "$pictures/study_308.png" >/dev/null
 "$physim" study scenarios/study_308.toml --ranges "100 m .. 1000 m step 100 m" --shots 20000 --target "head: circle 10 cm" \
   --plot "$pictures/study_308_ranges.png" >/dev/null

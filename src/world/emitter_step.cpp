@@ -358,6 +358,9 @@ void fire_past(WorldImpl& world, std::uint32_t index) {
   context.dt = now - context.time;
   EmitterBirths step(world, context, now);
   step.watch().note_followed();
+  // Where the projectile was that it follows nobody knows any more: it stands where that is now.
+  for (auto& followed : world.emitting.followed)
+    if (followed) followed->from = followed->to;
   step.fire_past(index);
 }
 

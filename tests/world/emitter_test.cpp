@@ -402,6 +402,26 @@ TEST(Emitter, one_that_is_prewarmed_is_as_if_it_had_waited) {
   }
 }
 
+TEST(Emitter, one_that_follows_stands_still_in_its_past) {
+  World world = make_world({.ground = {.mode = GroundMode::none}});
+  const KindId kind = kind_of(world, spark(), {.use_gravity = false});
+  const auto led = world.spawn(kind, {.position = {3, 2, 1}, .velocity = Vec3d{10, 0, 0}});
+  ASSERT_TRUE(led);
+  EmitterDef def;
+  def.kind = kind;
+  def.follows = *led;
+  def.inherit_velocity = 1;
+  def.per_second = {5};
+  def.start.speed = {0};
+  def.cycle = {.duration = 1, .prewarm = true};
+  const auto all = alive(world, added(world, def));
+  ASSERT_EQ(all.size(), 5u);
+  for (const auto& [number, state] : all) {
+    EXPECT_NEAR(state.velocity.x, 10, 1e-12) << number;
+    EXPECT_NEAR(state.position.x, 3 + 10 * (1 - 0.2 * static_cast<double>(number + 1)), 1e-12) << number;
+  }
+}
+
 TEST(Emitter, the_past_of_a_prewarmed_one_sets_off_too) {
   const auto show = [](World& world, bool prewarm) {
     EmitterDef def = spray(kind_of(world, spark()), 0, 5);
