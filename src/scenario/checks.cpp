@@ -65,7 +65,6 @@ Status check_motor(const ScenarioShot& shot, const Value& table) {
   const std::string place = given->place.text();
   if (!has_motor(shot.projectile)) return Error{"shot.motor: there is no thrust", place, "give file or thrust"};
   Status status = check(shot.projectile);
-  if (status) status = check(shot.launch);
   if (status) status = check(shot.projectile, shot.launch);
   if (status) return {};
   const Error& bad = status.error();

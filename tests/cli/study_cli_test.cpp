@@ -36,6 +36,14 @@ TEST(StudyCli, tells_figures_that_are_known) {
   EXPECT_TRUE(has(text.out, "near"));
 }
 
+TEST(StudyCli, tables_stand_below_each_other) {
+  const Folder folder;
+  const Ran ran = physim({"study", folder.write("throw.toml", throw_study(4096)), "--set", "study.indices=true"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (const char* head : {"right [m]  ", "distance [m]", "target", "input", "Sobol indices", "worst shot"})
+    EXPECT_TRUE(has(ran.out, "\n  " + std::string(head))) << head << " in\n" << ran.out;
+}
+
 TEST(StudyCli, parts_are_joined_and_gone_on_with) {
   const Folder folder;
   const std::string file = folder.write("throw.toml", throw_study(30000)), whole = folder / "whole.csv",

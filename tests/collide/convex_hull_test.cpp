@@ -156,6 +156,24 @@ TEST(ConvexHull, is_exact_on_its_grid) {
   EXPECT_FALSE(quickhull(std::vector<GridPoint>(9, GridPoint{1, 2, 3})));
 }
 
+/// Tetrahedra of a sixth of a cell, the least that a grid has: their edges are columns of matrices of determinant 1.
+TEST(ConvexHull, the_smallest_bodies_of_its_grid_are_held) {
+  Random r(59);
+  for (int round = 0; round < 200 && !HasFailure(); ++round) {
+    std::vector<GridPoint> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int shear = 0; shear < round / 20; ++shear) {
+      const auto to = static_cast<std::size_t>(r.below(3)), from = (to + 1 + static_cast<std::size_t>(r.below(2))) % 3;
+      const std::int64_t by = r.below(7) - 3;
+      for (GridPoint& p : points) p[to] += by * p[from];
+    }
+    for (std::size_t i = 3; i > 0; --i) std::swap(points[i], points[static_cast<std::size_t>(r.below(int(i) + 1))]);
+    const auto triangles = quickhull(points);
+    ASSERT_TRUE(triangles) << round;
+    EXPECT_EQ(triangles->size(), 4u);
+    expect_hull(points, *triangles);
+  }
+}
+
 TEST(ConvexHull, a_box_of_corners_is_met_as_a_box) {
   Random r(55);
   Scene hulls, boxes;

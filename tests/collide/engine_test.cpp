@@ -198,6 +198,17 @@ TEST(Engine, answers_that_make_no_sense_are_refused_and_counted) {
     EXPECT_EQ(scene.set_engine({{}, skin}).error().place, "engine.skin");
 }
 
+TEST(Engine, a_segment_that_begins_in_a_solid_is_met_where_it_begins) {
+  Scene scene;
+  const SceneHit answer{.part = 0.4, .normal = {-1, 0, 0}, .instance = {1, 0}, .starts_inside = true};
+  ASSERT_TRUE(scene.set_engine({[&](const EngineBatch& b) { b.hits[0] = answer; }}));
+  const SceneHit hit = scene.first_hit({{1, 2, 3}, {4, 2, 3}, 0.1, 5, 2});
+  ASSERT_TRUE(hit && hit.starts_inside);
+  EXPECT_EQ(hit.part, 0) << "whatever the engine says";
+  EXPECT_EQ(hit.position, (Vec3d{1, 2, 3}));
+  EXPECT_EQ(hit.time, 5);
+}
+
 TEST(Engine, who_throws_is_asked_alone_and_who_asks_back_gets_its_own_things) {
   Scene scene;
   const Scene* itself = &scene;

@@ -198,6 +198,16 @@ TEST(Aim, one_arc_may_be_asked_for) {
   EXPECT_EQ(both.flights, low.flights + high.flights);
 }
 
+TEST(Aim, the_nearest_is_a_solution_where_there_is_one) {
+  const Aim answer = aimed({}, {.speed = 300}, constant_gravity(), vacuum(), {{3000, 0, 0}});
+  ASSERT_TRUE(answer.low && answer.high);
+  const AimSolution& best = answer.low->miss < answer.high->miss ? *answer.low : *answer.high;
+  EXPECT_EQ(answer.nearest.miss, best.miss);
+  EXPECT_EQ(answer.nearest.time, best.time);
+  EXPECT_EQ(answer.nearest.launch.elevation, best.launch.elevation);
+  EXPECT_EQ(answer.nearest.flights, best.flights) << "it tells what it took to find it";
+}
+
 TEST(Aim, a_velocity_gives_its_magnitude_and_the_sight_is_not_read) {
   Launch launch;
   launch.velocity = Vec3d{0, 0, 300};

@@ -314,6 +314,17 @@ TEST(AutoFidelity, BadInputIsRefusedWithItsPlace) {
   EXPECT_EQ(cheapest_within(c.projectile, {.speed = kNan}, c.environment, {}).error().place, "launch.speed");
 }
 
+TEST(AutoFidelity, AStepThatIsTooShortForAllLaunchesIsToldByTheTruth) {
+  // Each takes few enough steps by itself, and all of them more than a search may.
+  const Case c = cases()[1];
+  const std::vector<Launch> launches(501, c.launch);
+  const Purpose purpose{.error = 1, .time = 0.1, .step = 1e-5};
+  const auto choice = cheapest_within(c.projectile, launches, c.environment, purpose);
+  ASSERT_FALSE(choice.ok());
+  EXPECT_EQ(choice.error().place, "purpose.time") << choice.error().text();
+  EXPECT_NE(choice.error().message.find("takes more than 5 million steps"), std::string::npos);
+}
+
 TEST(AutoFidelity, AShotAlongTheGroundDoesNotFly) {
   const auto choice = cheapest_within(bullet_308(), Launch{.speed = 800}, {}, {.ground = 0.0});
   ASSERT_FALSE(choice.ok());

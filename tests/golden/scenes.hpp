@@ -1,4 +1,4 @@
-// Scenes and studies in the golden hash.
+// Scenes, studies and emitters in the golden hash.
 #pragma once
 
 #include <cstdint>
@@ -10,5 +10,8 @@ bool add_scenes(std::uint64_t& hash);
 
 /// Studies by each way of drawing; false where kernels or threads change a bit.
 bool add_studies(std::uint64_t& hash);
+
+/// Random emitters of every row; false where kernels or threads change a bit.
+bool add_emitters(std::uint64_t& hash);
 
 }  // namespace physim::test

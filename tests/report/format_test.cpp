@@ -144,6 +144,23 @@ TEST(Formats, PicturesMarkWhereFlightsHit) {
   EXPECT_EQ(script.find("$shot1hits"), std::string::npos) << "it comes down before";
 }
 
+TEST(Formats, PicturesTellWhereALegendHasNoRoomForAll) {
+  const auto script_of = [](int shots) {
+    std::string text = kWorld;
+    for (int i = 0; i < shots; ++i)
+      text +=
+          "[[shot]]\nname = \"a shot with a long name, " + std::to_string(i) + "\"\nspeed = 20\nfidelity = \"game\"\n";
+    const auto log = run_world(parse_scenario(text, "many.toml").value(), {.parts = {.paths = true}, .record = ""});
+    return std::get<Picture>(world_picture(log.value())).script;
+  };
+  const std::string few = script_of(2), many = script_of(20);
+  EXPECT_NE(few.find("set label 'a shot with a long name, 1'"), std::string::npos);
+  EXPECT_EQ(few.find("set label '...'"), std::string::npos);
+  EXPECT_NE(many.find("set label 'a shot with a long name, 1'"), std::string::npos);
+  EXPECT_EQ(many.find("set label 'a shot with a long name, 19'"), std::string::npos);
+  EXPECT_NE(many.find("set label '...'"), std::string::npos);
+}
+
 TEST(Records, CsvQuotesWhatNeedsIt) {
   const Results results;
   const std::string text = whole(csv_text(records_of(Flights{results.flown, results.times})));

@@ -90,6 +90,15 @@ TEST(FlightHits, EndAFlightThatStops) {
   EXPECT_EQ(again.duration(), ball.flight.duration());
 }
 
+TEST(FlightHits, OfAShotThatIsSaidToStopAreStopsWhateverComesAfter) {
+  Scenario scenario = read_scenario(kSlope + kNoGround);
+  const Flown ball = flown(scenario);
+  scenario.shots[0].body.collision.on_hit = OnHit::stop;  // it has flown as one that bounces
+  const FlightHits hits = flight_hits(scenario, scenario.shots[0], ball.flight, ball.parts);
+  EXPECT_GE(hits.all.size(), ball.hits.all.size());
+  for (const ThingHit& hit : hits.all) EXPECT_EQ(hit.outcome, EventKind::stopped) << hit.time;
+}
+
 TEST(FlightHits, AreJudged) {
   const Flown ball = flown(read_scenario(kSlope + kNoGround));
   const auto value = [&](const std::string& quantity, const std::string& thing) {

@@ -193,6 +193,25 @@ TEST(WorldRun, AWallStopsAndMeasures) {
   EXPECT_NEAR(group.hit_y.mean, 2 - 9.80665 / 2 * 0.16, 0.15) << "drag and Euler's error aside";
 }
 
+TEST(WorldRun, AWallIsHitWhereAFlightPassesIt) {
+  Scenario scenario = parsed(
+      "[[shot]]\nspeed = 100\nelevation = \"10 deg\"\nazimuth = \"5 deg\"\n"
+      "fidelity = \"small_arms\"\n[world]\nduration = \"2 s\"\nground = \"none\"\nwall = \"40 m\"\n");
+  WorldRun run = WorldRun::create(scenario).value();
+  std::vector<WallHit> hits;
+  for (std::uint64_t step = 0; step < run.steps(); ++step) {
+    run.step();
+    hits.insert(hits.end(), run.hits().begin(), run.hits().end());
+  }
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_EQ(hits[0].position.x, 40) << "on the wall, to the bit";
+  const ScenarioShot& shot = scenario.shots[0];
+  const Flight flight = fly(shot.projectile, shot.launch, scenario.environment, shot.projectile.fidelity,
+                            {.relative = 1e-10, .absolute = 1e-10}, {.ground = {}, .time = hits[0].time});
+  EXPECT_LT(length(flight.end().position - hits[0].position), 0.002);
+  EXPECT_LT(length(flight.end().velocity - hits[0].velocity), 0.02);
+}
+
 TEST(WorldRun, APoolRefusesOrReplaces) {
   const std::string pool = "world.pools=[{ name = \"p\", maximum = 3, when_full = \"";
   WorldRun refuses =

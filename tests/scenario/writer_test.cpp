@@ -182,6 +182,27 @@ TEST(RevisedText, TakesManyChangesAndShotsAtTheEnd) {
     EXPECT_NE(text->find(comment), text->npos) << comment;
 }
 
+/// What is made of a published material has it by its name; one that nothing is made of is written down.
+TEST(RevisedText, LeavesOutPublishedMaterialsThatThingsAreMadeOf) {
+  const std::string world = "physim = 1\n[[shot]]\n[world]\n";
+  const auto now_with = [&](const std::string& material) {
+    return parse_scenario(
+               world + "[[shape]]\nname = \"a\"\nbox = [1, 1, 1]\n[[thing]]\nname = \"b\"\nshape = \"a\"\n" + material,
+               "a.toml")
+        .value();
+  };
+  const Scenario oak = now_with("material = \"oak\"\n");
+  ASSERT_EQ(oak.materials.size(), 1U);
+  const auto text = revised_text(world, "a.toml", oak);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(text->find("[[material]]"), text->npos) << *text;
+  Scenario spare = now_with("");
+  spare.materials = oak.materials;
+  const auto more = revised_text(world, "a.toml", spare);
+  ASSERT_TRUE(more);
+  EXPECT_NE(more->find("[[material]]\nname = \"oak\""), more->npos) << *more;
+}
+
 TEST(RevisedText, IsNothingWhereTheTextCannotSayIt) {
   Scenario now = parse_scenario(kCommented, "a.toml").value();
   EXPECT_EQ(revised_text(kCommented, "a.toml", now), kCommented);

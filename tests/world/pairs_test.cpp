@@ -263,6 +263,25 @@ TEST(Pairs, a_ball_on_a_ball_that_bounces_off_the_ground) {
   EXPECT_NEAR(world[top].velocity().y, bounces[2].velocity.y - g * left, 1e-9);
 }
 
+/// A ball thrown up meets another one near its apex, in a step that goes on until it is far below where it began.
+TEST(Pairs, a_path_that_turns_back_within_a_step_is_met_where_it_turns) {
+  const double up = 1, radius = 0.01, above = 0.055;
+  World world = make_world(space());
+  BodyDef thrown = ball(radius), still = ball(radius);
+  thrown.gravity_scale = 1;
+  still.kinematic = true;
+  ProjectileDef p = mass_of(1);
+  p.fidelity.integrator = Integrator::rk4;
+  put(world, p, thrown, {0, 0, 0}, {0, up, 0});
+  put(world, mass_of(1), still, {0, above, 0});
+  world.step(0.4);
+  const auto hits = events_of(world, EventKind::hit);
+  ASSERT_EQ(hits.size(), 2u);
+  const double g = 9.80665, way = above - 2 * radius;
+  EXPECT_NEAR(hits[0].time, (up - std::sqrt(up * up - 2 * g * way)) / g, 1e-9);
+  EXPECT_NEAR(hits[0].position.y, way, 1e-9);
+}
+
 /// What is left of the step is flown with drag, as a step that begins at the hit.
 TEST(Pairs, the_rest_of_the_step_is_flown_with_the_models) {
   WorldDef def;

@@ -54,6 +54,7 @@ TEST(Predict, random_sessions_go_as_predicted_to_the_bit) {
     World world = make_world(test::session_world());
     test::RandomSession session(world, seed);
     session.meet_others = false;  // predictions see nobody else
+    session.emitters = false;
     for (int part = 0; part < 6; ++part) {
       for (int i = 0; i < 150; ++i) session.act();
       world.set_detail({});

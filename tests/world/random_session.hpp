@@ -4,6 +4,7 @@
 #include <random>
 
 #include "physim/physim.hpp"
+#include "random_emitters.hpp"
 
 namespace physim::test {
 
@@ -34,10 +35,11 @@ class RandomSession {
   RandomSession(World& world, unsigned seed, bool moments = true) : world_(world), random_(seed), moments_(moments) {}
 
   bool meet_others = true;  // some of its projectiles
+  bool emitters = true;     // there are some
 
   /// One call of any kind; most are sensible.
   void act() {
-    const int what = below(48);
+    const int what = below(emitters ? 51 : 48);
     if (what < 10) return spawn();
     if (what < 14) return time();
     if (what < 16) return moment();
@@ -46,6 +48,7 @@ class RandomSession {
     if (what == 22) return void(world_[some()].despawn());
     if (what == 23) return void(world_.despawn(several()));
     if (what == 24 && below(20) == 0) return world_.clear();
+    if (what >= 48) return emitter();
     if (what >= 45) return scene();
     change(what % 20);
   }
@@ -173,6 +176,28 @@ class RandomSession {
             {.shape = shapes_.back(), .transform = {.position = vector(20)}, .sensor = below(4) == 0})));
     }
   }
+  EmitterId one_emitter() {
+    return emitters_.empty() ? EmitterId{}
+                             : emitters_[static_cast<std::size_t>(below(static_cast<int>(emitters_.size())))];
+  }
+  void emitter() {
+    switch (below(9)) {
+      case 0: return void(world_.remove_emitter(one_emitter()));
+      case 1: return void(world_.play_emitter(one_emitter()));
+      case 2: return void(world_.stop_emitter(one_emitter()));
+      case 3: return void(world_.move_emitter(one_emitter(), {.position = vector(20)}));
+      case 4: return void(world_.emit(one_emitter(), static_cast<std::uint32_t>(below(5))));
+      case 5: return void(world_.trigger_emitter(one_emitter()));
+      default: {
+        if (kinds_.empty()) return;
+        const KindId kind = kinds_[static_cast<std::size_t>(below(static_cast<int>(kinds_.size())))];
+        Random r(random_());
+        EmitterDef def = random_emitter(r, kind, world_.emitters());
+        if (below(4) == 0) def.follows = some(), def.motion = AtRest{};
+        return emitters_.push_back(or_null(world_.add_emitter(def)));
+      }
+    }
+  }
   void force() {
     const ForceLaw laws[] = {ConstantForce{vector(3)},
                              AnchoredSpring{vector(10), 2, 1, 0.1},
@@ -242,6 +267,7 @@ class RandomSession {
   std::vector<Snapshot> snapshots_;
   std::vector<ShapeId> shapes_;
   std::vector<InstanceId> things_;
+  std::vector<EmitterId> emitters_;
   std::uint32_t environments_ = 1;
 };
 
