@@ -88,9 +88,9 @@ class PlainLoop final : public PeerSparks {
     const float speed = spray_.slowest + (spray_.fastest - spray_.slowest) * random();
     const float u = speed * std::sin(tilt) * std::cos(turn), w = speed * std::sin(tilt) * std::sin(turn);
     const float v = speed * std::cos(tilt) - physics_.gravity * left;
+    const float life = spray_.shortest + (spray_.longest - spray_.shortest) * random();
     const std::size_t i = count_++;
-    const std::array<float, kColumns> born{u * left, v * left,        w * left,       u, v, w,
-                                           left,     spray_.lifetime, 0.5f + random()};
+    const std::array<float, kColumns> born{u * left, v * left, w * left, u, v, w, left, life, 0.5f + random()};
     for (int column = 0; column < kColumns; ++column) state_[column][i] = born[column];
   }
   float random() {  // xorshift32

@@ -11,24 +11,25 @@ namespace {
 
 constexpr std::size_t kBirths = 100000;  // in one frame
 constexpr std::size_t kSparks = 1000000;
-constexpr double kFlow = 1.0 / 60;  // frame of a steady flow [s]
-constexpr double kLife = 2;         // of a spark there [s]
+constexpr double kFlow = 1.0 / 60;                            // frame of a steady flow [s]
+constexpr double kShortest = 1.5, kLongest = 2.5, kMean = 2;  // lives of sparks there [s]
 
 /// Upwards out of a cone, 5 to 10 m/s.
-EmitterDef spray(KindId kind, double per_second, double lifetime) {
+EmitterDef spray(KindId kind, double per_second, const DrawnNumber& lifetime) {
   EmitterDef def;
   def.kind = kind;
   def.seed = 7;
   def.rotation = {std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
   def.per_second = {per_second};
   def.maximum = 4 * kSparks;
-  def.start.lifetime = {lifetime};
+  def.start.lifetime = lifetime;
   def.start.speed = {5, 10};
   def.from = {.shape = EmitShape::cone, .radius = 0.1};
   return def;
 }
-PeerSpray peer_spray(double per_second, double lifetime) {
-  return {static_cast<float>(per_second), static_cast<float>(lifetime), 5, 10, static_cast<float>(EmitFrom().angle)};
+PeerSpray peer_spray(double per_second, double shortest, double longest) {
+  const auto in_float = [](double x) { return static_cast<float>(x); };
+  return {in_float(per_second), in_float(shortest), in_float(longest), 5, 10, in_float(EmitFrom().angle)};
 }
 /// Smaller and darker as they grow older.
 void put_looks(EmitterDef& def) {
@@ -38,36 +39,36 @@ void put_looks(EmitterDef& def) {
 }
 World empty_world() { return std::move(World::create(free_flight()).value()); }
 
-/// Medians over rounds, by name, in the order in which they came.
+/// Medians over rounds, by name, in the order in which they came, each beside another one.
 class Times {
  public:
   Times(const Options& options, std::size_t count) : options_(options), count_(count) {}
-  void time(const std::string& name, const std::function<void()>& call) {
-    add(name, 1e9 * seconds(options_.clock, call) / static_cast<double>(count_));
-  }
-  void add(const std::string& name, double each) {
-    for (auto& [known, taken] : parts_)
-      if (known == name) return taken.push_back(each);
-    parts_.push_back({name, {each}});
+  /// `base` is the name of what it stands beside.
+  void time(const std::string& base, const std::string& name, const std::function<void()>& call) {
+    const double each = 1e9 * seconds(options_.clock, call) / static_cast<double>(count_);
+    for (Part& part : parts_)
+      if (part.name == name) return part.taken.push_back(each);
+    parts_.push_back({base, name, {each}});
   }
   [[nodiscard]] const std::vector<double>& of(const std::string& name) const {
-    for (const auto& [known, taken] : parts_)
-      if (known == name) return taken;
-    return parts_.front().second;
+    return std::ranges::find(parts_, name, &Part::name)->taken;
   }
-  /// A row for each, beside the one named `base`.
-  [[nodiscard]] std::vector<std::vector<Cell>> rows(const std::string& base) const {
+  [[nodiscard]] std::vector<std::vector<Cell>> rows() const {
     std::vector<std::vector<Cell>> list;
-    for (const auto& [name, taken] : parts_)
+    for (const auto& [base, name, taken] : parts_)
       list.push_back({times(median(ratios(taken, of(base)))), name, fixed(static_cast<double>(count_), 0),
                       nanoseconds(median(taken)), quartiles(taken)});
     return list;
   }
 
  private:
+  struct Part {
+    std::string base, name;
+    std::vector<double> taken;  // [ns]
+  };
   Options options_;
   std::size_t count_;
-  std::vector<std::pair<std::string, std::vector<double>>> parts_;
+  std::vector<Part> parts_;
 };
 
 // ------------------------------------------------------------------------------------------- births and deaths
@@ -76,7 +77,7 @@ class Generation {
  public:
   explicit Generation(const std::string& name, const Fidelity& fidelity) : name_(name) {
     kind_ = *world_.add_kind(world_bullet(fidelity));
-    EmitterDef def = spray(kind_, static_cast<double>(kBirths) / kFrame, kFrame);
+    EmitterDef def = spray(kind_, static_cast<double>(kBirths) / kFrame, {kFrame});
     def.cycle = {.duration = kFrame, .looping = false, .plays = false};
     emitter_ = *world_.add_emitter(def);
     spawning_kind_ = *spawning_.add_kind(world_bullet(fidelity));
@@ -85,14 +86,15 @@ class Generation {
   [[nodiscard]] std::string spawn_name() const { return name_ + ": World::spawn() of many"; }
 
   void run(Times& times, const std::vector<Launch>& launches) {
-    times.time(spawn_name(), [&] { spawning_.spawn(spawning_kind_, launches, ids_); });
-    times.time(name_ + ": World::emit()", [&] { world_.emit(emitter_, kBirths); });
+    const std::string base = spawn_name();
+    times.time(base, base, [&] { spawning_.spawn(spawning_kind_, launches, ids_); });
+    times.time(base, name_ + ": World::emit()", [&] { world_.emit(emitter_, kBirths); });
     world_.clear();
     world_.step(kFrame);
     world_.play_emitter(emitter_);
-    times.time(name_ + ": births within a frame, and their flight to its end", [&] { world_.step(kFrame); });
-    times.time(name_ + ": deaths within a frame, and their flight to that moment", [&] { world_.step(kFrame); });
-    times.time(name_ + ": World::despawn() of many", [&] { spawning_.despawn(ids_); });
+    times.time(base, name_ + ": births within a frame, and their flight to its end", [&] { world_.step(kFrame); });
+    times.time(base, name_ + ": deaths within a frame, and their flight to that moment", [&] { world_.step(kFrame); });
+    times.time(base, name_ + ": World::despawn() of many", [&] { spawning_.despawn(ids_); });
     world_.clear();
     spawning_.step(kFrame);
     world_.step(kFrame);
@@ -110,23 +112,23 @@ Section births_section(const Options& options) {
   Times times(options, kBirths);
   const std::vector<Launch> launches = volley(kBirths);
   Generation game("game", Fidelity::game()), arcade("arcade", Fidelity::arcade());
-  const auto peer = plain_loop(peer_physics(), peer_spray(0, kFrame), kBirths);
+  const auto peer = plain_loop(peer_physics(), peer_spray(0, kFrame, kFrame), kBirths);
   for (int round = 0; round <= options.rounds; ++round) {
     Times first(options, kBirths);  // in which memory is taken
     Times& into = round == 0 ? first : times;
     game.run(into, launches);
     arcade.run(into, launches);
-    into.time("plain loop: births", [&] { peer->emit(kBirths); });
-    into.time("plain loop: a step in which all die", [&] { peer->step(2 * static_cast<float>(kFrame)); });
+    into.time(game.spawn_name(), "plain loop: births", [&] { peer->emit(kBirths); });
+    into.time(game.spawn_name(), "plain loop: a step in which all die",
+              [&] { peer->step(2 * static_cast<float>(kFrame)); });
   }
   Section s;
   s.title = "Emitters: births and deaths";
-  s.intro =
-      "Nanoseconds for one of " + fixed(static_cast<double>(kBirths), 0).text +
-      " projectiles by one thread, into slots that were used before, beside World::spawn() of many launches of the "
-      "game preset: medians of the ratios within each round.";
+  s.intro = "Nanoseconds for one of " + fixed(static_cast<double>(kBirths), 0).text +
+            " projectiles by one thread, into slots that were used before, beside World::spawn() of many launches of "
+            "their rung: medians of the ratios within each round.";
   s.columns = {"vs spawn", "operation", "projectiles", "ns each", "quartiles"};
-  s.rows = times.rows(game.spawn_name());
+  s.rows = times.rows();
   s.notes = {
       "Emitters draw place, direction, speed and lifetime of each, and every birth and death has a moment of its own "
       "in the frame. Launches of World::spawn() are there before the clock starts.",
@@ -144,15 +146,15 @@ struct Columns {
 };
 
 Section frame_section(const Options& options) {
-  const double per_second = static_cast<double>(kSparks) / kLife;
+  const double per_second = static_cast<double>(kSparks) / kMean;
   World plain = empty_world(), world = empty_world();
   const KindId kind = *plain.add_kind(world_bullet(Fidelity::game()));
   plain.spawn(kind, volley(kSparks), {});
-  EmitterDef def = spray(*world.add_kind(world_bullet(Fidelity::game())), per_second, kLife);
+  EmitterDef def = spray(*world.add_kind(world_bullet(Fidelity::game())), per_second, {kShortest, kLongest});
   put_looks(def);
   const EmitterId emitter = *world.add_emitter(def);
-  const auto peer = plain_loop(peer_physics(), peer_spray(per_second, kLife), 2 * kSparks);
-  for (int i = 0; i < static_cast<int>(1.1 * kLife / kFlow); ++i) {
+  const auto peer = plain_loop(peer_physics(), peer_spray(per_second, kShortest, kLongest), 2 * kSparks);
+  for (int i = 0; i < static_cast<int>(1.1 * kLongest / kFlow); ++i) {
     world.step(kFlow);
     peer->step(static_cast<float>(kFlow));
   }
@@ -160,14 +162,14 @@ Section frame_section(const Options& options) {
   Times times(options, kSparks);
   const std::string base = "World of as many projectiles, without births: a step";
   for (int round = 0; round < options.rounds; ++round) {
-    times.time(base, [&] { plain.step(kFlow); });
-    times.time("emitter: a step", [&] { world.step(kFlow); });
-    times.time("emitter: places of all", [&] { world.particles(emitter, {.position = columns.position}); });
-    times.time("emitter: places, sizes and colours of all", [&] {
+    times.time(base, base, [&] { plain.step(kFlow); });
+    times.time(base, "emitter: a step", [&] { world.step(kFlow); });
+    times.time(base, "emitter: places of all", [&] { world.particles(emitter, {.position = columns.position}); });
+    times.time(base, "emitter: places, sizes and colours of all", [&] {
       world.particles(emitter, {.position = columns.position, .size = columns.size, .colour = columns.colour});
     });
-    times.time("plain loop: a step", [&] { peer->step(static_cast<float>(kFlow)); });
-    times.time("plain loop: sizes and colours of all", [&] { peer->look(); });
+    times.time(base, "plain loop: a step", [&] { peer->step(static_cast<float>(kFlow)); });
+    times.time(base, "plain loop: sizes and colours of all", [&] { peer->look(); });
   }
   const auto frame = [&](const char* read) {
     std::vector<double> sum = times.of("emitter: a step");
@@ -181,7 +183,7 @@ Section frame_section(const Options& options) {
   s.intro = "Nanoseconds for each spark of the game preset by one thread: " + fixed(per_second * kFlow, 0).text +
             " of " + fixed(static_cast<double>(kSparks), 0).text + " are born in each frame and as many die.";
   s.columns = {"vs step", "operation", "sparks", "ns each", "quartiles"};
-  s.rows = times.rows(base);
+  s.rows = times.rows();
   s.notes = {"A frame in which sizes and colours over life are read takes " + bench::times(looks).text +
              " of one in which places alone are read."};
   return s;
@@ -194,7 +196,7 @@ Section together_section(const Options& options) {
   World together = empty_world();
   std::vector<World> alone;
   const auto add = [](World& world, const Fidelity& rung) {
-    static_cast<void>(world.add_emitter(spray(*world.add_kind(world_bullet(rung)), kPerSecond, kShortLife)));
+    static_cast<void>(world.add_emitter(spray(*world.add_kind(world_bullet(rung)), kPerSecond, {kShortLife})));
   };
   for (const Fidelity& rung : rungs) {
     alone.push_back(empty_world());
@@ -208,17 +210,17 @@ Section together_section(const Options& options) {
   Times times(options, together.size());
   const std::string sum = "sixteen worlds of one emitter: a step each";
   for (int round = 0; round < options.rounds; ++round) {
-    times.time(sum, [&] {
+    times.time(sum, sum, [&] {
       for (World& world : alone) world.step(kFrame);
     });
-    times.time("one world of sixteen emitters: a step", [&] { together.step(kFrame); });
+    times.time(sum, "one world of sixteen emitters: a step", [&] { together.step(kFrame); });
   }
   Section s;
   s.title = "Emitters: sixteen at once";
   s.intro = "Sixteen emitters of sixteen rungs, each with " + fixed(kPerSecond * kFrame, 0).text +
             " births and deaths a frame, in one world and in sixteen.";
   s.columns = {"vs alone", "operation", "sparks", "ns each", "quartiles"};
-  s.rows = times.rows(sum);
+  s.rows = times.rows();
   return s;
 }
 

@@ -43,7 +43,8 @@ class PeerWorld {
 /// A spray of sparks: how many come, how long they live, how fast they start upwards within a cone.
 struct PeerSpray {
   float per_second;  // [1/s]
-  float lifetime;    // [s]
+  float shortest;    // life [s]
+  float longest;     // [s]
   float slowest;     // [m/s]
   float fastest;     // [m/s]
   float half_angle;  // [rad]
