@@ -30,6 +30,14 @@ class EmitterBirths {
 
   [[nodiscard]] EmitterWatch& watch() { return watch_; }
 
+  /// All that one has fired before the world's time.
+  void fire_past(std::uint32_t index) {
+    is_past_ = true;
+    queue_moment(index);
+    queue_metre(index);
+    work_off();
+  }
+
   // ------------------------------------------------------------------------------------------- births
   void fire() {
     for (std::uint32_t i = 1; i < all_.size(); ++i) {
@@ -115,7 +123,7 @@ class EmitterBirths {
     const double from = context_.time, to = all_[index].def().follows ? s_.followed[index]->to : end_;
     return from + (to - from) * std::max(left / way, 0.0);
   }
-  /// Of this step, straight from its start to its end [m].
+  /// The way of this step, straight from its start to its end [m].
   [[nodiscard]] double way_of(std::uint32_t index) const {
     const Emitter& e = all_[index];
     if (e.def().follows) {
@@ -203,6 +211,10 @@ class EmitterBirths {
     const Birth birth{e.born++, m.time, m.phase, of_moment, m.count, m.is_round, m.round};
     if (!has_room(firing.emitter, firing.time)) return void(++e.counts.refused);
     const Newborn newborn = e.emission->newborn(birth);
+    if (is_past_ && e.def().subs.empty() && firing.time + newborn.lifetime <= end_) {
+      ++e.counts.born, ++e.counts.aged;
+      return later_[firing.emitter].push(firing.time + newborn.lifetime);  // nobody has to fly it to know that
+    }
     const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
     const Launch launch = launch_of(firing, pose, newborn);
     const Result<ProjectileId> id = w_.spawn(kind, launch, {.moment = firing.time, .gravity = newborn.gravity});
@@ -255,6 +267,10 @@ class EmitterBirths {
   /// From its birth to the end of the step.
   void live_on(ProjectileId id, double birth, double dies) {
     if (birth >= end_) return;
+    if (is_past_) {
+      watch_.grow_up(id.index, birth, dies);
+      return take_departures();
+    }
     const double born = watch_.passed_at(birth);
     watch_.look_ahead(id.index, born, birth, std::min(end_, dies));
     if (dies <= end_)
@@ -282,6 +298,7 @@ class EmitterBirths {
   EmitterScratch& s_;
   double end_;  // of the step [s]
   EmitterWatch watch_;
+  bool is_past_ = false;  // the step is the time before the world's
   std::priority_queue<Firing> queue_;
   std::uint64_t found_ = 0;
   // When particles of each emitter left in this step, where somebody had to ask; and how many those are.
@@ -330,6 +347,16 @@ void fire_emitters(WorldImpl& world, const SettleContext& context) {
   if (world.state.emitters.empty()) return;
   const SettleContext own = alone(context);
   EmitterBirths(world, own, world.state.clock.time()).fire();
+}
+
+void fire_past(WorldImpl& world, std::uint32_t index) {
+  SettleContext context = now_of(world);
+  const double now = context.time;
+  context.time = world.state.emitters[index].began;
+  context.dt = now - context.time;
+  EmitterBirths step(world, context, now);
+  step.watch().note_followed();
+  step.fire_past(index);
 }
 
 std::size_t fire_now(WorldImpl& world, std::uint32_t index, std::uint32_t count) {

@@ -50,6 +50,8 @@ void watch_for_emitters(WorldImpl& world, const SettleContext& context);
 /// Whoever had to has left: births.
 void fire_emitters(WorldImpl& world, const SettleContext& context);
 
+/// Between steps: one that has just begun to play and began before the world's time: its past.
+void fire_past(WorldImpl& world, std::uint32_t emitter);
 /// Between steps: so many of one emitter; how many were born.
 std::size_t fire_now(WorldImpl& world, std::uint32_t emitter, std::uint32_t count);
 /// Between steps: SubEvent::trigger of all of its particles.

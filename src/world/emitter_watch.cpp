@@ -1,6 +1,7 @@
 #include "world/emitter_watch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "world/world_impl.hpp"
@@ -183,7 +184,7 @@ void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time)
   all_.leave(index, &EmitterCounts::aged);
   w_.remove(index, LifeStatus::expired);
 }
-/// Of one that was flown alone: what it told, and what follows from it. Whether it left.
+/// Takes what one told that was flown alone, and what follows from it; whether it left.
 bool EmitterWatch::tell_chunk() {
   Chunk& chunk = s_.chunk;
   if (chunk.events.empty() && chunk.changes.empty()) return false;
@@ -212,11 +213,64 @@ void EmitterWatch::fly_newborn(std::uint32_t index, double born) {
   if (slot.is(kStill)) return;
   s_.chunk.cohort = slot.cohort;
   with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
-    settle_born(context, s_.chunk, slot.row, born);
+    settle_alone(context, s_.chunk, slot.row, born);
     return 0;
   });
   w_.state.rows_of(slot).swap_positions(slot.row);  // it was written as the next position
   tell_chunk();
+}
+
+// ------------------------------------------------------------------------------------------- of what is past already
+void EmitterWatch::grow_up(std::uint32_t index, double birth, double dies) {
+  const double end = std::min(dies, end_);
+  std::vector<double> stops;
+  for (const SubEmitter& sub : all_[all_.particle(index)->emitter].def().subs)
+    if (sub.on == SubEvent::age && birth + sub.age <= end) stops.push_back(birth + sub.age);
+  std::ranges::sort(stops);
+  double now = birth;
+  for (const double stop : stops) {
+    if (!fly_in_parts(index, now, stop, now == birth)) return;
+    trigger_age(index, w_.state.state_of(w_.state.slots[index]), stop);
+    now = stop;
+  }
+  if (!fly_in_parts(index, now, end, now == birth) || dies > end_) return;
+  expire(index, w_.state.state_of(w_.state.slots[index]), dies);
+}
+
+bool EmitterWatch::fly_in_parts(std::uint32_t index, double from, double to, bool is_birth) {
+  if (!(to > from)) return true;
+  // Fixed steps take the world's; a closed form takes none.
+  const Slot& slot = w_.state.slots[index];
+  const bool is_closed = w_.registry.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
+  const double parts = is_closed ? 1 : std::max(std::ceil((to - from) / w_.def.step - 1e-9), 1.0);
+  SettleContext part = context_;
+  part.dt = (to - from) / parts;
+  const double now = w_.state.clock.now();
+  count_from(slot, now - parts);
+  for (double k = 0; k < parts && !slot.is(kStill); ++k) {
+    part.time = from + k * part.dt;
+    part.now = now - parts + k;
+    s_.chunk.cohort = slot.cohort;
+    with_held_forces(w_, part, slot, [&](const SettleContext& context) {
+      settle_alone(context, s_.chunk, slot.row, is_birth && k == 0 ? std::optional(0.0) : std::nullopt);
+      return 0;
+    });
+    w_.state.rows_of(slot).swap_positions(slot.row);
+    if (tell_chunk()) return false;
+  }
+  w_.state.rows_of(slot).visit([&]<class S>(const RowColumns<S>& c) {
+    if (!w_.state.rows_of(slot).layout().clocked) return;
+    c.offset[slot.row] += (static_cast<S>(now) - c.born[slot.row]) * static_cast<S>(part.dt);
+  });
+  count_from(slot, now);
+  return true;
+}
+
+/// A row's clock counts steps from that one on.
+void EmitterWatch::count_from(const Slot& slot, double step) {
+  const Rows& rows = w_.state.rows_of(slot);
+  if (!rows.layout().clocked) return;
+  rows.visit([&]<class S>(const RowColumns<S>& c) { c.born[slot.row] = static_cast<S>(step); });
 }
 
 }  // namespace physim

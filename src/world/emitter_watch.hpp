@@ -10,7 +10,7 @@ namespace physim {
 
 class EmitterWatch {
  public:
-  /// Of a step that ends at `end` [s].
+  /// The step ends at `end` [s].
   EmitterWatch(WorldImpl& world, const SettleContext& context, double end);
 
   // ------------------------------------------------------------------------------------------- before the step
@@ -33,6 +33,8 @@ class EmitterWatch {
   void end_life(std::uint32_t slot, std::optional<double> born, double time);
   /// From its birth to the end of the step.
   void fly_newborn(std::uint32_t slot, double born);
+  /// One born before the world's time, alone up to that time, by steps of the world.
+  void grow_up(std::uint32_t slot, double birth, double dies);
   [[nodiscard]] double passed_at(double time) const { return std::clamp(time - context_.time, 0.0, context_.dt); }
 
  private:
@@ -45,8 +47,11 @@ class EmitterWatch {
   /// Where one is at a time inside of the step, for somebody who only looks.
   std::optional<BodyState> seen_at(std::uint32_t slot, std::optional<double> born, double time);
   void trigger_age(std::uint32_t slot, const BodyState& at, double time);
+  /// Whether it is still there then.
+  bool fly_in_parts(std::uint32_t slot, double from, double to, bool is_birth);
+  void count_from(const Slot& slot, double step);
   void expire(std::uint32_t slot, const BodyState& at, double time);
-  /// Of one that was flown alone: what it told, and what follows from it. Whether it left.
+  /// Takes what one told that was flown alone, and what follows from it; whether it left.
   bool tell_chunk();
 
   WorldImpl& w_;

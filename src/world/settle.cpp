@@ -34,9 +34,9 @@ class Settling {
     finish();
   }
 
-  /// One that is born inside the step.
-  void run_born(double passed) {
-    run_part(passed);
+  /// By itself, from the start or from its birth inside of the step.
+  void run_alone(std::optional<double> born) {
+    run_part(born);
     follow_rules();
   }
   /// As far as the row's part of the step goes.
@@ -260,8 +260,8 @@ void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row,
   with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_after(parting); });
 }
 
-void settle_born(const SettleContext& context, Chunk& chunk, std::uint32_t row, double passed) {
-  with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_born(passed); });
+void settle_alone(const SettleContext& context, Chunk& chunk, std::uint32_t row, std::optional<double> born) {
+  with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_alone(born); });
 }
 
 std::optional<State<double>> state_inside(const SettleContext& context, Chunk& chunk, std::uint32_t row,

@@ -110,9 +110,9 @@ void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 /// step.
 void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting);
 
-/// Flies a row that was born `passed` into the step to the end of the step, and writes where it is then, as the next
-/// position. Forced rows feel in it what `taken` gives.
-void settle_born(const SettleContext& context, Chunk& chunk, std::uint32_t row, double passed);
+/// Flies a row that was born `born` into the step, or that is as it was when it began, to the end of the step, and
+/// writes where it is then, as the next position. Forced rows feel in it what `taken` gives.
+void settle_alone(const SettleContext& context, Chunk& chunk, std::uint32_t row, std::optional<double> born);
 
 /// Where a row that is as it was when the step began, or as it was born `born` into it, is at a time inside of the
 /// step, and what happens to it before; the row stays as it was. None: it is gone by then. Forced rows feel what

@@ -45,13 +45,16 @@ void WorldImpl::equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t s
     emitter.path = std::make_shared<const collide::Path>(std::move(*path));
 }
 
-void WorldImpl::play(Emitter& emitter) {
+void WorldImpl::play(std::uint32_t index) {
+  Emitter& emitter = state.emitters[index];
+  const EmitterCycle& cycle = emitter.def().cycle;
   emitter.plays = true;
-  emitter.began = state.clock.time();
+  emitter.began = state.clock.time() - (cycle.prewarm ? cycle.duration / cycle.rate : 0);
   emitter.timeline = Timeline(*emitter.emission).begin(emitter.plays_before++);
   emitter.travelled = 0;
   emitter.metre = 0;
   count_metres(emitter);
+  if (cycle.prewarm) fire_past(*this, index);
 }
 
 void WorldImpl::count_metres(Emitter& emitter) const {
@@ -74,7 +77,7 @@ Result<EmitterId> World::add_emitter(const EmitterDef& def) {
   own.add(w.state.emitters.added());
   w.equip(emitter, def, def.seed.value_or(own.value()));
   emitter.at = {def.position, normalized(def.rotation), 1};
-  if (def.cycle.plays) w.play(emitter);
+  if (def.cycle.plays) w.play(index);
   return call.returns(w.state.emitters.id_of(index));
 }
 
@@ -91,9 +94,8 @@ Status World::play_emitter(EmitterId id) {
   WorldImpl& w = impl();
   const Recorded<Call::play_emitter> call(w, id);
   if (call.is_refused()) return call.refusal();
-  Emitter* emitter = w.state.emitters.find(id);
-  if (!emitter) return no_emitter();
-  w.play(*emitter);
+  if (!w.state.emitters.find(id)) return no_emitter();
+  w.play(id.index);
   return {};
 }
 

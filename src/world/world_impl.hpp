@@ -138,7 +138,7 @@ struct WorldImpl : Gate {
   [[nodiscard]] Status refuses(const EmitterDef& asked) const;
   /// What follows from a definition that makes sense.
   void equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const;
-  void play(Emitter& emitter);
+  void play(std::uint32_t emitter);
   /// Births by distance are counted from where it began to play.
   void count_metres(Emitter& emitter) const;
 
