@@ -213,7 +213,7 @@ class EmitterBirths {
     const Newborn newborn = e.emission->newborn(birth);
     if (is_past_ && e.def().subs.empty() && firing.time + newborn.lifetime <= end_) {
       ++e.counts.born, ++e.counts.aged;
-      return later_[firing.emitter].push(firing.time + newborn.lifetime);  // nobody has to fly it to know that
+      return s_.departures.push_back({firing.emitter, firing.time + newborn.lifetime});  // nobody has to fly it
     }
     const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
     const Launch launch = launch_of(firing, pose, newborn);
@@ -267,10 +267,7 @@ class EmitterBirths {
   /// From its birth to the end of the step.
   void live_on(ProjectileId id, double birth, double dies) {
     if (birth >= end_) return;
-    if (is_past_) {
-      watch_.grow_up(id.index, birth, dies);
-      return take_departures();
-    }
+    if (is_past_) return watch_.grow_up(id.index, birth, dies);
     const double born = watch_.passed_at(birth);
     watch_.look_ahead(id.index, born, birth, std::min(end_, dies));
     if (dies <= end_)
