@@ -64,6 +64,7 @@ class EmitterBirths {
       fire(firing);
       queue_triggers();
     }
+    s_.departures.clear();  // nobody asks any more who was there
   }
   void fire(const Firing& firing) {
     Emitter& e = all_[firing.emitter];
