@@ -34,6 +34,7 @@ struct EmitterScratch {
     double time;  // [s]
   };
   std::vector<EmitterTrigger> triggers;
+  std::vector<EmitterTrigger> causes;             // those that set off a sub-emitter
   std::vector<Departure> departures;              // of particles, in the step at hand
   std::vector<std::optional<Followed>> followed;  // by emitter
   std::uint32_t births = 0;                       // by sub-emitters, in the step at hand
