@@ -38,5 +38,7 @@ inline constexpr double kFrame = 1.0 / 240;
 [[nodiscard]] Section free_flight_section(const Options& options);
 [[nodiscard]] Section rungs_section(const Options& options);
 [[nodiscard]] Section operations_section(const Options& options);
+/// Emitters: births and deaths beside bulk spawns, frames of a million sparks, sixteen at once.
+[[nodiscard]] std::vector<Section> emitter_sections(const Options& options);
 
 }  // namespace physim::bench

@@ -40,4 +40,31 @@ class PeerWorld {
 [[nodiscard]] std::unique_ptr<PeerWorld> bullet_world(const PeerPhysics& physics,
                                                       const std::vector<PeerProjectile>& projectiles, bool detection);
 
+/// A spray of sparks: how many come, how long they live, how fast they start upwards within a cone.
+struct PeerSpray {
+  float per_second;  // [1/s]
+  float shortest;    // life [s]
+  float longest;     // [s]
+  float slowest;     // [m/s]
+  float fastest;     // [m/s]
+  float half_angle;  // [rad]
+};
+
+/// Sparks that are born inside of frames, fly, and are gone at the end of their lives.
+class PeerSparks {
+ public:
+  virtual ~PeerSparks() = default;
+  /// Those at hand fly on or die; then new ones are born.
+  virtual void step(float dt) = 0;
+  /// So many now.
+  virtual void emit(std::size_t count) = 0;
+  /// Size and colour of each by its age.
+  virtual void look() = 0;
+  [[nodiscard]] virtual std::size_t size() const = 0;
+};
+
+/// A structure of arrays that one loop goes over, and a dead spark's place is taken by the last one.
+[[nodiscard]] std::unique_ptr<PeerSparks> plain_loop(const PeerPhysics& physics, const PeerSpray& spray,
+                                                     std::size_t room);
+
 }  // namespace physim::bench

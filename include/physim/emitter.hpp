@@ -267,7 +267,7 @@ struct EmitterCounts {
   std::uint64_t expired = 0;   ///< gone by other rules of DespawnRules [-]
   std::uint64_t replaced = 0;  ///< gone for a newer one [-]
   std::uint64_t taken = 0;     ///< despawned by a call, or retired as no number was left [-]
-  std::uint64_t cut = 0;       ///< not born, as sub-emitters would have fired each other without end [-]
+  std::uint64_t cut = 0;       ///< not born: sub-emitters without end, or over 1e6 in a step, which stops it [-]
   std::uint32_t alive = 0;     ///< now [-]
 
   bool operator==(const EmitterCounts&) const = default;

@@ -75,7 +75,7 @@ class ParticleChance {
 
   std::uint64_t seed_, number_;
   std::uint32_t drawn_ = 0;  // a bit for each block
-  std::array<PhiloxCounter, kBlocks> words_;
+  std::array<PhiloxCounter, kBlocks> words_{};  // set to zero for the compiler's peace alone: it warns otherwise
 };
 
 }  // namespace physim

@@ -93,34 +93,10 @@ std::uint32_t whole_count(double x) {
 }
 
 // ------------------------------------------------------------------------------------------------- colours
-Rgba Rgba::of(std::uint32_t colour) {
-  const auto byte = [colour](int shift) { return static_cast<double>(colour >> shift & 0xff); };
-  return {{byte(24), byte(16), byte(8), byte(0)}};
+std::uint32_t times(std::uint32_t a, std::uint32_t b) {
+  if (b == 0xffffffff) return a;  // as the product would
+  return times(Rgba::of(a), Rgba::of(b)).packed();
 }
-
-std::uint32_t Rgba::packed() const {
-  std::uint32_t colour = 0;
-  for (const double x : part) {
-    PHYSIM_ASSERT(x >= 0 && x < 255.5);
-    colour = colour << 8 | static_cast<std::uint32_t>(x + 0.5);
-  }
-  return colour;
-}
-
-Rgba times(const Rgba& a, const Rgba& b) {
-  Rgba product;
-  for (std::size_t i = 0; i < 4; ++i) product.part[i] = a.part[i] * b.part[i] / 255;
-  return product;
-}
-
-Rgba mixed(const Rgba& a, const Rgba& b, double u) {
-  PHYSIM_ASSERT(u >= 0 && u <= 1);
-  Rgba mix;
-  for (std::size_t i = 0; i < 4; ++i) mix.part[i] = a.part[i] + u * (b.part[i] - a.part[i]);
-  return mix;
-}
-
-std::uint32_t times(std::uint32_t a, std::uint32_t b) { return times(Rgba::of(a), Rgba::of(b)).packed(); }
 
 EmitGradient::EmitGradient(const Gradient& keys) {
   for (const ColourKey& key : keys) keys_.push_back({key.at, Rgba::of(key.colour)});

@@ -93,13 +93,33 @@ struct NumberRange {
 struct Rgba {
   std::array<double, 4> part{255, 255, 255, 255};
 
-  [[nodiscard]] static Rgba of(std::uint32_t colour);
-  [[nodiscard]] std::uint32_t packed() const;  // rounded to the nearest
+  [[nodiscard]] static Rgba of(std::uint32_t colour) {
+    const auto byte = [colour](int shift) { return static_cast<double>(colour >> shift & 0xff); };
+    return {{byte(24), byte(16), byte(8), byte(0)}};
+  }
+  /// Rounded to the nearest.
+  [[nodiscard]] std::uint32_t packed() const {
+    std::uint32_t colour = 0;
+    for (const double x : part) {
+      PHYSIM_ASSERT(x >= 0 && x < 255.5);
+      colour = colour << 8 | static_cast<std::uint32_t>(static_cast<std::int32_t>(x + 0.5));
+    }
+    return colour;
+  }
   [[nodiscard]] bool is_white() const { return part == Rgba{}.part; }
 };
-[[nodiscard]] Rgba times(const Rgba& a, const Rgba& b);
+[[nodiscard]] inline Rgba times(const Rgba& a, const Rgba& b) {
+  Rgba product;
+  for (std::size_t i = 0; i < 4; ++i) product.part[i] = a.part[i] * b.part[i] / 255;
+  return product;
+}
 /// a at u = 0, b at u = 1.
-[[nodiscard]] Rgba mixed(const Rgba& a, const Rgba& b, double u);
+[[nodiscard]] inline Rgba mixed(const Rgba& a, const Rgba& b, double u) {
+  PHYSIM_ASSERT(u >= 0 && u <= 1);
+  Rgba mix;
+  for (std::size_t i = 0; i < 4; ++i) mix.part[i] = a.part[i] + u * (b.part[i] - a.part[i]);
+  return mix;
+}
 
 /// A gradient over 0..1; white where it has no keys.
 class EmitGradient {

@@ -25,7 +25,7 @@ constexpr std::size_t kMostPaths = 400;       // of all groups together, evenly 
 constexpr std::size_t kMostImpacts = 20'000;  // of each group, drawn; and of those alive at the end
 
 bool asks_about(const Expectation& expectation, const WorldGroup& group) {
-  const Figure* figure = find_figure(expectation.quantity);
+  const physim::Figure* figure = find_figure(expectation.quantity);
   if (figure != nullptr && figure->is_of_emitters && !group.emitter) return false;
   return expectation.shot.empty() || expectation.shot == group.name;
 }

@@ -12,8 +12,6 @@
 namespace physim {
 namespace {
 
-constexpr Range kKeys = {.low = 0, .high = 10'000};  // of a curve or gradient
-
 /// Keys of a table that stands for a value; the first must be there.
 using KeyNames = std::span<const std::string_view>;
 constexpr std::string_view kNumberKeys[] = {"value", "to", "curve", "to_curve"};
@@ -82,7 +80,7 @@ Status read_drawn(const Wanted& wanted, const Value& value, DrawnNumber& target)
     return read_number(wanted, from, is_to ? read.to.emplace() : read.value);
   };
   const auto curve = [&](const Value& from, bool is_to) {
-    const Entry entry{.path = wanted.path, .range = kKeys};
+    const Entry entry{.path = wanted.path, .range = kCurveKeys};
     const ValueRef points = points_of(is_to ? read.to_curve : read.curve);
     return read_points(entry, from, std::get<Points>(points));
   };
@@ -111,7 +109,7 @@ Status read_gradient(std::string_view path, const Value& value, Gradient& target
   const std::string wanted = "colours [[part of the span, \"#rrggbb\"], ...]";
   const Array* array = value.get<Array>();
   if (array == nullptr) return wrong_kind(path, value, wanted);
-  if (Status status = check_length(path, value, array->size(), kKeys); !status) return status;
+  if (Status status = check_length(path, value, array->size(), kCurveKeys); !status) return status;
   Gradient read;
   for (const Value& key : *array) {
     const Array* pair = key.get<Array>();

@@ -6,7 +6,6 @@ namespace physim {
 namespace {
 
 constexpr Range kFullTurn = {.low = 0, .high = 4 * kRightAngle, .words = "0 .. 360 deg"};
-constexpr Range kKeys = {.low = 0, .high = 10'000};  // of curves
 
 #define PHYSIM_EMITTER(field, ...) PHYSIM_ROW("emitter", emitter, field, __VA_ARGS__)
 /// A row of what an emitter is in the library, under its name there.
@@ -63,8 +62,9 @@ constexpr Entry kEmitterSettings[] = {
     PHYSIM_ROW("emitter.gun.barrels", barrel, position, "of its muzzle, in the emitter's frame", Quantity::length),
     PHYSIM_EMITTER_DEF(gun.convergence, "distance at which the barrels' lines meet; 0: they are parallel",
                        Quantity::length, at_least(0)),
-    PHYSIM_EMITTER_DEF(gun.recoil_up, "[part of a burst, part of recoil] by which the direction climbs", kKeys),
-    PHYSIM_EMITTER_DEF(gun.recoil_right, "[part of a burst, part of recoil] by which it turns to the right", kKeys),
+    PHYSIM_EMITTER_DEF(gun.recoil_up, "[part of a burst, part of recoil] by which the direction climbs", kCurveKeys),
+    PHYSIM_EMITTER_DEF(gun.recoil_right, "[part of a burst, part of recoil] by which it turns to the right",
+                       kCurveKeys),
     PHYSIM_EMITTER_DEF(gun.recoil, "by which the direction climbs where a curve is 1", Quantity::angle, kHalfTurn),
     PHYSIM_EMITTER_DEF(from.shape, "that particles come out of; its axis is the emitter's x axis", kShorthand),
     PHYSIM_EMITTER_DEF(from.radius, "of cone, sphere, hemisphere, circle, ring", Quantity::length, at_least(0)),
@@ -94,8 +94,8 @@ constexpr Entry kEmitterSettings[] = {
     PHYSIM_EMITTER_DEF(life.colour, "times the colour at the start"),
     PHYSIM_EMITTER_DEF(life.fast, "speed at which what goes by speed ends; 0: nothing does", Quantity::speed,
                        at_least(0)),
-    PHYSIM_EMITTER_DEF(life.size_by_speed, "[part of fast, times the size]", kKeys),
-    PHYSIM_EMITTER_DEF(life.colour_by_speed, "[part of fast, times the colour]", kKeys),
+    PHYSIM_EMITTER_DEF(life.size_by_speed, "[part of fast, times the size]", kCurveKeys),
+    PHYSIM_EMITTER_DEF(life.colour_by_speed, "[part of fast, times the colour]", kCurveKeys),
     PHYSIM_EMITTER_DEF(maximum, "particles alive at once", between(1, 4294967295.0)),
     PHYSIM_EMITTER_DEF(when_full, "what happens to the next one"),
     setting("emitter.sub", PHYSIM_FIELD(emitter->subs), "emitters that fire where something happens to its particles",

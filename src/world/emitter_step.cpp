@@ -12,9 +12,10 @@
 namespace physim {
 namespace {
 
-/// Births that lead to one another at one moment, and those of sub-emitters in one step: more are cut.
+/// Births that lead to one another at one moment, and those of all sub-emitters, or of one emitter by itself, in one
+/// step: more are cut.
 constexpr std::uint32_t kDeepest = 32;
-constexpr std::uint64_t kMostBirths = 1u << 22;
+constexpr std::uint32_t kMostBirths = 1u << 20;
 
 class EmitterBirths {
  public:
@@ -24,7 +25,9 @@ class EmitterBirths {
         all_(world.state.emitters),
         s_(world.emitting),
         end_(end),
-        watch_(world, context, end) {}
+        watch_(world, context, end) {
+    s_.causes.clear();
+  }
 
   [[nodiscard]] EmitterWatch& watch() { return watch_; }
 
@@ -38,7 +41,6 @@ class EmitterBirths {
 
   // ------------------------------------------------------------------------------------------- births
   void fire() {
-    take_departures();
     for (std::uint32_t i = 1; i < all_.size(); ++i) {
       queue_moment(i);
       queue_metre(i);
@@ -52,6 +54,7 @@ class EmitterBirths {
     while (!queue_.empty()) {
       const Firing firing = queue_.top();
       queue_.pop();
+      if (firing.rank != kSub && !all_[firing.emitter].plays) continue;
       if (firing.rank == kOwn) {
         Emitter& e = all_[firing.emitter];
         Timeline(*e.emission).take(e.timeline);
@@ -63,15 +66,17 @@ class EmitterBirths {
       fire(firing);
       queue_triggers();
     }
+    s_.departures.clear();  // nobody asks any more who was there
   }
   void fire(const Firing& firing) {
     Emitter& e = all_[firing.emitter];
-    const std::optional<Pose> pose = firing.by ? pose_of(firing) : pose_at(firing.emitter, firing.time);
+    const std::optional<Pose> pose = cause_of(firing) ? pose_of(firing) : pose_at(firing.emitter, firing.time);
     if (!pose) {
       e.plays = false;
       return;
     }
-    for (std::uint32_t i = 0; i < firing.moment.count; ++i) bear(firing, *pose, i);
+    const std::uint64_t cut = e.counts.cut;
+    for (std::uint32_t i = 0; i < firing.moment.count && e.counts.cut == cut; ++i) bear(firing, *pose, i);
   }
   [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t index, double time) const {
     const Emitter& e = all_[index];
@@ -109,9 +114,11 @@ class EmitterBirths {
     if (!e.active || !e.plays || !(e.def().per_metre > 0)) return;
     const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
     const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_moved(index, distance);
-    const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
+    const double rate = e.def().cycle.rate;
+    const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
     if (!time || *time < context_.time || *time > e.began + last / rate) return;
     const double own = (*time - e.began) * rate;
+    if (own < first) return;
     EmitMoment moment{.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own)};
     queue_.push({.time = *time, .emitter = index, .rank = kMetre, .moment = moment});
   }
@@ -148,23 +155,28 @@ class EmitterBirths {
     if (!all_.find(id)) return;  // it was removed
     const std::uint32_t count = parent.emission->fired_by(sub, trigger.particle.number, trigger.particle.events);
     if (count == 0) return;
+    s_.causes.push_back(trigger);
     queue_.push({.time = trigger.time,
                  .emitter = id.index,
                  .rank = kSub,
                  .parent = trigger.particle.number,
                  .sub = sub,
                  .parent_emitter = trigger.particle.emitter,
+                 .by = static_cast<std::uint32_t>(s_.causes.size() - 1),
                  .order = found_++,
-                 .moment = {.time = 0, .phase = 0, .count = count},
-                 .by = trigger});
+                 .moment = {.time = 0, .phase = 0, .count = count}});
   }
 
   // ------------------------------------------------------------------------------------------- being born
+  /// What set off a sub-emitter, until others are queued; null: it fires by itself.
+  [[nodiscard]] const EmitterTrigger* cause_of(const Firing& firing) const {
+    return firing.by == Firing::kNothing ? nullptr : &s_.causes[firing.by];
+  }
   [[nodiscard]] const SubEmitter& sub_of(const Firing& firing) const {
     return all_[firing.parent_emitter].def().subs[firing.sub];
   }
   [[nodiscard]] Pose pose_of(const Firing& firing) const {
-    const EmitterTrigger& by = *firing.by;
+    const EmitterTrigger& by = *cause_of(firing);
     const Emitter& e = all_[firing.emitter];
     Pose pose{by.at.position, e.path ? e.path->at(firing.time).rotation : e.at.rotation, by.at.velocity};
     const SubAxis axis = sub_of(firing).axis;
@@ -175,18 +187,20 @@ class EmitterBirths {
 
   /// Those alive at that moment: some of them have left since.
   [[nodiscard]] std::uint64_t alive_at(std::uint32_t index, double time) {
+    for (const auto& departure : s_.departures) later_[departure.emitter].push(departure.time);
+    departed_ += s_.departures.size();
+    s_.departures.clear();
     auto& later = later_[index];
     while (!later.empty() && later.top() <= time) later.pop();
     return all_[index].counts.alive + later.size();
   }
-  void take_departures() {
-    for (const auto& departure : s_.departures) later_[departure.emitter].push(departure.time);
-    s_.departures.clear();
-  }
   /// Whether there is room for one more, which the oldest may have to make.
   bool has_room(std::uint32_t index, double time) {
     Emitter& e = all_[index];
-    if (e.def().when_full == WhenFull::refuse) return alive_at(index, time) < e.def().maximum;
+    if (e.def().when_full == WhenFull::refuse) {
+      const std::uint64_t most = e.counts.alive + departed_ + s_.departures.size();  // if all had left later
+      return most < e.def().maximum || alive_at(index, time) < e.def().maximum;
+    }
     if (e.counts.alive < e.def().maximum) return true;
     const ProjectileId oldest = all_.oldest(index, w_.state.slots);
     PHYSIM_ASSERT(oldest);
@@ -195,16 +209,23 @@ class EmitterBirths {
     return true;
   }
 
+  /// One too many. An emitter that lets out so many by itself stops.
+  bool is_cut(const Firing& firing) {
+    if (cause_of(firing)) return depth_of(firing) > kDeepest || ++s_.births > kMostBirths;
+    if (++s_.own_births[firing.emitter] <= kMostBirths) return false;
+    all_[firing.emitter].plays = false;
+    return true;
+  }
   void bear(const Firing& firing, const Pose& pose, std::uint32_t of_moment) {
     Emitter& e = all_[firing.emitter];
-    if (firing.by && (depth_of(firing) > kDeepest || ++s_.births > kMostBirths)) return void(++e.counts.cut);
+    if (is_cut(firing)) return void(++e.counts.cut);
     const EmitMoment& m = firing.moment;
     const Birth birth{e.born++, m.time, m.phase, of_moment, m.count, m.is_round, m.round};
     if (!has_room(firing.emitter, firing.time)) return void(++e.counts.refused);
     const Newborn newborn = e.emission->newborn(birth);
     if (is_past_ && e.def().subs.empty() && firing.time + newborn.lifetime <= end_) {
       ++e.counts.born, ++e.counts.aged;
-      return later_[firing.emitter].push(firing.time + newborn.lifetime);  // nobody has to fly it to know that
+      return s_.departures.push_back({firing.emitter, firing.time + newborn.lifetime});  // nobody has to fly it
     }
     const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
     const Launch launch = launch_of(firing, pose, newborn);
@@ -217,21 +238,23 @@ class EmitterBirths {
                       .phase = birth.phase,
                       .dies = firing.time + newborn.lifetime,
                       .depth = depth_of(firing)};
-    if (firing.by) inherit(firing, particle);
+    if (cause_of(firing)) inherit(firing, particle);
     all_.join(*id, particle, firing.time, end_);
-    watch_.trigger(id->index, SubEvent::birth, firing.time, w_.state.state_of(*w_.find(*id)), {});
+    if (!e.def().subs.empty())
+      watch_.trigger(id->index, SubEvent::birth, firing.time, w_.state.state_of(*w_.find(*id)), {});
     live_on(*id, firing.time, particle.dies);
   }
   [[nodiscard]] std::uint32_t depth_of(const Firing& firing) const {
-    return firing.by && firing.by->time == firing.by->birth ? firing.by->particle.depth + 1 : 0;
+    const EmitterTrigger* by = cause_of(firing);
+    return by && by->time == by->birth ? by->particle.depth + 1 : 0;
   }
   void inherit(const Firing& firing, Particle& particle) const {
     const SubEmitter& sub = sub_of(firing);
     if (!sub.inherit_colour && !sub.inherit_size) return;
-    const Particle& parent = firing.by->particle;
-    const Look look =
-        all_[parent.emitter].emission->look(parent.number, parent.phase, parent.dies - firing.by->birth,
-                                            firing.time - firing.by->birth, length(firing.by->at.velocity));
+    const EmitterTrigger& by = *cause_of(firing);
+    const Particle& parent = by.particle;
+    const Look look = all_[parent.emitter].emission->look(parent.number, parent.phase, parent.dies - by.birth,
+                                                          firing.time - by.birth, length(by.at.velocity));
     if (sub.inherit_colour) particle.colour = times(look.colour, parent.colour);
     if (sub.inherit_size) particle.size = look.size.x * parent.size;
   }
@@ -240,7 +263,7 @@ class EmitterBirths {
     Launch launch = def.launch;
     launch.position = pose.position + rotate(pose.rotation, newborn.place);
     const Vec3d direction = rotate(pose.rotation, newborn.direction);
-    const double inherited = firing.by ? sub_of(firing).inherit_velocity : def.inherit_velocity;
+    const double inherited = cause_of(firing) ? sub_of(firing).inherit_velocity : def.inherit_velocity;
     const Vec3d velocity = direction * newborn.speed + pose.velocity * inherited;
     if (length(velocity) > 0) {
       launch.velocity = velocity;
@@ -257,28 +280,25 @@ class EmitterBirths {
   /// From its birth to the end of the step.
   void live_on(ProjectileId id, double birth, double dies) {
     if (birth >= end_) return;
-    if (is_past_) {
-      watch_.grow_up(id.index, birth, dies);
-      return take_departures();
-    }
+    if (is_past_) return watch_.grow_up(id.index, birth, dies);
     const double born = watch_.passed_at(birth);
     watch_.look_ahead(id.index, born, birth, std::min(end_, dies));
     if (dies <= end_)
       watch_.end_life(id.index, born, dies);
     else
       watch_.fly_newborn(id.index, born);
-    take_departures();
   }
 
   // ------------------------------------------------------------------------------------------- the end
   void finish(std::uint32_t index) {
     Emitter& e = all_[index];
     if (!e.active) return;
-    if (!e.odometer) e.travelled += way_of(index);
+    const double rate = e.def().cycle.rate;
+    const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
+    if (!e.odometer && e.plays && e.began + first / rate < end_) e.travelled += way_of(index);
     if (e.to) e.at = *std::exchange(e.to, std::nullopt);
     if (e.def().follows && !w_.find(e.def().follows)) e.plays = false;
-    const double last = Timeline(*e.emission).span(e.timeline.play).second;
-    if (e.plays && e.began + last / e.def().cycle.rate <= end_) e.plays = false;
+    if (e.plays && e.began + last / rate <= end_) e.plays = false;
     if (!e.plays && e.def().cycle.stop == StopAction::remove && e.plays_before > 0 && e.counts.alive == 0)
       all_.erase(index);
   }
@@ -292,7 +312,9 @@ class EmitterBirths {
   bool is_past_ = false;  // the step is the time before the world's
   std::priority_queue<Firing> queue_;
   std::uint64_t found_ = 0;
+  // When particles of each emitter left in this step, where somebody had to ask; and how many those are.
   std::unordered_map<std::uint32_t, std::priority_queue<double, std::vector<double>, std::greater<>>> later_;
+  std::uint64_t departed_ = 0;
 };
 
 /// What settling would need between two steps.

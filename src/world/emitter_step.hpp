@@ -34,9 +34,11 @@ struct EmitterScratch {
     double time;  // [s]
   };
   std::vector<EmitterTrigger> triggers;
+  std::vector<EmitterTrigger> causes;             // those that set off a sub-emitter
   std::vector<Departure> departures;              // of particles, in the step at hand
   std::vector<std::optional<Followed>> followed;  // by emitter
-  std::uint64_t births = 0;                       // by sub-emitters, in the step at hand
+  std::uint32_t births = 0;                       // by sub-emitters, in the step at hand
+  std::vector<std::uint32_t> own_births;          // of each emitter by itself, in the step at hand
   Chunk chunk;
 };
 

@@ -51,6 +51,7 @@ EmitterWatch::EmitterWatch(WorldImpl& world, const SettleContext& context, doubl
 // ------------------------------------------------------------------------------------------- before the step
 void EmitterWatch::note_followed() {
   s_.followed.assign(all_.size(), std::nullopt);
+  s_.own_births.assign(all_.size(), 0);
   for (std::uint32_t i = 1; i < all_.size(); ++i) {
     if (!all_[i].active || !all_[i].def().follows) continue;
     const Slot* slot = w_.find(all_[i].def().follows);
@@ -102,9 +103,7 @@ void EmitterWatch::leave_now(std::uint32_t slot) {
 }
 void EmitterWatch::trigger_all(std::uint32_t index) {
   std::vector<std::uint32_t> slots;
-  all_.each_particle([&](std::uint32_t slot, const Particle& particle) {
-    if (particle.emitter == index) slots.push_back(slot);
-  });
+  all_.each_particle_of(index, [&](std::uint32_t slot, const Particle&) { slots.push_back(slot); });
   for (const std::uint32_t slot : slots)
     trigger(slot, SubEvent::trigger, end_, w_.state.state_of(w_.state.slots[slot]), {});
 }
@@ -189,6 +188,7 @@ void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time)
 /// Takes what one told that was flown alone, and what follows from it; whether it left.
 bool EmitterWatch::tell_chunk() {
   Chunk& chunk = s_.chunk;
+  if (chunk.events.empty() && chunk.changes.empty()) return false;
   watch(chunk);
   for (const Event& event : chunk.events) w_.keep_event(event);
   bool left = false;

@@ -29,8 +29,8 @@ void Emitters::erase(std::uint32_t index) {
   all_[index] = {};
   all_[index].generation = generation;
   free_.push_back(index);
-  for (Particle& particle : particles_)
-    if (particle.emitter == index) particle = {};
+  for (std::size_t slot = 0; slot < particles_.size(); ++slot)
+    if (emitter_of_[slot] == index) particles_[slot] = {}, emitter_of_[slot] = 0;
 }
 
 void Emitters::join(ProjectileId id, const Particle& particle, double birth, double seen) {
@@ -45,8 +45,12 @@ void Emitters::join(ProjectileId id, const Particle& particle, double birth, dou
 }
 
 void Emitters::resume(ProjectileId id, const Particle& particle) {
-  if (particles_.size() <= id.index) particles_.resize(std::max<std::size_t>(id.index + 1, particles_.size() * 2));
+  if (particles_.size() <= id.index) {
+    particles_.resize(std::max<std::size_t>(id.index + 1, particles_.size() * 2));
+    emitter_of_.resize(particles_.size());
+  }
   particles_[id.index] = particle;
+  emitter_of_[id.index] = particle.emitter;
   Emitter& emitter = (*this)[particle.emitter];
   ++emitter.counts.alive;
   if (emitter.def().when_full == WhenFull::replace_oldest) emitter.by_age.push_back(id);
@@ -60,6 +64,7 @@ void Emitters::leave(std::uint32_t slot, EmitterCount why) {
   --counts.alive;
   ++(counts.*why);
   *gone = {};
+  emitter_of_[slot] = 0;
 }
 
 ProjectileId Emitters::oldest(std::uint32_t index, const SlotTable& slots) {
@@ -75,8 +80,9 @@ ProjectileId Emitters::oldest(std::uint32_t index, const SlotTable& slots) {
 }
 
 std::size_t Emitters::bytes() const {
-  std::size_t sum = particles_.capacity() * sizeof(Particle) + all_.capacity() * sizeof(Emitter) + lives.bytes() +
-                    ages.bytes() + free_.capacity() * sizeof(std::uint32_t);
+  std::size_t sum = particles_.capacity() * (sizeof(Particle) + sizeof(std::uint32_t)) +
+                    all_.capacity() * sizeof(Emitter) + lives.bytes() + ages.bytes() +
+                    free_.capacity() * sizeof(std::uint32_t);
   for (const Emitter& emitter : all_) sum += emitter.by_age.capacity() * sizeof(ProjectileId);
   return sum;
 }

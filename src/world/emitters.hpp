@@ -84,7 +84,8 @@ class Emitters {
 
   /// The particle of a slot; null: no emitter fired it.
   [[nodiscard]] Particle* particle(std::uint32_t slot) {
-    if (slot >= particles_.size() || particles_[slot].emitter == 0) return nullptr;
+    if (slot >= emitter_of_.size() || emitter_of_[slot] == 0) return nullptr;
+    PHYSIM_ASSERT(particles_[slot].emitter == emitter_of_[slot]);
     return &particles_[slot];
   }
   [[nodiscard]] const Particle* particle(std::uint32_t slot) const {
@@ -100,7 +101,13 @@ class Emitters {
   template <class F>
   void each_particle(const F& f) const {
     for (std::uint32_t slot = 1; slot < particles_.size(); ++slot)
-      if (particles_[slot].emitter != 0) f(slot, particles_[slot]);
+      if (emitter_of_[slot] != 0) f(slot, particles_[slot]);
+  }
+  /// Likewise, of one emitter.
+  template <class F>
+  void each_particle_of(std::uint32_t index, const F& f) const {
+    for (std::uint32_t slot = 1; slot < emitter_of_.size(); ++slot)
+      if (emitter_of_[slot] == index) f(slot, particles_[slot]);
   }
 
   Schedule lives;  // when they end
@@ -121,7 +128,8 @@ class Emitters {
   std::vector<Emitter> all_{1};  // 0 is none
   std::uint64_t added_ = 0;
   std::vector<std::uint32_t> free_;
-  std::vector<Particle> particles_;  // by slot
+  std::vector<Particle> particles_;        // by slot
+  std::vector<std::uint32_t> emitter_of_;  // likewise, for searches: 0 where nobody fired it
 };
 
 }  // namespace physim

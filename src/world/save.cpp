@@ -245,6 +245,16 @@ class Loading {
     return {};
   }
 
+  /// Whether an emitter has done what it had to do by now.
+  [[nodiscard]] bool is_up_to_date(const Emitter& e) {
+    const double now = state().clock.time(), slack = 1e-9 * (1 + std::abs(now));
+    const auto next = Timeline(*e.emission).next(e.timeline);
+    if (next && !(e.began + next->time / e.def().cycle.rate >= now - slack)) return false;
+    if (!(e.def().per_metre > 0)) return true;
+    const double come = e.odometer ? (now > e.odometer->from() ? e.odometer->at(now) : 0) : e.travelled;
+    return static_cast<double>(e.metre + 1) >= come * e.def().per_metre * (1 - 1e-9) - 1e-9;
+  }
+
   Status emitters() {
     std::vector<Emitter> all(1);
     for (const SavedEmitter& each : saved_.emitters.all) {
@@ -274,6 +284,7 @@ class Loading {
       e.counts = each.counts;
       e.counts.alive = 0;
       world_->count_metres(e);
+      if (each.plays && !is_up_to_date(e)) return makes_no_sense("how far its emitters have come");
     }
     const bool fits = state().emitters.restore(std::move(all), saved_.emitters.free, saved_.emitters.added);
     return fits ? Status() : makes_no_sense("the places of its emitters");

@@ -120,14 +120,15 @@ class Settling {
 
   /// Looks for events in the step just taken; true where one of them ends it.
   bool look(double clock) {
-    DenseLanes<S>& at = judgement_.at;
+    if (course_.watch.count == 0 && !scene_) return false;
+    DenseLanes<S>& at = judgement_->at;
     dense_lanes(course_, r_.march.lanes, at);
     // The generators' part in the higher terms would take them once more: the cubic through both ends does.
     if (r_.taken()) drop_higher_terms(at);
-    find_crossings<S>(course_, true, judgement_);
-    const CrossingList& crossings = judgement_.crossings[0];
+    find_crossings<S>(course_, true, *judgement_);
+    const CrossingList& crossings = judgement_->crossings[0];
     const auto as_flown = [](const State<double>& s, double) { return s; };
-    const auto met = scene_ ? scene_.meeting(course_, judgement_, clock, as_flown) : std::nullopt;
+    const auto met = scene_ ? scene_.meeting(course_, *judgement_, clock, as_flown) : std::nullopt;
     for (int i = 0; i < crossings.count; ++i) {
       if (met && met->theta < crossings.found[i].theta) break;
       const double t = at.time(crossings.found[i].theta);
@@ -152,9 +153,9 @@ class Settling {
   }
   /// Met a thing of the scene inside a step.
   void strike(const collide::PathHit& met, double clock) {
-    const double t = judgement_.at.time(met.theta);
+    const double t = judgement_->at.time(met.theta);
     const double passed = passed_at(t, clock);
-    const State<double> s{met.hit.position, judgement_.at.at_time(t).v};
+    const State<double> s{met.hit.position, judgement_->at.at_time(t).v};
     r_.trace(passed, s);
     r_.put(s, passed);
     stop_at(t, passed);
@@ -162,7 +163,7 @@ class Settling {
   }
   /// What goes on from a time inside the step begins there.
   void stop_at(double t, double passed) {
-    if (r_.turning()) r_.put_turn(judgement_.at.turn_at_time(t));
+    if (r_.turning()) r_.put_turn(judgement_->at.turn_at_time(t));
     r_.feel_as_at(passed);
   }
 
@@ -233,7 +234,7 @@ class Settling {
   StepParts parts_;
   GroundContacts<SettledRow<S>> ground_;
   SceneContacts<SettledRow<S>> scene_;
-  Judgement<S> judgement_{};
+  Unset<Judgement<S>> judgement_;  // of the last step that was looked at
 };
 
 /// f of the row, taken out of its columns.

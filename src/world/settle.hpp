@@ -51,6 +51,14 @@ struct Chunk {
   std::vector<Trace> traces;  // of those that meet others, each in order of time
 };
 
+/// What decides the order of events, and where one stands.
+struct EventKey {
+  double time = 0;
+  std::uint32_t slot = 0, order = 0, at = 0;
+
+  auto operator<=>(const EventKey&) const = default;
+};
+
 /// Memory that steps use again and again.
 struct StepScratch {
   std::vector<std::uint32_t> attention;   // a bit for each row
@@ -59,6 +67,8 @@ struct StepScratch {
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;
   std::vector<Change> changes;
+  std::vector<EventKey> event_order;
+  std::vector<Event> events;  // in order
 };
 
 /// What settling reads beside the row.

@@ -220,8 +220,10 @@ class SettledRow {
       chunk_.changes.push_back({slot_index_, Change::Kind::spin, LifeStatus::in_flight, Reason::none, *shown_});
     if (!relaunched_ && !respun_ && !has_passed_stops()) return;
     Body<S>& body = march.lanes.body;
-    body.applied = from_row_.applied;  // what generators gave is not its own
-    body.applied_until = from_row_.applied_until;
+    if (taken_) {  // what generators gave is not its own
+      body.applied = from_row_.applied;
+      body.applied_until = from_row_.applied_until;
+    }
     const S* number = numbers(body);
     for (const std::uint8_t field : rows_.layout().fields) columns_.field[field][row_] = number[field];
     if (!relaunched_) return;
@@ -232,8 +234,7 @@ class SettledRow {
  private:
   [[nodiscard]] const Kind& kind() const { return context_.registry->kind(slot().kind); }
   void read() {
-    Lanes<S>& lane = march.lanes;
-    lane.body = {};
+    Lanes<S>& lane = march.lanes;  // a March begins with an empty body
     S* number = numbers(lane.body);
     for (const std::uint8_t field : rows_.layout().fields) number[field] = columns_.field[field][row_];
     for (int axis = 0; axis < 3; ++axis) {
@@ -246,7 +247,7 @@ class SettledRow {
       t_start_ = columns_.offset[row_] + steps * static_cast<S>(context_.dt);
       t_end_ = columns_.offset[row_] + (steps + S(1)) * static_cast<S>(context_.dt);
     }
-    from_row_ = lane.body;
+    if (taken_ || has_stops(conditions())) from_row_ = lane.body;
     if (turning()) {
       Rows::get<RotorConstants>(columns_.rotor, row_, *lane.rotor);
       Rows::get(columns_.turn, row_, lane.step.turn->start);
@@ -294,8 +295,8 @@ class SettledRow {
   std::uint32_t row_;
   std::uint32_t slot_index_;
   const TakenStep<S>* taken_;
-  bool is_traced_;  // it meets others
-  Body<S> from_row_{};
+  bool is_traced_;    // it meets others
+  Body<S> from_row_;  // where generators or stops change what is flown
   State<double> start_{};
   S t_start_ = 0;
   S t_end_ = 0;

@@ -209,11 +209,13 @@ Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, const C
     if (!registry.has_environment_of(registry.kind(index)))
       return Error{"its environment is no longer there", "kind", "restore() took it back: add it again"};
     registry.kinds.join(index);  // first: who makes room may be the last of another kind, which lets idle ones go
-    Result<ProjectileId> made = Error{"no memory for another projectile", "world", "lower max_projectiles"};
-    try {
-      made = spawn_of(index, launch, coming);
-    } catch (const std::bad_alloc&) {
-    }
+    Result<ProjectileId> made = [&]() -> Result<ProjectileId> {
+      try {
+        return spawn_of(index, launch, coming);
+      } catch (const std::bad_alloc&) {
+        return Error{"no memory for another projectile", "world", "lower max_projectiles"};
+      }
+    }();
     if (!made) registry.kinds.leave(index, moments, living);
     return made;
   }();

@@ -155,6 +155,7 @@ struct WorldImpl : Gate {
   void step_forced(double dt);
   void turn(double dt);
   void finish_step();
+  void put_events_in_order();
   /// What settling decided of one projectile.
   void carry_out(const Change& change);
   [[nodiscard]] TaskRunner& runner(std::size_t rows);

@@ -268,6 +268,20 @@ void WorldImpl::finish_step() {
   for (const Change& change : scratch.changes) carry_out(change);
 }
 
+/// By time, projectile and kind. What one tells at one time stays in the order in which it was told.
+void WorldImpl::put_events_in_order() {
+  std::vector<EventKey>& keys = scratch.event_order;
+  keys.clear();
+  for (std::uint32_t at = 0; const Event& e : state.events)
+    keys.push_back({e.time, e.id.index, static_cast<std::uint32_t>(row_of(e.kind).order), at++});
+  if (std::ranges::is_sorted(keys)) return;
+  std::ranges::sort(keys);
+  // Events are large: each is moved once, and the list stays where it is.
+  scratch.events.clear();
+  for (const EventKey& key : keys) scratch.events.push_back(state.events[key.at]);
+  std::ranges::copy(scratch.events, state.events.begin());
+}
+
 void WorldImpl::carry_out(const Change& change) {
   Slot& slot = state.slots[change.slot];
   if (!slot.is(kAlive)) return;
@@ -328,12 +342,7 @@ void WorldImpl::step(double dt) {
   expire_old();
   fire_emitters(*this, context);
   end_generators();
-  // What a projectile tells at one time stays in the order in which it was told.
-  std::stable_sort(state.events.begin(), state.events.end(), [](const Event& a, const Event& b) {
-    if (a.time != b.time) return a.time < b.time;
-    if (a.id.index != b.id.index) return a.id.index < b.id.index;
-    return row_of(a.kind).order < row_of(b.kind).order;
-  });
+  put_events_in_order();
   state.events_of_step = state.events.size();
   PHYSIM_ASSERT(rows_of_all(state) == state.slots.alive());
   if (recorder) recorder->stepped([this] { return hash(); });

@@ -474,6 +474,18 @@ TEST(Emitter, what_is_refused) {
   EXPECT_EQ(world.emitters().size(), 2u);
 }
 
+TEST(Emitter, more_than_a_million_in_a_step_stop_it) {
+  World world = make_world({.ground = {.mode = GroundMode::none}});
+  EmitterDef def = spray(kind_of(world, spark()), 1e9, 5);
+  def.maximum = 10;
+  const EmitterId id = added(world, def);
+  ASSERT_TRUE(world.step(0.1));
+  const EmitterCounts c = world.emitter_counts(id);
+  EXPECT_EQ(c.born + c.refused, 1u << 20);
+  EXPECT_EQ(c.cut, 1u);
+  EXPECT_FALSE(world.is_playing(id));
+}
+
 TEST(Emitter, one_that_fires_itself_is_cut) {
   World world = make_world({.ground = {.mode = GroundMode::none}});
   EmitterDef def = spray(kind_of(world, spark()), 1, 5);
