@@ -114,29 +114,40 @@ class EmitterBirths {
     if (!e.active || !e.plays || !(e.def().per_metre > 0)) return;
     const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
     const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_moved(index, distance);
-    const double rate = e.def().cycle.rate;
-    const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
+    const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
     if (!time || *time < context_.time || *time > e.began + last / rate) return;
     const double own = (*time - e.began) * rate;
-    if (own < first) return;
     EmitMoment moment{.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own)};
     queue_.push({.time = *time, .emitter = index, .rank = kMetre, .moment = moment});
   }
   /// By when it has come so far, where calls or a projectile move it.
   [[nodiscard]] std::optional<double> when_moved(std::uint32_t index, double distance) const {
-    const double way = way_of(index), left = distance - all_[index].travelled;
-    if (!(way > 0) || left > way) return std::nullopt;
-    const double from = context_.time, to = all_[index].def().follows ? s_.followed[index]->to : end_;
-    return from + (to - from) * std::max(left / way, 0.0);
+    const Way way = way_of(index);
+    const double left = distance - all_[index].travelled;
+    if (!(way.length > 0) || left > way.length) return std::nullopt;
+    return way.from + (way.to - way.from) * std::max(left / way.length, 0.0);
   }
-  /// The way of this step, straight from its start to its end [m].
-  [[nodiscard]] double way_of(std::uint32_t index) const {
+  /// A straight way, and when it is gone.
+  struct Way {
+    double from = 0, to = 0;  // [s]
+    double length = 0;        // [m]
+  };
+  /// The way of this step, straight from its start to its end; what lies before the first cycle does not count.
+  [[nodiscard]] Way way_of(std::uint32_t index) const {
     const Emitter& e = all_[index];
+    Way way{context_.time, end_, e.to ? length(e.to->position - e.at.position) : 0};
     if (e.def().follows) {
       const auto& followed = s_.followed[index];
-      return followed ? length(followed->end.position - followed->begin.position) : 0;
+      if (!followed) return {};
+      way.to = followed->to;
+      way.length = length(followed->end.position - followed->begin.position);
     }
-    return e.to ? length(e.to->position - e.at.position) : 0;
+    const double whole = way.to - way.from;
+    if (!(whole > 0 && way.length > 0)) return {};
+    const double first = e.began + Timeline(*e.emission).span(e.timeline.play).first / e.def().cycle.rate;
+    way.from = std::clamp(first, way.from, way.to);
+    way.length *= (way.to - way.from) / whole;
+    return way;
   }
 
   void queue_triggers() {
@@ -293,9 +304,8 @@ class EmitterBirths {
   void finish(std::uint32_t index) {
     Emitter& e = all_[index];
     if (!e.active) return;
-    const double rate = e.def().cycle.rate;
-    const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
-    if (!e.odometer && e.plays && e.began + first / rate < end_) e.travelled += way_of(index);
+    const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
+    if (!e.odometer && e.plays) e.travelled += way_of(index).length;
     if (e.to) e.at = *std::exchange(e.to, std::nullopt);
     if (e.def().follows && !w_.find(e.def().follows)) e.plays = false;
     if (e.plays && e.began + last / rate <= end_) e.plays = false;

@@ -207,6 +207,32 @@ TEST(EmitterFrames, who_is_moved_by_calls_goes_straight_from_each_to_the_next) {
   }
 }
 
+TEST(EmitterFrames, metres_count_from_the_first_cycle_on_whoever_moves_it) {
+  for (const int rate : {7, 50, 1000})
+    for (const int way : {0, 1, 2}) {  // by calls, on a path, behind a projectile
+      World world = make_world({.ground = {.mode = GroundMode::none}});
+      EmitterDef def;
+      def.kind = kind_of(world, spark(), {.use_gravity = false});
+      def.per_second = {0};
+      def.per_metre = 10;
+      def.start.speed = {0};
+      def.cycle.delay = {0.6};
+      if (way == 1) def.motion = SteadyMotion{.velocity = {3, 0, 0}};
+      if (way == 2) def.follows = *world.spawn(def.kind, {.velocity = Vec3d{3, 0, 0}});
+      const EmitterId id = added(world, def);
+      for (int i = 1; i <= 2 * rate; ++i) {
+        if (way == 0) {
+          ASSERT_TRUE(world.move_emitter(id, {.position = {3.0 * i / rate, 0, 0}}));
+        }
+        ASSERT_TRUE(world.step(1.0 / rate));
+      }
+      const auto all = alive(world, id);
+      EXPECT_NEAR(static_cast<double>(all.size()), 42, 1) << rate << ", " << way;  // the last is due at the very end
+      for (const auto& [number, state] : all)
+        EXPECT_NEAR(state.position.x, 1.8 + 0.1 * static_cast<double>(number + 1), 1e-9) << rate << ", " << way;
+    }
+}
+
 TEST(EmitterFrames, who_follows_a_closed_form_is_where_it_is) {
   for (const int rate : kFrameRates) {
     World world = make_world({.ground = {.mode = GroundMode::none}});
