@@ -63,6 +63,7 @@ inline SceneMotion random_emitter_motion(Random& r) {
 
 /// One that fires `kind`; `others` are emitters of the same world that it may set off.
 inline EmitterDef random_emitter(Random& r, KindId kind, std::span<const EmitterId> others) {
+  const IeeeMode mode;
   EmitterDef def;
   def.kind = kind;
   if (r.one_in(2)) def.seed = static_cast<std::uint64_t>(r.below(1000));
