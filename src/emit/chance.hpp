@@ -74,8 +74,8 @@ class ParticleChance {
   static constexpr std::uint32_t kBlocks = static_cast<std::uint32_t>(Draw::life_colour) / 4 + 1;
 
   std::uint64_t seed_, number_;
-  std::uint32_t drawn_ = 0;  // a bit for each block
-  std::array<PhiloxCounter, kBlocks> words_{};  // set to zero for the compiler's peace alone: it warns otherwise
+  std::uint32_t drawn_ = 0;                     // a bit for each block
+  std::array<PhiloxCounter, kBlocks> words_{};  // none is read before it is drawn, but compilers do not see that
 };
 
 }  // namespace physim

@@ -36,6 +36,8 @@ struct EmitterScratch {
   std::vector<EmitterTrigger> triggers;
   std::vector<EmitterTrigger> causes;             // those that set off a sub-emitter
   std::vector<Departure> departures;              // of particles, in the step at hand
+  std::vector<ProjectileId> dying;                // whose lives end in it, in that order
+  std::vector<double> ends;                       // and when they do [s]
   std::vector<std::optional<Followed>> followed;  // by emitter
   std::uint32_t births = 0;                       // by sub-emitters, in the step at hand
   std::vector<std::uint32_t> own_births;          // of each emitter by itself, in the step at hand

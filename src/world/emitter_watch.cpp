@@ -70,7 +70,13 @@ void EmitterWatch::reach_ages() {
 }
 
 void EmitterWatch::end_lives() {
-  while (const auto due = all_.lives.take(end_, w_.state.slots)) end_life(due->id.index, std::nullopt, due->time);
+  s_.dying.clear(), s_.ends.clear();
+  while (const auto due = all_.lives.take(end_, w_.state.slots))
+    s_.dying.push_back(due->id), s_.ends.push_back(due->time);
+  for (std::size_t i = 0; i < s_.dying.size(); ++i) {
+    w_.prefetch(s_.dying, i);  // they lie all over the memory
+    if (w_.find(s_.dying[i])) end_life(s_.dying[i].index, std::nullopt, s_.ends[i]);
+  }
 }
 
 // ------------------------------------------------------------------------------------------- after it
