@@ -90,7 +90,7 @@ class EmitterBirths {
       const MotionState at = e.path->at(time);
       return Pose{at.position, at.rotation, at.velocity};
     }
-    if (!e.to) return Pose{e.at.position, e.at.rotation, {}};
+    if (!e.to || is_past_) return Pose{e.at.position, e.at.rotation, {}};  // a move is of the step to come
     const double span = end_ - context_.time, u = span > 0 ? (time - context_.time) / span : 1;
     const Vec3d way = e.to->position - e.at.position;
     return Pose{e.at.position + way * u, turned(e.at.rotation, e.to->rotation, u), way * (span > 0 ? 1 / span : 0)};
