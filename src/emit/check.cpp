@@ -25,6 +25,7 @@ constexpr double kLeastBirths = 1e-6;  // in a cycle where each draws its rate: 
 constexpr double kLeastChance = 1e-5;  // likewise, of a moment of a burst
 constexpr double kLongest = 1e9;       // [s]
 constexpr double kFarthest = 1e15;     // [m]
+constexpr double kNearest = 1e-6;      // in front of a barrel that its line meets others [m]
 constexpr double kWholeTurn = 6.2832;  // 2 pi, and what rounding it may add [rad]
 constexpr double kMostDispersion = 0.3;  // whose tails still point forwards [rad]
 
@@ -160,7 +161,10 @@ void check_births(Checker& c, const EmitterDef& def) {
                                                                                       : "emitter.bursts";
   c.require(births <= kMostBirths, where, "would let out " + short_text(births) + " particles a second",
             "at most 1e9, by rate, bursts and gun together");
-  const double of_cycle = rate.most * def.cycle.duration;
+  if (!c.status_so_far()) return;
+  const EmitNumber drawn(def.per_second);
+  const auto integral = [&drawn](double u) { return drawn.integral(1, [u] { return u; }); };
+  const double of_cycle = std::max(integral(0), integral(1)) * def.cycle.duration;
   c.require(!def.per_second.to || rate.most == 0 || of_cycle >= kLeastBirths, "emitter.per_second",
             "comes to less than 1e-6 particles in a cycle", "make the cycle longer, or give one rate alone");
 }
@@ -180,12 +184,13 @@ void check_gun(Checker& c, const GunDef& gun) {
   c.require(!climbs || gun.burst_rounds > 0 || gun.magazine > 0, at + "recoil",
             "needs bursts or a magazine, over whose rounds it climbs", "give burst_rounds or magazine");
   check_within(c, gun.convergence, 0, kFarthest, at + "convergence", "0: the barrels are parallel");
+  c.require(gun.convergence == 0 || gun.convergence >= kNearest, at + "convergence", "must be 0, or 1e-6 m at least");
   check_length(c, gun.barrels.size(), kMostParts, at + "barrels");
   for (std::size_t i = 0; i < gun.barrels.size() && c.status_so_far(); ++i) {
     const Place place = at + "barrels[" + std::to_string(i) + "].position";
     const Vec3d& p = gun.barrels[i].position;
     c.require(finite(p) && length(p) <= kFarthest, place, "must lie within 1e15 m");
-    c.require(gun.convergence == 0 || p.x < gun.convergence, place, "lies beyond the convergence",
+    c.require(gun.convergence == 0 || p.x <= gun.convergence - kNearest, place, "lies beyond the convergence",
               "the barrels' lines meet in front of them");
   }
 }

@@ -92,6 +92,7 @@ double moments_in_cycle(const Burst& burst, double duration) {
   if (burst.interval == 0) return most;
   // The quotient may be off by one either way.
   double n = std::floor((duration - burst.time) / burst.interval);
+  if (!(n < 9e15)) return std::min(most, 9e15);  // beyond it whole numbers are not counted any more
   while (n > 0 && !(burst.time + (n - 1) * burst.interval < duration)) --n;
   while (n < most && burst.time + n * burst.interval < duration && n < 9e15) ++n;
   return std::min(n, most);

@@ -56,10 +56,16 @@ TimelineState Timeline::begin(std::uint64_t play) const {
 }
 
 bool Timeline::is_of(const TimelineState& state) const {
-  const std::size_t sources = emission_.parts_->when.bursts.size() + 2;
-  const auto is_time = [](double time) { return time >= 0; };
-  return state.taken.size() == sources && state.at.size() == sources && std::ranges::all_of(state.at, is_time) &&
-         std::isfinite(state.rate_before);
+  const auto& bursts = emission_.parts_->when.bursts;
+  const std::size_t sources = bursts.size() + 2;
+  if (state.taken.size() != sources || state.at.size() != sources || !std::isfinite(state.rate_before)) return false;
+  for (std::size_t source = 0; source < sources; ++source) {
+    if (!(state.at[source] >= 0)) return false;
+    if (source == kRate || !std::isfinite(state.at[source])) continue;
+    const std::uint64_t most = source <= bursts.size() ? bursts[source - 1].moments() : emission_.parts_->gun.rounds();
+    if (state.taken[source] >= most) return false;
+  }
+  return true;
 }
 
 void Timeline::find(TimelineState& state, std::size_t source) const {

@@ -1,9 +1,11 @@
 #include "world/emitter_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <unordered_map>
 
+#include "base/restored.hpp"
 #include "math/elementary.hpp"
 #include "world/emitter_firing.hpp"
 #include "world/emitter_watch.hpp"
@@ -16,6 +18,8 @@ namespace {
 /// step: more are cut.
 constexpr std::uint32_t kDeepest = 32;
 constexpr std::uint32_t kMostBirths = 1u << 20;
+/// Births of a past, most of which nobody has to fly.
+constexpr std::uint32_t kMostOfPast = 1u << 26;
 
 class EmitterBirths {
  public:
@@ -115,17 +119,18 @@ class EmitterBirths {
     const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
     const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_moved(index, distance);
     const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
-    if (!time || *time < context_.time || *time > e.began + last / rate) return;
-    const double own = (*time - e.began) * rate;
+    if (!time || *time > e.began + last / rate) return;
+    const double now = std::max(*time, context_.time);  // rounding may put it just before
+    const double own = (now - e.began) * rate;
     EmitMoment moment{.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own)};
-    queue_.push({.time = *time, .emitter = index, .rank = kMetre, .moment = moment});
+    queue_.push({.time = now, .emitter = index, .rank = kMetre, .moment = moment});
   }
   /// By when it has come so far, where calls or a projectile move it.
   [[nodiscard]] std::optional<double> when_moved(std::uint32_t index, double distance) const {
     const Way way = way_of(index);
     const double left = distance - all_[index].travelled;
     if (!(way.length > 0) || left > way.length) return std::nullopt;
-    return way.from + (way.to - way.from) * std::max(left / way.length, 0.0);
+    return std::min(way.from + (way.to - way.from) * std::max(left / way.length, 0.0), way.to);
   }
   /// A straight way, and when it is gone.
   struct Way {
@@ -213,7 +218,7 @@ class EmitterBirths {
       return most < e.def().maximum || alive_at(index, time) < e.def().maximum;
     }
     if (e.counts.alive < e.def().maximum) return true;
-    const ProjectileId oldest = all_.oldest(index, w_.state.slots);
+    const ProjectileId oldest = all_.oldest(index);
     PHYSIM_ASSERT(oldest);
     all_.leave(oldest.index, &EmitterCounts::replaced);
     w_.retire(oldest.index, Reason::replaced);
@@ -223,7 +228,7 @@ class EmitterBirths {
   /// One too many. An emitter that lets out so many by itself stops.
   bool is_cut(const Firing& firing) {
     if (cause_of(firing)) return depth_of(firing) > kDeepest || ++s_.births > kMostBirths;
-    if (++s_.own_births[firing.emitter] <= kMostBirths) return false;
+    if (++s_.own_births[firing.emitter] <= (is_past_ ? kMostOfPast : kMostBirths)) return false;
     all_[firing.emitter].plays = false;
     return true;
   }
@@ -247,7 +252,7 @@ class EmitterBirths {
     Particle particle{.emitter = firing.emitter,
                       .number = birth.number,
                       .phase = birth.phase,
-                      .dies = firing.time + newborn.lifetime,
+                      .dies = std::max(firing.time + newborn.lifetime, std::nextafter(firing.time, kInfinity)),
                       .depth = depth_of(firing)};
     if (cause_of(firing)) inherit(firing, particle);
     all_.join(*id, particle, firing.time, end_);
@@ -371,6 +376,9 @@ void fire_emitters(WorldImpl& world, const SettleContext& context) {
 }
 
 void fire_past(WorldImpl& world, std::uint32_t index) {
+  const Restored<const Gate*> asking(Gate::in_question, &world);  // functions of one's own change nothing meanwhile
+  world.is_stirred = false;                                       // who is born knows how far it may fly
+  world.emitting.births = 0;
   SettleContext context = now_of(world);
   const double now = context.time;
   context.time = world.state.emitters[index].began;
@@ -384,6 +392,7 @@ void fire_past(WorldImpl& world, std::uint32_t index) {
 }
 
 std::size_t fire_now(WorldImpl& world, std::uint32_t index, std::uint32_t count) {
+  world.emitting.births = 0;
   const SettleContext context = now_of(world);
   EmitterBirths step(world, context, context.time);
   step.watch().note_followed();
@@ -399,6 +408,7 @@ std::size_t fire_now(WorldImpl& world, std::uint32_t index, std::uint32_t count)
 }
 
 void trigger_now(WorldImpl& world, std::uint32_t index) {
+  world.emitting.births = 0;
   const SettleContext context = now_of(world);
   EmitterBirths step(world, context, context.time);
   step.watch().note_followed();

@@ -131,9 +131,13 @@ void EmitterWatch::watch(const Event& event) {
 void EmitterWatch::leaves(std::uint32_t slot, const Event* last) {
   const BodyState at = last ? BodyState{last->position, last->velocity} : w_.state.state_of(w_.state.slots[slot]);
   const double time = last ? last->time : end_;
+  end_followed(slot, at, time);
+  if (const Particle* particle = all_.particle(slot)) depart(slot, particle->emitter, at, time);
+}
+/// Who follows it comes no farther.
+void EmitterWatch::end_followed(std::uint32_t slot, const BodyState& at, double time) {
   for (std::uint32_t i = 1; i < all_.size(); ++i)
     if (all_[i].active && follows(all_[i], slot) && s_.followed[i]) s_.followed[i]->to = time, s_.followed[i]->end = at;
-  if (const Particle* particle = all_.particle(slot)) depart(slot, particle->emitter, at, time);
 }
 void EmitterWatch::depart(std::uint32_t slot, std::uint32_t emitter, const BodyState& at, double time) {
   s_.departures.push_back({emitter, time});
@@ -143,8 +147,10 @@ void EmitterWatch::trigger(std::uint32_t slot, SubEvent on, double time, const B
                            std::size_t only) {
   Particle& particle = *all_.particle(slot);
   if (!waits_for(all_[particle.emitter].def(), on)) return;
-  ++particle.events;
   s_.triggers.push_back({on, time, w_.state.slots.birth(slot), particle, at, normal, only});
+  // What comes once is counted apart: in which order steps look at it does not matter.
+  const bool comes_once = on == SubEvent::birth || on == SubEvent::age || on == SubEvent::death;
+  s_.triggers.back().particle.events = comes_once ? 0 : ++particle.events;
 }
 
 // ------------------------------------------------------------------------------------------- ages, ends of lives
@@ -187,6 +193,7 @@ void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time)
                  .time = time,
                  .position = at.position,
                  .velocity = at.velocity});
+  end_followed(index, at, time);
   if (const Particle* particle = all_.particle(index)) depart(index, particle->emitter, at, time);
   all_.leave(index, &EmitterCounts::aged);
   w_.remove(index, LifeStatus::expired);
@@ -195,6 +202,8 @@ void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time)
 bool EmitterWatch::tell_chunk() {
   Chunk& chunk = s_.chunk;
   if (chunk.events.empty() && chunk.changes.empty()) return false;
+  for (Event& event : chunk.events)
+    event.time = std::max(event.time, w_.state.slots.birth(event.id.index));  // rounding
   watch(chunk);
   for (const Event& event : chunk.events) w_.keep_event(event);
   bool left = false;
@@ -208,11 +217,10 @@ bool EmitterWatch::tell_chunk() {
 
 // ------------------------------------------------------------------------------------------- of one newborn
 void EmitterWatch::look_ahead(std::uint32_t index, double born, double birth, double until) {
-  for (const SubEmitter& sub : all_[all_.particle(index)->emitter].def().subs) {
-    const double then = birth + sub.age;
-    if (sub.on != SubEvent::age || then > until) continue;
+  each_age(all_[all_.particle(index)->emitter].def().subs, birth, [&](double then) {
+    if (then > until) return;
     if (const auto at = seen_at(index, born, then)) trigger_age(index, *at, then);
-  }
+  });
 }
 
 void EmitterWatch::fly_newborn(std::uint32_t index, double born) {
@@ -231,8 +239,9 @@ void EmitterWatch::fly_newborn(std::uint32_t index, double born) {
 void EmitterWatch::grow_up(std::uint32_t index, double birth, double dies) {
   const double end = std::min(dies, end_);
   std::vector<double> stops;
-  for (const SubEmitter& sub : all_[all_.particle(index)->emitter].def().subs)
-    if (sub.on == SubEvent::age && birth + sub.age <= end) stops.push_back(birth + sub.age);
+  each_age(all_[all_.particle(index)->emitter].def().subs, birth, [&](double then) {
+    if (then <= end) stops.push_back(then);
+  });
   std::ranges::sort(stops);
   double now = birth;
   for (const double stop : stops) {
@@ -245,7 +254,8 @@ void EmitterWatch::grow_up(std::uint32_t index, double birth, double dies) {
 }
 
 bool EmitterWatch::fly_in_parts(std::uint32_t index, double from, double to, bool is_birth) {
-  if (!(to > from)) return true;
+  PHYSIM_ASSERT(to >= from);
+  if (to == from) return true;
   // Fixed steps take the world's; a closed form takes none.
   const Slot& slot = w_.state.slots[index];
   const bool is_closed = w_.registry.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;

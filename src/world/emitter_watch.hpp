@@ -43,6 +43,7 @@ class EmitterWatch {
   void watch(const Event& event);
   /// It leaves the world where its last event says, or at the end of the step.
   void leaves(std::uint32_t slot, const Event* last);
+  void end_followed(std::uint32_t slot, const BodyState& at, double time);
   void depart(std::uint32_t slot, std::uint32_t emitter, const BodyState& at, double time);
   /// Where one is at a time inside of the step, for somebody who only looks.
   std::optional<BodyState> seen_at(std::uint32_t slot, std::optional<double> born, double time);

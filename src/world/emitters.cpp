@@ -38,10 +38,9 @@ void Emitters::join(ProjectileId id, const Particle& particle, double birth, dou
   resume(id, particle);
   const Emitter& emitter = (*this)[particle.emitter];
   if (std::isfinite(particle.dies) && particle.dies > seen) lives.add(particle.dies, id);
-  for (const SubEmitter& sub : emitter.def().subs) {
-    const double then = birth + sub.age;
-    if (sub.on == SubEvent::age && then > seen && then <= particle.dies) ages.add(then, id);
-  }
+  each_age(emitter.def().subs, birth, [&](double then) {
+    if (then > seen && then <= particle.dies) ages.add(then, id);
+  });
 }
 
 void Emitters::resume(ProjectileId id, const Particle& particle) {
@@ -53,7 +52,12 @@ void Emitters::resume(ProjectileId id, const Particle& particle) {
   emitter_of_[id.index] = particle.emitter;
   Emitter& emitter = (*this)[particle.emitter];
   ++emitter.counts.alive;
-  if (emitter.def().when_full == WhenFull::replace_oldest) emitter.by_age.push_back(id);
+  if (emitter.def().when_full != WhenFull::replace_oldest) return;
+  emitter.by_age.push_back({id, particle.number});
+  constexpr std::size_t kFew = 1024;
+  if (emitter.by_age.size() <= 2 * std::size_t{emitter.counts.alive} + kFew) return;
+  std::erase_if(emitter.by_age, [&](const Aged& aged) { return is_gone(aged, particle.emitter); });
+  emitter.oldest = 0;
 }
 
 void Emitters::leave(std::uint32_t slot, EmitterCount why) {
@@ -67,15 +71,16 @@ void Emitters::leave(std::uint32_t slot, EmitterCount why) {
   emitter_of_[slot] = 0;
 }
 
-ProjectileId Emitters::oldest(std::uint32_t index, const SlotTable& slots) {
+bool Emitters::is_gone(const Aged& aged, std::uint32_t emitter) const {
+  const Particle* now = particle(aged.id.index);
+  return !now || now->emitter != emitter || now->number != aged.number;
+}
+
+ProjectileId Emitters::oldest(std::uint32_t index) {
   Emitter& emitter = (*this)[index];
-  constexpr std::size_t kFew = 1024;
-  if (emitter.oldest > kFew && 2 * emitter.oldest > emitter.by_age.size()) {
-    emitter.by_age.erase(emitter.by_age.begin(), emitter.by_age.begin() + static_cast<std::ptrdiff_t>(emitter.oldest));
-    emitter.oldest = 0;
-  }
+  PHYSIM_ASSERT(emitter.oldest <= emitter.by_age.size());
   for (; emitter.oldest < emitter.by_age.size(); ++emitter.oldest)
-    if (slots.find(emitter.by_age[emitter.oldest])) return emitter.by_age[emitter.oldest];
+    if (!is_gone(emitter.by_age[emitter.oldest], index)) return emitter.by_age[emitter.oldest].id;
   return {};
 }
 
@@ -83,7 +88,7 @@ std::size_t Emitters::bytes() const {
   std::size_t sum = particles_.capacity() * (sizeof(Particle) + sizeof(std::uint32_t)) +
                     all_.capacity() * sizeof(Emitter) + lives.bytes() + ages.bytes() +
                     free_.capacity() * sizeof(std::uint32_t);
-  for (const Emitter& emitter : all_) sum += emitter.by_age.capacity() * sizeof(ProjectileId);
+  for (const Emitter& emitter : all_) sum += emitter.by_age.capacity() * sizeof(Aged);
   return sum;
 }
 
@@ -111,8 +116,12 @@ void add_emitter(Hash& hash, const Emitter& e) {
 
 }  // namespace
 
-void Emitters::add_to(Hash& hash) const {
+void Emitters::add_to(Hash& hash, const SlotTable& slots) const {
   if (empty()) return;
+  std::uint64_t ends = 0;  // of those whose emitter is gone
+  for (const Due& due : lives.all())
+    if (!particle(due.id.index) && slots.find(due.id)) ends += hash_of(due.time, due.id.index);
+  hash.add(ends);
   hash.add(added_);
   for (const Emitter& emitter : all_) add_emitter(hash, emitter);
   for (const std::uint32_t index : free_) hash.add(std::uint64_t{index});

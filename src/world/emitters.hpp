@@ -1,6 +1,7 @@
 // Emitters: what a world keeps of its emitters and of the particles that they fired.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,6 +31,23 @@ struct Particle {
 /// Why a particle went, as EmitterCounts has it.
 using EmitterCount = std::uint64_t EmitterCounts::*;
 
+/// A particle among those of its emitter, in order of births.
+struct Aged {
+  ProjectileId id;
+  std::uint64_t number = 0;
+};
+
+/// Calls f with each time at which sub-emitters wait for an age, once.
+template <class F>
+void each_age(const std::vector<SubEmitter>& subs, double birth, const F& f) {
+  for (auto sub = subs.begin(); sub != subs.end(); ++sub) {
+    const auto is_then = [&](const SubEmitter& s) {
+      return s.on == SubEvent::age && birth + s.age == birth + sub->age;
+    };
+    if (sub->on == SubEvent::age && std::find_if(subs.begin(), sub, is_then) == sub) f(birth + sub->age);
+  }
+}
+
 /// An emitter and how far it has come.
 struct Emitter {
   std::uint32_t generation = 0;
@@ -48,8 +66,8 @@ struct Emitter {
   Transform at;                 // where it stands, rotation of length one
   std::optional<Transform> to;  // where it goes in the next step
   EmitterCounts counts;
-  std::vector<ProjectileId> by_age;  // its particles, where the oldest makes room; some are gone
-  std::size_t oldest = 0;            // in by_age
+  std::vector<Aged> by_age;  // its particles, where the oldest makes room; some are gone
+  std::size_t oldest = 0;    // in by_age
 
   [[nodiscard]] const EmitterDef& def() const { return emission->def(); }
 };
@@ -96,7 +114,7 @@ class Emitters {
   /// It is gone, for that reason; nothing where no emitter fired it.
   void leave(std::uint32_t slot, EmitterCount why);
   /// The oldest particle of an emitter that lets it make room.
-  [[nodiscard]] ProjectileId oldest(std::uint32_t index, const SlotTable& slots);
+  [[nodiscard]] ProjectileId oldest(std::uint32_t index);
   /// Calls f with the slot and the particle of each one alive, in order of slots.
   template <class F>
   void each_particle(const F& f) const {
@@ -114,7 +132,7 @@ class Emitters {
   Schedule ages;   // when sub-emitters fire at them
 
   [[nodiscard]] std::size_t bytes() const;
-  void add_to(Hash& hash) const;
+  void add_to(Hash& hash, const SlotTable& slots) const;
 
   // ------------------------------------------------------------------------------------------- as a save tells it
   [[nodiscard]] const std::vector<Emitter>& all() const { return all_; }  // the first is none
@@ -125,6 +143,8 @@ class Emitters {
   void resume(ProjectileId id, const Particle& particle);
 
  private:
+  [[nodiscard]] bool is_gone(const Aged& aged, std::uint32_t emitter) const;
+
   std::vector<Emitter> all_{1};  // 0 is none
   std::uint64_t added_ = 0;
   std::vector<std::uint32_t> free_;

@@ -245,6 +245,9 @@ class Loading {
     return {};
   }
 
+  [[nodiscard]] static bool is_place(const Transform& at) {
+    return finite(at.position) && std::abs(norm(at.rotation) - 1) < 1e-9;
+  }
   /// Whether an emitter has done what it had to do by now.
   [[nodiscard]] bool is_up_to_date(const Emitter& e) {
     const double now = state().clock.time(), slack = 1e-9 * (1 + std::abs(now));
@@ -265,7 +268,7 @@ class Loading {
       if (Status status = check(each.def); !status) return status;
       const bool has_kinds = world_->registry.kinds.find(each.def.kind) != 0 &&
                              (each.def.gun.tracer_every == 0 || world_->registry.kinds.find(each.def.gun.tracer) != 0);
-      const bool is_there = finite(each.at.position) && (!each.to || finite(each.to->position));
+      const bool is_there = is_place(each.at) && (!each.to || is_place(*each.to));
       if (!has_kinds || !is_there || !std::isfinite(each.began) || !std::isfinite(each.travelled))
         return makes_no_sense("its emitters");
       world_->equip(e, each.def, each.seed);
@@ -294,9 +297,10 @@ class Loading {
     Emitters& emitters = state().emitters;
     std::ranges::sort(saved_.emitters.particles, {}, [](const SavedParticle& p) { return p.particle.number; });
     for (const auto& [slot, particle] : saved_.emitters.particles) {
-      const bool fits = is_alive(slot) && particle.emitter > 0 && particle.emitter < emitters.size() &&
-                        emitters[particle.emitter].active && !emitters.particle(slot) && !std::isnan(particle.dies) &&
-                        std::isfinite(particle.phase) && std::isfinite(particle.size);
+      const bool is_its = is_alive(slot) && particle.emitter > 0 && particle.emitter < emitters.size() &&
+                          emitters[particle.emitter].active && !emitters.particle(slot);
+      const bool fits = is_its && particle.dies > state().slots.birth(slot) && particle.phase >= 0 &&
+                        particle.phase <= 1 && std::isfinite(particle.size);
       if (!fits) return makes_no_sense("its particles");
       emitters.resume(state().slots.id_of(slot), particle);
     }

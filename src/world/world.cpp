@@ -115,11 +115,11 @@ Environment WorldImpl::surroundings_of(const Kind& kind, double time) const {
 }
 
 /// The cheapest rung for a launch, where the kind asks for it; its own otherwise.
-Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double time) {
+Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double time, double gravity) {
   const Kind& kind = registry.kind(kind_index);
   if (kind.body.cheapest_within == 0) return std::uint16_t{0};
   Environment environment = surroundings_of(kind, time);
-  environment.gravity.acceleration *= own_of(kind.body).gravity_scale;
+  environment.gravity.acceleration *= own_of(kind.body).gravity_scale * gravity;
   Purpose purpose;
   purpose.error = kind.body.cheapest_within;
   purpose.time = kind.body.within_time;
@@ -156,7 +156,7 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
   const BodyState at{launch.position,
                      launch.velocity ? *launch.velocity : launch_velocity(launch, sight_frame(launch), *elevation)};
   if (!(coming.delay >= 0 && coming.delay < 1e15)) return Error{"must be zero or positive", "delay", "in s"};
-  const auto rung = rung_for(kind_index, launch, launched);
+  const auto rung = rung_for(kind_index, launch, launched, coming.gravity);
   if (!rung) return rung.error();
   Slot wanted;
   wanted.kind = kind_index;

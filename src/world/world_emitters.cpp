@@ -118,8 +118,8 @@ Status World::move_emitter(EmitterId id, const Transform& to) {
   if (emitter->path || emitter->def().follows)
     return Error{"has a motion, or follows a projectile", "emitter", "move one that stands"};
   const double turned = norm(to.rotation);
-  if (!finite(to.position) || !(turned > 0 && std::isfinite(turned)))
-    return Error{"must have a finite position, and a rotation of a length that is not zero", "to", ""};
+  if (!(length(to.position) <= 1e15) || !(turned > 0 && std::isfinite(turned)))
+    return Error{"must lie within 1e15 m, with a rotation of a length that is not zero", "to", ""};
   emitter->to = Transform{to.position, normalized(to.rotation), 1};
   return {};
 }

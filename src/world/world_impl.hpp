@@ -73,7 +73,7 @@ struct WorldImpl : Gate {
   [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch, double time) const;
   /// Refuses a state whose numbers the rung's precision cannot hold.
   [[nodiscard]] Status fits(const Slot& slot, const BodyState& at) const;
-  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch, double time);
+  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch, double time, double gravity);
   /// Where a kind flies, by the clock of a launch at a time [s].
   [[nodiscard]] Environment surroundings_of(const Kind& kind, double time) const;
   /// Takes a projectile out of the world; the event is told before.

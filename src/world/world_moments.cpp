@@ -140,7 +140,7 @@ std::uint64_t WorldImpl::hash() const {
   add_free_slots(h, state);
   state.pools.add_to(h);
   state.generators.add_to(h);
-  state.emitters.add_to(h);
+  state.emitters.add_to(h, state.slots);
   h.add(hash_of(state.observer, state.detail, registry.environments()));
   if (state.scene) h.add(state.scene->hash());
   return h.value();

@@ -102,7 +102,7 @@ Result<Session> Session::replay(std::vector<std::byte> recording, const std::str
 
 Status Session::start(const std::string& recording) {
   Scenario played = with_world(scenario_);
-  if (!scenario_.world.given) played.shots.clear();  // they wait to be fired by hand
+  if (!scenario_.world.given) played.shots.clear();          // they wait to be fired by hand
   played.world.def.apex_events |= launches(played) <= 1000;  // what a file asks for may set off others
   most_tracks_of_run_ = launches(played) <= 64 && played.emitters.empty() ? kMaxTracksOfRun : kMaxTracksOfCrowd;
   Result<WorldRun> run = WorldRun::create(std::move(played), recording);
