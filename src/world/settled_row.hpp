@@ -195,7 +195,7 @@ class SettledRow {
   }
   /// Whether a step that was tried leaves it in the world.
   [[nodiscard]] bool outlives(bool accepted) {
-    const bool finite = is_finite(march.lanes.step.error) || !is_adaptive(cohort_.key.fidelity.integrator);
+    const bool finite = !is_adaptive(cohort_.key.fidelity.integrator) || is_finite(march.lanes.step.error);
     if (march.is_stuck()) return retire(finite ? Reason::stalled : Reason::non_finite), false;
     if (!accepted || ends_finite()) return true;
     return retire(Reason::non_finite), false;
