@@ -193,7 +193,7 @@ void FlightModel::fly_in_own_winds(const std::vector<std::span<const double>>& c
 }
 
 void FlightModel::move_to_plane(const BlockEnds& ends) const {
-  constexpr double kFarthest = 0.25;  // parts of the time of flight
+  constexpr double kLastPart = 0.25;  // parts of the time of flight
   const Vec3d &f = sight_.forward, &a = acceleration_;
   PHYSIM_ASSERT(study_.until.range.has_value());
   for (std::size_t i = 0; i < ends.x.size(); ++i) {
@@ -201,7 +201,7 @@ void FlightModel::move_to_plane(const BlockEnds& ends) const {
     const double left = *study_.until.range - dot(x - sight_.muzzle, f), ahead = dot(v, f), slower = dot(a, f);
     // left = ahead t + slower t^2 / 2, the root that is small where `left` is
     const double t = 2 * left / (ahead + std::sqrt(ahead * ahead + 2 * slower * left));
-    if (!(ahead > 0 && std::abs(t) <= kFarthest * ends.time[i])) {
+    if (!(ahead > 0 && std::abs(t) <= kLastPart * ends.time[i])) {
       ends.x[i] = kNowhere;
       continue;
     }
