@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
 // A sum of rates that should be a whole number misses it by rounding: what lacks so little of a birth has it.
-constexpr double kRounding = 1e-12;
+constexpr double kBirthRounding = 1e-12;
 constexpr std::uint64_t kMostCycles = 100'000'000;  // searched for a birth, where check() lets nothing come near it
 
 }  // namespace
@@ -48,7 +48,7 @@ double BirthRate::steady(double births) const {
 
 double BirthRate::by_curve(double births) const {
   if (!(of_cycle_ > 0)) return kInfinity;
-  const double cycle = std::max(0.0, std::ceil(births / of_cycle_ * (1 - kRounding)) - 1);
+  const double cycle = std::max(0.0, std::ceil(births / of_cycle_ * (1 - kBirthRounding)) - 1);
   if (!looping_ && cycle > 0) return kInfinity;
   const HiLo<double> before = two_product(cycle, of_cycle_);
   return cycle * duration_ + place_of((births - before.hi) - before.lo, 0) * duration_;
@@ -59,7 +59,7 @@ double BirthRate::drawn(double births, std::uint64_t play, RateReached& reached)
     const double u = open_unit(emit_words(seed_, EmitStream::rate, 0, reached.cycle, play)[0]);
     const double of_cycle = in_cycle(1, u), wanted = births - reached.before;
     PHYSIM_ASSERT(of_cycle >= 0);
-    if (wanted <= of_cycle + kRounding * births)
+    if (wanted <= of_cycle + kBirthRounding * births)
       return static_cast<double>(reached.cycle) * duration_ + place_of(wanted, u) * duration_;
     if (!looping_) return kInfinity;
     ++reached.cycle;
@@ -75,7 +75,7 @@ double BirthRate::in_cycle(double x, double u) const {
 /// Where in a cycle so many births are through, first: between two knots, where the integral is one cubic or the sum of
 /// two and rises.
 double BirthRate::place_of(double births, double u) const {
-  const double enough = births * (1 - kRounding);
+  const double enough = births * (1 - kBirthRounding);
   const auto end = std::lower_bound(knots_.begin() + 1, knots_.end() - 1, enough,
                                     [&](double x, double sum) { return in_cycle(x, u) < sum; });
   const double a = *(end - 1), b = *end;

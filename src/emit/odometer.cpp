@@ -12,15 +12,15 @@ namespace {
 
 constexpr int kPartsOfPiece = 16;
 
-struct Node {
+struct GaussNode {
   double at;  // -1..1
   double weight;
 };
-constexpr std::array<Node, 5> kNodes = {{{-0.906179845938664, 0.236926885056189},
-                                         {-0.538469310105683, 0.478628670499366},
-                                         {0, 0.568888888888889},
-                                         {0.538469310105683, 0.478628670499366},
-                                         {0.906179845938664, 0.236926885056189}}};
+constexpr std::array<GaussNode, 5> kGaussNodes = {{{-0.906179845938664, 0.236926885056189},
+                                                   {-0.538469310105683, 0.478628670499366},
+                                                   {0, 0.568888888888889},
+                                                   {0.538469310105683, 0.478628670499366},
+                                                   {0.906179845938664, 0.236926885056189}}};
 
 /// It goes along a curve, or at a speed that changes.
 bool is_bent(const collide::Path::Piece& piece) { return piece.c2 != Vec3d{} || piece.c3 != Vec3d{}; }
@@ -52,7 +52,7 @@ double Odometer::way(const collide::Path::Piece& piece, double from, double to) 
   if (!is_bent(piece)) return length(piece.c1) * (to - from);
   const double half = (to - from) / 2, middle = from + half;
   double sum = 0;
-  for (const Node& node : kNodes) sum += node.weight * length(piece.velocity(middle + half * node.at));
+  for (const GaussNode& node : kGaussNodes) sum += node.weight * length(piece.velocity(middle + half * node.at));
   return sum * half;
 }
 

@@ -34,9 +34,9 @@ double next_round(const Gun& gun, const EmitterCycle& cycle, std::uint64_t round
 /// How far through its cycle an emitter is, so long after the first one began.
 double phase_of(const EmitterCycle& cycle, double since) {
   // A time that should be a cycle's start may lie before it by rounding.
-  constexpr double kRounding = 4.5e-16;
+  constexpr double kPhaseRounding = 4.5e-16;
   PHYSIM_ASSERT(since >= 0);
-  const double cycles = cycle.looping ? std::floor(since / cycle.duration * (1 + kRounding)) : 0;
+  const double cycles = cycle.looping ? std::floor(since / cycle.duration * (1 + kPhaseRounding)) : 0;
   return std::clamp((since - cycles * cycle.duration) / cycle.duration, 0.0, 1.0);
 }
 

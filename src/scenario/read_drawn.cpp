@@ -115,7 +115,7 @@ Status read_gradient(std::string_view path, const Value& value, Gradient& target
     const Array* pair = key.get<Array>();
     if (pair == nullptr || pair->size() != 2) return fault(path, key, "this is no key", "expected " + wanted);
     ColourKey next;
-    if (Status status = read_number({path, Quantity::number, kPart}, (*pair)[0], next.at); !status) return status;
+    if (Status status = read_number({path, Quantity::number, kFraction}, (*pair)[0], next.at); !status) return status;
     if (Status status = read_colour(path, (*pair)[1], next.colour); !status) return status;
     if (!read.empty() && next.at <= read.back().at)
       return fault(path, (*pair)[0],

@@ -22,7 +22,7 @@ constexpr Range or_infinite(Range range) {
 inline constexpr Range kHalfTurn = {.low = -kRightAngle, .high = kRightAngle, .words = "-90 deg .. 90 deg"};
 inline constexpr Range kTurn = {.low = -4 * kRightAngle, .high = 4 * kRightAngle, .words = "-360 deg .. 360 deg"};
 inline constexpr Range kBits = {.low = 0, .high = 4294967295.0};
-inline constexpr Range kPart = {.low = 0, .high = 1};
+inline constexpr Range kFraction = {.low = 0, .high = 1};
 inline constexpr Range kCurveKeys = {.low = 0, .high = 10'000};  // of a curve or gradient of an emitter
 inline constexpr Range kBelowRightAngle = {.low = 0, .high = kRightAngle, .words = "0 .. 90 deg"};
 inline constexpr Range kToBothSides = {.low = 0, .high = 2 * kRightAngle, .words = "0 .. 180 deg"};
