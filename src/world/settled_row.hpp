@@ -10,6 +10,8 @@
 #include "physim/impact.hpp"
 #include "solve/judge.hpp"
 #include "solve/lane_motion.hpp"
+#include "solve/stages.hpp"
+#include "world/drive.hpp"
 #include "world/settle.hpp"
 
 namespace physim {
@@ -28,11 +30,14 @@ class SettledRow {
         row_(row),
         slot_index_(rows_.slot(row)),
         taken_(static_cast<const TakenStep<S>*>(context.taken)),
+        drive_(cohort_.key.forced ? Drive(*context.registry, *context.state, slot_index_) : Drive()),
         is_traced_(context.pairs && collision().others != 0),
         march(cohort_.course<S>()) {
     PHYSIM_ASSERT(row < rows_.size());
+    PHYSIM_ASSERT(!drive_ || taken_);
     read();
     start_ = here();
+    if (drive_) hold_generators();
   }
 
   // ------------------------------------------------------------------------------------------- where it is
@@ -102,7 +107,8 @@ class SettledRow {
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
-    return acceleration_of_lane(conditions(), march.lanes, static_cast<double>(t_start_) + after, s);
+    const Vec3d a = acceleration_of_lane(conditions(), march.lanes, static_cast<double>(t_start_) + after, s);
+    return drive_ ? a + kept(drive_.at(context_.time + after, s) - driven_) : a;
   }
 
   /// What constraints leave of a velocity or a way.
@@ -111,8 +117,33 @@ class SettledRow {
   /// From now on the models feel what generators gave it then.
   void feel_as_at(double passed) {
     if (!taken_) return;
+    if (drive_) return feel_drive(passed, now(), t_start_ + static_cast<S>(passed));
     const S part = static_cast<S>(passed / context_.dt);
     feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, t_start_ + static_cast<S>(passed));
+  }
+  /// Whether its emitter acts on its flight.
+  [[nodiscard]] bool is_driven() const { return bool(drive_); }
+  /// One step from `passed` on to the march's limit, stage by stage: what drives it is felt in each.
+  void take_driven_step(double passed, S limit, S h) {
+    const Conditions<S>& c = *march.course().conditions;
+    const Integrator integrator = c.fidelity.integrator;
+    Step<S>& s = march.lanes.step;
+    s.h = h;
+    s.t_end = limit;
+    const double length = static_cast<double>(h);
+    drive_.begin_step(integrator, context_.time + passed, length);
+    if (is_classic(c.fidelity)) s.slope[0].x = s.start.v;
+    for (int stage = 0; stage < end_slope(integrator); ++stage) {
+      const State<S> at = stage == 0 ? s.start : s.end;
+      feel_drive(passed + stage_place(integrator, stage) * length, at, stage_time(integrator, stage, s));
+      advance_stage(c, stage, march.lanes);
+    }
+    if (is_classic(c.fidelity)) {
+      s.slope[0].v = s.slope[1].v;
+    } else {
+      feel_drive(passed + length, s.end, s.t_end);
+      set_slope(c, march.lanes, end_slope(integrator));
+    }
   }
 
   // ------------------------------------------------------------------------------------------- parts of a step
@@ -260,6 +291,25 @@ class SettledRow {
     add_push(*march.course().conditions, t, push, taken_->own_force, march.lanes.body);
   }
   /// Closed forms know only their launch: after a bounce it is where they bounced, and their clock starts there.
+  /// Likewise, by generators and by its emitter.
+  void feel_drive(double passed, const State<S>& at, S t) {
+    const S part = static_cast<S>(passed / context_.dt);
+    const Vec3<S> held = held_[0] + (held_[1] - held_[0]) * part;
+    driven_ = drive_.at(context_.time + passed, {vec_cast<double>(at.x), vec_cast<double>(at.v)});
+    feel(held + vec_cast<S>(driven_), t);
+  }
+  /// What generators alone gave it.
+  void hold_generators() {
+    if (taken_->pushed || !taken_->driven) held_[0] = taken_->push[0], held_[1] = taken_->push[1];
+    if (!taken_->driven) return;
+    drive_.begin_step(cohort_.key.fidelity.integrator, context_.time, context_.dt);
+    driven_ = drive_.at(context_.time, start_);
+    if (!taken_->pushed) return;
+    const State<S>& end = taken_->step.end;
+    const Vec3d then = drive_.at(context_.time + context_.dt, {vec_cast<double>(end.x), vec_cast<double>(end.v)});
+    held_[0] = held_[0] - vec_cast<S>(driven_);
+    held_[1] = held_[1] - vec_cast<S>(then);
+  }
   void relaunch(double passed) {
     if (cohort_.key.fidelity.motion != Motion::closed_form) return;
     march.lanes.body.launch = now();
@@ -276,7 +326,10 @@ class SettledRow {
     march.lanes.step.t = t_start_ + static_cast<S>(from);
     const S h = static_cast<S>(to - from);
     march.restart(march.lanes.step.t + h, h);
-    while (!march.arrived() && !march.is_stuck()) march.accept(march.try_step());
+    while (!march.arrived() && !march.is_stuck()) {
+      if (drive_) take_driven_step(from, march.lanes.step.t + h, h);
+      march.accept(drive_ || march.try_step());
+    }
   }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -295,8 +348,11 @@ class SettledRow {
   std::uint32_t row_;
   std::uint32_t slot_index_;
   const TakenStep<S>* taken_;
-  bool is_traced_;    // it meets others
-  Body<S> from_row_;  // where generators or stops change what is flown
+  Drive drive_;
+  Vec3<S> held_[2]{};  // where it is driven: by generators at the start and the end of the step
+  Vec3d driven_{};     // what it feels of that now
+  bool is_traced_;     // it meets others
+  Body<S> from_row_;   // where generators or stops change what is flown
   State<double> start_{};
   S t_start_ = 0;
   S t_end_ = 0;
