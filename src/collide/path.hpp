@@ -73,4 +73,7 @@ class Path {
   double scale_ = 1;
 };
 
+/// From one key to a later one.
+[[nodiscard]] Path::Piece between(const MotionKey& a, const MotionKey& b, MotionCurve curve);
+
 }  // namespace physim::collide

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/elementary.hpp"
+#include "collide/path.hpp"
 #include "math/quat.hpp"
 #include "physim/world_projectile.hpp"
 
@@ -16,6 +16,9 @@ struct Pose {
   Quatd rotation;
   Vec3d velocity;
 };
+
+/// Frames that are no longer are a moment: how fast something moved in them would be a matter of rounding [s].
+constexpr double kShortestMove = 1e-9;
 
 /// The projectile that an emitter follows, over the step at hand; a cubic joins both ends.
 struct Followed {
@@ -36,26 +39,12 @@ struct Followed {
   return normalized(Quatd{x.y - y.x, z.x + x.z, z.y + y.z, 1 + z.z - x.x - y.y});
 }
 
-/// On the cubic that has the places and velocities of both ends.
-[[nodiscard]] inline BodyState between(const Followed& f, double time) {
-  const double span = f.to - f.from;
-  if (!(span > 0)) return f.end;
-  const double u = std::clamp((time - f.from) / span, 0.0, 1.0);
-  const Vec3d way = f.end.position - f.begin.position, v0 = f.begin.velocity * span, v1 = f.end.velocity * span;
-  const Vec3d c2 = way * 3 - v0 * 2 - v1, c3 = v0 + v1 - way * 2;
-  return {f.begin.position + (v0 + (c2 + c3 * u) * u) * u, (v0 + (c2 * 2 + c3 * (3 * u)) * u) * (1 / span)};
-}
-
-/// Steadily, by the shorter way.
-[[nodiscard]] inline Quatd turned(const Quatd& from, const Quatd& to, double u) {
-  const double side = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z;
-  if (from == to) return from;
-  const Quatd near = side < 0 ? Quatd{-to.w, -to.x, -to.y, -to.z} : to;
-  const Quatd way = near * conjugate(from);
-  const Vec3d axis{way.x, way.y, way.z};
-  const double sine = length(axis);
-  if (!(sine > 0)) return from;
-  return normalized(quat_from_axis_angle(axis * (1 / sine), 2 * atan2(sine, way.w) * u) * from);
+/// On the cubic that has the places and velocities of both ends; at the later one where they are next to each other.
+[[nodiscard]] inline MotionState between(const Followed& f, double time) {
+  if (!(f.to - f.from > kShortestMove)) return {.position = f.end.position, .velocity = f.end.velocity};
+  const MotionKey begin{.time = f.from, .position = f.begin.position, .velocity = f.begin.velocity};
+  const MotionKey end{.time = f.to, .position = f.end.position, .velocity = f.end.velocity};
+  return collide::between(begin, end, MotionCurve::smooth).at(std::clamp(time, f.from, f.to));
 }
 
 }  // namespace physim

@@ -87,7 +87,7 @@ class EmitterBirths {
     if (e.def().follows) {
       const auto& followed = s_.followed[index];
       if (!followed || time > followed->to) return std::nullopt;
-      const BodyState at = between(*followed, time);
+      const MotionState at = between(*followed, time);
       return Pose{at.position, e.at.rotation, at.velocity};
     }
     if (e.path) {
@@ -95,9 +95,11 @@ class EmitterBirths {
       return Pose{at.position, at.rotation, at.velocity};
     }
     if (!e.to || is_past_) return Pose{e.at.position, e.at.rotation, {}};  // a move is of the step to come
-    const double span = end_ - context_.time, u = span > 0 ? (time - context_.time) / span : 1;
-    const Vec3d way = e.to->position - e.at.position;
-    return Pose{e.at.position + way * u, turned(e.at.rotation, e.to->rotation, u), way * (span > 0 ? 1 / span : 0)};
+    if (!(end_ - context_.time > kShortestMove)) return Pose{e.to->position, e.to->rotation, {}};
+    const MotionKey begin{.time = context_.time, .position = e.at.position, .rotation = e.at.rotation};
+    const MotionKey end{.time = end_, .position = e.to->position, .rotation = e.to->rotation};
+    const MotionState at = collide::between(begin, end, MotionCurve::straight).at(time);
+    return Pose{at.position, at.rotation, at.velocity};
   }
 
  private:
