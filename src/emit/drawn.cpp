@@ -121,6 +121,7 @@ Rgba EmitGradient::operator()(double x) const {
 EmitColour::EmitColour(const DrawnColour& def)
     : colour_(Rgba::of(def.colour)),
       to_(Rgba::of(def.to.value_or(def.colour))),
+      starts_white_(colour_.is_white()),
       drawn_(def.to.has_value()),
       gradient_(def.gradient),
       to_gradient_(def.to_gradient.empty() ? def.gradient : def.to_gradient) {}

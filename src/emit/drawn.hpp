@@ -154,12 +154,13 @@ class EmitColour {
   [[nodiscard]] bool is_white() const { return !drawn_ && gradient_.is_white() && colour_.is_white(); }
   template <class DrawU>
   [[nodiscard]] Rgba at(double x, DrawU&& draw) const {
-    const Rgba a = gradient_.is_white() ? colour_ : times(colour_, gradient_(x));
+    const Rgba a = gradient_.is_white() ? colour_ : starts_white_ ? gradient_(x) : times(colour_, gradient_(x));
     return drawn_ ? mixed(a, times(to_, to_gradient_(x)), std::forward<DrawU>(draw)()) : a;
   }
 
  private:
   Rgba colour_, to_;
+  bool starts_white_;  // a product with white would be the other factor
   bool drawn_;
   EmitGradient gradient_, to_gradient_;
 };

@@ -104,8 +104,8 @@ Look Emission::look(std::uint64_t number, double phase, double lifetime, double 
 
   const bool by_speed = fast > 0 && !p.life.colour_by_speed.is_white();
   if (start.colour.is_white() && p.life.colour.is_white() && !by_speed) return look;
-  Rgba colour = times(start.colour.at(phase, drawing(chance, Draw::colour)),
-                      p.life.colour.at(x, drawing(chance, Draw::life_colour)));
+  Rgba colour = p.life.colour.at(x, drawing(chance, Draw::life_colour));
+  if (!start.colour.is_white()) colour = times(start.colour.at(phase, drawing(chance, Draw::colour)), colour);
   if (by_speed) colour = times(colour, p.life.colour_by_speed(hurry));
   look.colour = colour.packed();
   return look;

@@ -51,6 +51,7 @@ double FlightLaw::drag_at(double x, double speed, FlightChance& chance) const {
 }
 
 Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const FlightState& s) const {
+  PHYSIM_ASSERT(s.mass > 0);
   const double x = part_of_life(particle, time), speed = length(s.v);
   FlightChance chance(seed_, particle.number);
   Vec3d a{};

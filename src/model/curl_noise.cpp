@@ -1,3 +1,4 @@
+// Equations, symbols and Source: model/curl_noise.hpp.
 #include "model/curl_noise.hpp"
 
 #include <cmath>
@@ -28,6 +29,7 @@ struct Within {
 
   explicit Within(double q) {
     const double floor = std::floor(q), u = q - floor;
+    PHYSIM_ASSERT(u >= 0 && u <= 1);
     cell = static_cast<std::uint32_t>(static_cast<std::int64_t>(floor));
     const double fade = u * u * u * (u * (u * 6 - 15) + 10), rise = 30 * u * u * (u * (u - 2) + 1);
     offset[0] = u, offset[1] = u - 1;
@@ -42,25 +44,32 @@ using Parts = std::array<double, 4>;
 /// The curl of the potential at a place in cells.
 Vec3d curl_at(std::uint32_t seed, const Vec3d& q, const Parts& parts) {
   const Within x(q.x), y(q.y), z(q.z);
-  Vec3d d[3] = {};  // of the three potentials
+  double yx = 0, zx = 0, xy = 0, zy = 0, xz = 0, yz = 0;  // dy of psi_x, dz of psi_x, ...
   for (unsigned k = 0; k < 2; ++k) {
-    const std::uint32_t of_z = pcg(z.cell + k + seed);
+    const std::uint32_t layer = pcg(z.cell + k + seed);
     for (unsigned j = 0; j < 2; ++j) {
-      const std::uint32_t of_y = pcg(y.cell + j + of_z);
+      const std::uint32_t line = pcg(y.cell + j + layer);
       for (unsigned i = 0; i < 2; ++i) {
-        std::uint32_t bits = pcg(x.cell + i + of_y) >> 8;  // of which 18 are taken
-        const double yz = y.weight[j] * z.weight[k], xw = x.weight[i];
-        const double weight = xw * yz;
-        const Vec3d rise{x.slope[i] * yz, xw * (y.slope[j] * z.weight[k]), xw * (y.weight[j] * z.slope[k])};
-        for (Vec3d& potential : d) {
-          const Vec3d g{parts[bits & 3], parts[bits >> 2 & 3], parts[bits >> 4 & 3]};
+        std::uint32_t bits = pcg(x.cell + i + line) >> 8;  // of which 18 are taken
+        const double side = y.weight[j] * z.weight[k], weight = x.weight[i] * side;
+        const Vec3d rise{x.slope[i] * side, x.weight[i] * (y.slope[j] * z.weight[k]),
+                         x.weight[i] * (y.weight[j] * z.slope[k])};
+        const auto next = [&](Vec3d& g) {  // the next gradient, and how far its plane has risen here
+          g = {parts[bits & 3], parts[bits >> 2 & 3], parts[bits >> 4 & 3]};
           bits >>= 6;
-          potential += g * weight + rise * (g.x * x.offset[i] + g.y * y.offset[j] + g.z * z.offset[k]);
-        }
+          return g.x * x.offset[i] + g.y * y.offset[j] + g.z * z.offset[k];
+        };
+        Vec3d g;
+        const double of_x = next(g);
+        yx += g.y * weight + rise.y * of_x, zx += g.z * weight + rise.z * of_x;
+        const double of_y = next(g);
+        xy += g.x * weight + rise.x * of_y, zy += g.z * weight + rise.z * of_y;
+        const double of_z = next(g);
+        xz += g.x * weight + rise.x * of_z, yz += g.y * weight + rise.y * of_z;
       }
     }
   }
-  return {d[2].y - d[1].z, d[0].z - d[2].x, d[1].x - d[0].y};
+  return {yz - zy, zx - xz, xy - yx};
 }
 
 }  // namespace

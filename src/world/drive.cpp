@@ -35,6 +35,7 @@ void Drive::begin_step(Integrator integrator, double time, double dt) {
 }
 
 Vec3d Drive::at(double time, const State<double>& s) const {
+  PHYSIM_ASSERT(law_ && mass_ > 0);
   FlightState felt{.x = s.x, .v = s.v};
   if (conditions_) felt.gravity = gravity(*conditions_, s.x) * gravity_scale_;
   felt.mass = mass_;

@@ -9,10 +9,11 @@ namespace physim {
 class Drive {
  public:
   Drive() = default;  // nothing acts
-  /// Of the projectile of a slot, in a step from a time on, of an integrator and a length [s].
+  /// What acts on the projectile of a slot.
   Drive(const Registry& registry, const WorldState& state, std::uint32_t slot) { find(registry, state, slot); }
 
   explicit operator bool() const { return law_ != nullptr; }
+  /// Before a step of an integrator, from a time of the world on and of a length [s].
   void begin_step(Integrator integrator, double time, double dt);
   /// Acceleration in a stage at a time of the world [m/s^2].
   [[nodiscard]] Vec3d at(double time, const State<double>& s) const;

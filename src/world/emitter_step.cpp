@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/restored.hpp"
+#include "emit/flight_law.hpp"
 #include "math/elementary.hpp"
 #include "world/emitter_firing.hpp"
 #include "world/emitter_watch.hpp"

@@ -10,7 +10,6 @@
 #include "base/hash.hpp"
 #include "collide/path.hpp"
 #include "emit/emission.hpp"
-#include "emit/flight_law.hpp"
 #include "emit/odometer.hpp"
 #include "emit/timeline.hpp"
 #include "world/schedule.hpp"

@@ -5,6 +5,7 @@
 #include "base/archive.hpp"
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "emit/flight_law.hpp"
 #include "math/quat.hpp"
 #include "world/emitter_step.hpp"
 #include "world/world_impl.hpp"

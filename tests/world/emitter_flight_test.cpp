@@ -326,6 +326,8 @@ TEST(EmitterFlight, is_not_felt_on_a_rung_that_knows_no_forces) {
   const Vec3d before = world[particle].velocity();
   step_to(world, 0.6, 60);
   EXPECT_EQ(alive(world, id).at(0).velocity, before);
+  const auto notes = std::as_const(world)[particle].fidelity_in_use().notes;
+  EXPECT_TRUE(std::ranges::any_of(notes, [](const auto& note) { return note.reason.starts_with("its emitter"); }));
   ASSERT_TRUE(world[particle].set_fidelity(driven().fidelity));
   step_to(world, 0.8, 60);
   EXPECT_LT(length(alive(world, id).at(0).velocity), length(before) * 0.9);
