@@ -147,15 +147,19 @@ struct Columns {
 
 Section frame_section(const Options& options) {
   const double per_second = static_cast<double>(kSparks) / kMean;
-  World plain = empty_world(), world = empty_world();
+  World plain = empty_world(), world = empty_world(), driven = empty_world();
   const KindId kind = *plain.add_kind(world_bullet(Fidelity::game()));
   plain.spawn(kind, volley(kSparks), {});
   EmitterDef def = spray(*world.add_kind(world_bullet(Fidelity::game())), per_second, {kShortest, kLongest});
   put_looks(def);
   const EmitterId emitter = *world.add_emitter(def);
+  def.kind = *driven.add_kind(world_bullet(Fidelity::game()));
+  def.flight.drag = {1, {}, {{0, 1}, {1, 0}}};
+  driven.add_emitter(def).value();
   const auto peer = plain_loop(peer_physics(), peer_spray(per_second, kShortest, kLongest), 2 * kSparks);
   for (int i = 0; i < static_cast<int>(1.1 * kLongest / kFlow); ++i) {
     world.step(kFlow);
+    driven.step(kFlow);
     peer->step(static_cast<float>(kFlow));
   }
   Columns columns;
@@ -164,6 +168,7 @@ Section frame_section(const Options& options) {
   for (int round = 0; round < options.rounds; ++round) {
     times.time(base, base, [&] { plain.step(kFlow); });
     times.time(base, "emitter: a step", [&] { world.step(kFlow); });
+    times.time(base, "emitter: a step, with drag over life", [&] { driven.step(kFlow); });
     times.time(base, "emitter: places of all", [&] { world.particles(emitter, {.position = columns.position}); });
     times.time(base, "emitter: places, sizes and colours of all", [&] {
       world.particles(emitter, {.position = columns.position, .size = columns.size, .colour = columns.colour});
@@ -171,13 +176,16 @@ Section frame_section(const Options& options) {
     times.time(base, "plain loop: a step", [&] { peer->step(static_cast<float>(kFlow)); });
     times.time(base, "plain loop: sizes and colours of all", [&] { peer->look(); });
   }
-  const auto frame = [&](const char* read) {
-    std::vector<double> sum = times.of("emitter: a step");
+  const auto frame = [&](const char* read, const char* step = "emitter: a step") {
+    std::vector<double> sum = times.of(step);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += times.of(read)[i];
     return sum;
   };
   const double looks =
       median(ratios(frame("emitter: places, sizes and colours of all"), frame("emitter: places of all")));
+  const double flights =
+      median(ratios(frame("emitter: places, sizes and colours of all", "emitter: a step, with drag over life"),
+                    frame("emitter: places of all")));
   Section s;
   s.title = "Emitters: a frame of a million sparks";
   s.intro = "Nanoseconds for each spark of the game preset by one thread: " + fixed(per_second * kFlow, 0).text +
@@ -185,7 +193,7 @@ Section frame_section(const Options& options) {
   s.columns = {"vs step", "operation", "sparks", "ns each", "quartiles"};
   s.rows = times.rows();
   s.notes = {"A frame in which sizes and colours over life are read takes " + bench::times(looks).text +
-             " of one in which places alone are read."};
+             " of one in which places alone are read; with drag over life, too, " + bench::times(flights).text + "."};
   return s;
 }
 

@@ -61,6 +61,28 @@ inline SceneMotion random_emitter_motion(Random& r) {
   return keyed;
 }
 
+/// What acts on the flight, for kinds in motion `force`.
+inline ParticleFlight random_flight(Random& r) {
+  ParticleFlight flight;
+  if (r.one_in(2)) flight.drag = random_number(r, 0, 3);
+  if (r.one_in(2)) flight.fast = 30, flight.drag_by_speed = {{0, 0.5}, {1, 2}};
+  if (r.one_in(2)) flight.gravity = random_number(r, -1, 2);
+  if (r.one_in(3)) flight.velocity_x = random_number(r, -5, 5);
+  if (r.one_in(3)) flight.velocity_y = random_number(r, -5, 5);
+  if (r.one_in(3)) flight.velocity_z = random_number(r, -5, 5);
+  if (r.one_in(3)) flight.force_x = random_number(r, -1e-3, 1e-3);
+  if (r.one_in(3)) flight.force_y = random_number(r, -1e-3, 1e-3);
+  if (r.one_in(3)) flight.force_z = random_number(r, -1e-3, 1e-3);
+  if (r.one_in(3)) flight.limit = random_number(r, 1, 30), flight.limit_rate = r.in(0, 9);
+  if (!r.one_in(2)) return flight;
+  flight.noise = random_number(r, 0, 20);
+  flight.noise_size = r.in(0.2, 4);
+  flight.noise_rate = r.one_in(2) ? r.unit() : 0;
+  flight.noise_octaves = static_cast<std::uint32_t>(1 + r.below(4));
+  flight.noise_gain = r.unit();
+  return flight;
+}
+
 /// One that fires `kind`; `others` are emitters of the same world that it may set off.
 inline EmitterDef random_emitter(Random& r, KindId kind, std::span<const EmitterId> others) {
   const IeeeMode mode;

@@ -177,6 +177,31 @@ struct ParticleLife {
   bool operator==(const ParticleLife&) const = default;
 };
 
+/// What acts on the flight of a particle as it grows older, beside its kind, rung and world. Curves go over its
+/// lifetime, or over 1 s where that is infinite; what lies between two is drawn once for each particle. Rungs of
+/// Motion::force alone feel it. Axes are those of W.
+struct ParticleFlight {
+  DrawnNumber drag{0};           ///< its velocity falls at that rate, 0 or more [1/s]
+  double fast = 0;               ///< speed at which drag_by_speed ends; 0: it does not count [m/s]
+  Curve drag_by_speed{};         ///< over 0 .. fast, times the drag [-]
+  DrawnNumber gravity{1};        ///< times the gravity that it feels anyway [-]
+  DrawnNumber velocity_x{0};     ///< added to its velocity: at birth as it is then, later by its changes [m/s]
+  DrawnNumber velocity_y{0};     ///< upwards [m/s]
+  DrawnNumber velocity_z{0};     ///< to the right [m/s]
+  DrawnNumber force_x{0};        ///< [N]
+  DrawnNumber force_y{0};        ///< upwards [N]
+  DrawnNumber force_z{0};        ///< to the right [N]
+  DrawnNumber limit{kInfinity};  ///< speed above which it is slowed down, 0 or more; infinity: none [m/s]
+  double limit_rate = 10;        ///< what its speed is above the limit falls at that rate [1/s]
+  DrawnNumber noise{0};          ///< acceleration by swirls without sources, root of its mean square, 0 or more [m/s^2]
+  double noise_size = 1;         ///< of the largest swirls: the cells of a lattice in W, above 0 [m]
+  double noise_rate = 0;         ///< swirls change, and come again after 1 / rate; 0: they stay as they are [1/s]
+  std::uint32_t noise_octaves = 1;  ///< 1 to 8: each has swirls half as large as the one before [-]
+  double noise_gain = 0.5;          ///< acceleration of an octave over that of the one before, 0..1 [-]
+
+  bool operator==(const ParticleFlight&) const = default;
+};
+
 /// What a sub-emitter fires at.
 enum class SubEvent : std::uint8_t {
   birth,   ///< of a particle
@@ -252,6 +277,7 @@ struct EmitterDef {
   EmitFrom from{};               ///< [-]
   ParticleStart start{};         ///< [-]
   ParticleLife life{};           ///< [-]
+  ParticleFlight flight{};       ///< [-]
   std::uint32_t maximum = 1000;  ///< particles alive at once [-]
   WhenFull when_full = WhenFull::refuse;  ///< a new one then: refused, or the oldest makes room; both are counted [-]
   std::vector<SubEmitter> subs{};         ///< [-]

@@ -11,6 +11,7 @@
 #include "math/angles.hpp"
 #include "math/quat.hpp"
 #include "math/vec3.hpp"
+#include "model/curl_noise.hpp"
 #include "prepare/check.hpp"
 
 namespace physim {
@@ -261,6 +262,31 @@ void check_life(Checker& c, const ParticleLife& life) {
             "give the speed at which it ends");
 }
 
+void check_flight(Checker& c, const ParticleFlight& flight) {
+  const Place at = "emitter.flight.";
+  check_number(c, flight.drag, at + "drag", Least::zero);
+  check_within(c, flight.fast, 0, kMostValue, at + "fast", "a speed, in m/s");
+  check_curve(c, flight.drag_by_speed, at + "drag_by_speed", Least::zero);
+  c.require(flight.fast > 0 || flight.drag_by_speed.empty(), at + "drag_by_speed", "does nothing without `fast`",
+            "give the speed at which it ends");
+  check_number(c, flight.gravity, at + "gravity");
+  check_number(c, flight.velocity_x, at + "velocity_x");
+  check_number(c, flight.velocity_y, at + "velocity_y");
+  check_number(c, flight.velocity_z, at + "velocity_z");
+  check_number(c, flight.force_x, at + "force_x");
+  check_number(c, flight.force_y, at + "force_y");
+  check_number(c, flight.force_z, at + "force_z");
+  check_number(c, flight.limit, at + "limit", Least::zero, true);
+  c.require(flight.limit.value < kInfinity || flight.limit.curve.empty(), at + "limit.curve",
+            "does nothing where there is no limit", "give the speed that it is a factor of");
+  check_within(c, flight.limit_rate, 0, kMostValue, at + "limit_rate", "in 1/s");
+  check_number(c, flight.noise, at + "noise", Least::zero);
+  check_within(c, flight.noise_size, kNearest, kFarthest, at + "noise_size", "in m");
+  check_within(c, flight.noise_rate, 0, kMostValue, at + "noise_rate", "in 1/s");
+  check_within(c, flight.noise_octaves, 1, CurlNoise::kMostOctaves, at + "noise_octaves");
+  check_part(c, flight.noise_gain, at + "noise_gain");
+}
+
 void check_sub(Checker& c, const SubEmitter& sub, const Place& place) {
   c.named(sub.on, SubEvent::trigger, place + ".on").named(sub.axis, SubAxis::normal, place + ".axis");
   check_count(c, sub.count, place + ".count");
@@ -283,6 +309,7 @@ Status check(const EmitterDef& def) {
   check_from(c, def.from);
   check_start(c, def.start);
   check_life(c, def.life);
+  check_flight(c, def.flight);
   c.require(def.maximum > 0, "emitter.maximum", "must be positive", "it is how many are alive at once");
   c.named(def.when_full, WhenFull::replace_oldest, "emitter.when_full");
   check_length(c, def.subs.size(), kMostParts, "emitter.subs");

@@ -66,6 +66,13 @@ double EmitCurve::sum(double x) const {
   return p.before + integral_of(p.c, x - p.start);
 }
 
+double EmitCurve::slope(double x) const {
+  if (pieces_.empty()) return 0;
+  const Piece& p = piece_at(x);
+  const double s = x - p.start;
+  return p.c[1] + s * (2 * p.c[2] + s * (3 * p.c[3]));
+}
+
 std::vector<double> EmitCurve::knots() const {
   std::vector<double> starts;
   for (const Piece& piece : pieces_) starts.push_back(piece.start);
@@ -114,6 +121,7 @@ Rgba EmitGradient::operator()(double x) const {
 EmitColour::EmitColour(const DrawnColour& def)
     : colour_(Rgba::of(def.colour)),
       to_(Rgba::of(def.to.value_or(def.colour))),
+      starts_white_(colour_.is_white()),
       drawn_(def.to.has_value()),
       gradient_(def.gradient),
       to_gradient_(def.to_gradient.empty() ? def.gradient : def.to_gradient) {}

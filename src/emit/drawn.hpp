@@ -26,6 +26,8 @@ class EmitCurve {
   [[nodiscard]] double operator()(double x) const { return pieces_.empty() ? 1 : value(x); }
   /// From 0 to x >= 0, beyond 1 too.
   [[nodiscard]] double integral(double x) const { return pieces_.empty() ? x : sum(x); }
+  /// Its derivative, behind a corner that of the piece that begins there.
+  [[nodiscard]] double slope(double x) const;
   /// Where its pieces begin.
   [[nodiscard]] std::vector<double> knots() const;
 
@@ -49,6 +51,7 @@ class EmitNumber {
   explicit EmitNumber(const DrawnNumber& def);
 
   [[nodiscard]] bool is_constant() const { return !drawn_ && curve_.is_one(); }
+  [[nodiscard]] bool is(double constant) const { return is_constant() && value_ == constant; }
   [[nodiscard]] bool is_drawn() const { return drawn_; }
   [[nodiscard]] const EmitCurve& curve() const { return curve_; }
   [[nodiscard]] const EmitCurve& to_curve() const { return to_curve_; }
@@ -62,6 +65,11 @@ class EmitNumber {
   [[nodiscard]] double integral(double x, DrawU&& draw) const {
     const double a = value_ * curve_.integral(x);
     return drawn_ ? between(a, to_ * to_curve_.integral(x), std::forward<DrawU>(draw)()) : a;
+  }
+  template <class DrawU>
+  [[nodiscard]] double slope(double x, DrawU&& draw) const {
+    const double a = value_ * curve_.slope(x);
+    return drawn_ ? between(a, to_ * to_curve_.slope(x), std::forward<DrawU>(draw)()) : a;
   }
   /// Where curves do not count.
   template <class DrawU>
@@ -146,12 +154,13 @@ class EmitColour {
   [[nodiscard]] bool is_white() const { return !drawn_ && gradient_.is_white() && colour_.is_white(); }
   template <class DrawU>
   [[nodiscard]] Rgba at(double x, DrawU&& draw) const {
-    const Rgba a = gradient_.is_white() ? colour_ : times(colour_, gradient_(x));
+    const Rgba a = gradient_.is_white() ? colour_ : starts_white_ ? gradient_(x) : times(colour_, gradient_(x));
     return drawn_ ? mixed(a, times(to_, to_gradient_(x)), std::forward<DrawU>(draw)()) : a;
   }
 
  private:
   Rgba colour_, to_;
+  bool starts_white_;  // a product with white would be the other factor
   bool drawn_;
   EmitGradient gradient_, to_gradient_;
 };

@@ -48,7 +48,14 @@ EmitWhen::EmitWhen(const EmitterDef& def, std::uint64_t seed) : delay(def.cycle.
 }
 
 Emission::Parts::Parts(const EmitterDef& of, std::uint64_t drawn_by)
-    : def(of), seed(drawn_by), when(of, drawn_by), outlets(of.from), gun(of.gun), start(of), life(of) {
+    : def(of),
+      seed(drawn_by),
+      when(of, drawn_by),
+      outlets(of.from),
+      gun(of.gun),
+      start(of),
+      life(of),
+      flight(of.flight, drawn_by) {
   for (const SubEmitter& sub : of.subs) sub_counts.emplace_back(sub.count);
 }
 
@@ -57,6 +64,7 @@ Emission::~Emission() = default;
 
 const EmitterDef& Emission::def() const { return parts_->def; }
 std::uint64_t Emission::seed() const { return parts_->seed; }
+const FlightLaw& Emission::flight() const { return parts_->flight; }
 
 Newborn Emission::newborn(const Birth& birth) const {
   const Parts& p = *parts_;
@@ -96,8 +104,8 @@ Look Emission::look(std::uint64_t number, double phase, double lifetime, double 
 
   const bool by_speed = fast > 0 && !p.life.colour_by_speed.is_white();
   if (start.colour.is_white() && p.life.colour.is_white() && !by_speed) return look;
-  Rgba colour = times(start.colour.at(phase, drawing(chance, Draw::colour)),
-                      p.life.colour.at(x, drawing(chance, Draw::life_colour)));
+  Rgba colour = p.life.colour.at(x, drawing(chance, Draw::life_colour));
+  if (!start.colour.is_white()) colour = times(start.colour.at(phase, drawing(chance, Draw::colour)), colour);
   if (by_speed) colour = times(colour, p.life.colour_by_speed(hurry));
   look.colour = colour.packed();
   return look;

@@ -38,6 +38,8 @@ struct Look {
   std::uint32_t colour = 0xffffffff;
 };
 
+class FlightLaw;
+
 class Emission {
  public:
   /// `def` has passed check(); all that it draws follows from `seed`.
@@ -52,6 +54,8 @@ class Emission {
   [[nodiscard]] Newborn newborn(const Birth& birth) const;
   /// How a particle of that number looks, born at that phase of the cycle. `age` within 0..lifetime [s]; `speed` [m/s].
   [[nodiscard]] Look look(std::uint64_t number, double phase, double lifetime, double age, double speed) const;
+  /// What acts on its particles in flight.
+  [[nodiscard]] const FlightLaw& flight() const;
   /// How many a sub-emitter fires for a particle's event, the nth of it; 0 where its probability says no.
   [[nodiscard]] std::uint32_t fired_by(std::size_t sub, std::uint64_t number, std::uint64_t nth) const;
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "emit/emission.hpp"
+#include "emit/flight_law.hpp"
 #include "emit/gun.hpp"
 #include "emit/moments.hpp"
 
@@ -44,6 +45,7 @@ struct Emission::Parts {
   Gun gun;
   EmitStart start;
   EmitLife life;
+  FlightLaw flight;
   std::vector<EmitNumber> sub_counts;
 };
 

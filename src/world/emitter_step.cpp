@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/restored.hpp"
+#include "emit/flight_law.hpp"
 #include "math/elementary.hpp"
 #include "world/emitter_firing.hpp"
 #include "world/emitter_watch.hpp"
@@ -239,7 +240,7 @@ class EmitterBirths {
       return s_.departures.push_back({firing.emitter, firing.time + newborn.lifetime});  // nobody has to fly it
     }
     const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
-    const Launch launch = launch_of(firing, pose, newborn);
+    const Launch launch = launch_of(firing, pose, birth.number, newborn);
     const Result<ProjectileId> id =
         w_.spawn(kind, launch, {.moment = firing.time, .gravity = newborn.gravity, .emitter = firing.emitter});
     if (!id) return void(++e.counts.refused);
@@ -269,13 +270,16 @@ class EmitterBirths {
     if (sub.inherit_colour) particle.colour = times(look.colour, parent.colour);
     if (sub.inherit_size) particle.size = look.size.x * parent.size;
   }
-  [[nodiscard]] Launch launch_of(const Firing& firing, const Pose& pose, const Newborn& newborn) const {
+  [[nodiscard]] Launch launch_of(const Firing& firing, const Pose& pose, std::uint64_t number,
+                                 const Newborn& newborn) const {
     const EmitterDef& def = all_[firing.emitter].def();
     Launch launch = def.launch;
     launch.position = pose.position + rotate(pose.rotation, newborn.place);
     const Vec3d direction = rotate(pose.rotation, newborn.direction);
     const double inherited = cause_of(firing) ? sub_of(firing).inherit_velocity : def.inherit_velocity;
-    const Vec3d velocity = direction * newborn.speed + pose.velocity * inherited;
+    Vec3d velocity = direction * newborn.speed + pose.velocity * inherited;
+    const FlightLaw& law = all_[firing.emitter].emission->flight();
+    if (law.adds_velocity()) velocity += law.added_velocity({.number = number}, 0);
     if (length(velocity) > 0) {
       launch.velocity = velocity;
       return launch;

@@ -56,6 +56,7 @@ struct Emitter {
   std::shared_ptr<const collide::Path> path;  // of its motion; null: it has none
   std::shared_ptr<const Odometer> odometer;   // along the path; null: distances do not count
   std::uint64_t hash = 0;                     // of definition and seed
+  bool drives = false;                        // acts on the flight of its particles
   bool plays = false;
   double began = 0;  // to play [s]
   TimelineState timeline;
@@ -108,6 +109,15 @@ class Emitters {
   }
   [[nodiscard]] const Particle* particle(std::uint32_t slot) const {
     return const_cast<Emitters*>(this)->particle(slot);
+  }
+  /// What acts on the flight of a slot's particle; null: nothing of its emitter.
+  [[nodiscard]] const FlightLaw* law_of(std::uint32_t slot) const {
+    const Particle* its = particle(slot);
+    return its && (*this)[its->emitter].drives ? &(*this)[its->emitter].emission->flight() : nullptr;
+  }
+  /// Whether there is anybody whose flight an emitter acts on.
+  [[nodiscard]] bool drive_any() const {
+    return std::ranges::any_of(all_, [](const Emitter& e) { return e.drives; });
   }
   /// One was born. What it will come to by `seen` somebody has looked at already [s].
   void join(ProjectileId id, const Particle& particle, double birth, double seen);

@@ -4,6 +4,7 @@
 #include "model/ladder.hpp"
 #include "solve/judge.hpp"
 #include "solve/stages.hpp"
+#include "world/drive.hpp"
 #include "world/kernels.hpp"
 
 namespace physim {
@@ -16,7 +17,9 @@ class ForcedStep {
         s_(scratch),
         rows_(scratch.rows),
         field_(*context.registry, *context.state, scratch.rows, scratch.zones),
-        kernel_(world_kernel()) {}
+        kernel_(world_kernel()),
+        has_generators_(!context.state->generators.empty()),
+        drives_(context.state->emitters.drive_any()) {}
 
   std::size_t run() {
     const std::size_t count = list_groups();
@@ -103,9 +106,8 @@ class ForcedStep {
 
   // ------------------------------------------------------------------------------------------- stages
   void step(const ForcedGroup& group) {
-    list_rows(group);
     PHYSIM_ASSERT(group.first_run < group.last_run && group.last_run <= s_.runs.size());
-    field_.begin_step(context_.time, context_.dt);
+    if (has_generators_) list_rows(group), field_.begin_step(context_.time, context_.dt);
     bool attention = false;
     for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
       push(group, stage, stage_place(group.integrator, stage));
@@ -120,39 +122,58 @@ class ForcedStep {
 
   /// Gathers the states of a stage, asks all generators, and hands out what they give.
   void push(const ForcedGroup& group, int stage, double place) {
-    bool sound = true;
-    for (const ForcedRun& r : runs(group)) in_precision(r, [&]<class S>(S) { sound = gather<S>(r, stage) && sound; });
-    rows_.sound = sound;
-    field_.evaluate(place);
-    for (const ForcedRun& r : runs(group)) in_precision(r, [&]<class S>(S) { scatter<S>(r, stage); });
+    if (has_generators_) {
+      bool sound = true;
+      for (const ForcedRun& r : runs(group)) in_precision(r, [&]<class S>(S) { sound = gather<S>(r, stage) && sound; });
+      rows_.sound = sound;
+      field_.evaluate(place);
+    }
+    for (const ForcedRun& r : runs(group))
+      in_precision(r, [&]<class S>(S) { scatter<S>(r, stage, group.integrator, place); });
   }
+
+  /// The states of a stage.
+  template <class S>
+  struct StageStates {
+    const S* at[6];
+    StageStates(const ForcedJob<S>& j, int stage) {
+      const RowColumns<S>& c = j.rows.columns;
+      for (unsigned k = 0; k < 6; ++k)
+        at[k] = stage > 0 ? j.column(kStagePosition + k) : k < 3 ? c.position[k] : c.velocity[k - 3];
+    }
+    [[nodiscard]] State<double> operator[](std::uint32_t row) const {
+      return {{double(at[0][row]), double(at[1][row]), double(at[2][row])},
+              {double(at[3][row]), double(at[4][row]), double(at[5][row])}};
+    }
+  };
 
   template <class S>
   bool gather(const ForcedRun& r, int stage) {
-    const ForcedJob<S> j = job<S>(r, stage);
-    const RowColumns<S>& c = j.rows.columns;
-    const S* at[6];
-    for (unsigned k = 0; k < 6; ++k)
-      at[k] = stage > 0 ? j.column(kStagePosition + k) : k < 3 ? c.position[k] : c.velocity[k - 3];
+    const StageStates<S> states(job<S>(r, stage), stage);
     double sum = 0;
     for (std::uint32_t row = 0; row < r.count; ++row) {
-      Vec3d& x = rows_.position[r.first + row];
-      Vec3d& v = rows_.velocity[r.first + row];
-      x = {double(at[0][row]), double(at[1][row]), double(at[2][row])};
-      v = {double(at[3][row]), double(at[4][row]), double(at[5][row])};
+      const auto [x, v] = states[row];
+      rows_.position[r.first + row] = x;
+      rows_.velocity[r.first + row] = v;
       sum += 0 * (((x.x + x.y) + (x.z + v.x)) + (v.y + v.z));
     }
     return sum == 0;  // of anything that is no finite number, nothing is 0
   }
 
+  /// What generators and emitters do to the rows, as accelerations.
   template <class S>
-  void scatter(const ForcedRun& r, int stage) {
+  void scatter(const ForcedRun& r, int stage, Integrator integrator, double place) {
     const ForcedJob<S> j = job<S>(r, stage);
-    PHYSIM_ASSERT(rows_.id[r.first] == context_.state->slots.id_of(rows_of(r).slot(0)));
+    const StageStates<S> states(j, stage);
+    const double time = context_.time + place * context_.dt;
     const unsigned first = stage == 0 ? kFirstPush : kPush;
     S* const to[3] = {j.column(first), j.column(first + 1), j.column(first + 2)};
     for (std::uint32_t row = 0; row < r.count; ++row) {
-      const Vec3d a = rows_.force[r.first + row] * (1 / rows_.mass[r.first + row]);
+      Vec3d a = has_generators_ ? rows_.force[r.first + row] * (1 / rows_.mass[r.first + row]) : Vec3d{};
+      if (drives_) {
+        Drive drive(*context_.registry, *context_.state, rows_of(r).slot(row));
+        if (drive) drive.begin_step(integrator, context_.time, context_.dt), a += drive.at(time, states[row]);
+      }
       to[0][row] = static_cast<S>(a.x), to[1][row] = static_cast<S>(a.y), to[2][row] = static_cast<S>(a.z);
     }
   }
@@ -235,6 +256,8 @@ class ForcedStep {
     taken.push[1] = taken.push[0];
     if (!original) read(kPush, taken.push[1]);
     if (!is_finite(State<S>{taken.push[1], {}})) taken.push[1] = taken.push[0];  // for the next step to find
+    taken.driven = drives_;
+    taken.pushed = has_generators_;
     return taken;
   }
 
@@ -243,6 +266,8 @@ class ForcedStep {
   ForceRows& rows_;
   ForceField field_;
   WorldKernel kernel_;
+  bool has_generators_;
+  bool drives_;  // some emitter acts on the flight of its particles
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "math/elementary.hpp"
 #include "model/sight.hpp"
 #include "prepare/check.hpp"
+#include "world/drive.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -20,6 +21,8 @@ class WorldPushes final : public Pushes {
   WorldPushes(const WorldImpl& world, std::uint32_t slot, const Clock& clock)
       : clock_(clock), field_(world.registry, world.state, rows_, zones_) {
     rows_.add(world.registry, world.state, slot);
+    drive_ = Drive(world.registry, world.state, slot);
+    integrator_ = world.registry.cohort(world.state.slots[slot].cohort).key.fidelity.integrator;
     if (world.is_closed()) field_.leave_functions_out();
     field_.leave_pairs_out();
   }
@@ -29,15 +32,18 @@ class WorldPushes final : public Pushes {
     Clock then = clock_;
     then.run_steps += static_cast<std::uint64_t>(frame);
     rows_.mass[0] = mass;
-    field_.begin_step(then.time(), then.dt);
-    return field_.is_felt();
+    time_ = then.time();
+    field_.begin_step(time_, then.dt);
+    if (drive_) drive_.begin_step(integrator_, time_, then.dt);
+    return field_.is_felt() || drive_;
   }
   Vec3d at(double place, const State<double>& s) override {
     rows_.position[0] = s.x;
     rows_.velocity[0] = s.v;
     rows_.sound = finite(s.x) && finite(s.v);
     field_.evaluate(place);
-    return rows_.force[0] * (1 / rows_.mass[0]);
+    const Vec3d pushed = rows_.force[0] * (1 / rows_.mass[0]);
+    return drive_ ? pushed + drive_.at(time_ + place * clock_.dt, s) : pushed;
   }
 
  private:
@@ -45,6 +51,9 @@ class WorldPushes final : public Pushes {
   ForceRows rows_;
   ZoneDrag zones_;
   ForceField field_;
+  Drive drive_;
+  Integrator integrator_{};
+  double time_ = 0;  // at the start of the frame [s]
 };
 
 /// Why there is no flight of a projectile from now on.
@@ -162,7 +171,8 @@ std::shared_ptr<FlightRecord> predicted(const WorldImpl& w, ProjectileId id, Unt
   FrameStart start = start_of(w, slot, clock);
   std::optional<WorldPushes> pushes;
   const bool feels = w.registry.cohort(slot.cohort).key.fidelity.motion == Motion::force;
-  if (feels && !w.state.generators.empty()) start.pushes = &pushes.emplace(w, id.index, clock);
+  if (feels && (!w.state.generators.empty() || w.state.emitters.law_of(id.index)))
+    start.pushes = &pushes.emplace(w, id.index, clock);
   fill(*record, w, id, start);
   // Closed forms know the place of their launch; ranges are from here.
   const double passed = dot(start.now.x - record->body.launch.x, record->body.sight);

@@ -95,9 +95,11 @@ class Settling {
     const bool whole = passed == 0 && parts_.end() == context_.dt;
     s.t = whole ? r_.t_start() : r_.t_start() + static_cast<S>(passed);
     const double clock = passed - static_cast<double>(s.t);  // from the march's clock to time into the step
-    march.restart(whole && r_.is_clocked() ? r_.t_end() : s.t + h, h);
+    const S limit = whole && r_.is_clocked() ? r_.t_end() : s.t + h;
+    march.restart(limit, h);
     while (!march.arrived()) {
-      const bool accepted = march.try_step();
+      const bool accepted = r_.is_driven() || march.try_step();
+      if (r_.is_driven()) r_.take_driven_step(passed, limit, h);
       if (!r_.outlives(accepted)) return;
       if (!accepted) continue;
       if (look(clock)) return;

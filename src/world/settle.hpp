@@ -85,12 +85,14 @@ struct SettleContext {
 };
 
 /// A step that a forced row took together with others. What only follows from an event in it (the way on after a
-/// bounce) feels the generators as they were there, held.
+/// bounce) feels the generators as they were there, held; what an emitter does to its particles it feels as it is then.
 template <class S>
 struct TakenStep {
-  Step<S> step;     // start, end, and the slopes but that at the end
-  Vec3<S> push[2];  // acceleration by generators at its start and end
-  bool own_force;   // some row of the cohort has a ProjectileDef::force
+  Step<S> step;         // start, end, and the slopes but that at the end
+  Vec3<S> push[2];      // acceleration by generators at its start and end
+  bool own_force;       // some row of the cohort has a ProjectileDef::force
+  bool driven = false;  // `push` has what an emitter does to a particle, too
+  bool pushed = true;   // there are generators
 };
 
 /// The rows of a cohort as a kernel wants them; which of them, and where they are marked, is left open.

@@ -10,6 +10,8 @@
 #include "physim/impact.hpp"
 #include "solve/judge.hpp"
 #include "solve/lane_motion.hpp"
+#include "solve/stages.hpp"
+#include "world/drive.hpp"
 #include "world/settle.hpp"
 
 namespace physim {
@@ -33,6 +35,7 @@ class SettledRow {
     PHYSIM_ASSERT(row < rows_.size());
     read();
     start_ = here();
+    if (cohort_.key.forced) find_drive();
   }
 
   // ------------------------------------------------------------------------------------------- where it is
@@ -102,7 +105,8 @@ class SettledRow {
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
-    return acceleration_of_lane(conditions(), march.lanes, static_cast<double>(t_start_) + after, s);
+    const Vec3d a = acceleration_of_lane(conditions(), march.lanes, static_cast<double>(t_start_) + after, s);
+    return driven_ ? a + kept(driven_->by.at(context_.time + after, s) - driven_->felt) : a;
   }
 
   /// What constraints leave of a velocity or a way.
@@ -111,8 +115,34 @@ class SettledRow {
   /// From now on the models feel what generators gave it then.
   void feel_as_at(double passed) {
     if (!taken_) return;
+    if (driven_) return feel_drive(passed, now(), t_start_ + static_cast<S>(passed));
     const S part = static_cast<S>(passed / context_.dt);
     feel(taken_->push[0] + (taken_->push[1] - taken_->push[0]) * part, t_start_ + static_cast<S>(passed));
+  }
+  /// Whether its emitter acts on its flight.
+  [[nodiscard]] bool is_driven() const { return driven_.has_value(); }
+  /// One step from `passed` on to the march's limit, stage by stage: what drives it is felt in each.
+  void take_driven_step(double passed, S limit, S h) {
+    PHYSIM_ASSERT(driven_ && passed >= 0);
+    const Conditions<S>& c = *march.course().conditions;
+    const Integrator integrator = c.fidelity.integrator;
+    Step<S>& s = march.lanes.step;
+    s.h = h;
+    s.t_end = limit;
+    const double length = static_cast<double>(h);
+    driven_->by.begin_step(integrator, context_.time + passed, length);
+    if (is_classic(c.fidelity)) s.slope[0].x = s.start.v;
+    for (int stage = 0; stage < end_slope(integrator); ++stage) {
+      const State<S> at = stage == 0 ? s.start : s.end;
+      feel_drive(passed + stage_place(integrator, stage) * length, at, stage_time(integrator, stage, s));
+      advance_stage(c, stage, march.lanes);
+    }
+    if (is_classic(c.fidelity)) {
+      s.slope[0].v = s.slope[1].v;
+    } else {
+      feel_drive(passed + length, s.end, s.t_end);
+      set_slope(c, march.lanes, end_slope(integrator));
+    }
   }
 
   // ------------------------------------------------------------------------------------------- parts of a step
@@ -259,6 +289,29 @@ class SettledRow {
     march.lanes.body = from_row_;
     add_push(*march.course().conditions, t, push, taken_->own_force, march.lanes.body);
   }
+  /// From now on they feel generators, held, and what its emitter does to it there.
+  void feel_drive(double passed, const State<S>& at, S t) {
+    const S part = static_cast<S>(passed / context_.dt);
+    const Vec3<S>* const held = driven_->held;
+    driven_->felt = driven_->by.at(context_.time + passed, {vec_cast<double>(at.x), vec_cast<double>(at.v)});
+    feel(held[0] + (held[1] - held[0]) * part + vec_cast<S>(driven_->felt), t);
+  }
+  /// Whether its emitter acts on it; and what generators alone gave it then.
+  void find_drive() {
+    const Drive drive(*context_.registry, *context_.state, slot_index_);
+    if (!drive) return;
+    PHYSIM_ASSERT(taken_);
+    Driven& d = driven_.emplace(Driven{drive, {}, {}});
+    if (taken_->pushed || !taken_->driven) d.held[0] = taken_->push[0], d.held[1] = taken_->push[1];
+    if (!taken_->driven) return;
+    d.by.begin_step(cohort_.key.fidelity.integrator, context_.time, context_.dt);
+    d.felt = d.by.at(context_.time, start_);
+    if (!taken_->pushed) return;
+    const State<S>& end = taken_->step.end;
+    const Vec3d then = d.by.at(context_.time + context_.dt, {vec_cast<double>(end.x), vec_cast<double>(end.v)});
+    d.held[0] = d.held[0] - vec_cast<S>(d.felt);
+    d.held[1] = d.held[1] - vec_cast<S>(then);
+  }
   /// Closed forms know only their launch: after a bounce it is where they bounced, and their clock starts there.
   void relaunch(double passed) {
     if (cohort_.key.fidelity.motion != Motion::closed_form) return;
@@ -276,7 +329,10 @@ class SettledRow {
     march.lanes.step.t = t_start_ + static_cast<S>(from);
     const S h = static_cast<S>(to - from);
     march.restart(march.lanes.step.t + h, h);
-    while (!march.arrived() && !march.is_stuck()) march.accept(march.try_step());
+    while (!march.arrived() && !march.is_stuck()) {
+      if (driven_) take_driven_step(from, march.lanes.step.t + h, h);
+      march.accept(driven_ || march.try_step());
+    }
   }
   static S& part(Vec3<S>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -295,6 +351,13 @@ class SettledRow {
   std::uint32_t row_;
   std::uint32_t slot_index_;
   const TakenStep<S>* taken_;
+  /// Where its emitter acts on its flight.
+  struct Driven {
+    Drive by;
+    Vec3<S> held[2];  // by generators at the start and the end of the step
+    Vec3d felt;       // what it feels of its emitter now
+  };
+  std::optional<Driven> driven_;
   bool is_traced_;    // it meets others
   Body<S> from_row_;  // where generators or stops change what is flown
   State<double> start_{};

@@ -115,17 +115,19 @@ Environment WorldImpl::surroundings_of(const Kind& kind, double time) const {
 }
 
 /// The cheapest rung for a launch, where the kind asks for it; its own otherwise.
-Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double time, double gravity) {
+Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double time,
+                                          const Coming& coming) {
   const Kind& kind = registry.kind(kind_index);
   if (kind.body.cheapest_within == 0) return std::uint16_t{0};
   Environment environment = surroundings_of(kind, time);
-  environment.gravity.acceleration *= own_of(kind.body).gravity_scale * gravity;
+  environment.gravity.acceleration *= own_of(kind.body).gravity_scale * coming.gravity;
   Purpose purpose;
   purpose.error = kind.body.cheapest_within;
   purpose.time = kind.body.within_time;
   purpose.step = def.step;
   if (def.ground.mode != GroundMode::none) purpose.ground = def.ground.height;
-  if (!state.generators.empty()) purpose.least_motion = Motion::force;
+  const bool is_driven = coming.emitter != 0 && state.emitters[coming.emitter].drives;
+  if (is_driven || !state.generators.empty()) purpose.least_motion = Motion::force;
   const bool dragless = kind.body.drag_scale == 0;
   if (dragless) purpose.truth.drag = DragModel::off;
   purpose.tolerance.relative = def.tolerance.relative;
@@ -156,7 +158,7 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
   const BodyState at{launch.position,
                      launch.velocity ? *launch.velocity : launch_velocity(launch, sight_frame(launch), *elevation)};
   if (!(coming.delay >= 0 && coming.delay < 1e15)) return Error{"must be zero or positive", "delay", "in s"};
-  const auto rung = rung_for(kind_index, launch, launched, coming.gravity);
+  const auto rung = rung_for(kind_index, launch, launched, coming);
   if (!rung) return rung.error();
   Slot wanted;
   wanted.kind = kind_index;
@@ -177,7 +179,8 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
     mine.gravity_scale *= coming.gravity;
     for (const OwnPart& part : kOwnParts) slot.set(part.flag, part.differs(mine));
   }
-  slot.set(kForced, feels_forces(index));
+  const bool is_driven = coming.emitter != 0 && state.emitters[coming.emitter].drives;
+  slot.set(kForced, is_driven ? is_moved_by_forces(index) : feels_forces(index));
   slot.cohort = placement.cohort_for(slot);
   if (slot.cohort == kNoCohort) {
     state.extras.forget(index);

@@ -368,9 +368,12 @@ FidelityInUse ProjectileView::fidelity_in_use() const {
   const std::string motion(name(f.motion));
   if (slot->is(kForced) && is_adaptive(f.integrator))
     in_use.notes.push_back({"integrator", integrator, integrator,
-                            "generators act on it: the world's step is one step, whatever its error"});
+                            "generators or its emitter act on it: the world's step is one step, whatever its error"});
   if (f.motion != Motion::force && world_->is_target(id_.index))
     in_use.notes.push_back({"motion", motion, motion, "generators are not felt: only motion 'force' knows forces"});
+  if (f.motion != Motion::force && world_->state.emitters.law_of(id_.index))
+    in_use.notes.push_back(
+        {"motion", motion, motion, "its emitter's flight is not felt: only motion 'force' knows forces"});
   return in_use;
 }
 

@@ -5,6 +5,7 @@
 #include "base/archive.hpp"
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "emit/flight_law.hpp"
 #include "math/quat.hpp"
 #include "world/emitter_step.hpp"
 #include "world/world_impl.hpp"
@@ -13,6 +14,11 @@ namespace physim {
 namespace {
 
 constexpr std::uint32_t kMostAtOnce = 1'000'000;  // of World::emit()
+
+/// Whether a kind's own rung is moved by forces; auto fidelity finds one that is.
+bool feels_pushes(const Kind& kind) {
+  return kind.body.cheapest_within > 0 || kind.projectile.fidelity.motion == Motion::force;
+}
 
 Error no_emitter() { return {"there is no such emitter", "emitter", "it was removed, or never added"}; }
 
@@ -29,6 +35,14 @@ Status WorldImpl::refuses(const EmitterDef& asked) const {
   c.require(is_kind(asked.kind), "emitter.kind", "there is no such kind", "add_kind() makes one");
   c.require(asked.gun.tracer_every == 0 || is_kind(asked.gun.tracer), "emitter.gun.tracer", "there is no such kind",
             "add_kind() makes one");
+  if (FlightLaw(asked.flight, 0).acts()) {
+    const auto feels = [this](KindId kind) {
+      const std::uint32_t index = registry.kinds.find(kind);
+      return index == 0 || feels_pushes(registry.kind(index));
+    };
+    c.require(feels(asked.kind) && (asked.gun.tracer_every == 0 || feels(asked.gun.tracer)), "emitter.flight",
+              "its kind flies a closed form, which nothing on the way acts on", "give the kind motion 'force'");
+  }
   c.require(!asked.follows || find(asked.follows), "emitter.follows", "there is no such projectile",
             "spawn() makes one");
   for (const SubEmitter& sub : asked.subs)
@@ -40,6 +54,7 @@ Status WorldImpl::refuses(const EmitterDef& asked) const {
 void WorldImpl::equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const {
   emitter.emission = std::make_shared<const Emission>(asked, seed);
   emitter.hash = hash_of(asked, seed);
+  emitter.drives = emitter.emission->flight().acts();
   if (std::holds_alternative<AtRest>(asked.motion)) return;
   if (auto path = collide::Path::make(asked.motion, {asked.position, asked.rotation, 1}))
     emitter.path = std::make_shared<const collide::Path>(std::move(*path));
@@ -86,7 +101,12 @@ Status World::remove_emitter(EmitterId id) {
   const Recorded<Call::remove_emitter> call(w, id);
   if (call.is_refused()) return call.refusal();
   if (!w.state.emitters.find(id)) return no_emitter();
+  std::vector<std::uint32_t> its;
+  w.state.emitters.each_particle_of(id.index, [&its](std::uint32_t slot, const Particle&) { its.push_back(slot); });
+  const bool drove = w.state.emitters[id.index].drives;
   w.state.emitters.erase(id.index);
+  if (drove)
+    for (const std::uint32_t slot : its) w.update_forced(slot);
   return {};
 }
 

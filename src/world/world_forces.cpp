@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/restored.hpp"
+#include "world/drive.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -40,10 +41,13 @@ bool WorldImpl::is_target(std::uint32_t slot) const {
                      [&](std::uint32_t index) { return is_in_group(state.generators[index], registry, state, slot); });
 }
 
-bool WorldImpl::feels_forces(std::uint32_t index) const {
-  if (state.generators.empty()) return false;
+bool WorldImpl::is_moved_by_forces(std::uint32_t index) const {
   const Slot& slot = state.slots[index];
-  return registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.motion == Motion::force && is_target(index);
+  return registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.motion == Motion::force;
+}
+
+bool WorldImpl::feels_forces(std::uint32_t index) const {
+  return (is_target(index) || state.emitters.law_of(index)) && is_moved_by_forces(index);
 }
 
 void WorldImpl::update_forced(std::uint32_t index) {
@@ -229,6 +233,15 @@ Vec3d WorldImpl::generator_force(std::uint32_t index) const {
   rows.velocity[0] = now.velocity;
   field.evaluate(0);
   return rows.force[0];
+}
+
+Vec3d WorldImpl::emitter_push(std::uint32_t index) const {
+  Drive drive(registry, state, index);
+  if (!drive) return {};
+  const Slot& slot = state.slots[index];
+  drive.begin_step(registry.cohort(slot.cohort).key.fidelity.integrator, state.clock.time(), state.clock.dt);
+  const BodyState now = state.state_of(slot);
+  return drive.at(state.clock.time(), {now.position, now.velocity});
 }
 
 void WorldImpl::step_forced(double dt) {

@@ -73,7 +73,8 @@ struct WorldImpl : Gate {
   [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch, double time) const;
   /// Refuses a state whose numbers the rung's precision cannot hold.
   [[nodiscard]] Status fits(const Slot& slot, const BodyState& at) const;
-  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch, double time, double gravity);
+  [[nodiscard]] Result<std::uint16_t> rung_for(std::uint32_t kind, const Launch& launch, double time,
+                                               const Coming& coming);
   /// Where a kind flies, by the clock of a launch at a time [s].
   [[nodiscard]] Environment surroundings_of(const Kind& kind, double time) const;
   /// Takes a projectile out of the world; the event is told before.
@@ -114,9 +115,11 @@ struct WorldImpl : Gate {
   void each_sleeper(const F& f) const;
 
   // ------------------------------------------------------------------------------------------- forces
-  /// A generator acts on it that it can feel.
+  /// A generator, or its emitter, acts on it that it can feel.
   [[nodiscard]] bool feels_forces(std::uint32_t slot) const;
   [[nodiscard]] bool is_target(std::uint32_t slot) const;
+  /// Whether forces move it on its rung.
+  [[nodiscard]] bool is_moved_by_forces(std::uint32_t slot) const;
   void update_forced(std::uint32_t slot);
   /// Lets generators begin that start within the next dt; ends those that are over or act on nobody any more.
   void begin_generators(double dt);
@@ -135,6 +138,8 @@ struct WorldImpl : Gate {
   Status remove_target(ForceId force, ProjectileId id);
   /// By all generators on one projectile now [N].
   [[nodiscard]] Vec3d generator_force(std::uint32_t slot) const;
+  /// By its emitter on the flight of a particle now [m/s^2].
+  [[nodiscard]] Vec3d emitter_push(std::uint32_t slot) const;
 
   // ------------------------------------------------------------------------------------------- emitters
   [[nodiscard]] Status refuses(const EmitterDef& asked) const;

@@ -118,7 +118,8 @@ Accelerations ProjectileView::accelerations() const {
   const double t = world_->placement.clock_of(*slot);
   Body<double> b = world_->placement.body_of(*slot);
   if (cohort.key.forced)
-    add_push(c, t, world_->generator_force(id_.index) * inverse_mass(), cohort.key.features.has_applied, b);
+    add_push(c, t, world_->generator_force(id_.index) * inverse_mass() + world_->emitter_push(id_.index),
+             cohort.key.features.has_applied, b);
   const BodyState now = world_->state.state_of(*slot);
   const Rows& rows = world_->state.rows_of(*slot);
   const bool turning = rows.layout().turning;

@@ -45,6 +45,7 @@ constexpr Exception kExceptions[] = {
     {"use_hail", "table", "no range to show"},
     {"world_bouncing_balls", "table", "no range to show"},
     // Where and how fast they start is said by their emitters alone.
+    {"emit_embers", "table", "no range to show"},
     {"emit_fireworks", "table", "no range to show"},
     {"emit_fountain", "table", "no range to show"},
     {"emit_machine_gun", "table", "no range to show"},

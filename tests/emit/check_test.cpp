@@ -18,6 +18,7 @@ EmitterDef good() {
   EmitterDef def;
   def.bursts = {{}};
   def.gun.barrels = {{}};
+  def.flight.limit = {9};
   def.subs = {{}};
   return def;
 }
@@ -66,11 +67,21 @@ TEST(EmitterInput, drawn_numbers_are_looked_at_whole) {
       {"emitter.start.gravity", [](EmitterDef& d) -> DrawnNumber& { return d.start.gravity; }},
       {"emitter.life.size", [](EmitterDef& d) -> DrawnNumber& { return d.life.size; }},
       {"emitter.life.turn", [](EmitterDef& d) -> DrawnNumber& { return d.life.turn; }},
+      {"emitter.flight.drag", [](EmitterDef& d) -> DrawnNumber& { return d.flight.drag; }},
+      {"emitter.flight.gravity", [](EmitterDef& d) -> DrawnNumber& { return d.flight.gravity; }},
+      {"emitter.flight.velocity_x", [](EmitterDef& d) -> DrawnNumber& { return d.flight.velocity_x; }},
+      {"emitter.flight.velocity_y", [](EmitterDef& d) -> DrawnNumber& { return d.flight.velocity_y; }},
+      {"emitter.flight.velocity_z", [](EmitterDef& d) -> DrawnNumber& { return d.flight.velocity_z; }},
+      {"emitter.flight.force_x", [](EmitterDef& d) -> DrawnNumber& { return d.flight.force_x; }},
+      {"emitter.flight.force_y", [](EmitterDef& d) -> DrawnNumber& { return d.flight.force_y; }},
+      {"emitter.flight.force_z", [](EmitterDef& d) -> DrawnNumber& { return d.flight.force_z; }},
+      {"emitter.flight.limit", [](EmitterDef& d) -> DrawnNumber& { return d.flight.limit; }},
+      {"emitter.flight.noise", [](EmitterDef& d) -> DrawnNumber& { return d.flight.noise; }},
       {"emitter.subs[0].count", [](EmitterDef& d) -> DrawnNumber& { return d.subs[0].count; }}};
   for (const auto& [name, of] : numbers) {
     const std::string place = name;
     const auto& number = of;
-    const bool lifetime = place == "emitter.start.lifetime";
+    const bool lifetime = place == "emitter.start.lifetime" || place == "emitter.flight.limit";  // may be infinite
     for (const double bad : {kNan, -kInfinity, 1e16}) {
       expect_refused([&](EmitterDef& d) { number(d).value = bad; }, place);
       expect_refused([&](EmitterDef& d) { number(d).to = bad; }, place + ".to");
@@ -91,9 +102,9 @@ TEST(EmitterInput, drawn_numbers_are_looked_at_whole) {
     curve(Curve(10'001, {0, 1}), "");
     expect_refused([&](EmitterDef& d) { number(d).to_curve = {{0, 1}}; }, place + ".to_curve");
   }
-  for (const char* place :
-       {"emitter.cycle.delay", "emitter.per_second", "emitter.bursts[0].count", "emitter.start.size",
-        "emitter.start.size_y", "emitter.start.size_z", "emitter.life.size", "emitter.subs[0].count"})
+  for (const char* place : {"emitter.cycle.delay", "emitter.per_second", "emitter.bursts[0].count",
+                            "emitter.start.size", "emitter.start.size_y", "emitter.start.size_z", "emitter.life.size",
+                            "emitter.subs[0].count", "emitter.flight.drag", "emitter.flight.noise"})
     for (const auto& [name, number] : numbers)
       if (std::string_view(name) == place) {
         expect_refused([&](EmitterDef& d) { number(d).value = -1; }, place);
@@ -206,6 +217,29 @@ TEST(EmitterInput, origins_and_launches_are_looked_at) {
   expect_refused([](EmitterDef& d) { d.motion = KeyedMotion{}; }, "emitter.motion.keys");
   expect_refused([](EmitterDef& d) { d.motion = SteadyMotion{.velocity = {kNan, 0, 0}}; }, "emitter.motion.velocity");
   expect_refused([](EmitterDef& d) { d.motion = SteadyMotion{}, d.follows = {1, 1}; }, "emitter.motion");
+}
+
+TEST(EmitterInput, flights_are_looked_at) {
+  const std::string at = "emitter.flight.";
+  for (const double bad : {-1.0, kNan, kInfinity}) {
+    expect_refused([=](EmitterDef& d) { d.flight.fast = bad; }, at + "fast");
+    expect_refused([=](EmitterDef& d) { d.flight.limit_rate = bad; }, at + "limit_rate");
+    expect_refused([=](EmitterDef& d) { d.flight.noise_size = bad; }, at + "noise_size");
+    expect_refused([=](EmitterDef& d) { d.flight.noise_rate = bad; }, at + "noise_rate");
+    expect_refused([=](EmitterDef& d) { d.flight.noise_gain = bad; }, at + "noise_gain");
+  }
+  expect_refused([](EmitterDef& d) { d.flight.noise_size = 0; }, at + "noise_size");
+  expect_refused([](EmitterDef& d) { d.flight.noise_gain = 1.5; }, at + "noise_gain");
+  for (const std::uint32_t bad : {0u, 9u})
+    expect_refused([=](EmitterDef& d) { d.flight.noise_octaves = bad; }, at + "noise_octaves");
+  expect_refused([](EmitterDef& d) { d.flight.drag_by_speed = {{0, 1}}; }, at + "drag_by_speed");
+  expect_refused(
+      [](EmitterDef& d) {
+        d.flight.fast = 1, d.flight.drag_by_speed = {{0, -1}};
+      },
+      at + "drag_by_speed[0].value");
+  expect_refused([](EmitterDef& d) { d.flight.limit = {-1}; }, at + "limit");
+  expect_refused([](EmitterDef& d) { d.flight.limit = {kInfinity, {}, {{0, 1}}}; }, at + "limit.curve");
 }
 
 TEST(EmitterInput, the_rest_is_looked_at) {

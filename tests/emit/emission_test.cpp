@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "base/hash.hpp"
+#include "emit/flight_law.hpp"
 #include "emit/statistics.hpp"
 #include "emit/timeline.hpp"
 #include "support.hpp"
@@ -179,6 +180,8 @@ EmitterDef of_everything() {
   def.start.rotation = {1};
   def.life.fast = 3;
   def.life.size_by_speed = {{0, 1}, {1, 2}};
+  def.flight = {.drag = {0.3}, .fast = 9, .drag_by_speed = {{0, 0.5}, {1, 1}}, .limit = {4}, .noise = {1}};
+  def.flight.noise_octaves = 2;
   def.subs = {{}};
   return def;
 }
@@ -198,6 +201,9 @@ std::uint64_t what_comes_of(const EmitterDef& def) {
       const Newborn n = emission.newborn(birth);
       const Look look = emission.look(number, next->phase, n.lifetime, 0.3, 2);
       hash.add(next->time), hash.add(next->phase), hash.add(n.tracer ? 1.0 : 0.0);
+      const InFlight particle{number, 0, n.lifetime};
+      add(emission.flight().acceleration(particle, 0.3, {n.place, n.direction * n.speed, {0, -9, 0}, 0.1}));
+      add(emission.flight().added_velocity(particle, 0.3));
       add(n.place), add(n.direction), add(look.size), add(look.rotation);
       hash.add(n.speed), hash.add(n.lifetime), hash.add(n.gravity), hash.add(next->count, look.colour);
       for (std::size_t sub = 0; sub < def.subs.size(); ++sub) hash.add(emission.fired_by(sub, number, 0), 0u);
@@ -304,10 +310,31 @@ const Row kWhat[] = {
     {"sub_probability", [](EmitterDef& d) { d.subs[0].probability = 0.5; }},
 };
 
+const Row kFlight[] = {
+    {"flight_drag", [](EmitterDef& d) { d.flight.drag = {1}; }},
+    {"flight_fast", [](EmitterDef& d) { d.flight.fast = 6; }},
+    {"flight_drag_by_speed", [](EmitterDef& d) { d.flight.drag_by_speed[1].value = 2; }},
+    {"flight_gravity", [](EmitterDef& d) { d.flight.gravity = {0.5}; }},
+    {"flight_velocity_x", [](EmitterDef& d) { d.flight.velocity_x = {1}; }},
+    {"flight_velocity_y", [](EmitterDef& d) { d.flight.velocity_y = {1}; }},
+    {"flight_velocity_z", [](EmitterDef& d) { d.flight.velocity_z = {1}; }},
+    {"flight_force_x", [](EmitterDef& d) { d.flight.force_x = {1}; }},
+    {"flight_force_y", [](EmitterDef& d) { d.flight.force_y = {1}; }},
+    {"flight_force_z", [](EmitterDef& d) { d.flight.force_z = {1}; }},
+    {"flight_limit", [](EmitterDef& d) { d.flight.limit = {3}; }},
+    {"flight_limit_rate", [](EmitterDef& d) { d.flight.limit_rate = 5; }},
+    {"flight_noise", [](EmitterDef& d) { d.flight.noise = {2}; }},
+    {"flight_noise_size", [](EmitterDef& d) { d.flight.noise_size = 2; }},
+    {"flight_noise_rate", [](EmitterDef& d) { d.flight.noise_rate = 2; }},
+    {"flight_noise_octaves", [](EmitterDef& d) { d.flight.noise_octaves = 3; }},
+    {"flight_noise_gain", [](EmitterDef& d) { d.flight.noise_gain = 0.7; }},
+};
+
 std::string row_name(const testing::TestParamInfo<Row>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(When, EmitterRow, testing::ValuesIn(kWhen), row_name);
 INSTANTIATE_TEST_SUITE_P(Where, EmitterRow, testing::ValuesIn(kWhere), row_name);
 INSTANTIATE_TEST_SUITE_P(What, EmitterRow, testing::ValuesIn(kWhat), row_name);
+INSTANTIATE_TEST_SUITE_P(Flight, EmitterRow, testing::ValuesIn(kFlight), row_name);
 
 }  // namespace
 }  // namespace physim

@@ -39,6 +39,7 @@ World world_with_emitters(Random& r, unsigned threads) {
     const auto kind = world.add_kind(p, body);
     if (!kind) continue;
     EmitterDef emitter = random_emitter(r, *kind, world.emitters());
+    if (p.fidelity.motion == Motion::force && !r.one_in(3)) emitter.flight = random_flight(r);
     const ProjectileId led = i == 3 && !world.ids().empty() ? world.ids().front() : ProjectileId{};
     if (led) emitter.follows = led, emitter.motion = AtRest{};
     static_cast<void>(world.add_emitter(emitter));

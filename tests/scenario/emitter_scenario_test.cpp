@@ -78,6 +78,24 @@ colour = ["#ffffff", "#ffffff80"]
 fast = "20 m/s"
 size_by_speed = [[0, 1], [1, 2]]
 colour_by_speed = [[0, "#ff0000"], [1, "#00ff0000"]]
+[emitter.flight]
+drag = { value = 4, to = 6, curve = [[0, 0], [1, 1]] }
+fast = "20 m/s"
+drag_by_speed = [[0, 0], [1, 1]]
+gravity = [-1, 0.5]
+velocity_x = "1 m/s"
+velocity_y = ["2 m/s", "3 m/s"]
+velocity_z = { value = "3 m/s", curve = [[0, 1], [1, -1]] }
+force_x = "1 N"
+force_y = ["2 N", "3 N"]
+force_z = -4
+limit = "30 m/s"
+limit_rate = "5 Hz"
+noise = "6 m/s^2"
+noise_size = "50 cm"
+noise_rate = "0.5 Hz"
+noise_octaves = 3
+noise_gain = 0.25
 [[emitter.sub]]
 on = "hit"
 emitter = "sparks"
@@ -192,6 +210,25 @@ TEST(EmitterScenario, ReadsStartsLivesAndSubs) {
   EXPECT_EQ(life.fast, 20);
   EXPECT_EQ(life.size_by_speed, (Curve{{0, 1}, {1, 2}}));
   EXPECT_EQ(life.colour_by_speed, (Gradient{{0, 0xff0000ff}, {1, 0x00ff0000}}));
+  const ParticleFlight& flight = gun.def.flight;
+  EXPECT_EQ(flight.drag, (DrawnNumber{4, 6, {{0, 0}, {1, 1}}}));
+  EXPECT_EQ(flight.fast, 20);
+  EXPECT_EQ(flight.drag_by_speed, (Curve{{0, 0}, {1, 1}}));
+  EXPECT_EQ(flight.gravity, (DrawnNumber{-1, 0.5}));
+  EXPECT_EQ(flight.velocity_x, DrawnNumber{1});
+  EXPECT_EQ(flight.velocity_y, (DrawnNumber{2, 3}));
+  EXPECT_EQ(flight.velocity_z, (DrawnNumber{3, {}, {{0, 1}, {1, -1}}}));
+  EXPECT_EQ(flight.force_x, DrawnNumber{1});
+  EXPECT_EQ(flight.force_y, (DrawnNumber{2, 3}));
+  EXPECT_EQ(flight.force_z, DrawnNumber{-4});
+  EXPECT_EQ(flight.limit, DrawnNumber{30});
+  EXPECT_EQ(everything().emitters.at(1).def.flight.limit, DrawnNumber{kInfinity});
+  EXPECT_EQ(flight.limit_rate, 5);
+  EXPECT_EQ(flight.noise, DrawnNumber{6});
+  EXPECT_EQ(flight.noise_size, 0.5);
+  EXPECT_EQ(flight.noise_rate, 0.5);
+  EXPECT_EQ(flight.noise_octaves, 3u);
+  EXPECT_EQ(flight.noise_gain, 0.25);
   ASSERT_EQ(gun.subs.size(), 2u);
   const ScenarioSub& sub = gun.subs[0];
   EXPECT_EQ(sub.emitter, "sparks");
@@ -300,6 +337,15 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"life.colour_by_speed = [\"#ffffff\"]",
             "f.toml:6:25: error: emitter.life.colour_by_speed: this is no key; expected colours [[part of the span, "
             "\"#rrggbb\"], ...]"},
+        Bad{"flight.drag = -1",
+            "f.toml:6:15: error: emitter.flight.drag: -1 is out of range; must be >= 0 Hz; a bare number is in Hz"},
+        Bad{"flight.noise_octaves = 9",
+            "f.toml:6:24: error: emitter.flight.noise_octaves: 9 is out of range; must be 1 .. 8"},
+        Bad{"flight.drag_by_speed = [[0, 1]]",
+            "f.toml:6:1: error: emitter.flight.drag_by_speed: does nothing without `fast`; give the speed at which it "
+            "ends"},
+        Bad{"flight.noise_siz = 1",
+            "f.toml:6:1: error: emitter.flight: unknown key \"noise_siz\"; did you mean \"noise_size\"?"},
         Bad{"from = \"con\"", "f.toml:6:8: error: emitter.from.shape: unknown value \"con\"; did you mean \"cone\"?"},
         Bad{"seed = 1.5",
             "f.toml:6:8: error: emitter.seed: 1.5 is not a whole number; expected a whole number such as 1000"},

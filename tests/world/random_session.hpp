@@ -193,6 +193,7 @@ class RandomSession {
         const KindId kind = kinds_[static_cast<std::size_t>(below(static_cast<int>(kinds_.size())))];
         Random r(random_());
         EmitterDef def = random_emitter(r, kind, world_.emitters());
+        if (below(2) == 0) def.flight = random_flight(r);
         if (below(4) == 0) def.follows = some(), def.motion = AtRest{};
         return emitters_.push_back(or_null(world_.add_emitter(def)));
       }

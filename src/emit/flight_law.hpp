@@ -1,0 +1,78 @@
+// What acts on the flight of an emitter's particle as it grows older.
+//
+// What it models: linear drag whose rate follows age and speed, a part of gravity by age, a force by age, a velocity by
+//   age that is in the particle's own whatever else changes that, a speed limit that what is above it falls to, and
+//   swirls in space (model/curl_noise.hpp) whose strength follows age.
+// When it is wrong: it is what looks are made of. Drag of air grows with the square of the speed (a curve over the
+// speed
+//   can say so up to `fast`), and air has no limits. Rates k are felt by explicit steps of length h: those above 1/h
+//   are overshot, those above 2/h blow up.
+// Symbols: n(x) a number of ParticleFlight at the part x = age / span of its life; v velocity [m/s], s = |v|; k drag
+//   [1/s], q(s) its part by speed [-]; g gravity as it is felt [m/s^2], p its part [-]; F force [N], m mass [kg]; L
+//   limit [m/s], c its rate [1/s]; u velocity added [m/s]; w noise of mean square 1 [-], N its strength [m/s^2].
+// Equation: a = -k(x) q(s) v + (p(x) - 1) g + F(x) / m - c (1 - L(x) / s) v [s > L] + du/dt + N(x) w. At birth u is
+// added
+//   to the velocity.
+// In a step from t to t + h of a method with the weights b and the stages c, du/dt stands in each stage with
+//   e = (u(t + h) - u(t)) / h - sum b_i du/dt(t + c_i h) beside it: so the velocity has u exactly at the ends of steps,
+//   across corners of its curve too, and the method keeps its order, of which e is.
+// Source: Unity 2022.3 Manual, Particle System modules (what is offered, not how); linear drag: G. G. Stokes, Trans.
+//   Cambridge Phil. Soc. 9 (1851) 8. The quadrature of u is ours.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "emit/chance.hpp"
+#include "emit/drawn.hpp"
+#include "model/curl_noise.hpp"
+
+namespace physim {
+
+/// One particle, as what acts on its flight asks.
+struct InFlight {
+  std::uint64_t number = 0;  // among those of its emitter
+  double birth = 0;          // [s]
+  double span = 1;           // of its curves, above 0 [s]
+};
+
+/// What it feels beside.
+struct FlightState {
+  Vec3d x, v;       // [m, m/s]
+  Vec3d gravity{};  // as it feels it; read where scales_gravity() [m/s^2]
+  double mass = 1;  // read where has_force() [kg]
+};
+
+class FlightLaw {
+ public:
+  FlightLaw(const ParticleFlight& def, std::uint64_t seed);
+
+  /// Whether there is anything.
+  [[nodiscard]] bool acts() const;
+  [[nodiscard]] bool scales_gravity() const { return !gravity_.is(1); }
+  [[nodiscard]] bool adds_velocity() const;
+  [[nodiscard]] bool has_force() const;
+
+  /// All but what is of adds_velocity() [m/s^2].
+  [[nodiscard]] Vec3d acceleration(const InFlight& particle, double time, const FlightState& state) const;
+  /// That is in its velocity at a time [m/s], and its derivative [m/s^2].
+  [[nodiscard]] Vec3d added_velocity(const InFlight& particle, double time) const;
+  [[nodiscard]] Vec3d velocity_rate(const InFlight& particle, double time) const;
+
+ private:
+  /// Three numbers along the axes of W.
+  struct Numbers {
+    EmitNumber x, y, z;
+    [[nodiscard]] bool are_zero() const { return x.is(0) && y.is(0) && z.is(0); }
+  };
+  [[nodiscard]] double drag_at(double x, double speed, FlightChance& chance) const;
+
+  std::uint64_t seed_;
+  EmitNumber drag_, gravity_, limit_, noise_;
+  Numbers velocity_, force_;
+  EmitCurve drag_by_speed_;
+  double fast_, limit_rate_;
+  std::optional<CurlNoise> swirls_;
+};
+
+}  // namespace physim

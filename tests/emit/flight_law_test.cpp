@@ -1,0 +1,108 @@
+// What acts on the flight of particles: each number by age, speed and chance.
+#include "emit/flight_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "math/vec3.hpp"
+#include "support.hpp"
+
+namespace physim {
+namespace {
+
+const Curve kFalling{{0, 1}, {1, 0}};
+
+/// Halfway through the life of a particle of 4 s.
+Vec3d acceleration(const ParticleFlight& def, const FlightState& s = {.x = {1, 2, 3}, .v = {3, 0, -4}},
+                   std::uint64_t number = 0, double time = 12) {
+  return FlightLaw(def, 5).acceleration({number, 10, 4}, time, s);
+}
+
+TEST(FlightLaw, does_nothing_by_itself) {
+  EXPECT_FALSE(FlightLaw({}, 1).acts());
+  EXPECT_EQ(acceleration({}), Vec3d{});
+}
+
+TEST(FlightLaw, acts_where_there_is_one_of_its_numbers) {
+  const std::function<void(ParticleFlight&)> rows[] = {
+      [](ParticleFlight& f) { f.drag = {1}; },       [](ParticleFlight& f) { f.gravity = {0}; },
+      [](ParticleFlight& f) { f.velocity_x = {1}; }, [](ParticleFlight& f) { f.velocity_y = {1}; },
+      [](ParticleFlight& f) { f.velocity_z = {1}; }, [](ParticleFlight& f) { f.force_x = {1}; },
+      [](ParticleFlight& f) { f.force_y = {1}; },    [](ParticleFlight& f) { f.force_z = {1}; },
+      [](ParticleFlight& f) { f.limit = {1}; },      [](ParticleFlight& f) { f.noise = {1}; }};
+  for (const auto& row : rows) {
+    ParticleFlight def;
+    row(def);
+    EXPECT_TRUE(FlightLaw(def, 1).acts()) << &row - rows;
+  }
+}
+
+TEST(FlightLaw, drag_is_linear_and_follows_age_and_speed) {
+  EXPECT_EQ(acceleration({.drag = {2}}), (Vec3d{-6, 0, 8}));
+  EXPECT_EQ(acceleration({.drag = {2, {}, kFalling}}), (Vec3d{-3, 0, 4}));
+  const ParticleFlight square{.drag = {2}, .fast = 10, .drag_by_speed = {{0, 0}, {1, 1}}};
+  EXPECT_EQ(acceleration(square), (Vec3d{-3, 0, 4})) << "half of fast";
+  EXPECT_EQ(acceleration(square, {.x = {}, .v = {200, 0, 0}}), (Vec3d{-400, 0, 0})) << "held above fast";
+}
+
+TEST(FlightLaw, gravity_and_force_are_by_age) {
+  const FlightState s{.x = {}, .v = {}, .gravity = {0, -10, 0}, .mass = 0.5};
+  EXPECT_EQ(acceleration({.gravity = {3, {}, kFalling}}, s), (Vec3d{0, -5, 0})) << "what is there already is not added";
+  EXPECT_EQ(acceleration({.force_x = {1}, .force_y = {2, {}, kFalling}, .force_z = {-1}}, s), (Vec3d{2, 2, -2}));
+}
+
+TEST(FlightLaw, a_limit_slows_down_what_is_above_it) {
+  EXPECT_EQ(acceleration({.limit = {4}, .limit_rate = 2}), (Vec3d{3, 0, -4} * -(2 * (1 - 0.8))));
+  EXPECT_EQ(acceleration({.limit = {5}, .limit_rate = 2}), Vec3d{});
+  EXPECT_EQ(acceleration({.limit = {0}, .limit_rate = 2}, {.x = {}, .v = {}}), Vec3d{});
+}
+
+TEST(FlightLaw, noise_follows_place_time_age_and_the_seed_of_its_emitter) {
+  const ParticleFlight def{.noise = {3, {}, kFalling}, .noise_rate = 0.1};
+  const FlightState s{.x = {0.3, 0.4, 0.6}, .v = {}};
+  EXPECT_EQ(acceleration(def, s), acceleration(def, s, 99)) << "one field for all";
+  EXPECT_NE(acceleration(def, s), FlightLaw(def, 6).acceleration({0, 10, 4}, 12, s));
+  EXPECT_NE(acceleration(def, s), (FlightLaw(def, 5).acceleration({0, 10.5, 4}, 12.5, s))) << "it changes with time";
+  EXPECT_EQ(acceleration({.noise = {3}}, s) * 0.5, acceleration({.noise = {3, {}, kFalling}}, s));
+}
+
+TEST(FlightLaw, numbers_between_two_are_drawn_once_for_each_particle) {
+  const ParticleFlight def{.drag = {1, 3}, .force_x = {-1, 1}};
+  double sum = 0, product = 0;
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    const FlightState s{.x = {}, .v = {0, 0, 1}};
+    const Vec3d a = acceleration(def, s, i);
+    ASSERT_EQ(a, acceleration(def, s, i, 13.5)) << "at any age";
+    ASSERT_TRUE(a.z <= -1 && a.z >= -3 && std::abs(a.x) <= 1);
+    sum += a.z / 20'000, product += (a.z + 2) * a.x / 20'000;
+  }
+  EXPECT_NEAR(sum, -2, 0.02);
+  EXPECT_NEAR(product, 0, 0.012) << "each for itself";
+}
+
+TEST(FlightLaw, ages_end_where_lives_do) {
+  const ParticleFlight def{.drag = {1, {}, {{0, 1}, {1, 3}}}};
+  const FlightState s{.x = {}, .v = {1, 0, 0}};
+  EXPECT_EQ(acceleration(def, s, 0, 9.9).x, -1);
+  EXPECT_EQ(acceleration(def, s, 0, 14).x, -3);
+  EXPECT_EQ(acceleration(def, s, 0, 1e9).x, -3);
+}
+
+TEST(FlightLaw, the_rate_of_a_velocity_is_its_derivative) {
+  const ParticleFlight def{.velocity_x = {5, {}, {{0.1, 0}, {0.4, 1}, {0.9, -1}}},
+                           .velocity_y = {2, 4, {{0, 1}, {1, 0}}},
+                           .velocity_z = {3}};
+  const FlightLaw law(def, 8);
+  const InFlight particle{7, 10, 4};
+  const double h = 1e-6;
+  for (double t = 10.001; t < 14; t += 0.173) {
+    const Vec3d slope = (law.added_velocity(particle, t + h) - law.added_velocity(particle, t - h)) * (0.5 / h);
+    EXPECT_LT(length(slope - law.velocity_rate(particle, t)), 1e-7) << t;
+  }
+  EXPECT_EQ(law.velocity_rate(particle, 20), Vec3d{});
+}
+
+}  // namespace
+}  // namespace physim
