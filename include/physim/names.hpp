@@ -10,6 +10,7 @@
 #include "physim/environment.hpp"
 #include "physim/flight.hpp"
 #include "physim/impact.hpp"
+#include "physim/joint.hpp"
 #include "physim/world.hpp"
 
 namespace physim {
@@ -63,6 +64,8 @@ PHYSIM_NAMED_ENUM(ArcMode)
 PHYSIM_NAMED_ENUM(SubEvent)
 PHYSIM_NAMED_ENUM(SubAxis)
 PHYSIM_NAMED_ENUM(StopAction)
+PHYSIM_NAMED_ENUM(JointKind)
+PHYSIM_NAMED_ENUM(JointEventKind)
 #undef PHYSIM_NAMED_ENUM
 
 /// All rungs of an effect (an enumeration that Fidelity has a field of), cheap to true.

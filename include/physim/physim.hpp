@@ -24,6 +24,7 @@
 #include "physim/ids.hpp"
 #include "physim/impact.hpp"
 #include "physim/infinity.hpp"
+#include "physim/joint.hpp"
 #include "physim/magnus.hpp"
 #include "physim/material.hpp"
 #include "physim/motor.hpp"

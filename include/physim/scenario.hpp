@@ -78,6 +78,7 @@ struct Scenario {
   std::vector<Volley> volleys{};            ///< [-]
   std::vector<ScenarioForce> forces{};      ///< [-]
   std::vector<ScenarioEmitter> emitters{};  ///< [-]
+  std::vector<ScenarioJoint> joints{};      ///< [-]
   std::vector<Material> materials{};        ///< [-]
   std::vector<ScenarioShape> shapes{};      ///< [-]
   std::vector<ScenarioThing> things{};      ///< [-]

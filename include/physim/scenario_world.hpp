@@ -1,4 +1,5 @@
-// What a scenario with a [world] says beside its shots: the world, volleys, forces and emitters. Part of
+// What a scenario with a [world] says beside its shots: the world, volleys, forces, joints and emitters.
+// Part of
 // physim_scenario.
 #pragma once
 
@@ -10,6 +11,7 @@
 #include "physim/emitter.hpp"
 #include "physim/forces.hpp"
 #include "physim/infinity.hpp"
+#include "physim/joint.hpp"
 #include "physim/scenario_motion.hpp"
 #include "physim/world_def.hpp"
 
@@ -61,6 +63,14 @@ struct ScenarioForce {
   std::string other{};               ///< of a spring or bungee: the shot at its other end, fired once [-]
   double delay = 0;                  ///< before it starts [s]
   double duration = kInfinity;       ///< then it ends [s]
+};
+
+/// One [[joint]], there from the start.
+struct ScenarioJoint {
+  std::string name{};  ///< in messages [-]
+  std::string a{};     ///< name of the shot at one end, fired once [-]
+  std::string b{};     ///< name of the shot at the other end, fired once; empty: a point [-]
+  Joint def{};         ///< but for its ends [-]
 };
 
 /// One of the `sub` of an [[emitter]].

@@ -13,6 +13,7 @@
 #include "physim/emitter.hpp"
 #include "physim/flight.hpp"
 #include "physim/forces.hpp"
+#include "physim/joint.hpp"
 #include "physim/result.hpp"
 #include "physim/scene.hpp"
 #include "physim/task_runner.hpp"
@@ -151,7 +152,7 @@ class World {
   /// The flight from now on, its time 0, by steps of `step` [s] (0: WorldDef::step): attitude, spin, what its motor
   /// has burnt, its own gravity and other settings, and generators as they are now. At the end of each step it is, to
   /// the bit, where step() would bring it, as long as nothing changes it: rules that despawn, put to sleep or move it
-  /// to another rung are left out, and so are springs to other projectiles, which its notes tell. It meets the things
+  /// to another rung are left out, and so are joints and springs to others, which its notes tell. It meets the things
   /// of the world's scene as it will, those that move too, and tells its hits. It ends where it first meets `until`,
   /// such as the ground: there it does not bounce. Range and sight are level, along its velocity.
   /// Refused for one that is gone, stands still (asleep, kinematic, of infinite mass, stuck) or is pending, for events
@@ -181,6 +182,21 @@ class World {
   [[nodiscard]] std::size_t force_count() const;
   /// Its targets of now that are in motion `force`; nobody: it acts, and nothing feels it.
   [[nodiscard]] std::size_t felt_by(ForceId force) const;
+
+  // ------------------------------------------------------------------------------------------- joints
+  /// From now on it holds its ends, whatever they fly by, on their centres. An end that is kinematic, pending, stuck or
+  /// of infinite mass stands still. It ends when a projectile that it holds leaves the world. Ends that are not as far
+  /// apart as a rod or a taut cable lets them be come there in the next step, without a speed.
+  /// Refused where both ends are one, where an end is gone or held by 64 joints, and where a number makes no sense.
+  Result<JointId> add_joint(const Joint& joint);
+  /// Who it held is free; who slept wakes.
+  Status remove_joint(JointId joint);
+  [[nodiscard]] std::vector<JointId> joints() const;          ///< of all there are, by index
+  [[nodiscard]] const Joint* joint(JointId joint) const;      ///< with its length; null: it is gone
+  [[nodiscard]] JointState joint_state(JointId joint) const;  ///< zeros: it is gone
+  /// What became of joints in the last step, and by calls since. In advance(): in the last of its steps.
+  [[nodiscard]] std::vector<JointEvent> joint_events() const;
+  [[nodiscard]] JointCounts joint_counts() const;
 
   // ------------------------------------------------------------------------------------------- scene
   /// What projectiles meet from now on, as BodyDef::on_hit says: a copy of this scene, whose ids it keeps, and the

@@ -45,6 +45,8 @@ PHYSIM_NAMES(SubEvent, trigger, "birth", "hit", "bounce", "ricochet", "exit", "l
              "trigger")
 PHYSIM_NAMES(SubAxis, normal, "emitter", "velocity", "normal")
 PHYSIM_NAMES(StopAction, remove, "none", "remove")
+PHYSIM_NAMES(JointKind, spring, "rod", "cable", "spring")
+PHYSIM_NAMES(JointEventKind, ended, "came_taut", "ended")
 
 #undef PHYSIM_NAMES
 

@@ -29,6 +29,10 @@ void complete_world(Scenario& scenario, const Value& document);
 [[nodiscard]] Status check_emitters(const Scenario& scenario, const Value& document,
                                     std::vector<std::string_view> counted);
 
+/// Default names of [[joint]], and their contradictions.
+void complete_joints(Scenario& scenario);
+[[nodiscard]] Status check_joints(const Scenario& scenario, const Value& document);
+
 /// Names of all shots.
 [[nodiscard]] std::vector<std::string_view> shot_names(const Scenario& scenario);
 [[nodiscard]] Status check_shot_name(const Scenario& scenario, const std::string& name, const std::string& path,

@@ -234,6 +234,7 @@ void complete_world(Scenario& scenario, const Value& document) {
     if (scenario.volleys[i].name.empty()) scenario.volleys[i].name = "volley-" + std::to_string(i + 1);
   for (std::size_t i = 0; i < scenario.emitters.size(); ++i)
     if (std::string& name = scenario.emitters[i].def.name; name.empty()) name = "emitter-" + std::to_string(i + 1);
+  complete_joints(scenario);
   for (std::size_t i = 0; i < scenario.forces.size(); ++i) {
     ScenarioForce& force = scenario.forces[i];
     if (force.name.empty()) force.name = "force-" + std::to_string(i + 1);
@@ -262,6 +263,7 @@ Status check_world(const Scenario& scenario, const Value& document) {
   for (std::size_t i = 0; i < scenario.forces.size(); ++i)
     if (Status status = check_force(scenario, scenario.forces[i], element(document, "force", i)); !status)
       return status;
+  if (Status status = check_joints(scenario, document); !status) return status;
   std::vector<std::string_view> counted = lone_shots(scenario);
   for (const Volley& volley : scenario.volleys) counted.push_back(volley.name);
   if (Status status = check_emitters(scenario, document, std::move(counted)); !status) return status;

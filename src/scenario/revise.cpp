@@ -160,6 +160,7 @@ std::optional<std::string> revised_text(const std::string& text, const std::stri
   added += more_of(&Scenario::shapes, "shape", *before, now, kept);
   added += more_of(&Scenario::things, "thing", *before, now, kept);
   added += more_of(&Scenario::emitters, "emitter", *before, now, kept);
+  added += more_of(&Scenario::joints, "joint", *before, now, kept);
   const auto wanted = changes(*before, kept);
   if (!wanted) return std::nullopt;
   for (const Change& change : *wanted) {

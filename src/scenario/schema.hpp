@@ -44,6 +44,7 @@ struct Scope {
   Burst* burst = nullptr;
   Barrel* barrel = nullptr;
   ScenarioSub* sub = nullptr;
+  ScenarioJoint* joint = nullptr;
 
   /// All of them, to be found by what they point to.
   [[nodiscard]] auto pointers() {
@@ -161,7 +162,7 @@ struct SchemaNode {
 /// The node of a path; null where there is none.
 [[nodiscard]] const SchemaNode* find_node(std::string_view path);
 /// Lists of tables that only a scenario with a [world] has.
-inline constexpr std::string_view kWorldLists[] = {"volley", "force", "emitter"};
+inline constexpr std::string_view kWorldLists[] = {"volley", "force", "emitter", "joint"};
 /// Lists of tables that say what there is to hit, in a [world] and for single flights.
 inline constexpr std::string_view kSceneLists[] = {"material", "shape", "thing"};
 /// Whether it, or something in it, says how a shot meets things.
@@ -181,7 +182,7 @@ class Defaults {
   std::int64_t format_ = 1;
   std::tuple<Scenario, ScenarioShot, Expectation, EventSpec, WindPoint, BallisticBand, MagnusPoint, PoolDef, DetailRung,
              Volley, ScenarioForce, Thrust::Point, Material, ScenarioShape, ScenarioThing, ScenarioKey, ScenarioEmitter,
-             Burst, Barrel, ScenarioSub>
+             Burst, Barrel, ScenarioSub, ScenarioJoint>
       objects_;  // in the order of Scope
 };
 

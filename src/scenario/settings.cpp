@@ -169,7 +169,7 @@ std::span<const Entry> entries() {
     std::vector<Entry> list;
     for (const std::span<const Entry> part :
          {std::span<const Entry>(kFileSettings), shot_settings(), world_settings(), force_settings(), scene_settings(),
-          emitter_settings(), study_settings(), std::span<const Entry>(kRunSettings)})
+          emitter_settings(), joint_settings(), study_settings(), std::span<const Entry>(kRunSettings)})
       list.insert(list.end(), part.begin(), part.end());
     PHYSIM_ASSERT(list.front().path == "physim");  // the version is read first
     return list;

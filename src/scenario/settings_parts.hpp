@@ -179,6 +179,7 @@ constexpr Entry setting(std::string_view path, ValueRef (*slot)(const Scope&), s
 [[nodiscard]] std::span<const Entry> force_settings();    // [[force]]
 [[nodiscard]] std::span<const Entry> scene_settings();    // [[material]], [[shape]], [[thing]]
 [[nodiscard]] std::span<const Entry> emitter_settings();  // [[emitter]]
+[[nodiscard]] std::span<const Entry> joint_settings();    // [[joint]]
 [[nodiscard]] std::span<const Entry> study_settings();    // [study]
 
 }  // namespace physim

@@ -59,6 +59,7 @@ Status WorldRun::Impl::load() {
   if (Status status = add_emitters(); !status) return status;
   count(world.events().subspan(known));  // what they fired before the start
   is_loaded = true;
+  if (Status status = add_joints(); !status) return status;
   return add_forces(true);
 }
 
@@ -300,7 +301,7 @@ namespace {
 /// The hash of all that a run is made from.
 std::uint64_t hash_of_run(const Scenario& scenario) {
   std::uint64_t hash = hash_of(scenario.world.def, scenario.volleys, scenario.forces, scenario.materials,
-                               scenario.shapes, scenario.things, scenario.emitters);
+                               scenario.shapes, scenario.things, scenario.emitters, scenario.joints);
   for (const ScenarioShot& shot : scenario.shots) hash = hash_of(hash, shot.projectile, shot.launch, shot.body);
   return hash;
 }

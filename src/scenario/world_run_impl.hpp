@@ -49,6 +49,7 @@ struct WorldRun::Impl : RunState {
   [[nodiscard]] std::string place_of_shot(std::size_t index) const;
   Status add_forces(bool to_shots);
   Status add_force(const ScenarioForce& force);
+  Status add_joints();
   void fire();
   void fire(Magazine& magazine);
   void look_at_wall(double dt);

@@ -137,6 +137,8 @@ void fill(FlightRecord& record, const WorldImpl& w, ProjectileId id, const Frame
   if (has_springs(w, id))
     record.cohort.in_use.notes.push_back(
         {"forces", "spring", "none", "springs to other projectiles are left out: where those will be is not known"});
+  if (w.state.joints.of_slot(id.index))
+    record.cohort.in_use.notes.push_back({"joints", "held", "none", "joints are left out: they hold it in the world"});
   record.cohort.pool = w.registry.tables(cohort.key.fidelity.interpolation);
   record.cohort.conditions = cohort.conditions;
   record.cohort.conditions.has_applied = cohort.conditions.has_applied || start.pushes != nullptr;

@@ -71,9 +71,9 @@ class Loading {
     saved_.def.threading = threading;
     if (Status status = check(saved_.def); !status) return status.error();
     world_ = std::make_shared<WorldImpl>(saved_.def);
-    for (Status (Loading::*part)() :
-         {&Loading::surroundings, &Loading::kinds, &Loading::time, &Loading::slots, &Loading::rows, &Loading::few,
-          &Loading::pools, &Loading::waiting, &Loading::generators, &Loading::emitters, &Loading::particles})
+    for (Status (Loading::*part)() : {&Loading::surroundings, &Loading::kinds, &Loading::time, &Loading::slots,
+                                      &Loading::rows, &Loading::few, &Loading::pools, &Loading::waiting,
+                                      &Loading::generators, &Loading::emitters, &Loading::particles, &Loading::joints})
       if (Status status = (this->*part)(); !status) return status.error();
     state().counters = saved_.counters;
     return std::move(world_);
@@ -313,6 +313,20 @@ class Loading {
     return {};
   }
 
+  Status joints() {
+    std::vector<HeldJoint> all(1);
+    for (const SavedJoint& each : saved_.joints) {
+      all.push_back(
+          {.generation = each.generation, .active = each.active, .def = each.def, .tension = 0, .is_taut = false});
+      if (!each.active) continue;
+      if (Status status = check(each.def); !status) return status;
+      const bool holds = each.def.length && world_->find(each.def.a) && (!each.def.b || world_->find(each.def.b));
+      if (!holds) return makes_no_sense("its joints");
+    }
+    const bool fits = state().joints.restore(std::move(all), saved_.free_joints);
+    return fits ? Status() : makes_no_sense("the places of its joints");
+  }
+
   SavedWorld& saved_;
   std::shared_ptr<WorldImpl> world_;
 };
@@ -397,6 +411,11 @@ SavedWorld saved_world(const WorldImpl& world) {
   saved.detail = state.detail;
   if (state.scene) saved.scene = *state.scene;
   saved.emitters = saved_emitters(state.emitters);
+  for (std::uint32_t i = 1; i < state.joints.size(); ++i) {
+    const HeldJoint& joint = state.joints[i];
+    saved.joints.push_back({joint.generation, joint.active, joint.def});
+  }
+  saved.free_joints = state.joints.free();
   return saved;
 }
 

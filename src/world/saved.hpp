@@ -78,6 +78,12 @@ struct SavedEmitters {
   std::vector<Due> ages;
 };
 
+struct SavedJoint {
+  std::uint32_t generation = 0;
+  bool active = false;
+  Joint def;
+};
+
 struct SavedWorld {
   std::string made_by;  // version of the library
   WorldDef def;
@@ -103,6 +109,8 @@ struct SavedWorld {
   DetailRule detail;
   std::optional<Scene> scene;
   SavedEmitters emitters;
+  std::vector<SavedJoint> joints;          // from index 1 on
+  std::vector<std::uint32_t> free_joints;  // places, in the order in which they were left
 };
 
 }  // namespace physim

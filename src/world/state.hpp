@@ -10,6 +10,7 @@
 #include "world/clock.hpp"
 #include "world/emitters.hpp"
 #include "world/generators.hpp"
+#include "world/joints.hpp"
 #include "world/pools.hpp"
 #include "world/schedule.hpp"
 #include "world/slots.hpp"
@@ -29,6 +30,7 @@ class WorldState {
   Schedule old_age;   // ends by DespawnRules::older
   Generators generators;
   Emitters emitters;
+  Joints joints;
   std::vector<Event> events;
   std::size_t events_of_step = 0;  // the first of them
   WorldCounters counters;

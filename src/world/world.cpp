@@ -308,6 +308,7 @@ void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
   state.pools.leave(registry.kind(slot.kind).body.pool, index);
   state.extras.forget(index);
   state.generators.forget(index);
+  end_joints_of(*this, index);
   state.emitters.leave(index, status == LifeStatus::landed    ? &EmitterCounts::landed
                               : status == LifeStatus::expired ? &EmitterCounts::expired
                                                               : &EmitterCounts::taken);

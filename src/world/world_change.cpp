@@ -49,6 +49,7 @@ void WorldImpl::forget_events() {
   state.events.clear();
   state.events_of_step = 0;
   outgrown.clear();
+  state.joints.events.clear();
 }
 
 void WorldImpl::tell_launch(std::uint32_t index, const Coming& coming) {

@@ -7,6 +7,7 @@
 #include "physim/world.hpp"
 #include "world/emitter_step.hpp"
 #include "world/forced_step.hpp"
+#include "world/joints.hpp"
 #include "world/pairs.hpp"
 #include "world/placement.hpp"
 #include "world/recorder.hpp"
@@ -44,6 +45,7 @@ struct WorldImpl : Gate {
   ForcedScratch forced_scratch;
   PairScratch pairs;
   EmitterScratch emitting;
+  JointScratch jointed;
   bool is_stirred = false;  // nobody who meets things sleeps, or knows how far it may fly
 
   // ------------------------------------------------------------------------------------------- slots

@@ -141,6 +141,7 @@ std::uint64_t WorldImpl::hash() const {
   state.pools.add_to(h);
   state.generators.add_to(h);
   state.emitters.add_to(h, state.slots);
+  state.joints.add_to(h);
   h.add(hash_of(state.observer, state.detail, registry.environments()));
   if (state.scene) h.add(state.scene->hash());
   return h.value();

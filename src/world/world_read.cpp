@@ -208,7 +208,7 @@ std::size_t World::memory() const {
   const WorldImpl& w = impl();
   const WorldState& s = w.state;
   std::size_t bytes = s.slots.bytes() + s.pools.bytes() + s.launches.bytes() + s.old_age.bytes() + s.extras.bytes() +
-                      s.generators.bytes() + s.emitters.bytes() + w.registry.bytes() +
+                      s.generators.bytes() + s.emitters.bytes() + s.joints.bytes() + w.registry.bytes() +
                       s.events.capacity() * sizeof(Event);
   for (const Rows& rows : s.rows) bytes += sizeof(Rows) + rows.bytes();
   for (const auto& events : w.outgrown) bytes += events.capacity() * sizeof(Event);

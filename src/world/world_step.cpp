@@ -301,7 +301,9 @@ void WorldImpl::carry_out(const Change& change) {
       slot.set_status(LifeStatus::landed);
       placement.relocate(change.slot);
       break;
-    case Change::Kind::sleep: put_to_sleep(change.slot); break;
+    case Change::Kind::sleep:
+      if (!state.joints.of_slot(change.slot)) put_to_sleep(change.slot);  // else its net does, whole
+      break;
   }
 }
 
@@ -326,6 +328,7 @@ void WorldImpl::step(double dt) {
   begin_generators(dt);
   apply_detail();
   move_scene(dt);
+  begin_joints(*this);
   begin_emitters(*this, dt);
   begin_pairs(*this);
   is_stirred = false;
@@ -339,6 +342,7 @@ void WorldImpl::step(double dt) {
   ++state.counters.steps;
   watch_for_emitters(*this, context);
   finish_step();
+  hold_joints(*this, dt);
   expire_old();
   fire_emitters(*this, context);
   end_generators();

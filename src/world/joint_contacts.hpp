@@ -1,0 +1,24 @@
+// What held projectiles meet while their net moves them: the ground that they bounce on, and things of the scene.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "physim/vec3.hpp"
+
+namespace physim {
+
+struct WorldImpl;
+
+/// A plane that somebody stays in front of.
+struct NetContact {
+  Vec3d normal{};     // of length one, outwards
+  double offset = 0;  // dot(normal, place) is not below [m]
+  Vec3d place{};      // of its middle where it touches [m]
+};
+
+/// What a projectile would go into on a straight way at the end of a step; nothing where the way is free.
+[[nodiscard]] std::optional<NetContact> contact_on_way(const WorldImpl& world, std::uint32_t slot, const Vec3d& from,
+                                                       const Vec3d& to);
+
+}  // namespace physim

@@ -1,0 +1,127 @@
+// Joints in scenario files: what is read, what is written back, how a run has them, and what is refused and where.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/archive.hpp"
+#include "physim/world_run.hpp"
+#include "scenario/revise.hpp"
+
+namespace physim {
+namespace {
+
+const std::string kJoined = R"(physim = 1
+[environment]
+atmosphere = { model = "vacuum" }
+[world]
+duration = "2 s"
+ground = "none"
+[[shot]]
+name = "ball"
+mass = "2 kg"
+position = ["1 m", "0 m", "0 m"]
+speed = "0 m/s"
+[[shot]]
+name = "weight"
+mass = "1 kg"
+position = ["1 m", "-1 m", "0 m"]
+speed = "0 m/s"
+[[joint]]
+name = "arm"
+a = "ball"
+point = ["0 m", "0 m", "0 m"]
+[[joint]]
+kind = "cable"
+a = "weight"
+b = "ball"
+length = "1.5 m"
+restitution = 0.25
+[[joint]]
+kind = "spring"
+a = "weight"
+b = "ball"
+length = "2 m"
+stiffness = "50 N/m"
+damping = "0.5 kg/s"
+)";
+
+TEST(JointScenario, all_that_a_joint_may_say_is_read_and_written_back) {
+  const Result<Scenario> read = parse_scenario(kJoined, "f.toml");
+  ASSERT_TRUE(read) << read.error().text();
+  ASSERT_EQ(read->joints.size(), 3u);
+  EXPECT_EQ(read->joints[0].name, "arm");
+  EXPECT_EQ(read->joints[0].def, Joint{});
+  EXPECT_EQ(read->joints[1].name, "joint-2");
+  EXPECT_EQ(read->joints[1].def, (Joint{.kind = JointKind::cable, .length = 1.5, .restitution = 0.25}));
+  EXPECT_EQ(read->joints[2].b, "ball");
+  EXPECT_EQ(read->joints[2].def, (Joint{.kind = JointKind::spring, .length = 2, .stiffness = 50, .damping = 0.5}));
+  const Result<Scenario> again = parse_scenario(scenario_text(*read), "g.toml");
+  ASSERT_TRUE(again) << again.error().text() << scenario_text(*read);
+  EXPECT_EQ(hash_of(again->joints), hash_of(read->joints));
+  Scenario more = *read;
+  more.joints.push_back({.name = "last", .a = "ball", .def = {.point = {0, 9, 0}}});
+  const auto revised = revised_text(kJoined, "f.toml", more);
+  ASSERT_TRUE(revised);
+  EXPECT_EQ(revised->substr(0, kJoined.size()), kJoined);
+  EXPECT_EQ(hash_of(parse_scenario(*revised, "f.toml")->joints), hash_of(more.joints));
+}
+
+TEST(JointScenario, a_run_has_its_joints_and_goes_on_from_a_save) {
+  Scenario scenario = *parse_scenario(kJoined, "f.toml");
+  auto run = WorldRun::create(scenario);
+  ASSERT_TRUE(run) << run.error().text();
+  ASSERT_EQ(run->world().joints().size(), 3u);
+  const auto ids = run->world().ids();
+  for (int i = 0; i < 30; ++i) run->step();
+  EXPECT_NEAR(length(run->world()[ids[0]].position()), 1, 1e-9);
+  EXPECT_LE(length(run->world()[ids[0]].position() - run->world()[ids[1]].position()), 1.5 + 1e-9);
+  const auto saved = run->save();
+  ASSERT_TRUE(saved);
+  auto loaded = WorldRun::load(scenario, *saved);
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  for (int i = 0; i < 30; ++i) run->step(), loaded->step();
+  EXPECT_EQ(run->world().hash(), loaded->world().hash());
+  scenario.joints[2].def.stiffness = 60;
+  EXPECT_FALSE(WorldRun::load(scenario, *saved));
+}
+
+TEST(JointScenario, bad_joints_are_refused_where_they_stand) {
+  const std::string head =
+      "physim = 1\n[world]\n[[shot]]\nname = \"a\"\n[[shot]]\nname = \"b\"\n[[volley]]\nshot = \"b\"\n"
+      "[[joint]]\n";  // joints begin on line 10
+  const auto error = [&](const std::string& joint) {
+    const Result<Scenario> read = parse_scenario(head + joint, "f.toml");
+    return read.ok() ? "no error" : read.error().text();
+  };
+  EXPECT_EQ(error("b = \"a\"\n"),
+            "f.toml:9:1: error: missing key \"a\" in [joint]; name of the shot at one end, fired once");
+  EXPECT_EQ(error("a = \"c\"\n"), "f.toml:10:5: error: joint.a: no shot is named \"c\"; shots: a, b");
+  EXPECT_EQ(
+      error("a = \"b\"\n"),
+      "f.toml:10:5: error: joint.a: \"b\" is fired by a volley; name a shot that no volley fires: there is one of it");
+  EXPECT_EQ(error("a = \"a\"\nb = \"a\"\n"),
+            "f.toml:11:5: error: joint.b: is joint.a too; a joint holds two different shots");
+  EXPECT_EQ(error("a = \"a\"\nkind = \"rope\"\n"),
+            "f.toml:11:8: error: joint.kind: unknown value \"rope\"; known values: rod, cable, spring");
+  EXPECT_EQ(error("a = \"a\"\nlength = \"-1 m\"\n").substr(0, 29), "f.toml:11:10: error: joint.le");
+  EXPECT_EQ(error("a = \"a\"\nlength = \"0 m\"\n").substr(0, 29), "f.toml:11:10: error: joint.le");
+  EXPECT_EQ(error("a = \"a\"\nlength = \"2 kg\"\n").substr(0, 29), "f.toml:11:10: error: joint.le");
+  EXPECT_EQ(error("a = \"a\"\nrestitution = 2\n").substr(0, 29), "f.toml:11:15: error: joint.re");
+  EXPECT_EQ(error("a = \"a\"\nrestitution = 0.5\n"),
+            "f.toml:11:15: error: joint.restitution: is that of a cable; rods and springs have none");
+  EXPECT_EQ(error("a = \"a\"\nlenth = 3\n"),
+            "f.toml:11:1: error: unknown key \"lenth\" in [joint]; did you mean \"length\"?");
+  const Result<Scenario> no_world =
+      parse_scenario("physim = 1\n[[shot]]\nname = \"a\"\n[[joint]]\na = \"a\"\n", "f.toml");
+  ASSERT_FALSE(no_world);
+  EXPECT_EQ(no_world.error().place, "f.toml:4:1");
+  // Ends at one place are found when the run begins.
+  auto scenario = parse_scenario("physim = 1\n[world]\n[[shot]]\nname = \"a\"\n[[joint]]\na = \"a\"\n", "f.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const auto run = WorldRun::create(*scenario);
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().place, "f.toml: joint \"joint-1\": joint.length");
+}
+
+}  // namespace
+}  // namespace physim

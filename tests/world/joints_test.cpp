@@ -1,0 +1,385 @@
+// Joints against closed forms: pendulums, a dumb-bell, springs, chains and cables.
+#include "world/joints_support.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test_joints;
+using test::near;
+
+/// A pendulum of one metre, held out by an angle at rest.
+struct Pendulum {
+  World world = World::create(falling()).value();
+  ProjectileId bob_id;
+  JointId rod;
+
+  explicit Pendulum(double amplitude, Precision precision = Precision::float64) {
+    bob_id = put(world, mass_of(2, precision), bob(), {std::sin(amplitude), -std::cos(amplitude), 0});
+    rod = join(world, {.a = bob_id, .length = 1});
+  }
+  /// The mean of its periods until a time [s].
+  double period_over(double dt, double until) {
+    const auto passes = upward_passes(world, dt, until, [&] { return world[bob_id].position().x; });
+    return (passes.back() - passes.front()) / static_cast<double>(passes.size() - 1);
+  }
+};
+
+TEST(Joints, a_pendulum_has_the_period_of_small_swings) {
+  Pendulum p(0.01);
+  EXPECT_TRUE(near(p.period_over(1.0 / 480, 42), pendulum_period(1, 0.01), 2e-5));
+  EXPECT_TRUE(near(pendulum_period(1, 0.01), 2 * kPi * std::sqrt(1 / kGravity), 1e-4));
+}
+
+TEST(Joints, a_pendulum_has_the_period_of_wide_swings) {
+  for (const double amplitude : {1.0, 2.0, 3.0}) {
+    Pendulum p(amplitude);
+    EXPECT_TRUE(near(p.period_over(1.0 / 480, 60), pendulum_period(1, amplitude), 2e-4)) << amplitude;
+    EXPECT_EQ(p.world.joint_counts().unsolved, 0u);
+  }
+}
+
+TEST(Joints, errors_fall_with_the_square_of_the_step) {
+  const auto place_after_two_seconds = [](double dt) {
+    Pendulum p(1.5);
+    for (int i = 0; i < static_cast<int>(std::round(2 / dt)); ++i) p.world.step(dt);
+    return p.world[p.bob_id].position();
+  };
+  const Vec3d truth = place_after_two_seconds(1.0 / 8192);
+  const double coarse = length(place_after_two_seconds(1.0 / 128) - truth);
+  const double fine = length(place_after_two_seconds(1.0 / 256) - truth);
+  EXPECT_GT(coarse / fine, 3.7);
+  EXPECT_LT(coarse / fine, 4.3);
+}
+
+TEST(Joints, energy_of_a_pendulum_swings_and_does_not_drift) {
+  Pendulum p(2.0);
+  const std::vector<ProjectileId> all{p.bob_id};
+  const double begun = energy(p.world, all), scale = 2 * kGravity;
+  double first = 0, last = 0;
+  const int steps = 60 * 60 * 20;
+  for (int i = 0; i < steps; ++i) {
+    p.world.step(1.0 / 60);
+    const double off = std::abs(energy(p.world, all) - begun) / scale;
+    if (i < steps / 10) first = std::max(first, off);
+    if (i >= steps - steps / 10) last = std::max(last, off);
+    ASSERT_LT(std::abs(length(p.world[p.bob_id].position()) - 1), 1e-11);
+  }
+  EXPECT_LT(first, 0.01);
+  EXPECT_LT(last, 1.05 * first);
+}
+
+TEST(Joints, the_tension_of_a_pendulum_at_rest_is_its_weight) {
+  Pendulum p(0);
+  for (int i = 0; i < 600; ++i) p.world.step(1.0 / 60);
+  EXPECT_LT(length(p.world[p.bob_id].velocity()), 1e-12);
+  EXPECT_TRUE(near(p.world.joint_state(p.rod).tension, 2 * kGravity, 1e-9));
+  EXPECT_TRUE(p.world.joint_state(p.rod).is_taut);
+}
+
+TEST(Joints, a_dumb_bell_turns_and_keeps_its_momenta) {
+  World world = World::create(space()).value();
+  const std::vector<ProjectileId> ends{put(world, mass_of(1), weightless(), {0, 0, 0}, {3, 2, 0.5}),
+                                       put(world, mass_of(3), weightless(), {1, 0, 0}, {3, -1, 0.2})};
+  const JointId rod = join(world, {.a = ends[0], .b = ends[1]});
+  // What of their speeds parts them is taken away at once, and with it some energy.
+  world.step(1.0 / 240);
+  const Vec3d p = momentum(world, ends), l = angular_momentum(world, ends);
+  const double e = energy(world, ends, 0), omega = std::hypot(3, 0.3);  // [rad/s]
+  EXPECT_TRUE(near(p, {12, -1, 1.1}, 1e-14));
+  for (int i = 1; i < 2400; ++i) {
+    world.step(1.0 / 240);
+    ASSERT_LT(std::abs(world.joint_state(rod).length - 1), 1e-12 + 1e-14 * length(world[ends[0]].position()));
+  }
+  EXPECT_TRUE(near(momentum(world, ends), p, 1e-13));
+  // The places that are rounded are 30 m from the origin.
+  EXPECT_TRUE(near(angular_momentum(world, ends), l, 1e-9));
+  EXPECT_TRUE(near(energy(world, ends, 0), e, 1e-9));
+  const Vec3d relative = world[ends[1]].velocity() - world[ends[0]].velocity();
+  EXPECT_TRUE(near(length(relative), omega, 1e-5));
+  EXPECT_TRUE(near(world.joint_state(rod).tension, 0.75 * omega * omega, 1e-3));
+}
+
+TEST(Joints, a_spring_swings_with_its_frequency) {
+  World world = World::create(space()).value();
+  const double k = 50, reduced = 0.75;
+  const ProjectileId a = put(world, mass_of(1), weightless(), {0, 0, 0});
+  const ProjectileId b = put(world, mass_of(3), weightless(), {2.3, 0, 0});
+  const JointId spring = join(world, {.kind = JointKind::spring, .a = a, .b = b, .length = 2, .stiffness = k});
+  const std::vector<ProjectileId> both{a, b};
+  const auto stored = [&] { return k / 2 * std::pow(world.joint_state(spring).length - 2, 2); };
+  const double begun = stored();
+  const auto passes = upward_passes(world, 1.0 / 480, 40, [&] { return world.joint_state(spring).length - 2; });
+  const double period = (passes.back() - passes.front()) / static_cast<double>(passes.size() - 1);
+  EXPECT_TRUE(near(period, 2 * kPi * std::sqrt(reduced / k), 3e-5));
+  EXPECT_TRUE(near(energy(world, both, 0) + stored(), begun, 1e-10));
+  EXPECT_LT(length(momentum(world, both)), 1e-12);
+}
+
+TEST(Joints, a_damped_spring_dies_away_as_it_should) {
+  World world = World::create(falling()).value();
+  const double m = 2, k = 80, c = 3;
+  const ProjectileId bob_id = put(world, mass_of(m), bob(), {0, -1.5, 0});
+  join(world, {.kind = JointKind::spring, .a = bob_id, .length = 1, .stiffness = k, .damping = c});
+  const double rest = -1 - m * kGravity / k, gamma = c / (2 * m), omega = std::sqrt(k / m - gamma * gamma);
+  const double x0 = -1.5 - rest;
+  for (int i = 0; i < 480 * 3; ++i) {
+    world.step(1.0 / 480);
+    const double t = world.time();
+    const double x = x0 * std::exp(-gamma * t) * (std::cos(omega * t) + gamma / omega * std::sin(omega * t));
+    ASSERT_TRUE(near(world[bob_id].position().y, rest + x, 0, 5e-5)) << t;
+  }
+}
+
+TEST(Joints, a_spring_is_stable_however_stiff) {
+  World world = World::create(falling()).value();
+  const ProjectileId bob_id = put(world, mass_of(0.01), bob(), {0.6, -0.8, 0});
+  const JointId spring = join(world, {.kind = JointKind::spring, .a = bob_id, .stiffness = 1e9, .damping = 1});
+  const std::vector<ProjectileId> all{bob_id};
+  const double begun = energy(world, all);
+  for (int i = 0; i < 6000; ++i) world.step(1.0 / 60);
+  EXPECT_LT(energy(world, all), begun + 0.01 * 0.01 * kGravity);
+  EXPECT_TRUE(near(world.joint_state(spring).length, 1, 1e-3));
+}
+
+// ------------------------------------------------------------------------------------------------------------ chains
+struct Chain {
+  World world;
+  std::vector<ProjectileId> links;
+  std::vector<JointId> joints;
+
+  /// Links between two points, joined one to the next; the second point may be left out.
+  Chain(const std::vector<Vec3d>& places, bool two_ends, double mass, const BodyDef& body, JointKind kind,
+        std::optional<double> length, bool backwards = false)
+      : world(World::create(falling()).value()) {
+    const std::size_t last = places.size() - 1;
+    for (std::size_t i = 1; i <= (two_ends ? last - 1 : last); ++i)
+      links.push_back(put(world, mass_of(mass), body, places[i]));
+    std::vector<Joint> all{{.kind = kind, .a = links[0], .point = places[0], .length = length}};
+    for (std::size_t i = 1; i < links.size(); ++i)
+      all.push_back({.kind = kind, .a = links[i - 1], .b = links[i], .length = length});
+    if (two_ends) all.push_back({.kind = kind, .a = links.back(), .point = places[last], .length = length});
+    if (backwards) std::reverse(all.begin(), all.end());
+    for (const Joint& joint : all) joints.push_back(join(world, joint));
+  }
+};
+
+/// Places of a chain of n weights and n + 1 rods of length l at rest, by its horizontal tension over a weight.
+std::vector<Vec3d> catenary(int n, double l, double pull) {
+  std::vector<Vec3d> places{{0, 0, 0}};
+  for (int i = 0; i <= n; ++i) {
+    const double slope = (i - n / 2.0) / pull;  // weights below carried by this rod, over the pull
+    places.push_back(places.back() + Vec3d{1, slope, 0} * (l / std::hypot(1, slope)));
+  }
+  return places;
+}
+
+TEST(Joints, a_chain_at_rest_hangs_as_a_catenary) {
+  const int n = 39;
+  const double l = 0.1, mass = 0.2, pull = 12;
+  const std::vector<Vec3d> places = catenary(n, l, pull);
+  Chain chain(places, true, mass, bob(), JointKind::rod, l);
+  for (int i = 0; i < 600; ++i) chain.world.step(1.0 / 60);
+  for (int i = 0; i < n; ++i) {
+    const auto link = chain.world[chain.links[static_cast<std::size_t>(i)]];
+    EXPECT_TRUE(near(link.position(), places[static_cast<std::size_t>(i) + 1], 0, 1e-9));
+    EXPECT_LT(length(link.velocity()), 1e-9);
+  }
+  for (int i = 0; i <= n; ++i) {
+    const double slope = (i - n / 2.0) / pull;
+    const double tension = chain.world.joint_state(chain.joints[static_cast<std::size_t>(i)]).tension;
+    EXPECT_TRUE(near(tension, mass * kGravity * pull * std::hypot(1, slope), 1e-6)) << i;
+  }
+  // Many weights are nearly a rope: y = a cosh(x / a), a = pull times the length for a weight.
+  const double a = pull * l, middle = places.back().x / 2, lowest = places[(n + 1) / 2].y;
+  for (const Vec3d& at : places) EXPECT_TRUE(near(at.y - lowest, a * (std::cosh((at.x - middle) / a) - 1), 0, 2e-3));
+}
+
+TEST(Joints, a_chain_comes_to_rest_as_a_catenary) {
+  const int n = 19;
+  const double l = 0.2, pull = 8;
+  const std::vector<Vec3d> places = catenary(n, l, pull);
+  // It begins as two straight halves, bent outwards.
+  std::vector<Vec3d> from;
+  const double half = places.back().x / 2, side = (n + 1) / 2.0 * l, high = std::sqrt(side * side - half * half);
+  for (int i = 0; i <= n + 1; ++i) {
+    const double part = std::min(i, n + 1 - i) / ((n + 1) / 2.0);
+    from.push_back({i * 2 * half / (n + 1), -high * part * 0.6, high * part * 0.8});
+  }
+  for (const JointKind kind : {JointKind::rod, JointKind::cable}) {
+    Chain chain(from, true, 0.1, bob(), kind, l);
+    ASSERT_TRUE(chain.world.add_force({LinearQuadraticDragForce{0.1, 0, {}}, ForceTarget::everything()}));
+    for (int i = 0; i < 60 * 90; ++i) chain.world.step(1.0 / 60);
+    for (int i = 0; i < n; ++i)
+      EXPECT_TRUE(near(chain.world[chain.links[static_cast<std::size_t>(i)]].position(),
+                       places[static_cast<std::size_t>(i) + 1], 0, 1e-6))
+          << i;
+    EXPECT_EQ(chain.world.joint_counts().unsolved, 0u);
+  }
+}
+
+TEST(Joints, a_swinging_chain_keeps_its_lengths_and_gains_nothing) {
+  std::vector<Vec3d> places;
+  for (int i = 0; i <= 10; ++i) places.push_back({0.1 * i, -0.05 * i, 0});
+  for (const double rate : {60.0, 960.0}) {
+    Chain chain(places, false, 0.1, bob(), JointKind::rod, {});
+    const double begun = energy(chain.world, chain.links), most = begun + 10 * 0.1 * kGravity * 1.1;
+    for (int i = 0; i < rate * 10; ++i) {
+      chain.world.step(1 / rate);
+      ASSERT_LT(energy(chain.world, chain.links), begun + 0.02 * most);
+      ASSERT_LT(chain.world.joint_counts().residual, 1e-11);
+    }
+    // Long steps lose what their whips lose; short ones keep all.
+    if (rate > 100) {
+      EXPECT_EQ(chain.world.joint_counts().unsolved, 0u);
+      EXPECT_TRUE(near(energy(chain.world, chain.links), begun, 0, 0.02 * most));
+    }
+  }
+}
+
+TEST(Joints, a_heavy_ball_on_a_light_chain_is_held_as_well) {
+  std::vector<Vec3d> places;
+  for (int i = 0; i <= 100; ++i) places.push_back({0, -0.1 * i, 0});
+  for (const bool backwards : {false, true}) {
+    Chain chain(places, false, 0.001, bob(), JointKind::cable, {}, backwards);
+    const ProjectileId ball = put(chain.world, mass_of(1000), bob(), {0, -10.1, 0});
+    const JointId last = join(chain.world, {.kind = JointKind::cable, .a = chain.links.back(), .b = ball});
+    for (int i = 0; i < 600; ++i) chain.world.step(1.0 / 60);
+    EXPECT_TRUE(near(chain.world[ball].position(), {0, -10.1, 0}, 0, 1e-8));
+    EXPECT_TRUE(near(chain.world.joint_state(last).tension, 1000 * kGravity, 1e-6));
+    EXPECT_EQ(chain.world.joint_counts().unsolved, 0u);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------------------ cables
+TEST(Joints, a_cable_comes_taut_with_its_restitution) {
+  for (const double restitution : {0.0, 0.5, 1.0}) {
+    World world = World::create(falling()).value();
+    const ProjectileId ball = put(world, mass_of(0.3), bob(), {0, -0.4, 0});
+    const JointId cable = join(world, {.kind = JointKind::cable, .a = ball, .length = 1.2, .restitution = restitution});
+    const double h = 1.0 / 1000, fall = 0.8, speed = std::sqrt(2 * kGravity * fall), when = speed / kGravity;
+    std::optional<JointEvent> taut;
+    double highest = -2, lowest = 0;
+    while (world.time() < 2 * when) {
+      world.step(h);
+      for (const JointEvent& e : world.joint_events())
+        if (e.kind == JointEventKind::came_taut && !taut) taut = e;
+      if (!taut) {
+        EXPECT_FALSE(world.joint_state(cable).is_taut);
+        EXPECT_EQ(world.joint_state(cable).tension, 0);
+      }
+      if (taut) highest = std::max(highest, world[ball].position().y);
+      lowest = std::min(lowest, world[ball].position().y);
+    }
+    ASSERT_TRUE(taut);
+    EXPECT_EQ(taut->joint, cable);
+    EXPECT_TRUE(near(taut->time, when, 0, h));
+    EXPECT_TRUE(near(taut->speed, speed, 0, kGravity * h));
+    EXPECT_GT(lowest, -1.2 - 1e-9);
+    EXPECT_TRUE(near(highest, -1.2 + restitution * restitution * fall, 0, 2 * speed * h));
+    if (restitution == 0) EXPECT_LT(length(world[ball].velocity()), 1e-12);
+  }
+}
+
+TEST(Joints, cables_that_came_taut_keep_momentum) {
+  World world = World::create(space()).value();
+  const std::vector<ProjectileId> both{put(world, mass_of(1), weightless(), {0, 0, 0}, {-1, 0.3, 0}),
+                                       put(world, mass_of(4), weightless(), {0.5, 0, 0}, {2, 0, 0.1})};
+  join(world, {.kind = JointKind::cable, .a = both[0], .b = both[1], .length = 1, .restitution = 0.7});
+  const Vec3d p = momentum(world, both);
+  const double e = energy(world, both, 0);
+  for (int i = 0; i < 300; ++i) {
+    world.step(1.0 / 60);
+    ASSERT_LE(length(world[both[0]].position() - world[both[1]].position()), 1 + 1e-11);
+  }
+  EXPECT_TRUE(near(momentum(world, both), p, 1e-14));
+  EXPECT_LT(energy(world, both, 0), e);
+}
+
+TEST(Joints, a_ball_on_a_cable_leaves_its_circle_where_theory_says) {
+  // Thrown from the lowest point with v^2 = 3.5 g l it leaves the circle where cos = -(v^2/(g l) - 2)/3, above the
+  // middle.
+  World world = World::create(falling()).value();
+  const ProjectileId ball = put(world, mass_of(1), bob(), {0, -1, 0}, {std::sqrt(3.5 * kGravity), 0, 0});
+  const JointId cable = join(world, {.kind = JointKind::cable, .a = ball, .length = 1});
+  while ((world.time() < 0.1 || world.joint_state(cable).is_taut) && world.time() < 3) world.step(1.0 / 2000);
+  EXPECT_TRUE(near(world[ball].position().y, 0.5, 0, 5e-3));
+}
+
+// ------------------------------------------------------------------------------------------------------ hard cases
+TEST(Joints, rods_that_others_imply_already_hold_too) {
+  World world = World::create(falling()).value();
+  std::vector<ProjectileId> corners;
+  const Vec3d places[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  for (const Vec3d& at : places) corners.push_back(put(world, mass_of(1), bob(), at, {at.y * 3, at.z, 1}));
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; j < i; ++j) join(world, {.a = corners[i], .b = corners[j]});
+  join(world, {.kind = JointKind::cable, .a = corners[0], .b = corners[1]});
+  world.step(1.0 / 240);
+  const double begun = energy(world, corners);
+  const Vec3d l = momentum(world, corners);
+  for (int i = 0; i < 2400; ++i) world.step(1.0 / 240);
+  EXPECT_LT(world.joint_counts().residual, 1e-9);
+  EXPECT_TRUE(near(energy(world, corners), begun, 1e-3, 0.1));
+  EXPECT_TRUE(near(momentum(world, corners) - l, {0, -5 * kGravity * 10, 0}, 1e-9));
+}
+
+TEST(Joints, rods_that_contradict_each_other_are_told_and_gain_nothing) {
+  World world = World::create(space()).value();
+  const std::vector<ProjectileId> both{put(world, mass_of(1), weightless(), {0, 0, 0}),
+                                       put(world, mass_of(1), weightless(), {1, 0, 0}, {0, 1, 0})};
+  join(world, {.a = both[0], .b = both[1], .length = 1});
+  join(world, {.a = both[0], .b = both[1], .length = 1.5});
+  const double e = energy(world, both, 0);
+  for (int i = 0; i < 600; ++i) world.step(1.0 / 60);
+  EXPECT_GT(world.joint_counts().unsolved, 0u);
+  EXPECT_GT(world.joint_counts().residual, 0.1);
+  EXPECT_LT(energy(world, both, 0), e * (1 + 1e-9));
+  EXPECT_TRUE(near(momentum(world, both), {0, 1, 0}, 1e-12));
+}
+
+TEST(Joints, ends_put_elsewhere_come_back_without_a_speed) {
+  Pendulum p(0);
+  ASSERT_TRUE(p.world[p.bob_id].set_position({0, -3, 0}));
+  p.world.step(1.0 / 60);
+  EXPECT_TRUE(near(p.world[p.bob_id].position(), {0, -1, 0}, 0, 1e-9));
+  EXPECT_LT(length(p.world[p.bob_id].velocity()), 1e-9);
+}
+
+TEST(Joints, rows_of_float32_are_held_to_their_spacing) {
+  Pendulum p(1.0, Precision::float32);
+  const std::vector<ProjectileId> all{p.bob_id};
+  const double begun = energy(p.world, all);
+  for (int i = 0; i < 60 * 60; ++i) {
+    p.world.step(1.0 / 60);
+    ASSERT_LT(std::abs(length(p.world[p.bob_id].position()) - 1), 1e-6);
+  }
+  EXPECT_LT(std::abs(energy(p.world, all) - begun), 0.02 * 2 * kGravity);
+}
+
+TEST(Joints, frozen_axes_stay_frozen) {
+  // A bead on a vertical wire, pulled up by a spring: it stays on the wire.
+  World world = World::create(falling()).value();
+  BodyDef on_wire = bob();
+  on_wire.frozen = Axes::x | Axes::z;
+  const ProjectileId bead = put(world, mass_of(1), on_wire, {0, -1, 0});
+  join(world, {.kind = JointKind::spring, .a = bead, .point = {1, 0, 0}, .length = 0.5, .stiffness = 100});
+  for (int i = 0; i < 600; ++i) world.step(1.0 / 60);
+  EXPECT_EQ(world[bead].position().x, 0);
+  EXPECT_EQ(world[bead].position().z, 0);
+}
+
+TEST(Joints, a_rod_that_turns_too_fast_for_the_step_loses_energy) {
+  World world = World::create(space()).value();
+  const std::vector<ProjectileId> both{put(world, mass_of(1), weightless(), {0, 0, 0}),
+                                       put(world, mass_of(1), weightless(), {0.1, 0, 0}, {0, 100, 0})};
+  join(world, {.a = both[0], .b = both[1]});
+  const double e = energy(world, both, 0);
+  for (int i = 0; i < 600; ++i) {
+    world.step(1.0 / 60);
+    ASSERT_LE(energy(world, both, 0), e * (1 + 1e-9));
+  }
+  EXPECT_TRUE(near(momentum(world, both), {0, 100, 0}, 1e-12));
+}
+
+}  // namespace
+}  // namespace physim
