@@ -31,7 +31,7 @@ struct StudyCommand {
   std::optional<std::uint64_t> shots;
   std::optional<std::uint32_t> threads;
   std::vector<std::string> vary, targets, merge;
-  std::string range, ranges, width, csv, plot, kml, resume, shards;
+  std::string range, ranges, width, time, csv, plot, kml, resume, shards;
 };
 
 // ------------------------------------------------------------------------------------------------------- part files
@@ -111,6 +111,21 @@ Result<ShardRange> shards_of(const std::string& text, std::uint64_t all) {
 }
 
 // ----------------------------------------------------------------------------------------------------------- studies
+/// A study of a time has as many shots as fit, unless the command itself says how many.
+Status add_time(const StudyCommand& command, ScenarioStudy& study) {
+  constexpr std::int64_t kMostShots = 1'000'000'000'000'000;
+  const auto time = option_value("--until-time", command.time, Quantity::time);
+  if (!time) return time.error();
+  if (*time) study.until_time = *time;
+  if (!study.until_time) return {};
+  if (!(*study.until_time > 0)) return Error{"must be above 0", "--until-time", "as in \"30 s\" or \"2 h\""};
+  if (!command.shards.empty())
+    return Error{"a part of a study is flown to its end, however long it takes", "--shards",
+                 "leave --until-time and study.until_time out"};
+  if (!command.shots) study.shots = kMostShots;
+  return {};
+}
+
 /// What the options say besides the file.
 Status add_options(const StudyCommand& command, Scenario& scenario) {
   for (const std::string& text : command.vary) scenario.study.inputs.push_back(text);
@@ -119,7 +134,7 @@ Status add_options(const StudyCommand& command, Scenario& scenario) {
   const auto range = option_value("--range", command.range, Quantity::length);
   if (!range) return range.error();
   if (*range) scenario.until.range = **range;
-  return {};
+  return add_time(command, scenario.study);
 }
 
 /// The hit probability of the first target, or the mean of the first quantity, to a width.
@@ -153,11 +168,39 @@ void tell_length(const StudyPlan& plan, std::uint64_t missing, unsigned threads,
                 " shots take about " + duration_text(all) + " on " + std::to_string(threads) + " " + flyers);
 }
 
-StudyOptions options_of(const StudyPlan& plan, const Progress& progress, PartKeeper& keeper, const StudyPart& so_far) {
-  return {.so_far = so_far, .after_shard = [&plan, &progress, &keeper](const StudyPart& part) {
-            if (progress) progress(static_cast<std::size_t>(part.shards()), static_cast<std::size_t>(plan.shards()));
-            return keeper.take(part);
-          }};
+/// How long a study may fly; without a time as long as it takes.
+class TimeToFly {
+ public:
+  explicit TimeToFly(std::optional<double> seconds) : seconds_(seconds) {}
+
+  [[nodiscard]] bool is_limited() const { return seconds_.has_value(); }
+  [[nodiscard]] bool is_up() const { return seconds_ && passed() >= *seconds_; }
+  /// By the time that is limited, else by shards.
+  void show(const Progress& progress, std::uint64_t flown, std::uint64_t shards) const {
+    constexpr double kParts = 1000;
+    if (!progress) return;
+    if (!seconds_ || flown >= shards)
+      return progress(static_cast<std::size_t>(flown), static_cast<std::size_t>(shards));
+    const double parts = std::min(kParts * passed() / *seconds_, kParts - 1);
+    progress(static_cast<std::size_t>(parts), static_cast<std::size_t>(kParts));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] double passed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  std::optional<double> seconds_;
+  Clock::time_point start_ = Clock::now();
+};
+
+StudyOptions options_of(const StudyPlan& plan, const Progress& progress, PartKeeper& keeper, const StudyPart& so_far,
+                        const TimeToFly& time) {
+  StudyOptions options{.so_far = so_far, .after_shard = [&](const StudyPart& part) {
+                         time.show(progress, part.shards(), plan.shards());
+                         return keeper.take(part);
+                       }};
+  if (time.is_limited()) options.time_is_up = [&time] { return time.is_up(); };
+  return options;
 }
 
 /// A job that failed says what is left of its work.
@@ -188,7 +231,7 @@ Result<StudyResult> fly_on(Ranks& ranks, TaskRunner& threads, const StudyPlan& p
                            const std::string& file, PartKeeper& keeper) {
   if (ranks.count() == 1) return run_study(plan, &threads, options);
   auto result = run_study_on(plan, options.so_far, [&](StudyPartRecord& part, std::uint64_t end) {
-    const bool flown = ranks.fly(plan, part, end, options.after_shard);
+    const Flown flown = ranks.fly(plan, part, end, options);
     if (ranks.was_ended()) end_now(ranks.failed().error(), part, file, keeper);
     return flown;
   });
@@ -196,22 +239,25 @@ Result<StudyResult> fly_on(Ranks& ranks, TaskRunner& threads, const StudyPlan& p
   return result;
 }
 
-Result<FlownStudy> fly_study(const Study& study, TaskRunner& threads, Ranks& ranks, const StudyCommand& command = {}) {
+Result<FlownStudy> fly_study(const Study& study, std::optional<double> until_time, TaskRunner& threads, Ranks& ranks,
+                             const StudyCommand& command = {}) {
   const auto plan = plan_study(study);
   if (!plan) return plan.error();
   for (const std::string& note : plan->notes()) print_warning(note);
   const auto before = flown_before(command);
   if (!before) return before.error();
-  const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width;
+  const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width && !until_time;
   if (joins_only)
     if (const auto whole = result_of(*plan, *before, plan->shards()); !whole) return whole.error();
   const bool alone = ranks.count() == 1;
   if (!alone) tell_of_ranks(ranks.count(), command.resume);
-  tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()),
-              alone ? threads.threads() : ranks.count(), alone ? "threads" : "ranks");
+  if (!until_time)
+    tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()),
+                alone ? threads.threads() : ranks.count(), alone ? "threads" : "ranks");
   PartKeeper keeper(command.resume);
   const Progress progress = progress_bar("study");
-  StudyOptions options = options_of(*plan, progress, keeper, *before);
+  const TimeToFly time(until_time);
+  StudyOptions options = options_of(*plan, progress, keeper, *before, time);
   StudyPart last = *before;
   options.after_shard = [&, take = options.after_shard](const StudyPart& part) { return last = part, take(part); };
   auto result = fly_on(ranks, threads, *plan, options, command.resume, keeper);
@@ -262,8 +308,9 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
   if (!before) return before.error();
   PartKeeper keeper(command.resume);
   const Progress progress = progress_bar("study");
-  const auto part =
-      run_shards(*plan, range->first, range->count, &threads, options_of(*plan, progress, keeper, *before));
+  const TimeToFly as_long_as_it_takes({});
+  const auto part = run_shards(*plan, range->first, range->count, &threads,
+                               options_of(*plan, progress, keeper, *before, as_long_as_it_takes));
   if (!part) return part.error();
   if (!keeper.write(*part)) return keeper.status().error();
   return done(print(std::to_string(part->shards()) + " of " + std::to_string(plan->shards()) + " shards are in " +
@@ -277,7 +324,7 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
   for (const double range : asked.scenario.ranges) {
     study.until.range = range;
     if (study.launch.sight.zero_range > 0) study.launch.sight.zero_range = range;
-    auto flown = fly_study(study, threads, ranks);
+    auto flown = fly_study(study, asked.scenario.study.until_time, threads, ranks);
     if (!flown) return about(asked, flown.error());
     list.push_back({range, std::move(flown->result)});
   }
@@ -337,7 +384,7 @@ Result<int> run(const StudyCommand& command) {
   const auto threads = make_thread_pool(command.threads.value_or(0));
   if (!command.shards.empty()) return run_part(command, study, *threads);
   if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);
-  const auto flown = fly_study(study, *threads, ranks, command);
+  const auto flown = fly_study(study, asked.scenario.study.until_time, *threads, ranks, command);
   if (!flown) return about(asked, flown.error());
   if (Status status = write_files(command, asked, *flown); !status) return status.error();
   if (command.csv == "-" || command.kml == "-") return kExitOk;
@@ -377,6 +424,9 @@ void add_study_command(Command& program) {
   command.add_option("--until-width", options->width, "WIDTH",
                      "Stop when the hit probability of the first target is known to so much, as \"1 %\"; without "
                      "targets, the first quantity's mean, as \"2 mm\"");
+  command.add_option("--until-time", options->time, "TIME",
+                     "Stop when so much time is up, as \"30 s\" (with --ranges at each), after as many shots as fit; "
+                     "how many is printed, and --shots of so many gives the same bits");
   command.add_option("--threads", options->threads, "That fly; without it all that the machine has");
   command.add_option("--csv", options->csv, "FILE", "Write all figures as CSV; - is the standard output");
   command.add_option("--plot", options->plot, "FILE.png|svg",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,7 @@ struct ScenarioStudy {
   std::string aim{};                      ///< on the plane of impact, "0 m, 1 m"; empty: its origin [m]
   Sampling sampling = Sampling::random;   ///< [-]
   std::int64_t shots = 100'000;           ///< [-]
+  std::optional<double> until_time{};     ///< fly for so long, however many shots that makes [s]
   std::int64_t seed = 1;                  ///< [-]
   std::int64_t rounds = 1;                ///< of an occasion [-]
   bool indices = false;                   ///< Sobol indices [-]

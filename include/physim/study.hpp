@@ -190,10 +190,14 @@ struct StudyOptions {
   StudyPart so_far{};  ///< shards that were flown before [-]
   /// Called after each shard, by one thread at a time, with all that is there; false stops. May be empty. [-]
   std::function<bool(const StudyPart&)> after_shard{};
+  /// Asked before each shard, by one thread at a time; true: the study ends with the shards under way. Evenly spread
+  /// draws, occasions and indices end with a whole round of 16 shards; one is always flown. So time chooses nothing but
+  /// the count of shots: Study::shots of that many gives the same bits. May be empty. [-]
+  std::function<bool()> time_is_up{};
 };
 
 /// Flies what is missing of a study, and tells what it came to. Its bits do not depend on the runner's threads.
-/// Stopped, it tells of the shards from the first to the first that is missing.
+/// Stopped, or with its time up, it tells of the shards from the first to the first that is missing.
 [[nodiscard]] Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner = nullptr,
                                             const StudyOptions& options = {});
 /// ... checked, prepared and flown.

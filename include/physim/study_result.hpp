@@ -68,6 +68,9 @@ struct QuantityResult {
   double most = 0;                               ///< [unit]
   CountedCells cells{};                          ///< quantiles and histograms [-]
 
+  /// It has a variance beyond rounding errors: its deviation is more than 1e-12 of its farthest number.
+  [[nodiscard]] bool varies() const;
+
   bool operator==(const QuantityResult&) const = default;
 };
 
@@ -150,7 +153,8 @@ struct WorstShot {
   bool operator==(const WorstShot&) const = default;
 };
 
-/// Sobol indices of a group of inputs: each input that is correlated with none, or all of a correlation.
+/// Sobol indices of a group of inputs: each input that is correlated with none, or all of a correlation. They are NaN
+/// for a quantity that does not vary (QuantityResult::varies()).
 struct IndexResult {
   std::vector<std::size_t> inputs{};  ///< indices in Study::inputs [-]
   std::vector<Estimate> first{};      ///< for each quantity: share of the variance by itself [-]
@@ -179,6 +183,7 @@ struct StudyResult {
   std::vector<IndexResult> indices{};         ///< where they are asked for [-]
   std::vector<StudyStage> stages{};           ///< from the first shard on, each a tenth more than the one before [-]
   bool width_reached = false;                 ///< Study::until_width ended it [-]
+  bool time_was_up = false;                   ///< StudyOptions::time_is_up ended it [-]
 };
 
 /// What one input does to the result, by its slope.

@@ -90,6 +90,7 @@ std::string counts_text(const FlownStudy& flown) {
   std::string text = "  " + std::to_string(r.shots) + " shots in " + std::to_string(r.shards) + " shards, " +
                      std::string(name(flown.plan.study().sampling)) + ", seed " +
                      std::to_string(flown.plan.study().seed);
+  if (r.time_was_up) text += "; the time was up, and --shots " + std::to_string(r.shots) + " gives the same again";
   if (r.not_arrived > 0) text += "; " + std::to_string(r.not_arrived) + " did not arrive";
   if (r.refused > 0) text += "; " + std::to_string(r.refused) + " refused: " + r.first_refusal->text();
   return text + "\n\n";
@@ -177,11 +178,15 @@ std::string indices_text(const FlownStudy& flown) {
   if (r.indices.empty()) return "";
   Table table({"Sobol indices", "of", "first", "+-", "total", "+-"}, "ll");
   for (const IndexResult& index : r.indices)
-    for (std::size_t q = 0; q < index.first.size(); ++q)
-      table.add_row({q == 0 ? names_of_inputs(flown.plan.study(), index.inputs) : "",
-                     std::string(name(r.quantities[q].quantity)), fixed(index.first[q].value, 3),
-                     significant(index.first[q].error, 2), fixed(index.total[q].value, 3),
-                     significant(index.total[q].error, 2)});
+    for (std::size_t q = 0; q < index.first.size(); ++q) {
+      const std::string inputs = q == 0 ? names_of_inputs(flown.plan.study(), index.inputs) : "";
+      const std::string of(name(r.quantities[q].quantity));
+      if (r.quantities[q].varies())
+        table.add_row({inputs, of, fixed(index.first[q].value, 3), significant(index.first[q].error, 2),
+                       fixed(index.total[q].value, 3), significant(index.total[q].error, 2)});
+      else
+        table.add_row({inputs, of, "no variance", "", "", ""});
+    }
   return table.text(2) + "\n";
 }
 
@@ -229,6 +234,7 @@ Json json_of(const FlownStudy& flown) {
           {"seed", study.seed},
           {"shards", flown.result.shards},
           {"width_reached", flown.result.width_reached},
+          {"time_was_up", flown.result.time_was_up},
           {"quantities", std::move(quantities)},
           {"figures", std::move(figures)},
           {"covariance", flown.result.covariance},

@@ -20,6 +20,10 @@ constexpr Entry kStudySettings[] = {
     PHYSIM_SCENARIO(study.aim, "where shots should end on the plane of impact, \"0 m, 1 m\"; empty: its origin"),
     PHYSIM_SCENARIO(study.sampling, "how draws are spread"),
     PHYSIM_SCENARIO(study.shots, "at least; the last shard is flown to its end", kCount),
+    PHYSIM_SCENARIO(study.until_time,
+                    "`physim study` ends when so much time is up, instead of after so many shots; how many it flew is "
+                    "printed",
+                    Quantity::time, above(0)),
     PHYSIM_SCENARIO(study.seed, "of the draws; equal seeds draw equally", between(0, 9007199254740992)),
     PHYSIM_SCENARIO(study.rounds, "shots of an occasion", between(1, 65536)),
     PHYSIM_SCENARIO(study.indices, "Sobol indices, for which every shot is flown again for each input"),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "study/indices.hpp"
 #include "study/shard.hpp"
@@ -87,6 +88,12 @@ void put_plane(const StudyPlanRecord& plan, const ShardSums& sums, StudyResult& 
 
 }  // namespace
 
+bool QuantityResult::varies() const {
+  const IeeeMode mode;
+  constexpr double kRounding = 1e-12;
+  return deviation > kRounding * std::max(std::abs(least), std::abs(most));
+}
+
 Interval wilson_interval(std::uint64_t hits, std::uint64_t shots) {
   PHYSIM_ASSERT(hits <= shots);
   if (shots == 0) return {0, 1};
@@ -160,7 +167,7 @@ StudyResult figures_of(const StudyPlanRecord& plan, const ShardSums& sums) {
   for (const StageSums& stage : sums.stages) result.stages.push_back(stage_result(plan, stage));
   for (const SumOfShot& shot : sums.worst)
     result.worst.push_back({shot.shot, shot.distance, drawn_by(plan, shot.shot)});
-  if (study.indices && some) result.indices = indices_of(plan, sums);
+  if (study.indices && some) result.indices = indices_of(plan, sums, result.quantities);
   return result;
 }
 

@@ -45,8 +45,8 @@ void note_the_impossible(StudyPlanRecord& plan) {
 
 std::uint64_t shards_of(const StudyPlanRecord& plan, std::uint64_t shots) {
   const std::uint64_t shards = (shots + plan.study.shard_shots - 1) / plan.study.shard_shots;
-  if (plan.is_plain() && !plan.study.indices) return shards;
-  return (shards + kReplicates - 1) / kReplicates * kReplicates;
+  const std::uint64_t at_once = plan.shards_at_once();
+  return (shards + at_once - 1) / at_once * at_once;
 }
 
 /// Where shots arrive, roughly: cells and distances are counted about that.
@@ -112,6 +112,8 @@ Result<StudyPlan> finish(StudyPlanRecord&& plan) {
 }
 
 }  // namespace
+
+std::uint64_t StudyPlanRecord::shards_at_once() const { return is_plain() && !study.indices ? 1 : kReplicates; }
 
 const Study& StudyPlan::study() const { return record_->study; }
 std::uint64_t StudyPlan::shards() const { return record_->shards; }

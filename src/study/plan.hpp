@@ -39,6 +39,8 @@ struct StudyPlanRecord {
   [[nodiscard]] bool has_plane() const { return study.quantities.size() >= 2; }
   /// Random shots that know nothing of each other.
   [[nodiscard]] bool is_plain() const { return study.sampling == Sampling::random && study.rounds == 1; }
+  /// A study ends at a multiple of so many shards: at one of them, or where each replicate has as many.
+  [[nodiscard]] std::uint64_t shards_at_once() const;
 };
 
 /// Draws the inputs of a shard. Dimensions of the sampler from `first_dimension` on: another set of shots.
