@@ -20,6 +20,7 @@
 #include "report/study_map.hpp"
 #include "report/study_pictures.hpp"
 #include "report/table.hpp"
+#include "study_columns.hpp"
 #include "study_ranks.hpp"
 #include "terminal.hpp"
 
@@ -28,10 +29,10 @@ namespace {
 
 struct StudyCommand {
   Question question;
-  std::optional<std::uint64_t> shots;
+  std::optional<std::uint64_t> shots, over_inputs;
   std::optional<std::uint32_t> threads;
   std::vector<std::string> vary, targets, merge;
-  std::string range, ranges, width, time, csv, plot, kml, resume, shards;
+  std::string range, ranges, width, time, csv, plot, kml, hdf5, resume, shards;
 };
 
 // ------------------------------------------------------------------------------------------------------- part files
@@ -134,6 +135,10 @@ Status add_options(const StudyCommand& command, Scenario& scenario) {
   const auto range = option_value("--range", command.range, Quantity::length);
   if (!range) return range.error();
   if (*range) scenario.until.range = **range;
+  if (command.over_inputs) {
+    if (*command.over_inputs > 100) return Error{"must be from 2 to 100 parts", "--over-inputs", ""};
+    scenario.study.over_inputs = static_cast<std::int64_t>(*command.over_inputs);
+  }
   return add_time(command, scenario.study);
 }
 
@@ -343,19 +348,35 @@ Status check_command(const StudyCommand& command) {
     return Error{"a study over ranges is not flown in parts", "--ranges", "give --range, and fly one after the other"};
   if (!command.ranges.empty() && !command.question.json.empty())
     return Error{"a study over ranges writes CSV alone", "--json", "give --csv"};
+  if (!command.ranges.empty() && command.over_inputs)
+    return Error{"hits are told over range or over inputs", "--over-inputs", "leave --ranges out"};
   if (!command.ranges.empty() && !command.kml.empty())
     return Error{"a map is of shots that come down on the ground", "--kml", "leave --ranges out"};
   if (!command.shards.empty() && !(command.plot.empty() && command.kml.empty()))
     return Error{"a part of a study is not drawn", "--shards", "draw the whole, where the parts are joined"};
+  if (!command.hdf5.empty()) {
+    if (!command.ranges.empty() || !command.shards.empty())
+      return Error{"shots are written of one study that is flown whole", "--hdf5",
+                   "leave --ranges and --shards out; --merge joins parts"};
+    if (Status status = check_columns_file(command.hdf5); !status) return status;
+  }
   for (const std::string& file : {command.csv, command.kml, command.resume})
     if (!file.empty())
       if (Status status = check_output(file); !status) return status;
   return command.plot.empty() ? Status() : check_plot(command.plot);
 }
 
-Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown) {
+Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown, TaskRunner& threads) {
+  if (!command.hdf5.empty())
+    if (Status status = write_columns(command.hdf5, title_of_shot(asked), flown.plan, flown.result.shards, threads);
+        !status)
+      return status;
   if (!command.plot.empty())
-    if (Status status = draw(command.plot, study_picture(title_of_shot(asked), flown)); !status) return status;
+    if (Status status =
+            draw(command.plot, flown.result.over_inputs.empty() ? study_picture(title_of_shot(asked), flown)
+                                                                : over_inputs_picture(title_of_shot(asked), flown));
+        !status)
+      return status;
   if (!command.kml.empty()) {
     const auto map = study_kml(asked, flown);
     if (!map) return map.error();
@@ -386,7 +407,7 @@ Result<int> run(const StudyCommand& command) {
   if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);
   const auto flown = fly_study(study, asked.scenario.study.until_time, *threads, ranks, command);
   if (!flown) return about(asked, flown.error());
-  if (Status status = write_files(command, asked, *flown); !status) return status.error();
+  if (Status status = write_files(command, asked, *flown, *threads); !status) return status.error();
   if (command.csv == "-" || command.kml == "-") return kExitOk;
   return done(give(command.question, study_answer(asked, *flown, style_of(stdout))));
 }
@@ -414,12 +435,16 @@ void add_study_command(Command& program) {
                   "A further uncertain number, as \"shot.speed = 800 m/s +- 3 m/s\"; may be given many times")
       .one_value_each();
   command
-      .add_option("--target", options->targets, "TEXT",
-                  "A further target, as \"circle 10 cm\" or \"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\"")
+      .add_option(
+          "--target", options->targets, "TEXT",
+          "A further target, as \"circle 10 cm\", \"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\" or \"thing NAME\"")
       .one_value_each();
   command.add_option("--range", options->range, "LENGTH", "Where the plane of impact stands, instead of until.range");
   command.add_option("--ranges", options->ranges, "RANGES",
                      "Hit probability over range, as \"100 m .. 1000 m step 100 m\"; a zeroed shot is zeroed at each");
+  command.add_option(
+      "--over-inputs", options->over_inputs,
+      "Hit probability over each input, by so many equally likely parts of it, 2 to 100; --plot draws it");
   command.add_option("--shots", options->shots, "At least so many, instead of study.shots");
   command.add_option("--until-width", options->width, "WIDTH",
                      "Stop when the hit probability of the first target is known to so much, as \"1 %\"; without "
@@ -431,10 +456,14 @@ void add_study_command(Command& program) {
   command.add_option("--csv", options->csv, "FILE", "Write all figures as CSV; - is the standard output");
   command.add_option("--plot", options->plot, "FILE.png|svg",
                      "Draw it: impacts with ellipses and targets, what each input does, how the figure settles; with "
-                     "--ranges hits over range");
+                     "--ranges hits over range, with --over-inputs hits over each input");
   command.add_option(
       "--kml", options->kml, "FILE",
       "Write a map of where shots come down, for globes: ellipses, safety zone, shots; - is the standard output");
+  command.add_option(
+      "--hdf5", options->hdf5, "FILE",
+      "Write each shot as columns of an HDF5 file, what it drew, where it ended and what it hit; they are "
+      "flown again for it");
   add_part_options(command, *options);
   command.footer(
       "As a job of MPI, `mpirun -n 64 physim study FILE`, all ranks fly one study, one thread each.\n"

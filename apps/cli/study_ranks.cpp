@@ -82,7 +82,8 @@ struct Ranks::Round {
   }
   /// For one of so many ranks, which should each come back some times.
   [[nodiscard]] std::uint64_t share(unsigned ranks) const {
-    return std::clamp<std::uint64_t>((to_fly.end() - std::min(next, to_fly.end())) / (std::uint64_t{8} * ranks), 1, kMostShards);
+    return std::clamp<std::uint64_t>((to_fly.end() - std::min(next, to_fly.end())) / (std::uint64_t{8} * ranks), 1,
+                                     kMostShards);
   }
 };
 

@@ -135,6 +135,24 @@ struct HitResult {
   bool operator==(const HitResult&) const = default;
 };
 
+/// Shots whose number of one input lies within a part of its distribution.
+struct InputPart {
+  double low = 0;           ///< from here on; -infinity: no end [unit of the input]
+  double middle = 0;        ///< as many of the distribution lie below within the part as above [unit of the input]
+  double high = 0;          ///< and below here; infinity: no end [unit of the input]
+  std::uint64_t shots = 0;  ///< [-]
+  std::vector<HitResult> hits{};  ///< of each target [-]
+
+  bool operator==(const InputPart&) const = default;
+};
+/// How likely targets are hit over one input, the others as uncertain as ever.
+struct HitsOverInput {
+  std::size_t input = 0;           ///< index in Study::inputs [-]
+  std::vector<InputPart> parts{};  ///< rising; without those that no shot has [-]
+
+  bool operator==(const HitsOverInput&) const = default;
+};
+
 /// What the first shots of a study came to: a point of the way to its figures.
 struct StudyStage {
   std::uint64_t shots = 0;        ///< [-]
@@ -181,6 +199,7 @@ struct StudyResult {
   std::vector<HitResult> hits{};              ///< of each target [-]
   std::vector<WorstShot> worst{};             ///< ten at most, the worst first [-]
   std::vector<IndexResult> indices{};         ///< where they are asked for [-]
+  std::vector<HitsOverInput> over_inputs{};   ///< of each input, where Study::over_inputs asks for it [-]
   std::vector<StudyStage> stages{};           ///< from the first shard on, each a tenth more than the one before [-]
   bool width_reached = false;                 ///< Study::until_width ended it [-]
   bool time_was_up = false;                   ///< StudyOptions::time_is_up ended it [-]

@@ -28,11 +28,12 @@ struct StudyPlanRecord {
   std::vector<Quantiles> quantiles;  // of each input
   std::vector<InputGroup> groups;
   std::shared_ptr<const ShotModel> model;
-  std::vector<CellGrid> grids;        // of each quantity
-  PlanePoint centre;                  // mean point of impact of the pilot
-  double radius_scale = 1;            // of distances on the plane [m]
-  std::vector<std::size_t> in_space;  // indices of x, y and z; empty: not all are asked for
-  double space_scale = 1;             // of distances in space [m]
+  std::vector<CellGrid> grids;             // of each quantity
+  PlanePoint centre;                       // mean point of impact of the pilot
+  double radius_scale = 1;                 // of distances on the plane [m]
+  std::vector<std::size_t> in_space;       // indices of x, y and z; empty: not all are asked for
+  double space_scale = 1;                  // of distances in space [m]
+  std::vector<std::vector<double>> edges;  // of each input, between the parts of Study::over_inputs
   std::vector<std::string> notes;
   std::uint64_t shards = 0;
 

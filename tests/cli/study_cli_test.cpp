@@ -87,6 +87,26 @@ TEST(StudyCli, over_range_and_until_a_width) {
   EXPECT_TRUE(has(width.out, "65536 shots in 16 shards")) << width.out;
 }
 
+/// The ball lands within 1.8 m of 90 m where its speed is within 0.3 m/s of 30 m/s: a deviation.
+TEST(StudyCli, over_inputs) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(40000));
+  const Ran ran = physim({"study", file, "--over-inputs", "4", "--json", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  ASSERT_EQ(json["over_inputs"].size(), 1U);
+  EXPECT_EQ(json["over_inputs"][0]["path"], "shot.speed");
+  const auto& parts = json["over_inputs"][0]["parts"];
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_TRUE(parts[0]["low"].is_null());
+  EXPECT_NEAR(parts[0]["high"].get<double>(), -0.67449 * 0.3, 1e-4);
+  const double outer = (0.6827 - 0.5) / 2 / 0.25;
+  EXPECT_NEAR(parts[1]["hits"][0]["probability"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(parts[3]["hits"][0]["probability"].get<double>(), outer, 0.02);
+  const Ran text = physim({"study", file, "--set", "study.over_inputs=4"});
+  EXPECT_TRUE(has(text.out, "hits over an input") && has(text.out, "shot.speed +=")) << text.out;
+}
+
 /// However long it flew, so many shots have the same bits; what was kept is gone on with.
 TEST(StudyCli, until_a_time) {
   const Folder folder;
@@ -115,7 +135,7 @@ TEST(StudyCli, indices_of_what_does_not_vary_are_none) {
   const Folder folder;
   const Ran ran = physim({"study", folder.write("throw.toml", throw_study(4096)), "--set", "study.indices=true"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_TRUE(has(ran.out, "right   no variance")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "right  no variance")) << ran.out;
   EXPECT_FALSE(has(ran.out, "nan")) << ran.out;
 }
 
@@ -140,6 +160,10 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--until-width", "1 kg"}), "--until-width"));
   EXPECT_TRUE(has(refusal({"--until-time", "1 kg"}), "--until-time"));
   EXPECT_TRUE(has(refusal({"--until-time", "-1 s"}), "above 0"));
+  EXPECT_TRUE(has(refusal({"--over-inputs", "1"}), "2 to 100"));
+  EXPECT_TRUE(has(refusal({"--over-inputs", "1000"}), "2 to 100"));
+  EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--set", "study.targets=[]"}), "no target"));
+  EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--ranges", "20 m"}), "leave --ranges out"));
   EXPECT_TRUE(has(refusal({"--set", "study.until_time=0 s"}), "study.until_time"));
   EXPECT_TRUE(has(refusal({"--until-time", "1 s", "--shards", "1/2", "--resume", folder / "x"}), "--shards"));
   EXPECT_TRUE(has(refusal({"--resume", folder / "no/folder"}), "folder"));
