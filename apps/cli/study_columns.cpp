@@ -59,7 +59,7 @@ struct Column {
 class ColumnsFile {
  public:
   ColumnsFile(const std::string& file, std::uint64_t rows, std::uint64_t rows_at_once) : rows_(rows) {
-    H5dont_atexit();  // a file that could not be closed would end the program in a fault
+    H5dont_atexit();                              // a file that could not be closed would end the program in a fault
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told by us
     errno = 0;
     file_ = Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
@@ -108,7 +108,7 @@ class ColumnsFile {
     check(file_.close());
   }
   [[nodiscard]] bool good() const { return good_; }
-  /// Of the system, when it became bad; 0: it told none.
+  /// The number of the system's error when it became bad; 0: it told none.
   [[nodiscard]] int error_number() const { return error_; }
 
  private:

@@ -17,7 +17,7 @@ struct FlownStudy {
   std::optional<LinearResult> linear;  // where it could be computed
 };
 
-/// Of an input's number; empty where the study is of a function.
+/// The unit of an input's number; empty where the study is of a function.
 [[nodiscard]] std::string unit_of(const StudyInput& input);
 /// "shot.speed [m/s]"; "shot.speed += [m/s]" of what is added.
 [[nodiscard]] std::string with_unit(const StudyInput& input);

@@ -12,7 +12,7 @@ namespace physim {
 
 /// Edges between the parts of each input; none where they are not asked for.
 void put_edges(StudyPlanRecord& plan);
-/// Of a shard's shots: columns of inputs; whether each target was hit by each shot.
+/// Sums of a shard, from columns of its inputs, and whether each target was hit by each shot.
 [[nodiscard]] PartSums part_sums_of(const StudyPlanRecord& plan, std::span<const std::span<double>> inputs,
                                     std::span<const std::uint8_t> hits);
 [[nodiscard]] std::vector<HitsOverInput> hits_over_inputs(const StudyPlanRecord& plan, const ShardSums& sums);

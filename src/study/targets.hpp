@@ -17,7 +17,7 @@ namespace physim {
 /// Whether an impact lies on it; a thing is no part of the plane.
 [[nodiscard]] bool lies_on(const StudyTarget& target, double right, double up);
 
-/// Of each target the things of the scene that it names, in order; none for a part of the plane.
+/// The things of the scene that each target names, in order; none for a part of the plane.
 using ThingsOfTargets = std::vector<std::vector<InstanceId>>;
 [[nodiscard]] ThingsOfTargets things_of(const Study& study);
 /// Whether a study can have its scene and targets.

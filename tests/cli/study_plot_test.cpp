@@ -50,7 +50,8 @@ TEST(StudyPlot, shows_hits_over_inputs) {
   const std::string file = folder.write("throw.toml", kThrow), picture = folder / "a.svg";
   const Ran ran = physim({"study", file, "--over-inputs", "10", "--plot", picture});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  for (const char* text : {"A throw: ball", "shot.speed += [m/s]", "shot.azimuth += [rad]", "near", "equally likely parts"})
+  for (const char* text :
+       {"A throw: ball", "shot.speed += [m/s]", "shot.azimuth += [rad]", "near", "equally likely parts"})
     EXPECT_TRUE(has(read(picture), text)) << text;
 }
 
