@@ -20,6 +20,7 @@
 #include "report/study_map.hpp"
 #include "report/study_pictures.hpp"
 #include "report/table.hpp"
+#include "study_columns.hpp"
 #include "study_ranks.hpp"
 #include "terminal.hpp"
 
@@ -28,10 +29,10 @@ namespace {
 
 struct StudyCommand {
   Question question;
-  std::optional<std::uint64_t> shots;
+  std::optional<std::uint64_t> shots, over_inputs;
   std::optional<std::uint32_t> threads;
   std::vector<std::string> vary, targets, merge;
-  std::string range, ranges, width, csv, plot, kml, resume, shards;
+  std::string range, ranges, width, time, csv, plot, kml, hdf5, resume, shards;
 };
 
 // ------------------------------------------------------------------------------------------------------- part files
@@ -111,6 +112,21 @@ Result<ShardRange> shards_of(const std::string& text, std::uint64_t all) {
 }
 
 // ----------------------------------------------------------------------------------------------------------- studies
+/// A study of a time has as many shots as fit, unless the command itself says how many.
+Status add_time(const StudyCommand& command, ScenarioStudy& study) {
+  constexpr std::int64_t kMostShots = 1'000'000'000'000'000;
+  const auto time = option_value("--until-time", command.time, Quantity::time);
+  if (!time) return time.error();
+  if (*time) study.until_time = *time;
+  if (!study.until_time) return {};
+  if (!(*study.until_time > 0)) return Error{"must be above 0", "--until-time", "as in \"30 s\" or \"2 h\""};
+  if (!command.shards.empty())
+    return Error{"a part of a study is flown to its end, however long it takes", "--shards",
+                 "leave --until-time and study.until_time out"};
+  if (!command.shots) study.shots = kMostShots;
+  return {};
+}
+
 /// What the options say besides the file.
 Status add_options(const StudyCommand& command, Scenario& scenario) {
   for (const std::string& text : command.vary) scenario.study.inputs.push_back(text);
@@ -119,7 +135,11 @@ Status add_options(const StudyCommand& command, Scenario& scenario) {
   const auto range = option_value("--range", command.range, Quantity::length);
   if (!range) return range.error();
   if (*range) scenario.until.range = **range;
-  return {};
+  if (command.over_inputs) {
+    if (*command.over_inputs > 100) return Error{"must be from 2 to 100 parts", "--over-inputs", ""};
+    scenario.study.over_inputs = static_cast<std::int64_t>(*command.over_inputs);
+  }
+  return add_time(command, scenario.study);
 }
 
 /// The hit probability of the first target, or the mean of the first quantity, to a width.
@@ -153,11 +173,39 @@ void tell_length(const StudyPlan& plan, std::uint64_t missing, unsigned threads,
                 " shots take about " + duration_text(all) + " on " + std::to_string(threads) + " " + flyers);
 }
 
-StudyOptions options_of(const StudyPlan& plan, const Progress& progress, PartKeeper& keeper, const StudyPart& so_far) {
-  return {.so_far = so_far, .after_shard = [&plan, &progress, &keeper](const StudyPart& part) {
-            if (progress) progress(static_cast<std::size_t>(part.shards()), static_cast<std::size_t>(plan.shards()));
-            return keeper.take(part);
-          }};
+/// How long a study may fly; without a time as long as it takes.
+class TimeToFly {
+ public:
+  explicit TimeToFly(std::optional<double> seconds) : seconds_(seconds) {}
+
+  [[nodiscard]] bool is_limited() const { return seconds_.has_value(); }
+  [[nodiscard]] bool is_up() const { return seconds_ && passed() >= *seconds_; }
+  /// By the time that is limited, else by shards.
+  void show(const Progress& progress, std::uint64_t flown, std::uint64_t shards) const {
+    constexpr double kParts = 1000;
+    if (!progress) return;
+    if (!seconds_ || flown >= shards)
+      return progress(static_cast<std::size_t>(flown), static_cast<std::size_t>(shards));
+    const double parts = std::min(kParts * passed() / *seconds_, kParts - 1);
+    progress(static_cast<std::size_t>(parts), static_cast<std::size_t>(kParts));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] double passed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  std::optional<double> seconds_;
+  Clock::time_point start_ = Clock::now();
+};
+
+StudyOptions options_of(const StudyPlan& plan, const Progress& progress, PartKeeper& keeper, const StudyPart& so_far,
+                        const TimeToFly& time) {
+  StudyOptions options{.so_far = so_far, .after_shard = [&](const StudyPart& part) {
+                         time.show(progress, part.shards(), plan.shards());
+                         return keeper.take(part);
+                       }};
+  if (time.is_limited()) options.time_is_up = [&time] { return time.is_up(); };
+  return options;
 }
 
 /// A job that failed says what is left of its work.
@@ -188,7 +236,7 @@ Result<StudyResult> fly_on(Ranks& ranks, TaskRunner& threads, const StudyPlan& p
                            const std::string& file, PartKeeper& keeper) {
   if (ranks.count() == 1) return run_study(plan, &threads, options);
   auto result = run_study_on(plan, options.so_far, [&](StudyPartRecord& part, std::uint64_t end) {
-    const bool flown = ranks.fly(plan, part, end, options.after_shard);
+    const Flown flown = ranks.fly(plan, part, end, options);
     if (ranks.was_ended()) end_now(ranks.failed().error(), part, file, keeper);
     return flown;
   });
@@ -196,22 +244,25 @@ Result<StudyResult> fly_on(Ranks& ranks, TaskRunner& threads, const StudyPlan& p
   return result;
 }
 
-Result<FlownStudy> fly_study(const Study& study, TaskRunner& threads, Ranks& ranks, const StudyCommand& command = {}) {
+Result<FlownStudy> fly_study(const Study& study, std::optional<double> until_time, TaskRunner& threads, Ranks& ranks,
+                             const StudyCommand& command = {}) {
   const auto plan = plan_study(study);
   if (!plan) return plan.error();
   for (const std::string& note : plan->notes()) print_warning(note);
   const auto before = flown_before(command);
   if (!before) return before.error();
-  const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width;
+  const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width && !until_time;
   if (joins_only)
     if (const auto whole = result_of(*plan, *before, plan->shards()); !whole) return whole.error();
   const bool alone = ranks.count() == 1;
   if (!alone) tell_of_ranks(ranks.count(), command.resume);
-  tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()),
-              alone ? threads.threads() : ranks.count(), alone ? "threads" : "ranks");
+  if (!until_time)
+    tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()),
+                alone ? threads.threads() : ranks.count(), alone ? "threads" : "ranks");
   PartKeeper keeper(command.resume);
   const Progress progress = progress_bar("study");
-  StudyOptions options = options_of(*plan, progress, keeper, *before);
+  const TimeToFly time(until_time);
+  StudyOptions options = options_of(*plan, progress, keeper, *before, time);
   StudyPart last = *before;
   options.after_shard = [&, take = options.after_shard](const StudyPart& part) { return last = part, take(part); };
   auto result = fly_on(ranks, threads, *plan, options, command.resume, keeper);
@@ -262,8 +313,9 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
   if (!before) return before.error();
   PartKeeper keeper(command.resume);
   const Progress progress = progress_bar("study");
-  const auto part =
-      run_shards(*plan, range->first, range->count, &threads, options_of(*plan, progress, keeper, *before));
+  const TimeToFly as_long_as_it_takes({});
+  const auto part = run_shards(*plan, range->first, range->count, &threads,
+                               options_of(*plan, progress, keeper, *before, as_long_as_it_takes));
   if (!part) return part.error();
   if (!keeper.write(*part)) return keeper.status().error();
   return done(print(std::to_string(part->shards()) + " of " + std::to_string(plan->shards()) + " shards are in " +
@@ -277,7 +329,7 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
   for (const double range : asked.scenario.ranges) {
     study.until.range = range;
     if (study.launch.sight.zero_range > 0) study.launch.sight.zero_range = range;
-    auto flown = fly_study(study, threads, ranks);
+    auto flown = fly_study(study, asked.scenario.study.until_time, threads, ranks);
     if (!flown) return about(asked, flown.error());
     list.push_back({range, std::move(flown->result)});
   }
@@ -296,19 +348,35 @@ Status check_command(const StudyCommand& command) {
     return Error{"a study over ranges is not flown in parts", "--ranges", "give --range, and fly one after the other"};
   if (!command.ranges.empty() && !command.question.json.empty())
     return Error{"a study over ranges writes CSV alone", "--json", "give --csv"};
+  if (!command.ranges.empty() && command.over_inputs)
+    return Error{"hits are told over range or over inputs", "--over-inputs", "leave --ranges out"};
   if (!command.ranges.empty() && !command.kml.empty())
     return Error{"a map is of shots that come down on the ground", "--kml", "leave --ranges out"};
   if (!command.shards.empty() && !(command.plot.empty() && command.kml.empty()))
     return Error{"a part of a study is not drawn", "--shards", "draw the whole, where the parts are joined"};
+  if (!command.hdf5.empty()) {
+    if (!command.ranges.empty() || !command.shards.empty())
+      return Error{"shots are written of one study that is flown whole", "--hdf5",
+                   "leave --ranges and --shards out; --merge joins parts"};
+    if (Status status = check_columns_file(command.hdf5); !status) return status;
+  }
   for (const std::string& file : {command.csv, command.kml, command.resume})
     if (!file.empty())
       if (Status status = check_output(file); !status) return status;
   return command.plot.empty() ? Status() : check_plot(command.plot);
 }
 
-Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown) {
+Status write_files(const StudyCommand& command, const AskedShot& asked, const FlownStudy& flown, TaskRunner& threads) {
+  if (!command.hdf5.empty())
+    if (Status status = write_columns(command.hdf5, title_of_shot(asked), flown.plan, flown.result.shards, threads);
+        !status)
+      return status;
   if (!command.plot.empty())
-    if (Status status = draw(command.plot, study_picture(title_of_shot(asked), flown)); !status) return status;
+    if (Status status =
+            draw(command.plot, flown.result.over_inputs.empty() ? study_picture(title_of_shot(asked), flown)
+                                                                : over_inputs_picture(title_of_shot(asked), flown));
+        !status)
+      return status;
   if (!command.kml.empty()) {
     const auto map = study_kml(asked, flown);
     if (!map) return map.error();
@@ -337,9 +405,9 @@ Result<int> run(const StudyCommand& command) {
   const auto threads = make_thread_pool(command.threads.value_or(0));
   if (!command.shards.empty()) return run_part(command, study, *threads);
   if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);
-  const auto flown = fly_study(study, *threads, ranks, command);
+  const auto flown = fly_study(study, asked.scenario.study.until_time, *threads, ranks, command);
   if (!flown) return about(asked, flown.error());
-  if (Status status = write_files(command, asked, *flown); !status) return status.error();
+  if (Status status = write_files(command, asked, *flown, *threads); !status) return status.error();
   if (command.csv == "-" || command.kml == "-") return kExitOk;
   return done(give(command.question, study_answer(asked, *flown, style_of(stdout))));
 }
@@ -367,24 +435,35 @@ void add_study_command(Command& program) {
                   "A further uncertain number, as \"shot.speed = 800 m/s +- 3 m/s\"; may be given many times")
       .one_value_each();
   command
-      .add_option("--target", options->targets, "TEXT",
-                  "A further target, as \"circle 10 cm\" or \"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\"")
+      .add_option(
+          "--target", options->targets, "TEXT",
+          "A further target, as \"circle 10 cm\", \"plate: rectangle 30 cm x 50 cm at 0 m, 1 m\" or \"thing NAME\"")
       .one_value_each();
   command.add_option("--range", options->range, "LENGTH", "Where the plane of impact stands, instead of until.range");
   command.add_option("--ranges", options->ranges, "RANGES",
                      "Hit probability over range, as \"100 m .. 1000 m step 100 m\"; a zeroed shot is zeroed at each");
+  command.add_option(
+      "--over-inputs", options->over_inputs,
+      "Hit probability over each input, by so many equally likely parts of it, 2 to 100; --plot draws it");
   command.add_option("--shots", options->shots, "At least so many, instead of study.shots");
   command.add_option("--until-width", options->width, "WIDTH",
                      "Stop when the hit probability of the first target is known to so much, as \"1 %\"; without "
                      "targets, the first quantity's mean, as \"2 mm\"");
+  command.add_option("--until-time", options->time, "TIME",
+                     "Stop when so much time is up, as \"30 s\" (with --ranges at each), after as many shots as fit; "
+                     "how many is printed, and --shots of so many gives the same bits");
   command.add_option("--threads", options->threads, "That fly; without it all that the machine has");
   command.add_option("--csv", options->csv, "FILE", "Write all figures as CSV; - is the standard output");
   command.add_option("--plot", options->plot, "FILE.png|svg",
                      "Draw it: impacts with ellipses and targets, what each input does, how the figure settles; with "
-                     "--ranges hits over range");
+                     "--ranges hits over range, with --over-inputs hits over each input");
   command.add_option(
       "--kml", options->kml, "FILE",
       "Write a map of where shots come down, for globes: ellipses, safety zone, shots; - is the standard output");
+  command.add_option(
+      "--hdf5", options->hdf5, "FILE",
+      "Write each shot as columns of an HDF5 file, what it drew, where it ended and what it hit; they are "
+      "flown again for it");
   add_part_options(command, *options);
   command.footer(
       "As a job of MPI, `mpirun -n 64 physim study FILE`, all ranks fly one study, one thread each.\n"

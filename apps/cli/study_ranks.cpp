@@ -56,8 +56,8 @@ Message receive(MPI_Status& probed) {
 struct Ranks::Round {
   const StudyPlan& plan;
   StudyPartRecord& part;
-  std::uint64_t end;
-  const std::function<bool(const StudyPart&)>& after_shard;
+  const StudyOptions& options;
+  ShardsToFly to_fly;
   std::uint64_t next = 0;
   std::size_t in_flight = 0;  // of other ranks
   bool stopped = false;
@@ -66,21 +66,24 @@ struct Ranks::Round {
   /// where they are flown and travel as one. The fewer are left, the fewer at once: all ranks end at about one time.
   Order take(std::uint64_t most) {
     next = part.missing_from(next);
-    if (stopped || next >= end) return {};
+    if (stopped || next >= to_fly.end()) return {};
+    to_fly.look_at_time(next);
+    if (next >= to_fly.end()) return {};
     std::uint64_t count = 1;
     while (2 * count <= most && next % (2 * count) == 0 && are_missing(next + count, count)) count *= 2;
     next += count;
     return {next - count, count};
   }
   [[nodiscard]] bool are_missing(std::uint64_t first, std::uint64_t count) const {
-    if (first + count > end) return false;
+    if (first + count > to_fly.end()) return false;
     for (std::uint64_t i = 0; i < count; ++i)
       if (part.has(first + i)) return false;
     return true;
   }
   /// For one of so many ranks, which should each come back some times.
   [[nodiscard]] std::uint64_t share(unsigned ranks) const {
-    return std::clamp<std::uint64_t>((end - next) / (std::uint64_t{8} * ranks), 1, kMostShards);
+    return std::clamp<std::uint64_t>((to_fly.end() - std::min(next, to_fly.end())) / (std::uint64_t{8} * ranks), 1,
+                                     kMostShards);
   }
 };
 
@@ -120,7 +123,8 @@ void Ranks::order(int rank, const Order& order) {
 void Ranks::keep(Round& round, const StudyPart& flown) {
   for (const auto& [first, node] : flown.record().nodes) round.part.add(first, node);
   const StudyPart so_far(std::make_shared<const StudyPartRecord>(round.part));
-  if (!round.stopped && round.after_shard && !round.after_shard(so_far)) round.stopped = true;
+  const auto& after_shard = round.options.after_shard;
+  if (!round.stopped && after_shard && !after_shard(so_far)) round.stopped = true;
 }
 
 /// Shards that a rank flew; nothing where it only asks for its first.
@@ -153,17 +157,16 @@ void Ranks::hear(Round& round) {
   failed_ = Error{"rank " + std::to_string(message.from) + " cannot fly: " + text, "mpirun", ""};
 }
 
-bool Ranks::fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end,
-                const std::function<bool(const StudyPart&)>& after_shard) {
+Flown Ranks::fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end, const StudyOptions& options) {
   PHYSIM_ASSERT(number_ == 0);
-  Round round{plan, part, end, after_shard, part.missing_from(0)};
+  Round round{plan, part, options, {plan.record(), end, options.time_is_up}, part.missing_from(0)};
   std::future<StudyPart> own;  // a shard that this rank flies beside its messages
   for (;;) {
     if (asked_to_end != 0) {
       failed_ = Error{"the job was ended: a rank died, or somebody ended it", "mpirun", ""};
       was_ended_ = true;
       static_cast<void>(new std::future<StudyPart>(std::move(own)));  // nobody has the time to wait for it
-      return false;
+      return Flown::stopped;
     }
     if (own.valid() && own.wait_for(std::chrono::seconds(0)) == std::future_status::ready) keep(round, own.get());
     if (!own.valid())
@@ -176,7 +179,7 @@ bool Ranks::fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end,
       idle_.pop_back();
       ++round.in_flight;
     }
-    if (!own.valid() && round.in_flight == 0) return !round.stopped;
+    if (!own.valid() && round.in_flight == 0) return round.to_fly.flown(round.stopped);
     hear(round);
   }
 }
@@ -214,9 +217,7 @@ Status Ranks::status() const {
   return Error{"this physim was built without MPI, and each rank of the job would fly the whole study", "mpirun",
                "build it where Open MPI is, on Debian libopenmpi-dev; or fly parts with --shards"};
 }
-bool Ranks::fly(const StudyPlan&, StudyPartRecord&, std::uint64_t, const std::function<bool(const StudyPart&)>&) {
-  PHYSIM_UNREACHABLE();
-}
+Flown Ranks::fly(const StudyPlan&, StudyPartRecord&, std::uint64_t, const StudyOptions&) { PHYSIM_UNREACHABLE(); }
 void Ranks::serve(const StudyPlan&) { PHYSIM_UNREACHABLE(); }
 void Ranks::give_up(const Error&) { PHYSIM_UNREACHABLE(); }
 

@@ -24,10 +24,9 @@ class Ranks {
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] unsigned count() const { return static_cast<unsigned>(count_); }
 
-  /// The first rank: flies what is missing before `end` with all others; false where `after_shard` stopped it, or what
-  /// failed() tells.
-  [[nodiscard]] bool fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end,
-                         const std::function<bool(const StudyPart&)>& after_shard);
+  /// The first rank: flies what is missing before `end` with all others; stopped by `options`, or by what failed()
+  /// tells.
+  [[nodiscard]] Flown fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end, const StudyOptions& options);
   [[nodiscard]] const Status& failed() const { return failed_; }
   /// The job was ended from outside while fly() was at it. The launcher kills what is left of it within a second, and a
   /// thread is still at its shard: keep what there is, and end the program without looking back.

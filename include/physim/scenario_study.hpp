@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,9 +23,11 @@ struct ScenarioStudy {
   std::string aim{};                      ///< on the plane of impact, "0 m, 1 m"; empty: its origin [m]
   Sampling sampling = Sampling::random;   ///< [-]
   std::int64_t shots = 100'000;           ///< [-]
+  std::optional<double> until_time{};     ///< fly for so long, however many shots that makes [s]
   std::int64_t seed = 1;                  ///< [-]
   std::int64_t rounds = 1;                ///< of an occasion [-]
   bool indices = false;                   ///< Sobol indices [-]
+  std::int64_t over_inputs = 0;           ///< parts of each input over which hits are told; 0: not told [-]
 };
 
 /// A number and its distribution from a text, PATH = DISTRIBUTION:
@@ -38,9 +41,10 @@ struct ScenarioStudy {
 /// "added" before it adds it to what the scenario has, "per occasion" behind it draws it once for each occasion.
 [[nodiscard]] Result<StudyInput> parse_study_input(std::string_view text);
 /// A target from a text, with a name and a place or without: "NAME: circle 10 cm at 0 m, 1 m" (its radius),
-/// "rectangle 30 cm x 50 cm", "polygon 0 m, 0 m; 1 m, 0 m; 0 m, 1 m".
+/// "rectangle 30 cm x 50 cm", "polygon 0 m, 0 m; 1 m, 0 m; 0 m, 1 m", "thing THE-NAME-OF-A-THING".
 [[nodiscard]] Result<StudyTarget> parse_study_target(std::string_view text);
-/// The study of a shot of a scenario, at the shot's own fidelity.
+/// The study of a shot of a scenario, at the shot's own fidelity. Without a [world] its shots meet the scenario's
+/// things as fly_shot() does; things that have names are targets, too, unless their names are more than 32.
 [[nodiscard]] Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot);
 
 }  // namespace physim

@@ -18,6 +18,7 @@
 
 namespace physim {
 
+class Scene;
 class TaskRunner;
 
 /// How the numbers of a study are spread.
@@ -75,10 +76,17 @@ struct PolygonTarget {
 
   bool operator==(const PolygonTarget&) const = default;
 };
+/// A thing of Study::scene, or all that have its name: hit by whoever meets it, whatever becomes of the shot then; a
+/// sensor by whoever passes it.
+struct ThingTarget {
+  std::string thing{};  ///< InstanceDef::name [-]
+
+  bool operator==(const ThingTarget&) const = default;
+};
 /// What is to be hit. A shot on the rim hits a circle; of other shapes the left and the lower edge belong to them.
 struct StudyTarget {
-  std::string name{};                                                  ///< [-]
-  std::variant<CircleTarget, RectangleTarget, PolygonTarget> shape{};  ///< [-]
+  std::string name{};                                                               ///< [-]
+  std::variant<CircleTarget, RectangleTarget, PolygonTarget, ThingTarget> shape{};  ///< [-]
 
   bool operator==(const StudyTarget&) const = default;
 };
@@ -97,11 +105,11 @@ struct Study {
   ProjectileDef projectile{};  ///< [-]
   /// A zero range is put into an elevation once, without uncertainty [-]
   Launch launch{};
-  Environment environment{};                            ///< [-]
-  Fidelity fidelity{};                                  ///< [-]
-  Tolerance tolerance{};                                ///< [-]
-  Until until{};                                        ///< with a range the plane of impact stands there [-]
-  std::vector<StudyInput> inputs{};                     ///< at most 64 [-]
+  Environment environment{};         ///< [-]
+  Fidelity fidelity{};               ///< [-]
+  Tolerance tolerance{};             ///< [-]
+  Until until{};                     ///< with a range the plane of impact stands there; its own scene is none [-]
+  std::vector<StudyInput> inputs{};  ///< at most 64 [-]
   std::vector<StudyCorrelation> correlated{};           ///< each input in one of them at most [-]
   std::uint32_t rounds = 1;                             ///< of an occasion; divides shard_shots [-]
   Sampling sampling = Sampling::random;                 ///< [-]
@@ -110,12 +118,18 @@ struct Study {
   std::optional<StudyWidth> until_width{};              ///< ends it earlier, at one of a row of shard counts [-]
   std::uint32_t shard_shots = 4096;                     ///< 16 to 65536; for Sobol's sequence a power of two [-]
   std::vector<StudyQuantity> quantities{};              ///< two for the plane of impact, then others; empty: right, up
-                                                        ///< (without a range: along), time, speed [-]
+                                                        ///< (without a range: along), time, speed; with a scene
+                                                        ///< right, up, along, time, speed [-]
   PlanePoint aim{};                                     ///< where shots should end, on the plane of impact [m]
   std::vector<StudyTarget> targets{};                   ///< [-]
   std::vector<std::uint32_t> group_sizes = {3, 5, 10};  ///< of extreme spreads, 2 to 100 shots [-]
   bool indices = false;                                 ///< Sobol indices: each shot is flown once more for each
                                                         ///< group of inputs, and once besides [-]
+  /// Things that shots meet as until.contact says, each by itself; what materials leave to chance is drawn anew for
+  /// each shot. Without an engine of its own. Null: none [-]
+  std::shared_ptr<const Scene> scene{};
+  /// Hit probability over each input: so many parts of its distribution, equally likely, 2 to 100; none: not asked [-]
+  std::optional<std::uint32_t> over_inputs{};
 };
 
 /// A number that may be uncertain.
@@ -190,10 +204,14 @@ struct StudyOptions {
   StudyPart so_far{};  ///< shards that were flown before [-]
   /// Called after each shard, by one thread at a time, with all that is there; false stops. May be empty. [-]
   std::function<bool(const StudyPart&)> after_shard{};
+  /// Asked before each shard, by one thread at a time; true: the study ends with the shards under way. Evenly spread
+  /// draws, occasions and indices end with a whole round of 16 shards; one is always flown. So time chooses nothing but
+  /// the count of shots: Study::shots of that many gives the same bits. May be empty. [-]
+  std::function<bool()> time_is_up{};
 };
 
 /// Flies what is missing of a study, and tells what it came to. Its bits do not depend on the runner's threads.
-/// Stopped, it tells of the shards from the first to the first that is missing.
+/// Stopped, or with its time up, it tells of the shards from the first to the first that is missing.
 [[nodiscard]] Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner = nullptr,
                                             const StudyOptions& options = {});
 /// ... checked, prepared and flown.
@@ -213,6 +231,7 @@ struct StudyOptions {
 struct StudyShots {
   std::vector<std::vector<double>> inputs{};      ///< in the order of Study::inputs [unit of each]
   std::vector<std::vector<double>> quantities{};  ///< NaN where a shot did not arrive [unit of each]
+  std::vector<std::vector<bool>> hits{};          ///< of each target [-]
 };
 /// Flies a shard again and keeps its shots, to be drawn or looked at one by one: shots shard * shard_shots and on.
 [[nodiscard]] StudyShots fly_shots_of(const StudyPlan& plan, std::uint64_t shard);

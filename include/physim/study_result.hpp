@@ -68,6 +68,9 @@ struct QuantityResult {
   double most = 0;                               ///< [unit]
   CountedCells cells{};                          ///< quantiles and histograms [-]
 
+  /// It has a variance beyond rounding errors: its deviation is more than 1e-12 of its farthest number.
+  [[nodiscard]] bool varies() const;
+
   bool operator==(const QuantityResult&) const = default;
 };
 
@@ -132,6 +135,24 @@ struct HitResult {
   bool operator==(const HitResult&) const = default;
 };
 
+/// Shots whose number of one input lies within a part of its distribution.
+struct InputPart {
+  double low = 0;           ///< from here on; -infinity: no end [unit of the input]
+  double middle = 0;        ///< as many of the distribution lie below within the part as above [unit of the input]
+  double high = 0;          ///< and below here; infinity: no end [unit of the input]
+  std::uint64_t shots = 0;  ///< [-]
+  std::vector<HitResult> hits{};  ///< of each target [-]
+
+  bool operator==(const InputPart&) const = default;
+};
+/// How likely targets are hit over one input, the others as uncertain as ever.
+struct HitsOverInput {
+  std::size_t input = 0;           ///< index in Study::inputs [-]
+  std::vector<InputPart> parts{};  ///< rising; without those that no shot has [-]
+
+  bool operator==(const HitsOverInput&) const = default;
+};
+
 /// What the first shots of a study came to: a point of the way to its figures.
 struct StudyStage {
   std::uint64_t shots = 0;        ///< [-]
@@ -150,7 +171,8 @@ struct WorstShot {
   bool operator==(const WorstShot&) const = default;
 };
 
-/// Sobol indices of a group of inputs: each input that is correlated with none, or all of a correlation.
+/// Sobol indices of a group of inputs: each input that is correlated with none, or all of a correlation. They are NaN
+/// for a quantity that does not vary (QuantityResult::varies()).
 struct IndexResult {
   std::vector<std::size_t> inputs{};  ///< indices in Study::inputs [-]
   std::vector<Estimate> first{};      ///< for each quantity: share of the variance by itself [-]
@@ -177,8 +199,10 @@ struct StudyResult {
   std::vector<HitResult> hits{};              ///< of each target [-]
   std::vector<WorstShot> worst{};             ///< ten at most, the worst first [-]
   std::vector<IndexResult> indices{};         ///< where they are asked for [-]
+  std::vector<HitsOverInput> over_inputs{};   ///< of each input, where Study::over_inputs asks for it [-]
   std::vector<StudyStage> stages{};           ///< from the first shard on, each a tenth more than the one before [-]
   bool width_reached = false;                 ///< Study::until_width ended it [-]
+  bool time_was_up = false;                   ///< StudyOptions::time_is_up ended it [-]
 };
 
 /// What one input does to the result, by its slope.

@@ -8,7 +8,6 @@
 #include "report/plot_labels.hpp"
 #include "report/study_pictures.hpp"
 #include "report/table.hpp"
-#include "study/targets.hpp"
 
 namespace physim::report {
 namespace {
@@ -119,9 +118,7 @@ class StudyPicture {
     for (std::size_t i = 0; i < std::min(shots.quantities[0].size(), kDrawnShots); ++i) {
       const PlanePoint at{shots.quantities[0][i], shots.quantities[1][i]};
       if (!std::isfinite(at.right) || !std::isfinite(at.up)) continue;
-      const bool hit = std::ranges::any_of(study_.targets, [&](const StudyTarget& target) {
-        return hits_of(target, std::span(&at.right, 1), std::span(&at.up, 1)) > 0;
-      });
+      const bool hit = std::ranges::any_of(shots.hits, [i](const std::vector<bool>& target) { return target[i]; });
       (hit || study_.targets.empty() ? found.hits : found.misses).push_back(at);
     }
     return found;
@@ -396,8 +393,10 @@ std::vector<PlanePoint> rim_of(const StudyTarget& target) {
   } else if (const auto* r = std::get_if<RectangleTarget>(&target.shape)) {
     for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
       rim.push_back({r->centre.right + x * r->width, r->centre.up + y * r->height});
+  } else if (const auto* polygon = std::get_if<PolygonTarget>(&target.shape)) {
+    rim = polygon->corners;
   } else {
-    rim = std::get<PolygonTarget>(target.shape).corners;
+    return {};  // a thing stands in space
   }
   rim.push_back(rim.front());
   return rim;

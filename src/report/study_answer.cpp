@@ -90,6 +90,7 @@ std::string counts_text(const FlownStudy& flown) {
   std::string text = "  " + std::to_string(r.shots) + " shots in " + std::to_string(r.shards) + " shards, " +
                      std::string(name(flown.plan.study().sampling)) + ", seed " +
                      std::to_string(flown.plan.study().seed);
+  if (r.time_was_up) text += "; the time was up, and --shots " + std::to_string(r.shots) + " gives the same again";
   if (r.not_arrived > 0) text += "; " + std::to_string(r.not_arrived) + " did not arrive";
   if (r.refused > 0) text += "; " + std::to_string(r.refused) + " refused: " + r.first_refusal->text();
   return text + "\n\n";
@@ -172,16 +173,62 @@ std::string inputs_text(const FlownStudy& flown) {
   return table.text(2) + "\n";
 }
 
+std::string over_inputs_text(const FlownStudy& flown) {
+  const StudyResult& r = flown.result;
+  if (r.over_inputs.empty()) return "";
+  std::vector<std::string> headers = {"hits over an input", "from", "to"};
+  for (const HitResult& hit : r.hits) headers.insert(headers.end(), {hit.name + " [%]", "95 % interval"});
+  Table table(headers, "lr");
+  const auto end = [](double x) { return std::isfinite(x) ? significant(x, 5) : std::string(); };
+  for (const HitsOverInput& over : r.over_inputs)
+    for (const InputPart& part : over.parts) {
+      const std::string name = with_unit(flown.plan.study().inputs[over.input]);
+      std::vector<std::string> cells = {&part == &over.parts.front() ? name : "", end(part.low), end(part.high)};
+      for (const HitResult& hit : part.hits)
+        cells.insert(cells.end(), {percent(hit.probability.value), percent(hit.low) + " .. " + percent(hit.high)});
+      table.add_row(std::move(cells));
+    }
+  return table.text(2) + "\n";
+}
+
+Json over_inputs_json(const FlownStudy& flown) {
+  const auto end = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+  Json inputs = Json::array();
+  for (const HitsOverInput& over : flown.result.over_inputs) {
+    Json parts = Json::array();
+    for (const InputPart& part : over.parts) {
+      Json hits = Json::array();
+      for (const HitResult& hit : part.hits)
+        hits.push_back({{"target", hit.name},
+                        {"probability", hit.probability.value},
+                        {"low", end(hit.low)},
+                        {"high", end(hit.high)}});
+      parts.push_back({{"low", end(part.low)},
+                       {"middle", part.middle},
+                       {"high", end(part.high)},
+                       {"shots", part.shots},
+                       {"hits", std::move(hits)}});
+    }
+    const StudyInput& input = flown.plan.study().inputs[over.input];
+    inputs.push_back({{"path", input.path}, {"unit", unit_of(input)}, {"parts", std::move(parts)}});
+  }
+  return inputs;
+}
+
 std::string indices_text(const FlownStudy& flown) {
   const StudyResult& r = flown.result;
   if (r.indices.empty()) return "";
   Table table({"Sobol indices", "of", "first", "+-", "total", "+-"}, "ll");
   for (const IndexResult& index : r.indices)
-    for (std::size_t q = 0; q < index.first.size(); ++q)
-      table.add_row({q == 0 ? names_of_inputs(flown.plan.study(), index.inputs) : "",
-                     std::string(name(r.quantities[q].quantity)), fixed(index.first[q].value, 3),
-                     significant(index.first[q].error, 2), fixed(index.total[q].value, 3),
-                     significant(index.total[q].error, 2)});
+    for (std::size_t q = 0; q < index.first.size(); ++q) {
+      const std::string inputs = q == 0 ? names_of_inputs(flown.plan.study(), index.inputs) : "";
+      const std::string of(name(r.quantities[q].quantity));
+      if (r.quantities[q].varies())
+        table.add_row({inputs, of, fixed(index.first[q].value, 3), significant(index.first[q].error, 2),
+                       fixed(index.total[q].value, 3), significant(index.total[q].error, 2)});
+      else
+        table.add_row({inputs, of, "no variance", "", "", ""});
+    }
   return table.text(2) + "\n";
 }
 
@@ -229,11 +276,13 @@ Json json_of(const FlownStudy& flown) {
           {"seed", study.seed},
           {"shards", flown.result.shards},
           {"width_reached", flown.result.width_reached},
+          {"time_was_up", flown.result.time_was_up},
           {"quantities", std::move(quantities)},
           {"figures", std::move(figures)},
           {"covariance", flown.result.covariance},
           {"zone", zone_json(flown.result)},
           {"inputs", std::move(inputs)},
+          {"over_inputs", over_inputs_json(flown)},
           {"worst", std::move(worst)},
           {"notes", flown.plan.notes()}};
 }
@@ -257,13 +306,25 @@ std::string_view unit_of(StudyQuantity quantity) {
   PHYSIM_UNREACHABLE();
 }
 
+std::string unit_of(const StudyInput& input) {
+  static const std::vector<StudyPath> kPaths = study_paths();
+  const auto known = std::ranges::find(kPaths, input.path, &StudyPath::path);
+  return known == kPaths.end() ? "" : known->unit;
+}
+
+std::string with_unit(const StudyInput& input) {
+  const std::string unit = unit_of(input);
+  return input.path + (input.added ? " +=" : "") + (unit.empty() ? "" : " [" + unit + "]");
+}
+
 std::string with_unit(StudyQuantity quantity) {
   return std::string(name(quantity)) + " [" + std::string(unit_of(quantity)) + "]";
 }
 
 Answer study_answer(const AskedShot& asked, const FlownStudy& flown, const Style& style) {
   const std::string text = counts_text(flown) + quantities_text(flown) + plane_text(flown.result) +
-                           hits_text(flown.result) + inputs_text(flown) + indices_text(flown) + worst_text(flown);
+                           hits_text(flown.result) + over_inputs_text(flown) + inputs_text(flown) +
+                           indices_text(flown) + worst_text(flown);
   return about_shot(asked, style, text, json_of(flown));
 }
 

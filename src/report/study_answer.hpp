@@ -17,6 +17,10 @@ struct FlownStudy {
   std::optional<LinearResult> linear;  // where it could be computed
 };
 
+/// The unit of an input's number; empty where the study is of a function.
+[[nodiscard]] std::string unit_of(const StudyInput& input);
+/// "shot.speed [m/s]"; "shot.speed += [m/s]" of what is added.
+[[nodiscard]] std::string with_unit(const StudyInput& input);
 /// "m", "s", "m/s".
 [[nodiscard]] std::string_view unit_of(StudyQuantity quantity);
 /// "right [m]"

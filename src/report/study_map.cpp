@@ -108,7 +108,8 @@ Result<Text> study_kml(const AskedShot& asked, const FlownStudy& flown) {
   out += kml_place("launch", kml_point(ground.coordinates(study.launch.position))) +
          kml_place("mean impact", kml_point(ground.coordinates(PlanePoint{ellipse.right, ellipse.up})));
   for (const StudyTarget& target : study.targets)
-    out += kml_place(target.name, kml_ring(ground, rim_of(target)), "target");
+    if (!std::holds_alternative<ThingTarget>(target.shape))
+      out += kml_place(target.name, kml_ring(ground, rim_of(target)), "target");
   for (int deviations = 1; deviations <= 3; ++deviations)
     out += kml_place(std::to_string(deviations) + (deviations == 1 ? " deviation" : " deviations"),
                      kml_ring(ground, rim_of(ellipse, deviations)), "ellipse");

@@ -16,7 +16,10 @@ namespace physim::report {
 /// Hit probability of each target with its interval, and how far shots scatter, over range.
 [[nodiscard]] Picture ranges_picture(const std::string& title, std::span<const StudyAtRange> list);
 
-/// The closed rims of a target, and of so many deviations about the mean.
+/// Hit probability of each target with its interval over each input: those whose parts differ most.
+[[nodiscard]] Picture over_inputs_picture(const std::string& title, const FlownStudy& flown);
+
+/// The closed rims of a target (a thing has none: no points), and of so many deviations about the mean.
 [[nodiscard]] std::vector<PlanePoint> rim_of(const StudyTarget& target);
 [[nodiscard]] std::vector<PlanePoint> rim_of(const EllipseResult& ellipse, double deviations);
 

@@ -17,7 +17,7 @@ constexpr const char* kInputHint =
     "of 1 m/s, 2 m/s\"";
 constexpr const char* kTargetHint =
     "write it as \"circle 10 cm at 0 m, 1 m\", \"NAME: rectangle 30 cm x 50 cm\" or \"polygon 0 m, 0 m; 1 m, 0 m; 0 m, "
-    "1 m\"";
+    "1 m\", or \"thing NAME\" of a scenario's things";
 
 struct Halves {
   std::string_view left, right;
@@ -241,6 +241,30 @@ Status add_texts(const ScenarioStudy& texts, Study& study) {
   return {};
 }
 
+bool is_target(const Study& study, const std::string& thing) {
+  return std::ranges::any_of(study.targets, [&](const StudyTarget& target) {
+    const auto* known = std::get_if<ThingTarget>(&target.shape);
+    return known != nullptr && known->thing == thing;
+  });
+}
+
+/// Shots meet the things of a scenario without a [world]; those that have names are targets.
+Status add_scene(const Scenario& scenario, const ScenarioShot& shot, Study& study) {
+  constexpr std::size_t kMostNames = 32;
+  if (scenario.world.given || scenario.things.empty()) return {};
+  Result<Scene> scene = scene_of(scenario);
+  if (!scene) return scene.error();
+  study.scene = std::make_shared<const Scene>(*std::move(scene));
+  study.until.contact = contact_of(shot);
+  std::vector<std::string> names;
+  for (const ScenarioThing& thing : scenario.things)
+    if (!thing.name.empty() && std::ranges::count(names, thing.name) == 0) names.push_back(thing.name);
+  if (names.size() > kMostNames) return {};
+  for (const std::string& name : names)
+    if (!is_target(study, name)) study.targets.push_back({name, ThingTarget{name}});
+  return {};
+}
+
 }  // namespace
 
 Result<StudyInput> parse_study_input(std::string_view text) {
@@ -263,6 +287,11 @@ Result<StudyTarget> parse_study_target(std::string_view text) {
   StudyTarget target;
   const Error unreadable{"\"" + std::string(text) + "\" is no target", "", kTargetHint};
   if (const auto named = split(text, ":")) target.name = std::string(named->left), text = named->right;
+  if (take_front(text, "thing ")) {
+    target.shape = ThingTarget{std::string(text)};
+    if (target.name.empty()) target.name = std::string(text);
+    return target;
+  }
   NumberReader read(Quantity::length);
   PlanePoint centre;
   if (const auto at = split(text, " at ")) {
@@ -293,9 +322,6 @@ Result<StudyTarget> parse_study_target(std::string_view text) {
 
 Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
   const ScenarioStudy& texts = scenario.study;
-  if (!scenario.world.given && !scenario.things.empty())
-    return Error{"many shots at once meet nothing, and the scenario has things", "thing",
-                 "take each [[thing]] out of it"};
   Study study{.projectile = shot.projectile,
               .launch = shot.launch,
               .environment = scenario.environment,
@@ -308,7 +334,9 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
               .shots = static_cast<std::uint64_t>(texts.shots),
               .indices = texts.indices};
   std::erase_if(study.until.events, [](const EventSpec& event) { return !event.terminal; });
+  if (texts.over_inputs > 0) study.over_inputs = static_cast<std::uint32_t>(texts.over_inputs);
   if (Status status = add_texts(texts, study); !status) return status.error();
+  if (Status status = add_scene(scenario, shot, study); !status) return status.error();
   for (std::size_t i = 0; i < texts.quantities.size(); ++i) {
     const auto quantity = value_of<StudyQuantity>(texts.quantities[i]);
     if (!quantity)

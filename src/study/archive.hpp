@@ -8,5 +8,7 @@ namespace physim {
 
 /// Raised whenever the results of shards, or the bytes of parts, change.
 inline constexpr std::uint32_t kStudyFormat = 2;
+/// The format of parts that have hits over inputs, behind all else.
+inline constexpr std::uint32_t kStudyFormatOverInputs = 3;
 
 }  // namespace physim

@@ -73,6 +73,10 @@ void check_sizes(Checker& c, const Study& study) {
   c.require(study.shots >= 1 && study.shots <= kMostShots, "shots", "must be from 1 to 2^50");
   c.require(study.shard_shots >= 16 && study.shard_shots <= 65536, "shard_shots", "must be from 16 to 65536");
   c.require(study.rounds >= 1, "rounds", "must be one or more");
+  c.require(!study.over_inputs || (*study.over_inputs >= 2 && *study.over_inputs <= 100), "over_inputs",
+            "must be from 2 to 100 parts");
+  c.require(!study.over_inputs || !study.targets.empty(), "over_inputs", "asks for hits, and there is no target",
+            "name one, such as a circle");
   if (!c.status_so_far()) return;
   c.require(
       study.shard_shots % study.rounds == 0, "rounds",
@@ -101,7 +105,8 @@ void check_quantities(Checker& c, const Study& study) {
   }
   if (!study.until_width) return;
   c.positive(study.until_width->width, "until_width.width");
-  const std::size_t quantities = study.quantities.empty() ? 4 : study.quantities.size();
+  const std::size_t usual = study.scene ? 5 : 4;
+  const std::size_t quantities = study.quantities.empty() ? usual : study.quantities.size();
   c.require(!study.until_width->target || *study.until_width->target < study.targets.size(), "until_width.target",
             "there is no such target");
   c.require(study.until_width->quantity < quantities, "until_width.quantity", "there is no such quantity");
@@ -114,6 +119,7 @@ Status check(const Study& study, bool of_flights) {
   check_sizes(c, study);
   if (c.status_so_far()) c.also(check_inputs(study, of_flights));
   check_plane(c, study);
+  if (c.status_so_far()) c.also(check_things(study, of_flights));
   check_quantities(c, study);
   if (of_flights)
     c.require(!study.launch.velocity, "launch.velocity", "has no numbers of its own in a study",

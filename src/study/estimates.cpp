@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "base/ieee_mode.hpp"
 #include "math/elementary.hpp"
 #include "study/indices.hpp"
+#include "study/over_inputs.hpp"
 #include "study/shard.hpp"
 #include "study/zone.hpp"
 
@@ -18,20 +20,35 @@ constexpr double kTwoSidedStudent[] = {12.706204736, 4.302652730, 3.182446305, 2
                                        2.200985160,  2.178812830, 2.160368656, 2.144786688, 2.131449546};
 static_assert(std::size(kTwoSidedStudent) == kReplicates - 1);
 
-/// So many errors is an interval of 95 % wide to each side.
+/// So many errors is an interval of 95 % wide to each side, by so many replicates ...
+double two_sided(std::size_t parts) {
+  PHYSIM_ASSERT(parts <= kReplicates);
+  return parts < 2 ? kNotKnown : kTwoSidedStudent[parts - 2];
+}
+/// ... or of shots that know nothing of each other.
 double two_sided(const StudyPlanRecord& plan, const ShardSums& sums) {
   PHYSIM_ASSERT(sums.replicates.size() == kReplicates);
   if (plan.is_plain()) return kTwoSided;
   const auto parts = std::ranges::count_if(sums.replicates, [](const Replicate& part) { return part.shots > 0; });
-  return parts < 2 ? kNotKnown : kTwoSidedStudent[parts - 2];
+  return two_sided(static_cast<std::size_t>(parts));
+}
+
+/// The standard error of the mean of parts, by their differences; NaN of fewer than two.
+double error_of(std::span<const double> parts) {
+  const auto count = static_cast<double>(parts.size());
+  double sum = 0, squares = 0;
+  for (const double part : parts) sum += part;
+  const double mean = sum / count;
+  for (const double part : parts) squares += (part - mean) * (part - mean);
+  return count < 2 ? kNotKnown : std::sqrt(squares / (count - 1) / count);
 }
 
 /// Replicates that all have as many hits tell nothing of the error: the interval of as many independent shots, or of
 /// independent occasions where shots have one in common.
-Interval interval_of_equal_replicates(const StudyPlanRecord& plan, const HitResult& hit, std::uint64_t shots) {
+Interval interval_of_equal_replicates(const StudyPlanRecord& plan, const HitCount& count) {
   const std::uint64_t each = plan.study.rounds;
-  PHYSIM_ASSERT(each >= 1 && hit.hits <= shots);
-  return wilson_interval(hit.hits / each, shots / each);
+  PHYSIM_ASSERT(each >= 1 && count.hits <= count.shots);
+  return wilson_interval(count.hits / each, count.shots / each);
 }
 
 RadiusResult radius_result(const StudyPlanRecord& plan, const DistanceSums& sums) {
@@ -87,6 +104,12 @@ void put_plane(const StudyPlanRecord& plan, const ShardSums& sums, StudyResult& 
 
 }  // namespace
 
+bool QuantityResult::varies() const {
+  const IeeeMode mode;
+  constexpr double kRounding = 1e-12;
+  return deviation > kRounding * std::max(std::abs(least), std::abs(most));
+}
+
 Interval wilson_interval(std::uint64_t hits, std::uint64_t shots) {
   PHYSIM_ASSERT(hits <= shots);
   if (shots == 0) return {0, 1};
@@ -106,28 +129,37 @@ Estimate mean_of_quantity(const StudyPlanRecord& plan, const ShardSums& sums, st
   return {m.mean[quantity], over_replicates(sums, mean).error};
 }
 
-HitResult hits_on(const StudyPlanRecord& plan, const ShardSums& sums, std::size_t target) {
-  PHYSIM_ASSERT(target < plan.study.targets.size() && sums.shots > 0);
-  HitResult hit{.name = plan.study.targets[target].name, .hits = sums.hits.empty() ? 0 : sums.hits[target]};
-  const auto shots = static_cast<double>(sums.shots);
-  const double p = static_cast<double>(hit.hits) / shots;
+HitResult hit_result(const StudyPlanRecord& plan, std::size_t target, const HitCount& count, double whole,
+                     std::span<const double> parts) {
+  PHYSIM_ASSERT(target < plan.study.targets.size() && count.shots > 0);
+  HitResult hit{.name = plan.study.targets[target].name, .hits = count.hits};
   if (plan.is_plain()) {
-    const Interval interval = wilson_interval(hit.hits, sums.shots);
-    hit.probability = {p, std::sqrt(p * (1 - p) / shots)};
+    const Interval interval = wilson_interval(count.hits, count.shots);
+    hit.probability = {whole, std::sqrt(whole * (1 - whole) / static_cast<double>(count.shots))};
     hit.low = interval.low, hit.high = interval.high;
     return hit;
   }
-  const Estimate parts = over_replicates(sums, [&](const Replicate& part) {
-    return (part.hits.empty() ? 0.0 : static_cast<double>(part.hits[target])) / static_cast<double>(part.shots);
-  });
-  hit.probability = {p, parts.error};
-  const double half = two_sided(plan, sums) * parts.error;
-  hit.low = std::max(0.0, p - half);
-  hit.high = std::min(1.0, p + half);
-  if (parts.error > 0) return hit;
-  const Interval interval = interval_of_equal_replicates(plan, hit, sums.shots);
-  hit.low = std::min(p, interval.low), hit.high = std::max(p, interval.high);
+  const double error = error_of(parts);
+  hit.probability = {whole, error};
+  const double half = two_sided(parts.size()) * error;
+  hit.low = std::max(0.0, whole - half);
+  hit.high = std::min(1.0, whole + half);
+  if (error > 0) return hit;
+  const Interval interval = interval_of_equal_replicates(plan, count);
+  hit.low = std::min(whole, interval.low), hit.high = std::max(whole, interval.high);
   return hit;
+}
+
+HitResult hits_on(const StudyPlanRecord& plan, const ShardSums& sums, std::size_t target) {
+  PHYSIM_ASSERT(target < plan.study.targets.size() && sums.shots > 0);
+  const std::uint64_t hits = sums.hits.empty() ? 0 : sums.hits[target];
+  std::vector<double> parts;
+  for (const Replicate& part : sums.replicates)
+    if (part.shots > 0)
+      parts.push_back((part.hits.empty() ? 0.0 : static_cast<double>(part.hits[target])) /
+                      static_cast<double>(part.shots));
+  return hit_result(plan, target, {hits, sums.shots}, static_cast<double>(hits) / static_cast<double>(sums.shots),
+                    parts);
 }
 
 double width_of(const StudyPlanRecord& plan, const ShardSums& sums) {
@@ -160,7 +192,8 @@ StudyResult figures_of(const StudyPlanRecord& plan, const ShardSums& sums) {
   for (const StageSums& stage : sums.stages) result.stages.push_back(stage_result(plan, stage));
   for (const SumOfShot& shot : sums.worst)
     result.worst.push_back({shot.shot, shot.distance, drawn_by(plan, shot.shot)});
-  if (study.indices && some) result.indices = indices_of(plan, sums);
+  result.over_inputs = hits_over_inputs(plan, sums);
+  if (study.indices && some) result.indices = indices_of(plan, sums, result.quantities);
   return result;
 }
 

@@ -21,6 +21,15 @@ struct Interval {
 };
 [[nodiscard]] Interval wilson_interval(std::uint64_t hits, std::uint64_t shots);
 
+/// How many of so many shots hit.
+struct HitCount {
+  std::uint64_t hits, shots;
+};
+/// The hit probability of a target, `whole` of all shots, with its error: by Wilson of random shots, else by what it is
+/// in each of `parts` that know nothing of each other.
+[[nodiscard]] HitResult hit_result(const StudyPlanRecord& plan, std::size_t target, const HitCount& count, double whole,
+                                   std::span<const double> parts);
+
 /// The mean of a figure over the replicates that have shots, and its error by their differences; NaN of fewer than two.
 template <class Figure>
 [[nodiscard]] Estimate over_replicates(const ShardSums& sums, const Figure& figure) {

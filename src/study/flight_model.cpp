@@ -14,12 +14,15 @@
 #include <limits>
 
 #include "base/checker.hpp"
+#include "base/hash.hpp"
 #include "flight/pilot.hpp"
 #include "math/vec3.hpp"
 #include "model/sight.hpp"
+#include "physim/scene.hpp"
 #include "prepare/grant.hpp"
 #include "study/model.hpp"
 #include "study/paths.hpp"
+#include "study/targets.hpp"
 
 namespace physim {
 namespace {
@@ -46,6 +49,8 @@ class FlightModel : public ShotModel {
   explicit FlightModel(const Study& study)
       : study_(study), plain_{study.projectile, study.launch}, sight_(sight_frame(study.launch)) {
     study_.inputs.clear();
+    study_.until.scene = study_.scene.get();
+    if (study_.scene) things_ = things_of(study_), as_columns_ = false;
     for (std::size_t i = 0; i < study.inputs.size(); ++i) take(study.inputs[i], i);
   }
   [[nodiscard]] Status prepare();
@@ -58,9 +63,14 @@ class FlightModel : public ShotModel {
   [[nodiscard]] ModelTold fly_columns_of(const std::vector<std::span<const double>>& columns, std::size_t count,
                                          std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const;
   [[nodiscard]] ModelTold fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
-                                       ModelScratch& scratch, const BlockEnds& ends) const;
+                                       InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const;
+  [[nodiscard]] Environment environment_of(std::size_t shot, const std::vector<std::span<const double>>& columns,
+                                           const Weather& weather) const;
   void fly_in_own_winds(const std::vector<std::span<const double>>& columns, const Weather& weather,
                         std::span<const Shot> shots, ModelScratch& scratch) const;
+  void fly_among_things(const std::vector<std::span<const double>>& columns, const Weather& weather,
+                        std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const;
+  void mark_things(const Flight& flight, std::size_t shot, std::size_t shots, ModelScratch& scratch) const;
   void move_to_plane(const BlockEnds& ends) const;
   void put(StudyQuantity quantity, const BlockEnds& ends, std::span<double> into) const;
 
@@ -68,6 +78,7 @@ class FlightModel : public ShotModel {
   Shot plain_;
   SightFrame sight_;
   std::vector<UncertainNumber> numbers_;
+  ThingsOfTargets things_;
   Vec3d acceleration_{};  // of the shot without uncertainty, where it ends [m/s^2]
   bool as_columns_ = true;
   bool moves_profile_ = false;  // an uncertain wind is added to a profile
@@ -140,7 +151,7 @@ ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>
 }
 
 ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
-                                    ModelScratch& scratch, const BlockEnds& ends) const {
+                                    InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const {
   if (scratch.shots.size() < count) scratch.shots.resize(count, plain_);
   Weather weather;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -153,7 +164,9 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
   }
   BatchResult& batch = scratch.batch;
   const auto shots = std::span(scratch.shots).first(count);
-  if (moves_profile_)
+  if (study_.scene)
+    fly_among_things(columns, weather, shots, inputs, scratch);
+  else if (moves_profile_)
     fly_in_own_winds(columns, weather, shots, scratch);
   else
     fly_batch(shots, study_.environment, study_.fidelity, study_.tolerance, study_.until, batch, nullptr, weather);
@@ -169,27 +182,67 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
   return told;
 }
 
-/// Each shot alone, in a profile of wind of its own: what is drawn moves all of its points by one velocity.
+/// The environment that a shot flies in alone. What is drawn moves all points of a profile of wind by one velocity.
+Environment FlightModel::environment_of(std::size_t shot, const std::vector<std::span<const double>>& columns,
+                                        const Weather& weather) const {
+  const Vec3d& there = study_.environment.wind.velocity;
+  Environment own = weather.empty() ? study_.environment : weather.at(shot, study_.environment);
+  if (!moves_profile_) return own;
+  Vec3d moved{};
+  for (std::size_t k = 0; k < numbers_.size(); ++k) {
+    const auto column = numbers_[k].row->weather;
+    if (column == &Weather::wind_x) moved.x = columns[k][shot] - there.x;
+    if (column == &Weather::wind_y) moved.y = columns[k][shot] - there.y;
+    if (column == &Weather::wind_z) moved.z = columns[k][shot] - there.z;
+  }
+  for (WindPoint& point : own.wind.profile) point.velocity += moved;
+  return own;
+}
+
+/// Each shot alone, in a profile of wind of its own.
 void FlightModel::fly_in_own_winds(const std::vector<std::span<const double>>& columns, const Weather& weather,
                                    std::span<const Shot> shots, ModelScratch& scratch) const {
-  const Vec3d& there = study_.environment.wind.velocity;
   BatchResult all, one;
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    Environment own = weather.empty() ? study_.environment : weather.at(i, study_.environment);
-    Vec3d moved{};
-    for (std::size_t k = 0; k < numbers_.size(); ++k) {
-      const auto column = numbers_[k].row->weather;
-      if (column == &Weather::wind_x) moved.x = columns[k][i] - there.x;
-      if (column == &Weather::wind_y) moved.y = columns[k][i] - there.y;
-      if (column == &Weather::wind_z) moved.z = columns[k][i] - there.z;
-    }
-    for (WindPoint& point : own.wind.profile) point.velocity += moved;
+    const Environment own = environment_of(i, columns, weather);
     fly_batch(shots.subspan(i, 1), own, study_.fidelity, study_.tolerance, study_.until, one);
     PHYSIM_ASSERT(one.shots.size() == 1);
     all.shots.push_back(one.shots[0]);
     if (one.error && !all.error) all.error = one.error;
   }
   scratch.batch = std::move(all);
+}
+
+/// Each shot by itself through the scene, as fly() does. What its contacts leave to chance follows from what it drew.
+void FlightModel::fly_among_things(const std::vector<std::span<const double>>& columns, const Weather& weather,
+                                   std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const {
+  BatchResult all;
+  all.shots.resize(shots.size());
+  Until until = study_.until;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    Hash chance(study_.until.contact.seed);
+    for (const auto& column : inputs) chance.add(column[i]);
+    until.contact.seed = chance.value();
+    const Flight flight = fly(shots[i].projectile, shots[i].launch, environment_of(i, columns, weather),
+                              study_.fidelity, study_.tolerance, until);
+    ShotResult& shot = all.shots[i];
+    shot.outcome = flight.outcome();
+    if (flight.error() && !all.error) all.error = flight.error();
+    if (flight.error()) continue;
+    const Sample end = flight.end();
+    shot.time = end.time, shot.position = end.position, shot.velocity = end.velocity;
+    mark_things(flight, i, shots.size(), scratch);
+  }
+  scratch.batch = std::move(all);
+}
+
+void FlightModel::mark_things(const Flight& flight, std::size_t shot, std::size_t shots, ModelScratch& scratch) const {
+  PHYSIM_ASSERT(scratch.thing_hits.size() == things_.size() * shots);
+  for (const Event& event : flight.events()) {
+    if (event.kind != EventKind::hit && event.kind != EventKind::sensed) continue;
+    for (std::size_t target = 0; target < things_.size(); ++target)
+      if (std::ranges::binary_search(things_[target], event.instance)) scratch.thing_hits[target * shots + shot] = 1;
+  }
 }
 
 void FlightModel::move_to_plane(const BlockEnds& ends) const {
@@ -243,6 +296,7 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
   const std::size_t count = quantities[0].size();
   scratch.numbers.resize(count * (8 + numbers_.size()));
   scratch.outcomes.resize(std::max(scratch.outcomes.size(), count));
+  scratch.thing_hits.assign(things_.size() * count, 0);
   std::size_t taken = 0;
   const auto room = [&] { return std::span(scratch.numbers).subspan(count * taken++, count); };
   const BlockEnds ends{
@@ -250,8 +304,8 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
   const std::span<double> speeds = room();
   std::vector<std::span<const double>> columns;
   for (const UncertainNumber& number : numbers_) columns.push_back(column_of(number, inputs, room()));
-  ModelTold told =
-      as_columns_ ? fly_columns_of(columns, count, speeds, scratch, ends) : fly_shots_of(columns, count, scratch, ends);
+  ModelTold told = as_columns_ ? fly_columns_of(columns, count, speeds, scratch, ends)
+                               : fly_shots_of(columns, count, inputs, scratch, ends);
   if (study_.until.range) move_to_plane(ends);
   for (std::size_t q = 0; q < quantities.size(); ++q) put(study_.quantities[q], ends, quantities[q]);
   for (std::size_t i = 0; i < count; ++i) {

@@ -24,12 +24,19 @@ void add_index_sums(const StudyPlanRecord& plan, std::size_t group, std::span<co
   }
 }
 
-std::vector<IndexResult> indices_of(const StudyPlanRecord& plan, const ShardSums& sums) {
+std::vector<IndexResult> indices_of(const StudyPlanRecord& plan, const ShardSums& sums,
+                                    const std::vector<QuantityResult>& figures) {
   std::vector<IndexResult> results;
-  const std::size_t quantities = plan.study.quantities.size();
+  const std::size_t quantities = figures.size();
+  PHYSIM_ASSERT(quantities == plan.study.quantities.size());
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t group = 0; group < plan.groups.size(); ++group) {
     IndexResult result{.inputs = plan.groups[group].inputs};
     for (std::size_t q = 0; q < quantities; ++q) {
+      if (!figures[q].varies()) {
+        result.first.push_back({kNone, kNone}), result.total.push_back({kNone, kNone});
+        continue;
+      }
       const auto index = [&](std::vector<double> IndexSums::*sum, double factor) {
         return over_replicates(sums, [&](const Replicate& part) {
           const IndexSums& s = part.indices;

@@ -17,6 +17,8 @@ namespace physim {
 /// Adds the shots of a block for one group of inputs: columns of each quantity of A, B and AB.
 void add_index_sums(const StudyPlanRecord& plan, std::size_t group, std::span<const std::span<double>> a,
                     std::span<const std::span<double>> b, std::span<const std::span<double>> ab, IndexSums& sums);
-[[nodiscard]] std::vector<IndexResult> indices_of(const StudyPlanRecord& plan, const ShardSums& sums);
+/// NaN for quantities that do not vary.
+[[nodiscard]] std::vector<IndexResult> indices_of(const StudyPlanRecord& plan, const ShardSums& sums,
+                                                  const std::vector<QuantityResult>& quantities);
 
 }  // namespace physim

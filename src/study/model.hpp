@@ -17,6 +17,8 @@ struct ModelScratch {
   std::vector<Outcome> outcomes;
   std::vector<Shot> shots;
   BatchResult batch;
+  std::vector<std::uint8_t> thing_hits;  // of each target of the study, each shot: whether it met that thing; of models
+                                         // that know things alone
 };
 
 /// What a model tells beside its columns.

@@ -23,7 +23,7 @@ std::string shards_text(std::uint64_t first, std::uint64_t count) {
 /// A node as it is saved.
 struct SavedNode {
   std::uint64_t first = 0, count = 0;
-  ShardSums sums;
+  CommonSums sums;
 };
 struct SavedPart {
   std::string what;
@@ -55,7 +55,7 @@ bool fits(const IndexSums& sums, const IndexSums& first) {
   const auto sized = [](const auto& a, const auto& b) { return a.empty() || b.empty() || a.size() == b.size(); };
   return sized(sums.counts, first.counts) && sized(sums.first, first.first) && sized(sums.total, first.total);
 }
-bool fits(const ShardSums& sums, const ShardSums& first) {
+bool fits(const CommonSums& sums, const CommonSums& first) {
   const auto sized = [](const auto& a, const auto& b) { return a.empty() || b.empty() || a.size() == b.size(); };
   bool sound = sums.replicates.size() == kReplicates && sums.cells.size() == first.cells.size() &&
                sums.spreads.size() == first.spreads.size() && sized(sums.hits, first.hits) &&
@@ -69,6 +69,26 @@ bool fits(const ShardSums& sums, const ShardSums& first) {
   }
   return sound && fits(sums.moments, sums.cells.size()) && fits(sums.from_aim, first.from_aim) &&
          fits(sums.from_centre, first.from_centre) && fits(sums.in_space, first.in_space);
+}
+
+bool fits(const std::vector<PartSums>& sums, const std::vector<PartSums>& first) {
+  const auto sized = [](const auto& a, const auto& b) { return a.empty() || b.empty() || a.size() == b.size(); };
+  bool sound = sums.size() == first.size() && sums.size() == kReplicates;
+  const PartSums* some = nullptr;  // a replicate that has shots
+  for (const auto* list : {&first, &sums})
+    for (const PartSums& part : *list) {
+      if (!some && !part.shots.empty()) some = &part;
+      sound = sound && (!some || (sized(part.shots, some->shots) && sized(part.hits, some->hits)));
+    }
+  return sound;
+}
+
+/// What parts have of hits over inputs, of each node; nothing where they are not asked for.
+using OverInputs = std::vector<std::vector<PartSums>>;
+bool fits(const OverInputs& over_inputs, std::size_t nodes) {
+  return over_inputs.empty() || (over_inputs.size() == nodes && std::ranges::all_of(over_inputs, [&](const auto& of) {
+                                   return fits(of, over_inputs[0]);
+                                 }));
 }
 
 }  // namespace
@@ -165,10 +185,17 @@ Result<StudyPart> merge(const StudyPart& a, const StudyPart& b) {
 
 std::vector<std::byte> save_part(const StudyPart& part) {
   SavedPart saved{kWhat, kStudyFormat, part.record().hash, {}};
-  for (const auto& [first, node] : part.record().nodes) saved.nodes.push_back({first, node.count, *node.sums});
+  OverInputs over_inputs;
+  for (const auto& [first, node] : part.record().nodes) {
+    saved.nodes.push_back({first, node.count, *node.sums});
+    if (!node.sums->over_inputs.empty()) over_inputs.push_back(node.sums->over_inputs);
+  }
+  PHYSIM_ASSERT(over_inputs.empty() || over_inputs.size() == saved.nodes.size());
+  if (!over_inputs.empty()) saved.format = kStudyFormatOverInputs;
   std::vector<std::byte> bytes;
   Writer writer(bytes);
   writer.write(saved);
+  if (!over_inputs.empty()) writer.write(over_inputs);
   const std::uint64_t sum = hash_of(bytes);
   writer.write(sum);
   PHYSIM_ASSERT(writer.good());
@@ -181,23 +208,30 @@ Result<StudyPart> load_part(std::span<const std::byte> bytes) {
   Reader reader(bytes);
   reader(saved.what, saved.format);
   if (!reader.good() || saved.what != kWhat) return not_a_part("they begin otherwise");
-  if (saved.format != kStudyFormat)
-    return Error{
-        "the part has format " + std::to_string(saved.format) + ", this version " + std::to_string(kStudyFormat),
-        "part", "join it with the version that flew it"};
-  reader(saved.hash, saved.nodes, sum);
+  if (saved.format != kStudyFormat && saved.format != kStudyFormatOverInputs)
+    return Error{"the part has format " + std::to_string(saved.format) + ", this version " +
+                     std::to_string(kStudyFormatOverInputs),
+                 "part", "join it with the version that flew it"};
+  OverInputs over_inputs;
+  reader(saved.hash, saved.nodes);
+  if (saved.format == kStudyFormatOverInputs) reader(over_inputs);
+  reader(sum);
   if (!reader.complete()) return not_a_part("they end too early, or too late");
   const auto content = bytes.first(bytes.size() - sizeof(sum));
   if (sum != hash_of(std::vector<std::byte>(content.begin(), content.end()))) return not_a_part("they are damaged");
   auto part = std::make_shared<StudyPartRecord>();
   part->hash = saved.hash;
   std::uint64_t end = 0;
-  for (const SavedNode& node : saved.nodes) {
+  if (!fits(over_inputs, saved.nodes.size())) return not_a_part("its shards do not fit together");
+  for (std::size_t i = 0; i < saved.nodes.size(); ++i) {
+    const SavedNode& node = saved.nodes[i];
     if (!std::has_single_bit(node.count) || node.first % node.count != 0 || node.first < end ||
         node.count > ~std::uint64_t{0} - node.first || !fits(node.sums, saved.nodes[0].sums))
       return not_a_part("its shards do not fit together");
     end = node.first + node.count;
-    part->add(node.first, {node.count, std::make_shared<const ShardSums>(node.sums)});
+    ShardSums sums{node.sums, {}};
+    if (!over_inputs.empty()) sums.over_inputs = over_inputs[i];
+    part->add(node.first, {node.count, std::make_shared<const ShardSums>(std::move(sums))});
   }
   return StudyPart(std::move(part));
 }

@@ -6,10 +6,12 @@
 #include "base/archive.hpp"
 #include "base/ieee_mode.hpp"
 #include "base/text.hpp"
+#include "physim/scene.hpp"
 #include "study/archive.hpp"
 #include "study/check_study.hpp"
 #include "study/estimates.hpp"
 #include "study/moments.hpp"
+#include "study/over_inputs.hpp"
 #include "study/paths.hpp"
 
 namespace physim {
@@ -20,15 +22,31 @@ constexpr std::size_t kPilotShots = 1024;
 
 void fill_quantities(Study& study) {
   if (!study.quantities.empty()) return;
-  const StudyQuantity second = study.until.range ? StudyQuantity::up : StudyQuantity::along;
+  const StudyQuantity second = study.until.range || study.scene ? StudyQuantity::up : StudyQuantity::along;
   study.quantities = {StudyQuantity::right, second, StudyQuantity::time, StudyQuantity::speed};
+  if (study.scene) study.quantities.insert(study.quantities.begin() + 2, StudyQuantity::along);
 }
 
-/// What belongs to the results of shards: not how many there are.
+void add_member(Hasher& hasher, const std::shared_ptr<const Scene>& scene) {
+  if (scene) hasher.add(scene->hash());
+}
+void add_member(Hasher& hasher, const std::optional<std::uint32_t>& over_inputs) {
+  if (over_inputs) hasher.add(*over_inputs);
+}
+template <class T>
+void add_member(Hasher& hasher, const T& member) {
+  hasher.add(member);
+}
+
+/// What belongs to the results of shards: not how many there are. What is not asked for is left out where hashes were
+/// without it before: parts that were flown then are gone on with.
 std::uint64_t hash_of_study(Study study) {
   study.shots = 0;
   study.until_width.reset();
-  return hash_of(kStudyFormat, study);
+  Hasher hasher;
+  hasher.add(kStudyFormat);
+  with_members(study, [&](const auto&... members) { (add_member(hasher, members), ...); });
+  return hasher.value();
 }
 
 /// Inputs that reach into what cannot be.
@@ -45,8 +63,8 @@ void note_the_impossible(StudyPlanRecord& plan) {
 
 std::uint64_t shards_of(const StudyPlanRecord& plan, std::uint64_t shots) {
   const std::uint64_t shards = (shots + plan.study.shard_shots - 1) / plan.study.shard_shots;
-  if (plan.is_plain() && !plan.study.indices) return shards;
-  return (shards + kReplicates - 1) / kReplicates * kReplicates;
+  const std::uint64_t at_once = plan.shards_at_once();
+  return (shards + at_once - 1) / at_once * at_once;
 }
 
 /// Where shots arrive, roughly: cells and distances are counted about that.
@@ -92,7 +110,9 @@ Status fly_pilot(StudyPlanRecord& plan) {
   }
   if (arrived < 2)
     return Error{"of " + std::to_string(kPilotShots) + " shots " + std::to_string(arrived) + " arrived", "until",
-                 "a range that the shot reaches, or more time"};
+                 plan.study.scene && plan.study.until.range
+                     ? "leave the range out: shots end at the things that they meet before it"
+                     : "a range that the shot reaches, or more time"};
   std::vector<std::span<const double>> columns;
   for (const auto& column : out) columns.push_back(column.first(arrived));
   put_grids(plan, moments_of(columns));
@@ -104,6 +124,7 @@ Result<StudyPlan> finish(StudyPlanRecord&& plan) {
   if (!groups) return groups.error();
   plan.groups = std::move(*groups);
   for (const StudyInput& input : plan.study.inputs) plan.quantiles.emplace_back(input.distribution);
+  put_edges(plan);
   note_the_impossible(plan);
   plan.hash = hash_of_study(plan.study);
   plan.shards = shards_of(plan, plan.study.shots);
@@ -112,6 +133,8 @@ Result<StudyPlan> finish(StudyPlanRecord&& plan) {
 }
 
 }  // namespace
+
+std::uint64_t StudyPlanRecord::shards_at_once() const { return is_plain() && !study.indices ? 1 : kReplicates; }
 
 const Study& StudyPlan::study() const { return record_->study; }
 std::uint64_t StudyPlan::shards() const { return record_->shards; }

@@ -28,17 +28,20 @@ struct StudyPlanRecord {
   std::vector<Quantiles> quantiles;  // of each input
   std::vector<InputGroup> groups;
   std::shared_ptr<const ShotModel> model;
-  std::vector<CellGrid> grids;        // of each quantity
-  PlanePoint centre;                  // mean point of impact of the pilot
-  double radius_scale = 1;            // of distances on the plane [m]
-  std::vector<std::size_t> in_space;  // indices of x, y and z; empty: not all are asked for
-  double space_scale = 1;             // of distances in space [m]
+  std::vector<CellGrid> grids;             // of each quantity
+  PlanePoint centre;                       // mean point of impact of the pilot
+  double radius_scale = 1;                 // of distances on the plane [m]
+  std::vector<std::size_t> in_space;       // indices of x, y and z; empty: not all are asked for
+  double space_scale = 1;                  // of distances in space [m]
+  std::vector<std::vector<double>> edges;  // of each input, between the parts of Study::over_inputs
   std::vector<std::string> notes;
   std::uint64_t shards = 0;
 
   [[nodiscard]] bool has_plane() const { return study.quantities.size() >= 2; }
   /// Random shots that know nothing of each other.
   [[nodiscard]] bool is_plain() const { return study.sampling == Sampling::random && study.rounds == 1; }
+  /// A study ends at a multiple of so many shards: at one of them, or where each replicate has as many.
+  [[nodiscard]] std::uint64_t shards_at_once() const;
 };
 
 /// Draws the inputs of a shard. Dimensions of the sampler from `first_dimension` on: another set of shots.

@@ -26,9 +26,9 @@ class ShardThreads {
   ShardThreads(const StudyPlan& plan, const StudyOptions& options, StudyPartRecord& part)
       : plan_(plan), options_(options), part_(part) {}
 
-  /// Flies what is missing of the shards before `end`, from `first` on; false where it was stopped.
-  bool fly(std::uint64_t first, std::uint64_t end, TaskRunner* runner) {
-    end_ = end;
+  /// Flies what is missing of the shards before `end`, from `first` on.
+  Flown fly(std::uint64_t first, std::uint64_t end, TaskRunner* runner) {
+    to_fly_.emplace(plan_.record(), end, options_.time_is_up);
     next_ = first;
     const std::size_t threads = runner ? runner->threads() : 1;
     if (threads <= 1)
@@ -36,7 +36,7 @@ class ShardThreads {
     else
       runner->run(
           threads, [](void* self, std::size_t) { static_cast<ShardThreads*>(self)->work(); }, this);
-    return !stopped_;
+    return to_fly_->flown(stopped_);
   }
 
  private:
@@ -48,11 +48,12 @@ class ShardThreads {
   bool take(std::uint64_t& shard) {
     const std::lock_guard lock(mutex_);
     shard = next_ = part_.missing_from(next_);
-    return !stopped_ && next_++ < end_;
+    if (!stopped_ && next_ < to_fly_->end()) to_fly_->look_at_time(next_);
+    return !stopped_ && next_++ < to_fly_->end();
   }
   void keep(std::uint64_t shard, std::shared_ptr<const ShardSums> sums) {
     const std::lock_guard lock(mutex_);
-    PHYSIM_ASSERT(shard < end_);
+    PHYSIM_ASSERT(shard < to_fly_->end());
     part_.add(shard, {1, std::move(sums)});
     if (!stopped_ && options_.after_shard && !options_.after_shard(copy_of(part_))) stopped_ = true;
   }
@@ -61,7 +62,8 @@ class ShardThreads {
   const StudyOptions& options_;
   std::mutex mutex_;
   StudyPartRecord& part_;
-  std::uint64_t end_ = 0, next_ = 0;
+  std::optional<ShardsToFly> to_fly_;
+  std::uint64_t next_ = 0;
   bool stopped_ = false;
 };
 
@@ -82,6 +84,19 @@ Status check_same(const StudyPlanRecord& plan, const StudyPart& so_far) {
 
 }  // namespace
 
+void ShardsToFly::look_at_time(std::uint64_t next) {
+  PHYSIM_ASSERT(next < end_);
+  if (is_up_ || !time_is_up_ || !time_is_up_()) return;
+  is_up_ = true;
+  const std::uint64_t rounds = std::max<std::uint64_t>((next + at_once_ - 1) / at_once_, 1);
+  end_ = std::min(end_, rounds * at_once_);
+}
+
+Flown ShardsToFly::flown(bool stopped) const {
+  if (stopped) return Flown::stopped;
+  return end_ < asked_ ? Flown::until_time : Flown::all;
+}
+
 Result<StudyPart> run_shards(const StudyPlan& plan, std::uint64_t first, std::uint64_t count, TaskRunner* runner,
                              const StudyOptions& options) {
   const IeeeMode mode;
@@ -99,9 +114,11 @@ Result<StudyResult> run_study_on(const StudyPlan& plan, const StudyPart& so_far,
   if (Status status = check_same(record, so_far); !status) return status.error();
   StudyPartRecord part = begun(plan, so_far);
   const bool judged = record.study.until_width.has_value();
+  Flown flown = Flown::all;
   for (std::uint64_t count = 0; count < record.shards;) {
     count = judged ? std::min(next_judged(count), record.shards) : record.shards;
-    if (!engine(part, count)) break;
+    flown = engine(part, count);
+    if (flown != Flown::all) break;
     if (!judged) continue;
     // Where more was flown before, fewer shards are not to be told apart in it: they were judged then.
     const auto sums = part.first_shards(count);
@@ -110,7 +127,12 @@ Result<StudyResult> run_study_on(const StudyPlan& plan, const StudyPart& so_far,
     result.width_reached = true;
     return result;
   }
-  return result_of(plan, copy_of(part), std::min(part.missing_from(0), record.shards));
+  std::uint64_t whole = std::min(part.missing_from(0), record.shards);
+  if (flown != Flown::until_time) return result_of(plan, copy_of(part), whole);
+  whole -= whole % record.shards_at_once();  // more may have been flown before, and not joined beyond that
+  auto result = result_of(plan, copy_of(part), whole);
+  if (result) result->time_was_up = true;
+  return result;
 }
 
 Result<StudyResult> run_study(const StudyPlan& plan, TaskRunner* runner, const StudyOptions& options) {

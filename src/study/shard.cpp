@@ -6,6 +6,7 @@
 #include "study/cells.hpp"
 #include "study/estimates.hpp"
 #include "study/indices.hpp"
+#include "study/over_inputs.hpp"
 #include "study/targets.hpp"
 #include "study/zone.hpp"
 
@@ -54,20 +55,40 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
   const std::span<const double> first[] = {arrived_.columns[0]};
   sums.stages = {{sums.shots, sums.hits, plan_.has_plane() ? sums.from_aim.moments : moments_of(first)}};
   Replicate& own = sums.replicates[shard % kReplicates];
+  if (study.over_inputs) {
+    sums.over_inputs.resize(kReplicates);
+    sums.over_inputs[shard % kReplicates] = part_sums_of(plan_, inputs_.columns, hits_);
+  }
   own.shots = sums.shots, own.moments = sums.moments, own.hits = sums.hits;
   if (study.indices) add_indices(shard, own.indices);
   return sums;
 }
 
-/// Looks for those that arrived, and adds them up.
-void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
+/// Who arrived, and which targets each shot hit. Things may be hit on the way by shots that do not arrive.
+void ShardFlyer::mark_hits() {
   const auto& columns = quantities_.columns;
+  const std::size_t all = columns[0].size();
   shots_.clear();
-  for (std::uint32_t i = 0; i < sums.shots; ++i) {
+  for (std::uint32_t i = 0; i < all; ++i) {
     bool arrived = true;
     for (const auto& column : columns) arrived = arrived && is_finite(column[i]);
     if (arrived) shots_.push_back(i);
   }
+  const std::vector<StudyTarget>& targets = plan_.study.targets;
+  hits_ = scratch_.thing_hits;
+  if (hits_.empty()) hits_.assign(targets.size() * all, 0);
+  PHYSIM_ASSERT(hits_.size() == targets.size() * all);
+  for (std::size_t target = 0; target < targets.size(); ++target) {
+    if (std::holds_alternative<ThingTarget>(targets[target].shape)) continue;
+    for (const std::uint32_t i : shots_)
+      hits_[target * all + i] = lies_on(targets[target], columns[0][i], columns[1][i]) ? 1 : 0;
+  }
+}
+
+/// Adds up those that arrived.
+void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
+  const auto& columns = quantities_.columns;
+  mark_hits();
   PHYSIM_ASSERT(shots_.size() + sums.refused <= sums.shots);
   sums.not_arrived = sums.shots - sums.refused - shots_.size();
   arrived_.set_size(columns.size(), shots_.size());
@@ -118,7 +139,9 @@ void ShardFlyer::add_plane(std::uint64_t shard, ShardSums& sums) {
     keep_worst(sums.worst);
   }
   sums.reach = reach_of(right, up);
-  for (const StudyTarget& target : study.targets) sums.hits.push_back(hits_of(target, right, up));
+  const auto all = static_cast<std::ptrdiff_t>(sums.shots);
+  for (auto hit = hits_.begin(); hit != hits_.end(); hit += all)
+    sums.hits.push_back(static_cast<std::uint64_t>(std::count(hit, hit + all, std::uint8_t{1})));
 }
 
 /// Groups of shots that follow each other within an occasion; those of which a shot did not arrive are left out.
@@ -167,9 +190,12 @@ StudyShots ShardFlyer::shots_of(std::uint64_t shard) {
   inputs_.set_size(study.inputs.size(), study.shard_shots);
   draw(plan_, {study.sampling, study.seed}, shard, 0, inputs_.columns);
   evaluate(inputs_, quantities_);
+  mark_hits();
   StudyShots shots;
   for (const auto& column : inputs_.columns) shots.inputs.emplace_back(column.begin(), column.end());
   for (const auto& column : quantities_.columns) shots.quantities.emplace_back(column.begin(), column.end());
+  const auto all = static_cast<std::ptrdiff_t>(study.shard_shots);
+  for (auto hit = hits_.begin(); hit != hits_.end(); hit += all) shots.hits.emplace_back(hit, hit + all);
   return shots;
 }
 

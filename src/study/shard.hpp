@@ -27,6 +27,7 @@ class ShardFlyer {
   ModelTold evaluate(const Block& inputs, Block& quantities);
   void add_arrived(std::uint64_t shard, ShardSums& sums);
   void add_plane(std::uint64_t shard, ShardSums& sums);
+  void mark_hits();
   void add_spreads(ShardSums& sums);
   void add_indices(std::uint64_t shard, IndexSums& sums);
   void add_distances(DistanceSums& sums) const;
@@ -37,6 +38,7 @@ class ShardFlyer {
   Block arrived_;                     // quantities of those that arrived ...
   std::vector<std::uint32_t> shots_;  // ... and which these are
   std::vector<double> distances_;
+  std::vector<std::uint8_t> hits_;                                           // of each target, each shot
   Block other_inputs_, other_quantities_, mixed_inputs_, mixed_quantities_;  // of Sobol indices
 };
 

@@ -100,6 +100,11 @@ void join(ShardSums& all, const ShardSums& later) {
   keep_worst(all.worst);
   for (std::size_t i = 0; i < all.replicates.size(); ++i) join_replicate(all.replicates[i], later.replicates[i]);
   join_stages(all.stages, later.stages);
+  PHYSIM_ASSERT(all.over_inputs.size() == later.over_inputs.size());
+  for (std::size_t i = 0; i < all.over_inputs.size(); ++i) {
+    add_each(all.over_inputs[i].shots, later.over_inputs[i].shots);
+    add_each(all.over_inputs[i].hits, later.over_inputs[i].hits);
+  }
 }
 
 }  // namespace physim

@@ -52,7 +52,14 @@ struct FirstRefusal {
   std::string message, place, hint;
 };
 
-struct ShardSums {
+/// Shots and hits by the part of an input's distribution that the shot's number lies in; see study/over_inputs.hpp.
+struct PartSums {
+  std::vector<std::uint64_t> shots;  // of each input, each part
+  std::vector<std::uint64_t> hits;   // ... each target
+};
+
+/// What every part of a study holds.
+struct CommonSums {
   std::uint64_t shots = 0;
   std::uint64_t refused = 0;
   std::uint64_t not_arrived = 0;
@@ -67,6 +74,10 @@ struct ShardSums {
   std::vector<double> reach;          // farthest in each direction of the zone; none: no shot arrived
   std::vector<Replicate> replicates;  // kReplicates of them
   std::vector<StageSums> stages;      // the last of them is of all shots
+};
+
+struct ShardSums : CommonSums {
+  std::vector<PartSums> over_inputs;  // of each replicate; empty: not asked for
 };
 
 /// Takes in the shards that follow.

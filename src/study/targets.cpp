@@ -1,6 +1,9 @@
 #include "study/targets.hpp"
 
+#include <algorithm>
+
 #include "base/checker.hpp"
+#include "physim/scene.hpp"
 
 namespace physim {
 namespace {
@@ -26,6 +29,35 @@ bool covers(const PolygonTarget& p, double right, double up) {
   return inside;
 }
 
+/// A thing is met, not covered: it has no place on the plane.
+bool covers(const ThingTarget&, double, double) { return false; }
+
+struct NamedThing {
+  InstanceId id;
+  std::string name;
+};
+
+/// All that stands within the farthest place that a scene is asked about; by rising ids.
+std::vector<NamedThing> all_things(const Scene& scene) {
+  constexpr double kFarthest = 1e15;  // [m]
+  std::vector<NamedThing> things;
+  for (const InstanceId id : scene.overlaps({}, kFarthest)) things.push_back({id, scene.instance(id)->name});
+  std::ranges::sort(things, {}, &NamedThing::id);
+  return things;
+}
+
+/// A hint: the names there are, each once and not too many of them.
+std::string list_of_names(const std::vector<NamedThing>& things) {
+  constexpr std::size_t kMost = 12;
+  std::vector<std::string> names;
+  for (const NamedThing& thing : things)
+    if (!thing.name.empty() && std::ranges::count(names, thing.name) == 0 && names.size() <= kMost)
+      names.push_back(thing.name);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) text += (i == 0 ? "they are " : ", ") + names[i];
+  return text + (names.size() > kMost ? " ..." : "");
+}
+
 void check_point(Checker& c, const PlanePoint& point, const std::string& place) {
   c.is_number(point.right, place + ".right").is_number(point.up, place + ".up");
 }
@@ -40,23 +72,46 @@ Status check(const StudyTarget& target, const std::string& place) {
   } else if (const auto* rectangle = std::get_if<RectangleTarget>(&target.shape)) {
     check_point(c, rectangle->centre, place + ".centre");
     c.positive(rectangle->width, place + ".width").positive(rectangle->height, place + ".height");
-  } else {
-    const auto& corners = std::get<PolygonTarget>(target.shape).corners;
-    c.require(corners.size() >= 3, place + ".corners", "must be three or more");
-    for (const PlanePoint& corner : corners) check_point(c, corner, place + ".corners");
+  } else if (const auto* polygon = std::get_if<PolygonTarget>(&target.shape)) {
+    c.require(polygon->corners.size() >= 3, place + ".corners", "must be three or more");
+    for (const PlanePoint& corner : polygon->corners) check_point(c, corner, place + ".corners");
   }
   return c.status();
 }
 
-std::uint64_t hits_of(const StudyTarget& target, std::span<const double> right, std::span<const double> up) {
-  PHYSIM_ASSERT(right.size() == up.size());
-  return std::visit(
-      [&](const auto& shape) {
-        std::uint64_t hits = 0;
-        for (std::size_t i = 0; i < right.size(); ++i) hits += covers(shape, right[i], up[i]) ? 1 : 0;
-        return hits;
-      },
-      target.shape);
+bool lies_on(const StudyTarget& target, double right, double up) {
+  return std::visit([&](const auto& shape) { return covers(shape, right, up); }, target.shape);
+}
+
+ThingsOfTargets things_of(const Study& study) {
+  PHYSIM_ASSERT(study.scene != nullptr);
+  ThingsOfTargets things(study.targets.size());
+  const auto all = all_things(*study.scene);
+  for (std::size_t i = 0; i < study.targets.size(); ++i)
+    if (const auto* target = std::get_if<ThingTarget>(&study.targets[i].shape))
+      for (const auto& [id, name] : all)
+        if (name == target->thing) things[i].push_back(id);
+  return things;
+}
+
+Status check_things(const Study& study, bool of_flights) {
+  Checker c;
+  c.require(!study.until.scene, "until.scene", "is lent for a flight, and a study keeps its own", "give study.scene");
+  c.require(of_flights || !study.scene, "scene", "is met by flights, and not by a function");
+  if (study.scene)
+    c.require(!study.scene->engine(), "scene", "has an engine that answers one call at a time, and studies ask at once",
+              "let the things stand in the scene itself");
+  const auto all = study.scene && of_flights ? all_things(*study.scene) : std::vector<NamedThing>();
+  for (std::size_t i = 0; i < study.targets.size() && c.status_so_far(); ++i) {
+    const auto* target = std::get_if<ThingTarget>(&study.targets[i].shape);
+    if (!target) continue;
+    const std::string place = "targets[" + std::to_string(i) + "].thing";
+    c.require(study.scene != nullptr, place, "is named, and there is no scene that it could stand in");
+    const bool there = std::ranges::any_of(all, [&](const NamedThing& each) { return each.name == target->thing; });
+    c.require(!study.scene || there, place, "no thing of the scene is called \"" + target->thing + "\"",
+              list_of_names(all));
+  }
+  return c.status();
 }
 
 }  // namespace physim

@@ -6,14 +6,21 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
+#include "physim/ids.hpp"
 #include "physim/study.hpp"
 
 namespace physim {
 
 [[nodiscard]] Status check(const StudyTarget& target, const std::string& place);
-/// How many impacts lie on it.
-[[nodiscard]] std::uint64_t hits_of(const StudyTarget& target, std::span<const double> right,
-                                    std::span<const double> up);
+/// Whether an impact lies on it; a thing is no part of the plane.
+[[nodiscard]] bool lies_on(const StudyTarget& target, double right, double up);
+
+/// The things of the scene that each target names, in order; none for a part of the plane.
+using ThingsOfTargets = std::vector<std::vector<InstanceId>>;
+[[nodiscard]] ThingsOfTargets things_of(const Study& study);
+/// Whether a study can have its scene and targets.
+[[nodiscard]] Status check_things(const Study& study, bool of_flights);
 
 }  // namespace physim

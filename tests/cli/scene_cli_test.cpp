@@ -53,10 +53,33 @@ TEST(CliScene, OthersSayThatTheyLeaveThingsAside) {
   const Ran far = physim({"max-range", kMortar});
   EXPECT_EQ(far.code, 0);
   EXPECT_TRUE(has(far.err, "left aside")) << far.err;
-  const Ran study = physim({"study", kMortar, "--range", "400 m", "--vary", "shot.speed = +- 3 m/s"});
-  EXPECT_EQ(study.code, 2);
-  EXPECT_TRUE(has(study.err, "many shots at once meet nothing")) << study.err;
   EXPECT_EQ(physim({"table", PHYSIM_SOURCE_DIR "/scenarios/bullet_through_plank.toml"}).err, "") << "of worlds, all is";
+}
+
+/// The low shot strikes the hill; from some elevation on it goes over the top. Elevations lie evenly within 18 and 40
+/// degrees.
+TEST(CliScene, StudiesTellHowLikelyEachThingIsHit) {
+  const std::vector<std::string> command = {"study",   kMortar, "--vary",    "shot.elevation = 18 deg .. 40 deg",
+                                            "--shots", "4096",  "--set",     "study.sampling=sobol",
+                                            "--json",  "-",     "--threads", "2"};
+  const auto json = json_of(physim(command));
+  double hill = -1, wall = -1;
+  for (const auto& figure : json["figures"]) {
+    if (figure["name"] == "hit.hill") hill = figure["value"];
+    if (figure["name"] == "hit.wall") wall = figure["value"];
+  }
+  // Over the top: 560 tan(e) - g 560^2 / (2 v^2 cos(e)^2) >= 150, a quadratic equation of tan(e).
+  const double a = 9.80665 * 560 * 560 / (2 * 120 * 120), root = std::sqrt(560.0 * 560 - 4 * a * (a + 150));
+  const double over = std::atan((560 - root) / (2 * a)) / kDegree;
+  EXPECT_NEAR(hill, (over - 18) / 22, 2e-3);
+  EXPECT_EQ(wall, 0);
+  const Ran text = physim({"study", kMortar, "--vary", "shot.elevation = 18 deg .. 40 deg", "--shots", "4096",
+                           "--over-inputs", "4", "--target", "low: thing hill"});
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_TRUE(has(text.out, "hits over an input") && has(text.out, "shot.elevation")) << text.out;
+  const Ran unknown = physim({"study", kMortar, "--vary", "shot.speed = +- 3 m/s", "--target", "thing hil"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_TRUE(has(unknown.err, "\"hil\"") && has(unknown.err, "hill, wall")) << unknown.err;
 }
 
 TEST(CliScene, AimTellsBlockedWaysAndByWhat) {

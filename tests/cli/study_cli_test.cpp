@@ -87,6 +87,58 @@ TEST(StudyCli, over_range_and_until_a_width) {
   EXPECT_TRUE(has(width.out, "65536 shots in 16 shards")) << width.out;
 }
 
+/// The ball lands within 1.8 m of 90 m where its speed is within 0.3 m/s of 30 m/s: a deviation.
+TEST(StudyCli, over_inputs) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(40000));
+  const Ran ran = physim({"study", file, "--over-inputs", "4", "--json", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  ASSERT_EQ(json["over_inputs"].size(), 1U);
+  EXPECT_EQ(json["over_inputs"][0]["path"], "shot.speed");
+  const auto& parts = json["over_inputs"][0]["parts"];
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_TRUE(parts[0]["low"].is_null());
+  EXPECT_NEAR(parts[0]["high"].get<double>(), -0.67449 * 0.3, 1e-4);
+  const double outer = (0.6827 - 0.5) / 2 / 0.25;
+  EXPECT_NEAR(parts[1]["hits"][0]["probability"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(parts[3]["hits"][0]["probability"].get<double>(), outer, 0.02);
+  const Ran text = physim({"study", file, "--set", "study.over_inputs=4"});
+  EXPECT_TRUE(has(text.out, "hits over an input") && has(text.out, "shot.speed +=")) << text.out;
+}
+
+/// However long it flew, so many shots have the same bits; what was kept is gone on with.
+TEST(StudyCli, until_a_time) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(30000)), csv = folder / "time.csv",
+                    kept = folder / "kept", again = folder / "again.csv";
+  for (const char* sampling : {"random", "sobol"}) {
+    const std::string set = std::string("study.sampling=") + sampling;
+    const Ran ran = physim({"study", file, "--set", set, "--until-time", "0.2 s", "--csv", csv, "--resume", kept});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const std::size_t at = ran.out.find("--shots ");
+    ASSERT_NE(at, std::string::npos) << ran.out;
+    const std::string shots = std::to_string(std::stoull(ran.out.substr(at + 8)));
+    const Ran fixed = physim({"study", file, "--set", set, "--shots", shots, "--csv", again});
+    ASSERT_EQ(fixed.code, 0) << fixed.err;
+    EXPECT_EQ(read(again), read(csv)) << sampling;
+    const Ran on = physim({"study", file, "--set", set, "--set", "study.until_time=0.2 s", "--resume", kept});
+    EXPECT_TRUE(has(on.out, "the time was up")) << on.out;
+    EXPECT_GT(std::stoull(on.out.substr(on.out.find("--shots ") + 8)), std::stoull(shots)) << "it goes on";
+    ASSERT_EQ(std::remove(kept.c_str()), 0);
+  }
+  const Ran enough = physim({"study", file, "--until-time", "1 h", "--shots", "4096"});
+  EXPECT_TRUE(has(enough.out, "4096 shots") && !has(enough.out, "time was up")) << enough.out;
+}
+
+TEST(StudyCli, indices_of_what_does_not_vary_are_none) {
+  const Folder folder;
+  const Ran ran = physim({"study", folder.write("throw.toml", throw_study(4096)), "--set", "study.indices=true"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out, "right  no variance")) << ran.out;
+  EXPECT_FALSE(has(ran.out, "nan")) << ran.out;
+}
+
 TEST(StudyCli, bad_input_says_what_is_wrong) {
   const Folder folder;
   const std::string file = folder.write("throw.toml", throw_study(30000));
@@ -106,6 +158,14 @@ TEST(StudyCli, bad_input_says_what_is_wrong) {
   EXPECT_TRUE(has(refusal({"--merge", folder / "nothing"}), "cannot be read"));
   EXPECT_TRUE(has(refusal({"--ranges", "20 m", "--resume", folder / "x"}), "--ranges"));
   EXPECT_TRUE(has(refusal({"--until-width", "1 kg"}), "--until-width"));
+  EXPECT_TRUE(has(refusal({"--until-time", "1 kg"}), "--until-time"));
+  EXPECT_TRUE(has(refusal({"--until-time", "-1 s"}), "above 0"));
+  EXPECT_TRUE(has(refusal({"--over-inputs", "1"}), "2 to 100"));
+  EXPECT_TRUE(has(refusal({"--over-inputs", "1000"}), "2 to 100"));
+  EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--set", "study.targets=[]"}), "no target"));
+  EXPECT_TRUE(has(refusal({"--over-inputs", "4", "--ranges", "20 m"}), "leave --ranges out"));
+  EXPECT_TRUE(has(refusal({"--set", "study.until_time=0 s"}), "study.until_time"));
+  EXPECT_TRUE(has(refusal({"--until-time", "1 s", "--shards", "1/2", "--resume", folder / "x"}), "--shards"));
   EXPECT_TRUE(has(refusal({"--resume", folder / "no/folder"}), "folder"));
 }
 

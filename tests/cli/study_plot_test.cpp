@@ -44,6 +44,17 @@ TEST(StudyPlot, shows_hits_over_range) {
     EXPECT_TRUE(has(read(picture), text)) << text;
 }
 
+TEST(StudyPlot, shows_hits_over_inputs) {
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not there";
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", kThrow), picture = folder / "a.svg";
+  const Ran ran = physim({"study", file, "--over-inputs", "10", "--plot", picture});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (const char* text :
+       {"A throw: ball", "shot.speed += [m/s]", "shot.azimuth += [rad]", "near", "equally likely parts"})
+    EXPECT_TRUE(has(read(picture), text)) << text;
+}
+
 TEST(StudyPlot, a_missing_gnuplot_is_named_with_its_package) {
   const Folder folder;
   const std::string file = folder.write("throw.toml", kThrow);

@@ -81,6 +81,18 @@ TEST(StudyRanks, stop_at_a_width_where_threads_do) {
   EXPECT_EQ(ranks.out, threads.out);
 }
 
+TEST(StudyRanks, end_when_their_time_is_up) {
+  const Folder folder;
+  const std::string file = folder.write("rifle.toml", kRifle), csv = folder / "a.csv", again = folder / "b.csv";
+  const Ran ran = job(3, {"study", file, "--until-time", "1 s", "--csv", csv});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::size_t at = ran.out.find("--shots ");
+  ASSERT_NE(at, std::string::npos) << ran.out;
+  const std::string shots = std::to_string(std::stoull(ran.out.substr(at + 8)));
+  ASSERT_EQ(physim({"study", file, "--shots", shots, "--csv", again}).code, 0);
+  EXPECT_EQ(read(again), read(csv));
+}
+
 TEST(StudyRanks, say_what_is_wrong) {
   const Folder folder;
   const std::string file = folder.write("rifle.toml", kRifle);
