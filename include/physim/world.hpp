@@ -194,7 +194,7 @@ class World {
   [[nodiscard]] std::vector<JointId> joints() const;          ///< of all there are, by index
   [[nodiscard]] const Joint* joint(JointId joint) const;      ///< with its length; null: it is gone
   [[nodiscard]] JointState joint_state(JointId joint) const;  ///< zeros: it is gone
-  /// What became of joints in the last step, and by calls since. In advance(): in the last of its steps.
+  /// What became of joints in the last step() or advance(), and by calls since, as events() of projectiles.
   [[nodiscard]] std::vector<JointEvent> joint_events() const;
   [[nodiscard]] JointCounts joint_counts() const;
 

@@ -316,11 +316,11 @@ class Loading {
   Status joints() {
     std::vector<HeldJoint> all(1);
     for (const SavedJoint& each : saved_.joints) {
-      all.push_back(
-          {.generation = each.generation, .active = each.active, .def = each.def, .tension = 0, .is_taut = false});
+      all.push_back({each.generation, each.active, each.def, each.tension, each.is_taut});
       if (!each.active) continue;
       if (Status status = check(each.def); !status) return status;
-      const bool holds = each.def.length && world_->find(each.def.a) && (!each.def.b || world_->find(each.def.b));
+      const bool holds = each.def.length && std::isfinite(each.tension) && world_->find(each.def.a) &&
+                         (!each.def.b || world_->find(each.def.b));
       if (!holds) return makes_no_sense("its joints");
     }
     const bool fits = state().joints.restore(std::move(all), saved_.free_joints);
@@ -413,7 +413,7 @@ SavedWorld saved_world(const WorldImpl& world) {
   saved.emitters = saved_emitters(state.emitters);
   for (std::uint32_t i = 1; i < state.joints.size(); ++i) {
     const HeldJoint& joint = state.joints[i];
-    saved.joints.push_back({joint.generation, joint.active, joint.def});
+    saved.joints.push_back({joint.generation, joint.active, joint.def, joint.tension, joint.is_taut});
   }
   saved.free_joints = state.joints.free();
   return saved;

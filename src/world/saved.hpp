@@ -82,6 +82,8 @@ struct SavedJoint {
   std::uint32_t generation = 0;
   bool active = false;
   Joint def;
+  double tension = 0;  // [N]
+  bool is_taut = false;
 };
 
 struct SavedWorld {

@@ -50,6 +50,14 @@ bool put_burn(const Conditions<double>& c, double after, Body<double>& body) {
   return true;
 }
 
+/// Axes are frozen or free, and a plane of fire has a normal of length one.
+bool constrains(const Conditions<double>& c, const Body<double>& body) {
+  const auto is_switch = [](double x) { return x == 0 || x == 1; };
+  const Vec3d& free = body.free;
+  if (c.has_frozen && !(is_switch(free.x) && is_switch(free.y) && is_switch(free.z))) return false;
+  return !c.fidelity.planar || std::abs(length_squared(body.plane) - 1) < 1e-5;
+}
+
 }  // namespace
 
 std::vector<double> Placement::saved_numbers(std::uint32_t index) const {
@@ -88,6 +96,7 @@ bool Placement::put_saved(std::uint32_t index, const std::vector<double>& number
   for (const std::uint8_t field : layout.fields)
     if (!kOfKind[field]) good = !std::isnan(physim::numbers(body)[field] = next()) && good;
   if (has_burn(layout)) good = put_burn(c, next(), body) && good;
+  good = good && constrains(c, body);
   state_.rows_of(slot).write_fields(slot.row, body);
   if (layout.turning) rows.put_rotor(slot.row, *rung.rotor);
   rows.forget_clear(slot.row);

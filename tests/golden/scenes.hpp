@@ -1,4 +1,4 @@
-// Scenes, studies and emitters in the golden hash.
+// Scenes, studies, emitters and joints in the golden hash.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,7 @@ bool add_studies(std::uint64_t& hash);
 
 /// Random emitters of every row; false where kernels or threads change a bit.
 bool add_emitters(std::uint64_t& hash);
+/// Random nets of joints; false where kernels or threads change a bit.
+bool add_joints(std::uint64_t& hash);
 
 }  // namespace physim::test

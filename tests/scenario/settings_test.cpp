@@ -82,8 +82,10 @@ std::string emitter_for(const std::string& path) {
   return path == "emitter" ? "" : "[[emitter]]\nshot = \"shot-1\"\n" + inside;
 }
 
+std::string joint_for(const std::string& path) { return path == "joint" ? "" : "[[joint]]\na = \"other\"\n"; }
+
 bool is_of_worlds(const std::string& path) {
-  for (const char* table : {"world", "volley", "force", "emitter", "material", "shape", "thing", "shot.body"})
+  for (const char* table : {"world", "volley", "force", "emitter", "joint", "material", "shape", "thing", "shot.body"})
     if (path == table || path.starts_with(std::string(table) + ".")) return true;
   return false;
 }
@@ -103,9 +105,10 @@ std::string law_of(const std::string& path) {
 
 Result<Scenario> with_override(const std::string& path, const std::string& value) {
   const std::vector<std::string> overrides = {path + "=" + value};
-  return parse_scenario(
-      is_of_worlds(path) ? kOneOfEachInAWorld + emitter_for(path) + scene_for(path) + law_of(path) : kOneOfEach,
-      "f.toml", overrides);
+  return parse_scenario(is_of_worlds(path)
+                            ? kOneOfEachInAWorld + emitter_for(path) + joint_for(path) + scene_for(path) + law_of(path)
+                            : kOneOfEach,
+                        "f.toml", overrides);
 }
 
 TEST(Settings, AreDescribed) {

@@ -36,9 +36,11 @@ class RandomSession {
 
   bool meet_others = true;  // some of its projectiles
   bool emitters = true;     // there are some
+  bool joints = false;      // likewise
 
   /// One call of any kind; most are sensible.
   void act() {
+    if (joints && below(20) == 0) return joint();
     const int what = below(emitters ? 51 : 48);
     if (what < 10) return spawn();
     if (what < 14) return time();
@@ -175,6 +177,18 @@ class RandomSession {
         return things_.push_back(or_null(world_.add_instance(
             {.shape = shapes_.back(), .transform = {.position = vector(20)}, .sensor = below(4) == 0})));
     }
+  }
+  void joint() {
+    const std::vector<JointId> there = world_.joints();
+    if (!there.empty() && below(4) == 0)
+      return void(world_.remove_joint(there[static_cast<std::size_t>(below(static_cast<int>(there.size())))]));
+    Joint joint{.kind = static_cast<JointKind>(below(3)), .a = some(), .b = coin() ? some() : ProjectileId{}};
+    joint.point = vector(10);
+    if (coin()) joint.length = real(-0.1, 20);
+    if (joint.kind == JointKind::cable) joint.restitution = real(0, 1);
+    joint.stiffness = real(0, 500);
+    joint.damping = real(-0.1, 5);
+    or_null(world_.add_joint(joint));
   }
   EmitterId one_emitter() {
     return emitters_.empty() ? EmitterId{}
