@@ -150,11 +150,25 @@ TEST(FlightHits, OfASceneThatCannotBeMadeAreRefused) {
   EXPECT_EQ(flight.error()->message, "no shape is named \"another\"");
 }
 
-TEST(FlightHits, AreNotOfStudies) {
-  const Scenario scenario = read_scenario(kSlope + kNoGround);
+/// Studies fly through the things of a scenario as fly_shot() does, and named things are targets; in a world they do
+/// not.
+TEST(FlightHits, AreToldOfStudies) {
+  Scenario scenario = read_scenario(kSlope + kNoGround);
+  scenario.study.inputs = {"shot.position.y = 4.9 m .. 5.1 m"};
   const auto study = study_of(scenario, scenario.shots[0]);
-  ASSERT_FALSE(study);
-  EXPECT_EQ(study.error().place, "thing");
+  ASSERT_TRUE(study) << study.error().text();
+  ASSERT_TRUE(study->scene != nullptr);
+  EXPECT_EQ(study->until.contact, contact_of(scenario.shots[0]));
+  ASSERT_EQ(study->targets.size(), 1U);
+  EXPECT_EQ(study->targets[0], (StudyTarget{"slope", ThingTarget{"slope"}}));
+  EXPECT_EQ(*parse_study_target("thing slope"), study->targets[0]);
+  EXPECT_EQ(parse_study_target("hill: thing slope")->name, "hill");
+  scenario.things[0].shape = "another";
+  const auto unmade = study_of(scenario, scenario.shots[0]);
+  ASSERT_FALSE(unmade);
+  EXPECT_EQ(unmade.error().message, "no shape is named \"another\"");
+  const Scenario world = read_scenario(kSlope + "[world]\n");
+  EXPECT_TRUE(study_of(world, world.shots[0])->scene == nullptr);
 }
 
 // ----------------------------------------------------------------------------------------------------- read and
