@@ -22,10 +22,10 @@ std::map<std::uint64_t, Vec3d> smoke_at(int frames_per_second) {
   fire.per_second = {80};
   fire.from = {.shape = EmitShape::cone, .radius = 30_cm, .angle = 10_deg};
   fire.start = {.lifetime = {4, 6}, .speed = {1, 3}};
-  fire.flight.drag = {4, {}, {{0, 0.5}, {1, 1}}};        // 2 a second at birth, 4 at the end
-  fire.flight.gravity = {-0.6};                          // warm air lifts it
-  fire.flight.velocity_x = {1.5, {}, {{0, 0}, {1, 1}}};  // and wind takes it along
-  fire.flight.noise = {6};                               // swirls push it to and fro [m/s^2]
+  fire.flight.drag = {4, {}, {{0, 0.5}, {1, 1}}};      // 2 a second at birth, 4 at the end
+  fire.flight.gravity = {-0.6};                        // warm air lifts it
+  fire.flight.force_x = {5e-6, {}, {{0, 0}, {1, 1}}};  // and wind takes it along [N]
+  fire.flight.noise = {6};                             // swirls push it to and fro [m/s^2]
   fire.flight.noise_size = 1.6_m;
   fire.flight.noise_octaves = 3;
   const EmitterId smoke = world.add_emitter(fire).value();
