@@ -44,7 +44,7 @@ struct CohortInfo {
   Fidelity fidelity{};      ///< granted [-]
   std::uint32_t count = 0;  ///< projectiles [-]
   bool moving = true;       ///< false: asleep, kinematic, pending [-]
-  bool forced = false;      ///< generators act on it [-]
+  bool forced = false;      ///< generators act on it, or its emitter [-]
 };
 
 /// Events of calls between two steps that a world keeps: so many, or twice as many as it has projectiles.

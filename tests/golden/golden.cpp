@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x1d4ef4299df7053c, 0x752b3273ef42da61, 0x3ea2bf48c75b9059, 0xbca63f7e0474a052,
+constexpr Sums kExpectedSums = {0x1d4ef4299df7053c, 0x752b3273ef42da61, 0x3ea2bf48c75b9059, 0x91cc6a42004f5926,
                                 0xf57e81789b9a7b1f};
 
 void print(std::FILE* file, const Sums& sums) {

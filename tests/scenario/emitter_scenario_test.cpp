@@ -338,14 +338,14 @@ INSTANTIATE_TEST_SUITE_P(
             "f.toml:6:25: error: emitter.life.colour_by_speed: this is no key; expected colours [[part of the span, "
             "\"#rrggbb\"], ...]"},
         Bad{"flight.drag = -1",
-            "f.toml:6:15: error: emitter.flight.drag: -1 is out of range; must be >= 0 Hz; a bare number is in Hz"},
+            "f.toml:6:15: error: emitter.flight.drag: -1 is out of range; must be >= 0 1/s; a bare number is in 1/s"},
         Bad{"flight.noise_octaves = 9",
             "f.toml:6:24: error: emitter.flight.noise_octaves: 9 is out of range; must be 1 .. 8"},
         Bad{"flight.drag_by_speed = [[0, 1]]",
-            "f.toml:6:1: error: emitter.flight.drag_by_speed: does nothing without `fast`; give the speed at which it "
+            "f.toml:6:24: error: emitter.flight.drag_by_speed: does nothing without `fast`; give the speed at which it "
             "ends"},
         Bad{"flight.noise_siz = 1",
-            "f.toml:6:1: error: emitter.flight: unknown key \"noise_siz\"; did you mean \"noise_size\"?"},
+            "f.toml:6:8: error: unknown key \"noise_siz\" in [flight]; did you mean \"noise_size\"?"},
         Bad{"from = \"con\"", "f.toml:6:8: error: emitter.from.shape: unknown value \"con\"; did you mean \"cone\"?"},
         Bad{"seed = 1.5",
             "f.toml:6:8: error: emitter.seed: 1.5 is not a whole number; expected a whole number such as 1000"},
