@@ -32,6 +32,8 @@ endfunction()
 physim_add_random_check(soak physim_soak tests/soak/soak.cpp 1e6 2000)  # a crowded world in which everything changes
 physim_add_random_check(fuzz physim_fuzz tests/fuzz/aim_fuzz.cpp 500)  # questions to aim()
 physim_add_random_check(world_fuzz physim_world_fuzz tests/fuzz/world_fuzz.cpp 100)  # calls of the whole interface
+file(GLOB hits_sources CONFIGURE_DEPENDS tests/hits/*.cpp)
+physim_add_random_check(hits physim_hits "${hits_sources}" 2000)  # casts, impacts, and what hits set off
 physim_add_random_check(sweep physim_fidelity_sweep tests/fuzz/fidelity_sweep.cpp 60)  # answers of auto fidelity
 
 # A user's program says the same whether it is compiled and linked with fast mathematics or not; and a project that is,
@@ -70,7 +72,7 @@ if(TARGET physim_scenario)
 endif()
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS tests/*.cpp)
-list(FILTER test_sources EXCLUDE REGEX "/tests/(additions|install|fast_math|fuzz|golden|soak|client|window)/")
+list(FILTER test_sources EXCLUDE REGEX "/tests/(additions|install|fast_math|fuzz|golden|hits|soak|client|window)/")
 if(test_sources)
   find_package(GTest QUIET)
 endif()

@@ -61,6 +61,8 @@ Status check_path(const KeyedMotion& m) {
   return {};
 }
 
+}  // namespace
+
 Path::Piece resting(const MotionKey& key, double start) {
   Path::Piece piece;
   piece.start = start;
@@ -71,6 +73,7 @@ Path::Piece resting(const MotionKey& key, double start) {
 }
 
 Path::Piece between(const MotionKey& a, const MotionKey& b, MotionCurve curve) {
+  PHYSIM_ASSERT(a.time < b.time);
   Path::Piece piece = resting(a, a.time);
   const double h = b.time - a.time;
   const Vec3d mean = (b.position - a.position) * (1 / h);
@@ -83,8 +86,6 @@ Path::Piece between(const MotionKey& a, const MotionKey& b, MotionCurve curve) {
   set_turn(piece, piece.q0, normalized(b.rotation), h);
   return piece;
 }
-
-}  // namespace
 
 Result<Path> Path::make(const SceneMotion& motion, const Transform& at) {
   PHYSIM_ASSERT(at.scale > 0 && !std::holds_alternative<AtRest>(motion));

@@ -55,16 +55,17 @@ template <class Path>
   return 1.25 * (most + change);
 }
 
-/// The first meeting of a path with a scene, up to `end`. `path(theta)` gives places in W [m].
+/// The first meeting of a path with a scene, up to `end`. `path(theta)` gives places in W, off by up to `rounding` [m].
 template <class Path>
 [[nodiscard]] std::optional<PathHit> first_meeting(const Scene& scene, const SceneFilter& filter, double radius,
-                                                   const Path& path, const PathTime& time, double end = 1) {
-  PHYSIM_ASSERT(end >= 0 && end <= 1 && radius >= 0);
+                                                   const Path& path, const PathTime& time, double end = 1,
+                                                   double rounding = 0) {
+  PHYSIM_ASSERT(end >= 0 && end <= 1 && radius >= 0 && rounding >= 0);
   constexpr int kMostCasts = 1000;
   const double bend = bend_of(path);
   Vec3d from = path(0.0);
   // Places have sixteen digits; a tenth of a nanometre is nothing, and half of a skin.
-  const double fine = std::max({1e-10, 4e-16 * length(from), 0.5 * scene.skin()});
+  const double fine = std::max({1e-10, 4e-16 * length(from), 0.5 * scene.skin(), rounding});
   // Engines need not tell what a sphere touches where it starts: theirs are no larger than what flies.
   const bool asks_engine = scene.skin() > 0;
   const double widest = asks_engine && bend > 0 ? std::max(std::sqrt(8 * fine / bend), 1.0 / kMostCasts) : 1;
@@ -75,7 +76,8 @@ template <class Path>
     const Vec3d there = path(to);
     const double delta = 0.125 * bend * width * width;
     const bool is_fine = asks_engine || delta <= fine || cast >= kMostCasts;
-    const SceneHit hit = scene.first_hit(time.chord(from, there, is_fine ? radius : radius + delta, at, to), filter);
+    const double wide = is_fine ? radius : radius + delta + rounding;
+    const SceneHit hit = scene.first_hit(time.chord(from, there, wide, at, to), filter);
     if (!hit) {
       at = to;
       from = there;

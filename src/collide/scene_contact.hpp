@@ -124,19 +124,29 @@ class SceneContacts {
     const auto path = [&](double theta) {
       return seen(theta == 0 ? at.n0.y : theta == 1 ? at.n1.y : at(theta), at.time(theta));
     };
-    return meeting(path, end, at.n0.t + clock, at.n1.t - at.n0.t);
+    return meeting(path, end, at.n0.t + clock, at.n1.t - at.n0.t, rounding_of(course, at));
   }
   /// Where a path first meets something, up to `end`; what it passes on the way is told. `path(theta)` gives states,
   /// `start` and `span` when they are, by the step's time [s].
   template <class Path>
-  [[nodiscard]] std::optional<collide::PathHit> meeting(const Path& path, double end, double start, double span) {
+  [[nodiscard]] std::optional<collide::PathHit> meeting(const Path& path, double end, double start, double span,
+                                                        double rounding = 0) {
     const auto place = [&](double theta) { return path(theta).x; };
     const collide::PathTime time{r_.scene_time() + start, span};
     std::optional<collide::PathHit> met;
     if (collision().on_hit != OnHit::pass)
-      met = collide::first_meeting(*scene_, solids_, collision().radius, place, time, end);
+      met = collide::first_meeting(*scene_, solids_, collision().radius, place, time, end, rounding);
     tell_passages(path, met ? met->theta : end, start, span);
     return met;
+  }
+
+  /// How far places within a step may be off: closed forms give them in their own numbers, from the launch on; all else
+  /// is looked at in double [m].
+  [[nodiscard]] static double rounding_of(const Course<S>& course, const DenseLanes<S>& at) {
+    if (sizeof(S) == sizeof(double) || course.conditions->fidelity.motion != Motion::closed_form) return 0;
+    const double step_of_time = std::abs(at.n1.t) * static_cast<double>(std::numeric_limits<S>::epsilon());
+    return 2 * std::max(spacing_at<S>(at.n0.y.x), spacing_at<S>(at.n1.y.x)) +
+           std::max(length(at.n0.y.v), length(at.n1.y.v)) * step_of_time;
   }
 
   /// What follows from meeting something, `passed` into the step.

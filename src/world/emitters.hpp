@@ -74,7 +74,7 @@ struct Emitter {
 
 class Emitters {
  public:
-  /// Whether there is any, or a particle of one.
+  /// Whether there never was any: one that was removed keeps its place while its particles live.
   [[nodiscard]] bool empty() const { return all_.size() == 1; }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(all_.size()); }
   [[nodiscard]] Emitter& operator[](std::uint32_t index) {

@@ -49,12 +49,6 @@ equals = 100
 within = 100
 )";
 
-std::string hash_of(const Ran& ran) {
-  const std::size_t at = ran.out.find("hash ");
-  EXPECT_NE(at, std::string::npos) << ran.out << ran.err;
-  return at == std::string::npos ? "" : ran.out.substr(at + 5, 16);
-}
-
 TEST(CliEmitter, PrintsATable) {
   const Folder folder;
   const Ran ran = physim({"run", folder.write("e.toml", kEmitters)});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -101,6 +102,13 @@ inline Ran run_program(const std::string& program, const std::vector<std::string
 /// Runs the built `physim`.
 inline Ran physim(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) {
   return run_program(PHYSIM_CLI, arguments, "", environment);
+}
+
+/// The hash that `physim run` prints of a world; of no length where it prints none.
+inline std::string hash_of(const Ran& ran) {
+  const std::size_t at = ran.out.find("hash ");
+  EXPECT_NE(at, std::string::npos) << ran.out << ran.err;
+  return at == std::string::npos ? "" : ran.out.substr(at + 5, 16);
 }
 #endif
 

@@ -39,12 +39,6 @@ equals = 300
 within = 0
 )";
 
-std::string hash_of(const Ran& ran) {
-  const std::size_t at = ran.out.find("hash ");
-  EXPECT_NE(at, std::string::npos) << ran.out << ran.err;
-  return at == std::string::npos ? "" : ran.out.substr(at + 5, 16);
-}
-
 void expect_complaint(const Ran& ran, const std::string& part) {
   EXPECT_EQ(ran.code, 2) << ran.err;
   EXPECT_EQ(ran.out, "");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "physim/scene.hpp"
@@ -115,6 +116,27 @@ inline Met first_zero(const std::function<Real(Real)>& gap, Real length) {
   const Real step = 1e-7L;
   const Real slope = (gap(outside) - gap(std::max(Real(0), outside - step))) / (step * length);
   return {true, inside, least, slope};
+}
+
+/// The largest coordinate of a segment's ends [m].
+inline double largest(const SceneSegment& s) {
+  double most = s.radius;
+  for (const Vec3d& v : {s.from, s.to}) most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return most;
+}
+
+/// In what a hit is unlike the reference: by hit or miss, and by place, beyond 1e-12 of the largest coordinate. Empty:
+/// in nothing.
+inline std::string unlike(const SceneHit& hit, const SceneSegment& s, const Met& met,
+                          const std::function<Real(Real)>& gap) {
+  const double bound = 1e-12 * (1 + largest(s));
+  if (static_cast<bool>(hit) != met.hit) return std::fabs(met.least) < bound ? "" : met.hit ? "missed" : "hit nothing";
+  if (!met.hit) return "";
+  if (!(std::fabs(hit.starts_inside ? 0 : gap(hit.part)) < bound)) return "not at the surface";
+  if (std::fabs(met.least) < bound) return "";  // grazes: it may touch anywhere along the graze
+  const double slope = std::max(1e-9, std::fabs(static_cast<double>(met.slope)));
+  const double off = std::fabs(static_cast<double>(met.part) - hit.part) * length(s.to - s.from);
+  return off < bound / slope + 1e-9 * bound ? "" : "off by " + std::to_string(off) + " m";
 }
 
 }  // namespace physim::test

@@ -6,6 +6,7 @@
 #include "collide/scene_support.hpp"
 #include "math/vec3.hpp"
 #include "physim/scene.hpp"
+#include "support.hpp"
 
 namespace physim {
 namespace {

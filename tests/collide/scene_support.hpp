@@ -5,7 +5,6 @@
 
 #include "physim/scene.hpp"
 #include "random_shots.hpp"
-#include "support.hpp"
 
 namespace physim::test {
 

@@ -15,28 +15,6 @@ namespace {
 
 using namespace test;
 
-double largest(const SceneSegment& s) {
-  double most = s.radius;
-  for (const Vec3d& v : {s.from, s.to}) most = std::max({most, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  return most;
-}
-
-/// Compares a hit with the reference: by hit or miss, and by place.
-void expect_as_reference(const SceneHit& hit, const SceneSegment& s, const Met& met,
-                         const std::function<Real(Real)>& gap, const std::string& what) {
-  const double bound = 1e-12 * (1 + largest(s));
-  if (static_cast<bool>(hit) != met.hit) {
-    EXPECT_LT(std::fabs(met.least), bound) << what << (met.hit ? ": missed" : ": hit nothing");
-    return;
-  }
-  if (!met.hit) return;
-  const double way = length(s.to - s.from);
-  EXPECT_LT(std::fabs(hit.starts_inside ? 0 : gap(hit.part)), bound) << what << ": not at the surface";
-  const double slope = std::max(1e-9, std::fabs(static_cast<double>(met.slope)));
-  if (std::fabs(met.least) < bound) return;  // grazes: it may touch anywhere along the graze
-  EXPECT_LT(std::fabs(static_cast<double>(met.part) - hit.part) * way, bound / slope + 1e-9 * bound) << what;
-}
-
 template <class Shape>
 void expect_casts_of(const Shape& shape, const std::string& what, int casts) {
   Random r(17);
@@ -55,7 +33,7 @@ void expect_casts_of(const Shape& shape, const std::string& what, int casts) {
       const auto gap = [&](Real t) { return distance(from + along * t) * Real(at.scale) - Real(s.radius); };
       const Met met = first_zero(gap, norm(along) * Real(at.scale));
       const SceneHit hit = scene.first_hit(s);
-      expect_as_reference(hit, s, met, gap, what + " at " + std::to_string(far) + ", cast " + std::to_string(i));
+      EXPECT_EQ(unlike(hit, s, met, gap), "") << what << " at " << far << ", cast " << i;
       EXPECT_EQ(scene.any_hit(s), static_cast<bool>(hit)) << what;
       if (!hit) continue;
       EXPECT_EQ(hit.instance, *thing);
@@ -119,7 +97,7 @@ TEST(Scene, spheres_meet_meshes_and_fields_where_the_nearest_triangle_says) {
       const Met met = of_triangles(all, point(s.from), point(s.to - s.from), s.radius, who);
       if (met.hit && met.part == 0) continue;
       const auto gap = [&](Real t) { return who(point(s.from) + point(s.to - s.from) * t) - Real(s.radius); };
-      expect_as_reference(scene.first_hit(s), s, met, gap, what + ", cast " + std::to_string(i));
+      EXPECT_EQ(unlike(scene.first_hit(s), s, met, gap), "") << what << ", cast " << i;
     }
   };
   expect(mesh, mesh, "mesh");
