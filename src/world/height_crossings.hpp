@@ -1,5 +1,5 @@
 // Where a step of a row crosses heights over a flat Earth, found by heights alone: the same search on the same numbers
-// as solve/watch.hpp, without the five of six numbers of a state that it does not read.
+// as solve/watch.hpp, without those of a state that it does not read.
 #pragma once
 
 #include "solve/judge.hpp"
