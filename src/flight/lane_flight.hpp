@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
+#include "flight/known_step.hpp"
 #include "flight/meeting_lane.hpp"
 #include "flight/path_keeper.hpp"
 #include "flight/step_parts.hpp"
@@ -55,10 +56,12 @@ class LaneFlight {
     parts_ = {until, false};
     parts_.make_last();
     march_.launch();
+    path_.reserve();
     path_.keep_start(0);
     begin_contacts({.scene_time = obstacles_.contact.scene_time, .length = until, .ends = until});
     while (!ended_) {
       step();
+      if (!met_) continue;  // it goes on only from a contact
       if (const auto from = next()) relaunch(*from);
     }
     count_work();
@@ -91,15 +94,23 @@ class LaneFlight {
   }
 
  private:
+  static constexpr bool kMayBeKnown = std::is_same_v<S, double>;  // its rung
+
   [[nodiscard]] Lanes<S>& lane() { return march_.lanes; }
   [[nodiscard]] const Fidelity& fidelity() const { return course_.conditions->fidelity; }
 
   /// One step, or a try at it.
   void step() {
-    const bool accepted = march_.try_step();
+    const bool accepted = try_step();
     const bool special = needs_attention(course_, lane(), accepted).special;
     const bool sound = accepted && ends_finite(fidelity(), lane().step);
-    if (sound) dense_lanes(course_, lane(), j_.at);
+    if constexpr (kMayBeKnown) {
+      if (known_ && !special && !*contacts_) {  // most steps: they are kept, and that is all
+        if (sound) path_.keep_known_step(known_);
+        return march_.accept(accepted);
+      }
+    }
+    if (sound) dense_lanes(course_, lane(), j_->at);
     judge(accepted, special, sound);
     if (ended_ || met_) {
       if (sound) lane().count += S(1);
@@ -109,28 +120,35 @@ class LaneFlight {
     if (sound && has_stops(*course_.conditions)) path_.keep_jump();
   }
 
+  [[nodiscard]] bool try_step() {
+    if constexpr (kMayBeKnown) {
+      if (known_) return march_.try_step_by(true, known_.take);
+    }
+    return march_.try_step();
+  }
+
   /// What the step tried means; its dense output is there where it is sound.
   void judge(bool accepted, bool special, bool sound) {
     Verdict verdict{false, Outcome::step_limit, 1};
-    j_.crossings[0].count = 0;
+    j_->crossings[0].count = 0;
     if (special) {
-      find_crossings<S>(course_, sound, j_);
-      verdict = verdict_on(course_, lane(), step_marks(course_, lane()), 0, accepted, j_.crossings[0]);
+      find_crossings<S>(course_, sound, *j_);
+      verdict = verdict_on(course_, lane(), step_marks(course_, lane()), 0, accepted, j_->crossings[0]);
     }
-    if (sound) path_.keep_step(j_.at);
+    if (sound) path_.keep_step(j_->at);
     const auto met = sound && *contacts_ ? meeting() : std::nullopt;
     bool ends = false;  // where something is crossed, before it meets anything
-    for (int i = 0; i < j_.crossings[0].count; ++i) {
-      const Found& found = j_.crossings[0].found[i];
+    for (int i = 0; i < j_->crossings[0].count; ++i) {
+      const Found& found = j_->crossings[0].found[i];
       if (met && met->theta < found.theta) return strike(*met);
-      const double time = j_.at.time(found.theta);
+      const double time = j_->at.time(found.theta);
       PHYSIM_ASSERT(record_.events.empty() || record_.events.back().time <= path_.since_start(time));
       ends = course_.watch.item[found.index].spec.terminal;
-      keep_crossing(course_.watch.item[found.index], found.rising, path_.since_start(time), j_.at.at_time(time));
+      keep_crossing(course_.watch.item[found.index], found.rising, path_.since_start(time), j_->at.at_time(time));
     }
     if (met && !ends) return strike(*met);
     if (verdict.ended)
-      end(verdict.outcome, sound ? path_.since_start(j_.at.time(verdict.theta)) : record_.path.nodes.back().t);
+      end(verdict.outcome, sound ? path_.since_start(j_->at.time(verdict.theta)) : record_.path.nodes.back().t);
   }
 
   void keep_crossing(const Watched& watched, bool rising, double time, const State<double>& flown) {
@@ -273,8 +291,8 @@ class LaneFlight {
   void judge_pushed() {
     const bool sound = ends_finite(fidelity(), lane().step);
     if (sound) {
-      dense_lanes(course_, lane(), j_.at);
-      drop_higher_terms(j_.at);
+      dense_lanes(course_, lane(), j_->at);
+      drop_higher_terms(j_->at);
     }
     lane().tries = S(1);
     judge(true, true, sound);
@@ -292,7 +310,7 @@ class LaneFlight {
 
   [[nodiscard]] std::optional<collide::PathHit> meeting() {
     const auto seen = [this](const State<double>& s, double clock) { return drifted(s, clock); };
-    return contacts_->meeting(course_, j_, into_step_, seen);
+    return contacts_->meeting(course_, *j_, into_step_, seen);
   }
   [[nodiscard]] State<double> drifted(const State<double>& s, double clock) const {
     return record_.legs.empty() ? with_drift(s, record_.drift, record_.sight.right, path_.since_start(clock)) : s;
@@ -301,11 +319,11 @@ class LaneFlight {
   /// Met something inside a step.
   void strike(const collide::PathHit& met) {
     met_ = true;
-    const double clock = j_.at.time(met.theta);
+    const double clock = j_->at.time(met.theta);
     const double passed = std::min(clock + into_step_, parts_.end());
-    State<double> s = drifted(j_.at.at_time(clock), clock);
+    State<double> s = drifted(j_->at.at_time(clock), clock);
     s.x = met.hit.position;
-    if (turns(fidelity())) cast_numbers(j_.at.turn_at_time(clock), lane().step.turn->start);
+    if (turns(fidelity())) cast_numbers(j_->at.turn_at_time(clock), lane().step.turn->start);
     if (record_.legs.empty()) record_.legs.push_back({.clock = record_.clock}), record_.bodies.push_back(record_.body);
     put(s, passed);
     feel_push(passed);
@@ -438,8 +456,9 @@ class LaneFlight {
   MeetingLane<S> host_;
   PathKeeper<S> path_;
   std::optional<SceneContacts<MeetingLane<S>>> contacts_;
-  FrameStart frames_;  // dt 0: none, from a launch
-  Judgement<S> j_{};
+  FrameStart frames_;      // dt 0: none, from a launch
+  Unset<Judgement<S>> j_;  // of the last step that was looked at
+  KnownStep known_ = known_step(*course_.conditions_double);
   bool ended_ = false;
   bool met_ = false;            // something, in the step at hand
   bool is_relaunched_ = false;  // a closed form, in this frame

@@ -61,7 +61,8 @@ class MeetingLane {
     if (!put_spin_of_lane(conditions(), march_.lanes, clock_, passed, spin)) shown_ = spin;
   }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double passed) const {
-    return acceleration_of_lane(conditions(), march_.lanes, static_cast<double>(clock_) + passed, s);
+    return acceleration_of_lane(conditions(), march_.lanes, march_.course().body, static_cast<double>(clock_) + passed,
+                                s);
   }
   [[nodiscard]] Vec3d kept(const Vec3d& v) const { return kept_of_lane(conditions(), march_.lanes, v); }
   [[nodiscard]] Impact impact(int hits) const {

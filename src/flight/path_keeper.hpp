@@ -7,6 +7,7 @@
 
 #include "base/assert.hpp"
 #include "flight/flight_record.hpp"
+#include "flight/known_step.hpp"
 #include "solve/judge.hpp"
 #include "solve/lane_motion.hpp"
 
@@ -51,6 +52,26 @@ class PathKeeper {
     };
     for_parts(fidelity(), keep, at, record_.path);
     keep_push();
+  }
+
+  /// The step just taken, of a known rung.
+  void keep_known_step(const KnownStep& known) {
+    const Step<S>& s = lane_.step;
+    FlownPath& path = record_.path;
+    const std::size_t count = path.coefficients.size(), more = coefficient_count(record_);
+    PHYSIM_ASSERT(!path.nodes.empty() && count == (path.nodes.size() - 1) * more && !path.turn);
+    path.nodes.back().t = since_start(s.t);
+    path.nodes.push_back({since_start(s.t_end), s.end, s.slope[last_slope(fidelity())].v});
+    path.coefficients.resize(count + more);
+    known.interpolate(s, path.coefficients.data() + count);
+    keep_push();
+  }
+
+  /// Room for the steps of most flights, so that it is asked for once.
+  void reserve() {
+    constexpr std::size_t kSteps = 16;
+    record_.path.nodes.reserve(kSteps + 1);
+    record_.path.coefficients.reserve(kSteps * coefficient_count(record_));
   }
 
   /// Keeps where a step starts; of a state's slope the acceleration alone.

@@ -29,11 +29,16 @@ template <class S>
   return attitude_of(c, wide_body(lane), rotor, t, s, turn);
 }
 
-/// How it would accelerate in a state, turned as it is where its step starts.
+/// How it would accelerate in a state, turned as it is where its step starts; `held` are the numbers of its body that
+/// its course names.
 template <class S>
-[[nodiscard]] Vec3d acceleration_of_lane(const Conditions<double>& c, const Lanes<S>& lane, double t,
-                                         const State<double>& s) {
-  if (!turns(c.fidelity)) return acceleration(c, wide_body(lane), t, s);
+[[nodiscard]] Vec3d acceleration_of_lane(const Conditions<double>& c, const Lanes<S>& lane, const NumberRuns& held,
+                                         double t, const State<double>& s) {
+  if (!turns(c.fidelity)) {
+    Body<double> body;
+    cast_numbers(lane.body, body, held);
+    return evaluated(c, body, t, s);
+  }
   Rotor<double> rotor;
   Turn<double> turn, slope;
   cast_numbers(*lane.rotor, rotor);

@@ -111,8 +111,13 @@ class March {
   }
   /// Tries one in the lanes that are asked for; what others do means nothing.
   PHYSIM_INLINE Mask try_step(const Mask& asked = all()) {
+    return try_step_by(asked, [](const Conditions<S>& c, Flyer<R>& flyer, S relative, S absolute)
+                                  PHYSIM_INLINE_LAMBDA { take_step(c, flyer, relative, absolute); });
+  }
+  /// By what takes steps as take_step() does.
+  PHYSIM_INLINE Mask try_step_by(const Mask& asked, const auto& take) {
     set_step();
-    take_step(conditions(), lanes, course_->plan.relative, course_->plan.absolute);
+    take(conditions(), lanes, course_->plan.relative, course_->plan.absolute);
     return control_step(asked);
   }
 

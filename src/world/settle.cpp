@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "world/ground_contact.hpp"
+#include "world/height_crossings.hpp"
 #include "world/look_around.hpp"
 #include "world/placement.hpp"
 #include "world/row_rules.hpp"
@@ -122,12 +123,12 @@ class Settling {
 
   /// Looks for events in the step just taken; true where one of them ends it.
   bool look(double clock) {
-    if (course_.watch.count == 0 && !scene_) return false;
+    if (!scene_ && (course_.watch.count == 0 || !may_cross(course_, r_.march.lanes))) return false;
     DenseLanes<S>& at = judgement_->at;
     dense_lanes(course_, r_.march.lanes, at);
     // The generators' part in the higher terms would take them once more: the cubic through both ends does.
     if (r_.taken()) drop_higher_terms(at);
-    find_crossings<S>(course_, true, *judgement_);
+    find_row_crossings(course_, *judgement_);
     const CrossingList& crossings = judgement_->crossings[0];
     const auto as_flown = [](const State<double>& s, double) { return s; };
     const auto met = scene_ ? scene_.meeting(course_, *judgement_, clock, as_flown) : std::nullopt;

@@ -99,13 +99,14 @@ class SettledRow {
       return;
     }
     if (!spins(cohort_.key.fidelity)) return;
-    from_row_.spin = march.lanes.body.spin;
+    from_row_->spin = march.lanes.body.spin;
     respun_ = true;
   }
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
-    const Vec3d a = acceleration_of_lane(conditions(), march.lanes, static_cast<double>(t_start_) + after, s);
+    const Vec3d a = acceleration_of_lane(conditions(), march.lanes, march.course().body,
+                                         static_cast<double>(t_start_) + after, s);
     return driven_ ? a + kept(driven_->by.at(context_.time + after, s) - driven_->felt) : a;
   }
 
@@ -251,8 +252,8 @@ class SettledRow {
     if (!relaunched_ && !respun_ && !has_passed_stops()) return;
     Body<S>& body = march.lanes.body;
     if (taken_) {  // what generators gave is not its own
-      body.applied = from_row_.applied;
-      body.applied_until = from_row_.applied_until;
+      body.applied = from_row_->applied;
+      body.applied_until = from_row_->applied_until;
     }
     const S* number = numbers(body);
     for (const std::uint8_t field : rows_.layout().fields) columns_.field[field][row_] = number[field];
@@ -277,7 +278,7 @@ class SettledRow {
       t_start_ = columns_.offset[row_] + steps * static_cast<S>(context_.dt);
       t_end_ = columns_.offset[row_] + (steps + S(1)) * static_cast<S>(context_.dt);
     }
-    if (taken_ || has_stops(conditions())) from_row_ = lane.body;
+    if (taken_ || has_stops(conditions())) *from_row_ = lane.body;
     if (turning()) {
       Rows::get<RotorConstants>(columns_.rotor, row_, *lane.rotor);
       Rows::get(columns_.turn, row_, lane.step.turn->start);
@@ -286,7 +287,7 @@ class SettledRow {
   }
   /// From now on the models feel that acceleration by generators.
   void feel(const Vec3<S>& push, S t) {
-    march.lanes.body = from_row_;
+    march.lanes.body = *from_row_;
     add_push(*march.course().conditions, t, push, taken_->own_force, march.lanes.body);
   }
   /// From now on they feel generators, held, and what its emitter does to it there.
@@ -340,7 +341,7 @@ class SettledRow {
   [[nodiscard]] bool has_passed_stops() const {
     const Body<S>& body = march.lanes.body;
     return has_stops(conditions()) &&
-           (body.burn_piece != from_row_.burn_piece || body.rail_phase != from_row_.rail_phase);
+           (body.burn_piece != from_row_->burn_piece || body.rail_phase != from_row_->rail_phase);
   }
 
   const SettleContext& context_;
@@ -358,8 +359,8 @@ class SettledRow {
     Vec3d felt;       // what it feels of its emitter now
   };
   std::optional<Driven> driven_;
-  bool is_traced_;    // it meets others
-  Body<S> from_row_;  // where generators or stops change what is flown
+  bool is_traced_;           // it meets others
+  Unset<Body<S>> from_row_;  // where generators or stops change what is flown
   State<double> start_{};
   S t_start_ = 0;
   S t_end_ = 0;

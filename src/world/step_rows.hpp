@@ -46,12 +46,19 @@ struct Moved {
   MaskOf<R> lost;   // lanes that did not get through
 };
 
+/// What the clocks of rows show at the end of the step [s].
+template <class R, class S>
+PHYSIM_INLINE R end_on_clock(const WorldJob<S>& job, std::uint32_t row) {
+  PHYSIM_ASSERT(job.clocked);
+  const R steps = R(job.now) - load<R>(job.columns.born, row);
+  return load<R>(job.columns.offset, row) + (steps + S(1)) * job.h;
+}
+
 /// Rows on a rail, and rows whose piece of a motor's table ends in this step.
 template <class R, class S>
 PHYSIM_INLINE MaskOf<R> stop_here(const WorldJob<S>& job, std::uint32_t row) {
   const auto field = [&](unsigned number) { return load<R>(job.columns.field[number], row); };
-  const R steps = R(job.now) - load<R>(job.columns.born, row);
-  const R t_end = load<R>(job.columns.offset, row) + (steps + S(1)) * job.h;
+  const R t_end = end_on_clock<R>(job, row);
   return (field(kBodyNumber.burn.end) <= t_end) | (field(kBodyNumber.rail_phase) < constant<R>(kOffRail));
 }
 
@@ -353,6 +360,52 @@ struct KnownRung {
   }
 };
 
+/// A fall in a vacuum: the closed form that costs less than a step. Of where rows are it reads what stays behind.
+struct KnownFall {
+  template <class S>
+  static constexpr bool matches(const Conditions<S>& c) {
+    const Fidelity& f = c.fidelity;
+    return f.motion == Motion::closed_form && f.gravity == GravityModel::constant && f.earth == EarthModel::flat &&
+           f.drag == DragModel::off && static_cast<const Features&>(c) == Features{};
+  }
+  template <class S>
+  PHYSIM_INLINE static Conditions<S> known(const Conditions<S>& c) {
+    Conditions<S> k;
+    k.fidelity.motion = Motion::closed_form;
+    k.fidelity.gravity = GravityModel::constant;
+    k.fidelity.earth = EarthModel::flat;
+    k.fidelity.drag = DragModel::off;
+    k.gravity = c.gravity;
+    return k;
+  }
+
+  template <class R, class S>
+  struct Frame {
+    const WorldJob<S>& job;
+    const Conditions<S>& given;
+
+    PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
+      const Conditions<S> c = known(given);
+      Body<R> b;
+      load_part<LaunchPart>(job, row, b);
+      Moved<R> m;
+      m.start = load_state<R>(job, row);
+      m.end = closed_form_of_free(c, b, end_on_clock<R>(job, row));
+      m.lost = R(S(0)) != R(S(0));
+      return m;
+    }
+    PHYSIM_INLINE void finish(std::uint32_t, const MaskOf<R>&) const {}
+  };
+  template <class R, class S>
+  static bool step(const WorldJob<S>& given) {
+    WorldJob<S> job = given;
+    job.watchdog.simple = true;
+    job.columns.carried[0] = nullptr;
+    const Conditions<S>& c = *job.course->conditions;
+    return step_packs<R>(job, known(c), Frame<R, S>{job, c});
+  }
+};
+
 /// Steps with the first known rung that matches, or with any.
 template <class R, class First, class... Rest, class S>
 PHYSIM_INLINE bool step_with(const WorldJob<S>& job) {
@@ -372,7 +425,7 @@ bool step_packs_of(const WorldJob<S>& job) {
   if (!job.watchdog.simple) return step_any<R>(job);
   return step_with<R, KnownRung<off>, KnownRung<damping>, KnownRung<linear_quadratic>,
                    KnownRung<linear_quadratic, kWind>, KnownRung<equation, kCalm, AirModel::isa>,
-                   KnownRung<equation, kWind, AirModel::isa>>(job);
+                   KnownRung<equation, kWind, AirModel::isa>, KnownFall>(job);
 }
 
 PHYSIM_ISA_END

@@ -21,6 +21,10 @@ std::vector<Fidelity> known_rungs() {
       }
     }
   }
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    list.push_back(Fidelity::arcade());
+    list.back().precision = precision;
+  }
   return list;
 }
 

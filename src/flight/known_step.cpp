@@ -1,0 +1,151 @@
+#include "flight/known_step.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "solve/dense.hpp"
+
+namespace physim {
+namespace {
+
+template <int kCount>
+PHYSIM_INLINE void copy_numbers(const double (&from)[kCount], double (&to)[kCount]) {
+  [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA { ((to[I] = from[I]), ...); }
+  (std::make_integer_sequence<int, kCount>());
+}
+/// Number by number: a pair that was stored as two numbers is slow to load as one.
+PHYSIM_INLINE void copy_state(const State<double>& from, State<double>& to) {
+  to.x.x = from.x.x, to.x.y = from.x.y, to.x.z = from.x.z;
+  to.v.x = from.v.x, to.v.y = from.v.y, to.v.z = from.v.z;
+}
+
+/// A point mass with a drag curve and nothing special about it, in the standard's air below the top of its first layer.
+template <GravityModel kGravity, EarthModel kEarth, WindModel kWind>
+struct PlainRung {
+  static bool matches(const Conditions<double>& c) {
+    const Fidelity& f = c.fidelity;
+    return f.motion == Motion::force && f.integrator == Integrator::tsit5 && f.gravity == kGravity &&
+           f.earth == kEarth && f.drag == DragModel::equation && f.air == AirModel::isa && f.wind == kWind &&
+           !f.planar && !turns(f) && !spins(f) && static_cast<const Features&>(c) == Features{};
+  }
+  PHYSIM_INLINE static bool is_below_top(const Conditions<double>& c, const State<double>& y) {
+    return !(y.x.y + c.altitude > c.air.low_top);
+  }
+  /// The conditions that this rung reads.
+  PHYSIM_INLINE static Conditions<double> known(const Conditions<double>& c) {
+    Conditions<double> k;
+    k.fidelity.motion = Motion::force;
+    k.fidelity.gravity = kGravity;
+    k.fidelity.earth = kEarth;
+    k.fidelity.drag = DragModel::equation;
+    k.fidelity.air = AirModel::isa;
+    k.fidelity.wind = kWind;
+    k.fidelity.rotation = RotationModel::none;
+    k.fidelity.planar = false;
+    k.gravity = c.gravity;
+    k.radius = c.radius;
+    k.altitude = c.altitude;
+    k.omega = c.omega;
+    copy_numbers(c.air.common.low_density, k.air.common.low_density);
+    copy_numbers(c.air.common.low_per_sound, k.air.common.low_per_sound);
+    k.air.low_middle = c.air.low_middle;
+    k.air.low_scale = c.air.low_scale;
+    k.air.low_top = std::numeric_limits<double>::quiet_NaN();  // nothing is above it
+    k.wind.points = 1;
+    k.wind.velocity[0] = c.wind.velocity[0];
+    k.curve_rows = c.curve_rows;
+    return k;
+  }
+};
+
+// Sums of slopes as weighted_sum() makes them, in its order; written out wherever they are asked for.
+template <class Weights, int kTerm>
+PHYSIM_INLINE void add_term(State<double>& sum, const State<double>& slope) {
+  constexpr double weight = Weights::at(kTerm);
+  if constexpr (weight == 0)
+    return;
+  else if constexpr (kTerm == first_nonzero<Weights>())
+    sum = slope * weight;
+  else
+    add_scaled(sum, slope, weight);
+}
+template <class Weights, int kCount>
+PHYSIM_INLINE State<double> sum_of_slopes(const State<double>* slope) {
+  State<double> sum{};
+  [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA { (add_term<Weights, I>(sum, slope[I]), ...); }
+  (std::make_integer_sequence<int, kCount>());
+  return sum;
+}
+
+template <class Rung>
+struct KnownSlope {
+  const Conditions<double>& c;
+  const Body<double>& b;
+
+  /// Returns whether the rung is what holds there.
+  PHYSIM_INLINE bool put(double t, const State<double>& y, State<double>& slope) const {
+    const Conditions<double> k = Rung::known(c);  // made anew each time, or the compiler forgets what is known
+    const Vec3d a = acceleration(k, b, t, y);
+    copy_state({y.v, a}, slope);
+    return Rung::is_below_top(c, y);
+  }
+};
+
+template <class Method, int kStage, class Slope>
+PHYSIM_INLINE bool take_stage(Step<double>& s, const State<double>& start, const Slope& slope) {
+  const State<double> y = start + sum_of_slopes<RowWeights<Method::a, kStage>, kStage>(s.slope) * s.h;
+  return slope.put(s.t + s.h * Method::c[kStage], y, s.slope[kStage]);
+}
+
+template <class Method, class Rung>
+void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) {
+  PHYSIM_ASSERT(Rung::matches(c));
+  Step<double>& s = flyer.step;
+  constexpr int kSlopes = Method::kStages + 1;
+  const KnownSlope<Rung> slope{c, flyer.body};
+  State<double> start;
+  copy_state(s.start, start);
+  bool holds = true;
+  [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA {
+    ((holds &= take_stage<Method, I + 1>(s, start, slope)), ...);
+  }
+  (std::make_integer_sequence<int, Method::kStages - 1>());
+  const State<double> end = start + sum_of_slopes<Weights<Method::b>, Method::kStages>(s.slope) * s.h;
+  holds &= slope.put(s.t_end, end, s.slope[Method::kStages]);
+  if (!holds) return take_step(c, flyer, relative, absolute);
+  const auto e =
+      squared_errors(sum_of_slopes<Weights<Method::kError>, kSlopes>(s.slope) * s.h, end, relative, absolute);
+  s.error = worse(e.first, e.second);
+  copy_state(end, s.end);
+}
+
+template <class Method>
+void interpolate_known_step(const Step<double>& s, State<double>* coefficients) {
+  [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA {
+    (copy_state(sum_of_slopes<PolynomialWeights<Method, I>, Method::kStages + 1>(s.slope) * s.h, coefficients[I]), ...);
+  }
+  (std::make_integer_sequence<int, dense_coefficients_of<Method>()>());
+}
+
+template <class First, class... Rest>
+KnownStep step_of_rungs(const Conditions<double>& c) {
+  if (First::matches(c)) return {take_known_step<Tsit5, First>, interpolate_known_step<Tsit5>};
+  if constexpr (sizeof...(Rest) > 0)
+    return step_of_rungs<Rest...>(c);
+  else
+    return {};
+}
+
+}  // namespace
+
+KnownStep known_step(const Conditions<double>& c) {
+  using enum GravityModel;
+  using enum EarthModel;
+  constexpr WindModel kCalm = WindModel::off;
+  constexpr WindModel kWind = WindModel::constant;
+  return step_of_rungs<PlainRung<constant, flat, kCalm>, PlainRung<constant, flat, kWind>,
+                       PlainRung<inverse_square, flat_coriolis, kCalm>,
+                       PlainRung<inverse_square, flat_coriolis, kWind>>(c);
+}
+
+}  // namespace physim

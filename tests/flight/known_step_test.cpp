@@ -1,0 +1,144 @@
+// Steps of known rungs are those of all rungs, to the bit.
+#include "flight/known_step.hpp"
+
+#include "support.hpp"
+
+namespace physim::test {
+namespace {
+
+struct Rung {
+  const char* name;
+  GravityModel gravity;
+  EarthModel earth;
+  bool wind;
+};
+constexpr Rung kRungs[] = {{"small arms, calm", GravityModel::constant, EarthModel::flat, false},
+                           {"small arms", GravityModel::constant, EarthModel::flat, true},
+                           {"artillery, calm", GravityModel::inverse_square, EarthModel::flat_coriolis, false},
+                           {"artillery", GravityModel::inverse_square, EarthModel::flat_coriolis, true}};
+
+ProjectileDef bullet() {
+  ProjectileDef p;
+  p.mass = 0.0109;
+  p.diameter = 7.82e-3;
+  p.drag.table = DragTable::g7;
+  p.drag.ballistic_coefficient = 153;
+  return p;
+}
+
+Fidelity fidelity_of(const Rung& rung) {
+  Fidelity f;
+  f.gravity = rung.gravity;
+  f.earth = rung.earth;
+  f.wind = rung.wind ? WindModel::constant : WindModel::off;
+  f.interpolation = Interpolation::cubic;
+  return f;
+}
+
+Environment windy() {
+  Environment e;
+  e.altitude = 300;
+  e.wind.velocity = {3, 0.5, -7};
+  return e;
+}
+
+void expect_same(const State<double>& a, const State<double>& b) {
+  EXPECT_TRUE(same_bits(a.x, b.x));
+  EXPECT_TRUE(same_bits(a.v, b.v));
+}
+
+/// A number of a state between two bounds, drawn by its place.
+double drawn(int number, int place, double low, double high) {
+  const double part = 0.5 + 0.5 * std::sin(12.9898 * (number * 17 + place + 1) + 78.233 * number);
+  return low + part * (high - low);
+}
+
+/// A step from a drawn state; heights reach far above the first layer of the air.
+Flyer<double> start_of(const Prepared& p, int number, double top) {
+  Flyer<double> flyer;
+  flyer.body = p.body;
+  Step<double>& s = flyer.step;
+  s.t = drawn(number, 0, 0, 20);
+  s.h = drawn(number, 1, 1e-3, 2);
+  s.t_end = s.t + s.h;
+  s.start.x = {drawn(number, 2, -50, 5000), drawn(number, 3, -1000, top), drawn(number, 4, -300, 300)};
+  s.start.v = {drawn(number, 5, -100, 1200), drawn(number, 6, -500, 500), drawn(number, 7, -50, 50)};
+  set_slope(p.cohort.conditions, flyer, 0);
+  return flyer;
+}
+
+TEST(KnownStep, IsTheStepOfAllRungsToTheBit) {
+  for (const Rung& rung : kRungs) {
+    SCOPED_TRACE(rung.name);
+    const Prepared p(bullet(), {}, windy(), fidelity_of(rung));
+    const Conditions<double>& c = p.cohort.conditions;
+    const KnownStep known = known_step(c);
+    ASSERT_TRUE(known);
+    int above = 0;
+    for (int i = 0; i < 500; ++i) {
+      Flyer<double> flyer = start_of(p, i, 20000), other = flyer;
+      known.take(c, flyer, 1e-9, 1e-9);
+      take_step(c, other, 1e-9, 1e-9);
+      above += other.step.end.x.y + c.altitude > c.air.low_top;
+      for (int k = 0; k <= end_slope(Integrator::tsit5); ++k) expect_same(flyer.step.slope[k], other.step.slope[k]);
+      expect_same(flyer.step.end, other.step.end);
+      ASSERT_TRUE(same_bits(flyer.step.error, other.step.error));
+
+      State<double> coefficients[kMaxDenseCoefficients], others[kMaxDenseCoefficients];
+      known.interpolate(flyer.step, coefficients);
+      dense_sums(Integrator::tsit5, other.step, other.step.h, others);
+      for (int k = 0; k < dense_coefficient_count(Integrator::tsit5); ++k) expect_same(coefficients[k], others[k]);
+    }
+    EXPECT_GT(above, 100);
+    EXPECT_LT(above, 400);
+  }
+}
+
+TEST(KnownStep, IsNotForWhatIsSpecial) {
+  const Rung& rung = kRungs[1];
+  const auto knows = [&](const auto& change) {
+    Prepared p(bullet(), {}, windy(), fidelity_of(rung));
+    change(p.cohort.conditions);
+    return static_cast<bool>(known_step(p.cohort.conditions));
+  };
+  EXPECT_TRUE(knows([](auto&) {}));
+  EXPECT_FALSE(knows([](auto& c) { c.has_motor = true; }));
+  EXPECT_FALSE(knows([](auto& c) { c.has_frozen = true; }));
+  EXPECT_FALSE(knows([](auto& c) { c.has_own_air = true; }));
+  EXPECT_FALSE(knows([](auto& c) { c.fidelity.planar = true; }));
+  EXPECT_FALSE(knows([](auto& c) { c.fidelity.wind = WindModel::profile; }));
+  EXPECT_FALSE(knows([](auto& c) { c.fidelity.integrator = Integrator::rk43; }));
+  EXPECT_FALSE(knows([](auto& c) { c.fidelity.rotation = RotationModel::magnus; }));
+  EXPECT_FALSE(knows([](auto& c) { c.fidelity.rotation = RotationModel::rigid_body; }));
+  EXPECT_FALSE(knows([](auto& c) { c.fidelity.earth = EarthModel::sphere; }));
+}
+
+/// A single flight takes known steps, a batch the steps of all rungs: places, events and work are equal, up through
+/// several layers of the air and down again.
+TEST(KnownStep, GivesTheFlightOfABatch) {
+  for (const Rung& rung : kRungs) {
+    SCOPED_TRACE(rung.name);
+    for (const double elevation : {0.01, 0.4, 1.2}) {
+      ProjectileDef p = bullet();
+      p.drag.ballistic_coefficient = 6000;  // far and high
+      Launch launch;
+      launch.speed = 900;
+      launch.elevation = elevation;
+      launch.position.y = 2;
+      Until until;
+      until.events.push_back({.kind = EventKind::apex});
+      const Flight flight = fly(p, launch, windy(), fidelity_of(rung), {}, until);
+      const Launch launches[] = {launch};
+      const BatchResult batch = fly_batch(p, launches, windy(), fidelity_of(rung), {}, until);
+      ASSERT_EQ(flight.outcome(), Outcome::landed);
+      EXPECT_TRUE(same_bits(flight.end().position, batch.shots[0].position));
+      EXPECT_TRUE(same_bits(flight.end().velocity, batch.shots[0].velocity));
+      EXPECT_EQ(flight.cost().steps, batch.shots[0].cost.steps);
+      EXPECT_EQ(flight.cost().rejected, batch.shots[0].cost.rejected);
+      EXPECT_EQ(flight.cost().evaluations, batch.shots[0].cost.evaluations);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace physim::test
