@@ -48,7 +48,14 @@ EmitWhen::EmitWhen(const EmitterDef& def, std::uint64_t seed) : delay(def.cycle.
 }
 
 Emission::Parts::Parts(const EmitterDef& of, std::uint64_t drawn_by)
-    : def(of), seed(drawn_by), when(of, drawn_by), outlets(of.from), gun(of.gun), start(of), life(of) {
+    : def(of),
+      seed(drawn_by),
+      when(of, drawn_by),
+      outlets(of.from),
+      gun(of.gun),
+      rain(of, drawn_by),
+      start(of),
+      life(of) {
   for (const SubEmitter& sub : of.subs) sub_counts.emplace_back(sub.count);
 }
 
@@ -57,6 +64,7 @@ Emission::~Emission() = default;
 
 const EmitterDef& Emission::def() const { return parts_->def; }
 std::uint64_t Emission::seed() const { return parts_->seed; }
+const Rain& Emission::rain() const { return parts_->rain; }
 
 Newborn Emission::newborn(const Birth& birth) const {
   const Parts& p = *parts_;

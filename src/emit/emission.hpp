@@ -38,6 +38,8 @@ struct Look {
   std::uint32_t colour = 0xffffffff;
 };
 
+class Rain;
+
 class Emission {
  public:
   /// `def` has passed check(); all that it draws follows from `seed`.
@@ -48,6 +50,8 @@ class Emission {
 
   [[nodiscard]] const EmitterDef& def() const;
   [[nodiscard]] std::uint64_t seed() const;
+
+  [[nodiscard]] const Rain& rain() const;
 
   [[nodiscard]] Newborn newborn(const Birth& birth) const;
   /// How a particle of that number looks, born at that phase of the cycle. `age` within 0..lifetime [s]; `speed` [m/s].

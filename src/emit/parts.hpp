@@ -6,6 +6,7 @@
 #include "emit/emission.hpp"
 #include "emit/gun.hpp"
 #include "emit/moments.hpp"
+#include "emit/rain.hpp"
 
 namespace physim {
 
@@ -42,6 +43,7 @@ struct Emission::Parts {
   EmitWhen when;
   ShapeOutlets outlets;
   Gun gun;
+  Rain rain;
   EmitStart start;
   EmitLife life;
   std::vector<EmitNumber> sub_counts;
