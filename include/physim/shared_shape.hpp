@@ -18,7 +18,7 @@ class SharedShape {
  public:
   /// None.
   SharedShape() = default;
-  /// Of a MeshShape or a HeightFieldShape; its materials do not count. Errors are those of Scene::add_shape().
+  /// Made of a MeshShape or a HeightFieldShape; its materials do not count. Errors are those of Scene::add_shape().
   [[nodiscard]] static Result<SharedShape> make(const ShapeDef& shape);
   /// The mesh or height field of a scene, which is not copied.
   [[nodiscard]] static Result<SharedShape> of(const Scene& scene, ShapeId shape);

@@ -34,7 +34,7 @@ Vec3d mixed(const Parts& parts, const Vec3d& a, const Vec3d& b, const Vec3d& c) 
   return a * parts[0] + b * parts[1] + c * parts[2];
 }
 
-/// Of length one; where it has none, `otherwise`.
+/// A direction, of length one; where the sum has none, `otherwise`.
 Vec3d direction_of(const Vec3d& sum, const Vec3d& otherwise) {
   constexpr double kNone = 1e-9;
   const double size = length(sum);
@@ -53,7 +53,7 @@ class MeshOutlets : public SurfaceOutlets {
     const Vec3d b = t.b - t.a, c = t.c - t.a;
     return atan2(length(cross(b, c)), dot(b, c));
   }
-  /// Of all vertices; those of no triangle have none.
+  /// Those of all vertices that triangles have.
   [[nodiscard]] std::vector<Vec3d> vertex_normals() const {
     std::vector<Vec3d> sums, first;
     for (std::uint32_t i = 0; i < mesh_.size(); ++i) {
@@ -88,6 +88,7 @@ class MeshSurface final : public MeshOutlets {
   }
   [[nodiscard]] Outlet at(ParticleChance& chance) const override {
     const std::uint32_t i = choice_(fine_chance(chance)).which;
+    PHYSIM_ASSERT(i < mesh_.size());
     const Triangle t = mesh_.triangle(i);
     const Parts parts = even_in_triangle(chance);
     Outlet out{scaled(mixed(parts, t.a, t.b, t.c)), kForwards};

@@ -35,7 +35,7 @@ Rain::Inflow Rain::inflow(const Vec3d& velocity, const Quatd& from, const Quatd&
   const double fastest = std::max(std::abs(speed_.least), std::abs(speed_.most));
   for (std::size_t k = 0; k < 3; ++k) {
     const double one = is_known ? speed_.least * axis[k] : -fastest, other = is_known ? speed_.most * axis[k] : fastest;
-    // Of the same product that a particle's velocity is, so that the bound is one.
+    // A particle's velocity is rounded from the same products, so that the bound is one.
     const double least = std::min(one, other) + rain_.drift[k], most = std::max(one, other) + rain_.drift[k];
     in.bound[2 * k] = std::max(0.0, velocity[k] - least);
     in.bound[2 * k + 1] = std::max(0.0, most - velocity[k]);
@@ -56,6 +56,7 @@ std::optional<Vec3d> Rain::entry(const Inflow& inflow, std::uint64_t number, con
     left -= area_of_face(half_, i / 2) * inflow.bound[i];
     if (left < 0) break;
   }
+  PHYSIM_ASSERT(inflow.bound[face] > 0);
   const std::size_t k = face / 2;
   const double side = face % 2 == 0 ? 1 : -1, comes = side * (inflow.velocity[k] - velocity[k]);
   if (!(open_unit(words[3]) * inflow.bound[face] < comes)) return std::nullopt;

@@ -42,6 +42,7 @@ std::optional<BodyState> RainStep::candidate(std::uint32_t index, const Birth& b
   const Emitter& e = w_.state.emitters[index];
   const Rain& rain = e.emission->rain();
   const Way& way = ways_.at(index);
+  PHYSIM_ASSERT(time >= way.from && time <= way.to);
   const Newborn newborn = e.emission->newborn(birth);
   const Vec3d velocity = rotate(rotation, newborn.direction) * newborn.speed + rain.def().drift;
   const auto place = fills ? rain.filled(birth.number, way.before) : rain.entry(way.inflow, birth.number, velocity);

@@ -43,6 +43,7 @@ void Trails::push(Ring& ring, const TrailPlace& place) {
     ++ring.count;
   else
     ring.oldest = (ring.oldest + 1) % most_;
+  PHYSIM_ASSERT(ring.count > 0 && places_.size() == rings_.size() * most_);
   places_[index_of(ring, ring.count - 1)] = place;
 }
 

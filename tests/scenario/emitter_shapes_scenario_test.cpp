@@ -96,8 +96,8 @@ TEST(EmitterShapesScenario, what_is_wrong_is_said_where_it_stands) {
   EXPECT_EQ(error_of(emitter + "from = { shape = \"mesh\", surface = \"rock\" }\n"),
             "f.toml:6:36: error: emitter.from.surface.of: no shape is named \"rock\"; write a [[shape]]");
   EXPECT_EQ(error_of(emitter + "from = { shape = \"mesh\" }\n"),
-            "f.toml:6:8: error: emitter.from.surface: there is none, and the shape needs one; name a [[shape]] with a mesh "
-            "or a height field: surface = \"...\", or a file of a mesh");
+            "f.toml:6:8: error: emitter.from.surface: there is none, and the shape needs one; name a [[shape]] with a "
+            "mesh or a height field: surface = \"...\", or a file of a mesh");
   EXPECT_EQ(error_of(emitter + "from = { shape = \"mesh\", surface = { file = \"none.obj\" } }\n"),
             reads_mesh_files()
                 ? "f.toml:6:45: error: emitter.from.surface.file: the file cannot be read"
