@@ -61,6 +61,8 @@ Status check_path(const KeyedMotion& m) {
   return {};
 }
 
+}  // namespace
+
 Path::Piece resting(const MotionKey& key, double start) {
   Path::Piece piece;
   piece.start = start;
@@ -69,8 +71,6 @@ Path::Piece resting(const MotionKey& key, double start) {
   piece.q0 = normalized(key.rotation);
   return piece;
 }
-
-}  // namespace
 
 Path::Piece between(const MotionKey& a, const MotionKey& b, MotionCurve curve) {
   PHYSIM_ASSERT(a.time < b.time);

@@ -12,6 +12,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "collide/shape.hpp"
@@ -37,6 +38,9 @@ class Path {
     [[nodiscard]] double most_acceleration(double from, double to) const;
     [[nodiscard]] bool is_straight() const { return rate == 0 && c2 == Vec3d{} && c3 == Vec3d{}; }
   };
+
+  /// One of pieces in order of time, the first of which begins at -infinity.
+  explicit Path(std::vector<Piece> pieces) : pieces_(std::move(pieces)) { PHYSIM_ASSERT(!pieces_.empty()); }
 
   /// The path of a thing that stands at `at` where it does not move. Refused where numbers are none or too large.
   [[nodiscard]] static Result<Path> make(const SceneMotion& motion, const Transform& at);
@@ -65,6 +69,7 @@ class Path {
   [[nodiscard]] double most_approach(const Vec3d& p, double from, double to) const;
 
  private:
+  Path() = default;
   [[nodiscard]] Transform transform(const Piece& piece, double time) const;
   [[nodiscard]] std::size_t index_at(double time) const;
   [[nodiscard]] const Piece& piece_at(double time) const { return pieces_[index_at(time)]; }
@@ -73,6 +78,8 @@ class Path {
   double scale_ = 1;
 };
 
+/// Stands at a key, from a time on [s].
+[[nodiscard]] Path::Piece resting(const MotionKey& key, double start);
 /// From one key to a later one.
 [[nodiscard]] Path::Piece between(const MotionKey& a, const MotionKey& b, MotionCurve curve);
 

@@ -16,6 +16,10 @@ bool is_along_axis(const EmitFrom& from) {
   const bool is_even = from.shape == EmitShape::point || from.shape == EmitShape::box || from.shape == EmitShape::line;
   return is_even && from.randomise == 0;
 }
+/// Rotations, but for rounding: the same at any frame rate.
+bool are_alike(const Quatd& a, const Quatd& b) {
+  return std::abs(a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z) > 1 - 1e-12;
+}
 double area_of_face(const Vec3d& half, std::size_t axis) { return 4 * half[(axis + 1) % 3] * half[(axis + 2) % 3]; }
 
 }  // namespace
@@ -31,7 +35,7 @@ Rain::Inflow Rain::inflow(const Vec3d& velocity, const Quatd& from, const Quatd&
   PHYSIM_ASSERT(falls());
   Inflow in{.velocity = velocity};
   const Vec3d axis = rotate(from, Vec3d{1, 0, 0});
-  const bool is_known = is_straight_ && from == to;
+  const bool is_known = is_straight_ && are_alike(from, to);
   const double fastest = std::max(std::abs(speed_.least), std::abs(speed_.most));
   for (std::size_t k = 0; k < 3; ++k) {
     const double one = is_known ? speed_.least * axis[k] : -fastest, other = is_known ? speed_.most * axis[k] : fastest;

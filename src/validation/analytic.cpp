@@ -127,14 +127,14 @@ constexpr Case kCases[] = {
     {"torque_free_brick.csv", torque_free_body},
 };
 
-constexpr auto kFiles = [] {
+constexpr auto kAnalyticFiles = [] {
   std::array<std::string_view, std::size(kCases)> files;
   std::ranges::transform(kCases, files.begin(), &Case::file);
   return files;
 }();
 
-void run(const std::filesystem::path& folder, SuiteResult& result) {
-  for (const auto& path : files_in(folder, kFiles, ".csv")) {
+void run_analytic(const std::filesystem::path& folder, SuiteResult& result) {
+  for (const auto& path : files_in(folder, kAnalyticFiles, ".csv")) {
     const std::string name = path.filename().string();
     const auto found = std::ranges::find(kCases, name, &Case::file);
     if (found == std::end(kCases)) {
@@ -155,7 +155,7 @@ const Suite kAnalyticSuite = {
     "closed form 1e-12, integrators 1e-9 of the figure; components of a vector also 1e-12 of its length; Kepler orbits "
     "1e-4 m after a revolution, circular 1e-5 m, and their energy 1e-11",
     "analytic",
-    kFiles,
-    run};
+    kAnalyticFiles,
+    run_analytic};
 
 }  // namespace physim::validation

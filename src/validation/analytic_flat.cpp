@@ -10,7 +10,7 @@ namespace physim::validation {
 namespace {
 
 constexpr EventSpec kApex = {.kind = EventKind::apex};
-constexpr double kDensity = 1.225;  // of the air in cases that give only k = rho Cd A / (2 m) [kg/m^3]
+constexpr double kFlatAirDensity = 1.225;  // of the air in cases that give only k = rho Cd A / (2 m) [kg/m^3]
 
 /// The shot of a row that gives speed and elevation; its apex is told.
 ShotInPlace aimed_shot(const CsvFile& file, const CsvRow& row) {
@@ -26,9 +26,9 @@ void set_quadratic_drag(ShotInPlace& shot, double k) {
   DragDef& drag = shot.projectile.drag;
   drag.table = DragTable::constant;
   drag.coefficient = 0.5;
-  const double area = 2.0 * k * shot.projectile.mass / (kDensity * drag.coefficient);
+  const double area = 2.0 * k * shot.projectile.mass / (kFlatAirDensity * drag.coefficient);
   shot.projectile.diameter = 2.0 * std::sqrt(area / kPi);
-  shot.environment.atmosphere.density = kDensity;
+  shot.environment.atmosphere.density = kFlatAirDensity;
   shot.environment.atmosphere.sound_speed = 340.0;
 }
 

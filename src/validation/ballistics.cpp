@@ -215,12 +215,12 @@ std::string problem_of(const Result<T>& result) {
 }
 
 /// What a row of a range table can show.
-struct Quantity {
+struct TableColumn {
   const char* column;
   const char* gate;
   double Sample::*value;
 };
-constexpr Quantity kQuantities[] = {
+constexpr TableColumn kTableColumns[] = {
     {"drop_m", "drop", &Sample::drop},
     {"windage_m", "windage", &Sample::windage},
     {"velocity_m_s", "velocity", &Sample::speed},
@@ -271,7 +271,7 @@ void compare_row(const CaseReader& row, const CaseReader& gates, const RangeTabl
                  SuiteResult& result) {
   const double range = row.needed("range_m");
   const Result<Sample> sample = table.at(range);
-  for (const Quantity& quantity : kQuantities) {
+  for (const TableColumn& quantity : kTableColumns) {
     const auto expected = row.number(quantity.column);
     const auto gate = read_gate(gates, quantity.gate);
     if (!expected || !gate) continue;
@@ -335,22 +335,22 @@ void compare_air(const std::string& id, const CaseReader& reader, SuiteResult& r
                  problem_of(density));
 }
 
-constexpr std::string_view kFiles[] = {"trajectories.json", "zero.json", "air.json"};
+constexpr std::string_view kBallisticsFiles[] = {"trajectories.json", "zero.json", "air.json"};
 constexpr std::array kCompare = {compare_trajectory, compare_zero, compare_air};
-static_assert(kCompare.size() == std::size(kFiles));
+static_assert(kCompare.size() == std::size(kBallisticsFiles));
 
-void run(const std::filesystem::path& folder, SuiteResult& result) {
-  for (const auto& path : files_in(folder, kFiles, ".json")) {
+void run_ballistics(const std::filesystem::path& folder, SuiteResult& result) {
+  for (const auto& path : files_in(folder, kBallisticsFiles, ".json")) {
     const std::string name = path.filename().string();
-    const auto known = std::ranges::find(kFiles, name);
-    if (known == std::end(kFiles)) {
+    const auto known = std::ranges::find(kBallisticsFiles, name);
+    if (known == std::end(kBallisticsFiles)) {
       result.skipped.push_back(name + ": neither trajectories.json, zero.json nor air.json");
       continue;
     }
     const JsonCases file(path);
     for (std::size_t i = 0; i < file.cases().size(); ++i) {
       result.sources.push_back({file.id(i), file.source(i)});
-      kCompare[static_cast<std::size_t>(known - std::begin(kFiles))](file.id(i), CaseReader(file, i), result);
+      kCompare[static_cast<std::size_t>(known - std::begin(kBallisticsFiles))](file.id(i), CaseReader(file, i), result);
     }
   }
 }
@@ -361,7 +361,7 @@ const Suite kBallisticsSuite = {"ballistics",
                                 "Published range tables, zeroes and air densities of exterior-ballistics tools",
                                 "each case's own: abs + moa of the range + rel of the value",
                                 "ballistics",
-                                kFiles,
-                                run};
+                                kBallisticsFiles,
+                                run_ballistics};
 
 }  // namespace physim::validation

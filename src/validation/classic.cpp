@@ -218,10 +218,10 @@ void compare_corrected(int test, double gravity, SuiteResult& result) {
   }
 }
 
-constexpr std::string_view kFiles[] = {"tables.csv"};
+constexpr std::string_view kClassicFiles[] = {"tables.csv"};
 
-void run(const std::filesystem::path& folder, SuiteResult& result) {
-  compare_tables(folder, kFiles, "not a table of tests and frames", result, compare_published);
+void run_classic(const std::filesystem::path& folder, SuiteResult& result) {
+  compare_tables(folder, kClassicFiles, "not a table of tests and frames", result, compare_published);
   compare_corrected(3, 0, result);
   compare_corrected(6, 20, result);
 }
@@ -233,7 +233,7 @@ const Suite kClassicSuite = {
     "The original PhySim (2017), replayed frame by frame in float32",
     "half of the last printed digit, plus float rounding at the frame; corrected tests: one frame of the closed form",
     "classic",
-    kFiles,
-    run};
+    kClassicFiles,
+    run_classic};
 
 }  // namespace physim::validation

@@ -59,17 +59,17 @@ bool compare_file(const CsvFile& file, SuiteResult& result) {
   return true;
 }
 
-constexpr std::string_view kFiles[] = {"wgs84_normal_gravity.csv"};
+constexpr std::string_view kGravityFiles[] = {"wgs84_normal_gravity.csv"};
 
-void run(const std::filesystem::path& folder, SuiteResult& result) {
-  compare_tables(folder, kFiles, "no table of gravity by latitude and height", result, compare_file);
+void run_gravity(const std::filesystem::path& folder, SuiteResult& result) {
+  compare_tables(folder, kGravityFiles, "no table of gravity by latitude and height", result, compare_file);
 }
 
 }  // namespace
 
 const Suite kGravitySuite = {
-    "gravity",    "Gravity on the turning ellipsoid: normal gravity of WGS-84, and point mass with J2",
-    "1e-9 m/s^2", "gravity",
-    kFiles,       run};
+    "gravity",     "Gravity on the turning ellipsoid: normal gravity of WGS-84, and point mass with J2",
+    "1e-9 m/s^2",  "gravity",
+    kGravityFiles, run_gravity};
 
 }  // namespace physim::validation

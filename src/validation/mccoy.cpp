@@ -286,7 +286,7 @@ void compare_published(const Folder& s, SuiteResult& result) {
 
 constexpr std::string_view kFacts = "physical_and_published_results.csv";
 constexpr std::string_view kConverged = "converged_6dof.csv";
-constexpr std::string_view kFiles[] = {kConverged, kFacts};
+constexpr std::string_view kMcCoyFiles[] = {kConverged, kFacts};
 
 /// Projectiles of which there are both physical data and tables.
 void find_shells(const std::filesystem::path& folder, Folder& s, SuiteResult& result) {
@@ -309,7 +309,7 @@ void find_shells(const std::filesystem::path& folder, Folder& s, SuiteResult& re
   }
 }
 
-void run(const std::filesystem::path& folder, SuiteResult& result) {
+void run_mccoy(const std::filesystem::path& folder, SuiteResult& result) {
   Folder s;
   if (std::filesystem::is_regular_file(folder / kFacts)) {
     s.facts.emplace(folder / kFacts);
@@ -331,7 +331,7 @@ const Suite kMccoySuite = {
     "converged figures 1e-5 relative or half the last printed digit; published ranges, times and summits 0.5 %, drifts "
     "1.5 %",
     "mccoy",
-    kFiles,
-    run};
+    kMcCoyFiles,
+    run_mccoy};
 
 }  // namespace physim::validation

@@ -12,10 +12,10 @@
 namespace physim::validation {
 namespace {
 
-constexpr double kFoot = 0.3048, kSlug = 14.5939029372;
+constexpr double kSlug = 14.5939029372;
 constexpr double kSphereRadius = 6371007.1809, kGm = 3.986004418e14;
 
-struct Case {
+struct CheckCase {
   std::string name;  // "03_dampinertial"
   ProjectileDef body;
   Environment place;
@@ -60,10 +60,10 @@ Wind wind_of(int number) {
 }
 
 /// The case of a number, in one of its variants; nothing where there is none.
-std::optional<Case> case_of(int number, const std::string& variant) {
+std::optional<CheckCase> case_of(int number, const std::string& variant) {
   if (number < 1 || number > 10) return std::nullopt;
   if (!variant.empty() && !(number == 3 && variant == "dampinertial")) return std::nullopt;
-  Case c{.name = formatted("%02d", number) + (variant.empty() ? "" : "_" + variant)};
+  CheckCase c{.name = formatted("%02d", number) + (variant.empty() ? "" : "_" + variant)};
   c.body = number == 2 || number == 3 ? brick() : sphere();
   if (number == 1) c.body.drag.coefficient = 0;
   if (number == 3) damp(c.body.aero, variant.empty() ? DampingFrame::air : DampingFrame::inertial);
@@ -96,13 +96,13 @@ struct ColumnGate {
   double gate;
   bool is_angle;  // differences are taken the shorter way round
 };
-constexpr ColumnGate kColumns[] = {
+constexpr ColumnGate kStateColumns[] = {
     {"altitude_m", 3e-6, false},  {"latitude_deg", 1e-11, false}, {"longitude_deg", 1e-11, true},
     {"v_north_m_s", 3e-7, false}, {"v_east_m_s", 3e-7, false},    {"v_down_m_s", 3e-7, false},
     {"yaw_deg", 1e-6, true},      {"pitch_deg", 1e-6, false},     {"roll_deg", 1e-6, true},
     {"p_deg_s", 1e-6, false},     {"q_deg_s", 1e-6, false},       {"r_deg_s", 1e-6, false},
     {"mach", 1e-9, false}};
-constexpr std::size_t kColumnCount = std::size(kColumns);
+constexpr std::size_t kColumnCount = std::size(kStateColumns);
 
 /// The numbers of the columns at a time.
 std::vector<double> state_at(const Flight& flight, double time) {
@@ -123,38 +123,38 @@ double difference(const ColumnGate& column, double actual, double expected) {
   return column.is_angle ? std::remainder(actual - expected, 360.0) : actual - expected;
 }
 
-Flight flown(const Case& c, double time) {
+Flight flown(const CheckCase& c, double time) {
   return fly(c.body, c.launch, c.place, c.fidelity, {.relative = 1e-13, .absolute = 1e-13},
              {.ground = {}, .time = time});
 }
 
-std::string complaint_of(const Case& c, const Flight& flight) {
+std::string complaint_of(const CheckCase& c, const Flight& flight) {
   const std::string other = complaint(flight, c.fidelity);
   if (!other.empty()) return other;
   return flight.fidelity_in_use().fidelity.gravity == c.fidelity.gravity ? "" : "granted other gravity";
 }
 
-void add_state(const Case& c, const Flight& flight, SuiteResult& result) {
+void add_state(const CheckCase& c, const Flight& flight, SuiteResult& result) {
   StateRow row{.name = "case" + c.name, .columns = {{"t_s", flight.duration()}}};
   const auto state = state_at(flight, flight.duration());
-  for (std::size_t i = 0; i < kColumnCount; ++i) row.columns.emplace_back(kColumns[i].column, state[i]);
+  for (std::size_t i = 0; i < kColumnCount; ++i) row.columns.emplace_back(kStateColumns[i].column, state[i]);
   result.states.push_back(std::move(row));
 }
 
-void compare_row(const Case& c, const Flight& flight, const std::string& problem, const CsvFile& file,
+void compare_row(const CheckCase& c, const Flight& flight, const std::string& problem, const CsvFile& file,
                  const CsvRow& row, SuiteResult& result) {
   const double time = file.needed(row, "t_s");
   const auto state = state_at(flight, time);
   for (std::size_t i = 0; i < kColumnCount; ++i) {
-    const auto expected = file.number(row, kColumns[i].column);
+    const auto expected = file.number(row, kStateColumns[i].column);
     if (!expected) continue;
-    result.compare("case " + c.name, kColumns[i].column + formatted(" at %g s", time), *expected,
-                   *expected + difference(kColumns[i], state[i], *expected), kColumns[i].gate, problem);
+    result.compare("case " + c.name, kStateColumns[i].column + formatted(" at %g s", time), *expected,
+                   *expected + difference(kStateColumns[i], state[i], *expected), kStateColumns[i].gate, problem);
   }
 }
 
 /// "case03_dampinertial.csv": the case and its variant.
-std::optional<Case> case_of_file(const std::string& name) {
+std::optional<CheckCase> case_of_file(const std::string& name) {
   if (!name.starts_with("case") || name.size() < 10) return std::nullopt;
   const auto number = parse_number(name.substr(4, 2));
   const std::string rest = name.substr(6, name.size() - 10);
@@ -173,21 +173,22 @@ void compare_simulations(const CsvFile& file, SuiteResult& result) {
     const auto state = state_at(flown(*c, time), time);
     StateRow distance{.name = "case" + c->name + ", NASA simulation " + file.text(row, "nasa_sim"), .columns = {}};
     for (std::size_t i = 0; i < 9; ++i) {
-      const auto theirs = file.number(row, kColumns[i].column);
-      distance.columns.emplace_back(kColumns[i].column, theirs ? difference(kColumns[i], *theirs, state[i]) : kNaN);
+      const auto theirs = file.number(row, kStateColumns[i].column);
+      distance.columns.emplace_back(kStateColumns[i].column,
+                                    theirs ? difference(kStateColumns[i], *theirs, state[i]) : kNaN);
     }
     result.beside.push_back(std::move(distance));
   }
 }
 
 constexpr std::string_view kSimulations = "nasa_sims_final.csv";
-constexpr std::string_view kFiles[] = {"case01.csv", "case02.csv", "case03.csv", "case03_dampinertial.csv",
-                                       "case04.csv", "case05.csv", "case06.csv", "case07.csv",
-                                       "case08.csv", "case09.csv", "case10.csv"};
+constexpr std::string_view kNescFiles[] = {"case01.csv", "case02.csv", "case03.csv", "case03_dampinertial.csv",
+                                           "case04.csv", "case05.csv", "case06.csv", "case07.csv",
+                                           "case08.csv", "case09.csv", "case10.csv"};
 
-void run(const std::filesystem::path& folder, SuiteResult& result) {
+void run_nesc(const std::filesystem::path& folder, SuiteResult& result) {
   std::vector<std::string> judged;
-  for (const auto& path : files_in(folder, kFiles, ".csv")) {
+  for (const auto& path : files_in(folder, kNescFiles, ".csv")) {
     const CsvFile file = CsvFile::read(path);
     if (file.name() == kSimulations) {
       compare_simulations(file, result);
@@ -209,7 +210,7 @@ void run(const std::filesystem::path& folder, SuiteResult& result) {
     judged.push_back(c->name);
   }
   for (int number = 1; number <= 10; ++number) {
-    const Case c = *case_of(number, "");
+    const CheckCase c = *case_of(number, "");
     if (std::find(judged.begin(), judged.end(), c.name) == judged.end()) add_state(c, flown(c, 30), result);
   }
   std::sort(result.states.begin(), result.states.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
@@ -222,7 +223,7 @@ const Suite kNescSuite = {
     "NASA/NESC atmospheric check-cases 1 to 10, six degrees of freedom",
     "altitude 3e-6 m, latitude and longitude 1e-11 deg, velocity 3e-7 m/s, attitude 1e-6 deg, rates 1e-6 deg/s",
     "nesc",
-    kFiles,
-    run};
+    kNescFiles,
+    run_nesc};
 
 }  // namespace physim::validation

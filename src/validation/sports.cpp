@@ -9,7 +9,7 @@ namespace physim::validation {
 namespace {
 
 constexpr double kRpm = kPi / 30;  // [rad/s]
-constexpr double kMph = 0.44704, kYard = 0.9144, kFoot = 0.3048;
+constexpr double kMph = 0.44704, kYard = 0.9144;
 
 Fidelity spinning() {
   Fidelity f = Fidelity::sport_ball();
@@ -121,14 +121,14 @@ void compare_football(const CsvFile& file, SuiteResult& result) {
   }
 }
 
-constexpr std::string_view kFiles[] = {"golf_carry.csv",        "golf_trackman_tour_averages.csv",
-                                       "baseball_fly_ball.csv", "baseball_nathan_fly_ball.csv",
-                                       "football_drag.csv",     "football_goff_carre_cd_nospin.csv"};
+constexpr std::string_view kSportsFiles[] = {"golf_carry.csv",        "golf_trackman_tour_averages.csv",
+                                             "baseball_fly_ball.csv", "baseball_nathan_fly_ball.csv",
+                                             "football_drag.csv",     "football_goff_carre_cd_nospin.csv"};
 
-void run(const std::filesystem::path& folder, SuiteResult& result) {
+void run_sports(const std::filesystem::path& folder, SuiteResult& result) {
   MagnusDef golf = presets::golf_ball().projectile.magnus;
   std::string table = "the preset's table";
-  const auto paths = files_in(folder, kFiles, ".csv");
+  const auto paths = files_in(folder, kSportsFiles, ".csv");
   for (const auto& path : paths) {
     const CsvFile file = CsvFile::read(path);
     if (!is_golf_table(file)) continue;
@@ -159,7 +159,7 @@ const Suite kSportsSuite = {"sports",
                             "Balls that spin: golf tour averages, a published baseball flight, the drag of a football",
                             "carry 7 yd root mean square untuned, fly ball 1.4 ft, Cd 0.012",
                             "sports",
-                            kFiles,
-                            run};
+                            kSportsFiles,
+                            run_sports};
 
 }  // namespace physim::validation

@@ -99,10 +99,10 @@ bool compare_file(const CsvFile& file, SuiteResult& result) {
   return true;
 }
 
-constexpr std::string_view kFiles[] = {"us76_exact.csv", "us76_layers.csv", "us76_published_pdas_2km.csv"};
+constexpr std::string_view kUs76Files[] = {"us76_exact.csv", "us76_layers.csv", "us76_published_pdas_2km.csv"};
 
-void run(const std::filesystem::path& folder, SuiteResult& result) {
-  compare_tables(folder, kFiles, "not a table of the standard atmosphere", result, compare_file);
+void run_us76(const std::filesystem::path& folder, SuiteResult& result) {
+  compare_tables(folder, kUs76Files, "not a table of the standard atmosphere", result, compare_file);
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ const Suite kUs76Suite = {
     "1e-10 of exact values; half of the last printed digit of published ones, plus 5e-7 of the value "
     "for the published table's own rounding",
     "atmosphere",
-    kFiles,
-    run};
+    kUs76Files,
+    run_us76};
 
 }  // namespace physim::validation

@@ -40,6 +40,7 @@ class EmitterBirths {
   /// All that one has fired before the world's time.
   void fire_past(std::uint32_t index) {
     is_past_ = true;
+    close_ways();
     queue_moment(index);
     queue_metre(index);
     work_off();
@@ -47,6 +48,7 @@ class EmitterBirths {
 
   // ------------------------------------------------------------------------------------------- births
   void fire() {
+    close_ways();
     for (std::uint32_t i = 1; i < all_.size(); ++i) {
       queue_moment(i);
       queue_metre(i);
@@ -90,22 +92,28 @@ class EmitterBirths {
   }
   [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t index, double time) const {
     const Emitter& e = all_[index];
-    if (e.def().follows) {
-      const auto& followed = s_.followed[index];
-      if (!followed || time > followed->to) return std::nullopt;
-      const MotionState at = between(*followed, time);
-      return Pose{at.position, e.at.rotation, at.velocity};
+    const std::optional<Led>& led = s_.led[index];
+    if (e.def().follows && (!led || (led->is_left && time > led->way.end()))) return std::nullopt;
+    if (!e.path && !led) return Pose{e.at.position, e.at.rotation, {}};
+    const MotionState at = e.path ? e.path->at(time) : led->path->at(is_past_ ? led->way.end() : time);
+    return Pose{at.position, e.def().follows ? e.at.rotation : at.rotation, at.velocity};
+  }
+  /// The ways of those that are led through the step are known by now.
+  void close_ways() {
+    for (std::uint32_t i = 1; i < all_.size(); ++i) {
+      const Emitter& e = all_[i];
+      if (!e.active) continue;
+      std::optional<Led>& led = s_.led[i];
+      if (e.to && !is_past_) {
+        led.emplace(MotionKey{.time = context_.time, .position = e.at.position, .rotation = e.at.rotation});
+        led->way.go_straight({.time = end_, .position = e.to->position, .rotation = e.to->rotation});
+      }
+      if (!led) continue;
+      led->path = led->way.path();
+      if (is_past_ || !e.plays || !(e.def().per_metre > 0)) continue;
+      const double first = e.began + Timeline(*e.emission).span(e.timeline.play).first / e.def().cycle.rate;
+      led->odometer.emplace(*led->path, std::clamp(first, context_.time, end_));
     }
-    if (e.path) {
-      const MotionState at = e.path->at(time);
-      return Pose{at.position, at.rotation, at.velocity};
-    }
-    if (!e.to || is_past_) return Pose{e.at.position, e.at.rotation, {}};  // a move is of the step to come
-    if (!(end_ - context_.time > kShortestMove)) return Pose{e.to->position, e.to->rotation, {}};
-    const MotionKey begin{.time = context_.time, .position = e.at.position, .rotation = e.at.rotation};
-    const MotionKey end{.time = end_, .position = e.to->position, .rotation = e.to->rotation};
-    const MotionState at = collide::between(begin, end, MotionCurve::straight).at(time);
-    return Pose{at.position, at.rotation, at.velocity};
   }
 
  private:
@@ -125,7 +133,7 @@ class EmitterBirths {
     const Emitter& e = all_[index];
     if (!e.active || !e.plays || !(e.def().per_metre > 0)) return;
     const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
-    const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_moved(index, distance);
+    const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_led(index, distance);
     const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
     if (!time || *time > e.began + last / rate) return;
     const double now = std::max(*time, context_.time);  // rounding may put it just before
@@ -133,34 +141,19 @@ class EmitterBirths {
     EmitMoment moment{.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own)};
     queue_.push({.time = now, .emitter = index, .rank = kMetre, .moment = moment});
   }
-  /// By when it has come so far, where calls or a projectile move it.
-  [[nodiscard]] std::optional<double> when_moved(std::uint32_t index, double distance) const {
-    const Way way = way_of(index);
-    const double left = distance - all_[index].travelled;
-    if (!(way.length > 0) || left > way.length) return std::nullopt;
-    return std::min(way.from + (way.to - way.from) * std::max(left / way.length, 0.0), way.to);
+  /// By when it has come so far, where calls or a projectile lead it.
+  [[nodiscard]] std::optional<double> when_led(std::uint32_t index, double distance) const {
+    const std::optional<Led>& led = s_.led[index];
+    if (!led || !led->odometer) return std::nullopt;
+    const double left = distance - all_[index].travelled, to = std::min(led->way.end(), end_);
+    return left > 0 ? led->odometer->when(left, to) : led->odometer->from();
   }
-  /// A straight way, and when it is gone.
-  struct Way {
-    double from = 0, to = 0;  // [s]
-    double length = 0;        // [m]
-  };
-  /// The way of this step, straight from its start to its end; what lies before the first cycle does not count.
-  [[nodiscard]] Way way_of(std::uint32_t index) const {
-    const Emitter& e = all_[index];
-    Way way{context_.time, end_, e.to ? length(e.to->position - e.at.position) : 0};
-    if (e.def().follows) {
-      const auto& followed = s_.followed[index];
-      if (!followed) return {};
-      way.to = followed->to;
-      way.length = length(followed->end.position - followed->begin.position);
-    }
-    const double whole = way.to - way.from;
-    if (!(whole > 0 && way.length > 0)) return {};
-    const double first = e.began + Timeline(*e.emission).span(e.timeline.play).first / e.def().cycle.rate;
-    way.from = std::clamp(first, way.from, way.to);
-    way.length *= (way.to - way.from) / whole;
-    return way;
+  /// So far it is led in this step; what lies before the first cycle does not count [m].
+  [[nodiscard]] double led_way(std::uint32_t index) const {
+    const std::optional<Led>& led = s_.led[index];
+    if (!led || !led->odometer) return 0;
+    const double to = std::min(led->way.end(), end_);
+    return to > led->odometer->from() ? led->odometer->at(to) : 0;
   }
 
   /// The box of its rain goes through the step, along a straight way.
@@ -170,7 +163,7 @@ class EmitterBirths {
     const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
     const double from = std::max(context_.time, e.began + first / e.def().cycle.rate);
     double to = std::min(end_, e.began + last / e.def().cycle.rate);
-    if (e.def().follows && s_.followed[index]) to = std::min(to, s_.followed[index]->to);
+    if (s_.led[index] && s_.led[index]->is_left) to = std::min(to, s_.led[index]->way.end());
     const std::optional<Pose> begin = pose_at(index, from), end = pose_at(index, to);
     if (!(from <= to) || !begin || !end) return;
     const std::uint32_t filling = rain_.begin(index, *begin, *end, from, to);
@@ -350,12 +343,13 @@ class EmitterBirths {
     Emitter& e = all_[index];
     if (!e.active) return;
     const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
-    if (!e.odometer && e.plays) e.travelled += way_of(index).length;
+    if (!e.odometer && e.plays) e.travelled += led_way(index);
     if (e.to) e.at = *std::exchange(e.to, std::nullopt);
     if (e.def().follows && !w_.find(e.def().follows)) e.plays = false;
     if (e.plays && e.began + last / rate <= end_) e.plays = false;
     if (e.emission->rain().falls()) {
-      const std::optional<Pose> pose = pose_at(index, end_);
+      const bool is_led = e.path || e.def().follows;
+      const std::optional<Pose> pose = is_led ? pose_at(index, end_) : std::nullopt;
       rain_.end(index, pose ? pose->position : e.at.position);
     }
     note_trails(index);
@@ -425,10 +419,10 @@ void watch_for_emitters(WorldImpl& world, const SettleContext& context) {
   if (world.state.emitters.empty()) return;
   const SettleContext own = alone(context);
   EmitterWatch step(world, own, world.state.clock.time());
-  step.follow_to_end();
   for (std::size_t i = 0; i < world.scratch.chunk_count; ++i) step.watch(world.scratch.chunks[i]);
   step.watch(world.forced_scratch.chunk);
   step.watch(world.pairs.chunk);
+  step.follow_to_end();
 }
 
 void fire_emitters(WorldImpl& world, const SettleContext& context) {
@@ -447,9 +441,6 @@ void fire_past(WorldImpl& world, std::uint32_t index) {
   context.dt = now - context.time;
   EmitterBirths step(world, context, now);
   step.watch().note_followed();
-  // Where the projectile was that it follows nobody knows any more: it stands where that is now.
-  for (auto& followed : world.emitting.followed)
-    if (followed) followed->from = followed->to;
   step.fire_past(index);
 }
 
@@ -458,6 +449,7 @@ std::size_t fire_now(WorldImpl& world, std::uint32_t index, std::uint32_t count)
   const SettleContext context = now_of(world);
   EmitterBirths step(world, context, context.time);
   step.watch().note_followed();
+  step.close_ways();
   const Emitter& e = world.state.emitters[index];
   const std::uint64_t before = e.counts.born;
   const double own = e.plays ? (context.time - e.began) * e.def().cycle.rate : 0;
@@ -474,6 +466,7 @@ void trigger_now(WorldImpl& world, std::uint32_t index) {
   const SettleContext context = now_of(world);
   EmitterBirths step(world, context, context.time);
   step.watch().note_followed();
+  step.close_ways();
   step.watch().trigger_all(index);
   step.work_off();
 }

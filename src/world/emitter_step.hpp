@@ -10,9 +10,11 @@
 #include <optional>
 #include <vector>
 
+#include "emit/odometer.hpp"
 #include "world/emitter_pose.hpp"
 #include "world/emitters.hpp"
 #include "world/settle.hpp"
+#include "world/step_way.hpp"
 
 namespace physim {
 
@@ -27,6 +29,16 @@ struct EmitterTrigger {
   std::size_t only = ~0u;  // of its subs; otherwise all that wait for it
 };
 
+/// The way of an emitter that a projectile or a call leads through the step.
+struct Led {
+  explicit Led(const MotionKey& begin) : way(begin) {}
+
+  StepWay way;
+  bool is_left = false;               // the projectile has gone
+  std::optional<collide::Path> path;  // all of the way, once it is known
+  std::optional<Odometer> odometer;   // along it, where it fires by distance; from where that counts
+};
+
 /// Memory that steps use again and again.
 struct EmitterScratch {
   struct Departure {
@@ -34,13 +46,13 @@ struct EmitterScratch {
     double time;  // [s]
   };
   std::vector<EmitterTrigger> triggers;
-  std::vector<EmitterTrigger> causes;             // those that set off a sub-emitter
-  std::vector<Departure> departures;              // of particles, in the step at hand
-  std::vector<ProjectileId> dying;                // whose lives end in it, in that order
-  std::vector<double> ends;                       // and when they do [s]
-  std::vector<std::optional<Followed>> followed;  // by emitter
-  std::uint32_t births = 0;                       // by sub-emitters, in the step at hand
-  std::vector<std::uint32_t> own_births;          // of each emitter by itself, in the step at hand
+  std::vector<EmitterTrigger> causes;     // those that set off a sub-emitter
+  std::vector<Departure> departures;      // of particles, in the step at hand
+  std::vector<ProjectileId> dying;        // whose lives end in it, in that order
+  std::vector<double> ends;               // and when they do [s]
+  std::vector<std::optional<Led>> led;    // by emitter
+  std::uint32_t births = 0;               // by sub-emitters, in the step at hand
+  std::vector<std::uint32_t> own_births;  // of each emitter by itself, in the step at hand
   Chunk chunk;
 };
 

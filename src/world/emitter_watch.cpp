@@ -20,6 +20,14 @@ std::optional<SubEvent> sub_event(EventKind kind) {
   return std::nullopt;
 }
 
+/// Whether an event's velocity is that after it was thrown off; nothing: it goes on as it went.
+std::optional<bool> thrown_off(const Event& event) {
+  if (event.kind == EventKind::hit) return false;  // what comes of it is told next
+  const bool is_thrown = event.kind == EventKind::bounced || event.kind == EventKind::ricocheted ||
+                         event.kind == EventKind::penetrated || event.kind == EventKind::stopped;
+  return is_thrown ? std::optional(true) : std::nullopt;
+}
+
 bool waits_for(const EmitterDef& def, SubEvent on) {
   return std::ranges::any_of(def.subs, [on](const SubEmitter& sub) { return sub.on == on; });
 }
@@ -50,14 +58,14 @@ EmitterWatch::EmitterWatch(WorldImpl& world, const SettleContext& context, doubl
 
 // ------------------------------------------------------------------------------------------- before the step
 void EmitterWatch::note_followed() {
-  s_.followed.assign(all_.size(), std::nullopt);
+  s_.led.assign(all_.size(), std::nullopt);
   s_.own_births.assign(all_.size(), 0);
   for (std::uint32_t i = 1; i < all_.size(); ++i) {
     if (!all_[i].active || !all_[i].def().follows) continue;
     const Slot* slot = w_.find(all_[i].def().follows);
     if (!slot) continue;
     const BodyState now = w_.state.state_of(*slot);
-    s_.followed[i] = {context_.time, end_, now, now};
+    s_.led[i].emplace(MotionKey{.time = context_.time, .position = now.position, .velocity = now.velocity});
   }
 }
 
@@ -97,9 +105,11 @@ void EmitterWatch::watch(const Chunk& chunk) {
 }
 void EmitterWatch::follow_to_end() {
   for (std::uint32_t i = 1; i < all_.size(); ++i) {
-    std::optional<Followed>& followed = s_.followed[i];
-    if (!followed || followed->to < end_) continue;
-    if (const Slot* slot = w_.find(all_[i].def().follows)) followed->end = w_.state.state_of(*slot);
+    std::optional<Led>& led = s_.led[i];
+    const Slot* slot = led && !led->is_left ? w_.find(all_[i].def().follows) : nullptr;
+    if (!slot) continue;
+    const BodyState at = w_.state.state_of(*slot);
+    led->way.arrive({.time = end_, .position = at.position, .velocity = at.velocity});
   }
 }
 
@@ -122,7 +132,20 @@ bool EmitterWatch::is_known(std::uint32_t slot) const {
 bool EmitterWatch::follows(const Emitter& e, std::uint32_t slot) const {
   return e.def().follows && e.def().follows == w_.state.slots.id_of(slot);
 }
+/// Who follows it turns where it does.
+void EmitterWatch::turn_followed(const Event& event) {
+  const auto turns = thrown_off(event);
+  if (!turns) return;
+  for (std::uint32_t i = 1; i < all_.size(); ++i) {
+    if (!s_.led[i] || s_.led[i]->is_left || !follows(all_[i], event.id.index)) continue;
+    StepWay& way = s_.led[i]->way;
+    if (event.time < way.end()) continue;  // rounding
+    const MotionKey key{.time = event.time, .position = event.position, .velocity = event.velocity};
+    *turns ? way.turn(key) : way.arrive(key);
+  }
+}
 void EmitterWatch::watch(const Event& event) {
+  turn_followed(event);
   if (!all_.particle(event.id.index)) return;
   if (const auto on = sub_event(event.kind))
     trigger(event.id.index, *on, event.time, {event.position, event.velocity}, event.normal);
@@ -137,7 +160,11 @@ void EmitterWatch::leaves(std::uint32_t slot, const Event* last) {
 /// Who follows it comes no farther.
 void EmitterWatch::end_followed(std::uint32_t slot, const BodyState& at, double time) {
   for (std::uint32_t i = 1; i < all_.size(); ++i)
-    if (all_[i].active && follows(all_[i], slot) && s_.followed[i]) s_.followed[i]->to = time, s_.followed[i]->end = at;
+    if (s_.led[i] && !s_.led[i]->is_left && follows(all_[i], slot)) {
+      s_.led[i]->is_left = true;
+      if (time >= s_.led[i]->way.end())
+        s_.led[i]->way.arrive({.time = time, .position = at.position, .velocity = at.velocity});
+    }
 }
 void EmitterWatch::depart(std::uint32_t slot, std::uint32_t emitter, const BodyState& at, double time) {
   s_.departures.push_back({emitter, time});
