@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "emit/rain.hpp"
+#include "physim/world_projectile.hpp"
 #include "world/emitter_pose.hpp"
 #include "world/emitters.hpp"
 

@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 4>;
-constexpr Sums kExpectedSums = {0x1d4ef4299df7053c, 0x752b3273ef42da61, 0x3ea2bf48c75b9059, 0x80aeb04777fdcd61};
+constexpr Sums kExpectedSums = {0x1d4ef4299df7053c, 0x752b3273ef42da61, 0x3ea2bf48c75b9059, 0xef90378f16342dff};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)
