@@ -83,6 +83,28 @@ inline ParticleFlight random_flight(Random& r) {
   return flight;
 }
 
+/// Out of a mesh or terrain, as rain, or with trails.
+inline void add_shapes(Random& r, EmitterDef& def) {
+  if (r.one_in(3)) {
+    MeshShape mesh;
+    for (int i = 0; i < 5; ++i) mesh.vertices.push_back(r.vector(2));
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 3, 4}, {4, 1, 0}};
+    HeightFieldShape field{4, 3, 1, 2, {}};
+    for (int i = 0; i < 12; ++i) field.heights.push_back(r.in(0, 3));
+    def.from.shape = static_cast<EmitShape>(8 + r.below(4));
+    const bool is_field = def.from.shape == EmitShape::terrain;
+    const auto shape = is_field ? SharedShape::make(field) : SharedShape::make(mesh);
+    def.from.surface = {.scale = r.in(0.2, 2), .along = static_cast<EmitAlong>(r.below(3)), .high_x = r.in(0.5, 4)};
+    if (shape) def.from.surface.shape = *shape;
+  }
+  if (r.one_in(4)) {
+    def.rain = {.density = r.in(0.02, 0.1), .size = {r.in(3, 9), r.in(3, 9), r.in(3, 9)}, .drift = r.vector(5)};
+    def.rain.shelter = r.one_in(2) ? 20 : 0;
+    def.inherit_velocity = 0;
+  }
+  if (r.one_in(3)) def.trail = {.points = 8, .time = r.in(0.1, 1), .distance = r.in(0, 1)};
+}
+
 /// One that fires `kind`; `others` are emitters of the same world that it may set off.
 inline EmitterDef random_emitter(Random& r, KindId kind, std::span<const EmitterId> others) {
   const IeeeMode mode;
@@ -112,6 +134,7 @@ inline EmitterDef random_emitter(Random& r, KindId kind, std::span<const Emitter
   def.life.colour = random_colour(r);
   if (r.one_in(3))
     def.life.fast = 30, def.life.size_by_speed = {{0, 1}, {1, 2}}, def.life.colour_by_speed = {{0, 0xff}, {1, 0xffff}};
+  add_shapes(r, def);
   def.maximum = static_cast<std::uint32_t>(1 + r.below(60));
   if (r.one_in(2)) def.when_full = WhenFull::replace_oldest;
   for (const EmitterId other : others) {

@@ -13,6 +13,7 @@
 #include "physim/projectile.hpp"
 #include "physim/quat.hpp"
 #include "physim/scene_motion.hpp"
+#include "physim/shared_shape.hpp"
 #include "physim/vec3.hpp"
 #include "physim/world_def.hpp"
 
@@ -112,14 +113,18 @@ struct GunDef {
 // ------------------------------------------------------------------------------------------------- where
 /// What particles come out of. Its axis is the emitter's x axis.
 enum class EmitShape : std::uint8_t {
-  point,       ///< forwards
-  cone,        ///< from a disc of `radius`, away from the tip of a cone of half angle `angle`
-  sphere,      ///< away from the middle of a ball of `radius`
-  hemisphere,  ///< away from the middle of the half of a ball that lies forwards
-  box,         ///< forwards, from a box of `size` about the origin
-  circle,      ///< away from the middle of a disc of `radius` across the axis
-  ring,        ///< away from the middle line of a torus of `radius` and of a tube of `tube`
-  line,        ///< forwards, from a line of `length` along z about the origin
+  point,          ///< forwards
+  cone,           ///< from a disc of `radius`, away from the tip of a cone of half angle `angle`
+  sphere,         ///< away from the middle of a ball of `radius`
+  hemisphere,     ///< away from the middle of the half of a ball that lies forwards
+  box,            ///< forwards, from a box of `size` about the origin
+  circle,         ///< away from the middle of a disc of `radius` across the axis
+  ring,           ///< away from the middle line of a torus of `radius` and of a tube of `tube`
+  line,           ///< forwards, from a line of `length` along z about the origin
+  mesh,           ///< from the surface of a mesh, evenly by area; see EmitSurface, as of the next three
+  mesh_edges,     ///< from the edges of its triangles, evenly by length, each once
+  mesh_vertices,  ///< from the corners of its triangles, one as often as the other
+  terrain,        ///< from a height field, or a rectangle of it, evenly by area
 };
 
 /// Where on the arc particles come out, one after the other.
@@ -128,6 +133,27 @@ enum class ArcMode : std::uint8_t {
   loop,       ///< further by arc_speed all the time
   ping_pong,  ///< to and fro by arc_speed
   spread,     ///< those of one moment evenly over the arc
+};
+
+/// Which way particles leave a mesh or terrain.
+enum class EmitAlong : std::uint8_t {
+  normal,  ///< of the triangle; at an edge or a vertex the mean of those about it
+  smooth,  ///< between the normals of the triangle's corners, as a smooth surface has it
+  axis,    ///< forwards
+};
+
+/// What particles come out of where the shape is of triangles. It lies in the emitter's frame as it is: an emitter with
+/// the place and rotation of a thing that has the same shape lets them out of that thing.
+struct EmitSurface {
+  SharedShape shape{};                  ///< a mesh, or a height field where the shape is terrain [-]
+  double scale = 1;                     ///< along all axes, 1e-9 to 1e9 [-]
+  EmitAlong along = EmitAlong::normal;  ///< [-]
+  double low_x = -kInfinity;            ///< of terrain: a rectangle of it, in its own frame, before it is scaled [m]
+  double high_x = kInfinity;            ///< above low_x [m]
+  double low_z = -kInfinity;            ///< [m]
+  double high_z = kInfinity;            ///< above low_z [m]
+
+  bool operator==(const EmitSurface&) const = default;
 };
 
 struct EmitFrom {
@@ -143,8 +169,22 @@ struct EmitFrom {
   ArcMode arc_mode = ArcMode::random;  ///< of those with an arc, and of the line [-]
   double arc_speed = 1;                ///< of loop and ping_pong: arcs a second [1/s]
   double randomise = 0;                ///< part of the way from its direction to a random one, 0..1 [-]
+  EmitSurface surface{};               ///< of mesh, mesh_edges, mesh_vertices and terrain [-]
 
   bool operator==(const EmitFrom&) const = default;
+};
+
+/// Rain, snow or dust about a viewer: a box about the emitter's origin that particles fill evenly, at rest and while it
+/// moves. They come in through its faces, at exact moments, and those that are outside after a step are gone. They
+/// start with the direction of the shape and `start.speed`; where in the shape does not count.
+struct RainDef {
+  double density = 0;      ///< particles in a cubic metre; 0: no rain [1/m^3]
+  Vec3d size{20, 20, 20};  ///< of the box, along the axes of W, at most 1e6 particles in it [m]
+  Vec3d drift{};           ///< velocity that is added to that of all: what the wind does [m/s]
+  double shelter = 0;      ///< no particle begins where a thing of the scene is so near, against its velocity; 0: not
+                           ///< looked at; below the ground none begins [m]
+
+  bool operator==(const RainDef&) const = default;
 };
 
 // ------------------------------------------------------------------------------------------------- what
@@ -200,6 +240,16 @@ struct ParticleFlight {
   double noise_gain = 0.5;          ///< acceleration of an octave over that of the one before, 0..1 [-]
 
   bool operator==(const ParticleFlight&) const = default;
+};
+
+/// Places where each particle has been, kept for whoever draws its trail: World::trails(). One is noted when it is
+/// born, and after each step.
+struct TrailDef {
+  std::uint32_t points = 0;  ///< of each particle at most, the oldest go first, up to 1e6; 0: none are kept [-]
+  double time = kInfinity;   ///< older ones are not told, above 0 [s]
+  double distance = 0;       ///< a place is noted so far from the one before, or farther [m]
+
+  bool operator==(const TrailDef&) const = default;
 };
 
 /// What a sub-emitter fires at.
@@ -274,10 +324,12 @@ struct EmitterDef {
   double per_metre = 0;          ///< particles for each metre that the emitter moves [1/m]
   std::vector<Burst> bursts{};   ///< [-]
   GunDef gun{};                  ///< [-]
+  RainDef rain{};                ///< [-]
   EmitFrom from{};               ///< [-]
   ParticleStart start{};         ///< [-]
   ParticleLife life{};           ///< [-]
   ParticleFlight flight{};       ///< [-]
+  TrailDef trail{};              ///< [-]
   std::uint32_t maximum = 1000;  ///< particles alive at once [-]
   WhenFull when_full = WhenFull::refuse;  ///< a new one then: refused, or the oldest makes room; both are counted [-]
   std::vector<SubEmitter> subs{};         ///< [-]
@@ -311,6 +363,21 @@ struct ParticleColumns {
   std::span<std::uint32_t> colour{};  ///< RGBA [-]
   std::span<double> age{};            ///< [s]
   std::span<std::uint64_t> number{};  ///< of the particle among those of its emitter, from 0 [-]
+};
+
+/// Columns for whoever draws trails, in the caller's memory; those left empty are not wanted, and shorter ones get what
+/// comes first.
+struct TrailColumns {
+  std::span<ProjectileId> id{};      ///< of each particle [-]
+  std::span<std::uint32_t> first{};  ///< of each particle: which of all places is its first one [-]
+  std::span<std::uint32_t> count{};  ///< of each particle: how many places it has [-]
+  std::span<Vec3d> position{};       ///< of one particle after the other, from the oldest place to where it is now [m]
+  std::span<double> time{};          ///< at which it was there [s]
+};
+/// How many there are.
+struct TrailCounts {
+  std::size_t particles = 0;  ///< [-]
+  std::size_t places = 0;     ///< of all together [-]
 };
 
 }  // namespace physim

@@ -84,6 +84,8 @@ struct ScenarioEmitter {
   EmitterDef def{};                 ///< but for what the members below say, and for kind, launch and subs [-]
   std::string shot{};               ///< name of the shot whose projectile, body, rail, attitude and spin it fires [-]
   std::string tracer{};             ///< of a gun: name of the shot that every tracer_every-th round is; empty: none [-]
+  std::string surface_of{};         ///< name of the [[shape]] that its particles come out of; empty: none [-]
+  std::string surface_file{};       ///< file of the mesh instead, as the scenario says it [-]
   std::string follows{};            ///< name of a shot, fired once, that it sits on; empty: none [-]
   ScenarioRotation rotation{};      ///< from its frame (x forward, y up, z right) to W [-]
   ScenarioMotion motion{};          ///< [-]

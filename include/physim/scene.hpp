@@ -25,6 +25,7 @@
 namespace physim {
 
 class SceneCanvas;
+class SharedShape;
 struct SceneDrawing;
 
 /// Where something stands: scaled, then turned, then moved.
@@ -289,6 +290,7 @@ class Scene {
                                 double to) const;
 
  private:
+  friend class SharedShape;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -230,6 +230,13 @@ class World {
   /// In the course of the next step it goes straight to that place, and turns; later it stays there. Its scale does not
   /// count. Refused for one that follows a projectile or has a motion.
   Status move_emitter(EmitterId emitter, const Transform& to);
+  /// It stands there from now on, without a way to it: nothing is born by distance, and rain fills its box anew where
+  /// it was not before. Refused as move_emitter() is.
+  Status jump_emitter(EmitterId emitter, const Transform& to);
+  /// As if it had begun to play so long ago, 0 to 1e9 s: its particles go, and those are there that would be, as
+  /// EmitterCycle::prewarm has them; numbers and what is drawn are those of the play at hand, so that it is what
+  /// waiting so long would have given. Rain begins now.
+  Status seek_emitter(EmitterId emitter, double time);
   /// It fires so many now, beside what it does by itself, up to 1e6; how many were born.
   Result<std::size_t> emit(EmitterId emitter, std::uint32_t count);
   /// Its sub-emitters that wait for SubEvent::trigger fire now, at each of its particles.
@@ -240,6 +247,8 @@ class World {
   [[nodiscard]] EmitterCounts emitter_counts(EmitterId emitter) const;  ///< zeros: it is gone
   /// Its particles, by the index of their ids; returns how many there are. Columns that are shorter get the first ones.
   std::size_t particles(EmitterId emitter, const ParticleColumns& into) const;
+  /// Where its particles have been (TrailDef), in their order; returns how many there are.
+  TrailCounts trails(EmitterId emitter, const TrailColumns& into) const;
 
   // ------------------------------------------------------------------------------------------- time
   /// One step of dt [s], now; 1e-9 at least and below 1e6. Fastest where dt stays the same. Integrators with fixed

@@ -141,6 +141,7 @@ class Archive {
     self().function(field);
   }
   void take(Scene& scene) { self().scene(scene); }
+  void take(SharedShape& shape) { self().shape(shape); }
   /// Lent for a call: nothing that holds one is kept.
   void take(const Scene*&) {}
   /// It changes no result: who replays has another machine.
@@ -182,6 +183,15 @@ class Writer : public Archive<Writer> {
     std::vector<std::byte> save = scene.save();
     (*this)(save);
   }
+  /// Its number among those written so far, each of which follows its number once; 0 stands for none.
+  void shape(const SharedShape& shape) {
+    const auto at = std::find(shapes_.begin(), shapes_.end(), shape);
+    count(shape ? static_cast<std::size_t>(at - shapes_.begin()) + 1 : 0);
+    if (!shape || at != shapes_.end()) return;
+    shapes_.push_back(shape);
+    std::vector<std::byte> save = shape.save();
+    (*this)(save);
+  }
   void function(const CustomForce& force) { number(force.function ? 1 : 0, 1); }
   /// Its number among those written so far, each counted once; 0 stands for none.
   template <class Batch>
@@ -197,6 +207,7 @@ class Writer : public Archive<Writer> {
  private:
   std::vector<std::byte>& to_;
   std::tuple<std::vector<WindFunction>, std::vector<ForceFunction>> fields_;
+  std::vector<SharedShape> shapes_;
   bool good_ = true;
 };
 
@@ -243,6 +254,21 @@ class Reader : public Archive<Reader> {
     scene = std::move(*loaded);
     if (scene.engine()) ++used_.engine_queries;
   }
+  void shape(SharedShape& shape) {
+    std::uint64_t place = 0;
+    number(place, 4, std::uint64_t{shapes_.size()} + 2);
+    shape = {};
+    if (place == 0 || !good_) return;
+    if (place > shapes_.size()) {
+      std::vector<std::byte> save;
+      (*this)(save);
+      auto loaded = SharedShape::load(save);
+      good_ = good_ && loaded;
+      if (!good_) return;
+      shapes_.push_back(std::move(*loaded));
+    }
+    shape = shapes_[static_cast<std::size_t>(place) - 1];
+  }
   void function(CustomForce& force) {
     std::uint64_t there = 0;
     number(there, 1, 2);
@@ -274,6 +300,7 @@ class Reader : public Archive<Reader> {
   const LoadOptions* options_ = nullptr;
   FunctionCounts before_;
   FunctionCounts used_;
+  std::vector<SharedShape> shapes_;
   bool good_ = true;
 };
 
@@ -289,9 +316,13 @@ class Hasher : public Archive<Hasher> {
   void count(std::size_t n) { hash_.add(std::uint64_t{n}); }
   void text(const std::string& s) { hash_.add(std::as_bytes(std::span(s))); }
   void scene(const Scene& scene) { hash_.add(scene.hash()); }
+  void shape(const SharedShape& shape) { hash_.add(shape.hash()); }
   /// Hashes of what meets things as it would by itself are what they were before there were scenes.
   [[nodiscard]] static bool says_nothing(const CollisionDef& collision) { return collision == CollisionDef{}; }
   [[nodiscard]] static bool says_nothing(const ContactDef& contact) { return contact == ContactDef{}; }
+  [[nodiscard]] static bool says_nothing(const EmitSurface& surface) { return surface == EmitSurface{}; }
+  [[nodiscard]] static bool says_nothing(const RainDef& rain) { return rain == RainDef{}; }
+  [[nodiscard]] static bool says_nothing(const TrailDef& trail) { return trail == TrailDef{}; }
   void function(const CustomForce& force) { hash_.add(std::uint64_t{force.function ? 1u : 0u}); }
   template <class Batch>
   void function(const FieldFunction<Batch>& field) {

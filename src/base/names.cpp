@@ -39,7 +39,9 @@ PHYSIM_NAMES(LifeStatus, retired, "unknown", "pending", "in_flight", "landed", "
 PHYSIM_NAMES(Reason, inside, "none", "below", "farther", "older", "slower", "outside_box", "despawned", "replaced",
              "non_finite", "left_domain", "stalled", "inside")
 PHYSIM_NAMES(ImpactKind, stopped, "none", "bounced", "ricocheted", "penetrated", "stopped")
-PHYSIM_NAMES(EmitShape, line, "point", "cone", "sphere", "hemisphere", "box", "circle", "ring", "line")
+PHYSIM_NAMES(EmitShape, terrain, "point", "cone", "sphere", "hemisphere", "box", "circle", "ring", "line", "mesh",
+             "mesh_edges", "mesh_vertices", "terrain")
+PHYSIM_NAMES(EmitAlong, axis, "normal", "smooth", "axis")
 PHYSIM_NAMES(ArcMode, spread, "random", "loop", "ping_pong", "spread")
 PHYSIM_NAMES(SubEvent, trigger, "birth", "hit", "bounce", "ricochet", "exit", "landing", "apex", "death", "age",
              "trigger")

@@ -18,6 +18,12 @@ class HeightField {
 
   [[nodiscard]] std::uint32_t columns() const { return columns_; }
   [[nodiscard]] std::uint32_t rows() const { return rows_; }
+  [[nodiscard]] double spacing_x() const { return spacing_x_; }  // [m]
+  [[nodiscard]] double spacing_z() const { return spacing_z_; }  // [m]
+  [[nodiscard]] double height(std::uint32_t column, std::uint32_t row) const {
+    PHYSIM_ASSERT(column < columns_ && row < rows_);
+    return heights_[std::size_t{row} * columns_ + column];
+  }
   /// The two halves of a cell, seen from above.
   [[nodiscard]] Triangle triangle(std::uint32_t column, std::uint32_t row, std::uint32_t half) const {
     const Vec3d right = point(column + 1, row), far = point(column, row + 1);
@@ -116,10 +122,6 @@ class HeightField {
   [[nodiscard]] Bounds box(std::size_t level, std::uint32_t column, std::uint32_t row) const;
   void clear_of(const Vec3d& p, std::size_t level, std::uint32_t column, std::uint32_t row, double& within) const;
 
-  [[nodiscard]] double height(std::uint32_t column, std::uint32_t row) const {
-    PHYSIM_ASSERT(column < columns_ && row < rows_);
-    return heights_[std::size_t{row} * columns_ + column];
-  }
   [[nodiscard]] Vec3d point(std::uint32_t column, std::uint32_t row) const {
     return {column * spacing_x_, height(column, row), row * spacing_z_};
   }

@@ -23,6 +23,11 @@ class Mesh {
     const auto& corners = triangles_[i];
     return {vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]};
   }
+  /// Its vertices; triangles name the first ones, all of them.
+  [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t i) const {
+    PHYSIM_ASSERT(i < triangles_.size());
+    return triangles_[i];
+  }
   /// The material of a triangle, by its number as it was given.
   [[nodiscard]] std::optional<MaterialId> material(std::uint32_t triangle) const {
     PHYSIM_ASSERT(materials_.empty() || triangle < materials_.size());

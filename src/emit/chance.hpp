@@ -60,7 +60,16 @@ enum class FlightDraw : std::uint8_t {
 };
 
 /// The last word of the counter: projectiles' hits and volleys draw from streams 0 and 1.
-enum class EmitStream : std::uint32_t { particle = 2, delay = 3, rate = 4, burst = 5, sub = 6, flight = 7, noise = 8 };
+enum class EmitStream : std::uint32_t {
+  particle = 2,
+  delay = 3,
+  rate = 4,
+  burst = 5,
+  sub = 6,
+  flight = 7,
+  noise = 8,
+  rain = 9
+};
 
 /// Four random words of the nth event of a number in a stream. `index`, below 2^24: the block, burst or sub-emitter.
 [[nodiscard]] inline PhiloxCounter emit_words(std::uint64_t seed, EmitStream stream, std::uint32_t index,

@@ -7,6 +7,7 @@
 #include "collide/path.hpp"
 #include "emit/drawn.hpp"
 #include "emit/emission.hpp"
+#include "emit/emit_surface.hpp"
 #include "emit/moments.hpp"
 #include "math/angles.hpp"
 #include "math/quat.hpp"
@@ -29,6 +30,11 @@ constexpr double kFarthest = 1e15;     // [m]
 constexpr double kNearest = 1e-6;      // in front of a barrel that its line meets others [m]
 constexpr double kWholeTurn = 6.2832;  // 2 pi, and what rounding it may add [rad]
 constexpr double kMostDispersion = 0.3;  // whose tails still point forwards [rad]
+
+constexpr double kLeastPatch = 1e-9;  // of terrain: part of the whole field along a side
+
+constexpr double kMostInRain = 1e6;               // particles in the box of rain
+constexpr std::uint32_t kMostPlaces = 1'000'000;  // of a trail
 
 enum class Least : std::uint8_t { any, zero, above_zero };
 
@@ -196,10 +202,62 @@ void check_gun(Checker& c, const GunDef& gun) {
   }
 }
 
+void check_rain(Checker& c, const EmitterDef& def) {
+  const RainDef& rain = def.rain;
+  const Place at = "emitter.rain.";
+  check_within(c, rain.density, 0, kMostBirths, at + "density", "particles in a cubic metre; 0: no rain");
+  const Vec3d& size = rain.size;
+  c.require(size.x > 0 && size.y > 0 && size.z > 0 && length(size) <= kFarthest, at + "size",
+            "must have three components, all positive, within 1e15 m");
+  c.require(finite(rain.drift) && length(rain.drift) <= kMostValue, at + "drift", "must be a velocity within 1e15 m/s");
+  check_within(c, rain.shelter, 0, kFarthest, at + "shelter", "in m; 0: not looked at");
+  if (!c.status_so_far() || rain.density == 0) return;
+  const double within = rain.density * size.x * size.y * size.z;
+  c.require(within <= kMostInRain, at + "density", "puts " + short_text(within) + " particles into the box",
+            "at most 1e6");
+  c.require(def.inherit_velocity == 0, "emitter.inherit_velocity", "does not go together with rain",
+            "rain does not move with its viewer");
+}
+
+void check_trail(Checker& c, const TrailDef& trail) {
+  c.require(trail.points <= kMostPlaces, "emitter.trail.points", "must not be above 1e6", "places of one particle");
+  c.require(trail.time > 0, "emitter.trail.time", "must be positive, not " + short_text(trail.time), "in s");
+  check_within(c, trail.distance, 0, kFarthest, "emitter.trail.distance", "in m");
+}
+
 // ------------------------------------------------------------------------------------------------- where
+/// The mesh or the terrain that particles come out of.
+void check_surface(Checker& c, const EmitFrom& from) {
+  const EmitSurface& surface = from.surface;
+  const Place at = "emitter.from.surface.", shape = at + "shape";
+  c.named(surface.along, EmitAlong::axis, at + "along");
+  check_within(c, surface.scale, 1e-9, 1e9, at + "scale", "1 changes nothing");
+  c.require(has_triangles(from.shape) || !surface.shape, shape, "does nothing for this shape",
+            "say mesh, mesh_edges, mesh_vertices or terrain");
+  if (!c.status_so_far() || !has_triangles(from.shape)) return;
+  const bool is_terrain = from.shape == EmitShape::terrain;
+  c.require(bool(surface.shape), shape, is_terrain ? "has no height field" : "has no mesh",
+            "SharedShape::make() prepares one");
+  if (!c.status_so_far()) return;
+  const collide::HeightField* field = surface.shape.content()->field();
+  c.require(is_terrain == (field != nullptr), shape,
+            is_terrain ? "is a mesh, and no height field" : "is a height field, and no mesh",
+            is_terrain ? "say mesh" : "say terrain");
+  if (!c.status_so_far() || !is_terrain) return;
+  c.require(surface.low_x < surface.high_x, at + "low_x", "must lie below high_x, not at " + short_text(surface.low_x));
+  c.require(surface.low_z < surface.high_z, at + "low_z", "must lie below high_z, not at " + short_text(surface.low_z));
+  const EmitPatch patch = patch_of(surface, *field);
+  const double wide = (field->columns() - 1) * field->spacing_x(), deep = (field->rows() - 1) * field->spacing_z();
+  const Place hint = "in the field's own frame, in m";
+  c.require(patch.high_x - patch.low_x > kLeastPatch * wide, at + "low_x",
+            "leaves nothing of the field, which goes from x = 0 to " + short_text(wide), hint);
+  c.require(patch.high_z - patch.low_z > kLeastPatch * deep, at + "low_z",
+            "leaves nothing of the field, which goes from z = 0 to " + short_text(deep), hint);
+}
+
 void check_from(Checker& c, const EmitFrom& from) {
   const Place at = "emitter.from.";
-  c.named(from.shape, EmitShape::line, at + "shape").named(from.arc_mode, ArcMode::spread, at + "arc_mode");
+  c.named(from.shape, EmitShape::terrain, at + "shape").named(from.arc_mode, ArcMode::spread, at + "arc_mode");
   check_within(c, from.radius, 0, kFarthest, at + "radius", "in m");
   check_within(c, from.tube, 0, kFarthest, at + "tube", "in m");
   check_within(c, from.length, 0, kFarthest, at + "length", "in m");
@@ -215,6 +273,7 @@ void check_from(Checker& c, const EmitFrom& from) {
   check_part(c, from.randomise, at + "randomise");
   c.require(from.shape != EmitShape::ring || from.tube <= from.radius, at + "tube",
             "must not be larger than the radius of the ring", "a ring without a hole is a sphere");
+  if (c.status_so_far()) check_surface(c, from);
 }
 
 /// Its path, what it follows and its launch, whose own checks name places without the emitter.
@@ -306,6 +365,8 @@ Status check(const EmitterDef& def) {
   check_rates(c, def);
   check_gun(c, def.gun);
   check_births(c, def);
+  check_rain(c, def);
+  check_trail(c, def.trail);
   check_from(c, def.from);
   check_start(c, def.start);
   check_life(c, def.life);

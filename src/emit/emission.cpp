@@ -53,6 +53,7 @@ Emission::Parts::Parts(const EmitterDef& of, std::uint64_t drawn_by)
       when(of, drawn_by),
       outlets(of.from),
       gun(of.gun),
+      rain(of, drawn_by),
       start(of),
       life(of),
       flight(of.flight, drawn_by) {
@@ -65,6 +66,7 @@ Emission::~Emission() = default;
 const EmitterDef& Emission::def() const { return parts_->def; }
 std::uint64_t Emission::seed() const { return parts_->seed; }
 const FlightLaw& Emission::flight() const { return parts_->flight; }
+const Rain& Emission::rain() const { return parts_->rain; }
 
 Newborn Emission::newborn(const Birth& birth) const {
   const Parts& p = *parts_;

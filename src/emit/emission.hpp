@@ -39,6 +39,7 @@ struct Look {
 };
 
 class FlightLaw;
+class Rain;
 
 class Emission {
  public:
@@ -50,6 +51,8 @@ class Emission {
 
   [[nodiscard]] const EmitterDef& def() const;
   [[nodiscard]] std::uint64_t seed() const;
+
+  [[nodiscard]] const Rain& rain() const;
 
   [[nodiscard]] Newborn newborn(const Birth& birth) const;
   /// How a particle of that number looks, born at that phase of the cycle. `age` within 0..lifetime [s]; `speed` [m/s].

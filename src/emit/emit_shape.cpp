@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emit/emit_surface.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
@@ -17,7 +18,12 @@ double behind_point(double x) { return x - std::floor(x); }
 }  // namespace
 
 ShapeOutlets::ShapeOutlets(const EmitFrom& from)
-    : from_(from), inner_(1 - from.thickness), slope_(tan(from.angle)), half_(from.size * 0.5), within_(half_) {
+    : from_(from),
+      inner_(1 - from.thickness),
+      slope_(tan(from.angle)),
+      half_(from.size * 0.5),
+      within_(half_),
+      surface_(surface_outlets(from)) {
   // Around the whole axis the first lies where the arc begins; parts that have ends have their particle in the middle.
   first_ = from.shape != EmitShape::line && from.arc >= 2 * kPi ? 0 : 0.5;
   shell_ = from.thickness * std::min({half_.x, half_.y, half_.z});
@@ -49,6 +55,10 @@ Outlet ShapeOutlets::of_shape(const Birth& birth, ParticleChance& chance) const 
     }
     case EmitShape::ring: return ring(birth, chance);
     case EmitShape::line: return {{0, 0, from_.length * (along_arc(birth, chance) - 0.5)}, {1, 0, 0}};
+    case EmitShape::mesh:
+    case EmitShape::mesh_edges:
+    case EmitShape::mesh_vertices:
+    case EmitShape::terrain: return surface_->at(chance);
   }
   PHYSIM_UNREACHABLE();
 }

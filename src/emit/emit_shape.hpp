@@ -12,6 +12,8 @@
 //   distribution of their radius) and IV.8.1 (skewed densities by mirroring).
 #pragma once
 
+#include <memory>
+
 #include "emit/chance.hpp"
 #include "emit/emission.hpp"
 
@@ -22,6 +24,8 @@ struct Outlet {
   Vec3d place{};
   Vec3d direction{1, 0, 0};
 };
+
+class SurfaceOutlets;
 
 class ShapeOutlets {
  public:
@@ -47,6 +51,7 @@ class ShapeOutlets {
   double shell_ = 0;     // of a box: how thick it is, from its surface inwards [m]
   double slab_[3]{};     // the volume of its slabs across x, y and z, each with those before
   Vec3d half_, within_;  // half sizes of the box and of the part inside of the shell
+  std::shared_ptr<const SurfaceOutlets> surface_;  // null: no shape of triangles
 };
 
 }  // namespace physim

@@ -7,6 +7,7 @@
 #include "emit/flight_law.hpp"
 #include "emit/gun.hpp"
 #include "emit/moments.hpp"
+#include "emit/rain.hpp"
 
 namespace physim {
 
@@ -43,6 +44,7 @@ struct Emission::Parts {
   EmitWhen when;
   ShapeOutlets outlets;
   Gun gun;
+  Rain rain;
   EmitStart start;
   EmitLife life;
   FlightLaw flight;

@@ -25,6 +25,11 @@ namespace physim {
 /// Default names, laws without numbers, and whether there is a world at all.
 void complete_world(Scenario& scenario, const Value& document);
 
+/// Meshes and terrain that emitters name, read and prepared once each.
+[[nodiscard]] Status complete_emitters(Scenario& scenario, const Value& document);
+/// A file that a scenario names, found from where the scenario is.
+[[nodiscard]] std::string beside_scenario(const Scenario& scenario, const std::string& file);
+
 /// Contradictions of [[emitter]]; the names of shots and volleys that are counted by themselves.
 [[nodiscard]] Status check_emitters(const Scenario& scenario, const Value& document,
                                     std::vector<std::string_view> counted);

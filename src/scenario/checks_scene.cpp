@@ -50,11 +50,6 @@ Status check_one_kind(const Value& element, const std::string& list, std::string
                "give one of them"};
 }
 
-/// A file that a scenario names is found from where the scenario is.
-std::string beside_scenario(const Scenario& scenario, const std::string& file) {
-  return (std::filesystem::path(scenario.file).parent_path() / file).string();
-}
-
 bool is_mesh(const ScenarioShape& shape) { return std::holds_alternative<MeshShape>(shape.shape); }
 
 /// What a shape has in a file.
@@ -117,6 +112,10 @@ Status check_each(const List& list, const std::string& key, const Value& documen
 }
 
 }  // namespace
+
+std::string beside_scenario(const Scenario& scenario, const std::string& file) {
+  return (std::filesystem::path(scenario.file).parent_path() / file).string();
+}
 
 Status complete_scene(Scenario& scenario, const Value& document) {
   const auto name_each = [](auto& list, const std::string& kind) {

@@ -63,6 +63,7 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   PHYSIM_ASSERT(scenario.shots.size() == array->size());
   complete(scenario, *document);
   if (Status status = complete_scene(scenario, *document); !status) return status.error();
+  if (Status status = complete_emitters(scenario, *document); !status) return status.error();
   if (Status status = check_scenario(scenario, *document); !status) return status.error();
   return scenario;
 }

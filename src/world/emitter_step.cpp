@@ -9,6 +9,7 @@
 #include "emit/flight_law.hpp"
 #include "math/elementary.hpp"
 #include "world/emitter_firing.hpp"
+#include "world/emitter_rain.hpp"
 #include "world/emitter_watch.hpp"
 #include "world/world_impl.hpp"
 
@@ -30,7 +31,8 @@ class EmitterBirths {
         all_(world.state.emitters),
         s_(world.emitting),
         end_(end),
-        watch_(world, context, end) {
+        watch_(world, context, end),
+        rain_(world) {
     s_.causes.clear();
   }
 
@@ -51,6 +53,7 @@ class EmitterBirths {
     for (std::uint32_t i = 1; i < all_.size(); ++i) {
       queue_moment(i);
       queue_metre(i);
+      begin_rain(i);
     }
     work_off();
     for (std::uint32_t i = 1; i < all_.size(); ++i) finish(i);
@@ -69,6 +72,9 @@ class EmitterBirths {
       } else if (firing.rank == kMetre) {
         ++all_[firing.emitter].metre;
         queue_metre(firing.emitter);
+      } else if (firing.rank == kRain) {
+        rain_.take(firing.emitter);
+        queue_rain(firing.emitter);
       }
       fire(firing);
       queue_triggers();
@@ -112,7 +118,7 @@ class EmitterBirths {
   }
 
  private:
-  enum Rank : std::uint32_t { kOwn, kMetre, kSub };
+  enum Rank : std::uint32_t { kOwn, kMetre, kFill, kRain, kSub };
 
   // ------------------------------------------------------------------------------------------- what comes next
   void queue_moment(std::uint32_t index) {
@@ -149,6 +155,31 @@ class EmitterBirths {
     if (!led || !led->odometer) return 0;
     const double to = std::min(led->way.end(), end_);
     return to > led->odometer->from() ? led->odometer->at(to) : 0;
+  }
+
+  /// The box of its rain goes through the step, along a straight way.
+  void begin_rain(std::uint32_t index) {
+    const Emitter& e = all_[index];
+    if (!e.active || !e.plays || !e.emission->rain().falls()) return;
+    const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
+    const double from = std::max(context_.time, e.began + first / e.def().cycle.rate);
+    double to = std::min(end_, e.began + last / e.def().cycle.rate);
+    if (s_.led[index] && s_.led[index]->is_left) to = std::min(to, s_.led[index]->way.end());
+    const std::optional<Pose> begin = pose_at(index, from), end = pose_at(index, to);
+    if (!(from <= to) || !begin || !end) return;
+    const std::uint32_t filling = rain_.begin(index, *begin, *end, from, to);
+    if (filling > 0)
+      queue_.push({.time = from, .emitter = index, .rank = kFill, .moment = rain_moment(index, from, filling)});
+    queue_rain(index);
+  }
+  void queue_rain(std::uint32_t index) {
+    if (const std::optional<double> time = rain_.next(index))
+      queue_.push({.time = *time, .emitter = index, .rank = kRain, .moment = rain_moment(index, *time, 1)});
+  }
+  [[nodiscard]] EmitMoment rain_moment(std::uint32_t index, double time, std::uint32_t count) const {
+    const Emitter& e = all_[index];
+    const double own = (time - e.began) * e.def().cycle.rate;
+    return {.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own), .count = count};
   }
 
   void queue_triggers() {
@@ -233,6 +264,11 @@ class EmitterBirths {
     if (is_cut(firing)) return void(++e.counts.cut);
     const EmitMoment& m = firing.moment;
     const Birth birth{e.born++, m.time, m.phase, of_moment, m.count, m.is_round, m.round};
+    std::optional<BodyState> in_rain;
+    if (firing.rank == kRain || firing.rank == kFill) {
+      in_rain = rain_.candidate(firing.emitter, birth, firing.rank == kFill, firing.time, pose.rotation);
+      if (!in_rain) return;
+    }
     if (!has_room(firing.emitter, firing.time)) return void(++e.counts.refused);
     const Newborn newborn = e.emission->newborn(birth);
     if (is_past_ && e.def().subs.empty() && firing.time + newborn.lifetime <= end_) {
@@ -240,7 +276,9 @@ class EmitterBirths {
       return s_.departures.push_back({firing.emitter, firing.time + newborn.lifetime});  // nobody has to fly it
     }
     const KindId kind = newborn.tracer ? e.def().gun.tracer : e.def().kind;
-    const Launch launch = launch_of(firing, pose, birth.number, newborn);
+    Launch launch = launch_of(firing, pose, birth.number, newborn);
+    if (in_rain) launch.position = in_rain->position;
+    if (in_rain && length(in_rain->velocity) > 0) launch.velocity = in_rain->velocity;
     const Result<ProjectileId> id =
         w_.spawn(kind, launch, {.moment = firing.time, .gravity = newborn.gravity, .emitter = firing.emitter});
     if (!id) return void(++e.counts.refused);
@@ -313,8 +351,30 @@ class EmitterBirths {
     if (e.to) e.at = *std::exchange(e.to, std::nullopt);
     if (e.def().follows && !w_.find(e.def().follows)) e.plays = false;
     if (e.plays && e.began + last / rate <= end_) e.plays = false;
+    if (e.emission->rain().falls()) {
+      const bool is_led = e.path || e.def().follows;
+      const std::optional<Pose> pose = is_led ? pose_at(index, end_) : std::nullopt;
+      rain_.end(index, pose ? pose->position : e.at.position);
+    }
+    note_trails(index);
     if (!e.plays && e.def().cycle.stop == StopAction::remove && e.plays_before > 0 && e.counts.alive == 0)
       all_.erase(index);
+  }
+
+  void note_trails(std::uint32_t index) {
+    Emitter& e = all_[index];
+    if (e.def().trail.points == 0) return;
+    e.trails.drop([&](std::uint32_t slot, std::uint64_t number) {
+      const Particle* particle = all_.particle(slot);
+      return !particle || particle->emitter != index || particle->number != number;
+    });
+    all_.each_particle_of(index, [&](std::uint32_t slot, const Particle& particle) {
+      const Slot& of = w_.state.slots[slot];
+      const Rows& rows = w_.state.rows_of(of);
+      const double before = std::max(context_.time, w_.state.slots.birth(slot));
+      e.trails.note(e.def().trail, slot, particle.number, {rows.previous(of.row), before},
+                    {rows.position(of.row), end_});
+    });
   }
 
   WorldImpl& w_;
@@ -323,6 +383,7 @@ class EmitterBirths {
   EmitterScratch& s_;
   double end_;  // of the step [s]
   EmitterWatch watch_;
+  RainStep rain_;
   bool is_past_ = false;  // the step is the time before the world's
   std::priority_queue<Firing> queue_;
   std::uint64_t found_ = 0;

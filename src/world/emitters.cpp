@@ -88,7 +88,7 @@ std::size_t Emitters::bytes() const {
   std::size_t sum = particles_.capacity() * (sizeof(Particle) + sizeof(std::uint32_t)) +
                     all_.capacity() * sizeof(Emitter) + lives.bytes() + ages.bytes() +
                     free_.capacity() * sizeof(std::uint32_t);
-  for (const Emitter& emitter : all_) sum += emitter.by_age.capacity() * sizeof(Aged);
+  for (const Emitter& emitter : all_) sum += emitter.by_age.capacity() * sizeof(Aged) + emitter.trails.bytes();
   return sum;
 }
 
@@ -109,6 +109,10 @@ void add_emitter(Hash& hash, const Emitter& e) {
   hash.add(e.plays_before);
   hash.add(e.born);
   hash.add(e.travelled);
+  if (e.first != 0) hash.add(e.first);
+  if (e.rain.about) {
+    for (const double x : {e.rain.about->x, e.rain.about->y, e.rain.about->z, e.rain.due}) hash.add(x);
+  }
   hash.add(e.metre);
   add_place(hash, e.at);
   if (e.to) add_place(hash, *e.to);

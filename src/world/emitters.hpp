@@ -13,6 +13,7 @@
 #include "emit/odometer.hpp"
 #include "emit/timeline.hpp"
 #include "world/schedule.hpp"
+#include "world/trails.hpp"
 
 namespace physim {
 
@@ -48,6 +49,12 @@ void each_age(const std::vector<SubEmitter>& subs, double birth, const F& f) {
   }
 }
 
+/// How far a box of rain has come.
+struct RainState {
+  std::optional<Vec3d> about{};  // its middle where it is full of rain; none: it is empty [m]
+  double due = 0;                // part of the next candidate that has come already
+};
+
 /// An emitter and how far it has come.
 struct Emitter {
   std::uint32_t generation = 0;
@@ -67,6 +74,9 @@ struct Emitter {
   Transform at;                 // where it stands, rotation of length one
   std::optional<Transform> to;  // where it goes in the next step
   EmitterCounts counts;
+  std::uint64_t first = 0;  // the number of the first particle since it began
+  RainState rain;
+  Trails trails;
   std::vector<Aged> by_age;  // its particles, where the oldest makes room; some are gone
   std::size_t oldest = 0;    // in by_age
 

@@ -68,3 +68,5 @@ PHYSIM_CALL(emit, w.emit(emitter, count), EmitterId emitter, std::uint32_t count
 PHYSIM_CALL(trigger_emitter, w.trigger_emitter(emitter), EmitterId emitter)
 PHYSIM_CALL(add_joint, w.add_joint(joint), const Joint& joint)
 PHYSIM_CALL(remove_joint, w.remove_joint(joint), JointId joint)
+PHYSIM_CALL(jump_emitter, w.jump_emitter(emitter, to), EmitterId emitter, const Transform& to)
+PHYSIM_CALL(seek_emitter, w.seek_emitter(emitter, time), EmitterId emitter, double time)

@@ -177,6 +177,8 @@ class Loading {
       const bool fits = kind != 0 && registry.has_environment_of(registry.kind(kind)) &&
                         each.rung < registry.kind(kind).rungs.size() && std::isfinite(each.birth);
       if (!fits) return makes_no_sense("its projectiles");
+      const Motion motion = registry.kind(kind).rungs[each.rung].in_use.fidelity.motion;
+      if (slot.is(kForced) && motion != Motion::force) return makes_no_sense("those that feel forces");
       slot.kind = kind;
       slot.rung = static_cast<std::uint16_t>(each.rung);
       slot.cohort = world_->placement.cohort_for(slot);
@@ -282,10 +284,18 @@ class Loading {
       e.born = each.born;
       e.travelled = each.travelled;
       e.metre = each.metre;
+      e.first = each.first;
+      e.rain = each.rain;
       e.at = each.at;
       e.to = each.to;
       e.counts = each.counts;
       e.counts.alive = 0;
+      const bool has_rain = !each.rain.about || finite(*each.rain.about);
+      if (!has_rain || !(each.rain.due >= 0 && each.rain.due <= 1) || each.first > each.born)
+        return makes_no_sense("its emitters");
+      for (const SavedTrail& trail : each.trails)
+        if (!is_alive(trail.slot) || !e.trails.restore(each.def.trail, trail))
+          return makes_no_sense("the trails of its emitters");
       world_->count_metres(e);
       if (each.plays && !is_up_to_date(e)) return makes_no_sense("how far its emitters have come");
     }
@@ -370,6 +380,13 @@ SavedEmitters saved_emitters(const Emitters& emitters) {
     each.born = e.born;
     each.travelled = e.travelled;
     each.metre = e.metre;
+    each.first = e.first;
+    each.rain = e.rain;
+    each.trails = e.trails.saved();
+    std::erase_if(each.trails, [&](const SavedTrail& trail) {  // of those that left by a call since the last step
+      const Particle* particle = emitters.particle(trail.slot);
+      return !particle || particle->emitter != i || particle->number != trail.number;
+    });
     each.at = e.at;
     each.to = e.to;
     each.counts = e.counts;

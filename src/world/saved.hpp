@@ -61,6 +61,9 @@ struct SavedEmitter {
   std::uint64_t born = 0;
   double travelled = 0;  // [m]
   std::uint64_t metre = 0;
+  std::uint64_t first = 0;
+  RainState rain;
+  std::vector<SavedTrail> trails;
   Transform at;
   std::optional<Transform> to;
   EmitterCounts counts;

@@ -105,8 +105,8 @@ class SettledRow {
   /// Where it points and how it turns, where that is flown.
   void put_turn(const Turn<double>& turn) { cast_numbers(turn, march.lanes.step.turn->start); }
   [[nodiscard]] Vec3d acceleration_at(const State<double>& s, double after) const {
-    const Vec3d a = acceleration_of_lane(conditions(), march.lanes, march.course().body,
-                                         static_cast<double>(t_start_) + after, s);
+    const Vec3d a =
+        acceleration_of_lane(conditions(), march.lanes, march.course().body, static_cast<double>(t_start_) + after, s);
     return driven_ ? a + kept(driven_->by.at(context_.time + after, s) - driven_->felt) : a;
   }
 

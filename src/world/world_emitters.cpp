@@ -66,10 +66,37 @@ void WorldImpl::play(std::uint32_t index) {
   emitter.plays = true;
   emitter.began = state.clock.time() - (cycle.prewarm ? cycle.duration / cycle.rate : 0);
   emitter.timeline = Timeline(*emitter.emission).begin(emitter.plays_before++);
+  emitter.first = emitter.born;
+  begin_counting(emitter);
+  if (cycle.prewarm) fire_past(*this, index);
+}
+
+void WorldImpl::seek(std::uint32_t index, double time) {
+  Emitter& emitter = state.emitters[index];
+  std::vector<std::uint32_t> slots;
+  state.emitters.each_particle_of(index, [&](std::uint32_t slot, const Particle&) { slots.push_back(slot); });
+  for (const std::uint32_t slot : slots) retire(slot, Reason::despawned);
+  PHYSIM_ASSERT(emitter.counts.alive == 0 && emitter.first <= emitter.born);
+  emitter.plays = true;
+  emitter.plays_before = std::max<std::uint64_t>(emitter.plays_before, 1);
+  emitter.began = state.clock.time() - time;
+  emitter.timeline = Timeline(*emitter.emission).begin(emitter.plays_before - 1);
+  emitter.born = emitter.first;
+  emitter.trails.clear();
+  emitter.by_age.clear();
+  emitter.oldest = 0;
+  begin_counting(emitter);
+  if (time > 0) fire_past(*this, index);
+  Emitter& now = state.emitters[index];
+  if (Timeline(*now.emission).span(now.timeline.play).second / now.def().cycle.rate <= time) now.plays = false;
+}
+
+/// Distance and rain, where it begins to play.
+void WorldImpl::begin_counting(Emitter& emitter) const {
   emitter.travelled = 0;
   emitter.metre = 0;
+  emitter.rain = {};
   count_metres(emitter);
-  if (cycle.prewarm) fire_past(*this, index);
 }
 
 void WorldImpl::count_metres(Emitter& emitter) const {
@@ -129,18 +156,49 @@ Status World::stop_emitter(EmitterId id) {
   return {};
 }
 
-Status World::move_emitter(EmitterId id, const Transform& to) {
-  WorldImpl& w = impl();
-  const Recorded<Call::move_emitter> call(w, id, to);
-  if (call.is_refused()) return call.refusal();
-  Emitter* emitter = w.state.emitters.find(id);
+namespace {
+
+/// Whether a call may put an emitter there.
+Status check_move(const Emitter* emitter, const Transform& to) {
   if (!emitter) return no_emitter();
   if (emitter->path || emitter->def().follows)
     return Error{"has a motion, or follows a projectile", "emitter", "move one that stands"};
   const double turned = norm(to.rotation);
   if (!(length(to.position) <= 1e15) || !(turned > 0 && std::isfinite(turned)))
     return Error{"must lie within 1e15 m, with a rotation of a length that is not zero", "to", ""};
+  return {};
+}
+
+}  // namespace
+
+Status World::move_emitter(EmitterId id, const Transform& to) {
+  WorldImpl& w = impl();
+  const Recorded<Call::move_emitter> call(w, id, to);
+  if (call.is_refused()) return call.refusal();
+  Emitter* emitter = w.state.emitters.find(id);
+  if (Status status = check_move(emitter, to); !status) return status;
   emitter->to = Transform{to.position, normalized(to.rotation), 1};
+  return {};
+}
+
+Status World::jump_emitter(EmitterId id, const Transform& to) {
+  WorldImpl& w = impl();
+  const Recorded<Call::jump_emitter> call(w, id, to);
+  if (call.is_refused()) return call.refusal();
+  Emitter* emitter = w.state.emitters.find(id);
+  if (Status status = check_move(emitter, to); !status) return status;
+  emitter->at = Transform{to.position, normalized(to.rotation), 1};
+  emitter->to.reset();
+  return {};
+}
+
+Status World::seek_emitter(EmitterId id, double time) {
+  WorldImpl& w = impl();
+  const Recorded<Call::seek_emitter> call(w, id, time);
+  if (call.is_refused()) return call.refusal();
+  if (!w.state.emitters.find(id)) return no_emitter();
+  if (!(time >= 0 && time <= 1e9)) return Error{"must lie between 0 and 1e9 s", "time", "so long ago it began"};
+  w.seek(id.index, time);
   return {};
 }
 
@@ -230,6 +288,33 @@ std::size_t World::particles(EmitterId id, const ParticleColumns& into) const {
     ++i;
   });
   return i;
+}
+
+TrailCounts World::trails(EmitterId id, const TrailColumns& into) const {
+  const WorldState& state = impl().state;
+  const Emitter* emitter = state.emitters.find(id);
+  TrailCounts counts;
+  if (!emitter || emitter->def().trail.points == 0) return counts;
+  const double now = state.clock.time(), since = now - emitter->def().trail.time;
+  const auto place = [&](const Vec3d& position, double time) {
+    put(into.position, counts.places, position);
+    put(into.time, counts.places, time);
+    ++counts.places;
+  };
+  state.emitters.each_particle_of(id.index, [&](std::uint32_t index, const Particle& particle) {
+    const std::size_t first = counts.places;
+    double last = -kInfinity;
+    emitter->trails.each_place(index, particle.number, since, [&](const TrailPlace& at) {
+      place(at.position, at.time);
+      last = at.time;
+    });
+    if (last < now) place(state.state_of(state.slots[index]).position, now);
+    put(into.id, counts.particles, state.slots.id_of(index));
+    put(into.first, counts.particles, static_cast<std::uint32_t>(first));
+    put(into.count, counts.particles, static_cast<std::uint32_t>(counts.places - first));
+    ++counts.particles;
+  });
+  return counts;
 }
 
 }  // namespace physim

@@ -148,6 +148,9 @@ struct WorldImpl : Gate {
   /// What follows from a definition that makes sense.
   void equip(Emitter& emitter, const EmitterDef& asked, std::uint64_t seed) const;
   void play(std::uint32_t emitter);
+  /// The play at hand anew, begun so long ago [s].
+  void seek(std::uint32_t emitter, double time);
+  void begin_counting(Emitter& emitter) const;
   /// Births by distance are counted from where it began to play.
   void count_metres(Emitter& emitter) const;
 

@@ -67,6 +67,10 @@ void add_looks(Hash& hash, const World& world) {
         for (const double x : {v.x, v.y, v.z}) add_number(hash, x);
       hash.add(std::uint64_t{colour[i]});
     }
+    std::vector<Vec3d> trail(world.trails(id, {}).places);
+    world.trails(id, {.position = trail});
+    for (const Vec3d& v : trail)
+      for (const double x : {v.x, v.y, v.z}) add_number(hash, x);
     hash.add(world.emitter_counts(id).born);
     hash.add(world.emitter_counts(id).refused);
   }
@@ -95,6 +99,8 @@ void run_world(Hash& hash, std::uint64_t seed, unsigned threads) {
   for (const EmitterId id : world.emitters()) {
     static_cast<void>(world.move_emitter(id, {.position = r.vector(10)}));
     static_cast<void>(world.trigger_emitter(id));
+    if (r.one_in(3)) static_cast<void>(world.jump_emitter(id, {.position = r.vector(10)}));
+    if (r.one_in(3)) static_cast<void>(world.seek_emitter(id, r.in(0, 1.5)));
   }
   steps(20, 1.0 / 30);
   add_looks(hash, world);

@@ -198,7 +198,10 @@ TEST(Settings, RefuseWhatIsOutOfRange) {
                                                   "shot.body.despawn.below",    "shot.body.despawn.farther",
                                                   "shot.body.despawn.older",    "world.detail.rungs.within",
                                                   "world.detail.rungs.younger", "force.duration",
-                                                  "shot.magnus.decay_time",     "emitter.start.lifetime"};
+                                                  "shot.magnus.decay_time",     "emitter.start.lifetime",
+                                                  "emitter.from.surface.low_x", "emitter.from.surface.high_x",
+                                                  "emitter.from.surface.low_z", "emitter.from.surface.high_z",
+                                                  "emitter.trail.time"};
     const bool takes_infinity = std::ranges::count(kTakeInfinity, setting.path) > 0;
     EXPECT_EQ(with_override(setting.path, "inf").ok(), takes_infinity) << setting.path;
     if (setting.range.empty()) continue;

@@ -195,13 +195,15 @@ class RandomSession {
                              : emitters_[static_cast<std::size_t>(below(static_cast<int>(emitters_.size())))];
   }
   void emitter() {
-    switch (below(9)) {
+    switch (below(11)) {
       case 0: return void(world_.remove_emitter(one_emitter()));
       case 1: return void(world_.play_emitter(one_emitter()));
       case 2: return void(world_.stop_emitter(one_emitter()));
       case 3: return void(world_.move_emitter(one_emitter(), {.position = vector(20)}));
       case 4: return void(world_.emit(one_emitter(), static_cast<std::uint32_t>(below(5))));
       case 5: return void(world_.trigger_emitter(one_emitter()));
+      case 6: return void(world_.jump_emitter(one_emitter(), {.position = vector(20)}));
+      case 7: return void(world_.seek_emitter(one_emitter(), real(0, 2)));
       default: {
         if (kinds_.empty()) return;
         const KindId kind = kinds_[static_cast<std::size_t>(below(static_cast<int>(kinds_.size())))];

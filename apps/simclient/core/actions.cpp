@@ -172,6 +172,8 @@ constexpr Action kActions[] = {
      act([](Client& c) { c.show_bottom(BottomPanel::performance); })},
     {"hits", "L", "Panels", "what was hit: where, how fast, and what became of it", "",
      act([](Client& c) { c.show_bottom(BottomPanel::hits); })},
+    {"emitters", "J", "Panels", "curves and gradients of emitters, drawn with the mouse", "",
+     kToggle<&Shown::emitters>},
     {"panel-keys", "F8", "Panels", "arrows, Space, Enter and Ctrl+Tab go to the panels, Alt to the menu", "",
      kToggle<&Shown::panel_keys>},
     {"help", "F1 H", "Help", "keys", "", kToggle<&Shown::help>},

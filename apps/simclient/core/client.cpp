@@ -266,6 +266,14 @@ Status Client::set(const SettingRow& row, const std::string& text) {
   return use(scenario, shot);
 }
 
+Status Client::set_emitters(const std::vector<ScenarioEmitter>& emitters) {
+  if (Status status = session.set_emitters(emitters); !status) return status;
+  selected = {};
+  unsaved_ = true;
+  ++session_version_;
+  return {};
+}
+
 Status Client::use(const Scenario& scenario, const ScenarioShot& shot) {
   launcher.set_shot(shot);
   unsaved_ = true;

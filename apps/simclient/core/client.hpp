@@ -24,6 +24,7 @@ struct Shown {
   bool settings = true;    // panel of the next shot
   bool statistics = true;  // panel of those in flight
   bool help = false;
+  bool emitters = false;    // panel of their curves
   bool panel_keys = false;  // arrows, Enter, Space and Tab belong to the panels
   bool trails = true;
   bool vectors = false;
@@ -133,6 +134,9 @@ class Client {
   [[nodiscard]] Status set(const std::string& assignment);
   /// Changes the setting of a row.
   [[nodiscard]] Status set(const SettingRow& row, const std::string& text);
+
+  /// Emitters instead of those of the scenario; it starts again, and goes on to the moment at hand.
+  [[nodiscard]] Status set_emitters(const std::vector<ScenarioEmitter>& emitters);
 
   /// What the next shot would do; flown again only when something changed.
   [[nodiscard]] const Prediction& prediction();

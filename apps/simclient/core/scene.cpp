@@ -9,6 +9,8 @@ void Scene::clear() {
   lines.clear();
   balls.clear();
   crowd.clear();
+  sprites.clear();
+  drawn.clear();
   labels.clear();
 }
 
@@ -81,6 +83,7 @@ void build_scene(Client& client, double scale, Scene& scene) {
   scene.has_ground = client.session.ground().has_value();
   build_ground(client, scale, scene);
   build_things(client, scale, scene);
+  build_particles(client, scale, scene);
   build_projectiles(client, scale, scene);
   if (client.bottom == BottomPanel::compare) build_comparison(client, scale, scene);
   build_aim(client, scale, scene);

@@ -1,6 +1,7 @@
 // Scene: what is to be drawn in the world, as lines, balls and labels; the renderer only draws it.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,15 @@ struct SceneDot {
   Colour colour = 0xFFFFFFFF;
 };
 
+/// A soft disc that faces the eye.
+struct SceneSprite {
+  Vec3d at;
+  Colour colour = 0xFFFFFFFF;
+  float width = 0, height = 0;  // [m]
+  float turn = 0;               // about the way to the eye [rad]
+  float pixels = 3.5F;          // it is never smaller, but fainter [pixels]
+};
+
 struct SceneLabel {
   Vec3d at;
   std::string text;
@@ -41,6 +51,8 @@ struct Scene {
   std::vector<SceneLine> lines;
   std::vector<SceneBall> balls;
   std::vector<SceneDot> crowd;
+  std::vector<SceneSprite> sprites;  // from far to near
+  std::set<ProjectileId> drawn;      // those that emitters fired
   std::vector<SceneLabel> labels;
   const Scenery* scenery = nullptr;  // the client's; null: there is none to be seen
   float crowd_size = 3;              // of each of the crowd [pixels]
@@ -63,6 +75,7 @@ void build_scene(Client& client, double scale, Scene& scene);
 void build_ground(const Client& client, double scale, Scene& scene);
 void build_comparison(Client& client, double scale, Scene& scene);
 void build_aim(Client& client, double scale, Scene& scene);
+void build_particles(const Client& client, double scale, Scene& scene);
 void build_projectiles(const Client& client, double scale, Scene& scene);
 void build_vectors(const Client& client, double scale, Scene& scene);
 void build_tools(Client& client, double scale, Scene& scene);

@@ -280,6 +280,22 @@ Status Session::set_scene(const Scenario& changed) {
   return {};
 }
 
+Status Session::set_emitters(const std::vector<ScenarioEmitter>& emitters) {
+  constexpr double kMost = 1;  // of the machine's clock [s]
+  if (is_replay()) return cannot_change();
+  if (is_recording()) return Error{"a recording is under way", "emitters", "complete it first: record"};
+  Scenario changed = scenario_;
+  changed.emitters = emitters;
+  Result<Session> again = create(std::move(changed));
+  if (!again) return again.error();
+  const auto begun = std::chrono::steady_clock::now();
+  while (again->step_ < step_ && seconds_since(begun) < kMost) again->take_step();
+  again->paused_ = paused_;
+  again->time_scale_ = time_scale_;
+  *this = std::move(*again);
+  return {};
+}
+
 Status Session::stop_recording() {
   if (is_replay()) return cannot_change();
   return run_->world().stop_recording();

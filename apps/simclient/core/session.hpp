@@ -123,6 +123,9 @@ class Session {
   /// The materials, shapes and things of a scenario instead of those of this one; what flies, flies on. Going back
   /// ends here.
   Status set_scene(const Scenario& changed);
+  /// Emitters instead of those of this scenario: everything from the start, with nothing fired by hand, up to the
+  /// moment at hand, or as far as a second of the machine's clock goes. Where they make no sense nothing changes.
+  Status set_emitters(const std::vector<ScenarioEmitter>& emitters);
   /// Forgets the tracks of those that have left.
   void clear_tracks();
 

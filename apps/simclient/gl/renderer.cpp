@@ -23,6 +23,11 @@ struct BallInstance {
   std::uint8_t colour[4];
   float radius, pixels;
 };
+struct SpriteInstance {
+  float at[3];
+  std::uint8_t colour[4];
+  float half_width, half_height, turn, half_pixels;
+};
 struct DotInstance {
   float at[3];
   std::uint8_t colour[4];
@@ -141,6 +146,19 @@ void draw_balls(const Pass& pass, const Scene& scene, const Camera& camera, cons
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload_balls(pass, scene, camera));
 }
 
+void draw_sprites(const Pass& pass, const Scene& scene, const Camera& camera, const Mat4& matrix) {
+  if (scene.sprites.empty()) return;
+  begin(pass, camera, matrix);
+  glUniform1f(pass.shader.uniform("focal"), static_cast<float>(camera.focal()));
+  const auto fill = [&camera, eye = camera.eye()](const SceneSprite& sprite, SpriteInstance& out) {
+    relative(sprite.at, camera, eye, out.at);
+    bytes(sprite.colour, out.colour);
+    out.half_width = sprite.width / 2, out.half_height = sprite.height / 2;
+    out.turn = sprite.turn, out.half_pixels = sprite.pixels / 2;
+  };
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, upload<SpriteInstance>(pass, scene.sprites, fill));
+}
+
 }  // namespace
 
 Pass::~Pass() {
@@ -158,6 +176,7 @@ Status Renderer::make() {
                 {"line", kLineVertex, kLineFragment, line_},
                 {"ball", kBallVertex, kBallFragment, ball_},
                 {"crowd", kCrowdVertex, kCrowdFragment, crowd_},
+                {"sprite", kSpriteVertex, kSpriteFragment, sprite_},
                 {"ball shadow", kBallShadowVertex, kBallShadowFragment, ball_shadow_}};
   for (const auto& each : passes)
     if (Status status = each.pass.shader.make(each.name, each.vertex, each.fragment); !status) return status;
@@ -165,6 +184,7 @@ Status Renderer::make() {
   make_arrays(line_, &kStrip, {3, 3, 4, 2});
   make_arrays(ball_, &kSquare, {3, 4, 2});
   make_arrays(crowd_, nullptr, {3, 4});
+  make_arrays(sprite_, &kSquare, {3, 4, 2, 2});
   make_arrays(ball_shadow_, &kSquare, {3, 4, 2});
   return scenery_.make();
 }
@@ -208,6 +228,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const Viewport& vi
   if (has_things) scenery_.draw(*scene.scenery, camera);
   glDepthMask(GL_FALSE);
   draw_crowd(crowd_, scene, camera, matrix);
+  draw_sprites(sprite_, scene, camera, matrix);
   if (has_things) {
     constexpr float kShowsThrough = 0.25F;
     glDepthFunc(GL_GREATER);

@@ -30,7 +30,7 @@ class Renderer {
  private:
   void draw_shadows(const Scene& scene, const Camera& camera);
 
-  Pass ground_, line_, ball_, crowd_, ball_shadow_;
+  Pass ground_, line_, ball_, crowd_, sprite_, ball_shadow_;
   SceneryPass scenery_;
 };
 

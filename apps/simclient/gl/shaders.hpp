@@ -225,4 +225,43 @@ out vec4 colour;
 void main() { colour = shade; }
 )";
 
+// A soft disc that faces the eye, turned about the way to it. One that would be smaller than a pixel or two is fainter
+// instead, so that what is far does not flicker.
+inline constexpr const char* kSpriteVertex = R"(#version 330 core
+layout(location = 0) in vec2 corner;
+layout(location = 1) in vec3 at;
+layout(location = 2) in vec4 sprite_colour;
+layout(location = 3) in vec2 half_size;    // [m]
+layout(location = 4) in vec2 turn_pixels;  // [rad], least half size
+uniform mat4 matrix;
+uniform vec2 size;
+uniform float focal;
+out vec4 shade;
+out vec2 spot;
+void main() {
+  vec4 centre = matrix * vec4(at, 1.0);
+  float per_metre = focal / max(centre.w, 1e-4);
+  vec2 wanted = half_size * per_metre;
+  vec2 shown = max(wanted, vec2(turn_pixels.y));
+  shade = sprite_colour;
+  shade.a *= clamp(wanted.x * wanted.y / (shown.x * shown.y), 0.6, 1.0);
+  float c = cos(turn_pixels.x), s = sin(turn_pixels.x);
+  vec2 offset = mat2(c, s, -s, c) * (corner * shown);
+  spot = corner;
+  gl_Position = centre.w < 1e-4 ? vec4(2.0, 2.0, 2.0, 1.0) : centre + vec4(offset * 2.0 / size * centre.w, 0.0, 0.0);
+}
+)";
+
+inline constexpr const char* kSpriteFragment = R"(#version 330 core
+in vec4 shade;
+in vec2 spot;
+out vec4 colour;
+void main() {
+  float away = dot(spot, spot);
+  if (away >= 1.0) discard;
+  float soft = 1.0 - away;
+  colour = vec4(shade.rgb * (0.85 + 0.3 * soft * soft), shade.a * soft);
+}
+)";
+
 }  // namespace physim::client

@@ -49,6 +49,7 @@ void Ui::draw(Client& client, const Scene& scene) {
   draw_probe(client);
   draw_placing(client);
   draw_context_menu(client);
+  if (client.show.emitters) emitters_.draw(client, layout_.scene, scale_);
   if (client.show.help) draw_help(client);
   draw_file_dialog(client);
   draw_question(client);
@@ -73,6 +74,7 @@ bool Ui::close_something(Client& client) {
   }
   if (client.dialog != Dialog::none) return client.dialog = Dialog::none, true;
   if (client.show.help) return client.show.help = false, true;
+  if (client.show.emitters) return client.show.emitters = false, true;
   if (client.show.panel_keys) return client.show.panel_keys = false, true;
   if (client.tool != Tool::fire) return client.use_tool(client.tool), true;
   return false;

@@ -1,0 +1,102 @@
+// What emitters fire: soft discs of each particle's own colour, size and rotation, streaks of what is fast, trails.
+#include <algorithm>
+#include <cmath>
+
+#include "simclient/core/scene.hpp"
+
+namespace physim::client {
+namespace {
+
+constexpr double kExposure = 1.0 / 60;  // of the eye: what comes farther than its own size is a streak [s]
+constexpr double kTracer = 1.0 / 25;    // of rounds of a gun, which are hot [s]
+constexpr double kLeastStreak = 1.8;    // width [pixels]
+
+/// The particles of one emitter, as a renderer reads them.
+struct Columns {
+  std::vector<ProjectileId> id;
+  std::vector<Vec3d> position, velocity, size, rotation;
+  std::vector<Colour> colour;
+
+  Columns(const World& world, EmitterId emitter) {
+    const std::size_t count = world.particles(emitter, {});
+    id.resize(count);
+    for (auto* list : {&position, &velocity, &size, &rotation}) list->resize(count);
+    colour.resize(count);
+    world.particles(
+        emitter,
+        {.id = id, .position = position, .velocity = velocity, .size = size, .rotation = rotation, .colour = colour});
+  }
+};
+
+/// An emitter that says nothing about sizes lets out dots.
+bool has_sizes(const EmitterDef& def) { return def.start.size != DrawnNumber{1} || def.life.size != DrawnNumber{1}; }
+
+/// Its own colour, or that of its kind where its emitter says none.
+Colour colour_of_particle(const World& world, ProjectileId id, Colour own) {
+  if (own != 0xFFFFFFFF) return own;
+  const Colour colour = world[id].colour();
+  return colour == kNoColour ? colours::kVelocity : colour;
+}
+
+void add_particle(const Session& session, const Camera& camera, const EmitterDef& def, const Columns& all,
+                  std::size_t i, double scale, Scene& scene) {
+  const Colour colour = colour_of_particle(session.world(), all.id[i], all.colour[i]);
+  if ((colour & 0xFF) == 0) return;
+  const Vec3d at = session.shown_position(all.id[i]);
+  const bool is_sized = has_sizes(def), is_round = def.gun.rounds_per_minute > 0;
+  const double pixel = camera.pixel_size(at);
+  const double size = is_sized ? all.size[i].x : 3 * scale * pixel;
+  const double way = length(all.velocity[i]) * (is_round ? kTracer : kExposure);
+  if (way > 2 * size && way > 2 * scale * pixel) {
+    const Vec3d back = all.velocity[i] * (-way / length(all.velocity[i]));
+    const double width = std::max((is_sized ? size / pixel : 0), kLeastStreak * scale);
+    constexpr int kParts = 4;  // fainter and thinner towards its end
+    for (int i = 0; i < kParts; ++i) {
+      const double from = 1 - static_cast<double>(i) / kParts, part = (i + 1.0) / kParts;
+      scene.line(at + back * from, at + back * (from - 1.0 / kParts), faded(colour, part * part),
+                 std::max(width * (0.4 + 0.6 * part), scale));
+    }
+    return;
+  }
+  const Vec3d part = is_sized ? all.size[i] : Vec3d{size, size, size};
+  scene.sprites.push_back({at, colour, static_cast<float>(part.x), static_cast<float>(part.y),
+                           static_cast<float>(all.rotation[i].x), static_cast<float>(3.5 * scale)});
+}
+
+/// From where each particle was to where it is drawn, fading towards its oldest place.
+void add_trails(const Session& session, const Camera& camera, EmitterId emitter, const Columns& all, double scale,
+                Scene& scene) {
+  const World& world = session.world();
+  const TrailCounts counts = world.trails(emitter, {});
+  std::vector<std::uint32_t> first(counts.particles), count(counts.particles);
+  std::vector<Vec3d> place(counts.places);
+  world.trails(emitter, {.first = first, .count = count, .position = place});
+  for (std::size_t i = 0; i < counts.particles; ++i) {
+    const Colour colour = colour_of_particle(world, all.id[i], all.colour[i]);
+    const Vec3d shown = session.shown_position(all.id[i]);
+    const double wide = std::clamp(0.5 * all.size[i].x / camera.pixel_size(shown), 1.2 * scale, 6 * scale);
+    for (std::uint32_t k = 1; k < count[i]; ++k) {
+      const Vec3d& from = place[first[i] + k - 1];
+      const Vec3d& to = k + 1 == count[i] ? shown : place[first[i] + k];
+      scene.line(from, to, faded(colour, 0.8 * k / count[i]), wide);
+    }
+  }
+}
+
+}  // namespace
+
+void build_particles(const Client& client, double scale, Scene& scene) {
+  const Session& session = client.session;
+  for (const EmitterId emitter : session.world().emitters()) {
+    const EmitterDef* def = session.world().emitter(emitter);
+    const Columns all(session.world(), emitter);
+    if (client.show.trails && def->trail.points > 0) add_trails(session, client.camera, emitter, all, scale, scene);
+    for (std::size_t i = 0; i < all.id.size(); ++i) add_particle(session, client.camera, *def, all, i, scale, scene);
+    scene.drawn.insert(all.id.begin(), all.id.end());
+  }
+  const Vec3d eye = client.camera.eye();
+  std::ranges::sort(scene.sprites, std::greater<>(),
+                    [&](const SceneSprite& s) { return length(client.camera.shown(s.at) - eye); });
+}
+
+}  // namespace physim::client
