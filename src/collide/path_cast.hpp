@@ -13,11 +13,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/assert.hpp"
 #include "math/vec3.hpp"
 #include "physim/scene.hpp"
+
+namespace physim {
+
+/// What the numbers of a type are apart at a place [m].
+template <class S>
+[[nodiscard]] double spacing_at(const Vec3d& x) {
+  const double largest = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  return largest * static_cast<double>(std::numeric_limits<S>::epsilon());
+}
+
+}  // namespace physim
 
 namespace physim::collide {
 

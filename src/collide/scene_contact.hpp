@@ -82,13 +82,6 @@ inline constexpr double kLongestPart = 1.0 / 30;
           .energy = energy};
 }
 
-/// What the numbers of a type are apart at a place [m].
-template <class S>
-[[nodiscard]] double spacing_at(const Vec3d& x) {
-  const double largest = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
-  return largest * static_cast<double>(std::numeric_limits<S>::epsilon());
-}
-
 /// The contacts of one step.
 template <class Host>
 class SceneContacts {
