@@ -133,13 +133,13 @@ class SceneContacts {
     return met;
   }
 
-  /// How far places within a step may be off: closed forms give them in their own numbers, from the launch on; all else
-  /// is looked at in double [m].
+  /// How far places within a step may be off: its ends are rounded to the flight's own numbers, the way between them is
+  /// not; but closed forms give all of them in their own numbers, from the launch on [m].
   [[nodiscard]] static double rounding_of(const Course<S>& course, const DenseLanes<S>& at) {
-    if (sizeof(S) == sizeof(double) || course.conditions->fidelity.motion != Motion::closed_form) return 0;
-    const double step_of_time = std::abs(at.n1.t) * static_cast<double>(std::numeric_limits<S>::epsilon());
-    return 2 * std::max(spacing_at<S>(at.n0.y.x), spacing_at<S>(at.n1.y.x)) +
-           std::max(length(at.n0.y.v), length(at.n1.y.v)) * step_of_time;
+    const double places = 2 * std::max(spacing_at<S>(at.n0.y.x), spacing_at<S>(at.n1.y.x));
+    if (course.conditions->fidelity.motion != Motion::closed_form) return places;
+    const double times = std::abs(at.n1.t) * static_cast<double>(std::numeric_limits<S>::epsilon());
+    return places + std::max(length(at.n0.y.v), length(at.n1.y.v)) * times;
   }
 
   /// What follows from meeting something, `passed` into the step.
