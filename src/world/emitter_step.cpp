@@ -49,6 +49,7 @@ class EmitterBirths {
 
   // ------------------------------------------------------------------------------------------- births
   void fire() {
+    watch_.follow_to_end();  // once more: joints may have held it since
     close_ways();
     for (std::uint32_t i = 1; i < all_.size(); ++i) {
       queue_moment(i);
@@ -110,6 +111,8 @@ class EmitterBirths {
         led->way.go_straight({.time = end_, .position = e.to->position, .rotation = e.to->rotation});
       }
       if (!led) continue;
+      if (led->at_end)
+        led->way.arrive({.time = end_, .position = led->at_end->position, .velocity = led->at_end->velocity});
       led->path = led->way.path();
       if (is_past_ || !e.plays || !(e.def().per_metre > 0)) continue;
       const double first = e.began + Timeline(*e.emission).span(e.timeline.play).first / e.def().cycle.rate;

@@ -34,6 +34,7 @@ struct Led {
   explicit Led(const MotionKey& begin) : way(begin) {}
 
   StepWay way;
+  std::optional<BodyState> at_end;    // of the step, if it is there then
   bool is_left = false;               // the projectile has gone
   std::optional<collide::Path> path;  // all of the way, once it is known
   std::optional<Odometer> odometer;   // along it, where it fires by distance; from where that counts

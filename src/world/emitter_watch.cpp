@@ -108,8 +108,7 @@ void EmitterWatch::follow_to_end() {
     std::optional<Led>& led = s_.led[i];
     const Slot* slot = led && !led->is_left ? w_.find(all_[i].def().follows) : nullptr;
     if (!slot) continue;
-    const BodyState at = w_.state.state_of(*slot);
-    led->way.arrive({.time = end_, .position = at.position, .velocity = at.velocity});
+    led->at_end = w_.state.state_of(*slot);
   }
 }
 
