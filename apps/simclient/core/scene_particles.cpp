@@ -51,8 +51,8 @@ void add_particle(const Session& session, const Camera& camera, const EmitterDef
     const Vec3d back = all.velocity[i] * (-way / length(all.velocity[i]));
     const double width = std::max((is_sized ? size / pixel : 0), kLeastStreak * scale);
     constexpr int kParts = 4;  // fainter and thinner towards its end
-    for (int i = 0; i < kParts; ++i) {
-      const double from = 1 - static_cast<double>(i) / kParts, part = (i + 1.0) / kParts;
+    for (int k = 0; k < kParts; ++k) {
+      const double from = 1 - static_cast<double>(k) / kParts, part = (k + 1.0) / kParts;
       scene.line(at + back * from, at + back * (from - 1.0 / kParts), faded(colour, part * part),
                  std::max(width * (0.4 + 0.6 * part), scale));
     }
