@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x1d4ef4299df7053c, 0x752b3273ef42da61, 0x3ea2bf48c75b9059, 0x91cc6a42004f5926,
-                                0xf57e81789b9a7b1f};
+constexpr Sums kExpectedSums = {0x1d4ef4299df7053c, 0x2b2f1a9d376e5732, 0x3ea2bf48c75b9059, 0xddcfc01235a99fac,
+                                0xd3d573cc33a0109d};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)

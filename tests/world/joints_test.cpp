@@ -276,7 +276,9 @@ TEST(Joints, a_cable_comes_taut_with_its_restitution) {
     EXPECT_TRUE(near(taut->speed, speed, 0, kGravity * h));
     EXPECT_GT(lowest, -1.2 - 1e-9);
     EXPECT_TRUE(near(highest, -1.2 + restitution * restitution * fall, 0, 2 * speed * h));
-    if (restitution == 0) EXPECT_LT(length(world[ball].velocity()), 1e-12);
+    if (restitution == 0) {
+      EXPECT_LT(length(world[ball].velocity()), 1e-12);
+    }
   }
 }
 
