@@ -63,6 +63,7 @@ inline SceneMotion random_emitter_motion(Random& r) {
 
 /// What acts on the flight, for kinds in motion `force`.
 inline ParticleFlight random_flight(Random& r) {
+  const IeeeMode mode;
   ParticleFlight flight;
   if (r.one_in(2)) flight.drag = random_number(r, 0, 3);
   if (r.one_in(2)) flight.fast = 30, flight.drag_by_speed = {{0, 0.5}, {1, 2}};

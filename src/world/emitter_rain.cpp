@@ -33,7 +33,7 @@ std::optional<double> RainStep::next(std::uint32_t index) const {
   const Way& way = ways_.at(index);
   const double come = way.inflow.rate * (way.to - way.from) + w_.state.emitters[index].rain.due;
   const double wanted = static_cast<double>(way.taken) + 1;
-  if (!(come >= wanted)) return std::nullopt;
+  if (!(come >= wanted - kRainRounding)) return std::nullopt;
   return std::min(way.from + (wanted - w_.state.emitters[index].rain.due) / way.inflow.rate, way.to);
 }
 
@@ -70,7 +70,7 @@ void RainStep::end(std::uint32_t index, const Vec3d& about) {
   const auto way = ways_.find(index);
   if (way == ways_.end()) return;  // its delay is not over
   const double come = way->second.inflow.rate * (way->second.to - way->second.from) + e.rain.due;
-  e.rain.due = std::clamp(come - static_cast<double>(way->second.taken), 0.0, 1.0);
+  e.rain.due = std::clamp(come - static_cast<double>(way->second.taken), -kRainRounding, 1.0);
   e.rain.about = about;
   std::vector<std::uint32_t> outside;
   w_.state.emitters.each_particle_of(index, [&](std::uint32_t slot, const Particle&) {

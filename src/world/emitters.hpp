@@ -49,10 +49,14 @@ void each_age(const std::vector<SubEmitter>& subs, double birth, const F& f) {
   }
 }
 
+// A candidate of rain that lacks so little has come: at a frame's end some frame rates would have one and others not,
+// as the ways of a viewer are rounded.
+inline constexpr double kRainRounding = 1e-9;
+
 /// How far a box of rain has come.
 struct RainState {
   std::optional<Vec3d> about{};  // its middle where it is full of rain; none: it is empty [m]
-  double due = 0;                // part of the next candidate that has come already
+  double due = 0;                // part of the next candidate that has come already, -kRainRounding to 1
 };
 
 /// An emitter and how far it has come.

@@ -291,7 +291,7 @@ class Loading {
       e.counts = each.counts;
       e.counts.alive = 0;
       const bool has_rain = !each.rain.about || finite(*each.rain.about);
-      if (!has_rain || !(each.rain.due >= 0 && each.rain.due <= 1) || each.first > each.born)
+      if (!has_rain || !(each.rain.due >= -kRainRounding && each.rain.due <= 1) || each.first > each.born)
         return makes_no_sense("its emitters");
       for (const SavedTrail& trail : each.trails)
         if (!is_alive(trail.slot) || !e.trails.restore(each.def.trail, trail))

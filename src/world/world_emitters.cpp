@@ -291,6 +291,7 @@ std::size_t World::particles(EmitterId id, const ParticleColumns& into) const {
 }
 
 TrailCounts World::trails(EmitterId id, const TrailColumns& into) const {
+  const IeeeMode mode;
   const WorldState& state = impl().state;
   const Emitter* emitter = state.emitters.find(id);
   TrailCounts counts;

@@ -4,6 +4,7 @@
 
 #include "alike.hpp"
 #include "base/hash.hpp"
+#include "base/ieee_mode.hpp"
 #include "random_emitters.hpp"
 #include "scenes.hpp"
 
@@ -11,6 +12,7 @@ namespace physim::test {
 namespace {
 
 World world_with_nets(Random& r, unsigned threads) {
+  const IeeeMode mode;
   WorldDef def;
   def.ground = {r.one_in(2) ? GroundMode::bounce : GroundMode::none, -3, 0.7, 0.5};
   def.threading = {threads, 1};
