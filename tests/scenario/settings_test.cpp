@@ -201,7 +201,7 @@ TEST(Settings, RefuseWhatIsOutOfRange) {
                                                   "shot.magnus.decay_time",     "emitter.start.lifetime",
                                                   "emitter.from.surface.low_x", "emitter.from.surface.high_x",
                                                   "emitter.from.surface.low_z", "emitter.from.surface.high_z",
-                                                  "emitter.trail.time"};
+                                                  "emitter.trail.time",         "emitter.flight.limit"};
     const bool takes_infinity = std::ranges::count(kTakeInfinity, setting.path) > 0;
     EXPECT_EQ(with_override(setting.path, "inf").ok(), takes_infinity) << setting.path;
     if (setting.range.empty()) continue;
