@@ -78,14 +78,15 @@ template <class R, class S>
   }
 }
 
-/// Rows that may have come near a thing of the scene: they have flown as far as was clear about them. A step goes no
-/// farther from its start than this, as long as it is fastest at one of its ends.
+/// Rows that may have come near a thing of the scene: they have flown as far as was clear about them. Nothing of a step
+/// is farther from its start than its end, as rounded, and by how much its speed turns or changes, as long as it does so
+/// once.
 template <class S, class M>
 PHYSIM_INLINE auto comes_near(const WorldJob<S>& job, const M& m, std::uint32_t row) {
   using R = decltype(m.end.x.x);
   const Vec3<R> change = m.end.v - m.start.v;
-  const R flown = length(m.end.v) + (abs(change.x) + abs(change.y) + abs(change.z)) * S(1.5);
-  const R clear = load<R>(job.columns.clear, row) - flown * job.h;
+  const R flown = length(m.end.x - m.start.x) + (abs(change.x) + abs(change.y) + abs(change.z)) * (S(1.5) * job.h);
+  const R clear = load<R>(job.columns.clear, row) - flown;
   clear.store(job.columns.clear + row);
   return !(clear > R(S(0)));
 }

@@ -74,6 +74,8 @@ class Range {
     // Gravity pulls along the normal of a sheet that is level; where it is turned there is none.
     is_level_ = r.one_in(2);
     at_.position = random_vector(r, r.one_in(3) ? 0 : r.one_in(2) ? 100 : 1e4);
+    // What falls out of the standard atmosphere, which begins there, leaves the world.
+    if (std::abs(at_.position.y + 5000) < 50) at_.position.y += 100;
     if (!is_level_) at_.rotation = normalized(random_transform(r, 0).rotation);
     frame_ = r.in(1.0 / 240, 1.0 / 30);
     WorldDef world;

@@ -1,6 +1,7 @@
 // Worlds whose projectiles meet things: against closed forms, against the ground, and from every side.
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "physim/presets.hpp"
@@ -295,6 +296,31 @@ TEST(SceneWorld, nothing_tunnels_and_nothing_is_hit_that_was_missed) {
           EXPECT_EQ(world[id].status(), LifeStatus::landed) << sheet.name << " " << world[id].position().y;
         for (const ProjectileId id : beside) EXPECT_NE(world[id].status(), LifeStatus::landed) << sheet.name;
       }
+}
+
+// So far away numbers of float32 are 0.98 mm apart: steps of 1.6 times that are rounded to twice it, every time.
+TEST(SceneWorld, rounding_that_adds_up_from_step_to_step_carries_nothing_through) {
+  constexpr double kFar = 1e4, kStep = 1.0 / 64;
+  const double spacing = 8192.0 * std::numeric_limits<float>::epsilon();
+  for (const Fidelity& fidelity : {Fidelity::game(), Fidelity::sport_ball()})
+    for (const double spacings : {1.55, 1.6, 1.75, 2.6}) {
+      Scene scene;
+      ASSERT_TRUE(
+          scene.add({.shape = *scene.add_shape(BoxShape{{0.0005, 1, 1}}), .transform = {.position = {kFar, 0, 0}}}));
+      World world = make_world(no_ground());
+      ASSERT_TRUE(world.set_scene(scene));
+      ProjectileDef p = bullet();
+      p.fidelity = fidelity;
+      p.fidelity.precision = Precision::float32;
+      std::vector<ProjectileId> all;
+      for (int steps = 10; steps < 60; ++steps) {
+        const Launch launch{.position = {kFar - 2 * steps * spacing, 0, 0},
+                            .velocity = Vec3d{spacings * spacing / kStep, 0, 0}};
+        all.push_back(*world.spawn(p, launch, {.gravity_scale = 0}));
+      }
+      run_for(world, 2, kStep);
+      for (const ProjectileId id : all) EXPECT_EQ(world[id].status(), LifeStatus::landed) << spacings;
+    }
 }
 
 TEST(SceneWorld, a_block_slides_down_a_slope_as_friction_lets_it) {
