@@ -8,6 +8,7 @@
 
 #include "physim/scenario_motion.hpp"
 #include "physim/scene.hpp"
+#include "physim/terrain_file.hpp"
 
 namespace physim {
 
@@ -19,6 +20,8 @@ struct ScenarioShape {
   std::string file{};                ///< that its mesh or heights were read from, as the scenario says it [-]
   double low = 0;                    ///< height of black in a file of heights [m]
   double high = 1;                   ///< height of white in a file of heights [m]
+  std::string terrain{};             ///< a file of terrain that its mesh was read from, as the scenario says it [-]
+  TerrainCut cut{};                  ///< what of that, about the place of the environment [-]
   ShapeDef shape = CompoundShape{};  ///< [-]
 };
 

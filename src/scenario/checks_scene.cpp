@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/assert.hpp"
+#include "physim/frames.hpp"
 #include "physim/mesh_file.hpp"
 #include "scenario/checks.hpp"
 #include "scenario/checks_motion.hpp"
@@ -52,8 +53,36 @@ Status check_one_kind(const Value& element, const std::string& list, std::string
 
 bool is_mesh(const ScenarioShape& shape) { return std::holds_alternative<MeshShape>(shape.shape); }
 
+/// The frames that terrain is laid out in: those of all shots.
+Result<EarthFrames> frames_of(const Scenario& scenario) {
+  const auto earth_of = [](const ScenarioShot& shot) { return shot.projectile.fidelity.earth; };
+  const auto is_on_sphere = [&](const ScenarioShot& shot) {
+    return earth_of(shot) == EarthModel::sphere || earth_of(shot) == EarthModel::sphere_rotating;
+  };
+  const auto spheres = std::ranges::count_if(scenario.shots, is_on_sphere);
+  if (spheres == 0) return EarthFrames(scenario.environment, EarthModel::ellipsoid);
+  if (spheres == std::ssize(scenario.shots)) return EarthFrames(scenario.environment, EarthModel::sphere);
+  return Error{"some shots fly over a sphere and others do not", "", "give all of them one fidelity.earth"};
+}
+
+/// Terrain about the place of the environment.
+Status read_terrain(ScenarioShape& shape, const Scenario& scenario) {
+  PHYSIM_ASSERT(is_mesh(shape) && !shape.terrain.empty());
+  shape.cut.latitude = scenario.environment.earth.latitude;
+  shape.cut.longitude = scenario.environment.earth.longitude;
+  const Result<EarthFrames> frames = frames_of(scenario);
+  if (!frames) return frames.error();
+  const Result<GeodeticGrid> grid = read_terrain_file(beside_scenario(scenario, shape.terrain), shape.cut);
+  if (!grid) return grid.error();
+  Result<MeshShape> mesh = terrain_mesh(*grid, *frames);
+  if (!mesh) return mesh.error();
+  shape.shape = std::move(*mesh);
+  return {};
+}
+
 /// What a shape has in a file.
 Status read_file(ScenarioShape& shape, const Scenario& scenario) {
+  if (is_mesh(shape) && !shape.terrain.empty()) return read_terrain(shape, scenario);
   if (shape.file.empty()) return {};
   const std::string file = beside_scenario(scenario, shape.file);
   if (is_mesh(shape)) {
@@ -78,14 +107,19 @@ Status check_material(const Value& table) {
 
 Status check_shape(const Value& table) {
   if (Status status = check_one_kind(table, "shape", "kind", {}); !status) return status;
-  for (const auto& [kind, others] :
-       {std::pair<std::string_view, std::vector<std::string_view>>{"mesh", {"vertices", "triangles"}},
-        {"height_field", {"columns", "rows", "heights"}}})
-    for (const std::string_view other : others) {
-      const Value* of_kind = table.find(kind);
-      if (!of_kind || !of_kind->find("file") || !of_kind->find(other)) continue;
-      return Error{"shape." + std::string(kind) + ".file: given together with " + std::string(other),
-                   place_of(*of_kind, {"file"}), "give one of them"};
+  struct Source {
+    std::string_view kind, key;
+    std::vector<std::string_view> others;  // that it stands for
+  };
+  for (const Source& source : {Source{"mesh", "file", {"vertices", "triangles", "terrain"}},
+                               Source{"mesh", "terrain", {"vertices", "triangles"}},
+                               Source{"height_field", "file", {"columns", "rows", "heights"}}})
+    for (const std::string_view other : source.others) {
+      const Value* of_kind = table.find(source.kind);
+      if (!of_kind || !of_kind->find(source.key) || !of_kind->find(other)) continue;
+      return Error{"shape." + std::string(source.kind) + "." + std::string(source.key) + ": given together with " +
+                       std::string(other),
+                   place_of(*of_kind, {source.key}), "give one of them"};
     }
   return {};
 }
@@ -134,8 +168,9 @@ Status complete_scene(Scenario& scenario, const Value& document) {
     const Status status = read_file(scenario.shapes[i], scenario);
     if (status) continue;
     const std::string_view kind = is_mesh(scenario.shapes[i]) ? "mesh" : "height_field";
-    return Error{"shape." + std::string(kind) + ".file: " + status.error().message,
-                 place_of(element(document, "shape", i), {kind, "file"}), status.error().hint};
+    const std::string_view key = scenario.shapes[i].terrain.empty() ? "file" : "terrain";
+    return Error{"shape." + std::string(kind) + "." + std::string(key) + ": " + status.error().message,
+                 place_of(element(document, "shape", i), {kind, key}), status.error().hint};
   }
   return {};
 }

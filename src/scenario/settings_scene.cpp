@@ -92,7 +92,10 @@ bool is_penetration(const Scope& scope) {
 }
 /// A mesh out of a file is said by the file alone.
 bool is_mesh_of_file(const Scope& scope) { return is_shape<MeshShape>(scope) && !scope.shape->file.empty(); }
-bool is_mesh_in_place(const Scope& scope) { return is_shape<MeshShape>(scope) && scope.shape->file.empty(); }
+bool is_mesh_of_terrain(const Scope& scope) { return is_shape<MeshShape>(scope) && !scope.shape->terrain.empty(); }
+bool is_mesh_in_place(const Scope& scope) {
+  return is_shape<MeshShape>(scope) && !is_mesh_of_file(scope) && !is_mesh_of_terrain(scope);
+}
 
 bool is_field_of_file(const Scope& scope) { return is_shape<HeightFieldShape>(scope) && !scope.shape->file.empty(); }
 bool is_field_in_place(const Scope& scope) { return is_shape<HeightFieldShape>(scope) && scope.shape->file.empty(); }
@@ -103,9 +106,15 @@ ValueRef height_map_slot(const Scope& scope) {
   return &(scope.shape->*kMember);
 }
 
+template <auto kMember>
 ValueRef mesh_file_slot(const Scope& scope) {
   static_cast<void>(shape_as<MeshShape>(scope));
-  return &scope.shape->file;
+  return &(scope.shape->*kMember);
+}
+template <auto kMember>
+ValueRef terrain_slot(const Scope& scope) {
+  static_cast<void>(shape_as<MeshShape>(scope));
+  return slot_of(scope, scope.shape->cut.*kMember);
 }
 
 // -------------------------------------------------------------------------------------------------- published
@@ -202,8 +211,22 @@ constexpr Entry kSceneSettings[] = {
     PHYSIM_SHAPE("cylinder", CylinderShape, half_height, "along the y axis", Quantity::length, above(0)),
     PHYSIM_SHAPE("hull", ConvexHullShape, points, "the smallest convex body that holds them", Quantity::length, kPoints,
                  kShorthand),
-    setting("shape.mesh.file", mesh_file_slot, "OBJ, STL, glTF or others, found from the scenario's folder", kShorthand,
-            WhereTrue{is_mesh_of_file}),
+    setting("shape.mesh.file", mesh_file_slot<&ScenarioShape::file>,
+            "OBJ, STL, glTF or others, found from the scenario's folder", kShorthand, WhereTrue{is_mesh_of_file}),
+    setting("shape.mesh.terrain", mesh_file_slot<&ScenarioShape::terrain>,
+            "instead of it: heights of the Earth, GeoTIFF, SRTM's .hgt or others, found from the scenario's folder",
+            WhereTrue{is_mesh_of_terrain}),
+    setting("shape.mesh.reach", terrain_slot<&TerrainCut::reach>,
+            "so far north, south, east and west of environment.earth.latitude and longitude", Quantity::length,
+            or_infinite(above(0)), WhereTrue{is_mesh_of_terrain}),
+    setting("shape.mesh.every", terrain_slot<&TerrainCut::every>, "of its points, 1: all of them", between(1, 65536),
+            WhereTrue{is_mesh_of_terrain}),
+    setting("shape.mesh.geoid", terrain_slot<&TerrainCut::geoid>,
+            "of sea level above the ellipsoid, added to all heights; 0 where altitude is that above sea level",
+            Quantity::length, between(-200, 200), WhereTrue{is_mesh_of_terrain}),
+    setting("shape.mesh.missing", terrain_slot<&TerrainCut::missing>,
+            "height above sea level of points that have none; default: they are an error", Quantity::length,
+            between(-1e5, 1e5), WhereTrue{is_mesh_of_terrain}),
     setting(
         "shape.mesh.vertices", [](const Scope& s) -> ValueRef { return &shape_as<MeshShape>(s).vertices; },
         "instead of a file", Quantity::length, kPoints, WhereTrue{is_mesh_in_place}),

@@ -1,0 +1,280 @@
+// The only file that knows GDAL.
+#include "physim/terrain_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <memory>
+
+#include "base/checker.hpp"
+#include "base/ieee_mode.hpp"
+
+#if PHYSIM_HAS_GDAL
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <gdal.h>
+#include <gdalwarper.h>
+#include <ogr_srs_api.h>
+#endif
+
+namespace physim {
+
+bool reads_terrain_files() { return PHYSIM_HAS_GDAL != 0; }
+
+#if PHYSIM_HAS_GDAL
+
+namespace {
+
+constexpr double kDegree = 3.141592653589793 / 180;            // [rad]
+constexpr double kEarthRadius = 6371008.8;                     // the mean one: how far about a place counts by it [m]
+constexpr double kFoot = 0.3048, kSurveyFoot = 1200.0 / 3937;  // [m]
+constexpr double kMostPoints = 2e7, kMostWarped = 1e8;
+constexpr double kNothing = -1e30;  // where another projection has no height
+
+struct Close {
+  void operator()(void* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<void, Close>;
+
+/// What GDAL says goes into our errors instead of the terminal.
+class Quiet {
+ public:
+  Quiet() { CPLPushErrorHandler(CPLQuietErrorHandler); }
+  ~Quiet() { CPLPopErrorHandler(); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+  [[nodiscard]] static std::string words() {
+    const std::string text = CPLGetLastErrorMsg();
+    return text.empty() ? "GDAL does not say why" : text;
+  }
+};
+
+Status check(const TerrainCut& cut) {
+  Checker c;
+  c.require(std::abs(cut.latitude) <= 90.0001 * kDegree, "latitude", "must lie between the poles");
+  c.require(std::abs(cut.longitude) <= 180.0001 * kDegree, "longitude", "must lie between -180 and 180 degrees");
+  c.require(cut.reach > 0, "reach", "must be above 0 m", "leave it out for all that the file has");
+  c.require(cut.every >= 1, "every", "must be at least 1", "1 takes every point");
+  c.require(std::abs(cut.geoid) <= 200, "geoid", "must lie within 200 m",
+            "sea level is -107 to 86 m off the ellipsoid");
+  if (cut.missing) c.require(std::abs(*cut.missing) <= 1e5, "missing", "must be a number within 1e5 m");
+  return c.status();
+}
+
+/// Where points of a raster lie, on an axis: the first one, and how far the next one is. Degrees.
+struct Axis {
+  double first = 0;
+  double step = 0;
+  int count = 0;
+};
+
+/// Those points of an axis that are taken.
+struct Span {
+  int first = 0;
+  int count = 0;
+};
+
+/// All within `half` of a middle, widened to whole cells.
+Span cut_of(const Axis& axis, double middle, double half) {
+  PHYSIM_ASSERT(axis.step != 0 && axis.count > 0);
+  const double one = (middle - half - axis.first) / axis.step, other = (middle + half - axis.first) / axis.step;
+  const double last = axis.count - 1.0;
+  const double from = std::clamp(std::floor(std::min(one, other)), 0.0, last);
+  const double to = std::clamp(std::ceil(std::max(one, other)), 0.0, last);
+  return {static_cast<int>(from), static_cast<int>(to - from) + 1};
+}
+
+std::string degrees(double from, double to) { return std::to_string(from) + " to " + std::to_string(to); }
+
+/// A raster with its geometry, on axes of latitude and longitude.
+class Raster {
+ public:
+  static Result<Raster> open(const std::string& file) {
+    // Names that are no files mean places on the web and more to GDAL.
+    if (!std::ifstream(file)) return Error{"the file cannot be read", file, ""};
+    GDALAllRegister();
+    Raster raster(file);
+    raster.file_.reset(GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+    if (!raster.file_) return Error{"it is no terrain: " + Quiet::words(), file, "GeoTIFF and .hgt are read, and more"};
+    if (GDALGetRasterCount(raster.file_.get()) < 1) return Error{"it holds no raster", file, ""};
+    const OGRSpatialReferenceH projection = GDALGetSpatialRef(raster.file_.get());
+    if (!projection) return Error{"it does not say where on the Earth it lies", file, "gdal_edit.py -a_srs adds that"};
+    raster.use(raster.file_.get());
+    raster.unit_ = unit_of(raster.band_);
+    if (!OSRIsGeographic(projection) || !raster.is_upright_)
+      if (const Status status = raster.warp(); !status) return status.error();
+    return raster;
+  }
+
+  [[nodiscard]] Result<GeodeticGrid> read(const TerrainCut& cut) const {
+    const double half = cut.reach / kEarthRadius / kDegree;
+    const double wide = half / std::max(std::cos(cut.latitude), 1e-6);
+    const double latitude = cut.latitude / kDegree, longitude = turned_towards(cut.longitude / kDegree);
+    const bool is_beside = latitude + half < south() || latitude - half > north() || longitude + wide < west() ||
+                           longitude - wide > east();
+    if (is_beside) {
+      const std::string has = "it has latitudes of " + degrees(south(), north()) + " and longitudes of " +
+                              degrees(west(), east()) + " degrees";
+      return Error{"it has nothing about " + std::to_string(latitude) + ", " + std::to_string(longitude), file_name_,
+                   has};
+    }
+    return read(cut_of(columns_, longitude, wide), cut_of(rows_, latitude, half), cut);
+  }
+
+ private:
+  explicit Raster(std::string file) : file_name_(std::move(file)) {}
+
+  void use(GDALDatasetH dataset) {
+    std::array<double, 6> at{};
+    GDALGetGeoTransform(dataset, at.data());
+    is_upright_ = at[1] > 0 && at[5] < 0 && at[2] == 0 && at[4] == 0;
+    // Points are the middles of cells.
+    columns_ = {at[0] + at[1] / 2, at[1], GDALGetRasterXSize(dataset)};
+    rows_ = {at[3] + at[5] / 2, at[5], GDALGetRasterYSize(dataset)};
+    band_ = GDALGetRasterBand(dataset, 1);
+  }
+
+  /// Another projection is brought to latitude and longitude; where the file has nothing, there is nothing.
+  Status warp() {
+    const auto refused = [&] {
+      return Error{"it cannot be brought to latitude and longitude: " + Quiet::words(), file_name_, ""};
+    };
+    const Dataset plan(GDALAutoCreateWarpedVRT(file_.get(), nullptr, wgs84().c_str(), GRA_Bilinear, 0, nullptr));
+    if (!plan) return refused();
+    // GDAL keeps the diagonal of cells. Neither side may be longer than that of the file: its bilinear interpolation is
+    // none where points are left out.
+    const int wide = finer(GDALGetRasterXSize(plan.get())), high = finer(GDALGetRasterYSize(plan.get()));
+    if (static_cast<double>(wide) * high > kMostWarped)
+      return Error{"has " + std::to_string(wide) + " by " + std::to_string(high) + " points in another projection",
+                   file_name_, "at most 1e8 are brought to latitude and longitude: gdalwarp -t_srs EPSG:4326 does it"};
+    std::array<double, 6> at{};
+    GDALGetGeoTransform(plan.get(), at.data());
+    at[1] *= static_cast<double>(GDALGetRasterXSize(plan.get())) / wide;
+    at[5] *= static_cast<double>(GDALGetRasterYSize(plan.get())) / high;
+    warped_.reset(GDALCreate(GDALGetDriverByName("MEM"), "", wide, high, 1, GDT_Float64, nullptr));
+    if (!warped_ || GDALSetGeoTransform(warped_.get(), at.data()) != CE_None) return refused();
+    const GDALRasterBandH band = GDALGetRasterBand(warped_.get(), 1);
+    GDALSetRasterNoDataValue(band, kNothing);
+    GDALFillRaster(band, kNothing, 0);
+    if (GDALReprojectImage(file_.get(), nullptr, warped_.get(), wgs84().c_str(), GRA_Bilinear, 0, 0, nullptr, nullptr,
+                           nullptr) != CE_None)
+      return refused();
+    const GDALRasterBandH of_file = GDALGetRasterBand(file_.get(), 1);
+    unit_ = unit_of(of_file);
+    use(warped_.get());
+    return {};
+  }
+  static int finer(int count) { return static_cast<int>(std::ceil(count * 1.4142135623730951)); }
+  static std::string wgs84() {
+    const OGRSpatialReferenceH frame = OSRNewSpatialReference(nullptr);
+    OSRSetWellKnownGeogCS(frame, "WGS84");
+    OSRSetAxisMappingStrategy(frame, OAMS_TRADITIONAL_GIS_ORDER);
+    char* text = nullptr;
+    OSRExportToWkt(frame, &text);
+    const std::string wkt = text ? text : "";
+    CPLFree(text);
+    OSRDestroySpatialReference(frame);
+    return wkt;
+  }
+
+  [[nodiscard]] Result<GeodeticGrid> read(const Span& columns, const Span& rows, const TerrainCut& cut) const {
+    const int every = static_cast<int>(std::min(cut.every, 1u << 30));
+    const int wide = (columns.count - 1) / every + 1, high = (rows.count - 1) / every + 1;
+    if (wide < 2 || high < 2) return Error{"two points of it at least are needed each way", file_name_, ""};
+    if (static_cast<double>(wide) * high > kMostPoints)
+      return Error{"has " + std::to_string(wide) + " by " + std::to_string(high) + " points there", file_name_,
+                   "at most 2e7 are read: give a smaller reach, or take every second point"};
+    GeodeticGrid grid;
+    grid.columns = static_cast<std::uint32_t>(wide);
+    grid.rows = static_cast<std::uint32_t>(high);
+    grid.heights.resize(std::size_t{grid.columns} * grid.rows);
+    std::vector<double> line(static_cast<std::size_t>(columns.count));
+    for (int row = 0; row < high; ++row) {
+      const int of_file = rows.first + (high - 1 - row) * every;  // rows of the grid go northwards
+      if (GDALRasterIO(band_, GF_Read, columns.first, of_file, columns.count, 1, line.data(), columns.count, 1,
+                       GDT_Float64, 0, 0) != CE_None)
+        return Error{"the file is damaged: " + Quiet::words(), file_name_, ""};
+      for (int i = 0; i < wide; ++i) {
+        const Result<double> height = height_of(line[static_cast<std::size_t>(i * every)], cut);
+        if (!height) return height.error();
+        grid.heights[static_cast<std::size_t>(row) * grid.columns + static_cast<std::size_t>(i)] = *height;
+      }
+    }
+    grid.longitude = within_half_turn(columns_.first + columns.first * columns_.step) * kDegree;
+    grid.latitude = (rows_.first + (rows.first + (high - 1) * every) * rows_.step) * kDegree;
+    grid.longitude_step = columns_.step * every * kDegree;
+    grid.latitude_step = -rows_.step * every * kDegree;
+    return grid;
+  }
+
+  [[nodiscard]] Result<double> height_of(double raw, const TerrainCut& cut) const {
+    int is_known = 0;
+    const double nothing = GDALGetRasterNoDataValue(band_, &is_known);
+    if (!std::isfinite(raw) || (is_known != 0 && raw == nothing)) {
+      if (!cut.missing)
+        return Error{"has points without a height", file_name_,
+                     "say which one they get, 0 for the sea; or give a smaller reach"};
+      return *cut.missing + cut.geoid;
+    }
+    return raw * unit_.scale + unit_.offset + cut.geoid;
+  }
+
+  /// Metres of what the file holds.
+  struct Unit {
+    double scale = 1;
+    double offset = 0;
+  };
+  static Unit unit_of(GDALRasterBandH band) {
+    int has_scale = 0, has_offset = 0;
+    const double scale = GDALGetRasterScale(band, &has_scale), offset = GDALGetRasterOffset(band, &has_offset);
+    const std::string name = GDALGetRasterUnitType(band);
+    const bool are_feet = name.starts_with("f") || name.starts_with("F");
+    const double metre = name.starts_with("US") ? kSurveyFoot : are_feet ? kFoot : 1;
+    return {(has_scale != 0 ? scale : 1) * metre, (has_offset != 0 ? offset : 0) * metre};
+  }
+
+  static double end(const Axis& axis) { return axis.first + (axis.count - 1) * axis.step; }
+  [[nodiscard]] double south() const { return end(rows_); }
+  [[nodiscard]] double north() const { return rows_.first; }
+  [[nodiscard]] double west() const { return columns_.first; }
+  [[nodiscard]] double east() const { return end(columns_); }
+
+  /// A longitude as the raster counts it: some go from 0 to 360 degrees.
+  [[nodiscard]] double turned_towards(double longitude) const {
+    const double middle = (west() + east()) / 2;
+    return longitude + 360 * std::round((middle - longitude) / 360);
+  }
+  static double within_half_turn(double longitude) { return longitude - 360 * std::round(longitude / 360); }
+
+  std::string file_name_;
+  Dataset file_{};
+  Dataset warped_{};  // goes before the file that it reads
+  GDALRasterBandH band_ = nullptr;
+  Axis columns_{}, rows_{};
+  Unit unit_{};
+  bool is_upright_ = false;  // columns go east and rows south
+};
+
+}  // namespace
+
+Result<GeodeticGrid> read_terrain_file(const std::string& file, const TerrainCut& cut) {
+  const IeeeMode mode;
+  if (const Status status = check(cut); !status) return status.error();
+  const Quiet quiet;
+  const Result<Raster> raster = Raster::open(file);
+  if (!raster) return raster.error();
+  return raster->read(cut);
+}
+
+#else
+
+Result<GeodeticGrid> read_terrain_file(const std::string& file, const TerrainCut&) {
+  return Error{"this build reads no terrain from files", file,
+               "build it with GDAL (libgdal-dev), or write heights into the scenario"};
+}
+
+#endif
+
+}  // namespace physim
