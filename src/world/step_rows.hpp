@@ -79,8 +79,8 @@ template <class R, class S>
 }
 
 /// Rows that may have come near a thing of the scene: they have flown as far as was clear about them. Nothing of a step
-/// is farther from its start than its end, as rounded, and by how much its speed turns or changes, as long as it does so
-/// once.
+/// is farther from its start than its end is, as rounded, and what its velocity changes by takes it, where that changes
+/// one way.
 template <class S, class M>
 PHYSIM_INLINE auto comes_near(const WorldJob<S>& job, const M& m, std::uint32_t row) {
   using R = decltype(m.end.x.x);
