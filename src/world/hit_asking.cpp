@@ -118,7 +118,7 @@ void settle_asked(WorldImpl& world, const SettleContext& context) {
     for (std::size_t i = 0; i < world.scratch.chunk_count; ++i) take(world.scratch.chunks[i]);
     take(world.forced_scratch.chunk);
     if (open.empty()) return;
-    world.asking.ask(questions_of(open));
+    world.hit_asking.ask(questions_of(open));
     for (const auto& [chunk, hit] : rows) settle_again(world, context, *chunk, hit);
   }
 }
@@ -129,11 +129,11 @@ Status World::set_hit_function(HitFunction function) {
   const Recorded<Call::set_hit_function> call(w, static_cast<bool>(function));
   if (call.is_refused()) return call.refusal();
   if (!function) return Error{"there is nothing to ask", "function", "give one that answers for every hit"};
-  w.asking.set_function(std::move(function));
+  w.hit_asking.set_function(std::move(function));
   return {};
 }
 
-HitCounts World::hit_counts() const { return impl().asking.counts(); }
-std::string World::refused_answer() const { return impl().asking.refused(); }
+HitCounts World::hit_counts() const { return impl().hit_asking.counts(); }
+std::string World::refused_answer() const { return impl().hit_asking.refused(); }
 
 }  // namespace physim

@@ -467,7 +467,7 @@ Result<std::shared_ptr<WorldImpl>> loaded(std::span<const std::byte> save, const
   if (!functions) return functions.error();
   if (Status status = check_given(*functions, options, "the save"); !status) return status.error();
   Result<std::shared_ptr<WorldImpl>> made = Loading(saved).run(options.threading);
-  if (made) (*made)->asking.set_function(options.hit_function);
+  if (made) (*made)->hit_asking.set_function(options.hit_function);
   return made;
 }
 

@@ -324,7 +324,7 @@ void WorldImpl::step(double dt) {
   const Inside inside(*this);
   [[maybe_unused]] const std::uint64_t steps_before = state.clock.steps;
   [[maybe_unused]] const double before = state.clock.time();
-  asking.forget();
+  hit_asking.forget();
   placement.rebase(dt);
   launch_pending();
   begin_generators(dt);
