@@ -12,6 +12,7 @@ enum class OnHit : std::uint8_t {
   stick,   ///< it stays where it struck, at rest; in a world LifeStatus::landed, until it is despawned or moved
   bounce,  ///< it bounces by its restitution and friction times those of the material, slides, rolls to rest and sleeps
   impact,  ///< as its material says (physim/impact.hpp): it ricochets, goes through, stays in it, or bounces as above
+  ask,     ///< as World::set_hit_function() answers for this hit; in worlds alone
 };
 
 /// How a projectile meets the things of a scene.

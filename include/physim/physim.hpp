@@ -21,6 +21,7 @@
 #include "physim/forces.hpp"
 #include "physim/frames.hpp"
 #include "physim/geodesy.hpp"
+#include "physim/hit_question.hpp"
 #include "physim/ids.hpp"
 #include "physim/impact.hpp"
 #include "physim/infinity.hpp"

@@ -15,7 +15,7 @@ namespace physim {
 
 inline constexpr char kRecordingMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'R', '\n'};
 /// The format of a recording's bytes; others are refused.
-inline constexpr std::uint32_t kRecordingFormat = 9;
+inline constexpr std::uint32_t kRecordingFormat = 10;
 
 /// Keeps a recording in memory: world.record(record_into(bytes)). The bytes must outlive the recording.
 [[nodiscard]] RecordSink record_into(std::vector<std::byte>& bytes);
@@ -45,7 +45,7 @@ struct ReplayReport {
 };
 
 /// Functions are those of the save that the recording begins with, or those of WorldDef::environment, then those that
-/// came while it was recorded: of each call that gives an environment anew.
+/// came while it was recorded: of each call that gives an environment anew. What a HitFunction said is recorded.
 using ReplayOptions = LoadOptions;
 
 /// A recording played call by call, for those who look at the world in between.

@@ -13,6 +13,7 @@
 #include "physim/emitter.hpp"
 #include "physim/flight.hpp"
 #include "physim/forces.hpp"
+#include "physim/hit_question.hpp"
 #include "physim/joint.hpp"
 #include "physim/result.hpp"
 #include "physim/scene.hpp"
@@ -71,6 +72,7 @@ struct LoadOptions {
   std::vector<WindFunction> wind_fields{};    ///< of Wind::field [-]
   std::vector<ForceFunction> force_fields{};  ///< of Environment::force [-]
   std::vector<EngineQuery> engine_queries{};  ///< of each scene with an engine that was given, in order [-]
+  HitFunction hit_function{};  ///< of kinds that ask, where the save has some; a replay has the answers itself [-]
 };
 
 class WorldState;
@@ -94,9 +96,10 @@ class Snapshot {
 /// Threads: calls that change a world are made from one thread at a time, and while none is made any number of threads
 /// may read (all that is const, hash(), snapshot() and save() too).
 ///
-/// Callbacks: from inside its own step (a CustomForce, an EngineQuery, a TaskRunner) and from its RecordSink a world
-/// can be read, but not changed: every call that would is refused, those that return numbers return 0, snapshot() is
-/// empty, and accelerations() are without custom forces. A world that is destroyed or moved there ends its step first.
+/// Callbacks: from inside its own step (a CustomForce, an EngineQuery, a HitFunction, a TaskRunner) and from its
+/// RecordSink a world can be read, but not changed: every call that would is refused, those that return numbers return
+/// 0, snapshot() is empty, and accelerations() are without custom forces. A world that is destroyed or moved there ends
+/// its step first.
 ///
 /// A world that was moved away is as World() makes it.
 class World {
@@ -153,10 +156,10 @@ class World {
   /// has burnt, its own gravity and other settings, and generators as they are now. At the end of each step it is, to
   /// the bit, where step() would bring it, as long as nothing changes it: rules that despawn, put to sleep or move it
   /// to another rung are left out, and so are joints and springs to others, which its notes tell. It meets the things
-  /// of the world's scene as it will, those that move too, and tells its hits. It ends where it first meets `until`,
-  /// such as the ground: there it does not bounce. Range and sight are level, along its velocity.
-  /// Refused for one that is gone, stands still (asleep, kinematic, of infinite mass, stuck) or is pending, for events
-  /// of kind `time` in `until`, and for another scene there. Costs about as much as fly().
+  /// of the world's scene as it will, those that move too, and tells its hits; who asks (OnHit::ask) ends at the first.
+  /// It ends where it first meets `until`, such as the ground: there it does not bounce. Range and sight are level,
+  /// along its velocity. Refused for one that is gone, stands still (asleep, kinematic, of infinite mass, stuck) or is
+  /// pending, for events of kind `time` in `until`, and for another scene there. Costs about as much as fly().
   [[nodiscard]] Flight predict(ProjectileId id, const Until& until, double step = 0) const;
   /// ... until the ground of this world, or for a time [s].
   [[nodiscard]] Flight predict(ProjectileId id, double time, double step = 0) const;
@@ -216,6 +219,16 @@ class World {
   /// Times of motions are those of the world.
   Status set_instance_motion(InstanceId instance, const SceneMotion& motion);
   Status set_instance_layers(InstanceId instance, std::uint32_t layers);
+  /// Who answers what hits of kinds with OnHit::ask do: called in the thread that steps, with all hits that a step has
+  /// so far, then with those that follow in the rest of it. What is born or dies inside of the step, and what met
+  /// another projectile in it, asks by itself. It may read the world, which then stands where the step began, but not
+  /// change it. An answer decides and promises nothing, since another projectile may be met before: events tell what
+  /// happened. One that makes no sense, and all of a call that throws, count as OnHit::stop; hit_counts() tells.
+  /// Refused where it is empty while there are kinds that ask; without it such kinds are refused.
+  Status set_hit_function(HitFunction function);
+  [[nodiscard]] HitCounts hit_counts() const;
+  /// What was wrong with the last answer that was refused; empty: none was.
+  [[nodiscard]] std::string refused_answer() const;
 
   // ------------------------------------------------------------------------------------------- emitters
   /// From now on it fires, at moments of its own inside of steps. What is born flies the rest of that step; who is

@@ -32,7 +32,7 @@ std::size_t enumerators(Enum) {
 }
 inline std::size_t enumerators(Axes) { return static_cast<std::size_t>(Axes::all) + 1; }
 inline std::size_t enumerators(GroundMode) { return static_cast<std::size_t>(GroundMode::bounce) + 1; }
-inline std::size_t enumerators(OnHit) { return static_cast<std::size_t>(OnHit::impact) + 1; }
+inline std::size_t enumerators(OnHit) { return static_cast<std::size_t>(OnHit::ask) + 1; }
 inline std::size_t enumerators(Smoothing) { return static_cast<std::size_t>(Smoothing::extrapolate) + 1; }
 inline std::size_t enumerators(WhenFull) { return static_cast<std::size_t>(WhenFull::replace_oldest) + 1; }
 
@@ -44,12 +44,14 @@ struct FunctionCounts {
   std::size_t wind_fields = 0;
   std::size_t force_fields = 0;
   std::size_t engine_queries = 0;
+  bool hit_function = false;  // some kind asks
 
   FunctionCounts& operator+=(const FunctionCounts& more) {
     custom_forces += more.custom_forces;
     wind_fields += more.wind_fields;
     force_fields += more.force_fields;
     engine_queries += more.engine_queries;
+    hit_function = hit_function || more.hit_function;
     return *this;
   }
 };

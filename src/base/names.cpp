@@ -32,7 +32,7 @@ PHYSIM_NAMES(Outcome, hit, "landed", "reached_range", "event", "time_limit", "st
              "stalled", "refused", "hit")
 PHYSIM_NAMES(GroundMode, bounce, "none", "land", "stick", "bounce")
 PHYSIM_NAMES(MotionCurve, smooth, "straight", "smooth")
-PHYSIM_NAMES(OnHit, impact, "pass", "stop", "stick", "bounce", "impact")
+PHYSIM_NAMES(OnHit, ask, "pass", "stop", "stick", "bounce", "impact", "ask")
 PHYSIM_NAMES(Smoothing, extrapolate, "none", "interpolate", "extrapolate")
 PHYSIM_NAMES(WhenFull, replace_oldest, "refuse", "replace_oldest")
 PHYSIM_NAMES(LifeStatus, retired, "unknown", "pending", "in_flight", "landed", "expired", "retired")

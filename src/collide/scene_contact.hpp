@@ -11,76 +11,26 @@
 //   impact(hits)                        mass, measures and draws of an Impact, the so-manyth of its step
 //   tell(kind, reason, passed, state, hit, depth, energy)      something happened: event_of() has all but who and when
 //   slid(from, begin, to, end)          it went along a surface, from a state at one time of the step to another
+//   kAsks                               whether it may be of OnHit::ask; then it has
+//   answer_to(question, passed)         what is known of such a hit; null: nothing
+//   leave_open(question)                nothing is, and what follows is flown another time
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "collide/contact_rules.hpp"
 #include "collide/path_cast.hpp"
 #include "model/ball_rolling.hpp"
 #include "model/body.hpp"
 #include "physim/collision.hpp"
-#include "physim/event.hpp"
 #include "physim/impact.hpp"
 #include "solve/judge.hpp"
 
 namespace physim {
-
-/// Contacts in a step: between two walls there may be many.
-inline constexpr int kMostHits = 1000;
-
-/// Near what it touched it goes on in parts of so much or less: what a bounce may be too low for is judged by them,
-/// and a ball that bounces on has steps that its way is right with [s].
-inline constexpr double kLongestPart = 1.0 / 30;
-
-/// By so much of the step that follows a contact is judged [s].
-[[nodiscard]] inline double frame_of_contact(double step_length) { return std::min(step_length, kLongestPart); }
-/// Along the normal: a bounce that would be over within that time does not lift it any more.
-[[nodiscard]] inline bool lifts_off(double speed, double acceleration, double frame) {
-  return speed > -acceleration * (0.5 * frame);
-}
-/// What falls from higher than a step's fall strikes the surface, even where nothing of its speed is left.
-[[nodiscard]] inline bool is_strike(double speed, double acceleration, double frame) {
-  return speed < acceleration * frame;
-}
-
-/// What a surface and what touches it are to each other.
-[[nodiscard]] inline Surface surface_between(double restitution, double friction, const Surface& own) {
-  return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
-}
-
-/// The states of a straight way from one to another.
-[[nodiscard]] inline auto straight(const State<double>& from, const State<double>& to) {
-  return [from, to](double theta) {
-    return State<double>{from.x + (to.x - from.x) * theta, from.v + (to.v - from.v) * theta};
-  };
-}
-
-/// Which draws of chance a hit takes: the so-manyth of a step. The step is told by a number, or by the bits of a time,
-/// the lowest of which are often 0.
-[[nodiscard]] inline std::uint32_t hit_number(std::uint64_t step, int hits) {
-  const auto mixed = static_cast<std::uint32_t>((step * 0x9e3779b97f4a7c15u) >> 32);
-  return mixed * 1009u + static_cast<std::uint32_t>(hits);
-}
-
-/// What an event tells of a state and of what was met there; not whose it is, nor when.
-[[nodiscard]] inline Event event_of(EventKind kind, Reason reason, const State<double>& s, const SceneHit& hit,
-                                    double depth, double energy) {
-  return {.kind = kind,
-          .reason = reason,
-          .value = depth,
-          .position = s.x,
-          .velocity = s.v,
-          .normal = hit.normal,
-          .instance = hit.instance,
-          .primitive = hit.primitive,
-          .material = hit.material,
-          .energy = energy};
-}
 
 /// The contacts of one step.
 template <class Host>
@@ -94,7 +44,7 @@ class SceneContacts {
   explicit operator bool() const { return scene_ != nullptr; }
 
   /// What a contact leads to.
-  enum class Then { flies_on, lies, sticks, stops };
+  enum class Then { flies_on, lies, sticks, stops, asks };
   struct After {
     Then then;
     State<double> state;
@@ -217,8 +167,10 @@ class SceneContacts {
     if (hit.starts_inside) look_for_surface(s, hit, passed);
     const bool inside = hit.starts_inside;
     const bool leaves = !inside && dot(s.v - hit.velocity, hit.normal) >= 0;
+    HitAnswer does{.then = collision().on_hit};
+    if (!leaves && !is_known(does, s, hit, passed)) return After{Then::asks, s, passed};
     if (!leaves) r_.tell(EventKind::hit, inside ? Reason::inside : Reason::none, passed, s, hit);
-    const OnHit action = collision().on_hit;
+    const OnHit action = does.then;
     if (action == OnHit::stop && !leaves) return After{Then::stops, s, passed};
     const Vec3d met = s.x, normal = hit.normal;
     constrain(hit);
@@ -227,7 +179,23 @@ class SceneContacts {
     if (leaves) return After{Then::flies_on, s, passed};
     if (action == OnHit::impact)
       if (auto after = impacted(s, met, normal, hit, passed)) return after;
-    return rebound(s, hit, passed);
+    if (action == OnHit::pass)
+      if (auto after = let_through(s, met, normal, hit, passed, does.velocity)) return after;
+    return rebound(s, hit, passed, action == OnHit::bounce ? does.velocity : std::nullopt);
+  }
+  /// Whether it is known what a hit does, which may be for others to say.
+  [[nodiscard]] bool is_known(HitAnswer& does, const State<double>& s, const SceneHit& hit, double passed) const {
+    PHYSIM_ASSERT(Host::kAsks || does.then != OnHit::ask);
+    if constexpr (Host::kAsks) {
+      if (does.then != OnHit::ask) return true;
+      HitQuestion question = question_of(s, hit, r_.impact(hits_).mass);
+      const HitAnswer* answer = r_.answer_to(question, passed);
+      if (answer) return does = *answer, true;
+      if (const auto through = way_from(s, hit, passed)) question.thickness = through->thickness;
+      r_.leave_open(question);
+      return false;
+    }
+    return true;
   }
 
   /// Constraints take up what would push it to where it is not free to go: it meets the line in which the surface cuts
@@ -273,7 +241,7 @@ class SceneContacts {
     const Vec3d relative = s.v - hit.velocity;
     const double speed = length(relative);
     if (!(speed > 0)) return;
-    const bool went_through = is_ball() && collision().on_hit == OnHit::impact;
+    const bool went_through = is_ball() && (collision().on_hit == OnHit::impact || came_through_);
     const double near = 4 * gap_at(s.x) + (went_through ? 2 * collision().radius : 0);
     const Vec3d off = relative * (near / speed);
     const InstanceId inside_of = hit.instance;
@@ -291,8 +259,9 @@ class SceneContacts {
     return surface_between(material.restitution, material.friction, r_.surface());
   }
 
-  /// Bounces, or lies on what it met. All in the frame of the surface.
-  [[nodiscard]] std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed) {
+  /// Bounces, or lies on what it met. All in the frame of the surface. `own`: with that velocity, by whoever said so.
+  [[nodiscard]] std::optional<After> rebound(State<double>& s, SceneHit& hit, double& passed,
+                                             const std::optional<Vec3d>& own) {
     const Vec3d n = hit.normal, u = hit.velocity;
     const Surface on = surface(hit);
     BallMotion motion{s.v - u, r_.spin(passed)};
@@ -300,7 +269,9 @@ class SceneContacts {
     if (before >= 0) return After{Then::flies_on, s, passed};
     const BallMotion came = motion;
     const auto bounce = [&](double grip) {
-      if (is_ball())
+      if (own)
+        motion.velocity = *own - u;
+      else if (is_ball())
         motion = bounced(came, n, ball(), {on.restitution, on.friction, grip});
       else
         motion.velocity = bounced(came.velocity, n, on);
@@ -416,6 +387,7 @@ class SceneContacts {
       r_.tell(kind, Reason::none, passed, s, hit, result->depth, result->energy);
     };
     s.v = r_.kept(result->velocity);
+    came_through_ = came_through_ || result->kind == ImpactKind::penetrated;
     switch (result->kind) {
       case ImpactKind::none: return After{Then::flies_on, s, passed};
       case ImpactKind::bounced: s.v = asked.velocity; return std::nullopt;
@@ -433,6 +405,24 @@ class SceneContacts {
         return After{Then::sticks, s, passed};
     }
     return std::nullopt;
+  }
+
+  /// Out behind what it met, at once; nothing where a ball only grazes an edge.
+  [[nodiscard]] std::optional<After> let_through(State<double>& s, const Vec3d& met, const Vec3d& normal,
+                                                 const SceneHit& hit, double passed,
+                                                 const std::optional<Vec3d>& velocity) {
+    const Vec3d before = s.v - hit.velocity;
+    if (!(length(before) > 0)) return std::nullopt;
+    const Vec3d way = normalized(before);
+    const auto through = way_through(met - normal * collision().radius, way, hit, passed);
+    if (!through) return std::nullopt;
+    if (velocity) s.v = r_.kept(*velocity);
+    s.x = behind(met, way, *through, passed);
+    const double lost = length_squared(before) - length_squared(s.v - hit.velocity);
+    const double energy = 0.5 * r_.impact(hits_).mass * lost;
+    r_.tell(EventKind::penetrated, Reason::none, passed, s, hit, through->thickness, energy);
+    came_through_ = true;
+    return After{Then::flies_on, s, passed};
   }
 
   /// The straight way through a thing.
@@ -472,6 +462,12 @@ class SceneContacts {
     if (!in) return std::nullopt;
     return depth == 0 ? through : endless;
   }
+  /// From where it is as it touches a thing, on its way.
+  [[nodiscard]] std::optional<Way> way_from(const State<double>& s, const SceneHit& hit, double passed) const {
+    const Vec3d way = normalized(s.v - hit.velocity);
+    if (hit.starts_inside || !(length(way) > 0)) return std::nullopt;
+    return way_through(s.x - hit.normal * collision().radius, way, hit, passed);
+  }
   /// Where it comes out; a ball's middle is then a radius beyond the surface.
   [[nodiscard]] Vec3d behind(const Vec3d& met, const Vec3d& way, const Way& through, double passed) const {
     const double radius = collision().radius + scene_->skin();
@@ -489,6 +485,7 @@ class SceneContacts {
   SceneFilter solids_;
   int hits_ = 0;
   bool carried_ = false;
+  bool came_through_ = false;  // something, in this step
 };
 
 }  // namespace physim

@@ -33,6 +33,7 @@ template <class S>
 class MeetingLane {
  public:
   using Scalar = S;
+  static constexpr bool kAsks = false;
 
   MeetingLane(const FlightRecord& record, March<S>& march, const Obstacles& obstacles)
       : record_(record), march_(march), from_(obstacles), shown_(obstacles.shown_spin) {}

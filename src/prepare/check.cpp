@@ -333,7 +333,7 @@ Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precis
 
 Status check(const CollisionDef& collision, const std::string& place) {
   Checker c;
-  c.named(collision.on_hit, OnHit::impact, place + ".on_hit");
+  c.named(collision.on_hit, OnHit::ask, place + ".on_hit");
   c.require(collision.inertia > 0 && collision.inertia <= 1, place + ".inertia", "must lie above 0 and not above 1",
             "2/5: a solid ball");
   c.require(collision.radius >= 0 && collision.radius <= 1e6, place + ".radius", "must lie between 0 and 1e6 m",
@@ -344,6 +344,8 @@ Status check(const CollisionDef& collision, const std::string& place) {
 Status check(const ContactDef& contact, const std::string& place) {
   Checker c;
   c.also(check(contact.collision, place + ".collision"));
+  c.require(contact.collision.on_hit != OnHit::ask, place + ".collision.on_hit", "asks, and a flight has nobody to ask",
+            "worlds have World::set_hit_function()");
   c.require(contact.restitution >= 0 && contact.restitution <= 1, place + ".restitution", "must lie between 0 and 1");
   c.not_negative(contact.friction, place + ".friction");
   c.not_negative(contact.rolling_resistance, place + ".rolling_resistance");

@@ -38,6 +38,16 @@ ValueRef rate_slot(const Scope& scope) {
                         }};
 }
 
+/// What a hit does, but for asking: a file has nobody who answers.
+ValueRef on_hit_slot(const Scope& scope) {
+  OnHit& on_hit = scope.shot->body.collision.on_hit;
+  Choice slot = choice(names_of<OnHit>().first(static_cast<std::size_t>(OnHit::ask)), on_hit);
+  slot.get = [&on_hit] {
+    return on_hit == OnHit::ask ? std::nullopt : std::optional(static_cast<std::size_t>(on_hit));
+  };
+  return slot;
+}
+
 #define PHYSIM_SHOT(field, ...) setting("shot." #field, PHYSIM_FIELD(shot->field), __VA_ARGS__)
 #define PHYSIM_WORLD_DEF(field, ...) setting("world." #field, PHYSIM_FIELD(scenario->world.def.field), __VA_ARGS__)
 #define PHYSIM_VOLLEY(...) PHYSIM_ROW("volley", volley, __VA_ARGS__)
@@ -59,7 +69,7 @@ constexpr Entry kWorldSettings[] = {
     PHYSIM_SHOT(body.friction, "Coulomb's, of bounces and sliding", at_least(0), kContact),
     PHYSIM_SHOT(body.rolling_resistance, "part of the weight that resists rolling on the ground", at_least(0),
                 kContact),
-    PHYSIM_SHOT(body.collision.on_hit, "what it does where it meets a thing of the scene", kContact),
+    setting("shot.body.collision.on_hit", on_hit_slot, "what it does where it meets a thing of the scene", kContact),
     PHYSIM_SHOT(body.collision.radius, "it meets them as a ball of so much; 0: as a point", Quantity::length,
                 between(0, 1e6), kContact),
     PHYSIM_SHOT(body.collision.inertia, "of the ball, over mass and radius squared",

@@ -12,12 +12,13 @@
 
 namespace physim {
 
-/// What a frame of a recording holds: a call, or one of the first four.
+/// What a frame of a recording holds: a call, or one of the first five.
 enum class Call : std::uint8_t {
   begin,     // the world's definition
   end,       // nothing follows
   stepped,   // the hash after a step
   returned,  // what the call before it handed out
+  answered,  // what its function said about hits that ask
 #define PHYSIM_CALL(name, ...) name,
 #include "world/recorded_calls.hpp"
 #undef PHYSIM_CALL
@@ -27,10 +28,7 @@ inline constexpr auto kCalls = static_cast<std::size_t>(Call::count);
 
 [[nodiscard]] constexpr std::string_view name(Call call) {
   constexpr std::string_view names[] = {
-      "begin",
-      "end",
-      "stepped",
-      "returned",
+      "begin", "end", "stepped", "returned", "answered",
 #define PHYSIM_CALL(name, ...) #name,
 #include "world/recorded_calls.hpp"
 #undef PHYSIM_CALL
@@ -38,8 +36,9 @@ inline constexpr auto kCalls = static_cast<std::size_t>(Call::count);
   return names[static_cast<std::size_t>(call)];
 }
 
-/// Snapshots of a replay, by their numbers in the recording. Only those that are gone back to are kept, until the last
-/// time: a session of rollback netcode takes one in every frame.
+/// What the calls of a replay need beside their arguments: who answers hits that ask, as was recorded, and snapshots,
+/// by their numbers in the recording. Only those that are gone back to are kept, until the last time: a session of
+/// rollback netcode takes one in every frame.
 class Moments {
  public:
   /// A moment is gone back to once more.
@@ -54,6 +53,8 @@ class Moments {
     world.restore(at->second.snapshot);
     if (--at->second.restores == 0) moments_.erase(at);
   }
+
+  HitFunction hits;
 
  private:
   struct Moment {

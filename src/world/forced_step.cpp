@@ -29,7 +29,6 @@ class ForcedStep {
         keep_ends<S>(r);
         if (r.attention) settle<S>(r);
       });
-      rows_of(r).swap_positions();
     }
     return count;
   }

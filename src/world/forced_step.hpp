@@ -45,7 +45,8 @@ struct ForcedScratch {
   }
 };
 
-/// Steps all forced rows that move; returns how many. Nothing that other rows see is changed before all are through.
+/// Steps all forced rows that move; returns how many. Where they are then stands as their next position: nothing that
+/// other rows see is changed.
 std::size_t step_forced_rows(const SettleContext& context, ForcedScratch& scratch);
 
 /// Calls f with what settles a row of a cohort in the step just taken, which is as it was before it.

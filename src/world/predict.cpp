@@ -82,6 +82,7 @@ Obstacles obstacles_of(const WorldImpl& w, const Slot& slot) {
                        .friction = body.friction,
                        .rolling_resistance = body.rolling_resistance,
                        .seed = slot.generation};
+  if (body.collision.on_hit == OnHit::ask) obstacles.contact.collision.on_hit = OnHit::stop;  // nobody is asked yet
   obstacles.number = w.state.slots.index_of(slot);
   if (const Turning* turning = w.state.extras.find_turning(obstacles.number))
     obstacles.shown_spin = turning->angular_velocity;
@@ -139,6 +140,9 @@ void fill(FlightRecord& record, const WorldImpl& w, ProjectileId id, const Frame
         {"forces", "spring", "none", "springs to other projectiles are left out: where those will be is not known"});
   if (w.state.joints.of_slot(id.index))
     record.cohort.in_use.notes.push_back({"joints", "held", "none", "joints are left out: they hold it in the world"});
+  if (start.obstacles.scene && kind.body.collision.on_hit == OnHit::ask)
+    record.cohort.in_use.notes.push_back(
+        {"on_hit", "ask", "stop", "it ends where somebody will be asked what follows"});
   record.cohort.pool = w.registry.tables(cohort.key.fidelity.interpolation);
   record.cohort.conditions = cohort.conditions;
   record.cohort.conditions.has_applied = cohort.conditions.has_applied || start.pushes != nullptr;

@@ -98,6 +98,7 @@ Status World::record(RecordSink sink, const RecordOptions& options) {
   const std::shared_ptr<WorldImpl> keep = impl_;
   auto recorder = std::make_unique<Recorder>(w, std::move(sink), options, kTogether);
   recorder->begin(w.def, begun);
+  if (w.hit_asking.has_function()) recorder->frame(Call::set_hit_function, true);
   if (!recorder->is_good()) return recorder->finish();
   recorder->first_moment = w.moments;
   w.recorder = std::move(recorder);

@@ -34,6 +34,7 @@ class Recorder;
 /// What every call that changes a world passes: its recording, and whether one of its own callbacks runs.
 struct Gate : std::enable_shared_from_this<Gate> {
   bool is_inside = false;  // a step, or the sink of the recording
+  bool asks = false;       // calls between steps, too, may ask a function of the user's
   std::unique_ptr<Recorder> recorder;
   /// The world whose forces or engine this thread asks between steps, as accelerations() and predict() do.
   static thread_local const Gate* in_question;
@@ -160,7 +161,7 @@ class Recorded {
     static_assert(std::is_same_v<std::tuple<typename RecordedAs<T>::Type...>, ArgumentsOf<name>>,
                   "recorded_calls.hpp says otherwise");
     if (is_refused_) return;
-    if (gate.recorder || kSteps) keep_ = gate.shared_from_this();
+    if (gate.recorder || gate.asks || kSteps) keep_ = gate.shared_from_this();
     recorder_ = gate.recorder.get();
     if (recorder_ && recorder_->enter()) begin(arguments...);
   }

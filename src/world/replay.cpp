@@ -113,6 +113,7 @@ constexpr std::array<Handler, kCalls> kHandlers = {{
     {nullptr, nullptr},  // end
     {nullptr, nullptr},  // stepped
     {nullptr, nullptr},  // returned
+    {nullptr, nullptr},  // answered
 #define PHYSIM_CALL(name, ...) {check_call<Call::name>, make_call<Call::name>},
 #include "world/recorded_calls.hpp"
 #undef PHYSIM_CALL
@@ -153,13 +154,16 @@ struct Replay::Impl {
   Recorder* recorder = nullptr;  // of the world
   std::vector<std::uint64_t> hashes;
 
-  Impl(std::vector<std::byte> recording, const ReplayOptions& how) : bytes(std::move(recording)), options(how) {}
+  Impl(std::vector<std::byte> recording, const ReplayOptions& how) : bytes(std::move(recording)), options(how) {
+    moments.hits = options.hit_function = [this](const HitBatch& batch) { answer(batch); };
+  }
   ~Impl() { at = end; }  // the recorder's own end, as its world goes, is compared with nothing
   Status survey();
   Status read_begin(const Frame& frame);
   void start(World made);
   Status compare(std::span<const std::byte> frame);
   void count_spawned(std::span<const std::byte> returned);
+  void answer(const HitBatch& batch) const;
   void differ(std::span<const std::byte> frame);
   [[nodiscard]] Frame frame_at(std::span<const std::byte> from, std::size_t place) const;
   void make_next();
@@ -254,6 +258,16 @@ void Replay::Impl::count_spawned(std::span<const std::byte> returned) {
   report.spawned += static_cast<std::uint64_t>(std::count_if(ids.begin(), ids.end(), [](auto id) { return bool(id); }));
 }
 
+/// As was recorded; about other hits there is nothing, and the frame that is written of that differs.
+void Replay::Impl::answer(const HitBatch& batch) const {
+  if (at == end || report.difference) return;
+  const Frame frame = frame_at(bytes, at);
+  std::vector<HitAnswer> answers;
+  Reader reader(frame.content);
+  if (frame.call == Call::answered) reader(answers);
+  if (reader.complete() && answers.size() == batch.answers.size()) std::ranges::copy(answers, batch.answers.begin());
+}
+
 void Replay::Impl::differ(std::span<const std::byte> replayed) {
   const Frame now = frame_at(replayed, 0);
   const Frame then = frame_at(bytes, at);
@@ -270,6 +284,8 @@ void Replay::Impl::differ(std::span<const std::byte> replayed) {
     d.what = "it took a step that was not recorded";
   } else if (now.call == Call::returned && then.call == Call::returned) {
     d.what = "it handed out another id than the one recorded";
+  } else if (now.call == Call::answered) {
+    d.what = "it asked about other hits than those recorded";
   } else {
     d.what = "it did not do what was recorded";
   }
@@ -304,7 +320,8 @@ Result<Replay> Replay::open(std::vector<std::byte> recording, const ReplayOption
   auto impl = std::make_unique<Impl>(std::move(recording), options);
   if (Status status = impl->survey(); !status) return status.error();
   impl->def.threading = options.threading;
-  Result<World> world = impl->save.empty() ? World::create(impl->def) : World::load(impl->save, options);
+  if (!impl->begun_with.hit_function) impl->options.hit_function = {};  // a call that was recorded gives it
+  Result<World> world = impl->save.empty() ? World::create(impl->def) : World::load(impl->save, impl->options);
   if (!world) return world.error();
   impl->functions = impl->begun_with;
   impl->start(std::move(*world));

@@ -58,7 +58,10 @@ Result<FunctionCounts> read(std::span<const std::byte> save, const LoadOptions& 
   Reader reader(*content, options);
   reader(into);
   if (!reader.complete()) return makes_no_sense("its bytes");
-  return reader.functions_used();
+  FunctionCounts functions = reader.functions_used();
+  functions.hit_function =
+      std::ranges::any_of(into.kinds, [](const SavedKind& kind) { return kind.body.collision.on_hit == OnHit::ask; });
+  return functions;
 }
 
 /// A world made of what a save tells. Each part is looked at before it is taken: nothing that a save holds may be an
@@ -458,31 +461,14 @@ Result<FunctionCounts> functions_of(std::span<const std::byte> save) {
   return read(save, {}, saved);
 }
 
-Status check_given(const FunctionCounts& needed, const LoadOptions& given, const std::string& what) {
-  const auto check = [&what](const auto& list, std::size_t count, const char* place, const char* name) -> Status {
-    const auto there = std::count_if(list.begin(), list.end(), [](const auto& f) {
-      if constexpr (requires { f.function; })
-        return bool(f.function);
-      else
-        return bool(f);
-    });
-    if (count <= static_cast<std::size_t>(there)) return {};
-    return Error{what + " has " + std::to_string(count) + " " + name + ", and " + std::to_string(there) +
-                     " functions were given",
-                 place, "no file holds functions: give them in the order in which the world came to know them"};
-  };
-  if (Status s = check(given.custom_forces, needed.custom_forces, "custom_forces", "custom forces"); !s) return s;
-  if (Status s = check(given.wind_fields, needed.wind_fields, "wind_fields", "fields of wind"); !s) return s;
-  if (Status s = check(given.force_fields, needed.force_fields, "force_fields", "fields of force"); !s) return s;
-  return check(given.engine_queries, needed.engine_queries, "engine_queries", "engines of scenes");
-}
-
 Result<std::shared_ptr<WorldImpl>> loaded(std::span<const std::byte> save, const LoadOptions& options) {
   SavedWorld saved;
   const Result<FunctionCounts> functions = read(save, options, saved);
   if (!functions) return functions.error();
   if (Status status = check_given(*functions, options, "the save"); !status) return status.error();
-  return Loading(saved).run(options.threading);
+  Result<std::shared_ptr<WorldImpl>> made = Loading(saved).run(options.threading);
+  if (made) (*made)->hit_asking.set_function(options.hit_function);
+  return made;
 }
 
 Result<std::vector<std::byte>> World::save() const {

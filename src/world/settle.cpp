@@ -204,6 +204,7 @@ class Settling {
       case Then::stops:
       case Then::sticks: return stay(after.state, after.then == Then::sticks);
       case Then::lies: return lie(ground_.lying(after.state), after.passed);
+      case Then::asks: return;  // the row is left as it was
       case Then::flies_on: break;
     }
     parts_.come_to(after.passed);
@@ -253,6 +254,16 @@ auto with_settled(const SettleContext& context, Chunk& chunk, std::uint32_t row,
   return f(settled);
 }
 
+/// Whether a hit was left open, about which something is known now.
+bool answers_open(const SettleContext& context, Chunk& chunk) {
+  if (chunk.open.empty()) return false;
+  PHYSIM_ASSERT(chunk.open.size() == 1);
+  const HitQuestion question = chunk.open.front().question;
+  chunk.open.clear();
+  context.asking->ask({&question, 1});
+  return true;
+}
+
 }  // namespace
 
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
@@ -260,21 +271,28 @@ void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
 }
 
 void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting) {
-  with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_after(parting); });
+  do {
+    with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_after(parting); });
+  } while (answers_open(context, chunk));
 }
 
 void settle_alone(const SettleContext& context, Chunk& chunk, std::uint32_t row, std::optional<double> born) {
-  with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_alone(born); });
+  do {
+    with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run_alone(born); });
+  } while (answers_open(context, chunk));
 }
 
 std::optional<State<double>> state_inside(const SettleContext& context, Chunk& chunk, std::uint32_t row,
                                           std::optional<double> born, double until) {
-  return with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) -> std::optional<State<double>> {
-    r.end_at(until);
-    Settling<S>(context, r).run_part(born);
-    if (r.gone()) return std::nullopt;
-    return r.here();
-  });
+  std::optional<State<double>> there;
+  do {
+    with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) {
+      r.end_at(until);
+      Settling<S>(context, r).run_part(born);
+      there = r.gone() ? std::nullopt : std::optional(r.here());
+    });
+  } while (answers_open(context, chunk));
+  return there;
 }
 
 Vec3d spin_at(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "world/hit_asking.hpp"
 #include "world/state.hpp"
 #include "world/world_job.hpp"
 
@@ -49,6 +50,7 @@ struct Chunk {
   std::vector<Event> events;
   std::vector<Change> changes;
   std::vector<Trace> traces;  // of those that meet others, each in order of time
+  std::vector<OpenHit> open;  // of rows that are left as they were until it is known what their hits do
 };
 
 /// What decides the order of events, and where one stands.
@@ -82,6 +84,7 @@ struct SettleContext {
   const Scene* scene;           // null: none
   const void* taken = nullptr;  // forced rows: the TakenStep of their number type
   bool pairs = false;           // somebody meets others
+  HitAsking* asking = nullptr;  // who knows what hits do that ask
 };
 
 /// A step that a forced row took together with others. What only follows from an event in it (the way on after a
@@ -105,7 +108,8 @@ inline constexpr double kLongestBouncingStep = 0.1;  // [s]
   return def.ground.mode == GroundMode::bounce && dt > kLongestBouncingStep;
 }
 
-/// Steps one row that was left where it was, and writes where it is after the step.
+/// Steps one row that was left where it was, and writes where it is after the step, unless a hit of it is left open.
+/// The other calls below ask about hits at once.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);
 
 /// Steps a row that is as it was when the step began from a meeting inside of it, and writes where it is after the

@@ -31,6 +31,7 @@ class SettledRow {
         slot_index_(rows_.slot(row)),
         taken_(static_cast<const TakenStep<S>*>(context.taken)),
         is_traced_(context.pairs && collision().others != 0),
+        told_{chunk.events.size(), chunk.changes.size(), chunk.traces.size()},
         march(cohort_.course<S>()) {
     PHYSIM_ASSERT(row < rows_.size());
     read();
@@ -79,6 +80,24 @@ class SettledRow {
     return impact;
   }
   void slid(const State<double>&, double, const State<double>&, double) const {}  // rows keep no path
+  static constexpr bool kAsks = true;
+  /// What is known of a hit, which is told whose it is and when; null: nothing.
+  [[nodiscard]] const HitAnswer* answer_to(HitQuestion& question, double passed) const {
+    PHYSIM_ASSERT(context_.asking && context_.asking->has_function());
+    question.projectile = {slot_index_, slot().generation};
+    question.kind = {kind().number};
+    question.time = context_.time + passed;
+    return context_.asking->find(question);
+  }
+  /// It is left as it was, and nothing of what it told happened, until somebody answers.
+  void leave_open(const HitQuestion& question) {
+    PHYSIM_ASSERT(!gone_);
+    gone_ = true;
+    chunk_.events.resize(told_.events);
+    chunk_.changes.resize(told_.changes);
+    chunk_.traces.resize(told_.traces);
+    chunk_.open.push_back({chunk_.cohort, row_, question});
+  }
 
   /// So far from where it is now it may fly before it can be near anything.
   void put_clear(S clear) const { columns_.clear[row_] = clear; }
@@ -359,7 +378,11 @@ class SettledRow {
     Vec3d felt;       // what it feels of its emitter now
   };
   std::optional<Driven> driven_;
-  bool is_traced_;           // it meets others
+  bool is_traced_;  // it meets others
+  struct Told {
+    std::size_t events, changes, traces;
+  };
+  Told told_;                // by the chunk before it
   Unset<Body<S>> from_row_;  // where generators or stops change what is flown
   State<double> start_{};
   S t_start_ = 0;

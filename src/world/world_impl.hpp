@@ -7,6 +7,7 @@
 #include "physim/world.hpp"
 #include "world/emitter_step.hpp"
 #include "world/forced_step.hpp"
+#include "world/hit_asking.hpp"
 #include "world/joints.hpp"
 #include "world/pairs.hpp"
 #include "world/placement.hpp"
@@ -46,6 +47,7 @@ struct WorldImpl : Gate {
   PairScratch pairs;
   EmitterScratch emitting;
   JointScratch jointed;
+  HitAsking hit_asking{*this};
   bool is_stirred = false;  // nobody who meets things sleeps, or knows how far it may fly
 
   // ------------------------------------------------------------------------------------------- slots
@@ -65,6 +67,8 @@ struct WorldImpl : Gate {
 
   // ------------------------------------------------------------------------------------------- coming and going
   Result<std::uint32_t> find_or_add_kind(const ProjectileDef& projectile, const BodyDef& body) {
+    if (body.collision.on_hit == OnHit::ask && !hit_asking.has_function())
+      return Error{"asks, and nobody answers", "body.collision.on_hit", "World::set_hit_function() comes first"};
     return registry.find_or_add_kind(projectile, body, moments);
   }
   Result<ProjectileId> spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body,
@@ -157,7 +161,8 @@ struct WorldImpl : Gate {
   // ------------------------------------------------------------------------------------------- stepping
   void step(double dt);
   [[nodiscard]] SettleContext settle_context(double dt) {
-    return {&def, &registry, &state, dt, state.clock.now(), state.clock.time(), state.scene.get(), nullptr, pairs.used};
+    return {&def,    &registry,  &state,     dt, state.clock.now(), state.clock.time(), state.scene.get(),
+            nullptr, pairs.used, &hit_asking};
   }
   void launch_pending();
   void expire_old();

@@ -229,9 +229,10 @@ void WorldImpl::step_free(double dt) {
                 bytes > kCacheBytes,         state.scene && state.scene->engine()};
   runner(moving).run(scratch.chunk_count, run_chunk, &work);
   if (work.asks_engine) ask_engine(work, std::span(scratch.chunks).first(scratch.chunk_count));
+  settle_asked(*this, work.context);
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const CohortKey& key = registry.cohort(c).key;
-    if (!key.still && !key.forced) state.rows[c].swap_positions();
+    if (!key.still) state.rows[c].swap_positions();
   }
   state.counters.projectile_steps += moving;
 }
@@ -323,6 +324,7 @@ void WorldImpl::step(double dt) {
   const Inside inside(*this);
   [[maybe_unused]] const std::uint64_t steps_before = state.clock.steps;
   [[maybe_unused]] const double before = state.clock.time();
+  hit_asking.forget();
   placement.rebase(dt);
   launch_pending();
   begin_generators(dt);

@@ -1,11 +1,24 @@
 // The things of a world, changed by random calls.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "fuzz/odd_input.hpp"
 
 namespace physim::test {
+
+/// Says something about hits, and what nobody should; it follows from the hit alone.
+inline void answer_oddly(const HitBatch& batch) {
+  for (std::size_t i = 0; i < batch.questions.size(); ++i) {
+    const HitQuestion& q = batch.questions[i];
+    const int what = static_cast<int>(std::abs(std::fmod(q.position.x * 977, 32)));
+    if (what == 31) throw what;
+    batch.answers[i].then = static_cast<OnHit>(what % 8);  // two of them are none
+    if (what >= 16) batch.answers[i].velocity = q.velocity * (what % 3 - 1.0);
+    if (what == 30) batch.answers[i].velocity = Vec3d{std::nan(""), 0, 0};
+  }
+}
 
 class OddScene {
  public:

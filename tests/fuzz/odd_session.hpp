@@ -50,7 +50,9 @@ class Session {
     const WorldDef def = r_.world();
     Result<World> made = World::create(def);
     world_ = std::make_unique<World>(made ? std::move(*made) : World());
+    if (r_.coin()) static_cast<void>(world_->set_hit_function(answer));
     if (r_.coin()) start_recording();
+    if (r_.one_in(3)) rain_on_plane();
   }
   ~Session() {
     active_ = nullptr;
@@ -134,6 +136,22 @@ class Session {
     world_ = std::move(other);
   }
 
+  /// Some that ask, if somebody answers, on their way down to a plane above the ground.
+  void rain_on_plane() {
+    Scene scene;
+    const Result<ShapeId> plane = scene.add_shape(PlaneShape{});
+    if (!plane || !scene.add({.shape = *plane, .transform = {.position = {0, 5, 0}}})) return;
+    static_cast<void>(world_->set_scene(scene));
+    for (int i = 0; i < 4; ++i) {
+      const Launch launch{.position = {0.1 * i, r_.in(6, 9), 0}, .velocity = Vec3d{r_.in(-9, 9), -60, 0}};
+      note(world_->spawn(ProjectileDef{}, launch, {.collision = {.on_hit = OnHit::ask, .radius = i % 2 * 0.1}}));
+    }
+  }
+  static void answer(const HitBatch& batch) {
+    meddle();
+    answer_oddly(batch);
+  }
+
   // ------------------------------------------------------------------------------------------------------- recording
   RecordSink sink(Bytes& into) {
     const bool fails = r_.one_in(12);
@@ -153,6 +171,7 @@ class Session {
   static LoadOptions options() {
     LoadOptions o{.threading = {1, 4}};
     o.custom_forces.assign(200, custom());
+    o.hit_function = answer;
     return o;
   }
   void finish_recording() {

@@ -29,6 +29,19 @@ T or_null(const Result<T>& result) {
   return result ? *result : T{};
 }
 
+/// Says something of every kind about hits, now and then what makes no sense; it follows from the hit alone.
+inline void answer_somehow(const HitBatch& batch) {
+  for (std::size_t i = 0; i < batch.questions.size(); ++i) {
+    const HitQuestion& q = batch.questions[i];
+    HitAnswer& answer = batch.answers[i];
+    const int what = static_cast<int>(std::abs(q.position.x + q.position.z) * 1000) % 24;
+    answer.then = what < 12 ? OnHit::bounce : static_cast<OnHit>(what % 6);
+    if (what == 20) answer = {OnHit::pass, q.velocity * 0.5};
+    if (what == 21) answer = {OnHit::bounce, q.surface_velocity - (q.velocity - q.surface_velocity) * 0.5};
+    if (what == 22) answer.velocity = q.normal;
+  }
+}
+
 class RandomSession {
  public:
   /// `moments`: it goes back to snapshots, which hold for one world alone.
@@ -37,10 +50,12 @@ class RandomSession {
   bool meet_others = true;  // some of its projectiles
   bool emitters = true;     // there are some
   bool joints = false;      // likewise
+  bool asks = false;        // some of its projectiles ask what their hits do
 
   /// One call of any kind; most are sensible.
   void act() {
     if (joints && below(20) == 0) return joint();
+    if (asks && below(200) == 0) return void(world_.set_hit_function(answer_somehow));
     const int what = below(emitters ? 51 : 48);
     if (what < 10) return spawn();
     if (what < 14) return time();
@@ -100,7 +115,7 @@ class RandomSession {
     b.environment = static_cast<std::uint32_t>(below(static_cast<int>(environments_ + 1)));  // now and then none
     b.layers = static_cast<std::uint32_t>(1 + below(3));
     b.label = coin() ? "" : "a ball";
-    if (below(3) != 0) b.collision = {.on_hit = static_cast<OnHit>(below(5)), .radius = below(3) * 0.1};
+    if (below(3) != 0) b.collision = {.on_hit = static_cast<OnHit>(below(asks ? 6 : 5)), .radius = below(3) * 0.1};
     if (b.layers == 1 && meet_others) b.collision.radius *= 20, b.collision.others = 3;  // so large that they meet
     return b;
   }

@@ -29,12 +29,13 @@ ReplayOptions with_functions(std::size_t count = 1000) {
   return options;
 }
 
-Bytes random_recording(unsigned seed, int calls, std::uint64_t* hash = nullptr, bool joints = false) {
+/// `all`: with what sessions have only where they are asked for it.
+Bytes random_recording(unsigned seed, int calls, std::uint64_t* hash = nullptr, bool all = false) {
   Bytes bytes;
   World world = made(test::session_world());
   EXPECT_TRUE(world.record(record_into(bytes)));
   test::RandomSession session(world, seed);
-  session.joints = joints;
+  session.joints = session.asks = all;
   for (int i = 0; i < calls; ++i) session.act();
   if (hash) *hash = world.hash();
   EXPECT_TRUE(world.is_recording());
@@ -238,7 +239,7 @@ TEST(Recording, other_files_and_formats_are_refused) {
   EXPECT_NE(error_of({}).find("byte 0: error: this is not a recording"), std::string::npos);
   EXPECT_NE(error_of(Bytes(100)).find("this is not a recording"), std::string::npos);
   bytes[8] = std::byte{99};
-  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 99; this library reads format 9");
+  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 99; this library reads format 10");
   bytes = small_recording();
   bytes.push_back({});
   EXPECT_NE(error_of(bytes).find("something follows"), std::string::npos);

@@ -1,0 +1,85 @@
+// What contacts of what flies with the ground, with things of a scene and with others have in common.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "math/elementary.hpp"
+#include "math/vec3.hpp"
+#include "model/body.hpp"
+#include "model/contact.hpp"
+#include "physim/event.hpp"
+#include "physim/hit_question.hpp"
+#include "physim/scene.hpp"
+
+namespace physim {
+
+/// Contacts in a step: between two walls there may be many.
+inline constexpr int kMostHits = 1000;
+
+/// Near what it touched it goes on in parts of so much or less: what a bounce may be too low for is judged by them,
+/// and a ball that bounces on has steps that its way is right with [s].
+inline constexpr double kLongestPart = 1.0 / 30;
+
+/// By so much of the step that follows a contact is judged [s].
+[[nodiscard]] inline double frame_of_contact(double step_length) { return std::min(step_length, kLongestPart); }
+/// Along the normal: a bounce that would be over within that time does not lift it any more.
+[[nodiscard]] inline bool lifts_off(double speed, double acceleration, double frame) {
+  return speed > -acceleration * (0.5 * frame);
+}
+/// What falls from higher than a step's fall strikes the surface, even where nothing of its speed is left.
+[[nodiscard]] inline bool is_strike(double speed, double acceleration, double frame) {
+  return speed < acceleration * frame;
+}
+
+/// What a surface and what touches it are to each other.
+[[nodiscard]] inline Surface surface_between(double restitution, double friction, const Surface& own) {
+  return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
+}
+
+/// The states of a straight way from one to another.
+[[nodiscard]] inline auto straight(const State<double>& from, const State<double>& to) {
+  return [from, to](double theta) {
+    return State<double>{from.x + (to.x - from.x) * theta, from.v + (to.v - from.v) * theta};
+  };
+}
+
+/// Which draws of chance a hit takes: the so-manyth of a step. The step is told by a number, or by the bits of a time,
+/// the lowest of which are often 0.
+[[nodiscard]] inline std::uint32_t hit_number(std::uint64_t step, int hits) {
+  const auto mixed = static_cast<std::uint32_t>((step * 0x9e3779b97f4a7c15u) >> 32);
+  return mixed * 1009u + static_cast<std::uint32_t>(hits);
+}
+
+/// What an event tells of a state and of what was met there; not whose it is, nor when.
+[[nodiscard]] inline Event event_of(EventKind kind, Reason reason, const State<double>& s, const SceneHit& hit,
+                                    double depth, double energy) {
+  return {.kind = kind,
+          .reason = reason,
+          .value = depth,
+          .position = s.x,
+          .velocity = s.v,
+          .normal = hit.normal,
+          .instance = hit.instance,
+          .primitive = hit.primitive,
+          .material = hit.material,
+          .energy = energy};
+}
+
+/// What is asked of a hit, but for whose it is, when, and how thick the thing is. `mass`: 0 for none [kg].
+[[nodiscard]] inline HitQuestion question_of(const State<double>& s, const SceneHit& hit, double mass) {
+  const Vec3d way = s.v - hit.velocity;
+  const double into = dot(way, hit.normal);
+  return {.position = s.x,
+          .velocity = s.v,
+          .normal = hit.normal,
+          .surface_velocity = hit.velocity,
+          .instance = hit.instance,
+          .primitive = hit.primitive,
+          .material = hit.material,
+          .energy = 0.5 * mass * length_squared(way),
+          .obliquity = atan2(length(way - hit.normal * into), -into),
+          .inside = hit.starts_inside};
+}
+
+}  // namespace physim

@@ -1,0 +1,63 @@
+// Hits that ask: what the function of a world said about hits of the step at hand.
+//
+// A row that comes to a hit about which nothing is known is left as it was when the step began, and its question stays
+// open. When everybody has come so far, one call asks about all that is open, and those rows go through their step
+// again: with the same numbers up to the same hits, about which something is known now. So what follows from an answer
+// is what follows from a kind that does the same, to the bit, and neither threads nor the order of rows matter.
+#pragma once
+
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "physim/hit_question.hpp"
+
+namespace physim {
+
+struct Gate;
+struct SettleContext;
+struct WorldImpl;
+
+/// A hit of a row about which nothing is known, and where the row is.
+struct OpenHit {
+  std::uint16_t cohort = 0;
+  std::uint32_t row = 0;
+  HitQuestion question;
+};
+
+class HitAsking {
+ public:
+  explicit HitAsking(Gate& gate) : gate_(gate) {}
+
+  void set_function(HitFunction function);
+  [[nodiscard]] bool has_function() const { return static_cast<bool>(function_); }
+  [[nodiscard]] const HitFunction& function() const { return function_; }
+  [[nodiscard]] const HitCounts& counts() const { return counts_; }
+  [[nodiscard]] const std::string& refused() const { return refused_; }
+
+  /// What was said of one that is the same but for what only informs; null: nothing. Any number of threads may look.
+  [[nodiscard]] const HitAnswer* find(const HitQuestion& question) const;
+  /// Asks about all of them in one call, and remembers.
+  void ask(std::span<const HitQuestion> questions);
+  void forget() { known_.clear(); }
+
+ private:
+  struct Known {
+    HitQuestion question;
+    HitAnswer answer;
+  };
+
+  [[nodiscard]] bool call(std::span<const HitQuestion> questions, std::span<HitAnswer> answers);
+
+  Gate& gate_;
+  HitFunction function_;
+  std::unordered_map<std::uint32_t, std::vector<Known>> known_;  // by slots
+  HitCounts counts_;
+  std::string refused_;
+};
+
+/// Asks about what the rows of a step came to, as long as something is open, and settles them.
+void settle_asked(WorldImpl& world, const SettleContext& context);
+
+}  // namespace physim
