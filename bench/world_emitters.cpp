@@ -155,7 +155,7 @@ Section frame_section(const Options& options) {
   const EmitterId emitter = *world.add_emitter(def);
   def.kind = *driven.add_kind(world_bullet(Fidelity::game()));
   def.flight.drag = {1, {}, {{0, 1}, {1, 0}}};
-  driven.add_emitter(def).value();
+  static_cast<void>(driven.add_emitter(def).value());
   const auto peer = plain_loop(peer_physics(), peer_spray(per_second, kShortest, kLongest), 2 * kSparks);
   for (int i = 0; i < static_cast<int>(1.1 * kLongest / kFlow); ++i) {
     world.step(kFlow);

@@ -55,11 +55,7 @@ const EmitCurve::Piece& EmitCurve::piece_at(double x) const {
   return *(next - 1);
 }
 
-double EmitCurve::value(double x) const {
-  const Piece& p = piece_at(x);
-  const double s = x - p.start;
-  return std::clamp(p.c[0] + s * (p.c[1] + s * (p.c[2] + s * p.c[3])), p.low, p.high);
-}
+double EmitCurve::value(double x) const { return value(piece_at(x), x); }
 
 double EmitCurve::sum(double x) const {
   const Piece& p = piece_at(x);
@@ -111,11 +107,13 @@ EmitGradient::EmitGradient(const Gradient& keys) {
 
 Rgba EmitGradient::operator()(double x) const {
   if (keys_.empty()) return {};
-  const auto next = std::upper_bound(keys_.begin(), keys_.end(), x, [](double at, const Key& k) { return at < k.at; });
-  if (next == keys_.begin()) return next->colour;
-  const Key& before = *(next - 1);
-  if (next == keys_.end()) return before.colour;
-  return mixed(before.colour, next->colour, (x - before.at) / (next->at - before.at));
+  // Counted rather than searched: there are few, and no branch has to be guessed.
+  std::size_t next = 0;
+  for (const Key& key : keys_) next += x < key.at ? 0 : 1;
+  const Key& a = keys_[next == 0 ? 0 : next - 1];
+  const Key& b = keys_[next == keys_.size() ? next - 1 : next];
+  const double apart = b.at - a.at;
+  return mixed(a.colour, b.colour, apart > 0 ? (x - a.at) / apart : 0);
 }
 
 EmitColour::EmitColour(const DrawnColour& def)

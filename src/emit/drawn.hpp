@@ -6,6 +6,7 @@
 // Source: F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300-304, for the monotone cubics.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -24,6 +25,9 @@ class EmitCurve {
 
   [[nodiscard]] bool is_one() const { return pieces_.empty(); }
   [[nodiscard]] double operator()(double x) const { return pieces_.empty() ? 1 : value(x); }
+  /// The values at many places, none below 0: pieces are counted rather than searched.
+  template <std::size_t N>
+  void at_each(const std::array<double, N>& x, std::array<double, N>& y) const;
   /// From 0 to x >= 0, beyond 1 too.
   [[nodiscard]] double integral(double x) const { return pieces_.empty() ? x : sum(x); }
   /// Its derivative, behind a corner that of the piece that begins there.
@@ -39,11 +43,26 @@ class EmitCurve {
     double before;     // the integral from 0 to its start
   };
   [[nodiscard]] const Piece& piece_at(double x) const;
+  [[nodiscard]] static double value(const Piece& p, double x) {
+    const double s = x - p.start;
+    return std::clamp(p.c[0] + s * (p.c[1] + s * (p.c[2] + s * p.c[3])), p.low, p.high);
+  }
   [[nodiscard]] double value(double x) const;
   [[nodiscard]] double sum(double x) const;
 
   std::vector<Piece> pieces_;  // in order; the first starts at 0, the last one goes on for ever
 };
+
+template <std::size_t N>
+void EmitCurve::at_each(const std::array<double, N>& x, std::array<double, N>& y) const {
+  if (pieces_.empty()) return y.fill(1);
+  std::array<std::uint64_t, N> piece{};
+  for (std::size_t k = 1; k < pieces_.size(); ++k) {
+    const double start = pieces_[k].start;
+    for (std::size_t i = 0; i < N; ++i) piece[i] += x[i] < start ? 0 : 1;
+  }
+  for (std::size_t i = 0; i < N; ++i) y[i] = value(pieces_[piece[i]], x[i]);
+}
 
 /// A number that is drawn. What wants `draw` calls it for u where it is needed, and not otherwise.
 class EmitNumber {
@@ -60,6 +79,20 @@ class EmitNumber {
   [[nodiscard]] double at(double x, DrawU&& draw) const {
     const double a = curve_.is_one() ? value_ : value_ * curve_(x);
     return drawn_ ? between(a, to_ * to_curve_(x), std::forward<DrawU>(draw)()) : a;
+  }
+  /// Many numbers at a time; `draw` gives all of their u.
+  template <std::size_t N, class DrawU>
+  void at_each(const std::array<double, N>& x, std::array<double, N>& y, DrawU&& draw) const {
+    y.fill(value_);
+    if (!curve_.is_one()) {
+      curve_.at_each(x, y);
+      for (double& a : y) a = value_ * a;
+    }
+    if (!drawn_) return;
+    std::array<double, N> b;
+    to_curve_.at_each(x, b);
+    const std::array<double, N>& u = std::forward<DrawU>(draw)();
+    for (std::size_t i = 0; i < N; ++i) y[i] = between(y[i], to_ * b[i], u[i]);
   }
   template <class DrawU>
   [[nodiscard]] double integral(double x, DrawU&& draw) const {
@@ -151,6 +184,7 @@ class EmitColour {
  public:
   explicit EmitColour(const DrawnColour& def);
 
+  [[nodiscard]] bool is_drawn() const { return drawn_; }
   [[nodiscard]] bool is_white() const { return !drawn_ && gradient_.is_white() && colour_.is_white(); }
   template <class DrawU>
   [[nodiscard]] Rgba at(double x, DrawU&& draw) const {

@@ -12,16 +12,6 @@ auto drawing(ParticleChance& chance, Draw what) {
   return [&chance, what] { return chance(what); };
 }
 
-double of_size(const EmitStart& start, const EmitLife& life, double phase, double x, ParticleChance& chance) {
-  return start.size.at(phase, drawing(chance, Draw::size)) * life.size.at(x, drawing(chance, Draw::life_size));
-}
-
-/// By how much a particle has turned since its birth. Its curve goes over `span` [s].
-double turned(const EmitNumber& turn, double age, double span, ParticleChance& chance) {
-  PHYSIM_ASSERT(span > 0 && span < kInfinity);
-  return span * turn.integral(age / span, drawing(chance, Draw::life_turn));
-}
-
 }  // namespace
 
 EmitStart::EmitStart(const EmitterDef& def)
@@ -80,37 +70,6 @@ Newborn Emission::newborn(const Birth& birth) const {
   born.tracer = birth.is_round && p.gun.is_tracer(birth.round);
   PHYSIM_ASSERT(born.lifetime > 0);
   return born;
-}
-
-Look Emission::look(std::uint64_t number, double phase, double lifetime, double age, double speed) const {
-  const Parts& p = *parts_;
-  const EmitStart& start = p.start;
-  PHYSIM_ASSERT(lifetime > 0 && age >= 0 && speed >= 0);
-  ParticleChance chance(p.seed, number);
-  const double span = lifetime < kInfinity ? lifetime : 1;  // [s]
-  const double x = std::min(age / span, 1.0);
-  const double fast = p.def.life.fast;
-  const double hurry = fast > 0 ? std::min(speed / fast, 1.0) : 0;
-
-  double size = of_size(start, p.life, phase, x, chance);
-  if (fast > 0) size *= p.life.size_by_speed(hurry);
-  Look look;
-  look.size = {size, size * start.size_y.at(phase, drawing(chance, Draw::size_y)),
-               size * start.size_z.at(phase, drawing(chance, Draw::size_z))};
-
-  look.rotation = {start.rotation.at(phase, drawing(chance, Draw::rotation)) + turned(p.life.turn, age, span, chance),
-                   start.rotation_y.at(phase, drawing(chance, Draw::rotation_y)),
-                   start.rotation_z.at(phase, drawing(chance, Draw::rotation_z))};
-  const double flipped = p.def.start.flipped;
-  if (flipped > 0 && chance(Draw::flipped) < flipped) look.rotation = -look.rotation;
-
-  const bool by_speed = fast > 0 && !p.life.colour_by_speed.is_white();
-  if (start.colour.is_white() && p.life.colour.is_white() && !by_speed) return look;
-  Rgba colour = p.life.colour.at(x, drawing(chance, Draw::life_colour));
-  if (!start.colour.is_white()) colour = times(start.colour.at(phase, drawing(chance, Draw::colour)), colour);
-  if (by_speed) colour = times(colour, p.life.colour_by_speed(hurry));
-  look.colour = colour.packed();
-  return look;
 }
 
 std::uint32_t Emission::fired_by(std::size_t sub, std::uint64_t number, std::uint64_t nth) const {

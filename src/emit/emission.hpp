@@ -64,6 +64,7 @@ class Emission {
 
  private:
   friend class Timeline;
+  friend class Looks;
   struct Parts;
   std::unique_ptr<const Parts> parts_;
 };

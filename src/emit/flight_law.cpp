@@ -1,7 +1,10 @@
 #include "emit/flight_law.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
+#include "emit/pack_chance.hpp"
 #include "math/vec3.hpp"
 
 namespace physim {
@@ -45,30 +48,69 @@ bool FlightLaw::acts() const {
 bool FlightLaw::adds_velocity() const { return !velocity_.are_zero(); }
 bool FlightLaw::has_force() const { return !force_.are_zero(); }
 
-double FlightLaw::drag_at(double x, double speed, FlightChance& chance) const {
-  const double drag = drag_.at(x, drawn_as(chance, FlightDraw::drag));
-  return fast_ > 0 ? drag * drag_by_speed_(std::min(speed / fast_, 1.0)) : drag;
+template <std::size_t N>
+void FlightLaw::accelerate(const FlightPack<N>& p, double time, typename FlightPack<N>::Vectors& sum) const {
+  typename FlightPack<N>::Column x, speed{}, k;
+  typename FlightPack<N>::Vectors a{};  // apart from what is read: compilers see that nothing overlaps
+  for (std::size_t i = 0; i < N; ++i) {
+    const double part = (time - p.birth[i]) / p.span[i];
+    x[i] = part < 0 ? 0 : part > 1 ? 1 : part;
+  }
+  const bool reads_speed = fast_ > 0 || !limit_.is(kInfinity);
+  for (std::size_t i = 0; i < N && reads_speed; ++i)
+    speed[i] = std::sqrt(p.v[0][i] * p.v[0][i] + p.v[1][i] * p.v[1][i] + p.v[2][i] * p.v[2][i]);
+  PackChance<FlightDraw, EmitStream::flight, N> chance(seed_, p.number);
+  const auto drawn = [&chance](FlightDraw what) {
+    return [&chance, what ]() -> const auto& { return chance(what); };
+  };
+  if (!drag_.is(0)) {
+    drag_.at_each(x, k, drawn(FlightDraw::drag));
+    if (fast_ > 0)
+      for (std::size_t i = 0; i < N; ++i) k[i] *= drag_by_speed_(std::min(speed[i] / fast_, 1.0));
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < N; ++i) a[axis][i] -= p.v[axis][i] * k[i];
+  }
+  if (!limit_.is(kInfinity)) {
+    limit_.at_each(x, k, drawn(FlightDraw::limit));
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < N; ++i)
+        if (speed[i] > k[i]) a[axis][i] -= p.v[axis][i] * (limit_rate_ * (1 - k[i] / speed[i]));
+  }
+  if (scales_gravity()) {
+    gravity_.at_each(x, k, drawn(FlightDraw::gravity));
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < N; ++i) a[axis][i] += p.gravity[axis][i] * (k[i] - 1);
+  }
+  if (has_force()) {
+    constexpr FlightDraw kDraws[] = {FlightDraw::force_x, FlightDraw::force_y, FlightDraw::force_z};
+    const EmitNumber* const forces[] = {&force_.x, &force_.y, &force_.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      forces[axis]->at_each(x, k, drawn(kDraws[axis]));
+      for (std::size_t i = 0; i < N; ++i) a[axis][i] += k[i] * (1 / p.mass[i]);
+    }
+  }
+  if (swirls_) {
+    noise_.at_each(x, k, drawn(FlightDraw::noise));
+    for (std::size_t i = 0; i < N; ++i) {
+      const Vec3d swirl = swirls_->at({p.x[0][i], p.x[1][i], p.x[2][i]}, time) * k[i];
+      a[0][i] += swirl.x, a[1][i] += swirl.y, a[2][i] += swirl.z;
+    }
+  }
+  sum = a;
+}
+
+void FlightLaw::accelerations(const FlightPack<kPack>& pack, double time, FlightPack<kPack>::Vectors& a) const {
+  accelerate(pack, time, a);
 }
 
 Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const FlightState& s) const {
   PHYSIM_ASSERT(s.mass > 0);
-  const double x = part_of_life(particle, time), speed = length(s.v);
-  FlightChance chance(seed_, particle.number);
-  Vec3d a{};
-  if (!drag_.is(0)) a -= s.v * drag_at(x, speed, chance);
-  if (!limit_.is(kInfinity)) {
-    const double limit = limit_.at(x, drawn_as(chance, FlightDraw::limit));
-    if (speed > limit) a -= s.v * (limit_rate_ * (1 - limit / speed));
-  }
-  if (scales_gravity()) a += s.gravity * (gravity_.at(x, drawn_as(chance, FlightDraw::gravity)) - 1);
-  if (has_force()) {
-    const Vec3d force{force_.x.at(x, drawn_as(chance, FlightDraw::force_x)),
-                      force_.y.at(x, drawn_as(chance, FlightDraw::force_y)),
-                      force_.z.at(x, drawn_as(chance, FlightDraw::force_z))};
-    a += force * (1 / s.mass);
-  }
-  if (swirls_) a += swirls_->at(s.x, time) * noise_.at(x, drawn_as(chance, FlightDraw::noise));
-  return a;
+  const auto alone = [](const Vec3d& v) { return FlightPack<1>::Vectors{{{v.x}, {v.y}, {v.z}}}; };
+  const FlightPack<1> pack{{particle.number}, {particle.birth}, {particle.span}, alone(s.x),
+                           alone(s.v),        alone(s.gravity), {s.mass}};
+  FlightPack<1>::Vectors a;
+  accelerate(pack, time, a);
+  return {a[0][0], a[1][0], a[2][0]};
 }
 
 Vec3d FlightLaw::added_velocity(const InFlight& particle, double time) const {

@@ -20,6 +20,7 @@
 //   Cambridge Phil. Soc. 9 (1851) 8. The quadrature of u is ours.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -43,8 +44,23 @@ struct FlightState {
   double mass = 1;  // read where has_force() [kg]
 };
 
+/// Several at one time, each number in a column.
+template <std::size_t N>
+struct FlightPack {
+  using Column = std::array<double, N>;
+  using Vectors = std::array<Column, 3>;
+  std::array<std::uint64_t, N> number;
+  Column birth, span;
+  Vectors x, v;
+  Vectors gravity;  // read where scales_gravity()
+  Column mass;      // read where has_force()
+};
+
 class FlightLaw {
  public:
+  /// Particles that are looked at together.
+  static constexpr std::size_t kPack = 32;
+
   FlightLaw(const ParticleFlight& def, std::uint64_t seed);
 
   /// Whether there is anything.
@@ -55,6 +71,8 @@ class FlightLaw {
 
   /// All but what is of adds_velocity() [m/s^2].
   [[nodiscard]] Vec3d acceleration(const InFlight& particle, double time, const FlightState& state) const;
+  /// Those of a pack [m/s^2].
+  void accelerations(const FlightPack<kPack>& pack, double time, FlightPack<kPack>::Vectors& a) const;
   /// That is in its velocity at a time [m/s], and its derivative [m/s^2].
   [[nodiscard]] Vec3d added_velocity(const InFlight& particle, double time) const;
   [[nodiscard]] Vec3d velocity_rate(const InFlight& particle, double time) const;
@@ -65,7 +83,8 @@ class FlightLaw {
     EmitNumber x, y, z;
     [[nodiscard]] bool are_zero() const { return x.is(0) && y.is(0) && z.is(0); }
   };
-  [[nodiscard]] double drag_at(double x, double speed, FlightChance& chance) const;
+  template <std::size_t N>
+  void accelerate(const FlightPack<N>& pack, double time, typename FlightPack<N>::Vectors& a) const;
 
   std::uint64_t seed_;
   EmitNumber drag_, gravity_, limit_, noise_;

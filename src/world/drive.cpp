@@ -7,13 +7,16 @@
 
 namespace physim {
 
+InFlight in_flight(const Particle& particle, double birth) {
+  const double lifetime = particle.dies - birth;
+  PHYSIM_ASSERT(lifetime > 0);
+  return {particle.number, birth, lifetime < kInfinity ? lifetime : 1};
+}
+
 void Drive::find(const Registry& registry, const WorldState& state, std::uint32_t index) {
   law_ = state.emitters.law_of(index);
   if (!law_) return;
-  const Particle& particle = *state.emitters.particle(index);
-  const double birth = state.slots.birth(index), lifetime = particle.dies - birth;
-  PHYSIM_ASSERT(lifetime > 0);
-  particle_ = {particle.number, birth, lifetime < kInfinity ? lifetime : 1};
+  particle_ = in_flight(*state.emitters.particle(index), state.slots.birth(index));
   const Slot& slot = state.slots[index];
   if (law_->has_force()) mass_ = mass_of(registry, state, slot);
   if (!law_->scales_gravity()) return;

@@ -6,6 +6,9 @@
 
 namespace physim {
 
+/// A particle, as what acts on its flight asks.
+[[nodiscard]] InFlight in_flight(const Particle& particle, double birth);
+
 class Drive {
  public:
   Drive() = default;  // nothing acts

@@ -1,7 +1,10 @@
 // Firing: what an emitter lets out at one moment inside of a step, and the order in which that happens.
 #pragma once
 
+#include <optional>
+#include <queue>
 #include <tuple>
+#include <utility>
 
 #include "world/emitter_step.hpp"
 
@@ -20,14 +23,38 @@ struct Firing {
   EmitMoment moment;
 
   /// Later, for a queue whose top is the first.
-  bool operator<(const Firing& other) const { return key() > other.key(); }
+  bool operator<(const Firing& other) const { return time != other.time ? time > other.time : key() > other.key(); }
 
  private:
-  [[nodiscard]] std::tuple<double, std::uint32_t, std::uint32_t, std::uint32_t, std::uint64_t, std::uint64_t,
-                           std::uint64_t>
+  [[nodiscard]] std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint64_t, std::uint64_t, std::uint64_t>
   key() const {
-    return {time, emitter, rank, parent_emitter, parent, sub, order};
+    return {emitter, rank, parent_emitter, parent, sub, order};
   }
+};
+
+/// What fires next. The first one waits apart: mostly an emitter's next moment comes before anybody else's, and is not
+/// sorted in.
+class FiringQueue {
+ public:
+  [[nodiscard]] bool empty() const { return !first_ && others_.empty(); }
+  void push(const Firing& firing) {
+    PHYSIM_ASSERT(firing.time == firing.time);
+    const bool is_first = first_ ? *first_ < firing : others_.empty() || others_.top() < firing;
+    if (!is_first) return others_.push(firing);
+    if (first_) others_.push(*first_);
+    first_ = firing;
+  }
+  Firing pop() {
+    PHYSIM_ASSERT(!empty());
+    if (first_) return *std::exchange(first_, std::nullopt);
+    const Firing next = others_.top();
+    others_.pop();
+    return next;
+  }
+
+ private:
+  std::optional<Firing> first_;  // before all others
+  std::priority_queue<Firing> others_;
 };
 
 }  // namespace physim

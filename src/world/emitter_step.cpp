@@ -63,8 +63,7 @@ class EmitterBirths {
   void work_off() {
     queue_triggers();
     while (!queue_.empty()) {
-      const Firing firing = queue_.top();
-      queue_.pop();
+      const Firing firing = queue_.pop();
       if (firing.rank != kSub && !all_[firing.emitter].plays) continue;
       if (firing.rank == kOwn) {
         Emitter& e = all_[firing.emitter];
@@ -388,7 +387,7 @@ class EmitterBirths {
   EmitterWatch watch_;
   RainStep rain_;
   bool is_past_ = false;  // the step is the time before the world's
-  std::priority_queue<Firing> queue_;
+  FiringQueue queue_;
   std::uint64_t found_ = 0;
   // When particles of each emitter left in this step, where somebody had to ask; and how many those are.
   std::unordered_map<std::uint32_t, std::priority_queue<double, std::vector<double>, std::greater<>>> later_;

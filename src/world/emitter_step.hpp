@@ -13,6 +13,7 @@
 #include "emit/odometer.hpp"
 #include "world/emitter_pose.hpp"
 #include "world/emitters.hpp"
+#include "world/known_flight.hpp"
 #include "world/settle.hpp"
 #include "world/step_way.hpp"
 
@@ -55,6 +56,7 @@ struct EmitterScratch {
   std::uint32_t births = 0;               // by sub-emitters, in the step at hand
   std::vector<std::uint32_t> own_births;  // of each emitter by itself, in the step at hand
   Chunk chunk;
+  KnownFlights known;  // of the step at hand
 };
 
 struct WorldImpl;

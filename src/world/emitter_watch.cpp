@@ -49,11 +49,21 @@ auto with_held_forces(const WorldImpl& world, const SettleContext& context, cons
   return cohort.layout.float32 ? with(TakenStep<float>{}) : with(TakenStep<double>{});
 }
 
+/// It was where it is, and is there now.
+void move_on(const Rows& rows, std::uint32_t row, const State<double>& to) {
+  rows.visit([&](const auto& c) {
+    Rows::put(c.previous, row, Rows::at(c.position, row));
+    Rows::put(c.position, row, to.x);
+    Rows::put(c.velocity, row, to.v);
+  });
+}
+
 }  // namespace
 
 EmitterWatch::EmitterWatch(WorldImpl& world, const SettleContext& context, double end)
     : w_(world), context_(context), all_(world.state.emitters), s_(world.emitting), end_(end) {
   PHYSIM_ASSERT(!context.pairs && !context.taken);
+  s_.known.forget();
 }
 
 // ------------------------------------------------------------------------------------------- before the step
@@ -180,17 +190,24 @@ void EmitterWatch::trigger(std::uint32_t slot, SubEvent on, double time, const B
 }
 
 // ------------------------------------------------------------------------------------------- ages, ends of lives
-/// Where one is at a time inside of the step, for somebody who only looks.
-std::optional<BodyState> EmitterWatch::seen_at(std::uint32_t index, std::optional<double> born, double time) {
+/// Where one is at a time inside of the step; none: it is gone by then. The chunk has what happens to it before.
+std::optional<BodyState> EmitterWatch::flown_to(std::uint32_t index, std::optional<double> born, double time) {
   const Slot& slot = w_.state.slots[index];
   if (slot.is(kStill)) return w_.state.state_of(slot);
+  const double until = passed_at(time);
+  auto at = s_.known.state_after(context_, slot.cohort, slot.row, until - born.value_or(0));
   s_.chunk.cohort = slot.cohort;
-  const auto at = with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
-    return state_inside(context, s_.chunk, slot.row, born, passed_at(time));
-  });
+  if (!at)
+    at = with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
+      return state_inside(context, s_.chunk, slot.row, born, until);
+    });
+  return at ? std::optional(BodyState{at->x, at->v}) : std::nullopt;
+}
+/// For somebody who only looks.
+std::optional<BodyState> EmitterWatch::seen_at(std::uint32_t index, std::optional<double> born, double time) {
+  const std::optional<BodyState> at = flown_to(index, born, time);
   s_.chunk.events.clear(), s_.chunk.changes.clear();
-  if (!at) return std::nullopt;
-  return BodyState{at->x, at->v};
+  return at;
 }
 void EmitterWatch::trigger_age(std::uint32_t index, const BodyState& at, double time) {
   const auto& subs = all_[all_.particle(index)->emitter].def().subs;
@@ -200,16 +217,8 @@ void EmitterWatch::trigger_age(std::uint32_t index, const BodyState& at, double 
 }
 
 void EmitterWatch::end_life(std::uint32_t index, std::optional<double> born, double time) {
-  const Slot& slot = w_.state.slots[index];
-  std::optional<BodyState> at = w_.state.state_of(slot);
-  if (!slot.is(kStill)) {
-    s_.chunk.cohort = slot.cohort;
-    const auto end = with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
-      return state_inside(context, s_.chunk, slot.row, born, passed_at(time));
-    });
-    at = end ? std::optional(BodyState{end->x, end->v}) : std::nullopt;
-    if (tell_chunk()) return;  // it left before
-  }
+  const std::optional<BodyState> at = flown_to(index, born, time);
+  if (tell_chunk()) return;  // it left before
   if (at) expire(index, *at, time);
 }
 void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time) {
@@ -252,6 +261,8 @@ void EmitterWatch::look_ahead(std::uint32_t index, double born, double birth, do
 void EmitterWatch::fly_newborn(std::uint32_t index, double born) {
   const Slot& slot = w_.state.slots[index];
   if (slot.is(kStill)) return;
+  if (const auto end = s_.known.state_after(context_, slot.cohort, slot.row, context_.dt - born))
+    return move_on(w_.state.rows_of(slot), slot.row, *end);
   s_.chunk.cohort = slot.cohort;
   with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
     settle_alone(context, s_.chunk, slot.row, born);

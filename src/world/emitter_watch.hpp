@@ -46,7 +46,8 @@ class EmitterWatch {
   void leaves(std::uint32_t slot, const Event* last);
   void end_followed(std::uint32_t slot, const BodyState& at, double time);
   void depart(std::uint32_t slot, std::uint32_t emitter, const BodyState& at, double time);
-  /// Where one is at a time inside of the step, for somebody who only looks.
+  /// Where one is at a time inside of the step.
+  std::optional<BodyState> flown_to(std::uint32_t slot, std::optional<double> born, double time);
   std::optional<BodyState> seen_at(std::uint32_t slot, std::optional<double> born, double time);
   void trigger_age(std::uint32_t slot, const BodyState& at, double time);
   /// Whether it is still there then.

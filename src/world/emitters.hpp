@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/assert.hpp"
@@ -152,6 +153,10 @@ class Emitters {
       if (emitter_of_[slot] == index) f(slot, particles_[slot]);
   }
 
+  /// Slots whose particle is another one, or none any more, since somebody took this list; of particles on whose flight
+  /// their emitter acts.
+  [[nodiscard]] std::vector<std::uint32_t> take_changed() { return std::exchange(changed_, {}); }
+
   Schedule lives;  // when they end
   Schedule ages;   // when sub-emitters fire at them
 
@@ -168,12 +173,15 @@ class Emitters {
 
  private:
   [[nodiscard]] bool is_gone(const Aged& aged, std::uint32_t emitter) const;
+  /// The particle of a slot is another one, or none any more.
+  void note_change(std::uint32_t slot);
 
   std::vector<Emitter> all_{1};  // 0 is none
   std::uint64_t added_ = 0;
   std::vector<std::uint32_t> free_;
   std::vector<Particle> particles_;        // by slot
   std::vector<std::uint32_t> emitter_of_;  // likewise, for searches: 0 where nobody fired it
+  std::vector<std::uint32_t> changed_;     // slots
 };
 
 }  // namespace physim

@@ -1,5 +1,7 @@
 #include "world/forced_step.hpp"
 
+#include <algorithm>
+
 #include "base/assert.hpp"
 #include "model/ladder.hpp"
 #include "solve/judge.hpp"
@@ -19,14 +21,17 @@ class ForcedStep {
         field_(*context.registry, *context.state, scratch.rows, scratch.zones),
         kernel_(world_kernel()),
         has_generators_(!context.state->generators.empty()),
-        drives_(context.state->emitters.drive_any()) {}
+        drives_(context.state->emitters.drive_any()),
+        drives_packs_(DrivenRows::in_packs(*context.state)) {}
 
   std::size_t run() {
     const std::size_t count = list_groups();
+    if (drives_) s_.driven.find(*context_.registry, *context_.state);
     for (const ForcedGroup& group : s_.groups) step(group);
+    part_ = {0, ~0u};
     for (const ForcedRun& r : s_.runs) {
       in_precision(r, [&]<class S>(S) {
-        keep_ends<S>(r);
+        if (has_generators_) keep_ends<S>(r);
         if (r.attention) settle<S>(r);
       });
     }
@@ -108,15 +113,37 @@ class ForcedStep {
     PHYSIM_ASSERT(group.first_run < group.last_run && group.last_run <= s_.runs.size());
     if (has_generators_) list_rows(group), field_.begin_step(context_.time, context_.dt);
     bool attention = false;
-    for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
-      push(group, stage, stage_place(group.integrator, stage));
-      for (ForcedRun& r : runs(group)) {
-        in_precision(r, [&]<class S>(S) { r.attention = advance_with(kernel_, job<S>(r, stage)); });
-        attention = attention || r.attention;
+    // Where nobody asks for all at once, some rows at a time go through all stages: they stay in the cache.
+    for (std::uint32_t first = 0, most = longest(group); first < most; first += part_rows()) {
+      part_ = {first, std::min(most - first, part_rows())};
+      for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
+        push(group, stage, stage_place(group.integrator, stage));
+        for (ForcedRun& r : runs(group)) {
+          if (part_of(r).count == 0) continue;
+          in_precision(r, [&]<class S>(S) { r.attention = advance_with(kernel_, job<S>(r, stage)) || r.attention; });
+          attention = attention || r.attention;
+        }
       }
+      if (!has_generators_) keep_ends(group);  // else others see these rows as they were
     }
     // Landings and the like lie on the dense output, which needs the slope at the end.
+    part_ = {0, longest(group)};
     if (attention && group.integrator != Integrator::classic) push(group, end_slope(group.integrator), 1);
+  }
+  /// Rows of each cohort that go through the stages together.
+  struct Part {
+    std::uint32_t first = 0, count = 0;
+  };
+  [[nodiscard]] std::uint32_t part_rows() const { return has_generators_ ? ~0u : 2048; }
+  [[nodiscard]] std::uint32_t longest(const ForcedGroup& group) const {
+    std::uint32_t most = 0;
+    for (const ForcedRun& r : runs(group)) most = std::max(most, r.count);
+    return most;
+  }
+  [[nodiscard]] Part part_of(const ForcedRun& r) const {
+    PHYSIM_ASSERT(part_.first % kRowsPerWord == 0);
+    const std::uint32_t first = std::min(part_.first, r.count);
+    return {first, std::min(part_.count, r.count - first)};
   }
 
   /// Gathers the states of a stage, asks all generators, and hands out what they give.
@@ -144,6 +171,13 @@ class ForcedStep {
       return {{double(at[0][row]), double(at[1][row]), double(at[2][row])},
               {double(at[3][row]), double(at[4][row]), double(at[5][row])}};
     }
+    void put(std::uint32_t row, DrivenBlock& block) const {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 0; i < DrivenBlock::kMost; ++i) {  // columns are that long
+          block.x[axis][i] = static_cast<double>(at[axis][row + i]);
+          block.v[axis][i] = static_cast<double>(at[axis + 3][row + i]);
+        }
+    }
   };
 
   template <class S>
@@ -167,13 +201,45 @@ class ForcedStep {
     const double time = context_.time + place * context_.dt;
     const unsigned first = stage == 0 ? kFirstPush : kPush;
     S* const to[3] = {j.column(first), j.column(first + 1), j.column(first + 2)};
-    for (std::uint32_t row = 0; row < r.count; ++row) {
-      Vec3d a = has_generators_ ? rows_.force[r.first + row] * (1 / rows_.mass[r.first + row]) : Vec3d{};
-      if (drives_) {
-        Drive drive(*context_.registry, *context_.state, rows_of(r).slot(row));
-        if (drive) drive.begin_step(integrator, context_.time, context_.dt), a += drive.at(time, states[row]);
+    constexpr std::uint32_t kBlock = DrivenBlock::kMost;
+    DrivenBlock block{.cohort = r.cohort};
+    const Part part = part_of(r);
+    for (std::uint32_t row = part.first; row < part.first + part.count; row += kBlock) {
+      block.first = row;
+      block.count = std::min(kBlock, r.count - row);
+      const bool is_seen = stage < end_slope(integrator) || has_generators_ || context_.pairs || is_any_marked(r, row);
+      if (!is_seen) continue;  // slopes at the end are for those that are settled
+      put_generators(r, block);
+      if (drives_ && drives_packs_) {
+        states.put(row, block);
+        s_.driven.push(*context_.registry, *context_.state, time, block);
+      } else if (drives_) {
+        drive_alone(r, states, integrator, time, block);
       }
-      to[0][row] = static_cast<S>(a.x), to[1][row] = static_cast<S>(a.y), to[2][row] = static_cast<S>(a.z);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::uint32_t i = 0; i < kBlock; ++i) to[axis][row + i] = static_cast<S>(block.a[axis][i]);
+    }
+  }
+  /// What generators do.
+  void put_generators(const ForcedRun& r, DrivenBlock& block) const {
+    for (auto& axis : block.a) axis.fill(0);
+    for (std::uint32_t i = 0; i < block.count && has_generators_; ++i) {
+      const std::uint32_t at = r.first + block.first + i;
+      const Vec3d a = rows_.force[at] * (1 / rows_.mass[at]);
+      block.a[0][i] = a.x, block.a[1][i] = a.y, block.a[2][i] = a.z;
+    }
+  }
+  /// What emitters do, row by row.
+  template <class S>
+  void drive_alone(const ForcedRun& r, const StageStates<S>& states, Integrator integrator, double time,
+                   DrivenBlock& block) const {
+    for (std::uint32_t i = 0; i < block.count; ++i) {
+      const std::uint32_t row = block.first + i;
+      Drive drive(*context_.registry, *context_.state, rows_of(r).slot(row));
+      if (!drive) continue;
+      drive.begin_step(integrator, context_.time, context_.dt);
+      const Vec3d a = drive.at(time, states[row]);
+      block.a[0][i] += a.x, block.a[1][i] += a.y, block.a[2][i] += a.z;
     }
   }
 
@@ -181,8 +247,8 @@ class ForcedStep {
   ForcedJob<S> job(const ForcedRun& r, int stage) {
     ForcedJob<S> j{rows_job<S>(context_, r.cohort), s_.template memory<S>().data() + r.memory, padded(r.count), stage,
                    key(r.cohort).features.has_applied};
-    j.rows.first = 0;
-    j.rows.last = r.count;
+    j.rows.first = part_of(r).first;
+    j.rows.last = j.rows.first + part_of(r).count;
     j.rows.attention = s_.attention.data() + r.words;
     return j;
   }
@@ -192,16 +258,25 @@ class ForcedStep {
     return (s_.attention[r.words + row / kRowsPerWord] >> row % kRowsPerWord & 1u) != 0;
   }
 
+  [[nodiscard]] bool is_any_marked(const ForcedRun& r, std::uint32_t row) const {
+    return s_.attention[r.words + row / kRowsPerWord] != 0;
+  }
+
   /// Rows to which nothing happened are where the last stage left them.
+  void keep_ends(const ForcedGroup& group) {
+    for (const ForcedRun& r : runs(group)) in_precision(r, [&]<class S>(S) { keep_ends<S>(r); });
+  }
   template <class S>
   void keep_ends(const ForcedRun& r) {
+    const auto [first_row, count] = part_of(r);
+    const std::uint32_t end = first_row + count;
     const ForcedJob<S> j = job<S>(r, 0);
     const RowColumns<S>& c = j.rows.columns;
     for (unsigned axis = 0; axis < 3; ++axis) {
       const S* const x = j.column(kStagePosition + axis);
       const S* const v = j.column(kStageVelocity + axis);
       const S* const carried = j.column(kSlopes + 3 + axis);
-      for (std::uint32_t row = 0; row < r.count; ++row) {
+      for (std::uint32_t row = first_row; row < end; ++row) {
         if (r.attention && is_marked(r, row)) continue;
         c.previous[axis][row] = x[row];
         c.velocity[axis][row] = v[row];
@@ -211,7 +286,7 @@ class ForcedStep {
     if (!rows_of(r).layout().turning) return;
     const unsigned first = turn_column(end_slope(key(r.cohort).fidelity.integrator));
     for (unsigned i = 0; i < kNumbers<Turn>; ++i)
-      for (std::uint32_t row = 0; row < r.count; ++row)
+      for (std::uint32_t row = first_row; row < end; ++row)
         if (!(r.attention && is_marked(r, row))) c.turn[i][row] = j.column(first + i)[row];
   }
 
@@ -266,7 +341,9 @@ class ForcedStep {
   ForceField field_;
   WorldKernel kernel_;
   bool has_generators_;
-  bool drives_;  // some emitter acts on the flight of its particles
+  bool drives_;        // some emitter acts on the flight of its particles
+  bool drives_packs_;  // all that do can be asked pack by pack
+  Part part_;          // that is under way
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "world/driven_rows.hpp"
 #include "world/force_field.hpp"
 #include "world/settle.hpp"
 
@@ -35,6 +36,7 @@ struct ForcedScratch {
   std::vector<double> doubles;
   std::vector<std::uint32_t> attention;
   ZoneDrag zones;
+  DrivenRows driven;
   Chunk chunk;  // events and changes
   std::vector<std::uint32_t> over;
 

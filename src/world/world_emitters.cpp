@@ -248,47 +248,7 @@ void put(std::span<T> column, std::size_t i, const T& value) {
   if (i < column.size()) column[i] = value;
 }
 
-/// Rows lie in another order than slots: those of the next particles are fetched while this one is worked on.
-constexpr std::uint32_t kAhead = 12;
-void prefetch_particle(const WorldState& state, std::uint32_t index) {
-  if (!state.emitters.particle(index)) return;
-  const Slot& slot = state.slots[index];
-  state.rows_of(slot).prefetch(slot.row);
-}
-
 }  // namespace
-
-std::size_t World::particles(EmitterId id, const ParticleColumns& into) const {
-  const IeeeMode mode;
-  const WorldState& state = impl().state;
-  const Emitter* emitter = state.emitters.find(id);
-  if (!emitter) return 0;
-  const bool looks = !into.size.empty() || !into.rotation.empty() || !into.colour.empty();
-  const bool by_speed = emitter->def().life.fast > 0;
-  const double now = state.clock.time();
-  std::size_t i = 0;
-  state.emitters.each_particle_of(id.index, [&](std::uint32_t index, const Particle& particle) {
-    prefetch_particle(state, index + kAhead);
-    const Slot& slot = state.slots[index];
-    const Rows& rows = state.rows_of(slot);
-    const double birth = state.slots.birth(index), age = std::max(now - birth, 0.0);
-    put(into.id, i, state.slots.id_of(index));
-    put(into.position, i, rows.position(slot.row));
-    put(into.previous, i, rows.previous(slot.row));
-    put(into.velocity, i, rows.velocity(slot.row));
-    put(into.age, i, age);
-    put(into.number, i, particle.number);
-    if (looks) {
-      const double speed = by_speed ? length(rows.velocity(slot.row)) : 0;
-      const Look look = emitter->emission->look(particle.number, particle.phase, particle.dies - birth, age, speed);
-      put(into.size, i, look.size * particle.size);
-      put(into.rotation, i, look.rotation);
-      put(into.colour, i, times(look.colour, particle.colour));
-    }
-    ++i;
-  });
-  return i;
-}
 
 TrailCounts World::trails(EmitterId id, const TrailColumns& into) const {
   const IeeeMode mode;

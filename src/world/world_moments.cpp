@@ -34,6 +34,7 @@ Status World::restore(const Snapshot& snapshot) {
   if (call.is_refused()) return call.refusal();
   w.outgrown.push_back(std::move(w.state.events));  // somebody may be reading them
   w.state = then;
+  w.forced_scratch.driven.forget();
   w.is_stirred = false;
   w.registry.meet_scene(w.state.scene != nullptr);
   w.registry.restore_environments(then.environments);

@@ -133,5 +133,15 @@ TEST(DrawnColour, it_lies_between_two_gradients) {
   EXPECT_TRUE(EmitColour({}).is_white());
 }
 
+TEST(EmitCurve, of_many_is_that_of_each_on_all_pieces_and_at_their_ends) {
+  for (const Curve& keys : {Curve{}, Curve{{0.5, 2}}, Curve{{0, 1}, {1, 0}}, Curve{{0.1, 1}, {0.2, 3}, {0.75, 2}}}) {
+    const EmitCurve curve(keys);
+    std::array<double, 41> x, y;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(i) / 40;
+    curve.at_each(x, y);
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(y[i], curve(x[i])) << x[i];
+  }
+}
+
 }  // namespace
 }  // namespace physim

@@ -7,8 +7,10 @@
 
 #include "base/hash.hpp"
 #include "emit/flight_law.hpp"
+#include "emit/looks.hpp"
 #include "emit/statistics.hpp"
 #include "emit/timeline.hpp"
+#include "random_emitters.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -335,6 +337,27 @@ INSTANTIATE_TEST_SUITE_P(When, EmitterRow, testing::ValuesIn(kWhen), row_name);
 INSTANTIATE_TEST_SUITE_P(Where, EmitterRow, testing::ValuesIn(kWhere), row_name);
 INSTANTIATE_TEST_SUITE_P(What, EmitterRow, testing::ValuesIn(kWhat), row_name);
 INSTANTIATE_TEST_SUITE_P(Flight, EmitterRow, testing::ValuesIn(kFlight), row_name);
+
+TEST(Emission, looks_of_a_pack_are_those_of_each) {
+  constexpr std::size_t kPack = Looks::kPack;
+  test::Random r(4);
+  for (int round = 0; round < 50; ++round) {
+    const Emission emission(test::random_emitter(r, {}, {}), 9);
+    LookPack<kPack> pack{};
+    for (std::size_t i = 0; i < kPack; ++i) {
+      pack.number[i] = 1000 * static_cast<std::uint64_t>(r.below(5)) + i;
+      pack.phase[i] = r.in(0, 1), pack.lifetime[i] = r.one_in(9) ? kInfinity : r.in(1, 4);
+      pack.age[i] = r.in(0, 1), pack.speed[i] = r.in(0, 60);
+    }
+    Looks(emission).put(pack, {});
+    for (std::size_t i = 0; i < kPack; ++i) {
+      const Look alone = emission.look(pack.number[i], pack.phase[i], pack.lifetime[i], pack.age[i], pack.speed[i]);
+      EXPECT_EQ((Vec3d{pack.size[0][i], pack.size[1][i], pack.size[2][i]}), alone.size);
+      EXPECT_EQ((Vec3d{pack.rotation[0][i], pack.rotation[1][i], pack.rotation[2][i]}), alone.rotation);
+      EXPECT_EQ(pack.colour[i], alone.colour);
+    }
+  }
+}
 
 }  // namespace
 }  // namespace physim

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "math/vec3.hpp"
+#include "random_emitters.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -102,6 +103,28 @@ TEST(FlightLaw, the_rate_of_a_velocity_is_its_derivative) {
     EXPECT_LT(length(slope - law.velocity_rate(particle, t)), 1e-7) << t;
   }
   EXPECT_EQ(law.velocity_rate(particle, 20), Vec3d{});
+}
+
+TEST(FlightLaw, of_a_pack_is_that_of_each) {
+  constexpr std::size_t kPack = FlightLaw::kPack;
+  test::Random r(3);
+  for (int round = 0; round < 50; ++round) {
+    const FlightLaw law(test::random_flight(r), 9);
+    FlightPack<kPack> pack;
+    for (std::size_t i = 0; i < kPack; ++i) {
+      pack.number[i] = (std::uint64_t{1} << 33) * static_cast<std::uint64_t>(r.below(3)) + i;
+      pack.birth[i] = r.in(9, 11), pack.span[i] = r.in(0.1, 4), pack.mass[i] = r.in(0.01, 2);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        pack.x[axis][i] = r.in(-9, 9), pack.v[axis][i] = r.in(-30, 30), pack.gravity[axis][i] = r.in(-9, 9);
+    }
+    FlightPack<kPack>::Vectors a;
+    law.accelerations(pack, 12, a);
+    for (std::size_t i = 0; i < kPack; ++i) {
+      const auto vector = [i](const FlightPack<kPack>::Vectors& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
+      const FlightState alone{vector(pack.x), vector(pack.v), vector(pack.gravity), pack.mass[i]};
+      EXPECT_EQ(vector(a), law.acceleration({pack.number[i], pack.birth[i], pack.span[i]}, 12, alone)) << i;
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,99 @@
+#include "emit/looks.hpp"
+
+#include <algorithm>
+
+#include "emit/pack_chance.hpp"
+#include "emit/parts.hpp"
+
+namespace physim {
+
+/// One pack on its way.
+template <std::size_t N>
+class Looks::Look {
+ public:
+  Look(const Emission::Parts& parts, LookPack<N>& pack) : p_(parts), pack_(pack), chance_(parts.seed, pack.number) {
+    const double fast = p_.def.life.fast;
+    for (std::size_t i = 0; i < N; ++i) {
+      PHYSIM_ASSERT(pack.lifetime[i] > 0 && pack.age[i] >= 0 && pack.speed[i] >= 0);
+      span_[i] = pack.lifetime[i] < kInfinity ? pack.lifetime[i] : 1;  // [s]
+      x_[i] = std::min(pack.age[i] / span_[i], 1.0);
+      hurry_[i] = fast > 0 ? std::min(pack.speed[i] / fast, 1.0) : 0;
+    }
+  }
+
+  void put_size() {
+    Column& size = pack_.size[0];
+    Column factor;
+    p_.start.size.at_each(pack_.phase, size, drawn(Draw::size));
+    p_.life.size.at_each(x_, factor, drawn(Draw::life_size));
+    for (std::size_t i = 0; i < N; ++i) size[i] = size[i] * factor[i];
+    if (p_.def.life.fast > 0)
+      for (std::size_t i = 0; i < N; ++i) size[i] *= p_.life.size_by_speed(hurry_[i]);
+    p_.start.size_y.at_each(pack_.phase, factor, drawn(Draw::size_y));
+    for (std::size_t i = 0; i < N; ++i) pack_.size[1][i] = size[i] * factor[i];
+    p_.start.size_z.at_each(pack_.phase, factor, drawn(Draw::size_z));
+    for (std::size_t i = 0; i < N; ++i) pack_.size[2][i] = size[i] * factor[i];
+  }
+  /// A particle has turned since its birth by what the curve over its span says.
+  void put_rotation() {
+    auto& [about, y, z] = pack_.rotation;
+    p_.start.rotation.at_each(pack_.phase, about, drawn(Draw::rotation));
+    const EmitNumber& turn = p_.life.turn;
+    Column u{};
+    if (turn.is_drawn()) u = chance_(Draw::life_turn);
+    for (std::size_t i = 0; i < N; ++i)
+      about[i] = about[i] + span_[i] * turn.integral(pack_.age[i] / span_[i], [&u, i] { return u[i]; });
+    p_.start.rotation_y.at_each(pack_.phase, y, drawn(Draw::rotation_y));
+    p_.start.rotation_z.at_each(pack_.phase, z, drawn(Draw::rotation_z));
+    const double flipped = p_.def.start.flipped;
+    if (!(flipped > 0)) return;
+    const Column& flips = chance_(Draw::flipped);
+    for (std::size_t i = 0; i < N; ++i)
+      if (flips[i] < flipped) about[i] = -about[i], y[i] = -y[i], z[i] = -z[i];
+  }
+  void put_colour() {
+    const EmitColour &born = p_.start.colour, &life = p_.life.colour;
+    const bool by_speed = p_.def.life.fast > 0 && !p_.life.colour_by_speed.is_white();
+    pack_.colour.fill(0xffffffff);
+    if (born.is_white() && life.is_white() && !by_speed) return;
+    Column u{}, u_born{};
+    if (life.is_drawn()) u = chance_(Draw::life_colour);
+    if (born.is_drawn()) u_born = chance_(Draw::colour);
+    for (std::size_t i = 0; i < N; ++i) {
+      Rgba colour = life.at(x_[i], [&u, i] { return u[i]; });
+      if (!born.is_white()) colour = times(born.at(pack_.phase[i], [&u_born, i] { return u_born[i]; }), colour);
+      if (by_speed) colour = times(colour, p_.life.colour_by_speed(hurry_[i]));
+      pack_.colour[i] = colour.packed();
+    }
+  }
+
+ private:
+  using Column = typename LookPack<N>::Column;
+  /// Numbers of the particles' own, drawn only where they are asked for.
+  [[nodiscard]] auto drawn(Draw what) {
+    return [this, what]() -> const Column& { return chance_(what); };
+  }
+
+  const Emission::Parts& p_;
+  LookPack<N>& pack_;
+  PackChance<Draw, EmitStream::particle, N> chance_;
+  Column span_, x_, hurry_;
+};
+
+template <std::size_t N>
+void Looks::put(LookPack<N>& pack, const LookParts& wanted) const {
+  Look<N> look(parts_, pack);
+  if (wanted.size) look.put_size();
+  if (wanted.rotation) look.put_rotation();
+  if (wanted.colour) look.put_colour();
+}
+template void Looks::put(LookPack<Looks::kPack>& pack, const LookParts& wanted) const;
+
+Look Emission::look(std::uint64_t number, double phase, double lifetime, double age, double speed) const {
+  LookPack<1> pack{{number}, {phase}, {lifetime}, {age}, {speed}, {}, {}, {}};
+  Looks(*this).put(pack, {});
+  const auto vector = [](const std::array<LookPack<1>::Column, 3>& of) { return Vec3d{of[0][0], of[1][0], of[2][0]}; };
+  return {vector(pack.size), vector(pack.rotation), pack.colour[0]};
+}
+
+}  // namespace physim

@@ -1,0 +1,42 @@
+// Looks: how many particles are shown, pack by pack. What Emission::look() tells of one is the pack of one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "emit/emission.hpp"
+
+namespace physim {
+
+/// Several particles of one emitter, and how they look: each number in a column.
+template <std::size_t N>
+struct LookPack {
+  using Column = std::array<double, N>;
+  std::array<std::uint64_t, N> number;
+  Column phase, lifetime, age, speed;  // as Emission::look() is given them
+  std::array<Column, 3> size, rotation;
+  std::array<std::uint32_t, N> colour;
+};
+
+/// Which columns somebody reads.
+struct LookParts {
+  bool size = true, rotation = true, colour = true;
+};
+
+class Looks {
+ public:
+  static constexpr std::size_t kPack = 32;
+
+  explicit Looks(const Emission& emission) : parts_(*emission.parts_) {}
+
+  template <std::size_t N>
+  void put(LookPack<N>& pack, const LookParts& wanted) const;  // of 1 or kPack
+
+ private:
+  template <std::size_t N>
+  class Look;
+
+  const Emission::Parts& parts_;
+};
+
+}  // namespace physim
