@@ -9,7 +9,7 @@ namespace {
 TEST(Study, IsBegunAndPausedByAKeyAndComesToTheFiguresOfThePage) {
   const Screen screen;
   RunningClient client(
-      screen, {"--size", "1280x720", "--set", "study.shots=30000", PHYSIM_SOURCE_DIR "/scenarios/study_308.toml"});
+      screen, {"--size", "1280x720", PHYSIM_SOURCE_DIR "/scenarios/study_308.toml", "--set", "study.shots=30000"});
   ASSERT_TRUE(client.has_window());
   client.key("z");
   client.wait_for([](const Json& s) { return s.contains("study") && s["study"].contains("shots"); });
