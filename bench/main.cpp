@@ -13,7 +13,7 @@ constexpr const char* kHelp =
     "physim_bench: how fast PhySim flies, against Boost.odeint and SUNDIALS at equal achieved error,\n"
     "and how fast its worlds step, against the original loop and Bullet\n"
     "  --quick            fewer rounds and flights: under a minute\n"
-    "  --only SECTION     1mm, 1um, mixed, threads, allocations, parts, aim, rotation, world or casts\n"
+    "  --only SECTION     1mm, 1um, mixed, threads, study, allocations, parts, aim, rotation, world or casts\n"
     "  --cpu-time         count the time this thread ran, not the clock on the wall: for busy machines\n"
     "  --rounds N         turns of every contender\n"
     "  --json             print JSON\n"
@@ -109,6 +109,7 @@ int run(int count, char** given) {
   if (wanted("1um")) add(equal_error_section(a.options, 1e-6, nullptr));
   if (wanted("mixed")) add(mixed_section(a.options, tolerance));
   if (wanted("threads")) add(threads_section(a.options));
+  if (wanted("study")) add(study_section(a.options));
   if (wanted("allocations")) add(allocation_section(a.options));
   if (wanted("parts")) add(micro_section(a.options));
   if (wanted("aim")) add(aim_section(a.options));

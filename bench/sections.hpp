@@ -23,6 +23,8 @@ struct Options {
 [[nodiscard]] Section allocation_section(const Options& options);
 /// Batches on two threads beside two processes.
 [[nodiscard]] Section threads_section(const Options& options);
+/// Studies beside flights of which nothing is uncertain.
+[[nodiscard]] Section study_section(const Options& options);
 [[nodiscard]] Section micro_section(const Options& options);
 /// How many trajectories aim() takes, and whether its solutions hit.
 [[nodiscard]] Section aim_section(const Options& options);

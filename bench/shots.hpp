@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "peers.hpp"
+#include "physim/study.hpp"
 #include "prepare/cohort.hpp"
 #include "prepare/conditions.hpp"
 #include "prepare/grant.hpp"
@@ -35,6 +36,10 @@ struct ShotSet {
 /// Calibres 4.5 to 155 mm, 300 to 1000 m/s, 0 to 5 degrees, ballistic coefficients 0.15 to 1.0 lb/in^2, the nine
 /// standard drag functions and four curves of our own. With `searched`, those have points at odd Mach numbers.
 [[nodiscard]] ShotSet mixed_shots(std::size_t count, bool searched = false);
+
+/// The .308 with six uncertain inputs: speed, elevation, azimuth, wind across and along, temperature; `with_bc`: with
+/// seven, its ballistic coefficient. Four shards of 4096 shots.
+[[nodiscard]] Study uncertain_308(const Fidelity& fidelity, double tolerance, bool with_bc);
 
 /// The .308's numbers for the peers; `cohort` owns the curve.
 struct PeerData {

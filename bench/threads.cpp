@@ -15,6 +15,7 @@ namespace {
 struct Company {
   const char* name;
   std::function<void(TaskRunner*)> fly;
+  double flights = 0;  // 0: as many as there are launches
 };
 
 /// Seconds until two processes have both done a piece of work.
@@ -55,15 +56,22 @@ Section threads_section(const Options& options) {
   const Fidelity fidelity = bench_fidelity(Integrator::rk43);
   const Tolerance tolerance{.relative = 1e-6, .absolute = 1e-6};
   BatchResult result;
+  Study uncertain = uncertain_308(fidelity, 1e-6, true);
+  uncertain.shots = count;
+  const Result<StudyPlan> study = plan_study(uncertain);
   const std::vector<Company> companies{
       {"fly_batch()",
        [&](TaskRunner* runner) {
          fly_batch(bullet, launches, bench_environment(), fidelity, tolerance, bench_until(), result, runner);
        }},
-      {"fly_columns()", [&](TaskRunner* runner) {
+      {"fly_columns()",
+       [&](TaskRunner* runner) {
          static_cast<void>(fly_columns(bullet, {.speed = speed, .elevation = elevation}, bench_environment(), fidelity,
                                        tolerance, bench_until(), {.drop = drop, .windage = windage}, runner));
-       }}};
+       }},
+      {"run_study(), seven uncertain inputs",
+       [plan = study.value()](TaskRunner* runner) { static_cast<void>(run_study(plan, runner)); },
+       static_cast<double>(study.value().shards() * study.value().study().shard_shots)}};
   Section s;
   s.title = "Threads";
   s.intro = "Flights a second of " + std::to_string(count) +
@@ -78,7 +86,7 @@ Section threads_section(const Options& options) {
       taken[1].push_back(seconds(Clock::wall, [&] { company.fly(pool.get()); }));
       taken[2].push_back(seconds_of_two([&] { company.fly(nullptr); }));
     }
-    s.rows.push_back(row_of(company, static_cast<double>(count), taken));
+    s.rows.push_back(row_of(company, company.flights > 0 ? company.flights : static_cast<double>(count), taken));
   }
   return s;
 }

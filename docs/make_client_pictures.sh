@@ -19,6 +19,9 @@ pictures=docs/pictures
 "$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_things.png" \
   --script "settings; fit; wait 70; hits; wait 1; fit; wait 1" scenarios/billiards.toml
 
+"$simclient" --hidden --size 1280x720 --screenshot "$pictures/client_study.png" \
+  --script "settings; statistics; study-run; wait 200" scenarios/study_308.toml
+
 for test in 1 2 3 4 5 6; do
   "$simclient" --hidden --size 1120x720 \
     --script "test $test; wait 200; picture-of-plots $pictures/client_test_$test.png; wait 1"

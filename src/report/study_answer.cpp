@@ -84,6 +84,28 @@ std::vector<Figure> figures_of(const FlownStudy& flown) {
   return list;
 }
 
+/// Hits over each input: its number and path, then the number of the part. An end that is none is left out.
+void add_over_inputs(const FlownStudy& flown, std::vector<Figure>& list) {
+  for (const HitsOverInput& over : flown.result.over_inputs) {
+    const StudyInput& input = flown.plan.study().inputs[over.input];
+    const std::string unit = unit_of(input).empty() ? "" : " [" + unit_of(input) + "]";
+    for (std::size_t i = 0; i < over.parts.size(); ++i) {
+      const InputPart& part = over.parts[i];
+      const std::string head = "over." + std::to_string(over.input + 1) + "." + input.path + (input.added ? "+=" : "") +
+                               "." + std::to_string(i + 1);
+      if (std::isfinite(part.low)) list.push_back({head + ".from" + unit, part.low, kNoError});
+      list.push_back({head + ".middle" + unit, part.middle, kNoError});
+      if (std::isfinite(part.high)) list.push_back({head + ".to" + unit, part.high, kNoError});
+      list.push_back({head + ".shots", static_cast<double>(part.shots), kNoError});
+      for (const HitResult& hit : part.hits) {
+        list.push_back({head + ".hit." + hit.name, hit.probability.value, hit.probability.error});
+        list.push_back({head + ".hit." + hit.name + ".low", hit.low, kNoError});
+        list.push_back({head + ".hit." + hit.name + ".high", hit.high, kNoError});
+      }
+    }
+  }
+}
+
 // -------------------------------------------------------------------------------------------------------------- text
 std::string counts_text(const FlownStudy& flown) {
   const StudyResult& r = flown.result;
@@ -360,7 +382,9 @@ Records records_of(std::span<const StudyAtRange> list) {
 }
 
 Records records_of(const FlownStudy& flown) {
-  const auto figures = std::make_shared<const std::vector<Figure>>(figures_of(flown));
+  std::vector<Figure> list = figures_of(flown);
+  add_over_inputs(flown, list);
+  const auto figures = std::make_shared<const std::vector<Figure>>(std::move(list));
   return {{"figure", "value", "error"}, [figures](const std::function<void(Row)>& take) {
             for (const Figure& figure : *figures) {
               const Cell cells[] = {std::string_view(figure.name), figure.value, figure.error};

@@ -103,6 +103,16 @@ TEST(StudyCli, over_inputs) {
   const double outer = (0.6827 - 0.5) / 2 / 0.25;
   EXPECT_NEAR(parts[1]["hits"][0]["probability"].get<double>(), 1, 1e-9);
   EXPECT_NEAR(parts[3]["hits"][0]["probability"].get<double>(), outer, 0.02);
+  const std::string csv = physim({"study", file, "--over-inputs", "4", "--csv", "-"}).out;
+  const auto row = [&](const std::string& name) {
+    const std::size_t at = csv.find("\nover.1.shot.speed+=." + name + ", ");
+    return at == std::string::npos ? NAN : std::stod(csv.substr(csv.find(", ", at) + 2));
+  };
+  EXPECT_EQ(row("1.to [m/s]"), parts[0]["high"].get<double>()) << csv;
+  EXPECT_EQ(row("4.hit.near"), parts[3]["hits"][0]["probability"].get<double>());
+  EXPECT_EQ(row("4.hit.near.low"), parts[3]["hits"][0]["low"].get<double>());
+  EXPECT_EQ(row("2.shots"), parts[1]["shots"].get<double>());
+  EXPECT_TRUE(std::isnan(row("1.from [m/s]"))) << "it has no end there";
   const Ran text = physim({"study", file, "--set", "study.over_inputs=4"});
   EXPECT_TRUE(has(text.out, "hits over an input") && has(text.out, "shot.speed +=")) << text.out;
 }

@@ -65,6 +65,7 @@ Result<Client> open_client(const std::string& file, const std::vector<std::strin
 
 Client::Client(Session s, const std::string& file)
     : session(std::move(s)), launcher(session.scenario()), plots(*parse_plots("y/range y speed acceleration")) {
+  study.asked = session.scenario().study;
   take_file(file);
   fit_view();
 }
@@ -84,6 +85,7 @@ void Client::take_file(const std::string& file) {
 
 void Client::advance(double real_dt, double patience) {
   session.advance(real_dt, patience);
+  study.run.advance(patience == std::numeric_limits<double>::infinity());
   for (Message& message : messages_) message.shown += real_dt;
   while (!messages_.empty() && messages_.front().shown > kMessageTime) messages_.pop_front();
   follow();
@@ -99,6 +101,8 @@ Status Client::use_session(Result<Session> opened) {
   if (!opened) return opened.error();
   session = std::move(*opened);
   launcher = Launcher(session.scenario(), launcher.version());
+  study = StudyDesk();
+  study.asked = session.scenario().study;
   selected = {};
   tape = {};
   tool = Tool::fire;
@@ -169,6 +173,7 @@ const std::vector<ComparedRung>& Client::comparison() {
 /// The scenario with the next shot in the place of its namesake. A world is not given more to fire than it had.
 Scenario Client::with_next_shot() const {
   Scenario scenario = session.scenario();
+  scenario.study = study.asked;
   const ScenarioShot& next = launcher.shot();
   const auto is_namesake = [&](const ScenarioShot& s) { return s.projectile.name == next.projectile.name; };
   const auto namesake = std::find_if(scenario.shots.begin(), scenario.shots.end(), is_namesake);

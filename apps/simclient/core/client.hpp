@@ -16,6 +16,7 @@
 #include "simclient/core/scenery.hpp"
 #include "simclient/core/session.hpp"
 #include "simclient/core/setting_rows.hpp"
+#include "simclient/core/study_desk.hpp"
 
 namespace physim::client {
 
@@ -34,7 +35,7 @@ struct Shown {
 };
 
 /// What stands under the scene.
-enum class BottomPanel { none, plots, compare, performance, hits };
+enum class BottomPanel { none, plots, compare, performance, hits, study };
 
 struct Action;
 
@@ -97,6 +98,7 @@ class Client {
   std::optional<Question> question;  // to be answered before anything else
   Dialog dialog = Dialog::none;
   RecentFiles recent;
+  StudyDesk study;
   std::deque<float> frame_times;  // that the last frames took [s]
   bool leaves = false;
   Pixel scene_corner;  // of the scene, upper left, in the window [pixels]
@@ -123,6 +125,9 @@ class Client {
   [[nodiscard]] const std::string& file() const { return scenario_file_; }
   /// Settings were changed by hand, and not saved.
   [[nodiscard]] bool has_unsaved_settings() const { return unsaved_; }
+  void has_changed_settings() { unsaved_ = true; }
+  using Versions = std::pair<std::uint64_t, std::uint64_t>;  // of the shot and of what it is fired into
+  [[nodiscard]] Versions versions() const { return {launcher.version(), session_version_}; }
   /// Saves all that flew, sample by sample; the format is that of the file's ending.
   [[nodiscard]] Status save_flights(const std::string& file);
   /// Starts again and records everything into a file; completes the file when it is recording.
@@ -184,8 +189,6 @@ class Client {
   [[nodiscard]] Status use(const Scenario& scenario, const ScenarioShot& shot);
   [[nodiscard]] std::optional<Vec3d> point_under(const Pixel& pixel);
   [[nodiscard]] Status place(const Result<Placed>& placed);
-  using Versions = std::pair<std::uint64_t, std::uint64_t>;  // of the shot and of what it is fired into
-  [[nodiscard]] Versions versions() const { return {launcher.version(), session_version_}; }
 
   SceneryMaker scenery_;
   std::vector<bool> placed_;  // what was placed by hand, and whether it brought a material along

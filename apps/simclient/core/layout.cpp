@@ -5,7 +5,7 @@
 namespace physim::client {
 
 Layout make_layout(const Client& client, float width, float height, float scale) {
-  constexpr float kSide = 320, kBottom = 280, kLeastScene = 240, kLeastLeft = 220, kLeastRight = 290;
+  constexpr float kSide = 320, kBottom = 280, kStudy = 460, kLeastScene = 240, kLeastLeft = 220, kLeastRight = 290;
   const float menu = 26 * scale, status = 28 * scale;
   float left = client.show.settings ? kSide * scale : 0, right = client.show.statistics ? kSide * scale : 0;
   const float most = std::max(width - kLeastScene * scale, 0.0F);
@@ -13,7 +13,10 @@ Layout make_layout(const Client& client, float width, float height, float scale)
   if (left < kLeastLeft * scale) left = 0;  // too narrow to read
   if (right > most) right = most < kLeastRight * scale ? 0 : most;
   const float room = std::max(height - menu - status, 1.0F);
-  const float bottom = client.bottom == BottomPanel::none ? 0 : std::min(kBottom * scale, room * 0.45F);
+  const bool is_study = client.bottom == BottomPanel::study;  // has a picture that is as high as it is wide
+  const float bottom = client.bottom == BottomPanel::none ? 0
+                       : is_study                         ? std::min(kStudy * scale, room * 0.66F)
+                                                          : std::min(kBottom * scale, room * 0.45F);
   const float middle = std::max(room - bottom, 1.0F);
   Layout out;
   out.menu = {0, 0, width, menu};

@@ -106,8 +106,10 @@ PlotAxis make_axis(double low, double high, int wanted) {
 
 std::vector<double> PlotAxis::ticks() const {
   std::vector<double> all;
-  const auto count = static_cast<int>(std::lround((high - low) / step));
-  for (int i = 0; i <= count; ++i) all.push_back(low + i * step);
+  double first = std::ceil(low / step) * step;
+  if (first - low > (1 - 1e-6) * step) first = low;  // a round number but for rounding errors
+  const auto count = static_cast<int>(std::floor((high - first) / step + 1e-6));
+  for (int i = 0; i <= count; ++i) all.push_back(first + i * step);
   return all;
 }
 

@@ -28,6 +28,23 @@ Json shot_state(Client& client) {
            {{"motion", name(granted.motion)}, {"drag", name(granted.drag)}, {"gravity", name(granted.gravity)}}}};
 }
 
+/// The study at hand, with the figures that stand in its panel.
+Json study_state(const StudyRun& run) {
+  static constexpr std::string_view kStates[] = {"none", "running", "paused", "done"};
+  Json state = {{"state", kStates[static_cast<int>(run.state())]}, {"dots", run.dots_shown()}};
+  if (!run.result()) return state;
+  const StudyResult& result = *run.result();
+  state["shots"] = result.shots;
+  state["figures"] = state["hits"] = Json::array();
+  for (const QuantityResult& q : result.quantities)
+    state["figures"].push_back({{"quantity", name(q.quantity)}, {"mean", q.mean.value}, {"deviation", q.deviation}});
+  if (result.from_centre) state["cep"] = result.from_centre->r50;
+  for (const HitResult& hit : result.hits)
+    state["hits"].push_back(
+        {{"target", hit.name}, {"probability", hit.probability.value}, {"low", hit.low}, {"high", hit.high}});
+  return state;
+}
+
 /// Where a point is seen in the window.
 Json pixel(const Client& client, const Vec3d& point) {
   const auto seen = client.camera.project(point);
@@ -94,6 +111,7 @@ std::string state_line(Client& client, std::uint64_t frame) {
     line["hits"].push_back(hit_state(client, hits[i]));
   for (std::size_t i = things.size() - std::min(things.size(), kMostThings); i < things.size(); ++i)
     line["things"].push_back(thing_state(client, things[i]));
+  if (client.study.run.state() != StudyRun::State::none) line["study"] = study_state(client.study.run);
   if (client.question) line["question"] = client.question->text;
   if (!client.messages().empty()) line["message"] = client.messages().back().text;
   return report::json_line(line);

@@ -157,13 +157,14 @@ void draw_hits(Client& client) {
 }  // namespace
 
 void draw_bottom_panel(Client& client, const Box& box, bool bare) {
-  static constexpr const char* kTitles[] = {"", "Plots", "Comparison", "Performance", "Hits"};
+  static constexpr const char* kTitles[] = {"", "Plots", "Comparison", "Performance", "Hits", "Study"};
   const std::string title = std::string(kTitles[static_cast<int>(client.bottom)]) + "###bottom";
   if (begin_panel(title.c_str(), box, !bare)) {
     if (client.bottom == BottomPanel::plots) draw_plots(client, bare);
     if (client.bottom == BottomPanel::compare) draw_comparison(client);
     if (client.bottom == BottomPanel::performance) draw_performance(client);
     if (client.bottom == BottomPanel::hits) draw_hits(client);
+    if (client.bottom == BottomPanel::study) draw_study(client);
   }
   end_panel();
 }

@@ -35,6 +35,8 @@ void tooltip(const std::string& text);
 void draw_statistics_panel(Client& client, const Box& box);
 /// Under the scene: plots, comparison or performance.
 void draw_bottom_panel(Client& client, const Box& box, bool bare);
+/// A study: where shots end, how figures settle, what they are.
+void draw_study(Client& client);
 /// Bare: curves and axes alone, as pictures show them.
 void draw_plots(Client& client, bool bare);
 

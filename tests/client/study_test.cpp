@@ -1,0 +1,236 @@
+// Studies in the client: the figures of `physim study`, that grow from frame to frame.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+#include "client/support.hpp"
+#include "simclient/core/actions.hpp"
+#include "simclient/core/layout.hpp"
+#include "simclient/core/study_view.hpp"
+
+namespace physim::client {
+namespace {
+
+using State = StudyRun::State;
+
+StudyResult flown(const std::string& scenario, std::int64_t shots, const std::optional<StudyWidth>& width = {}) {
+  Scenario read = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/" + scenario + ".toml").value();
+  read.study.shots = shots;
+  Study study = study_of(read, read.shots[0]).value();
+  study.until_width = width;
+  return run_study(study).value();
+}
+
+void expect_same(const StudyResult& a, const StudyResult& b) {
+  EXPECT_EQ(a.shards, b.shards);
+  EXPECT_EQ(a.shots, b.shots);
+  EXPECT_EQ(a.quantities, b.quantities);
+  EXPECT_EQ(a.hits, b.hits);
+  EXPECT_EQ(a.from_centre, b.from_centre);
+  EXPECT_EQ(a.ellipse, b.ellipse);
+  EXPECT_EQ(a.stages, b.stages);
+}
+
+TEST(StudyRun, comes_to_the_figures_of_physim_study) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-shots 20000; study-run; wait 7"));
+  ASSERT_EQ(client.study.run.state(), State::done);
+  ASSERT_TRUE(client.study.run.result().has_value());
+  expect_same(*client.study.run.result(), flown("study_308", 20000));
+}
+
+TEST(StudyRun, grows_by_a_shard_a_frame_where_scripts_look) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-shots 40000; study-run"));
+  std::size_t dots = client.study.run.dots_shown();
+  for (std::uint64_t shards = 1; shards < 4; ++shards) {
+    ASSERT_TRUE(client.study.run.result().has_value());
+    EXPECT_EQ(client.study.run.result()->shards, shards);
+    expect_same(*client.study.run.result(), flown("study_308", static_cast<std::int64_t>(4096 * shards)));
+    client.advance(1.0 / 60);
+    EXPECT_GT(client.study.run.dots_shown(), dots);
+    dots = client.study.run.dots_shown();
+  }
+  const StudyShots first = fly_shots_of(*client.study.run.plan(), 0);
+  EXPECT_EQ(client.study.run.dots().quantities[1][4095], first.quantities[1][4095]);
+}
+
+TEST(StudyRun, pauses_and_goes_on_with_the_same_bits) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-shots 20000; study-run; wait 2; study-run"));
+  EXPECT_EQ(client.study.run.state(), State::paused);
+  const std::uint64_t shots = client.study.run.result()->shots;
+  ASSERT_TRUE(run(client, "wait 3"));
+  EXPECT_EQ(client.study.run.result()->shots, shots) << "a pause";
+  ASSERT_TRUE(run(client, "study-run; wait 7"));
+  EXPECT_EQ(client.study.run.state(), State::done);
+  expect_same(*client.study.run.result(), flown("study_308", 20000));
+}
+
+TEST(StudyRun, flies_on_threads_while_frames_go_on) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(set_study_shots(client, "40000"));
+  ASSERT_TRUE(start_or_pause_study(client));
+  for (int i = 0; i < 60'000 && client.study.run.state() == State::running; ++i) {
+    client.advance(1e-3, 0.01);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_EQ(client.study.run.state(), State::done);
+  expect_same(*client.study.run.result(), flown("study_308", 40000));
+  EXPECT_EQ(client.study.run.dots().quantities[0].size(), StudyRun::kMostDots);
+}
+
+TEST(StudyRun, ends_at_a_width_where_physim_study_does) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-shots 1000000; study-width 1.1 %; study-run; wait 40"));
+  ASSERT_EQ(client.study.run.state(), State::done);
+  EXPECT_TRUE(client.study.run.result()->width_reached);
+  expect_same(*client.study.run.result(), flown("study_308", 1'000'000, StudyWidth{.target = 0, .width = 0.011}));
+}
+
+TEST(StudyRun, goes_away_while_it_flies) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(set_study_shots(client, "1e9"));
+  ASSERT_TRUE(start_or_pause_study(client));
+  client.advance(1e-3, 0.01);
+  ASSERT_TRUE(client.open(PHYSIM_SOURCE_DIR "/scenarios/arrow.toml"));
+  EXPECT_EQ(client.study.run.state(), State::none);
+  EXPECT_TRUE(client.study.asked.inputs.empty());
+}
+
+TEST(StudyDesk, what_is_asked_changes_and_is_saved) {
+  Client client = client_of("308_168gr_g7");
+  const Status nothing = start_or_pause_study(client);
+  ASSERT_FALSE(nothing);
+  EXPECT_NE(nothing.error().text().find("nothing is uncertain"), std::string::npos) << nothing.error().text();
+  EXPECT_FALSE(add_study_input(client, "shot.sped = +- 3 m/s"));
+  EXPECT_FALSE(add_study_target(client, "plate: hexagon 3 cm"));
+  EXPECT_FALSE(set_study_shots(client, "0"));
+  EXPECT_FALSE(set_study_shots(client, "many"));
+  EXPECT_FALSE(set_study_width(client, "a bit"));
+  EXPECT_FALSE(client.has_unsaved_settings());
+  ASSERT_TRUE(add_study_input(client, "shot.speed = +- 5 m/s"));
+  ASSERT_TRUE(add_study_input(client, "shot.speed = +- 3 m/s"));
+  ASSERT_TRUE(add_study_input(client, "shot.azimuth = +- 0.2 mrad"));
+  ASSERT_TRUE(add_study_target(client, "plate: rectangle 45 cm x 75 cm"));
+  EXPECT_EQ(client.study.asked.inputs,
+            (std::vector<std::string>{"shot.speed = +- 3 m/s", "shot.azimuth = +- 0.2 mrad"}))
+      << "one speed alone";
+  EXPECT_TRUE(client.has_unsaved_settings());
+  const auto file = std::filesystem::temp_directory_path() / "physim_study_desk.toml";
+  ASSERT_TRUE(client.save(file.string()));
+  const Result<Scenario> read = load_scenario(file.string());
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->study.inputs, client.study.asked.inputs);
+  EXPECT_EQ(read->study.targets, client.study.asked.targets);
+  std::filesystem::remove(file);
+  remove_study_input(client, 0);
+  remove_study_target(client, 0);
+  remove_study_target(client, 7);
+  EXPECT_EQ(client.study.asked.inputs.size(), 1U);
+  EXPECT_TRUE(client.study.asked.targets.empty());
+}
+
+TEST(StudyDesk, a_change_forgets_what_was_flown_and_tells_of_the_shot) {
+  Client client = client_of("study_308");
+  ASSERT_TRUE(run(client, "study-shots 4096; study-run; wait 3"));
+  EXPECT_EQ(client.study.begun_at, client.versions());
+  ASSERT_TRUE(run(client, "set shot.speed=790 m/s"));
+  EXPECT_NE(client.study.begun_at, client.versions()) << "of the shot before";
+  EXPECT_EQ(client.study.run.state(), State::done);
+  ASSERT_TRUE(run(client, "study-input shot.mass = +- 0.1 g"));
+  EXPECT_EQ(client.study.run.state(), State::none);
+  EXPECT_FALSE(client.study.run.result().has_value());
+}
+
+/// The face holds three deviations and the target, and a metre across is a metre upwards.
+TEST(StudyView, is_to_scale_and_holds_the_target) {
+  const StudyResult result = flown("study_308", 4096);
+  Scenario read = load_scenario(PHYSIM_SOURCE_DIR "/scenarios/study_308.toml").value();
+  const Study study = study_of(read, read.shots[0]).value();
+  EXPECT_GT(face_of(study, result, 0.4).stretch, 4) << "a narrow frame of a wide scatter";
+  for (const double aspect : {0.8, 1.0, 2.5}) {
+    const StudyFace face = face_of(study, result, aspect);
+    EXPECT_EQ(face.stretch, 1);
+    EXPECT_NEAR((face.across.high - face.across.low) / (face.up.high - face.up.low), aspect, 1e-12);
+    ASSERT_EQ(face.ellipses.size(), 3U);
+    ASSERT_EQ(face.targets.size(), 1U);
+    for (const auto& rim : {face.ellipses[2], face.targets[0]})
+      for (const PlanePoint& p : rim) {
+        EXPECT_GT(p.right, face.across.low);
+        EXPECT_LT(p.right, face.across.high);
+        EXPECT_GT(p.up, face.up.low);
+        EXPECT_LT(p.up, face.up.high);
+      }
+    double all = 0;
+    for (const double cell : face.cells_across) all += cell;
+    EXPECT_GT(all, 99.5);
+    EXPECT_LT(all, 100 + 1e-9);
+    for (const double tick : face.across.ticks()) {
+      EXPECT_GE(tick, face.across.low);
+      EXPECT_LE(tick, face.across.high);
+      EXPECT_NEAR(std::remainder(tick, face.across.step), 0, 1e-9) << "a round number";
+    }
+  }
+}
+
+TEST(StudyView, settles_to_the_figure_with_its_interval) {
+  const StudyResult result = flown("study_308", 60000);
+  const std::vector<Settling> list = settling_of(result, 4);
+  ASSERT_EQ(list.size(), 2U);
+  const Settling::Point& last = list[0].points.back();
+  EXPECT_EQ(last.shots, static_cast<double>(result.shots));
+  EXPECT_EQ(last.value, 100 * result.hits[0].probability.value);
+  EXPECT_EQ(last.low, 100 * result.hits[0].low);
+  EXPECT_EQ(last.high, 100 * result.hits[0].high);
+  EXPECT_EQ(list[0].part(list[0].points.front().shots), 0);
+  EXPECT_GT(list[0].part(last.shots), 0.97);
+  EXPECT_LT(list[0].part(last.shots), 1);
+  const Settling::Point& mean = list[1].points.back();
+  EXPECT_EQ(mean.value, result.from_aim->mean.value);
+  EXPECT_NEAR(mean.high - mean.low, 2 * 1.96 * result.from_aim->mean.error, 1e-4 * result.from_aim->mean.error);
+}
+
+TEST(StudyView, tells_the_digits_of_physim_study) {
+  const StudyResult result = flown("study_308", 102400);
+  const std::vector<StudyFigure> list = figures_of(result);
+  const auto figure = [&](const std::string& what) {
+    for (const StudyFigure& each : list)
+      if (each.what == what) return each.value + ", " + each.error;
+    return "no " + what;
+  };
+  // docs/uncertainty.md has these
+  EXPECT_EQ(figure("hits on plate"), "59.1 %, 58.8 .. 59.4");
+  EXPECT_EQ(figure("CEP"), "0.21 m, R90 0.4582");
+  EXPECT_EQ(figure("mean speed"), "444.88 m/s, \u00b1 0.01, \u03c3 3.308");
+}
+
+/// Of one quantity: how shots spread over it.
+TEST(StudyView, shows_one_quantity_as_cells) {
+  Client client = client_of("study_308");
+  client.study.asked.quantities = {"speed"};
+  client.study.asked.targets.clear();
+  ASSERT_TRUE(run(client, "study-shots 4096; study-run; wait 2"));
+  const StudyFace face = face_of(client.study.run.plan()->study(), *client.study.run.result(), 1);
+  EXPECT_TRUE(face.ellipses.empty());
+  EXPECT_TRUE(face.cells_up.empty());
+  EXPECT_EQ(face.across.label, "speed [m/s]");
+  EXPECT_GE(face.up.high, *std::ranges::max_element(face.cells_across));
+  EXPECT_EQ(settling_of(*client.study.run.result(), 4).size(), 1U);
+}
+
+TEST(StudyView, has_room_beside_the_scene) {
+  Client client = client_of();
+  client.bottom = BottomPanel::study;
+  for (const float height : {320.0F, 720.0F, 2160.0F}) {
+    const Layout layout = make_layout(client, 1280, height, 1);
+    EXPECT_GE(layout.scene.height, 80);
+    EXPECT_LE(layout.bottom.y + layout.bottom.height, layout.status.y + 0.01F);
+  }
+}
+
+}  // namespace
+}  // namespace physim::client

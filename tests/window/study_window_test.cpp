@@ -1,0 +1,28 @@
+// A study in a window: begun, paused and gone on with by keys, while frames go on.
+#include <gtest/gtest.h>
+
+#include "window/x_client.hpp"
+
+namespace physim::testing_window {
+namespace {
+
+TEST(Study, IsBegunAndPausedByAKeyAndComesToTheFiguresOfThePage) {
+  const Screen screen;
+  RunningClient client(
+      screen, {"--size", "1280x720", PHYSIM_SOURCE_DIR "/scenarios/study_308.toml", "--set", "study.shots=30000"});
+  ASSERT_TRUE(client.has_window());
+  client.key("z");
+  client.wait_for([](const Json& s) { return s.contains("study") && s["study"].contains("shots"); });
+  client.key("z");
+  const Json paused = client.wait_for([](const Json& s) { return s["study"]["state"] != "running"; });
+  EXPECT_LE(paused["study"]["shots"].get<std::uint64_t>(), 32768U);
+  if (paused["study"]["state"] == "paused") client.key("z");
+  const Json done = client.wait_for([](const Json& s) { return s["study"]["state"] == "done"; });
+  ASSERT_EQ(done["study"]["state"], "done");
+  EXPECT_EQ(done["study"]["shots"], 32768U);
+  EXPECT_NEAR(done["study"]["hits"][0]["probability"].get<double>(), 60521.0 / 102400, 0.01);
+  EXPECT_GT(done["frame"].get<std::uint64_t>(), paused["frame"].get<std::uint64_t>());
+}
+
+}  // namespace
+}  // namespace physim::testing_window
