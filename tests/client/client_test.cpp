@@ -105,8 +105,9 @@ TEST(Actions, EveryOneRunsWithoutAWindow) {
     if (action.name == "study-input") argument = "shot.speed = +- 3 m/s";
     if (action.name == "study-target") argument = "circle 10 cm";
     if (action.name == "study-shots") argument = "1000";
-    if (action.name == "study-run" || action.name == "study-again")
+    if (action.name == "study-run" || action.name == "study-again") {
       ASSERT_TRUE(run(client, "study-input shot.speed = +- 1 m/s"));
+    }
     if (action.name == "replay" || action.name == "fire-scenario" || action.name == "undo")
       continue;  // there is nothing of the kind yet
     const Status status = action.run(client, argument);
