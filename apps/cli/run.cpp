@@ -79,8 +79,9 @@ Status draw_each(const std::string& folder, const FlownScenario& flown) {
     std::string name = stem + "_" + file_part(flown.shots[i].name);
     if (!names.insert(name).second) name += "_" + std::to_string(i + 1);
     const std::string path = (std::filesystem::path(folder) / (name + ".png")).string();
-    if (Status status = draw(path, shots_picture(title_of(flown.scenario), {&flown.shots[i], 1})); !status)
-      return status;
+    const Picture picture =
+        shots_picture(title_of(flown.scenario), {&flown.shots[i], 1}, flown.scene ? &*flown.scene : nullptr);
+    if (Status status = draw(path, picture); !status) return status;
     bar(i + 1, count);
   }
   return {};

@@ -47,6 +47,7 @@ Status fly_all(FlownScenario& flown, const Progress& progress) {
   const Scenario& scenario = flown.scenario;
   const Result<SceneParts> parts = scene_parts(scenario);
   if (!parts) return parts.error();
+  if (!scenario.things.empty()) flown.scene = parts->scene;
   std::vector<FlightHits> hits;
   for (const ScenarioShot& shot : scenario.shots) {
     Flight flight = scenario.things.empty() ? fly_shot(scenario, shot) : fly_shot(scenario, shot, parts->scene);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,8 @@ struct FlownScenario {
   Scenario scenario;
   std::vector<FlownShot> shots;
   std::vector<Check> checks;
-  std::deque<ThingHit> hits = {};  // on things, shot by shot
+  std::deque<ThingHit> hits = {};   // on things, shot by shot
+  std::optional<Scene> scene = {};  // of its things, where it has some
 };
 
 /// What came out of an expectation on a shot or a group.

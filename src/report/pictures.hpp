@@ -10,7 +10,9 @@ namespace physim::report {
 
 /// Path and speed, then position, velocity and acceleration over time, axis by axis; of the first 14 shots, since more
 /// could not be told apart.
-[[nodiscard]] Picture shots_picture(const std::string& title, std::span<const FlownShot> shots);
+/// `scene`: things that stand about; null: none.
+[[nodiscard]] Picture shots_picture(const std::string& title, std::span<const FlownShot> shots,
+                                    const Scene* scene = nullptr);
 [[nodiscard]] Content flights_picture(const Flights& flights);
 /// The paths of a world's run from the side and from above, and the wall.
 [[nodiscard]] Content world_picture(const WorldLog& log);

@@ -4,6 +4,7 @@
 #include "report/fidelity_text.hpp"
 #include "report/number.hpp"
 #include "report/pictures.hpp"
+#include "report/scene_section.hpp"
 #include "report/table.hpp"
 
 namespace physim::report {
@@ -48,6 +49,13 @@ Curve curve_of(const FlownShot& shot, std::size_t index) {
   return curve;
 }
 
+std::vector<TrackPlace> track_of(const Curve& curve) {
+  std::vector<TrackPlace> track;
+  for (const auto& row : curve.rows)
+    track.push_back({row[kRange - 1], row[kPosition - 1], row[kPosition + 1], row[kTime - 1]});
+  return track;
+}
+
 std::string datablock_of(const Curve& curve) {
   std::string rows;
   for (const auto& row : curve.rows) {
@@ -68,8 +76,8 @@ Extent extent_of(const std::vector<Curve>& curves, int column) {
 
 class FlightsPicture {
  public:
-  FlightsPicture(const std::string& title, std::span<const FlownShot> shots)
-      : title_(title), shots_(shots.first(std::min(shots.size(), kMaxDrawnShots))), all_(shots.size()) {
+  FlightsPicture(const std::string& title, std::span<const FlownShot> shots, const Scene* scene)
+      : title_(title), scene_(scene), shots_(shots.first(std::min(shots.size(), kMaxDrawnShots))), all_(shots.size()) {
     for (std::size_t i = 0; i < shots_.size(); ++i) curves_.push_back(curve_of(shots_[i], i));
   }
 
@@ -147,10 +155,10 @@ class FlightsPicture {
     return std::string(kPalette[shots_.size() == 1 ? static_cast<std::size_t>(row) : shot % kPalette.size()]);
   }
 
-  // plot ...: one curve for each shot, with marks where it hits things in the panel of heights. `row` colours a single
-  // shot.
+  // Of a plot command: one curve for each shot, with marks where it hits things in the panel of heights. `row` colours
+  // a single shot.
   [[nodiscard]] std::string curves(int x, int y, int row) const {
-    std::string out = "plot ";
+    std::string out;
     for (std::size_t i = 0; i < curves_.size(); ++i)
       out += (i == 0 ? "" : ", ") + curves_[i].block + " using " + std::to_string(x) + ":" + std::to_string(y) +
              " with lines" + curve_style("2.5", i, colour_of(i, row)) + " notitle";
@@ -171,13 +179,25 @@ class FlightsPicture {
     if (is_line && note != ", to scale") note = "";
     return panel_at(kLeft, right, kTopLow, kTopHigh) + range_of("x", x) + range_of("y", y) +
            "set xlabel 'distance [m]' offset 0,0.5\nunset label\n" + panel_title("height [m] over distance" + note) +
-           header() + curves(kRange, kHeightColumn, 0);
+           header() + sections(x, y) + curves(kRange, kHeightColumn, 0);
+  }
+
+  // What stands under the ways of shots, each cut along its own; behind the curves.
+  [[nodiscard]] std::string sections(Extent x, Extent y) const {
+    std::string blocks, plots;
+    for (const Curve& curve : curves_) {
+      if (!scene_) break;
+      const Section section = section_along(*scene_, extended(track_of(curve), x), y);
+      blocks += section_blocks(section, curve.block);
+      plots += section_plots(section, curve.block);
+    }
+    return blocks + "plot " + plots;
   }
 
   [[nodiscard]] std::string time_panel(double left, double low, double high, int column, const std::string& label,
                                        int row) const {
     return panel_at(left, left + kPanelWidth, low, high) + range_of("x", time_extent()) +
-           range_of("y", padded(extent_of(curves_, column))) + "unset label\n" + panel_title(label) +
+           range_of("y", padded(extent_of(curves_, column))) + "unset label\n" + panel_title(label) + "plot " +
            curves(kTime, column, row);
   }
 
@@ -199,6 +219,7 @@ class FlightsPicture {
   }
 
   std::string title_;
+  const Scene* scene_;  // null: there is none
   std::span<const FlownShot> shots_;
   std::size_t all_;
   std::vector<Curve> curves_;
@@ -206,12 +227,13 @@ class FlightsPicture {
 
 }  // namespace
 
-Picture shots_picture(const std::string& title, std::span<const FlownShot> shots) {
-  return {kWidth, kHeight, FlightsPicture(title, shots).script()};
+Picture shots_picture(const std::string& title, std::span<const FlownShot> shots, const Scene* scene) {
+  return {kWidth, kHeight, FlightsPicture(title, shots, scene).script()};
 }
 
 Content flights_picture(const Flights& flights) {
-  return shots_picture(title_of(flights.flown.scenario), flights.flown.shots);
+  const FlownScenario& flown = flights.flown;
+  return shots_picture(title_of(flown.scenario), flown.shots, flown.scene ? &*flown.scene : nullptr);
 }
 
 }  // namespace physim::report

@@ -4,6 +4,7 @@
 #include "base/assert.hpp"
 #include "report/number.hpp"
 #include "report/pictures.hpp"
+#include "report/scene_section.hpp"
 #include "report/table.hpp"
 
 namespace physim::report {
@@ -177,12 +178,12 @@ class WorldPicture {
     return out;
   }
 
-  // Paths below, marks above.
+  // Of a plot command: paths below, marks above.
   [[nodiscard]] std::string curves(const Axes& axes, bool with_paths, bool with_impacts) const {
     const std::string columns = " using " + std::to_string(axes.across.column) + ":" + std::to_string(axes.up.column);
     std::string out;
     const auto add = [&](const std::string& block, std::size_t group, const std::string& style) {
-      out += (out.empty() ? "plot $" : ", $") + block + std::to_string(group) + columns + " with " + style + " notitle";
+      out += (out.empty() ? "$" : ", $") + block + std::to_string(group) + columns + " with " + style + " notitle";
     };
     for (const std::size_t g : shown_)
       if (with_paths && std::ranges::count(log_.paths, g, &LoggedPath::group) > 0)
@@ -193,7 +194,7 @@ class WorldPicture {
       if (hits > 0) add("hit", g, "points" + mark_style(g, hits));
       if (with_paths && alive > 0) add("alive", g, "points" + mark_style(g, alive));
     }
-    return out.empty() ? "plot NaN notitle\n" : out + "\n";
+    return out.empty() ? "NaN notitle\n" : out + "\n";
   }
 
   static std::string frame(const Axes& axes, Extent x, Extent y, Extent across, Extent up) {
@@ -209,14 +210,30 @@ class WorldPicture {
     const bool is_from_above = axes.up.axis == &Vec3d::z;
     const std::string note =
         to_scale(across, up, x.span() * kWorldWidth, y.span() * kWorldHeight, is_from_above ? 0.5 : 0, kAxes);
-    return frame(axes, x, y, across, up) + guides(axes) + panel_title(title + note) + extra + curves(axes, true, true);
+    const Section section = is_from_above ? Section{} : section_of(across, up);
+    return frame(axes, x, y, across, up) + guides(axes) + panel_title(title + note) + extra +
+           section_blocks(section, "$things") + "plot " + section_plots(section, "$things") + curves(axes, true, true);
+  }
+
+  // What stands where most of what flies does: a cut along x, as things are in the end.
+  [[nodiscard]] Section section_of(Extent across, Extent up) const {
+    if (log_.scenario.things.empty()) return {};
+    const Result<Scene> scene = scene_of(log_.scenario);
+    if (!scene) return {};  // it ran with it
+    double sum = 0, count = 0;
+    for (const LoggedPath& path : log_.paths)
+      for (const Vec3d& point : path.points) sum += point.z, ++count;
+    const double z = count > 0 ? sum / count : 0;
+    const std::vector<TrackPlace> track = {{across.low, across.low, z, log_.time},
+                                           {across.high, across.high, z, log_.time}};
+    return section_along(*scene, extended(track, across), up);
   }
 
   [[nodiscard]] std::string wall_panel(Extent x, Extent y) const {
     const Axes axes{kZ, kY};
     Extent across = padded(hit_extent(&Vec3d::z)), up = padded(hit_extent(&Vec3d::y));
     const std::string note = to_scale(across, up, x.span() * kWorldWidth, y.span() * kWorldHeight, 0.5, kAxes);
-    return frame(axes, x, y, across, up) + guides(axes) + panel_title("hits on the wall" + note) +
+    return frame(axes, x, y, across, up) + guides(axes) + panel_title("hits on the wall" + note) + "plot " +
            curves(axes, false, false);
   }
 
