@@ -155,7 +155,7 @@ class FlightsPicture {
     return std::string(kPalette[shots_.size() == 1 ? static_cast<std::size_t>(row) : shot % kPalette.size()]);
   }
 
-  // Of a plot command: one curve for each shot, with marks where it hits things in the panel of heights. `row` colours
+  // One curve for each shot, with marks where it hits things in the panel of heights. `row` colours
   // a single shot.
   [[nodiscard]] std::string curves(int x, int y, int row) const {
     std::string out;

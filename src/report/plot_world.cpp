@@ -178,7 +178,7 @@ class WorldPicture {
     return out;
   }
 
-  // Of a plot command: paths below, marks above.
+  // Paths below, marks above.
   [[nodiscard]] std::string curves(const Axes& axes, bool with_paths, bool with_impacts) const {
     const std::string columns = " using " + std::to_string(axes.across.column) + ":" + std::to_string(axes.up.column);
     std::string out;
