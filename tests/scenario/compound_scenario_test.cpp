@@ -270,6 +270,42 @@ ground = "none"
   }
 }
 
+/// A run among such shapes goes on from a save as if it had not stopped; where a part or a material is another one,
+/// the save is of another scenario.
+TEST(CompoundScenario, goes_on_from_a_save_of_its_run) {
+  const std::string head = "physim = 1\n[world]\nduration = \"1 s\"\nground = \"none\"\n";
+  const std::string shots = R"(
+[[shot]]
+position = [0, "1 m", 0]
+speed = "40 m/s"
+fidelity = "game"
+body = { restitution = 0.5, collision = { on_hit = "bounce" } }
+[[volley]]
+shot = "shot-1"
+count = 20
+rate = "1200 rpm"
+spread = { horizontal = "5 deg", vertical = "2 deg" }
+)";
+  const std::string table = kTable.substr(kTable.find("[[shape]]"), kTable.find("[[shot]]") - kTable.find("[[shape]]"));
+  const auto parsed = [&](const std::vector<std::string>& overrides = {}) {
+    return parse_scenario(head + kFloor + table + shots, "f.toml", overrides).value();
+  };
+  WorldRun whole = WorldRun::create(parsed()).value(), first = WorldRun::create(parsed()).value();
+  for (std::uint64_t i = 0; i < whole.steps(); ++i) whole.step();
+  for (std::uint64_t i = 0; i < first.steps() / 2; ++i) first.step();
+  const std::vector<std::byte> save = first.save().value();
+  Result<WorldRun> rest = WorldRun::load(parsed(), save);
+  ASSERT_TRUE(rest) << rest.error().text();
+  for (std::uint64_t i = first.steps() / 2; i < whole.steps(); ++i) rest->step();
+  EXPECT_EQ(rest->world().hash(), whole.world().hash());
+  EXPECT_EQ(rest->groups()[0].bounces, whole.groups()[0].bounces);
+  EXPECT_GT(whole.groups()[0].hits + whole.groups()[0].bounces, 0u);
+  EXPECT_FALSE(WorldRun::load(parsed({"shape.compound.scale=2"}), save));
+  Scenario other = parsed();
+  std::swap(other.shapes[0].materials[0], other.shapes[0].materials[1]);
+  EXPECT_FALSE(WorldRun::load(other, save));
+}
+
 // ------------------------------------------------------------------------------------------------------------- refused
 struct BadShape {
   std::string text, error;
