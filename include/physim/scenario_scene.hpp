@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "physim/scenario_motion.hpp"
@@ -14,15 +15,28 @@ namespace physim {
 
 struct Scenario;
 
-/// One [[shape]]. A compound, which no file can say, is none yet.
+/// One of the shapes that a compound has.
+struct ScenarioPart {
+  std::string shape{};          ///< name of another [[shape]], no plane and no compound; it may come later [-]
+  Vec3d position{};             ///< of its origin in the compound's frame [m]
+  ScenarioRotation rotation{};  ///< from its own frame to the compound's [-]
+  double scale = 1;             ///< along all axes, 1e-9 to 1e9 [-]
+};
+
+/// One [[shape]].
 struct ScenarioShape {
-  std::string name{};                ///< [-]
-  std::string file{};                ///< that its mesh or heights were read from, as the scenario says it [-]
-  double low = 0;                    ///< height of black in a file of heights [m]
-  double high = 1;                   ///< height of white in a file of heights [m]
-  std::string terrain{};             ///< a file of terrain that its mesh was read from, as the scenario says it [-]
-  TerrainCut cut{};                  ///< what of that, about the place of the environment [-]
-  ShapeDef shape = CompoundShape{};  ///< [-]
+  std::string name{};                    ///< [-]
+  std::string file{};                    ///< that its mesh or heights were read from, as the scenario says it [-]
+  double low = 0;                        ///< height of black in a file of heights [m]
+  double high = 1;                       ///< height of white in a file of heights [m]
+  std::string terrain{};                 ///< a file of terrain that its mesh was read from, as the scenario says it [-]
+  TerrainCut cut{};                      ///< what of that, about the place of the environment [-]
+  std::vector<ScenarioPart> parts{};     ///< of a compound [-]
+  std::vector<std::string> materials{};  ///< names, of each triangle of a mesh or one of all; empty: of the thing [-]
+  ShapeDef shape = CompoundShape{};      ///< a compound's parts are named by `parts`; without any it is none yet [-]
+
+  /// Whether it is made of other shapes.
+  [[nodiscard]] bool is_compound() const { return std::holds_alternative<CompoundShape>(shape) && !parts.empty(); }
 };
 
 /// One [[thing]] of the scene. It rests where nothing is said about its motion.

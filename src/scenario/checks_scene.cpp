@@ -1,6 +1,8 @@
 // Checks of [[material]], [[shape]] and [[thing]]: by making the scene, so that what it refuses is told with its line.
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <set>
 
 #include "base/assert.hpp"
 #include "physim/frames.hpp"
@@ -16,14 +18,31 @@
 namespace physim {
 namespace {
 
+/// Where a path such as "compound[1].shape" leads from a table, and the path without its numbers; null where the file
+/// has nothing there.
+std::pair<const Value*, std::string> follow(const Value& table, std::string_view path) {
+  const Value* here = &table;
+  std::string keys;
+  while (here != nullptr && !path.empty()) {
+    const std::string_view step = path.substr(0, path.find('.'));
+    path.remove_prefix(std::min(step.size() + 1, path.size()));
+    const std::size_t bracket = std::min(step.find('['), step.size());
+    here = here->find(step.substr(0, bracket));
+    keys += "." + std::string(step.substr(0, bracket));
+    if (bracket == step.size() || here == nullptr) continue;
+    std::size_t index = 0;
+    std::from_chars(step.data() + bracket + 1, step.data() + step.size(), index);
+    // What is no list stands for a list of one.
+    if (const Array* array = here->get<Array>()) here = index < array->size() ? &(*array)[index] : nullptr;
+  }
+  return {here, keys};
+}
+
 /// An error about an element of a list, as one of the file: at the key that it names, where the element has it.
 Error at_key(const Error& error, const std::string& list, const Value& table) {
-  const bool has_key = !error.place.empty() && table.find(error.place) != nullptr;
-  const std::string path = has_key               ? list + "." + error.place
-                           : error.place.empty() ? list
-                                                 : list + " (" + error.place + ")";
-  const std::string place = has_key ? place_of(table, {error.place}) : table.place.text();
-  return {path + ": " + error.message, place, error.hint};
+  const auto [value, keys] = follow(table, error.place);
+  const std::string path = value ? list + keys : list + " (" + error.place + ")";
+  return {path + ": " + error.message, (value ? value : &table)->place.text(), error.hint};
 }
 
 /// The tables in an element that say of which kind it is, and the key that names one.
@@ -33,7 +52,8 @@ std::vector<const Member*> kinds_of(const Value& element, const std::string& lis
   std::vector<const Member*> kinds;
   for (const Member& member : *element.get<Table>()) {
     const SchemaNode* node = find_node(list + "." + member.key);
-    const bool is_kind = node && node->entry == nullptr && std::ranges::count(others, member.key) == 0;
+    const bool is_table = node && (node->entry == nullptr || node->is_list_of_tables());
+    const bool is_kind = is_table && std::ranges::count(others, member.key) == 0;
     if (is_kind || member.key == kind_key) kinds.push_back(&member);
   }
   return kinds;
@@ -105,8 +125,12 @@ Status check_material(const Value& table) {
   return check_one_kind(table, "material", "penetration", {"ricochet", "spread"});
 }
 
-Status check_shape(const Value& table) {
+Status check_shape(const ScenarioShape& shape, const Value& table) {
   if (Status status = check_one_kind(table, "shape", "kind", {}); !status) return status;
+  for (std::size_t i = 0; i < shape.parts.size(); ++i)
+    if (Status status = check_rotation("shape.compound", shape.parts[i].rotation, element(table, "compound", i));
+        !status)
+      return status;
   struct Source {
     std::string_view kind, key;
     std::vector<std::string_view> others;  // that it stands for
@@ -145,6 +169,20 @@ Status check_each(const List& list, const std::string& key, const Value& documen
   return {};
 }
 
+/// The published materials that things and meshes name, where the scenario has none of that name.
+void bring_published(Scenario& scenario) {
+  std::set<std::string_view> seen;
+  const auto bring = [&](const std::string& name) {
+    if (!seen.insert(name).second) return;
+    const bool is_given = std::ranges::count(scenario.materials, name, &Material::name) > 0;
+    const auto published = is_given ? std::nullopt : published_material(name);
+    if (published) scenario.materials.push_back(*published), scenario.materials.back().name = name;
+  };
+  for (const ScenarioThing& thing : scenario.things) bring(thing.material);
+  for (const ScenarioShape& shape : scenario.shapes)
+    for (const std::string& name : shape.materials) bring(name);
+}
+
 }  // namespace
 
 std::string beside_scenario(const Scenario& scenario, const std::string& file) {
@@ -159,11 +197,7 @@ Status complete_scene(Scenario& scenario, const Value& document) {
   name_each(scenario.materials, "material");
   name_each(scenario.shapes, "shape");
   name_each(scenario.things, "thing");
-  for (const ScenarioThing& thing : scenario.things) {
-    const bool is_given = std::ranges::count(scenario.materials, thing.material, &Material::name) > 0;
-    const auto published = is_given ? std::nullopt : published_material(thing.material);
-    if (published) scenario.materials.push_back(*published), scenario.materials.back().name = thing.material;
-  }
+  bring_published(scenario);
   for (std::size_t i = 0; i < scenario.shapes.size(); ++i) {
     const Status status = read_file(scenario.shapes[i], scenario);
     if (status) continue;
@@ -179,7 +213,7 @@ Status check_scene(const Scenario& scenario, const Value& document) {
   for (std::size_t i = 0; i < count_in(document, "material"); ++i)
     if (Status status = check_material(element(document, "material", i)); !status) return status;
   for (std::size_t i = 0; i < scenario.shapes.size(); ++i)
-    if (Status status = check_shape(element(document, "shape", i)); !status) return status;
+    if (Status status = check_shape(scenario.shapes[i], element(document, "shape", i)); !status) return status;
   for (std::size_t i = 0; i < scenario.things.size(); ++i)
     if (Status status = check_thing(scenario.things[i], element(document, "thing", i)); !status) return status;
   SceneMaker maker(scenario);
@@ -187,6 +221,8 @@ Status check_scene(const Scenario& scenario, const Value& document) {
       check_each(scenario.materials, "material", document, [&](std::size_t i) { return maker.add_material(i); });
   if (status)
     status = check_each(scenario.shapes, "shape", document, [&](std::size_t i) { return maker.add_shape(i); });
+  if (status)
+    status = check_each(scenario.shapes, "shape", document, [&](std::size_t i) { return maker.add_compound(i); });
   if (status)
     status = check_each(scenario.things, "thing", document, [&](std::size_t i) { return maker.add_thing(i); });
   return status;

@@ -87,8 +87,14 @@ Status put_into_list(Value& list, const SchemaNode& node, std::string_view rest,
   Array* array = list.get<Array>();
   if (array == nullptr || array->empty())
     return Error{"there is no [[" + node.path + "]] to change", value.place.text(), "set the list as a whole"};
+  // Elements without a list of their own have nothing to change in it, where others have one.
+  const std::size_t dot = rest.find('.');
+  const SchemaNode* inner = dot == rest.npos ? nullptr : node.find(rest.substr(0, dot));
+  const auto has_list = [inner](const Value& each) { return each.find(inner->name) != nullptr; };
+  const bool skips = inner && inner->is_list_of_tables() && std::ranges::any_of(*array, has_list);
   for (std::size_t i = 0; i < array->size(); ++i) {
     if (node.path == "shot" && target.shot && shot_name((*array)[i], i) != *target.shot) continue;
+    if (skips && !has_list((*array)[i])) continue;
     if (Status status = put((*array)[i], node, rest, target, value); !status) return status;
   }
   return {};

@@ -393,9 +393,10 @@ namespace {
 
 std::string table_name(const SchemaNode& node) { return node.name.empty() ? "the file" : "[" + node.name + "]"; }
 
-/// The path of the table that has such a key, for keys that stand in the wrong place.
+/// The path of the table that has such a key, for keys that stand in the wrong place. Tables of the file are no keys.
 const SchemaNode* parent_of_key(const SchemaNode& node, std::string_view key) {
-  if (node.find(key) != nullptr) return &node;
+  const SchemaNode* here = node.find(key);
+  if (here != nullptr && !(node.path.empty() && !here->children.empty())) return &node;
   for (const SchemaNode& child : node.children)
     if (const SchemaNode* found = parent_of_key(child, key)) return found;
   return nullptr;

@@ -131,13 +131,17 @@ std::string more_of(List Scenario::*list, const char* name, const Scenario& befo
   return added;
 }
 
-/// ... of materials: who reads things that are made of published ones has those anyway.
+/// ... of materials: who reads things or meshes that are made of published ones has those anyway.
 std::string more_materials(const Scenario& before, const Scenario& now, Scenario& kept) {
   std::string added;
   for (auto& all = kept.materials; all.size() > before.materials.size(); all.pop_back()) {
     auto published = published_material(all.back().name);
     if (published) published->name = all.back().name;
-    const bool is_made_of = std::ranges::count(now.things, all.back().name, &ScenarioThing::material) > 0;
+    const auto names_it = [&all](const ScenarioShape& mesh) {
+      return std::ranges::count(mesh.materials, all.back().name) > 0;
+    };
+    const bool is_made_of = std::ranges::count(now.things, all.back().name, &ScenarioThing::material) > 0 ||
+                            std::ranges::any_of(now.shapes, names_it);
     if (published == all.back() && is_made_of) continue;
     added = "\n[[material]]\n" + element_text(now, "material", all.size() - 1) + added;
   }

@@ -1,5 +1,7 @@
 #include "scenario/scene_maker.hpp"
 
+#include <algorithm>
+
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "physim/scene_parts.hpp"
@@ -51,12 +53,75 @@ Status SceneMaker::add_material(std::size_t index) {
 
 Status SceneMaker::add_shape(std::size_t index) {
   const ScenarioShape& shape = scenario_.shapes[index];
+  if (shape.is_compound()) return {};
   if (std::holds_alternative<CompoundShape>(shape.shape))
-    return Error{"it is no shape", "", "give one of plane, sphere, box, capsule, cylinder, hull, mesh, height_field"};
-  const Result<ShapeId> id = scene_.add_shape(shape.shape);
+    return Error{"it is no shape", "",
+                 "give one of plane, sphere, box, capsule, cylinder, hull, mesh, height_field, compound"};
+  if (shape.materials.empty() || !std::holds_alternative<MeshShape>(shape.shape))
+    return keep_shape(shape.shape, shape.name);
+  const Result<MeshShape> mesh = mesh_of(shape);
+  return mesh ? keep_shape(*mesh, shape.name) : mesh.error();
+}
+
+/// The material of a name; of no name, that of every scene.
+Result<MaterialId> SceneMaker::material_of(const std::string& name) const {
+  if (name.empty()) return MaterialId{};
+  return id_of(material_ids_, name, "material", published_materials());
+}
+
+/// A mesh with the materials that its shape names.
+Result<MeshShape> SceneMaker::mesh_of(const ScenarioShape& shape) const {
+  PHYSIM_ASSERT(!shape.materials.empty());
+  MeshShape mesh = std::get<MeshShape>(shape.shape);
+  mesh.materials.clear();
+  const std::size_t names = shape.materials.size(), triangles = mesh.triangles.size();
+  if (names != 1 && names != triangles)
+    return Error{std::to_string(names) + " materials for " + std::to_string(triangles) + " triangles", "mesh.materials",
+                 "give one for each triangle, or one for all"};
+  for (std::size_t i = 0; i < names; ++i) {
+    const Result<MaterialId> id = material_of(shape.materials[i]);
+    if (!id) return Error{id.error().message, "mesh.materials[" + std::to_string(i) + "]", id.error().hint};
+    mesh.materials.push_back(*id);
+  }
+  mesh.materials.resize(triangles, mesh.materials.front());
+  return mesh;
+}
+
+Status SceneMaker::add_compound(std::size_t index) {
+  PHYSIM_ASSERT(index < scenario_.shapes.size());
+  const ScenarioShape& shape = scenario_.shapes[index];
+  if (!shape.is_compound()) return {};
+  CompoundShape compound;
+  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+    const Result<CompoundShape::Part> part = part_of(shape, shape.parts[i]);
+    if (!part)
+      return Error{part.error().message, "compound[" + std::to_string(i) + "]." + part.error().place,
+                   part.error().hint};
+    compound.parts.push_back(*part);
+  }
+  return keep_shape(compound, shape.name);
+}
+
+Result<CompoundShape::Part> SceneMaker::part_of(const ScenarioShape& compound, const ScenarioPart& part) const {
+  PHYSIM_ASSERT(compound.is_compound());
+  const auto named = std::ranges::find(scenario_.shapes, part.shape, &ScenarioShape::name);
+  if (named != scenario_.shapes.end() && named->is_compound())
+    return Error{&*named == &compound ? "it names itself" : in_quotes(part.shape) + " is a compound, too", "shape",
+                 "name shapes of other kinds, such as the parts of that one"};
+  if (named != scenario_.shapes.end() && std::holds_alternative<PlaneShape>(named->shape))
+    return Error{in_quotes(part.shape) + " is a plane, which has no end", "shape", "give it a thing of its own"};
+  if (named != scenario_.shapes.end() && !named->materials.empty())
+    return Error{in_quotes(part.shape) + " has materials of its own, and all of a compound is of its thing's", "shape",
+                 "give it a thing of its own"};
+  const Result<ShapeId> shape = id_of(shape_ids_, part.shape, "shape", {});
+  if (!shape) return shape.error();
+  return CompoundShape::Part{*shape, {part.position, part.rotation.quaternion(), part.scale}};
+}
+
+Status SceneMaker::keep_shape(const ShapeDef& shape, const std::string& name) {
+  const Result<ShapeId> id = scene_.add_shape(shape);
   if (!id) return id.error();
-  if (!shape_ids_.emplace(shape.name, *id).second)
-    return Error{"two shapes are named " + in_quotes(shape.name), "name", ""};
+  if (!shape_ids_.emplace(name, *id).second) return Error{"two shapes are named " + in_quotes(name), "name", ""};
   return {};
 }
 
@@ -72,11 +137,9 @@ Status SceneMaker::add_thing(std::size_t index) {
                   .user_data = index,
                   .name = thing.name,
                   .motion = motion_of(thing)};
-  if (!thing.material.empty()) {
-    const Result<MaterialId> material = id_of(material_ids_, thing.material, "material", published_materials());
-    if (!material) return material.error();
-    def.material = *material;
-  }
+  const Result<MaterialId> material = material_of(thing.material);
+  if (!material) return material.error();
+  def.material = *material;
   const Result<InstanceId> added = scene_.add(def);
   if (!added) return added.error();
   PHYSIM_ASSERT(things_.size() == index);
@@ -88,6 +151,7 @@ Status SceneMaker::make_all() {
   PHYSIM_ASSERT(scene_.size() == 0);
   Status status = add_each(scenario_.materials, "material", [this](std::size_t i) { return add_material(i); });
   if (status) status = add_each(scenario_.shapes, "shape", [this](std::size_t i) { return add_shape(i); });
+  if (status) status = add_each(scenario_.shapes, "shape", [this](std::size_t i) { return add_compound(i); });
   if (status) status = add_each(scenario_.things, "thing", [this](std::size_t i) { return add_thing(i); });
   return status;
 }

@@ -24,9 +24,13 @@ class SceneMaker {
  public:
   explicit SceneMaker(const Scenario& scenario) : scenario_(scenario) {}
 
-  // In their order, and in this one: materials, shapes, things.
+  // In their order, and in this one: materials, shapes, the compounds among these, things. The place of an error is a
+  // path in the table that is wrong: "compound[1].shape".
   [[nodiscard]] Status add_material(std::size_t index);
+  /// Does nothing where it is a compound.
   [[nodiscard]] Status add_shape(std::size_t index);
+  /// Does nothing where it is none.
+  [[nodiscard]] Status add_compound(std::size_t index);
   [[nodiscard]] Status add_thing(std::size_t index);
   /// All of them; the place of an error names the part.
   [[nodiscard]] Status make_all();
@@ -38,6 +42,11 @@ class SceneMaker {
   [[nodiscard]] const std::vector<InstanceId>& things() const { return things_; }
 
  private:
+  [[nodiscard]] Result<CompoundShape::Part> part_of(const ScenarioShape& compound, const ScenarioPart& part) const;
+  [[nodiscard]] Result<MaterialId> material_of(const std::string& name) const;
+  [[nodiscard]] Result<MeshShape> mesh_of(const ScenarioShape& shape) const;
+  [[nodiscard]] Status keep_shape(const ShapeDef& shape, const std::string& name);
+
   const Scenario& scenario_;
   Scene scene_;
   std::vector<MaterialId> materials_;

@@ -45,6 +45,7 @@ struct Scope {
   Barrel* barrel = nullptr;
   ScenarioSub* sub = nullptr;
   ScenarioJoint* joint = nullptr;
+  ScenarioPart* part = nullptr;
 
   /// All of them, to be found by what they point to.
   [[nodiscard]] auto pointers() {
@@ -182,7 +183,7 @@ class Defaults {
   std::int64_t format_ = 1;
   std::tuple<Scenario, ScenarioShot, Expectation, EventSpec, WindPoint, BallisticBand, MagnusPoint, PoolDef, DetailRung,
              Volley, ScenarioForce, Thrust::Point, Material, ScenarioShape, ScenarioThing, ScenarioKey, ScenarioEmitter,
-             Burst, Barrel, ScenarioSub, ScenarioJoint>
+             Burst, Barrel, ScenarioSub, ScenarioJoint, ScenarioPart>
       objects_;  // in the order of Scope
 };
 

@@ -32,6 +32,7 @@ constexpr NamedKind<ShapeDef> kShapes[] = {
     named_kind<BoxShape, ShapeDef>("box"),           named_kind<CapsuleShape, ShapeDef>("capsule"),
     named_kind<CylinderShape, ShapeDef>("cylinder"), named_kind<ConvexHullShape, ShapeDef>("hull"),
     named_kind<MeshShape, ShapeDef>("mesh"),         named_kind<HeightFieldShape, ShapeDef>("height_field"),
+    named_kind<CompoundShape, ShapeDef>("compound"),
 };
 constexpr NamedKind<PenetrationDef> kPenetrations[] = {
     named_kind<ImpenetrableDef, PenetrationDef>("none"),
@@ -90,15 +91,32 @@ template <class Kind>
 bool is_penetration(const Scope& scope) {
   return std::holds_alternative<Kind>(scope.material->penetration);
 }
-/// A mesh out of a file is said by the file alone.
+/// The triangles of a mesh out of a file are said by the file alone.
 bool is_mesh_of_file(const Scope& scope) { return is_shape<MeshShape>(scope) && !scope.shape->file.empty(); }
 bool is_mesh_of_terrain(const Scope& scope) { return is_shape<MeshShape>(scope) && !scope.shape->terrain.empty(); }
 bool is_mesh_in_place(const Scope& scope) {
   return is_shape<MeshShape>(scope) && !is_mesh_of_file(scope) && !is_mesh_of_terrain(scope);
 }
+bool has_materials(const Scope& scope) { return is_shape<MeshShape>(scope) && !scope.shape->materials.empty(); }
 
 bool is_field_of_file(const Scope& scope) { return is_shape<HeightFieldShape>(scope) && !scope.shape->file.empty(); }
 bool is_field_in_place(const Scope& scope) { return is_shape<HeightFieldShape>(scope) && scope.shape->file.empty(); }
+
+bool is_compound(const Scope& scope) { return scope.shape->is_compound(); }
+ValueRef compound_slot(const Scope& scope) {
+  static_cast<void>(shape_as<CompoundShape>(scope));
+  return slot_of(scope, scope.shape->parts);
+}
+
+/// A compound without parts is of no kind yet.
+ValueRef shape_kind_slot(const Scope& scope) {
+  Choice slot = kind_choice<kShapes>(scope.shape->shape);
+  slot.get = [of_variant = slot.get, &shape = *scope.shape] {
+    const bool is_none = std::holds_alternative<CompoundShape>(shape.shape) && !shape.is_compound();
+    return is_none ? std::nullopt : of_variant();
+  };
+  return slot;
+}
 
 template <auto kMember>
 ValueRef height_map_slot(const Scope& scope) {
@@ -107,7 +125,7 @@ ValueRef height_map_slot(const Scope& scope) {
 }
 
 template <auto kMember>
-ValueRef mesh_file_slot(const Scope& scope) {
+ValueRef mesh_slot(const Scope& scope) {
   static_cast<void>(shape_as<MeshShape>(scope));
   return &(scope.shape->*kMember);
 }
@@ -152,13 +170,15 @@ ValueRef concrete_slot(const Scope& scope) {
   setting(                                                                                                          \
       "shape.height_field." #field, [](const Scope& s) { return slot_of(s, shape_as<HeightFieldShape>(s).field); }, \
       __VA_ARGS__, WhereTrue{is_field_in_place})
+#define PHYSIM_PART(...) PHYSIM_ROW("shape.compound", part, __VA_ARGS__)
 #define PHYSIM_THING(...) PHYSIM_ROW("thing", thing, __VA_ARGS__)
 
 constexpr Range kPoints = {.low = 0, .high = 1e6};  // of lists
 
 constexpr Entry kSceneSettings[] = {
     setting("material", PHYSIM_FIELD(scenario->materials), "what things are made of", at_most(1000)),
-    PHYSIM_MATERIAL(name, "for thing.material, and in tables; default: material-1, material-2, ..."),
+    PHYSIM_MATERIAL(name,
+                    "for thing.material and shape.mesh.materials, and in tables; default: material-1, material-2, ..."),
     setting("material.preset", material_preset_slot,
             "a material whose numbers were published, to start from; the other keys change it", kPreset),
     setting("material.concrete", concrete_slot, "concrete of this compressive strength, instead of a preset",
@@ -201,7 +221,7 @@ constexpr Entry kSceneSettings[] = {
                     kBelowRightAngle),
 
     setting("shape", PHYSIM_FIELD(scenario->shapes), "shapes of things; each is of one kind", at_most(10000)),
-    PHYSIM_ROW("shape", shape, name, "for thing.shape; default: shape-1, shape-2, ..."),
+    PHYSIM_ROW("shape", shape, name, "for thing.shape and shape.compound.shape; default: shape-1, shape-2, ..."),
     PHYSIM_SHAPE("sphere", SphereShape, radius, "about the origin", Quantity::length, above(0), kShorthand),
     PHYSIM_SHAPE("box", BoxShape, half, "half of its edges, about the origin", Quantity::length, kShorthand),
     PHYSIM_SHAPE("capsule", CapsuleShape, radius, "along the y axis, round at both ends", Quantity::length, above(0)),
@@ -211,9 +231,9 @@ constexpr Entry kSceneSettings[] = {
     PHYSIM_SHAPE("cylinder", CylinderShape, half_height, "along the y axis", Quantity::length, above(0)),
     PHYSIM_SHAPE("hull", ConvexHullShape, points, "the smallest convex body that holds them", Quantity::length, kPoints,
                  kShorthand),
-    setting("shape.mesh.file", mesh_file_slot<&ScenarioShape::file>,
+    setting("shape.mesh.file", mesh_slot<&ScenarioShape::file>,
             "OBJ, STL, glTF or others, found from the scenario's folder", kShorthand, WhereTrue{is_mesh_of_file}),
-    setting("shape.mesh.terrain", mesh_file_slot<&ScenarioShape::terrain>,
+    setting("shape.mesh.terrain", mesh_slot<&ScenarioShape::terrain>,
             "instead of it: heights of the Earth, GeoTIFF, SRTM's .hgt or others, found from the scenario's folder",
             WhereTrue{is_mesh_of_terrain}),
     setting("shape.mesh.reach", terrain_slot<&TerrainCut::reach>,
@@ -233,6 +253,9 @@ constexpr Entry kSceneSettings[] = {
     setting(
         "shape.mesh.triangles", [](const Scope& s) -> ValueRef { return &shape_as<MeshShape>(s).triangles; },
         "numbers of vertices, from 0, counterclockwise as seen from outside", kPoints, WhereTrue{is_mesh_in_place}),
+    setting("shape.mesh.materials", mesh_slot<&ScenarioShape::materials>,
+            "names of materials or presets, one for each triangle or one for all; none: that of the thing",
+            WhereTrue{has_materials}),
     setting("shape.height_field.file", height_map_slot<&ScenarioShape::file>,
             "a picture in grey, PNG of 8 or 16 bits best, found from the scenario's folder",
             WhereTrue{is_field_of_file}),
@@ -245,9 +268,13 @@ constexpr Entry kSceneSettings[] = {
     PHYSIM_SHAPE("height_field", HeightFieldShape, spacing_x, "between columns", Quantity::length, above(0)),
     PHYSIM_SHAPE("height_field", HeightFieldShape, spacing_z, "between rows", Quantity::length, above(0)),
     PHYSIM_FIELD_IN_PLACE(heights, "instead of a file: y of each point, row by row", Quantity::length),
-    setting(
-        "shape.kind", [](const Scope& s) -> ValueRef { return kind_choice<kShapes>(s.shape->shape); },
-        "where no table says so; plane: everything below y = 0"),
+    setting("shape.compound", compound_slot, "other shapes that move as one, each at its place",
+            Range{.low = 1, .high = 10000}, WhereTrue{is_compound}),
+    PHYSIM_PART(shape, "name of another shape, no plane and no compound", kRequired),
+    PHYSIM_PART(position, "of its origin in the compound's frame", Quantity::length),
+    PHYSIM_ROTATION("shape.compound", part),
+    PHYSIM_PART(scale, "along all axes", between(1e-9, 1e9)),
+    setting("shape.kind", shape_kind_slot, "where no table says so; plane: everything below y = 0"),
 
     setting("thing", PHYSIM_FIELD(scenario->things), "what stands there, for projectiles to hit", at_most(100000)),
     PHYSIM_THING(name, "in tables; default: thing-1, thing-2, ..."),

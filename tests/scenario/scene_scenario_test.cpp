@@ -228,7 +228,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "f.toml:5:1: error: unknown key \"spere\" in [shape]; did you mean \"sphere\"?"},
         BadScene{"[[shape]]\nname = \"a\"",
                  "f.toml:4:1: error: shape: it is no shape; give one of plane, sphere, box, capsule, cylinder, hull, "
-                 "mesh, height_field"},
+                 "mesh, height_field, compound"},
         BadScene{"[[shape]]\nsphere = \"1 kg\"",
                  "f.toml:5:10: error: shape.sphere.radius: \"1 kg\" is a mass; expected a length such as \"7.82 mm\""},
         BadScene{"[[shape]]\nsphere = 0",
