@@ -18,12 +18,9 @@ install(EXPORT physim_targets FILE physim-targets.cmake NAMESPACE physim:: DESTI
 if(assimp_FOUND AND TARGET physim_scenario)  # its static library is linked with it
   set(needs_assimp "find_dependency(assimp)\n")
 endif()
-if(GDAL_FOUND AND TARGET physim_scenario)
-  set(needs_gdal "find_dependency(GDAL)\n")
-endif()
 file(WRITE ${PROJECT_BINARY_DIR}/physim-config.cmake "include(CMakeFindDependencyMacro)
 find_dependency(Threads)
-${needs_assimp}${needs_gdal}include(\${CMAKE_CURRENT_LIST_DIR}/physim-targets.cmake)
+${needs_assimp}include(\${CMAKE_CURRENT_LIST_DIR}/physim-targets.cmake)
 ")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/physim-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/physim-config.cmake ${PROJECT_BINARY_DIR}/physim-config-version.cmake

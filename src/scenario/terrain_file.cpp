@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <memory>
@@ -11,6 +12,8 @@
 #include "base/ieee_mode.hpp"
 
 #if PHYSIM_HAS_GDAL
+#include <dlfcn.h>
+
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
@@ -26,6 +29,44 @@ bool reads_terrain_files() { return PHYSIM_HAS_GDAL != 0; }
 
 namespace {
 
+#define PHYSIM_GDAL_FUNCTIONS(F)                                                                                      \
+  F(CPLGetLastErrorMsg)                                                                                               \
+  F(CPLPopErrorHandler) F(CPLPushErrorHandler) F(CPLQuietErrorHandler) F(GDALAllRegister) F(GDALAutoCreateWarpedVRT)  \
+      F(GDALClose) F(GDALCreate) F(GDALFillRaster) F(GDALGetDriverByName) F(GDALGetGeoTransform) F(GDALGetRasterBand) \
+          F(GDALGetRasterCount) F(GDALGetRasterNoDataValue) F(GDALGetRasterOffset) F(GDALGetRasterScale)              \
+              F(GDALGetRasterUnitType) F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) \
+                  F(GDALRasterIO) F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue)            \
+                      F(OSRDestroySpatialReference) F(OSRExportToWkt) F(OSRIsGeographic) F(OSRNewSpatialReference)    \
+                          F(OSRSetAxisMappingStrategy) F(OSRSetWellKnownGeogCS) F(VSIFree)
+
+/// What is used of GDAL. It is loaded when the first file of terrain is read: with all that it needs it is a hundred
+/// libraries, which would make every start of a program 40 ms longer.
+struct Gdal {
+#define PHYSIM_GDAL_MEMBER(name) decltype(&::name) name = nullptr;
+  PHYSIM_GDAL_FUNCTIONS(PHYSIM_GDAL_MEMBER)
+#undef PHYSIM_GDAL_MEMBER
+  std::string fault{};  // why it is not there; empty: it is
+
+  Gdal() {
+    void* const library = dlopen(PHYSIM_GDAL_FILE, RTLD_NOW | RTLD_LOCAL);
+    if (!library) {
+      fault = dlerror();
+      return;
+    }
+    const auto find = [&]<class F>(F& function, const char* name) {
+      function = std::bit_cast<F>(dlsym(library, name));
+      if (!function) fault = std::string(PHYSIM_GDAL_FILE) + " has no " + name;
+    };
+#define PHYSIM_FIND(name) find(name, #name);
+    PHYSIM_GDAL_FUNCTIONS(PHYSIM_FIND)
+#undef PHYSIM_FIND
+  }
+};
+const Gdal& gdal() {
+  static const Gdal loaded;
+  return loaded;
+}
+
 constexpr double kDegree = 3.141592653589793 / 180;            // [rad]
 constexpr double kEarthRadius = 6371008.8;                     // the mean one: how far about a place counts by it [m]
 constexpr double kFoot = 0.3048, kSurveyFoot = 1200.0 / 3937;  // [m]
@@ -33,20 +74,20 @@ constexpr double kMostPoints = 2e7, kMostWarped = 1e8;
 constexpr double kNothing = -1e30;  // where another projection has no height
 
 struct Close {
-  void operator()(void* dataset) const { GDALClose(dataset); }
+  void operator()(void* dataset) const { gdal().GDALClose(dataset); }
 };
 using Dataset = std::unique_ptr<void, Close>;
 
 /// What GDAL says goes into our errors instead of the terminal.
 class Quiet {
  public:
-  Quiet() { CPLPushErrorHandler(CPLQuietErrorHandler); }
-  ~Quiet() { CPLPopErrorHandler(); }
+  Quiet() { gdal().CPLPushErrorHandler(gdal().CPLQuietErrorHandler); }
+  ~Quiet() { gdal().CPLPopErrorHandler(); }
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
   [[nodiscard]] static std::string words() {
-    const std::string text = CPLGetLastErrorMsg();
+    const std::string text = gdal().CPLGetLastErrorMsg();
     return text.empty() ? "GDAL does not say why" : text;
   }
 };
@@ -94,16 +135,16 @@ class Raster {
   static Result<Raster> open(const std::string& file) {
     // Names that are no files mean places on the web and more to GDAL.
     if (!std::ifstream(file)) return Error{"the file cannot be read", file, ""};
-    GDALAllRegister();
+    gdal().GDALAllRegister();
     Raster raster(file);
-    raster.file_.reset(GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+    raster.file_.reset(gdal().GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
     if (!raster.file_) return Error{"it is no terrain: " + Quiet::words(), file, "GeoTIFF and .hgt are read, and more"};
-    if (GDALGetRasterCount(raster.file_.get()) < 1) return Error{"it holds no raster", file, ""};
-    const OGRSpatialReferenceH projection = GDALGetSpatialRef(raster.file_.get());
+    if (gdal().GDALGetRasterCount(raster.file_.get()) < 1) return Error{"it holds no raster", file, ""};
+    const OGRSpatialReferenceH projection = gdal().GDALGetSpatialRef(raster.file_.get());
     if (!projection) return Error{"it does not say where on the Earth it lies", file, "gdal_edit.py -a_srs adds that"};
     raster.use(raster.file_.get());
     raster.unit_ = unit_of(raster.band_);
-    if (!OSRIsGeographic(projection) || !raster.is_upright_)
+    if (!gdal().OSRIsGeographic(projection) || !raster.is_upright_)
       if (const Status status = raster.warp(); !status) return status.error();
     return raster;
   }
@@ -128,12 +169,12 @@ class Raster {
 
   void use(GDALDatasetH dataset) {
     std::array<double, 6> at{};
-    GDALGetGeoTransform(dataset, at.data());
+    gdal().GDALGetGeoTransform(dataset, at.data());
     is_upright_ = at[1] > 0 && at[5] < 0 && at[2] == 0 && at[4] == 0;
     // Points are the middles of cells.
-    columns_ = {at[0] + at[1] / 2, at[1], GDALGetRasterXSize(dataset)};
-    rows_ = {at[3] + at[5] / 2, at[5], GDALGetRasterYSize(dataset)};
-    band_ = GDALGetRasterBand(dataset, 1);
+    columns_ = {at[0] + at[1] / 2, at[1], gdal().GDALGetRasterXSize(dataset)};
+    rows_ = {at[3] + at[5] / 2, at[5], gdal().GDALGetRasterYSize(dataset)};
+    band_ = gdal().GDALGetRasterBand(dataset, 1);
   }
 
   /// Another projection is brought to latitude and longitude; where the file has nothing, there is nothing.
@@ -141,41 +182,41 @@ class Raster {
     const auto refused = [&] {
       return Error{"it cannot be brought to latitude and longitude: " + Quiet::words(), file_name_, ""};
     };
-    const Dataset plan(GDALAutoCreateWarpedVRT(file_.get(), nullptr, wgs84().c_str(), GRA_Bilinear, 0, nullptr));
+    const Dataset plan(gdal().GDALAutoCreateWarpedVRT(file_.get(), nullptr, wgs84().c_str(), GRA_Bilinear, 0, nullptr));
     if (!plan) return refused();
     // GDAL keeps the diagonal of cells. Neither side may be longer than that of the file: its bilinear interpolation is
     // none where points are left out.
-    const int wide = finer(GDALGetRasterXSize(plan.get())), high = finer(GDALGetRasterYSize(plan.get()));
+    const int wide = finer(gdal().GDALGetRasterXSize(plan.get())), high = finer(gdal().GDALGetRasterYSize(plan.get()));
     if (static_cast<double>(wide) * high > kMostWarped)
       return Error{"has " + std::to_string(wide) + " by " + std::to_string(high) + " points in another projection",
                    file_name_, "at most 1e8 are brought to latitude and longitude: gdalwarp -t_srs EPSG:4326 does it"};
     std::array<double, 6> at{};
-    GDALGetGeoTransform(plan.get(), at.data());
-    at[1] *= static_cast<double>(GDALGetRasterXSize(plan.get())) / wide;
-    at[5] *= static_cast<double>(GDALGetRasterYSize(plan.get())) / high;
-    warped_.reset(GDALCreate(GDALGetDriverByName("MEM"), "", wide, high, 1, GDT_Float64, nullptr));
-    if (!warped_ || GDALSetGeoTransform(warped_.get(), at.data()) != CE_None) return refused();
-    const GDALRasterBandH band = GDALGetRasterBand(warped_.get(), 1);
-    GDALSetRasterNoDataValue(band, kNothing);
-    GDALFillRaster(band, kNothing, 0);
-    if (GDALReprojectImage(file_.get(), nullptr, warped_.get(), wgs84().c_str(), GRA_Bilinear, 0, 0, nullptr, nullptr,
-                           nullptr) != CE_None)
+    gdal().GDALGetGeoTransform(plan.get(), at.data());
+    at[1] *= static_cast<double>(gdal().GDALGetRasterXSize(plan.get())) / wide;
+    at[5] *= static_cast<double>(gdal().GDALGetRasterYSize(plan.get())) / high;
+    warped_.reset(gdal().GDALCreate(gdal().GDALGetDriverByName("MEM"), "", wide, high, 1, GDT_Float64, nullptr));
+    if (!warped_ || gdal().GDALSetGeoTransform(warped_.get(), at.data()) != CE_None) return refused();
+    const GDALRasterBandH band = gdal().GDALGetRasterBand(warped_.get(), 1);
+    gdal().GDALSetRasterNoDataValue(band, kNothing);
+    gdal().GDALFillRaster(band, kNothing, 0);
+    if (gdal().GDALReprojectImage(file_.get(), nullptr, warped_.get(), wgs84().c_str(), GRA_Bilinear, 0, 0, nullptr,
+                                  nullptr, nullptr) != CE_None)
       return refused();
-    const GDALRasterBandH of_file = GDALGetRasterBand(file_.get(), 1);
+    const GDALRasterBandH of_file = gdal().GDALGetRasterBand(file_.get(), 1);
     unit_ = unit_of(of_file);
     use(warped_.get());
     return {};
   }
   static int finer(int count) { return static_cast<int>(std::ceil(count * 1.4142135623730951)); }
   static std::string wgs84() {
-    const OGRSpatialReferenceH frame = OSRNewSpatialReference(nullptr);
-    OSRSetWellKnownGeogCS(frame, "WGS84");
-    OSRSetAxisMappingStrategy(frame, OAMS_TRADITIONAL_GIS_ORDER);
+    const OGRSpatialReferenceH frame = gdal().OSRNewSpatialReference(nullptr);
+    gdal().OSRSetWellKnownGeogCS(frame, "WGS84");
+    gdal().OSRSetAxisMappingStrategy(frame, OAMS_TRADITIONAL_GIS_ORDER);
     char* text = nullptr;
-    OSRExportToWkt(frame, &text);
+    gdal().OSRExportToWkt(frame, &text);
     const std::string wkt = text ? text : "";
-    CPLFree(text);
-    OSRDestroySpatialReference(frame);
+    gdal().VSIFree(text);
+    gdal().OSRDestroySpatialReference(frame);
     return wkt;
   }
 
@@ -193,8 +234,8 @@ class Raster {
     std::vector<double> line(static_cast<std::size_t>(columns.count));
     for (int row = 0; row < high; ++row) {
       const int of_file = rows.first + (high - 1 - row) * every;  // rows of the grid go northwards
-      if (GDALRasterIO(band_, GF_Read, columns.first, of_file, columns.count, 1, line.data(), columns.count, 1,
-                       GDT_Float64, 0, 0) != CE_None)
+      if (gdal().GDALRasterIO(band_, GF_Read, columns.first, of_file, columns.count, 1, line.data(), columns.count, 1,
+                              GDT_Float64, 0, 0) != CE_None)
         return Error{"the file is damaged: " + Quiet::words(), file_name_, ""};
       for (int i = 0; i < wide; ++i) {
         const Result<double> height = height_of(line[static_cast<std::size_t>(i * every)], cut);
@@ -211,7 +252,7 @@ class Raster {
 
   [[nodiscard]] Result<double> height_of(double raw, const TerrainCut& cut) const {
     int is_known = 0;
-    const double nothing = GDALGetRasterNoDataValue(band_, &is_known);
+    const double nothing = gdal().GDALGetRasterNoDataValue(band_, &is_known);
     if (!std::isfinite(raw) || (is_known != 0 && raw == nothing)) {
       if (!cut.missing)
         return Error{"has points without a height", file_name_,
@@ -228,8 +269,9 @@ class Raster {
   };
   static Unit unit_of(GDALRasterBandH band) {
     int has_scale = 0, has_offset = 0;
-    const double scale = GDALGetRasterScale(band, &has_scale), offset = GDALGetRasterOffset(band, &has_offset);
-    const std::string name = GDALGetRasterUnitType(band);
+    const double scale = gdal().GDALGetRasterScale(band, &has_scale),
+                 offset = gdal().GDALGetRasterOffset(band, &has_offset);
+    const std::string name = gdal().GDALGetRasterUnitType(band);
     const bool are_feet = name.starts_with("f") || name.starts_with("F");
     const double metre = name.starts_with("US") ? kSurveyFoot : are_feet ? kFoot : 1;
     return {(has_scale != 0 ? scale : 1) * metre, (has_offset != 0 ? offset : 0) * metre};
@@ -262,6 +304,7 @@ class Raster {
 Result<GeodeticGrid> read_terrain_file(const std::string& file, const TerrainCut& cut) {
   const IeeeMode mode;
   if (const Status status = check(cut); !status) return status.error();
+  if (!gdal().fault.empty()) return Error{"GDAL cannot be loaded: " + gdal().fault, file, "install libgdal-dev again"};
   const Quiet quiet;
   const Result<Raster> raster = Raster::open(file);
   if (!raster) return raster.error();

@@ -35,7 +35,7 @@ void DrivenRows::find(const Registry& registry, WorldState& state) {
   cohorts_.resize(state.rows.size());
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const Rows& rows = state.rows[c];
-    if (!registry.cohort(c).key.forced) continue;
+    if (!registry.cohort(c).key.forced || rows.size() == 0) continue;
     std::vector<Row>& known = cohorts_[c];
     known.resize(rows.size());
     const std::uint32_t* const slots = rows.slots();

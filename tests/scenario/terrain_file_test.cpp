@@ -2,6 +2,7 @@
 #include "physim/terrain_file.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cmath>
@@ -19,7 +20,8 @@ namespace {
 constexpr double kDegree = 3.141592653589793 / 180;
 
 std::string in_folder(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "physim_terrain_file_test";
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       ("physim_terrain_file_test_" + std::to_string(getpid()));  // tests run at once
   std::filesystem::create_directories(folder);
   return (folder / name).string();
 }
