@@ -31,8 +31,9 @@ namespace {
 
 #define PHYSIM_GDAL_FUNCTIONS(F)                                                                                      \
   F(CPLGetLastErrorMsg)                                                                                               \
-  F(CPLPopErrorHandler) F(CPLPushErrorHandler) F(CPLQuietErrorHandler) F(GDALAllRegister) F(GDALAutoCreateWarpedVRT)  \
-      F(GDALClose) F(GDALCreate) F(GDALFillRaster) F(GDALGetDriverByName) F(GDALGetGeoTransform) F(GDALGetRasterBand) \
+  F(CPLPopErrorHandler)                                                                                               \
+  F(CPLPushErrorHandler) F(CPLQuietErrorHandler) F(GDALAllRegister) F(GDALAutoCreateWarpedVRT) F(GDALClose)           \
+      F(GDALCreate) F(GDALFillRaster) F(GDALGetDriverByName) F(GDALGetGeoTransform) F(GDALGetRasterBand)              \
           F(GDALGetRasterCount) F(GDALGetRasterNoDataValue) F(GDALGetRasterOffset) F(GDALGetRasterScale)              \
               F(GDALGetRasterUnitType) F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) \
                   F(GDALRasterIO) F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue)            \
