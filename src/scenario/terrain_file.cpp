@@ -29,16 +29,17 @@ bool reads_terrain_files() { return PHYSIM_HAS_GDAL != 0; }
 
 namespace {
 
-#define PHYSIM_GDAL_FUNCTIONS(F)                                                                                      \
-  F(CPLGetLastErrorMsg)                                                                                               \
-  F(CPLPopErrorHandler)                                                                                               \
-  F(CPLPushErrorHandler) F(CPLQuietErrorHandler) F(GDALAllRegister) F(GDALAutoCreateWarpedVRT) F(GDALClose)           \
-      F(GDALCreate) F(GDALFillRaster) F(GDALGetDriverByName) F(GDALGetGeoTransform) F(GDALGetRasterBand)              \
-          F(GDALGetRasterCount) F(GDALGetRasterNoDataValue) F(GDALGetRasterOffset) F(GDALGetRasterScale)              \
-              F(GDALGetRasterUnitType) F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) \
-                  F(GDALRasterIO) F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue)            \
-                      F(OSRDestroySpatialReference) F(OSRExportToWkt) F(OSRIsGeographic) F(OSRNewSpatialReference)    \
-                          F(OSRSetAxisMappingStrategy) F(OSRSetWellKnownGeogCS) F(VSIFree)
+// clang-format off
+#define PHYSIM_GDAL_FUNCTIONS(F) \
+  F(CPLGetLastErrorMsg) F(CPLPopErrorHandler) F(CPLPushErrorHandler) F(CPLQuietErrorHandler) \
+  F(GDALAllRegister) F(GDALAutoCreateWarpedVRT) F(GDALClose) F(GDALCreate) F(GDALFillRaster) \
+  F(GDALGetDriverByName) F(GDALGetGeoTransform) F(GDALGetRasterBand) F(GDALGetRasterCount) \
+  F(GDALGetRasterNoDataValue) F(GDALGetRasterOffset) F(GDALGetRasterScale) F(GDALGetRasterUnitType) \
+  F(GDALGetRasterXSize) F(GDALGetRasterYSize) F(GDALGetSpatialRef) F(GDALOpenEx) F(GDALRasterIO) \
+  F(GDALReprojectImage) F(GDALSetGeoTransform) F(GDALSetRasterNoDataValue) F(OSRDestroySpatialReference) \
+  F(OSRExportToWkt) F(OSRIsGeographic) F(OSRNewSpatialReference) F(OSRSetAxisMappingStrategy) \
+  F(OSRSetWellKnownGeogCS) F(VSIFree)
+// clang-format on
 
 /// What is used of GDAL. It is loaded when the first file of terrain is read: with all that it needs it is a hundred
 /// libraries, which would make every start of a program 40 ms longer.
