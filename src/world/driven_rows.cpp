@@ -35,9 +35,10 @@ void DrivenRows::find(const Registry& registry, WorldState& state) {
   cohorts_.resize(state.rows.size());
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const Rows& rows = state.rows[c];
-    if (!registry.cohort(c).key.forced || rows.size() == 0) continue;
+    if (!registry.cohort(c).key.forced) continue;
     std::vector<Row>& known = cohorts_[c];
-    known.resize(rows.size());
+    known.resize(rows.size());  // who comes back later into a row that was taken away is looked up again
+    if (known.empty()) continue;
     const std::uint32_t* const slots = rows.slots();
     for (std::uint32_t row = 0; row < rows.size(); ++row)
       if (known[row].slot != slots[row]) look_up(state, known[row], slots[row]);
