@@ -10,9 +10,9 @@
 namespace physim::report {
 namespace {
 
-constexpr int kColumns = 800, kRows = 160;  // of casts, over a panel
+constexpr int kCutColumns = 800, kCutRows = 160;  // of casts, over a panel
 
-std::string row(std::initializer_list<double> numbers) {
+std::string cut_row(std::initializer_list<double> numbers) {
   std::string out;
   for (const double number : numbers) out += significant(number, 7) + " ";
   return out + "\n";
@@ -31,12 +31,12 @@ void cut_column(const Scene& scene, const TrackPlace& at, Extent heights, Sectio
   const auto close = [&](InstanceId instance, double height) {
     const auto begun = open.find(instance);
     if (begun == open.end()) return;
-    into.solids += row({at.across, height, 0, begun->second - height});
+    into.solids += cut_row({at.across, height, 0, begun->second - height});
     open.erase(begun);
   };
   for (const SceneHit& hit : scene.all_hits({top, bottom, 0, at.time, 0})) {
     if (hit.starts_inside) continue;
-    into.surfaces += row({at.across, hit.position.y});
+    into.surfaces += cut_row({at.across, hit.position.y});
     if (hit.entering)
       open.try_emplace(hit.instance, hit.position.y);
     else
@@ -49,10 +49,10 @@ void cut_column(const Scene& scene, const TrackPlace& at, Extent heights, Sectio
 /// Surfaces that stand upright, which upright lines miss.
 void cut_rows(const Scene& scene, const TrackPlace& a, const TrackPlace& b, Extent heights, Section& into) {
   if (a.x == b.x && a.z == b.z) return;
-  for (int i = 0; i <= kRows; ++i) {
-    const double y = heights.low + heights.span() * i / kRows;
+  for (int i = 0; i <= kCutRows; ++i) {
+    const double y = heights.low + heights.span() * i / kCutRows;
     for (const SceneHit& hit : scene.all_hits({{a.x, y, a.z}, {b.x, y, b.z}, 0, a.time, 0}))
-      if (!hit.starts_inside) into.surfaces += row({between(a, b, hit.part).across, y});
+      if (!hit.starts_inside) into.surfaces += cut_row({between(a, b, hit.part).across, y});
   }
 }
 
@@ -76,7 +76,7 @@ std::vector<TrackPlace> extended(const std::vector<TrackPlace>& track, Extent ac
     ends.push_back(goes_on(*last, track.back(), across.high));
   std::vector<TrackPlace> fine;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double parts = std::ceil(std::abs(ends[i + 1].across - ends[i].across) / (across.span() / kColumns));
+    const double parts = std::ceil(std::abs(ends[i + 1].across - ends[i].across) / (across.span() / kCutColumns));
     for (double k = 0; k < std::max(parts, 1.0); ++k)
       fine.push_back(between(ends[i], ends[i + 1], k / std::max(parts, 1.0)));
   }
