@@ -60,6 +60,6 @@ endfunction()
 # of a file's own must not meet those of its neighbours then; builds one file at a time see that each includes what it
 # needs.
 option(PHYSIM_UNITY "Compile files of the library and the command line together, in half of the time" OFF)
-function(physim_compile_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PHYSIM_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+function(physim_compile_together target files)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PHYSIM_UNITY} UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()
