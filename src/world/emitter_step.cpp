@@ -8,6 +8,7 @@
 #include "base/restored.hpp"
 #include "emit/flight_law.hpp"
 #include "math/elementary.hpp"
+#include "model/closed_form.hpp"
 #include "world/emitter_firing.hpp"
 #include "world/emitter_rain.hpp"
 #include "world/emitter_watch.hpp"
@@ -96,8 +97,16 @@ class EmitterBirths {
     const std::optional<Led>& led = s_.led[index];
     if (e.def().follows && (!led || (led->is_left && time > led->way.end()))) return std::nullopt;
     if (!e.path && !led) return Pose{e.at.position, e.at.rotation, {}};
+    if (e.def().follows && led->by_launch && !is_past_ && time <= led->by_launch->until) {
+      const State<double> at = state_of(*led->by_launch, time);
+      return Pose{at.x, e.at.rotation, at.v};
+    }
     const MotionState at = e.path ? e.path->at(time) : led->path->at(is_past_ ? led->way.end() : time);
     return Pose{at.position, e.def().follows ? e.at.rotation : at.rotation, at.velocity};
+  }
+  [[nodiscard]] State<double> state_of(const LedByLaunch& by, double time) const {
+    PHYSIM_ASSERT(time <= by.until);
+    return closed_form(w_.registry.cohort(by.cohort).conditions, by.body, time - by.launched);
   }
   /// The ways of those that are led through the step are known by now.
   void close_ways() {

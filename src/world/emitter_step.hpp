@@ -30,13 +30,22 @@ struct EmitterTrigger {
   std::size_t only = ~0u;  // of its subs; otherwise all that wait for it
 };
 
+/// The closed form of a followed projectile, counted from its launch.
+struct LedByLaunch {
+  std::uint16_t cohort = 0;
+  Body<double> body;
+  double launched = 0;       // [s]
+  double until = kInfinity;  // it meets something, and sets out anew [s]
+};
+
 /// The way of an emitter that a projectile or a call leads through the step.
 struct Led {
   explicit Led(const MotionKey& begin) : way(begin) {}
 
   StepWay way;
-  std::optional<BodyState> at_end;    // of the step, if it is there then
-  bool is_left = false;               // the projectile has gone
+  std::optional<BodyState> at_end;  // of the step, if it is there then
+  bool is_left = false;             // the projectile has gone
+  std::optional<LedByLaunch> by_launch;
   std::optional<collide::Path> path;  // all of the way, once it is known
   std::optional<Odometer> odometer;   // along it, where it fires by distance; from where that counts
 };

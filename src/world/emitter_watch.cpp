@@ -76,7 +76,27 @@ void EmitterWatch::note_followed() {
     if (!slot) continue;
     const BodyState now = w_.state.state_of(*slot);
     s_.led[i].emplace(MotionKey{.time = context_.time, .position = now.position, .velocity = now.velocity});
+    s_.led[i]->by_launch = launch_of_followed(all_[i], *slot);
   }
+}
+/// Nothing where it does not fly by its closed form.
+std::optional<LedByLaunch> EmitterWatch::launch_of_followed(Emitter& e, const Slot& slot) {
+  const bool is_jointed = !w_.state.joints.empty() && w_.state.joints.of_slot(w_.state.slots.index_of(slot));
+  const bool is_closed = w_.registry.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
+  if (!is_closed || is_jointed || slot.is(kStill)) {
+    e.launch.reset();
+    return std::nullopt;
+  }
+  LedByLaunch by{.cohort = slot.cohort, .body = w_.placement.body_of(slot)};
+  const State<double>& at = by.body.launch;
+  const double age = w_.placement.clock_of(slot), launched = context_.time - age;
+  const double rounding =
+      w_.state.rows_of(slot).layout().float32 ? 1e-6 * (1 + age) : 1e-9 * (1 + std::abs(context_.time));
+  const bool is_known = e.launch && e.launch->id == e.def().follows && e.launch->position == at.x &&
+                        e.launch->velocity == at.v && std::abs(e.launch->time - launched) <= rounding;
+  if (!is_known) e.launch = {.id = e.def().follows, .position = at.x, .velocity = at.v, .time = launched};
+  by.launched = e.launch->time;
+  return by;
 }
 
 void EmitterWatch::reach_ages() {
@@ -151,6 +171,7 @@ void EmitterWatch::turn_followed(const Event& event) {
     if (event.time < way.end()) continue;  // rounding
     const MotionKey key{.time = event.time, .position = event.position, .velocity = event.velocity};
     *turns ? way.turn(key) : way.arrive(key);
+    if (auto& by = s_.led[i]->by_launch) by->until = std::min(by->until, event.time);
   }
 }
 void EmitterWatch::watch(const Event& event) {

@@ -41,6 +41,7 @@ class EmitterWatch {
   [[nodiscard]] bool is_known(std::uint32_t slot) const;
   [[nodiscard]] bool follows(const Emitter& e, std::uint32_t slot) const;
   void watch(const Event& event);
+  std::optional<LedByLaunch> launch_of_followed(Emitter& e, const Slot& slot);
   void turn_followed(const Event& event);
   /// It leaves the world where its last event says, or at the end of the step.
   void leaves(std::uint32_t slot, const Event* last);

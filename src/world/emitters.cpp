@@ -127,6 +127,7 @@ void add_emitter(Hash& hash, const Emitter& e) {
   if (e.rain.about) {
     for (const double x : {e.rain.about->x, e.rain.about->y, e.rain.about->z, e.rain.due}) hash.add(x);
   }
+  if (e.launch) hash.add(e.launch->time);
   hash.add(e.metre);
   add_place(hash, e.at);
   if (e.to) add_place(hash, *e.to);

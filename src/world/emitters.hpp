@@ -60,6 +60,14 @@ struct RainState {
   double due = 0;                // part of the next candidate that has come already, -kRainRounding to 1
 };
 
+/// Where and when a projectile that flies by its closed form set out: its way since then does not depend on frames.
+struct FollowedLaunch {
+  ProjectileId id;
+  Vec3d position;   // [m]
+  Vec3d velocity;   // [m/s]
+  double time = 0;  // as it was first seen [s]
+};
+
 /// An emitter and how far it has come.
 struct Emitter {
   std::uint32_t generation = 0;
@@ -81,6 +89,7 @@ struct Emitter {
   EmitterCounts counts;
   std::uint64_t first = 0;  // the number of the first particle since it began
   RainState rain;
+  std::optional<FollowedLaunch> launch;  // of the projectile that it follows
   Trails trails;
   std::vector<Aged> by_age;  // its particles, where the oldest makes room; some are gone
   std::size_t oldest = 0;    // in by_age

@@ -289,10 +289,14 @@ class Loading {
       e.metre = each.metre;
       e.first = each.first;
       e.rain = each.rain;
+      e.launch = each.launch;
       e.at = each.at;
       e.to = each.to;
       e.counts = each.counts;
       e.counts.alive = 0;
+      const auto& launch = each.launch;
+      if (launch && !(finite(launch->position) && finite(launch->velocity) && std::isfinite(launch->time)))
+        return makes_no_sense("what its emitters follow");
       const bool has_rain = !each.rain.about || finite(*each.rain.about);
       if (!has_rain || !(each.rain.due >= -kRainRounding && each.rain.due <= 1) || each.first > each.born)
         return makes_no_sense("its emitters");
@@ -385,6 +389,7 @@ SavedEmitters saved_emitters(const Emitters& emitters) {
     each.metre = e.metre;
     each.first = e.first;
     each.rain = e.rain;
+    each.launch = e.launch;
     each.trails = e.trails.saved();
     std::erase_if(each.trails, [&](const SavedTrail& trail) {  // of those that left by a call since the last step
       const Particle* particle = emitters.particle(trail.slot);

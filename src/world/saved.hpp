@@ -63,6 +63,7 @@ struct SavedEmitter {
   std::uint64_t metre = 0;
   std::uint64_t first = 0;
   RainState rain;
+  std::optional<FollowedLaunch> launch;
   std::vector<SavedTrail> trails;
   Transform at;
   std::optional<Transform> to;

@@ -55,6 +55,71 @@ TEST(EmitterLed, births_are_where_the_bouncing_one_was) {
   }
 }
 
+/// A spark by the closed form of linear drag.
+ProjectileDef damped_spark(Precision precision) {
+  ProjectileDef p = spark();
+  p.drag.damping = 0.7;
+  p.fidelity.drag = DragModel::damping;
+  p.fidelity.precision = precision;
+  return p;
+}
+
+/// Births of an emitter that follows a spark thrown half a second after the world began.
+std::vector<Event> births_behind(const ProjectileDef& led, int rate, bool saved) {
+  World world = make_world({.ground = {.mode = GroundMode::bounce, .height = -500}});
+  EmitterDef def = spray(kind_of(world, spark()), 300, 0.3);
+  def.inherit_velocity = 0.25;
+  step_to(world, 0.5, rate);
+  def.follows = *world.spawn(kind_of(world, led), {.position = Vec3d{1, 2, 3}, .velocity = Vec3d{40, 30, -20}});
+  const EmitterId id = added(world, def);
+  std::vector<Event> events;
+  step_to(world, 1, rate, &events);
+  if (saved) {
+    auto loaded = World::load(world.save().value());
+    if (!loaded) ADD_FAILURE() << loaded.error().text();
+    if (loaded) world = std::move(*loaded);
+  }
+  step_to(world, 3, rate, &events);
+  std::erase_if(events, [&](const Event& e) { return e.value != id.index; });
+  return told(events, EventKind::spawned, 2.999);
+}
+
+TEST(EmitterLed, births_behind_a_closed_form_are_equal_to_the_bit) {
+  const std::vector<ProjectileDef> all = {spark(), damped_spark(Precision::float64), damped_spark(Precision::float32)};
+  for (const ProjectileDef& led : all) {
+    const std::vector<Event> first = births_behind(led, 64, false);
+    ASSERT_GT(first.size(), 700u);
+    // Half a second is a whole number of these steps, so that all of them throw it at the same moment.
+    for (const int rate : {10, 24, 60, 144, 1000})
+      for (const bool saved : {false, true}) {
+        const std::vector<Event> born = births_behind(led, rate, saved);
+        ASSERT_EQ(born.size(), first.size());
+        for (std::size_t i = 0; i < born.size(); ++i) {
+          ASSERT_EQ(born[i].time, first[i].time) << rate;
+          ASSERT_EQ(born[i].position, first[i].position) << rate << " frames a second, " << born[i].time << " s";
+          ASSERT_EQ(born[i].velocity, first[i].velocity) << rate << " frames a second, " << born[i].time << " s";
+        }
+      }
+  }
+}
+
+TEST(EmitterLed, a_ball_that_bounces_as_high_as_before_is_followed_from_its_last_bounce) {
+  // Each launch has the place and the velocity of the one before; only its time is another.
+  const Bouncing ball{0, 5, 1};
+  for (const int rate : {7, 24, 144}) {
+    World world = bouncing_world();
+    EmitterDef def = marks(world);
+    def.follows = thrown(world, ball);
+    def.per_second = {50};
+    const EmitterId id = added(world, def);
+    step_to(world, 5, rate);
+    const auto all = alive(world, id);
+    ASSERT_GE(all.size(), 249u);
+    for (const auto& [number, state] : all)
+      EXPECT_LT(length(state.position - ball.at(static_cast<double>(number + 1) / 50)), 1e-8) << rate << ", " << number;
+  }
+}
+
 /// The length of a stone's way: the integral of sqrt(a^2 + u^2) over each parabola, u the speed upwards [m].
 double way_of(const Bouncing& stone, double time) {
   const auto part = [&](double u) {
