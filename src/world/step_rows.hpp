@@ -91,6 +91,16 @@ PHYSIM_INLINE auto comes_near(const WorldJob<S>& job, const M& m, std::uint32_t 
   return !(clear > R(S(0)));
 }
 
+/// Rows that need a closer look where the watchdog is a simple one: low, slow, or no numbers.
+template <class S, class M>
+PHYSIM_INLINE auto plainly_noteworthy(const Watchdog<S>& w, const Conditions<S>& c, const M& m) {
+  using R = decltype(m.end.x.x);
+  const R speed_squared = length_squared(m.end.v);
+  // What is not finite somewhere is not finite in this sum.
+  const R sum = (m.end.x.x + m.end.x.y) + (m.end.x.z + speed_squared);
+  return (!(height(c, m.end.x) > R(w.floor))) | (!is_finite(sum)) | (speed_squared < R(w.slowest * w.slowest));
+}
+
 /// Rows that need a closer look: something may have happened to them inside the step. `m` has a start and an end. A
 /// closer look at a row to which nothing happened changes nothing, so the tests are as few as can be.
 template <class S, class M>
@@ -98,11 +108,7 @@ PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, co
   using R = decltype(m.end.x.x);
   const Watchdog<S>& w = job.watchdog;
   const R zero(S(0));
-  const R speed_squared = length_squared(m.end.v);
-  // What is not finite somewhere is not finite in this sum.
-  const R sum = (m.end.x.x + m.end.x.y) + (m.end.x.z + speed_squared);
-  MaskOf<R> found =
-      (!(height(c, m.end.x) > R(w.floor))) | (!is_finite(sum)) | (speed_squared < R(w.slowest * w.slowest));
+  MaskOf<R> found = plainly_noteworthy(w, c, m);
   if (has_stops(c)) found = found | stop_here<R>(job, row);
   if (w.simple) return found;
   const R climb = climb_rate(c, m.start);
@@ -217,29 +223,31 @@ PHYSIM_INLINE void look_for_near(const WorldJob<S>& job, const Moved<R>& m, std:
   if (bits != 0) store_vector(m.start.v, job.columns.started, row);
 }
 
-/// Steps packs of rows. `frame(row)` says where a pack gets to.
+/// Steps packs of rows. `frame(row)` says where a pack gets to, and `frame.noteworthy(m, row)` which rows of it want a
+/// closer look.
 template <class R, class S, class Frame>
-PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, const Frame& frame) {
+PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Frame& frame) {
   constexpr unsigned kN = unsigned(kLanes<R>);
   PHYSIM_ASSERT(job.first % kRowsPerWord == 0 && kRowsPerWord % kN == 0);  // a pack's marks lie in one word
   bool attention = false;
   for (std::uint32_t row = job.first; row < job.last; row += kN) {
     Moved<R> m = frame(row);
-    MaskOf<R> left = m.lost | noteworthy(job, c, m, row);
+    MaskOf<R> left = m.lost | frame.noteworthy(m, row);
     if (job.columns.clear != nullptr) look_for_near(job, m, row, left);
     const unsigned bits = lane_bits(left) & filled_lanes<R>(job.last - row);
     mark(job.attention, row, bits);
     if (bits != 0) {
       attention = true;
       m.end = select(left, m.start, m.end);
-      if (job.columns.carried[0]) m.carried = select(left, load_vector<R>(job.columns.carried, row), m.carried);
+      if (Frame::kCarries && job.columns.carried[0])
+        m.carried = select(left, load_vector<R>(job.columns.carried, row), m.carried);
     }
     if (job.stream)
       stream_vector(m.end.x, job.columns.previous, row);
     else
       store_vector(m.end.x, job.columns.previous, row);
     store_vector(m.end.v, job.columns.velocity, row);
-    if (job.columns.carried[0]) store_vector(m.carried, job.columns.carried, row);
+    if (Frame::kCarries && job.columns.carried[0]) store_vector(m.carried, job.columns.carried, row);
     frame.finish(row, left);
   }
   if (job.stream) finish_streams();
@@ -249,6 +257,7 @@ PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Conditions<S>& c, co
 /// Any rung: the switches are inside, the same way for all lanes.
 template <class R, class S>
 struct AnyRung {
+  static constexpr bool kCarries = true;
   const WorldJob<S>& job;
   March<R>& march;
   R lane_number;
@@ -273,6 +282,9 @@ struct AnyRung {
     if (turning) lost = lost | (asked & !is_finite(l.step.turn->end));
     return {start, l.step.end, l.step.slope[1].v, lost};
   }
+  PHYSIM_INLINE MaskOf<R> noteworthy(const Moved<R>& m, std::uint32_t row) const {
+    return physim::noteworthy(job, *job.course->conditions, m, row);
+  }
   /// Keeps what Moved does not tell of.
   PHYSIM_INLINE void finish(std::uint32_t row, const MaskOf<R>& left) const {
     if (!turning) return;
@@ -287,9 +299,8 @@ template <class R, class S>
 bool step_any(const WorldJob<S>& job) {
   const Conditions<S>& c = *job.course->conditions;
   March<R> march(*job.course);
-  return step_packs<R>(job, c,
-                       AnyRung<R, S>{job, march, lane_numbers<R>(), is_classic(c.fidelity), has_stops(c),
-                                     job.columns.turn[0] != nullptr});
+  return step_packs<R>(job, AnyRung<R, S>{job, march, lane_numbers<R>(), is_classic(c.fidelity), has_stops(c),
+                                          job.columns.turn[0] != nullptr});
 }
 
 /// Semi-implicit Euler with effects that are known at compile time, so that the models, the same functions, fold to a
@@ -335,29 +346,32 @@ struct KnownRung {
 
   template <class R, class S>
   struct Frame {
+    static constexpr bool kCarries = false;
     const WorldJob<S>& job;
     const Conditions<S>& given;
 
     PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
-      const Conditions<S> c = known(given);  // made anew for every pack, or the compiler forgets what is known
       const Body<R> b = load_body<R>(job, row);
       const R h(job.h);
       Moved<R> m;
       m.start = load_state<R>(job, row);
+      // Made anew wherever it is read and just before, or compilers forget what is known.
+      const Conditions<S> c = known(given);
       m.end.v = m.start.v + acceleration(c, b, R(S(0)), m.start) * h;
       m.end.x = m.start.x + m.end.v * h;
       m.lost = h != h;
       return m;
+    }
+    PHYSIM_INLINE MaskOf<R> noteworthy(const Moved<R>& m, std::uint32_t) const {
+      return plainly_noteworthy(job.watchdog, known(given), m);
     }
     PHYSIM_INLINE void finish(std::uint32_t, const MaskOf<R>&) const {}
   };
   template <class R, class S>
   static bool step(const WorldJob<S>& given) {
     WorldJob<S> job = given;  // a copy stays in registers: nothing that is stored to a column can change it
-    job.watchdog.simple = true;
-    job.columns.carried[0] = nullptr;
-    const Conditions<S>& c = *job.course->conditions;
-    return step_packs<R>(job, known(c), Frame<R, S>{job, c});
+    PHYSIM_ASSERT(job.watchdog.simple);
+    return step_packs<R>(job, Frame<R, S>{job, *job.course->conditions});
   }
 };
 
@@ -382,28 +396,30 @@ struct KnownFall {
 
   template <class R, class S>
   struct Frame {
+    static constexpr bool kCarries = false;
     const WorldJob<S>& job;
     const Conditions<S>& given;
 
     PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
-      const Conditions<S> c = known(given);
       Body<R> b;
       load_part<LaunchPart>(job, row, b);
       Moved<R> m;
       m.start = load_state<R>(job, row);
+      const Conditions<S> c = known(given);
       m.end = closed_form_of_free(c, b, end_on_clock<R>(job, row));
       m.lost = R(S(0)) != R(S(0));
       return m;
+    }
+    PHYSIM_INLINE MaskOf<R> noteworthy(const Moved<R>& m, std::uint32_t) const {
+      return plainly_noteworthy(job.watchdog, known(given), m);
     }
     PHYSIM_INLINE void finish(std::uint32_t, const MaskOf<R>&) const {}
   };
   template <class R, class S>
   static bool step(const WorldJob<S>& given) {
     WorldJob<S> job = given;
-    job.watchdog.simple = true;
-    job.columns.carried[0] = nullptr;
-    const Conditions<S>& c = *job.course->conditions;
-    return step_packs<R>(job, known(c), Frame<R, S>{job, c});
+    PHYSIM_ASSERT(job.watchdog.simple);
+    return step_packs<R>(job, Frame<R, S>{job, *job.course->conditions});
   }
 };
 
