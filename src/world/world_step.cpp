@@ -271,11 +271,13 @@ void WorldImpl::finish_step() {
 
 /// By time, projectile and kind. What one tells at one time stays in the order in which it was told.
 void WorldImpl::put_events_in_order() {
+  const auto key_of = [](const Event& e, std::uint32_t at = 0) {
+    return EventKey{e.time, e.id.index, static_cast<std::uint32_t>(row_of(e.kind).order), at};
+  };
+  if (std::ranges::is_sorted(state.events, {}, [&](const Event& e) { return key_of(e); })) return;
   std::vector<EventKey>& keys = scratch.event_order;
   keys.clear();
-  for (std::uint32_t at = 0; const Event& e : state.events)
-    keys.push_back({e.time, e.id.index, static_cast<std::uint32_t>(row_of(e.kind).order), at++});
-  if (std::ranges::is_sorted(keys)) return;
+  for (std::uint32_t at = 0; const Event& e : state.events) keys.push_back(key_of(e, at++));
   std::ranges::sort(keys);
   // Events are large: each is moved once, and the list stays where it is.
   scratch.events.clear();
