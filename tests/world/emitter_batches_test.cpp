@@ -86,6 +86,7 @@ EmitterDef random_spray(test::Random& r, KindId kind, std::span<const EmitterId>
   def.flight = {};
   if (!r.one_in(4)) def.gun = {}, def.rain = {}, def.per_metre = 0, def.start.gravity = {1};
   def.per_second = test::random_number(r, 200, 4000);
+  if (r.one_in(3)) def.start.lifetime = {0.002, 0.05};  // some do not outlive the step of their birth
   if (r.one_in(2)) def.maximum = 3000;
   def.subs.clear();
   if (r.one_in(2)) def.bursts = {{.time = 0.05, .count = {40, 90}, .cycles = 3, .interval = 0.031}};
