@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "emit/newborn_pack.hpp"
 #include "emit/parts.hpp"
 
 namespace physim {
@@ -70,6 +71,21 @@ Newborn Emission::newborn(const Birth& birth) const {
   born.tracer = birth.is_round && p.gun.is_tracer(birth.round);
   PHYSIM_ASSERT(born.lifetime > 0);
   return born;
+}
+
+bool Emission::leaves_gravity() const { return parts_->start.gravity.is(1); }
+
+void Emission::newborns(NewbornPack& pack) const {
+  PHYSIM_ASSERT(leaves_gravity());
+  const Parts& p = *parts_;
+  PackChance<Draw, EmitStream::particle, NewbornPack::kLanes> chance(p.seed, pack.number);
+  const auto drawn = [&chance](Draw what) {
+    return [&chance, what ]() -> const auto& { return chance(what); };
+  };
+  p.outlets.at_each(pack, chance);
+  p.start.speed.at_each(pack.phase, pack.speed, drawn(Draw::speed));
+  p.start.lifetime.at_each(pack.phase, pack.lifetime, drawn(Draw::lifetime));
+  PHYSIM_ASSERT(std::ranges::all_of(pack.lifetime, [](double lifetime) { return lifetime > 0; }));
 }
 
 std::uint32_t Emission::fired_by(std::size_t sub, std::uint64_t number, std::uint64_t nth) const {

@@ -40,6 +40,7 @@ struct Look {
 
 class FlightLaw;
 class Rain;
+struct NewbornPack;
 
 class Emission {
  public:
@@ -55,6 +56,10 @@ class Emission {
   [[nodiscard]] const Rain& rain() const;
 
   [[nodiscard]] Newborn newborn(const Birth& birth) const;
+  /// Several at a time, whose gravity is left as it is.
+  void newborns(NewbornPack& pack) const;
+  /// Whether each feels the gravity of its kind.
+  [[nodiscard]] bool leaves_gravity() const;
   /// How a particle of that number looks, born at that phase of the cycle. `age` within 0..lifetime [s]; `speed` [m/s].
   [[nodiscard]] Look look(std::uint64_t number, double phase, double lifetime, double age, double speed) const;
   /// What acts on its particles in flight.

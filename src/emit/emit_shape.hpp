@@ -16,6 +16,8 @@
 
 #include "emit/chance.hpp"
 #include "emit/emission.hpp"
+#include "emit/newborn_pack.hpp"
+#include "emit/pack_chance.hpp"
 
 namespace physim {
 
@@ -32,17 +34,12 @@ class ShapeOutlets {
   explicit ShapeOutlets(const EmitFrom& from);
 
   [[nodiscard]] Outlet at(const Birth& birth, ParticleChance& chance) const;
+  /// Fills in places and directions.
+  void at_each(NewbornPack& pack, PackChance<Draw, EmitStream::particle, NewbornPack::kLanes>& chance) const;
 
  private:
-  [[nodiscard]] Outlet of_shape(const Birth& birth, ParticleChance& chance) const;
-  [[nodiscard]] double along_arc(const Birth& birth, ParticleChance& chance) const;  // 0..1
-  [[nodiscard]] Vec3d about_axis(const Birth& birth, ParticleChance& chance) const;  // across it, of length one
-  [[nodiscard]] double disc_part(ParticleChance& chance) const;
-  [[nodiscard]] double ball_part(ParticleChance& chance) const;
-  [[nodiscard]] Vec3d in_box(ParticleChance& chance) const;
-  [[nodiscard]] Outlet cone(const Birth& birth, ParticleChance& chance) const;
-  [[nodiscard]] Outlet ball(const Birth& birth, ParticleChance& chance) const;
-  [[nodiscard]] Outlet ring(const Birth& birth, ParticleChance& chance) const;
+  template <class R, class Chance>
+  class Way;
 
   EmitFrom from_;
   double inner_;         // 1 - t

@@ -31,19 +31,27 @@ class PackChance {
  public:
   PackChance(std::uint64_t seed, const std::array<std::uint64_t, N>& number) : seed_(seed), number_(number) {}
 
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
   [[nodiscard]] const std::array<double, N>& operator()(What what) {
-    const auto draw = static_cast<std::uint32_t>(what), block = draw / 4;
-    if (block != drawn_) emit_words_each(seed_, kStream, block, number_, words_);
-    drawn_ = block;
-    for (std::size_t i = 0; i < N; ++i) u_[i] = open_unit(words_[draw % 4][i]);
+    const std::array<std::uint32_t, N>& of = words(what);
+    for (std::size_t i = 0; i < N; ++i) u_[i] = open_unit(of[i]);
     return u_;
+  }
+  /// What they are made of, by open_unit().
+  [[nodiscard]] const std::array<std::uint32_t, N>& words(What what) {
+    const auto draw = static_cast<std::uint32_t>(what), block = draw / 4, at = block % kKept;
+    if (block != drawn_[at]) emit_words_each(seed_, kStream, block, number_, words_[at]);
+    drawn_[at] = block;
+    return words_[at][draw % 4];
   }
 
  private:
   std::uint64_t seed_;
   const std::array<std::uint64_t, N>& number_;
-  std::uint32_t drawn_ = ~0u;  // the block whose words are there: those drawn together most often share one
-  WordColumns<N> words_{};
+  // Numbers that are drawn together most often share a block, or lie in the next one.
+  static constexpr std::uint32_t kKept = 2, kNone = ~0u;
+  std::array<std::uint32_t, kKept> drawn_{kNone, kNone};  // the blocks whose words are there
+  std::array<WordColumns<N>, kKept> words_{};
   std::array<double, N> u_{};
 };
 

@@ -39,10 +39,17 @@ class FiringQueue {
   [[nodiscard]] bool empty() const { return !first_ && others_.empty(); }
   void push(const Firing& firing) {
     PHYSIM_ASSERT(firing.time == firing.time);
-    const bool is_first = first_ ? *first_ < firing : others_.empty() || others_.top() < firing;
-    if (!is_first) return others_.push(firing);
+    if (!comes_before_all(firing)) return others_.push(firing);
     if (first_) others_.push(*first_);
     first_ = firing;
+  }
+  /// When the first one is; infinite: there is none [s].
+  [[nodiscard]] double next_time() const {
+    return first_ ? first_->time : others_.empty() ? kInfinity : others_.top().time;
+  }
+  /// Whether one that is not in it would be the next.
+  [[nodiscard]] bool comes_before_all(const Firing& firing) const {
+    return first_ ? *first_ < firing : others_.empty() || others_.top() < firing;
   }
   Firing pop() {
     PHYSIM_ASSERT(!empty());

@@ -8,9 +8,8 @@
 #include "base/restored.hpp"
 #include "emit/flight_law.hpp"
 #include "math/elementary.hpp"
-#include "model/closed_form.hpp"
-#include "world/emitter_firing.hpp"
-#include "world/emitter_rain.hpp"
+#include "world/birth_batch.hpp"
+#include "world/emitter_moments.hpp"
 #include "world/emitter_watch.hpp"
 #include "world/world_impl.hpp"
 
@@ -23,19 +22,16 @@ constexpr std::uint32_t kDeepest = 32;
 constexpr std::uint32_t kMostBirths = 1u << 20;
 /// Births of a past, most of which nobody has to fly.
 constexpr std::uint32_t kMostOfPast = 1u << 26;
+/// So many at least are worth being drawn side by side.
+constexpr std::uint32_t kFew = 4;
 
-class EmitterBirths {
+class EmitterBirths : EmitterMoments {
  public:
   EmitterBirths(WorldImpl& world, const SettleContext& context, double end)
-      : w_(world),
-        context_(context),
-        all_(world.state.emitters),
-        s_(world.emitting),
-        end_(end),
-        watch_(world, context, end),
-        rain_(world) {
+      : EmitterMoments(world, context, end), w_(world), watch_(world, context, end), batches_(world, context, end) {
     s_.causes.clear();
   }
+  using EmitterMoments::close_ways;
 
   [[nodiscard]] EmitterWatch& watch() { return watch_; }
 
@@ -67,10 +63,11 @@ class EmitterBirths {
       const Firing firing = queue_.pop();
       if (firing.rank != kSub && !all_[firing.emitter].plays) continue;
       if (firing.rank == kOwn) {
-        Emitter& e = all_[firing.emitter];
-        Timeline(*e.emission).take(e.timeline);
-        queue_moment(firing.emitter);
-      } else if (firing.rank == kMetre) {
+        fire_own(firing);
+        queue_triggers();
+        continue;
+      }
+      if (firing.rank == kMetre) {
         ++all_[firing.emitter].metre;
         queue_metre(firing.emitter);
       } else if (firing.rank == kRain) {
@@ -90,109 +87,21 @@ class EmitterBirths {
       return;
     }
     const std::uint64_t cut = e.counts.cut;
-    for (std::uint32_t i = 0; i < firing.moment.count && e.counts.cut == cut; ++i) bear(firing, *pose, i);
-  }
-  [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t index, double time) const {
-    const Emitter& e = all_[index];
-    const std::optional<Led>& led = s_.led[index];
-    if (e.def().follows && (!led || (led->is_left && time > led->way.end()))) return std::nullopt;
-    if (!e.path && !led) return Pose{e.at.position, e.at.rotation, {}};
-    if (e.def().follows && led->by_launch && !is_past_ && time <= led->by_launch->until) {
-      const State<double> at = state_of(*led->by_launch, time);
-      return Pose{at.x, e.at.rotation, at.v};
-    }
-    const MotionState at = e.path ? e.path->at(time) : led->path->at(is_past_ ? led->way.end() : time);
-    return Pose{at.position, e.def().follows ? e.at.rotation : at.rotation, at.velocity};
-  }
-  [[nodiscard]] State<double> state_of(const LedByLaunch& by, double time) const {
-    PHYSIM_ASSERT(time <= by.until);
-    return closed_form(w_.registry.cohort(by.cohort).conditions, by.body, time - by.launched);
-  }
-  /// The ways of those that are led through the step are known by now.
-  void close_ways() {
-    for (std::uint32_t i = 1; i < all_.size(); ++i) {
-      const Emitter& e = all_[i];
-      if (!e.active) continue;
-      std::optional<Led>& led = s_.led[i];
-      if (e.to && !is_past_) {
-        led.emplace(MotionKey{.time = context_.time, .position = e.at.position, .rotation = e.at.rotation});
-        led->way.go_straight({.time = end_, .position = e.to->position, .rotation = e.to->rotation});
+    const BirthPlan* const plan = plan_of(firing);
+    BirthColumns& together = s_.together;
+    together.begin();
+    for (std::uint32_t i = 0; i < firing.moment.count && e.counts.cut == cut;) {
+      if (plan && together.is_over()) look_at_moment(*plan, firing, *pose, i);
+      if (!together.is_over()) {
+        i += bear_next(*plan, together, firing, *pose, together.count - together.next);
+      } else {
+        bear(firing, *pose, i);
+        ++i;
       }
-      if (!led) continue;
-      if (led->at_end)
-        led->way.arrive({.time = end_, .position = led->at_end->position, .velocity = led->at_end->velocity});
-      led->path = led->way.path();
-      if (is_past_ || !e.plays || !(e.def().per_metre > 0)) continue;
-      const double first = e.began + Timeline(*e.emission).span(e.timeline.play).first / e.def().cycle.rate;
-      led->odometer.emplace(*led->path, std::clamp(first, context_.time, end_));
     }
   }
 
  private:
-  enum Rank : std::uint32_t { kOwn, kMetre, kFill, kRain, kSub };
-
-  // ------------------------------------------------------------------------------------------- what comes next
-  void queue_moment(std::uint32_t index) {
-    const Emitter& e = all_[index];
-    if (!e.active || !e.plays) return;
-    const auto moment = Timeline(*e.emission).next(e.timeline);
-    if (!moment) return;
-    const double time = e.began + moment->time / e.def().cycle.rate;
-    if (time > end_) return;
-    queue_.push({.time = std::max(time, context_.time), .emitter = index, .rank = kOwn, .moment = *moment});
-  }
-  void queue_metre(std::uint32_t index) {
-    const Emitter& e = all_[index];
-    if (!e.active || !e.plays || !(e.def().per_metre > 0)) return;
-    const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
-    const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_led(index, distance);
-    const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
-    if (!time || *time > e.began + last / rate) return;
-    const double now = std::max(*time, context_.time);  // rounding may put it just before
-    const double own = (now - e.began) * rate;
-    EmitMoment moment{.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own)};
-    queue_.push({.time = now, .emitter = index, .rank = kMetre, .moment = moment});
-  }
-  /// By when it has come so far, where calls or a projectile lead it.
-  [[nodiscard]] std::optional<double> when_led(std::uint32_t index, double distance) const {
-    const std::optional<Led>& led = s_.led[index];
-    if (!led || !led->odometer) return std::nullopt;
-    const double left = distance - all_[index].travelled, to = std::min(led->way.end(), end_);
-    return left > 0 ? led->odometer->when(left, to) : led->odometer->from();
-  }
-  /// So far it is led in this step; what lies before the first cycle does not count [m].
-  [[nodiscard]] double led_way(std::uint32_t index) const {
-    const std::optional<Led>& led = s_.led[index];
-    if (!led || !led->odometer) return 0;
-    const double to = std::min(led->way.end(), end_);
-    return to > led->odometer->from() ? led->odometer->at(to) : 0;
-  }
-
-  /// The box of its rain goes through the step, along a straight way.
-  void begin_rain(std::uint32_t index) {
-    const Emitter& e = all_[index];
-    if (!e.active || !e.plays || !e.emission->rain().falls()) return;
-    const auto [first, last] = Timeline(*e.emission).span(e.timeline.play);
-    const double from = std::max(context_.time, e.began + first / e.def().cycle.rate);
-    double to = std::min(end_, e.began + last / e.def().cycle.rate);
-    if (s_.led[index] && s_.led[index]->is_left) to = std::min(to, s_.led[index]->way.end());
-    const std::optional<Pose> begin = pose_at(index, from), end = pose_at(index, to);
-    if (!(from <= to) || !begin || !end) return;
-    const std::uint32_t filling = rain_.begin(index, *begin, *end, from, to);
-    if (filling > 0)
-      queue_.push({.time = from, .emitter = index, .rank = kFill, .moment = rain_moment(index, from, filling)});
-    queue_rain(index);
-  }
-  void queue_rain(std::uint32_t index) {
-    if (const std::optional<double> time = rain_.next(index))
-      queue_.push({.time = *time, .emitter = index, .rank = kRain, .moment = rain_moment(index, *time, 1)});
-  }
-  [[nodiscard]] EmitMoment rain_moment(std::uint32_t index, double time, std::uint32_t count) const {
-    const Emitter& e = all_[index];
-    const double own = (time - e.began) * e.def().cycle.rate;
-    return {.time = own, .phase = Timeline(*e.emission).phase_at(e.timeline.play, own), .count = count};
-  }
-
   void queue_triggers() {
     for (const EmitterTrigger& trigger : s_.triggers) {
       const Emitter& parent = all_[trigger.particle.emitter];
@@ -226,6 +135,73 @@ class EmitterBirths {
   [[nodiscard]] const EmitterTrigger* cause_of(const Firing& firing) const {
     return firing.by == Firing::kNothing ? nullptr : &s_.causes[firing.by];
   }
+  // ------------------------------------------------------------------------------------------- side by side
+  /// How a moment's births go side by side; null: one by one.
+  [[nodiscard]] const BirthPlan* plan_of(const Firing& firing) {
+    const bool is_many = firing.moment.count >= kFew && !firing.moment.is_round;
+    return is_many && !is_past_ && firing.rank != kRain && firing.rank != kFill ? batches_.plan(firing.emitter)
+                                                                                : nullptr;
+  }
+  /// The next moment of an emitter by itself, and those that come after it before anything else does.
+  void fire_own(const Firing& firing) {
+    const std::uint32_t index = firing.emitter;
+    const bool is_ahead = has_ahead(index);
+    const BirthPlan* const plan = is_ahead || sees_ahead(firing) ? batches_.plan(index) : nullptr;
+    if (!plan) {
+      Timeline(*all_[index].emission).take(all_[index].timeline);
+      queue_moment(index);
+      return fire(firing);
+    }
+    BirthColumns& births = is_ahead ? *s_.ahead[index] : look_ahead(firing, may_be_born(firing));
+    if (!is_ahead && births.count >= kFew && room(*plan) > 0) batches_.prepare(*plan, births);
+    for (std::size_t left = first_ahead(index, births); left > 0 && s_.triggers.empty();) {
+      const Pose& pose = births.pose[births.one_pose ? 0 : births.next];
+      left -= bear_next(*plan, births, firing_of(index, births, births.next), pose, left);
+    }
+    queue_moment(index);
+  }
+  /// Those of a moment, from that one on.
+  void look_at_moment(const BirthPlan& plan, const Firing& firing, const Pose& pose, std::uint32_t from) {
+    BirthColumns& b = s_.together;
+    b.begin();
+    if (room(plan) == 0) return;
+    const EmitMoment& m = firing.moment;
+    b.count = std::min<std::size_t>(BirthColumns::kLanes, m.count - from);
+    b.pose[0] = pose, b.one_pose = true;
+    b.inherited = cause_of(firing) ? sub_of(firing).inherit_velocity : all_[firing.emitter].def().inherit_velocity;
+    for (std::uint32_t lane = 0; lane < b.count; ++lane) {
+      b.number[lane] = all_[firing.emitter].born + lane;
+      b.own_time[lane] = m.time, b.phase[lane] = m.phase;
+      b.of_moment[lane] = from + lane, b.moment[lane] = m.count;
+      b.time[lane] = firing.time;
+    }
+    batches_.prepare(plan, b);
+  }
+  /// The next of them: some at once where that may be, at most so many; how many.
+  std::uint32_t bear_next(const BirthPlan& plan, BirthColumns& births, const Firing& firing, const Pose& pose,
+                          std::size_t most) {
+    most = std::min({most, room(plan), may_be_born(firing)});
+    Particle like{.depth = depth_of(firing)};
+    if (cause_of(firing)) inherit(firing, like);
+    const auto born = static_cast<std::uint32_t>(batches_.bear(plan, births, most, like));
+    (cause_of(firing) ? s_.births : s_.own_births[firing.emitter]) += born;
+    if (born > 0) return born;
+    bear(firing, pose, births.of_moment[births.next]);
+    ++births.next;
+    return 1;
+  }
+  /// How many more one lets out by its maximum, at least.
+  [[nodiscard]] std::size_t room(const BirthPlan& plan) const {
+    const bool refuses = all_[plan.emitter].def().when_full == WhenFull::refuse;
+    return batches_.room(plan, refuses ? departed_ + s_.departures.size() : 0);
+  }
+  /// How many more are not cut.
+  [[nodiscard]] std::size_t may_be_born(const Firing& firing) const {
+    const std::uint32_t born = cause_of(firing) ? s_.births : s_.own_births[firing.emitter];
+    if (cause_of(firing) && depth_of(firing) > kDeepest) return 0;
+    return kMostBirths - std::min(kMostBirths, born);
+  }
+
   [[nodiscard]] const SubEmitter& sub_of(const Firing& firing) const {
     return all_[firing.parent_emitter].def().subs[firing.sub];
   }
@@ -389,14 +365,8 @@ class EmitterBirths {
   }
 
   WorldImpl& w_;
-  const SettleContext& context_;
-  Emitters& all_;
-  EmitterScratch& s_;
-  double end_;  // of the step [s]
   EmitterWatch watch_;
-  RainStep rain_;
-  bool is_past_ = false;  // the step is the time before the world's
-  FiringQueue queue_;
+  BirthBatches batches_;
   std::uint64_t found_ = 0;
   // When particles of each emitter left in this step, where somebody had to ask; and how many those are.
   std::unordered_map<std::uint32_t, std::priority_queue<double, std::vector<double>, std::greater<>>> later_;

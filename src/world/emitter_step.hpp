@@ -7,10 +7,12 @@
 // on frames but for the rows' own steps; neither on threads, nor on the order of rows.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "emit/odometer.hpp"
+#include "world/birth_columns.hpp"
 #include "world/emitter_pose.hpp"
 #include "world/emitters.hpp"
 #include "world/known_flight.hpp"
@@ -65,7 +67,9 @@ struct EmitterScratch {
   std::uint32_t births = 0;               // by sub-emitters, in the step at hand
   std::vector<std::uint32_t> own_births;  // of each emitter by itself, in the step at hand
   Chunk chunk;
-  KnownFlights known;  // of the step at hand
+  KnownFlights known;                                // of the step at hand
+  std::vector<std::unique_ptr<BirthColumns>> ahead;  // of each emitter by itself, in the step at hand
+  BirthColumns together;                             // of one moment
 };
 
 struct WorldImpl;

@@ -58,6 +58,15 @@ void move_on(const Rows& rows, std::uint32_t row, const State<double>& to) {
   });
 }
 
+/// It is so old at that step.
+void start_clock(const Rows& rows, std::uint32_t row, double age, double step) {
+  rows.visit([&]<class S>(const RowColumns<S>& c) {
+    if (!rows.layout().clocked) return;
+    c.offset[row] = static_cast<S>(age);
+    c.born[row] = static_cast<S>(step);
+  });
+}
+
 }  // namespace
 
 EmitterWatch::EmitterWatch(WorldImpl& world, const SettleContext& context, double end)
@@ -216,7 +225,7 @@ std::optional<BodyState> EmitterWatch::flown_to(std::uint32_t index, std::option
   const Slot& slot = w_.state.slots[index];
   if (slot.is(kStill)) return w_.state.state_of(slot);
   const double until = passed_at(time);
-  auto at = s_.known.state_after(context_, slot.cohort, slot.row, until - born.value_or(0));
+  auto at = s_.known.state_after(context_, slot.cohort, slot.row, born, until);
   s_.chunk.cohort = slot.cohort;
   if (!at)
     at = with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
@@ -282,8 +291,10 @@ void EmitterWatch::look_ahead(std::uint32_t index, double born, double birth, do
 void EmitterWatch::fly_newborn(std::uint32_t index, double born) {
   const Slot& slot = w_.state.slots[index];
   if (slot.is(kStill)) return;
-  if (const auto end = s_.known.state_after(context_, slot.cohort, slot.row, context_.dt - born))
-    return move_on(w_.state.rows_of(slot), slot.row, *end);
+  if (const auto end = s_.known.state_after(context_, slot.cohort, slot.row, born, context_.dt)) {
+    move_on(w_.state.rows_of(slot), slot.row, *end);
+    return start_clock(w_.state.rows_of(slot), slot.row, context_.dt - born, context_.now + 1);
+  }
   s_.chunk.cohort = slot.cohort;
   with_held_forces(w_, context_, slot, [&](const SettleContext& context) {
     settle_alone(context, s_.chunk, slot.row, born);

@@ -5,47 +5,117 @@
 namespace physim {
 namespace {
 
-/// A part of a row's body.
-template <template <class> class Part, class S>
-void read_part(const RowColumns<S>& columns, std::uint32_t row, Body<S>& body) {
+/// A part of a body, its numbers read one by one.
+template <template <class> class Part, class R, class Read>
+void read_part(Body<R>& body, const Read& read) {
   constexpr unsigned kFirst = BodyParts::first(BodyParts::index<Part>());
-  S* number = numbers(static_cast<Part<S>&>(body));
-  for (unsigned i = 0; i < kNumbers<Part>; ++i) number[i] = columns.field[kFirst + i][row];
+  R* number = numbers(static_cast<Part<R>&>(body));
+  for (unsigned i = 0; i < kNumbers<Part>; ++i) number[i] = R(read(kFirst + i));
 }
 
-/// A rung of the kernels, for a row alone.
+/// A step of a rung of the kernels, for a row alone or for newborns.
 template <DragModel drag, WindModel wind = WindModel::off, AirModel air = AirModel::vacuum>
-struct AloneRung : KnownRung<drag, wind, air> {
-  template <class S>
-  static Body<S> body_of(const RowColumns<S>& columns, std::uint32_t row) {
-    Body<S> b;
-    if constexpr (drag == DragModel::damping) read_part<DampingPart>(columns, row, b);
-    if constexpr (drag == DragModel::linear_quadratic) read_part<QuadraticPart>(columns, row, b);
-    if constexpr (drag == DragModel::equation)
-      read_part<AreaPart>(columns, row, b), read_part<CurvePart>(columns, row, b);
+struct ShortStep : KnownRung<drag, wind, air> {
+  template <class R, class Read>
+  static Body<R> body_of(const State<R>&, const Read& read) {
+    Body<R> b;
+    if constexpr (drag == DragModel::damping) read_part<DampingPart>(b, read);
+    if constexpr (drag == DragModel::linear_quadratic) read_part<QuadraticPart>(b, read);
+    if constexpr (drag == DragModel::equation) read_part<AreaPart>(b, read), read_part<CurvePart>(b, read);
     return b;
+  }
+  /// After `h`; the launch is forgotten.
+  template <class R, class S>
+  static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h) {
+    State<R> end;
+    end.v = start.v + acceleration(c, b, R(S(0)), start) * h;
+    end.x = start.x + end.v * h;
+    return end;
+  }
+  template <class S>
+  static S length_of(const RowColumns<S>&, const SettleContext&, std::uint32_t, double length) {
+    return static_cast<S>(length);
+  }
+};
+
+/// The closed form of the kernels. Its length is the time since the launch that is its start.
+struct ShortFall : KnownFall {
+  /// Newborns are launched where they start.
+  template <class R>
+  static Body<R> body_of(const State<R>& start) {
+    Body<R> b;
+    b.launch = start;
+    return b;
+  }
+  template <class R, class Read>
+  static Body<R> body_of(const State<R>& start, const Read& read) {
+    Body<R> b = body_of(start);
+    read_part<LaunchPart>(b, read);
+    return b;
+  }
+  template <class R, class S>
+  static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>&, const R& t) {
+    return closed_form_of_free(c, b, t);
+  }
+  /// As settling reads a row's clock: what is flown of a step begins with its start.
+  template <class S>
+  static S length_of(const RowColumns<S>& columns, const SettleContext& context, std::uint32_t row, double length) {
+    const S steps = static_cast<S>(context.now) - columns.born[row], dt = static_cast<S>(context.dt);
+    if (length == context.dt) return columns.offset[row] + (steps + S(1)) * dt;
+    return columns.offset[row] + steps * dt + static_cast<S>(length);
   }
 };
 
 }  // namespace
 
 template <class Rung, class S>
-std::optional<State<double>> KnownFlights::fly(const Cohort& cohort, const SettleContext& context, std::uint16_t index,
-                                               std::uint32_t row, double length) {
-  const RowColumns<S>& columns = context.state->rows[index].columns<S>();
+std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const SettleContext& context,
+                                                     const Part& part) {
+  const RowColumns<S>& columns = context.state->rows[part.cohort].columns<S>();
+  const std::uint32_t row = part.row;
   const auto vector = [row](S* const(&of)[3]) { return Vec3<S>{of[0][row], of[1][row], of[2][row]}; };
-  const Conditions<S> c = Rung::known(*context.registry->cohort(index).course<S>().conditions);
-  const Body<S> b = Rung::body_of(columns, row);
+  const Conditions<S> c = Rung::known(*context.registry->cohort(part.cohort).course<S>().conditions);
   const State<S> start{vector(columns.position), vector(columns.velocity)};
-  const S h = static_cast<S>(length), floor = static_cast<S>(cohort.floor), slowest = static_cast<S>(cohort.slowest);
-  State<S> end;
-  end.v = start.v + acceleration(c, b, S(0), start) * h;
-  end.x = start.x + end.v * h;
-  const S speed_squared = length_squared(end.v);
+  const Body<S> b = Rung::body_of(start, [&](unsigned field) { return columns.field[field][row]; });
+  const S length =
+      part.born ? static_cast<S>(part.until - *part.born) : Rung::length_of(columns, context, row, part.until);
+  const State<S> end = Rung::end(c, b, start, length);
+  const S floor = static_cast<S>(cohort.floor), slowest = static_cast<S>(cohort.slowest);
   // As noteworthy() asks of a whole step; and it may have been born below the ground.
   const bool is_high = height(c, start.x) > floor && height(c, end.x) > floor;
-  if (!is_high || !is_finite(end) || speed_squared < slowest * slowest) return std::nullopt;
+  if (!is_high || !is_finite(end) || length_squared(end.v) < slowest * slowest) return std::nullopt;
   return State<double>{vec_cast<double>(end.x), vec_cast<double>(end.v)};
+}
+
+template <class Rung, class S>
+void KnownFlights::fly_together(const Cohort& cohort, const SettleContext& context, std::uint16_t index,
+                                const Body<double>& body, NewbornFlights<S>& n) {
+  PHYSIM_ASSERT(n.count <= NewbornFlights<S>::kLanes);
+  using R = Pack<S, static_cast<int>(32 / sizeof(S))>;
+  const R floor(static_cast<S>(cohort.floor)), slowest(static_cast<S>(cohort.slowest));
+  const Conditions<S>& given = *context.registry->cohort(index).course<S>().conditions;
+  const double* const number = numbers(body);
+  n.known = 0;
+  for (std::size_t i = 0; i < n.count; i += std::size_t{kLanes<R>}) {
+    const auto load = [i](const std::array<typename NewbornFlights<S>::Column, 3>& of) {
+      return Vec3<R>{R::load(of[0].data() + i), R::load(of[1].data() + i), R::load(of[2].data() + i)};
+    };
+    const Conditions<S> c = Rung::known(given);
+    const State<R> start{load(n.x), load(n.v)};
+    Body<R> b;
+    if constexpr (std::is_same_v<Rung, ShortFall>)
+      b = Rung::body_of(start);
+    else
+      b = Rung::body_of(start, [number](unsigned field) { return static_cast<S>(number[field]); });
+    const State<R> end = Rung::end(c, b, start, R::load(n.length.data() + i));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      end.x[axis].store(n.end_x[axis].data() + i);
+      end.v[axis].store(n.end_v[axis].data() + i);
+    }
+    const MaskOf<R> is_high = (height(c, start.x) > floor) & (height(c, end.x) > floor);
+    const MaskOf<R> known = is_high & is_finite(end) & (length_squared(end.v) >= slowest * slowest);
+    n.known |= lane_bits(known) << i;
+  }
 }
 
 template <class S>
@@ -55,36 +125,44 @@ void KnownFlights::find(const SettleContext& context, std::uint16_t index, Cohor
   const WorldJob<S> job = rows_job<S>(context, index);
   cohort.floor = static_cast<double>(job.watchdog.floor);
   cohort.slowest = static_cast<double>(job.watchdog.slowest);
-  if (!job.watchdog.simple || of.key.forced || layout.clocked || layout.meeting || layout.carried) return;
+  if (!job.watchdog.simple || of.key.forced || of.key.still || layout.meeting || layout.carried) return;
   const Conditions<S>& c = *job.course->conditions;
   const auto try_rung = [&]<class Rung>(Rung) {
-    if (!cohort.fly && Rung::matches(c)) cohort.fly = fly<Rung, S>;
+    if (cohort.fly || !Rung::matches(c)) return;
+    cohort.fly = fly_alone<Rung, S>;
+    std::get<FlyEach<S>>(cohort.fly_each) = fly_together<Rung, S>;
   };
   using enum DragModel;
   constexpr WindModel kCalm = WindModel::off, kWind = WindModel::constant;
-  try_rung(AloneRung<off>{});
-  try_rung(AloneRung<damping>{});
-  try_rung(AloneRung<linear_quadratic>{});
-  try_rung(AloneRung<linear_quadratic, kWind>{});
-  try_rung(AloneRung<equation, kCalm, AirModel::isa>{});
-  try_rung(AloneRung<equation, kWind, AirModel::isa>{});
+  if (layout.clocked) return try_rung(ShortFall{});
+  try_rung(ShortStep<off>{});
+  try_rung(ShortStep<damping>{});
+  try_rung(ShortStep<linear_quadratic>{});
+  try_rung(ShortStep<linear_quadratic, kWind>{});
+  try_rung(ShortStep<equation, kCalm, AirModel::isa>{});
+  try_rung(ShortStep<equation, kWind, AirModel::isa>{});
+}
+
+KnownFlights::Cohort& KnownFlights::find(const SettleContext& context, std::uint16_t index) {
+  PHYSIM_ASSERT(index < context.state->rows.size());
+  if (cohorts_.size() <= index) cohorts_.resize(context.state->rows.size());
+  Cohort& cohort = cohorts_[index];
+  if (cohort.is_asked) return cohort;
+  cohort.is_asked = true;
+  if (context.state->rows[index].layout().float32)
+    find<float>(context, index, cohort);
+  else
+    find<double>(context, index, cohort);
+  return cohort;
 }
 
 std::optional<State<double>> KnownFlights::state_after(const SettleContext& context, std::uint16_t index,
-                                                       std::uint32_t row, double length) {
-  PHYSIM_ASSERT(length <= context.dt && !context.pairs && !context.taken);
-  PHYSIM_ASSERT(index < context.state->rows.size() && row < context.state->rows[index].size());
-  if (!(length > 0)) return std::nullopt;
-  if (cohorts_.size() <= index) cohorts_.resize(context.state->rows.size());
-  Cohort& cohort = cohorts_[index];
-  if (!cohort.is_asked) {
-    cohort.is_asked = true;
-    if (context.state->rows[index].layout().float32)
-      find<float>(context, index, cohort);
-    else
-      find<double>(context, index, cohort);
-  }
-  return cohort.fly ? cohort.fly(cohort, context, index, row, length) : std::nullopt;
+                                                       std::uint32_t row, std::optional<double> born, double until) {
+  PHYSIM_ASSERT(until <= context.dt && !context.pairs && !context.taken);
+  PHYSIM_ASSERT(row < context.state->rows[index].size());
+  if (!(until - born.value_or(0) > 0)) return std::nullopt;
+  const Cohort& cohort = find(context, index);
+  return cohort.fly ? cohort.fly(cohort, context, {index, row, born, until}) : std::nullopt;
 }
 
 }  // namespace physim

@@ -17,6 +17,10 @@ class Pools {
   }
 
   [[nodiscard]] bool is_full(std::uint32_t pool) const { return pools_[pool].count >= pools_[pool].maximum; }
+  /// How many more come in before somebody has to make room.
+  [[nodiscard]] std::uint32_t left(std::uint32_t pool) const {
+    return is_full(pool) ? 0 : pools_[pool].maximum - pools_[pool].count;
+  }
   [[nodiscard]] bool replaces(std::uint32_t pool) const { return pools_[pool].replaces; }
   /// The slot that was spawned first, of a pool that replaces it.
   [[nodiscard]] std::uint32_t oldest(std::uint32_t pool) const {

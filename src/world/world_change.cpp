@@ -1,6 +1,7 @@
 // Changes to projectiles between steps: state, switches, sleep, fidelity, things carried along.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/checker.hpp"
@@ -31,10 +32,16 @@ void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::opt
 }
 
 void WorldImpl::keep_event(const Event& event) {
-  const std::size_t most = std::max(kMostEventsOfCalls, 2 * std::size_t{state.slots.alive()});
-  if (!is_inside && state.events.size() >= state.events_of_step + most) return void(++state.counters.dropped_events);
+  if (room_for_events() == 0) return void(++state.counters.dropped_events);
   make_room_for_events(state.events.size() + 1);
   state.events.push_back(event);
+}
+
+std::size_t WorldImpl::room_for_events() const {
+  if (is_inside) return std::numeric_limits<std::size_t>::max();
+  const std::size_t of_calls = std::max(kMostEventsOfCalls, 2 * std::size_t{state.slots.alive()});
+  const std::size_t most = state.events_of_step + of_calls;
+  return most - std::min(most, state.events.size());
 }
 
 void WorldImpl::make_room_for_events(std::size_t count) {

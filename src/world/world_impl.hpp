@@ -95,6 +95,8 @@ struct WorldImpl : Gate {
   /// Keeps an event; those that were given out stay where they are.
   void keep_event(const Event& event);
   void make_room_for_events(std::size_t count);
+  /// How many more are kept now.
+  [[nodiscard]] std::size_t room_for_events() const;
   void forget_events();
   /// A projectile comes, launched so long ago [s]; where its motor has no delay, it is ignited by its launch.
   void tell_launch(std::uint32_t slot, const Coming& coming);

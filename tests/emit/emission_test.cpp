@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "emit/flight_law.hpp"
 #include "emit/looks.hpp"
+#include "emit/newborn_pack.hpp"
 #include "emit/statistics.hpp"
 #include "emit/timeline.hpp"
 #include "random_emitters.hpp"
@@ -357,6 +358,38 @@ TEST(Emission, looks_of_a_pack_are_those_of_each) {
       EXPECT_EQ(pack.colour[i], alone.colour);
     }
   }
+}
+
+TEST(Emission, newborns_of_a_pack_are_those_of_each) {
+  constexpr std::size_t kPack = NewbornPack::kLanes;
+  test::Random r(11);
+  std::size_t compared = 0;
+  for (int round = 0; round < 400; ++round) {
+    EmitterDef def = test::random_emitter(r, {}, {});
+    def.start.gravity = {1};
+    if (r.one_in(3)) def.from.size = r.vector(3), def.from.size = {std::abs(def.from.size.x), 0, 2};
+    if (r.one_in(4)) def.from.radius = 0, def.from.tube = 0;
+    const Emission emission(def, 9);
+    ASSERT_TRUE(emission.leaves_gravity());
+    NewbornPack pack{};
+    for (std::size_t i = 0; i < kPack; ++i) {
+      pack.number[i] = 1000 * static_cast<std::uint64_t>(r.below(5)) + i;
+      pack.time[i] = r.in(0, 1e4), pack.phase[i] = r.in(0, 1);
+      pack.moment[i] = static_cast<std::uint32_t>(1 + r.below(9));
+      pack.of_moment[i] = static_cast<std::uint32_t>(r.below(static_cast<int>(pack.moment[i])));
+    }
+    emission.newborns(pack);
+    for (std::size_t i = 0; i < kPack; ++i) {
+      const Newborn alone = emission.newborn(pack.birth(i));
+      ASSERT_TRUE(test::same_bits(Vec3d{pack.place[0][i], pack.place[1][i], pack.place[2][i]}, alone.place));
+      ASSERT_TRUE(
+          test::same_bits(Vec3d{pack.direction[0][i], pack.direction[1][i], pack.direction[2][i]}, alone.direction));
+      ASSERT_EQ(pack.speed[i], alone.speed);
+      ASSERT_EQ(pack.lifetime[i], alone.lifetime);
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 400 * kPack);
 }
 
 }  // namespace

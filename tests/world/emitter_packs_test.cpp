@@ -75,6 +75,18 @@ TEST(EmitterPacks, births_and_deaths_on_known_rungs_are_as_settled) {
       }
 }
 
+TEST(EmitterPacks, births_and_deaths_of_closed_forms_are_as_settled) {
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    Fidelity arcade = Fidelity::arcade();
+    arcade.precision = precision;
+    const Told known = second_of(arcade, false, 0);
+    EXPECT_GT(known.alive.size(), 60u);
+    EXPECT_GT(known.ends.size(), 400u);
+    EXPECT_GT(known.by_subs, 400u);
+    EXPECT_EQ(known, second_of(arcade, true, 0));
+  }
+}
+
 /// Two emitters of one kind, each with a law of its own, in a world in which slots and rows change hands all the time.
 class Churn : public ::testing::Test {
  protected:

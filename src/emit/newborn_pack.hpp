@@ -1,0 +1,32 @@
+// How several particles of an emitter start, side by side: each with the bits that Emission::newborn() has for it
+// alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "emit/emission.hpp"
+
+namespace physim {
+
+/// Births, which come in, and newborns, in the frame of their emitter, which come out; none of them rounds of a gun.
+/// Lanes that nobody needs hold a birth, too.
+struct NewbornPack {
+  static constexpr std::size_t kLanes = 8;
+  using Column = std::array<double, kLanes>;
+
+  std::array<std::uint64_t, kLanes> number;  // as Birth has it
+  Column time, phase;                        // likewise
+  std::array<std::uint32_t, kLanes> of_moment, moment;
+
+  std::array<Column, 3> place;      // [m]
+  std::array<Column, 3> direction;  // of length one
+  Column speed;                     // [m/s]
+  Column lifetime;                  // [s]
+
+  [[nodiscard]] Birth birth(std::size_t lane) const {
+    return {number[lane], time[lane], phase[lane], of_moment[lane], moment[lane]};
+  }
+};
+
+}  // namespace physim
