@@ -29,6 +29,7 @@ void put_launches(const LaunchSource& from, std::size_t first, int filled, Body<
   cast_numbers(v, into.launch.v);
   cast_numbers(axes.right, into.plane);
   cast_numbers(axes.forward, into.sight);
+  if (from.half_areas) into.half_area_per_mass = cast<S>(take({from.half_areas, 0}));
 }
 
 /// What prepare_air_numbers() (model/standard_atmosphere.hpp) gives, for a pack of shots with air of their own.

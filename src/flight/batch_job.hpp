@@ -43,6 +43,7 @@ struct LaunchSource {
   NumberColumn azimuth;          // [rad]
   double look_angle, cant;       // [rad]
   const WeatherSource* weather;  // null: all have that of the environment
+  const double* half_areas;      // over mass, of each shot [m^2/kg]; null: all have that of the projectile
 };
 
 /// Shots to fly. Events go through a function, so that kernels hold no container code.
