@@ -29,6 +29,7 @@ PlainShots::PlainShots(const BatchTask& task, const Fidelity& granted, std::size
 }
 
 void PlainShots::put_drag() {
+  PHYSIM_ASSERT(task_.shots.has_own_drag() && half_areas_.empty());
   ShotProjectiles projectiles(task_.shots);
   for (std::size_t i = 0; i < count_; ++i) half_areas_.push_back(half_area_per_mass(projectiles.of(first_ + i)));
   launches_.half_areas = half_areas_.data();

@@ -121,6 +121,7 @@ ShotKind& ShotGroups::kind_of(std::size_t shot) {
 Status ShotGroups::look_at_drag(std::size_t shot) const {
   if (!task_.shots.has_own_drag()) return {};
   const LaunchColumns& from = *task_.shots.columns;
+  PHYSIM_ASSERT(shot < from.size());
   const auto check_column = [shot](std::span<const double> column, const char* place) -> Status {
     if (column.empty() || (std::isfinite(column[shot]) && column[shot] > 0)) return {};
     return Error{"must be a positive number, got " + short_text(column[shot]),
