@@ -5,8 +5,9 @@
 
 #include "math/elementary.hpp"
 
-namespace physim::normal_detail {
+PHYSIM_ISA_BEGIN
 
+namespace quantile_detail {
 inline constexpr double kMiddle[] = {3.3871328727963666080e0,  1.3314166789178437745e+2, 1.9715909503065514427e+3,
                                      1.3731693765509461125e+4, 4.5921953931549871457e+4, 6.7265770927008700853e+4,
                                      3.3430575583588128105e+4, 2.5090809287301226727e+3};
@@ -41,9 +42,7 @@ inline constexpr double kFarUnder[] = {1.0,
                                        1.42151175831644588870e-7,
                                        2.04426310338993978564e-15};
 
-}  // namespace physim::normal_detail
-
-PHYSIM_ISA_BEGIN
+}  // namespace quantile_detail
 
 /// By Horner's scheme: Source tells errors of these polynomials with it.
 template <class R, int N>
@@ -60,14 +59,14 @@ PHYSIM_INLINE MaskOf<R> is_in_tail(const R& p) {
 /// z in the middle; elsewhere a number that means nothing.
 template <class R>
 PHYSIM_INLINE R normal_quantile_of_middle(const R& p) {
-  using namespace normal_detail;
+  using namespace quantile_detail;
   const R q = p - R(0.5), r = R(0.180625) - q * q;
   return q * horner(r, kMiddle) / horner(r, kMiddleUnder);
 }
 /// z in the tails; elsewhere a number that means nothing.
 template <class R>
 PHYSIM_INLINE R normal_quantile_of_tail(const R& p) {
-  using namespace normal_detail;
+  using namespace quantile_detail;
   const auto is_low = p - R(0.5) < R(0.0);
   const R r = sqrt(-log(select(is_low, p, R(1.0) - p)));
   const auto is_far = r > R(5.0);
