@@ -12,7 +12,7 @@
 namespace physim {
 
 /// Launches of one projectile: what differs from shot to shot is a column, and the rest stands in `common` once. All
-/// columns that are given have one length, the number of shots.
+/// columns that are given have one length, the number of shots. A shot whose number is impossible is refused alone.
 struct LaunchColumns {
   Launch common{};                      ///< without a velocity: give a speed and angles [-]
   std::span<const double> x{};          ///< of Launch::position [m]
@@ -21,11 +21,19 @@ struct LaunchColumns {
   std::span<const double> speed{};      ///< [m/s]
   std::span<const double> elevation{};  ///< [rad]
   std::span<const double> azimuth{};    ///< [rad]
+  /// In the place of DragDef::ballistic_coefficient, as rounds of one lot differ; above 0. Not read where the
+  /// projectile has DragDef::bands, as fly() does not read it there [kg/m^2]
+  std::span<const double> ballistic_coefficient{};
+  /// In the place of DragDef::form_factor; above 0. Not read where there is a ballistic coefficient [-]
+  std::span<const double> form_factor{};
 
   /// Number of shots: the length of the longest column; none are given: no shots.
   [[nodiscard]] std::size_t size() const {
-    return std::max({x.size(), y.size(), z.size(), speed.size(), elevation.size(), azimuth.size()});
+    return std::max({x.size(), y.size(), z.size(), speed.size(), elevation.size(), azimuth.size(),
+                     ballistic_coefficient.size(), form_factor.size()});
   }
+  /// Whether shots differ in their projectiles' drag.
+  [[nodiscard]] bool has_drag() const { return !ballistic_coefficient.empty() || !form_factor.empty(); }
   /// The launch of shot i < size().
   [[nodiscard]] Launch at(std::size_t i) const {
     Launch launch = common;
@@ -36,6 +44,11 @@ struct LaunchColumns {
     if (!elevation.empty()) launch.elevation = elevation[i];
     if (!azimuth.empty()) launch.azimuth = azimuth[i];
     return launch;
+  }
+  /// Writes the drag of shot i < size() over that of a projectile.
+  void put(std::size_t i, ProjectileDef& own) const {
+    if (!ballistic_coefficient.empty()) own.drag.ballistic_coefficient = ballistic_coefficient[i];
+    if (!form_factor.empty()) own.drag.form_factor = form_factor[i];
   }
 };
 

@@ -24,12 +24,15 @@ void check_columns(Checker& c, const LaunchColumns& from, const EndColumns& into
     c.require(length == 0 || length == count, place, "has another length than the other columns",
               "one number for each shot, or none");
   };
-  const std::pair<const char*, std::span<const double>> launches[] = {{"launches.x", from.x},
-                                                                      {"launches.y", from.y},
-                                                                      {"launches.z", from.z},
-                                                                      {"launches.speed", from.speed},
-                                                                      {"launches.elevation", from.elevation},
-                                                                      {"launches.azimuth", from.azimuth}};
+  const std::pair<const char*, std::span<const double>> launches[] = {
+      {"launches.x", from.x},
+      {"launches.y", from.y},
+      {"launches.z", from.z},
+      {"launches.speed", from.speed},
+      {"launches.elevation", from.elevation},
+      {"launches.azimuth", from.azimuth},
+      {"launches.ballistic_coefficient", from.ballistic_coefficient},
+      {"launches.form_factor", from.form_factor}};
   for (const auto& [place, column] : launches) check_length(column.size(), place);
   check_length(into.outcome.size(), "into.outcome");
   const std::pair<const char*, std::span<double>> ends[] = {{"into.time", into.time}, {"into.x", into.x},

@@ -29,14 +29,17 @@ void put_launches(const LaunchSource& from, std::size_t first, int filled, Body<
   cast_numbers(v, into.launch.v);
   cast_numbers(axes.right, into.plane);
   cast_numbers(axes.forward, into.sight);
+  if (from.half_areas) into.half_area_per_mass = cast<S>(take({from.half_areas, 0}));
 }
 
 /// What prepare_air_numbers() (model/standard_atmosphere.hpp) gives, for a pack of shots with air of their own.
 template <class W>
 [[gnu::noinline]] void put_air(const WeatherSource& from, std::size_t first, int filled, AirNumbers<W>& air) {
   const auto take = [&](const NumberColumn& column) { return take_column<W>(column, first, filled); };
-  const double* no_station = numbers(*from.no_station);
-  for (unsigned i = 0; i < kNumbers<AirNumbers>; ++i) numbers(air)[i] = W(no_station[i]);
+  if (!from.has_station || from.place.model != AirModel::isa) {
+    const double* no_station = numbers(*from.no_station);
+    for (unsigned i = 0; i < kNumbers<AirNumbers>; ++i) numbers(air)[i] = W(no_station[i]);
+  }
   if (from.has_station)
     put_air(from.place, Readings<W>{take(from.temperature), take(from.pressure), take(from.humidity)}, air);
   if (from.has_density) air.density = take(from.density);
@@ -49,9 +52,13 @@ void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t 
   const auto take = [&](const NumberColumn& column) { return cast<S>(take_column<W>(column, first, filled)); };
   if (c.has_own_wind) into.wind = {take(from.wind_x), take(from.wind_y), take(from.wind_z)};
   if (!c.has_own_air) return;
-  AirNumbers<W> air;
-  put_air(from, first, filled, air);
-  cast_numbers(air, into.air);
+  if constexpr (std::is_same_v<W, R>) {
+    put_air(from, first, filled, into.air);
+  } else {
+    AirNumbers<W> air;
+    put_air(from, first, filled, air);
+    cast_numbers(air, into.air);
+  }
 }
 
 /// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than
@@ -127,7 +134,7 @@ class JudgedSteps {
     PHYSIM_ASSERT(lane >= 0 && lane < kLanes<R> && shot < job_.count);
     if (filled_ == kLanes<R> || (some_go_on_ && waits(shot))) settle();
     some_go_on_ = some_go_on_ || !ends;
-    copy_step(conditions(), from, lane, steps_, filled_, filled_ < touched_ ? job_.own : job_.course->body);
+    copy_step(conditions(), from, lane, steps_, filled_, filled_ < touched_ ? job_.judged : job_.course->body);
     accepted_[filled_] = accepted;
     shot_[filled_] = shot;
     ++filled_;

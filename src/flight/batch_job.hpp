@@ -43,6 +43,7 @@ struct LaunchSource {
   NumberColumn azimuth;          // [rad]
   double look_angle, cant;       // [rad]
   const WeatherSource* weather;  // null: all have that of the environment
+  const double* half_areas;      // over mass, of each shot [m^2/kg]; null: all have that of the projectile
 };
 
 /// Shots to fly. Events go through a function, so that kernels hold no container code.
@@ -53,6 +54,7 @@ struct BatchJob {
   const double* own_numbers;   // of each shot's Body, from its first one on; the kernel rounds them as it takes them in
   unsigned own_stride;         // from shot to shot
   NumberRuns own;              // those that lanes hold
+  NumberRuns judged;           // of these, those that judging a step reads
   const Body<double>* common;  // has the others
   const Rotor<double>* rotors;  // where the rotation is flown
   const std::uint32_t* places;  // of the shots in the results; null: in their order

@@ -159,10 +159,11 @@ void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches, void 
   void (*emit)(void*, const RawEvent&) = nullptr;
   if (part_->wants_events)
     emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
-  const NumberRuns own = (group.own & parts_flown(granted, group.cohort.conditions)).runs();
-  kernel({&course, launches, group.own_numbers.data(), group.own_stride(), own, &group.common, group.rotors.data(),
-          launches ? nullptr : group.shots.data(), launches ? part_->shots.size() : gathered, part_->shots.data(),
-          group.turned.empty() ? nullptr : group.turned.data(), emit, &group});
+  const PartSet own = group.own & parts_flown(granted, group.cohort.conditions);
+  const PartSet judged = watch_.without_air ? own - kWeatherParts : own;
+  kernel({&course, launches, group.own_numbers.data(), group.own_stride(), own.runs(), judged.runs(), &group.common,
+          group.rotors.data(), launches ? nullptr : group.shots.data(), launches ? part_->shots.size() : gathered,
+          part_->shots.data(), group.turned.empty() ? nullptr : group.turned.data(), emit, &group});
 }
 
 /// Whether the lanes may compute the launches of a part themselves. What all have in common is asked of the first; any

@@ -43,9 +43,9 @@ Result<double> BatchSteps::choose(Known& known) {
   for (const std::size_t i : pilots(known)) {
     Launch scratch;
     ShotEnvironments environments(task_);
-    const auto found =
-        step_within(task_.shots.projectile(i), task_.shots.launch(i, scratch), environments.of(i), known.granted,
-                    task_.tolerance, task_.until, 0.4 * task_.tolerance.position_error, step);
+    ShotProjectiles projectiles(task_.shots);
+    const auto found = step_within(projectiles.of(i), task_.shots.launch(i, scratch), environments.of(i), known.granted,
+                                   task_.tolerance, task_.until, 0.4 * task_.tolerance.position_error, step);
     if (!found) return found.error();
     step = std::min(step, found->step);
     if (found->reached > worst.reached) worst = *found;
@@ -56,7 +56,8 @@ Result<double> BatchSteps::choose(Known& known) {
 }
 
 bool BatchSteps::is_granted(std::size_t shot, const Fidelity& granted) {
-  const ProjectileDef& projectile = task_.shots.projectile(shot);
+  ShotProjectiles projectiles(task_.shots);
+  const ProjectileDef& projectile = projectiles.of(shot);
   Launch scratch;
   const Launch& launch = task_.shots.launch(shot, scratch);
   ShotEnvironments environments(task_);

@@ -5,6 +5,7 @@
 
 #include "base/assert.hpp"
 #include "model/standard_atmosphere.hpp"
+#include "prepare/projectile.hpp"
 
 namespace physim {
 
@@ -21,8 +22,17 @@ PlainShots::PlainShots(const BatchTask& task, const Fidelity& granted, std::size
                column(from.azimuth, common.azimuth),
                common.sight.look_angle,
                common.sight.cant,
+               nullptr,
                nullptr};
   if (!task.weather.empty()) put_weather(granted);
+  if (task.shots.has_own_drag() && task.shots.one_projectile->drag.bands.empty()) put_drag();
+}
+
+void PlainShots::put_drag() {
+  PHYSIM_ASSERT(task_.shots.has_own_drag() && half_areas_.empty());
+  ShotProjectiles projectiles(task_.shots);
+  for (std::size_t i = 0; i < count_; ++i) half_areas_.push_back(half_area_per_mass(projectiles.of(first_ + i)));
+  launches_.half_areas = half_areas_.data();
 }
 
 void PlainShots::put_weather(const Fidelity& granted) {
@@ -59,7 +69,7 @@ bool PlainShots::within(std::span<const double> numbers, double low, double high
   return all;
 }
 
-bool PlainShots::are_all() const { return plain_launches() && plain_weather(); }
+bool PlainShots::are_all() const { return plain_launches() && plain_weather() && plain_drag(); }
 
 bool PlainShots::plain_launches() const {
   constexpr double kFar = 1e15, kFast = 1e15, kTurn = 3.14;
@@ -70,6 +80,13 @@ bool PlainShots::plain_launches() const {
   if (from.y.empty() && from.common.position.y < above) return false;
   return within(from.x, -kFar, kFar) && within(from.y, above, kFar) && within(from.z, -kFar, kFar) &&
          within(from.speed, 0, kFast) && within(from.elevation, -kTurn, kTurn) && within(from.azimuth, -kFast, kFast);
+}
+
+bool PlainShots::plain_drag() const {
+  constexpr double kLight = 1e-6, kHeavy = 1e12, kThin = 1e-6, kThick = 1e6, kLargest = 1e30;
+  const LaunchColumns& from = *task_.shots.columns;
+  return within(from.ballistic_coefficient, kLight, kHeavy) && within(from.form_factor, kThin, kThick) &&
+         std::ranges::all_of(half_areas_, [](double area) { return area <= kLargest; });
 }
 
 /// Days on Earth. Among them no vapour is more than the air can hold.

@@ -1,6 +1,8 @@
 // Shots of a batch of columns whose launches and weather lanes compute themselves, as none needs a look of its own.
 #pragma once
 
+#include <vector>
+
 #include "flight/batch_job.hpp"
 #include "flight/shot_list.hpp"
 
@@ -22,13 +24,16 @@ class PlainShots {
   [[nodiscard]] NumberColumn column(std::span<const double> numbers, double common) const;
   [[nodiscard]] bool within(std::span<const double> numbers, double low, double high) const;
   [[nodiscard]] bool plain_launches() const;
+  [[nodiscard]] bool plain_drag() const;
   [[nodiscard]] bool plain_weather() const;
   void put_weather(const Fidelity& granted);
+  void put_drag();
 
   const BatchTask& task_;
   std::size_t first_, count_;
   AirNumbers<double> no_station_{};
   WeatherSource weather_{};
+  std::vector<double> half_areas_;
   LaunchSource launches_{};
 };
 

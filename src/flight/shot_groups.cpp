@@ -1,7 +1,9 @@
 #include "flight/shot_groups.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/text.hpp"
 #include "flight/pilot.hpp"
 #include "flight/zero.hpp"
 #include "model/drag_curves.hpp"
@@ -95,10 +97,11 @@ PartSet ShotGroups::parts_of_shots() const {
 
 /// What is known of a shot's projectile.
 ShotKind& ShotGroups::kind_of(std::size_t shot) {
-  const ProjectileDef& projectile = task_.shots.projectile(shot);
-  if (kind_.projectile == &projectile) return kind_;
+  const ProjectileDef& projectile = projectiles_.of(shot);
+  if (kind_.projectile == &projectile && !task_.shots.has_own_drag()) return kind_;
   kind_.projectile = &projectile;
-  kind_.status = check(projectile);
+  kind_.status = look_at_drag(shot);
+  if (kind_.status) kind_.status = check(projectile);
   if (!kind_.status) return kind_;
   ShotGroup& group = group_of(projectile);
   kind_.group = &group;
@@ -106,10 +109,26 @@ ShotKind& ShotGroups::kind_of(std::size_t shot) {
   kind_.body = prepare_kind(projectile, cohort.pool, cohort.conditions);
   if (turns(cohort.in_use.fidelity)) kind_.rotor = prepare_rotor_kind(projectile, cohort.pool, cohort.conditions);
   if (steps_by_frames(cohort.in_use.fidelity)) cohort.finish();  // frame_step() looks at its drag
-  if (!task_.shots.one_projectile) return kind_;
+  if (!task_.shots.one_projectile || !group.shots.empty()) return kind_;
   group.common = kind_.body;
-  if (differ_by_launch_alone(cohort.conditions)) group.own = kLaunchParts | (parts_of_shots() & kWeatherParts);
+  if (!differ_by_launch_alone(cohort.conditions)) return kind_;
+  group.own = kLaunchParts | (parts_of_shots() & kWeatherParts);
+  group.own.add<AreaPart>(task_.shots.has_own_drag());
   return kind_;
+}
+
+/// check() knows a projectile by itself, where 0 says that there is no ballistic coefficient.
+Status ShotGroups::look_at_drag(std::size_t shot) const {
+  if (!task_.shots.has_own_drag()) return {};
+  const LaunchColumns& from = *task_.shots.columns;
+  PHYSIM_ASSERT(shot < from.size());
+  const auto check_column = [shot](std::span<const double> column, const char* place) -> Status {
+    if (column.empty() || (std::isfinite(column[shot]) && column[shot] > 0)) return {};
+    return Error{"must be a positive number, got " + short_text(column[shot]),
+                 std::string(place) + "[" + std::to_string(shot) + "]", "leave the column out where all have one"};
+  };
+  if (auto status = check_column(from.ballistic_coefficient, "launches.ballistic_coefficient"); !status) return status;
+  return check_column(from.form_factor, "launches.form_factor");
 }
 
 ShotState ShotGroups::refuse(Status why) {

@@ -56,7 +56,7 @@ enum class ShotState {
 /// Prepares shots one by one. Not for several threads: each has its own.
 class ShotGroups {
  public:
-  explicit ShotGroups(const BatchTask& task) : task_(task), environments_(task) {}
+  explicit ShotGroups(const BatchTask& task) : task_(task), projectiles_(task.shots), environments_(task) {}
 
   /// What else is known of the shot stands in kind(), launch(), environment(), refusal() and outcome() until the next.
   [[nodiscard]] ShotState prepare(std::size_t shot);
@@ -74,6 +74,7 @@ class ShotGroups {
  private:
   ShotKind& kind_of(std::size_t shot);
   [[nodiscard]] Status look_at(std::size_t shot, const ProjectileDef& projectile);
+  [[nodiscard]] Status look_at_drag(std::size_t shot) const;
   [[nodiscard]] unsigned grant_key(const ProjectileDef& projectile);
   [[nodiscard]] bool overshoots(const DragDef& drag);
   [[nodiscard]] ShotState refuse(Status why);
@@ -84,6 +85,7 @@ class ShotGroups {
   std::vector<std::pair<std::vector<DragPoint>, bool>> judged_curves_;
   std::array<ShotGroup*, 4096> group_by_key_{};
   ShotKind kind_;
+  ShotProjectiles projectiles_;
   Launch scratch_;
   const Launch* launch_ = nullptr;
   ShotEnvironments environments_;

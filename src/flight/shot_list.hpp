@@ -1,6 +1,7 @@
 // What a batch is asked to fly: shots with a projectile each, or launches of one, as structures or as columns.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "base/assert.hpp"
@@ -19,9 +20,12 @@ struct ShotList {
     if (columns) return columns->size();
     return one_projectile ? launches.size() : shots.size();
   }
+  /// But for what columns have of its drag: see ShotProjectiles.
   [[nodiscard]] const ProjectileDef& projectile(std::size_t i) const {
     return one_projectile ? *one_projectile : shots[i].projectile;
   }
+  /// Whether columns have the drag of each shot.
+  [[nodiscard]] bool has_own_drag() const { return columns && columns->has_drag(); }
   /// A launch, put together in `scratch` where it does not stand somewhere.
   [[nodiscard]] const Launch& launch(std::size_t i, Launch& scratch) const {
     PHYSIM_ASSERT(i < size());
@@ -47,6 +51,24 @@ struct BatchTask {
     if (!weather.density.empty()) all.atmosphere.density = 1;
     return all;
   }
+};
+
+/// The projectile of one shot after the other, as check() knows it.
+class ShotProjectiles {
+ public:
+  explicit ShotProjectiles(const ShotList& shots) : shots_(shots) {
+    if (shots.has_own_drag()) own_ = *shots.one_projectile;
+  }
+  [[nodiscard]] const ProjectileDef& of(std::size_t shot) {
+    PHYSIM_ASSERT(shot < shots_.size());
+    if (!own_) return shots_.projectile(shot);
+    shots_.columns->put(shot, *own_);
+    return *own_;
+  }
+
+ private:
+  const ShotList& shots_;
+  std::optional<ProjectileDef> own_;
 };
 
 /// The environment of one shot after the other.

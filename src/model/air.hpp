@@ -12,10 +12,11 @@
 // Equations: H = r0 Z / (r0 + Z);  T = T_b + L (H - H_b);
 //   L != 0: rho = rho_b (T / T_b)^-(1 + g0 M / (R* L));  L = 0: rho = rho_b exp(-g0 M (H - H_b) / (R* T_b));
 //   a = a_b sqrt(T / T_b);  viscosity mu = 1.458e-6 T^1.5 / (T + 110.4).
-//   Below 11 km, where most shots fly, density and 1/a are polynomials in Z fitted to these laws when the conditions
-//   are prepared (relative error below 1e-14): a third of the work, and no waiting for logarithm, exponential and
-//   divisions. Above, both laws are written as one, rho = rho_b exp(power ln(T/T_b) + decay (H - H_b)), so that lanes
-//   in different layers run the same instructions.
+//   Below 11 km, where most shots fly, density and 1/a are polynomials in Z for these laws, made when the conditions
+//   are prepared, or in each lane that has air of its own (the standard's are fitted to 1e-14; model/low_air.hpp says
+//   how close those of stations are): a third of the work, and no waiting for logarithm, exponential and divisions.
+//   Above, both laws are written as one, rho = rho_b exp(power ln(T/T_b) + decay (H - H_b)), so that lanes in different
+//   layers run the same instructions.
 // Source: U.S. Standard Atmosphere, 1976 (NOAA-S/T 76-1562), eq. 18, 23, 33a, 33b, 42, 50, 51.
 #pragma once
 

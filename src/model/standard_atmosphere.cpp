@@ -11,9 +11,19 @@
 namespace physim {
 namespace {
 
-const AirProfile<double>& standard_profile() {
-  static const AirProfile<double> profile = [] {
-    AirProfile<double> standard{};
+/// The standard's own, computed once: to the last digits.
+struct StandardProfile : AirProfile<double> {
+  [[nodiscard]] double pressure_ratio(int i, double from, double to) const {
+    const double t_from = temperature[i] + kLapse[i] * (from - kBase[i]);
+    const double t_to = temperature[i] + kLapse[i] * (to - kBase[i]);
+    if (kLapse[i] == 0) return exp(-density_factor * kHydrostatic * (to - from) / t_from);
+    return pow(t_to / t_from, -density_factor * kHydrostatic / kLapse[i]);
+  }
+};
+
+const StandardProfile& standard_profile() {
+  static const StandardProfile profile = [] {
+    StandardProfile standard{};
     standard.density_factor = standard.sound_factor = 1;
     profile_through(0, StandardAir::kSeaLevelPressure, 0.0, standard);
     return standard;
@@ -36,18 +46,31 @@ double density_factor(const Environment& environment) {
   return profile.density_factor;
 }
 
-const AirFits& air_fits() {
-  static const ChebyshevFit density(kDensityTerms), per_sound(kPerSoundTerms);
-  static const AirFits fits{{density.points().data(), density.matrix().data()},
-                            {per_sound.points().data(), per_sound.matrix().data()}};
-  return fits;
+/// Coefficients of a polynomial for f over the lowest layer.
+template <int N>
+void fit_low(const auto& f, double (&out)[N]) {
+  const ChebyshevFit fit(N);
+  double values[N];
+  for (std::size_t i = 0; i < N; ++i) values[i] = f(StandardAir::kLowMiddle + fit.points()[i] / StandardAir::kLowScale);
+  for (std::size_t j = 0; j < N; ++j) {
+    out[j] = 0;
+    for (std::size_t i = 0; i < N; ++i) out[j] += fit.matrix()[j * N + i] * values[i];
+  }
 }
 
 /// Fitting takes some microseconds, and most air is standard.
 const AirNumbers<double>& standard_layers() {
   static const AirNumbers<double> standard = [] {
     AirNumbers<double> numbers{};
-    put_layers(standard_profile(), air_fits(), numbers);
+    const StandardProfile& profile = standard_profile();
+    put_layers(profile, numbers);
+    fit_low(
+        [&](double z) {
+          return profile.density(pressure_at(profile, geopotential(z)), profile.temperature_at(geopotential(z)));
+        },
+        numbers.low_density);
+    fit_low([&](double z) { return profile.per_sound(profile.temperature_at(geopotential(z))); },
+            numbers.low_per_sound);
     return numbers;
   }();
   return standard;
@@ -70,13 +93,13 @@ Readings<double> station_air(const Environment& environment) {
   const Atmosphere& given = environment.atmosphere;
   const AirProfile<double>& standard = standard_profile();
   const double h = station_height(environment);
-  return {given.temperature.value_or(standard.temperature_at(h)), given.pressure.value_or(standard.pressure_at(h)),
+  return {given.temperature.value_or(standard.temperature_at(h)), given.pressure.value_or(pressure_at(standard, h)),
           given.humidity.value_or(0)};
 }
 
 StationPlace station_place(const Environment& environment, AirModel model) {
   const double h = station_height(environment);
-  return {model, h, standard_profile().temperature_at(h), geopotential(environment.altitude), air_fits()};
+  return {model, h, standard_profile().temperature_at(h), geopotential(environment.altitude)};
 }
 
 AirNumbers<double> prepare_air_numbers(const Environment& environment, AirModel model) {
@@ -84,7 +107,10 @@ AirNumbers<double> prepare_air_numbers(const Environment& environment, AirModel 
   AirNumbers<double> air{};
   if (is_standard(given)) {
     if (model == AirModel::isa) air = standard_layers();
-    put_origin(standard_profile(), geopotential(environment.altitude), air);
+    const StandardProfile& profile = standard_profile();
+    const double h = geopotential(environment.altitude);
+    put_origin(profile, h, air);
+    air.density = profile.density(pressure_at(profile, h), air.temperature);
   } else {
     put_air(station_place(environment, model), station_air(environment), air);
   }

@@ -14,6 +14,7 @@
 #include "math/elementary.hpp"
 #include "model/conditions.hpp"
 #include "model/humid_air.hpp"
+#include "model/low_air.hpp"
 
 namespace physim {
 
@@ -31,23 +32,12 @@ struct Readings {
   R humidity;     // relative [-]
 };
 
-/// Values at some points to coefficients of a polynomial through them: see math/chebyshev.hpp.
-struct FitTable {
-  const double* points;  // in -1..1
-  const double* matrix;  // row j: coefficient of u^j from the values
-};
-/// Fits of density and of 1 / sound speed in the lowest layer.
-struct AirFits {
-  FitTable density, per_sound;
-};
-
 /// Where stations stand, and what air is wanted of them.
 struct StationPlace {
   AirModel model;
   double height;    // geopotential [m]
   double standard;  // the standard's temperature there [K]
   double origin;    // geopotential height of the origin [m]
-  AirFits fits;
 };
 
 }  // namespace physim
@@ -86,6 +76,8 @@ struct StandardAir {
 /// Temperature and pressure by height.
 template <class R>
 struct AirProfile : StandardAir {
+  using Number = R;
+
   R temperature[kAirLayers];  // at the bases [K]
   R pressure[kAirLayers];     // at the bases [Pa]
   R density_factor;           // f
@@ -95,16 +87,13 @@ struct AirProfile : StandardAir {
     const int i = layer_of(h);
     return temperature[i] + R(kLapse[i] * (h - kBase[i]));
   }
-  PHYSIM_INLINE R pressure_at(double h) const {
-    const int i = layer_of(h);
-    return pressure[i] * pressure_ratio(i, kBase[i], h);
-  }
-  /// p(to) / p(from) along layer i. Behind a call: it is long.
+  /// p(to) / p(from) along layer i, to some 1e-15. Behind a call: it is long.
   [[nodiscard, gnu::noinline]] R pressure_ratio(int i, double from, double to) const {
     const R t_from = temperature[i] + R(kLapse[i] * (from - kBase[i]));
+    const R hydrostatic = -density_factor * R(kHydrostatic);
+    if (kLapse[i] == 0) return exp_bounded(hydrostatic * R(to - from) / t_from);
     const R t_to = temperature[i] + R(kLapse[i] * (to - kBase[i]));
-    if (kLapse[i] == 0) return exp(-density_factor * R(kHydrostatic) * R(to - from) / t_from);
-    return pow(t_to / t_from, -density_factor * R(kHydrostatic) / R(kLapse[i]));
+    return exp_bounded(hydrostatic * R(1 / kLapse[i]) * log(t_to / t_from));
   }
   PHYSIM_INLINE R density(const R& p, const R& t) const {
     return density_factor * p * R(kMolarMass) / (R(kGasConstant) * t);
@@ -113,9 +102,15 @@ struct AirProfile : StandardAir {
   PHYSIM_INLINE static R dry_sound_speed(const R& t) { return sqrt(R(kHeatRatio * kGasConstant) * t / R(kMolarMass)); }
 };
 
+template <class Profile, class R = typename Profile::Number>
+PHYSIM_INLINE R pressure_at(const Profile& profile, double h) {
+  const int i = StandardAir::layer_of(h);
+  return profile.pressure[i] * profile.pressure_ratio(i, StandardAir::kBase[i], h);
+}
+
 /// The profile with the standard's temperatures plus `shift`, through pressure p at height h.
-template <class R>
-void profile_through(double h, const R& p, const R& shift, AirProfile<R>& profile) {
+template <class Profile, class R = typename Profile::Number>
+void profile_through(double h, const R& p, const std::type_identity_t<R>& shift, Profile& profile) {
   using A = StandardAir;
   profile.temperature[0] = R(A::kSeaLevelTemperature) + shift;
   for (int i = 1; i < kAirLayers; ++i)
@@ -138,20 +133,9 @@ void profile_of_station(double h, double standard, const Readings<R>& station, A
   profile_through(h, p, t - R(standard), profile);
 }
 
-/// Coefficients of a polynomial for f over the lowest layer.
-template <class R, int N>
-PHYSIM_INLINE void fit_low(const FitTable& fit, const auto& f, R (&out)[N]) {
-  R values[N];
-  for (int i = 0; i < N; ++i) values[i] = f(StandardAir::kLowMiddle + fit.points[i] / StandardAir::kLowScale);
-  for (int j = 0; j < N; ++j) {
-    out[j] = R(0.0);
-    for (int i = 0; i < N; ++i) out[j] += R(fit.matrix[j * N + i]) * values[i];
-  }
-}
-
-/// All layers, and the polynomials of the lowest one.
+/// All layers, by their laws.
 template <class R>
-void put_layers(const AirProfile<R>& profile, const AirFits& fits, AirNumbers<R>& air) {
+void put_layers(const AirProfile<R>& profile, AirNumbers<R>& air) {
   using A = StandardAir;
   const R hydrostatic = profile.density_factor * R(A::kHydrostatic);
   for (int i = 0; i < kAirLayers; ++i) {
@@ -163,33 +147,43 @@ void put_layers(const AirProfile<R>& profile, const AirFits& fits, AirNumbers<R>
     air.base_density[i] = profile.density(profile.pressure[i], t);
     air.base_per_sound[i] = profile.per_sound(t);
   }
-  const auto temperature_at = [&](double h) { return profile.temperature[0] + R(A::kLapse[0] * h); };
-  const auto density_at = [&](double z) {
-    const double h = geopotential(z);
-    return profile.density(profile.pressure[0] * profile.pressure_ratio(0, 0, h), temperature_at(h));
-  };
-  fit_low(fits.density, density_at, air.low_density);
-  fit_low(
-      fits.per_sound, [&](double z) { return profile.per_sound(temperature_at(geopotential(z))); }, air.low_per_sound);
 }
 
-/// The air at the origin, at geopotential height h [m].
+/// The polynomials of the lowest layer, whose law stands in the layers already.
+template <class R>
+void put_low(const AirProfile<R>& profile, AirNumbers<R>& air) {
+  using A = StandardAir;
+  constexpr double kHalf = 1 / (A::kLowScale * (kGeopotentialRadius + A::kLowMiddle));
+  const double middle = geopotential(A::kLowMiddle);
+  const R sea_level = profile.temperature[0];
+  const R t = sea_level + R(A::kLapse[0] * middle);
+  const R density = profile.density(profile.pressure[0] * profile.pressure_ratio(0, 0, middle), t);
+  const LowLayer<R> layer{R(-kHalf) * (sea_level + R(A::kLapse[0] * kGeopotentialRadius)) / t, R(kHalf)};
+  put_power<kDensityTerms + 2>(layer, air.power[0], density, air.low_density);
+  put_power<kPerSoundTerms + 4>(layer, R(-0.5), profile.per_sound(t), air.low_per_sound);
+}
+
+/// The air at the origin, at geopotential height h [m], but for its density.
 template <class R>
 PHYSIM_INLINE void put_origin(const AirProfile<R>& profile, double h, AirNumbers<R>& air) {
   air.temperature = profile.temperature_at(h);
-  air.density = profile.density(profile.pressure_at(h), air.temperature);
   air.per_sound_speed = profile.per_sound(air.temperature);
   air.kelvin_per_sound = air.temperature * air.per_sound_speed * air.per_sound_speed;
 }
 
-/// The air through stations of one place.
+/// The air through stations of one place. Air in layers needs no density at the origin, and other air no layers.
 template <class R>
 void put_air(const StationPlace& place, const Readings<R>& station, AirNumbers<R>& air) {
   AirProfile<R> profile;
   profile_of_station(place.height, place.standard, station, profile);
-  if (place.model == AirModel::isa) put_layers(profile, place.fits, air);
   put_origin(profile, place.origin, air);
-  if (place.model == AirModel::vacuum) air.density = R(0.0);
+  air.density = R(0.0);
+  if (place.model == AirModel::isa) {
+    put_layers(profile, air);
+    put_low(profile, air);
+  } else if (place.model != AirModel::vacuum) {
+    air.density = profile.density(pressure_at(profile, place.origin), air.temperature);
+  }
 }
 
 PHYSIM_ISA_END

@@ -1,11 +1,13 @@
 // Which events are looked for, and flights that end before their first step.
 #include "prepare/watch_list.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/assert.hpp"
 #include "model/acceleration.hpp"
 #include "model/standard_atmosphere.hpp"
+#include "solve/explicit_runge_kutta.hpp"
 
 namespace physim {
 namespace {
@@ -42,6 +44,20 @@ Watched* told_anyway(WatchList& watch, const EventSpec& spec, const EventRow& ro
   return nullptr;
 }
 
+bool has_dense_stages(const Fidelity& f) {
+  return with_method(f.integrator, [](auto method) { return HasDenseStages<decltype(method)>; });
+}
+
+/// A Mach number asks for air and wind, a speed for what changes it where it turns, and some interpolants ask for more
+/// slopes. A closed form flies on in the wind.
+bool is_without_air(const WatchList& watch, const Fidelity& f) {
+  if (f.motion == Motion::closed_form || turns(f) || has_dense_stages(f)) return false;
+  return std::all_of(watch.item, watch.item + watch.count, [](const Watched& watched) {
+    const Watch kind = row_of(watched.spec.kind).watch;
+    return kind != Watch::mach && kind != Watch::speed;
+  });
+}
+
 }  // namespace
 
 bool has_lowest_altitude(const Fidelity& f) { return f.air == AirModel::isa && f.drag == DragModel::equation; }
@@ -71,6 +87,7 @@ WatchList prepare_watch(const Until& until, const Conditions<double>& c, Watcher
     else
       add(spec, Outcome::event);
   }
+  watch.without_air = is_without_air(watch, c.fidelity);
   return watch;
 }
 

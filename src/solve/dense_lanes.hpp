@@ -136,8 +136,9 @@ void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out)
   out.numbers = &course.body;
   cast_numbers(l.body, out.body, has_stops(c) ? kWatchedWithStops : kWatched);
   constexpr NumberRuns kBirth = PartSet::of<BirthPart>().runs(), kWeather = kWeatherParts.runs();
-  if (c.has_wind_function) cast_numbers(l.body, out.body, kBirth);                // Mach numbers ask for the wind ...
-  if (c.has_own_wind || c.has_own_air) cast_numbers(l.body, out.body, kWeather);  // ... and the air
+  const bool reads_weather = (c.has_own_wind || c.has_own_air) && !course.watch.without_air;
+  if (c.has_wind_function) cast_numbers(l.body, out.body, kBirth);  // Mach numbers ask for the wind ...
+  if (reads_weather) cast_numbers(l.body, out.body, kWeather);      // ... and the air
   out.n0.t = cast<double>(l.step.t);
   out.n1.t = cast<double>(l.step.t_end);
   PHYSIM_ASSERT(!any(out.n1.t < out.n0.t));

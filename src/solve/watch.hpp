@@ -29,6 +29,7 @@ struct Watched {
 struct WatchList {
   Watched item[kMaxWatched];
   int count;
+  bool without_air;  // judging a step reads no air of a body: neither what is watched nor the dense output
 };
 
 /// A crossing inside a step.

@@ -8,6 +8,7 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "math/normal.hpp"
+#include "study/draw_job.hpp"
 
 namespace physim {
 namespace {
@@ -231,14 +232,14 @@ double Quantiles::operator()(double p) const {
 
 void Quantiles::from_units(std::span<double> numbers) const {
   if (const auto* d = std::get_if<NormalDistribution>(&distribution_)) {
-    normal_quantiles(numbers);
+    draw_kernel().normal_quantiles(numbers.data(), numbers.size());
     for (double& x : numbers) x = d->mean + d->deviation * x;
   } else if (const auto* u = std::get_if<UniformDistribution>(&distribution_)) {
     for (double& x : numbers) x = u->low + (u->high - u->low) * x;
   } else if (const auto* t = std::get_if<TriangularDistribution>(&distribution_)) {
     for (double& x : numbers) x = triangle_quantile(*t, x);
   } else if (std::holds_alternative<LognormalDistribution>(distribution_)) {
-    normal_quantiles(numbers);
+    draw_kernel().normal_quantiles(numbers.data(), numbers.size());
     for (double& x : numbers) x = exp(log_mean_ + log_deviation_ * x);
   } else if (std::holds_alternative<TruncatedNormalDistribution>(distribution_)) {
     for (double& x : numbers) x = within_tails(x);

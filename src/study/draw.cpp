@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "math/normal.hpp"
 #include "study/correlation.hpp"
+#include "study/draw_job.hpp"
 #include "study/plan.hpp"
 
 namespace physim {
@@ -29,7 +29,7 @@ void draw(const StudyPlanRecord& plan, const Sampler& sampler, std::uint64_t sha
       drawn.push_back(numbers);
     }
     if (!group.root.empty()) {
-      for (const auto& numbers : drawn) normal_quantiles(numbers);
+      for (const auto& numbers : drawn) draw_kernel().normal_quantiles(numbers.data(), numbers.size());
       correlate(group.root, drawn);
     }
     for (std::size_t i = 0; i < drawn.size(); ++i) {

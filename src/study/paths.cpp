@@ -18,8 +18,8 @@ constexpr PathRow shot_row(std::string_view path, std::string_view unit, std::st
   return {.path = path, .unit = unit, .about = about, .number = number, .above_zero = above_zero};
 }
 constexpr PathRow launch_row(std::string_view path, std::string_view unit, std::string_view about, Number number,
-                             std::span<const double> LaunchColumns::*column) {
-  return {.path = path, .unit = unit, .about = about, .number = number, .launches = column};
+                             std::span<const double> LaunchColumns::*column, bool above_zero = false) {
+  return {.path = path, .unit = unit, .about = about, .number = number, .launches = column, .above_zero = above_zero};
 }
 constexpr PathRow weather_row(std::string_view path, std::string_view unit, std::string_view about,
                               std::span<const double> Weather::*column, double (*there)(const Environment&),
@@ -65,10 +65,10 @@ constexpr PathRow kPathRows[] = {
     shot_row("shot.twist", "m", "rifling, length of one turn", PHYSIM_NUMBER(projectile.twist)),
     shot_row("shot.drag.coefficient", "-", "of a constant drag coefficient",
              PHYSIM_NUMBER(projectile.drag.coefficient)),
-    shot_row("shot.drag.ballistic_coefficient", "kg/m^2", "m / (i d^2)",
-             PHYSIM_NUMBER(projectile.drag.ballistic_coefficient), kAboveZero),
-    shot_row("shot.drag.form_factor", "-", "times the drag coefficient of a table",
-             PHYSIM_NUMBER(projectile.drag.form_factor), kAboveZero),
+    launch_row("shot.drag.ballistic_coefficient", "kg/m^2", "m / (i d^2)",
+               PHYSIM_NUMBER(projectile.drag.ballistic_coefficient), &LaunchColumns::ballistic_coefficient, kAboveZero),
+    launch_row("shot.drag.form_factor", "-", "times the drag coefficient of a table",
+               PHYSIM_NUMBER(projectile.drag.form_factor), &LaunchColumns::form_factor, kAboveZero),
     shot_row("shot.drag.k1", "kg/s", "linear drag", PHYSIM_NUMBER(projectile.drag.k1)),
     shot_row("shot.drag.k2", "kg/m", "quadratic drag", PHYSIM_NUMBER(projectile.drag.k2)),
     {"shot.motor.thrust", "-", "times the thrust of the motor's table", nullptr, nullptr, nullptr, nullptr,

@@ -4,20 +4,22 @@
 #include <numeric>
 #include <vector>
 
+#include "study/draw_job.hpp"
 #include "study/sobol.hpp"
 
 namespace physim {
 namespace {
 
+/// Pairs of them in lanes; a pair may have a half before the first number, or behind the last.
 void fill_random(std::uint64_t seed, unsigned dimension, std::uint64_t first, std::span<double> numbers) {
   const auto bits_of = [&](std::uint64_t pair) { return philox_pair(seed, DrawStream::draw, dimension, 0, pair); };
-  std::size_t i = 0;
-  if (first % 2 == 1) numbers[i++] = unit_of_digits(bits_of(first / 2).odd >> 12);
-  for (; i < numbers.size(); i += 2) {
-    const BitsPair bits = bits_of((first + i) / 2);
-    numbers[i] = unit_of_digits(bits.even >> 12);
-    if (i + 1 < numbers.size()) numbers[i + 1] = unit_of_digits(bits.odd >> 12);
-  }
+  const std::size_t before = first % 2;
+  if (before == 1) numbers[0] = unit_of_digits(bits_of(first / 2).odd >> 12);
+  const std::size_t pairs = (numbers.size() - before) / 2, drawn = before + 2 * pairs;
+  PHYSIM_ASSERT(drawn <= numbers.size() && drawn + 1 >= numbers.size());
+  const std::uint32_t stream = dimension_and_stream(dimension, DrawStream::draw);
+  draw_kernel().units({seed, stream, 0, (first + before) / 2, pairs, numbers.data() + before});
+  if (drawn < numbers.size()) numbers[drawn] = unit_of_digits(bits_of((first + drawn) / 2).even >> 12);
 }
 
 void fill_latin(std::uint64_t seed, unsigned dimension, std::uint64_t first, std::span<double> numbers) {

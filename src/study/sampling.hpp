@@ -23,15 +23,21 @@ enum class DrawStream : std::uint32_t { draw, permutation, scramble };
 /// Errors are told from this many parts of a study that know nothing of each other.
 inline constexpr std::uint32_t kReplicates = 16;
 
-/// 64 random bits for each of two indices, 2 * pair and the next; dimension < 256, replicate < 2^20.
+/// One word of the counters of an input; dimension < 256.
+[[nodiscard]] inline std::uint32_t dimension_and_stream(std::uint32_t dimension, DrawStream stream) {
+  PHYSIM_ASSERT(dimension < 256);
+  return dimension | static_cast<std::uint32_t>(stream) << 8;
+}
+
+/// 64 random bits for each of two indices, 2 * pair and the next; replicate < 2^20.
 struct BitsPair {
   std::uint64_t even, odd;
 };
 [[nodiscard]] inline BitsPair philox_pair(std::uint64_t seed, DrawStream stream, std::uint32_t dimension,
                                           std::uint32_t replicate, std::uint64_t pair) {
-  PHYSIM_ASSERT(dimension < 256 && replicate < 1u << 20);
+  PHYSIM_ASSERT(replicate < 1u << 20);
   const PhiloxCounter words = philox({static_cast<std::uint32_t>(pair), static_cast<std::uint32_t>(pair >> 32),
-                                      dimension | static_cast<std::uint32_t>(stream) << 8, replicate},
+                                      dimension_and_stream(dimension, stream), replicate},
                                      {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
   return {words[0] | std::uint64_t{words[1]} << 32, words[2] | std::uint64_t{words[3]} << 32};
 }

@@ -15,6 +15,21 @@ PlanePoint direction_of_edge(std::size_t k) {
   return {cos(angle), sin(angle)};
 }
 
+/// How far numbers reach along a direction. In lanes: none waits for the largest of the others.
+double farthest(const PlanePoint& n, std::span<const double> right, std::span<const double> up) {
+  PHYSIM_ASSERT(!right.empty() && right.size() == up.size());
+  constexpr std::size_t kLanes = 8;
+  const auto along = [&](std::size_t i) { return n.right * right[i] + n.up * up[i]; };
+  const auto larger = [](double a, double b) { return a > b ? a : b; };
+  double most[kLanes];
+  std::fill(most, most + kLanes, along(0));
+  std::size_t i = 1;
+  for (; i + kLanes <= right.size(); i += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) most[lane] = larger(along(i + lane), most[lane]);
+  for (; i < right.size(); ++i) most[0] = larger(along(i), most[0]);
+  return *std::max_element(most, most + kLanes);
+}
+
 /// The chance of fewer than K of what comes lambda times on average.
 double fewer_than_directions(double lambda) {
   double term = exp(-lambda), sum = 0;
@@ -30,12 +45,8 @@ double fewer_than_directions(double lambda) {
 std::vector<double> reach_of(std::span<const double> right, std::span<const double> up) {
   PHYSIM_ASSERT(right.size() == up.size());
   std::vector<double> reach;
-  for (std::size_t k = 0; k < kZoneDirections && !right.empty(); ++k) {
-    const PlanePoint n = direction_of_edge(k);
-    double most = n.right * right[0] + n.up * up[0];
-    for (std::size_t i = 1; i < right.size(); ++i) most = std::max(most, n.right * right[i] + n.up * up[i]);
-    reach.push_back(most);
-  }
+  for (std::size_t k = 0; k < kZoneDirections && !right.empty(); ++k)
+    reach.push_back(farthest(direction_of_edge(k), right, up));
   return reach;
 }
 

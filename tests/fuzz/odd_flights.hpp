@@ -95,8 +95,13 @@ class OddFlights {
     };
     const auto speed = column(1, 900, true), elevation = column(-0.1, 1), y = column(0, 30), wind = column(-9, 9),
                temperature = column(250, 310), pressure = column(5e4, 1e5), humidity = column(0, 1),
-               density = column(0.1, 2);
-    const LaunchColumns from{.common = {.position = {0, 5, 0}}, .y = y, .speed = speed, .elevation = elevation};
+               density = column(0.1, 2), coefficient = column(1, 500), factor = column(0.1, 3);
+    const LaunchColumns from{.common = {.position = {0, 5, 0}},
+                             .y = y,
+                             .speed = speed,
+                             .elevation = elevation,
+                             .ballistic_coefficient = coefficient,
+                             .form_factor = factor};
     const Weather weather{
         .wind_z = wind, .temperature = temperature, .pressure = pressure, .humidity = humidity, .density = density};
     const ProjectileDef projectile = r_.projectile();
@@ -105,12 +110,15 @@ class OddFlights {
                                            {.time = time, .x = x}, nullptr, weather);
     expect((ends.refused > 0) == ends.error.has_value(), "columns refused without a reason");
     if (ends.refused == from.size()) return;
-    std::vector<Launch> launches;
-    for (std::size_t i = 0; i < from.size(); ++i) launches.push_back(from.at(i));
-    const BatchResult batch =
-        fly_batch(projectile, launches, environment, fidelity, tolerance, until, nullptr, weather);
-    check(batch, launches.size());
-    for (std::size_t i = 0; i < launches.size(); ++i) {
+    std::vector<Shot> shots(from.size(), {projectile, {}});
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      shots[i].launch = from.at(i);
+      from.put(i, shots[i].projectile);
+      if (!coefficient.empty() && !(coefficient[i] > 0)) shots[i].projectile.mass = 0;  // what else refuses it
+    }
+    const BatchResult batch = fly_batch(shots, environment, fidelity, tolerance, until, nullptr, weather);
+    check(batch, shots.size());
+    for (std::size_t i = 0; i < shots.size(); ++i) {
       const ShotResult& shot = batch.shots[i];
       const bool refused = shot.outcome == Outcome::refused;
       expect(refused ? std::isnan(time[i]) : time[i] == shot.time && x[i] == shot.position.x,

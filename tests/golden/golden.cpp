@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x1d4ef4299df7053c, 0x2b2f1a9d376e5732, 0x3ea2bf48c75b9059, 0x6104e08404fbdb39,
+constexpr Sums kExpectedSums = {0x93a045eec0a3ac01, 0xe8149c5846c588c6, 0xd792bd51daadbb14, 0x77d40a709b4ab2bd,
                                 0xd3d573cc33a0109d};
 
 void print(std::FILE* file, const Sums& sums) {

@@ -209,6 +209,27 @@ TEST(Study, shots_are_those_of_fly) {
   }
 }
 
+/// Drag has columns of its own; beside a number of the projectile that has none, each shot is a structure.
+TEST(Study, uncertain_drag_flies_the_same_as_columns_and_as_structures) {
+  Study study = rifle();
+  study.inputs = {input("shot.drag.ballistic_coefficient", NormalDistribution{171, 3}),
+                  input("shot.speed", NormalDistribution{800, 3})};
+  const StudyPlan as_columns = plan_of(study);
+  study.inputs.push_back(input("shot.length", UniformDistribution{0.03, 0.031}));  // nothing reads it here
+  const StudyPlan as_structures = plan_of(study);
+  for (const std::uint64_t shot : {0u, 5u, 1000u}) {
+    const std::vector<double> drawn = draws_of(as_columns, shot), ends = fly_shot_of(as_columns, shot);
+    EXPECT_EQ(ends, fly_shot_of(as_structures, shot));
+    ProjectileDef projectile = study.projectile;
+    projectile.drag.ballistic_coefficient = drawn[0];
+    Launch launch = as_columns.study().launch;
+    launch.speed = drawn[1];
+    const Sample end = fly(projectile, launch, study.environment, study.fidelity, {}, study.until).end();
+    EXPECT_NEAR(ends[0], end.windage, 1e-9);
+    EXPECT_NEAR(ends[1], end.drop, 1e-9);
+  }
+}
+
 /// Numbers of the projectile make a structure of each shot, a rocket's thrust a table of each.
 TEST(Study, numbers_of_the_projectile_are_flown) {
   Study study = rifle();

@@ -1,0 +1,28 @@
+// Drawing many numbers at a time: what the kernels of each instruction set offer, and the choice among them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace physim {
+
+/// Random numbers in (0, 1) of one input, see study/sampling.hpp: two for each counter of Philox.
+struct UnitsJob {
+  std::uint64_t seed;
+  std::uint32_t dimension_and_stream, replicate;  // words of all counters
+  std::uint64_t first_pair;
+  std::size_t pairs;
+  double* numbers;  // twice as many
+};
+
+struct DrawKernel {
+  const char* name;
+  void (*units)(const UnitsJob& job);
+  /// z with Phi(z) = p in the place of each p.
+  void (*normal_quantiles)(double* numbers, std::size_t count);
+};
+
+/// That of the instruction set whose batch kernel is in use.
+[[nodiscard]] const DrawKernel& draw_kernel();
+
+}  // namespace physim
