@@ -121,6 +121,7 @@ class HeightField {
   void build_levels();
   [[nodiscard]] Bounds box(std::size_t level, std::uint32_t column, std::uint32_t row) const;
   void clear_of(const Vec3d& p, std::size_t level, std::uint32_t column, std::uint32_t row, double& within) const;
+  void clear_of_cell(const Vec3d& p, std::uint32_t column, std::uint32_t row, double& within) const;
 
   [[nodiscard]] Vec3d point(std::uint32_t column, std::uint32_t row) const {
     return {column * spacing_x_, height(column, row), row * spacing_z_};
