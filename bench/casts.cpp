@@ -1,106 +1,11 @@
 // Segments cast into scenes, beside Embree 3 and Bullet 3.
 #include <cmath>
-#include <cstdio>
 
-#include "cast_peers.hpp"
-#include "physim/scene.hpp"
-#include "random_shots.hpp"
+#include "cast_scenes.hpp"
 #include "sections.hpp"
 
 namespace physim::bench {
 namespace {
-
-constexpr std::uint32_t kPoints = 225;  // along a side of the terrain: 100 352 triangles
-constexpr float kSpacing = 4.5f;        // [m]
-
-float ground(std::uint32_t column, std::uint32_t row) {
-  const double x = column * 0.09, z = row * 0.11;
-  return static_cast<float>(18 * std::sin(x) * std::cos(z) + 5 * std::sin(3.1 * x + 1) * std::sin(2.7 * z) +
-                            0.8 * std::sin(17 * x) * std::cos(19 * z));
-}
-
-CastMesh terrain(std::uint32_t points) {
-  CastMesh mesh;
-  for (std::uint32_t row = 0; row < points; ++row)
-    for (std::uint32_t column = 0; column < points; ++column) {
-      mesh.vertices.insert(mesh.vertices.end(), {column * kSpacing, ground(column, row), row * kSpacing});
-      if (row + 1 == points || column + 1 == points) continue;
-      const std::uint32_t a = row * points + column;
-      mesh.triangles.insert(mesh.triangles.end(), {a, a + points, a + 1, a + 1, a + points, a + points + 1});
-    }
-  return mesh;
-}
-
-/// Four walls and a roof with a ridge.
-CastMesh house() {
-  CastMesh mesh;
-  for (const float y : {0.0f, 5.0f})
-    for (const auto& [x, z] : {std::pair{-4.0f, -5.0f}, {4.0f, -5.0f}, {4.0f, 5.0f}, {-4.0f, 5.0f}})
-      mesh.vertices.insert(mesh.vertices.end(), {x, y, z});
-  mesh.vertices.insert(mesh.vertices.end(), {0, 8, -5, 0, 8, 5});
-  mesh.triangles = {0, 4, 5, 0, 5, 1, 1, 5, 6, 1, 6, 2, 2, 6, 7, 2, 7, 3, 3, 7, 4, 3, 4, 0,
-                    4, 8, 5, 7, 6, 9, 4, 7, 9, 4, 9, 8, 5, 8, 9, 5, 9, 6, 0, 1, 2, 0, 2, 3};
-  return mesh;
-}
-
-std::vector<CastPlace> streets() {
-  test::Random r(3);
-  std::vector<CastPlace> places;
-  for (int i = 0; i < 1000; ++i) {
-    const double angle = r.in(0, 6.28);
-    places.push_back({{static_cast<float>(i % 32 * 22 + r.in(-3, 3)), 0, static_cast<float>(i / 32 * 24 + r.in(-3, 3))},
-                      static_cast<float>(std::cos(angle)),
-                      static_cast<float>(std::sin(angle))});
-  }
-  return places;
-}
-
-MeshShape as_shape(const CastMesh& mesh) {
-  MeshShape shape;
-  for (std::size_t i = 0; i < mesh.vertices.size(); i += 3)
-    shape.vertices.push_back({mesh.vertices[i], mesh.vertices[i + 1], mesh.vertices[i + 2]});
-  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3)
-    shape.triangles.push_back({mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]});
-  return shape;
-}
-
-Scene scene_of(const CastMesh& mesh, const std::vector<CastPlace>& places) {
-  Scene scene;
-  const ShapeId shape = scene.add_shape(as_shape(mesh)).value();
-  if (places.empty()) static_cast<void>(scene.add({.shape = shape}));
-  for (const CastPlace& place : places) {
-    // Half of the turn about y that takes x to (cosine, 0, -sine).
-    const double angle = std::atan2(place.sine, place.cosine) / 2;
-    static_cast<void>(scene.add({.shape = shape,
-                                 .transform = {.position = {place.position[0], place.position[1], place.position[2]},
-                                               .rotation = {std::cos(angle), 0, std::sin(angle), 0}}}));
-  }
-  return scene;
-}
-
-Scene field_scene() {
-  HeightFieldShape field{
-      .columns = kPoints, .rows = kPoints, .spacing_x = kSpacing, .spacing_z = kSpacing, .heights = {}};
-  for (std::uint32_t row = 0; row < kPoints; ++row)
-    for (std::uint32_t column = 0; column < kPoints; ++column) field.heights.push_back(ground(column, row));
-  Scene scene;
-  static_cast<void>(scene.add({.shape = scene.add_shape(field).value()}));
-  return scene;
-}
-
-/// Segments of 5 to 15 m about places; `height(x, z)` is what they fly over.
-template <class Height>
-std::vector<CastSegment> segments_over(std::size_t count, double width, double depth, const Height& height) {
-  test::Random r(9);
-  std::vector<CastSegment> list;
-  while (list.size() < count) {
-    const double x = r.in(20, width - 20), z = r.in(20, depth - 20), y = height(x, z) + r.in(0.2, 9);
-    const Vec3d way = normalized(Vec3d{r.in(-1, 1), r.in(-0.7, 0.3), r.in(-1, 1)}) * r.in(5, 15);
-    list.push_back({{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)},
-                    {static_cast<float>(x + way.x), static_cast<float>(y + way.y), static_cast<float>(z + way.z)}});
-  }
-  return list;
-}
 
 struct Contest {
   std::vector<std::string> names;
@@ -164,7 +69,7 @@ Section casts_section(const Options& options) {
   s.columns = {"scene", "contender", "ns a segment", "of Embree's", "of Bullet's", "hit", "differ"};
   const std::size_t count = options.quick ? 20000 : 100000;
   const CastMesh hills = terrain(kPoints), building = house();
-  const std::vector<CastPlace> places = streets();
+  const std::vector<CastPlace> places = streets(1000);
   const Scene land = scene_of(hills, {}), field = field_scene(), town = scene_of(building, places);
   const auto embree = embree_scene(hills, {}, false), packets = embree_scene(hills, {}, true);
   const auto bullet = bullet_scene(hills, {});

@@ -119,6 +119,7 @@ int run(int count, char** given) {
   if (wanted("casts")) {
     add(casts_section(a.options));
     add(build_section(a.options));
+    add(scene_worlds_section(a.options));
   }
   if (a.json) std::fputs(as_json(report).c_str(), stdout);
   if (!a.markdown.empty()) std::ofstream(a.markdown) << as_markdown(report, a.command);

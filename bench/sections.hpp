@@ -34,6 +34,8 @@ struct Options {
 [[nodiscard]] Section casts_section(const Options& options);
 /// How long a mesh takes to be added, and what it takes in memory.
 [[nodiscard]] Section build_section(const Options& options);
+/// Worlds of bullets near the things of a scene and far from them.
+[[nodiscard]] Section scene_worlds_section(const Options& options);
 /// Worlds beside the original loop and Bullet; their rungs; what each operation costs; emitters.
 [[nodiscard]] std::vector<Section> world_sections(const Options& options);
 

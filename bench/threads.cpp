@@ -1,10 +1,4 @@
 // Batches on two threads, beside what two processes reach that fly the same at the same time.
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <cstdlib>
-
 #include "physim/flight_columns.hpp"
 #include "physim/task_runner.hpp"
 #include "sections.hpp"
@@ -17,19 +11,6 @@ struct Company {
   std::function<void(TaskRunner*)> fly;
   double flights = 0;  // 0: as many as there are launches
 };
-
-/// Seconds until two processes have both done a piece of work.
-double seconds_of_two(const std::function<void()>& work) {
-  return seconds(Clock::wall, [&] {
-    for (int i = 0; i < 2; ++i)
-      if (fork() == 0) {
-        work();
-        std::_Exit(0);
-      }
-    while (wait(nullptr) > 0) {
-    }
-  });
-}
 
 std::vector<Cell> row_of(const Company& company, double flights, const std::vector<std::vector<double>>& taken) {
   const std::vector<double>&one = taken[0], &two = taken[1], &processes = taken[2];

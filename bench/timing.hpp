@@ -17,6 +17,9 @@ enum class Clock {
 /// Seconds of one call.
 [[nodiscard]] double seconds(Clock clock, const std::function<void()>& call);
 
+/// Seconds on the wall until two processes have both done a piece of work.
+[[nodiscard]] double seconds_of_two(const std::function<void()>& work);
+
 /// Calls every contender once a round; returns seconds[contender][round].
 [[nodiscard]] std::vector<std::vector<double>> take_turns(Clock clock, int rounds,
                                                           const std::vector<std::function<void()>>& contenders);

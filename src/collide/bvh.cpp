@@ -175,7 +175,8 @@ class Bvh::Builder {
     std::uint32_t next = static_cast<std::uint32_t>(nodes_.size());
     for (int i = 0; i < 4; ++i) {
       const QuadBox box = i < count ? ranges[i].box : QuadBox{};
-      for (int axis = 0; axis < 3; ++axis) n.plane[0][axis][i] = box.low[axis], n.plane[1][axis][i] = box.high[axis];
+      for (int axis = 0; axis < 3; ++axis)
+        n.plane[4 * axis + i] = box.low[axis], n.plane[kSides + 4 * axis + i] = box.high[axis];
       const bool leaf = i >= count || ranges[i].leaf;
       n.first[i] = i >= count ? 0 : leaf ? ranges[i].first : next++;
       n.count[i] = static_cast<std::uint8_t>(i < count && leaf ? ranges[i].count : 0);

@@ -207,7 +207,7 @@ class Bvh {
   void boxes(const Visit& visit) const {
     for (const Node& node : nodes_)
       for (int lane = 0; lane < 4; ++lane)
-        if (node.plane[0][0][lane] <= node.plane[1][0][lane]) visit(node.box(lane));
+        if (node.plane[lane] <= node.plane[kSides + lane]) visit(node.box(lane));
   }
   /// Calls visit(place, within) for each item whose box is not farther from p than `within`, which visit shortens. With
   /// `kRoughly`, a box that is farther than it is large counts for what is in it.
@@ -248,6 +248,7 @@ class Bvh {
  private:
   class Builder;
   static constexpr int kStack = 256;
+  static constexpr std::size_t kSides = 12;       // of four boxes, low or high
   static constexpr double kFloatSlack = 0x1p-22;  // what coordinates lose in float, four times
 
   struct Waiting {
@@ -257,13 +258,13 @@ class Bvh {
 
   /// Four children, or fewer: boxes beyond are empty.
   struct alignas(128) Node {
-    float plane[2][3][4];    // low and high sides, by axis and child
-    std::uint32_t first[4];  // its items' first place, or of an inner child its node
-    std::uint8_t count[4];   // of its items; 0: an inner child
+    float plane[2 * kSides];  // low sides by axis and child, then high ones
+    std::uint32_t first[4];   // its items' first place, or of an inner child its node
+    std::uint8_t count[4];    // of its items; 0: an inner child
 
     [[nodiscard]] Bounds box(int lane) const {
-      return {{plane[0][0][lane], plane[0][1][lane], plane[0][2][lane]},
-              {plane[1][0][lane], plane[1][1][lane], plane[1][2][lane]}};
+      const float *low = plane + lane, *high = low + kSides;
+      return {{low[0], low[4], low[8]}, {high[0], high[4], high[8]}};
     }
     [[nodiscard]] PHYSIM_INLINE Waiting child(int lane, const Quad& in) const {
       return {first[lane], count[lane], in[lane]};
@@ -272,7 +273,7 @@ class Bvh {
     [[nodiscard]] PHYSIM_INLINE Quad sizes() const {
       Quad sum(0.0f);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Quad size = Quad::load(plane[1][axis]) - Quad::load(plane[0][axis]);
+        const Quad size = Quad::load(plane + kSides + 4 * axis) - Quad::load(plane + 4 * axis);
         sum = sum + size * size;
       }
       return sqrt(sum);
@@ -289,7 +290,8 @@ class Bvh {
       const double slack =
           s.radius + kFloatSlack * (most + s.radius) + 4 * std::numeric_limits<double>::epsilon() * s.extent();
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        side_[axis] = per_along[axis] < 0 ? 1 : 0;
+        near_at_[axis] = (per_along[axis] < 0 ? kSides : 0) + 4 * axis;
+        far_at_[axis] = (per_along[axis] < 0 ? 0 : kSides) + 4 * axis;
         const double sign = per_along[axis] < 0 ? -1 : 1;
         near_[axis] = Quad(static_cast<float>(from[axis] + sign * slack));
         far_[axis] = Quad(static_cast<float>(from[axis] - sign * slack));
@@ -300,18 +302,19 @@ class Bvh {
     [[nodiscard]] float reach(const Segment& s) const { return float_above(s.reach - base_) * (1 + 0x1p-20f); }
     /// The boxes that are entered, and where.
     PHYSIM_INLINE unsigned enters(const Node& node, float reach, Quad& in) const {
-      Quad out(reach);
-      in = Quad(0.0f);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        in = larger((Quad::load(node.plane[side_[axis]][axis]) - near_[axis]) * per_along_[axis], in);
-        out = min((Quad::load(node.plane[1 - side_[axis]][axis]) - far_[axis]) * per_along_[axis], out);
-      }
+      // Written out for the three axes: g++ keeps the loop, and waits for it at each of them.
+      const auto entry = [&](std::size_t i) {
+        return (Quad::load(node.plane + near_at_[i]) - near_[i]) * per_along_[i];
+      };
+      const auto exit = [&](std::size_t i) { return (Quad::load(node.plane + far_at_[i]) - far_[i]) * per_along_[i]; };
+      in = larger(entry(2), larger(entry(1), larger(entry(0), Quad(0.0f))));
+      const Quad out = min(exit(2), min(exit(1), min(exit(0), Quad(reach))));
       return lanes_up_to(in, out * (1 + 0x1p-20f));
     }
 
    private:
     Quad near_[3], far_[3], per_along_[3];
-    std::size_t side_[3];
+    std::size_t near_at_[3], far_at_[3];  // the sides of each axis that are entered and left
     double base_;
   };
 
@@ -329,8 +332,8 @@ class Bvh {
     [[nodiscard]] PHYSIM_INLINE Quad least_distance(const Node& node) const {
       Quad sum(0.0f);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Quad below = Quad::load(node.plane[0][axis]) - high_[axis];
-        const Quad beyond = larger(larger(low_[axis] - Quad::load(node.plane[1][axis]), below), Quad(0.0f));
+        const Quad below = Quad::load(node.plane + 4 * axis) - high_[axis];
+        const Quad beyond = larger(larger(low_[axis] - Quad::load(node.plane + kSides + 4 * axis), below), Quad(0.0f));
         sum = sum + beyond * beyond;
       }
       return sqrt(sum) * (1 - 0x1p-20f);

@@ -89,6 +89,10 @@ Bounds HeightField::box(std::size_t level, std::uint32_t column, std::uint32_t r
 
 double HeightField::clearance(const Vec3d& p) const {
   double within = kFarthest;
+  // What is below it or above it is near it, too, where heights are no cliffs: little else is looked at then.
+  const double column = std::clamp(p.x * per_spacing_x_, 0.0, columns_ - 2.0);
+  const double row = std::clamp(p.z * per_spacing_z_, 0.0, rows_ - 2.0);
+  clear_of_cell(p, static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), within);
   clear_of(p, levels_.size() - 1, 0, 0, within);
   return within;
 }
@@ -116,13 +120,16 @@ void HeightField::clear_of(const Vec3d& p, std::size_t level, std::uint32_t colu
         cell.take(corner);
       const double beside = cell.least_distance(p);
       if (beside >= within) continue;
-      if (beside > length(cell.high - cell.low)) {
+      if (beside > length(cell.high - cell.low))
         within = beside;
-        continue;
-      }
-      for (std::uint32_t half = 0; half < 2; ++half)
-        within = std::min(within, 0.5 * length(p - nearest_point(triangle(i, j, half), p)));
+      else
+        clear_of_cell(p, i, j, within);
     }
+}
+
+void HeightField::clear_of_cell(const Vec3d& p, std::uint32_t column, std::uint32_t row, double& within) const {
+  for (std::uint32_t half = 0; half < 2; ++half)
+    within = std::min(within, 0.5 * length(p - nearest_point(triangle(column, row, half), p)));
 }
 
 /// Rings of cells about the point, until none can be nearer.

@@ -95,6 +95,14 @@ class HeightField {
     return {first, static_cast<std::uint32_t>(high) - first + 1};
   }
 
+  /// Whether all of a cell lies above a height, or below another one.
+  [[nodiscard]] bool is_beside(std::uint32_t column, std::uint32_t row, double low, double high) const {
+    const double a = height(column, row), b = height(column + 1, row);
+    const double c = height(column, row + 1), d = height(column + 1, row + 1);
+    const bool above = (a > high) & (b > high) & (c > high) & (d > high);
+    return above | ((a < low) & (b < low) & (c < low) & (d < low));
+  }
+
   template <class Take>
   void cross_column(Segment& s, const Shear& shear, std::uint32_t column, const Slab& here, double wide,
                     const Take& take) const {
@@ -105,9 +113,7 @@ class HeightField {
     const bool forwards = s.along.z >= 0;
     for (std::uint32_t i = 0; i < over.count; ++i) {
       const std::uint32_t row = forwards ? over.first + i : over.first + over.count - 1 - i;
-      const double a = height(column, row), b = height(column + 1, row);
-      const double c = height(column, row + 1), d = height(column + 1, row + 1);
-      if (std::min(std::min(a, b), std::min(c, d)) > high || std::max(std::max(a, b), std::max(c, d)) < low) continue;
+      if (is_beside(column, row, low, high)) continue;
       for (std::uint32_t half = 0; half < 2; ++half) {
         auto crossing = meets(s, shear, triangle(column, row, half));
         if (!crossing) continue;
@@ -121,6 +127,7 @@ class HeightField {
   void build_levels();
   [[nodiscard]] Bounds box(std::size_t level, std::uint32_t column, std::uint32_t row) const;
   void clear_of(const Vec3d& p, std::size_t level, std::uint32_t column, std::uint32_t row, double& within) const;
+  void clear_of_cell(const Vec3d& p, std::uint32_t column, std::uint32_t row, double& within) const;
 
   [[nodiscard]] Vec3d point(std::uint32_t column, std::uint32_t row) const {
     return {column * spacing_x_, height(column, row), row * spacing_z_};

@@ -29,16 +29,18 @@ struct Way {
   }
 };
 
-/// Nothing is in its way: so far it may fly now.
+/// So far it may fly from where it is now; unless it looks, as it was. To look takes as long as some steps near a
+/// thing: who comes from afar always does; who is new mostly is near something, and who was near stays so for long.
 template <class S>
-void pass(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const CollisionDef& collision) {
-  const Vec3d from = Rows::at(c.position, row), to = Rows::at(c.previous, row);
-  const Vec3d mean = (to - from) * (1 / context.dt);
-  // A look farther around is worth it where the last one told something; who was near then mostly still is.
-  constexpr std::uint32_t kSeldom = 8;
-  const bool was_clear = static_cast<double>(c.clear[row]) > -0.5 * length(mean) * context.dt;
-  const bool looks = was_clear || (row + static_cast<std::uint32_t>(context.state->clock.steps)) % kSeldom == 0;
-  c.clear[row] = looks ? clear_way<S>(context, {to, mean}, collision) : S(0);
+S clear_now(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
+            const CollisionDef& collision) {
+  constexpr std::uint32_t kNew = 8, kNear = 32;  // one look in so many steps
+  const double gone = length(way.to - way.from);
+  const auto clear = static_cast<double>(c.clear[row]);  // it was 0 of who is new, and -gone of who was near
+  const std::uint32_t steps = clear > -0.5 * gone ? 1 : clear > -1.5 * gone ? kNew : kNear;
+  if ((row + static_cast<std::uint32_t>(context.state->clock.steps)) % steps != 0)
+    return static_cast<S>(steps == kNear ? -gone : 0.0);
+  return clear_way<S>(context, {way.to, (way.to - way.from) * (1 / context.dt)}, collision);
 }
 
 /// It may meet something: it is put back and settled.
@@ -59,13 +61,16 @@ auto with_row(const SettleContext& context, const Chunk& chunk, std::uint32_t ro
 }  // namespace
 
 void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
-  with_row(context, chunk, row, [&](const auto& c, const CollisionDef& collision) {
+  with_row(context, chunk, row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
     const Way way(c, row);
-    const double beside = way.beside(context.dt) + 1e-9;
+    const double beside = way.beside(context.dt) + 1e-9, gone = length(way.to - way.from);
+    if (!context.scene) return put_back(context, chunk, c, row);
+    const S clear = clear_now(context, c, row, way, collision);
+    // As far around its end as it came from nothing can be: then nothing was in its way either.
+    if (static_cast<double>(clear) > gone + beside) return void(c.clear[row] = clear);
     const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
-    if (context.scene && !context.scene->any_hit(segment, {.layers = collision.layers}))
-      return pass(context, c, row, collision);
-    put_back(context, chunk, c, row);
+    if (context.scene->any_hit(segment, {.layers = collision.layers})) return put_back(context, chunk, c, row);
+    c.clear[row] = clear;
   });
 }
 
@@ -138,9 +143,9 @@ void look_around(const SettleContext& context, const std::vector<NearRow>& rows)
     at += question.pieces;
     const bool is_clear = !own.empty() && std::ranges::none_of(own, [](const SceneHit& hit) { return bool(hit); });
     const NearRow& near = question.row;
-    with_row(context, *near.chunk, near.row, [&](const auto& c, const CollisionDef& collision) {
-      if (is_clear) return pass(context, c, near.row, collision);
-      put_back(context, *near.chunk, c, near.row);
+    with_row(context, *near.chunk, near.row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
+      if (!is_clear) return put_back(context, *near.chunk, c, near.row);
+      c.clear[near.row] = clear_now(context, c, near.row, Way(c, near.row), collision);
     });
   }
   PHYSIM_ASSERT(at == hits.size());

@@ -5,57 +5,18 @@
 // Spawns, despawns, forces that come and go, fidelity moves, impulses, switches, snapshots and numbers that overflow.
 // Fails where the memory held grows after the first third of 10^8 or more, or where a projectile that stays in the
 // world has bad numbers. It is meant to run under the sanitizers: ./dev soak --asan, ./dev soak --tsan.
-#include <unistd.h>
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
-#define PHYSIM_HAS_MALLINFO2 1
-#include <malloc.h>
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define PHYSIM_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define PHYSIM_SANITIZED 1
-#endif
-#endif
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
 
 #include "physim/world.hpp"
-
-#ifdef PHYSIM_SANITIZED
-extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // g++ has no header for it
-#endif
+#include "soak/memory.hpp"
 
 namespace {
 
 using namespace physim;
-
-/// Memory that the process takes from the system.
-std::size_t resident_bytes() {
-  std::FILE* statm = std::fopen("/proc/self/statm", "r");
-  if (!statm) return 0;
-  long size = 0;
-  long resident = 0;
-  const int read = std::fscanf(statm, "%ld %ld", &size, &resident);
-  std::fclose(statm);
-  return read == 2 ? static_cast<std::size_t>(resident) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
-}
-
-/// Memory that is held: what was allocated and not given back. A snapshot of a large world leaves holes when it goes,
-/// which the allocator fills and makes as it likes; they are resident, and nobody's leak.
-std::size_t held_bytes() {
-#ifdef PHYSIM_SANITIZED
-  return __sanitizer_get_current_allocated_bytes();
-#elif defined(PHYSIM_HAS_MALLINFO2)
-  const struct mallinfo2 heap = mallinfo2();
-  return heap.uordblks + heap.hblkhd;
-#else
-  return resident_bytes();
-#endif
-}
+using soak::resident_bytes;
 
 class Soak {
  public:
@@ -226,36 +187,32 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: physim_soak [PROJECTILE_STEPS] [PROJECTILES] [SEED]\n");
     return 2;
   }
-  Soak soak(static_cast<std::size_t>(projectiles), seed);
-  std::size_t early = 0;
-  std::size_t most = 0;
+  Soak crowd(static_cast<std::size_t>(projectiles), seed);
+  soak::Memory memory(target);
   std::uint64_t next_report = 0;
-  while (static_cast<double>(soak.projectile_steps()) < target) {
-    soak.step();
-    const std::uint64_t done = soak.projectile_steps();
-    const std::size_t bytes = held_bytes();
-    if (static_cast<double>(done) < target / 3) early = std::max(early, bytes);
-    most = std::max(most, bytes);
+  while (static_cast<double>(crowd.projectile_steps()) < target) {
+    crowd.step();
+    const std::uint64_t done = crowd.projectile_steps();
+    memory.look(static_cast<double>(done));
     if (done < next_report) continue;
     next_report = done + static_cast<std::uint64_t>(target / 10);
-    if (!soak.all_finite()) {
+    if (!crowd.all_finite()) {
       std::fprintf(stderr, "soak: a projectile with bad numbers stayed in the world\n");
       return 1;
     }
     std::printf("%12llu projectile-steps, %zu projectiles, %zu cohorts, %.1f MB held, %.1f MB resident\n",
-                static_cast<unsigned long long>(done), soak.world().size(), soak.world().cohorts().size(),
-                static_cast<double>(bytes) / 1e6, static_cast<double>(resident_bytes()) / 1e6);
+                static_cast<unsigned long long>(done), crowd.world().size(), crowd.world().cohorts().size(),
+                memory.held(), static_cast<double>(resident_bytes()) / 1e6);
     std::fflush(stdout);
   }
-  const WorldCounters& counters = soak.world().counters();
+  const WorldCounters& counters = crowd.world().counters();
   std::printf(
       "steps %llu, retired for bad numbers %llu, refused %llu; held at most %.1f MB in the first third, %.1f MB in "
       "all\n",
       static_cast<unsigned long long>(counters.steps), static_cast<unsigned long long>(counters.retired),
-      static_cast<unsigned long long>(counters.refused), static_cast<double>(early) / 1e6,
-      static_cast<double>(most) / 1e6);
+      static_cast<unsigned long long>(counters.refused), memory.early(), memory.most());
   // A young world still grows: kinds, rungs and cohorts meet for the first time.
-  if (target >= 1e8 && static_cast<double>(most) > 1.05 * static_cast<double>(early) + 1e6) {
+  if (target >= 1e8 && memory.grows()) {
     std::fprintf(stderr, "soak: memory grows\n");
     return 1;
   }
