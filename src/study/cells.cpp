@@ -13,11 +13,11 @@ namespace {
 
 constexpr unsigned kDropped = 52 - 8;  // digits of t that do not matter
 constexpr std::uint64_t kOne = std::bit_cast<std::uint64_t>(1.0) >> kDropped;
-constexpr double kFarthest = 0x1p40;
+constexpr double kFarthestCounted = 0x1p40;
 
 std::int64_t cell_of(double y) {
   PHYSIM_ASSERT(y == y);
-  const double t = 1 + std::min(std::abs(y), kFarthest);
+  const double t = 1 + std::min(std::abs(y), kFarthestCounted);
   const auto k = static_cast<std::int64_t>((std::bit_cast<std::uint64_t>(t) >> kDropped) - kOne);
   return y < 0 ? -1 - k : k;
 }
