@@ -36,6 +36,8 @@ function(physim_flags target)
       # Where g++ 12 joins scalars to vectors it fuses alternating sums and differences of products (vfmaddsub),
       # whatever -ffp-contract says, if the whole build is for processors that can.
       target_compile_options(${target} PRIVATE -fno-tree-slp-vectorize)
+      # Garbage is collected later: less time, for memory that machines have.
+      target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=500000)
     endif()
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
       target_compile_options(${target} PRIVATE -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
