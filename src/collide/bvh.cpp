@@ -1,12 +1,18 @@
 #include "collide/bvh.hpp"
 
+#include <algorithm>
+
 namespace physim::collide {
 inline namespace bvh_building {
 
 constexpr std::uint32_t kLeaf = 4;  // so many items are never parted for their own sake
+constexpr std::uint32_t kFew = 4;   // so many are parted at the best place between any two
 constexpr int kMostBins = 16;
-constexpr float kPassing = 1;  // what a node costs, in items
-constexpr int kDeepest = 40;   // from where on items are halved: they are in a geometric series
+constexpr std::uint32_t kSample = 512;  // items, or up to twice as many, that tell where to part more of them
+constexpr float kPassing = 1;           // what a node costs, in items
+constexpr float kPassingFar = 2;        // where nodes lie beyond the fast caches, as from kMany items on
+constexpr std::uint32_t kMany = 1 << 15;
+constexpr int kDeepest = 40;  // from where on items are halved: they are in a geometric series
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
@@ -26,6 +32,8 @@ struct QuadBox {
     const Quad d = high - low;
     return d[0] < 0 ? 0 : d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
   }
+  /// Twice its middle.
+  [[nodiscard]] PHYSIM_INLINE Quad middle() const { return low + high; }
 };
 
 PHYSIM_INLINE QuadBox box_of(const BvhItem& item) {
@@ -39,7 +47,8 @@ PHYSIM_INLINE QuadBox box_of(const BvhItem& item) {
 /// Parts items until they are few.
 class Bvh::Builder {
  public:
-  Builder(std::span<BvhItem> items, std::vector<Node>& nodes) : items_(items), nodes_(nodes) {}
+  Builder(std::span<BvhItem> items, std::vector<Node>& nodes)
+      : items_(items), nodes_(nodes), aside_(items.begin(), items.end()) {}
 
   Bounds build() {
     nodes_.reserve(items_.size() / 5 + 1);
@@ -55,15 +64,22 @@ class Bvh::Builder {
   }
 
  private:
+  /// Items go to the left whose bin is not beyond one, or, without bins, whose middle is not.
   struct Cut {
     float cost = kFloatInfinity;
     int axis = 0, bin = 0, bins = 0;
+    float middle = 0;
   };
   struct Range {
     std::uint32_t first, count;
-    QuadBox box, middles;  // middles: sums of low and high sides
+    QuadBox box, middles;
     Cut cut;
     bool decided, leaf;
+
+    PHYSIM_INLINE void take(const QuadBox& item) {
+      box.take(item);
+      middles.take(item.middle());
+    }
   };
   /// Which bin a middle falls into, on each axis.
   struct Bins {
@@ -77,15 +93,11 @@ class Bvh::Builder {
       }
       per_width.set(3, 0);
     }
-    PHYSIM_INLINE Quad of(const QuadBox& box) const { return (box.low + box.high - low) * per_width; }
+    PHYSIM_INLINE Quad of(const QuadBox& box) const { return (box.middle() - low) * per_width; }
   };
 
   void measure(Range& range) const {
-    for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
-      const QuadBox box = box_of(items_[i]);
-      range.box.take(box);
-      range.middles.take(box.low + box.high);
-    }
+    for (std::uint32_t i = range.first; i < range.first + range.count; ++i) range.take(box_of(items_[i]));
   }
 
   /// Where parting costs least, in items looked at, and whether it is worth it.
@@ -93,15 +105,47 @@ class Bvh::Builder {
     range.decided = true;
     range.leaf = range.count == 1;
     if (range.leaf) return;
-    range.cut = range.count > 24 ? best_cut<kMostBins>(range) : best_cut<8>(range);
+    range.cut = range.count <= kFew ? best_cut_of_few(range)
+                : range.count <= 24 ? best_cut<8>(range)
+                                    : best_cut<kMostBins>(range);
     range.leaf = range.count <= kLeaf && range.cut.cost >= static_cast<float>(range.count);
   }
+  /// `sum`: of areas, each times its items.
+  [[nodiscard]] float cost(float sum, float area, std::uint32_t count) const {
+    return passing_ + (area > 0 ? sum / area : static_cast<float>(count) / 2);
+  }
+  /// Between any two of them, on each axis.
+  [[nodiscard]] Cut best_cut_of_few(const Range& range) const {
+    QuadBox boxes[kFew];
+    for (std::uint32_t i = 0; i < range.count; ++i) boxes[i] = box_of(items_[range.first + i]);
+    Cut best;
+    const float area = range.box.area();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(range.middles.low[axis] < range.middles.high[axis])) continue;
+      const auto middle = [&](std::uint32_t i) { return boxes[i].middle()[axis]; };
+      for (std::uint32_t i = 1; i < range.count; ++i)
+        for (std::uint32_t k = i; k > 0 && middle(k) < middle(k - 1); --k) std::swap(boxes[k], boxes[k - 1]);
+      float right_area[kFew];  // of all from this one on
+      QuadBox right, left;
+      for (std::uint32_t i = range.count - 1; i > 0; --i) right.take(boxes[i]), right_area[i] = right.area();
+      for (std::uint32_t i = 1; i < range.count; ++i) {
+        left.take(boxes[i - 1]);
+        if (middle(i - 1) == middle(i)) continue;
+        const float areas = static_cast<float>(i) * left.area() + static_cast<float>(range.count - i) * right_area[i];
+        const float sum = cost(areas, area, range.count);
+        if (sum < best.cost) best = {sum, axis, 0, 0, middle(i - 1)};
+      }
+    }
+    return best;
+  }
+  /// By bins; of many items some tell what all are like.
   template <int kBins>
   [[nodiscard]] Cut best_cut(const Range& range) const {
     QuadBox boxes[3][kBins];
     std::uint32_t counts[3][kBins] = {};
     const Bins bins(range, kBins);
-    for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+    const std::uint32_t stride = std::max(1u, range.count / kSample), count = (range.count + stride - 1) / stride;
+    for (std::uint32_t i = range.first; i < range.first + range.count; i += stride) {
       const QuadBox box = box_of(items_[i]);
       const Quad place = bins.of(box);
       for (int axis = 0; axis < 3; ++axis) {
@@ -127,10 +171,9 @@ class Bvh::Builder {
         if (counts[axis][bin] == 0) continue;
         left.take(boxes[axis][bin]);
         on_left += counts[axis][bin];
-        if (on_left == range.count) break;
-        const float sum = static_cast<float>(on_left) * left.area() + right_cost[bin + 1];
-        const float cost = kPassing + (area > 0 ? sum / area : static_cast<float>(range.count) / 2);
-        if (cost < best.cost) best = {cost, axis, bin, kBins};
+        if (on_left == count) break;
+        const float sum = cost(static_cast<float>(on_left) * left.area() + right_cost[bin + 1], area, count);
+        if (sum < best.cost) best = {sum, axis, bin, kBins, 0};
       }
     }
     return best;
@@ -138,23 +181,38 @@ class Bvh::Builder {
 
   /// Cuts a range in two: by its cut, or where there is none, or too deep down, in halves.
   Range part_off(Range& range, int depth) {
-    std::uint32_t middle = range.first + range.count / 2;
-    if (range.cut.cost < kFloatInfinity && depth <= kDeepest) {
-      const Bins bins(range, range.cut.bins);
-      // Written out: libraries differ in the order that they leave.
-      middle = range.first;
-      for (std::uint32_t end = range.first + range.count; middle < end;) {
-        if (static_cast<int>(bins.of(box_of(items_[middle]))[range.cut.axis]) <= range.cut.bin)
-          ++middle;
-        else
-          std::swap(items_[middle], items_[--end]);
+    const std::uint32_t first = range.first, end = first + range.count;
+    const Cut cut = range.cut;
+    Range left{first, 0, {}, {}, {}, false, false}, right = left;
+    std::uint32_t middle = first;
+    // In their order, without a branch that would be guessed wrong for every second item.
+    const auto part_by = [&](const auto& is_left) {
+      std::uint32_t on_right = 0;
+      for (std::uint32_t i = first; i < end; ++i) {
+        const BvhItem item = items_[i];
+        const std::uint32_t side = is_left(box_of(item)) ? 0 : 1;
+        items_[middle] = item;
+        aside_[on_right] = item;
+        middle += 1 - side;
+        on_right += side;
       }
+      std::copy_n(aside_.begin(), on_right, items_.begin() + middle);
+    };
+    const bool halved = !(cut.cost < kFloatInfinity) || depth > kDeepest;
+    if (halved) {
+      middle = first + range.count / 2;
+    } else if (cut.bins == 0) {
+      part_by([&](const QuadBox& box) { return box.middle()[cut.axis] <= cut.middle; });
+    } else {
+      const Bins bins(range, cut.bins);
+      part_by([&](const QuadBox& box) { return static_cast<int>(bins.of(box)[cut.axis]) <= cut.bin; });
     }
-    PHYSIM_ASSERT(middle > range.first && middle < range.first + range.count);
-    Range right{middle, range.first + range.count - middle, {}, {}, {}, false, false};
-    range = {range.first, middle - range.first, {}, {}, {}, false, false};
-    measure(range);
+    PHYSIM_ASSERT(middle > first && middle < end);
+    left.count = middle - first;
+    right.first = middle, right.count = end - middle;
+    measure(left);
     measure(right);
+    range = left;
     return right;
   }
 
@@ -189,6 +247,8 @@ class Bvh::Builder {
 
   std::span<BvhItem> items_;
   std::vector<Node>& nodes_;
+  const float passing_ = items_.size() < kMany ? kPassing : kPassingFar;
+  std::vector<BvhItem> aside_;  // items on their way to the right
 };
 
 Bvh::Bvh(std::span<BvhItem> items) {

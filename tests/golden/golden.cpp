@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x93a045eec0a3ac01, 0xe8149c5846c588c6, 0xd792bd51daadbb14, 0x5fad552f3b102f15,
+constexpr Sums kExpectedSums = {0x93a045eec0a3ac01, 0x38b1b3021d2176ea, 0xd792bd51daadbb14, 0xa15dcd026d499fa6,
                                 0xd3d573cc33a0109d};
 
 void print(std::FILE* file, const Sums& sums) {
