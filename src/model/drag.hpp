@@ -77,7 +77,9 @@ template <class R, class S>
 PHYSIM_INLINE Vec3<R> simple_drag(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& u) {
   switch (c.fidelity.drag) {
     case DragModel::damping: return u * -b.damping_rate;
-    case DragModel::linear_quadratic: return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
+    case DragModel::linear_quadratic:
+      if (c.fidelity.motion == Motion::closed_form) return u * -b.damping_rate;  // k2 is 0; nobody keeps them for it
+      return u * -(b.k1_per_mass + b.k2_per_mass * length(u));
     case DragModel::off:
     case DragModel::equation: break;
   }

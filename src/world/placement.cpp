@@ -193,6 +193,7 @@ Status Placement::relocate(std::uint32_t index) {
     take_out(slot);
     slot.cohort = to;
     slot.row = row;
+    if (ClosedFormLaw(registry_.cohort(from)) != ClosedFormLaw(registry_.cohort(to))) relaunch(index);
     return {};
   }
   const RowLayout& layout = state_.rows[to].layout();
@@ -217,6 +218,36 @@ Status Placement::relocate(std::uint32_t index) {
   if (layout.carried) state_.rows[to].visit([&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
   PHYSIM_ASSERT(state_.rows_of(slot).is_filled(slot.row));
   return {};
+}
+
+/// Launches a closed form anew where it is; of what its launch gave it keeps what is no part of the law. Other motions
+/// go on as they are.
+void Placement::relaunch(std::uint32_t index) {
+  const Slot& slot = state_.slots[index];
+  if (registry_.cohort(slot.cohort).key.fidelity.motion != Motion::closed_form) return;
+  Rows& rows = state_.rows_of(slot);
+  const BodyState at = state_.state_of(slot);
+  Body<double> body = body_of(slot);
+  body.launch = {at.position, at.velocity};
+  body.damping_rate = registry_.kind(slot.kind).rungs[slot.rung].body.damping_rate;
+  rows.visit([&]<class S>(const RowColumns<S>& c) {
+    c.offset[slot.row] = S(0);
+    c.born[slot.row] = static_cast<S>(state_.clock.now());
+  });
+  rows.write_fields(slot.row, body);
+}
+
+std::vector<ClosedFormLaw> Placement::closed_forms() const {
+  std::vector<ClosedFormLaw> laws;
+  for (std::uint16_t cohort = 0; cohort < state_.rows.size(); ++cohort) laws.emplace_back(registry_.cohort(cohort));
+  return laws;
+}
+
+void Placement::follow_environment(std::uint32_t index, const std::vector<ClosedFormLaw>& before) {
+  const Slot& slot = state_.slots[index];
+  const std::uint16_t from = slot.cohort;
+  relocate(index);
+  if (before[from] != ClosedFormLaw(registry_.cohort(slot.cohort))) relaunch(index);
 }
 
 void Placement::rewrite_row(std::uint32_t index) {

@@ -5,6 +5,7 @@
 
 #include "model/attitude.hpp"
 #include "physim/departure.hpp"
+#include "world/closed_form_law.hpp"
 #include "world/registry.hpp"
 #include "world/state.hpp"
 
@@ -24,6 +25,10 @@ class Placement {
   void depart(std::uint32_t slot, const Departure& from);
   /// Moves a projectile to where it belongs after its flags or rung changed.
   Status relocate(std::uint32_t slot);
+  /// The laws by which the cohorts' closed forms fly, by cohort.
+  [[nodiscard]] std::vector<ClosedFormLaw> closed_forms() const;
+  /// Moves a projectile to where it belongs now that its environment is another one; `before`: the laws until now.
+  void follow_environment(std::uint32_t slot, const std::vector<ClosedFormLaw>& before);
   /// Takes its row out of its cohort.
   void take_out(Slot& slot);
   /// How a projectile points and turns at a launch; how it does now, and setting it, where its rung turns.
@@ -61,6 +66,7 @@ class Placement {
   void rebase(double new_dt);
 
  private:
+  void relaunch(std::uint32_t slot);
   Body<double> special_body(std::uint32_t slot, BodyState& at, const RowStart& start);
 
   Registry& registry_;

@@ -71,9 +71,11 @@ Status World::set_environment(std::uint32_t index, const Environment& environmen
   WorldImpl& w = impl();
   const Recorded<Call::set_environment> call(w, index, environment);
   if (call.is_refused()) return call.refusal();
+  const std::vector<ClosedFormLaw> before = w.placement.closed_forms();
   if (Status status = w.registry.set_environment(index, environment); !status) return status;
   w.state.slots.each_alive([&](std::uint32_t slot) {
-    if (w.registry.kind(w.state.slots[slot].kind).body.environment == index) w.placement.relocate(slot);
+    if (w.registry.kind(w.state.slots[slot].kind).body.environment == index)
+      w.placement.follow_environment(slot, before);
   });
   return {};
 }

@@ -110,6 +110,29 @@ TEST(Ground, closed_forms_bounce_too) {
   EXPECT_NEAR(world[id].position().y, up * after - 0.5 * kG * after * after, 1e-9);
 }
 
+/// What slides without friction loses its speed to the air alone.
+TEST(Ground, closed_forms_feel_their_drag_while_they_lie_on_it) {
+  constexpr double kRate = 0.5, kStep = 1.0 / 1024;
+  for (const DragModel drag : {DragModel::damping, DragModel::linear_quadratic}) {
+    BodyDef body;
+    body.restitution = 0;
+    body.friction = 0;
+    body.rolling_resistance = 0;
+    body.can_sleep = false;
+    ProjectileDef p = stone();
+    p.mass = 3;
+    p.drag.damping = std::exp(-kRate);
+    p.drag.k1 = kRate * p.mass;
+    p.fidelity.motion = Motion::closed_form;
+    p.fidelity.drag = drag;
+    World world = make_world(on_ground(GroundMode::bounce));
+    const ProjectileId id = *world.spawn(p, {.position = {0, 0, 0}, .velocity = Vec3d{10, 0, 0}}, body);
+    run_for(world, 1, kStep);
+    EXPECT_NEAR(world[id].velocity().x, 10 * std::exp(-kRate), 10 * kRate * kRate * kStep);
+    EXPECT_NEAR(world[id].position().y, 0, 1e-12);
+  }
+}
+
 TEST(Ground, friction_slows_a_bounce_as_coulomb_says) {
   BodyDef body;
   body.restitution = 0.5;
