@@ -317,6 +317,7 @@ std::string_view unit_of(StudyQuantity quantity) {
     case StudyQuantity::vx:
     case StudyQuantity::vy:
     case StudyQuantity::vz:
+    case StudyQuantity::impact_speed:
     case StudyQuantity::speed: return "m/s";
     case StudyQuantity::x:
     case StudyQuantity::y:
@@ -324,6 +325,8 @@ std::string_view unit_of(StudyQuantity quantity) {
     case StudyQuantity::right:
     case StudyQuantity::up:
     case StudyQuantity::along: return "m";
+    case StudyQuantity::obliquity: return "rad";
+    case StudyQuantity::impact_energy: return "J";
   }
   PHYSIM_UNREACHABLE();
 }

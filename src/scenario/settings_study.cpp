@@ -16,8 +16,10 @@ constexpr Entry kStudySettings[] = {
     PHYSIM_SCENARIO(
         study.quantities,
         "what is asked of the ends of flights, two of the plane first, as [\"right\", \"up\"]; empty: right, "
-        "up (without a range along), time, speed",
-        at_most(11)),
+        "up (without a range along), time, speed; impact_speed, obliquity and impact_energy are of the first impact on "
+        "a "
+        "thing or the ground",
+        at_most(14)),
     PHYSIM_SCENARIO(study.aim, "where shots should end on the plane of impact, \"0 m, 1 m\"; empty: its origin"),
     PHYSIM_SCENARIO(study.sampling, "how draws are spread"),
     PHYSIM_SCENARIO(study.shots, "at least; the last shard is flown to its end", kCount),

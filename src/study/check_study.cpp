@@ -5,6 +5,7 @@
 
 #include "base/checker.hpp"
 #include "study/correlation.hpp"
+#include "study/impacts.hpp"
 #include "study/paths.hpp"
 #include "study/sobol.hpp"
 #include "study/targets.hpp"
@@ -96,13 +97,27 @@ void check_plane(Checker& c, const Study& study) {
     c.require(size >= 2 && size <= 100, "group_sizes", "must be from 2 to 100 shots");
 }
 
-void check_quantities(Checker& c, const Study& study) {
+/// Impacts need something to be met.
+void check_impacts(Checker& c, const Study& study) {
+  if (study.scene) return;
   for (std::size_t i = 0; i < study.quantities.size(); ++i) {
-    c.named(study.quantities[i], StudyQuantity::along, numbered("quantities", i));
+    if (!is_of_impact(study.quantities[i])) continue;
+    const std::string place = numbered("quantities", i);
+    c.require(!study.until.range, place, "is of an impact, and shots end at until.range before they meet anything",
+              "leave the range out, let things stand in the way, or ask for the speed there");
+    c.require(study.until.ground.has_value(), place, "is of an impact, and there is neither ground nor things",
+              "give until.ground");
+  }
+}
+
+void check_quantities(Checker& c, const Study& study, bool of_flights) {
+  for (std::size_t i = 0; i < study.quantities.size(); ++i) {
+    c.named(study.quantities[i], StudyQuantity::impact_energy, numbered("quantities", i));
     const auto before = study.quantities.begin() + static_cast<std::ptrdiff_t>(i);
     c.require(std::find(study.quantities.begin(), before, study.quantities[i]) == before, numbered("quantities", i),
               "is asked for twice");
   }
+  if (of_flights) check_impacts(c, study);
   if (!study.until_width) return;
   c.positive(study.until_width->width, "until_width.width");
   const std::size_t usual = study.scene ? 5 : 4;
@@ -120,7 +135,7 @@ Status check(const Study& study, bool of_flights) {
   if (c.status_so_far()) c.also(check_inputs(study, of_flights));
   check_plane(c, study);
   if (c.status_so_far()) c.also(check_things(study, of_flights));
-  check_quantities(c, study);
+  check_quantities(c, study, of_flights);
   if (of_flights)
     c.require(!study.launch.velocity, "launch.velocity", "has no numbers of its own in a study",
               "give a speed, an elevation and an azimuth");

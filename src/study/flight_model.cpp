@@ -20,6 +20,7 @@
 #include "model/sight.hpp"
 #include "physim/scene.hpp"
 #include "prepare/grant.hpp"
+#include "study/impacts.hpp"
 #include "study/model.hpp"
 #include "study/paths.hpp"
 #include "study/targets.hpp"
@@ -72,7 +73,8 @@ class FlightModel : public ShotModel {
                         std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const;
   void mark_things(const Flight& flight, std::size_t shot, std::size_t shots, ModelScratch& scratch) const;
   void move_to_plane(const BlockEnds& ends) const;
-  void put(StudyQuantity quantity, const BlockEnds& ends, std::span<double> into) const;
+  void put_ground_impacts(const BlockEnds& ends, ModelScratch& scratch) const;
+  void put(StudyQuantity quantity, const BlockEnds& ends, const ModelScratch& scratch, std::span<double> into) const;
 
   Study study_;
   Shot plain_;
@@ -80,6 +82,8 @@ class FlightModel : public ShotModel {
   std::vector<UncertainNumber> numbers_;
   ThingsOfTargets things_;
   Vec3d acceleration_{};  // of the shot without uncertainty, where it ends [m/s^2]
+  Fidelity granted_{};
+  std::optional<Impacts> impacts_;  // where they are asked for
   bool as_columns_ = true;
   bool moves_profile_ = false;  // an uncertain wind is added to a profile
 };
@@ -105,11 +109,12 @@ Status FlightModel::prepare() {
       fly(plain_.projectile, plain_.launch, study_.environment, study_.fidelity, study_.tolerance, study_.until);
   if (flight.error()) return *flight.error();
   acceleration_ = flight.accelerations(flight.duration()).total;
-  const Fidelity& granted = flight.fidelity_in_use().fidelity;
-  if (step_given(granted, study_.tolerance) || steps_by_frames(granted)) return {};
+  granted_ = flight.fidelity_in_use().fidelity;
+  if (std::ranges::any_of(study_.quantities, is_of_impact)) impacts_.emplace(study_, granted_);
+  if (step_given(granted_, study_.tolerance) || steps_by_frames(granted_)) return {};
   Tolerance finer = study_.tolerance;
   finer.position_error *= 0.4;
-  const auto step = pilot_step(plain_.projectile, plain_.launch, study_.environment, granted, finer, study_.until);
+  const auto step = pilot_step(plain_.projectile, plain_.launch, study_.environment, granted_, finer, study_.until);
   if (!step) return step.error();
   study_.tolerance.step = *step;
   return {};
@@ -232,6 +237,7 @@ void FlightModel::fly_among_things(const std::vector<std::span<const double>>& c
     const Sample end = flight.end();
     shot.time = end.time, shot.position = end.position, shot.velocity = end.velocity;
     mark_things(flight, i, shots.size(), scratch);
+    if (impacts_) scratch.impacts[i] = impacts_->first_of(flight);
   }
   scratch.batch = std::move(all);
 }
@@ -266,7 +272,20 @@ void FlightModel::move_to_plane(const BlockEnds& ends) const {
   }
 }
 
-void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, std::span<double> into) const {
+/// Of shots that met no scene.
+void FlightModel::put_ground_impacts(const BlockEnds& ends, ModelScratch& scratch) const {
+  const bool all_alike = as_columns_;  // in what flies
+  MassInFlight mass(plain_.projectile, granted_);
+  for (std::size_t i = 0; i < ends.x.size(); ++i) {
+    if (ends.outcome[i] != Outcome::landed) continue;
+    if (!all_alike) mass = MassInFlight(scratch.shots[i].projectile, granted_);
+    scratch.impacts[i] = impacts_->on_ground({ends.x[i], ends.y[i], ends.z[i]}, {ends.vx[i], ends.vy[i], ends.vz[i]},
+                                             mass.at(ends.time[i]));
+  }
+}
+
+void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, const ModelScratch& scratch,
+                      std::span<double> into) const {
   const auto copy = [&](std::span<const double> from) { std::copy(from.begin(), from.end(), into.begin()); };
   const auto seen = [&](const Vec3d& axis, const Vec3d& start) {
     for (std::size_t i = 0; i < into.size(); ++i)
@@ -287,6 +306,11 @@ void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, std::span<doub
     case StudyQuantity::right: return seen(sight_.right, sight_.start);
     case StudyQuantity::up: return seen(sight_.up, sight_.start);
     case StudyQuantity::along: return seen(sight_.forward, sight_.muzzle);
+    case StudyQuantity::impact_speed:
+    case StudyQuantity::obliquity:
+    case StudyQuantity::impact_energy:
+      for (std::size_t i = 0; i < into.size(); ++i) into[i] = part_of(scratch.impacts[i], quantity);
+      return;
   }
   PHYSIM_UNREACHABLE();
 }
@@ -297,6 +321,7 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
   scratch.numbers.resize(count * (8 + numbers_.size()));
   scratch.outcomes.resize(std::max(scratch.outcomes.size(), count));
   scratch.thing_hits.assign(things_.size() * count, 0);
+  if (impacts_) scratch.impacts.assign(count, kNoImpact);
   std::size_t taken = 0;
   const auto room = [&] { return std::span(scratch.numbers).subspan(count * taken++, count); };
   const BlockEnds ends{
@@ -306,8 +331,9 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
   for (const UncertainNumber& number : numbers_) columns.push_back(column_of(number, inputs, room()));
   ModelTold told = as_columns_ ? fly_columns_of(columns, count, speeds, scratch, ends)
                                : fly_shots_of(columns, count, inputs, scratch, ends);
+  if (impacts_ && !study_.scene) put_ground_impacts(ends, scratch);
   if (study_.until.range) move_to_plane(ends);
-  for (std::size_t q = 0; q < quantities.size(); ++q) put(study_.quantities[q], ends, quantities[q]);
+  for (std::size_t q = 0; q < quantities.size(); ++q) put(study_.quantities[q], ends, scratch, quantities[q]);
   for (std::size_t i = 0; i < count; ++i) {
     const Outcome outcome = ends.outcome[i];
     if (outcome == Outcome::refused && !told.first) told.first = i;

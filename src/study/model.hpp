@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physim/study.hpp"
+#include "study/impacts.hpp"
 
 namespace physim {
 
@@ -17,6 +18,7 @@ struct ModelScratch {
   std::vector<Outcome> outcomes;
   std::vector<Shot> shots;
   BatchResult batch;
+  std::vector<ShotImpact> impacts;       // of each shot, where they are asked for
   std::vector<std::uint8_t> thing_hits;  // of each target of the study, each shot: whether it met that thing; of models
                                          // that know things alone
 };

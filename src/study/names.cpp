@@ -15,8 +15,9 @@ std::span<const std::string_view> names_of<DrawnFor>() {
 }
 template <>
 std::span<const std::string_view> names_of<StudyQuantity>() {
-  static constexpr std::string_view names[] = {"time", "x",     "y",     "z",  "vx",   "vy",
-                                               "vz",   "speed", "right", "up", "along"};
+  static constexpr std::string_view names[] = {
+      "time",  "x",     "y",  "z",     "vx",           "vy",        "vz",
+      "speed", "right", "up", "along", "impact_speed", "obliquity", "impact_energy"};
   return names;
 }
 

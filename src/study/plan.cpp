@@ -10,6 +10,7 @@
 #include "study/archive.hpp"
 #include "study/check_study.hpp"
 #include "study/estimates.hpp"
+#include "study/impacts.hpp"
 #include "study/moments.hpp"
 #include "study/over_inputs.hpp"
 #include "study/paths.hpp"
@@ -86,6 +87,14 @@ void put_grids(StudyPlanRecord& plan, const SampleMoments& m) {
   }
 }
 
+/// What may help where shots do not arrive.
+const char* hint_to_arrive(const Study& study) {
+  if (std::ranges::any_of(study.quantities, is_of_impact))
+    return "more time: a shot that meets neither ground nor thing has no impact, and does not arrive";
+  if (study.scene && study.until.range) return "leave the range out: shots end at the things that they meet before it";
+  return "a range that the shot reaches, or more time";
+}
+
 Status fly_pilot(StudyPlanRecord& plan) {
   const std::size_t inputs = plan.study.inputs.size(), quantities = plan.study.quantities.size();
   std::vector<double> numbers((inputs + quantities) * kPilotShots);
@@ -110,9 +119,7 @@ Status fly_pilot(StudyPlanRecord& plan) {
   }
   if (arrived < 2)
     return Error{"of " + std::to_string(kPilotShots) + " shots " + std::to_string(arrived) + " arrived", "until",
-                 plan.study.scene && plan.study.until.range
-                     ? "leave the range out: shots end at the things that they meet before it"
-                     : "a range that the shot reaches, or more time"};
+                 hint_to_arrive(plan.study)};
   std::vector<std::span<const double>> columns;
   for (const auto& column : out) columns.push_back(column.first(arrived));
   put_grids(plan, moments_of(columns));

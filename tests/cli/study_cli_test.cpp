@@ -36,6 +36,35 @@ TEST(StudyCli, tells_figures_that_are_known) {
   EXPECT_TRUE(has(text.out, "near"));
 }
 
+/// In a vacuum a throw comes down as it went up: at its speed and angle.
+TEST(StudyCli, tells_impacts) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(4096)), csv = folder / "figures.csv";
+  const std::string asked =
+      "study.quantities=[\"right\", \"along\", \"impact_speed\", \"obliquity\", \"impact_energy\"]";
+  const Ran ran = physim({"study", file, "--set", asked, "--set", "shot.mass=200 g", "--json", "-", "--csv", csv});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  const auto figure = [&](const std::string& name) {
+    for (const auto& each : json["figures"])
+      if (each["name"] == name) return each["value"].get<double>();
+    ADD_FAILURE() << name << " is missing";
+    return 0.0;
+  };
+  EXPECT_EQ(json["quantities"][3], "obliquity [rad]");
+  EXPECT_NEAR(figure("impact_speed.mean [m/s]"), 30, 0.02);
+  EXPECT_NEAR(figure("impact_speed.deviation [m/s]"), 0.3, 0.01);
+  EXPECT_NEAR(figure("obliquity.mean [rad]"), std::acos(0.0) / 2, 1e-9);
+  EXPECT_NEAR(figure("impact_energy.mean [J]"), 0.1 * (900 + 0.09), 0.12);
+  for (const char* head : {"impact_speed.mean [m/s],", "obliquity.quantile_0.95 [rad],", "impact_energy.most [J],"})
+    EXPECT_TRUE(has(read(csv), head)) << head;
+  const Ran text = physim({"study", file, "--set", asked});
+  EXPECT_TRUE(has(text.out, "impact_speed [m/s]") && has(text.out, "obliquity [rad]")) << text.out;
+  const Ran at_range = physim({"study", file, "--set", asked, "--set", "until.range=50 m"});
+  EXPECT_EQ(at_range.code, 2);
+  EXPECT_TRUE(has(at_range.err, "quantities[2]") && has(at_range.err, "until.range")) << at_range.err;
+}
+
 TEST(StudyCli, tables_stand_below_each_other) {
   const Folder folder;
   const Ran ran = physim({"study", folder.write("throw.toml", throw_study(4096)), "--set", "study.indices=true"});
