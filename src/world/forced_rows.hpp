@@ -41,9 +41,9 @@ PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c,
   for_parts(f, store_part, s);
 }
 
-/// All rows of a job. After the last stage true where rows need a closer look; they are marked.
+/// All rows of a job, on any rung.
 template <class R, class S>
-bool advance_packs(const ForcedJob<S>& job) {
+Advanced advance_any(const ForcedJob<S>& job) {
   const Conditions<S>& c = *job.rows.course->conditions;
   const bool last = job.stage + 1 == end_slope(c.fidelity.integrator);
   Flyer<R> flyer{};
@@ -62,7 +62,103 @@ bool advance_packs(const ForcedJob<S>& job) {
     mark(job.rows.attention, row, bits);
     attention = attention || bits != 0;
   }
-  return attention;
+  return {attention, false};
+}
+
+/// A known rung whose rows feel a push beside.
+template <class Rung>
+struct PushedRung {
+  template <class S>
+  static constexpr bool matches(const Conditions<S>& c) {
+    Features features{};
+    features.has_applied = true;
+    return Rung::matches(c, features);
+  }
+  template <class S>
+  PHYSIM_INLINE static Conditions<S> known(const Conditions<S>& c) {
+    Conditions<S> k = Rung::known(c);
+    k.has_applied = true;
+    k.fidelity.original_one_shot_forces = true;  // the push is felt whatever the clock shows
+    return k;
+  }
+
+  /// One pack, whose marks are returned.
+  template <class R, class S>
+  PHYSIM_INLINE static unsigned step(const ForcedJob<S>& job, const Conditions<S>& given, std::uint32_t row) {
+    Body<R> b = Rung::template load_body<R>(job.rows, row);
+    load_scratch(job, kFirstPush, row, b.applied);
+    const R h(job.rows.h);
+    Moved<R> m;
+    m.start = load_state<R>(job.rows, row);
+    const Conditions<S> c = known(given);
+    const Vec3<R> a = acceleration(c, b, R(S(0)), m.start);
+    m.end.v = m.start.v + a * h;
+    m.end.x = m.start.x + m.end.v * h;
+    MaskOf<R> found = plainly_noteworthy(job.rows.watchdog, c, m) | further_noteworthy(job.rows, c, m, row);
+    if (job.rows.columns.clear != nullptr) found = found | comes_near(job.rows, m, row);
+    const unsigned bits = lane_bits(found) & filled_lanes<R>(job.rows.last - row);
+    if (bits != 0) {
+      store_scratch(job, kStagePosition, row, m.end);
+      store_scratch(job, kSlopes, row, State<R>{m.start.v, a});
+      m.end = select(found, State<R>{load_vector<R>(job.rows.columns.previous, row), m.start.v}, m.end);
+    }
+    store_vector(m.end.x, job.rows.columns.previous, row);
+    store_vector(m.end.v, job.rows.columns.velocity, row);
+    return bits;
+  }
+  /// The ends of those rows whose pack has no mark, and another one in their word has.
+  template <class R, class S>
+  [[gnu::noinline]] static void keep_ends(const ForcedJob<S>& job, std::uint32_t first) {
+    const std::uint32_t word = job.rows.attention[first / kRowsPerWord];
+    constexpr unsigned kN = unsigned(kLanes<R>);
+    for (std::uint32_t row = first; row < first + kRowsPerWord; row += kN) {
+      if ((word >> row % kRowsPerWord & lowest_bits(kN)) != 0) continue;
+      const RowColumns<S>& c = job.rows.columns;
+      store_scratch(job, kStagePosition, row,
+                    State<R>{load_vector<R>(c.previous, row), load_vector<R>(c.velocity, row)});
+    }
+  }
+  PHYSIM_INLINE static constexpr std::uint32_t lowest_bits(unsigned count) {
+    return count >= 32 ? ~0u : (1u << count) - 1;
+  }
+
+  template <class R, class S>
+  static Advanced advance(const ForcedJob<S>& given) {
+    const ForcedJob<S> job = given;  // a copy stays in registers: nothing that is stored to a column can change it
+    bool attention = false;
+    for (std::uint32_t first = job.rows.first; first < job.rows.last; first += kRowsPerWord) {
+      const std::uint32_t last = first + kRowsPerWord;
+      unsigned marks = 0;
+      for (std::uint32_t row = first; row < last && row < job.rows.last; row += unsigned(kLanes<R>))
+        marks |= step<R>(job, *job.rows.course->conditions, row) << row % kRowsPerWord;
+      job.rows.attention[first / kRowsPerWord] = marks;
+      if (marks == 0) continue;
+      attention = true;
+      keep_ends<R>(job, first);
+    }
+    return {attention, true};
+  }
+};
+
+/// Advances with the first known rung that matches, or with any.
+template <class R, class First, class... Rest, class S>
+PHYSIM_INLINE Advanced advance_known(const ForcedJob<S>& job) {
+  if (PushedRung<First>::matches(*job.rows.course->conditions)) return PushedRung<First>::template advance<R>(job);
+  if constexpr (sizeof...(Rest) > 0)
+    return advance_known<R, Rest...>(job);
+  else
+    return advance_any<R>(job);
+}
+
+/// Steps of the rungs that games use most have one stage, and are known.
+template <class R, class S>
+Advanced advance_packs(const ForcedJob<S>& job) {
+  using enum DragModel;
+  constexpr WindModel kCalm = WindModel::off, kWind = WindModel::constant;
+  if (!job.at_once || job.own_force || job.rows.watchdog.watched) return advance_any<R>(job);
+  return advance_known<R, KnownRung<off>, KnownRung<damping>, KnownRung<linear_quadratic>,
+                       KnownRung<linear_quadratic, kWind>, KnownRung<equation, kCalm, AirModel::isa>,
+                       KnownRung<equation, kWind, AirModel::isa>>(job);
 }
 
 PHYSIM_ISA_END

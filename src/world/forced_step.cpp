@@ -80,7 +80,7 @@ class ForcedStep {
         const std::uint32_t size = context_.state->rows[c].size();
         if (size == 0 || !key(c).forced || key(c).still || key(c).fidelity.integrator != integrator) continue;
         std::size_t& memory = context_.state->rows[c].layout().float32 ? floats : doubles;
-        s_.runs.push_back({c, first, size, memory, words, false});
+        s_.runs.push_back({c, first, size, memory, words, false, false});
         memory += padded(size) * forced_columns(end_slope(integrator), context_.state->rows[c].layout().turning);
         words += padded(size) / kRowsPerWord;
         first += size;
@@ -120,7 +120,7 @@ class ForcedStep {
         push(group, stage, stage_place(group.integrator, stage));
         for (ForcedRun& r : runs(group)) {
           if (part_of(r).count == 0) continue;
-          in_precision(r, [&]<class S>(S) { r.attention = advance_with(kernel_, job<S>(r, stage)) || r.attention; });
+          in_precision(r, [&]<class S>(S) { advance<S>(r, stage); });
           attention = attention || r.attention;
         }
       }
@@ -129,6 +129,12 @@ class ForcedStep {
     // Landings and the like lie on the dense output, which needs the slope at the end.
     part_ = {0, longest(group)};
     if (attention && group.integrator != Integrator::classic) push(group, end_slope(group.integrator), 1);
+  }
+  template <class S>
+  void advance(ForcedRun& r, int stage) {
+    const Advanced done = advance_with(kernel_, job<S>(r, stage));
+    r.attention = r.attention || done.attention;
+    r.moved = done.moved;
   }
   /// Rows of each cohort that go through the stages together.
   struct Part {
@@ -245,8 +251,9 @@ class ForcedStep {
 
   template <class S>
   ForcedJob<S> job(const ForcedRun& r, int stage) {
-    ForcedJob<S> j{rows_job<S>(context_, r.cohort), s_.template memory<S>().data() + r.memory, padded(r.count), stage,
-                   key(r.cohort).features.has_applied};
+    ForcedJob<S> j{
+        rows_job<S>(context_, r.cohort),    s_.template memory<S>().data() + r.memory, padded(r.count), stage,
+        key(r.cohort).features.has_applied, !has_generators_ && !context_.pairs};
     j.rows.first = part_of(r).first;
     j.rows.last = j.rows.first + part_of(r).count;
     j.rows.attention = s_.attention.data() + r.words;
@@ -268,6 +275,7 @@ class ForcedStep {
   }
   template <class S>
   void keep_ends(const ForcedRun& r) {
+    if (r.moved) return;
     const auto [first_row, count] = part_of(r);
     const std::uint32_t end = first_row + count;
     const ForcedJob<S> j = job<S>(r, 0);

@@ -18,6 +18,7 @@ struct ForcedRun {
   std::size_t memory;   // where its columns begin
   std::size_t words;    // where its marks begin
   bool attention;       // some rows need a closer look
+  bool moved;           // the others stand where they are after the step
 };
 
 /// Rows of one integrator.

@@ -8,8 +8,8 @@
 namespace physim {
 
 PHYSIM_KERNEL_COPIES(bool step_rows(const WorldJob<float>& job); bool step_rows(const WorldJob<double>& job);
-                     bool advance_forced(const ForcedJob<float>& job);
-                     bool advance_forced(const ForcedJob<double>& job);)
+                     Advanced advance_forced(const ForcedJob<float>& job);
+                     Advanced advance_forced(const ForcedJob<double>& job);)
 
 WorldKernel world_kernel() {
   // "scalar" is for single flights: rows are always stepped in packs, of the narrowest kind then.

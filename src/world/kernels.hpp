@@ -8,15 +8,19 @@ namespace physim {
 struct WorldKernel {
   bool (*step_float)(const WorldJob<float>& job);
   bool (*step_double)(const WorldJob<double>& job);
-  bool (*advance_float)(const ForcedJob<float>& job);
-  bool (*advance_double)(const ForcedJob<double>& job);
+  Advanced (*advance_float)(const ForcedJob<float>& job);
+  Advanced (*advance_double)(const ForcedJob<double>& job);
 };
 
 [[nodiscard]] WorldKernel world_kernel();
 
 inline bool step_rows_with(const WorldKernel& kernel, const WorldJob<float>& job) { return kernel.step_float(job); }
 inline bool step_rows_with(const WorldKernel& kernel, const WorldJob<double>& job) { return kernel.step_double(job); }
-inline bool advance_with(const WorldKernel& kernel, const ForcedJob<float>& job) { return kernel.advance_float(job); }
-inline bool advance_with(const WorldKernel& kernel, const ForcedJob<double>& job) { return kernel.advance_double(job); }
+inline Advanced advance_with(const WorldKernel& kernel, const ForcedJob<float>& job) {
+  return kernel.advance_float(job);
+}
+inline Advanced advance_with(const WorldKernel& kernel, const ForcedJob<double>& job) {
+  return kernel.advance_double(job);
+}
 
 }  // namespace physim

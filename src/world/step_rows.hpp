@@ -101,28 +101,37 @@ PHYSIM_INLINE auto plainly_noteworthy(const Watchdog<S>& w, const Conditions<S>&
   return (!(height(c, m.end.x) > R(w.floor))) | (!is_finite(sum)) | (speed_squared < R(w.slowest * w.slowest));
 }
 
-/// Rows that need a closer look: something may have happened to them inside the step. `m` has a start and an end. A
-/// closer look at a row to which nothing happened changes nothing, so the tests are as few as can be.
+/// What may have happened to rows beside that: they came down and rose again, were at their highest, or left where they
+/// may be. Further watched numbers and stops are not looked at.
 template <class S, class M>
-PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, const M& m, std::uint32_t row) {
+PHYSIM_INLINE auto further_noteworthy(const WorldJob<S>& job, const Conditions<S>& c, const M& m, std::uint32_t row) {
   using R = decltype(m.end.x.x);
   const Watchdog<S>& w = job.watchdog;
   const R zero(S(0));
-  MaskOf<R> found = plainly_noteworthy(w, c, m);
-  if (has_stops(c)) found = found | stop_here<R>(job, row);
-  if (w.simple) return found;
   const R climb = climb_rate(c, m.start);
   const R climb_later = climb_rate(c, m.end);
   // A step that sinks and rises again may have touched the ground in between.
-  found = found | ((climb < zero) & (climb_later > zero));
+  MaskOf<R> found = (climb < zero) & (climb_later > zero);
   if (w.apex) found = found | ((climb > zero) & (climb_later <= zero));
-  if (w.watched) crosses_watched(job, c, m.start, m.end, found);
   if (job.launched)
     found = found | (length_squared(m.end.x - load_vector<R>(job.columns.launch, row)) > R(w.farthest * w.farthest));
   if (w.box)
     found = found | (m.end.x.x < R(w.low.x)) | (m.end.x.x > R(w.high.x)) | (m.end.x.y < R(w.low.y)) |
             (m.end.x.y > R(w.high.y)) | (m.end.x.z < R(w.low.z)) | (m.end.x.z > R(w.high.z));
   return found;
+}
+
+/// Rows that need a closer look: something may have happened to them inside the step. `m` has a start and an end. A
+/// closer look at a row to which nothing happened changes nothing, so the tests are as few as can be.
+template <class S, class M>
+PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, const M& m, std::uint32_t row) {
+  using R = decltype(m.end.x.x);
+  const Watchdog<S>& w = job.watchdog;
+  MaskOf<R> found = plainly_noteworthy(w, c, m);
+  if (has_stops(c)) found = found | stop_here<R>(job, row);
+  if (w.simple) return found;
+  if (w.watched) crosses_watched(job, c, m.start, m.end, found);
+  return found | further_noteworthy(job, c, m, row);
 }
 
 /// One of a body's numbers.
@@ -310,12 +319,12 @@ struct KnownRung {
   static constexpr bool kCurve = drag == DragModel::equation;  // else the air is not read
 
   template <class S>
-  static constexpr bool matches(const Conditions<S>& c) {
+  static constexpr bool matches(const Conditions<S>& c, const Features& features = {}) {
     const Fidelity& f = c.fidelity;
     return f.motion != Motion::closed_form && f.integrator == Integrator::semi_implicit_euler &&
            f.gravity == GravityModel::constant && f.earth == EarthModel::flat && f.drag == drag && f.wind == wind &&
            (!kCurve || f.air == air) && !f.planar && f.rotation == RotationModel::none &&
-           static_cast<const Features&>(c) == Features{};
+           static_cast<const Features&>(c) == features;
   }
   /// The conditions that this rung reads.
   template <class S>

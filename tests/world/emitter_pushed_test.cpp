@@ -1,0 +1,122 @@
+// Rows that an emitter pushes on rungs that kernels know at compile time fly as on the way of all rungs, bit for bit.
+#include <gtest/gtest.h>
+
+#include "world/emitter_support.hpp"
+
+namespace physim {
+namespace {
+
+struct Place {
+  Vec3d position, previous, velocity;
+  bool operator==(const Place&) const = default;
+};
+struct Told {
+  std::vector<Place> places;
+  std::vector<std::tuple<EventKind, double, Vec3d, Vec3d>> events;
+  bool operator==(const Told&) const = default;
+};
+
+/// What is asked of a session.
+struct Asked {
+  DragModel drag = DragModel::off;
+  Precision precision = Precision::float32;
+  Vec3d wind{};
+  Ground ground{.mode = GroundMode::none};
+  DespawnRules despawn{};
+  bool apexes = false, scene = false, own_force = false;
+};
+
+EmitterDef sparks(KindId kind, int law) {
+  EmitterDef def = spray(kind, law == 0 ? 400 : 700, 0.2);
+  def.start.lifetime = {0.05, 1.5};
+  def.position = {0, 1.5, 0};
+  if (law == 0)
+    def.flight.drag = {1, 4, {{0, 1}, {1, 0}}};
+  else
+    def.flight.gravity = {0.2}, def.flight.force_x = {0.001, 0.003}, def.flight.limit = {5}, def.flight.noise = {2};
+  return def;
+}
+
+/// Sparks of two emitters that come and go; a force on others sends all rows the way of all rungs.
+Told session(const Asked& asked, bool general, std::uint64_t seed = 1) {
+  WorldDef def{.ground = asked.ground, .apex_events = asked.apexes};
+  def.environment.wind.velocity = asked.wind;
+  World world = make_world(def);
+  ProjectileDef p = spark(Motion::force);
+  p.drag = {.table = DragTable::g1, .ballistic_coefficient = 10, .damping = 0.7, .k1 = 1e-4, .k2 = 2e-5};
+  p.fidelity = Fidelity::game();
+  p.fidelity.drag = asked.drag;
+  p.fidelity.air = AirModel::isa;
+  p.fidelity.wind = WindModel::constant;
+  p.fidelity.precision = asked.precision;
+  if (asked.own_force) p.force = {0.002, 0, 0}, p.force_duration = 0.1;
+  BodyDef body{.restitution = 0.5, .despawn = asked.despawn};
+  if (asked.scene) {
+    Scene scene;
+    const ShapeId box = scene.add_shape(BoxShape{{2, 0.2, 2}}).value();
+    EXPECT_TRUE(scene.add({.shape = box, .transform = {.position = {0, 5, 0}}}));
+    EXPECT_TRUE(world.set_scene(scene));
+    body.collision.on_hit = OnHit::bounce;
+  }
+  const KindId kind = kind_of(world, p, body);
+  if (general) {
+    const KindId other = kind_of(world, stone());
+    EXPECT_TRUE(world.add_force({.law = ConstantForce{{1, 0, 0}}, .target = {.kind = other}}));
+  }
+  const EmitterId ids[] = {added(world, sparks(kind, 0)), added(world, sparks(kind, 1))};
+  Told told;
+  std::uint32_t random = static_cast<std::uint32_t>(seed);
+  for (int i = 0; i < 90; ++i) {
+    random = random * 1664525u + 1013904223u;
+    EXPECT_TRUE(world.step(i % 3 == 0 ? 1.0 / 60 : 0.002 + 0.02 * (random >> 8) / 16777216.0));
+    for (const Event& e : world.events()) told.events.emplace_back(e.kind, e.time, e.position, e.velocity);
+    const auto alive = world.ids();
+    for (std::size_t k = 0; k < alive.size() && random % 5 == 0; k += 1 + random % 37) world[alive[k]].despawn();
+    if (random % 7 == 0) world.emit(ids[random % 2], 50);
+  }
+  for (const ProjectileId id : world.ids())
+    told.places.push_back({world[id].position(), world[id].previous_position(), world[id].velocity()});
+  return told;
+}
+void expect_same(const Asked& asked, std::size_t least_events) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const Told known = session(asked, false, seed), general = session(asked, true, seed);
+    EXPECT_GT(known.places.size(), 100u);
+    EXPECT_GE(known.events.size(), least_events);
+    EXPECT_TRUE(known == general) << static_cast<int>(asked.drag) << ' ' << seed;
+  }
+}
+
+constexpr DragModel kDrags[] = {DragModel::off, DragModel::damping, DragModel::linear_quadratic, DragModel::equation};
+constexpr Precision kPrecisions[] = {Precision::float32, Precision::float64};
+
+TEST(EmitterPushed, every_known_rung_gives_the_bits_of_all_rungs) {
+  for (const DragModel drag : kDrags)
+    for (const Precision precision : kPrecisions)
+      for (const Vec3d& wind : {Vec3d{}, Vec3d{7, 1, -2}}) expect_same({drag, precision, wind}, 100);
+}
+
+TEST(EmitterPushed, what_happens_to_some_happens_as_on_all_rungs) {
+  for (const Precision precision : kPrecisions) {
+    const auto with = [precision](const auto& change, std::size_t least_events) {
+      Asked asked{.drag = DragModel::linear_quadratic, .precision = precision};
+      change(asked);
+      expect_same(asked, least_events);
+    };
+    with([](Asked& a) { a.ground.mode = GroundMode::bounce; }, 300);
+    with([](Asked& a) { a.ground.mode = GroundMode::land; }, 300);
+    with([](Asked& a) { a.apexes = true; }, 300);
+    with([](Asked& a) { a.despawn.farther = 3; }, 300);
+    with(
+        [](Asked& a) {
+          a.despawn.outside_box = true, a.despawn.box_low = {-1, -2, -1}, a.despawn.box_high = {1, 3, 1};
+        },
+        300);
+    with([](Asked& a) { a.despawn.slower = 2; }, 300);
+    with([](Asked& a) { a.scene = true; }, 300);
+    with([](Asked& a) { a.own_force = true; }, 100);
+  }
+}
+
+}  // namespace
+}  // namespace physim
