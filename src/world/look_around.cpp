@@ -19,28 +19,45 @@ struct Way {
         ended(Rows::at(c.velocity, row)) {}
 
   /// Twice as far as that cubic is from its chord [m].
-  [[nodiscard]] double beside(double dt) const {
-    const Vec3d mean = (to - from) * (1 / dt);
-    return 8.0 / 27 * dt * (length(started - mean) + length(ended - mean));
-  }
+  [[nodiscard]] double beside(double dt) const { return beside_chord(from, started, to, ended, dt); }
   [[nodiscard]] Vec3d at(double part, double dt) const {
     const double rest = 1 - part;
     return from + (to - from) * (part * part * (3 - 2 * part)) + (started * rest - ended * part) * (dt * part * rest);
   }
 };
 
-/// So far it may fly from where it is now; unless it looks, as it was. To look takes as long as some steps near a
-/// thing: who comes from afar always does; who is new mostly is near something, and who was near stays so for long.
+constexpr double kNear = 64;  // who was near something looks again how far he may fly after so many steps' way
+
+/// What Clear keeps of how far it flew since it looked last, below 0: 0 of who is new, which mostly is near something;
+/// all of these do not look in one step, nor at once.
 template <class S>
-S clear_now(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
-            const CollisionDef& collision) {
-  constexpr std::uint32_t kNew = 8, kNear = 32;  // one look in so many steps
-  const double gone = length(way.to - way.from);
-  const auto clear = static_cast<double>(c.clear[row]);  // it was 0 of who is new, and -gone of who was near
-  const std::uint32_t steps = clear > -0.5 * gone ? 1 : clear > -1.5 * gone ? kNew : kNear;
-  if ((row + static_cast<std::uint32_t>(context.state->clock.steps)) % steps != 0)
-    return static_cast<S>(steps == kNear ? -gone : 0.0);
-  return clear_way<S>(context, {way.to, (way.to - way.from) * (1 / context.dt)}, collision);
+S waited(const RowColumns<S>& c, std::uint32_t row, double gone) {
+  constexpr std::uint32_t kSpread = 16;
+  return static_cast<double>(c.clear[row]) > -1.5 * gone ? static_cast<S>(-gone * (kNear - 1 - row % kSpread))
+                                                         : c.clear[row];
+}
+/// Whether it is time to look how far it may fly: who comes from afar always does. It takes as long as some steps near
+/// a thing.
+template <class S>
+bool is_due(const RowColumns<S>& c, std::uint32_t row, double gone) {
+  const auto clear = static_cast<double>(c.clear[row]);
+  return clear > -0.5 * gone || clear < -kNear * gone;
+}
+
+/// Finds a tube from the start of a step on that holds it, and keeps it for the steps that follow.
+template <class S>
+bool finds_tube(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
+                const CollisionDef& collision) {
+  if (context.scene->has_motion()) return false;
+  const double dt = context.dt;
+  const Vec3d acceleration = (way.ended - way.started) * (1 / dt);
+  // With which, at this acceleration, it comes to the end of the step.
+  const Vec3d velocity = (way.to - way.from) * (1 / dt) - acceleration * (0.5 * dt);
+  const ClearTube<S> tube = tube_ahead<S>(context, {way.from, velocity}, acceleration, way.beside(dt), collision);
+  const auto in = [](const Vec3d& v) { return vec_cast<S>(v); };
+  if (!stays_inside(tube, in(way.from), in(way.started), in(way.to), in(way.ended), static_cast<S>(dt))) return false;
+  Rows::put(c.tube, row, tube);
+  return true;
 }
 
 /// It may meet something: it is put back and settled.
@@ -65,9 +82,13 @@ void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) 
     const Way way(c, row);
     const double beside = way.beside(context.dt) + 1e-9, gone = length(way.to - way.from);
     if (!context.scene) return put_back(context, chunk, c, row);
-    const S clear = clear_now(context, c, row, way, collision);
-    // As far around its end as it came from nothing can be: then nothing was in its way either.
-    if (static_cast<double>(clear) > gone + beside) return void(c.clear[row] = clear);
+    S clear = waited(c, row, gone);
+    if (is_due(c, row, gone)) {
+      clear = clear_way<S>(context, {way.to, (way.to - way.from) * (1 / context.dt)}, collision);
+      // As far around its end as it came from nothing can be: then nothing was in its way either.
+      if (static_cast<double>(clear) > gone + beside) return void(c.clear[row] = clear);
+    }
+    if (finds_tube(context, c, row, way, collision)) return void(c.clear[row] = clear);
     const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
     if (context.scene->any_hit(segment, {.layers = collision.layers})) return put_back(context, chunk, c, row);
     c.clear[row] = clear;
@@ -143,9 +164,9 @@ void look_around(const SettleContext& context, const std::vector<NearRow>& rows)
     at += question.pieces;
     const bool is_clear = !own.empty() && std::ranges::none_of(own, [](const SceneHit& hit) { return bool(hit); });
     const NearRow& near = question.row;
-    with_row(context, *near.chunk, near.row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
+    with_row(context, *near.chunk, near.row, [&](const auto& c, const CollisionDef&) {
       if (!is_clear) return put_back(context, *near.chunk, c, near.row);
-      c.clear[near.row] = clear_now(context, c, near.row, Way(c, near.row), collision);
+      c.clear[near.row] = 0;  // nobody knows how far its things are
     });
   }
   PHYSIM_ASSERT(at == hits.size());

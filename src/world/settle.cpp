@@ -84,7 +84,16 @@ class Settling {
     if (r_.gone()) return;
     RowRules<S>(context_, r_).follow(scene_.is_carried());
     r_.write();
-    if (r_.meets()) r_.put_clear(clear_way<S>(context_, r_.here(), r_.collision()));
+    if (r_.meets()) look_around();
+  }
+  /// What is clear about where it is now.
+  void look_around() {
+    const S clear = clear_way<S>(context_, r_.here(), r_.collision());
+    r_.put_clear(clear);
+    if (!(clear < 0)) return;  // it is far from everything, or nobody can tell
+    const Vec3d acceleration = r_.acceleration_at(r_.here(), r_.step_length());
+    const double beside = beside_chord(context_.dt, acceleration);
+    r_.put_tube(tube_ahead<S>(context_, r_.here(), acceleration, beside, r_.collision()));
   }
 
   // ------------------------------------------------------------------------------------------- flying

@@ -101,6 +101,8 @@ class SettledRow {
 
   /// So far from where it is now it may fly before it can be near anything.
   void put_clear(S clear) const { columns_.clear[row_] = clear; }
+  /// In which nothing stands.
+  void put_tube(const ClearTube<S>& tube) const { Rows::put(columns_.tube, row_, tube); }
   [[nodiscard]] bool has_launch_place() const { return rows_.layout().launched; }
   [[nodiscard]] Vec3d launch_place() const { return Rows::at(columns_.launch, row_); }
 
