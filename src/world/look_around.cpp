@@ -26,38 +26,26 @@ struct Way {
   }
 };
 
-constexpr double kNear = 64;  // who was near something looks again how far he may fly after so many steps' way
+/// What a tube from the start of a step on says of it.
+enum class Ahead { clear, met, unknown };
 
-/// What Clear keeps of how far it flew since it looked last, below 0: 0 of who is new, which mostly is near something;
-/// all of these do not look in one step, nor at once.
+/// Finds such a tube, and keeps one that holds the step for those that follow.
 template <class S>
-S waited(const RowColumns<S>& c, std::uint32_t row, double gone) {
-  constexpr std::uint32_t kSpread = 16;
-  return static_cast<double>(c.clear[row]) > -1.5 * gone ? static_cast<S>(-gone * (kNear - 1 - row % kSpread))
-                                                         : c.clear[row];
-}
-/// Whether it is time to look how far it may fly: who comes from afar always does. It takes as long as some steps near
-/// a thing.
-template <class S>
-bool is_due(const RowColumns<S>& c, std::uint32_t row, double gone) {
-  const auto clear = static_cast<double>(c.clear[row]);
-  return clear > -0.5 * gone || clear < -kNear * gone;
-}
-
-/// Finds a tube from the start of a step on that holds it, and keeps it for the steps that follow.
-template <class S>
-bool finds_tube(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
-                const CollisionDef& collision) {
-  if (context.scene->has_motion()) return false;
+Ahead look_ahead(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
+                 const CollisionDef& collision) {
+  if (context.scene->has_motion()) return Ahead::unknown;
   const double dt = context.dt;
   const Vec3d acceleration = (way.ended - way.started) * (1 / dt);
   // With which, at this acceleration, it comes to the end of the step.
   const Vec3d velocity = (way.to - way.from) * (1 / dt) - acceleration * (0.5 * dt);
   const ClearTube<S> tube = tube_ahead<S>(context, {way.from, velocity}, acceleration, way.beside(dt), collision);
   const auto in = [](const Vec3d& v) { return vec_cast<S>(v); };
-  if (!stays_inside(tube, in(way.from), in(way.started), in(way.to), in(way.ended), static_cast<S>(dt))) return false;
-  Rows::put(c.tube, row, tube);
-  return true;
+  if (stays_inside(tube, in(way.from), in(way.started), in(way.to), in(way.ended), static_cast<S>(dt))) {
+    Rows::put(c.tube, row, tube);
+    return Ahead::clear;
+  }
+  const double part = dot(way.to - way.from, vec_cast<double>(tube.along)) * static_cast<double>(tube.per_square_along);
+  return part > 1 ? Ahead::met : Ahead::unknown;
 }
 
 /// It may meet something: it is put back and settled.
@@ -82,16 +70,20 @@ void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) 
     const Way way(c, row);
     const double beside = way.beside(context.dt) + 1e-9, gone = length(way.to - way.from);
     if (!context.scene) return put_back(context, chunk, c, row);
-    S clear = waited(c, row, gone);
-    if (is_due(c, row, gone)) {
+    S& clear = c.clear[row];
+    if (is_look_due(clear, gone)) {
       clear = clear_way<S>(context, {way.to, (way.to - way.from) * (1 / context.dt)}, collision);
       // As far around its end as it came from nothing can be: then nothing was in its way either.
-      if (static_cast<double>(clear) > gone + beside) return void(c.clear[row] = clear);
+      if (static_cast<double>(clear) > gone + beside) return;
+    } else {
+      clear = waited(clear, row, gone);
     }
-    if (finds_tube(context, c, row, way, collision)) return void(c.clear[row] = clear);
+    const Ahead ahead = look_ahead(context, c, row, way, collision);
+    if (ahead == Ahead::clear) return;
     const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
-    if (context.scene->any_hit(segment, {.layers = collision.layers})) return put_back(context, chunk, c, row);
-    c.clear[row] = clear;
+    // What stands close to its way ahead it mostly meets, and settling finds out.
+    if (ahead == Ahead::met || context.scene->any_hit(segment, {.layers = collision.layers}))
+      put_back(context, chunk, c, row);
   });
 }
 

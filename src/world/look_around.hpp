@@ -21,6 +21,23 @@ template <class S>
   return static_cast<S>(left > way ? left : -way);
 }
 
+inline constexpr double kNearSteps = 64;  // who was near something looks again how far he may fly after so many
+
+/// Whether it is time to look how far a row may fly, by what its columns say after a step of a length [m]: who comes
+/// from afar always does. It takes as long as some steps near a thing.
+template <class S>
+[[nodiscard]] bool is_look_due(S clear, double gone) {
+  return static_cast<double>(clear) > -0.5 * gone || static_cast<double>(clear) < -kNearSteps * gone;
+}
+/// What such columns keep of how far a row flew since it looked, below 0: 0 of who is new, which mostly is near
+/// something; all of these do not look in one step, nor at once.
+template <class S>
+[[nodiscard]] S waited(S clear, std::uint32_t row, double gone) {
+  constexpr std::uint32_t kSpread = 16;
+  const bool is_new = static_cast<double>(clear) > -1.5 * gone;
+  return is_new ? static_cast<S>(-gone * (kNearSteps - 1 - row % kSpread)) : clear;
+}
+
 /// A tube about the way of something that goes on at a steady acceleration, as far as that is clear; none where it is
 /// near something, or comes about. `beside`: how far the path of one step may be from its chord [m].
 template <class S>
