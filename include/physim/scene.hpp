@@ -222,7 +222,8 @@ class Scene {
   Status set_layers(InstanceId instance, std::uint32_t layers);
   /// Lets an engine answer beside the things that stand here: first_hit(), first_hits(), any_hit() and all_hits() tell
   /// what is met first of both. Its things are no sensors and not in motion to instance(), state() and others that name
-  /// one; nearest(), overlaps() and is_reached() leave them out, clearance() is 0. An error where the skin is none.
+  /// one; nearest(), overlaps() and is_reached() leave them out, clearance() and clear_part() are 0. An error where the
+  /// skin is none.
   Status set_engine(const EngineScene& engine);
   /// The engine; null: none.
   [[nodiscard]] const EngineScene* engine() const;
@@ -281,6 +282,10 @@ class Scene {
   /// rounding; to what moves, less the way that it may go. 0 in a solid, and where a number is none.
   [[nodiscard]] double clearance(const Vec3d& point, double reach, const SceneFilter& filter = {}, double from = 0,
                                  double to = 0) const;
+  /// A part of a segment, 0 to 1, up to which the spheres of its radius about its points touch nothing: a lower bound,
+  /// wherever on it they are at any time between its own time and the end of its duration. 0 where it begins at a
+  /// surface or in a solid, where a number is none, and where an engine answers.
+  [[nodiscard]] double clear_part(const SceneSegment& segment, const SceneFilter& filter = {}) const;
   /// The things that a sphere touches at a time [s], by index.
   [[nodiscard]] std::vector<InstanceId> overlaps(const Vec3d& middle, double radius, const SceneFilter& filter = {},
                                                  double time = 0) const;

@@ -35,17 +35,19 @@ class HeightField {
   template <class Take>
   void crossings(Segment& s, const Take& take) const {
     const Shear shear(s);
-    const double wide = slack(s), per_x = s.along.x == 0 ? 0 : finite_inverse(s.along.x);
-    const Slab columns = slab(s.from.x, per_x, 0, (columns_ - 1) * spacing_x_, wide, s.reach);
-    if (!columns.some) return;
-    const Range over =
-        cells(s.from.x + s.along.x * columns.in, s.from.x + s.along.x * columns.out, per_spacing_x_, columns_, wide);
-    const bool forwards = s.along.x >= 0;
-    for (std::uint32_t i = 0; i < over.count; ++i) {
-      const std::uint32_t column = forwards ? over.first + i : over.first + over.count - 1 - i;
-      const Slab here = slab(s.from.x, per_x, column * spacing_x_, (column + 1) * spacing_x_, wide, s.reach);
-      if (here.some) cross_column(s, shear, column, here, wide, take);
-    }
+    triangles_along(s, [&](const Triangle& triangle, std::uint32_t number) {
+      auto crossing = meets(s, shear, triangle);
+      if (!crossing) return;
+      crossing->primitive = number;
+      take(*crossing, s);
+    });
+  }
+  /// A part of a segment up to which spheres about its points touch nothing: its reach, or less.
+  [[nodiscard]] double clear_part(Segment s) const {
+    triangles_along(s, [&](const Triangle& triangle, std::uint32_t) {
+      if (const auto part = collide::clear_part(s, triangle)) s.reach = std::min(s.reach, *part);
+    });
+    return s.reach;
   }
   [[nodiscard]] std::optional<Vec3d> nearest(const Vec3d& p, double& within) const;
   /// Between the distance of p and half of it.
@@ -103,9 +105,24 @@ class HeightField {
     return above | ((a < low) & (b < low) & (c < low) & (d < low));
   }
 
-  template <class Take>
-  void cross_column(Segment& s, const Shear& shear, std::uint32_t column, const Slab& here, double wide,
-                    const Take& take) const {
+  /// Calls visit(triangle, number) for those that a segment may meet, which shortens its reach.
+  template <class Visit>
+  void triangles_along(Segment& s, const Visit& visit) const {
+    const double wide = slack(s), per_x = s.along.x == 0 ? 0 : finite_inverse(s.along.x);
+    const Slab columns = slab(s.from.x, per_x, 0, (columns_ - 1) * spacing_x_, wide, s.reach);
+    if (!columns.some) return;
+    const Range over =
+        cells(s.from.x + s.along.x * columns.in, s.from.x + s.along.x * columns.out, per_spacing_x_, columns_, wide);
+    const bool forwards = s.along.x >= 0;
+    for (std::uint32_t i = 0; i < over.count; ++i) {
+      const std::uint32_t column = forwards ? over.first + i : over.first + over.count - 1 - i;
+      const Slab here = slab(s.from.x, per_x, column * spacing_x_, (column + 1) * spacing_x_, wide, s.reach);
+      if (here.some) triangles_in(s, column, here, wide, visit);
+    }
+  }
+  /// Those of a column of cells.
+  template <class Visit>
+  void triangles_in(const Segment& s, std::uint32_t column, const Slab& here, double wide, const Visit& visit) const {
     const Range over =
         cells(s.from.z + s.along.z * here.in, s.from.z + s.along.z * here.out, per_spacing_z_, rows_, wide);
     const double one = s.from.y + s.along.y * here.in, other = s.from.y + s.along.y * here.out;
@@ -114,12 +131,8 @@ class HeightField {
     for (std::uint32_t i = 0; i < over.count; ++i) {
       const std::uint32_t row = forwards ? over.first + i : over.first + over.count - 1 - i;
       if (is_beside(column, row, low, high)) continue;
-      for (std::uint32_t half = 0; half < 2; ++half) {
-        auto crossing = meets(s, shear, triangle(column, row, half));
-        if (!crossing) continue;
-        crossing->primitive = 2 * (row * (columns_ - 1) + column) + half;
-        take(*crossing, s);
-      }
+      for (std::uint32_t half = 0; half < 2; ++half)
+        visit(triangle(column, row, half), 2 * (row * (columns_ - 1) + column) + half);
     }
   }
 

@@ -45,6 +45,13 @@ class Mesh {
       take(*crossing, s);
     });
   }
+  /// A part of a segment up to which spheres about its points touch nothing: its reach, or less.
+  [[nodiscard]] double clear_part(Segment segment) const {
+    tree_.along(segment, [&](std::uint32_t i, Segment& s) {
+      if (const auto part = collide::clear_part(s, triangle(i))) s.reach = std::min(s.reach, *part);
+    });
+    return segment.reach;
+  }
   /// The point of the surface nearest to p, where one is nearer than `within`, which is shortened to its distance.
   [[nodiscard]] std::optional<Vec3d> nearest(const Vec3d& p, double& within) const;
   /// Between the distance of p and half of it.

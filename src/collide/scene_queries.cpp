@@ -262,6 +262,41 @@ double Scene::clearance(const Vec3d& point, double reach, const SceneFilter& fil
   return least;
 }
 
+double Scene::clear_part(const SceneSegment& asked, const SceneFilter& filter) const {
+  const IeeeMode mode;
+  if (!collide::is_sound(asked) || impl_->engine) return 0;
+  collide::Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};
+  const auto look_at = [&](std::uint32_t index, collide::Segment& s) {
+    const Impl::InstanceSlot& slot = impl_->instances[index];
+    if (!slot.is_asked(filter)) return;
+    const double own = clear_part_of(*slot.shape, slot.placement.inside(s));
+    if (own >= s.reach) return;
+    // What it is rounded to on its way into the frame of the thing.
+    const double lost = 1e-14 * (s.extent() + length(slot.placement.position())) / length(s.along);
+    s.reach = std::max(0.0, own * (1 - 1e-14) - lost);
+  };
+  const double end = asked.time + asked.duration;
+  // What moves may be anywhere in the box of its way.
+  const auto look_at_mover = [&](std::uint32_t index, collide::Segment& s) {
+    const Impl::InstanceSlot& slot = impl_->instances[index];
+    if (!slot.is_asked(filter)) return;
+    const collide::Bounds own = bounds_of(*slot.shape);
+    if (own.low.x > own.high.x) return void(s.reach = 0);
+    const double in = collide::BoxTest(s).enters(slot.path->bounds(own, asked.time, end), s.reach);
+    if (in <= s.reach) s.reach = in * (1 - 1e-14);
+  };
+  for (const std::uint32_t index : impl_->unbounded)
+    if (impl_->instances[index].path)
+      look_at_mover(index, segment);
+    else
+      look_at(index, segment);
+  impl_->resting.along(segment, look_at);
+  collide::for_movers(
+      *impl_, asked.time, end, [&](const collide::Tree& tree) { tree.along(segment, look_at_mover); },
+      [&](std::uint32_t index) { look_at_mover(index, segment); });
+  return std::max(0.0, segment.reach);
+}
+
 std::vector<InstanceId> Scene::overlaps(const Vec3d& middle, double radius, const SceneFilter& filter,
                                         double time) const {
   const IeeeMode mode;

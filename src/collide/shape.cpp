@@ -119,6 +119,28 @@ double clearance_of(const Shape& shape, const Vec3d& p) {
   return std::visit([&](const auto& one) { return clearance(one, p); }, shape);
 }
 
+double clear_part_of(const Shape& shape, const Segment& s) {
+  if (const auto* compound = std::get_if<Compound>(&shape)) {
+    Segment within = s;
+    for (const Compound::Part& part : compound->parts)
+      if (BoxTest(within).enters(part.bounds, within.reach) <= within.reach)
+        within.reach = clear_part_of(*part.shape, part.placement.inside(within));
+    return within.reach;
+  }
+  return std::visit(
+      [&](const auto& one) {
+        if constexpr (requires { one.clear_part(s); }) {
+          return one.clear_part(s);
+        } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Compound>) {
+          return 0.0;
+        } else {
+          const Passage p = passage(s, one, false);
+          return p.some ? std::min(s.reach, p.in.t) : s.reach;
+        }
+      },
+      shape);
+}
+
 std::optional<Vec3d> nearest_of(const Shape& shape, const Vec3d& p, double& within) {
   return std::visit([&](const auto& one) { return nearest(one, p, within); }, shape);
 }

@@ -92,6 +92,10 @@ void cross(const Shape& shape, Segment& s, const Take& take) {
   }
 }
 
+/// A part of a segment up to which the spheres about its points touch nothing of a shape: its reach, or less; 0 where
+/// it begins at a surface or inside of one.
+[[nodiscard]] double clear_part_of(const Shape& shape, const Segment& s);
+
 /// The point of a surface that is nearest to p, where one is not farther than `within`, which is shortened to its
 /// distance; p itself inside of a solid.
 [[nodiscard]] std::optional<Vec3d> nearest_of(const Shape& shape, const Vec3d& p, double& within);

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "collide/convex.hpp"
 
@@ -108,6 +109,39 @@ class Shear {
   const bool enters = dot(normal, s.along) < 0;
   if (!enters && leaves_from(triangle.a, normal, s.from)) return std::nullopt;
   return Crossing{*t, normal, 0, enters};
+}
+
+/// A part of a segment up to which no sphere about its points touches a triangle, below the true one by little where it
+/// touches its face; none where it passes it. The sphere is taken for all that is as near to the plane as its radius
+/// and not farther beyond any edge, which costs no iteration.
+[[nodiscard]] inline std::optional<double> clear_part(const Segment& s, const Triangle& t) {
+  const Vec3d ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c, normal = cross(ab, -ca);
+  const auto size = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
+  const double edge = std::max({size(ab), size(bc), size(ca)});
+  const double far = size(s.from - t.a) + size(s.along) + edge;  // from the triangle
+  const double wide = s.radius + kRounding * (s.extent() + edge);
+  double in = 0, out = s.reach;
+  // Leaves what is below a plane through p, as far as `most`; direction and most may be of any size.
+  const auto below = [&](const Vec3d& direction, const Vec3d& p, double most) {
+    const double above = dot(direction, s.from - p) - most, rate = dot(direction, s.along);
+    if (rate == 0) {
+      if (above > 0) out = -1;
+    } else if (rate < 0) {
+      in = std::max(in, -above / rate);
+    } else {
+      out = std::min(out, -above / rate);
+    }
+    return in <= out;
+  };
+  const double face = length(normal) * wide + kRounding * edge * edge * far;
+  if (!below(normal, t.a, face) || !below(-normal, t.a, face)) return std::nullopt;
+  const double beyond = kRounding * edge * edge * edge * far;
+  for (const auto& [along, p] : {std::pair{ab, t.a}, {bc, t.b}, {ca, t.c}}) {
+    const Vec3d outwards = cross(along, normal);
+    if (!below(outwards, p, length(outwards) * wide + beyond)) return std::nullopt;
+  }
+  return in * (1 - kRounding);
 }
 
 }  // namespace physim::collide

@@ -19,28 +19,33 @@ struct Way {
         ended(Rows::at(c.velocity, row)) {}
 
   /// Twice as far as that cubic is from its chord [m].
-  [[nodiscard]] double beside(double dt) const {
-    const Vec3d mean = (to - from) * (1 / dt);
-    return 8.0 / 27 * dt * (length(started - mean) + length(ended - mean));
-  }
+  [[nodiscard]] double beside(double dt) const { return beside_chord(from, started, to, ended, dt); }
   [[nodiscard]] Vec3d at(double part, double dt) const {
     const double rest = 1 - part;
     return from + (to - from) * (part * part * (3 - 2 * part)) + (started * rest - ended * part) * (dt * part * rest);
   }
 };
 
-/// So far it may fly from where it is now; unless it looks, as it was. To look takes as long as some steps near a
-/// thing: who comes from afar always does; who is new mostly is near something, and who was near stays so for long.
+/// What a tube from the start of a step on says of it.
+enum class Ahead { clear, met, unknown };
+
+/// Finds such a tube, and keeps one that holds the step for those that follow.
 template <class S>
-S clear_now(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
-            const CollisionDef& collision) {
-  constexpr std::uint32_t kNew = 8, kNear = 32;  // one look in so many steps
-  const double gone = length(way.to - way.from);
-  const auto clear = static_cast<double>(c.clear[row]);  // it was 0 of who is new, and -gone of who was near
-  const std::uint32_t steps = clear > -0.5 * gone ? 1 : clear > -1.5 * gone ? kNew : kNear;
-  if ((row + static_cast<std::uint32_t>(context.state->clock.steps)) % steps != 0)
-    return static_cast<S>(steps == kNear ? -gone : 0.0);
-  return clear_way<S>(context, {way.to, (way.to - way.from) * (1 / context.dt)}, collision);
+Ahead look_ahead(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
+                 const CollisionDef& collision) {
+  if (context.scene->has_motion()) return Ahead::unknown;
+  const double dt = context.dt;
+  const Vec3d acceleration = (way.ended - way.started) * (1 / dt);
+  // With which, at this acceleration, it comes to the end of the step.
+  const Vec3d velocity = (way.to - way.from) * (1 / dt) - acceleration * (0.5 * dt);
+  const ClearTube<S> tube = tube_ahead<S>(context, {way.from, velocity}, acceleration, way.beside(dt), collision);
+  const auto in = [](const Vec3d& v) { return vec_cast<S>(v); };
+  if (stays_inside(tube, in(way.from), in(way.started), in(way.to), in(way.ended), static_cast<S>(dt))) {
+    Rows::put(c.tube, row, tube);
+    return Ahead::clear;
+  }
+  const double part = dot(way.to - way.from, vec_cast<double>(tube.along)) * static_cast<double>(tube.per_square_along);
+  return part > 1 ? Ahead::met : Ahead::unknown;
 }
 
 /// It may meet something: it is put back and settled.
@@ -65,12 +70,20 @@ void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) 
     const Way way(c, row);
     const double beside = way.beside(context.dt) + 1e-9, gone = length(way.to - way.from);
     if (!context.scene) return put_back(context, chunk, c, row);
-    const S clear = clear_now(context, c, row, way, collision);
-    // As far around its end as it came from nothing can be: then nothing was in its way either.
-    if (static_cast<double>(clear) > gone + beside) return void(c.clear[row] = clear);
+    S& clear = c.clear[row];
+    if (is_look_due(clear, gone)) {
+      clear = clear_way<S>(context, {way.to, (way.to - way.from) * (1 / context.dt)}, collision);
+      // As far around its end as it came from nothing can be: then nothing was in its way either.
+      if (static_cast<double>(clear) > gone + beside) return;
+    } else {
+      clear = waited(clear, row, gone);
+    }
+    const Ahead ahead = look_ahead(context, c, row, way, collision);
+    if (ahead == Ahead::clear) return;
     const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
-    if (context.scene->any_hit(segment, {.layers = collision.layers})) return put_back(context, chunk, c, row);
-    c.clear[row] = clear;
+    // What stands close to its way ahead it mostly meets, and settling finds out.
+    if (ahead == Ahead::met || context.scene->any_hit(segment, {.layers = collision.layers}))
+      put_back(context, chunk, c, row);
   });
 }
 
@@ -143,9 +156,9 @@ void look_around(const SettleContext& context, const std::vector<NearRow>& rows)
     at += question.pieces;
     const bool is_clear = !own.empty() && std::ranges::none_of(own, [](const SceneHit& hit) { return bool(hit); });
     const NearRow& near = question.row;
-    with_row(context, *near.chunk, near.row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
+    with_row(context, *near.chunk, near.row, [&](const auto& c, const CollisionDef&) {
       if (!is_clear) return put_back(context, *near.chunk, c, near.row);
-      c.clear[near.row] = clear_now(context, c, near.row, Way(c, near.row), collision);
+      c.clear[near.row] = 0;  // nobody knows how far its things are
     });
   }
   PHYSIM_ASSERT(at == hits.size());

@@ -21,6 +21,51 @@ template <class S>
   return static_cast<S>(left > way ? left : -way);
 }
 
+inline constexpr double kNearSteps = 64;  // who was near something looks again how far he may fly after so many
+
+/// Whether it is time to look how far a row may fly, by what its columns say after a step of a length [m]: who comes
+/// from afar always does. It takes as long as some steps near a thing.
+template <class S>
+[[nodiscard]] bool is_look_due(S clear, double gone) {
+  return static_cast<double>(clear) > -0.5 * gone || static_cast<double>(clear) < -kNearSteps * gone;
+}
+/// What such columns keep of how far a row flew since it looked, below 0: 0 of who is new, which mostly is near
+/// something; all of these do not look in one step, nor at once.
+template <class S>
+[[nodiscard]] S waited(S clear, std::uint32_t row, double gone) {
+  constexpr std::uint32_t kSpread = 16;
+  const bool is_new = static_cast<double>(clear) > -1.5 * gone;
+  return is_new ? static_cast<S>(-gone * (kNearSteps - 1 - row % kSpread)) : clear;
+}
+
+/// A tube about the way of something that goes on at a steady acceleration, as far as that is clear; none where it is
+/// near something, or comes about. `beside`: how far the path of one step may be from its chord [m].
+template <class S>
+[[nodiscard]] ClearTube<S> tube_ahead(const SettleContext& context, const State<double>& s, const Vec3d& acceleration,
+                                      double beside, const CollisionDef& collision) {
+  PHYSIM_ASSERT(context.scene && !context.scene->has_motion() && context.dt > 0 && beside >= 0);
+  constexpr double kSteps = 9;             // one of them is at hand, mostly
+  constexpr double kSlack = 1.25;          // of the sag: accelerations change
+  constexpr double kBeside = 2;            // and so does what a step needs
+  constexpr double kDrift = 1e-4;          // of the length
+  const double turns = 0.5 * length(s.v);  // so much of its velocity may it lose
+  const double time = std::min(kSteps * context.dt, turns / std::max(length(acceleration), 1e-9));
+  const Vec3d along = s.v * time + acceleration * (0.5 * time * time);
+  const double far = length(along);
+  if (!(far > 0 && far < collide::kFarthest)) return {};
+  const Vec3d across = acceleration - along * (dot(acceleration, along) / (far * far));
+  const double room = kSlack / 8 * time * time * length(across) + kBeside * beside + kDrift * far;
+  // Places and sums of the row's own numbers are rounded.
+  const double places = spacing_at<S>(s.x) + spacing_at<S>(s.x + along);
+  const double lost = 8 * places + 32 * static_cast<double>(std::numeric_limits<S>::epsilon()) * far + 1e-9;
+  const SceneSegment way{s.x, s.x + along, collision.radius + room + lost};
+  const double part = context.scene->clear_part(way, {.layers = collision.layers}) * (1 - 1e-6);
+  const Vec3<S> from = vec_cast<S>(s.x), clear = vec_cast<S>(along * part);
+  const S per_square = S(1) / dot(clear, clear);
+  if (!(per_square > 0 && per_square < std::numeric_limits<S>::max())) return {};
+  return {from, clear, per_square, static_cast<S>(room)};
+}
+
 /// A row that moved on and may have come near a thing of an engine, in the chunk that it belongs to.
 struct NearRow {
   Chunk* chunk = nullptr;

@@ -15,8 +15,9 @@ constexpr unsigned char kUnset = 0xff;
 #endif
 
 unsigned count_columns(const RowLayout& l) {
-  return 9 + (l.carried ? 3u : 0) + (l.launched ? 3u : 0) + (l.clocked ? 2u : 0) + (l.meeting ? 4u : 0) +
-         (l.turning ? kNumbers<Turn> + kNumbers<RotorConstants> : 0) + static_cast<unsigned>(l.fields.size());
+  return 9 + (l.carried ? 3u : 0) + (l.launched ? 3u : 0) + (l.clocked ? 2u : 0) +
+         (l.meeting ? 4u + kNumbers<ClearTube> : 0) + (l.turning ? kNumbers<Turn> + kNumbers<RotorConstants> : 0) +
+         static_cast<unsigned>(l.fields.size());
 }
 
 }  // namespace
@@ -144,6 +145,7 @@ void Rows::find_columns(RowColumns<S>& c) const {
   if (layout_.clocked) c.offset = next(), c.born = next();
   if (layout_.meeting) {
     c.clear = next();
+    for (S*& p : c.tube) p = next();
     for (S*& p : c.started) p = next();
   }
   for (const std::uint8_t field : layout_.fields) c.field[field] = next();

@@ -10,6 +10,7 @@
 
 #include "model/body.hpp"
 #include "model/rotor.hpp"
+#include "world/clear_tube.hpp"
 
 namespace physim {
 
@@ -23,7 +24,7 @@ struct RowLayout {
   bool carried = false;              // the original loop's acceleration register
   bool launched = false;             // the place of launch
   bool turning = false;              // a Turn and RotorConstants
-  bool meeting = false;              // how far it may fly before it can be near a thing of the scene
+  bool meeting = false;              // what is clear of the things of the scene about it
   std::vector<std::uint8_t> fields;  // members of Body that the models read, as indices of its numbers
 
   bool operator==(const RowLayout&) const = default;
@@ -38,10 +39,11 @@ struct RowColumns {
   S* velocity[3];
   S* carried[3];
   S* launch[3];
-  S* offset;      // of the clock: time since launch = offset + (now - born) h
-  S* born;        // step at which the clock started
-  S* clear;       // so far it may fly; at or below 0: nobody looked [m]
-  S* started[3];  // velocity at the start of the step at hand, of rows that came near
+  S* offset;                     // of the clock: time since launch = offset + (now - born) h
+  S* born;                       // step at which the clock started
+  S* clear;                      // so far it may fly; at or below 0: nobody looked [m]
+  S* tube[kNumbers<ClearTube>];  // in which nothing stands
+  S* started[3];                 // velocity at the start of the step at hand, of rows that came near
   S* field[kNumbers<Body>];
   S* turn[kNumbers<Turn>];
   S* rotor[kNumbers<RotorConstants>];
@@ -144,12 +146,13 @@ class Rows : RowMemory {
   /// Fills in the numbers of a row that the models read.
   void write_fields(std::uint32_t row, const Body<double>& body);
   [[nodiscard]] const RowMasks& field_masks() const { return field_masks_; }
-  /// Nobody knows any more how far it may fly.
+  /// Nobody knows any more what is clear about it.
   void forget_clear(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
     if (!layout_.meeting) return;
     visit([row](const auto& c) {
       c.clear[row] = 0;
+      put(c.tube, row, ClearTube<double>{});
       put(c.started, row, {});
     });
   }

@@ -84,7 +84,19 @@ class Settling {
     if (r_.gone()) return;
     RowRules<S>(context_, r_).follow(scene_.is_carried());
     r_.write();
-    if (r_.meets()) r_.put_clear(clear_way<S>(context_, r_.here(), r_.collision()));
+    if (r_.meets()) look_around();
+  }
+  /// What is clear about where it is now.
+  void look_around() {
+    const double gone = context_.dt * length(r_.here().v);
+    S& clear = r_.clear();
+    clear =
+        is_look_due(clear, gone) ? clear_way<S>(context_, r_.here(), r_.collision()) : waited(clear, r_.row(), gone);
+    // It is far from everything, or nobody can tell.
+    if (!(clear < 0) || !context_.scene || context_.scene->has_motion() || context_.scene->engine() != nullptr) return;
+    const Vec3d acceleration = r_.acceleration_at(r_.here(), r_.step_length());
+    const double beside = beside_chord(context_.dt, acceleration);
+    r_.put_tube(tube_ahead<S>(context_, r_.here(), acceleration, beside, r_.collision()));
   }
 
   // ------------------------------------------------------------------------------------------- flying

@@ -59,6 +59,7 @@ class SettledRow {
   [[nodiscard]] bool is_clocked() const { return rows_.layout().clocked; }
   [[nodiscard]] S t_start() const { return t_start_; }
   [[nodiscard]] S t_end() const { return t_end_; }
+  [[nodiscard]] std::uint32_t row() const { return row_; }
   [[nodiscard]] bool meets() const { return rows_.layout().meeting; }
 
   // ------------------------------------------------------------------------------------------- as SceneContacts asks
@@ -100,7 +101,9 @@ class SettledRow {
   }
 
   /// So far from where it is now it may fly before it can be near anything.
-  void put_clear(S clear) const { columns_.clear[row_] = clear; }
+  [[nodiscard]] S& clear() const { return columns_.clear[row_]; }
+  /// In which nothing stands.
+  void put_tube(const ClearTube<S>& tube) const { Rows::put(columns_.tube, row_, tube); }
   [[nodiscard]] bool has_launch_place() const { return rows_.layout().launched; }
   [[nodiscard]] Vec3d launch_place() const { return Rows::at(columns_.launch, row_); }
 

@@ -52,6 +52,70 @@ TEST(SceneClearance, is_a_bound_between_half_of_the_distance_and_all_of_it) {
   }
 }
 
+/// Spheres about a segment's points, near things and far from them.
+TEST(SceneClearance, a_clear_part_ends_before_the_first_touch) {
+  Random r(43);
+  const Scene scene = crowded(r);
+  int met = 0, close = 0;
+  for (int i = 0; i < 50000; ++i) {
+    SceneSegment s = random_segment(r, r.vector(30), 6);
+    s.radius = r.one_in(4) ? 0 : r.one_in(2) ? r.in(0, 0.05) : r.in(0, 2);
+    const double part = scene.clear_part(s);
+    ASSERT_GE(part, 0) << i;
+    ASSERT_LE(part, 1) << i;
+    const SceneHit hit = scene.first_hit(s);
+    if (!hit) continue;
+    ASSERT_LE(part, hit.part) << i;
+    ++met;
+    // Beside an edge spheres count as larger than they are.
+    if ((hit.part - part) * length(s.to - s.from) <= 2 * s.radius + 1e-9) ++close;
+    if (part == 0) continue;
+    SceneSegment before = s;
+    before.to = s.from + (s.to - s.from) * (part * (1 - 1e-9));
+    ASSERT_FALSE(scene.any_hit(before)) << i;
+  }
+  EXPECT_GT(met, 4000);
+  EXPECT_GT(close, 0.9 * met);
+}
+
+TEST(SceneClearance, a_segment_that_touches_nothing_is_clear_all_along) {
+  Random r(44);
+  const Scene scene = crowded(r);
+  int clear = 0, known = 0;
+  for (int i = 0; i < 20000; ++i) {
+    SceneSegment s = random_segment(r, r.vector(30), 6);
+    s.radius = r.in(0, 0.1);
+    if (scene.any_hit({s.from, s.to, 3 * s.radius + 0.1})) continue;
+    ++clear;
+    known += scene.clear_part(s) == 1;
+  }
+  EXPECT_GT(clear, 4000);
+  EXPECT_GT(known, 0.99 * clear);
+}
+
+TEST(SceneClearance, a_clear_part_keeps_off_the_way_of_what_moves) {
+  Scene scene;
+  const ShapeId box = scene.add_shape(BoxShape{{0.5, 0.5, 0.5}}).value();
+  ASSERT_TRUE(scene.add({.shape = box,
+                         .transform = {.position = {0, -10, 0}},
+                         .layers = 2,
+                         .motion = SteadyMotion{.velocity = {0, 5, 0}}}));
+  const SceneSegment way{{-10, 0, 0}, {10, 0, 0}, 0.25};
+  const auto clear = [&](double time, double duration, std::uint32_t layers = 2) {
+    SceneSegment s = way;
+    s.time = time, s.duration = duration;
+    return scene.clear_part(s, {.layers = layers});
+  };
+  EXPECT_EQ(clear(0, 1.8), 1);
+  EXPECT_NEAR(clear(0, 1.9), (10 - 0.75) / 20, 1e-12);  // it comes into the way when it has gone 9.25 m
+  EXPECT_NEAR(clear(1.9, 0), (10 - 0.75) / 20, 1e-12);
+  EXPECT_EQ(clear(0, 1.9, 1), 1);
+  EXPECT_EQ(clear(2.2, 1), 1);
+  EXPECT_EQ(scene.clear_part({{kNan, 0, 0}, {1, 0, 0}}), 0);
+  ASSERT_TRUE(scene.add({.shape = scene.add_shape(PlaneShape{}).value(), .layers = 2}));
+  EXPECT_EQ(clear(0, 1), 0);  // it goes along the plane, nearer than its radius
+}
+
 TEST(SceneClearance, planes_and_filters_count) {
   Scene scene;
   ASSERT_TRUE(scene.add({.shape = scene.add_shape(PlaneShape{}).value(), .layers = 2}));
