@@ -62,7 +62,7 @@ struct RecordOptions {
 
 inline constexpr char kSaveMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'S', '\n'};
 /// The format of a save's bytes; others are refused.
-inline constexpr std::uint32_t kSaveFormat = 7;
+inline constexpr std::uint32_t kSaveFormat = 8;
 
 /// What a save does not hold: functions are no data. They are given again: custom forces in the order they were added;
 /// those of environments in the order of these, each once, however many have it. A scene has one engine, if any.
@@ -243,6 +243,12 @@ class World {
   /// In the course of the next step it goes straight to that place, and turns; later it stays there. Its scale does not
   /// count. Refused for one that follows a projectile or has a motion.
   Status move_emitter(EmitterId emitter, const Transform& to);
+  /// It goes straight to that place, and turns, at steady rates, and is there by that time of the world [s]; then it
+  /// stays. Further calls add legs that begin where and when the last one ends, so that a polyline is told a leg or
+  /// more ahead; the first leg begins where it is now. Unlike that of move_emitter() this way does not depend on steps:
+  /// what is born on it is equal to the bit at any frame rate. A leg takes 1e-6 s or more, up to time 1e9 s and at up
+  /// to 1e9 m/s. move_emitter() and jump_emitter() end the way where it is then. Refused as move_emitter() is.
+  Status lead_emitter(EmitterId emitter, const Transform& to, double time);
   /// It stands there from now on, without a way to it: nothing is born by distance, and rain fills its box anew where
   /// it was not before. Refused as move_emitter() is.
   Status jump_emitter(EmitterId emitter, const Transform& to);

@@ -26,13 +26,14 @@ std::optional<Pose> EmitterMoments::pose_at(std::uint32_t index, double time) co
   const Emitter& e = all_[index];
   const std::optional<Led>& led = s_.led[index];
   if (e.def().follows && (!led || (led->is_left && time > led->way.end()))) return std::nullopt;
-  if (!e.path && !led) return Pose{e.at.position, e.at.rotation, {}};
+  const bool is_on_legs = !e.lead.empty() && !is_past_;
+  if (!e.path && !led && !is_on_legs) return Pose{e.at.position, e.at.rotation, {}};
   if (e.def().follows && led->by_launch && !is_past_ && time <= led->by_launch->until) {
     const LedByLaunch& by = *led->by_launch;
     const State<double> at = closed_form(world_.registry.cohort(by.cohort).conditions, by.body, time - by.launched);
     return Pose{at.x, e.at.rotation, at.v};
   }
-  const MotionState at = e.path ? e.path->at(time) : led->path->at(is_past_ ? led->way.end() : time);
+  const MotionState at = !led ? *e.on_way(time) : led->path->at(is_past_ ? led->way.end() : time);
   return Pose{at.position, e.def().follows ? e.at.rotation : at.rotation, at.velocity};
 }
 
@@ -50,8 +51,7 @@ void EmitterMoments::close_ways() {
       led->way.arrive({.time = end_, .position = led->at_end->position, .velocity = led->at_end->velocity});
     led->path = led->way.path();
     if (is_past_ || !e.plays || !(e.def().per_metre > 0)) continue;
-    const double first = e.began + Timeline(*e.emission).span(e.timeline.play).first / e.def().cycle.rate;
-    led->odometer.emplace(*led->path, std::clamp(first, context_.time, end_));
+    led->odometer.emplace(*led->path, std::clamp(e.counted_from(), context_.time, end_));
   }
 }
 
@@ -75,7 +75,9 @@ void EmitterMoments::queue_metre(std::uint32_t index) {
   const Emitter& e = all_[index];
   if (!e.active || !e.plays || !(e.def().per_metre > 0)) return;
   const double distance = static_cast<double>(e.metre + 1) / e.def().per_metre;
-  const std::optional<double> time = e.odometer ? e.odometer->when(distance, end_) : when_led(index, distance);
+  const std::optional<double> time = e.odometer       ? e.odometer->when(distance, end_)
+                                     : e.lead.empty() ? when_led(index, distance)
+                                                      : e.lead.when(distance, e.travelled, e.counted_from(), end_);
   const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
   if (!time || *time > e.began + last / rate) return;
   const double now = std::max(*time, context_.time);  // rounding may put it just before

@@ -208,7 +208,8 @@ class EmitterBirths : EmitterMoments {
   [[nodiscard]] Pose pose_of(const Firing& firing) const {
     const EmitterTrigger& by = *cause_of(firing);
     const Emitter& e = all_[firing.emitter];
-    Pose pose{by.at.position, e.path ? e.path->at(firing.time).rotation : e.at.rotation, by.at.velocity};
+    const std::optional<MotionState> on_way = e.on_way(firing.time);
+    Pose pose{by.at.position, on_way ? on_way->rotation : e.at.rotation, by.at.velocity};
     const SubAxis axis = sub_of(firing).axis;
     const Vec3d along = axis == SubAxis::velocity ? by.at.velocity : axis == SubAxis::normal ? by.normal : Vec3d{};
     if (length(along) > 0) pose.rotation = looking_along(along);
@@ -330,12 +331,20 @@ class EmitterBirths : EmitterMoments {
   }
 
   // ------------------------------------------------------------------------------------------- the end
+  void go_on_legs(Emitter& e) {
+    const MotionState there = e.lead.at(end_);
+    e.at = {there.position, there.rotation, 1};
+    double counted = e.travelled;
+    e.lead.pass(end_, e.counted_from(), counted);
+    if (e.plays) e.travelled = counted;
+  }
   void finish(std::uint32_t index) {
     Emitter& e = all_[index];
     if (!e.active) return;
     const double rate = e.def().cycle.rate, last = Timeline(*e.emission).span(e.timeline.play).second;
     if (!e.odometer && e.plays) e.travelled += led_way(index);
     if (e.to) e.at = *std::exchange(e.to, std::nullopt);
+    if (!e.lead.empty()) go_on_legs(e);
     if (e.def().follows && !w_.find(e.def().follows)) e.plays = false;
     if (e.plays && e.began + last / rate <= end_) e.plays = false;
     if (e.emission->rain().falls()) {

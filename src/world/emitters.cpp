@@ -102,8 +102,19 @@ std::size_t Emitters::bytes() const {
   std::size_t sum = particles_.capacity() * (sizeof(Particle) + sizeof(std::uint32_t)) +
                     all_.capacity() * sizeof(Emitter) + lives.bytes() + ages.bytes() +
                     (free_.capacity() + changed_.capacity()) * sizeof(std::uint32_t);
-  for (const Emitter& emitter : all_) sum += emitter.by_age.capacity() * sizeof(Aged) + emitter.trails.bytes();
+  for (const Emitter& emitter : all_)
+    sum += emitter.by_age.capacity() * sizeof(Aged) + emitter.trails.bytes() + emitter.lead.bytes();
   return sum;
+}
+
+double Emitter::counted_from() const {
+  return began + Timeline(*emission).span(timeline.play).first / def().cycle.rate;
+}
+
+void Emitter::leave_lead(double now) {
+  double counted = travelled;
+  lead.stop(now, counted_from(), counted);
+  if (plays) travelled = counted;
 }
 
 namespace {
@@ -131,6 +142,10 @@ void add_emitter(Hash& hash, const Emitter& e) {
   hash.add(e.metre);
   add_place(hash, e.at);
   if (e.to) add_place(hash, *e.to);
+  for (const MotionKey& key : e.lead.keys()) {
+    hash.add(key.time);
+    add_place(hash, {key.position, key.rotation, 1});
+  }
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "emit/emission.hpp"
 #include "emit/odometer.hpp"
 #include "emit/timeline.hpp"
+#include "world/emitter_lead.hpp"
 #include "world/schedule.hpp"
 #include "world/trails.hpp"
 
@@ -86,6 +87,7 @@ struct Emitter {
   std::uint64_t metre = 0;      // births by distance since it began
   Transform at;                 // where it stands, rotation of length one
   std::optional<Transform> to;  // where it goes in the next step
+  EmitterLead lead;             // the legs that it is on, and those that follow
   EmitterCounts counts;
   std::uint64_t first = 0;  // the number of the first particle since it began
   RainState rain;
@@ -95,6 +97,15 @@ struct Emitter {
   std::size_t oldest = 0;    // in by_age
 
   [[nodiscard]] const EmitterDef& def() const { return emission->def(); }
+  /// Where a motion or legs of lead_emitter() have it at a time, and how it moves.
+  [[nodiscard]] std::optional<MotionState> on_way(double time) const {
+    if (path) return path->at(time);
+    return lead.empty() ? std::nullopt : std::optional(lead.at(time));
+  }
+  /// From when on metres count: from its first cycle on [s].
+  [[nodiscard]] double counted_from() const;
+  /// It goes no farther on its legs than it has come by now.
+  void leave_lead(double now);
 };
 
 class Emitters {

@@ -292,6 +292,9 @@ class Loading {
       e.launch = each.launch;
       e.at = each.at;
       e.to = each.to;
+      const bool is_led = e.path || each.def.follows || each.to;
+      if ((is_led && !each.lead.empty()) || !e.lead.restore(each.lead))
+        return makes_no_sense("the ways of its emitters");
       e.counts = each.counts;
       e.counts.alive = 0;
       const auto& launch = each.launch;
@@ -397,6 +400,7 @@ SavedEmitters saved_emitters(const Emitters& emitters) {
     });
     each.at = e.at;
     each.to = e.to;
+    each.lead = e.lead.keys();
     each.counts = e.counts;
   }
   saved.free = emitters.free();

@@ -67,6 +67,7 @@ struct SavedEmitter {
   std::vector<SavedTrail> trails;
   Transform at;
   std::optional<Transform> to;
+  std::vector<MotionKey> lead;  // where its legs begin and end
   EmitterCounts counts;
 };
 struct SavedParticle {

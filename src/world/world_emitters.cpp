@@ -5,6 +5,7 @@
 #include "base/archive.hpp"
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "base/text.hpp"
 #include "emit/flight_law.hpp"
 #include "math/quat.hpp"
 #include "world/emitter_step.hpp"
@@ -13,6 +14,8 @@
 namespace physim {
 namespace {
 
+constexpr double kLatestLeg = 1e9;                // of World::lead_emitter() [s]
+constexpr double kFastestLeg = 1e9;               // likewise [m/s]
 constexpr std::uint32_t kMostAtOnce = 1'000'000;  // of World::emit()
 
 /// Whether a kind's own rung is moved by forces; auto fidelity finds one that is.
@@ -93,7 +96,8 @@ void WorldImpl::seek(std::uint32_t index, double time) {
 
 /// Distance and rain, where it begins to play.
 void WorldImpl::begin_counting(Emitter& emitter) const {
-  emitter.travelled = 0;
+  // What lies behind on its legs does not count.
+  emitter.travelled = 0 - emitter.lead.counted(emitter.counted_from(), state.clock.time());
   emitter.metre = 0;
   emitter.rain = {};
   count_metres(emitter);
@@ -177,7 +181,29 @@ Status World::move_emitter(EmitterId id, const Transform& to) {
   if (call.is_refused()) return call.refusal();
   Emitter* emitter = w.state.emitters.find(id);
   if (Status status = check_move(emitter, to); !status) return status;
+  emitter->leave_lead(w.state.clock.time());
   emitter->to = Transform{to.position, normalized(to.rotation), 1};
+  return {};
+}
+
+Status World::lead_emitter(EmitterId id, const Transform& to, double time) {
+  WorldImpl& w = impl();
+  const Recorded<Call::lead_emitter> call(w, id, to, time);
+  if (call.is_refused()) return call.refusal();
+  Emitter* emitter = w.state.emitters.find(id);
+  if (Status status = check_move(emitter, to); !status) return status;
+  const MotionKey here{
+      .time = w.state.clock.time(), .position = emitter->at.position, .rotation = emitter->at.rotation};
+  const MotionKey& from = emitter->lead.empty() ? here : emitter->lead.end();
+  const double takes = time - from.time;
+  if (!(takes >= EmitterLead::kShortestLeg && time <= kLatestLeg))
+    return Error{"must be later than " + short_text(from.time) + " s, when this leg begins, by 1e-6 s or more, and " +
+                     "within 1e9 s; " + short_text(time) + " is not",
+                 "time", "a time of the world, see World::time(); legs follow each other"};
+  if (!(length(to.position - from.position) <= kFastestLeg * takes))
+    return Error{"wants a speed above 1e9 m/s", "time", "be there later"};
+  emitter->to.reset();
+  emitter->lead.go(here, {.time = time, .position = to.position, .rotation = normalized(to.rotation)});
   return {};
 }
 
@@ -187,6 +213,7 @@ Status World::jump_emitter(EmitterId id, const Transform& to) {
   if (call.is_refused()) return call.refusal();
   Emitter* emitter = w.state.emitters.find(id);
   if (Status status = check_move(emitter, to); !status) return status;
+  emitter->leave_lead(w.state.clock.time());
   emitter->at = Transform{to.position, normalized(to.rotation), 1};
   emitter->to.reset();
   return {};

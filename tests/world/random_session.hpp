@@ -210,7 +210,7 @@ class RandomSession {
                              : emitters_[static_cast<std::size_t>(below(static_cast<int>(emitters_.size())))];
   }
   void emitter() {
-    switch (below(11)) {
+    switch (below(12)) {
       case 0: return void(world_.remove_emitter(one_emitter()));
       case 1: return void(world_.play_emitter(one_emitter()));
       case 2: return void(world_.stop_emitter(one_emitter()));
@@ -218,6 +218,7 @@ class RandomSession {
       case 4: return void(world_.emit(one_emitter(), static_cast<std::uint32_t>(below(5))));
       case 5: return void(world_.trigger_emitter(one_emitter()));
       case 6: return void(world_.jump_emitter(one_emitter(), {.position = vector(20)}));
+      case 8: return void(world_.lead_emitter(one_emitter(), {.position = vector(20)}, world_.time() + real(-0.1, 1)));
       case 7: return void(world_.seek_emitter(one_emitter(), real(0, 2)));
       default: {
         if (kinds_.empty()) return;
