@@ -55,7 +55,7 @@ void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t 
   if constexpr (std::is_same_v<W, R>) {
     put_air(from, first, filled, into.air);
   } else {
-    AirNumbers<W> air;
+    AirNumbers<W> air{};  // not all of it may be wanted
     put_air(from, first, filled, air);
     cast_numbers(air, into.air);
   }
@@ -308,6 +308,17 @@ class LaneSet {
   unsigned flying_ = 0;  // bit i: lane i has a shot
 };
 
+/// Whether some lane's step may have asked for air above the lowest layer, whose density is no number then: so are the
+/// step's end, its error or its last slope. Above the first border steps are cut by what lies behind it.
+template <class R, class S>
+PHYSIM_INLINE bool some_left_low_air(const Conditions<S>& c, const Lanes<R>& l) {
+  const Step<R>& s = l.step;
+  const Vec3<R>& slope = s.slope[last_slope(c.fidelity)].v;
+  auto stays = is_finite(s.end) & is_finite(slope.x + (slope.y + slope.z)) & (altitude(c, s.end.x) < R(c.air.base[1]));
+  if (steps_itself(c.fidelity)) stays = stays & (s.error == s.error);
+  return !all(stays);
+}
+
 /// Flies all shots of a job in up to kSets sets of lanes side by side.
 template <class R, int kSets, class S>
 void fly_lanes(const BatchJob<S>& job) {
@@ -325,6 +336,8 @@ void fly_lanes(const BatchJob<S>& job) {
     MaskOf<R> accepted[kSets];
     for (int i = 0; i < count; ++i) marches[i] = &flying[i]->march;
     March<R>::try_steps(marches, count, accepted);
+    for (int i = 0; i < count && job.left_low_air != nullptr; ++i)
+      if (some_left_low_air(*job.course->conditions, marches[i]->lanes)) return void(*job.left_low_air = true);
     int left = 0;
     for (int i = 0; i < count; ++i)
       if (flying[i]->go_on(accepted[i], ready, judged)) flying[left++] = flying[i];

@@ -24,6 +24,17 @@ bool is_by_shot(const std::vector<ShotEvent>& events) {
                         [](const ShotEvent& a, const ShotEvent& b) { return a.shot < b.shot; });
 }
 
+/// Numbers that lanes hold: of air all layers, or the lowest alone.
+NumberRuns runs_of(PartSet parts, bool low_air_alone) {
+  const PartSet air = PartSet::of<AirPart>();
+  if (!low_air_alone || (parts & air) != air) return parts.runs();
+  constexpr unsigned kFirst = kBodyNumber.air.density, kEnd = kBodyNumber.air.lapse[0];
+  static_assert(kFirst == BodyParts::first(BodyParts::index<AirPart>()) && kFirst < kEnd);
+  NumberRuns runs = (parts - air).runs();
+  runs.add(kFirst, kEnd - kFirst);  // the air comes last
+  return runs;
+}
+
 State<double> shown(const ShotGroup& group, std::size_t i, const State<double>& flown, double time) {
   if (!drifts(group.cohort.in_use.fidelity)) return flown;
   PHYSIM_ASSERT(i < group.drifts.size());
@@ -137,6 +148,21 @@ void BatchPart::fly(ShotGroup& group) {
   group.clear();
 }
 
+bool BatchPart::run_kernel_in_low_air(ShotGroup& group, PlainShots& plain) {
+  group.cohort.finish();
+  const Conditions<double>& c = group.cohort.conditions;
+  const bool judged_without_air = prepare_watch(task_.until, c, Watcher::batch).without_air;
+  const bool takes_steps = c.fidelity.motion != Motion::closed_form;
+  if (!takes_steps || !judged_without_air || !only_air_has_corners(c) || !plain.seem_to_stay_low(c)) return false;
+  bool left = false;
+  left_low_air_ = &left;
+  plain.prepare_layers(1);
+  run_kernel(group, &plain.launches());
+  plain.prepare_layers(kAirLayers);
+  left_low_air_ = nullptr;
+  return !left;
+}
+
 void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches) {
   group.cohort.finish();
   if (group.cohort.in_use.fidelity.precision == Precision::float32)
@@ -161,9 +187,14 @@ void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches, void 
     emit = [](void* to, const RawEvent& event) { static_cast<ShotGroup*>(to)->events.push_back(event); };
   const PartSet own = group.own & parts_flown(granted, group.cohort.conditions);
   const PartSet judged = watch_.without_air ? own - kWeatherParts : own;
-  kernel({&course, launches, group.own_numbers.data(), group.own_stride(), own.runs(), judged.runs(), &group.common,
-          group.rotors.data(), launches ? nullptr : group.shots.data(), launches ? part_->shots.size() : gathered,
-          part_->shots.data(), group.turned.empty() ? nullptr : group.turned.data(), emit, &group});
+  const bool low_air_alone = left_low_air_ != nullptr;
+  Body<double> common = group.common;
+  for (double& density : common.air.base_density)
+    if (low_air_alone) density = std::numeric_limits<double>::quiet_NaN();
+  kernel({&course, launches, group.own_numbers.data(), group.own_stride(), runs_of(own, low_air_alone),
+          runs_of(judged, low_air_alone), &common, group.rotors.data(), launches ? nullptr : group.shots.data(),
+          launches ? part_->shots.size() : gathered, part_->shots.data(),
+          group.turned.empty() ? nullptr : group.turned.data(), emit, &group, left_low_air_});
 }
 
 /// Whether the lanes may compute the launches of a part themselves. What all have in common is asked of the first; any
@@ -179,10 +210,10 @@ bool BatchPart::fly_as_columns() {
       group.own != groups_.parts_of_shots() && from.common.rail_length <= 0 && from.common.sight.zero_range <= 0;
   const bool all_in_launch = !turns(granted) && !drifts(granted) && !granted.planar && !is_round(granted.earth);
   if (!own_launch || by_frames || !all_in_launch) return false;
-  const PlainShots plain(task_, granted, first_, part_->shots.size());
+  PlainShots plain(task_, granted, first_, part_->shots.size());
   if (!plain.are_all() || !put_step(group)) return false;
   if (!part_->in_use) part_->in_use = group.cohort.in_use;
-  run_kernel(group, &plain.launches());
+  if (!run_kernel_in_low_air(group, plain)) run_kernel(group, &plain.launches());
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flight/batch_steps.hpp"
+#include "flight/plain_shots.hpp"
 #include "flight/shot_groups.hpp"
 #include "model/attitude.hpp"
 
@@ -70,6 +71,8 @@ class BatchPart {
   void fly(ShotGroup& group);
   /// Flies a group's shots, or launches that lanes compute: all of the part.
   void run_kernel(ShotGroup& group, const LaunchSource* launches);
+  /// ... with the lowest layer of their air alone, where that may do; false: nothing is flown yet, as some need more.
+  [[nodiscard]] bool run_kernel_in_low_air(ShotGroup& group, PlainShots& plain);
   template <class S>
   void run_kernel(ShotGroup& group, const LaunchSource* launches, void (*kernel)(const BatchJob<S>&));
   void keep(const ShotGroup& group, const RawEvent& e);
@@ -83,7 +86,8 @@ class BatchPart {
   ByShot by_shot_;
   PartResult* part_ = nullptr;
   std::vector<ShotResult> own_shots_;
-  std::size_t first_ = 0;  // shot of the part
+  std::size_t first_ = 0;         // shot of the part
+  bool* left_low_air_ = nullptr;  // for the kernel
 };
 
 }  // namespace physim

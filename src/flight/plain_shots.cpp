@@ -82,6 +82,21 @@ bool PlainShots::plain_launches() const {
          within(from.speed, 0, kFast) && within(from.elevation, -kTurn, kTurn) && within(from.azimuth, -kFast, kFast);
 }
 
+bool PlainShots::seem_to_stay_low(const Conditions<double>& c) const {
+  if (launches_.weather == nullptr || !weather_.has_station || weather_.place.model != AirModel::isa) return false;
+  const double room = c.air.low_top - c.altitude;
+  const LaunchColumns& from = *task_.shots.columns;
+  const auto of = [&](const NumberColumn& column, std::size_t i) {
+    return column.of_shots != nullptr ? column.of_shots[i] : column.common;
+  };
+  bool all = from.common.position.y < room;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double upwards = of(launches_.speed, i) * std::min(std::abs(of(launches_.elevation, i)), 1.0);  // or more
+    all &= of(launches_.y, i) + upwards * upwards / (2 * c.gravity) < room;
+  }
+  return all;
+}
+
 bool PlainShots::plain_drag() const {
   constexpr double kLight = 1e-6, kHeavy = 1e12, kThin = 1e-6, kThick = 1e6, kLargest = 1e30;
   const LaunchColumns& from = *task_.shots.columns;

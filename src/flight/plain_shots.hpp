@@ -19,6 +19,11 @@ class PlainShots {
   /// Whether no check of a shot would refuse any, none is over where it begins, and all numbers are some in float32.
   [[nodiscard]] bool are_all() const;
   [[nodiscard]] const LaunchSource& launches() const { return launches_; }
+  /// Whether their air is that of stations, in layers, and without air about them all would stay in the lowest one:
+  /// lanes may then do without the others (BatchJob::left_low_air).
+  [[nodiscard]] bool seem_to_stay_low(const Conditions<double>& conditions) const;
+  /// How many layers of such air lanes prepare, from the lowest on.
+  void prepare_layers(int layers) { weather_.place.layers = layers; }
 
  private:
   [[nodiscard]] NumberColumn column(std::span<const double> numbers, double common) const;

@@ -38,6 +38,7 @@ struct StationPlace {
   double height;    // geopotential [m]
   double standard;  // the standard's temperature there [K]
   double origin;    // geopotential height of the origin [m]
+  int layers;       // wanted, from the lowest on
 };
 
 }  // namespace physim
@@ -108,16 +109,18 @@ PHYSIM_INLINE R pressure_at(const Profile& profile, double h) {
   return profile.pressure[i] * profile.pressure_ratio(i, StandardAir::kBase[i], h);
 }
 
-/// The profile with the standard's temperatures plus `shift`, through pressure p at height h.
+/// The profile with the standard's temperatures plus `shift`, through pressure p at height h: temperatures of all
+/// layers, pressures of so many from the lowest on.
 template <class Profile, class R = typename Profile::Number>
-void profile_through(double h, const R& p, const std::type_identity_t<R>& shift, Profile& profile) {
+void profile_through(double h, const R& p, const std::type_identity_t<R>& shift, Profile& profile,
+                     int layers = kAirLayers) {
   using A = StandardAir;
   profile.temperature[0] = R(A::kSeaLevelTemperature) + shift;
   for (int i = 1; i < kAirLayers; ++i)
     profile.temperature[i] = profile.temperature[i - 1] + R(A::kLapse[i - 1] * (A::kBase[i] - A::kBase[i - 1]));
   const int station = A::layer_of(h);
   profile.pressure[station] = p * profile.pressure_ratio(station, h, A::kBase[station]);
-  for (int i = station + 1; i < kAirLayers; ++i)
+  for (int i = station + 1; i < layers; ++i)
     profile.pressure[i] = profile.pressure[i - 1] * profile.pressure_ratio(i - 1, A::kBase[i - 1], A::kBase[i]);
   for (int i = station; i-- > 0;)
     profile.pressure[i] = profile.pressure[i + 1] * profile.pressure_ratio(i, A::kBase[i + 1], A::kBase[i]);
@@ -125,20 +128,21 @@ void profile_through(double h, const R& p, const std::type_identity_t<R>& shift,
 
 /// The profile through a station at geopotential height h [m], where the standard has `standard` [K].
 template <class R>
-void profile_of_station(double h, double standard, const Readings<R>& station, AirProfile<R>& profile) {
+void profile_of_station(double h, double standard, const Readings<R>& station, AirProfile<R>& profile,
+                        int layers = kAirLayers) {
   const auto& [t, p, humidity] = station;
   profile.density_factor =
       moist_density(t, p, humidity) * R(StandardAir::kGasConstant) * t / (p * R(StandardAir::kMolarMass));
   profile.sound_factor = moist_sound_speed(t, p, humidity) / AirProfile<R>::dry_sound_speed(t);
-  profile_through(h, p, t - R(standard), profile);
+  profile_through(h, p, t - R(standard), profile, layers);
 }
 
-/// All layers, by their laws.
+/// So many layers, from the lowest on, by their laws.
 template <class R>
-void put_layers(const AirProfile<R>& profile, AirNumbers<R>& air) {
+void put_layers(const AirProfile<R>& profile, AirNumbers<R>& air, int layers = kAirLayers) {
   using A = StandardAir;
   const R hydrostatic = profile.density_factor * R(A::kHydrostatic);
-  for (int i = 0; i < kAirLayers; ++i) {
+  for (int i = 0; i < layers; ++i) {
     const R t = profile.temperature[i];
     const R lapse(A::kLapse[i]);
     air.lapse[i] = lapse / t;
@@ -175,11 +179,11 @@ PHYSIM_INLINE void put_origin(const AirProfile<R>& profile, double h, AirNumbers
 template <class R>
 void put_air(const StationPlace& place, const Readings<R>& station, AirNumbers<R>& air) {
   AirProfile<R> profile;
-  profile_of_station(place.height, place.standard, station, profile);
+  profile_of_station(place.height, place.standard, station, profile, place.layers);
   put_origin(profile, place.origin, air);
   air.density = R(0.0);
   if (place.model == AirModel::isa) {
-    put_layers(profile, air);
+    put_layers(profile, air, place.layers);
     put_low(profile, air);
   } else if (place.model != AirModel::vacuum) {
     air.density = profile.density(pressure_at(profile, place.origin), air.temperature);

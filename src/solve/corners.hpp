@@ -9,10 +9,16 @@
 
 PHYSIM_ISA_BEGIN
 
+/// Layers of the air are the only corners, if there are any.
+template <class S>
+PHYSIM_INLINE bool only_air_has_corners(const Conditions<S>& c) {
+  return !(drag_has_corners(c) || has_wind_pieces(c) || c.has_applied || c.has_rail || c.has_aero_tables);
+}
+
 /// The common case: layers of the air are the only corners, and no lane leaves the first one.
 template <class R, class S>
 PHYSIM_INLINE bool only_below_first_layer(const Conditions<S>& c, const Lanes<R>& l) {
-  if (drag_has_corners(c) || has_wind_pieces(c) || c.has_applied || c.has_rail || c.has_aero_tables) return false;
+  if (!only_air_has_corners(c)) return false;
   // Geopotential height is never above geometric height.
   return all((altitude(c, l.step.end.x) < R(c.air.base[1])) & (l.regime.air_layer == R(S(0))) & (l.cut == R(S(0))));
 }

@@ -194,6 +194,49 @@ TEST(Weather, columns_and_threads_change_nothing) {
   expect_same_ends(Fidelity::simulation(), days.all(), "some refused");
 }
 
+/// Lanes hold the lowest layer's air alone where all shots seem to stay in it. Here an upwind of a gale's strength, a
+/// parachute and a place near its upper end carry some out of it, and flat shots near it do so at a trial step alone.
+TEST(Weather, is_that_of_all_layers_for_who_is_blown_out_of_the_lowest) {
+  const std::size_t count = 70;
+  Random r(7);
+  std::vector<double> speed, elevation, upwards, temperature;
+  for (std::size_t i = 0; i < count; ++i) {
+    speed.push_back(r.in(20, 60)), elevation.push_back(r.in(-0.2, 0.3));
+    upwards.push_back(i % 7 == 0 ? r.in(20, 60) : r.in(-1, 1)), temperature.push_back(r.in(250, 310));
+  }
+  ProjectileDef chute;
+  chute.mass = 1, chute.diameter = 0.6, chute.drag = {.coefficient = 1};
+  ProjectileDef bullet = bullet_308();
+  std::vector<double> x(count), y(count), z(count), time(count);
+  int left = 0;
+  for (const ProjectileDef& flown : {chute, bullet})
+    for (const double height : {9000.0, 10900.0, 10995.0})
+      for (const Integrator integrator :
+           {Integrator::semi_implicit_euler, Integrator::rk4, Integrator::rk43, Integrator::tsit5})
+        for (const Precision precision : {Precision::float32, Precision::float64}) {
+          Fidelity f = Fidelity::simulation();
+          f.integrator = integrator, f.precision = precision, f.rotation = RotationModel::none;
+          f.interpolation = Interpolation::cubic;
+          const LaunchColumns from{.common = {.position = {0, height, 0}}, .speed = speed, .elevation = elevation};
+          const Tolerance tolerance{.relative = 1e-5, .absolute = 1e-4, .step = 0.1};
+          const Until until{.time = 60};
+          const ColumnsResult result =
+              fly_columns(flown, from, {}, f, tolerance, until, {.time = time, .x = x, .y = y, .z = z}, nullptr,
+                          {.wind_y = upwards, .temperature = temperature});
+          ASSERT_EQ(result.refused, 0U);
+          for (std::size_t i = 0; i < count; ++i) {
+            Environment own;
+            own.wind.velocity.y = upwards[i], own.atmosphere.temperature = temperature[i];
+            const Flight flight = fly(flown, from.at(i), own, f, tolerance, until);
+            ASSERT_TRUE(same_bits(Vec3d{x[i], y[i], z[i]}, flight.end().position) &&
+                        same_bits(time[i], flight.duration()))
+                << i << ' ' << height << ' ' << test::text(integrator) << ' ' << y[i] - flight.end().position.y;
+            left += flight.end().position.y > 11020;
+          }
+        }
+  EXPECT_GT(left, 50);
+}
+
 /// Drag is proportional to density: in constant air without gravity a projectile of Cd constant slows down as
 /// v = v0 / (1 + v0 t rho Cd A / (2 m)).
 TEST(Weather, density_slows_by_the_closed_form) {
