@@ -10,12 +10,26 @@ struct WorldKernel {
   bool (*step_double)(const WorldJob<double>& job);
   bool (*advance_float)(const ForcedJob<float>& job);
   bool (*advance_double)(const ForcedJob<double>& job);
+  void (*place_float)(const WorldJob<float>& job);
+  void (*place_double)(const WorldJob<double>& job);
+  bool (*quiet_float)(const WorldJob<float>& job, std::uint32_t steps);
+  bool (*quiet_double)(const WorldJob<double>& job, std::uint32_t steps);
 };
 
 [[nodiscard]] WorldKernel world_kernel();
 
 inline bool step_rows_with(const WorldKernel& kernel, const WorldJob<float>& job) { return kernel.step_float(job); }
 inline bool step_rows_with(const WorldKernel& kernel, const WorldJob<double>& job) { return kernel.step_double(job); }
+/// Rows that wait: where they are at the end of the step job.now; whether they go on doing so for so many steps from
+/// it.
+inline void place_rows_with(const WorldKernel& kernel, const WorldJob<float>& job) { kernel.place_float(job); }
+inline void place_rows_with(const WorldKernel& kernel, const WorldJob<double>& job) { kernel.place_double(job); }
+inline bool are_quiet_with(const WorldKernel& kernel, const WorldJob<float>& job, std::uint32_t steps) {
+  return kernel.quiet_float(job, steps);
+}
+inline bool are_quiet_with(const WorldKernel& kernel, const WorldJob<double>& job, std::uint32_t steps) {
+  return kernel.quiet_double(job, steps);
+}
 inline bool advance_with(const WorldKernel& kernel, const ForcedJob<float>& job) { return kernel.advance_float(job); }
 inline bool advance_with(const WorldKernel& kernel, const ForcedJob<double>& job) { return kernel.advance_double(job); }
 
