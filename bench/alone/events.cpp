@@ -4,6 +4,10 @@
 //   g++ -std=c++20 -O2 -Iinclude bench/alone/events.cpp build/release/libphysim.a -o events
 //   valgrind --tool=callgrind ./events bounce 2000 50    case (free, fall, bounce, land, apex), projectiles, steps
 //   ./events bounce 100000 200
+//
+// Closed forms, to which nothing happens while they are timed: fall alone; read by fall-segments, fall-places,
+// fall-hash and fall-snapshot in each step; watched by fall-ground, fall-rules and fall-detail. In fall-apex some reach
+// their highest point in each step, in fall-land they land and are replaced.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -41,7 +45,12 @@ Launch launch_of(int i, double height, double climb, double speed) {
 struct Case {
   World world;
   KindId kind;
-  int replaced = 0;  // in a step
+  int replaced = 0;    // in a step
+  std::string read{};  // what is read after each step
+  std::vector<ProjectileId> ids{};
+  std::vector<Vec3d> places{};
+  std::vector<Segment> segments{};
+  std::uint64_t hash = 0;
 
   void fire(int first, int count) {
     for (int i = first; i < first + count; ++i) world.spawn(kind, launch_of(i, 0, 0.5 * kGravity * 100 * kFrame, 300));
@@ -49,20 +58,34 @@ struct Case {
   void step() {
     if (replaced > 0) fire(0, replaced);
     world.step(kFrame);
+    if (read == "fall-segments") world.segments(segments);
+    if (read == "fall-places") world.render_positions(ids, places);
+    if (read == "fall-hash") hash += world.hash();
+    if (read == "fall-snapshot") static_cast<void>(world.snapshot());
   }
 };
 
 Case case_of(const std::string& name, int count) {
+  const bool lands = name == "land" || name == "fall-land";
   WorldDef def;
   def.threading.threads = 1;
-  def.ground.mode = name == "bounce" ? GroundMode::bounce : name == "land" ? GroundMode::land : GroundMode::none;
-  def.apex_events = name == "apex";
+  def.ground.mode = name == "bounce" ? GroundMode::bounce : lands ? GroundMode::land : GroundMode::none;
+  if (name == "fall-ground") def.ground = {GroundMode::land, -1e5, 0, 0};
+  def.apex_events = name == "apex" || name == "fall-apex";
+  if (name == "fall-detail") def.detail.rungs = {{Fidelity::arcade(), 1e6}, {Fidelity::game()}};
   Case c{std::move(World::create(def).value()), {}};
   BodyDef body;
+  if (name == "fall-rules")
+    body.despawn = {.below = -1e5,
+                    .farther = 1e6,
+                    .slower = 1,
+                    .outside_box = true,
+                    .box_low = {-1e6, -1e6, -1e6},
+                    .box_high = {1e6, 1e6, 1e6}};
   if (name == "bounce") body.restitution = 0.999, body.friction = 0, body.can_sleep = false;
-  c.kind = *c.world.add_kind(bullet(name == "fall" ? Fidelity::arcade() : Fidelity::game()), body);
+  c.kind = *c.world.add_kind(bullet(name.starts_with("fall") ? Fidelity::arcade() : Fidelity::game()), body);
   c.world.reserve(c.kind, static_cast<std::size_t>(2 * count));
-  for (int i = 0; i < count && name != "land"; ++i) {
+  for (int i = 0; i < count && !lands; ++i) {
     const double part = double(i % 1000) / 1000;
     if (name == "bounce") {  // hops of a tenth of a second, all parts of one
       const double climb = 0.5 - part;
@@ -71,10 +94,13 @@ Case case_of(const std::string& name, int count) {
       c.world.spawn(c.kind, launch_of(i, 100, 25 * part, 600));
     }
   }
-  if (name == "land") {  // a hundredth of them in each step, and as many are fired
+  if (lands) {  // a hundredth of them in each step, and as many are fired
     c.replaced = count / 100;
     for (int i = 0; i < 300; ++i) c.step();
   }
+  c.ids = c.world.ids();
+  c.places.resize(c.ids.size());
+  c.read = name;
   for (int i = 0; i < 10; ++i) c.step();
   return c;
 }

@@ -9,19 +9,30 @@ namespace physim {
 
 PHYSIM_KERNEL_COPIES(bool step_rows(const WorldJob<float>& job); bool step_rows(const WorldJob<double>& job);
                      Advanced advance_forced(const ForcedJob<float>& job);
-                     Advanced advance_forced(const ForcedJob<double>& job);)
+                     Advanced advance_forced(const ForcedJob<double>& job); void place_rows(const WorldJob<float>& job);
+                     void place_rows(const WorldJob<double>& job);
+                     bool are_quiet(const WorldJob<float>& job, std::uint32_t steps);
+                     bool are_quiet(const WorldJob<double>& job, std::uint32_t steps);)
+
+#define PHYSIM_WORLD_KERNEL(isa)                                                                                \
+  WorldKernel {                                                                                                 \
+    isa::step_rows, isa::step_rows, isa::advance_forced, isa::advance_forced, isa::place_rows, isa::place_rows, \
+        isa::are_quiet, isa::are_quiet                                                                          \
+  }
 
 WorldKernel world_kernel() {
   // "scalar" is for single flights: rows are always stepped in packs, of the narrowest kind then.
   const std::string_view name = batch_kernel().name;
 #if PHYSIM_HAVE_AVX512
-  if (name == "avx512") return {avx512::step_rows, avx512::step_rows, avx512::advance_forced, avx512::advance_forced};
+  if (name == "avx512") return PHYSIM_WORLD_KERNEL(avx512);
 #endif
 #if PHYSIM_HAVE_AVX2
-  if (name == "avx2") return {avx2::step_rows, avx2::step_rows, avx2::advance_forced, avx2::advance_forced};
+  if (name == "avx2") return PHYSIM_WORLD_KERNEL(avx2);
 #endif
   (void)name;
-  return {base::step_rows, base::step_rows, base::advance_forced, base::advance_forced};
+  return PHYSIM_WORLD_KERNEL(base);
 }
+
+#undef PHYSIM_WORLD_KERNEL
 
 }  // namespace physim

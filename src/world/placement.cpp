@@ -26,7 +26,7 @@ struct RowNumbers {
 void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<double>& body, const RowNumbers& n) {
   PHYSIM_ASSERT(row < rows.size());
   const RowLayout& layout = rows.layout();
-  rows.visit([&]<class S>(const RowColumns<S>& c) {
+  rows.change(row, [&]<class S>(const RowColumns<S>& c) {
     Rows::put(c.position, row, at.position);
     Rows::put(c.previous, row, n.previous);
     Rows::put(c.velocity, row, at.velocity);
@@ -159,7 +159,7 @@ void Placement::set_row_state(std::uint32_t index, const BodyState& given) {
   if (slot.is(kOwn)) at.velocity = component_product(at.velocity, free_axes(state_.extras.own_of(index).frozen));
   const bool closed = registry_.cohort(slot.cohort).key.fidelity.motion == Motion::closed_form;
   if (closed) return write_row(index, at, {.previous = at.position});  // the clock starts anew
-  state_.rows_of(slot).visit([&](const auto& c) {
+  state_.rows_of(slot).change(slot.row, [&](const auto& c) {
     Rows::put(c.position, slot.row, at.position);
     Rows::put(c.velocity, slot.row, at.velocity);
   });
@@ -207,15 +207,15 @@ Status Placement::relocate(std::uint32_t index) {
   const Vec3d previous = source.previous(old_row);
   Vec3d launch{}, carried{};
   const std::optional<Attitude> turned = source.layout().turning ? attitude(index) : std::nullopt;
-  if (source.layout().launched) launch = source.visit([&](const auto& c) { return Rows::at(c.launch, old_row); });
-  if (source.layout().carried) carried = source.visit([&](const auto& c) { return Rows::at(c.carried, old_row); });
+  if (source.layout().launched) launch = source.read_fixed([&](const auto& c) { return Rows::at(c.launch, old_row); });
+  if (source.layout().carried) carried = source.read_fixed([&](const auto& c) { return Rows::at(c.carried, old_row); });
   take_out(slot);
   slot.cohort = to;
   slot.row = state_.rows[to].push(index);
   write_row(index, at, {.previous = previous, .old = old, .age = age});
   if (layout.turning) set_attitude(index, turned ? *turned : attitude_at_launch(slot, at.velocity, Launch{}, 0));
-  if (layout.launched) state_.rows[to].visit([&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
-  if (layout.carried) state_.rows[to].visit([&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
+  if (layout.launched) state_.rows[to].change(slot.row, [&](const auto& c) { Rows::put(c.launch, slot.row, launch); });
+  if (layout.carried) state_.rows[to].change(slot.row, [&](const auto& c) { Rows::put(c.carried, slot.row, carried); });
   PHYSIM_ASSERT(state_.rows_of(slot).is_filled(slot.row));
   return {};
 }
@@ -230,7 +230,7 @@ void Placement::relaunch(std::uint32_t index) {
   Body<double> body = body_of(slot);
   body.launch = {at.position, at.velocity};
   body.damping_rate = registry_.kind(slot.kind).rungs[slot.rung].body.damping_rate;
-  rows.visit([&]<class S>(const RowColumns<S>& c) {
+  rows.change(slot.row, [&]<class S>(const RowColumns<S>& c) {
     c.offset[slot.row] = S(0);
     c.born[slot.row] = static_cast<S>(state_.clock.now());
   });
@@ -280,7 +280,7 @@ void Placement::rebase(double new_dt) {
   if (!new_length && shift < kMostSteps) return;
   for (Rows& rows : state_.rows) {
     if (!rows.layout().clocked) continue;
-    rows.visit([&]<class S>(const RowColumns<S>& c) {
+    rows.change([&]<class S>(const RowColumns<S>& c) {
       const S now = static_cast<S>(shift);
       for (std::uint32_t row = 0; row < rows.size(); ++row) {
         if (new_length) {

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -58,6 +59,7 @@ struct WorldCohort {
   RowLayout layout;
   Course<float> course_float;
   Course<double> course_double;
+  mutable std::mutex bringing_up;  // rows that wait, see Rows
 
   template <class S>
   [[nodiscard]] const Course<S>& course() const {

@@ -27,9 +27,10 @@ Rows::Rows(RowLayout layout) {
   numbers_ = count_columns(layout_);
 }
 
-Rows::Rows(const Rows& o) : RowMemory(o) { find_columns(); }
+Rows::Rows(const Rows& o) : RowMemory((o.bring_up(), o)) { find_columns(); }
 
 Rows& Rows::operator=(const Rows& o) {
+  o.bring_up();
   static_cast<RowMemory&>(*this) = o;
   find_columns();
   return *this;
@@ -53,6 +54,10 @@ void Rows::reserve(std::size_t rows) {
 std::uint32_t Rows::push(std::uint32_t slot) {
   if (size_ == capacity_) reserve(std::max<std::size_t>(64, std::size_t(capacity_) * 3 / 2));
   PHYSIM_ASSERT(size_ < capacity_);
+  if (may_wait() && size_ % kRowsPerWord == 0)
+    waiting_.add(size_ / static_cast<std::uint32_t>(kRowsPerWord));
+  else
+    touch(size_);
   column_of<std::uint32_t>(numbers_)[size_] = slot;
 #if PHYSIM_ASSERTS
   for (unsigned k = 0; k < numbers_; ++k) std::memset(column(k) + size_ * number_size(), kUnset, number_size());
@@ -73,6 +78,7 @@ bool Rows::is_filled(std::uint32_t row) const {
 
 std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
   PHYSIM_ASSERT(row < from.size_ && from.layout_ == layout_);
+  from.bring_up(row);
   const std::uint32_t at = push(from.slot(row));
   const std::size_t bytes = number_size();
   const bool turned = from.swapped_ != swapped_;  // positions and previous ones lie the other way round
@@ -92,6 +98,7 @@ void Rows::put_back(std::uint32_t row, const Rows& copy) {
 
 void Rows::write_fields(std::uint32_t row, const Body<double>& body) {
   PHYSIM_ASSERT(row < size_);
+  touch(row);
   const double* number = numbers(body);
   visit([&]<class S>(const RowColumns<S>& c) {
     for (const std::uint8_t field : layout_.fields) c.field[field][row] = static_cast<S>(number[field]);
@@ -113,7 +120,12 @@ void Rows::compare_fields(std::uint32_t row) {
 
 std::uint32_t Rows::swap_remove(std::uint32_t row) {
   PHYSIM_ASSERT(row < size_);
-  const std::uint32_t last = --size_;
+  const std::uint32_t last = size_ - 1;
+  if (may_wait() && row != last) {
+    bring_up(row), bring_up(last);
+    waiting_.join(row / static_cast<std::uint32_t>(kRowsPerWord), last / static_cast<std::uint32_t>(kRowsPerWord));
+  }
+  size_ = last;
   if (row == last) return 0;
   const std::size_t bytes = number_size();
   for (unsigned k = 0; k < numbers_; ++k) std::memcpy(column(k) + row * bytes, column(k) + last * bytes, bytes);
@@ -121,7 +133,15 @@ std::uint32_t Rows::swap_remove(std::uint32_t row) {
   return all[row] = all[last];
 }
 
+void Rows::let_wait(const WorldCohort* cohort, std::uint32_t now, double dt) {
+  PHYSIM_ASSERT(!may_wait() || waiting_.now() == now);
+  if (waiting_.goes_on(cohort, dt)) return;
+  touch();
+  if (cohort != nullptr) waiting_.begin(*cohort, now, dt, size_);
+}
+
 void Rows::swap_positions() {
+  if (may_wait()) waiting_.tick();
   swapped_ = !swapped_;
   for (int axis = 0; axis < 3; ++axis) {
     std::swap(float_.position[axis], float_.previous[axis]);

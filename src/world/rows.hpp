@@ -11,6 +11,7 @@
 #include "model/body.hpp"
 #include "model/rotor.hpp"
 #include "world/clear_tube.hpp"
+#include "world/waiting_rows.hpp"
 
 namespace physim {
 
@@ -66,9 +67,15 @@ struct RowMemory {
   std::uint32_t size_ = 0;
   bool swapped_ = false;
   RowMasks field_masks_{};
+  mutable WaitingRows waiting_;
 };
 
 class Rows : RowMemory {
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    return layout_.float32 ? f(float_) : f(double_);
+  }
+
  public:
   explicit Rows(RowLayout layout);
   Rows(const Rows& other);
@@ -79,7 +86,7 @@ class Rows : RowMemory {
 
   [[nodiscard]] const RowLayout& layout() const { return layout_; }
   [[nodiscard]] std::uint32_t size() const { return size_; }
-  [[nodiscard]] std::size_t bytes() const { return lines_.size() * sizeof(Line); }
+  [[nodiscard]] std::size_t bytes() const { return lines_.size() * sizeof(Line) + waiting_.bytes(); }
   [[nodiscard]] std::size_t row_bytes() const { return numbers_ * number_size() + sizeof(std::uint32_t); }
   void reserve(std::size_t rows);
   /// One more row, to be filled in: all of its columns.
@@ -91,6 +98,39 @@ class Rows : RowMemory {
   /// Makes a row what it was in a copy that these rows were.
   void put_back(std::uint32_t row, const Rows& copy);
   void clear() { size_ = 0; }
+
+  // ------------------------------------------------------------------------------------------- rows that wait
+  // Places, previous places and velocities of rows that wait are not written step by step but when somebody asks.
+  // Reading is const and may come from several threads. Clocks, launches and all else is always right.
+
+  /// Lets rows wait that fly by the closed form of their cohort, or, where it is null, none. A step that has this
+  /// number and length [s] comes next.
+  void let_wait(const WorldCohort* cohort, std::uint32_t now, double dt);
+  [[nodiscard]] bool may_wait() const { return waiting_.cohort() != nullptr; }
+  [[nodiscard]] WaitingRows& waiting() { return waiting_; }
+  /// Brings words up to date; threads may do so with words of their own. For the step alone, since nobody else reads.
+  void bring_up_words(std::uint32_t first, std::uint32_t last) const;
+  /// Brings all rows up to date.
+  void bring_up() const {
+    if (may_wait()) bring_up_shared(0, words());
+  }
+  /// ... the one, too.
+  void bring_up(std::uint32_t row) const {
+    if (!may_wait()) return;
+    const auto word = static_cast<std::uint32_t>(row / kRowsPerWord);
+    if (waiting_.is_stale(word)) bring_up_shared(word, word + 1);
+  }
+  /// It is about to be changed: up to date, and nobody knows any more how long it may wait.
+  void touch(std::uint32_t row) const {
+    if (!may_wait()) return;
+    bring_up(row);
+    waiting_.forget(static_cast<std::uint32_t>(row / kRowsPerWord));
+  }
+  /// All of them are, and none waits from now on.
+  void touch() const {
+    bring_up();
+    waiting_.end();
+  }
   /// Whether every number of a row was filled in since it was pushed; always true in builds without asserts.
   [[nodiscard]] bool is_filled(std::uint32_t row) const;
   /// The row's numbers will be used soon.
@@ -103,6 +143,7 @@ class Rows : RowMemory {
     return slots()[row];
   }
   [[nodiscard]] const std::uint32_t* slots() const { return column_of<std::uint32_t>(numbers_); }
+  /// The columns as they are: of rows that were brought up to date.
   template <class S>
   [[nodiscard]] const RowColumns<S>& columns() const {
     PHYSIM_ASSERT((sizeof(S) == sizeof(float)) == layout_.float32);
@@ -112,27 +153,48 @@ class Rows : RowMemory {
   /// After a step: what was written as the next position is the current one.
   void swap_positions();
 
-  /// Calls f with the columns, of float or of double.
+  /// Calls f with the columns, of float or of double. Here it may read and change one row, ...
   template <class F>
-  decltype(auto) visit(F&& f) const {
-    return layout_.float32 ? f(float_) : f(double_);
+  decltype(auto) change(std::uint32_t row, F&& f) const {
+    touch(row);
+    return visit(f);
+  }
+  /// ... here all of them, ...
+  template <class F>
+  decltype(auto) change(F&& f) const {
+    touch();
+    return visit(f);
+  }
+  /// ... here it may read all of them, ...
+  template <class F>
+  decltype(auto) read(F&& f) const {
+    bring_up();
+    return visit(f);
+  }
+  /// ... and here what never waits.
+  template <class F>
+  decltype(auto) read_fixed(F&& f) const {
+    return visit(f);
   }
   /// What was written as the next position of one row is its current one.
   void swap_positions(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
-    visit([row](const auto& c) {
+    change(row, [row](const auto& c) {
       for (int axis = 0; axis < 3; ++axis) std::swap(c.position[axis][row], c.previous[axis][row]);
     });
   }
   [[nodiscard]] Vec3d position(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
+    bring_up(row);
     return visit([row](const auto& c) { return at(c.position, row); });
   }
   [[nodiscard]] Vec3d previous(std::uint32_t row) const {
+    bring_up(row);
     return visit([row](const auto& c) { return at(c.previous, row); });
   }
   [[nodiscard]] Vec3d velocity(std::uint32_t row) const {
     PHYSIM_ASSERT(row < size_);
+    bring_up(row);
     return visit([row](const auto& c) { return at(c.velocity, row); });
   }
   /// The numbers of a row that the models read.
@@ -204,6 +266,11 @@ class Rows : RowMemory {
   }
 
  private:
+  [[nodiscard]] std::uint32_t words() const {
+    return static_cast<std::uint32_t>((size_ + kRowsPerWord - 1) / kRowsPerWord);
+  }
+  /// As readers do, of which there may be several.
+  void bring_up_shared(std::uint32_t first, std::uint32_t last) const;
   [[nodiscard]] std::byte* column(unsigned k) const {
     PHYSIM_ASSERT(k <= numbers_ && !lines_.empty());
     return const_cast<std::byte*>(lines_.data()->bytes) + k * stride_;

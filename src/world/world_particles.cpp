@@ -43,7 +43,7 @@ class ParticleReader {
   void prefetch(std::uint32_t index) const {
     if (!state_.emitters.particle(index)) return;
     const Slot& slot = state_.slots[index];
-    state_.rows_of(slot).visit([&](const auto& c) {
+    state_.rows_of(slot).read_fixed([&](const auto& c) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!into_.position.empty()) __builtin_prefetch(c.position[axis] + slot.row);
         if (!into_.previous.empty()) __builtin_prefetch(c.previous[axis] + slot.row);

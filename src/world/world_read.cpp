@@ -47,13 +47,26 @@ BodyState ProjectileView::state_of(const WorldImpl* world, ProjectileId id) {
   const Slot* slot = world->find(id);
   return slot ? world->state.state_of(*slot) : BodyState{};
 }
+namespace {
+
+/// Where many are read, all that wait are brought up to date together, which costs less than word by word.
+void bring_up_for(const WorldImpl& world, std::size_t count) {
+  if (count < world.state.slots.alive() / 16) return;
+  for (const Rows& rows : world.state.rows) rows.bring_up();
+}
+
+}  // namespace
+
 void World::states(std::span<const ProjectileId> ids, std::span<BodyState> into) const {
+  const IeeeMode mode;
   const std::size_t count = std::min(ids.size(), into.size());
+  bring_up_for(impl(), count);
   for (std::size_t i = 0; i < count; ++i) into[i] = (*this)[ids[i]].state();
 }
 void World::render_positions(std::span<const ProjectileId> ids, std::span<Vec3d> into) const {
   const IeeeMode mode;
   const std::size_t count = std::min(ids.size(), into.size());
+  bring_up_for(impl(), count);
   for (std::size_t i = 0; i < count; ++i) {
     impl().prefetch(ids, i);
     into[i] = (*this)[ids[i]].render_position();
@@ -87,8 +100,13 @@ void World::segments(std::vector<Segment>& into) const {
   for (std::uint16_t c = 0; c < impl().state.rows.size(); ++c) {
     if (impl().registry.cohort(c).key.still) continue;
     const Rows& rows = impl().state.rows[c];
-    for (std::uint32_t row = 0; row < rows.size(); ++row)
-      into.push_back({impl().state.slots.id_of(rows.slot(row)), rows.previous(row), rows.position(row)});
+    const std::size_t first = into.size();
+    into.resize(first + rows.size());
+    rows.read([&](const auto& columns) {
+      for (std::uint32_t row = 0; row < rows.size(); ++row)
+        into[first + row] = {impl().state.slots.id_of(rows.slot(row)), Rows::at(columns.previous, row),
+                             Rows::at(columns.position, row)};
+    });
   }
 }
 

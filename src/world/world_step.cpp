@@ -100,6 +100,51 @@ void each_marked(const Chunk& chunk, const std::uint32_t* words, const F& f) {
       f(word * static_cast<std::uint32_t>(kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
 }
 
+constexpr auto kWordRows = static_cast<std::uint32_t>(kRowsPerWord);
+
+/// Words of a chunk: the first, and the one behind the last.
+std::pair<std::uint32_t, std::uint32_t> words_of(const Chunk& chunk) {
+  return {chunk.first / kWordRows, (chunk.last + kWordRows - 1) / kWordRows};
+}
+
+/// Steps those rows of a chunk that do not wait. Says whether some were left where they were.
+template <class S>
+bool move_due(const StepWork& work, const Chunk& chunk, WorldJob<S> job) {
+  const Rows& rows = work.context.state->rows[chunk.cohort];
+  WaitingRows& waiting = work.context.state->rows[chunk.cohort].waiting();
+  const auto [first, last] = words_of(chunk);
+  bool attention = false;
+  for (std::uint32_t word = first; word < last;) {
+    if (!waiting.is_due(word)) {
+      job.attention[word++] = 0;
+      continue;
+    }
+    std::uint32_t end = word + 1;
+    while (end < last && waiting.is_due(end)) ++end;
+    rows.bring_up_words(word, end);
+    job.first = word * kWordRows;
+    job.last = std::min(end * kWordRows, chunk.last);
+    attention = step_rows_with(work.kernel, job) || attention;
+    for (; word < end; ++word) waiting.set_right(word, waiting.now() + 1);
+  }
+  return attention;
+}
+
+/// Asks how long rows that were stepped may wait now.
+template <class S>
+void look_ahead(const StepWork& work, const Chunk& chunk) {
+  WaitingRows& waiting = work.context.state->rows[chunk.cohort].waiting();
+  WorldJob<S> job = rows_job<S>(work.context, chunk.cohort);
+  job.now += S(1);
+  const auto [first, last] = words_of(chunk);
+  for (std::uint32_t word = first; word < last; ++word) {
+    if (!waiting.is_due(word) || !waiting.wants_look(word)) continue;
+    job.first = word * kWordRows;
+    job.last = std::min(job.first + kWordRows, chunk.last);
+    waiting.look(word, [&](std::uint32_t steps) { return are_quiet_with(work.kernel, job, steps); });
+  }
+}
+
 template <class S>
 void move_chunk(const StepWork& work, Chunk& chunk) {
   PHYSIM_ASSERT(chunk.first % kRowsPerWord == 0 && chunk.last <= work.context.state->rows[chunk.cohort].size());
@@ -117,7 +162,8 @@ void move_chunk(const StepWork& work, Chunk& chunk) {
   const RowLayout& layout = work.context.state->rows[chunk.cohort].layout();
   chunk.looks = layout.meeting && !layout.carried && !layout.turning;
   if (chunk.looks) job.near = work.near + work.words_before[chunk.cohort];
-  chunk.attention = step_rows_with(work.kernel, job);
+  const bool waits = work.context.state->rows[chunk.cohort].may_wait();
+  chunk.attention = waits ? move_due(work, chunk, job) : step_rows_with(work.kernel, job);
 }
 
 /// Calls f with every row of a chunk that came near a thing.
@@ -127,9 +173,12 @@ void each_near(const StepWork& work, const Chunk& chunk, const F& f) {
 }
 
 void settle_chunk(const StepWork& work, Chunk& chunk) {
-  if (!chunk.attention) return;
-  each_marked(chunk, work.attention + work.words_before[chunk.cohort],
-              [&](std::uint32_t row) { settle_row(work.context, chunk, row); });
+  if (chunk.attention)
+    each_marked(chunk, work.attention + work.words_before[chunk.cohort],
+                [&](std::uint32_t row) { settle_row(work.context, chunk, row); });
+  const Rows& rows = work.context.state->rows[chunk.cohort];
+  if (!rows.may_wait()) return;
+  rows.layout().float32 ? look_ahead<float>(work, chunk) : look_ahead<double>(work, chunk);
 }
 
 /// All rows that came near something ask in one call.
@@ -206,16 +255,21 @@ void WorldImpl::step_free(double dt) {
     const CohortKey& key = registry.cohort(c).key;
     scratch.words_before[c] = words;
     if (key.still || key.forced) continue;
-    const std::uint32_t size = state.rows[c].size();
+    Rows& rows = state.rows[c];
+    const std::uint32_t size = rows.size();
+    const bool waits = rows_may_wait() && !pairs.used && may_wait(registry.cohort(c));
+    rows.let_wait(waits ? &registry.cohort(c) : nullptr, static_cast<std::uint32_t>(state.clock.now()), dt);
     moving += size;
-    bytes += size * state.rows[c].row_bytes();
+    bytes += size * rows.row_bytes();
     words += (size + kRowsPerWord - 1) / kRowsPerWord;
     for (std::uint32_t first = 0; first < size; first += kChunkRows) {
+      const std::uint32_t last = std::min(size, first + kChunkRows);
+      if (waits && !rows.waiting().any_due(first / kWordRows, (last + kWordRows - 1) / kWordRows)) continue;
       if (scratch.chunk_count == scratch.chunks.size()) scratch.chunks.emplace_back();
       Chunk& chunk = scratch.chunks[scratch.chunk_count++];
       chunk.cohort = c;
       chunk.first = first;
-      chunk.last = std::min(size, first + kChunkRows);
+      chunk.last = last;
       chunk.events.clear();
       chunk.changes.clear();
       chunk.traces.clear();

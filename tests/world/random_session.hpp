@@ -51,6 +51,7 @@ class RandomSession {
   bool emitters = true;     // there are some
   bool joints = false;      // likewise
   bool asks = false;        // some of its projectiles ask what their hits do
+  bool closed = false;      // most of them fly by closed forms, high above the ground
 
   /// One call of any kind; most are sensible.
   void act() {
@@ -88,11 +89,18 @@ class RandomSession {
   }
   Fidelity fidelity() {
     const auto names = fidelity_presets();
-    return *fidelity_preset(names[static_cast<std::size_t>(below(static_cast<int>(names.size())))]);
+    Fidelity f = *fidelity_preset(names[static_cast<std::size_t>(below(static_cast<int>(names.size())))]);
+    if (!closed || below(4) == 0) return f;
+    f.motion = Motion::closed_form;
+    f.drag = static_cast<DragModel>(below(3));
+    f.wind = coin() ? WindModel::off : WindModel::constant;
+    f.gravity = below(8) == 0 ? GravityModel::off : GravityModel::constant;
+    f.precision = coin() ? Precision::float32 : Precision::float64;
+    return f;
   }
   Launch launch() {
     Launch l{.position = vector(50), .speed = real(0, 90), .elevation = real(-0.5, 1.2), .azimuth = real(-3, 3)};
-    l.position.y = real(0, 60);
+    l.position.y = real(0, closed ? 400 : 60);
     if (below(4) == 0) l.velocity = vector(40);
     return l;
   }
