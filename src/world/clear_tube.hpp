@@ -33,7 +33,7 @@ PHYSIM_INLINE R beside_chord(const Vec3<R>& x0, const Vec3<R>& v0, const Vec3<R>
   return (length(v0 - mean) + length(v1 - mean)) * R(S(8.0 / 27) * h);
 }
 
-/// That of a step at a steady acceleration [m].
+/// Twice as far as the path of a step at a steady acceleration may be from its chord [m].
 PHYSIM_INLINE double beside_chord(double h, const Vec3d& acceleration) {
   return 8.0 / 27 * h * h * length(acceleration);
 }
