@@ -120,7 +120,7 @@ class HeightField {
       if (here.some) triangles_in(s, column, here, wide, visit);
     }
   }
-  /// Those of a column of cells.
+  /// Calls visit(triangle, number) for those of one column of cells.
   template <class Visit>
   void triangles_in(const Segment& s, std::uint32_t column, const Slab& here, double wide, const Visit& visit) const {
     const Range over =

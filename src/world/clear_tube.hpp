@@ -33,7 +33,7 @@ PHYSIM_INLINE R beside_chord(const Vec3<R>& x0, const Vec3<R>& v0, const Vec3<R>
   return (length(v0 - mean) + length(v1 - mean)) * R(S(8.0 / 27) * h);
 }
 
-/// That of a step at a steady acceleration [m].
+/// Twice as far as the path of a step at a steady acceleration may be from its chord [m].
 PHYSIM_INLINE double beside_chord(double h, const Vec3d& acceleration) {
   return 8.0 / 27 * h * h * length(acceleration);
 }
@@ -49,10 +49,12 @@ PHYSIM_INLINE R distance_from(const ClearTube<R>& tube, const Vec3<R>& x) {
 
 /// Whether a step stays inside of a tube; no step with a number that is none does.
 template <class R, class S>
-PHYSIM_INLINE auto stays_inside(const ClearTube<R>& tube, const Vec3<R>& x0, const Vec3<R>& v0, const Vec3<R>& x1,
-                                const Vec3<R>& v1, S h) {
+PHYSIM_INLINE MaskOf<R> stays_inside(const ClearTube<R>& tube, const Vec3<R>& x0, const Vec3<R>& v0, const Vec3<R>& x1,
+                                     const Vec3<R>& v1, S h) {
   const R beside = beside_chord(x0, v0, x1, v1, h);
-  return (distance_from(tube, x0) + beside < tube.room) & (distance_from(tube, x1) + beside < tube.room);
+  const MaskOf<R> starts = distance_from(tube, x0) + beside < tube.room;
+  const MaskOf<R> ends = distance_from(tube, x1) + beside < tube.room;
+  return starts & ends;
 }
 
 PHYSIM_ISA_END

@@ -29,7 +29,7 @@ struct Way {
 /// What a tube from the start of a step on says of it.
 enum class Ahead { clear, met, unknown };
 
-/// Finds such a tube, and keeps one that holds the step for those that follow.
+/// Finds a tube from the start of a step on, and keeps one that holds the step for those that follow.
 template <class S>
 Ahead look_ahead(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
                  const CollisionDef& collision) {

@@ -23,14 +23,14 @@ template <class S>
 
 inline constexpr double kNearSteps = 64;  // who was near something looks again how far he may fly after so many
 
-/// Whether it is time to look how far a row may fly, by what its columns say after a step of a length [m]: who comes
-/// from afar always does. It takes as long as some steps near a thing.
+/// Whether it is time to look how far a row may fly, by what its column of clear ways says after a step of a length
+/// [m]: who comes from afar always does. It takes as long as some steps near a thing.
 template <class S>
 [[nodiscard]] bool is_look_due(S clear, double gone) {
   return static_cast<double>(clear) > -0.5 * gone || static_cast<double>(clear) < -kNearSteps * gone;
 }
-/// What such columns keep of how far a row flew since it looked, below 0: 0 of who is new, which mostly is near
-/// something; all of these do not look in one step, nor at once.
+/// What the column of clear ways keeps of how far a row flew since it looked, below 0: 0 of who is new, which mostly is
+/// near something; all of these do not look in one step, nor at once.
 template <class S>
 [[nodiscard]] S waited(S clear, std::uint32_t row, double gone) {
   constexpr std::uint32_t kSpread = 16;
