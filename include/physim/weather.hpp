@@ -11,8 +11,13 @@ namespace physim {
 
 /// The weather of each shot, as columns of one length, the number of shots. Those left empty are as Environment says.
 /// Shot i flies as fly() lets it fly in at(i, common): its air is that of its own station, and a zero range is found in
-/// its own air (give an elevation where the zero is that of another day). In float32 crossings of a Mach number are
-/// found in air and wind that are rounded to float, and differ from those of fly() by that.
+/// its own air (give an elevation where the zero is that of another day).
+///
+/// In float32 places within a step are looked for in double, with air and wind that are rounded to float here and not
+/// in fly(): crossings of a Mach number, and the corners at which adaptive integrators end steps: knots of a linear
+/// curve (Interpolation::linear), DragDef::bands, tables of AeroDef. Steps that end elsewhere make other errors, so
+/// such flights differ from those of fly() by as much as their tolerance lets them; where the rounding changes no
+/// number, as of a wind of 2.5 m/s, by nothing. All others, and all in float64, are equal bit for bit.
 struct Weather {
   // Wind that is the same everywhere, in the place of all that Environment::wind has; see there for the signs.
   std::span<const double> wind_x{};  ///< empty, though another is given: that of Wind::velocity [m/s]

@@ -237,6 +237,55 @@ TEST(Weather, is_that_of_all_layers_for_who_is_blown_out_of_the_lowest) {
   EXPECT_GT(left, 50);
 }
 
+/// In float32 steps are cut at corners that are found with weather rounded to float. Where nothing has corners that
+/// weather moves, or where rounding changes no number of it, flights are those of fly() to the bit; others differ, by
+/// some times their tolerance.
+TEST(Weather, in_float32_moves_corners_by_its_rounding_alone) {
+  const std::size_t count = 60;
+  const auto launches = random_launches(count, 800, 0.1);
+  Random r(4);
+  Days exact, days;
+  for (std::size_t i = 0; i < count; ++i) {
+    exact.wind_x.push_back(std::round(r.in(-36, 36)) / 4), exact.wind_z.push_back(std::round(r.in(-36, 36)) / 4);
+    days.wind_x.push_back(r.in(-9, 9)), days.wind_z.push_back(r.in(-9, 9)), days.temperature.push_back(r.in(250, 310));
+  }
+  ProjectileDef banded = bullet_308();
+  banded.drag.bands = {{700, 100}, {500, 110}, {0, 120}};
+  Fidelity cubic = Fidelity::simulation();
+  cubic.integrator = Integrator::rk43, cubic.precision = Precision::float32, cubic.interpolation = Interpolation::cubic;
+  cubic.rotation = RotationModel::none;
+  Fidelity linear = cubic;
+  linear.interpolation = Interpolation::linear;
+  const Tolerance tolerance{.relative = 1e-5, .absolute = 1e-5};
+  const Until until{.time = 1.5};
+  const Weather windy{.wind_x = exact.wind_x, .wind_z = exact.wind_z},
+      of_days{.wind_x = days.wind_x, .wind_z = days.wind_z, .temperature = days.temperature};
+  const auto fly_all = [&](const ProjectileDef& projectile, const Fidelity& f, const Weather& weather) {
+    return fly_batch(projectile, launches, {}, f, tolerance, until, nullptr, weather);
+  };
+  const auto expect_equal = [&](const ProjectileDef& projectile, const Fidelity& f, const Weather& weather,
+                                const char* what) {
+    expect_as_flights(fly_all(projectile, f, weather), projectile, launches, {}, weather, f, tolerance, until, what);
+  };
+  expect_equal(bullet_308(), cubic, of_days, "no corners");
+  expect_equal(bullet_308(), linear, windy, "knots, a wind that is a float");
+  expect_equal(banded, cubic, windy, "bands, a wind that is a float");
+  Fidelity wide = linear;
+  wide.precision = Precision::float64;
+  expect_equal(bullet_308(), wide, of_days, "float64");
+  int differ = 0;
+  for (const ProjectileDef& projectile : {bullet_308(), banded}) {
+    const BatchResult batch = fly_all(projectile, linear, of_days);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Sample end = fly(projectile, launches[i], of_days.at(i, {}), linear, tolerance, until).end();
+      EXPECT_TRUE(near(batch.shots[i].position, end.position, 1e-4)) << i;
+      EXPECT_TRUE(near(batch.shots[i].velocity, end.velocity, 1e-4)) << i;
+      differ += same_bits(batch.shots[i].position, end.position) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(differ, 0) << "then weather.hpp may promise more";
+}
+
 /// Drag is proportional to density: in constant air without gravity a projectile of Cd constant slows down as
 /// v = v0 / (1 + v0 t rho Cd A / (2 m)).
 TEST(Weather, density_slows_by_the_closed_form) {
