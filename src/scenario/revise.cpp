@@ -3,6 +3,7 @@
 #include "scenario/revise.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "base/assert.hpp"
 #include "scenario/document.hpp"
@@ -121,6 +122,48 @@ std::optional<std::vector<Change>> changes(const Scenario& before, const Scenari
   return all;
 }
 
+/// The keys of an emitter and what is beside them, as a file would say them.
+std::vector<Change> keys_of(const Scenario& scenario, std::size_t emitter) {
+  std::vector<Change> keys;
+  std::istringstream lines(element_text(scenario, "emitter", emitter));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t equals = line.find(" = ");
+    PHYSIM_ASSERT(equals != line.npos);
+    keys.push_back({line.substr(0, equals), line.substr(equals + 3)});
+  }
+  return keys;
+}
+
+/// Takes a key out of a table, with its line.
+bool take_out(std::string& text, const Value& table, const std::string& key) {
+  const Value* found = table.find(key);
+  if (found == nullptr) return true;
+  if (has_header(text, *found) || is_inline(text, table)) return false;
+  const std::size_t begin = text.rfind('\n', begin_of(text, *found)) + 1;
+  text.erase(begin, std::min(text.find('\n', end_of(text, *found)), text.size() - 1) + 1 - begin);
+  return true;
+}
+
+/// Key by key: where an emitter has more settings than before, or fewer, no value of one says so.
+bool put_emitter(std::string& text, const std::string& file, std::size_t index, const Scenario& before,
+                 const Scenario& now) {
+  const std::vector<Change> old = keys_of(before, index), wanted = keys_of(now, index);
+  const auto each = [&](const auto& put_key) {
+    const Result<Value> document = parse_document(text, file);
+    return document && put_key(element(*document, "emitter", index));
+  };
+  for (const auto& [key, value] : wanted) {
+    const auto was = std::ranges::find(old, key, &Change::path);
+    if (was != old.end() && was->value == value) continue;
+    if (!each([&](const Value& table) { return put(text, table, *find_node("emitter"), key, value); })) return false;
+  }
+  for (const Change& key : old)
+    if (std::ranges::count(wanted, key.path, &Change::path) == 0 &&
+        !each([&](const Value& table) { return take_out(text, table, key.path); }))
+      return false;
+  return true;
+}
+
 /// Takes the elements that a list has more than before out of it; as tables of their own.
 template <class List>
 std::string more_of(List Scenario::*list, const char* name, const Scenario& before, const Scenario& now,
@@ -165,12 +208,20 @@ std::optional<std::string> revised_text(const std::string& text, const std::stri
   added += more_of(&Scenario::things, "thing", *before, now, kept);
   added += more_of(&Scenario::emitters, "emitter", *before, now, kept);
   added += more_of(&Scenario::joints, "joint", *before, now, kept);
-  const auto wanted = changes(*before, kept);
-  if (!wanted) return std::nullopt;
+  auto wanted = changes(*before, kept);
+  const bool by_key = !wanted;
+  if (by_key) {
+    Scenario others = kept;
+    others.emitters = before->emitters;
+    wanted = changes(*before, others);
+  }
+  if (!wanted || kept.emitters.size() != before->emitters.size()) return std::nullopt;
   for (const Change& change : *wanted) {
     const Result<Value> document = parse_document(revised, file);
     if (!document || !put(revised, *document, *before, change)) return std::nullopt;
   }
+  for (std::size_t i = 0; by_key && i < kept.emitters.size(); ++i)
+    if (!put_emitter(revised, file, i, *before, kept)) return std::nullopt;
   revised += added;
   const Result<Scenario> after = parse_scenario(revised, file);
   return after && say_the_same(*after, now) ? std::optional(revised) : std::nullopt;

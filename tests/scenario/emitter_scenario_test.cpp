@@ -273,6 +273,58 @@ TEST(EmitterScenario, OneMoreIsWrittenBehindTheFile) {
             text + "\n[[emitter]]\nname = \"second\"\nshot = \"shot-1\"\nstart = { speed = [\"4 m/s\", \"6 m/s\"] }\n");
 }
 
+/// A file of two emitters, with what its author has to say of them.
+constexpr const char* kCommented = R"(format = 1
+name = "sparks"  # of a wheel
+
+[[shot]]
+name = "spark"
+speed = "10 m/s"
+
+# The first wheel.
+[[emitter]]
+name = "left"
+shot = "spark"
+per_second = 10   # a slow one
+start = { speed = "4 m/s",  lifetime = "2 s" }  # as filmed
+
+# The second wheel.
+[[emitter]]
+name = "right"  # of the bench
+shot = "spark"
+per_second = [10, 20]
+maximum = 100   # enough
+bursts = [
+  { time = "1 s", count = 3 },  # first
+  { time = "2 s", count = 4 },
+]
+
+[world]
+step = "10 ms"
+)";
+
+TEST(EmitterScenario, EmittersWithMoreOrFewerSettingsKeepTheCommentsOfTheirFile) {
+  const Result<Scenario> read = parse_scenario(kCommented, "f.toml");
+  ASSERT_TRUE(read) << read.error().text();
+  Scenario now = *read;
+  now.emitters[0].def.start.speed = {0, 4, {}, {{0, 1}, {1, 0.5}}};
+  now.emitters[0].def.start.size = {0.1};
+  now.emitters[1].def.bursts.pop_back();
+  now.emitters[1].def.maximum = EmitterDef{}.maximum;
+  const auto revised = revised_text(kCommented, "f.toml", now);
+  ASSERT_TRUE(revised);
+  const Result<Scenario> again = parse_scenario(*revised, "f.toml");
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_TRUE(say_the_same(*again, now));
+  for (const char* kept :
+       {"name = \"sparks\"  # of a wheel\n", "# The first wheel.\n[[emitter]]\nname = \"left\"\n",
+        "per_second = 10   # a slow one\n", "}  # as filmed\n", "\n\n# The second wheel.\n[[emitter]]\n",
+        "name = \"right\"  # of the bench\n", "per_second = [10, 20]\n"})
+    EXPECT_NE(revised->find(kept), std::string::npos) << kept << "is not in\n" << *revised;
+  for (const char* gone : {"enough", "first\n"})
+    EXPECT_EQ(revised->find(gone), std::string::npos) << gone << " is in\n" << *revised;
+}
+
 TEST(EmitterScenario, TakesOverrides) {
   const std::vector<std::string> overrides = {
       "emitter.start.speed=12 m/s", "emitter.start.lifetime={ value = 2, curve = [[0, 1], [1, 0.5]] }",
