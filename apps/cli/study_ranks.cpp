@@ -30,7 +30,10 @@ bool job_is_there() {
 namespace {
 
 constexpr int kResultTag = 1, kFailureTag = 2, kOrderTag = 3;
-constexpr std::uint64_t kMostShards = 64;  // of an order
+constexpr std::uint64_t kMostShards = 64;       // of an order
+constexpr std::chrono::microseconds kNap{200};  // between looks for a message: waiting ranks leave their cores alone
+constexpr std::chrono::seconds kLongOrder{5};   // about so long an order takes at most: a study ends with those
+                                                // under way, and a rank that dies loses one
 
 /// The launcher asks for the end of all ranks when one of them died.
 volatile std::sig_atomic_t asked_to_end = 0;
@@ -50,6 +53,16 @@ Message receive(MPI_Status& probed) {
   return message;
 }
 
+/// MPI's own waiting would keep a core busy.
+void nap_until_told() {
+  int is_there = 0;
+  MPI_Iprobe(0, kOrderTag, MPI_COMM_WORLD, &is_there, MPI_STATUS_IGNORE);
+  while (is_there == 0) {
+    std::this_thread::sleep_for(kNap);
+    MPI_Iprobe(0, kOrderTag, MPI_COMM_WORLD, &is_there, MPI_STATUS_IGNORE);
+  }
+}
+
 }  // namespace
 
 /// What the first rank does until a number of shards is flown.
@@ -61,6 +74,8 @@ struct Ranks::Round {
   std::uint64_t next = 0;
   std::size_t in_flight = 0;  // of other ranks
   bool stopped = false;
+  std::uint64_t in_time = 1;            // so many shards take about kLongOrder
+  std::chrono::nanoseconds nap = kNap;  // between looks for messages: each costs 0.02 ms of processor time
 
   /// The next shards that are missing: 1, 2, 4 ... of them, which make up a node of the tree, so that they are joined
   /// where they are flown and travel as one. The fewer are left, the fewer at once: all ranks end at about one time.
@@ -83,7 +98,14 @@ struct Ranks::Round {
   /// For one of so many ranks, which should each come back some times.
   [[nodiscard]] std::uint64_t share(unsigned ranks) const {
     return std::clamp<std::uint64_t>((to_fly.end() - std::min(next, to_fly.end())) / (std::uint64_t{8} * ranks), 1,
-                                     kMostShards);
+                                     in_time);
+  }
+  /// An order that took so long says how many shards the next ones may have.
+  void note_time(std::uint64_t shards, std::chrono::steady_clock::duration taken) {
+    const double per_shard = std::chrono::duration<double>(taken).count() / static_cast<double>(shards);
+    const double most = std::chrono::duration<double>(kLongOrder).count() / std::max(per_shard, 1e-9);
+    in_time = static_cast<std::uint64_t>(std::clamp(most, 1.0, static_cast<double>(kMostShards)));
+    nap = std::clamp<std::chrono::nanoseconds>(taken / 100, kNap, 10 * kNap);
   }
 };
 
@@ -140,38 +162,52 @@ void Ranks::take_in(Round& round, int from, std::span<const std::byte> bytes) {
 }
 
 /// One message, where there is one.
-void Ranks::hear(Round& round) {
+bool Ranks::hear(Round& round) {
   MPI_Status status;
   int is_there = 0;
   MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &status);
-  if (is_there == 0) {
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-    return;
-  }
+  if (is_there == 0) return false;
   const Message message = receive(status);
   idle_.push_back(message.from);
-  if (message.tag != kFailureTag) return take_in(round, message.from, message.bytes);
+  if (message.tag != kFailureTag) return take_in(round, message.from, message.bytes), true;
   std::string text;
   for (const std::byte byte : message.bytes) text += static_cast<char>(byte);
   round.stopped = true;
   failed_ = Error{"rank " + std::to_string(message.from) + " cannot fly: " + text, "mpirun", ""};
+  return true;
 }
 
 Flown Ranks::fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end, const StudyOptions& options) {
   PHYSIM_ASSERT(number_ == 0);
   Round round{plan, part, options, {plan.record(), end, options.time_is_up}, part.missing_from(0)};
-  std::future<StudyPart> own;  // a shard that this rank flies beside its messages
+  struct OwnOrder {
+    StudyPart part;
+    std::chrono::steady_clock::duration taken;
+  };
+  std::future<OwnOrder> own;  // an order of its own, which this rank flies beside its messages as others fly theirs
+  std::uint64_t own_shards = 0;
   for (;;) {
     if (asked_to_end != 0) {
       failed_ = Error{"the job was ended: a rank died, or somebody ended it", "mpirun", ""};
       was_ended_ = true;
-      static_cast<void>(new std::future<StudyPart>(std::move(own)));  // nobody has the time to wait for it
+      static_cast<void>(new std::future<OwnOrder>(std::move(own)));  // nobody has the time to wait for it
       return Flown::stopped;
     }
-    if (own.valid() && own.wait_for(std::chrono::seconds(0)) == std::future_status::ready) keep(round, own.get());
+    if (own.valid() && own.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+      const OwnOrder flown = own.get();
+      round.note_time(own_shards, flown.taken);
+      keep(round, flown.part);
+    }
     if (!own.valid())
-      if (const Order mine = round.take(1); mine.count > 0)
-        own = std::async(std::launch::async, [&plan, mine] { return run_shard(plan, mine.first); });
+      if (const Order mine = round.take(round.share(count())); mine.count > 0) {
+        own_shards = mine.count;
+        own = std::async(std::launch::async, [&plan, mine] {
+          const auto begun = std::chrono::steady_clock::now();
+          const auto flown = run_shards(plan, mine.first, mine.count);
+          PHYSIM_ASSERT(flown.ok());
+          return OwnOrder{*flown, std::chrono::steady_clock::now() - begun};
+        });
+      }
     while (!idle_.empty()) {
       const Order next = round.take(round.share(count()));
       if (next.count == 0) break;
@@ -180,7 +216,11 @@ Flown Ranks::fly(const StudyPlan& plan, StudyPartRecord& part, std::uint64_t end
       ++round.in_flight;
     }
     if (!own.valid() && round.in_flight == 0) return round.to_fly.flown(round.stopped);
-    hear(round);
+    if (hear(round)) continue;
+    if (own.valid())
+      own.wait_for(round.nap);  // ends early when it is flown
+    else
+      std::this_thread::sleep_for(kNap);
   }
 }
 
@@ -190,6 +230,7 @@ void Ranks::serve(const StudyPlan& plan) {
   for (;;) {
     MPI_Send(flown.data(), static_cast<int>(flown.size()), MPI_BYTE, 0, kResultTag, MPI_COMM_WORLD);
     std::uint64_t words[] = {0, 0};
+    nap_until_told();
     MPI_Recv(words, 2, MPI_UINT64_T, 0, kOrderTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     const Order order{words[0], words[1]};
     if (order.count == 0) return;

@@ -1,5 +1,5 @@
 // Ranks of an MPI job (`mpirun -n 64 physim study FILE`) that fly one study: the first hands out shards, a few at a
-// time to whoever asks, flies some itself, and joins what comes back. Shards are joined in the tree that threads join
+// time to whoever asks and to itself, and joins what comes back. Shards are joined in the tree that threads join
 // them in, so the bits are theirs.
 #pragma once
 
@@ -43,7 +43,7 @@ class Ranks {
   struct Order {
     std::uint64_t first = 0, count = 0;
   };
-  void hear(Round& round);
+  [[nodiscard]] bool hear(Round& round);
   void take_in(Round& round, int from, std::span<const std::byte> bytes);
   void keep(Round& round, const StudyPart& flown);
   void order(int rank, const Order& order);

@@ -25,9 +25,9 @@ enum class StudyQuantity {
   right,  ///< of the line of sight of the shot without uncertainty [m]
   up,     ///< above that line of sight, perpendicular to it [m]
   along,  ///< along it [m]
-  // Of the first impact: on a thing of Study::scene that the shot hits, whatever becomes of it then, else on the ground
-  // on which it ends. All as the surface sees it: the velocity of a thing in motion is taken off. A shot that meets
-  // nothing does not arrive.
+  // The first impact counts: on a thing of Study::scene that the shot hits, whatever becomes of it then, else on the
+  // ground on which it ends. All as the surface sees it: the velocity of a thing in motion is taken off. A shot that
+  // meets nothing does not arrive.
   impact_speed,   ///< [m/s]
   obliquity,      ///< between the velocity and the normal into the surface: 0 straight on, pi/2 along it [rad]
   impact_energy,  ///< kinetic, with the mass that it has then [J]

@@ -272,7 +272,7 @@ void FlightModel::move_to_plane(const BlockEnds& ends) const {
   }
 }
 
-/// Of shots that met no scene.
+/// Impacts of shots that fly without a scene.
 void FlightModel::put_ground_impacts(const BlockEnds& ends, ModelScratch& scratch) const {
   const bool all_alike = as_columns_;  // in what flies
   MassInFlight mass(plain_.projectile, granted_);
