@@ -6,8 +6,8 @@
 //   ./events bounce 100000 200
 //
 // Closed forms, to which nothing happens while they are timed: fall alone; read by fall-segments, fall-places,
-// fall-hash and fall-snapshot in each step; watched by fall-ground, fall-rules and fall-detail. In fall-apex some reach
-// their highest point in each step, in fall-land they land and are replaced.
+// fall-columns, fall-hash and fall-snapshot in each step; watched by fall-ground, fall-rules and fall-detail. In
+// fall-apex some reach their highest point in each step, in fall-land they land and are replaced.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -50,6 +50,7 @@ struct Case {
   std::vector<ProjectileId> ids{};
   std::vector<Vec3d> places{};
   std::vector<Segment> segments{};
+  std::vector<WorldColumns> columns{};
   std::uint64_t hash = 0;
 
   void fire(int first, int count) {
@@ -60,6 +61,7 @@ struct Case {
     world.step(kFrame);
     if (read == "fall-segments") world.segments(segments);
     if (read == "fall-places") world.render_positions(ids, places);
+    if (read == "fall-columns") world.columns(columns);
     if (read == "fall-hash") hash += world.hash();
     if (read == "fall-snapshot") static_cast<void>(world.snapshot());
   }

@@ -47,5 +47,6 @@
 #include "physim/version.hpp"
 #include "physim/weather.hpp"
 #include "physim/world.hpp"
+#include "physim/world_columns.hpp"
 #include "physim/world_def.hpp"
 #include "physim/world_projectile.hpp"

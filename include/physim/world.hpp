@@ -18,6 +18,7 @@
 #include "physim/result.hpp"
 #include "physim/scene.hpp"
 #include "physim/task_runner.hpp"
+#include "physim/world_columns.hpp"
 #include "physim/world_def.hpp"
 #include "physim/world_projectile.hpp"
 
@@ -172,6 +173,10 @@ class World {
   void render_positions(std::span<const ProjectileId> ids, std::span<Vec3d> into) const;  ///< where to draw them [m]
   /// Segments of the last step, of all that moved, by cohort; `into` is cleared.
   void segments(std::vector<Segment>& into) const;
+  /// All that are alive as they lie in memory, some columns for each rung; nothing is copied. `into` is cleared.
+  void columns(std::vector<WorldColumns>& into) const;
+  /// The projectile that is alive at an index; null where none is.
+  [[nodiscard]] ProjectileId id_at(std::uint32_t index) const;
   /// Moves projectiles to another rung, as they are; returns how many.
   std::size_t set_fidelity(std::span<const ProjectileId> ids, const Fidelity& fidelity);
   Status set_detail(const DetailRule& rule);

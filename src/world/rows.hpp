@@ -114,7 +114,7 @@ class Rows : RowMemory {
   void bring_up() const {
     if (may_wait()) bring_up_shared(0, words());
   }
-  /// ... the one, too.
+  /// Brings one row up to date, with those of its word.
   void bring_up(std::uint32_t row) const {
     if (!may_wait()) return;
     const auto word = static_cast<std::uint32_t>(row / kRowsPerWord);
@@ -126,7 +126,7 @@ class Rows : RowMemory {
     bring_up(row);
     waiting_.forget(static_cast<std::uint32_t>(row / kRowsPerWord));
   }
-  /// All of them are, and none waits from now on.
+  /// All of them are about to be changed: up to date, and none waits from now on.
   void touch() const {
     bring_up();
     waiting_.end();
@@ -153,25 +153,25 @@ class Rows : RowMemory {
   /// After a step: what was written as the next position is the current one.
   void swap_positions();
 
-  /// Calls f with the columns, of float or of double. Here it may read and change one row, ...
+  /// Calls f with the columns, of float or of double, to read and change one row.
   template <class F>
   decltype(auto) change(std::uint32_t row, F&& f) const {
     touch(row);
     return visit(f);
   }
-  /// ... here all of them, ...
+  /// Calls f with the columns, to read and change all rows.
   template <class F>
   decltype(auto) change(F&& f) const {
     touch();
     return visit(f);
   }
-  /// ... here it may read all of them, ...
+  /// Calls f with the columns, to read all rows.
   template <class F>
   decltype(auto) read(F&& f) const {
     bring_up();
     return visit(f);
   }
-  /// ... and here what never waits.
+  /// Calls f with the columns, to read what never waits.
   template <class F>
   decltype(auto) read_fixed(F&& f) const {
     return visit(f);

@@ -110,6 +110,31 @@ void World::segments(std::vector<Segment>& into) const {
   }
 }
 
+void World::columns(std::vector<WorldColumns>& into) const {
+  const IeeeMode mode;
+  into.clear();
+  for (std::uint16_t c = 0; c < impl().state.rows.size(); ++c) {
+    const Rows& rows = impl().state.rows[c];
+    const std::size_t count = rows.size();
+    if (count == 0) continue;
+    const bool still = impl().registry.cohort(c).key.still;
+    rows.read([&]<class S>(const RowColumns<S>& from) {
+      ColumnsOf<S> columns{.index = {rows.slots(), count}};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        columns.position[axis] = {from.position[axis], count};
+        columns.previous[axis] = {still ? from.position[axis] : from.previous[axis], count};
+        columns.velocity[axis] = {from.velocity[axis], count};
+      }
+      into.emplace_back(columns);
+    });
+  }
+}
+
+ProjectileId World::id_at(std::uint32_t index) const {
+  const SlotTable& slots = impl().state.slots;
+  return index > 0 && index < slots.size() && slots[index].is(kAlive) ? slots.id_of(index) : ProjectileId{};
+}
+
 double ProjectileView::age() const {
   const IeeeMode mode;
   return world_->find(id_) ? std::max(0.0, world_->state.clock.time() - world_->state.slots.birth(id_.index)) : 0.0;

@@ -48,6 +48,55 @@ TEST(Reading, places_to_draw_are_read_for_many) {
   for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(places[i], world[ids[i]].render_position());
 }
 
+/// Each that is alive once, with the numbers that it tells itself.
+void expect_columns(const World& world) {
+  std::vector<WorldColumns> all(3);
+  world.columns(all);
+  std::set<ProjectileId> found;
+  for (const WorldColumns& columns : all)
+    std::visit(
+        [&](const auto& c) {
+          const auto at = [](const auto& column, std::size_t i) {
+            return Vec3d{double(column[0][i]), double(column[1][i]), double(column[2][i])};
+          };
+          for (std::size_t i = 0; i < c.index.size(); ++i) {
+            const ProjectileId id = world.id_at(c.index[i]);
+            ASSERT_TRUE(id);
+            EXPECT_TRUE(found.insert(id).second);
+            EXPECT_EQ(at(c.position, i), world[id].position());
+            EXPECT_EQ(at(c.previous, i), world[id].previous_position());
+            EXPECT_EQ(at(c.velocity, i), world[id].velocity());
+          }
+        },
+        columns);
+  EXPECT_EQ(found.size(), world.size());
+}
+
+TEST(Reading, columns_are_what_each_tells_itself) {
+  World world;
+  std::vector<ProjectileId> ids;
+  for (const Fidelity& fidelity : {Fidelity::arcade(), Fidelity::game(), Fidelity::sport_ball()})
+    for (const Precision precision : {Precision::float32, Precision::float64})
+      for (int i = 0; i < 70; ++i) {
+        ProjectileDef p = stone();
+        p.fidelity = fidelity;
+        p.fidelity.precision = precision;
+        Launch launch{.position = {0.1 * i, 50, 0}};
+        launch.velocity = Vec3d{5, 9, 0.3 * i};
+        ids.push_back(*world.spawn(p, launch, {}, i % 9 == 0 ? 0.4 : 0));
+      }
+  expect_columns(world);
+  for (int i = 0; i < 120; ++i) {
+    world.step(1.0 / 60);
+    if (i % 10 == 0) world[ids[static_cast<std::size_t>(i)]].despawn();
+    if (i % 10 == 5) world[ids[static_cast<std::size_t>(i)]].set_kinematic(true);
+    if (i % 7 == 0) expect_columns(world);
+  }
+  EXPECT_EQ(world.id_at(0), ProjectileId{});
+  EXPECT_EQ(world.id_at(ids[0].index), ProjectileId{}) << "it is gone";
+  EXPECT_EQ(world.id_at(1'000'000), ProjectileId{});
+}
+
 TEST(Reading, a_force_tells_how_many_feel_it) {
   World world;
   ProjectileDef deaf = stone();
