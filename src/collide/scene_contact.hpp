@@ -24,6 +24,7 @@
 
 #include "collide/contact_rules.hpp"
 #include "collide/path_cast.hpp"
+#include "collide/way_through.hpp"
 #include "model/ball_rolling.hpp"
 #include "model/body.hpp"
 #include "physim/collision.hpp"
@@ -165,6 +166,7 @@ class SceneContacts {
   [[nodiscard]] std::optional<After> contact(State<double>& s, SceneHit& hit, double& passed) {
     if (hit.starts_inside && is_ball()) push_out(s, hit, passed);
     if (hit.starts_inside) look_for_surface(s, hit, passed);
+    if (hit.starts_inside && came_through_) enter_here(s, hit);
     const bool inside = hit.starts_inside;
     const bool leaves = !inside && dot(s.v - hit.velocity, hit.normal) >= 0;
     HitAnswer does{.then = collision().on_hit};
@@ -178,9 +180,10 @@ class SceneContacts {
     if (inside || (action == OnHit::stick && !leaves) || ++hits_ > kMostHits) return After{Then::sticks, s, passed};
     if (leaves) return After{Then::flies_on, s, passed};
     if (action == OnHit::impact)
-      if (auto after = impacted(s, met, normal, hit, passed)) return after;
+      if (auto after = impacted(s, met, normal, hit, passed)) return into_next(*after, s, hit, passed);
     if (action == OnHit::pass)
-      if (auto after = let_through(s, met, normal, hit, passed, does.velocity)) return after;
+      if (auto after = let_through(s, met, normal, hit, passed, does.velocity))
+        return into_next(*after, s, hit, passed);
     return rebound(s, hit, passed, action == OnHit::bounce ? does.velocity : std::nullopt);
   }
   /// Whether it is known what a hit does, which may be for others to say.
@@ -252,6 +255,24 @@ class SceneContacts {
       hit = each;
       s.x = each.position + each.normal * collision().radius;
     }
+  }
+
+  /// Who came out of a thing inside of another one, since they touch or overlap, meets that at once.
+  [[nodiscard]] std::optional<After> into_next(const After& after, State<double>& s, SceneHit& hit, double passed) {
+    if (after.then != Then::flies_on || !came_through_) return after;
+    const SceneHit next = cast(after.state.x, after.state.x, passed, 0);
+    if (!next.starts_inside || next.instance == hit.instance) return after;
+    hit = next;
+    s = after.state;
+    return std::nullopt;
+  }
+  /// It goes on in what it is inside of as if it came straight into it there.
+  static void enter_here(const State<double>& s, SceneHit& hit) {
+    const Vec3d relative = s.v - hit.velocity;
+    if (!(length(relative) > 0)) return;
+    hit.normal = -normalized(relative);
+    hit.starts_inside = false;
+    hit.entering = true;
   }
 
   [[nodiscard]] Surface surface(const SceneHit& hit) const {
@@ -425,51 +446,21 @@ class SceneContacts {
     return After{Then::flies_on, s, passed};
   }
 
-  /// The straight way through a thing.
-  struct Way {
-    double thickness = 0;  // 0: a sheet, or it does not come out within the deepest that is looked at [m]
-    Vec3d out, normal;     // where it comes out, and of the surface there
-  };
-  /// From where something touches a thing; nothing where a ball only grazes an edge. Parts of a thing that touch or
-  /// overlap are one.
-  [[nodiscard]] std::optional<Way> way_through(const Vec3d& touched, const Vec3d& way, const SceneHit& hit,
-                                               double passed) const {
-    PHYSIM_ASSERT(std::abs(length(way) - 1) < 1e-6);
-    constexpr double kDeepest = 1000;  // [m]
-    constexpr double kOne = 1e-9;      // thinner is nothing, and nearer is one [m]
-    const Way endless{0, touched, -hit.normal};
-    if (!hit.entering) return endless;  // the back of a sheet
-    const double back = kOne + 8 * spacing_at<double>(touched), far = kDeepest + back;
-    // Behind that it is another part that is met [m]. From a skin it is farther to the surface where the way is flat.
-    const double flat = std::max(-dot(way, hit.normal), 0.02);
-    const double latest = 1e-5 + 2 * collision().radius + 2 * scene_->skin() / flat;
-    std::optional<double> in;
-    Way through;
-    int depth = 0;
-    const SceneSegment line{touched - way * back, touched + way * kDeepest, 0, r_.scene_time() + passed, 0};
-    for (const SceneHit& each : scene_->all_hits(line, solids_)) {
-      if (each.instance != hit.instance) continue;
-      const double at = std::max(each.part * far - back, 0.0);
-      if (depth == 0 && (in ? at > *in + through.thickness + kOne : at > latest)) break;
-      if (!in && !each.entering && is_ball()) return endless;  // likewise
-      if (!in) in = at, depth = each.entering ? 0 : 1;
-      if (each.entering) {
-        ++depth;
-      } else if (depth > 0 && --depth == 0) {
-        through = {std::max(at - *in, kOne), each.position, each.normal};
-      }
-    }
-    if (!in) return std::nullopt;
-    return depth == 0 ? through : endless;
+  /// From where it touches a thing; nothing where a ball only grazes an edge.
+  [[nodiscard]] std::optional<collide::WayThrough> way_through(const Vec3d& touched, const Vec3d& way,
+                                                               const SceneHit& hit, double passed) const {
+    return collide::way_through(*scene_, solids_, hit, {touched, way, collision().radius, r_.scene_time() + passed});
   }
   /// From where it is as it touches a thing, on its way.
-  [[nodiscard]] std::optional<Way> way_from(const State<double>& s, const SceneHit& hit, double passed) const {
+  [[nodiscard]] std::optional<collide::WayThrough> way_from(const State<double>& s, const SceneHit& hit,
+                                                            double passed) const {
     const Vec3d way = normalized(s.v - hit.velocity);
     if (hit.starts_inside || !(length(way) > 0)) return std::nullopt;
     return way_through(s.x - hit.normal * collision().radius, way, hit, passed);
   }
   /// Where it comes out; a ball's middle is then a radius beyond the surface.
-  [[nodiscard]] Vec3d behind(const Vec3d& met, const Vec3d& way, const Way& through, double passed) const {
+  [[nodiscard]] Vec3d behind(const Vec3d& met, const Vec3d& way, const collide::WayThrough& through,
+                             double passed) const {
     const double radius = collision().radius + scene_->skin();
     PHYSIM_ASSERT(std::abs(length(through.normal) - 1) < 1e-6);
     const double cosine = dot(way, through.normal);

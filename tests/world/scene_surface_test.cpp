@@ -236,6 +236,49 @@ TEST(SceneSurface, a_plate_that_overtakes_lets_a_bullet_through) {
   }
 }
 
+/// What comes out of the first is inside of the second: each is gone through by what of it lies ahead.
+TEST(SceneSurface, things_that_overlap_are_gone_through_one_by_one) {
+  for (const double radius : {0.0, 0.003})
+    for (const Precision precision : {Precision::float32, Precision::float64})
+      for (int i = 0; i < 20; ++i) {
+        Scene scene;
+        const double x = 50 + 0.137 * i;
+        put(scene, BoxShape{{0.009, 1, 1}}, {x, 0, 0}, materials::fir());
+        put(scene, BoxShape{{0.009, 1, 1}}, {x + 0.014, 0, 0}, materials::oak());
+        put(scene, SphereShape{2}, {x + 3, 0, 0}, materials::fir());
+        World world = world_with(scene);
+        ASSERT_TRUE(world.spawn(shot(precision), launched({0, 0.1, 0}, {780, 0, 0}), body_that(OnHit::impact, radius)));
+        const auto events = run_for(world, 0.2, kStep);
+        std::vector<double> through;
+        for (const Event& e : events)
+          if (e.kind == EventKind::penetrated) through.push_back(e.value);
+        ASSERT_EQ(through.size(), 2u) << i;
+        EXPECT_NEAR(through[0], 0.018, 2e-5);
+        EXPECT_NEAR(through[1], 0.014 - (radius > 0 ? 2 * radius : 0), 2e-5) << "what lies ahead of a ball's front";
+        EXPECT_EQ(count(events, EventKind::hit), 3u) << "each of them, and the last thing";
+        EXPECT_EQ(count(events, EventKind::stopped), 1u);
+      }
+}
+
+/// The corner of a house: where walls overlap, nobody stands still without a word.
+TEST(SceneSurface, what_goes_through_the_corner_of_two_walls_is_told) {
+  for (int i = 0; i < 60; ++i) {
+    Scene scene;
+    put(scene, BoxShape{{0.1, 2, 5}}, {50, 0, 5}, materials::fir());
+    put(scene, BoxShape{{5, 2, 0.1}}, {55, 0, 0.1}, materials::fir());
+    World world = world_with(scene);
+    const ProjectileId id =
+        *world.spawn(shot(i % 2 == 0 ? Precision::float32 : Precision::float64),
+                     launched({30, 0.1, -8 + 0.25 * i}, {600, 0, 300 - 10.0 * i}), body_that(OnHit::impact));
+    const auto events = run_for(world, 0.3, kStep);
+    const auto kinds = {EventKind::penetrated, EventKind::stopped, EventKind::ricocheted, EventKind::bounced};
+    std::size_t told = 0;
+    for (const EventKind kind : kinds) told += count(events, kind);
+    EXPECT_EQ(told, count(events, EventKind::hit)) << i;
+    if (world[id].status() == LifeStatus::landed) EXPECT_EQ(count(events, EventKind::stopped), 1u) << i;
+  }
+}
+
 TEST(SceneSurface, what_comes_out_without_speed_is_a_number) {
   Scene scene;
   put(scene, BoxShape{{0.009, 1, 1}}, {50, 0, 0}, {.penetration = BallisticLimitDef{.speed = 300, .a = 0}});
