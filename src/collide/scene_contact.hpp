@@ -268,6 +268,7 @@ class SceneContacts {
   }
   /// It goes on in what it is inside of as if it came straight into it there.
   static void enter_here(const State<double>& s, SceneHit& hit) {
+    PHYSIM_ASSERT(hit.starts_inside);
     const Vec3d relative = s.v - hit.velocity;
     if (!(length(relative) > 0)) return;
     hit.normal = -normalized(relative);

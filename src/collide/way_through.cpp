@@ -25,6 +25,7 @@ std::optional<WayThrough> way_through(const Scene& scene, const SceneFilter& sol
   const SceneSegment line{in.touched - in.direction * back, in.touched + in.direction * kDeepest, 0, in.time, 0};
   for (const SceneHit& each : scene.all_hits(line, solids)) {
     if (each.instance != hit.instance) continue;
+    PHYSIM_ASSERT(each.part >= 0 && each.part <= 1);
     const double at = std::max(each.part * far - back, 0.0);
     if (depth == 0 && (begin ? at > *begin + through.thickness + kOne : at > latest)) break;
     if (!begin && !each.entering && in.radius > 0) return endless;  // the back of a sheet that the ball's front passed
@@ -36,6 +37,7 @@ std::optional<WayThrough> way_through(const Scene& scene, const SceneFilter& sol
     }
   }
   if (!begin) return std::nullopt;
+  PHYSIM_ASSERT(depth > 0 || through.thickness >= kOne);
   return depth == 0 ? through : endless;
 }
 

@@ -116,6 +116,7 @@ void World::columns(std::vector<WorldColumns>& into) const {
   for (std::uint16_t c = 0; c < impl().state.rows.size(); ++c) {
     const Rows& rows = impl().state.rows[c];
     const std::size_t count = rows.size();
+    PHYSIM_ASSERT(count <= impl().state.slots.size());
     if (count == 0) continue;
     const bool still = impl().registry.cohort(c).key.still;
     rows.read([&]<class S>(const RowColumns<S>& from) {
