@@ -3,7 +3,6 @@
 #include "scenario/revise.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "base/assert.hpp"
 #include "scenario/document.hpp"
@@ -122,46 +121,92 @@ std::optional<std::vector<Change>> changes(const Scenario& before, const Scenari
   return all;
 }
 
-/// The keys of an emitter and what is beside them, as a file would say them.
-std::vector<Change> keys_of(const Scenario& scenario, std::size_t emitter) {
-  std::vector<Change> keys;
-  std::istringstream lines(element_text(scenario, "emitter", emitter));
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t equals = line.find(" = ");
-    PHYSIM_ASSERT(equals != line.npos);
-    keys.push_back({line.substr(0, equals), line.substr(equals + 3)});
-  }
-  return keys;
+/// What a table's text says beside a key.
+std::string said_by(std::string_view text, const Value& value) {
+  const std::size_t begin = begin_of(text, value);
+  return std::string(text.substr(begin, end_of(text, value) - begin));
 }
 
-/// Takes a key out of a table, with its line.
-bool take_out(std::string& text, const Value& table, const std::string& key) {
-  const Value* found = table.find(key);
+/// A table and the text that it was read from.
+struct TableText {
+  std::string_view text;
+  const Value* table;  // null: there is none
+
+  [[nodiscard]] const Value* find(const std::string& key) const { return table ? table->find(key) : nullptr; }
+};
+
+/// What is to be changed in the tables of a file that say `old` until now, key by key. Changes without a value: the key
+/// goes.
+void compare_keys(const TableText& in_file, const TableText& old, const TableText& now, const std::string& path,
+                  std::vector<Change>& changes) {
+  PHYSIM_ASSERT(in_file.table != nullptr && now.table != nullptr);
+  for (const Member& member : *now.table->get<Table>()) {
+    const std::string value = said_by(now.text, member.value);
+    const Value *was = old.find(member.key), *there = in_file.find(member.key);
+    if (was != nullptr && said_by(old.text, *was) == value) continue;
+    const bool is_table = there != nullptr && there->get<Table>() && has_header(in_file.text, *there);
+    if (is_table && member.value.get<Table>())
+      compare_keys({in_file.text, there}, {old.text, was != nullptr && was->get<Table>() ? was : nullptr},
+                   {now.text, &member.value}, path + member.key + ".", changes);
+    else
+      changes.push_back({path + member.key, value});
+  }
+  if (old.table == nullptr) return;
+  for (const Member& member : *old.table->get<Table>())
+    if (now.find(member.key) == nullptr) changes.push_back({path + member.key, ""});
+}
+
+/// Takes a key out of a table, or of one in it, with its line.
+bool take_out(std::string& text, const Value& table, std::string_view path) {
+  const std::size_t dot = path.find('.');
+  const Value* found = table.find(std::string(path.substr(0, dot)));
   if (found == nullptr) return true;
+  if (dot != path.npos) return take_out(text, *found, path.substr(dot + 1));
   if (has_header(text, *found) || is_inline(text, table)) return false;
   const std::size_t begin = text.rfind('\n', begin_of(text, *found)) + 1;
   text.erase(begin, std::min(text.find('\n', end_of(text, *found)), text.size() - 1) + 1 - begin);
   return true;
 }
 
-/// Key by key: where an emitter has more settings than before, or fewer, no value of one says so.
-bool put_emitter(std::string& text, const std::string& file, std::size_t index, const Scenario& before,
-                 const Scenario& now) {
-  const std::vector<Change> old = keys_of(before, index), wanted = keys_of(now, index);
-  const auto each = [&](const auto& put_key) {
+/// Key by key: lists of tables are one setting each, of which little changes at a time.
+bool put_element(std::string& text, const std::string& file, const std::string& list, std::size_t index,
+                 const Scenario& before, const Scenario& now) {
+  const std::string old_text = element_text(before, list, index), new_text = element_text(now, list, index);
+  const Result<Value> old = parse_document(old_text, file), wanted = parse_document(new_text, file);
+  const Result<Value> all = parse_document(text, file);
+  if (!old || !wanted || !all) return false;
+  std::vector<Change> changes;
+  compare_keys({text, &element(*all, list, index)}, {old_text, &*old}, {new_text, &*wanted}, "", changes);
+  for (const Change& change : changes) {
     const Result<Value> document = parse_document(text, file);
-    return document && put_key(element(*document, "emitter", index));
-  };
-  for (const auto& [key, value] : wanted) {
-    const auto was = std::ranges::find(old, key, &Change::path);
-    if (was != old.end() && was->value == value) continue;
-    if (!each([&](const Value& table) { return put(text, table, *find_node("emitter"), key, value); })) return false;
+    if (!document) return false;
+    const Value& table = element(*document, list, index);
+    const bool is_put = change.value.empty() ? take_out(text, table, change.path)
+                                             : put(text, table, *find_node(list), change.path, change.value);
+    if (!is_put) return false;
   }
-  for (const Change& key : old)
-    if (std::ranges::count(wanted, key.path, &Change::path) == 0 &&
-        !each([&](const Value& table) { return take_out(text, table, key.path); }))
-      return false;
   return true;
+}
+
+/// A list of tables with headers of their own, as [[emitter]].
+bool put_elements(std::string& text, const std::string& file, const std::string& list, const Scenario& before,
+                  const Scenario& now) {
+  const std::size_t count = element_count(before, list);
+  if (element_count(now, list) != count) return false;
+  for (std::size_t i = 0; i < count; ++i)
+    if (!put_element(text, file, list, i, before, now)) return false;
+  return true;
+}
+
+bool put(std::string& text, const std::string& file, const Change& change, const Scenario& before,
+         const Scenario& now) {
+  const Result<Value> document = parse_document(text, file);
+  if (!document) return false;
+  const SchemaNode* node = find_node(change.path);
+  const Value* list = document->find(change.path);
+  if (node != nullptr && node->is_list_of_tables() && list != nullptr && has_header(text, *list))
+    return put_elements(text, file, change.path, before, now);
+  return put(text, *document, before, change);
 }
 
 /// Takes the elements that a list has more than before out of it; as tables of their own.
@@ -208,20 +253,10 @@ std::optional<std::string> revised_text(const std::string& text, const std::stri
   added += more_of(&Scenario::things, "thing", *before, now, kept);
   added += more_of(&Scenario::emitters, "emitter", *before, now, kept);
   added += more_of(&Scenario::joints, "joint", *before, now, kept);
-  auto wanted = changes(*before, kept);
-  const bool by_key = !wanted;
-  if (by_key) {
-    Scenario others = kept;
-    others.emitters = before->emitters;
-    wanted = changes(*before, others);
-  }
-  if (!wanted || kept.emitters.size() != before->emitters.size()) return std::nullopt;
-  for (const Change& change : *wanted) {
-    const Result<Value> document = parse_document(revised, file);
-    if (!document || !put(revised, *document, *before, change)) return std::nullopt;
-  }
-  for (std::size_t i = 0; by_key && i < kept.emitters.size(); ++i)
-    if (!put_emitter(revised, file, i, *before, kept)) return std::nullopt;
+  const auto wanted = changes(*before, kept);
+  if (!wanted) return std::nullopt;
+  for (const Change& change : *wanted)
+    if (!put(revised, file, change, *before, kept)) return std::nullopt;
   revised += added;
   const Result<Scenario> after = parse_scenario(revised, file);
   return after && say_the_same(*after, now) ? std::optional(revised) : std::nullopt;

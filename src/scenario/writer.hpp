@@ -18,6 +18,9 @@ void each_setting(const Scenario& scenario,
 /// As effective_settings(), with values as they stand in a file: texts in quotes.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> settings_in_file(const Scenario& scenario);
 
+/// How many elements a list of tables of a scenario has ("shot", "thing").
+[[nodiscard]] std::size_t element_count(const Scenario& scenario, std::string_view list);
+
 /// The keys of one element of a list of tables of a scenario ("shot", "thing"), a line each, without its header.
 [[nodiscard]] std::string element_text(const Scenario& scenario, std::string_view list, std::size_t index);
 

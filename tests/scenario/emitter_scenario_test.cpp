@@ -274,12 +274,11 @@ TEST(EmitterScenario, OneMoreIsWrittenBehindTheFile) {
 }
 
 /// A file of two emitters, with what its author has to say of them.
-constexpr const char* kCommented = R"(format = 1
-name = "sparks"  # of a wheel
+constexpr const char* kCommented = R"(physim = 1
+title = "sparks"  # of a wheel
 
 [[shot]]
 name = "spark"
-speed = "10 m/s"
 
 # The first wheel.
 [[emitter]]
@@ -298,12 +297,15 @@ bursts = [
   { time = "1 s", count = 3 },  # first
   { time = "2 s", count = 4 },
 ]
+[emitter.start]
+lifetime = "3 s"  # they glow
+size = "2 cm"     # of the glow
 
 [world]
 step = "10 ms"
 )";
 
-TEST(EmitterScenario, EmittersWithMoreOrFewerSettingsKeepTheCommentsOfTheirFile) {
+TEST(EmitterScenario, EditedEmittersKeepTheCommentsOfTheirFile) {
   const Result<Scenario> read = parse_scenario(kCommented, "f.toml");
   ASSERT_TRUE(read) << read.error().text();
   Scenario now = *read;
@@ -311,17 +313,19 @@ TEST(EmitterScenario, EmittersWithMoreOrFewerSettingsKeepTheCommentsOfTheirFile)
   now.emitters[0].def.start.size = {0.1};
   now.emitters[1].def.bursts.pop_back();
   now.emitters[1].def.maximum = EmitterDef{}.maximum;
+  now.emitters[1].def.start.speed = {0, 4, {}, {{0, 1}, {1, 0.5}}};
+  now.emitters[1].def.start.size = EmitterDef{}.start.size;
   const auto revised = revised_text(kCommented, "f.toml", now);
   ASSERT_TRUE(revised);
   const Result<Scenario> again = parse_scenario(*revised, "f.toml");
   ASSERT_TRUE(again) << again.error().text();
   EXPECT_TRUE(say_the_same(*again, now));
   for (const char* kept :
-       {"name = \"sparks\"  # of a wheel\n", "# The first wheel.\n[[emitter]]\nname = \"left\"\n",
+       {"title = \"sparks\"  # of a wheel\n", "# The first wheel.\n[[emitter]]\nname = \"left\"\n",
         "per_second = 10   # a slow one\n", "}  # as filmed\n", "\n\n# The second wheel.\n[[emitter]]\n",
-        "name = \"right\"  # of the bench\n", "per_second = [10, 20]\n"})
+        "name = \"right\"  # of the bench\n", "per_second = [10, 20]\n", "lifetime = \"3 s\"  # they glow\n"})
     EXPECT_NE(revised->find(kept), std::string::npos) << kept << "is not in\n" << *revised;
-  for (const char* gone : {"enough", "first\n"})
+  for (const char* gone : {"enough", "first\n", "of the glow"})
     EXPECT_EQ(revised->find(gone), std::string::npos) << gone << " is in\n" << *revised;
 }
 
