@@ -72,7 +72,7 @@ class Bvh::Builder {
   };
   struct Range {
     std::uint32_t first, count;
-    QuadBox box, middles;
+    QuadBox box, middles;  // middles: of twice the middles of items
     Cut cut;
     bool decided, leaf;
 

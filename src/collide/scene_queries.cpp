@@ -23,6 +23,26 @@ void for_movers(const SceneContent& scene, double from, double to, const VisitTr
   for (const std::uint32_t index : scene.movers) visit(index);
 }
 
+/// Calls look_at(index, segment) for what rests and look_at_mover(index, segment) for what moves and may be met between
+/// two times; both may shorten the segment's reach.
+template <class LookAt, class LookAtMover>
+void things_along(const SceneContent& scene, Segment& segment, double from, double to, const LookAt& look_at,
+                  const LookAtMover& look_at_mover) {
+  for (const std::uint32_t index : scene.unbounded)
+    if (scene.instances[index].path)
+      look_at_mover(index, segment);
+    else
+      look_at(index, segment);
+  scene.resting.along(segment, look_at);
+  for_movers(
+      scene, from, to, [&](const Tree& tree) { tree.along(segment, look_at_mover); },
+      [&](std::uint32_t index) {
+        const SceneContent::InstanceSlot& slot = scene.instances[index];
+        const Bounds box = slot.path->bounds(bounds_of(*slot.shape), from, to);
+        if (BoxTest(segment).enters(box, segment.reach) <= segment.reach) look_at_mover(index, segment);
+      });
+}
+
 SceneHit hit_of(const SceneContent& scene, std::uint32_t index, const Crossing& crossing, const SceneSegment& asked) {
   const SceneContent::InstanceSlot& slot = scene.instances[index];
   PHYSIM_ASSERT(slot.alive && crossing.t >= 0 && crossing.t <= 1);
@@ -64,20 +84,7 @@ void cross_all(const SceneContent& scene, const SceneSegment& asked, double radi
     const auto taken = [&](const Crossing& crossing, Segment& within) { take(index, crossing, within); };
     Sweep<kExits, decltype(taken)>(*slot.shape, *slot.path, asked.time, asked.duration, s, taken);
   };
-  for (const std::uint32_t index : scene.unbounded)
-    if (scene.instances[index].path)
-      look_at_mover(index, segment);
-    else
-      look_at(index, segment);
-  scene.resting.along(segment, look_at);
-  const double end = asked.time + asked.duration;
-  for_movers(
-      scene, asked.time, end, [&](const Tree& tree) { tree.along(segment, look_at_mover); },
-      [&](std::uint32_t index) {
-        const SceneContent::InstanceSlot& slot = scene.instances[index];
-        const Bounds box = slot.path->bounds(bounds_of(*slot.shape), asked.time, end);
-        if (BoxTest(segment).enters(box, segment.reach) <= segment.reach) look_at_mover(index, segment);
-      });
+  things_along(scene, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
 }
 
 SceneHit first_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter) {
@@ -285,15 +292,7 @@ double Scene::clear_part(const SceneSegment& asked, const SceneFilter& filter) c
     const double in = collide::BoxTest(s).enters(slot.path->bounds(own, asked.time, end), s.reach);
     if (in <= s.reach) s.reach = in * (1 - 1e-14);
   };
-  for (const std::uint32_t index : impl_->unbounded)
-    if (impl_->instances[index].path)
-      look_at_mover(index, segment);
-    else
-      look_at(index, segment);
-  impl_->resting.along(segment, look_at);
-  collide::for_movers(
-      *impl_, asked.time, end, [&](const collide::Tree& tree) { tree.along(segment, look_at_mover); },
-      [&](std::uint32_t index) { look_at_mover(index, segment); });
+  collide::things_along(*impl_, segment, asked.time, end, look_at, look_at_mover);
   return std::max(0.0, segment.reach);
 }
 

@@ -71,7 +71,8 @@ class BatchPart {
   void fly(ShotGroup& group);
   /// Flies a group's shots, or launches that lanes compute: all of the part.
   void run_kernel(ShotGroup& group, const LaunchSource* launches);
-  /// ... with the lowest layer of their air alone, where that may do; false: nothing is flown yet, as some need more.
+  /// Flies launches with the lowest layer of their air alone, where that may do; false: nothing is flown yet, as some
+  /// need more.
   [[nodiscard]] bool run_kernel_in_low_air(ShotGroup& group, PlainShots& plain);
   template <class S>
   void run_kernel(ShotGroup& group, const LaunchSource* launches, void (*kernel)(const BatchJob<S>&));

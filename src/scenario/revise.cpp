@@ -170,8 +170,7 @@ bool take_out(std::string& text, const Value& table, std::string_view path) {
 
 /// Key by key: lists of tables are one setting each, of which little changes at a time.
 bool put_element(std::string& text, const std::string& file, const std::string& list, std::size_t index,
-                 const Scenario& before, const Scenario& now) {
-  const std::string old_text = element_text(before, list, index), new_text = element_text(now, list, index);
+                 const std::string& old_text, const std::string& new_text) {
   const Result<Value> old = parse_document(old_text, file), wanted = parse_document(new_text, file);
   const Result<Value> all = parse_document(text, file);
   if (!old || !wanted || !all) return false;
@@ -191,10 +190,10 @@ bool put_element(std::string& text, const std::string& file, const std::string& 
 /// A list of tables with headers of their own, as [[emitter]].
 bool put_elements(std::string& text, const std::string& file, const std::string& list, const Scenario& before,
                   const Scenario& now) {
-  const std::size_t count = element_count(before, list);
-  if (element_count(now, list) != count) return false;
-  for (std::size_t i = 0; i < count; ++i)
-    if (!put_element(text, file, list, i, before, now)) return false;
+  const std::vector<std::string> old = element_texts(before, list), wanted = element_texts(now, list);
+  if (wanted.size() != old.size()) return false;
+  for (std::size_t i = 0; i < old.size(); ++i)
+    if (wanted[i] != old[i] && !put_element(text, file, list, i, old[i], wanted[i])) return false;
   return true;
 }
 
@@ -213,14 +212,21 @@ bool put(std::string& text, const std::string& file, const Change& change, const
 template <class List>
 std::string more_of(List Scenario::*list, const char* name, const Scenario& before, const Scenario& now,
                     Scenario& kept) {
+  List& all = kept.*list;
+  if (all.size() <= (before.*list).size()) return {};
+  const std::vector<std::string> texts = element_texts(now, name);
   std::string added;
-  for (List& all = kept.*list; all.size() > (before.*list).size(); all.pop_back())
-    added = "\n[[" + std::string(name) + "]]\n" + element_text(now, name, all.size() - 1) + added;
+  for (std::size_t i = (before.*list).size(); i < all.size(); ++i)
+    added += "\n[[" + std::string(name) + "]]\n" + texts[i];
+  all.resize((before.*list).size());
   return added;
 }
 
-/// ... of materials: who reads things or meshes that are made of published ones has those anyway.
+/// Takes materials that are more than before out of the list; who reads things or meshes that are made of published
+/// ones has those anyway.
 std::string more_materials(const Scenario& before, const Scenario& now, Scenario& kept) {
+  if (kept.materials.size() <= before.materials.size()) return {};
+  const std::vector<std::string> texts = element_texts(now, "material");
   std::string added;
   for (auto& all = kept.materials; all.size() > before.materials.size(); all.pop_back()) {
     auto published = published_material(all.back().name);
@@ -231,7 +237,7 @@ std::string more_materials(const Scenario& before, const Scenario& now, Scenario
     const bool is_made_of = std::ranges::count(now.things, all.back().name, &ScenarioThing::material) > 0 ||
                             std::ranges::any_of(now.shapes, names_it);
     if (published == all.back() && is_made_of) continue;
-    added = "\n[[material]]\n" + element_text(now, "material", all.size() - 1) + added;
+    added = "\n[[material]]\n" + texts[all.size() - 1] + added;
   }
   return added;
 }

@@ -439,20 +439,15 @@ std::optional<std::string> written(const Entry& entry, const Scope& scope) {
   return value_text(entry, scope, Style::plain);
 }
 
-std::size_t element_count(const Scenario& scenario, std::string_view list) {
+std::vector<std::string> element_texts(const Scenario& scenario, std::string_view list) {
   const SchemaNode* node = find_node(list);
   PHYSIM_ASSERT(node != nullptr && node->is_list_of_tables());
   Scenario copy = scenario;
   std::int64_t format = 1;
-  return std::get<Records>(node->entry->slot({.format = &format, .scenario = &copy})).size();
-}
-
-std::string element_text(const Scenario& scenario, std::string_view list, std::size_t index) {
-  const SchemaNode* node = find_node(list);
-  PHYSIM_ASSERT(node != nullptr && node->is_list_of_tables());
-  Scenario copy = scenario;
-  std::int64_t format = 1;
-  return element_text(*node, {.format = &format, .scenario = &copy}, index);
+  const Scope scope{.format = &format, .scenario = &copy};
+  std::vector<std::string> texts(std::get<Records>(node->entry->slot(scope)).size());
+  for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = element_text(*node, scope, i);
+  return texts;
 }
 
 void each_setting(const Scenario& scenario, const TakeSetting& take) {

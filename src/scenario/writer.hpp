@@ -18,11 +18,8 @@ void each_setting(const Scenario& scenario,
 /// As effective_settings(), with values as they stand in a file: texts in quotes.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> settings_in_file(const Scenario& scenario);
 
-/// How many elements a list of tables of a scenario has ("shot", "thing").
-[[nodiscard]] std::size_t element_count(const Scenario& scenario, std::string_view list);
-
-/// The keys of one element of a list of tables of a scenario ("shot", "thing"), a line each, without its header.
-[[nodiscard]] std::string element_text(const Scenario& scenario, std::string_view list, std::size_t index);
+/// The keys of each element of a list of tables of a scenario ("shot", "thing"), a line each, without their headers.
+[[nodiscard]] std::vector<std::string> element_texts(const Scenario& scenario, std::string_view list);
 
 /// The value of a setting as the right side of an override; nothing where there is nothing to say (a preset).
 [[nodiscard]] std::optional<std::string> written(const Entry& entry, const Scope& scope);

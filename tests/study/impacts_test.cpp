@@ -229,12 +229,7 @@ TEST(StudyImpacts, same_bits_with_threads_and_saved) {
 }
 
 TEST(StudyImpacts, are_refused_where_there_can_be_none) {
-  const auto refusal = [](auto change) {
-    Study study = throw_down();
-    change(study);
-    const auto plan = plan_study(study);
-    return plan ? std::string() : plan.error().text();
-  };
+  const auto refusal = [](const auto& change) { return refusal_of(throw_down(), change); };
   const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
   EXPECT_EQ(refusal([](Study&) {}), "");
   const std::string at_range = refusal([](Study& s) { s.until.range = 20; });

@@ -50,6 +50,14 @@ inline StudyResult result_of(const Study& study, const StudyFunction& function, 
   return result ? *result : StudyResult{};
 }
 
+/// What a study is refused with that is changed so; empty where it is not.
+template <class Change>
+std::string refusal_of(Study study, const Change& change) {
+  change(study);
+  const auto plan = plan_study(study);
+  return plan ? std::string() : plan.error().text();
+}
+
 /// Within four standard errors.
 inline testing::AssertionResult within_4_errors(double value, double expected, double error) {
   if (std::abs(value - expected) <= 4 * error) return testing::AssertionSuccess();

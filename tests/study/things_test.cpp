@@ -121,12 +121,7 @@ TEST(StudyThings, another_scene_is_another_study) {
 }
 
 TEST(StudyThings, bad_input) {
-  const auto refusal = [](auto change) {
-    Study study = straight();
-    change(study);
-    const auto plan = plan_study(study);
-    return plan ? std::string() : plan.error().text();
-  };
+  const auto refusal = [](const auto& change) { return refusal_of(straight(), change); };
   const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
   EXPECT_EQ(refusal([](Study&) {}), "");
   const std::string unknown = refusal([](Study& s) { s.targets[0].shape = ThingTarget{"plat"}; });
