@@ -25,6 +25,9 @@ struct Contender {
   std::function<Work(const ShotSet& set, std::size_t count, double setting, Vec3d* ends)> fly;
 };
 
+/// What a setting of PhySim's is.
+[[nodiscard]] Tolerance tolerance_of(const Contender& contender, double setting);
+
 [[nodiscard]] Contender peer(std::string name, std::string kernel, void (*fly)(PeerTask&), const PeerModel& model);
 enum class BatchOf {
   launches,  // of one projectile

@@ -97,7 +97,7 @@ ShotSet uniform_shots(std::size_t count) {
   return set;
 }
 
-Study uncertain_308(const Fidelity& fidelity, double tolerance, bool with_bc) {
+Study uncertain_308(const Fidelity& fidelity, const Tolerance& tolerance) {
   constexpr std::uint64_t kShards = 4;
   const auto added = [](const char* path, double deviation) {
     return StudyInput{.path = path, .distribution = NormalDistribution{0, deviation}, .added = true};
@@ -110,15 +110,15 @@ Study uncertain_308(const Fidelity& fidelity, double tolerance, bool with_bc) {
   study.environment.wind.velocity = {0, 0, 0};
   study.fidelity = fidelity;
   study.fidelity.wind = WindModel::constant;
-  study.tolerance.relative = study.tolerance.absolute = tolerance;
+  study.tolerance = tolerance;
   study.until = bench_until();
   study.inputs = {added("shot.speed", 3),
                   added("shot.elevation", 1e-4),
                   added("shot.azimuth", 1e-4),
                   added("environment.wind.velocity.x", 1),
                   added("environment.wind.velocity.z", 1),
-                  added("environment.atmosphere.temperature", 3)};
-  if (with_bc) study.inputs.push_back(added("shot.drag.ballistic_coefficient", 0.004_lb_in2));
+                  added("environment.atmosphere.temperature", 3),
+                  added("shot.drag.ballistic_coefficient", 0.004_lb_in2)};
   study.quantities = {StudyQuantity::right, StudyQuantity::up};
   study.targets = {{"plate", RectangleTarget{{}, 0.45, 0.75}}};
   study.shots = kShards * study.shard_shots;

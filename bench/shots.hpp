@@ -37,9 +37,9 @@ struct ShotSet {
 /// standard drag functions and four curves of our own. With `searched`, those have points at odd Mach numbers.
 [[nodiscard]] ShotSet mixed_shots(std::size_t count, bool searched = false);
 
-/// The .308 with six uncertain inputs: speed, elevation, azimuth, wind across and along, temperature; `with_bc`: with
-/// seven, its ballistic coefficient. Four shards of 4096 shots.
-[[nodiscard]] Study uncertain_308(const Fidelity& fidelity, double tolerance, bool with_bc);
+/// The .308 with seven uncertain inputs: speed, elevation, azimuth, wind across and along, temperature, ballistic
+/// coefficient. Four shards of 4096 shots.
+[[nodiscard]] Study uncertain_308(const Fidelity& fidelity, const Tolerance& tolerance);
 
 /// The .308's numbers for the peers; `cohort` owns the curve.
 struct PeerData {

@@ -62,18 +62,33 @@ void fly(const StudyPlan& plan) {
   if (!result || result->not_arrived == result->shots) std::exit(1);
 }
 
+/// A row of the section, and the row of flights of which nothing is uncertain that it stands beside.
 struct Runner {
   std::string name, what;
   double flights = 0;
   std::function<void()> fly;
+  std::size_t certain = 0;
 };
 
 /// Nothing is uncertain: batches and columns of the launches alone.
-void add_certain(const Contender& kind, const ShotSet& set, double setting, const char* what,
-                 std::vector<Runner>& list) {
+void add_certain(const Contender& kind, const ShotSet& set, double setting, std::vector<Runner>& list) {
   const std::size_t count = set.shots.size();
-  list.push_back({kind.name, what, static_cast<double>(count),
-                  [kind, &set, setting, count] { kind.fly(set, count, setting, nullptr); }});
+  list.push_back({kind.name, "nothing is uncertain", static_cast<double>(count),
+                  [kind, &set, setting, count] { kind.fly(set, count, setting, nullptr); }, list.size()});
+}
+
+/// Columns of which nothing is uncertain, and a study of seven inputs with the same rungs and settings.
+void add_pair(const char* name, const Fidelity& fidelity, const ShotSet& probes, const ShotSet& set,
+              const Options& options, std::vector<Runner>& list) {
+  constexpr double kTarget = 1e-3;  // [m]
+  const Contender columns = batch(std::string("fly_columns(), ") + name, "", fidelity, BatchOf::columns);
+  const double setting = calibrate(columns, probes, kTarget, options.per_decade).setting;
+  const std::size_t certain = list.size();
+  add_certain(columns, set, setting, list);
+  const StudyPlan plan = planned(uncertain_308(fidelity, tolerance_of(columns, setting)));
+  list.push_back({std::string("a study, ") + name,
+                  "speed, elevation, azimuth, wind x and z, temperature, ballistic coefficient",
+                  static_cast<double>(plan.study().shots), [plan] { fly(plan); }, certain});
 }
 
 }  // namespace
@@ -82,26 +97,18 @@ Section study_section(const Options& options) {
   const auto data = peer_data();
   const ShotSet probes = probe_shots();
   const Fidelity rk43 = bench_fidelity(Integrator::rk43);
-  const ShotSet flown = uniform_shots(uncertain_308(rk43, 1e-6, true).shots);
+  const ShotSet flown = uniform_shots(uncertain_308(rk43, {}).shots);
   const Contender odeint = peer("Boost.odeint dopri5, native", "native, FMA", fly_odeint_dopri5, data->model);
-  const Contender rows = batch("fly_batch(), launches", "", rk43, BatchOf::launches);
-  const Contender columns = batch("fly_columns()", "", rk43, BatchOf::columns);
-  constexpr double kTarget = 1e-3;  // [m]
-  const double of_odeint = calibrate(odeint, probes, kTarget, options.per_decade).setting;
-  const double of_rk43 = calibrate(rows, probes, kTarget, options.per_decade).setting;
   std::vector<Runner> list;
-  add_certain(odeint, flown, of_odeint, "nothing is uncertain", list);
-  add_certain(rows, flown, of_rk43, "nothing is uncertain", list);
-  add_certain(columns, flown, of_rk43, "nothing is uncertain", list);
-  const StudyPlan six = planned(uncertain_308(rk43, of_rk43, false)),
-                  seven = planned(uncertain_308(rk43, of_rk43, true));
+  add_certain(odeint, flown, calibrate(odeint, probes, 1e-3, options.per_decade).setting, list);
+  add_pair("RK4(3)", rk43, probes, flown, options, list);
+  add_pair("fixed RK4, pilot step", bench_fidelity(Integrator::rk4), probes, flown, options, list);
+  add_pair("RK4(3), float32", bench_fidelity(Integrator::rk43, Precision::float32), probes, flown, options, list);
+  add_pair("fixed RK4, pilot step, float32", bench_fidelity(Integrator::rk4, Precision::float32), probes, flown,
+           options, list);
   const StudyPlan rocket = planned(rocket_study());
-  const auto add = [&](const char* name, const char* what, const StudyPlan& plan) {
-    list.push_back({name, what, static_cast<double>(plan.study().shots), [&plan] { fly(plan); }});
-  };
-  add("a study, .308", "speed, elevation, azimuth, wind x and z, temperature", six);
-  add("a study, .308", "these and the ballistic coefficient", seven);
-  add("a study, rocket as a rigid body to its apex", "thrust, drag, mass, elevation, azimuth, wind x and z", rocket);
+  list.push_back({"a study, rocket as a rigid body to its apex", "thrust, drag, mass, elevation, azimuth, wind x and z",
+                  static_cast<double>(rocket.study().shots), [&rocket] { fly(rocket); }, list.size()});
   std::vector<std::function<void()>> turns;
   for (const Runner& each : list) turns.push_back(each.fly);
   const auto taken = take_turns(options.clock, options.quick ? 5 : options.rounds, turns);
@@ -113,13 +120,15 @@ Section study_section(const Options& options) {
   Section s;
   s.title = "Studies";
   s.intro =
-      ".308 168 gr G7 to 1000 m at 1 mm, RK4(3), one thread. A study draws its inputs, flies, and adds up moments, "
-      "quantiles, distances, extreme spreads and hits; no shot is kept.";
+      ".308 168 gr G7 to 1000 m at 1 mm, one thread. A study draws its inputs, flies, and adds up moments, quantiles, "
+      "distances, extreme spreads and hits; no shot is kept.";
   s.columns = {"what", "uncertain", "flights/s", "of fly_columns()", "vs odeint"};
-  for (std::size_t i = 0; i < list.size(); ++i)
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const bool is_study = list[i].certain != i;
     s.rows.push_back({list[i].name, list[i].what, rate(1 / median(per_flight(i))),
-                      percent(median(ratios(per_flight(2), per_flight(i)))),
+                      is_study ? percent(median(ratios(per_flight(list[i].certain), per_flight(i)))) : Cell(""),
                       times(median(ratios(per_flight(0), per_flight(i))))});
+  }
   s.notes = {"Ratios: medians of those within each round. The rocket's flights are others: about 15 s long."};
   return s;
 }

@@ -37,7 +37,7 @@ Section threads_section(const Options& options) {
   const Fidelity fidelity = bench_fidelity(Integrator::rk43);
   const Tolerance tolerance{.relative = 1e-6, .absolute = 1e-6};
   BatchResult result;
-  Study uncertain = uncertain_308(fidelity, 1e-6, true);
+  Study uncertain = uncertain_308(fidelity, tolerance);
   uncertain.shots = count;
   const Result<StudyPlan> study = plan_study(uncertain);
   const std::vector<Company> companies{

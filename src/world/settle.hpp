@@ -69,7 +69,7 @@ struct StepScratch {
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;
   std::vector<Change> changes;
-  std::vector<EventKey> event_order;
+  std::vector<EventKey> event_order, event_merge;
   std::vector<Event> events;  // in order
 };
 

@@ -326,13 +326,15 @@ void WorldImpl::finish_step() {
 namespace {
 
 /// Events of births, and of ends of lives, come in order already: a few such runs are merged, anything else is sorted.
-void sort_by_runs(std::vector<EventKey>& keys) {
+void sort_by_runs(std::vector<EventKey>& keys, std::vector<EventKey>& spare) {
   constexpr int kMostMerges = 4;
   auto sorted = std::ranges::is_sorted_until(keys);
   for (int merges = 0; sorted != keys.end(); ++merges) {
     if (merges == kMostMerges) return void(std::ranges::sort(keys));
     const auto end = std::is_sorted_until(sorted, keys.end());
-    std::inplace_merge(keys.begin(), sorted, end);
+    spare.clear();
+    std::merge(keys.begin(), sorted, sorted, end, std::back_inserter(spare));
+    std::ranges::copy(spare, keys.begin());
     sorted = end;
   }
 }
@@ -348,7 +350,7 @@ void WorldImpl::put_events_in_order() {
   std::vector<EventKey>& keys = scratch.event_order;
   keys.clear();
   for (std::uint32_t at = 0; const Event& e : state.events) keys.push_back(key_of(e, at++));
-  sort_by_runs(keys);
+  sort_by_runs(keys, scratch.event_merge);
   // Events are large: each is moved once, and the list stays where it is.
   scratch.events.clear();
   for (const EventKey& key : keys) scratch.events.push_back(state.events[key.at]);
