@@ -39,10 +39,10 @@ EmitCurve::EmitCurve(const Curve& keys) {
   const auto add = [this](double start, const std::array<double, 4>& c, double end) {
     double before = 0;
     if (!pieces_.empty()) before = pieces_.back().before + integral_of(pieces_.back().c, start - pieces_.back().start);
-    pieces_.push_back({start, c, std::min(c[0], end), std::max(c[0], end), before});
+    pieces_.push_back({{start, c, std::min(c[0], end), std::max(c[0], end)}, before});
   };
   const auto held = [&](double start, double value) { add(start, {value, 0, 0, 0}, value); };
-  if (x[0] > 0) held(0, y[0]);
+  if (x[0] > 0) held(0, y[0]), first_ = 1;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) add(x[i], cubic.pieces[i], y[i + 1]);
   held(x.back(), y.back());
   PHYSIM_ASSERT(pieces_.front().start == 0);
@@ -102,24 +102,21 @@ std::uint32_t times(std::uint32_t a, std::uint32_t b) {
 }
 
 EmitGradient::EmitGradient(const Gradient& keys) {
-  for (const ColourKey& key : keys) keys_.push_back({key.at, Rgba::of(key.colour)});
-}
-
-Rgba EmitGradient::operator()(double x) const {
-  if (keys_.empty()) return {};
-  // Counted rather than searched: there are few, and no branch has to be guessed.
-  std::size_t next = 0;
-  for (const Key& key : keys_) next += x < key.at ? 0 : 1;
-  const Key& a = keys_[next == 0 ? 0 : next - 1];
-  const Key& b = keys_[next == keys_.size() ? next - 1 : next];
-  const double apart = b.at - a.at;
-  return mixed(a.colour, b.colour, apart > 0 ? (x - a.at) / apart : 0);
+  if (keys.empty()) return;
+  const auto add = [this](double start, double length, std::uint32_t from, std::uint32_t to) {
+    Piece piece{start, length, Rgba::of(from).part, Rgba::of(to).part};
+    for (std::size_t k = 0; k < 4; ++k) piece.more[k] -= piece.colour[k];
+    pieces_.push_back(piece);
+  };
+  add(0, 1, keys.front().colour, keys.front().colour);
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+    add(keys[i].at, keys[i + 1].at - keys[i].at, keys[i].colour, keys[i + 1].colour);
+  add(keys.back().at, 1, keys.back().colour, keys.back().colour);
 }
 
 EmitColour::EmitColour(const DrawnColour& def)
     : colour_(Rgba::of(def.colour)),
       to_(Rgba::of(def.to.value_or(def.colour))),
-      starts_white_(colour_.is_white()),
       drawn_(def.to.has_value()),
       gradient_(def.gradient),
       to_gradient_(def.to_gradient.empty() ? def.gradient : def.to_gradient) {}

@@ -9,13 +9,42 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "base/assert.hpp"
+#include "math/pack.hpp"
 #include "physim/emitter.hpp"
 
 namespace physim {
+
+/// Several of a column at a time, or, where it is no multiple of them, each alone.
+template <std::size_t N>
+using WideOf = std::conditional_t<N % 4 != 0, double, Pack<double, 4>>;
+template <class R>
+PHYSIM_INLINE R wide_at(const double* from) {
+  if constexpr (kLanes<R> == 1)
+    return *from;
+  else
+    return R::load(from);
+}
+template <class R>
+PHYSIM_INLINE void put_wide(const R& x, double* to) {
+  if constexpr (kLanes<R> == 1)
+    *to = x;
+  else
+    x.store(to);
+}
+
+/// Which piece each lies on, of pieces in order that begin at `start`: counted, so that no branch has to be guessed.
+template <class R, class Piece>
+std::array<std::size_t, kLanes<R>> counted(const std::vector<Piece>& pieces, const R& x) {
+  std::array<std::size_t, kLanes<R>> at{};
+  for (std::size_t k = 1; k < pieces.size(); ++k)
+    for (int i = 0; i < kLanes<R>; ++i) at[i] += lane_of(x, i) < pieces[k].start ? 0 : 1;
+  return at;
+}
 
 /// A curve over 0..1; 1 where it has no keys.
 class EmitCurve {
@@ -25,7 +54,7 @@ class EmitCurve {
 
   [[nodiscard]] bool is_one() const { return pieces_.empty(); }
   [[nodiscard]] double operator()(double x) const { return pieces_.empty() ? 1 : value(x); }
-  /// The values at many places, none below 0: pieces are counted rather than searched.
+  /// The values at many places, none below 0.
   template <std::size_t N>
   void at_each(const std::array<double, N>& x, std::array<double, N>& y) const;
   /// From 0 to x >= 0, beyond 1 too.
@@ -36,32 +65,65 @@ class EmitCurve {
   [[nodiscard]] std::vector<double> knots() const;
 
  private:
-  struct Piece {
-    double start;
-    std::array<double, 4> c;
-    double low, high;  // its ends, between which it stays: rounding would not
-    double before;     // the integral from 0 to its start
+  /// A piece, or one for each lane.
+  template <class R>
+  struct PieceOf {
+    R start;
+    std::array<R, 4> c;
+    R low, high;  // its ends, between which it stays: rounding would not
+  };
+  struct Piece : PieceOf<double> {
+    double before;  // the integral from 0 to its start
   };
   [[nodiscard]] const Piece& piece_at(double x) const;
-  [[nodiscard]] static double value(const Piece& p, double x) {
-    const double s = x - p.start;
-    return std::clamp(p.c[0] + s * (p.c[1] + s * (p.c[2] + s * p.c[3])), p.low, p.high);
+  template <class R>
+  [[nodiscard]] PHYSIM_INLINE static R value(const PieceOf<R>& p, const R& x) {
+    const R s = x - p.start;
+    return min(p.high, max(p.low, p.c[0] + s * (p.c[1] + s * (p.c[2] + s * p.c[3]))));
   }
   [[nodiscard]] double value(double x) const;
   [[nodiscard]] double sum(double x) const;
+  template <class R>
+  [[nodiscard]] PieceOf<R> pieces_at(const R& x) const;
 
   std::vector<Piece> pieces_;  // in order; the first starts at 0, the last one goes on for ever
+  std::size_t first_ = 0;      // that is not held, as the last one always is
 };
+
+template <class R>
+EmitCurve::PieceOf<R> EmitCurve::pieces_at(const R& x) const {
+  const auto at = counted(pieces_, x);
+  PieceOf<R> all{};
+  for (int i = 0; i < kLanes<R>; ++i) {
+    const Piece& p = pieces_[at[i]];
+    set_lane(all.start, i, p.start), set_lane(all.low, i, p.low), set_lane(all.high, i, p.high);
+    for (int k = 0; k < 4; ++k) set_lane(all.c[k], i, p.c[k]);
+  }
+  return all;
+}
 
 template <std::size_t N>
 void EmitCurve::at_each(const std::array<double, N>& x, std::array<double, N>& y) const {
   if (pieces_.empty()) return y.fill(1);
-  std::array<std::uint64_t, N> piece{};
-  for (std::size_t k = 1; k < pieces_.size(); ++k) {
-    const double start = pieces_[k].start;
-    for (std::size_t i = 0; i < N; ++i) piece[i] += x[i] < start ? 0 : 1;
+  using R = WideOf<N>;
+  constexpr auto kWide = static_cast<std::size_t>(kLanes<R>);
+  if (first_ + 2 != pieces_.size()) {
+    for (std::size_t i = 0; i < N; i += kWide) {
+      const R at = wide_at<R>(&x[i]);
+      put_wide(value(pieces_at(at), at), &y[i]);
+    }
+    return;
   }
-  for (std::size_t i = 0; i < N; ++i) y[i] = value(pieces_[piece[i]], x[i]);
+  // Between two keys there is one piece, and what is held before and behind.
+  const Piece &p = pieces_[first_], &last = pieces_.back();
+  const PieceOf<R> all{p.start, {p.c[0], p.c[1], p.c[2], p.c[3]}, p.low, p.high};
+  const R before(value(pieces_[0], 0.0)), behind(value(last, last.start));
+  for (std::size_t i = 0; i < N; i += kWide) {
+    const R at = wide_at<R>(&x[i]);
+    R here = select(at < R(last.start), value(all, at), behind);
+    if (first_ > 0) here = select(at < R(p.start), before, here);
+    put_wide(here, &y[i]);
+  }
 }
 
 /// A number that is drawn. What wants `draw` calls it for u where it is needed, and not otherwise.
@@ -154,12 +216,24 @@ struct Rgba {
   for (std::size_t i = 0; i < 4; ++i) product.part[i] = a.part[i] * b.part[i] / 255;
   return product;
 }
-/// a at u = 0, b at u = 1.
-[[nodiscard]] inline Rgba mixed(const Rgba& a, const Rgba& b, double u) {
-  PHYSIM_ASSERT(u >= 0 && u <= 1);
-  Rgba mix;
-  for (std::size_t i = 0; i < 4; ++i) mix.part[i] = a.part[i] + u * (b.part[i] - a.part[i]);
-  return mix;
+
+/// Many colours, part by part.
+template <std::size_t N>
+using RgbaColumns = std::array<std::array<double, N>, 4>;
+template <std::size_t N>
+void multiply(RgbaColumns<N>& a, const RgbaColumns<N>& b) {
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t i = 0; i < N; ++i) a[k][i] = a[k][i] * b[k][i] / 255;
+}
+/// Each rounded to the nearest.
+template <std::size_t N>
+void pack_each(const RgbaColumns<N>& from, std::array<std::uint32_t, N>& to) {
+  to = {};
+  for (const std::array<double, N>& part : from)
+    for (std::size_t i = 0; i < N; ++i) {
+      PHYSIM_ASSERT(part[i] >= 0 && part[i] < 255.5);
+      to[i] = to[i] << 8 | static_cast<std::uint32_t>(static_cast<std::int32_t>(part[i] + 0.5));
+    }
 }
 
 /// A gradient over 0..1; white where it has no keys.
@@ -168,16 +242,64 @@ class EmitGradient {
   EmitGradient() = default;
   explicit EmitGradient(const Gradient& keys);
 
-  [[nodiscard]] bool is_white() const { return keys_.empty(); }
-  [[nodiscard]] Rgba operator()(double x) const;
+  [[nodiscard]] bool is_white() const { return pieces_.empty(); }
+  [[nodiscard]] Rgba operator()(double x) const {
+    RgbaColumns<1> one;
+    at_each<1>({x}, one);
+    return {{one[0][0], one[1][0], one[2][0], one[3][0]}};
+  }
+  template <std::size_t N>
+  void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour) const;
 
  private:
-  struct Key {
-    double at;
-    Rgba colour;
+  /// From a key to the next one: colour + (x - start) / length more.
+  template <class R>
+  struct PieceOf {
+    R start, length;
+    std::array<R, 4> colour, more;
   };
-  std::vector<Key> keys_;
+  using Piece = PieceOf<double>;
+  template <class R>
+  [[nodiscard]] PieceOf<R> pieces_at(const R& x) const;
+
+  std::vector<Piece> pieces_;  // in order; the first before all keys, the last one behind
 };
+
+template <class R>
+EmitGradient::PieceOf<R> EmitGradient::pieces_at(const R& x) const {
+  const auto at = counted(pieces_, x);
+  PieceOf<R> all{};
+  for (int i = 0; i < kLanes<R>; ++i) {
+    const Piece& p = pieces_[at[i]];
+    set_lane(all.start, i, p.start), set_lane(all.length, i, p.length);
+    for (int k = 0; k < 4; ++k) set_lane(all.colour[k], i, p.colour[k]), set_lane(all.more[k], i, p.more[k]);
+  }
+  return all;
+}
+
+template <std::size_t N>
+void EmitGradient::at_each(const std::array<double, N>& x, RgbaColumns<N>& colour) const {
+  if (pieces_.empty()) {
+    for (auto& part : colour) part.fill(255);
+    return;
+  }
+  using R = WideOf<N>;
+  constexpr auto kWide = static_cast<std::size_t>(kLanes<R>);
+  const bool two_keys = pieces_.size() == 3;
+  const Piece &p = pieces_[1], &last = pieces_.back();
+  for (std::size_t i = 0; i < N; i += kWide) {
+    const R at = wide_at<R>(&x[i]);
+    if (two_keys) {
+      R u = (at - R(p.start)) / R(p.length);
+      u = select(at < R(p.start), R(0.0), select(at < R(last.start), u, R(1.0)));
+      for (int k = 0; k < 4; ++k) put_wide(R(p.colour[k]) + u * R(p.more[k]), &colour[k][i]);
+    } else {
+      const PieceOf<R> each = pieces_at(at);
+      const R u = (at - each.start) / each.length;
+      for (int k = 0; k < 4; ++k) put_wide(each.colour[k] + u * each.more[k], &colour[k][i]);
+    }
+  }
+}
 
 /// A colour that is drawn.
 class EmitColour {
@@ -188,13 +310,38 @@ class EmitColour {
   [[nodiscard]] bool is_white() const { return !drawn_ && gradient_.is_white() && colour_.is_white(); }
   template <class DrawU>
   [[nodiscard]] Rgba at(double x, DrawU&& draw) const {
-    const Rgba a = gradient_.is_white() ? colour_ : starts_white_ ? gradient_(x) : times(colour_, gradient_(x));
-    return drawn_ ? mixed(a, times(to_, to_gradient_(x)), std::forward<DrawU>(draw)()) : a;
+    RgbaColumns<1> one;
+    at_each<1>({x}, one, [&draw] { return std::array<double, 1>{draw()}; });
+    return {{one[0][0], one[1][0], one[2][0], one[3][0]}};
+  }
+  /// Many colours at a time; `draw` gives all of their u.
+  template <std::size_t N, class DrawU>
+  void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, DrawU&& draw) const {
+    put(colour_, gradient_, x, colour);
+    if (!drawn_) return;
+    RgbaColumns<N> to;
+    put(to_, to_gradient_, x, to);
+    const auto& u = std::forward<DrawU>(draw)();
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t i = 0; i < N; ++i) {
+        PHYSIM_ASSERT(u[i] >= 0 && u[i] <= 1);
+        colour[k][i] = colour[k][i] + u[i] * (to[k][i] - colour[k][i]);
+      }
   }
 
  private:
+  /// A colour times a gradient.
+  template <std::size_t N>
+  static void put(const Rgba& plain, const EmitGradient& gradient, const std::array<double, N>& x,
+                  RgbaColumns<N>& colour) {
+    if (!gradient.is_white()) gradient.at_each(x, colour);
+    if (!gradient.is_white() && plain.is_white()) return;  // a product with white is the other factor
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t i = 0; i < N; ++i)
+        colour[k][i] = gradient.is_white() ? plain.part[k] : plain.part[k] * colour[k][i] / 255;
+  }
+
   Rgba colour_, to_;
-  bool starts_white_;  // a product with white would be the other factor
   bool drawn_;
   EmitGradient gradient_, to_gradient_;
 };

@@ -11,10 +11,12 @@ namespace physim {
 namespace {
 
 /// Which part of its life is over.
-double part_of_life(const InFlight& particle, double time) {
-  PHYSIM_ASSERT(particle.span > 0);
-  return std::clamp((time - particle.birth) / particle.span, 0.0, 1.0);
+double part_of_life(double time, double birth, double span) {
+  PHYSIM_ASSERT(span > 0);
+  const double part = (time - birth) / span;
+  return part < 0 ? 0 : part > 1 ? 1 : part;
 }
+double part_of_life(const InFlight& particle, double time) { return part_of_life(time, particle.birth, particle.span); }
 
 auto drawn_as(FlightChance& chance, FlightDraw what) {
   return [&chance, what] { return chance(what); };
@@ -47,15 +49,16 @@ bool FlightLaw::acts() const {
 }
 bool FlightLaw::adds_velocity() const { return !velocity_.are_zero(); }
 bool FlightLaw::has_force() const { return !force_.are_zero(); }
+bool FlightLaw::is_drag_by_age() const {
+  const bool is_other = scales_gravity() || !limit_.is(kInfinity) || swirls_ || adds_velocity() || has_force();
+  return !drag_.is(0) && !(fast_ > 0) && !is_other;
+}
 
 template <std::size_t N>
-void FlightLaw::accelerate(const FlightPack<N>& p, double time, typename FlightPack<N>::Vectors& sum) const {
+void FlightLaw::accelerate(const FlightPack<N>& p, typename FlightPack<N>::Vectors& sum) const {
   typename FlightPack<N>::Column x, speed{}, k;
   typename FlightPack<N>::Vectors a{};  // apart from what is read: compilers see that nothing overlaps
-  for (std::size_t i = 0; i < N; ++i) {
-    const double part = (time - p.birth[i]) / p.span[i];
-    x[i] = part < 0 ? 0 : part > 1 ? 1 : part;
-  }
+  for (std::size_t i = 0; i < N; ++i) x[i] = part_of_life(p.time[i], p.birth[i], p.span[i]);
   const bool reads_speed = fast_ > 0 || !limit_.is(kInfinity);
   for (std::size_t i = 0; i < N && reads_speed; ++i)
     speed[i] = std::sqrt(p.v[0][i] * p.v[0][i] + p.v[1][i] * p.v[1][i] + p.v[2][i] * p.v[2][i]);
@@ -92,24 +95,36 @@ void FlightLaw::accelerate(const FlightPack<N>& p, double time, typename FlightP
   if (swirls_) {
     noise_.at_each(x, k, drawn(FlightDraw::noise));
     for (std::size_t i = 0; i < N; ++i) {
-      const Vec3d swirl = swirls_->at({p.x[0][i], p.x[1][i], p.x[2][i]}, time) * k[i];
+      const Vec3d swirl = swirls_->at({p.x[0][i], p.x[1][i], p.x[2][i]}, p.time[i]) * k[i];
       a[0][i] += swirl.x, a[1][i] += swirl.y, a[2][i] += swirl.z;
     }
   }
   sum = a;
 }
 
-void FlightLaw::accelerations(const FlightPack<kPack>& pack, double time, FlightPack<kPack>::Vectors& a) const {
-  accelerate(pack, time, a);
+void FlightLaw::accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const {
+  accelerate(pack, a);
+}
+
+void FlightLaw::drag_rates(const std::uint64_t* number, const double* birth, const double* span, double time,
+                           std::array<double, kPack>& rate) const {
+  PHYSIM_ASSERT(is_drag_by_age());
+  std::array<double, kPack> x;
+  for (std::size_t i = 0; i < kPack; ++i) x[i] = part_of_life(time, birth[i], span[i]);
+  std::array<std::uint64_t, kPack> numbers;
+  std::copy_n(number, kPack, numbers.begin());
+  PackChance<FlightDraw, EmitStream::flight, kPack> chance(seed_, numbers);
+  drag_.at_each(
+      x, rate, [&chance]() -> const auto& { return chance(FlightDraw::drag); });
 }
 
 Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const FlightState& s) const {
   PHYSIM_ASSERT(s.mass > 0);
   const auto alone = [](const Vec3d& v) { return FlightPack<1>::Vectors{{{v.x}, {v.y}, {v.z}}}; };
-  const FlightPack<1> pack{{particle.number}, {particle.birth}, {particle.span}, alone(s.x),
-                           alone(s.v),        alone(s.gravity), {s.mass}};
+  const FlightPack<1> pack{{particle.number}, {particle.birth}, {particle.span},  {time},
+                           alone(s.x),        alone(s.v),       alone(s.gravity), {s.mass}};
   FlightPack<1>::Vectors a;
-  accelerate(pack, time, a);
+  accelerate(pack, a);
   return {a[0][0], a[1][0], a[2][0]};
 }
 

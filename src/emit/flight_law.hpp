@@ -44,13 +44,14 @@ struct FlightState {
   double mass = 1;  // read where has_force() [kg]
 };
 
-/// Several at one time, each number in a column.
+/// Several, each number in a column.
 template <std::size_t N>
 struct FlightPack {
   using Column = std::array<double, N>;
   using Vectors = std::array<Column, 3>;
   std::array<std::uint64_t, N> number;
   Column birth, span;
+  Column time;  // at which it is asked about [s]
   Vectors x, v;
   Vectors gravity;  // read where scales_gravity()
   Column mass;      // read where has_force()
@@ -68,11 +69,16 @@ class FlightLaw {
   [[nodiscard]] bool scales_gravity() const { return !gravity_.is(1); }
   [[nodiscard]] bool adds_velocity() const;
   [[nodiscard]] bool has_force() const;
+  /// Whether all that acts is drag whose rate follows age.
+  [[nodiscard]] bool is_drag_by_age() const;
 
   /// All but what is of adds_velocity() [m/s^2].
   [[nodiscard]] Vec3d acceleration(const InFlight& particle, double time, const FlightState& state) const;
   /// Those of a pack [m/s^2].
-  void accelerations(const FlightPack<kPack>& pack, double time, FlightPack<kPack>::Vectors& a) const;
+  void accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const;
+  /// Rates of such drag at a time, of kPack particles whose numbers, births and spans lie in columns [1/s].
+  void drag_rates(const std::uint64_t* number, const double* birth, const double* span, double time,
+                  std::array<double, kPack>& rate) const;
   /// That is in its velocity at a time [m/s], and its derivative [m/s^2].
   [[nodiscard]] Vec3d added_velocity(const InFlight& particle, double time) const;
   [[nodiscard]] Vec3d velocity_rate(const InFlight& particle, double time) const;
@@ -84,7 +90,7 @@ class FlightLaw {
     [[nodiscard]] bool are_zero() const { return x.is(0) && y.is(0) && z.is(0); }
   };
   template <std::size_t N>
-  void accelerate(const FlightPack<N>& pack, double time, typename FlightPack<N>::Vectors& a) const;
+  void accelerate(const FlightPack<N>& pack, typename FlightPack<N>::Vectors& a) const;
 
   std::uint64_t seed_;
   EmitNumber drag_, gravity_, limit_, noise_;

@@ -29,10 +29,13 @@ class Looks::Look {
     for (std::size_t i = 0; i < N; ++i) size[i] = size[i] * factor[i];
     if (p_.def.life.fast > 0)
       for (std::size_t i = 0; i < N; ++i) size[i] *= p_.life.size_by_speed(hurry_[i]);
-    p_.start.size_y.at_each(pack_.phase, factor, drawn(Draw::size_y));
-    for (std::size_t i = 0; i < N; ++i) pack_.size[1][i] = size[i] * factor[i];
-    p_.start.size_z.at_each(pack_.phase, factor, drawn(Draw::size_z));
-    for (std::size_t i = 0; i < N; ++i) pack_.size[2][i] = size[i] * factor[i];
+    const auto put_side = [&](const EmitNumber& of, Draw what, Column& to) {
+      if (of.is(1)) return void(to = size);
+      of.at_each(pack_.phase, factor, drawn(what));
+      for (std::size_t i = 0; i < N; ++i) to[i] = size[i] * factor[i];
+    };
+    put_side(p_.start.size_y, Draw::size_y, pack_.size[1]);
+    put_side(p_.start.size_z, Draw::size_z, pack_.size[2]);
   }
   /// A particle has turned since its birth by what the curve over its span says.
   void put_rotation() {
@@ -54,17 +57,18 @@ class Looks::Look {
   void put_colour() {
     const EmitColour &born = p_.start.colour, &life = p_.life.colour;
     const bool by_speed = p_.def.life.fast > 0 && !p_.life.colour_by_speed.is_white();
-    pack_.colour.fill(0xffffffff);
-    if (born.is_white() && life.is_white() && !by_speed) return;
-    Column u{}, u_born{};
-    if (life.is_drawn()) u = chance_(Draw::life_colour);
-    if (born.is_drawn()) u_born = chance_(Draw::colour);
-    for (std::size_t i = 0; i < N; ++i) {
-      Rgba colour = life.at(x_[i], [&u, i] { return u[i]; });
-      if (!born.is_white()) colour = times(born.at(pack_.phase[i], [&u_born, i] { return u_born[i]; }), colour);
-      if (by_speed) colour = times(colour, p_.life.colour_by_speed(hurry_[i]));
-      pack_.colour[i] = colour.packed();
+    if (born.is_white() && life.is_white() && !by_speed) return pack_.colour.fill(0xffffffff);
+    RgbaColumns<N> colour, factor;
+    life.at_each(x_, colour, drawn(Draw::life_colour));
+    if (!born.is_white()) {
+      born.at_each(pack_.phase, factor, drawn(Draw::colour));
+      multiply(colour, factor);
     }
+    if (by_speed) {
+      p_.life.colour_by_speed.at_each(hurry_, factor);
+      multiply(colour, factor);
+    }
+    pack_each(colour, pack_.colour);
   }
 
  private:

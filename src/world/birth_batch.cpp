@@ -43,7 +43,7 @@ const BirthPlan* BirthBatches::plan(std::uint32_t emitter) {
 BirthPlan BirthBatches::find(std::uint32_t index) const {
   const Emitter& e = w_.state.emitters[index];
   const EmitterDef& def = e.def();
-  if (e.drives || !w_.state.generators.empty() || !e.emission->leaves_gravity() || waits_for_the_young(def)) return {};
+  if (!w_.state.generators.empty() || !e.emission->leaves_gravity() || waits_for_the_young(def)) return {};
   const std::uint32_t kind_index = w_.registry.kinds.find(def.kind);
   if (kind_index == 0) return {};
   const Kind& kind = w_.registry.kind(kind_index);
@@ -51,8 +51,12 @@ BirthPlan BirthBatches::find(std::uint32_t index) const {
   if (!has_plain_launch(w_, kind, def, w_.state.clock.time())) return {};
   const Prepared& rung = kind.rungs.front();
   if (rung.in_use.fidelity.planar || rung.equivalent_drag || rung.rotor) return {};
+  const bool driven = e.drives && rung.in_use.fidelity.motion == Motion::force;
+  const FlightLaw& law = e.emission->flight();
+  if (e.drives && (law.adds_velocity() || law.has_force() || law.scales_gravity())) return {};
   Slot slot;
   slot.flags = kind.flags;
+  slot.set(kForced, driven);
   const std::uint16_t cohort = rung.cohort[slot.variant().index()];
   if (cohort >= w_.state.rows.size() || !w_.emitting.known.knows(context_, cohort)) return {};
   slot.set(kAlive, true);
@@ -64,7 +68,8 @@ BirthPlan BirthBatches::find(std::uint32_t index) const {
           .pool = kind.body.pool,
           .cohort = cohort,
           .body = &rung.body,
-          .float32 = w_.state.rows[cohort].layout().float32};
+          .float32 = w_.state.rows[cohort].layout().float32,
+          .law = driven ? &law : nullptr};
 }
 
 void BirthBatches::prepare(const BirthPlan& plan, BirthColumns& births) const {

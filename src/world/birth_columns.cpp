@@ -6,6 +6,7 @@
 #include "emit/newborn_pack.hpp"
 #include "math/pack.hpp"
 #include "math/quat.hpp"
+#include "world/drive.hpp"
 
 namespace physim {
 namespace {
@@ -91,6 +92,29 @@ std::uint32_t put(const Starts& starts, std::size_t first, NewbornFlights<S>& fl
   return sound;
 }
 
+/// What their emitter does to them where they start.
+template <class S>
+void put_pushes(const FlightLaw& law, const BirthColumns& b, const SettleContext& context, NewbornFlights<S>& flights) {
+  static_assert(FlightLaw::kPack == BirthColumns::kLanes);
+  FlightPack<FlightLaw::kPack> pack;
+  for (std::size_t i = 0; i < FlightLaw::kPack; ++i) {
+    const std::size_t lane = std::min(i, b.count - 1);
+    const InFlight particle = in_flight({.number = b.number[lane], .dies = b.dies[lane]}, b.time[lane]);
+    pack.number[i] = particle.number, pack.birth[i] = particle.birth, pack.span[i] = particle.span;
+    pack.time[i] = context.time + std::clamp(b.time[lane] - context.time, 0.0, context.dt);
+    const auto finite = [](S x) { return x - x == S(0) ? static_cast<double>(x) : 0; };  // others are refused
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      pack.x[axis][i] = finite(flights.x[axis][lane]);
+      pack.v[axis][i] = finite(flights.v[axis][lane]);
+    }
+  }
+  FlightPack<FlightLaw::kPack>::Vectors a;
+  law.accelerations(pack, a);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t i = 0; i < FlightLaw::kPack; ++i)
+      flights.push[axis][i] = S(0) + static_cast<S>(a[axis][i]);  // beside nothing else
+}
+
 template <class S>
 void prepare(const BirthPlan& plan, const SettleContext& context, double end, KnownFlights& known, BirthColumns& b,
              NewbornFlights<S>& flights) {
@@ -115,6 +139,7 @@ void prepare(const BirthPlan& plan, const SettleContext& context, double end, Kn
     if (flies) flying |= bit;
     if (flies && !(age > 0 && b.dies[lane] > end)) plain &= ~bit;
   }
+  if (plan.law) put_pushes(*plan.law, b, context, flights);
   if (flying != 0) known.fly(context, plan.cohort, *plan.body, flights);
   for (std::size_t i = 0; i < b.count; ++i) {
     if ((flying >> i & 1) != 0) continue;

@@ -22,6 +22,7 @@ struct BirthPlan {
   std::uint16_t cohort = 0;
   const Body<double>* body = nullptr;  // of the kind's own rung
   bool float32 = false;
+  const FlightLaw* law = nullptr;  // that acts on them; it reads no masses and no gravity, and adds no velocity
 };
 
 struct BirthColumns {

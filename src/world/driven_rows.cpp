@@ -23,12 +23,25 @@ bool DrivenRows::in_packs(const WorldState& state) {
                               [](const Emitter& e) { return e.drives && e.emission->flight().adds_velocity(); });
 }
 
-void DrivenRows::look_up(const WorldState& state, Row& row, std::uint32_t slot) const {
-  row = {.slot = slot};
-  if (!state.emitters.law_of(slot)) return;
-  const Particle& particle = *state.emitters.particle(slot);
-  row.emitter = particle.emitter;
-  row.particle = in_flight(particle, state.slots.birth(slot));
+bool DrivenRows::drag_by_age(const WorldState& state) {
+  return std::ranges::all_of(state.emitters.all(),
+                             [](const Emitter& e) { return !e.drives || e.emission->flight().is_drag_by_age(); });
+}
+
+void DrivenRows::Columns::resize(std::size_t rows) {
+  const std::size_t size = (rows + kRowsPerWord - 1) / kRowsPerWord * kRowsPerWord;
+  slot.resize(size), emitter.resize(size), number.resize(size), birth.resize(size), span.resize(size, 1);
+  for (std::size_t row = rows; row < size; ++row) slot[row] = emitter[row] = 0;
+}
+
+void DrivenRows::Columns::look_up(const WorldState& state, std::uint32_t row, std::uint32_t index) {
+  slot[row] = index;
+  emitter[row] = 0;
+  if (!state.emitters.law_of(index)) return;
+  const Particle& of = *state.emitters.particle(index);
+  const InFlight particle = in_flight(of, state.slots.birth(index));
+  emitter[row] = of.emitter;
+  number[row] = particle.number, birth[row] = particle.birth, span[row] = particle.span;
 }
 
 void DrivenRows::find(const Registry& registry, WorldState& state) {
@@ -36,40 +49,73 @@ void DrivenRows::find(const Registry& registry, WorldState& state) {
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const Rows& rows = state.rows[c];
     if (!registry.cohort(c).key.forced) continue;
-    std::vector<Row>& known = cohorts_[c];
+    Columns& known = cohorts_[c];
     known.resize(rows.size());  // who comes back later into a row that was taken away is looked up again
-    if (known.empty()) continue;
-    const std::uint32_t* const slots = rows.slots();
+    if (rows.size() == 0) continue;
+    const std::uint32_t *const slots = rows.slots(), *const seen = known.slot.data();
     for (std::uint32_t row = 0; row < rows.size(); ++row)
-      if (known[row].slot != slots[row]) look_up(state, known[row], slots[row]);
+      if (seen[row] != slots[row]) known.look_up(state, row, slots[row]);
   }
   for (const std::uint32_t index : state.emitters.take_changed()) {
     const Slot& slot = state.slots[index];
     if (!slot.is(kAlive) || !registry.cohort(slot.cohort).key.forced) continue;
-    look_up(state, cohorts_[slot.cohort][slot.row], index);
+    cohorts_[slot.cohort].look_up(state, slot.row, index);
   }
+}
+
+template <class F>
+void DrivenRows::each_law(const WorldState& state, const Columns& rows, std::uint32_t first, std::uint32_t count,
+                          const F& f) const {
+  const std::uint32_t* const emitter = rows.emitter.data() + first;
+  Lanes lanes;
+  std::array<bool, DrivenBlock::kMost> done{};
+  for (std::uint32_t at = 0; at < count; ++at) {
+    if (done[at] || emitter[at] == 0) continue;
+    std::size_t found = 0;
+    for (std::uint32_t i = at; i < count; ++i)
+      if (emitter[i] == emitter[at]) lanes[found++] = static_cast<std::uint8_t>(i), done[i] = true;
+    std::fill(lanes.begin() + static_cast<std::ptrdiff_t>(found), lanes.end(), lanes[0]);
+    PHYSIM_ASSERT(state.emitters[emitter[at]].drives && found > 0);
+    f(state.emitters[emitter[at]].emission->flight(), lanes, found);
+  }
+}
+
+void DrivenRows::rates(const WorldState& state, std::uint16_t cohort, std::uint32_t first, double time,
+                       std::array<double, DrivenBlock::kMost>& rate) const {
+  constexpr std::size_t kMost = DrivenBlock::kMost;
+  const Columns& rows = cohorts_[cohort];
+  PHYSIM_ASSERT(first % kMost == 0 && first + kMost <= rows.slot.size());
+  const std::uint32_t* const emitter = rows.emitter.data() + first;
+  std::uint32_t others = 0;
+  for (std::size_t i = 0; i < kMost; ++i) others |= emitter[i] ^ emitter[0];
+  if (others == 0 && emitter[0] != 0)
+    return state.emitters[emitter[0]].emission->flight().drag_rates(&rows.number[first], &rows.birth[first],
+                                                                    &rows.span[first], time, rate);
+  rate.fill(0);
+  each_law(state, rows, first, kMost, [&](const FlightLaw& law, const Lanes& lanes, std::size_t count) {
+    std::array<std::uint64_t, kMost> number;
+    Column birth, span, theirs;
+    for (std::size_t i = 0; i < kMost; ++i) {
+      const std::size_t row = first + lanes[i];
+      number[i] = rows.number[row], birth[i] = rows.birth[row], span[i] = rows.span[row];
+    }
+    law.drag_rates(number.data(), birth.data(), span.data(), time, theirs);
+    for (std::size_t i = 0; i < count; ++i) rate[lanes[i]] = theirs[i];
+  });
 }
 
 void DrivenRows::push(const Registry& registry, const WorldState& state, double time, DrivenBlock& block) const {
   constexpr std::size_t kMost = DrivenBlock::kMost;
   PHYSIM_ASSERT(block.count > 0 && block.count <= kMost && block.cohort < cohorts_.size());
-  PHYSIM_ASSERT(block.first + block.count <= cohorts_[block.cohort].size());
-  const Row* const rows = cohorts_[block.cohort].data() + block.first;
-  std::array<std::uint8_t, kMost> lanes;
-  std::array<bool, kMost> done{};
-  for (std::uint32_t at = 0; at < block.count; ++at) {
-    if (done[at] || rows[at].emitter == 0) continue;
-    std::size_t count = 0;  // of one emitter: they share a law
-    for (std::uint32_t i = at; i < block.count; ++i)
-      if (rows[i].emitter == rows[at].emitter) lanes[count++] = static_cast<std::uint8_t>(i), done[i] = true;
-    std::fill(lanes.begin() + static_cast<std::ptrdiff_t>(count), lanes.end(), lanes[0]);
-    PHYSIM_ASSERT(state.emitters[rows[at].emitter].drives && count > 0);
-    const FlightLaw& law = state.emitters[rows[at].emitter].emission->flight();
+  const Columns& rows = cohorts_[block.cohort];
+  PHYSIM_ASSERT(block.first + block.count <= rows.slot.size());
+  each_law(state, rows, block.first, block.count, [&](const FlightLaw& law, const Lanes& lanes, std::size_t count) {
     FlightPack<kMost> pack;
     for (std::size_t i = 0; i < kMost; ++i) {
-      const InFlight& particle = rows[lanes[i]].particle;
-      pack.number[i] = particle.number, pack.birth[i] = particle.birth, pack.span[i] = particle.span;
+      const std::size_t row = block.first + lanes[i];
+      pack.number[i] = rows.number[row], pack.birth[i] = rows.birth[row], pack.span[i] = rows.span[row];
     }
+    pack.time.fill(time);
     const bool all = count == kMost;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       pack.x[axis] = all ? block.x[axis] : gathered(block.x[axis], lanes);
@@ -77,12 +123,12 @@ void DrivenRows::push(const Registry& registry, const WorldState& state, double 
     }
     put_felt(registry, state, law, block, lanes, pack);
     FlightPack<kMost>::Vectors a;
-    law.accelerations(pack, time, a);
+    law.accelerations(pack, a);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (std::size_t i = 0; i < kMost && all; ++i) block.a[axis][i] += a[axis][i];
       for (std::size_t i = 0; i < count && !all; ++i) block.a[axis][lanes[i]] += a[axis][i];
     }
-  }
+  });
 }
 
 /// Gravity and masses, where the law asks for them.
@@ -92,7 +138,7 @@ void DrivenRows::put_felt(const Registry& registry, const WorldState& state, con
   if (!law.scales_gravity() && !law.has_force()) return;
   const Conditions<double>& conditions = registry.cohort(block.cohort).conditions;
   for (std::size_t i = 0; i < lanes.size(); ++i) {
-    const std::uint32_t slot = cohorts_[block.cohort][block.first + lanes[i]].slot;
+    const std::uint32_t slot = cohorts_[block.cohort].slot[block.first + lanes[i]];
     if (law.has_force()) pack.mass[i] = mass_of(registry, state, state.slots[slot]);
     if (!law.scales_gravity()) continue;
     const double scale = conditions.has_gravity_scale ? state.extras.own_of(slot).gravity_scale : 1;

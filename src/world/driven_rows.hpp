@@ -29,20 +29,34 @@ class DrivenRows {
   void forget() { cohorts_.clear(); }
   /// In a stage at a time of the world.
   void push(const Registry& registry, const WorldState& state, double time, DrivenBlock& block) const;
+  /// Rates of drag at a time, from a row of a cohort on, where the flights of all are drag_by_age() [1/s].
+  void rates(const WorldState& state, std::uint16_t cohort, std::uint32_t first, double time,
+             std::array<double, DrivenBlock::kMost>& rate) const;
   /// Whether all of it is done by packs: velocities that are added need to know of the whole step.
   [[nodiscard]] static bool in_packs(const WorldState& state);
+  /// Whether emitters do nothing to flights but drag whose rate follows age.
+  [[nodiscard]] static bool drag_by_age(const WorldState& state);
 
  private:
-  struct Row {
-    std::uint32_t slot = 0;
-    std::uint32_t emitter = 0;  // that drives it; 0: none
-    InFlight particle;
+  /// What is known of rows, in columns as long as whole packs.
+  struct Columns {
+    std::vector<std::uint32_t> slot;
+    std::vector<std::uint32_t> emitter;  // that drives it; 0: none
+    std::vector<std::uint64_t> number;   // of the particle, as InFlight has it; likewise
+    std::vector<double> birth, span;
+    void resize(std::size_t rows);  // those behind the last one are nobody's
+    void look_up(const WorldState& state, std::uint32_t row, std::uint32_t slot);
   };
-  void look_up(const WorldState& state, Row& row, std::uint32_t slot) const;
+  using Lanes = std::array<std::uint8_t, DrivenBlock::kMost>;
+  /// Calls f for each emitter among `count` rows from `first` on, with its law, the lanes of its rows, the last ones
+  /// filled up, and how many those are.
+  template <class F>
+  void each_law(const WorldState& state, const Columns& rows, std::uint32_t first, std::uint32_t count,
+                const F& f) const;
   void put_felt(const Registry& registry, const WorldState& state, const FlightLaw& law, const DrivenBlock& block,
                 std::span<const std::uint8_t> lanes, FlightPack<FlightLaw::kPack>& pack) const;
 
-  std::vector<std::vector<Row>> cohorts_;
+  std::vector<Columns> cohorts_;
 };
 
 }  // namespace physim

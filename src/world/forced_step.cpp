@@ -22,7 +22,8 @@ class ForcedStep {
         kernel_(world_kernel()),
         has_generators_(!context.state->generators.empty()),
         drives_(context.state->emitters.drive_any()),
-        drives_packs_(DrivenRows::in_packs(*context.state)) {}
+        drives_packs_(DrivenRows::in_packs(*context.state)),
+        drag_by_age_(drives_ && !has_generators_ && !context.pairs && DrivenRows::drag_by_age(*context.state)) {}
 
   std::size_t run() {
     const std::size_t count = list_groups();
@@ -117,9 +118,10 @@ class ForcedStep {
     for (std::uint32_t first = 0, most = longest(group); first < most; first += part_rows()) {
       part_ = {first, std::min(most - first, part_rows())};
       for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
-        push(group, stage, stage_place(group.integrator, stage));
+        if (!has_rates(group.integrator)) push(group, stage, stage_place(group.integrator, stage));
         for (ForcedRun& r : runs(group)) {
           if (part_of(r).count == 0) continue;
+          if (has_rates(group.integrator)) put_rates(r);
           in_precision(r, [&]<class S>(S) { advance<S>(r, stage); });
           attention = attention || r.attention;
         }
@@ -135,6 +137,19 @@ class ForcedStep {
     const Advanced done = advance_with(kernel_, job<S>(r, stage));
     r.attention = r.attention || done.attention;
     r.moved = done.moved;
+  }
+  /// Whether kernels are given rates of drag: where all that pushes is drag, and is asked for once in a step.
+  [[nodiscard]] bool has_rates(Integrator integrator) const {
+    return drag_by_age_ && end_slope(integrator) == 1 && integrator != Integrator::classic;
+  }
+  void put_rates(const ForcedRun& r) {
+    const Part part = part_of(r);
+    s_.rates.resize(padded(part_rows()));
+    std::array<double, DrivenBlock::kMost> rate;
+    for (std::uint32_t i = 0; i < part.count; i += DrivenBlock::kMost) {
+      s_.driven.rates(*context_.state, r.cohort, part.first + i, context_.time, rate);
+      std::ranges::copy(rate, s_.rates.begin() + i);
+    }
   }
   /// Rows of each cohort that go through the stages together.
   struct Part {
@@ -253,7 +268,8 @@ class ForcedStep {
   ForcedJob<S> job(const ForcedRun& r, int stage) {
     ForcedJob<S> j{
         rows_job<S>(context_, r.cohort),    s_.template memory<S>().data() + r.memory, padded(r.count), stage,
-        key(r.cohort).features.has_applied, !has_generators_ && !context_.pairs};
+        key(r.cohort).features.has_applied, !has_generators_ && !context_.pairs,       nullptr};
+    if (has_rates(key(r.cohort).fidelity.integrator)) j.rate = s_.rates.data();
     j.rows.first = part_of(r).first;
     j.rows.last = j.rows.first + part_of(r).count;
     j.rows.attention = s_.attention.data() + r.words;
@@ -351,6 +367,7 @@ class ForcedStep {
   bool has_generators_;
   bool drives_;        // some emitter acts on the flight of its particles
   bool drives_packs_;  // all that do can be asked pack by pack
+  bool drag_by_age_;   // all that pushes is such drag
   Part part_;          // that is under way
 };
 

@@ -1,6 +1,7 @@
 #include "world/known_flight.hpp"
 
-#include "world/step_rows.hpp"
+#include "world/drive.hpp"
+#include "world/forced_rows.hpp"
 
 namespace physim {
 namespace {
@@ -16,6 +17,7 @@ void read_part(Body<R>& body, const Read& read) {
 /// A step of a rung of the kernels, for a row alone or for newborns.
 template <DragModel drag, WindModel wind = WindModel::off, AirModel air = AirModel::vacuum>
 struct ShortStep : KnownRung<drag, wind, air> {
+  static constexpr bool kPushed = false;
   template <class R, class Read>
   static Body<R> body_of(const State<R>&, const Read& read) {
     Body<R> b;
@@ -40,6 +42,7 @@ struct ShortStep : KnownRung<drag, wind, air> {
 
 /// The closed form of the kernels. Its length is the time since the launch that is its start.
 struct ShortFall : KnownFall {
+  static constexpr bool kPushed = false;
   /// Newborns are launched where they start.
   template <class R>
   static Body<R> body_of(const State<R>& start) {
@@ -66,6 +69,38 @@ struct ShortFall : KnownFall {
   }
 };
 
+/// A step of a rung whose rows feel what their emitter does to them, and no generator.
+template <class Rung>
+struct PushedStep : Rung {
+  static constexpr bool kPushed = true;
+  template <class S>
+  static bool matches(const Conditions<S>& c) {
+    return PushedRung<Rung>::matches(c);
+  }
+  template <class S>
+  static Conditions<S> known(const Conditions<S>& c) {
+    return PushedRung<Rung>::known(c);
+  }
+};
+
+/// What is pushed up again may touch the ground between.
+template <class R, class S>
+MaskOf<R> touches_between(const Conditions<S>& c, const State<R>& start, const State<R>& end) {
+  const R zero(S(0));
+  return (climb_rate(c, start) < zero) & (climb_rate(c, end) > zero);
+}
+
+/// What its emitter does to a row that starts there, so far into the step, for so long; none: it has none.
+template <class S>
+std::optional<Vec3<S>> push_of(const SettleContext& context, std::uint16_t cohort, std::uint32_t row, double from,
+                               S length, const State<S>& start) {
+  Drive drive(*context.registry, *context.state, context.state->rows[cohort].slot(row));
+  if (!drive) return std::nullopt;
+  drive.begin_step(Integrator::semi_implicit_euler, context.time + from, static_cast<double>(length));
+  const Vec3d a = drive.at(context.time + from, {vec_cast<double>(start.x), vec_cast<double>(start.v)});
+  return Vec3<S>{} + vec_cast<S>(a);  // beside nothing else
+}
+
 }  // namespace
 
 template <class Rung, class S>
@@ -77,14 +112,20 @@ std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const
   const auto vector = [row](S* const(&of)[3]) { return Vec3<S>{of[0][row], of[1][row], of[2][row]}; };
   const Conditions<S> c = Rung::known(*context.registry->cohort(part.cohort).course<S>().conditions);
   const State<S> start{vector(columns.position), vector(columns.velocity)};
-  const Body<S> b = Rung::body_of(start, [&](unsigned field) { return columns.field[field][row]; });
+  Body<S> b = Rung::body_of(start, [&](unsigned field) { return columns.field[field][row]; });
   const S length =
       part.born ? static_cast<S>(part.until - *part.born) : Rung::length_of(columns, context, row, part.until);
+  if constexpr (Rung::kPushed) {
+    const auto push = push_of(context, part.cohort, row, part.born.value_or(0), length, start);
+    if (!push) return std::nullopt;
+    b.applied = *push;
+  }
   const State<S> end = Rung::end(c, b, start, length);
   const S floor = static_cast<S>(cohort.floor), slowest = static_cast<S>(cohort.slowest);
   // As noteworthy() asks of a whole step; and it may have been born below the ground.
   const bool is_high = height(c, start.x) > floor && height(c, end.x) > floor;
   if (!is_high || !is_finite(end) || length_squared(end.v) < slowest * slowest) return std::nullopt;
+  if (Rung::kPushed && touches_between(c, start, end)) return std::nullopt;
   return State<double>{vec_cast<double>(end.x), vec_cast<double>(end.v)};
 }
 
@@ -108,13 +149,15 @@ void KnownFlights::fly_together(const Cohort& cohort, const SettleContext& conte
       b = Rung::body_of(start);
     else
       b = Rung::body_of(start, [number](unsigned field) { return static_cast<S>(number[field]); });
+    if constexpr (Rung::kPushed) b.applied = load(n.push);
     const State<R> end = Rung::end(c, b, start, R::load(n.length.data() + i));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       end.x[axis].store(n.end_x[axis].data() + i);
       end.v[axis].store(n.end_v[axis].data() + i);
     }
     const MaskOf<R> is_high = (height(c, start.x) > floor) & (height(c, end.x) > floor);
-    const MaskOf<R> known = is_high & is_finite(end) & (length_squared(end.v) >= slowest * slowest);
+    MaskOf<R> known = is_high & is_finite(end) & (length_squared(end.v) >= slowest * slowest);
+    if (Rung::kPushed) known = known & !touches_between(c, start, end);
     n.known |= lane_bits(known) << i;
   }
 }
@@ -126,16 +169,26 @@ void KnownFlights::find(const SettleContext& context, std::uint16_t index, Cohor
   const WorldJob<S> job = rows_job<S>(context, index);
   cohort.floor = static_cast<double>(job.watchdog.floor);
   cohort.slowest = static_cast<double>(job.watchdog.slowest);
-  if (!job.watchdog.simple || of.key.forced || of.key.still || layout.meeting || layout.carried) return;
+  const Watchdog<S>& w = job.watchdog;
+  const bool forced = of.key.forced;
+  const bool simple = forced ? !w.apex && !w.watched && !w.box && !layout.launched : w.simple;
+  if (!simple || of.key.still || layout.meeting || layout.carried) return;
+  if (forced && (layout.clocked || !context.state->generators.empty())) return;
   const Conditions<S>& c = *job.course->conditions;
-  const auto try_rung = [&]<class Rung>(Rung) {
+  const auto try_one = [&]<class Rung>(Rung) {
     if (cohort.fly || !Rung::matches(c)) return;
     cohort.fly = fly_alone<Rung, S>;
     std::get<FlyEach<S>>(cohort.fly_each) = fly_together<Rung, S>;
   };
+  const auto try_rung = [&]<class Rung>(Rung rung) {
+    if (forced)
+      try_one(PushedStep<Rung>{});
+    else
+      try_one(rung);
+  };
   using enum DragModel;
   constexpr WindModel kCalm = WindModel::off, kWind = WindModel::constant;
-  if (layout.clocked) return try_rung(ShortFall{});
+  if (layout.clocked) return try_one(ShortFall{});
   try_rung(ShortStep<off>{});
   try_rung(ShortStep<damping>{});
   try_rung(ShortStep<linear_quadratic>{});

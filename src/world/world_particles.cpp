@@ -9,7 +9,7 @@
 namespace physim {
 namespace {
 
-/// What somebody asks for of the particles of one emitter, read pack by pack.
+/// What somebody asks for of the particles of one emitter, read pack by pack and column by column.
 class ParticleReader {
  public:
   ParticleReader(const WorldState& state, std::uint32_t emitter, const ParticleColumns& into)
@@ -17,29 +17,37 @@ class ParticleReader {
         emitter_(state.emitters[emitter]),
         index_(emitter),
         into_(into),
-        wanted_{!into.size.empty(), !into.rotation.empty(), !into.colour.empty()} {}
+        wanted_{!into.size.empty(), !into.rotation.empty(), !into.colour.empty()},
+        looks_(wanted_.size || wanted_.rotation || wanted_.colour),
+        speeds_(looks_ && emitter_.def().life.fast > 0) {}
 
   std::size_t read() {
     state_.emitters.each_particle_of(index_, [this](std::uint32_t slot, const Particle& particle) {
       prefetch(slot + kAhead);
-      put_row(slot, particle);
-      ++count_;
-      if (wanted_.size || wanted_.rotation || wanted_.colour) note_look(slot, particle);
+      slot_[noted_] = slot;
+      particle_[noted_] = &particle;
+      if (++noted_ == kPack) put();
     });
-    put_looks();
+    if (noted_ > 0) put();
     return count_;
   }
 
  private:
   static constexpr std::size_t kPack = Looks::kPack;
 
-  template <class T>
-  static void put(std::span<T> column, std::size_t i, const T& value) {
-    if (i < column.size()) column[i] = value;
+  /// Calls f with each one's place in a column and in the pack, as far as the column goes.
+  template <class T, class F>
+  void each_in(std::span<T> column, std::size_t first, std::size_t last, const F& f) const {
+    const std::size_t end = std::min(count_ + last, column.size());
+    for (std::size_t to = count_ + first; to < end; ++to) column[to] = f(to - count_);
+  }
+  template <class T, class F>
+  void each_in(std::span<T> column, const F& f) const {
+    each_in(column, 0, noted_, f);
   }
 
   /// Rows lie in another order than slots: those of the next particles are fetched while this one is worked on.
-  static constexpr std::uint32_t kAhead = 16;
+  static constexpr std::uint32_t kAhead = kPack;
   void prefetch(std::uint32_t index) const {
     if (!state_.emitters.particle(index)) return;
     const Slot& slot = state_.slots[index];
@@ -47,58 +55,62 @@ class ParticleReader {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!into_.position.empty()) __builtin_prefetch(c.position[axis] + slot.row);
         if (!into_.previous.empty()) __builtin_prefetch(c.previous[axis] + slot.row);
-        if (!into_.velocity.empty() || emitter_.def().life.fast > 0) __builtin_prefetch(c.velocity[axis] + slot.row);
+        if (!into_.velocity.empty() || speeds_) __builtin_prefetch(c.velocity[axis] + slot.row);
       }
     });
   }
 
-  void put_row(std::uint32_t index, const Particle& particle) const {
-    const Slot& slot = state_.slots[index];
-    const Rows& rows = state_.rows_of(slot);
-    put(into_.id, count_, state_.slots.id_of(index));
-    if (count_ < into_.position.size()) into_.position[count_] = rows.position(slot.row);
-    if (count_ < into_.previous.size()) into_.previous[count_] = rows.previous(slot.row);
-    if (count_ < into_.velocity.size()) into_.velocity[count_] = rows.velocity(slot.row);
-    put(into_.age, count_, age_of(index));
-    put(into_.number, count_, particle.number);
-  }
-  [[nodiscard]] double age_of(std::uint32_t index) const {
-    return std::max(state_.clock.time() - state_.slots.birth(index), 0.0);
-  }
-
-  void note_look(std::uint32_t index, const Particle& particle) {
-    const double speed = emitter_.def().life.fast > 0 ? length(velocity_of(index)) : 0;
-    pack_.number[noted_] = particle.number;
-    pack_.phase[noted_] = particle.phase;
-    pack_.lifetime[noted_] = particle.dies - state_.slots.birth(index);
-    pack_.age[noted_] = age_of(index);
-    pack_.speed[noted_] = speed;
-    size_[noted_] = particle.size;
-    colour_[noted_] = particle.colour;
-    if (++noted_ == kPack) put_looks();
-  }
-  [[nodiscard]] Vec3d velocity_of(std::uint32_t index) const {
-    const Slot& slot = state_.slots[index];
-    return state_.rows_of(slot).velocity(slot.row);
-  }
-  /// The looks of the last that were read, as many as were noted.
-  void put_looks() {
-    PHYSIM_ASSERT(noted_ <= kPack && noted_ <= count_);
-    if (noted_ == 0) return;
-    const auto repeat_last = [this](auto& column) {
-      std::fill(column.begin() + static_cast<std::ptrdiff_t>(noted_), column.end(), column[noted_ - 1]);
-    };
-    repeat_last(pack_.number), repeat_last(pack_.phase), repeat_last(pack_.lifetime);
-    repeat_last(pack_.age), repeat_last(pack_.speed);
-    Looks(*emitter_.emission).put(pack_, wanted_);
-    const std::size_t first = count_ - noted_;
+  /// Those that were noted.
+  void put() {
+    PHYSIM_ASSERT(noted_ > 0 && noted_ <= kPack);
     for (std::size_t i = 0; i < noted_; ++i) {
-      const auto vector = [i](const auto& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
-      put(into_.size, first + i, vector(pack_.size) * size_[i]);
-      put(into_.rotation, first + i, vector(pack_.rotation));
-      put(into_.colour, first + i, times(pack_.colour[i], colour_[i]));
+      const Slot& slot = state_.slots[slot_[i]];
+      cohort_[i] = slot.cohort, row_[i] = slot.row;
+      pack_.age[i] = std::max(state_.clock.time() - state_.slots.birth(slot_[i]), 0.0);
     }
+    for (std::size_t first = 0; first < noted_;) {
+      std::size_t last = first + 1;
+      while (last < noted_ && cohort_[last] == cohort_[first]) ++last;
+      put_rows(first, last);
+      first = last;
+    }
+    each_in(into_.id, [this](std::size_t i) { return state_.slots.id_of(slot_[i]); });
+    each_in(into_.age, [this](std::size_t i) { return pack_.age[i]; });
+    each_in(into_.number, [this](std::size_t i) { return particle_[i]->number; });
+    if (looks_) put_looks();
+    count_ += noted_;
     noted_ = 0;
+  }
+  /// Of rows of one cohort.
+  void put_rows(std::size_t first, std::size_t last) {
+    const Rows& rows = state_.rows[cohort_[first]];
+    for (std::size_t i = first; i < last && rows.may_wait(); ++i) rows.bring_up(row_[i]);
+    rows.read_fixed([&](const auto& c) {
+      const auto put = [&](std::span<Vec3d> column, const auto& of) {
+        each_in(column, first, last, [&](std::size_t i) { return Rows::at(of, row_[i]); });
+      };
+      put(into_.position, c.position), put(into_.previous, c.previous), put(into_.velocity, c.velocity);
+      for (std::size_t i = first; i < last && speeds_; ++i) pack_.speed[i] = length(Rows::at(c.velocity, row_[i]));
+    });
+  }
+  void put_looks() {
+    for (std::size_t i = 0; i < kPack; ++i) {  // lanes behind the last one repeat it
+      const std::size_t lane = std::min(i, noted_ - 1);
+      const Particle& particle = *particle_[lane];
+      pack_.number[i] = particle.number;
+      pack_.phase[i] = particle.phase;
+      pack_.lifetime[i] = particle.dies - state_.slots.birth(slot_[lane]);
+      pack_.age[i] = pack_.age[lane];
+      pack_.speed[i] = pack_.speed[lane];
+    }
+    Looks(*emitter_.emission).put(pack_, wanted_);
+    const auto vector = [](const auto& of, std::size_t i) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
+    each_in(into_.size, [&](std::size_t i) { return vector(pack_.size, i) * particle_[i]->size; });
+    each_in(into_.rotation, [&](std::size_t i) { return vector(pack_.rotation, i); });
+    each_in(into_.colour, [&](std::size_t i) {
+      const std::uint32_t inherited = particle_[i]->colour;
+      return inherited == 0xffffffff ? pack_.colour[i] : times(pack_.colour[i], inherited);
+    });
   }
 
   const WorldState& state_;
@@ -106,11 +118,14 @@ class ParticleReader {
   std::uint32_t index_;
   const ParticleColumns& into_;
   LookParts wanted_;
+  bool looks_;             // some are wanted
+  bool speeds_;            // they ask for them
   std::size_t count_ = 0;  // read so far
+  std::size_t noted_ = 0;  // in the pack
+  std::array<std::uint32_t, kPack> slot_{}, row_{};
+  std::array<std::uint16_t, kPack> cohort_{};
+  std::array<const Particle*, kPack> particle_{};
   LookPack<kPack> pack_{};
-  std::array<double, kPack> size_{};           // inherited
-  std::array<std::uint32_t, kPack> colour_{};  // likewise
-  std::size_t noted_ = 0;                      // in the pack
 };
 
 }  // namespace

@@ -133,13 +133,69 @@ TEST(DrawnColour, it_lies_between_two_gradients) {
   EXPECT_TRUE(EmitColour({}).is_white());
 }
 
+/// Over 0..1, keys of the curves and gradients below among them.
+template <std::size_t N>
+std::array<double, N> places() {
+  std::array<double, N> x;
+  for (std::size_t i = 0; i < N; ++i) x[i] = static_cast<double>(i % 41) / 40;
+  return x;
+}
+
+template <std::size_t N>
+void expect_curve_of_each(const Curve& keys) {
+  const EmitCurve curve(keys);
+  const std::array<double, N> x = places<N>();
+  std::array<double, N> y;
+  curve.at_each(x, y);
+  for (std::size_t i = 0; i < N; ++i) EXPECT_EQ(y[i], curve(x[i])) << x[i];
+}
 TEST(EmitCurve, of_many_is_that_of_each_on_all_pieces_and_at_their_ends) {
-  for (const Curve& keys : {Curve{}, Curve{{0.5, 2}}, Curve{{0, 1}, {1, 0}}, Curve{{0.1, 1}, {0.2, 3}, {0.75, 2}}}) {
-    const EmitCurve curve(keys);
-    std::array<double, 41> x, y;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(i) / 40;
-    curve.at_each(x, y);
-    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(y[i], curve(x[i])) << x[i];
+  for (const Curve& keys :
+       {Curve{}, Curve{{0, 3}}, Curve{{0.5, 2}}, Curve{{0, 1}, {1, 0}}, Curve{{0.2, 1}, {0.7, -4}},
+        Curve{{0.1, 1}, {0.2, 3}, {0.75, 2}}, Curve{{0, 1}, {0.2, 3}, {0.75, 2}, {0.9, 2}, {1, 7}}}) {
+    expect_curve_of_each<41>(keys);  // alone
+    expect_curve_of_each<44>(keys);  // in packs
+  }
+}
+
+/// The parts of a gradient's colour as its documentation says it.
+std::array<double, 4> straight(const Gradient& keys, double x) {
+  std::size_t i = 0;
+  while (i < keys.size() && keys[i].at <= x) ++i;
+  const ColourKey &a = keys[i == 0 ? 0 : i - 1], &b = keys[i == keys.size() ? i - 1 : i];
+  const double u = b.at > a.at ? (x - a.at) / (b.at - a.at) : 0;
+  std::array<double, 4> colour;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto part = [k](std::uint32_t of) { return static_cast<double>(of >> (24 - 8 * k) & 0xff); };
+    colour[k] = part(a.colour) + u * (part(b.colour) - part(a.colour));
+  }
+  return colour;
+}
+template <std::size_t N>
+void expect_straight(const Gradient& keys) {
+  const EmitGradient gradient(keys);
+  const std::array<double, N> x = places<N>();
+  RgbaColumns<N> colour;
+  gradient.at_each(x, colour);
+  std::array<std::uint32_t, N> packed;
+  pack_each(colour, packed);
+  for (std::size_t i = 0; i < N; ++i) {
+    std::uint32_t rounded = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double part = straight(keys, x[i])[k];
+      EXPECT_EQ(colour[k][i], part) << x[i];
+      rounded = rounded << 8 | static_cast<std::uint32_t>(std::floor(part + 0.5));
+    }
+    EXPECT_EQ(packed[i], rounded) << x[i];
+  }
+}
+TEST(DrawnColour, gradients_of_many_are_straight_between_any_keys) {
+  for (const Gradient& keys :
+       {Gradient{{0.5, 0x12345678}}, Gradient{{0, 0xfff0a0ff}, {1, 0xff280000}}, Gradient{{0.2, 1}, {0.7, 0xff00ff00}},
+        Gradient{{0.1, 0xff000000}, {0.2, 0x00ff0000}, {0.75, 0x0000ff00}},
+        Gradient{{0, 0xffffffff}, {0.2, 0x80}, {0.75, 0x123456}, {0.9, 0}, {1, 0xabcdef01}}}) {
+    expect_straight<41>(keys);
+    expect_straight<44>(keys);
   }
 }
 

@@ -105,6 +105,43 @@ TEST(FlightLaw, the_rate_of_a_velocity_is_its_derivative) {
   EXPECT_EQ(law.velocity_rate(particle, 20), Vec3d{});
 }
 
+TEST(FlightLaw, rates_of_drag_by_age_are_those_that_slow_down) {
+  constexpr std::size_t kPack = FlightLaw::kPack;
+  test::Random r(8);
+  for (int round = 0; round < 30; ++round) {
+    ParticleFlight def;
+    def.drag = test::random_number(r, 0.1, 3);
+    const FlightLaw law(def, 9);
+    ASSERT_TRUE(law.is_drag_by_age());
+    std::array<std::uint64_t, kPack> number;
+    std::array<double, kPack> birth, span, rate;
+    for (std::size_t i = 0; i < kPack; ++i)
+      number[i] = 7 * i, birth[i] = r.in(9, 13), span[i] = r.in(0.1, 4);  // some are not born, some are dead
+    law.drag_rates(number.data(), birth.data(), span.data(), 12, rate);
+    for (std::size_t i = 0; i < kPack; ++i) {
+      const Vec3d a = law.acceleration({number[i], birth[i], span[i]}, 12, {.v = {1, -2, 4}});
+      EXPECT_EQ(a, (Vec3d{-rate[i], 2 * rate[i], -4 * rate[i]})) << i;
+    }
+  }
+}
+
+TEST(FlightLaw, whatever_acts_beside_drag_by_age_is_told) {
+  const auto alone = [](const auto& change) {
+    ParticleFlight def;
+    def.drag = {1};
+    change(def);
+    return FlightLaw(def, 1).is_drag_by_age();
+  };
+  EXPECT_TRUE(alone([](ParticleFlight&) {}));
+  EXPECT_FALSE(alone([](ParticleFlight& f) { f.drag = {0}; }));
+  EXPECT_FALSE(alone([](ParticleFlight& f) { f.fast = 30, f.drag_by_speed = {{0, 0.5}, {1, 2}}; }));
+  EXPECT_FALSE(alone([](ParticleFlight& f) { f.gravity = {0.5}; }));
+  EXPECT_FALSE(alone([](ParticleFlight& f) { f.limit = {9}; }));
+  EXPECT_FALSE(alone([](ParticleFlight& f) { f.noise = {1}; }));
+  EXPECT_FALSE(alone([](ParticleFlight& f) { f.velocity_y = {1}; }));
+  EXPECT_FALSE(alone([](ParticleFlight& f) { f.force_z = {1e-3}; }));
+}
+
 TEST(FlightLaw, of_a_pack_is_that_of_each) {
   constexpr std::size_t kPack = FlightLaw::kPack;
   test::Random r(3);
@@ -118,7 +155,8 @@ TEST(FlightLaw, of_a_pack_is_that_of_each) {
         pack.x[axis][i] = r.in(-9, 9), pack.v[axis][i] = r.in(-30, 30), pack.gravity[axis][i] = r.in(-9, 9);
     }
     FlightPack<kPack>::Vectors a;
-    law.accelerations(pack, 12, a);
+    pack.time.fill(12);
+    law.accelerations(pack, a);
     for (std::size_t i = 0; i < kPack; ++i) {
       const auto vector = [i](const FlightPack<kPack>::Vectors& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
       const FlightState alone{vector(pack.x), vector(pack.v), vector(pack.gravity), pack.mass[i]};

@@ -77,13 +77,15 @@ WorldDef random_world(test::Random& r) {
                 .when_full = r.one_in(2) ? WhenFull::refuse : WhenFull::replace_oldest}};
   return def;
 }
-EmitterDef random_spray(test::Random& r, KindId kind, std::span<const EmitterId> others) {
+EmitterDef random_spray(test::Random& r, KindId kind, Motion motion) {
   const IeeeMode mode;
-  EmitterDef def = test::random_emitter(r, kind, others);
+  EmitterDef def = test::random_emitter(r, kind, {});
   def.seed = 5;
   def.cycle.plays = true;
   def.cycle.delay = {0};
   def.flight = {};
+  if (motion == Motion::force && r.one_in(3)) def.flight = test::random_flight(r);
+  if (motion == Motion::force && r.one_in(3)) def.flight = {.drag = test::random_number(r, 0, 3)};
   if (!r.one_in(4)) def.gun = {}, def.rain = {}, def.per_metre = 0, def.start.gravity = {1};
   def.per_second = test::random_number(r, 200, 4000);
   if (r.one_in(3)) def.start.lifetime = {0.002, 0.05};  // some do not outlive the step of their birth
@@ -101,13 +103,15 @@ Told session(std::uint64_t seed, bool one_by_one) {
   p.drag = {.table = DragTable::g1, .ballistic_coefficient = 10, .damping = 0.7, .k1 = 1e-4, .k2 = 2e-5};
   p.fidelity = random_rung(r);
   const KindId kind = kind_of(world, p);
+  const Motion motion = p.fidelity.motion;
   p.fidelity = random_rung(r);
   const KindId other = kind_of(world, p);
   EmitterDef idle = spray(kind, 0, 1);
   idle.cycle.plays = false;
   const EmitterId nobody = added(world, idle);
 
-  std::vector<EmitterDef> defs = {random_spray(r, kind, {}), random_spray(r, other, {}), random_spray(r, other, {})};
+  std::vector<EmitterDef> defs = {random_spray(r, kind, motion), random_spray(r, other, p.fidelity.motion),
+                                  random_spray(r, other, p.fidelity.motion)};
   defs[2].cycle.plays = false;
   defs[2].inherit_velocity = 0;
   std::vector<EmitterId> ids;

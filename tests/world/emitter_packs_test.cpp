@@ -1,12 +1,14 @@
 // What is done for many particles at a time, or on a way of its own, gives what each alone and settling give.
 #include <gtest/gtest.h>
 
+#include "random_emitters.hpp"
 #include "world/emitter_support.hpp"
 
 namespace physim {
 namespace {
 
 constexpr double kFrame = 1.0 / 64;
+constexpr Precision kPrecisions[] = {Precision::float32, Precision::float64};
 
 struct Seen {
   Vec3d position, previous, velocity;
@@ -40,7 +42,7 @@ struct Told {
   bool operator==(const Told&) const = default;
 };
 /// A second of a spray whose particles set off others at an age. Where apexes are told every row is settled.
-Told second_of(const Fidelity& fidelity, bool settled, double wind) {
+Told second_of(const Fidelity& fidelity, bool settled, double wind, const ParticleFlight& flight = {}) {
   WorldDef def{.ground = {.mode = GroundMode::none}, .apex_events = settled};
   if (wind != 0) def.environment.wind.velocity = {wind, 0, 0};
   World world = make_world(def);
@@ -49,9 +51,11 @@ Told second_of(const Fidelity& fidelity, bool settled, double wind) {
   p.fidelity = fidelity;
   const KindId kind = kind_of(world, p);
   EmitterDef small = spray(kind, 0, 0.03);
+  small.flight = flight;
   small.cycle.plays = false;
   const EmitterId sub = added(world, small);
   EmitterDef spraying = spray(kind, 700, 0.3);
+  spraying.flight = flight;
   spraying.start.lifetime = {0.002, 0.3};
   spraying.subs = {{.on = SubEvent::age, .emitter = sub, .age = 0.011}};
   const EmitterId id = added(world, spraying);
@@ -73,6 +77,21 @@ TEST(EmitterPacks, births_and_deaths_on_known_rungs_are_as_settled) {
         EXPECT_GT(known.by_subs, 400u);
         EXPECT_EQ(known, second_of(rung(drag, precision), true, wind)) << static_cast<int>(drag) << ' ' << wind;
       }
+}
+
+TEST(EmitterPacks, births_and_deaths_of_what_emitters_push_are_as_settled) {
+  test::Random r(5);
+  for (int round = 0; round < 12; ++round) {
+    ParticleFlight flight;
+    flight.drag = {1, 4, {{0, 1}, {1, 0}}};
+    if (round % 2 == 1) flight = test::random_flight(r);
+    const Fidelity fidelity = rung(static_cast<DragModel>(round % 4), kPrecisions[round / 4 % 2]);
+    const Told known = second_of(fidelity, false, round % 3, flight);
+    EXPECT_GT(known.alive.size(), 60u);
+    EXPECT_GT(known.ends.size(), 400u);
+    EXPECT_GT(known.by_subs, 400u);
+    EXPECT_EQ(known, second_of(fidelity, true, round % 3, flight)) << round;
+  }
 }
 
 TEST(EmitterPacks, births_and_deaths_of_closed_forms_are_as_settled) {

@@ -24,14 +24,17 @@ struct Asked {
   Ground ground{.mode = GroundMode::none};
   DespawnRules despawn{};
   bool apexes = false, scene = false, own_force = false;
+  bool drag_alone = false;  // by age is all that acts on flights
 };
 
-EmitterDef sparks(KindId kind, int law) {
+EmitterDef sparks(KindId kind, int law, bool drag_alone) {
   EmitterDef def = spray(kind, law == 0 ? 400 : 700, 0.2);
   def.start.lifetime = {0.05, 1.5};
   def.position = {0, 1.5, 0};
   if (law == 0)
     def.flight.drag = {1, 4, {{0, 1}, {1, 0}}};
+  else if (drag_alone)
+    def.flight.drag = {3, 0.5};
   else
     def.flight.gravity = {0.2}, def.flight.force_x = {0.001, 0.003}, def.flight.limit = {5}, def.flight.noise = {2};
   return def;
@@ -63,7 +66,8 @@ Told session(const Asked& asked, bool general, std::uint64_t seed = 1) {
     const KindId other = kind_of(world, stone());
     EXPECT_TRUE(world.add_force({.law = ConstantForce{{1, 0, 0}}, .target = {.kind = other}}));
   }
-  const EmitterId ids[] = {added(world, sparks(kind, 0)), added(world, sparks(kind, 1))};
+  const EmitterId ids[] = {added(world, sparks(kind, 0, asked.drag_alone)),
+                           added(world, sparks(kind, 1, asked.drag_alone))};
   Told told;
   std::uint32_t random = static_cast<std::uint32_t>(seed);
   for (int i = 0; i < 90; ++i) {
@@ -93,15 +97,19 @@ constexpr Precision kPrecisions[] = {Precision::float32, Precision::float64};
 TEST(EmitterPushed, every_known_rung_gives_the_bits_of_all_rungs) {
   for (const DragModel drag : kDrags)
     for (const Precision precision : kPrecisions)
-      for (const Vec3d& wind : {Vec3d{}, Vec3d{7, 1, -2}}) expect_same({drag, precision, wind}, 100);
+      for (const Vec3d& wind : {Vec3d{}, Vec3d{7, 1, -2}})
+        for (const bool alone : {false, true})
+          expect_same({.drag = drag, .precision = precision, .wind = wind, .drag_alone = alone}, 100);
 }
 
 TEST(EmitterPushed, what_happens_to_some_happens_as_on_all_rungs) {
   for (const Precision precision : kPrecisions) {
     const auto with = [precision](const auto& change, std::size_t least_events) {
-      Asked asked{.drag = DragModel::linear_quadratic, .precision = precision};
-      change(asked);
-      expect_same(asked, least_events);
+      for (const bool alone : {false, true}) {
+        Asked asked{.drag = DragModel::linear_quadratic, .precision = precision, .drag_alone = alone};
+        change(asked);
+        expect_same(asked, least_events);
+      }
     };
     with([](Asked& a) { a.ground.mode = GroundMode::bounce; }, 300);
     with([](Asked& a) { a.ground.mode = GroundMode::land; }, 300);
