@@ -1,4 +1,5 @@
 // Worlds whose projectiles meet the things of a scene: what a step costs near them and far from them.
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -56,20 +57,48 @@ World world_over(const Scene* scene, const std::vector<Launch>& launches, unsign
   return world;
 }
 
+/// Crates of 2 m near the ground that go level at 5 m/s, each another way.
+Transform crate(std::size_t i, double time) {
+  const auto part = [](double x) { return x - std::floor(x); };
+  const double n = static_cast<double>(i) + 0.5, angle = 2.4 * n;
+  const double x = kSide * part(0.7548776662466927 * n), z = kSide * part(0.5698402909980532 * n);
+  return {.position = {x + 5 * time * std::cos(angle), height_at(x, z) + 2, z + 5 * time * std::sin(angle)}};
+}
+
+/// Who takes crates along: their paths, or whoever moves them before each step.
+enum class Moved { by_path, by_caller };
+
+std::vector<InstanceId> add_crates(World& world, std::size_t count, Moved moved) {
+  std::vector<InstanceId> crates;
+  const ShapeId shape = world.add_shape(BoxShape{{1, 1, 1}}).value();
+  for (std::size_t i = 0; i < count; ++i) {
+    InstanceDef def{.shape = shape, .transform = crate(i, 0)};
+    if (moved == Moved::by_path) def.motion = SteadyMotion{.velocity = crate(i, 1).position - crate(i, 0).position};
+    crates.push_back(world.add_instance(def).value());
+  }
+  return crates;
+}
+
 /// Steps from one moment on, again and again.
 struct Entry {
   std::string name;
   World world;
   int steps = 1;
+  std::vector<InstanceId> crates = {};  // that are moved before each step
   Snapshot begin = {};
   double hits = 0, taken = 0;  // of all turns
 
+  void step() {
+    for (std::size_t i = 0; i < crates.size(); ++i)
+      static_cast<void>(world.move_instance(crates[i], crate(i, world.time() + kStep)));
+    world.step(kStep);
+  }
   /// Seconds of one turn.
   double turn(Clock clock) {
     world.restore(begin);
     const double seconds_taken = seconds(clock, [&] {
       for (int i = 0; i < steps; ++i) {
-        world.step(kStep);
+        step();
         for (const Event& e : world.events()) hits += e.kind == EventKind::hit ? 1 : 0;
       }
     });
@@ -80,10 +109,13 @@ struct Entry {
 
 std::vector<Entry> entries(const Scene& land, const Scene& field, std::size_t count) {
   std::vector<Entry> list;
-  const auto add = [&](std::string name, const Scene* scene, const std::vector<Launch>& launches, int steps, int warm) {
+  const auto add = [&](std::string name, const Scene* scene, const std::vector<Launch>& launches, int steps, int warm,
+                       std::size_t crates = 0, Moved moved = Moved::by_path) {
     list.push_back({std::move(name), world_over(scene, launches, 1), steps});
     Entry& e = list.back();
-    for (int i = 0; i < warm; ++i) e.world.step(kStep);
+    std::vector<InstanceId> added = add_crates(e.world, crates, moved);
+    if (moved == Moved::by_caller) e.crates = std::move(added);
+    for (int i = 0; i < warm; ++i) e.step();
     e.begin = e.world.snapshot();
   };
   const std::vector<Launch> clear = low_launches(field, count, 5), low = low_launches(field, count, 0);
@@ -97,6 +129,12 @@ std::vector<Entry> entries(const Scene& land, const Scene& field, std::size_t co
   add("no scene, high up", nullptr, high, 60, 20);
   add("mesh, high above it", &land, high, 60, 20);
   add("height field, high above it", &field, high, 60, 20);
+  add("mesh, near the ground, one thing moves", &land, clear, 5, 0, 1);
+  add("mesh, near the ground, 200 things move", &land, clear, 5, 0, 200);
+  add("mesh, near the ground, 200 things are moved before each step", &land, clear, 5, 0, 200, Moved::by_caller);
+  add("mesh, high above it, one thing moves", &land, high, 60, 20, 1);
+  add("mesh, high above it, 200 things move", &land, high, 60, 20, 200);
+  add("mesh, high above it, 200 things are moved before each step", &land, high, 60, 20, 200, Moved::by_caller);
   return list;
 }
 
@@ -182,9 +220,8 @@ Section scene_worlds_section(const Options& options) {
   s.title = "Scenes: worlds";
   s.intro =
       "Bullets of the game preset over the terrain, each 5 to 15 m a step of 1/60 s, stepped by one thread: 0.2 to 9 m "
-      "above the ground, from launch on as long as none of them meets it, or half a kilometre above it. All that a "
-      "step "
-      "does.";
+      "above the ground, from launch on as long as none of them meets it, or half a kilometre above it. What moves are "
+      "crates of 2 m at 5 m/s near the ground. All that a step does, and the calls that move crates before it.";
   s.columns = {"world", "projectiles", "ns a projectile-step", "quartiles", "hits"};
   const Scene land = scene_of(terrain(kPoints), {}), field = field_scene();
   add_world_rows(options, land, field, s);

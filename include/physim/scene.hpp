@@ -25,6 +25,7 @@
 namespace physim {
 
 class SceneCanvas;
+class SceneParts;
 class SharedShape;
 struct SceneDrawing;
 
@@ -295,6 +296,7 @@ class Scene {
                                 double to) const;
 
  private:
+  friend class SceneParts;
   friend class SharedShape;
   struct Impl;
   std::unique_ptr<Impl> impl_;

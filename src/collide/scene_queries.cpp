@@ -8,6 +8,7 @@
 #include "collide/content.hpp"
 #include "collide/order.hpp"
 #include "collide/question.hpp"
+#include "collide/scene_parts.hpp"
 #include "collide/sweep.hpp"
 #include "physim/scene.hpp"
 
@@ -23,17 +24,26 @@ void for_movers(const SceneContent& scene, double from, double to, const VisitTr
   for (const std::uint32_t index : scene.movers) visit(index);
 }
 
+/// Which things are asked about.
+enum class Which { all, resting, moving };
+bool is_of(Which which, const SceneContent::InstanceSlot& slot) {
+  return which == Which::all || (which == Which::moving) == (slot.path != nullptr);
+}
+
 /// Calls look_at(index, segment) for what rests and look_at_mover(index, segment) for what moves and may be met between
 /// two times; both may shorten the segment's reach.
 template <class LookAt, class LookAtMover>
-void things_along(const SceneContent& scene, Segment& segment, double from, double to, const LookAt& look_at,
-                  const LookAtMover& look_at_mover) {
-  for (const std::uint32_t index : scene.unbounded)
+void things_along(const SceneContent& scene, Which which, Segment& segment, double from, double to,
+                  const LookAt& look_at, const LookAtMover& look_at_mover) {
+  for (const std::uint32_t index : scene.unbounded) {
+    if (!is_of(which, scene.instances[index])) continue;
     if (scene.instances[index].path)
       look_at_mover(index, segment);
     else
       look_at(index, segment);
-  scene.resting.along(segment, look_at);
+  }
+  if (which != Which::moving) scene.resting.along(segment, look_at);
+  if (which == Which::resting) return;
   for_movers(
       scene, from, to, [&](const Tree& tree) { tree.along(segment, look_at_mover); },
       [&](std::uint32_t index) {
@@ -66,7 +76,7 @@ SceneHit hit_of(const SceneContent& scene, std::uint32_t index, const Crossing& 
 /// Calls take(index, crossing, segment) for whatever a segment meets; take shortens the segment's reach.
 template <bool kExits, class Take>
 void cross_all(const SceneContent& scene, const SceneSegment& asked, double radius, const SceneFilter& filter,
-               const Take& take) {
+               const Take& take, Which which = Which::all) {
   if (!is_sound(asked)) return;
   Segment segment{asked.from, asked.to - asked.from, radius, 1};
   const auto look_at = [&](std::uint32_t index, Segment& s) {
@@ -84,7 +94,17 @@ void cross_all(const SceneContent& scene, const SceneSegment& asked, double radi
     const auto taken = [&](const Crossing& crossing, Segment& within) { take(index, crossing, within); };
     Sweep<kExits, decltype(taken)>(*slot.shape, *slot.path, asked.time, asked.duration, s, taken);
   };
-  things_along(scene, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
+  things_along(scene, which, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
+}
+
+bool any_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter, Which which) {
+  bool some = false;
+  const auto take = [&](std::uint32_t, const Crossing&, Segment& s) {
+    some = true;
+    s.reach = -1;
+  };
+  cross_all<false>(scene, asked, asked.radius, filter, take, which);
+  return some;
 }
 
 SceneHit first_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter) {
@@ -115,12 +135,7 @@ SceneHit Scene::first_hit(const SceneSegment& segment, const SceneFilter& filter
 
 bool Scene::any_hit(const SceneSegment& segment, const SceneFilter& filter) const {
   const IeeeMode mode;
-  bool some = false;
-  collide::cross_all<false>(*impl_, segment, segment.radius, filter,
-                            [&](std::uint32_t, const collide::Crossing&, collide::Segment& s) {
-                              some = true;
-                              s.reach = -1;
-                            });
+  const bool some = collide::any_hit(*impl_, segment, filter, collide::Which::all);
   if (some || !impl_->engine) return some;
   SceneHit hit;
   impl_->engine->first_hits({&segment, 1}, filter.layers, {&hit, 1});
@@ -247,34 +262,30 @@ double thing_clearance(const SceneContent& scene, std::uint32_t index, const Vec
   return std::min(least, std::max(beside, found * (1 - 1e-14) - lost));
 }
 
-}  // namespace
-}  // namespace collide
-
-double Scene::clearance(const Vec3d& point, double reach, const SceneFilter& filter, double from, double to) const {
-  const IeeeMode mode;
-  if (!collide::is_near(point) || !(reach >= 0) || !collide::is_soon(from) || !collide::is_soon(to) || !(from <= to))
-    return 0;
-  if (impl_->engine) return 0;  // nobody knows how far its things are
-  double least = std::min(reach, collide::kFarthest);
+double clearance_in(const SceneContent& scene, const Vec3d& point, double reach, const SceneFilter& filter, double from,
+                    double to, Which which) {
+  if (!is_near(point) || !(reach >= 0) || !is_soon(from) || !is_soon(to) || !(from <= to)) return 0;
+  if (scene.engine) return 0;  // nobody knows how far its things are
+  double least = std::min(reach, kFarthest);
   const auto look_at = [&](std::uint32_t index, double& within) {
-    const Impl::InstanceSlot& slot = impl_->instances[index];
-    if (!slot.is_asked(filter)) return;
-    within = collide::thing_clearance(*impl_, index, point, within, from, to);
+    const SceneContent::InstanceSlot& slot = scene.instances[index];
+    if (!slot.is_asked(filter) || !is_of(which, slot)) return;
+    within = thing_clearance(scene, index, point, within, from, to);
   };
-  for (const std::uint32_t index : impl_->unbounded) look_at(index, least);
-  impl_->resting.around(point, least, look_at);
-  collide::for_movers(
-      *impl_, from, to, [&](const collide::Tree& tree) { tree.around(point, least, look_at); },
+  for (const std::uint32_t index : scene.unbounded) look_at(index, least);
+  if (which != Which::moving) scene.resting.around(point, least, look_at);
+  if (which == Which::resting) return least;
+  for_movers(
+      scene, from, to, [&](const Tree& tree) { tree.around(point, least, look_at); },
       [&](std::uint32_t index) { look_at(index, least); });
   return least;
 }
 
-double Scene::clear_part(const SceneSegment& asked, const SceneFilter& filter) const {
-  const IeeeMode mode;
-  if (!collide::is_sound(asked) || impl_->engine) return 0;
-  collide::Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};
-  const auto look_at = [&](std::uint32_t index, collide::Segment& s) {
-    const Impl::InstanceSlot& slot = impl_->instances[index];
+double clear_part_in(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter, Which which) {
+  if (!is_sound(asked) || scene.engine) return 0;
+  Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};
+  const auto look_at = [&](std::uint32_t index, Segment& s) {
+    const SceneContent::InstanceSlot& slot = scene.instances[index];
     if (!slot.is_asked(filter)) return;
     const double own = clear_part_of(*slot.shape, slot.placement.inside(s));
     if (own >= s.reach) return;
@@ -284,16 +295,41 @@ double Scene::clear_part(const SceneSegment& asked, const SceneFilter& filter) c
   };
   const double end = asked.time + asked.duration;
   // What moves may be anywhere in the box of its way.
-  const auto look_at_mover = [&](std::uint32_t index, collide::Segment& s) {
-    const Impl::InstanceSlot& slot = impl_->instances[index];
+  const auto look_at_mover = [&](std::uint32_t index, Segment& s) {
+    const SceneContent::InstanceSlot& slot = scene.instances[index];
     if (!slot.is_asked(filter)) return;
-    const collide::Bounds own = bounds_of(*slot.shape);
+    const Bounds own = bounds_of(*slot.shape);
     if (own.low.x > own.high.x) return void(s.reach = 0);
-    const double in = collide::BoxTest(s).enters(slot.path->bounds(own, asked.time, end), s.reach);
+    const double in = BoxTest(s).enters(slot.path->bounds(own, asked.time, end), s.reach);
     if (in <= s.reach) s.reach = in * (1 - 1e-14);
   };
-  collide::things_along(*impl_, segment, asked.time, end, look_at, look_at_mover);
+  things_along(scene, which, segment, asked.time, end, look_at, look_at_mover);
   return std::max(0.0, segment.reach);
+}
+
+}  // namespace
+}  // namespace collide
+
+double Scene::clearance(const Vec3d& point, double reach, const SceneFilter& filter, double from, double to) const {
+  const IeeeMode mode;
+  return collide::clearance_in(*impl_, point, reach, filter, from, to, collide::Which::all);
+}
+
+double Scene::clear_part(const SceneSegment& asked, const SceneFilter& filter) const {
+  const IeeeMode mode;
+  return collide::clear_part_in(*impl_, asked, filter, collide::Which::all);
+}
+
+double SceneParts::clearance(const Vec3d& point, double reach, const SceneFilter& filter) const {
+  return collide::clearance_in(content_, point, reach, filter, 0, 0, collide::Which::resting);
+}
+
+double SceneParts::clear_part(const SceneSegment& segment, const SceneFilter& filter) const {
+  return collide::clear_part_in(content_, segment, filter, collide::Which::resting);
+}
+
+bool SceneParts::meets_mover(const SceneSegment& segment, const SceneFilter& filter) const {
+  return collide::any_hit(content_, segment, filter, collide::Which::moving);
 }
 
 std::vector<InstanceId> Scene::overlaps(const Vec3d& middle, double radius, const SceneFilter& filter,

@@ -1,7 +1,7 @@
 // Clear tubes: what lies about the way that a row takes if nothing turns it, and in which nothing stands.
 //
-// What it models: whether a step stays inside of a tube, so that it can meet nothing of a scene in which nothing has
-//   changed since the tube was found clear. A tube is the set of points that are nearer to an axis than its room; it is
+// What it models: whether a step stays inside of a tube, so that it can meet nothing that rests where it did when the
+//   tube was found clear. A tube is the set of points that are nearer to an axis than its room; it is
 //   convex, so a chord between two points of it lies in it, and the path of a step lies in it where the room is larger
 //   by as much as the path may be beside its chord.
 // Symbols: x0, x1 the ends of a step, v0, v1 the velocities there [m, m/s], h the step [s], u = (x1 - x0) / h.

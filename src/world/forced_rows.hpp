@@ -77,6 +77,7 @@ Advanced advance_any(const ForcedJob<S>& job) {
     if (!last) continue;
     MaskOf<R> found = noteworthy(job.rows, c, s, row) | turned_bad(c, flyer);
     if (job.rows.columns.clear != nullptr) found = found | comes_near(job.rows, s, row);
+    if (job.rows.restless != nullptr) meets_restless<R>(job.rows, s.start, s.end, found);
     const unsigned bits = lane_bits(found) & filled_lanes<R>(job.rows.last - row);
     mark(job.rows.attention, row, bits);
     attention = attention || bits != 0;
@@ -115,6 +116,7 @@ struct PushedRung {
     m.end.x = m.start.x + m.end.v * h;
     MaskOf<R> found = plainly_noteworthy(job.rows.watchdog, c, m) | further_noteworthy(job.rows, c, m, row);
     if (job.rows.columns.clear != nullptr) found = found | comes_near(job.rows, m, row);
+    if (job.rows.restless != nullptr) meets_restless<R>(job.rows, m.start, m.end, found);
     const unsigned bits = lane_bits(found) & filled_lanes<R>(job.rows.last - row);
     if (bits != 0) {
       if (job.rate != nullptr) store_scratch(job, kFirstPush, row, b.applied);

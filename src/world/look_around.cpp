@@ -26,26 +26,69 @@ struct Way {
   }
 };
 
-/// What a tube from the start of a step on says of it.
+/// Whether a step stays inside of a tube.
+template <class S>
+bool is_in(const ClearTube<S>& tube, const Way<S>& way, double dt) {
+  const auto in = [](const Vec3d& v) { return vec_cast<S>(v); };
+  return stays_inside(tube, in(way.from), in(way.started), in(way.to), in(way.ended), static_cast<S>(dt));
+}
+
+template <class S>
+ClearTube<S> tube_of(const RowColumns<S>& c, std::uint32_t row) {
+  ClearTube<S> tube;
+  Rows::get(c.tube, row, tube);
+  return tube;
+}
+
+/// What is known of the things at rest on the way of a step.
 enum class Ahead { clear, met, unknown };
 
 /// Finds a tube from the start of a step on, and keeps one that holds the step for those that follow.
 template <class S>
 Ahead look_ahead(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
                  const CollisionDef& collision) {
-  if (context.scene->has_motion()) return Ahead::unknown;
+  if (!knows_rest(context)) return Ahead::unknown;
   const double dt = context.dt;
   const Vec3d acceleration = (way.ended - way.started) * (1 / dt);
   // With which, at this acceleration, it comes to the end of the step.
   const Vec3d velocity = (way.to - way.from) * (1 / dt) - acceleration * (0.5 * dt);
   const ClearTube<S> tube = tube_ahead<S>(context, {way.from, velocity}, acceleration, way.beside(dt), collision);
-  const auto in = [](const Vec3d& v) { return vec_cast<S>(v); };
-  if (stays_inside(tube, in(way.from), in(way.started), in(way.to), in(way.ended), static_cast<S>(dt))) {
+  if (is_in(tube, way, dt)) {
     Rows::put(c.tube, row, tube);
     return Ahead::clear;
   }
   const double part = dot(way.to - way.from, vec_cast<double>(tube.along)) * static_cast<double>(tube.per_square_along);
   return part > 1 ? Ahead::met : Ahead::unknown;
+}
+
+/// What a row knows of the things at rest on its way, or finds out now.
+template <class S>
+Ahead look_at_rest(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
+                   double beside, const CollisionDef& collision) {
+  S& clear = c.clear[row];
+  if (context.restless && (clear > 0 || is_in(tube_of(c, row), way, context.dt))) return Ahead::clear;
+  const double gone = length(way.to - way.from);
+  if (is_look_due(clear, gone)) {
+    clear = clear_way<S>(context, {way.to, (way.to - way.from) * (1 / context.dt)}, collision);
+    // As far around its end as it came from nothing can be: then nothing was in its way either.
+    if (static_cast<double>(clear) > gone + beside) return Ahead::clear;
+  } else {
+    clear = waited(clear, row, gone);
+  }
+  return look_ahead(context, c, row, way, collision);
+}
+
+/// Whether a way meets something, by what is known of the things at rest on it.
+template <class S>
+bool meets(const SettleContext& context, const SceneSegment& way, Ahead rest, const CollisionDef& collision) {
+  const SceneFilter filter{.layers = collision.layers};
+  if (rest == Ahead::unknown) return context.scene->any_hit(way, filter);
+  if (!context.restless) return false;
+  collide::Bounds box;
+  box.take(way.from), box.take(way.to);
+  box.widen(way.radius + 16 * (spacing_at<S>(way.from) + spacing_at<S>(way.to)));
+  if (context.restless->may_have_come(box)) return context.scene->any_hit(way, filter);
+  return SceneParts(*context.scene).meets_mover(way, filter);
 }
 
 /// It may meet something: it is put back and settled.
@@ -68,22 +111,12 @@ auto with_row(const SettleContext& context, const Chunk& chunk, std::uint32_t ro
 void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
   with_row(context, chunk, row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
     const Way way(c, row);
-    const double beside = way.beside(context.dt) + 1e-9, gone = length(way.to - way.from);
+    const double beside = way.beside(context.dt) + 1e-9;
     if (!context.scene) return put_back(context, chunk, c, row);
-    S& clear = c.clear[row];
-    if (is_look_due(clear, gone)) {
-      clear = clear_way<S>(context, {way.to, (way.to - way.from) * (1 / context.dt)}, collision);
-      // As far around its end as it came from nothing can be: then nothing was in its way either.
-      if (static_cast<double>(clear) > gone + beside) return;
-    } else {
-      clear = waited(clear, row, gone);
-    }
-    const Ahead ahead = look_ahead(context, c, row, way, collision);
-    if (ahead == Ahead::clear) return;
+    const Ahead rest = look_at_rest(context, c, row, way, beside, collision);
     const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
     // What stands close to its way ahead it mostly meets, and settling finds out.
-    if (ahead == Ahead::met || context.scene->any_hit(segment, {.layers = collision.layers}))
-      put_back(context, chunk, c, row);
+    if (rest == Ahead::met || meets<S>(context, segment, rest, collision)) put_back(context, chunk, c, row);
   });
 }
 

@@ -2,19 +2,25 @@
 #pragma once
 
 #include "collide/scene_contact.hpp"
+#include "collide/scene_parts.hpp"
 #include "world/settle.hpp"
 
 namespace physim {
 
-/// So far something may fly from where it is before it can touch anything; 0 where things move, or there is none. Where
-/// that is less than the way of a step, it is that way, below 0: near something, as look_around() knows it [m].
+/// Whether what rests can be told from what does not, so that rows keep what they find out about it.
+[[nodiscard]] inline bool knows_rest(const SettleContext& context) {
+  return context.scene && !context.scene->engine() && !SceneParts(*context.scene).has_boundless_movers();
+}
+
+/// So far something may fly from where it is before it can touch anything at rest; 0 where nobody knows. Where that is
+/// less than the way of a step, it is that way, below 0: near something, as look_around() knows it [m].
 template <class S>
 [[nodiscard]] S clear_way(const SettleContext& context, const State<double>& s, const CollisionDef& collision) {
   PHYSIM_ASSERT(context.dt > 0);
-  if (!context.scene || context.scene->has_motion() || context.scene->engine() != nullptr) return S(0);
+  if (!knows_rest(context)) return S(0);
   constexpr double kSteps = 64;  // looking farther costs more than looking again
   const double reach = collision.radius + kSteps * context.dt * (length(s.v) + 10 * context.dt);
-  const double clear = context.scene->clearance(s.x, reach, {.layers = collision.layers});
+  const double clear = SceneParts(*context.scene).clearance(s.x, reach, {.layers = collision.layers});
   // What is flown of it is summed up in numbers of the row's own.
   constexpr double kSum = 2 * kSteps * static_cast<double>(std::numeric_limits<S>::epsilon());
   const double way = context.dt * length(s.v), left = (clear - collision.radius) * (1 - kSum) - 4 * spacing_at<S>(s.x);
@@ -43,7 +49,7 @@ template <class S>
 template <class S>
 [[nodiscard]] ClearTube<S> tube_ahead(const SettleContext& context, const State<double>& s, const Vec3d& acceleration,
                                       double beside, const CollisionDef& collision) {
-  PHYSIM_ASSERT(context.scene && !context.scene->has_motion() && context.dt > 0 && beside >= 0);
+  PHYSIM_ASSERT(knows_rest(context) && context.dt > 0 && beside >= 0);
   constexpr double kSteps = 9;             // one of them is at hand, mostly
   constexpr double kSlack = 1.25;          // of the sag: accelerations change
   constexpr double kBeside = 2;            // and so does what a step needs
@@ -59,7 +65,7 @@ template <class S>
   const double places = spacing_at<S>(s.x) + spacing_at<S>(s.x + along);
   const double lost = 8 * places + 32 * static_cast<double>(std::numeric_limits<S>::epsilon()) * far + 1e-9;
   const SceneSegment way{s.x, s.x + along, collision.radius + room + lost};
-  const double part = context.scene->clear_part(way, {.layers = collision.layers}) * (1 - 1e-6);
+  const double part = SceneParts(*context.scene).clear_part(way, {.layers = collision.layers}) * (1 - 1e-6);
   const Vec3<S> from = vec_cast<S>(s.x), clear = vec_cast<S>(along * part);
   const S per_square = S(1) / dot(clear, clear);
   if (!(per_square > 0 && per_square < std::numeric_limits<S>::max())) return {};

@@ -192,7 +192,11 @@ std::uint16_t Registry::cohort(std::uint32_t index, std::uint16_t rung, const Va
   key.meets = has_scene_ && k.body.collision.layers != 0;
   key.forced = variant.forced;
   key.still = variant.still;
-  return known = find_or_add(key);
+  known = find_or_add(key);
+  if (known == kNoCohort) return known;
+  double& radius = cohorts_[known].most_radius;
+  radius = std::max(radius, k.body.collision.radius);
+  return known;
 }
 
 std::uint16_t Registry::find_or_add(const CohortKey& key) {

@@ -57,6 +57,7 @@ struct WorldCohort {
   Conditions<double> conditions;
   Conditions<float> conditions_float;
   RowLayout layout;
+  double most_radius = 0;  // with which any kind that is in it meets things [m]
   Course<float> course_float;
   Course<double> course_double;
   mutable std::mutex bringing_up;  // rows that wait, see Rows

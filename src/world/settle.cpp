@@ -93,7 +93,7 @@ class Settling {
     clear =
         is_look_due(clear, gone) ? clear_way<S>(context_, r_.here(), r_.collision()) : waited(clear, r_.row(), gone);
     // It is far from everything, or nobody can tell.
-    if (!(clear < 0) || !context_.scene || context_.scene->has_motion() || context_.scene->engine() != nullptr) return;
+    if (!(clear < 0) || !knows_rest(context_)) return;
     const Vec3d acceleration = r_.acceleration_at(r_.here(), r_.step_length());
     const double beside = beside_chord(context_.dt, acceleration);
     r_.put_tube(tube_ahead<S>(context_, r_.here(), acceleration, beside, r_.collision()));

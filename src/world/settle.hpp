@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "world/hit_asking.hpp"
+#include "world/restless.hpp"
 #include "world/state.hpp"
 #include "world/world_job.hpp"
 
@@ -79,12 +80,13 @@ struct SettleContext {
   const Registry* registry;
   WorldState* state;  // only the chunk's own rows and slots are written
   double dt;
-  double now;                   // number of the step, as rows count
-  double time;                  // at the start of the step [s]
-  const Scene* scene;           // null: none
-  const void* taken = nullptr;  // forced rows: the TakenStep of their number type
-  bool pairs = false;           // somebody meets others
-  HitAsking* asking = nullptr;  // who knows what hits do that ask
+  double now;                          // number of the step, as rows count
+  double time;                         // at the start of the step [s]
+  const Scene* scene;                  // null: none
+  const void* taken = nullptr;         // forced rows: the TakenStep of their number type
+  bool pairs = false;                  // somebody meets others
+  HitAsking* asking = nullptr;         // who knows what hits do that ask
+  const Restless* restless = nullptr;  // null: nothing is
 };
 
 /// A step that a forced row took together with others. What only follows from an event in it (the way on after a

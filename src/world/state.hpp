@@ -11,6 +11,7 @@
 #include "world/emitters.hpp"
 #include "world/generators.hpp"
 #include "world/joints.hpp"
+#include "world/newcomers.hpp"
 #include "world/pools.hpp"
 #include "world/schedule.hpp"
 #include "world/slots.hpp"
@@ -35,6 +36,7 @@ class WorldState {
   std::size_t events_of_step = 0;  // the first of them
   WorldCounters counters;
   std::shared_ptr<Scene> scene;  // null: none; whoever changes it makes it his own first
+  Newcomers newcomers;           // of the scene
   Vec3d observer;
   DetailRule detail;
   std::vector<Environment> environments;

@@ -91,6 +91,34 @@ PHYSIM_INLINE auto comes_near(const WorldJob<S>& job, const M& m, std::uint32_t 
   return !(clear > R(S(0)));
 }
 
+/// Rows whose step may come to where something restless is: the box about its ends, larger by their radius, by as much
+/// as the path may be beside its chord, and by what places are rounded to. Behind a call: few worlds have such things.
+template <class R, class S>
+[[gnu::noinline]] void meets_restless(const WorldJob<S>& job, const State<R>& start, const State<R>& end,
+                                      MaskOf<R>& found) {
+  constexpr S kRounding = 16 * std::numeric_limits<S>::epsilon();
+  const auto sum_of = [](const Vec3<R>& v) PHYSIM_INLINE_LAMBDA { return abs(v.x) + abs(v.y) + abs(v.z); };
+  const Vec3<R> mean = (end.x - start.x) * R(S(1) / job.h);
+  const R beside = (sum_of(start.v - mean) + sum_of(end.v - mean)) * R(S(8.0 / 27) * job.h);
+  const R off = (beside + R(job.radius)) * R(S(1) + kRounding) + (sum_of(start.x) + sum_of(end.x)) * R(kRounding);
+  const Vec3<R> about{off, off, off};
+  const Vec3<R> low = Vec3<R>{min(start.x.x, end.x.x), min(start.x.y, end.x.y), min(start.x.z, end.x.z)} - about;
+  const Vec3<R> high = Vec3<R>{max(start.x.x, end.x.x), max(start.x.y, end.x.y), max(start.x.z, end.x.z)} + about;
+  const RestlessBoxes<S>& boxes = *job.restless;
+  // A step with a number that is none is away from nothing.
+  const auto is_away = [&](unsigned i) PHYSIM_INLINE_LAMBDA {
+    const Vec3<S>&from = boxes.low[i], &to = boxes.high[i];
+    const MaskOf<R> x = (low.x > R(to.x)) | (high.x < R(from.x)), y = (low.y > R(to.y)) | (high.y < R(from.y));
+    const MaskOf<R> z = (low.z > R(to.z)) | (high.z < R(from.z));
+    return x | y | z;
+  };
+  MaskOf<R> away = is_away(0);
+  if (all(away)) return;
+  MaskOf<R> of_each = is_away(1);
+  for (unsigned i = 2; i < boxes.count; ++i) of_each = of_each & is_away(i);
+  found = found | !(away | of_each);
+}
+
 /// Rows that need a closer look where the watchdog is a simple one: low, slow, or no numbers.
 template <class S, class M>
 PHYSIM_INLINE auto plainly_noteworthy(const Watchdog<S>& w, const Conditions<S>& c, const M& m) {
@@ -233,6 +261,7 @@ template <class R, class S>
 PHYSIM_INLINE void look_for_near(const WorldJob<S>& job, const Moved<R>& m, std::uint32_t row, MaskOf<R>& left) {
   MaskOf<R> near = comes_near(job, m, row);
   if (any(near)) leaves_tube(job, m, row, near);
+  if (job.restless != nullptr) meets_restless<R>(job, m.start, m.end, near);
   if (job.near == nullptr) {
     left = left | near;
     return;

@@ -48,7 +48,8 @@ struct WorldImpl : Gate {
   EmitterScratch emitting;
   JointScratch jointed;
   HitAsking hit_asking{*this};
-  bool is_stirred = false;  // nobody who meets things sleeps, or knows how far it may fly
+  Restless restless;        // things of the scene, in the step at hand
+  bool is_stirred = false;  // nobody who meets things sleeps
 
   // ------------------------------------------------------------------------------------------- slots
   /// The slot of a projectile that is alive; null otherwise.
@@ -116,11 +117,15 @@ struct WorldImpl : Gate {
   void put_scene(std::shared_ptr<Scene> scene);
   Scene& own_scene();
   template <class F>
-  Status change_scene(const F& f);
+  Status change_scene(InstanceId changed, const F& f);
   void stir_scene();
+  void forget_clear();
+  void notice(InstanceId changed);
+  void find_restless(bool is_covered);
   void move_scene(double dt);
   template <class F>
   void each_sleeper(const F& f) const;
+  void wake_all(std::vector<std::uint32_t>& slots);
 
   // ------------------------------------------------------------------------------------------- forces
   /// A generator, or its emitter, acts on it that it can feel.
@@ -163,8 +168,17 @@ struct WorldImpl : Gate {
   // ------------------------------------------------------------------------------------------- stepping
   void step(double dt);
   [[nodiscard]] SettleContext settle_context(double dt) {
-    return {&def,    &registry,  &state,     dt, state.clock.now(), state.clock.time(), state.scene.get(),
-            nullptr, pairs.used, &hit_asking};
+    return {&def,
+            &registry,
+            &state,
+            dt,
+            state.clock.now(),
+            state.clock.time(),
+            state.scene.get(),
+            nullptr,
+            pairs.used,
+            &hit_asking,
+            restless.is_any() ? &restless : nullptr};
   }
   void launch_pending();
   void expire_old();

@@ -27,6 +27,14 @@ struct Watchdog {
   bool simple;  // nothing but floor and slowest is watched
 };
 
+/// Where something may be in a step that rows do not know of (world/restless.hpp).
+template <class S>
+struct RestlessBoxes {
+  static constexpr unsigned kMost = 33;
+  unsigned count = 0;               // 0: all rests
+  Vec3<S> low[kMost], high[kMost];  // corners; the first box holds all others [m]
+};
+
 /// Rows to step once.
 template <class S>
 struct WorldJob {
@@ -38,8 +46,10 @@ struct WorldJob {
   bool stream;  // positions are stored past the caches
   bool clocked;
   bool launched;
-  S now;  // number of this step
-  S h;    // [s]
+  S now;                             // number of this step
+  S h;                               // [s]
+  S radius;                          // of none of the rows is it larger [m]
+  const RestlessBoxes<S>* restless;  // null: all rests, or nobody meets it
   Watchdog<S> watchdog;
   std::uint32_t first;  // row, a multiple of 32
   std::uint32_t last;

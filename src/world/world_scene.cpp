@@ -1,7 +1,9 @@
 // The scene of a world: what its projectiles meet, and what follows where it changes.
+#include <algorithm>
 #include <utility>
 
 #include "base/ieee_mode.hpp"
+#include "collide/scene_parts.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -11,34 +13,67 @@ Error no_scene() { return {"the world has no scene", "scene", "World::set_scene(
 
 }  // namespace
 
-/// Calls f with the slot of each that sleeps and meets things.
+/// Calls f with the slot of each that sleeps and meets things, in no order.
 template <class F>
 void WorldImpl::each_sleeper(const F& f) const {
-  state.slots.each_alive([&](std::uint32_t slot) {
-    if (state.slots[slot].is(kAsleep) && registry.cohort(state.slots[slot].cohort).key.meets) f(slot);
-  });
-}
-
-/// Rows look anew how far they may fly, and who sleeps looks whether it still lies on something; of many changes
-/// between two steps the first one alone asks all of them.
-void WorldImpl::stir_scene() {
-  if (std::exchange(is_stirred, true)) return;
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
     const Rows& rows = state.rows[c];
+    if (!registry.cohort(c).key.still || !registry.cohort(c).key.meets) continue;
+    for (std::uint32_t row = 0; row < rows.size(); ++row)
+      if (state.slots[rows.slot(row)].is(kAsleep)) f(rows.slot(row));
+  }
+}
+
+/// In order of slots, so that the order of rows does not matter.
+void WorldImpl::wake_all(std::vector<std::uint32_t>& slots) {
+  std::ranges::sort(slots);
+  for (const std::uint32_t slot : slots) wake(slot);
+}
+
+/// Who sleeps looks whether it still lies on something; of many changes between two steps the first one alone asks all.
+void WorldImpl::stir_scene() {
+  if (std::exchange(is_stirred, true)) return;
+  std::vector<std::uint32_t> asleep;
+  each_sleeper([&](std::uint32_t slot) { asleep.push_back(slot); });
+  wake_all(asleep);
+}
+
+/// All rows look anew what is clear about them.
+void WorldImpl::forget_clear() {
+  state.newcomers.clear();
+  for (const Rows& rows : state.rows) {
     if (!rows.layout().meeting) continue;
     for (std::uint32_t row = 0; row < rows.size(); ++row) rows.forget_clear(row);
   }
-  std::vector<std::uint32_t> asleep;
-  each_sleeper([&](std::uint32_t slot) { asleep.push_back(slot); });
-  for (const std::uint32_t slot : asleep) wake(slot);
+}
+
+/// A thing came, or is elsewhere, or moves in another way. What moves, or was there before, rows need not know.
+void WorldImpl::notice(InstanceId changed) {
+  const SceneParts parts(*state.scene);
+  if (!parts.rests(changed.index)) return;
+  const bool has_box = parts.box_at_rest(changed.index).has_value();
+  if (!has_box || !state.newcomers.add(changed.index, state.clock.steps)) forget_clear();
+}
+
+/// Before a step: where things may be that rows do not know of.
+void WorldImpl::find_restless(bool is_covered) {
+  restless.clear();
+  if (state.newcomers.are_settled(state.clock.steps)) forget_clear();
+  if (!state.scene || state.scene->engine()) return;
+  if (is_covered)
+    restless.find(*state.scene, state.newcomers);
+  else
+    restless.be_everywhere();
 }
 
 /// Before a step: what moves is found where it will be, and wakes who sleeps where it comes.
 void WorldImpl::move_scene(double dt) {
-  if (!state.scene || !state.scene->has_motion()) return;
+  const bool moves = state.scene && state.scene->has_motion();
   const double now = state.clock.time();
-  if (const Status status = own_scene().cover(now, now + dt); !status) return;  // beyond 1e9 s nothing is met
-  constexpr double kNear = 1e-3;                                                // [m]
+  const bool is_covered = !moves || own_scene().cover(now, now + dt).ok();  // beyond 1e9 s nothing is met
+  find_restless(is_covered);
+  if (!moves || !is_covered) return;
+  constexpr double kNear = 1e-3;  // [m]
   std::vector<std::uint32_t> struck;
   each_sleeper([&](std::uint32_t slot) {
     const CollisionDef& collision = registry.kind(state.slots[slot].kind).body.collision;
@@ -46,13 +81,14 @@ void WorldImpl::move_scene(double dt) {
     const SceneFilter filter{.layers = collision.layers, .sensors = false};
     if (state.scene->is_reached(x, collision.radius + kNear, filter, now, now + dt)) struck.push_back(slot);
   });
-  for (const std::uint32_t slot : struck) wake(slot);
+  wake_all(struck);
 }
 
 void WorldImpl::put_scene(std::shared_ptr<Scene> scene) {
   state.scene = std::move(scene);
   registry.meet_scene(state.scene != nullptr);
   state.slots.each_alive([this](std::uint32_t slot) { placement.relocate(slot); });
+  forget_clear();
   is_stirred = false;
   stir_scene();
 }
@@ -64,12 +100,14 @@ Scene& WorldImpl::own_scene() {
   return *state.scene;
 }
 
-/// Calls f with the scene, where there is one; what it changed is looked at anew.
+/// Calls f with the scene, where there is one, to change a thing.
 template <class F>
-Status WorldImpl::change_scene(const F& f) {
+Status WorldImpl::change_scene(InstanceId changed, const F& f) {
   if (!state.scene) return no_scene();
   Status status = f(own_scene());
-  if (status) stir_scene();
+  if (!status) return status;
+  notice(changed);
+  stir_scene();
   return status;
 }
 
@@ -122,7 +160,7 @@ Result<InstanceId> World::add_instance(const InstanceDef& instance) {
   if (call.is_refused()) return call.refusal();
   if (!w.state.scene) return no_scene();
   const Result<InstanceId> added = w.own_scene().add(instance);
-  if (added) w.stir_scene();
+  if (added) w.notice(*added), w.stir_scene();
   return call.returns(added);
 }
 
@@ -130,28 +168,28 @@ Status World::remove_instance(InstanceId instance) {
   WorldImpl& w = impl();
   const Recorded<Call::remove_instance> call(w, instance);
   if (call.is_refused()) return call.refusal();
-  return w.change_scene([&](Scene& scene) { return scene.remove(instance); });
+  return w.change_scene(instance, [&](Scene& scene) { return scene.remove(instance); });
 }
 
 Status World::move_instance(InstanceId instance, const Transform& to) {
   WorldImpl& w = impl();
   const Recorded<Call::move_instance> call(w, instance, to);
   if (call.is_refused()) return call.refusal();
-  return w.change_scene([&](Scene& scene) { return scene.move(instance, to); });
+  return w.change_scene(instance, [&](Scene& scene) { return scene.move(instance, to); });
 }
 
 Status World::set_instance_motion(InstanceId instance, const SceneMotion& motion) {
   WorldImpl& w = impl();
   const Recorded<Call::set_instance_motion> call(w, instance, motion);
   if (call.is_refused()) return call.refusal();
-  return w.change_scene([&](Scene& scene) { return scene.set_motion(instance, motion); });
+  return w.change_scene(instance, [&](Scene& scene) { return scene.set_motion(instance, motion); });
 }
 
 Status World::set_instance_layers(InstanceId instance, std::uint32_t layers) {
   WorldImpl& w = impl();
   const Recorded<Call::set_instance_layers> call(w, instance, layers);
   if (call.is_refused()) return call.refusal();
-  return w.change_scene([&](Scene& scene) { return scene.set_layers(instance, layers); });
+  return w.change_scene(instance, [&](Scene& scene) { return scene.set_layers(instance, layers); });
 }
 
 }  // namespace physim

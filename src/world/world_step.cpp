@@ -72,6 +72,8 @@ WorldJob<S> rows_job(const SettleContext& context, std::uint16_t index) {
   job.launched = rows.layout().launched;
   job.now = static_cast<S>(context.now);
   job.h = static_cast<S>(context.dt);
+  job.radius = std::nextafter(static_cast<S>(cohort.most_radius), std::numeric_limits<S>::infinity());
+  if (context.restless && rows.layout().meeting) job.restless = &context.restless->boxes<S>();
   job.watchdog = watchdog_of<S>(*context.def, cohort, context.dt);
   return job;
 }

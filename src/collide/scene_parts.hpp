@@ -1,0 +1,37 @@
+// What of a scene rests and what of it moves, for those who keep what they found out about the one and look at the
+// other in every step.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "collide/content.hpp"
+
+namespace physim {
+
+class SceneParts {
+ public:
+  explicit SceneParts(const Scene& scene) : content_(*scene.impl_) {}
+
+  /// Scene::clearance() of what rests.
+  [[nodiscard]] double clearance(const Vec3d& point, double reach, const SceneFilter& filter) const;
+  /// Scene::clear_part() of what rests.
+  [[nodiscard]] double clear_part(const SceneSegment& segment, const SceneFilter& filter) const;
+  /// Whether a segment meets anything that moves.
+  [[nodiscard]] bool meets_mover(const SceneSegment& segment, const SceneFilter& filter) const;
+
+  /// Whether something moves that no box holds.
+  [[nodiscard]] bool has_boundless_movers() const;
+  /// Adds boxes that hold the ways of all else that moves over the time that is covered.
+  void add_boxes_of_movers(std::vector<collide::Bounds>& boxes) const;
+
+  /// Whether something is there, and rests.
+  [[nodiscard]] bool rests(std::uint32_t index) const;
+  /// The box of something; none where it moves, is gone, or no box holds it.
+  [[nodiscard]] std::optional<collide::Bounds> box_at_rest(std::uint32_t index) const;
+
+ private:
+  const collide::SceneContent& content_;
+};
+
+}  // namespace physim
