@@ -79,12 +79,14 @@ struct HeightFieldShape {
   double spacing_z = 1;           ///< between rows [m]
   std::vector<double> heights{};  ///< y of each point: heights[row * columns + column] [m]
 };
-/// Some shapes that move as one.
+/// Some shapes that move as one. Where parts of different materials overlap, the first one of them is there.
 struct CompoundShape {
   /// One of them: no compound, and no plane.
   struct Part {
     ShapeId shape{};        ///< must stay as long as the compound [-]
     Transform transform{};  ///< in the compound's frame [-]
+    std::optional<MaterialId>
+        material{};  ///< where its triangles have none of their own; none: that of the instance [-]
   };
   std::vector<Part> parts{};  ///< [-]
 };
@@ -95,7 +97,7 @@ using ShapeDef = std::variant<PlaneShape, SphereShape, BoxShape, CapsuleShape, C
 struct InstanceDef {
   ShapeId shape{};              ///< [-]
   Transform transform{};        ///< [-]
-  MaterialId material{};        ///< where its triangles have none of their own [-]
+  MaterialId material{};        ///< where its triangles or parts have none of their own [-]
   std::uint32_t layers = 1;     ///< bits; queries ask for some of them [-]
   bool sensor = false;          ///< told of, and passed [-]
   std::uint64_t user_data = 0;  ///< for the caller [-]
@@ -233,6 +235,8 @@ class Scene {
   [[nodiscard]] double skin() const;
   /// What a thing was made of, where it is now; nothing where it is gone.
   [[nodiscard]] std::optional<InstanceDef> instance(InstanceId instance) const;
+  /// How many parts the compound has that a thing is; 0 where it is none, or gone [-].
+  [[nodiscard]] std::size_t parts(InstanceId instance) const;
   /// Whether some of them are sensors.
   [[nodiscard]] bool has_sensors() const;
   /// Whether this one is; false where it is gone.

@@ -21,6 +21,8 @@ class SceneCanvas {
   virtual ~SceneCanvas() = default;
   /// What is drawn from now on is part of this thing.
   virtual void begin(InstanceId thing) { static_cast<void>(thing); }
+  /// Triangles that are drawn from now on are made of this, up to the next thing.
+  virtual void material(MaterialId of) { static_cast<void>(of); }
   /// Between two places in W [m].
   virtual void line(const Vec3d& a, const Vec3d& b, SceneInk ink) = 0;
   /// Counterclockwise as seen from outside [m].

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "collide/path_cast.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
 #include "model/body.hpp"
@@ -35,6 +36,25 @@ inline constexpr double kLongestPart = 1.0 / 30;
 /// What a surface and what touches it are to each other.
 [[nodiscard]] inline Surface surface_between(double restitution, double friction, const Surface& own) {
   return {restitution * own.restitution, friction * own.friction, own.rolling_resistance};
+}
+
+/// Whether hits are of one thing, and there of one body: parts of a compound that are of one material are.
+[[nodiscard]] inline bool is_one_body(const Scene& scene, const SceneHit& a, const SceneHit& b) {
+  if (a.instance != b.instance) return false;
+  return a.primitive == b.primitive || a.material == b.material || scene.parts(a.instance) == 0;
+}
+
+/// A hit, with the first of the parts that are there: where surfaces of several lie in one plane, rounding decides
+/// which of them is met first. `touched`: the place on the surface.
+[[nodiscard]] inline SceneHit of_first_part(const Scene& scene, const SceneFilter& solids, SceneHit hit,
+                                            const Vec3d& touched, double time) {
+  if (!hit.entering || hit.starts_inside || hit.primitive == 0 || scene.parts(hit.instance) == 0) return hit;
+  const Vec3d below = touched - hit.normal * (1e-9 + 8 * spacing_at<double>(touched));
+  const SceneHit there = scene.first_hit({below, below, 0, time, 0}, solids);
+  if (there.instance != hit.instance || there.primitive >= hit.primitive || there.material == hit.material) return hit;
+  hit.primitive = there.primitive;
+  hit.material = there.material;
+  return hit;
 }
 
 /// The states of a straight way from one to another.

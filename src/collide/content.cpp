@@ -71,6 +71,8 @@ struct ShapeMaker {
       if (std::holds_alternative<Compound>(*slot->shape) || std::holds_alternative<HalfSpace>(*slot->shape))
         return Error{"is a compound or a plane", place + ".shape", "take its parts, or a plane of its own"};
       if (auto status = check(c.parts[i].transform, place + ".transform"); !status) return status.error();
+      if (c.parts[i].material && c.parts[i].material->index >= scene.materials.size())
+        return Error{"is no material of this scene", place + ".material", "add_material() gives them"};
       const Placement placement(c.parts[i].transform);
       compound.parts.push_back({c.parts[i], placement, placement.outside(bounds_of(*slot->shape)), slot->shape});
       parts.push_back(c.parts[i].shape.index);

@@ -69,10 +69,6 @@ struct SceneContent {
     return slot.alive && slot.generation == id.generation ? &slot : nullptr;
   }
   [[nodiscard]] InstanceSlot* find(InstanceId id) { return const_cast<InstanceSlot*>(std::as_const(*this).find(id)); }
-  [[nodiscard]] MaterialId material_of(const InstanceSlot& slot, std::uint32_t primitive) const {
-    const auto* mesh = std::get_if<Mesh>(slot.shape.get());
-    return mesh ? mesh->material(primitive).value_or(slot.def.material) : slot.def.material;
-  }
 
   /// A shape, ready to be met; of a compound, also the shapes that it uses.
   [[nodiscard]] Result<Shape> prepare(const ShapeDef& def, std::vector<std::uint32_t>& parts) const;

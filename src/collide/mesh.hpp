@@ -28,6 +28,8 @@ class Mesh {
     PHYSIM_ASSERT(i < triangles_.size());
     return triangles_[i];
   }
+  /// The number of a triangle as it was given.
+  [[nodiscard]] std::uint32_t number(std::uint32_t i) const { return numbers_[i]; }
   /// The material of a triangle, by its number as it was given.
   [[nodiscard]] std::optional<MaterialId> material(std::uint32_t triangle) const {
     PHYSIM_ASSERT(materials_.empty() || triangle < materials_.size());
@@ -58,8 +60,6 @@ class Mesh {
   [[nodiscard]] double clearance(const Vec3d& p) const;
 
  private:
-  /// The number of a triangle as it was given.
-  [[nodiscard]] std::uint32_t number(std::uint32_t i) const { return numbers_[i]; }
   void put_vertices_in_order();
   [[nodiscard]] bool is_closed() const;
   [[nodiscard]] double volume() const;

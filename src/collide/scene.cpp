@@ -149,6 +149,12 @@ std::optional<InstanceDef> Scene::instance(InstanceId id) const {
   return slot ? std::optional(slot->def) : std::nullopt;
 }
 
+std::size_t Scene::parts(InstanceId id) const {
+  const Impl::InstanceSlot* slot = impl_->find(id);
+  const auto* compound = slot ? std::get_if<collide::Compound>(slot->shape.get()) : nullptr;
+  return compound ? compound->parts.size() : 0;
+}
+
 bool Scene::has_sensors() const { return impl_->sensors > 0; }
 bool Scene::is_sensor(InstanceId id) const {
   const Impl::InstanceSlot* slot = impl_->find(id);

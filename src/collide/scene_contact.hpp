@@ -167,6 +167,7 @@ class SceneContacts {
     if (hit.starts_inside && is_ball()) push_out(s, hit, passed);
     if (hit.starts_inside) look_for_surface(s, hit, passed);
     if (hit.starts_inside && came_through_) enter_here(s, hit);
+    hit = of_first_part(*scene_, solids_, hit, s.x - hit.normal * collision().radius, r_.scene_time() + passed);
     const bool inside = hit.starts_inside;
     const bool leaves = !inside && dot(s.v - hit.velocity, hit.normal) >= 0;
     HitAnswer does{.then = collision().on_hit};
@@ -225,8 +226,10 @@ class SceneContacts {
     const SceneHit there = scene_->first_hit({s.x, s.x - away * (2 * radius), 0, time, 0}, solids_);
     const bool found = there.instance == near.instance;
     const auto moves = scene_->state(near.instance, time);
-    hit.material = found ? there.material : scene_->instance(near.instance)->material;
-    hit.primitive = found ? there.primitive : 0;
+    const bool is_known = found || hit.instance == near.instance;
+    const SceneHit& touched = found ? there : hit;
+    hit.material = is_known ? touched.material : scene_->instance(near.instance)->material;
+    hit.primitive = is_known ? touched.primitive : 0;
     hit.velocity = moves->velocity + cross(moves->angular_velocity, near.position - moves->position);
     hit.normal = away;
     hit.instance = near.instance;
@@ -247,9 +250,9 @@ class SceneContacts {
     const bool went_through = is_ball() && (collision().on_hit == OnHit::impact || came_through_);
     const double near = 4 * gap_at(s.x) + (went_through ? 2 * collision().radius : 0);
     const Vec3d off = relative * (near / speed);
-    const InstanceId inside_of = hit.instance;
+    const SceneHit inside_of = hit;
     for (const SceneHit& each : scene_->all_hits({s.x - off, s.x + off, 0, r_.scene_time() + passed, 0}, solids_)) {
-      if (each.instance != inside_of || each.starts_inside) continue;
+      if (!is_one_body(*scene_, each, inside_of) || each.starts_inside) continue;
       const bool is_it = each.entering ? each.part <= 0.5 : hit.starts_inside && each.part >= 0.5 && !is_ball();
       if (!is_it) continue;
       hit = each;
@@ -257,14 +260,23 @@ class SceneContacts {
     }
   }
 
-  /// Who came out of a thing inside of another one, since they touch or overlap, meets that at once.
+  /// Who came out of a body inside of another one, since they touch or overlap, meets that at once.
   [[nodiscard]] std::optional<After> into_next(const After& after, State<double>& s, SceneHit& hit, double passed) {
     if (after.then != Then::flies_on || !came_through_) return after;
-    const SceneHit next = cast(after.state.x, after.state.x, passed, 0);
-    if (!next.starts_inside || next.instance == hit.instance) return after;
+    SceneHit next = cast(after.state.x, after.state.x, passed, 0);
+    if (!next.starts_inside) next = is_ball() ? SceneHit{} : entered_at(after.state, hit, passed);
+    if (!next || is_one_body(*scene_, next, hit)) return after;
     hit = next;
     s = after.state;
+    if (hit.starts_inside) look_for_surface(s, hit, passed);  // a ball's middle may be behind what is thin
     return std::nullopt;
+  }
+  /// The surface of another body through which a point was put as it came out of one: a mesh that touches it.
+  [[nodiscard]] SceneHit entered_at(const State<double>& s, const SceneHit& left, double passed) const {
+    const Vec3d off = normalized(s.v - left.velocity) * (4 * gap_at(s.x));
+    for (const SceneHit& each : scene_->all_hits({s.x - off, s.x, 0, r_.scene_time() + passed, 0}, solids_))
+      if (each.entering && !each.starts_inside && !is_one_body(*scene_, each, left)) return each;
+    return {};
   }
   /// It goes on in what it is inside of as if it came straight into it there.
   static void enter_here(const State<double>& s, SceneHit& hit) {

@@ -12,9 +12,42 @@ constexpr int kSides = 16;       // of what is round
 constexpr int kPathPieces = 32;  // of a path
 constexpr double kTurn = 6.283185307179586;
 
+/// Draws triangles of a thing, and tells what they are made of where that changes.
+class ThingDraw {
+ public:
+  ThingDraw(const Placement& at, SceneInk ink, MaterialId own, SceneCanvas& canvas)
+      : at_(at), ink_(ink), own_(own), last_(own), canvas_(canvas) {
+    canvas_.material(own);
+  }
+  void of(std::optional<MaterialId> material) {
+    const MaterialId next = material.value_or(own_);
+    if (next != last_) canvas_.material(last_ = next);
+  }
+  void operator()(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
+    canvas_.triangle(at_.outside(a), at_.outside(b), at_.outside(c), ink_);
+  }
+
+ private:
+  const Placement& at_;
+  const SceneInk ink_;
+  const MaterialId own_;
+  MaterialId last_;
+  SceneCanvas& canvas_;
+};
+/// Likewise of a part of it.
+struct PartDraw {
+  const Compound::Part& part;
+  ThingDraw& draw;
+
+  void of(std::optional<MaterialId> material) { draw.of(material ? material : part.definition.material); }
+  void operator()(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
+    draw(part.placement.outside(a), part.placement.outside(b), part.placement.outside(c));
+  }
+};
+
 /// Calls draw(a, b, c) for triangles about the y axis, between circles from below upwards.
 template <class Draw>
-void draw_turned(const std::vector<std::pair<double, double>>& circles, const Draw& draw) {
+void draw_turned(const std::vector<std::pair<double, double>>& circles, Draw& draw) {
   const auto at = [&](std::size_t circle, int side) {
     const SinCos<double> angle = sincos(kTurn * (side % kSides) / kSides);
     PHYSIM_ASSERT(circle < circles.size() && side <= kSides);
@@ -31,7 +64,7 @@ void draw_turned(const std::vector<std::pair<double, double>>& circles, const Dr
 
 /// Two half balls with a cylinder between them.
 template <class Draw>
-void draw_capsule(double radius, double half_height, const Draw& draw) {
+void draw_capsule(double radius, double half_height, Draw& draw) {
   constexpr int kRings = kSides / 4;
   std::vector<std::pair<double, double>> circles;
   for (int i = -kRings; i <= kRings; ++i) {
@@ -44,21 +77,21 @@ void draw_capsule(double radius, double half_height, const Draw& draw) {
 }
 
 template <class Draw>
-void draw_triangles(const HalfSpace&, const Draw&) {}
+void draw_triangles(const HalfSpace&, Draw&) {}
 template <class Draw>
-void draw_triangles(const Sphere& s, const Draw& draw) {
+void draw_triangles(const Sphere& s, Draw& draw) {
   draw_capsule(s.radius, 0, draw);
 }
 template <class Draw>
-void draw_triangles(const Capsule& c, const Draw& draw) {
+void draw_triangles(const Capsule& c, Draw& draw) {
   draw_capsule(c.radius, c.half_height, draw);
 }
 template <class Draw>
-void draw_triangles(const Cylinder& c, const Draw& draw) {
+void draw_triangles(const Cylinder& c, Draw& draw) {
   draw_turned({{0, -c.half_height}, {c.radius, -c.half_height}, {c.radius, c.half_height}, {0, c.half_height}}, draw);
 }
 template <class Draw>
-void draw_triangles(const Box& box, const Draw& draw) {
+void draw_triangles(const Box& box, Draw& draw) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0}) {
       const auto corner = [&](double u, double v) {
@@ -73,11 +106,14 @@ void draw_triangles(const Box& box, const Draw& draw) {
     }
 }
 template <class Draw>
-void draw_triangles(const Mesh& mesh, const Draw& draw) {
-  for (std::uint32_t i = 0; i < mesh.size(); ++i) draw(mesh.triangle(i).a, mesh.triangle(i).b, mesh.triangle(i).c);
+void draw_triangles(const Mesh& mesh, Draw& draw) {
+  for (std::uint32_t i = 0; i < mesh.size(); ++i) {
+    draw.of(mesh.material(mesh.number(i)));
+    draw(mesh.triangle(i).a, mesh.triangle(i).b, mesh.triangle(i).c);
+  }
 }
 template <class Draw>
-void draw_triangles(const HeightField& field, const Draw& draw) {
+void draw_triangles(const HeightField& field, Draw& draw) {
   for (std::uint32_t row = 0; row + 1 < field.rows(); ++row)
     for (std::uint32_t column = 0; column + 1 < field.columns(); ++column)
       for (std::uint32_t half = 0; half < 2; ++half) {
@@ -86,37 +122,34 @@ void draw_triangles(const HeightField& field, const Draw& draw) {
       }
 }
 template <class Draw>
-void draw_triangles(const ConvexHull& hull, const Draw& draw) {
+void draw_triangles(const ConvexHull& hull, Draw& draw) {
   for (const auto& t : hull.triangles()) draw(hull.corners()[t[0]], hull.corners()[t[1]], hull.corners()[t[2]]);
 }
-template <class Draw>
-void draw_triangles(const Compound& compound, const Draw& draw) {
-  for (const Compound::Part& part : compound.parts)
+void draw_triangles(const Compound& compound, ThingDraw& draw) {
+  for (const Compound::Part& part : compound.parts) {
+    PartDraw of_part{part, draw};
+    of_part.of(std::nullopt);
     std::visit(
         [&](const auto& one) {
-          if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(one)>, Compound>)
-            draw_triangles(one, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-              draw(part.placement.outside(a), part.placement.outside(b), part.placement.outside(c));
-            });
+          if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(one)>, Compound>) draw_triangles(one, of_part);
         },
         *part.shape);
+  }
 }
 
-void draw_shape(const Shape& shape, const Placement& at, SceneInk ink, const SceneDrawing& what, SceneCanvas& canvas) {
+void draw_shape(const Shape& shape, const Placement& at, SceneInk ink, MaterialId own, const SceneDrawing& what,
+                SceneCanvas& canvas) {
+  ThingDraw draw(at, ink, own, canvas);
   if (std::holds_alternative<HalfSpace>(shape)) {
     const double size = what.plane_size / at.scale();
     const Vec3d corners[] = {{-size, 0, -size}, {-size, 0, size}, {size, 0, size}, {size, 0, -size}};
     if (what.plane_faces) {
-      for (const std::size_t i : {0u, 2u})
-        canvas.triangle(at.outside(corners[i]), at.outside(corners[i + 1]), at.outside(corners[(i + 2) % 4]), ink);
+      for (const std::size_t i : {0u, 2u}) draw(corners[i], corners[i + 1], corners[(i + 2) % 4]);
       return;
     }
     for (std::size_t i = 0; i < 4; ++i) canvas.line(at.outside(corners[i]), at.outside(corners[(i + 1) % 4]), ink);
     return canvas.line(at.outside(corners[0]), at.outside(corners[2]), ink);
   }
-  const auto draw = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    canvas.triangle(at.outside(a), at.outside(b), at.outside(c), ink);
-  };
   std::visit([&](const auto& one) { draw_triangles(one, draw); }, shape);
 }
 
@@ -140,7 +173,8 @@ void Scene::draw(SceneCanvas& canvas, const SceneDrawing& what) const {
     if (!slot.alive || !slot.is_asked(what.filter)) continue;
     canvas.begin({index, slot.generation});
     const SceneInk ink = slot.def.sensor ? SceneInk::sensor : SceneInk::solid;
-    if (what.shapes) collide::draw_shape(*slot.shape, slot.placement_at(what.time), ink, what, canvas);
+    if (what.shapes)
+      collide::draw_shape(*slot.shape, slot.placement_at(what.time), ink, slot.def.material, what, canvas);
     const Vec3d origin = slot.state_at(what.time).position;
     if (what.names && !slot.def.name.empty()) canvas.text(origin, slot.def.name);
     Vec3d before = origin;

@@ -62,7 +62,7 @@ SceneHit hit_of(const SceneContent& scene, std::uint32_t index, const Crossing& 
                .time = asked.time + asked.duration * crossing.t,
                .instance = {index, slot.generation},
                .primitive = crossing.primitive,
-               .material = scene.material_of(slot, crossing.primitive),
+               .material = material_of(*slot.shape, crossing).value_or(slot.def.material),
                .entering = crossing.entering,
                .starts_inside = crossing.starts_inside};
   if (!slot.path) return hit;
@@ -113,8 +113,9 @@ SceneHit first_hit(const SceneContent& scene, const SceneSegment& asked, const S
   std::uint32_t who = 0;
   cross_all<false>(scene, asked, asked.radius, filter, [&](std::uint32_t index, const Crossing& crossing, Segment& s) {
     // Met at once, the one of the lowest numbers is first, whatever the tree looks like.
-    const bool first = crossing.t < best.t ||
-                       (crossing.t == best.t && (index < who || (index == who && crossing.primitive < best.primitive)));
+    const auto numbers = std::tie(index, crossing.primitive, crossing.triangle);
+    const bool first =
+        crossing.t < best.t || (crossing.t == best.t && numbers < std::tie(who, best.primitive, best.triangle));
     if (!first) return;
     best = crossing;
     who = index;
@@ -144,17 +145,25 @@ bool Scene::any_hit(const SceneSegment& segment, const SceneFilter& filter) cons
 
 std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFilter& filter) const {
   const IeeeMode mode;
-  std::vector<SceneHit> hits;
+  struct Met {
+    std::uint32_t index;
+    collide::Crossing crossing;
+  };
+  std::vector<Met> met;
   SceneSegment points = segment;
   points.radius = segment.radius >= 0 ? 0 : segment.radius;
   collide::cross_all<true>(*impl_, segment, 0, filter,
                            [&](std::uint32_t index, const collide::Crossing& crossing, collide::Segment&) {
-                             hits.push_back(collide::hit_of(*impl_, index, crossing, points));
+                             met.push_back({index, crossing});
                            });
-  std::ranges::sort(hits, [](const SceneHit& a, const SceneHit& b) {
-    return std::tie(a.instance.index, a.part, b.entering, a.primitive) <
-           std::tie(b.instance.index, b.part, a.entering, b.primitive);
+  std::ranges::sort(met, [](const Met& a, const Met& b) {
+    const collide::Crossing &one = a.crossing, &other = b.crossing;
+    return std::tie(a.index, one.t, other.entering, one.primitive, one.triangle) <
+           std::tie(b.index, other.t, one.entering, other.primitive, other.triangle);
   });
+  std::vector<SceneHit> hits;
+  hits.reserve(met.size());
+  for (const Met& each : met) hits.push_back(collide::hit_of(*impl_, each.index, each.crossing, points));
   // Through an edge two triangles are passed at once; where chords along a curve meet, they tell of one place twice.
   const auto same = [&](const SceneHit& a, const SceneHit& b) {
     const bool moves = impl_->instances[a.instance.index].path != nullptr;

@@ -16,8 +16,8 @@ namespace collide {
 namespace {
 
 constexpr char kSceneMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'C', '\n'};
-constexpr std::uint32_t kSceneFormat = 1;
-constexpr std::uint32_t kEngineFormat = 2;  // likewise, with the skin of an engine behind it
+constexpr std::uint32_t kSceneFormat = 3;
+constexpr std::uint32_t kEngineFormat = 4;  // likewise, with the skin of an engine behind it
 constexpr std::size_t kSceneHead = sizeof kSceneMagic + sizeof kSceneFormat + 8, kSceneSum = 8;
 
 struct SavedShape {

@@ -38,6 +38,7 @@ struct Crossing {
   std::uint32_t primitive = 0;  // triangle of a mesh, child of a compound
   bool entering = true;         // from outside, against the normal
   bool starts_inside = false;   // it is inside at t = 0, which is then the place
+  std::uint32_t triangle = 0;   // of a child that is a mesh
 };
 
 /// Where a segment is inside of a convex shape: from `in` to `out`.

@@ -115,6 +115,17 @@ ShapeDef definition_of(const Shape& shape) {
   return std::visit([](const auto& one) { return definition(one); }, shape);
 }
 
+std::optional<MaterialId> material_of(const Shape& shape, const Crossing& crossing) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->material(crossing.primitive);
+  const auto* compound = std::get_if<Compound>(&shape);
+  if (!compound) return std::nullopt;
+  PHYSIM_ASSERT(crossing.primitive < compound->parts.size());
+  const Compound::Part& part = compound->parts[crossing.primitive];
+  const auto* mesh = std::get_if<Mesh>(part.shape.get());
+  const auto of_triangle = mesh ? mesh->material(crossing.triangle) : std::nullopt;
+  return of_triangle ? of_triangle : part.definition.material;
+}
+
 double clearance_of(const Shape& shape, const Vec3d& p) {
   return std::visit([&](const auto& one) { return clearance(one, p); }, shape);
 }

@@ -51,6 +51,8 @@ struct Compound {
 
 /// What a shape was made of.
 [[nodiscard]] ShapeDef definition_of(const Shape& shape);
+/// The material that it has of its own where it is crossed; none: that of whatever has the shape.
+[[nodiscard]] std::optional<MaterialId> material_of(const Shape& shape, const Crossing& crossing);
 /// Empty of half-spaces, which have none.
 [[nodiscard]] Bounds bounds_of(const Shape& shape);
 
@@ -85,6 +87,7 @@ void cross(const Shape& shape, Segment& s, const Take& take) {
     Segment inside = part.placement.inside(s);
     detail::cross_simple<kExits>(*part.shape, inside, [&](Crossing crossing, Segment& within) {
       crossing.normal = part.placement.turned(crossing.normal);
+      crossing.triangle = crossing.primitive;
       crossing.primitive = i;
       take(crossing, s);
       within.reach = s.reach;

@@ -20,7 +20,8 @@ struct WayIn {
   double time = 0;    // of the scene [s]
 };
 
-/// Nothing where a ball only grazes an edge. Parts of a thing that touch or overlap are one. `hit`: what it met.
+/// Nothing where a ball only grazes an edge. Parts of a thing that touch or overlap are one where they are of one
+/// material; else the way ends where the next one begins. `hit`: what it met.
 [[nodiscard]] std::optional<WayThrough> way_through(const Scene& scene, const SceneFilter& solids, const SceneHit& hit,
                                                     const WayIn& in);
 

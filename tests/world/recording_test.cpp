@@ -239,7 +239,7 @@ TEST(Recording, other_files_and_formats_are_refused) {
   EXPECT_NE(error_of({}).find("byte 0: error: this is not a recording"), std::string::npos);
   EXPECT_NE(error_of(Bytes(100)).find("this is not a recording"), std::string::npos);
   bytes[8] = std::byte{99};
-  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 99; this library reads format 10");
+  EXPECT_EQ(error_of(bytes), "byte 8: error: the recording is of format 99; this library reads format 11");
   bytes = small_recording();
   bytes.push_back({});
   EXPECT_NE(error_of(bytes).find("something follows"), std::string::npos);
