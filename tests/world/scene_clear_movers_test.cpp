@@ -275,6 +275,17 @@ TEST(SceneClear, what_the_caller_takes_along_meets_whoever_knows_that_all_at_res
     }
 }
 
+TEST(SceneClear, who_knows_for_long_what_is_clear_meets_a_newcomer_that_has_stood_for_long) {
+  const double dt = 1.0 / 60, drift = 0.01;
+  Hanging one({drift, 0, 0}, 0, Precision::float64);
+  EXPECT_EQ(one.met(20, dt), 0);
+  const double now = one.world.time(), gap = 0.08;  // as far as it knows
+  ASSERT_GT(gap / drift, 1.5 * dt * double(Newcomers::kQuiet));
+  const Vec3d place{drift * now + gap + 1, 0, 0};
+  ASSERT_TRUE(one.world.add_instance({.shape = one.ball, .transform = {.position = place}}));
+  EXPECT_NEAR(one.met(600, dt), now + gap / drift, 1e-4);
+}
+
 bool holds(const collide::Bounds& outer, const collide::Bounds& inner) {
   collide::Bounds both = outer;
   both.take(inner);
