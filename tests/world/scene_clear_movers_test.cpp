@@ -275,6 +275,31 @@ TEST(SceneClear, what_the_caller_takes_along_meets_whoever_knows_that_all_at_res
     }
 }
 
+TEST(SceneClear, who_knows_for_long_what_is_clear_meets_a_newcomer_that_has_stood_for_long) {
+  const double dt = 1.0 / 60, drift = 0.01;
+  Hanging one({drift, 0, 0}, 0, Precision::float64);
+  EXPECT_EQ(one.met(20, dt), 0);
+  const double now = one.world.time(), gap = 0.08;  // as far as it knows
+  ASSERT_GT(gap / drift, 1.5 * dt * double(Newcomers::kQuiet));
+  const Vec3d place{drift * now + gap + 1, 0, 0};
+  ASSERT_TRUE(one.world.add_instance({.shape = one.ball, .transform = {.position = place}}));
+  EXPECT_NEAR(one.met(600, dt), now + gap / drift, 1e-4);
+}
+
+TEST(SceneClear, a_mover_beside_the_chord_of_a_long_step_is_met) {
+  const double dt = 0.5;
+  Hanging one({}, 0, Precision::float64);
+  ASSERT_TRUE(one.world[one.id].set_gravity_scale(1));
+  ASSERT_TRUE(one.world[one.id].set_velocity({0, 9.9, 0}));
+  EXPECT_EQ(one.met(1, dt), 0);
+  const double low = one.world[one.id].position().y;
+  // It rises by 0.05 m in the step that comes, and by 0.37 m within it.
+  ASSERT_TRUE(one.world.add_instance({.shape = one.ball,
+                                      .transform = {.position = {0, low + 0.3, 0}, .scale = 0.03},
+                                      .motion = SteadyMotion{.start = dt, .velocity = {1e-3, 0, 0}}}));
+  EXPECT_GT(one.met(1, dt), dt);
+}
+
 bool holds(const collide::Bounds& outer, const collide::Bounds& inner) {
   collide::Bounds both = outer;
   both.take(inner);
