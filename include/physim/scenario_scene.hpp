@@ -18,6 +18,7 @@ struct Scenario;
 /// One of the shapes that a compound has.
 struct ScenarioPart {
   std::string shape{};          ///< name of another [[shape]], no plane and no compound; it may come later [-]
+  std::string material{};       ///< name of its material; empty: that of the thing [-]
   Vec3d position{};             ///< of its origin in the compound's frame [m]
   ScenarioRotation rotation{};  ///< from its own frame to the compound's [-]
   double scale = 1;             ///< along all axes, 1e-9 to 1e9 [-]

@@ -105,6 +105,7 @@ struct ThingHit {
   Vec3d velocity_after{};        ///< [m/s]
   double obliquity = 0;          ///< between its way, as seen from the surface, and the normal [rad]
   InstanceId instance{};         ///< in the scene of the world [-]
+  std::uint32_t primitive = 0;   ///< of it, as SceneHit::primitive [-]
   std::size_t thing = kNone;     ///< index in Scenario::things [-]
   std::size_t material = kNone;  ///< index in Scenario::materials; kNone: that of every scene [-]
   /// bounced, ricocheted, penetrated or stopped; entered, left or sensed for what is passed.

@@ -169,7 +169,7 @@ Status check_each(const List& list, const std::string& key, const Value& documen
   return {};
 }
 
-/// The published materials that things and meshes name, where the scenario has none of that name.
+/// The published materials that things, parts and meshes name, where the scenario has none of that name.
 void bring_published(Scenario& scenario) {
   std::set<std::string_view> seen;
   const auto bring = [&](const std::string& name) {
@@ -179,8 +179,10 @@ void bring_published(Scenario& scenario) {
     if (published) scenario.materials.push_back(*published), scenario.materials.back().name = name;
   };
   for (const ScenarioThing& thing : scenario.things) bring(thing.material);
-  for (const ScenarioShape& shape : scenario.shapes)
+  for (const ScenarioShape& shape : scenario.shapes) {
+    for (const ScenarioPart& part : shape.parts) bring(part.material);
     for (const std::string& name : shape.materials) bring(name);
+  }
 }
 
 }  // namespace

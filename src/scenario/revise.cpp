@@ -222,8 +222,8 @@ std::string more_of(List Scenario::*list, const char* name, const Scenario& befo
   return added;
 }
 
-/// Takes materials that are more than before out of the list; who reads things or meshes that are made of published
-/// ones has those anyway.
+/// Takes materials that are more than before out of the list; who reads things, parts or meshes that are made of
+/// published ones has those anyway.
 std::string more_materials(const Scenario& before, const Scenario& now, Scenario& kept) {
   if (kept.materials.size() <= before.materials.size()) return {};
   const std::vector<std::string> texts = element_texts(now, "material");
@@ -231,8 +231,10 @@ std::string more_materials(const Scenario& before, const Scenario& now, Scenario
   for (auto& all = kept.materials; all.size() > before.materials.size(); all.pop_back()) {
     auto published = published_material(all.back().name);
     if (published) published->name = all.back().name;
-    const auto names_it = [&all](const ScenarioShape& mesh) {
-      return std::ranges::count(mesh.materials, all.back().name) > 0;
+    const auto names_it = [&name = all.back().name](const ScenarioShape& shape) {
+      return std::ranges::count(shape.materials, name) +
+                 std::ranges::count(shape.parts, name, &ScenarioPart::material) >
+             0;
     };
     const bool is_made_of = std::ranges::count(now.things, all.back().name, &ScenarioThing::material) > 0 ||
                             std::ranges::any_of(now.shapes, names_it);

@@ -110,12 +110,14 @@ Result<CompoundShape::Part> SceneMaker::part_of(const ScenarioShape& compound, c
                  "name shapes of other kinds, such as the parts of that one"};
   if (named != scenario_.shapes.end() && std::holds_alternative<PlaneShape>(named->shape))
     return Error{in_quotes(part.shape) + " is a plane, which has no end", "shape", "give it a thing of its own"};
-  if (named != scenario_.shapes.end() && !named->materials.empty())
-    return Error{in_quotes(part.shape) + " has materials of its own, and all of a compound is of its thing's", "shape",
-                 "give it a thing of its own"};
   const Result<ShapeId> shape = id_of(shape_ids_, part.shape, "shape", {});
   if (!shape) return shape.error();
-  return CompoundShape::Part{*shape, {part.position, part.rotation.quaternion(), part.scale}};
+  CompoundShape::Part made{*shape, {part.position, part.rotation.quaternion(), part.scale}};
+  if (part.material.empty()) return made;
+  const Result<MaterialId> material = material_of(part.material);
+  if (!material) return material.error();
+  made.material = *material;
+  return made;
 }
 
 Status SceneMaker::keep_shape(const ShapeDef& shape, const std::string& name) {

@@ -178,7 +178,8 @@ constexpr Range kPoints = {.low = 0, .high = 1e6};  // of lists
 constexpr Entry kSceneSettings[] = {
     setting("material", PHYSIM_FIELD(scenario->materials), "what things are made of", at_most(1000)),
     PHYSIM_MATERIAL(name,
-                    "for thing.material and shape.mesh.materials, and in tables; default: material-1, material-2, ..."),
+                    "for things, shape.compound.material and shape.mesh.materials, and in tables; default: material-1, "
+                    "material-2, ..."),
     setting("material.preset", material_preset_slot,
             "a material whose numbers were published, to start from; the other keys change it", kPreset),
     setting("material.concrete", concrete_slot, "concrete of this compressive strength, instead of a preset",
@@ -271,6 +272,7 @@ constexpr Entry kSceneSettings[] = {
     setting("shape.compound", compound_slot, "other shapes that move as one, each at its place",
             Range{.low = 1, .high = 10000}, WhereTrue{is_compound}),
     PHYSIM_PART(shape, "name of another shape, no plane and no compound", kRequired),
+    PHYSIM_PART(material, "name of its material, or of a preset; empty: that of the thing"),
     PHYSIM_PART(position, "of its origin in the compound's frame", Quantity::length),
     PHYSIM_ROTATION("shape.compound", part),
     PHYSIM_PART(scale, "along all axes", between(1e-9, 1e9)),

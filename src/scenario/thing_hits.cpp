@@ -30,12 +30,15 @@ void add_hit(ThingHits& to, const ThingHit& hit) {
 
 /// The hit that an event goes on with: of which it is not known yet what became. `last`: the projectile's last one.
 ThingHit* open_hit(std::vector<ThingHit>& hits, std::size_t last, const Event& event) {
+  ThingHit* first = nullptr;
   for (std::size_t i = 0; i <= last && last < hits.size(); ++i) {
     ThingHit& hit = hits[last - i];
-    if (hit.time < event.time) break;  // several may be met at one time, at a corner
-    if (hit.id == event.id && hit.instance == event.instance && hit.outcome == EventKind::hit) return &hit;
+    if (hit.time < event.time) break;
+    // Several may be met at one time, at a corner and part behind part; worlds tell all of them before what became.
+    const bool is_met = hit.id == event.id && hit.instance == event.instance && hit.primitive == event.primitive;
+    if (is_met && hit.outcome == EventKind::hit) first = &hit;
   }
-  return nullptr;
+  return first;
 }
 
 }  // namespace
@@ -45,6 +48,7 @@ ThingHit SceneOfRun::hit(const Launched& launched, const Event& event, const Sce
   ThingHit hit{.launched = launched, .id = event.id, .time = event.time, .position = event.position};
   hit.velocity = hit.velocity_after = event.velocity;
   hit.instance = event.instance;
+  hit.primitive = event.primitive;
   Vec3d relative = event.velocity;
   if (const auto thing = scene.instance(event.instance)) {
     if (thing->user_data < scenario->things.size()) hit.thing = static_cast<std::size_t>(thing->user_data);

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "physim/world_run.hpp"
+#include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
@@ -14,7 +14,6 @@ namespace physim {
 namespace {
 
 using test::kDegree;
-using test::same_bits;
 
 /// A table, named before the shapes that it is made of: a plate, and two legs, of which one is twice as large and lies.
 const std::string kTable = R"(physim = 1
@@ -70,36 +69,6 @@ Scene scene_of_table() {
        .user_data = 1,
        .name = "far"});
   return scene;
-}
-
-/// Segments through a box of 30 m by 4 m by 4 m.
-std::vector<SceneSegment> random_segments(std::size_t count) {
-  std::mt19937_64 random(7);
-  const auto uniform = [&random](double low, double high) {
-    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
-  std::vector<SceneSegment> segments(count);
-  for (SceneSegment& s : segments) {
-    s.from = {uniform(-2, 28), uniform(-2, 4), uniform(-3, 3)};
-    s.to = {uniform(-2, 28), uniform(-2, 4), uniform(-3, 3)};
-  }
-  return segments;
-}
-
-/// Both are met at the same places, by bits; returns how often something was met.
-std::size_t expect_same_hits(const Scene& a, const Scene& b) {
-  std::size_t met = 0;
-  for (const SceneSegment& s : random_segments(20000)) {
-    const std::vector<SceneHit> one = a.all_hits(s), two = b.all_hits(s);
-    EXPECT_EQ(one.size(), two.size());
-    met += one.size();
-    for (std::size_t i = 0; i < std::min(one.size(), two.size()); ++i) {
-      EXPECT_TRUE(same_bits(one[i].part, two[i].part) && same_bits(one[i].normal, two[i].normal));
-      EXPECT_TRUE(one[i].primitive == two[i].primitive && one[i].instance == two[i].instance);
-      EXPECT_EQ(one[i].material, two[i].material);
-    }
-  }
-  return met;
 }
 
 TEST(CompoundScenario, is_the_scene_that_the_library_makes_of_it) {
@@ -181,7 +150,6 @@ name = "sail"
 shape = "sail"
 position = [20, 0, 0]
 )";
-const std::string kHead = "physim = 1\n[[shot]]\n[world]\n";
 
 Scene scene_of_floor() {
   Scene scene;
@@ -340,8 +308,16 @@ INSTANTIATE_TEST_SUITE_P(
                  "f.toml:8:31: error: unknown key \"scael\" in [compound]; did you mean \"scale\"?"},
         BadShape{kBall + "compound = [{ shape = \"ball\", scale = 0 }]",
                  "f.toml:8:39: error: shape.compound.scale: 0 is out of range; must be 1e-09 .. 1e+09"},
-        BadShape{kBall + "compound = [{ shape = \"ball\", material = \"oak\" }]",
-                 "f.toml:8:31: error: unknown key \"material\" in [compound]; \"material\" belongs into [thing]"},
+        BadShape{kBall + "compound = [{ shape = \"ball\", material = \"oaks\" }]",
+                 "f.toml:8:42: error: shape.compound.material: no material is named \"oaks\"; did you mean \"oak\"?"},
+        BadShape{
+            kBall + "compound = [{ shape = \"ball\" },\n  { shape = \"ball\", material = \"steal\" }]\n"
+                    "[[material]]\nname = \"steel\"",
+            "f.toml:9:32: error: shape.compound.material: no material is named \"steal\"; did you mean \"steel\"?"},
+        BadShape{kBall + "compound = [{ shape = \"ball\", material = 7 }]",
+                 "f.toml:8:42: error: shape.compound.material: found a number; expected a text in quotes"},
+        BadShape{kBall + "compound = [{ shape = \"ball\", materials = \"oak\" }]",
+                 "f.toml:8:31: error: unknown key \"materials\" in [compound]; did you mean \"material\"?"},
         BadShape{kBall + "name = \"a\"\ncompound = [{ shape = \"a\" }]",
                  "f.toml:9:23: error: shape.compound.shape: it names itself; name shapes of other kinds, such as the "
                  "parts of that one"},
@@ -372,10 +348,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "f.toml:6:93: error: shape.mesh.materials: no material is named \"oaks\"; did you mean \"oak\"?"},
         BadShape{kSheet + "materials = [7] }",
                  "f.toml:6:94: error: shape.mesh.materials: found a number; expected a "
-                 "text in quotes"},
-        BadShape{kSheet + "materials = \"oak\" }\n[[shape]]\ncompound = [{ shape = \"sheet\" }]",
-                 "f.toml:8:23: error: shape.compound.shape: \"sheet\" has materials of its own, and all of a "
-                 "compound is of its thing's; give it a thing of its own"}));
+                 "text in quotes"}));
 
 /// A scenario that was put together in memory has no lines: the shape and what of it is wrong are named.
 TEST(CompoundScenario, is_refused_by_name_where_there_is_no_file) {

@@ -211,8 +211,8 @@ TEST(Save, what_is_no_save_is_refused) {
   longer.push_back({});
   EXPECT_FALSE(World::load(longer));
   Bytes later = save;
-  later[8] = std::byte{9};
-  EXPECT_NE(World::load(later).error().message.find("format 9"), std::string::npos);
+  later[8] = std::byte{99};
+  EXPECT_NE(World::load(later).error().message.find("format 99"), std::string::npos);
 }
 
 /// A save with other bytes and the check sum that goes with them.

@@ -12,6 +12,7 @@ Hit hit_of(const World& world, const physim::Scene& scene, const Event& event) {
   Hit hit;
   hit.id = event.id;
   hit.instance = event.instance;
+  hit.primitive = event.primitive;
   hit.time = event.time;
   hit.position = event.position;
   hit.velocity = hit.after = event.velocity;
@@ -74,10 +75,12 @@ void HitLog::look_at(const World& world, std::span<const Event> events) {
     }
     const auto is_its = [&](const Hit& hit) {
       const bool is_open = hit.outcome == EventKind::hit || hit.outcome == EventKind::stopped;
-      return hit.id == event.id && hit.instance == event.instance && is_open;
+      // Parts that are met at one time are all told before what became of the first of them.
+      return hit.id == event.id && hit.instance == event.instance && hit.primitive == event.primitive &&
+             hit.time >= event.time && is_open;
     };
-    const auto hit = std::find_if(open.rbegin(), open.rend(), is_its);
-    if (hit != open.rend()) complete(*hit, *scene, event);
+    const auto hit = std::ranges::find_if(open, is_its);
+    if (hit != open.end()) complete(*hit, *scene, event);
   }
   for (Hit& hit : open)
     if (hit.outcome != EventKind::hit) add(std::move(hit));

@@ -14,20 +14,21 @@ namespace physim::client {
 /// A projectile met a thing. Places are those in the thing's own frame, so that they move as it does.
 struct Hit {
   ProjectileId id;
-  std::string shot;       // what the projectile is called, "bullet #3"
-  Colour colour = 0;      // of the projectile
-  double radius = 0;      // of the projectile [m]
-  InstanceId instance;    // the thing
-  std::string thing;      // its name
-  std::string material;   // name of its material; empty: none is known
-  double time = 0;        // of the world [s]
-  Vec3d position;         // where it was met, in W then [m]
-  Vec3d at, normal;       // of its surface, in its frame [m]; outwards [-]
-  Vec3d end;              // where it came out or stayed, in the frame of the thing [m]
-  Vec3d velocity, after;  // before and after [m/s]
-  double obliquity = 0;   // between its way, as seen from the surface, and the normal [rad]
-  double depth = 0;       // how far it went in [m]
-  double energy = 0;      // that it lost by what the material did to it [J]
+  std::string shot;             // what the projectile is called, "bullet #3"
+  Colour colour = 0;            // of the projectile
+  double radius = 0;            // of the projectile [m]
+  InstanceId instance;          // the thing
+  std::uint32_t primitive = 0;  // of it, as SceneHit::primitive
+  std::string thing;            // its name
+  std::string material;         // name of its material; empty: none is known
+  double time = 0;              // of the world [s]
+  Vec3d position;               // where it was met, in W then [m]
+  Vec3d at, normal;             // of its surface, in its frame [m]; outwards [-]
+  Vec3d end;                    // where it came out or stayed, in the frame of the thing [m]
+  Vec3d velocity, after;        // before and after [m/s]
+  double obliquity = 0;         // between its way, as seen from the surface, and the normal [rad]
+  double depth = 0;             // how far it went in [m]
+  double energy = 0;            // that it lost by what the material did to it [J]
   /// bounced, ricocheted, penetrated, stopped; entered, left or sensed for what is passed.
   EventKind outcome = EventKind::hit;
 };

@@ -18,6 +18,7 @@ constexpr double kAnyReach = 0;  // without planes nothing depends on it
 
 struct Face {
   Vec3d corners[3], normal;
+  Colour colour = 0;
 };
 
 /// Corners that faces share, by their place.
@@ -41,13 +42,14 @@ class Gatherer final : public SceneCanvas {
     id_ = thing;
     thing_ = scene_.instance(thing);
   }
+  void material(MaterialId of) override { colour_ = colour_of_material(scene_.material(of).name); }
   void line(const Vec3d&, const Vec3d&, SceneInk) override {}
   void text(const Vec3d&, std::string_view) override {}
   void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, SceneInk ink) override {
     const Vec3d facing = cross(b - a, c - a);
     if (!(length(facing) > 0)) return;
-    faces_.push_back({{a, b, c}, normalized(facing)});
     is_sensor_ = ink == SceneInk::sensor;
+    faces_.push_back({{a, b, c}, normalized(facing), is_sensor_ ? faded(colour_, 0.3) : colour_});
   }
 
   /// The faces of the thing become vertices.
@@ -91,9 +93,8 @@ class Gatherer final : public SceneCanvas {
     if (!is_plane) include(low, high);
     const Vec3d top = is_plane ? thing_->transform.position : Vec3d{(low.x + high.x) / 2, high.y, (low.z + high.z) / 2};
     if (!thing_->name.empty() && into_.names.size() < kMostNames) into_.names.push_back({top, thing_->name});
-    const Colour plain = colour_of_material(scene_.material(thing_->material).name);
-    add_faces(is_sensor_ ? faded(plain, 0.3) : plain);
-    if (!is_plane && !is_sensor_ && faces_.size() < kMostEdges) add_edges(darker(plain));
+    add_faces();
+    if (!is_plane && !is_sensor_ && faces_.size() < kMostEdges) add_edges();
     part.vertices = vertices.size() - part.vertex;
     part.edges = into_.edges.size() - part.edge;
     part.names = into_.names.size() - part.name;
@@ -109,20 +110,20 @@ class Gatherer final : public SceneCanvas {
   }
 
   /// Those that are no part of a round surface.
-  void add_edges(Colour colour) {
-    std::map<std::array<double, 6>, std::vector<Vec3d>> normals;  // of the faces at each edge
+  void add_edges() {
+    std::map<std::array<double, 6>, std::vector<const Face*>> faces;  // at each edge
     for (const Face& face : faces_)
       for (std::size_t i = 0; i < 3; ++i) {
         std::array<double, 3> a = {face.corners[i].x, face.corners[i].y, face.corners[i].z};
         const Vec3d& next = face.corners[(i + 1) % 3];
         std::array<double, 3> b = {next.x, next.y, next.z};
         if (b < a) std::swap(a, b);
-        normals[{a[0], a[1], a[2], b[0], b[1], b[2]}].push_back(face.normal);
+        faces[{a[0], a[1], a[2], b[0], b[1], b[2]}].push_back(&face);
       }
-    for (const auto& [ends, of_faces] : normals) {
-      const bool is_round = of_faces.size() == 2 && dot(of_faces[0], of_faces[1]) > kSmooth;
+    for (const auto& [ends, at] : faces) {
+      const bool is_round = at.size() == 2 && dot(at[0]->normal, at[1]->normal) > kSmooth;
       if (is_round || into_.edges.size() >= kMostEdges) continue;
-      into_.edges.push_back({{ends[0], ends[1], ends[2]}, {ends[3], ends[4], ends[5]}, colour});
+      into_.edges.push_back({{ends[0], ends[1], ends[2]}, {ends[3], ends[4], ends[5]}, darker(at[0]->colour)});
     }
   }
 
@@ -132,7 +133,7 @@ class Gatherer final : public SceneCanvas {
     into_.high = {std::max(high.x, into_.high.x), std::max(high.y, into_.high.y), std::max(high.z, into_.high.z)};
   }
 
-  void add_faces(Colour colour) {
+  void add_faces() {
     std::unordered_map<Vec3d, std::vector<std::uint32_t>, PlaceHash, SamePlace> around;
     for (std::uint32_t i = 0; i < faces_.size(); ++i)
       for (const Vec3d& p : faces_[i].corners) around[p].push_back(i);
@@ -142,7 +143,7 @@ class Gatherer final : public SceneCanvas {
         Vec3d normal;
         for (const std::uint32_t i : around[p])
           if (dot(faces_[i].normal, face.normal) > kSmooth) normal += faces_[i].normal;
-        to.push_back(vertex(p - into_.origin, normalized(normal), colour));
+        to.push_back(vertex(p - into_.origin, normalized(normal), face.colour));
       }
   }
 
@@ -166,6 +167,7 @@ class Gatherer final : public SceneCanvas {
   std::vector<bool> of_sensors_;  // of each part
   std::vector<Face> faces_;
   std::vector<SceneryVertex> sensors_;
+  Colour colour_ = 0;  // of what is drawn
   bool is_sensor_ = false, has_planes_ = false;
 };
 
