@@ -48,8 +48,6 @@ struct ForcedJob {
   int stage;
   bool own_force;  // some have a ProjectileDef::force
   bool at_once;    // nobody asks for steps of rows that are not marked
-  /// Rates of drag that is all that pushes them, from the first of the rows on [1/s]; null: the push stands in columns.
-  const double* rate;
 
   [[nodiscard]] S* column(unsigned k) const { return memory + k * stride; }
 };

@@ -16,21 +16,6 @@ PHYSIM_INLINE void store_scratch(const ForcedJob<S>& job, unsigned first, std::u
   for (unsigned i = 0; i < kNumbers<Y>; ++i) numbers(y)[i].store(job.column(first + i) + row);
 }
 
-/// What pushes a pack of rows in the first stage, where they have that velocity.
-template <class R, class S>
-PHYSIM_INLINE Vec3<R> first_push(const ForcedJob<S>& job, std::uint32_t row, const Vec3<R>& v) {
-  Vec3<R> push;
-  if (job.rate == nullptr) {
-    load_scratch(job, kFirstPush, row, push);
-    return push;
-  }
-  using Wide = Cast<double, R>;  // laws are those of doubles
-  const Wide rate = Wide::load(job.rate + (row - job.rows.first));
-  const auto along = [&](const R& component)
-                         PHYSIM_INLINE_LAMBDA { return cast<S>(Wide(0.0) - cast<double>(component) * rate); };
-  return {along(v.x), along(v.y), along(v.z)};
-}
-
 /// The slope of the stage at hand, then the state of the next one, or the end of the step.
 template <class R, class S>
 PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c, std::uint32_t row, Flyer<R>& l) {
@@ -38,11 +23,7 @@ PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c,
   const int stage = job.stage, stages = end_slope(f.integrator);
   Step<R>& s = l.step;
   Vec3<R> push;
-  if (stage > 0)
-    load_scratch(job, kPush, row, push);
-  else
-    push = first_push(job, row, s.start.v);
-  if (stage == 0 && job.rate != nullptr) store_scratch(job, kFirstPush, row, push);  // for who is settled
+  load_scratch(job, stage == 0 ? kFirstPush : kPush, row, push);
   add_push(c, stage_time(f.integrator, stage, s), push, job.own_force, l.body);
   const auto load_part = [&](auto& part) {
     const PartColumns at = columns_of(part, stages);
@@ -106,10 +87,10 @@ struct PushedRung {
   template <class R, class S>
   PHYSIM_INLINE static unsigned step(const ForcedJob<S>& job, const Conditions<S>& given, std::uint32_t row) {
     Body<R> b = Rung::template load_body<R>(job.rows, row);
+    load_scratch(job, kFirstPush, row, b.applied);
     const R h(job.rows.h);
     Moved<R> m;
     m.start = load_state<R>(job.rows, row);
-    b.applied = first_push(job, row, m.start.v);
     const Conditions<S> c = known(given);
     const Vec3<R> a = acceleration(c, b, R(S(0)), m.start);
     m.end.v = m.start.v + a * h;
@@ -119,7 +100,6 @@ struct PushedRung {
     if (job.rows.restless != nullptr) meets_restless<R>(job.rows, m.start, m.end, found);
     const unsigned bits = lane_bits(found) & filled_lanes<R>(job.rows.last - row);
     if (bits != 0) {
-      if (job.rate != nullptr) store_scratch(job, kFirstPush, row, b.applied);
       store_scratch(job, kStagePosition, row, m.end);
       store_scratch(job, kSlopes, row, State<R>{m.start.v, a});
       m.end = select(found, State<R>{load_vector<R>(job.rows.columns.previous, row), m.start.v}, m.end);

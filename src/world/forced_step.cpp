@@ -118,10 +118,10 @@ class ForcedStep {
     for (std::uint32_t first = 0, most = longest(group); first < most; first += part_rows()) {
       part_ = {first, std::min(most - first, part_rows())};
       for (int stage = 0; stage < end_slope(group.integrator); ++stage) {
-        if (!has_rates(group.integrator)) push(group, stage, stage_place(group.integrator, stage));
+        if (!is_drag(group.integrator)) push(group, stage, stage_place(group.integrator, stage));
         for (ForcedRun& r : runs(group)) {
           if (part_of(r).count == 0) continue;
-          if (has_rates(group.integrator)) put_rates(r);
+          if (is_drag(group.integrator)) in_precision(r, [&]<class S>(S) { put_drag<S>(r); });
           in_precision(r, [&]<class S>(S) { advance<S>(r, stage); });
           attention = attention || r.attention;
         }
@@ -138,17 +138,24 @@ class ForcedStep {
     r.attention = r.attention || done.attention;
     r.moved = done.moved;
   }
-  /// Whether kernels are given rates of drag: where all that pushes is drag, and is asked for once in a step.
-  [[nodiscard]] bool has_rates(Integrator integrator) const {
+  /// Whether all that pushes is drag by age, and is asked for once in a step.
+  [[nodiscard]] bool is_drag(Integrator integrator) const {
     return drag_by_age_ && end_slope(integrator) == 1 && integrator != Integrator::classic;
   }
-  void put_rates(const ForcedRun& r) {
+  /// What emitters do to the rows then; columns are as long as whole blocks.
+  template <class S>
+  void put_drag(const ForcedRun& r) {
+    const ForcedJob<S> j = job<S>(r, 0);
     const Part part = part_of(r);
-    s_.rates.resize(padded(part_rows()));
     std::array<double, DrivenBlock::kMost> rate;
-    for (std::uint32_t i = 0; i < part.count; i += DrivenBlock::kMost) {
-      s_.driven.rates(*context_.state, r.cohort, part.first + i, context_.time, rate);
-      std::ranges::copy(rate, s_.rates.begin() + i);
+    for (std::uint32_t row = part.first; row < part.first + part.count; row += DrivenBlock::kMost) {
+      s_.driven.rates(*context_.state, r.cohort, row, context_.time, rate);
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        const S* const v = j.rows.columns.velocity[axis] + row;
+        std::array<S, DrivenBlock::kMost> push;
+        for (std::size_t i = 0; i < push.size(); ++i) push[i] = static_cast<S>(0 - static_cast<double>(v[i]) * rate[i]);
+        std::ranges::copy(push, j.column(kFirstPush + axis) + row);
+      }
     }
   }
   /// Rows of each cohort that go through the stages together.
@@ -268,8 +275,7 @@ class ForcedStep {
   ForcedJob<S> job(const ForcedRun& r, int stage) {
     ForcedJob<S> j{
         rows_job<S>(context_, r.cohort),    s_.template memory<S>().data() + r.memory, padded(r.count), stage,
-        key(r.cohort).features.has_applied, !has_generators_ && !context_.pairs,       nullptr};
-    if (has_rates(key(r.cohort).fidelity.integrator)) j.rate = s_.rates.data();
+        key(r.cohort).features.has_applied, !has_generators_ && !context_.pairs};
     j.rows.first = part_of(r).first;
     j.rows.last = j.rows.first + part_of(r).count;
     j.rows.attention = s_.attention.data() + r.words;

@@ -36,7 +36,6 @@ struct ForcedScratch {
   std::vector<float> floats;
   std::vector<double> doubles;
   std::vector<std::uint32_t> attention;
-  std::vector<double> rates;  // of drag, of the rows under way
   ZoneDrag zones;
   DrivenRows driven;
   Chunk chunk;  // events and changes
