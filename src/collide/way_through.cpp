@@ -20,6 +20,7 @@ class BodyPassed {
   BodyPassed(const Scene& scene, const SceneHit& hit) : has_parts_(scene.parts(hit.instance) > 0), hit_(hit) {}
 
   Passed pass(const SceneHit& surface) {
+    PHYSIM_ASSERT(surface.instance);
     if (surface.instance != hit_.instance) return Passed::nothing;
     const bool was_inside = is_inside();
     const std::uint32_t part = has_parts_ ? surface.primitive : 0;

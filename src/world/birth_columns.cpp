@@ -96,6 +96,7 @@ std::uint32_t put(const Starts& starts, std::size_t first, NewbornFlights<S>& fl
 template <class S>
 void put_pushes(const FlightLaw& law, const BirthColumns& b, const SettleContext& context, NewbornFlights<S>& flights) {
   static_assert(FlightLaw::kPack == BirthColumns::kLanes);
+  PHYSIM_ASSERT(b.count > 0 && b.count <= BirthColumns::kLanes);
   FlightPack<FlightLaw::kPack> pack;
   for (std::size_t i = 0; i < FlightLaw::kPack; ++i) {
     const std::size_t lane = std::min(i, b.count - 1);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/assert.hpp"
+
 namespace physim {
 
 using collide::Bounds;
@@ -23,6 +25,7 @@ BoxGroups::BoxGroups(std::vector<Bounds> boxes) : boxes_(std::move(boxes)) {
 }
 
 BoxGroups::Group BoxGroups::group_of(std::size_t first, std::size_t end) const {
+  PHYSIM_ASSERT(first < end && end <= boxes_.size());
   Group group{first, end};
   for (std::size_t i = first; i < end; ++i) group.about.take(boxes_[i]);
   return group;

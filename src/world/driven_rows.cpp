@@ -35,6 +35,7 @@ void DrivenRows::Columns::resize(std::size_t rows) {
 }
 
 void DrivenRows::Columns::look_up(const WorldState& state, std::uint32_t row, std::uint32_t index) {
+  PHYSIM_ASSERT(row < slot.size());
   slot[row] = index;
   emitter[row] = 0;
   if (!state.emitters.law_of(index)) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "collide/scene_parts.hpp"
 
 namespace physim {
@@ -27,6 +28,7 @@ void put_box(RestlessBoxes<S>& into, unsigned at, const Bounds& box) {
 }  // namespace
 
 bool Newcomers::add(std::uint32_t thing, std::uint64_t step) {
+  PHYSIM_ASSERT(step >= last_ || things_.empty());  // steps follow each other
   last_ = step;
   is_known_ = false;
   const auto place = std::ranges::lower_bound(things_, thing);
@@ -81,6 +83,7 @@ void Restless::put(const BoxGroups& moving, const BoxGroups& came) {
       put_box(double_, count, box);
       ++count;
     }
+  PHYSIM_ASSERT(count <= RestlessBoxes<float>::kMost);
   if (count == 1) return;
   put_box(float_, 0, all);
   put_box(double_, 0, all);

@@ -81,8 +81,9 @@ class ParticleReader {
     count_ += noted_;
     noted_ = 0;
   }
-  /// Of rows of one cohort.
+  /// Puts the states of noted rows that are of one cohort.
   void put_rows(std::size_t first, std::size_t last) {
+    PHYSIM_ASSERT(first < last && last <= noted_ && cohort_[first] == cohort_[last - 1]);
     const Rows& rows = state_.rows[cohort_[first]];
     for (std::size_t i = first; i < last && rows.may_wait(); ++i) rows.bring_up(row_[i]);
     rows.read_fixed([&](const auto& c) {
