@@ -6,6 +6,7 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "collide/content.hpp"
+#include "collide/nearby.hpp"
 #include "collide/order.hpp"
 #include "collide/question.hpp"
 #include "collide/sweep.hpp"
@@ -24,16 +25,16 @@ void for_movers(const SceneContent& scene, double from, double to, const VisitTr
 }
 
 /// Calls look_at(index, segment) for what rests and look_at_mover(index, segment) for what moves and may be met between
-/// two times; both may shorten the segment's reach.
-template <class LookAt, class LookAtMover>
-void things_along(const SceneContent& scene, Segment& segment, double from, double to, const LookAt& look_at,
-                  const LookAtMover& look_at_mover) {
+/// two times; both may shorten the segment's reach. `resting`: the scene's own things at rest, or those nearby.
+template <class Resting, class LookAt, class LookAtMover>
+void things_along(const SceneContent& scene, const Resting& resting, Segment& segment, double from, double to,
+                  const LookAt& look_at, const LookAtMover& look_at_mover) {
   for (const std::uint32_t index : scene.unbounded)
     if (scene.instances[index].path)
       look_at_mover(index, segment);
     else
       look_at(index, segment);
-  scene.resting.along(segment, look_at);
+  resting.along(segment, look_at);
   for_movers(
       scene, from, to, [&](const Tree& tree) { tree.along(segment, look_at_mover); },
       [&](std::uint32_t index) {
@@ -64,19 +65,20 @@ SceneHit hit_of(const SceneContent& scene, std::uint32_t index, const Crossing& 
 }
 
 /// Calls take(index, crossing, segment) for whatever a segment meets; take shortens the segment's reach.
-template <bool kExits, class Take>
-void cross_all(const SceneContent& scene, const SceneSegment& asked, double radius, const SceneFilter& filter,
-               const Take& take) {
+template <bool kExits, class Resting, class Take>
+void cross_all(const SceneContent& scene, const Resting& resting, const SceneSegment& asked, double radius,
+               const SceneFilter& filter, const Take& take) {
   if (!is_sound(asked)) return;
   Segment segment{asked.from, asked.to - asked.from, radius, 1};
-  const auto look_at = [&](std::uint32_t index, Segment& s) {
+  const auto look_at = [&](std::uint32_t index, Segment& s, const Bvh::Start* start = nullptr) {
     const SceneContent::InstanceSlot& slot = scene.instances[index];
     if (!slot.is_asked(filter)) return;
     Segment inside = slot.placement.inside(s);
-    cross<kExits>(*slot.shape, inside, [&](const Crossing& crossing, Segment& within) {
+    const auto taken = [&](const Crossing& crossing, Segment& within) {
       take(index, crossing, s);
       within.reach = s.reach;
-    });
+    };
+    cross<kExits>(*slot.shape, inside, taken, start);
   };
   const auto look_at_mover = [&](std::uint32_t index, Segment& s) {
     const SceneContent::InstanceSlot& slot = scene.instances[index];
@@ -84,31 +86,102 @@ void cross_all(const SceneContent& scene, const SceneSegment& asked, double radi
     const auto taken = [&](const Crossing& crossing, Segment& within) { take(index, crossing, within); };
     Sweep<kExits, decltype(taken)>(*slot.shape, *slot.path, asked.time, asked.duration, s, taken);
   };
-  things_along(scene, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
+  things_along(scene, resting, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
 }
 
-SceneHit first_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter) {
+/// What a segment meets first; where it meets nothing, `into` stays as it is.
+template <class Resting>
+void first_hit(const SceneContent& scene, const Resting& resting, const SceneSegment& asked, const SceneFilter& filter,
+               SceneHit& into) {
   Crossing best;
   best.t = kInfinity;
   std::uint32_t who = 0;
-  cross_all<false>(scene, asked, asked.radius, filter, [&](std::uint32_t index, const Crossing& crossing, Segment& s) {
-    // Met at once, the one of the lowest numbers is first, whatever the tree looks like.
-    const bool first = crossing.t < best.t ||
-                       (crossing.t == best.t && (index < who || (index == who && crossing.primitive < best.primitive)));
-    if (!first) return;
-    best = crossing;
-    who = index;
-    s.reach = crossing.t;
-  });
-  return who == 0 ? SceneHit{} : hit_of(scene, who, best, asked);
+  cross_all<false>(
+      scene, resting, asked, asked.radius, filter, [&](std::uint32_t index, const Crossing& crossing, Segment& s) {
+        // Met at once, the one of the lowest numbers is first, whatever the tree looks like.
+        const bool first =
+            crossing.t < best.t ||
+            (crossing.t == best.t && (index < who || (index == who && crossing.primitive < best.primitive)));
+        if (!first) return;
+        best = crossing;
+        who = index;
+        s.reach = crossing.t;
+      });
+  if (who != 0) into = hit_of(scene, who, best, asked);
 }
+
+/// Many segments: one after the other as they come or, sorted by place, in groups that look for their things together.
+struct Batch {
+  static constexpr std::size_t kTask = 256, kGroup = 16;
+  static constexpr SceneHit kNothing{};
+
+  const SceneContent& scene;
+  std::span<const SceneSegment> segments;
+  std::span<SceneHit> into;
+  const SceneFilter& filter;
+  std::vector<std::uint32_t> order;  // empty: as they come
+
+  void sort() {
+    order = order_by_place(segments);
+    PHYSIM_ASSERT(order.size() == into.size());
+    // One after the other, so that out of order only those are written that meet something.
+    std::ranges::fill(into, kNothing);
+  }
+  static void run(void* self, std::size_t task) {
+    const IeeeMode mode;
+    const Batch& batch = *static_cast<const Batch*>(self);
+    const std::size_t begin = task * kTask, end = std::min(batch.segments.size(), begin + kTask);
+    if (!batch.order.empty()) {
+      for (std::size_t i = begin; i < end; i += kGroup) batch.cast_group(i, std::min(end, i + kGroup));
+      return;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      batch.into[i] = kNothing;
+      first_hit(batch.scene, batch.scene.resting, batch.segments[i], batch.filter, batch.into[i]);
+    }
+  }
+
+ private:
+  /// The i-th of the order; what is soon needed is on its way from where it lies in memory.
+  [[nodiscard]] std::size_t prefetched(std::size_t i) const {
+    if (i + kGroup < order.size()) {
+      const SceneSegment& next = segments[order[i + kGroup]];
+      __builtin_prefetch(&next);
+      __builtin_prefetch(&next.radius);
+    }
+    return order[i];
+  }
+  /// About the segments of a group that make sense.
+  [[nodiscard]] Bounds about(std::size_t begin, std::size_t end) const {
+    Bounds box;
+    double radius = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const SceneSegment& s = segments[order[i]];
+      if (!is_sound(s)) continue;
+      box.take(s.from);
+      box.take(s.to);
+      radius = std::max(radius, s.radius);
+    }
+    box.widen(radius);
+    return box;
+  }
+  void cast_group(std::size_t begin, std::size_t end) const {
+    PHYSIM_ASSERT(begin < end && end <= order.size());
+    const Nearby nearby(scene, filter, about(begin, end));
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t at = prefetched(i);
+      first_hit(scene, nearby, segments[at], filter, into[at]);
+    }
+  }
+};
 
 }  // namespace
 }  // namespace collide
 
 SceneHit Scene::first_hit(const SceneSegment& segment, const SceneFilter& filter) const {
   const IeeeMode mode;
-  SceneHit hit = collide::first_hit(*impl_, segment, filter);
+  SceneHit hit;
+  collide::first_hit(*impl_, impl_->resting, segment, filter, hit);
   if (impl_->engine) impl_->engine->first_hits({&segment, 1}, filter.layers, {&hit, 1});
   return hit;
 }
@@ -116,7 +189,7 @@ SceneHit Scene::first_hit(const SceneSegment& segment, const SceneFilter& filter
 bool Scene::any_hit(const SceneSegment& segment, const SceneFilter& filter) const {
   const IeeeMode mode;
   bool some = false;
-  collide::cross_all<false>(*impl_, segment, segment.radius, filter,
+  collide::cross_all<false>(*impl_, impl_->resting, segment, segment.radius, filter,
                             [&](std::uint32_t, const collide::Crossing&, collide::Segment& s) {
                               some = true;
                               s.reach = -1;
@@ -132,7 +205,7 @@ std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFi
   std::vector<SceneHit> hits;
   SceneSegment points = segment;
   points.radius = segment.radius >= 0 ? 0 : segment.radius;
-  collide::cross_all<true>(*impl_, segment, 0, filter,
+  collide::cross_all<true>(*impl_, impl_->resting, segment, 0, filter,
                            [&](std::uint32_t index, const collide::Crossing& crossing, collide::Segment&) {
                              hits.push_back(collide::hit_of(*impl_, index, crossing, points));
                            });
@@ -155,49 +228,19 @@ std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFi
 
 void Scene::first_hits(std::span<const SceneSegment> segments, std::span<SceneHit> into, const SceneFilter& filter,
                        TaskRunner* runner) const {
-  constexpr std::size_t kTask = 256;
   // From here on it pays to look for neighbours: what they look at is read once, but they lie all over the memory.
   constexpr std::size_t kMany = 2048, kCached = 1 << 20;
-  struct Call {
-    const Impl& scene;
-    std::span<const SceneSegment> segments;
-    std::span<SceneHit> into;
-    const SceneFilter& filter;
-    std::vector<std::uint32_t> order;  // empty: as they are
-
-    /// The i-th of the order; what is soon needed is on its way from where it lies in memory.
-    [[nodiscard]] std::size_t prefetched(std::size_t i) const {
-      constexpr std::size_t kAhead = 8;
-      if (i + kAhead < order.size()) {
-        const std::size_t next = order[i + kAhead];
-        __builtin_prefetch(&segments[next]);
-        __builtin_prefetch(&segments[next].radius);
-        __builtin_prefetch(&into[next], 1);
-        __builtin_prefetch(&into[next].instance, 1);
-      }
-      return order[i];
-    }
-    static void run(void* self, std::size_t task) {
-      const IeeeMode mode;
-      const Call& call = *static_cast<const Call*>(self);
-      const std::size_t end = std::min(call.segments.size(), (task + 1) * kTask);
-      for (std::size_t i = task * kTask; i < end; ++i) {
-        const std::size_t at = call.order.empty() ? i : call.prefetched(i);
-        call.into[at] = collide::first_hit(call.scene, call.segments[at], call.filter);
-      }
-    }
-  } call{*impl_, segments.first(std::min(segments.size(), into.size())), into, filter, {}};
-  if (call.segments.size() >= kMany && call.segments.size() <= std::numeric_limits<std::uint32_t>::max() &&
-      bytes() >= kCached)
-    call.order = collide::order_by_place(call.segments);
-  const std::size_t tasks = (call.segments.size() + kTask - 1) / kTask;
+  const std::size_t count = std::min(segments.size(), into.size());
+  collide::Batch batch{*impl_, segments.first(count), into.first(count), filter, {}};
+  if (count >= kMany && count <= std::numeric_limits<std::uint32_t>::max() && bytes() >= kCached) batch.sort();
+  const std::size_t tasks = (count + collide::Batch::kTask - 1) / collide::Batch::kTask;
   if (runner && tasks > 1)
-    runner->run(tasks, Call::run, &call);
+    runner->run(tasks, collide::Batch::run, &batch);
   else
-    for (std::size_t task = 0; task < tasks; ++task) Call::run(&call, task);
+    for (std::size_t task = 0; task < tasks; ++task) collide::Batch::run(&batch, task);
   if (!impl_->engine) return;
   const IeeeMode mode;
-  impl_->engine->first_hits(call.segments, filter.layers, into.first(call.segments.size()));
+  impl_->engine->first_hits(batch.segments, filter.layers, batch.into);
 }
 
 SceneNearest Scene::nearest(const Vec3d& point, double within, const SceneFilter& filter, double time) const {
@@ -292,7 +335,7 @@ double Scene::clear_part(const SceneSegment& asked, const SceneFilter& filter) c
     const double in = collide::BoxTest(s).enters(slot.path->bounds(own, asked.time, end), s.reach);
     if (in <= s.reach) s.reach = in * (1 - 1e-14);
   };
-  collide::things_along(*impl_, segment, asked.time, end, look_at, look_at_mover);
+  collide::things_along(*impl_, impl_->resting, segment, asked.time, end, look_at, look_at_mover);
   return std::max(0.0, segment.reach);
 }
 
