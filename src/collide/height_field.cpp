@@ -29,7 +29,9 @@ Result<HeightField> HeightField::make(const HeightFieldShape& shape) {
   field.spacing_z_ = shape.spacing_z;
   field.per_spacing_x_ = 1 / shape.spacing_x;
   field.per_spacing_z_ = 1 / shape.spacing_z;
+  field.heights_.reserve(points + kMore);
   field.heights_ = shape.heights;
+  field.heights_.resize(points + kMore);
   const auto [least, most] = std::ranges::minmax(shape.heights);
   field.bounds_.take(Vec3d{0, least, 0});
   field.bounds_.take(Vec3d{(shape.columns - 1) * shape.spacing_x, most, (shape.rows - 1) * shape.spacing_z});

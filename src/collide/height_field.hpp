@@ -1,7 +1,10 @@
-// Heights over a grid: a segment walks over the cells below it, column by column.
+// Heights over a grid: a segment walks over the cells below it, four columns at a time.
 #pragma once
 
-#include "collide/bvh.hpp"
+#include <bit>
+#include <vector>
+
+#include "collide/quad_boxes.hpp"
 #include "collide/triangle.hpp"
 #include "physim/scene.hpp"
 
@@ -29,14 +32,17 @@ class HeightField {
     const Vec3d right = point(column + 1, row), far = point(column, row + 1);
     return half == 0 ? Triangle{point(column, row), far, right} : Triangle{right, far, point(column + 1, row + 1)};
   }
-  [[nodiscard]] HeightFieldShape definition() const { return {columns_, rows_, spacing_x_, spacing_z_, heights_}; }
+  [[nodiscard]] HeightFieldShape definition() const {
+    return {columns_, rows_, spacing_x_, spacing_z_, {heights_.begin(), heights_.end() - kMore}};
+  }
 
   /// Calls take(crossing, segment) for each triangle met. Triangle 2 (row (columns - 1) + column) + i is of that cell.
   template <class Take>
   void crossings(Segment& s, const Take& take) const {
-    const Shear shear(s);
+    std::optional<Shear> shear;  // many segments come to no triangle
     triangles_along(s, [&](const Triangle& triangle, std::uint32_t number) {
-      auto crossing = meets(s, shear, triangle);
+      if (!shear) shear.emplace(s);
+      auto crossing = meets(s, *shear, triangle);
       if (!crossing) return;
       crossing->primitive = number;
       take(*crossing, s);
@@ -54,6 +60,7 @@ class HeightField {
   [[nodiscard]] double clearance(const Vec3d& p) const;
 
  private:
+  static constexpr int kMore = 3;             // numbers behind the heights, as four are read at once
   static constexpr std::uint32_t kBlock = 8;  // cells along a side of the smallest blocks
   /// The least and the largest height in a block of cells.
   struct Heights {
@@ -97,15 +104,8 @@ class HeightField {
     return {first, static_cast<std::uint32_t>(high) - first + 1};
   }
 
-  /// Whether all of a cell lies above a height, or below another one.
-  [[nodiscard]] bool is_beside(std::uint32_t column, std::uint32_t row, double low, double high) const {
-    const double a = height(column, row), b = height(column + 1, row);
-    const double c = height(column, row + 1), d = height(column + 1, row + 1);
-    const bool above = (a > high) & (b > high) & (c > high) & (d > high);
-    return above | ((a < low) & (b < low) & (c < low) & (d < low));
-  }
-
-  /// Calls visit(triangle, number) for those that a segment may meet, which shortens its reach.
+  /// Calls visit(triangle, number) for those that a segment may meet, which shortens its reach: four columns after
+  /// four.
   template <class Visit>
   void triangles_along(Segment& s, const Visit& visit) const {
     const double wide = slack(s), per_x = s.along.x == 0 ? 0 : finite_inverse(s.along.x);
@@ -113,28 +113,93 @@ class HeightField {
     if (!columns.some) return;
     const Range over =
         cells(s.from.x + s.along.x * columns.in, s.from.x + s.along.x * columns.out, per_spacing_x_, columns_, wide);
-    const bool forwards = s.along.x >= 0;
-    for (std::uint32_t i = 0; i < over.count; ++i) {
-      const std::uint32_t column = forwards ? over.first + i : over.first + over.count - 1 - i;
-      const Slab here = slab(s.from.x, per_x, column * spacing_x_, (column + 1) * spacing_x_, wide, s.reach);
-      if (here.some) triangles_in(s, column, here, wide, visit);
+    if (over.count <= 4) return triangles_in(s, over, columns, wide, per_x, visit);
+    const std::uint32_t strips = (over.count + 3) / 4;
+    for (std::uint32_t i = 0; i < strips; ++i) {
+      const std::uint32_t at = 4 * (s.along.x >= 0 ? i : strips - 1 - i);
+      const Range strip{over.first + at, std::min(4u, over.count - at)};
+      const Slab here =
+          slab(s.from.x, per_x, strip.first * spacing_x_, (strip.first + strip.count) * spacing_x_, wide, s.reach);
+      if (here.some) triangles_in(s, strip, here, wide, per_x, visit);
     }
   }
-  /// Calls visit(triangle, number) for those of one column of cells.
+  /// Calls visit(triangle, number) for those of four columns of cells, or fewer, which the segment passes `here`.
   template <class Visit>
-  void triangles_in(const Segment& s, std::uint32_t column, const Slab& here, double wide, const Visit& visit) const {
+  void triangles_in(const Segment& s, const Range& columns, const Slab& here, double wide, double per_x,
+                    const Visit& visit) const {
     const Range over =
         cells(s.from.z + s.along.z * here.in, s.from.z + s.along.z * here.out, per_spacing_z_, rows_, wide);
-    const double one = s.from.y + s.along.y * here.in, other = s.from.y + s.along.y * here.out;
-    const double low = std::min(one, other) - wide, high = std::max(one, other) + wide;
+    const StripTest test(*this, s, columns.first, here, wide, per_x);
+    PHYSIM_ASSERT(columns.count >= 1 && columns.count <= 4 && columns.first + columns.count < columns_);
+    PHYSIM_ASSERT(over.first + over.count < rows_);
+    const unsigned there = (1u << columns.count) - 1;
     const bool forwards = s.along.z >= 0;
     for (std::uint32_t i = 0; i < over.count; ++i) {
       const std::uint32_t row = forwards ? over.first + i : over.first + over.count - 1 - i;
-      if (is_beside(column, row, low, high)) continue;
-      for (std::uint32_t half = 0; half < 2; ++half)
-        visit(triangle(column, row, half), 2 * (row * (columns_ - 1) + column) + half);
+      const double* heights = &heights_[std::size_t{row} * columns_ + columns.first];
+      for (unsigned lanes = there & test.meets(row * spacing_z_, heights, heights + columns_, s.reach); lanes != 0;) {
+        const int lane = s.along.x >= 0 ? std::countr_zero(lanes) : 31 - std::countl_zero(lanes);
+        lanes &= ~(1u << lane);
+        const std::uint32_t column = columns.first + static_cast<std::uint32_t>(lane);
+        for (std::uint32_t half = 0; half < 2; ++half)
+          visit(triangle(column, row, half), 2 * (row * (columns_ - 1) + column) + half);
+      }
     }
   }
+  /// A segment on its way through four columns of cells, ready to be compared with four cells of a row at once: in
+  /// float, from where it enters the columns on, and wider by what it is rounded to.
+  class StripTest {
+   public:
+    StripTest(const HeightField& field, const Segment& s, std::uint32_t column, const Slab& here, double wide,
+              double per_x)
+        : base_(here.in), out_(here.out) {
+      const Vec3d from = s.at(here.in);
+      const auto slack = [wide](double size) { return wide + kFloatSlack * (wide + size); };
+      const auto quad = [](double x) { return Quad(static_cast<float>(x)); };
+      enters_ = Quad(0.0f), leaves_ = Quad(2.0f);
+      if (per_x != 0) {
+        const double aside = slack(16 * field.spacing_x_), left = column * field.spacing_x_ - from.x;
+        const Quad steps = quad(field.spacing_x_) * lanes(), per = quad(std::clamp(per_x, -1e30, 1e30));
+        const Quad one = (quad(left - aside) + steps) * per;
+        const Quad other = (quad(left + field.spacing_x_ + aside) + steps) * per;
+        enters_ = larger(min(one, other), enters_);
+        leaves_ = larger(one, other);
+      }
+      const double aside = slack(0);
+      const bool forwards = s.along.z >= 0;
+      near_z_ = (forwards ? -aside : field.spacing_z_ + aside) - from.z;
+      far_z_ = (forwards ? field.spacing_z_ + aside : -aside) - from.z;
+      if (s.along.z != 0) per_z_ = finite_inverse(s.along.z);
+      y_ = quad(from.y);
+      along_y_ = quad(s.along.y);
+      const double highest = std::max(std::abs(field.bounds_.low.y), std::abs(field.bounds_.high.y));
+      above_ = quad(slack(2 * std::abs(from.y) + highest + 4 * std::abs(s.along.y) * (out_ - base_)));
+    }
+    /// A bit for each of four cells that the segment may meet up to its reach; z: where their row begins, with the
+    /// heights there and behind it.
+    [[nodiscard]] PHYSIM_INLINE unsigned meets(double z, const double* near, const double* far, double reach) const {
+      double in_z = 0, out_z = std::min(reach, out_) - base_;
+      if (per_z_ != 0) {
+        in_z = std::clamp((z + near_z_) * per_z_, 0.0, 2.0);
+        out_z = std::min(out_z, (z + far_z_) * per_z_);
+      }
+      const Quad in = larger(enters_, Quad(static_cast<float>(in_z)));
+      const Quad out = min(leaves_, Quad(static_cast<float>(std::max(out_z, -2.0)))) * (1 + 0x1p-20f);
+      const Quad one = y_ + along_y_ * in, other = y_ + along_y_ * out;
+      const Quad a = rounded(near), b = rounded(near + 1), c = rounded(far), d = rounded(far + 1);
+      return lanes_up_to(in, out) & lanes_up_to(min(one, other) - above_, larger(larger(a, b), larger(c, d))) &
+             lanes_up_to(min(min(a, b), min(c, d)), larger(one, other) + above_);
+    }
+
+   private:
+    [[nodiscard]] static Quad lanes() {
+      constexpr float kLanes[] = {0, 1, 2, 3};
+      return Quad::load(kLanes);
+    }
+
+    double base_, out_, near_z_, far_z_, per_z_ = 0;  // per_z_: 0 where it does not go along the axis
+    Quad enters_, leaves_, y_, along_y_, above_;      // enters_, leaves_: columns, from base_ on
+  };
 
   [[nodiscard]] std::size_t bytes() const;
   void build_levels();
@@ -148,8 +213,8 @@ class HeightField {
 
   std::uint32_t columns_ = 0, rows_ = 0;
   double spacing_x_ = 1, spacing_z_ = 1, per_spacing_x_ = 1, per_spacing_z_ = 1;
-  std::vector<double> heights_;
-  std::vector<Level> levels_;  // the last one has one block
+  std::vector<double> heights_;  // and kMore numbers
+  std::vector<Level> levels_;    // the last one has one block
   Bounds bounds_;
   double extent_ = 0;  // the largest coordinate [m]
 };

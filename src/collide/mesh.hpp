@@ -36,17 +36,24 @@ class Mesh {
     return materials_.empty() ? std::nullopt : std::optional(materials_[triangle]);
   }
 
-  /// Calls take(crossing, segment) for each triangle met.
+  /// Calls take(crossing, segment) for each triangle met. `start`: of a box that the segment lies in, or null.
   template <class Take>
-  void crossings(Segment& segment, const Take& take) const {
-    const Shear shear(segment);
-    tree_.along(segment, [&](std::uint32_t i, Segment& s) {
-      auto crossing = meets(s, shear, triangle(i));
+  void crossings(Segment& segment, const Take& take, const Bvh::Start* start = nullptr) const {
+    std::optional<Shear> shear;  // most segments come to no triangle
+    const auto visit = [&](std::uint32_t i, Segment& s) {
+      if (!shear) shear.emplace(segment);
+      auto crossing = meets(s, *shear, triangle(i));
       if (!crossing) return;
       crossing->primitive = number(i);
       take(*crossing, s);
-    });
+    };
+    if (start)
+      tree_.along(segment, *start, visit);
+    else
+      tree_.along(segment, visit);
   }
+  /// Where segments within a box begin to look.
+  [[nodiscard]] Bvh::Start start(const Bounds& box) const { return tree_.start(box); }
   /// A part of a segment up to which spheres about its points touch nothing: its reach, or less.
   [[nodiscard]] double clear_part(Segment segment) const {
     tree_.along(segment, [&](std::uint32_t i, Segment& s) {

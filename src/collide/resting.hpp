@@ -28,10 +28,12 @@ class RestingThings {
   /// Calls visit(thing, segment) for what a segment may meet, as Bvh::along() does.
   template <class Visit>
   void along(Segment& segment, const Visit& visit) const {
-    old_.along(segment, [&](std::uint32_t place, Segment& s) {
+    const BoxTest test(segment);
+    const auto visit_old = [&](std::uint32_t place, Segment& s) {
       if (order_[place] != Tree::kNone) visit(order_[place], s);
-    });
-    recent_.along(segment, visit);
+    };
+    old_.along(segment, test, visit_old);
+    recent_.along(segment, test, visit);
   }
   /// Calls visit(thing, within) for what is not farther from p than `within`, which visit shortens.
   template <class Visit>

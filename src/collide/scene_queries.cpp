@@ -6,6 +6,7 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "collide/content.hpp"
+#include "collide/nearby.hpp"
 #include "collide/order.hpp"
 #include "collide/question.hpp"
 #include "collide/scene_parts.hpp"
@@ -31,10 +32,10 @@ bool is_of(Which which, const SceneContent::InstanceSlot& slot) {
 }
 
 /// Calls look_at(index, segment) for what rests and look_at_mover(index, segment) for what moves and may be met between
-/// two times; both may shorten the segment's reach.
-template <class LookAt, class LookAtMover>
-void things_along(const SceneContent& scene, Which which, Segment& segment, double from, double to,
-                  const LookAt& look_at, const LookAtMover& look_at_mover) {
+/// two times; both may shorten the segment's reach. `resting`: the scene's own things at rest, or those nearby.
+template <class Resting, class LookAt, class LookAtMover>
+void things_along(const SceneContent& scene, const Resting& resting, Which which, Segment& segment, double from,
+                  double to, const LookAt& look_at, const LookAtMover& look_at_mover) {
   for (const std::uint32_t index : scene.unbounded) {
     if (!is_of(which, scene.instances[index])) continue;
     if (scene.instances[index].path)
@@ -42,7 +43,7 @@ void things_along(const SceneContent& scene, Which which, Segment& segment, doub
     else
       look_at(index, segment);
   }
-  if (which != Which::moving) scene.resting.along(segment, look_at);
+  if (which != Which::moving) resting.along(segment, look_at);
   if (which == Which::resting) return;
   for_movers(
       scene, from, to, [&](const Tree& tree) { tree.along(segment, look_at_mover); },
@@ -74,19 +75,20 @@ SceneHit hit_of(const SceneContent& scene, std::uint32_t index, const Crossing& 
 }
 
 /// Calls take(index, crossing, segment) for whatever a segment meets; take shortens the segment's reach.
-template <bool kExits, class Take>
-void cross_all(const SceneContent& scene, const SceneSegment& asked, double radius, const SceneFilter& filter,
-               const Take& take, Which which = Which::all) {
+template <bool kExits, class Resting, class Take>
+void cross_all(const SceneContent& scene, const Resting& resting, const SceneSegment& asked, double radius,
+               const SceneFilter& filter, const Take& take, Which which = Which::all) {
   if (!is_sound(asked)) return;
   Segment segment{asked.from, asked.to - asked.from, radius, 1};
-  const auto look_at = [&](std::uint32_t index, Segment& s) {
+  const auto look_at = [&](std::uint32_t index, Segment& s, const Bvh::Start* start = nullptr) {
     const SceneContent::InstanceSlot& slot = scene.instances[index];
     if (!slot.is_asked(filter)) return;
     Segment inside = slot.placement.inside(s);
-    cross<kExits>(*slot.shape, inside, [&](const Crossing& crossing, Segment& within) {
+    const auto taken = [&](const Crossing& crossing, Segment& within) {
       take(index, crossing, s);
       within.reach = s.reach;
-    });
+    };
+    cross<kExits>(*slot.shape, inside, taken, start);
   };
   const auto look_at_mover = [&](std::uint32_t index, Segment& s) {
     const SceneContent::InstanceSlot& slot = scene.instances[index];
@@ -94,7 +96,7 @@ void cross_all(const SceneContent& scene, const SceneSegment& asked, double radi
     const auto taken = [&](const Crossing& crossing, Segment& within) { take(index, crossing, within); };
     Sweep<kExits, decltype(taken)>(*slot.shape, *slot.path, asked.time, asked.duration, s, taken);
   };
-  things_along(scene, which, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
+  things_along(scene, resting, which, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
 }
 
 bool any_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter, Which which) {
@@ -103,15 +105,18 @@ bool any_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFi
     some = true;
     s.reach = -1;
   };
-  cross_all<false>(scene, asked, asked.radius, filter, take, which);
+  cross_all<false>(scene, scene.resting, asked, asked.radius, filter, take, which);
   return some;
 }
 
-SceneHit first_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter) {
+/// What a segment meets first; where it meets nothing, `into` stays as it is.
+template <class Resting>
+void first_hit(const SceneContent& scene, const Resting& resting, const SceneSegment& asked, const SceneFilter& filter,
+               SceneHit& into) {
   Crossing best;
   best.t = kInfinity;
   std::uint32_t who = 0;
-  cross_all<false>(scene, asked, asked.radius, filter, [&](std::uint32_t index, const Crossing& crossing, Segment& s) {
+  const auto take = [&](std::uint32_t index, const Crossing& crossing, Segment& s) {
     // Met at once, the one of the lowest numbers is first, whatever the tree looks like.
     const auto numbers = std::tie(index, crossing.primitive, crossing.triangle);
     const bool first =
@@ -120,16 +125,83 @@ SceneHit first_hit(const SceneContent& scene, const SceneSegment& asked, const S
     best = crossing;
     who = index;
     s.reach = crossing.t;
-  });
-  return who == 0 ? SceneHit{} : hit_of(scene, who, best, asked);
+  };
+  cross_all<false>(scene, resting, asked, asked.radius, filter, take);
+  if (who != 0) into = hit_of(scene, who, best, asked);
 }
+
+/// Many segments: one after the other as they come or, sorted by place, in groups that look for their things together.
+struct Batch {
+  static constexpr std::size_t kTask = 256, kGroup = 16;
+  static constexpr SceneHit kNothing{};
+
+  const SceneContent& scene;
+  std::span<const SceneSegment> segments;
+  std::span<SceneHit> into;
+  const SceneFilter& filter;
+  std::vector<std::uint32_t> order;  // empty: as they come
+
+  void sort() {
+    order = order_by_place(segments);
+    PHYSIM_ASSERT(order.size() == into.size());
+    // One after the other, so that out of order only those are written that meet something.
+    std::ranges::fill(into, kNothing);
+  }
+  static void run(void* self, std::size_t task) {
+    const IeeeMode mode;
+    const Batch& batch = *static_cast<const Batch*>(self);
+    const std::size_t begin = task * kTask, end = std::min(batch.segments.size(), begin + kTask);
+    if (!batch.order.empty()) {
+      for (std::size_t i = begin; i < end; i += kGroup) batch.cast_group(i, std::min(end, i + kGroup));
+      return;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      batch.into[i] = kNothing;
+      first_hit(batch.scene, batch.scene.resting, batch.segments[i], batch.filter, batch.into[i]);
+    }
+  }
+
+ private:
+  /// The i-th of the order; what is soon needed is on its way from where it lies in memory.
+  [[nodiscard]] std::size_t prefetched(std::size_t i) const {
+    if (i + kGroup < order.size()) {
+      const SceneSegment& next = segments[order[i + kGroup]];
+      __builtin_prefetch(&next);
+      __builtin_prefetch(&next.radius);
+    }
+    return order[i];
+  }
+  /// About the segments of a group that make sense.
+  [[nodiscard]] Bounds about(std::size_t begin, std::size_t end) const {
+    Bounds box;
+    double radius = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const SceneSegment& s = segments[order[i]];
+      if (!is_sound(s)) continue;
+      box.take(s.from);
+      box.take(s.to);
+      radius = std::max(radius, s.radius);
+    }
+    box.widen(radius);
+    return box;
+  }
+  void cast_group(std::size_t begin, std::size_t end) const {
+    PHYSIM_ASSERT(begin < end && end <= order.size());
+    const Nearby nearby(scene, filter, about(begin, end));
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t at = prefetched(i);
+      first_hit(scene, nearby, segments[at], filter, into[at]);
+    }
+  }
+};
 
 }  // namespace
 }  // namespace collide
 
 SceneHit Scene::first_hit(const SceneSegment& segment, const SceneFilter& filter) const {
   const IeeeMode mode;
-  SceneHit hit = collide::first_hit(*impl_, segment, filter);
+  SceneHit hit;
+  collide::first_hit(*impl_, impl_->resting, segment, filter, hit);
   if (impl_->engine) impl_->engine->first_hits({&segment, 1}, filter.layers, {&hit, 1});
   return hit;
 }
@@ -152,7 +224,7 @@ std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFi
   std::vector<Met> met;
   SceneSegment points = segment;
   points.radius = segment.radius >= 0 ? 0 : segment.radius;
-  collide::cross_all<true>(*impl_, segment, 0, filter,
+  collide::cross_all<true>(*impl_, impl_->resting, segment, 0, filter,
                            [&](std::uint32_t index, const collide::Crossing& crossing, collide::Segment&) {
                              met.push_back({index, crossing});
                            });
@@ -179,49 +251,19 @@ std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFi
 
 void Scene::first_hits(std::span<const SceneSegment> segments, std::span<SceneHit> into, const SceneFilter& filter,
                        TaskRunner* runner) const {
-  constexpr std::size_t kTask = 256;
   // From here on it pays to look for neighbours: what they look at is read once, but they lie all over the memory.
   constexpr std::size_t kMany = 2048, kCached = 1 << 20;
-  struct Call {
-    const Impl& scene;
-    std::span<const SceneSegment> segments;
-    std::span<SceneHit> into;
-    const SceneFilter& filter;
-    std::vector<std::uint32_t> order;  // empty: as they are
-
-    /// The i-th of the order; what is soon needed is on its way from where it lies in memory.
-    [[nodiscard]] std::size_t prefetched(std::size_t i) const {
-      constexpr std::size_t kAhead = 8;
-      if (i + kAhead < order.size()) {
-        const std::size_t next = order[i + kAhead];
-        __builtin_prefetch(&segments[next]);
-        __builtin_prefetch(&segments[next].radius);
-        __builtin_prefetch(&into[next], 1);
-        __builtin_prefetch(&into[next].instance, 1);
-      }
-      return order[i];
-    }
-    static void run(void* self, std::size_t task) {
-      const IeeeMode mode;
-      const Call& call = *static_cast<const Call*>(self);
-      const std::size_t end = std::min(call.segments.size(), (task + 1) * kTask);
-      for (std::size_t i = task * kTask; i < end; ++i) {
-        const std::size_t at = call.order.empty() ? i : call.prefetched(i);
-        call.into[at] = collide::first_hit(call.scene, call.segments[at], call.filter);
-      }
-    }
-  } call{*impl_, segments.first(std::min(segments.size(), into.size())), into, filter, {}};
-  if (call.segments.size() >= kMany && call.segments.size() <= std::numeric_limits<std::uint32_t>::max() &&
-      bytes() >= kCached)
-    call.order = collide::order_by_place(call.segments);
-  const std::size_t tasks = (call.segments.size() + kTask - 1) / kTask;
+  const std::size_t count = std::min(segments.size(), into.size());
+  collide::Batch batch{*impl_, segments.first(count), into.first(count), filter, {}};
+  if (count >= kMany && count <= std::numeric_limits<std::uint32_t>::max() && bytes() >= kCached) batch.sort();
+  const std::size_t tasks = (count + collide::Batch::kTask - 1) / collide::Batch::kTask;
   if (runner && tasks > 1)
-    runner->run(tasks, Call::run, &call);
+    runner->run(tasks, collide::Batch::run, &batch);
   else
-    for (std::size_t task = 0; task < tasks; ++task) Call::run(&call, task);
+    for (std::size_t task = 0; task < tasks; ++task) collide::Batch::run(&batch, task);
   if (!impl_->engine) return;
   const IeeeMode mode;
-  impl_->engine->first_hits(call.segments, filter.layers, into.first(call.segments.size()));
+  impl_->engine->first_hits(batch.segments, filter.layers, batch.into);
 }
 
 SceneNearest Scene::nearest(const Vec3d& point, double within, const SceneFilter& filter, double time) const {
@@ -312,7 +354,7 @@ double clear_part_in(const SceneContent& scene, const SceneSegment& asked, const
     const double in = BoxTest(s).enters(slot.path->bounds(own, asked.time, end), s.reach);
     if (in <= s.reach) s.reach = in * (1 - 1e-14);
   };
-  things_along(scene, which, segment, asked.time, end, look_at, look_at_mover);
+  things_along(scene, scene.resting, which, segment, asked.time, end, look_at, look_at_mover);
   return std::max(0.0, segment.reach);
 }
 

@@ -26,7 +26,7 @@ struct Segment {
   [[nodiscard]] Vec3d at(double t) const { return from + along * t; }
   /// The largest of its coordinates, which what is below it is rounded to.
   [[nodiscard]] double extent() const {
-    const auto most = [](const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const auto most = [](const Vec3d& v) { return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z))); };
     return most(from) + most(along) + radius;
   }
 };

@@ -22,11 +22,12 @@ class Placement {
   [[nodiscard]] Vec3d inside(const Vec3d& p) const { return turned_back(p - position_) * per_scale_; }
   [[nodiscard]] Vec3d outside(const Vec3d& p) const { return turned(p * scale_) + position_; }
   /// As seen from the shape.
-  [[nodiscard]] Segment inside(const Segment& s) const {
+  [[nodiscard]] PHYSIM_INLINE Segment inside(const Segment& s) const {
     return {inside(s.from), turned_back(s.along) * per_scale_, s.radius * per_scale_, s.reach};
   }
   /// A box about what a box becomes, with what is rounded on the way.
   [[nodiscard]] Bounds outside(const Bounds& box) const;
+  [[nodiscard]] Bounds inside(const Bounds& box) const;
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] const Vec3d& position() const { return position_; }
 
@@ -57,13 +58,15 @@ struct Compound {
 [[nodiscard]] Bounds bounds_of(const Shape& shape);
 
 namespace detail {
-/// A shape that is no compound.
+/// A shape that is no compound. `start`: of a mesh, or null.
 template <bool kExits, class Take>
-void cross_simple(const Shape& shape, Segment& s, const Take& take) {
+void cross_simple(const Shape& shape, Segment& s, const Take& take, const Bvh::Start* start = nullptr) {
   std::visit(
       [&](const auto& one) {
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Compound>) {
           PHYSIM_ASSERT(false);
+        } else if constexpr (requires { one.crossings(s, take, start); }) {
+          one.crossings(s, take, start);
         } else if constexpr (requires { one.crossings(s, take); }) {
           one.crossings(s, take);
         } else {
@@ -76,11 +79,12 @@ void cross_simple(const Shape& shape, Segment& s, const Take& take) {
 }
 }  // namespace detail
 
-/// Calls take(crossing, segment) where a segment meets a shape. `kExits`: where it leaves convex shapes, too.
+/// Calls take(crossing, segment) where a segment meets a shape. `kExits`: where it leaves convex shapes, too. `start`:
+/// of a mesh for a box that the segment lies in, or null.
 template <bool kExits, class Take>
-void cross(const Shape& shape, Segment& s, const Take& take) {
+void cross(const Shape& shape, Segment& s, const Take& take, const Bvh::Start* start = nullptr) {
   const Compound* compound = std::get_if<Compound>(&shape);
-  if (!compound) return detail::cross_simple<kExits>(shape, s, take);
+  if (!compound) return detail::cross_simple<kExits>(shape, s, take, start);
   for (std::uint32_t i = 0; i < compound->parts.size(); ++i) {
     const Compound::Part& part = compound->parts[i];
     if (!(BoxTest(s).enters(part.bounds, s.reach) <= s.reach)) continue;

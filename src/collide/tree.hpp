@@ -30,8 +30,12 @@ class Tree {
   /// Calls visit(item, segment) for each item whose box a segment may meet, as Bvh::along() does.
   template <class Visit>
   void along(Segment& segment, const Visit& visit) const {
-    if (root_ == kNone) return;
-    const BoxTest test(segment);
+    if (root_ != kNone) along(segment, BoxTest(segment), visit);
+  }
+  /// Calls them with the test that was made of the segment.
+  template <class Visit>
+  void along(Segment& segment, const BoxTest& test, const Visit& visit) const {
+    if (root_ == kNone || !(test.enters(nodes_[root_].box, segment.reach) <= segment.reach)) return;
     const auto enters = [&](std::uint32_t node) { return test.enters(nodes_[node].box, segment.reach); };
     std::uint32_t stack[kDeepest];
     double in[kDeepest];

@@ -28,41 +28,47 @@ struct Triangle {
 /// A segment in the axes in which it runs along z.
 class Shear {
  public:
-  explicit Shear(const Segment& s) : from_(s.from) {
-    const Vec3d size{std::abs(s.along.x), std::abs(s.along.y), std::abs(s.along.z)};
-    z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    x_ = (z_ + 1) % 3;
-    y_ = (z_ + 2) % 3;
-    if (s.along[z_] < 0) std::swap(x_, y_);  // so that triangles keep their winding
-    if (s.along[z_] == 0) return;            // no way at all: it passes nothing
-    along_x_ = s.along[x_] / s.along[z_];
-    along_y_ = s.along[y_] / s.along[z_];
-    per_z_ = 1 / s.along[z_];
+  PHYSIM_INLINE explicit Shear(const Segment& s) {
+    const Components from = components(s.from), along = components(s.along);
+    const double x = std::abs(along[0]), y = std::abs(along[1]), z = std::abs(along[2]);
+    z_ = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+    const bool backwards = along[z_] < 0;  // x and y change places, so that triangles keep their winding
+    x_ = kNext[z_ + (backwards ? 1 : 0)];
+    y_ = kNext[z_ + (backwards ? 0 : 1)];
+    from_ = {from[x_], from[y_], from[z_]};
+    if (along[z_] == 0) return;  // no way at all: it passes nothing
+    along_x_ = along[x_] / along[z_];
+    along_y_ = along[y_] / along[z_];
+    per_z_ = 1 / along[z_];
   }
 
   /// Where the line through the segment passes a triangle.
-  [[nodiscard]] std::optional<double> passes(const Triangle& triangle) const {
+  [[nodiscard]] PHYSIM_INLINE std::optional<double> passes(const Triangle& triangle) const {
     if (per_z_ == 0) return std::nullopt;
     PHYSIM_ASSERT(x_ != y_ && y_ != z_ && z_ != x_ && std::abs(along_x_) <= 1 && std::abs(along_y_) <= 1);
     const Vec3d a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
     const double u = c.x * b.y - c.y * b.x;
     const double v = a.x * c.y - a.y * c.x;
     const double w = b.x * a.y - b.y * a.x;
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
+    if (std::min(u, std::min(v, w)) < 0 && std::max(u, std::max(v, w)) > 0) return std::nullopt;
     const double sum = u + v + w;
     if (sum == 0) return std::nullopt;  // seen from its edge
     return (u * a.z + v * b.z + w * c.z) / sum;
   }
 
  private:
+  using Components = std::array<double, 3>;
+  static constexpr std::size_t kNext[] = {1, 2, 0, 1};  // axes behind each axis
+
+  [[nodiscard]] static Components components(const Vec3d& v) { return {v.x, v.y, v.z}; }
   /// With z counted along the segment.
   [[nodiscard]] Vec3d sheared(const Vec3d& p) const {
-    const Vec3d from = p - from_;
-    const double z = from[z_];
-    return {from[x_] - along_x_ * z, from[y_] - along_y_ * z, z * per_z_};
+    const Components at = components(p);  // in memory, where an axis is an address: no selections
+    const double z = at[z_] - from_.z;
+    return {at[x_] - from_.x - along_x_ * z, at[y_] - from_.y - along_y_ * z, z * per_z_};
   }
 
-  Vec3d from_;
+  Vec3d from_;  // its axes permuted
   std::size_t x_, y_, z_;
   double along_x_ = 0, along_y_ = 0, per_z_ = 0;
 };
@@ -100,7 +106,8 @@ class Shear {
 
 /// Where a segment, or a sphere about its points, meets a triangle from either side. Points enter where they come
 /// against the normal; a sphere always does. What begins at the surface and leaves along the normal does not meet it.
-[[nodiscard]] inline std::optional<Crossing> meets(const Segment& s, const Shear& shear, const Triangle& triangle) {
+[[nodiscard]] PHYSIM_INLINE std::optional<Crossing> meets(const Segment& s, const Shear& shear,
+                                                          const Triangle& triangle) {
   if (s.radius > 0)
     return first_touch(s, 0, [&](const Vec3d& p) { return nearest_by(p - nearest_point(triangle, p)); });
   const auto t = shear.passes(triangle);

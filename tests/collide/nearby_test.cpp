@@ -1,0 +1,117 @@
+// Large batches, whose groups look once for what rests near them: each segment gets the answer that it gets alone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "collide/scene_support.hpp"
+#include "physim/task_runner.hpp"
+
+namespace physim {
+namespace {
+
+using namespace test;
+
+constexpr double kSide = 120;  // of the place [m]
+
+HeightFieldShape hills() {
+  HeightFieldShape field{.columns = 49, .rows = 41, .spacing_x = 2.5, .spacing_z = 3, .heights = {}};
+  for (int i = 0; i < 49 * 41; ++i) field.heights.push_back(3 * std::sin(i * 0.7) + 4 * std::cos(i * 0.01));
+  return field;
+}
+
+Transform somewhere(Random& r) {
+  Transform t = random_transform(r, 0);
+  t.position = {r.in(0, kSide), r.in(-3, 8), r.in(0, kSide)};
+  return t;
+}
+
+/// Hills, large meshes turned and scaled, small ones, a heap that is too many for a group, compounds, sensors, a plane
+/// and what moves.
+Scene crowd(Random& r) {
+  Scene scene;
+  const ShapeId hill = scene.add_shape(hills()).value(), large = scene.add_shape(ball(24, 0.2)).value();
+  const ShapeId small = scene.add_shape(ball(3, 0)).value(), box = scene.add_shape(BoxShape{{1, 2, 0.3}}).value();
+  const ShapeId two = scene.add_shape(CompoundShape{{{large, {.position = {1, 0, 0}}}, {box, {}}}}).value();
+  const auto add = [&](const InstanceDef& def) { ASSERT_TRUE(scene.add(def)); };
+  add({.shape = hill, .layers = 4});
+  add({.shape = hill, .transform = {.position = {5, 1, kSide}, .rotation = {1, 0.1, 1, 0.05}, .scale = 0.7}});
+  add({.shape = scene.add_shape(PlaneShape{}).value(), .transform = {.position = {0, -9, 0}}});
+  for (int i = 0; i < 60; ++i) {
+    InstanceDef def{.shape = std::array{large, small, box, two}[static_cast<std::size_t>(i) % 4],
+                    .transform = somewhere(r)};
+    def.transform.scale *= 3;
+    def.layers = 1u << r.below(3);
+    def.sensor = r.one_in(5);
+    if (r.one_in(6)) def.motion = SteadyMotion{.velocity = r.vector(3)};
+    add(def);
+  }
+  for (int i = 0; i < 40; ++i)
+    add({.shape = i % 2 ? small : box, .transform = {.position = Vec3d{60, 5, 60} + r.vector(4)}});
+  return scene;
+}
+
+void expect_same(const SceneHit& a, const SceneHit& b, std::size_t i) {
+  ASSERT_EQ(a.instance, b.instance) << i;
+  ASSERT_EQ(a.part, b.part) << i;
+  ASSERT_EQ(a.primitive, b.primitive) << i;
+  ASSERT_EQ(a.position, b.position) << i;
+  ASSERT_EQ(a.normal, b.normal) << i;
+  ASSERT_EQ(a.velocity, b.velocity) << i;
+  ASSERT_EQ(a.entering, b.entering) << i;
+  ASSERT_EQ(a.starts_inside, b.starts_inside) << i;
+}
+
+TEST(Nearby, batches_are_as_one_by_one) {
+  Random r(31);
+  const Scene scene = crowd(r);
+  std::vector<SceneSegment> segments;
+  for (int i = 0; i < 8000; ++i) {
+    const Vec3d from{r.in(-9, kSide), r.in(-4, 12), r.in(-9, kSide)};
+    SceneSegment s{from, from + r.vector(r.one_in(50) ? 200 : 8)};
+    if (r.one_in(10)) s.to.x = s.from.x;
+    if (r.one_in(10)) s.to.z = s.from.z;
+    if (r.one_in(20)) s.to = s.from;
+    if (r.one_in(3)) s.radius = r.in(0, 1);
+    if (r.one_in(3)) s.duration = r.in(0, 2);
+    segments.push_back(s);
+  }
+  segments[40].to.y = std::numeric_limits<double>::infinity();
+  segments[41].radius = -1;
+  segments[42].to.x = 1e14;
+  std::vector<SceneHit> hits(segments.size()), lent(segments.size());
+  const auto pool = make_thread_pool(3);
+  for (const SceneFilter& filter : {SceneFilter{}, SceneFilter{.layers = 3, .sensors = false}}) {
+    scene.first_hits(segments, hits, filter);
+    scene.first_hits(segments, lent, filter, pool.get());
+    int some = 0;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const SceneHit one = scene.first_hit(segments[i], filter);
+      some += one ? 1 : 0;
+      expect_same(hits[i], one, i);
+      expect_same(lent[i], one, i);
+    }
+    EXPECT_GT(some, 2000);
+  }
+}
+
+/// Far from the origin, where a coordinate has few digits below the metre in float.
+TEST(Nearby, batches_far_from_the_origin_are_as_one_by_one) {
+  Random r(32);
+  Scene scene;
+  const Vec3d far{6.4e6, -2e6, 3e5};
+  const ShapeId large = scene.add_shape(ball(40, 0.1)).value();
+  for (int i = 0; i < 30; ++i) {
+    Transform t = random_transform(r, 20);
+    t.position += far;
+    ASSERT_TRUE(scene.add({.shape = large, .transform = t}));
+  }
+  std::vector<SceneSegment> segments;
+  for (int i = 0; i < 5000; ++i) segments.push_back(random_segment(r, far, 15));
+  std::vector<SceneHit> hits(segments.size());
+  scene.first_hits(segments, hits);
+  for (std::size_t i = 0; i < segments.size(); ++i) expect_same(hits[i], scene.first_hit(segments[i]), i);
+}
+
+}  // namespace
+}  // namespace physim
