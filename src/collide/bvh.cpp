@@ -256,47 +256,4 @@ Bvh::Bvh(std::span<BvhItem> items) {
   extent_ = root_.extent();
 }
 
-/// From the root on, nodes give way to those of their children that the box meets, as long as no more than four are
-/// left.
-Bvh::Start Bvh::start(const Bounds& box) const {
-  Start start;
-  if (nodes_.empty()) return start;
-  const QuadOverlap overlap(box);
-  struct Child {
-    const Node* of;
-    int lane;
-  };
-  Child children[4] = {};
-  int count = 0, kept = 0;  // the first ones stay
-  const auto add = [&](const Node& node, unsigned lanes) {
-    PHYSIM_ASSERT(count + std::popcount(lanes) <= 4);
-    for (; lanes != 0; lanes &= lanes - 1) children[count++] = {&node, std::countr_zero(lanes)};
-  };
-  add(nodes_[0], overlap.meets(nodes_[0]));
-  while (kept < count) {
-    const auto [of, lane] = children[kept];
-    const bool inner = of->count[lane] == 0;
-    const Node& node = nodes_[inner ? of->first[lane] : 0];
-    const unsigned lanes = inner ? overlap.meets(node) : 0;
-    if (!inner || count - 1 + std::popcount(lanes) > 4) {
-      ++kept;
-      continue;
-    }
-    std::copy(children + kept + 1, children + count, children + kept);
-    --count;
-    add(node, lanes);
-  }
-  for (int i = 0; i < 4; ++i) {
-    const auto [of, lane] = i < count ? children[i] : Child{nullptr, 0};
-    for (std::size_t side = 0; side < Node::kSides; side += 4) {
-      start.node_.plane[side + i] = of ? of->plane[side + lane] : kFloatInfinity;
-      start.node_.plane[Node::kSides + side + i] = of ? of->plane[Node::kSides + side + lane] : -kFloatInfinity;
-    }
-    start.node_.first[i] = of ? of->first[lane] : 0;
-    start.node_.count[i] = of ? of->count[lane] : 0;
-  }
-  start.some_ = count > 0;
-  return start;
-}
-
 }  // namespace physim::collide

@@ -28,8 +28,6 @@ struct BvhItem {
 
 class Bvh {
  public:
-  class Start;
-
   Bvh() = default;
   /// Puts items into the order of its leaves, in which they are visited by their places.
   explicit Bvh(std::span<BvhItem> items);
@@ -48,15 +46,8 @@ class Bvh {
     if (nodes_.empty()) return;
     const double base = whole.enters(root_, segment.reach);
     if (!(base <= segment.reach)) return;
-    walk(nodes_[0], QuadTest(segment, whole.per_along(), extent_, base), segment, visit);
+    walk(QuadTest(segment, whole.per_along(), extent_, base), segment, visit);
   }
-  /// Calls them for a segment that lies in a box, from the start that was found for this box on.
-  template <class Visit>
-  PHYSIM_INLINE void along(Segment& segment, const Start& start, const Visit& visit) const {
-    if (start.some()) walk(start.node_, QuadTest(segment, BoxTest(segment).per_along(), extent_, 0), segment, visit);
-  }
-  /// Where walks along segments within a box begin.
-  [[nodiscard]] Start start(const Bounds& box) const;
 
   /// Calls visit(place) for each item that may meet a box.
   template <class Visit>
@@ -140,24 +131,8 @@ class Bvh {
     }
   };
 
- public:
-  /// What a box meets of a tree, in up to four parts.
-  class Start {
-   public:
-    /// Whether it meets anything.
-    [[nodiscard]] bool some() const { return some_; }
-
-   private:
-    friend Bvh;
-
-    Node node_;
-    bool some_ = false;
-  };
-
- private:
-  /// `start`: in place of the root.
   template <class Visit>
-  PHYSIM_INLINE void walk(const Node& start, const QuadTest& test, Segment& segment, const Visit& visit) const {
+  PHYSIM_INLINE void walk(const QuadTest& test, Segment& segment, const Visit& visit) const {
     Waiting stack[kStack];
     int waiting = 0;
     Waiting at{0, 0, 0};
@@ -167,7 +142,7 @@ class Bvh {
         for (std::uint32_t i = at.first; i < at.first + at.count; ++i) visit(i, segment);
         reach = test.reach(segment);
       } else {
-        const Node& node = at.first == 0 ? start : nodes_[at.first];
+        const Node& node = nodes_[at.first];
         Quad in;
         if (unsigned lanes = test.enters(node, reach, in); lanes != 0) {
           at = node.child(std::countr_zero(lanes), in);

@@ -36,9 +36,9 @@ class Mesh {
     return materials_.empty() ? std::nullopt : std::optional(materials_[triangle]);
   }
 
-  /// Calls take(crossing, segment) for each triangle met. `start`: of a box that the segment lies in, or null.
+  /// Calls take(crossing, segment) for each triangle met.
   template <class Take>
-  void crossings(Segment& segment, const Take& take, const Bvh::Start* start = nullptr) const {
+  void crossings(Segment& segment, const Take& take) const {
     std::optional<Shear> shear;  // most segments come to no triangle
     const auto visit = [&](std::uint32_t i, Segment& s) {
       if (!shear) shear.emplace(segment);
@@ -47,13 +47,8 @@ class Mesh {
       crossing->primitive = number(i);
       take(*crossing, s);
     };
-    if (start)
-      tree_.along(segment, *start, visit);
-    else
-      tree_.along(segment, visit);
+    tree_.along(segment, visit);
   }
-  /// Where segments within a box begin to look.
-  [[nodiscard]] Bvh::Start start(const Bounds& box) const { return tree_.start(box); }
   /// A part of a segment up to which spheres about its points touch nothing: its reach, or less.
   [[nodiscard]] double clear_part(Segment segment) const {
     tree_.along(segment, [&](std::uint32_t i, Segment& s) {

@@ -6,7 +6,6 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "collide/content.hpp"
-#include "collide/nearby.hpp"
 #include "collide/order.hpp"
 #include "collide/question.hpp"
 #include "collide/scene_parts.hpp"
@@ -32,10 +31,10 @@ bool is_of(Which which, const SceneContent::InstanceSlot& slot) {
 }
 
 /// Calls look_at(index, segment) for what rests and look_at_mover(index, segment) for what moves and may be met between
-/// two times; both may shorten the segment's reach. `resting`: the scene's own things at rest, or those nearby.
-template <class Resting, class LookAt, class LookAtMover>
-void things_along(const SceneContent& scene, const Resting& resting, Which which, Segment& segment, double from,
-                  double to, const LookAt& look_at, const LookAtMover& look_at_mover) {
+/// two times; both may shorten the segment's reach.
+template <class LookAt, class LookAtMover>
+void things_along(const SceneContent& scene, Which which, Segment& segment, double from, double to,
+                  const LookAt& look_at, const LookAtMover& look_at_mover) {
   for (const std::uint32_t index : scene.unbounded) {
     if (!is_of(which, scene.instances[index])) continue;
     if (scene.instances[index].path)
@@ -43,7 +42,7 @@ void things_along(const SceneContent& scene, const Resting& resting, Which which
     else
       look_at(index, segment);
   }
-  if (which != Which::moving) resting.along(segment, look_at);
+  if (which != Which::moving) scene.resting.along(segment, look_at);
   if (which == Which::resting) return;
   for_movers(
       scene, from, to, [&](const Tree& tree) { tree.along(segment, look_at_mover); },
@@ -75,12 +74,12 @@ SceneHit hit_of(const SceneContent& scene, std::uint32_t index, const Crossing& 
 }
 
 /// Calls take(index, crossing, segment) for whatever a segment meets; take shortens the segment's reach.
-template <bool kExits, class Resting, class Take>
-void cross_all(const SceneContent& scene, const Resting& resting, const SceneSegment& asked, double radius,
-               const SceneFilter& filter, const Take& take, Which which = Which::all) {
+template <bool kExits, class Take>
+void cross_all(const SceneContent& scene, const SceneSegment& asked, double radius, const SceneFilter& filter,
+               const Take& take, Which which = Which::all) {
   if (!is_sound(asked)) return;
   Segment segment{asked.from, asked.to - asked.from, radius, 1};
-  const auto look_at = [&](std::uint32_t index, Segment& s, const Bvh::Start* start = nullptr) {
+  const auto look_at = [&](std::uint32_t index, Segment& s) {
     const SceneContent::InstanceSlot& slot = scene.instances[index];
     if (!slot.is_asked(filter)) return;
     Segment inside = slot.placement.inside(s);
@@ -88,7 +87,7 @@ void cross_all(const SceneContent& scene, const Resting& resting, const SceneSeg
       take(index, crossing, s);
       within.reach = s.reach;
     };
-    cross<kExits>(*slot.shape, inside, taken, start);
+    cross<kExits>(*slot.shape, inside, taken);
   };
   const auto look_at_mover = [&](std::uint32_t index, Segment& s) {
     const SceneContent::InstanceSlot& slot = scene.instances[index];
@@ -96,7 +95,7 @@ void cross_all(const SceneContent& scene, const Resting& resting, const SceneSeg
     const auto taken = [&](const Crossing& crossing, Segment& within) { take(index, crossing, within); };
     Sweep<kExits, decltype(taken)>(*slot.shape, *slot.path, asked.time, asked.duration, s, taken);
   };
-  things_along(scene, resting, which, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
+  things_along(scene, which, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
 }
 
 bool any_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter, Which which) {
@@ -105,14 +104,12 @@ bool any_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFi
     some = true;
     s.reach = -1;
   };
-  cross_all<false>(scene, scene.resting, asked, asked.radius, filter, take, which);
+  cross_all<false>(scene, asked, asked.radius, filter, take, which);
   return some;
 }
 
 /// What a segment meets first; where it meets nothing, `into` stays as it is.
-template <class Resting>
-void first_hit(const SceneContent& scene, const Resting& resting, const SceneSegment& asked, const SceneFilter& filter,
-               SceneHit& into) {
+void first_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter, SceneHit& into) {
   Crossing best;
   best.t = kInfinity;
   std::uint32_t who = 0;
@@ -126,13 +123,13 @@ void first_hit(const SceneContent& scene, const Resting& resting, const SceneSeg
     who = index;
     s.reach = crossing.t;
   };
-  cross_all<false>(scene, resting, asked, asked.radius, filter, take);
+  cross_all<false>(scene, asked, asked.radius, filter, take);
   if (who != 0) into = hit_of(scene, who, best, asked);
 }
 
-/// Many segments: one after the other as they come or, sorted by place, in groups that look for their things together.
+/// Many segments, one after the other as they come or sorted by place.
 struct Batch {
-  static constexpr std::size_t kTask = 256, kGroup = 16;
+  static constexpr std::size_t kTask = 256;
   static constexpr SceneHit kNothing{};
 
   const SceneContent& scene;
@@ -151,47 +148,23 @@ struct Batch {
     const IeeeMode mode;
     const Batch& batch = *static_cast<const Batch*>(self);
     const std::size_t begin = task * kTask, end = std::min(batch.segments.size(), begin + kTask);
-    if (!batch.order.empty()) {
-      for (std::size_t i = begin; i < end; i += kGroup) batch.cast_group(i, std::min(end, i + kGroup));
-      return;
-    }
     for (std::size_t i = begin; i < end; ++i) {
-      batch.into[i] = kNothing;
-      first_hit(batch.scene, batch.scene.resting, batch.segments[i], batch.filter, batch.into[i]);
+      const std::size_t at = batch.order.empty() ? i : batch.prefetched(i);
+      if (batch.order.empty()) batch.into[i] = kNothing;
+      first_hit(batch.scene, batch.segments[at], batch.filter, batch.into[at]);
     }
   }
 
  private:
   /// The i-th of the order; what is soon needed is on its way from where it lies in memory.
   [[nodiscard]] std::size_t prefetched(std::size_t i) const {
-    if (i + kGroup < order.size()) {
-      const SceneSegment& next = segments[order[i + kGroup]];
+    constexpr std::size_t kAhead = 16;
+    if (i + kAhead < order.size()) {
+      const SceneSegment& next = segments[order[i + kAhead]];
       __builtin_prefetch(&next);
       __builtin_prefetch(&next.radius);
     }
     return order[i];
-  }
-  /// About the segments of a group that make sense.
-  [[nodiscard]] Bounds about(std::size_t begin, std::size_t end) const {
-    Bounds box;
-    double radius = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const SceneSegment& s = segments[order[i]];
-      if (!is_sound(s)) continue;
-      box.take(s.from);
-      box.take(s.to);
-      radius = std::max(radius, s.radius);
-    }
-    box.widen(radius);
-    return box;
-  }
-  void cast_group(std::size_t begin, std::size_t end) const {
-    PHYSIM_ASSERT(begin < end && end <= order.size());
-    const Nearby nearby(scene, filter, about(begin, end));
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t at = prefetched(i);
-      first_hit(scene, nearby, segments[at], filter, into[at]);
-    }
   }
 };
 
@@ -201,7 +174,7 @@ struct Batch {
 SceneHit Scene::first_hit(const SceneSegment& segment, const SceneFilter& filter) const {
   const IeeeMode mode;
   SceneHit hit;
-  collide::first_hit(*impl_, impl_->resting, segment, filter, hit);
+  collide::first_hit(*impl_, segment, filter, hit);
   if (impl_->engine) impl_->engine->first_hits({&segment, 1}, filter.layers, {&hit, 1});
   return hit;
 }
@@ -224,7 +197,7 @@ std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFi
   std::vector<Met> met;
   SceneSegment points = segment;
   points.radius = segment.radius >= 0 ? 0 : segment.radius;
-  collide::cross_all<true>(*impl_, impl_->resting, segment, 0, filter,
+  collide::cross_all<true>(*impl_, segment, 0, filter,
                            [&](std::uint32_t index, const collide::Crossing& crossing, collide::Segment&) {
                              met.push_back({index, crossing});
                            });
@@ -354,7 +327,7 @@ double clear_part_in(const SceneContent& scene, const SceneSegment& asked, const
     const double in = BoxTest(s).enters(slot.path->bounds(own, asked.time, end), s.reach);
     if (in <= s.reach) s.reach = in * (1 - 1e-14);
   };
-  things_along(scene, scene.resting, which, segment, asked.time, end, look_at, look_at_mover);
+  things_along(scene, which, segment, asked.time, end, look_at, look_at_mover);
   return std::max(0.0, segment.reach);
 }
 

@@ -10,28 +10,14 @@ Placement::Placement(const Transform& t) : position_(t.position), scale_(t.scale
   z_ = rotate(q, Vec3d{0, 0, 1});
 }
 
-namespace {
-
-/// About what becomes of the corners of a box, wider by what they are rounded to; `most`: a coordinate on their way.
-template <class Moved>
-Bounds about_moved(const Bounds& box, double most, const Moved& moved) {
+Bounds Placement::outside(const Bounds& box) const {
   Bounds all;
   for (int corner = 0; corner < 8; ++corner)
-    all.take(moved(Vec3d{(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
-                         (corner & 4 ? box.high : box.low).z}));
-  const auto largest = [](const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  all.widen(16 * std::numeric_limits<double>::epsilon() * (largest(all.low) + largest(all.high) + most));
+    all.take(outside(Vec3d{(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
+                           (corner & 4 ? box.high : box.low).z}));
+  const auto most = [](const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  all.widen(16 * std::numeric_limits<double>::epsilon() * (most(all.low) + most(all.high)));
   return all;
-}
-
-}  // namespace
-
-Bounds Placement::outside(const Bounds& box) const {
-  return about_moved(box, 0, [this](const Vec3d& p) { return outside(p); });
-}
-Bounds Placement::inside(const Bounds& box) const {
-  const double most = (box.extent() + length(position_)) * per_scale_;
-  return about_moved(box, most, [this](const Vec3d& p) { return inside(p); });
 }
 
 namespace {

@@ -27,7 +27,6 @@ class Placement {
   }
   /// A box about what a box becomes, with what is rounded on the way.
   [[nodiscard]] Bounds outside(const Bounds& box) const;
-  [[nodiscard]] Bounds inside(const Bounds& box) const;
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] const Vec3d& position() const { return position_; }
 
@@ -58,15 +57,13 @@ struct Compound {
 [[nodiscard]] Bounds bounds_of(const Shape& shape);
 
 namespace detail {
-/// A shape that is no compound. `start`: of a mesh, or null.
+/// A shape that is no compound.
 template <bool kExits, class Take>
-void cross_simple(const Shape& shape, Segment& s, const Take& take, const Bvh::Start* start = nullptr) {
+void cross_simple(const Shape& shape, Segment& s, const Take& take) {
   std::visit(
       [&](const auto& one) {
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Compound>) {
           PHYSIM_ASSERT(false);
-        } else if constexpr (requires { one.crossings(s, take, start); }) {
-          one.crossings(s, take, start);
         } else if constexpr (requires { one.crossings(s, take); }) {
           one.crossings(s, take);
         } else {
@@ -79,12 +76,11 @@ void cross_simple(const Shape& shape, Segment& s, const Take& take, const Bvh::S
 }
 }  // namespace detail
 
-/// Calls take(crossing, segment) where a segment meets a shape. `kExits`: where it leaves convex shapes, too. `start`:
-/// of a mesh for a box that the segment lies in, or null.
+/// Calls take(crossing, segment) where a segment meets a shape. `kExits`: where it leaves convex shapes, too.
 template <bool kExits, class Take>
-void cross(const Shape& shape, Segment& s, const Take& take, const Bvh::Start* start = nullptr) {
+void cross(const Shape& shape, Segment& s, const Take& take) {
   const Compound* compound = std::get_if<Compound>(&shape);
-  if (!compound) return detail::cross_simple<kExits>(shape, s, take, start);
+  if (!compound) return detail::cross_simple<kExits>(shape, s, take);
   for (std::uint32_t i = 0; i < compound->parts.size(); ++i) {
     const Compound::Part& part = compound->parts[i];
     if (!(BoxTest(s).enters(part.bounds, s.reach) <= s.reach)) continue;

@@ -1,4 +1,4 @@
-// Large batches, whose groups look once for what rests near them: each segment gets the answer that it gets alone.
+// Large batches, which are sorted: each segment gets the answer that it gets alone.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ Transform somewhere(Random& r) {
   return t;
 }
 
-/// Hills, large meshes turned and scaled, small ones, a heap that is too many for a group, compounds, sensors, a plane
+/// Hills, large meshes turned and scaled, small ones, a heap, compounds, sensors, a plane
 /// and what moves.
 Scene crowd(Random& r) {
   Scene scene;
@@ -62,7 +62,7 @@ void expect_same(const SceneHit& a, const SceneHit& b, std::size_t i) {
   ASSERT_EQ(a.starts_inside, b.starts_inside) << i;
 }
 
-TEST(Nearby, batches_are_as_one_by_one) {
+TEST(SceneBatch, batches_are_as_one_by_one) {
   Random r(31);
   const Scene scene = crowd(r);
   std::vector<SceneSegment> segments;
@@ -96,7 +96,7 @@ TEST(Nearby, batches_are_as_one_by_one) {
 }
 
 /// Far from the origin, where a coordinate has few digits below the metre in float.
-TEST(Nearby, batches_far_from_the_origin_are_as_one_by_one) {
+TEST(SceneBatch, batches_far_from_the_origin_are_as_one_by_one) {
   Random r(32);
   Scene scene;
   const Vec3d far{6.4e6, -2e6, 3e5};
