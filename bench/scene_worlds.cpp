@@ -70,6 +70,7 @@ enum class Moved { by_path, by_caller };
 
 std::vector<InstanceId> add_crates(World& world, std::size_t count, Moved moved) {
   std::vector<InstanceId> crates;
+  if (count == 0) return crates;  // the world may have no scene
   const ShapeId shape = world.add_shape(BoxShape{{1, 1, 1}}).value();
   for (std::size_t i = 0; i < count; ++i) {
     InstanceDef def{.shape = shape, .transform = crate(i, 0)};
