@@ -7,6 +7,7 @@
 #include "physim/world_run.hpp"
 #include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/run_hits.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
 
@@ -224,11 +225,7 @@ ground = "none"
   const Result<Scenario> scenario = parse_scenario(kVacuum + kFloor + balls, "f.toml");
   ASSERT_TRUE(scenario) << scenario.error().text();
   WorldRun run = WorldRun::create(*scenario).value();
-  std::vector<ThingHit> hits;
-  for (std::uint64_t i = 0; i < run.steps(); ++i) {
-    run.step();
-    hits.insert(hits.end(), run.thing_hits().begin(), run.thing_hits().end());
-  }
+  const std::vector<ThingHit> hits = hits_of(run);
   ASSERT_EQ(hits.size(), 2u);
   for (const ThingHit& hit : hits) {
     const bool on_rubber = hit.position.x > 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "physim/scenario_study.hpp"
+#include "scenario/run_hits.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
 
@@ -64,11 +65,7 @@ TEST(FlightHits, AreThoseOfAWorld) {
   WorldRun run =
       WorldRun::create(read_scenario(kSlope + "[world]\nstep = \"10 ms\"\nduration = \"3 s\"\nground = \"none\"\n"))
           .value();
-  std::vector<ThingHit> hits;
-  for (std::uint64_t i = 0; i < run.steps(); ++i) {
-    run.step();
-    hits.insert(hits.end(), run.thing_hits().begin(), run.thing_hits().end());
-  }
+  const std::vector<ThingHit> hits = hits_of(run);
   ASSERT_EQ(hits.size(), ball.hits.all.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
     EXPECT_NEAR(hits[i].time, ball.hits.all[i].time, 1e-9);

@@ -7,6 +7,7 @@
 #include "physim/world_run.hpp"
 #include "scenario/compound_support.hpp"
 #include "scenario/revise.hpp"
+#include "scenario/run_hits.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
 
@@ -162,11 +163,7 @@ ground = "none"
   const Result<Scenario> scenario = parse_scenario(kVacuum + kHouse + shots, "f.toml");
   ASSERT_TRUE(scenario) << scenario.error().text();
   WorldRun run = WorldRun::create(*scenario).value();
-  std::vector<ThingHit> hits;
-  for (std::uint64_t i = 0; i < run.steps(); ++i) {
-    run.step();
-    hits.insert(hits.end(), run.thing_hits().begin(), run.thing_hits().end());
-  }
+  const std::vector<ThingHit> hits = hits_of(run);
   ASSERT_GE(hits.size(), 2u);
   for (const ThingHit& hit : hits) {
     const bool is_door = std::abs(hit.position.z) < 0.7;
@@ -216,11 +213,7 @@ duration = "0.1 s"
 ground = "none"
 )";
   WorldRun run = WorldRun::create(parse_scenario(kVacuum + core, "f.toml").value()).value();
-  std::vector<ThingHit> hits;
-  for (std::uint64_t i = 0; i < run.steps(); ++i) {
-    run.step();
-    hits.insert(hits.end(), run.thing_hits().begin(), run.thing_hits().end());
-  }
+  const std::vector<ThingHit> hits = hits_of(run);
   ASSERT_EQ(hits.size(), 4u);
   const std::uint32_t parts[] = {2, 0, 1, 3};
   const double limits[] = {300, 500, 300};

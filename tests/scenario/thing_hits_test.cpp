@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physim/world_run.hpp"
+#include "scenario/run_hits.hpp"
 #include "scenario/slope_scene.hpp"
 #include "support.hpp"
 
@@ -16,16 +17,6 @@ WorldRun run_of_scene(const std::string& text) {
   const Result<Scenario> scenario = parse_scenario(kVacuum + text, "f.toml");
   EXPECT_TRUE(scenario) << (scenario ? "" : scenario.error().text());
   return WorldRun::create(*scenario).value();
-}
-
-/// Takes all steps and keeps all hits.
-std::vector<ThingHit> hits_of(WorldRun& run) {
-  std::vector<ThingHit> all;
-  for (std::uint64_t i = 0; i < run.steps(); ++i) {
-    run.step();
-    all.insert(all.end(), run.thing_hits().begin(), run.thing_hits().end());
-  }
-  return all;
 }
 
 Expectation expected(const std::string& quantity, const std::string& thing = "") {

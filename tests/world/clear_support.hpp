@@ -120,6 +120,16 @@ inline void launch_some(Pair& pair, Random& r, int count) {
   }
 }
 
+/// A land of its own, and two worlds over it: a random session.
+struct Trial {
+  explicit Trial(std::uint64_t seed) : r(seed), scene(land(r, shapes)), pair(worlds_over(scene)) {}
+
+  Random r;
+  Shapes shapes;
+  Scene scene;
+  Pair pair;
+};
+
 /// Something comes to stand in the way of somebody, or goes, or is elsewhere.
 inline void edit(Pair& pair, Random& r, const Shapes& shapes) {
   const ProjectileId id = pair.ids[std::size_t(r.below(int(pair.ids.size())))];

@@ -117,10 +117,8 @@ TEST(SceneClear, what_moves_is_met_by_those_who_know_what_rests) {
   std::size_t hits = 0;
   for (std::uint64_t seed = 101; seed <= 124; ++seed) {
     SCOPED_TRACE(seed);
-    Random r(seed);
-    Shapes shapes;
-    const Scene scene = land(r, shapes);
-    Pair pair = worlds_over(scene);
+    Trial trial(seed);
+    auto& [r, shapes, scene, pair] = trial;
     if (r.one_in(2))
       pair.both([](World& w) {
         return w.add_force({.law = ConstantAcceleration{{1, 0, 2}}, .target = {.layers = 2}});
@@ -147,10 +145,8 @@ TEST(SceneClear, what_moves_is_met_by_those_who_know_what_rests) {
 TEST(SceneClear, what_moves_is_met_after_moments_saves_and_frames) {
   for (std::uint64_t seed = 201; seed <= 208; ++seed) {
     SCOPED_TRACE(seed);
-    Random r(seed);
-    Shapes shapes;
-    const Scene scene = land(r, shapes);
-    Pair pair = worlds_over(scene);
+    Trial trial(seed);
+    auto& [r, shapes, scene, pair] = trial;
     launch_some(pair, r, 40);
     std::vector<Cart> carts = some_carts(pair, r, shapes, 4);
     for (int i = 0; i < 6; ++i) stir(pair, r, shapes);
@@ -180,10 +176,8 @@ TEST(SceneClear, what_moves_is_met_after_moments_saves_and_frames) {
 TEST(SceneClear, many_newcomers_are_known_after_a_while) {
   for (std::uint64_t seed = 301; seed <= 304; ++seed) {
     SCOPED_TRACE(seed);
-    Random r(seed);
-    Shapes shapes;
-    const Scene scene = land(r, shapes);
-    Pair pair = worlds_over(scene);
+    Trial trial(seed);
+    auto& [r, shapes, scene, pair] = trial;
     launch_some(pair, r, 10);
     const int many = seed % 2 == 0 ? int(Newcomers::kMost) + 50 : 20;
     for (int step = 0; step < 2 * int(Newcomers::kQuiet); ++step) {

@@ -10,10 +10,8 @@ TEST(SceneClear, what_is_known_to_be_clear_changes_no_answer) {
   std::size_t hits = 0;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(seed);
-    Random r(seed);
-    Shapes shapes;
-    const Scene scene = land(r, shapes);
-    Pair pair = worlds_over(scene);
+    Trial trial(seed);
+    auto& [r, shapes, scene, pair] = trial;
     launch_some(pair, r, 60);
     const double dt = std::array{1.0 / 30, 1.0 / 60, 1.0 / 240}[std::size_t(r.below(3))];
     const bool edits = r.one_in(2);

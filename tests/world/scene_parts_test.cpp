@@ -5,12 +5,13 @@
 #include "collide/scene_support.hpp"
 #include "physim/hit_question.hpp"
 #include "physim/recording.hpp"
-#include "world/world_support.hpp"
+#include "world/thing_support.hpp"
 
 namespace physim {
 namespace {
 
 using test::Random;
+using namespace test_things;
 
 constexpr double kG = 9.80665;
 constexpr double kStep = 1.0 / 120;
@@ -23,35 +24,15 @@ const Material kWood = plate("wood", 300), kSteel = plate("steel", 1200), kTin =
 /// Recht and Ipson, without a plug; `limit` over the cosine of the obliquity.
 double behind(double speed, double limit) { return std::sqrt(speed * speed - limit * limit); }
 
-WorldDef nothing_but_things(double g = 0) {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = AirModel::vacuum;
+World world_with(const Scene& scene, double g = 0) {
+  WorldDef def = nothing_but_things();
   def.environment.gravity = {.model = GravityModel::constant, .acceleration = g};
   if (g == 0) def.environment.gravity.model = GravityModel::off;
-  return def;
-}
-World world_with(const Scene& scene, double g = 0) {
-  World world = make_world(nothing_but_things(g));
+  World world = make_world(def);
   EXPECT_TRUE(world.set_scene(scene));
   return world;
 }
 
-ProjectileDef shot(Precision precision = Precision::float64) {
-  ProjectileDef p = stone();
-  p.mass = 0.0109;
-  p.diameter = 0.00782;
-  p.fidelity.precision = precision;
-  return p;
-}
-BodyDef body_that(OnHit on_hit, double radius = 0) {
-  BodyDef body;
-  body.restitution = body.friction = 1;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
-  body.collision = {.on_hit = on_hit, .radius = radius};
-  return body;
-}
 Launch launched(const Vec3d& position, const Vec3d& velocity) {
   Launch launch;
   launch.position = position;

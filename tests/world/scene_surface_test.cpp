@@ -4,44 +4,21 @@
 
 #include "physim/impact.hpp"
 #include "support.hpp"
-#include "world/world_support.hpp"
+#include "world/thing_support.hpp"
 
 namespace physim {
 namespace {
 
+using namespace test_things;
+
 constexpr double kG = 9.80665;
 constexpr double kStep = 1.0 / 60;
-
-WorldDef nothing_but_things() {
-  WorldDef def;
-  def.ground.mode = GroundMode::none;
-  def.environment.atmosphere.model = AirModel::vacuum;
-  return def;
-}
 
 /// Flies exactly.
 ProjectileDef thrown() {
   ProjectileDef p = stone();
   p.fidelity.integrator = Integrator::rk4;
   return p;
-}
-
-ProjectileDef shot(Precision precision = Precision::float64) {
-  ProjectileDef p = stone();
-  p.mass = 0.0109;
-  p.diameter = 0.00782;
-  p.fidelity.precision = precision;
-  return p;
-}
-
-BodyDef body_that(OnHit on_hit, double radius = 0) {
-  BodyDef body;
-  body.restitution = 1;
-  body.friction = 1;
-  body.rolling_resistance = 0;
-  body.can_sleep = false;
-  body.collision = {.on_hit = on_hit, .radius = radius};
-  return body;
 }
 
 InstanceId put(Scene& scene, const ShapeDef& shape, const Vec3d& at, const Material& material,
