@@ -67,8 +67,9 @@ class BoxTest {
         per_along_{finite_inverse(s.along.x), finite_inverse(s.along.y), finite_inverse(s.along.z)},
         radius_(s.radius + 8 * std::numeric_limits<double>::epsilon() * s.extent()) {}
 
-  /// Where the segment enters a box; infinite where it passes it, or beyond `reach`.
+  /// One over its way along each axis, finite along axes without any.
   [[nodiscard]] const Vec3d& per_along() const { return per_along_; }
+  /// Where the segment enters a box; infinite where it passes it, or beyond `reach`.
   PHYSIM_INLINE double enters(const Bounds& box, double reach) const {
     double in = 0, out = reach;
     cut(box.low.x, box.high.x, from_.x, per_along_.x, in, out);

@@ -51,12 +51,6 @@ struct QuadBoxes {
 
   float plane[2 * kSides];  // low sides by axis and box, then high ones
 
-  void set(int lane, const Bounds& box) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      plane[4 * axis + static_cast<std::size_t>(lane)] = float_below(box.low[axis]);
-      plane[kSides + 4 * axis + static_cast<std::size_t>(lane)] = float_above(box.high[axis]);
-    }
-  }
   [[nodiscard]] Bounds box(int lane) const {
     const float *low = plane + lane, *high = low + kSides;
     return {{low[0], low[4], low[8]}, {high[0], high[4], high[8]}};

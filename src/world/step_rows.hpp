@@ -98,8 +98,7 @@ template <class R, class S>
                                       MaskOf<R>& found) {
   constexpr S kRounding = 16 * std::numeric_limits<S>::epsilon();
   const auto sum_of = [](const Vec3<R>& v) PHYSIM_INLINE_LAMBDA { return abs(v.x) + abs(v.y) + abs(v.z); };
-  const Vec3<R> mean = (end.x - start.x) * R(S(1) / job.h);
-  const R beside = (sum_of(start.v - mean) + sum_of(end.v - mean)) * R(S(8.0 / 27) * job.h);
+  const R beside = beside_chord(start.x, start.v, end.x, end.v, job.h);
   const R off = (beside + R(job.radius)) * R(S(1) + kRounding) + (sum_of(start.x) + sum_of(end.x)) * R(kRounding);
   const Vec3<R> about{off, off, off};
   const Vec3<R> low = Vec3<R>{min(start.x.x, end.x.x), min(start.x.y, end.x.y), min(start.x.z, end.x.z)} - about;
