@@ -85,8 +85,8 @@ struct CompoundShape {
   struct Part {
     ShapeId shape{};        ///< must stay as long as the compound [-]
     Transform transform{};  ///< in the compound's frame [-]
-    std::optional<MaterialId>
-        material{};  ///< where its triangles have none of their own; none: that of the instance [-]
+    /// Where its triangles have none of their own; none: that of the instance [-].
+    std::optional<MaterialId> material{};
   };
   std::vector<Part> parts{};  ///< [-]
 };

@@ -37,7 +37,7 @@ struct ThingHits {
   std::uint64_t stops = 0;         ///< ... that it stayed in or at, or ended at [-]
   Series time{};                   ///< of the world [s]
   Series x{}, y{}, z{};            ///< [m]
-  Series speed{}, speed_after{};   ///< [m/s]
+  Series speed{}, speed_after{};   ///< as seen from the surface [m/s]
   Series obliquity{};              ///< [rad]
   Series depth{};                  ///< of what went in [m]
 };
@@ -101,8 +101,9 @@ struct ThingHit {
   ProjectileId id{};             ///< [-]
   double time = 0;               ///< of the world [s]
   Vec3d position{};              ///< [m]
-  Vec3d velocity{};              ///< before [m/s]
-  Vec3d velocity_after{};        ///< [m/s]
+  Vec3d velocity{};              ///< before, in W [m/s]
+  Vec3d velocity_after{};        ///< in W [m/s]
+  Vec3d surface_velocity{};      ///< of the surface, where it was touched, in W [m/s]
   double obliquity = 0;          ///< between its way, as seen from the surface, and the normal [rad]
   InstanceId instance{};         ///< in the scene of the world [-]
   std::uint32_t primitive = 0;   ///< of it, as SceneHit::primitive [-]
@@ -112,6 +113,11 @@ struct ThingHit {
   EventKind outcome = EventKind::hit;  ///< [-]
   double depth = 0;                    ///< how far it went in [m]
   double energy = 0;                   ///< that it lost by what the material did to it [J]
+
+  /// As seen from the surface, which is what materials go by [m/s].
+  [[nodiscard]] double speed() const;
+  /// Likewise; 0 for what it stayed in or at [m/s].
+  [[nodiscard]] double speed_after() const;
 };
 
 struct RunState;

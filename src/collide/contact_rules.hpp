@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "collide/path_cast.hpp"
+#include "collide/seen_hit.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
 #include "model/body.hpp"
@@ -89,7 +90,6 @@ inline constexpr double kLongestPart = 1.0 / 30;
 /// What is asked of a hit, but for whose it is, when, and how thick the thing is. `mass`: 0 for none [kg].
 [[nodiscard]] inline HitQuestion question_of(const State<double>& s, const SceneHit& hit, double mass) {
   const Vec3d way = s.v - hit.velocity;
-  const double into = dot(way, hit.normal);
   return {.position = s.x,
           .velocity = s.v,
           .normal = hit.normal,
@@ -98,7 +98,7 @@ inline constexpr double kLongestPart = 1.0 / 30;
           .primitive = hit.primitive,
           .material = hit.material,
           .energy = 0.5 * mass * length_squared(way),
-          .obliquity = atan2(length(way - hit.normal * into), -into),
+          .obliquity = obliquity_of(way, hit.normal),
           .inside = hit.starts_inside};
 }
 

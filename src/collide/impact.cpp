@@ -4,6 +4,7 @@
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
+#include "collide/seen_hit.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
 #include "math/pack.hpp"
@@ -71,8 +72,7 @@ class Meeting {
   ImpactResult result() const {
     ImpactResult r{.velocity = i_.velocity, .spin = i_.spin};
     if (!(sine_ > 0)) return r;
-    const double v_n = dot(velocity_, i_.normal);
-    r.obliquity = atan2(length(velocity_ - i_.normal * v_n), -v_n);
+    r.obliquity = obliquity_of(velocity_, i_.normal);
     const double angle = max(kRightAngle - r.obliquity, 0.0);
     if (angle < critical_angle()) {
       ricochet(angle, r);

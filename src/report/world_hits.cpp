@@ -35,33 +35,38 @@ std::string who(const HitList& list, const ThingHit& hit) {
 }
 
 Records hit_records(HitList list) {
-  return {
-      {"t [s]", "what", "number", "thing", "material", "x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]",
-       "obliquity [deg]", "then", "depth [m]", "energy [J]", "vx after [m/s]", "vy after [m/s]", "vz after [m/s]"},
-      [list = std::move(list)](const auto& take) {
-        for (const ThingHit& hit : list.hits) {
-          const Vec3d &x = hit.position, &v = hit.velocity, &after = hit.velocity_after;
-          const Cell row[] = {hit.time,
-                              std::string_view(group_of(list, hit).name),
-                              hit.launched.number,
-                              thing_name(list, hit),
-                              material_name(list, hit),
-                              x.x,
-                              x.y,
-                              x.z,
-                              v.x,
-                              v.y,
-                              v.z,
-                              hit.obliquity / kDegree,
-                              name(hit.outcome),
-                              hit.depth,
-                              hit.energy,
-                              after.x,
-                              after.y,
-                              after.z};
-          take(row);
-        }
-      }};
+  std::vector<std::string> columns = {"t [s]",          "what",           "number",      "thing",
+                                      "material",       "x [m]",          "y [m]",       "z [m]",
+                                      "vx [m/s]",       "vy [m/s]",       "vz [m/s]",    "obliquity [deg]",
+                                      "then",           "depth [m]",      "energy [J]",  "vx after [m/s]",
+                                      "vy after [m/s]", "vz after [m/s]", "speed [m/s]", "speed after [m/s]"};
+  return {std::move(columns), [list = std::move(list)](const auto& take) {
+            for (const ThingHit& hit : list.hits) {
+              const Vec3d &x = hit.position, &v = hit.velocity, &after = hit.velocity_after;
+              const std::string_view what = group_of(list, hit).name;
+              const Cell row[] = {hit.time,
+                                  what,
+                                  hit.launched.number,
+                                  thing_name(list, hit),
+                                  material_name(list, hit),
+                                  x.x,
+                                  x.y,
+                                  x.z,
+                                  v.x,
+                                  v.y,
+                                  v.z,
+                                  hit.obliquity / kDegree,
+                                  name(hit.outcome),
+                                  hit.depth,
+                                  hit.energy,
+                                  after.x,
+                                  after.y,
+                                  after.z,
+                                  hit.speed(),
+                                  hit.speed_after()};
+              take(row);
+            }
+          }};
 }
 
 nlohmann::ordered_json hit_json(const HitList& list, const ThingHit& hit) {
@@ -72,11 +77,13 @@ nlohmann::ordered_json hit_json(const HitList& list, const ThingHit& hit) {
           {"material", material_name(list, hit)},
           {"position [m]", vector_json(hit.position)},
           {"velocity [m/s]", vector_json(hit.velocity)},
+          {"speed [m/s]", hit.speed()},
           {"obliquity [deg]", hit.obliquity / kDegree},
           {"then", name(hit.outcome)},
           {"depth [m]", hit.depth},
           {"energy [J]", hit.energy},
-          {"velocity_after [m/s]", vector_json(hit.velocity_after)}};
+          {"velocity_after [m/s]", vector_json(hit.velocity_after)},
+          {"speed_after [m/s]", hit.speed_after()}};
 }
 
 }  // namespace
@@ -105,9 +112,9 @@ std::string hits_table(const HitList& list) {
     const ThingHit& hit = list.hits[i];
     table.add_row({fixed(hit.time, 5), who(list, hit), one_line(std::string(thing_name(list, hit))),
                    one_line(std::string(material_name(list, hit))), fixed(hit.position.x, 3), fixed(hit.position.y, 3),
-                   fixed(hit.position.z, 3), fixed(length(hit.velocity), 2), fixed(hit.obliquity / kDegree, 2),
+                   fixed(hit.position.z, 3), fixed(hit.speed(), 2), fixed(hit.obliquity / kDegree, 2),
                    std::string(name(hit.outcome)), hit.depth > 0 ? fixed(hit.depth * 1000, 1) : "",
-                   fixed(length(hit.velocity_after), 2)});
+                   fixed(hit.speed_after(), 2)});
   }
   if (table.empty()) return "";
   const std::uint64_t more = list.count - shown;

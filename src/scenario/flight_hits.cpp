@@ -19,7 +19,7 @@ FlightHits flight_hits(const Scenario& scenario, const ScenarioShot& shot, const
   track.launched.number = 1;
   FlightHits out;
   for (const Event& event : flight.events()) {
-    const ThingHit* hit = take_event(out.all, track, shot.body.collision.on_hit, run, event, parts.scene);
+    const ThingHit* hit = take_event(out.all, track, shot.body.collision, run, event, parts.scene);
     if (hit != nullptr) count_hit(out.on_things, out.by_thing, *hit, scenario);
   }
   drop_contacts(out.all);

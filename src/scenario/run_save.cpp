@@ -9,7 +9,7 @@ namespace physim {
 namespace {
 
 constexpr char kMagic[8] = {'P', 'H', 'Y', 'S', 'I', 'M', 'W', '\n'};
-constexpr std::uint32_t kRunFormat = 4;
+constexpr std::uint32_t kRunFormat = 5;
 constexpr std::size_t kHead = sizeof kMagic + sizeof kRunFormat;
 constexpr std::size_t kSumBytes = 8;
 

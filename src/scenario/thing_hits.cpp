@@ -3,16 +3,12 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/ieee_mode.hpp"
+#include "collide/seen_hit.hpp"
 #include "math/angles.hpp"
-#include "math/elementary.hpp"
 
 namespace physim {
 namespace {
-
-/// Between a way and the inward normal of a surface [rad]; precise where it is small, too.
-double angle_between(const Vec3d& way, const Vec3d& inwards) {
-  return atan2(length(cross(way, inwards)), dot(way, inwards));
-}
 
 void add_hit(ThingHits& to, const ThingHit& hit) {
   ++to.count;
@@ -22,8 +18,8 @@ void add_hit(ThingHits& to, const ThingHit& hit) {
   to.stops += hit.outcome == EventKind::stopped;
   to.time.add(hit.time);
   to.x.add(hit.position.x), to.y.add(hit.position.y), to.z.add(hit.position.z);
-  to.speed.add(length(hit.velocity));
-  to.speed_after.add(length(hit.velocity_after));
+  to.speed.add(hit.speed());
+  to.speed_after.add(hit.speed_after());
   to.obliquity.add(hit.obliquity);
   if (hit.depth > 0) to.depth.add(hit.depth);
 }
@@ -43,36 +39,44 @@ ThingHit* open_hit(std::vector<ThingHit>& hits, std::size_t last, const Event& e
 
 }  // namespace
 
-ThingHit SceneOfRun::hit(const Launched& launched, const Event& event, const Scene& scene) const {
+double ThingHit::speed() const {
+  const IeeeMode mode;
+  return length(velocity - surface_velocity);
+}
+double ThingHit::speed_after() const {
+  const IeeeMode mode;
+  return outcome == EventKind::stopped ? 0 : length(velocity_after - surface_velocity);
+}
+
+ThingHit SceneOfRun::hit(const Launched& launched, const Event& event, double radius, const Scene& scene) const {
   PHYSIM_ASSERT(scenario != nullptr);
   ThingHit hit{.launched = launched, .id = event.id, .time = event.time, .position = event.position};
   hit.velocity = hit.velocity_after = event.velocity;
   hit.instance = event.instance;
   hit.primitive = event.primitive;
-  Vec3d relative = event.velocity;
-  if (const auto thing = scene.instance(event.instance)) {
-    if (thing->user_data < scenario->things.size()) hit.thing = static_cast<std::size_t>(thing->user_data);
-    relative -= velocity_at(*scene.state(event.instance, event.time), event.position);
-  }
-  hit.obliquity = angle_between(relative, -event.normal);
+  const auto thing = scene.instance(event.instance);
+  if (thing && thing->user_data < scenario->things.size()) hit.thing = static_cast<std::size_t>(thing->user_data);
+  hit.surface_velocity = surface_velocity(scene, event, radius, event.time);
+  hit.obliquity = obliquity_of(event.velocity - hit.surface_velocity, event.normal);
   if (event.kind == EventKind::left) hit.obliquity = kPi - hit.obliquity;  // it goes outwards
   const auto known = std::ranges::find(materials, event.material);
   if (known != materials.end()) hit.material = static_cast<std::size_t>(known - materials.begin());
   return hit;
 }
 
-const ThingHit* take_event(std::vector<ThingHit>& hits, Track& track, OnHit on_hit, const SceneOfRun& run,
-                           const Event& event, const Scene& scene) {
+const ThingHit* take_event(std::vector<ThingHit>& hits, Track& track, const CollisionDef& collision,
+                           const SceneOfRun& run, const Event& event, const Scene& scene) {
   if (!event.instance) return nullptr;  // only what is met has one
   const EventKind kind = event.kind;
   if (kind == EventKind::entered || kind == EventKind::left || kind == EventKind::sensed) {
-    hits.emplace_back(run.hit(track.launched, event, scene)).outcome = kind;
+    hits.emplace_back(run.hit(track.launched, event, collision.radius, scene)).outcome = kind;
     return nullptr;  // told, and not counted: it hit nothing
   }
   if (kind == EventKind::hit) {
     track.hit = hits.size();
-    ThingHit& hit = hits.emplace_back(run.hit(track.launched, event, scene));
-    const bool stays = on_hit == OnHit::stop || on_hit == OnHit::stick || event.reason == Reason::inside;
+    ThingHit& hit = hits.emplace_back(run.hit(track.launched, event, collision.radius, scene));
+    const bool stays =
+        collision.on_hit == OnHit::stop || collision.on_hit == OnHit::stick || event.reason == Reason::inside;
     if (!stays) return nullptr;
     hit.outcome = EventKind::stopped;
     hit.velocity_after = {};

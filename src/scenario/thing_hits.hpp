@@ -13,13 +13,14 @@ struct SceneOfRun {
   const Scenario* scenario = nullptr;
   std::span<const MaterialId> materials;  // of Scenario::materials
 
-  [[nodiscard]] ThingHit hit(const Launched& launched, const Event& event, const Scene& scene) const;
+  /// `radius`: of a ball [m].
+  [[nodiscard]] ThingHit hit(const Launched& launched, const Event& event, double radius, const Scene& scene) const;
 };
 
-/// Where an event belongs to a hit, the hit that it makes complete, or null: not complete yet, or of no hit. `on_hit`:
-/// what the projectile does then.
-[[nodiscard]] const ThingHit* take_event(std::vector<ThingHit>& hits, Track& track, OnHit on_hit, const SceneOfRun& run,
-                                         const Event& event, const Scene& scene);
+/// Where an event belongs to a hit, the hit that it makes complete, or null: not complete yet, or of no hit.
+/// `collision`: the projectile's.
+[[nodiscard]] const ThingHit* take_event(std::vector<ThingHit>& hits, Track& track, const CollisionDef& collision,
+                                         const SceneOfRun& run, const Event& event, const Scene& scene);
 
 /// Drops what became nothing: contacts that go on.
 void drop_contacts(std::vector<ThingHit>& hits);

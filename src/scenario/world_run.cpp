@@ -192,8 +192,9 @@ void WorldRun::Impl::count(std::span<const Event> news) {
     events.push_back({track->launched, event});
     WorldGroup& group = groups[track->launched.group];
     const Scene* scene = world.scene();
-    const OnHit on_hit = scenario.shots[group.shot].body.collision.on_hit;
-    if (const ThingHit* hit = scene ? take_event(thing_hits, *track, on_hit, scene_of_run, event, *scene) : nullptr) {
+    const CollisionDef& collision = scenario.shots[group.shot].body.collision;
+    if (const ThingHit* hit =
+            scene ? take_event(thing_hits, *track, collision, scene_of_run, event, *scene) : nullptr) {
       ++group.hits;
       count_hit(group.on_things, group.by_thing, *hit, scenario);
       touch(*track, group, hit->time, hit->position, hit->velocity);

@@ -1,7 +1,7 @@
 #include "study/impacts.hpp"
 
 #include "base/assert.hpp"
-#include "model/attitude.hpp"
+#include "collide/seen_hit.hpp"
 #include "model/earth.hpp"
 #include "model/motor.hpp"
 #include "model/motor_table.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 ShotImpact impact_of(const Vec3d& velocity, const Vec3d& normal, double mass) {
   const double speed = length(velocity);
-  return {speed, angle_between(velocity, -normal), 0.5 * mass * speed * speed};
+  return {speed, obliquity_of(velocity, normal), 0.5 * mass * speed * speed};
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ double MassInFlight::at(double time) const {
 }
 
 Impacts::Impacts(const Study& study, const Fidelity& granted)
-    : scene_(study.scene), scene_time_(study.until.contact.scene_time) {
+    : scene_(study.scene), scene_time_(study.until.contact.scene_time), radius_(study.until.contact.collision.radius) {
   earth_.fidelity = granted;
   prepare_earth(study.environment, granted, earth_);
 }
@@ -56,8 +56,7 @@ ShotImpact Impacts::first_of(const Flight& flight) const {
   for (const Event& event : flight.events()) {
     if (event.kind != EventKind::hit || event.reason == Reason::inside) continue;
     PHYSIM_ASSERT(scene_ != nullptr);
-    const auto thing = scene_->state(event.instance, scene_time_ + event.time);
-    const Vec3d surface = velocity_at(*thing, event.position);
+    const Vec3d surface = surface_velocity(*scene_, event, radius_, scene_time_ + event.time);
     return impact_of(event.velocity - surface, event.normal, flight.at(event.time).mass);
   }
   const Sample end = flight.end();

@@ -52,6 +52,7 @@ class Impacts {
   Conditions<double> earth_;  // its shape alone
   std::shared_ptr<const Scene> scene_;
   double scene_time_;  // at launch [s]
+  double radius_;      // of a ball [m]
 };
 
 }  // namespace physim

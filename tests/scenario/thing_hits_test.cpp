@@ -72,8 +72,47 @@ ground = "none"
   ASSERT_EQ(hits.size(), 1u);
   EXPECT_NEAR(hits[0].time, 19.9 / 20, 1e-9);
   EXPECT_NEAR(hits[0].obliquity, std::atan2(20.0, 20.0), 1e-9);
+  EXPECT_EQ(hits[0].surface_velocity, (Vec3d{-10, 20, 0}));
+  EXPECT_NEAR(hits[0].speed(), std::hypot(20.0, 20.0), 1e-9);
+  EXPECT_EQ(hits[0].speed_after(), 0);
   EXPECT_EQ(hits[0].outcome, EventKind::stopped);
   EXPECT_EQ(hits[0].material, ThingHit::kNone);
+  EXPECT_NEAR(measure(run.groups()[0], expected("hit_speed")).value(), std::hypot(20.0, 20.0), 1e-9);
+  EXPECT_EQ(measure(run.groups()[0], expected("hit_speed_after")).value(), 0);
+}
+
+/// A ball of 0.5 m that comes straight at a drum of 1 m that turns at 6 rad/s: its surface goes by at 6 m/s where the
+/// ball touches it, and would at 9 m/s where the middle of the ball is. What neither grips nor gives leaves it at that.
+TEST(ThingHits, OfABallGoByTheSurfaceWhereItIsTouched) {
+  WorldRun run = run_of_scene(R"(
+[[material]]
+name = "ice"
+restitution = 1
+friction = 0
+[[shape]]
+sphere = { radius = "1 m" }
+[[thing]]
+shape = "shape-1"
+name = "drum"
+material = "ice"
+position = [20, 0, 0]
+angular_velocity = [0, 0, "6 rad/s"]
+[[shot]]
+speed = "8 m/s"
+fidelity = { preset = "game", precision = "float64", drag = "off" }
+body = { gravity_scale = 0, restitution = 1, friction = 0, collision = { on_hit = "bounce", radius = "50 cm" } }
+[world]
+duration = "3 s"
+ground = "none"
+)");
+  const auto hits = hits_of(run);
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_NEAR(hits[0].time, 18.5 / 8, 1e-9);
+  EXPECT_NEAR(length(hits[0].surface_velocity - Vec3d{0, -6, 0}), 0, 1e-6);
+  EXPECT_NEAR(hits[0].speed(), 10, 1e-6);
+  EXPECT_NEAR(hits[0].obliquity, std::atan2(6.0, 8.0), 1e-6);
+  EXPECT_NEAR(length(hits[0].velocity_after - Vec3d{-8, 0, 0}), 0, 1e-6);
+  EXPECT_NEAR(hits[0].speed_after(), 10, 1e-6);
 }
 
 /// What slides, rolls and rests touches its floor in every step, and hits it only where it falls on it.

@@ -1,8 +1,10 @@
 #include "simclient/core/hits.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
+
+#include "collide/seen_hit.hpp"
+#include "math/angles.hpp"
 
 namespace physim::client {
 namespace {
@@ -30,9 +32,9 @@ Hit hit_of(const World& world, const physim::Scene& scene, const Event& event) {
   const Vec3d surface = nearest && nearest.instance == event.instance ? nearest.position : event.position;
   hit.at = hit.end = rotate(back, surface - state->position);
   hit.normal = rotate(back, event.normal);
-  const Vec3d way = event.velocity - velocity_at(*state, event.position);
-  const double cosine = -dot(way, event.normal) / std::max(length(way), 1e-300);
-  hit.obliquity = std::acos(std::clamp(event.kind == EventKind::left ? -cosine : cosine, -1.0, 1.0));
+  hit.surface_velocity = velocity_at(*state, surface);
+  hit.obliquity = obliquity_of(event.velocity - hit.surface_velocity, event.normal);
+  if (event.kind == EventKind::left) hit.obliquity = kPi - hit.obliquity;  // it goes outwards
   return hit;
 }
 
@@ -48,6 +50,9 @@ void complete(Hit& hit, const physim::Scene& scene, const Event& event) {
 }
 
 }  // namespace
+
+double Hit::speed() const { return length(velocity - surface_velocity); }
+double Hit::speed_after() const { return outcome == EventKind::stopped ? 0 : length(after - surface_velocity); }
 
 Vec3d place_in_world(const MotionState& thing, const Vec3d& at) { return thing.position + rotate(thing.rotation, at); }
 

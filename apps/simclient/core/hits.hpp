@@ -25,12 +25,17 @@ struct Hit {
   Vec3d position;               // where it was met, in W then [m]
   Vec3d at, normal;             // of its surface, in its frame [m]; outwards [-]
   Vec3d end;                    // where it came out or stayed, in the frame of the thing [m]
-  Vec3d velocity, after;        // before and after [m/s]
+  Vec3d velocity, after;        // before and after, in W [m/s]
+  Vec3d surface_velocity;       // of the surface there [m/s]
   double obliquity = 0;         // between its way, as seen from the surface, and the normal [rad]
   double depth = 0;             // how far it went in [m]
   double energy = 0;            // that it lost by what the material did to it [J]
   /// bounced, ricocheted, penetrated, stopped; entered, left or sensed for what is passed.
   EventKind outcome = EventKind::hit;
+
+  // Speeds as seen from the surface, which is what materials go by; 0 after what it stayed in or at [m/s].
+  [[nodiscard]] double speed() const;
+  [[nodiscard]] double speed_after() const;
 };
 
 /// A place in the frame of a thing, in W.

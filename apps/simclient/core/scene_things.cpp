@@ -105,7 +105,7 @@ void build_target_ghost(Client& client, double scale, const Vec3d& middle, Scene
 }  // namespace
 
 std::string hit_text(const Hit& hit) {
-  const double before = length(hit.velocity), after = length(hit.after);
+  const double before = hit.speed(), after = hit.speed_after();
   const std::string what = hit.thing + ": " + std::string(name(hit.outcome));
   if (hit.outcome == EventKind::stopped)
     return what + (hit.depth > 0 ? formatted(" %.4g mm deep", 1000 * hit.depth) : "") + formatted(", %.4g m/s", before);

@@ -126,8 +126,8 @@ void draw_hit(Client& client, const Hit& hit) {
   cell("%s", hit.thing.c_str());
   cell("%s", hit.material.c_str());
   cell("%s", std::string(name(hit.outcome)).c_str());
-  cell("%.5g", length(hit.velocity));
-  cell("%.5g", length(hit.after));
+  cell("%.5g", hit.speed());
+  cell("%.5g", hit.speed_after());
   cell("%.2f", hit.obliquity / kDegree);
   cell("%s", hit.depth > 0 ? formatted("%.4g", 1000 * hit.depth).c_str() : "");
   cell("%s", hit.energy > 0 ? formatted("%.4g", hit.energy).c_str() : "");
