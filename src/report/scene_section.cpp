@@ -10,7 +10,7 @@
 namespace physim::report {
 namespace {
 
-constexpr int kCutColumns = 800, kCutRows = 160;  // of casts, over a panel
+constexpr int kCutColumns = 800, kCutRows = 400;  // of casts, over a panel: dots of rows make a line
 
 std::string cut_row(std::initializer_list<double> numbers) {
   std::string out;
