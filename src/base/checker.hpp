@@ -17,34 +17,60 @@ namespace physim {
 
 inline bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// Where input stands: a text, or an item of a list, whose text is put together where somebody asks for it.
+class InputPlace {
+ public:
+  using Text = std::string_view;
+
+  InputPlace(const char* whole) : whole_(whole) {}         // NOLINT: a text is a place
+  InputPlace(Text whole) : whole_(whole) {}                // NOLINT
+  InputPlace(const std::string& whole) : whole_(whole) {}  // NOLINT: must outlive this
+  /// list[item], or a member of it, as ".kind".
+  InputPlace(Text list, std::size_t item, Text member = "") : whole_(list), item_(item), member_(member) {}
+
+  [[nodiscard]] bool empty() const { return whole_.empty(); }
+  [[nodiscard]] std::string text() const {
+    std::string text(whole_);
+    if (item_ != kNoItem) text.append("[").append(std::to_string(item_)).append("]").append(member_);
+    return text;
+  }
+
+ private:
+  static constexpr std::size_t kNoItem = std::numeric_limits<std::size_t>::max();
+  Text whole_;
+  std::size_t item_ = kNoItem;
+  Text member_{};
+};
+
 /// Runs its checks in order and keeps the first that fails. Texts are put together only then, out of line: checks run
 /// for every shot of a batch.
 class Checker {
  public:
   using Text = std::string_view;
+  using Place = const InputPlace&;
 
-  PHYSIM_INLINE Checker& require(bool good, Text place, Text message, Text hint = "") {
+  PHYSIM_INLINE Checker& require(bool good, Place place, Text message, Text hint = "") {
     if (!good) fail(place, std::string(message), hint);
     return *this;
   }
-  PHYSIM_INLINE Checker& positive(double x, Text place, Text hint = "") {
+  PHYSIM_INLINE Checker& positive(double x, Place place, Text hint = "") {
     if (!(x > 0 && x < kInfinity)) fail(place, "must be a positive number, not " + short_text(x), hint);
     return *this;
   }
-  PHYSIM_INLINE Checker& not_negative(double x, Text place, Text hint = "") {
+  PHYSIM_INLINE Checker& not_negative(double x, Place place, Text hint = "") {
     if (!(x >= 0 && x < kInfinity)) fail(place, "must be zero or positive, not " + short_text(x), hint);
     return *this;
   }
-  PHYSIM_INLINE Checker& is_number(double x, Text place) {
+  PHYSIM_INLINE Checker& is_number(double x, Place place) {
     if (!std::isfinite(x)) fail(place, "must be a finite number, not " + short_text(x), "");
     return *this;
   }
-  PHYSIM_INLINE Checker& is_vector(const Vec3d& v, Text place) {
+  PHYSIM_INLINE Checker& is_vector(const Vec3d& v, Place place) {
     return require(finite(v), place, "must have three finite components");
   }
   /// An enumerator: a cast can make other values, which tables must not be read by. `last` is the last one.
   template <class Enum>
-  PHYSIM_INLINE Checker& named(Enum value, Enum last, Text place) {
+  PHYSIM_INLINE Checker& named(Enum value, Enum last, Place place) {
     return require(static_cast<unsigned>(value) <= static_cast<unsigned>(last), place, "is none of the named values");
   }
   /// What another check said.
@@ -56,9 +82,9 @@ class Checker {
   [[nodiscard]] Status status() { return std::move(status_); }
 
  private:
-  [[gnu::noinline]] void fail(Text place, const std::string& message, Text hint) {
+  [[gnu::noinline]] void fail(Place place, const std::string& message, Text hint) {
     PHYSIM_ASSERT(!place.empty());
-    if (status_) status_ = Error{message, std::string(place), std::string(hint)};
+    if (status_) status_ = Error{message, place.text(), std::string(hint)};
   }
   Status status_;
 };

@@ -69,6 +69,8 @@ void BatchPart::fly_or_gather(std::uint32_t i) {
   if (!part_->in_use) part_->in_use = group.cohort.in_use;
   if (state == ShotState::over) return end_at_once(i);
   if (state == ShotState::alone) return fly_alone(i);
+  if (!group.shots.empty() && group.features() != static_cast<const Features&>(group.cohort.conditions))
+    fly(group);  // without what is new
   if (group.own != groups_.parts_of_shots() && groups_.launch().rail_length > 0) {
     fly(group);  // those without a rail
     group.own = groups_.parts_of_shots();
@@ -141,10 +143,16 @@ void BatchPart::fly(ShotGroup& group) {
     for (const std::uint32_t i : group.shots) refuse(i, status.error());
     return group.clear();
   }
+  // A shot prepared since then may have brought features, as a motor or a rail; of what belongs to them nothing was
+  // gathered.
+  Features& features = group.cohort.conditions;
+  const Features now = features;
+  features = group.features();
   run_kernel(group, nullptr);
   for (const std::uint32_t i : by_shot_.order(group.events, group.shots.size())) keep(group, group.events[i]);
   if (drifts(granted)) add_drift(group);
   if (!group.turned.empty()) keep_attitudes(group);
+  features = now;
   group.clear();
 }
 

@@ -68,11 +68,11 @@ bool BatchSteps::is_granted(std::size_t shot, const Fidelity& granted) {
 std::vector<std::size_t> BatchSteps::pilots(const Known& known) {
   const std::size_t count = task_.shots.size();
   std::size_t slowest = known.first, fastest = slowest;
-  Launch scratch;
-  const auto speed = [&](std::size_t i) { return launch_speed(task_.shots.launch(i, scratch)); };
+  double lowest = task_.shots.speed(slowest), highest = lowest;
   for (std::size_t i = 0; i < count; ++i) {
-    if (speed(i) < speed(slowest)) slowest = i;
-    if (speed(i) > speed(fastest)) fastest = i;
+    const double speed = task_.shots.speed(i);
+    if (speed < lowest) lowest = speed, slowest = i;
+    if (speed > highest) highest = speed, fastest = i;
   }
   std::vector<std::size_t> list{known.first};
   for (const std::size_t i : {count / 2, count - 1, slowest, fastest})

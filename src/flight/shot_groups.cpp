@@ -30,7 +30,16 @@ unsigned rotation_key(const ProjectileDef& p) {
 }  // namespace
 
 // ------------------------------------------------------------------------------------------- one group
+/// Lanes hold no more than models read; where the rotation is flown, answers about attitudes ask for more.
+void ShotGroup::begin() {
+  features_ = cohort.conditions;
+  const Fidelity& granted = cohort.in_use.fidelity;
+  own_stride_ = (turns(granted) ? own : own & parts_flown(granted, features_)).runs().end();
+}
+
 void ShotGroup::add(std::uint32_t shot, const Body<double>& body) {
+  if (shots.empty()) begin();
+  PHYSIM_ASSERT(features_ == static_cast<const Features&>(cohort.conditions));
   shots.push_back(shot);
   own_numbers.insert(own_numbers.end(), numbers(body), numbers(body) + own_stride());
 }
@@ -41,8 +50,6 @@ Body<double> ShotGroup::body(std::size_t i) const {
   std::copy_n(own_numbers.data() + i * own_stride(), own_stride(), numbers(b));
   return b;
 }
-
-unsigned ShotGroup::own_stride() const { return own.runs().end(); }
 
 void ShotGroup::clear() {
   shots.clear();

@@ -24,7 +24,7 @@ struct ShotGroup {
   std::vector<std::uint32_t> shots;
   Body<double> common{};                            // what all bodies have ...
   PartSet own = PartSet::all();                     // ... but for these parts ...
-  std::vector<double> own_numbers;                  // ... which are here, with all that lies between them
+  std::vector<double> own_numbers;                  // ... of which those gathered are here, with all between them
   std::vector<Rotor<double>> rotors;                // of rungs that turn
   std::vector<std::pair<SpinDrift, Vec3d>> drifts;  // of the rung of that name, and where they point
   std::vector<Turn<double>> turned;                 // how they turn at their ends
@@ -32,8 +32,16 @@ struct ShotGroup {
 
   void add(std::uint32_t shot, const Body<double>& body);
   [[nodiscard]] Body<double> body(std::size_t i) const;
-  [[nodiscard]] unsigned own_stride() const;
+  [[nodiscard]] unsigned own_stride() const { return own_stride_; }
+  /// The features of its cohort when its shots were gathered.
+  [[nodiscard]] const Features& features() const { return features_; }
   void clear();
+
+ private:
+  void begin();
+
+  Features features_;
+  unsigned own_stride_ = 0;  // numbers of each shot in own_numbers
 };
 
 /// A projectile checked and prepared; each of its shots writes its launch over that of the one before.

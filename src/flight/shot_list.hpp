@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/assert.hpp"
+#include "model/sight.hpp"
 #include "physim/flight.hpp"
 #include "physim/flight_columns.hpp"
 
@@ -31,6 +32,12 @@ struct ShotList {
     PHYSIM_ASSERT(i < size());
     if (columns) return scratch = columns->at(i);
     return one_projectile ? launches[i] : shots[i].launch;
+  }
+  /// launch_speed() of each (model/sight.hpp).
+  [[nodiscard]] double speed(std::size_t i) const {
+    PHYSIM_ASSERT(i < size() && (!columns || !columns->common.velocity));
+    if (columns) return columns->speed.empty() ? columns->common.speed : columns->speed[i];
+    return launch_speed(one_projectile ? launches[i] : shots[i].launch);
   }
 };
 

@@ -38,7 +38,7 @@ void check_fidelity(Checker& c, const Fidelity& f) {
 void check_curve(Checker& c, const std::vector<DragPoint>& curve, const std::string& name) {
   c.require(!curve.empty(), name, "is empty", "give at least one point (Mach, Cd)");
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    const std::string place = name + "[" + std::to_string(i) + "]";
+    const InputPlace place(name, i);
     c.not_negative(curve[i].mach, place, "Mach numbers start at 0");
     c.not_negative(curve[i].coefficient, place, "drag coefficients are not negative");
     if (i > 0)
@@ -50,15 +50,16 @@ void check_curve(Checker& c, const std::vector<DragPoint>& curve, const std::str
 void check_bands(Checker& c, const std::vector<BallisticBand>& bands) {
   c.require(bands.size() <= std::size_t(kMaxBands), "projectile.drag.bands", "has too many bands", "at most 8");
   for (std::size_t i = 0; i < bands.size(); ++i) {
-    const std::string place = "projectile.drag.bands[" + std::to_string(i) + "]";
+    const InputPlace place("projectile.drag.bands", i);
     c.not_negative(bands[i].above, place, "bands start at a speed").positive(bands[i].ballistic_coefficient, place, "");
   }
 }
 
 /// A coefficient's points; `angles`: several of them may have the same Mach number.
 void check_coefficient(Checker& c, const AeroCoefficient& points, const char* name, bool angles) {
+  const std::string list = std::string("projectile.aero.") + name;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::string place = std::string("projectile.aero.") + name + "[" + std::to_string(i) + "]";
+    const InputPlace place(list, i);
     const AeroPoint& p = points[i];
     c.require(!(p.mach > kFastestAero), place, "has a Mach number beyond 100", "");
     c.require(!(p.angle_squared > kWidestAero), place, "has an angle beyond 10 rad", "angles are in radians, squared");
@@ -107,7 +108,7 @@ void check_table(Checker& c, const std::vector<Point>& table, double Point::*val
   constexpr std::size_t kMost = 1000;
   c.require(table.size() >= 2 && table.size() <= kMost, name, "has too few or too many points", "2 to 1000");
   for (std::size_t i = 0; i < table.size() && i < kMost; ++i) {
-    const std::string place = name + "[" + std::to_string(i) + "]";
+    const InputPlace place(name, i);
     c.is_number(table[i].time, place).not_negative(table[i].*value, place, "");
     if (i == 0)
       c.require(table[i].time == 0, place, "must be at time 0", "times count from ignition");
@@ -144,8 +145,8 @@ void check_motor(Checker& c, const ProjectileDef& p) {
               "projectile.motor.propellant", "must go from propellant_mass to 0 over the burn",
               "its last time is that of the thrust");
     for (std::size_t i = 1; i < m.propellant.size(); ++i)
-      c.require(m.propellant[i].mass <= m.propellant[i - 1].mass,
-                "projectile.motor.propellant[" + std::to_string(i) + "]", "must not grow", "it is what is left");
+      c.require(m.propellant[i].mass <= m.propellant[i - 1].mass, InputPlace("projectile.motor.propellant", i),
+                "must not grow", "it is what is left");
   }
   if (m.drag_curve.empty()) return;
   check_curve(c, m.drag_curve, "projectile.motor.drag_curve");
@@ -164,7 +165,7 @@ void check_magnus(Checker& c, const MagnusDef& m) {
   constexpr std::size_t kMost = 10000;
   c.require(m.table.size() <= kMost, "projectile.magnus.table", "has too many points", "at most 10000");
   for (std::size_t i = 0; i < m.table.size() && i < kMost; ++i) {
-    const std::string point = "projectile.magnus.table[" + std::to_string(i) + "]";
+    const InputPlace point("projectile.magnus.table", i);
     const MagnusPoint& p = m.table[i];
     c.not_negative(p.speed, point, "").not_negative(p.spin, point, "spins have no direction here");
     c.not_negative(p.drag, point, "drag coefficients are not negative").is_number(p.lift, point);
@@ -277,7 +278,7 @@ Status check(const Environment& e) {
   if (a.density) c.not_negative(*a.density, "environment.atmosphere.density", "");
   if (a.sound_speed) c.positive(*a.sound_speed, "environment.atmosphere.sound_speed", "");
   c.positive(a.scale_height, "environment.atmosphere.scale_height", "");
-  const auto check_wind = [&c](const Vec3d& velocity, const std::string& place) {
+  const auto check_wind = [&c](const Vec3d& velocity, const InputPlace& place) {
     c.is_vector(velocity, place);
     c.require(!(length(velocity) > kMostWind), place, "exceeds 1e18 m/s", "velocities are in m/s");
   };
@@ -286,7 +287,7 @@ Status check(const Environment& e) {
   c.require(profile.size() <= std::size_t(kMaxWindPoints), "environment.wind.profile", "has too many points",
             "at most 32");
   for (std::size_t i = 0; i < profile.size(); ++i) {
-    const std::string place = "environment.wind.profile[" + std::to_string(i) + "]";
+    const InputPlace place("environment.wind.profile", i);
     c.is_number(profile[i].at, place);
     check_wind(profile[i].velocity, place);
     if (i > 0)
@@ -360,10 +361,10 @@ Status check(const Until& u) {
   c.positive(u.time, "until.time", "a flight needs an end");
   c.require(u.events.size() <= 24, "until.events", "has too many events", "at most 24");
   for (std::size_t i = 0; i < u.events.size(); ++i) {
-    const std::string place = "until.events[" + std::to_string(i) + "]";
-    c.is_number(u.events[i].value, place + ".value");
-    c.require(is_watchable(u.events[i].kind), place + ".kind", "is none of the named values");
-    c.named(u.events[i].direction, Crossing::falling, place + ".direction");
+    const auto place = [i](const char* member) { return InputPlace("until.events", i, member); };
+    c.is_number(u.events[i].value, place(".value"));
+    c.require(is_watchable(u.events[i].kind), place(".kind"), "is none of the named values");
+    c.named(u.events[i].direction, Crossing::falling, place(".direction"));
   }
   if (u.scene) c.also(check(u.contact, "until.contact"));
   return c.status();

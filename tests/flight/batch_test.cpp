@@ -380,6 +380,41 @@ TEST_F(BatchTest, events_come_by_shot_then_by_time) {
   }
 }
 
+TEST_F(BatchTest, features_that_come_with_later_shots_change_no_earlier_one) {
+  const auto change = [](std::size_t i, Shot& shot) {
+    shot.launch.speed = 500 + static_cast<double>(i);
+    ProjectileDef& p = shot.projectile;
+    if (i > 20 && i % 7 == 0) p.drag.bands = {{0, 150}, {400, 250}};
+    if (i > 30 && i % 11 == 0) p.drag = {.table = DragTable::sphere};
+    if (i > 40 && i % 5 == 0) {
+      p.motor.thrust = {{0, 4}, {0.2, 6}, {0.5, 0}};
+      p.motor.propellant_mass = 0.2 * p.mass;
+    }
+    if (i > 50 && i % 6 == 0) p.force = {0, 0.01, 0};
+    if (i == 69) shot.launch.rail_length = 1.5, shot.launch.position.x = 1e300;  // refused when the rail is known
+  };
+  std::vector<Shot> shots(70, Shot{bullet_308(), {.elevation = 0.01}});
+  for (std::size_t i = 0; i < shots.size(); ++i) change(i, shots[i]);
+  const Environment environment;
+  Fidelity fidelity;
+  fidelity.precision = Precision::float32;
+  Until until;
+  until.range = 400;
+  for (const std::string& kernel : kernels()) {
+    ASSERT_TRUE(use_kernel(kernel));
+    const BatchResult batch = fly_batch(shots, environment, fidelity, {}, until);
+    for (std::uint32_t i = 0; i + 1 < shots.size(); ++i) {
+      const Flight flight = fly(shots[i].projectile, shots[i].launch, environment, fidelity, {}, until);
+      ASSERT_FALSE(flight.error()) << i << flight.error()->text();
+      EXPECT_EQ(batch.shots[i].outcome, flight.outcome()) << kernel << i;
+      EXPECT_EQ(batch.shots[i].cost.evaluations, flight.cost().evaluations) << kernel << i;
+      EXPECT_TRUE(same_bits(batch.shots[i].time, flight.duration())) << kernel << i;
+      EXPECT_TRUE(same_bits(batch.shots[i].position, flight.end().position)) << kernel << i;
+    }
+    EXPECT_EQ(batch.shots.back().outcome, Outcome::refused);
+  }
+}
+
 TEST_F(BatchTest, an_automatic_step_is_small_enough_for_all_shots) {
   std::vector<Shot> shots;
   for (int i = 0; i < 15; ++i) shots.push_back({bullet_308(), {.speed = 800.0 - 10 * i, .elevation = 0.01}});
