@@ -11,10 +11,15 @@ PHYSIM_ISA_BEGIN
 template <class W>
 PHYSIM_INLINE W take_column(const NumberColumn& column, std::size_t first, int filled) {
   if (column.of_shots == nullptr) return W(column.common);
-  W taken;
-  for (int lane = 0; lane < kLanes<W>; ++lane)
-    set_lane(taken, lane, column.of_shots[first + static_cast<std::size_t>(lane < filled ? lane : filled - 1)]);
-  return taken;
+  const double* from = column.of_shots + first;
+  if constexpr (kLanes<W> == 1) {
+    return *from;
+  } else {
+    if (filled == kLanes<W>) return W::load(from);
+    double padded[kLanes<W>];
+    for (int lane = 0; lane < kLanes<W>; ++lane) padded[lane] = from[lane < filled ? lane : filled - 1];
+    return W::load(padded);
+  }
 }
 
 /// put_launch() (prepare/launch.hpp) for a pack of launches without rail and spin.
@@ -55,9 +60,12 @@ void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t 
   if constexpr (std::is_same_v<W, R>) {
     put_air(from, first, filled, into.air);
   } else {
-    AirNumbers<W> air{};  // not all of it may be wanted
+    AirNumbers<W> air;
     put_air(from, first, filled, air);
-    cast_numbers(air, into.air);
+    constexpr unsigned kLow = kBodyNumber.air.lapse[0] - kBodyNumber.air.density;
+    NumberRuns wanted;  // layers that are not stay what the batch has in their place: no numbers
+    wanted.add(0, from.place.layers == kAirLayers ? kNumbers<AirNumbers> : kLow);
+    cast_numbers(air, into.air, wanted);
   }
 }
 

@@ -1,6 +1,9 @@
 // The batch kernels of this build and machine, and the choice among them.
 #pragma once
 
+#include <cstddef>
+#include <string_view>
+
 #include "flight/batch_job.hpp"
 
 namespace physim {
@@ -13,5 +16,14 @@ struct BatchKernel {
 
 /// The kernel in use.
 [[nodiscard]] const BatchKernel& batch_kernel();
+
+/// Of copies of other kernels that of the same instruction set; beside "scalar", the last.
+template <class Kernel, std::size_t N>
+[[nodiscard]] const Kernel& copy_in_use(const Kernel (&copies)[N]) {
+  const std::string_view wanted = batch_kernel().name;
+  for (const Kernel& copy : copies)
+    if (copy.name == wanted) return copy;
+  return copies[N - 1];
+}
 
 }  // namespace physim

@@ -7,20 +7,14 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "study/cell_number.hpp"
+#include "study/column_job.hpp"
 
 namespace physim {
 namespace {
 
-constexpr unsigned kDropped = 52 - 8;  // digits of t that do not matter
+constexpr int kDropped = 52 - kCellDigits;  // digits of t that do not matter
 constexpr std::uint64_t kOne = std::bit_cast<std::uint64_t>(1.0) >> kDropped;
-constexpr double kFarthestCounted = 0x1p40;
-
-std::int64_t cell_of(double y) {
-  PHYSIM_ASSERT(y == y);
-  const double t = 1 + std::min(std::abs(y), kFarthestCounted);
-  const auto k = static_cast<std::int64_t>((std::bit_cast<std::uint64_t>(t) >> kDropped) - kOne);
-  return y < 0 ? -1 - k : k;
-}
 
 /// The lower edge of a cell, in scales.
 double edge_of(std::int64_t cell) {
@@ -46,11 +40,18 @@ void widen(CountedCells& cells, std::int64_t low, std::int64_t high) {
 void count_into(CountedCells& cells, std::span<const double> numbers) {
   if (numbers.empty()) return;
   PHYSIM_ASSERT(cells.scale > 0);
+  const ColumnKernel& kernel = column_kernel();
   const double per_scale = 1 / cells.scale;
-  const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
-  widen(cells, cell_of((*least - cells.centre) * per_scale), cell_of((*most - cells.centre) * per_scale));
-  for (const double x : numbers)
-    ++cells.counts[static_cast<std::size_t>(cell_of((x - cells.centre) * per_scale) - cells.first)];
+  const auto cell_of = [&](double x) { return static_cast<std::int64_t>(cell_number((x - cells.centre) * per_scale)); };
+  const auto [least, most] = kernel.least_and_most(numbers.data(), numbers.size());
+  widen(cells, cell_of(least), cell_of(most));
+  constexpr std::size_t kAtOnce = 512;
+  std::int64_t cell[kAtOnce];
+  for (std::size_t first = 0; first < numbers.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, numbers.size() - first);
+    kernel.cells({numbers.data() + first, cells.centre, per_scale, cell, count});
+    for (std::size_t i = 0; i < count; ++i) ++cells.counts[static_cast<std::size_t>(cell[i] - cells.first)];
+  }
 }
 
 void join(CountedCells& cells, const CountedCells& others) {

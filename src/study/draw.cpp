@@ -13,6 +13,24 @@ void repeat(std::span<double> column, std::size_t rounds) {
   for (std::size_t i = column.size(); i-- > 0;) column[i] = column[i / rounds];
 }
 
+/// Shots for which a group is drawn once.
+std::size_t rounds_of(const Study& study, const InputGroup& group) {
+  return study.inputs[group.inputs[0]].drawn_for == DrawnFor::occasion ? study.rounds : 1;
+}
+
+/// Evenly spread numbers of a group's inputs become what is drawn.
+void distribute(const StudyPlanRecord& plan, const InputGroup& group, std::span<const std::span<double>> drawn) {
+  PHYSIM_ASSERT(drawn.size() == group.inputs.size());
+  if (!group.root.empty()) {
+    for (const auto& numbers : drawn) draw_kernel().normal_quantiles(numbers.data(), numbers.size());
+    correlate(group.root, drawn);
+  }
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const Quantiles& quantiles = plan.quantiles[group.inputs[i]];
+    group.root.empty() ? quantiles.from_units(drawn[i]) : quantiles.from_scores(drawn[i]);
+  }
+}
+
 }  // namespace
 
 void draw(const StudyPlanRecord& plan, const Sampler& sampler, std::uint64_t shard, unsigned first_dimension,
@@ -21,23 +39,34 @@ void draw(const StudyPlanRecord& plan, const Sampler& sampler, std::uint64_t sha
   PHYSIM_ASSERT(columns.size() == study.inputs.size() && columns[0].size() % study.rounds == 0);
   for (const InputGroup& group : plan.groups) {
     std::vector<std::span<double>> drawn;
-    const bool by_occasion = study.inputs[group.inputs[0]].drawn_for == DrawnFor::occasion;
-    const std::size_t rounds = by_occasion ? study.rounds : 1;
+    const std::size_t rounds = rounds_of(study, group);
     for (const std::size_t input : group.inputs) {
       const std::span<double> numbers = columns[input].first(columns[input].size() / rounds);
       sampler.fill(first_dimension + static_cast<unsigned>(input), shard, numbers);
       drawn.push_back(numbers);
     }
-    if (!group.root.empty()) {
-      for (const auto& numbers : drawn) draw_kernel().normal_quantiles(numbers.data(), numbers.size());
-      correlate(group.root, drawn);
-    }
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const Quantiles& quantiles = plan.quantiles[group.inputs[i]];
-      group.root.empty() ? quantiles.from_units(drawn[i]) : quantiles.from_scores(drawn[i]);
-      if (rounds > 1) repeat(columns[group.inputs[i]], rounds);
-    }
+    distribute(plan, group, drawn);
+    for (const std::size_t input : group.inputs)
+      if (rounds > 1) repeat(columns[input], rounds);
   }
+}
+
+std::vector<double> drawn_by(const StudyPlanRecord& plan, std::uint64_t shot) {
+  const Study& study = plan.study;
+  const Sampler sampler{study.sampling, study.seed};
+  const std::uint64_t shard = shot / study.shard_shots;
+  const auto place = static_cast<std::size_t>(shot % study.shard_shots);
+  std::vector<double> inputs(study.inputs.size());
+  for (const InputGroup& group : plan.groups) {
+    std::vector<std::span<double>> drawn;
+    const std::size_t rounds = rounds_of(study, group);
+    for (const std::size_t input : group.inputs) {
+      inputs[input] = sampler.number(static_cast<unsigned>(input), shard, study.shard_shots / rounds, place / rounds);
+      drawn.push_back(std::span(inputs).subspan(input, 1));
+    }
+    distribute(plan, group, drawn);
+  }
+  return inputs;
 }
 
 }  // namespace physim

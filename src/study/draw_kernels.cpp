@@ -1,5 +1,3 @@
-#include <string_view>
-
 #include "base/kernel_copies.hpp"
 #include "flight/kernels.hpp"
 #include "study/draw_job.hpp"
@@ -23,11 +21,7 @@ constexpr DrawKernel kDrawKernels[] = {
 
 }  // namespace
 
-const DrawKernel& draw_kernel() {
-  const std::string_view wanted = batch_kernel().name;
-  for (const DrawKernel& kernel : kDrawKernels)
-    if (kernel.name == wanted) return kernel;
-  return kDrawKernels[std::size(kDrawKernels) - 1];  // "scalar", too: numbers know nothing of how many are drawn
-}
+// Numbers know nothing of how many are drawn.
+const DrawKernel& draw_kernel() { return copy_in_use(kDrawKernels); }
 
 }  // namespace physim

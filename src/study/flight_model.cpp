@@ -20,6 +20,7 @@
 #include "model/sight.hpp"
 #include "physim/scene.hpp"
 #include "prepare/grant.hpp"
+#include "study/column_job.hpp"
 #include "study/impacts.hpp"
 #include "study/model.hpp"
 #include "study/paths.hpp"
@@ -124,8 +125,9 @@ std::span<const double> FlightModel::column_of(const UncertainNumber& number, In
                                                std::span<double> room) const {
   PHYSIM_ASSERT(!number.inputs.empty());
   if (number.replaced && number.inputs.size() == 1) return inputs[number.inputs[0]];
-  std::fill(room.begin(), room.end(), number.replaced ? 0 : number.there);
-  for (const std::size_t input : number.inputs)
+  const double offset = number.replaced ? 0 : number.there;
+  column_kernel().stretch(offset, 1, inputs[number.inputs[0]].data(), room.data(), room.size());
+  for (const std::size_t input : std::span(number.inputs).subspan(1))
     for (std::size_t i = 0; i < room.size(); ++i) room[i] += inputs[input][i];
   return room;
 }
@@ -253,23 +255,10 @@ void FlightModel::mark_things(const Flight& flight, std::size_t shot, std::size_
 
 void FlightModel::move_to_plane(const BlockEnds& ends) const {
   constexpr double kLastPart = 0.25;  // parts of the time of flight
-  const Vec3d &f = sight_.forward, &a = acceleration_;
   PHYSIM_ASSERT(study_.until.range.has_value());
-  for (std::size_t i = 0; i < ends.x.size(); ++i) {
-    Vec3d x{ends.x[i], ends.y[i], ends.z[i]}, v{ends.vx[i], ends.vy[i], ends.vz[i]};
-    const double left = *study_.until.range - dot(x - sight_.muzzle, f), ahead = dot(v, f), slower = dot(a, f);
-    // left = ahead t + slower t^2 / 2, the root that is small where `left` is
-    const double t = 2 * left / (ahead + std::sqrt(ahead * ahead + 2 * slower * left));
-    if (!(ahead > 0 && std::abs(t) <= kLastPart * ends.time[i])) {
-      ends.x[i] = kNowhere;
-      continue;
-    }
-    x += v * t + a * (0.5 * t * t);
-    v += a * t;
-    ends.time[i] += t;
-    ends.x[i] = x.x, ends.y[i] = x.y, ends.z[i] = x.z;
-    ends.vx[i] = v.x, ends.vy[i] = v.y, ends.vz[i] = v.z;
-  }
+  column_kernel().to_plane({sight_.forward, sight_.muzzle, *study_.until.range, acceleration_, kLastPart,
+                            ends.time.data(), ends.x.data(), ends.y.data(), ends.z.data(), ends.vx.data(),
+                            ends.vy.data(), ends.vz.data(), ends.x.size()});
 }
 
 /// Impacts of shots that fly without a scene.
@@ -288,8 +277,7 @@ void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, const ModelScr
                       std::span<double> into) const {
   const auto copy = [&](std::span<const double> from) { std::copy(from.begin(), from.end(), into.begin()); };
   const auto seen = [&](const Vec3d& axis, const Vec3d& start) {
-    for (std::size_t i = 0; i < into.size(); ++i)
-      into[i] = (e.x[i] - start.x) * axis.x + (e.y[i] - start.y) * axis.y + (e.z[i] - start.z) * axis.z;
+    column_kernel().along({axis, start, e.x.data(), e.y.data(), e.z.data(), into.data(), into.size()});
   };
   switch (quantity) {
     case StudyQuantity::time: return copy(e.time);
@@ -300,9 +288,7 @@ void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, const ModelScr
     case StudyQuantity::vy: return copy(e.vy);
     case StudyQuantity::vz: return copy(e.vz);
     case StudyQuantity::speed:
-      for (std::size_t i = 0; i < into.size(); ++i)
-        into[i] = std::sqrt(e.vx[i] * e.vx[i] + e.vy[i] * e.vy[i] + e.vz[i] * e.vz[i]);
-      return;
+      return column_kernel().lengths(e.vx.data(), e.vy.data(), e.vz.data(), into.data(), into.size());
     case StudyQuantity::right: return seen(sight_.right, sight_.start);
     case StudyQuantity::up: return seen(sight_.up, sight_.start);
     case StudyQuantity::along: return seen(sight_.forward, sight_.muzzle);

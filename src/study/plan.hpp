@@ -47,5 +47,7 @@ struct StudyPlanRecord {
 /// Draws the inputs of a shard. Dimensions of the sampler from `first_dimension` on: another set of shots.
 void draw(const StudyPlanRecord& plan, const Sampler& sampler, std::uint64_t shard, unsigned first_dimension,
           std::span<const std::span<double>> columns);
+/// What one shot of the study draws, by itself: the numbers that its place in draw() gets.
+[[nodiscard]] std::vector<double> drawn_by(const StudyPlanRecord& plan, std::uint64_t shot);
 
 }  // namespace physim

@@ -36,6 +36,20 @@ void fill_latin(std::uint64_t seed, unsigned dimension, std::uint64_t first, std
   }
 }
 
+struct ShardOfPoints {
+  std::uint64_t shard;
+  std::size_t size;
+};
+/// Numbers of a shard, from a place of it on.
+void fill_sobol(std::uint64_t seed, unsigned dimension, const ShardOfPoints& of, std::size_t place,
+                std::span<double> numbers) {
+  PHYSIM_ASSERT(place + numbers.size() <= of.size);
+  const auto replicate = static_cast<std::uint32_t>(of.shard % kReplicates);
+  const std::uint64_t begin = of.shard / kReplicates * of.size;
+  const auto bits = static_cast<unsigned>(std::bit_width(begin + of.size - 1));
+  fill_sobol(scrambled_dimension(seed, dimension, replicate, bits), begin + place, numbers);
+}
+
 }  // namespace
 
 void Sampler::fill(unsigned dimension, std::uint64_t shard, std::span<double> numbers) const {
@@ -44,11 +58,25 @@ void Sampler::fill(unsigned dimension, std::uint64_t shard, std::span<double> nu
   switch (sampling) {
     case Sampling::random: return fill_random(seed, dimension, first, numbers);
     case Sampling::latin_hypercube: return fill_latin(seed, dimension, first, numbers);
+    case Sampling::sobol: return fill_sobol(seed, dimension, {shard, numbers.size()}, 0, numbers);
+  }
+  PHYSIM_UNREACHABLE();
+}
+
+double Sampler::number(unsigned dimension, std::uint64_t shard, std::size_t size, std::size_t place) const {
+  PHYSIM_ASSERT(place < size);
+  switch (sampling) {
+    case Sampling::random:
+      return unit_of_digits(philox_bits(seed, DrawStream::draw, dimension, 0, shard * size + place) >> 12);
+    case Sampling::latin_hypercube: {  // a permutation is known as a whole
+      std::vector<double> all(size);
+      fill_latin(seed, dimension, shard * size, all);
+      return all[place];
+    }
     case Sampling::sobol: {
-      const auto replicate = static_cast<std::uint32_t>(shard % kReplicates);
-      const std::uint64_t begin = shard / kReplicates * numbers.size();
-      const auto bits = static_cast<unsigned>(std::bit_width(begin + numbers.size() - 1));
-      return fill_sobol(scrambled_dimension(seed, dimension, replicate, bits), begin, numbers);
+      double one[1];
+      fill_sobol(seed, dimension, {shard, size}, place, one);
+      return one[0];
     }
   }
   PHYSIM_UNREACHABLE();

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "study/cells.hpp"
+#include "study/column_job.hpp"
 #include "study/estimates.hpp"
 #include "study/indices.hpp"
 #include "study/over_inputs.hpp"
@@ -52,7 +54,7 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
         FirstRefusal{shard * study.shard_shots + *told.first, told.error->message, told.error->place, told.error->hint};
   add_arrived(shard, sums);
   if (plan_.has_plane() && study.sampling == Sampling::random) add_spreads(sums);
-  const std::span<const double> first[] = {arrived_.columns[0]};
+  const std::span<const double> first[] = {arrived_[0]};
   sums.stages = {{sums.shots, sums.hits, plan_.has_plane() ? sums.from_aim.moments : moments_of(first)}};
   Replicate& own = sums.replicates[shard % kReplicates];
   if (study.over_inputs) {
@@ -68,37 +70,45 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
 void ShardFlyer::mark_hits() {
   const auto& columns = quantities_.columns;
   const std::size_t all = columns[0].size();
-  shots_.clear();
-  for (std::uint32_t i = 0; i < all; ++i) {
-    bool arrived = true;
-    for (const auto& column : columns) arrived = arrived && is_finite(column[i]);
-    if (arrived) shots_.push_back(i);
+  const auto is_whole = [](const auto& column) { return column_kernel().all_finite(column.data(), column.size()); };
+  if (std::ranges::all_of(columns, is_whole)) {
+    shots_.resize(all);
+    std::iota(shots_.begin(), shots_.end(), 0u);
+  } else {
+    shots_.clear();
+    for (std::uint32_t i = 0; i < all; ++i)
+      if (std::ranges::all_of(columns, [i](const auto& column) { return is_finite(column[i]); })) shots_.push_back(i);
   }
   const std::vector<StudyTarget>& targets = plan_.study.targets;
   hits_ = scratch_.thing_hits;
   if (hits_.empty()) hits_.assign(targets.size() * all, 0);
   PHYSIM_ASSERT(hits_.size() == targets.size() * all);
-  for (std::size_t target = 0; target < targets.size(); ++target) {
-    if (std::holds_alternative<ThingTarget>(targets[target].shape)) continue;
-    for (const std::uint32_t i : shots_)
-      hits_[target * all + i] = lies_on(targets[target], columns[0][i], columns[1][i]) ? 1 : 0;
-  }
+  for (std::size_t target = 0; target < targets.size(); ++target)
+    if (!std::holds_alternative<ThingTarget>(targets[target].shape))
+      mark_covered(targets[target], shots_, columns[0], columns[1], std::span(hits_).subspan(target * all, all));
+}
+
+/// Quantities of those that arrived: columns as they are where all did.
+void ShardFlyer::gather_arrived() {
+  const auto& columns = quantities_.columns;
+  if (shots_.size() == columns[0].size()) return void(arrived_ = read_only(columns));
+  gathered_.set_size(columns.size(), shots_.size());
+  for (std::size_t q = 0; q < columns.size(); ++q)
+    for (std::size_t i = 0; i < shots_.size(); ++i) gathered_.columns[q][i] = columns[q][shots_[i]];
+  arrived_ = read_only(gathered_.columns);
 }
 
 /// Adds up those that arrived.
 void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
-  const auto& columns = quantities_.columns;
   mark_hits();
+  gather_arrived();
   PHYSIM_ASSERT(shots_.size() + sums.refused <= sums.shots);
   sums.not_arrived = sums.shots - sums.refused - shots_.size();
-  arrived_.set_size(columns.size(), shots_.size());
-  for (std::size_t q = 0; q < columns.size(); ++q)
-    for (std::size_t i = 0; i < shots_.size(); ++i) arrived_.columns[q][i] = columns[q][shots_[i]];
-  sums.moments = moments_of(read_only(arrived_.columns));
-  for (std::size_t q = 0; q < columns.size() && !shots_.empty(); ++q) {
-    const auto [least, most] = std::ranges::minmax(arrived_.columns[q]);
+  sums.moments = moments_of(arrived_);
+  for (std::size_t q = 0; q < arrived_.size() && !shots_.empty(); ++q) {
+    const auto [least, most] = column_kernel().least_and_most(arrived_[q].data(), shots_.size());
     sums.least.push_back(least), sums.most.push_back(most);
-    count_into(sums.cells[q], arrived_.columns[q]);
+    count_into(sums.cells[q], arrived_[q]);
   }
   distances_.resize(shots_.size());
   if (plan_.has_plane()) add_plane(shard, sums);
@@ -106,7 +116,7 @@ void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
   for (std::size_t i = 0; i < shots_.size(); ++i) {
     double squares = 0;
     for (const std::size_t q : plan_.in_space) {
-      const double from = arrived_.columns[q][i] - plan_.grids[q].centre;
+      const double from = arrived_[q][i] - plan_.grids[q].centre;
       squares += from * from;
     }
     distances_[i] = std::sqrt(squares);
@@ -122,22 +132,17 @@ void ShardFlyer::add_distances(DistanceSums& sums) const {
 
 void ShardFlyer::add_plane(std::uint64_t shard, ShardSums& sums) {
   const Study& study = plan_.study;
-  const std::span<const double> right = arrived_.columns[0], up = arrived_.columns[1];
+  const std::span<const double> right = arrived_[0], up = arrived_[1];
   const auto measure = [&](const PlanePoint& from) {
-    for (std::size_t i = 0; i < right.size(); ++i) {
-      const double x = right[i] - from.right, y = up[i] - from.up;
-      distances_[i] = std::sqrt(x * x + y * y);
-    }
+    column_kernel().distances(right.data(), up.data(), from.right, from.up, distances_.data(), right.size());
   };
   measure(plan_.centre);
   add_distances(sums.from_centre);
   measure(study.aim);
   add_distances(sums.from_aim);
-  for (std::size_t i = 0; i < distances_.size(); ++i) {
-    if (sums.worst.size() == kWorstShots && distances_[i] <= sums.worst.back().distance) continue;
-    sums.worst.push_back({shard * study.shard_shots + shots_[i], distances_[i]});
-    keep_worst(sums.worst);
-  }
+  for (std::size_t i = 0; i < distances_.size(); ++i)
+    if (sums.worst.size() < kWorstShots || distances_[i] > sums.worst.back().distance)
+      put_worst(sums.worst, {shard * study.shard_shots + shots_[i], distances_[i]});
   sums.reach = reach_of(right, up);
   const auto all = static_cast<std::ptrdiff_t>(sums.shots);
   for (auto hit = hits_.begin(); hit != hits_.end(); hit += all)
@@ -151,18 +156,11 @@ void ShardFlyer::add_spreads(ShardSums& sums) {
   PHYSIM_ASSERT(right.size() % study.rounds == 0);
   const std::size_t run = study.rounds > 1 ? study.rounds : right.size();
   for (const std::size_t size : study.group_sizes) {
-    distances_.clear();
-    for (std::size_t start = 0; start < right.size(); start += run)
-      for (std::size_t first = start; first + size <= start + run; first += size) {
-        double most = 0, all = 0;
-        for (std::size_t i = first; i < first + size; ++i) all += right[i] + up[i];
-        for (std::size_t i = first; i < first + size; ++i)
-          for (std::size_t j = first; j < i; ++j) {
-            const double x = right[i] - right[j], y = up[i] - up[j];
-            most = std::max(most, x * x + y * y);
-          }
-        if (is_finite(all)) distances_.push_back(std::sqrt(most));
-      }
+    const std::size_t groups = run / size;
+    distances_.resize(right.size() / run * groups);
+    for (std::size_t start = 0, at = 0; start < right.size(); start += run, at += groups)
+      column_kernel().spreads({right.data() + start, up.data() + start, size, groups, distances_.data() + at});
+    std::erase_if(distances_, [](double spread) { return spread != spread; });
     DistanceSums& spread = sums.spreads.emplace_back();
     spread.cells = empty_cells(0, plan_.radius_scale);
     add_distances(spread);
@@ -197,19 +195,6 @@ StudyShots ShardFlyer::shots_of(std::uint64_t shard) {
   const auto all = static_cast<std::ptrdiff_t>(study.shard_shots);
   for (auto hit = hits_.begin(); hit != hits_.end(); hit += all) shots.hits.emplace_back(hit, hit + all);
   return shots;
-}
-
-std::vector<double> drawn_by(const StudyPlanRecord& plan, std::uint64_t shot) {
-  const Study& study = plan.study;
-  PHYSIM_ASSERT(study.shard_shots > 0 && plan.quantiles.size() == study.inputs.size());
-  std::vector<double> numbers(study.inputs.size() * study.shard_shots);
-  std::vector<std::span<double>> columns;
-  for (std::size_t i = 0; i < study.inputs.size(); ++i)
-    columns.push_back(std::span(numbers).subspan(i * study.shard_shots, study.shard_shots));
-  draw(plan, {study.sampling, study.seed}, shot / study.shard_shots, 0, columns);
-  std::vector<double> drawn;
-  for (const auto& column : columns) drawn.push_back(column[shot % study.shard_shots]);
-  return drawn;
 }
 
 }  // namespace physim

@@ -28,21 +28,20 @@ class ShardFlyer {
   void add_arrived(std::uint64_t shard, ShardSums& sums);
   void add_plane(std::uint64_t shard, ShardSums& sums);
   void mark_hits();
+  void gather_arrived();
   void add_spreads(ShardSums& sums);
   void add_indices(std::uint64_t shard, IndexSums& sums);
   void add_distances(DistanceSums& sums) const;
 
   const StudyPlanRecord& plan_;
   ModelScratch scratch_;
-  Block inputs_, quantities_;         // of all shots
-  Block arrived_;                     // quantities of those that arrived ...
-  std::vector<std::uint32_t> shots_;  // ... and which these are
+  Block inputs_, quantities_;                     // of all shots
+  std::vector<std::span<const double>> arrived_;  // quantities of those that arrived ...
+  Block gathered_;                                // ... where some did not ...
+  std::vector<std::uint32_t> shots_;              // ... and which these are
   std::vector<double> distances_;
   std::vector<std::uint8_t> hits_;                                           // of each target, each shot
   Block other_inputs_, other_quantities_, mixed_inputs_, mixed_quantities_;  // of Sobol indices
 };
-
-/// What a shot of a study draws.
-[[nodiscard]] std::vector<double> drawn_by(const StudyPlanRecord& plan, std::uint64_t shot);
 
 }  // namespace physim

@@ -64,13 +64,20 @@ void join_stages(std::vector<StageSums>& all, const std::vector<StageSums>& late
   thin(all);
 }
 
+bool is_worse(const SumOfShot& a, const SumOfShot& b) {
+  return a.distance != b.distance ? a.distance > b.distance : a.shot < b.shot;
+}
+
 }  // namespace
+
+void put_worst(std::vector<SumOfShot>& shots, const SumOfShot& shot) {
+  PHYSIM_ASSERT(shots.size() <= kWorstShots);
+  shots.insert(std::ranges::upper_bound(shots, shot, is_worse), shot);
+  if (shots.size() > kWorstShots) shots.pop_back();
+}
 
 void keep_worst(std::vector<SumOfShot>& shots) {
   PHYSIM_ASSERT(shots.size() <= 2 * kWorstShots);
-  const auto is_worse = [](const SumOfShot& a, const SumOfShot& b) {
-    return a.distance != b.distance ? a.distance > b.distance : a.shot < b.shot;
-  };
   const auto kept = shots.begin() + static_cast<std::ptrdiff_t>(std::min(kWorstShots, shots.size()));
   std::partial_sort(shots.begin(), kept, shots.end(), is_worse);
   shots.erase(kept, shots.end());

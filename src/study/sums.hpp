@@ -82,6 +82,8 @@ struct ShardSums : CommonSums {
 
 /// Takes in the shards that follow.
 void join(ShardSums& all, const ShardSums& later);
+/// Puts a shot behind all that are as bad, and keeps the worst.
+void put_worst(std::vector<SumOfShot>& shots, const SumOfShot& shot);
 /// Keeps the worst, in order.
 void keep_worst(std::vector<SumOfShot>& shots);
 

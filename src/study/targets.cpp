@@ -15,7 +15,8 @@ bool covers(const CircleTarget& c, double right, double up) {
 
 bool covers(const RectangleTarget& r, double right, double up) {
   const double x = right - r.centre.right, y = up - r.centre.up;
-  return x >= -0.5 * r.width && x < 0.5 * r.width && y >= -0.5 * r.height && y < 0.5 * r.height;
+  // Without branches: impacts come at random.
+  return ((x >= -0.5 * r.width) & (x < 0.5 * r.width) & (y >= -0.5 * r.height) & (y < 0.5 * r.height)) != 0;
 }
 
 bool covers(const PolygonTarget& p, double right, double up) {
@@ -79,8 +80,12 @@ Status check(const StudyTarget& target, const std::string& place) {
   return c.status();
 }
 
-bool lies_on(const StudyTarget& target, double right, double up) {
-  return std::visit([&](const auto& shape) { return covers(shape, right, up); }, target.shape);
+void mark_covered(const StudyTarget& target, std::span<const std::uint32_t> shots, std::span<const double> right,
+                  std::span<const double> up, std::span<std::uint8_t> marks) {
+  const auto mark = [&](const auto& shape) {
+    for (const std::uint32_t i : shots) marks[i] = covers(shape, right[i], up[i]) ? 1 : 0;
+  };
+  std::visit(mark, target.shape);
 }
 
 ThingsOfTargets things_of(const Study& study) {

@@ -1,4 +1,4 @@
-// Whether an impact lies on a target.
+// Whether impacts lie on targets.
 //
 // Polygons: a ray to the right of the impact crosses the outline an odd number of times.
 // Source: M. Shimrat, "Algorithm 112: Position of Point Relative to Polygon", Comm. ACM 5 (1962) 434.
@@ -14,8 +14,9 @@
 namespace physim {
 
 [[nodiscard]] Status check(const StudyTarget& target, const std::string& place);
-/// Whether an impact lies on it; a thing is no part of the plane.
-[[nodiscard]] bool lies_on(const StudyTarget& target, double right, double up);
+/// Marks by 1 or 0 whether impacts of some shots lie on it; a thing is no part of the plane.
+void mark_covered(const StudyTarget& target, std::span<const std::uint32_t> shots, std::span<const double> right,
+                  std::span<const double> up, std::span<std::uint8_t> marks);
 
 /// The things of the scene that each target names, in order; none for a part of the plane.
 using ThingsOfTargets = std::vector<std::vector<InstanceId>>;

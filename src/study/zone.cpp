@@ -1,10 +1,11 @@
 #include "study/zone.hpp"
 
-#include <algorithm>
+#include <iterator>
 
 #include "base/assert.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
+#include "study/column_job.hpp"
 
 namespace physim {
 namespace {
@@ -13,21 +14,6 @@ PlanePoint direction_of_edge(std::size_t k) {
   PHYSIM_ASSERT(k <= kZoneDirections);
   const double angle = 2 * kPi * static_cast<double>(k) / kZoneDirections;
   return {cos(angle), sin(angle)};
-}
-
-/// How far numbers reach along a direction. In lanes: none waits for the largest of the others.
-double farthest(const PlanePoint& n, std::span<const double> right, std::span<const double> up) {
-  PHYSIM_ASSERT(!right.empty() && right.size() == up.size());
-  constexpr std::size_t kLanes = 8;
-  const auto along = [&](std::size_t i) { return n.right * right[i] + n.up * up[i]; };
-  const auto larger = [](double a, double b) { return a > b ? a : b; };
-  double most[kLanes];
-  std::fill(most, most + kLanes, along(0));
-  std::size_t i = 1;
-  for (; i + kLanes <= right.size(); i += kLanes)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) most[lane] = larger(along(i + lane), most[lane]);
-  for (; i < right.size(); ++i) most[0] = larger(along(i), most[0]);
-  return *std::max_element(most, most + kLanes);
 }
 
 /// The chance of fewer than K of what comes lambda times on average.
@@ -44,10 +30,15 @@ double fewer_than_directions(double lambda) {
 
 std::vector<double> reach_of(std::span<const double> right, std::span<const double> up) {
   PHYSIM_ASSERT(right.size() == up.size());
-  std::vector<double> reach;
-  for (std::size_t k = 0; k < kZoneDirections && !right.empty(); ++k)
-    reach.push_back(farthest(direction_of_edge(k), right, up));
-  return reach;
+  static_assert(ReachJob::kDirections == kZoneDirections);
+  if (right.empty()) return {};
+  ReachJob job{.right = right.data(), .up = up.data(), .count = right.size()};
+  for (std::size_t k = 0; k < kZoneDirections; ++k) {
+    const PlanePoint along = direction_of_edge(k);
+    job.to_right[k] = along.right, job.to_up[k] = along.up;
+  }
+  column_kernel().reach(job);
+  return {std::begin(job.reach), std::end(job.reach)};
 }
 
 std::optional<ZoneResult> zone_of(std::span<const double> reach, std::uint64_t shots) {

@@ -237,6 +237,37 @@ TEST(Weather, is_that_of_all_layers_for_who_is_blown_out_of_the_lowest) {
   EXPECT_GT(left, 50);
 }
 
+/// Stages of one long step pass above the lowest layer, and its end lies below again.
+TEST(Weather, is_that_of_all_layers_for_a_stage_above_the_lowest) {
+  const std::size_t count = 40;
+  Random r(9);
+  std::vector<double> speed, upwards, temperature;
+  for (std::size_t i = 0; i < count; ++i)
+    speed.push_back(r.in(22, 23)), upwards.push_back(r.in(48, 52)), temperature.push_back(r.in(250, 310));
+  ProjectileDef ball;
+  ball.mass = 0.5, ball.diameter = 0.1, ball.drag = {.coefficient = 0.5};
+  const LaunchColumns from{.common = {.position = {0, 10990, 0}, .elevation = 1.5}, .speed = speed};
+  const Tolerance tolerance{.step = 7};
+  std::vector<double> y(count), vy(count);
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    Fidelity f = Fidelity::simulation();
+    f.integrator = Integrator::rk4, f.precision = precision, f.rotation = RotationModel::none;
+    const ColumnsResult result = fly_columns(ball, from, {}, f, tolerance, {.time = 7}, {.y = y, .vy = vy}, nullptr,
+                                             {.wind_y = upwards, .temperature = temperature});
+    ASSERT_EQ(result.refused, 0U);
+    int below = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      Environment own;
+      own.wind.velocity.y = upwards[i], own.atmosphere.temperature = temperature[i];
+      const Sample end = fly(ball, from.at(i), own, f, tolerance, {.time = 7}).end();
+      below += end.position.y < 10999 ? 1 : 0;
+      ASSERT_TRUE(same_bits(y[i], end.position.y) && same_bits(vy[i], end.velocity.y))
+          << i << ' ' << y[i] - end.position.y;
+    }
+    EXPECT_EQ(below, 40);
+  }
+}
+
 /// In float32 steps are cut at corners that are found with weather rounded to float. Where nothing has corners that
 /// weather moves, or where rounding changes no number of it, flights are those of fly() to the bit; others differ, by
 /// some times their tolerance.

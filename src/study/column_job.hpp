@@ -1,0 +1,85 @@
+// Work on whole columns of a study's shots: what the kernels of each instruction set offer, and the choice among them.
+//
+// Each gives the bits that shot by shot gives. What is gathered over shots is gathered in eight lanes, whatever the
+// instruction set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "physim/vec3.hpp"
+
+namespace physim {
+
+/// Moves shots along their last bit of path, or back, to the plane of impact.
+struct PlaneJob {
+  Vec3d forward, muzzle;  // the plane's normal, and where the range is counted from [m]
+  double range;           // [m]
+  Vec3d acceleration;     // [m/s^2]
+  double most_time;       // of the time of flight; a shot that needs more gets an x that is no number
+  double* time;           // [s]
+  double *x, *y, *z;      // [m]
+  double *vx, *vy, *vz;   // [m/s]
+  std::size_t count;
+};
+
+/// How far places lie along an axis from where it starts.
+struct AxisJob {
+  Vec3d axis, start;
+  const double *x, *y, *z;
+  double* along;
+  std::size_t count;
+};
+
+/// Extreme spreads of groups of shots that follow each other; no number where a shot of a group is none.
+struct SpreadJob {
+  const double *right, *up;
+  std::size_t size;  // of a group
+  std::size_t groups;
+  double* spreads;  // of each group
+};
+
+struct LeastAndMost {
+  double least, most;
+};
+
+/// Cells of study/cells.hpp, by their numbers.
+struct CellJob {
+  const double* numbers;
+  double centre, per_scale;
+  std::int64_t* cells;
+  std::size_t count;
+};
+
+/// The farthest of impacts along directions.
+struct ReachJob {
+  static constexpr std::size_t kDirections = 16;
+  const double *right, *up;
+  std::size_t count;                                 // > 0
+  double to_right[kDirections], to_up[kDirections];  // unit vectors
+  double reach[kDirections];
+};
+
+struct ColumnKernel {
+  const char* name;
+  /// offset + factor x for each x; `into` may be `from`.
+  void (*stretch)(double offset, double factor, const double* from, double* into, std::size_t count);
+  void (*to_plane)(const PlaneJob& job);
+  void (*along)(const AxisJob& job);
+  /// Lengths of vectors.
+  void (*lengths)(const double* x, const double* y, const double* z, double* into, std::size_t count);
+  /// Distances from a point of the plane.
+  void (*distances)(const double* right, const double* up, double from_right, double from_up, double* into,
+                    std::size_t count);
+  bool (*all_finite)(const double* numbers, std::size_t count);
+  /// Of numbers, of which there are some, and none of which is NaN.
+  LeastAndMost (*least_and_most)(const double* numbers, std::size_t count);
+  void (*cells)(const CellJob& job);
+  void (*spreads)(const SpreadJob& job);
+  void (*reach)(ReachJob& job);
+};
+
+/// That of the instruction set whose batch kernel is in use.
+[[nodiscard]] const ColumnKernel& column_kernel();
+
+}  // namespace physim

@@ -1,0 +1,201 @@
+// Compiled once per instruction set, in a namespace of its name.
+#include <limits>
+#include <type_traits>
+
+#include "math/vec3.hpp"
+#include "study/cell_number.hpp"
+#include "study/column_job.hpp"
+
+PHYSIM_ISA_BEGIN
+
+namespace {
+constexpr int kLanesAtOnce = 2 * kNativeBytes / 8;  // two registers side by side hide each other's waiting
+constexpr auto kMany = static_cast<std::size_t>(kLanesAtOnce);
+using Numbers = Pack<double, kLanesAtOnce>;
+using Eight = Pack<double, 8>;
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// f for a pack of places at a time, then for each that is left; its second argument tells which.
+template <class F>
+PHYSIM_INLINE void each_place(std::size_t count, const F& f) {
+  std::size_t i = 0;
+  for (; i + kMany <= count; i += kMany) f(i, std::type_identity<Numbers>());
+  for (; i < count; ++i) f(i, std::type_identity<double>());
+}
+template <class R>
+PHYSIM_INLINE R take(const double* from, std::size_t i) {
+  if constexpr (kLanes<R> == 1)
+    return from[i];
+  else
+    return R::load(from + i);
+}
+PHYSIM_INLINE void put(double x, double* into, std::size_t i) { into[i] = x; }
+template <int N>
+PHYSIM_INLINE void put(const Pack<double, N>& x, double* into, std::size_t i) {
+  x.store(into + i);
+}
+template <class R>
+PHYSIM_INLINE Vec3<R> spread(const Vec3d& v) {
+  return {R(v.x), R(v.y), R(v.z)};
+}
+}  // namespace
+
+void stretch_column(double offset, double factor, const double* from, double* into, std::size_t count) {
+  each_place(count, [&]<class R>(std::size_t i, std::type_identity<R>)
+                        PHYSIM_INLINE_LAMBDA { put(R(offset) + R(factor) * take<R>(from, i), into, i); });
+}
+
+/// left = ahead t + slower t^2 / 2 has a root t that is small where `left` is.
+void move_to_plane(const PlaneJob& job) {
+  each_place(job.count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
+    const Vec3<R> f = spread<R>(job.forward), a = spread<R>(job.acceleration);
+    const Vec3<R> x{take<R>(job.x, i), take<R>(job.y, i), take<R>(job.z, i)};
+    const Vec3<R> v{take<R>(job.vx, i), take<R>(job.vy, i), take<R>(job.vz, i)};
+    const R time = take<R>(job.time, i);
+    const R left = R(job.range) - dot(x - spread<R>(job.muzzle), f), ahead = dot(v, f), slower = dot(a, f);
+    const R t = R(2.0) * left / (ahead + sqrt(ahead * ahead + R(2.0) * slower * left));
+    const auto arrives = (ahead > R(0.0)) & (abs(t) <= R(job.most_time) * time);
+    const Vec3<R> moved = x + (v * t + a * (R(0.5) * t * t)), turned = v + a * t;
+    put(select(arrives, moved.x, R(kNoNumber)), job.x, i);
+    put(select(arrives, moved.y, x.y), job.y, i);
+    put(select(arrives, moved.z, x.z), job.z, i);
+    put(select(arrives, turned.x, v.x), job.vx, i);
+    put(select(arrives, turned.y, v.y), job.vy, i);
+    put(select(arrives, turned.z, v.z), job.vz, i);
+    put(select(arrives, time + t, time), job.time, i);
+  });
+}
+
+void put_along(const AxisJob& job) {
+  each_place(job.count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
+    const Vec3<R> x{take<R>(job.x, i), take<R>(job.y, i), take<R>(job.z, i)};
+    put(dot(x - spread<R>(job.start), spread<R>(job.axis)), job.along, i);
+  });
+}
+
+void put_lengths(const double* x, const double* y, const double* z, double* into, std::size_t count) {
+  each_place(count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
+    const R a = take<R>(x, i), b = take<R>(y, i), c = take<R>(z, i);
+    put(sqrt(a * a + b * b + c * c), into, i);
+  });
+}
+
+void put_distances(const double* right, const double* up, double from_right, double from_up, double* into,
+                   std::size_t count) {
+  each_place(count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
+    const R x = take<R>(right, i) - R(from_right), y = take<R>(up, i) - R(from_up);
+    put(sqrt(x * x + y * y), into, i);
+  });
+}
+
+bool all_are_finite(const double* numbers, std::size_t count) {
+  auto finite = Numbers(0.0) == Numbers(0.0);
+  std::size_t i = 0;
+  for (; i + kMany <= count; i += kMany) finite = finite & is_finite(Numbers::load(numbers + i));
+  bool rest = true;
+  for (; i < count; ++i) rest = rest && is_finite(numbers[i]);
+  return rest && all(finite);
+}
+
+/// Of zeros that differ by their sign the first is the least, the last the most, as if one looked at each in turn.
+LeastAndMost least_and_most_of(const double* numbers, std::size_t count) {
+  PHYSIM_ASSERT(count > 0);
+  Eight least(numbers[0]), most = least;
+  std::size_t i = 0;
+  for (; i + 8 <= count; i += 8) {
+    const Eight x = Eight::load(numbers + i);
+    least = min(least, x), most = max(most, x);
+  }
+  LeastAndMost of{numbers[0], numbers[0]};
+  const auto take_in = [&of](double x) {
+    if (x < of.least) of.least = x;
+    if (x > of.most) of.most = x;
+  };
+  for (int lane = 0; lane < 8; ++lane) take_in(least[lane]), take_in(most[lane]);
+  for (; i < count; ++i) take_in(numbers[i]);
+  for (i = 0; of.least == 0 && i < count; ++i)
+    if (numbers[i] == 0) {
+      of.least = numbers[i];
+      break;
+    }
+  for (i = count; of.most == 0 && i-- > 0;)
+    if (numbers[i] == 0) {
+      of.most = numbers[i];
+      break;
+    }
+  return of;
+}
+
+void put_cells(const CellJob& job) {
+  each_place(job.count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
+    const BitsOf<R> cell = cell_number((take<R>(job.numbers, i) - R(job.centre)) * R(job.per_scale));
+    if constexpr (kLanes<R> == 1)
+      job.cells[i] = static_cast<std::int64_t>(cell);
+    else
+      cell.store(reinterpret_cast<std::uint64_t*>(job.cells + i));
+  });
+}
+
+namespace {
+constexpr std::size_t kMostShots = 100;  // of a group
+
+/// Groups side by side: row i holds shot i of each.
+template <class R>
+PHYSIM_INLINE void put_spreads(const SpreadJob& job, std::size_t first) {
+  constexpr auto kGroups = static_cast<std::size_t>(kLanes<R>);
+  double right[kMostShots * kGroups], up[kMostShots * kGroups];
+  for (std::size_t group = 0; group < kGroups; ++group)
+    for (std::size_t i = 0; i < job.size; ++i) {
+      right[i * kGroups + group] = job.right[(first + group) * job.size + i];
+      up[i * kGroups + group] = job.up[(first + group) * job.size + i];
+    }
+  R most(0.0), sum(0.0);
+  for (std::size_t i = 0; i < job.size; ++i) {
+    const R x = take<R>(right, i * kGroups), y = take<R>(up, i * kGroups);
+    sum += x + y;
+    for (std::size_t j = 0; j < i; ++j) {
+      const R dx = x - take<R>(right, j * kGroups), dy = y - take<R>(up, j * kGroups);
+      most = max(dx * dx + dy * dy, most);
+    }
+  }
+  put(select(is_finite(sum), sqrt(most), R(kNoNumber)), job.spreads, first);
+}
+}  // namespace
+
+void put_spreads(const SpreadJob& job) {
+  PHYSIM_ASSERT(job.size >= 2 && job.size <= kMostShots);
+  std::size_t group = 0;
+  for (; group + 8 <= job.groups; group += 8) put_spreads<Eight>(job, group);
+  for (; group < job.groups; ++group) put_spreads<double>(job, group);
+}
+
+/// In eight lanes: none waits for the largest of the others. Several directions at a time, as registers allow.
+void put_reach(ReachJob& job) {
+  PHYSIM_ASSERT(job.count > 0);
+  constexpr std::size_t kAtOnce = kNativeBytes == 64 ? 8 : 2;
+  static_assert(ReachJob::kDirections % kAtOnce == 0);
+  for (std::size_t first = 0; first < ReachJob::kDirections; first += kAtOnce) {
+    const double *to_right = job.to_right + first, *to_up = job.to_up + first;
+    const auto along = [&](std::size_t k, const auto& right, const auto& up) PHYSIM_INLINE_LAMBDA {
+      using R = std::decay_t<decltype(right)>;
+      return R(to_right[k]) * right + R(to_up[k]) * up;
+    };
+    Eight most[kAtOnce];
+    for (std::size_t k = 0; k < kAtOnce; ++k) most[k] = Eight(along(k, job.right[0], job.up[0]));
+    std::size_t i = 1;
+    for (; i + 8 <= job.count; i += 8) {
+      const Eight right = Eight::load(job.right + i), up = Eight::load(job.up + i);
+      for (std::size_t k = 0; k < kAtOnce; ++k) most[k] = max(along(k, right, up), most[k]);
+    }
+    for (std::size_t k = 0; k < kAtOnce; ++k) {
+      double lanes[8];
+      most[k].store(lanes);
+      for (std::size_t j = i; j < job.count; ++j) lanes[0] = max(along(k, job.right[j], job.up[j]), lanes[0]);
+      double farthest = lanes[0];
+      for (const double lane : lanes) farthest = max(lane, farthest);
+      job.reach[first + k] = farthest;
+    }
+  }
+}
+
+PHYSIM_ISA_END

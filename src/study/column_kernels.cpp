@@ -1,0 +1,41 @@
+#include "base/kernel_copies.hpp"
+#include "flight/kernels.hpp"
+#include "study/column_job.hpp"
+
+namespace physim {
+
+PHYSIM_KERNEL_COPIES(
+    void stretch_column(double offset, double factor, const double* from, double* into, std::size_t count);
+    void move_to_plane(const PlaneJob& job); void put_along(const AxisJob& job);
+    void put_lengths(const double* x, const double* y, const double* z, double* into, std::size_t count);
+    void put_distances(const double* right, const double* up, double from_right, double from_up, double* into,
+                       std::size_t count);
+    bool all_are_finite(const double* numbers, std::size_t count);
+    LeastAndMost least_and_most_of(const double* numbers, std::size_t count); void put_cells(const CellJob& job);
+    void put_spreads(const SpreadJob& job); void put_reach(ReachJob& job);)
+
+namespace {
+
+#define PHYSIM_COLUMN_KERNEL(isa)                                                                        \
+  {                                                                                                      \
+#isa, isa::stretch_column, isa::move_to_plane, isa::put_along, isa::put_lengths, isa::put_distances, \
+        isa::all_are_finite, isa::least_and_most_of, isa::put_cells, isa::put_spreads, isa::put_reach    \
+  }
+
+constexpr ColumnKernel kColumnKernels[] = {
+#if PHYSIM_HAVE_AVX512
+    PHYSIM_COLUMN_KERNEL(avx512),
+#endif
+#if PHYSIM_HAVE_AVX2
+    PHYSIM_COLUMN_KERNEL(avx2),
+#endif
+    PHYSIM_COLUMN_KERNEL(base),
+};
+
+#undef PHYSIM_COLUMN_KERNEL
+
+}  // namespace
+
+const ColumnKernel& column_kernel() { return copy_in_use(kColumnKernels); }
+
+}  // namespace physim
