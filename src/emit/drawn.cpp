@@ -39,7 +39,7 @@ EmitCurve::EmitCurve(const Curve& keys) {
   const auto add = [this](double start, const std::array<double, 4>& c, double end) {
     double before = 0;
     if (!pieces_.empty()) before = pieces_.back().before + integral_of(pieces_.back().c, start - pieces_.back().start);
-    pieces_.push_back({{start, c, std::min(c[0], end), std::max(c[0], end)}, before});
+    pieces_.push_back({start, c, std::min(c[0], end), std::max(c[0], end), before});
   };
   const auto held = [&](double start, double value) { add(start, {value, 0, 0, 0}, value); };
   if (x[0] > 0) held(0, y[0]), first_ = 1;
@@ -48,30 +48,30 @@ EmitCurve::EmitCurve(const Curve& keys) {
   PHYSIM_ASSERT(pieces_.front().start == 0);
 }
 
-const EmitCurve::Piece& EmitCurve::piece_at(double x) const {
+const CurvePiece& EmitCurve::piece_at(double x) const {
   PHYSIM_ASSERT(!pieces_.empty());
-  const auto next =
-      std::upper_bound(pieces_.begin() + 1, pieces_.end(), x, [](double at, const Piece& p) { return at < p.start; });
+  const auto next = std::upper_bound(pieces_.begin() + 1, pieces_.end(), x,
+                                     [](double at, const CurvePiece& p) { return at < p.start; });
   return *(next - 1);
 }
 
-double EmitCurve::value(double x) const { return value(piece_at(x), x); }
+double EmitCurve::value(double x) const { return curve_value(lanes_of<double>(piece_at(x)), x); }
 
 double EmitCurve::sum(double x) const {
-  const Piece& p = piece_at(x);
+  const CurvePiece& p = piece_at(x);
   return p.before + integral_of(p.c, x - p.start);
 }
 
 double EmitCurve::slope(double x) const {
   if (pieces_.empty()) return 0;
-  const Piece& p = piece_at(x);
+  const CurvePiece& p = piece_at(x);
   const double s = x - p.start;
   return p.c[1] + s * (2 * p.c[2] + s * (3 * p.c[3]));
 }
 
 std::vector<double> EmitCurve::knots() const {
   std::vector<double> starts;
-  for (const Piece& piece : pieces_) starts.push_back(piece.start);
+  for (const CurvePiece& piece : pieces_) starts.push_back(piece.start);
   return starts;
 }
 
@@ -104,7 +104,7 @@ std::uint32_t times(std::uint32_t a, std::uint32_t b) {
 EmitGradient::EmitGradient(const Gradient& keys) {
   if (keys.empty()) return;
   const auto add = [this](double start, double length, std::uint32_t from, std::uint32_t to) {
-    Piece piece{start, length, Rgba::of(from).part, Rgba::of(to).part};
+    GradientPiece piece{start, length, Rgba::of(from).part, Rgba::of(to).part};
     for (std::size_t k = 0; k < 4; ++k) piece.more[k] -= piece.colour[k];
     pieces_.push_back(piece);
   };

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
-#include "math/pack.hpp"
+#include "emit/drawn_lanes.hpp"
 #include "physim/emitter.hpp"
 
 namespace physim {
@@ -22,29 +22,6 @@ namespace physim {
 /// Several of a column at a time, or, where it is no multiple of them, each alone.
 template <std::size_t N>
 using WideOf = std::conditional_t<N % 4 != 0, double, Pack<double, 4>>;
-template <class R>
-PHYSIM_INLINE R wide_at(const double* from) {
-  if constexpr (kLanes<R> == 1)
-    return *from;
-  else
-    return R::load(from);
-}
-template <class R>
-PHYSIM_INLINE void put_wide(const R& x, double* to) {
-  if constexpr (kLanes<R> == 1)
-    *to = x;
-  else
-    x.store(to);
-}
-
-/// Which piece each lies on, of pieces in order that begin at `start`: counted, so that no branch has to be guessed.
-template <class R, class Piece>
-std::array<std::size_t, kLanes<R>> counted(const std::vector<Piece>& pieces, const R& x) {
-  std::array<std::size_t, kLanes<R>> at{};
-  for (std::size_t k = 1; k < pieces.size(); ++k)
-    for (int i = 0; i < kLanes<R>; ++i) at[i] += lane_of(x, i) < pieces[k].start ? 0 : 1;
-  return at;
-}
 
 /// A curve over 0..1; 1 where it has no keys.
 class EmitCurve {
@@ -64,66 +41,21 @@ class EmitCurve {
   /// Where its pieces begin.
   [[nodiscard]] std::vector<double> knots() const;
 
+  [[nodiscard]] CurvePieces pieces() const { return {pieces_.data(), pieces_.size(), first_}; }
+
  private:
-  /// A piece, or one for each lane.
-  template <class R>
-  struct PieceOf {
-    R start;
-    std::array<R, 4> c;
-    R low, high;  // its ends, between which it stays: rounding would not
-  };
-  struct Piece : PieceOf<double> {
-    double before;  // the integral from 0 to its start
-  };
-  [[nodiscard]] const Piece& piece_at(double x) const;
-  template <class R>
-  [[nodiscard]] PHYSIM_INLINE static R value(const PieceOf<R>& p, const R& x) {
-    const R s = x - p.start;
-    return min(p.high, max(p.low, p.c[0] + s * (p.c[1] + s * (p.c[2] + s * p.c[3]))));
-  }
+  [[nodiscard]] const CurvePiece& piece_at(double x) const;
   [[nodiscard]] double value(double x) const;
   [[nodiscard]] double sum(double x) const;
-  template <class R>
-  [[nodiscard]] PieceOf<R> pieces_at(const R& x) const;
 
-  std::vector<Piece> pieces_;  // in order; the first starts at 0, the last one goes on for ever
-  std::size_t first_ = 0;      // that is not held, as the last one always is
+  std::vector<CurvePiece> pieces_;  // as CurvePieces has them
+  std::size_t first_ = 0;           // likewise
 };
-
-template <class R>
-EmitCurve::PieceOf<R> EmitCurve::pieces_at(const R& x) const {
-  const auto at = counted(pieces_, x);
-  PieceOf<R> all{};
-  for (int i = 0; i < kLanes<R>; ++i) {
-    const Piece& p = pieces_[at[i]];
-    set_lane(all.start, i, p.start), set_lane(all.low, i, p.low), set_lane(all.high, i, p.high);
-    for (int k = 0; k < 4; ++k) set_lane(all.c[k], i, p.c[k]);
-  }
-  return all;
-}
 
 template <std::size_t N>
 void EmitCurve::at_each(const std::array<double, N>& x, std::array<double, N>& y) const {
   if (pieces_.empty()) return y.fill(1);
-  using R = WideOf<N>;
-  constexpr auto kWide = static_cast<std::size_t>(kLanes<R>);
-  if (first_ + 2 != pieces_.size()) {
-    for (std::size_t i = 0; i < N; i += kWide) {
-      const R at = wide_at<R>(&x[i]);
-      put_wide(value(pieces_at(at), at), &y[i]);
-    }
-    return;
-  }
-  // Between two keys there is one piece, and what is held before and behind.
-  const Piece &p = pieces_[first_], &last = pieces_.back();
-  const PieceOf<R> all{p.start, {p.c[0], p.c[1], p.c[2], p.c[3]}, p.low, p.high};
-  const R before(value(pieces_[0], 0.0)), behind(value(last, last.start));
-  for (std::size_t i = 0; i < N; i += kWide) {
-    const R at = wide_at<R>(&x[i]);
-    R here = select(at < R(last.start), value(all, at), behind);
-    if (first_ > 0) here = select(at < R(p.start), before, here);
-    put_wide(here, &y[i]);
-  }
+  put_curve<WideOf<N>>(pieces(), x.data(), y.data(), N);
 }
 
 /// A number that is drawn. What wants `draw` calls it for u where it is needed, and not otherwise.
@@ -134,6 +66,8 @@ class EmitNumber {
   [[nodiscard]] bool is_constant() const { return !drawn_ && curve_.is_one(); }
   [[nodiscard]] bool is(double constant) const { return is_constant() && value_ == constant; }
   [[nodiscard]] bool is_drawn() const { return drawn_; }
+  /// Whether it is another one at other places.
+  [[nodiscard]] bool follows() const { return !curve_.is_one() || !to_curve_.is_one(); }
   [[nodiscard]] const EmitCurve& curve() const { return curve_; }
   [[nodiscard]] const EmitCurve& to_curve() const { return to_curve_; }
 
@@ -155,6 +89,11 @@ class EmitNumber {
     to_curve_.at_each(x, b);
     const std::array<double, N>& u = std::forward<DrawU>(draw)();
     for (std::size_t i = 0; i < N; ++i) y[i] = between(y[i], to_ * b[i], u[i]);
+  }
+  /// Numbers at the places `x` of a column to `y`, made of the words that were drawn where some are.
+  [[nodiscard]] NumberJob job(const double* x, const std::uint32_t* words, double* y) const {
+    PHYSIM_ASSERT((words != nullptr) == drawn_);
+    return {value_, to_, curve_.pieces(), to_curve_.pieces(), x, words, y};
   }
   template <class DrawU>
   [[nodiscard]] double integral(double x, DrawU&& draw) const {
@@ -221,6 +160,10 @@ struct Rgba {
 template <std::size_t N>
 using RgbaColumns = std::array<std::array<double, N>, 4>;
 template <std::size_t N>
+[[nodiscard]] ColourColumns columns_of(RgbaColumns<N>& colour) {
+  return {{colour[0].data(), colour[1].data(), colour[2].data(), colour[3].data()}};
+}
+template <std::size_t N>
 void multiply(RgbaColumns<N>& a, const RgbaColumns<N>& b) {
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t i = 0; i < N; ++i) a[k][i] = a[k][i] * b[k][i] / 255;
@@ -248,57 +191,25 @@ class EmitGradient {
     at_each<1>({x}, one);
     return {{one[0][0], one[1][0], one[2][0], one[3][0]}};
   }
+  /// Columns go through a kernel.
   template <std::size_t N>
-  void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour) const;
+  void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, const ColumnKernel* kernel = nullptr) const;
+
+  [[nodiscard]] GradientPieces pieces() const { return {pieces_.data(), pieces_.size()}; }
 
  private:
-  /// From a key to the next one: colour + (x - start) / length more.
-  template <class R>
-  struct PieceOf {
-    R start, length;
-    std::array<R, 4> colour, more;
-  };
-  using Piece = PieceOf<double>;
-  template <class R>
-  [[nodiscard]] PieceOf<R> pieces_at(const R& x) const;
-
-  std::vector<Piece> pieces_;  // in order; the first before all keys, the last one behind
+  std::vector<GradientPiece> pieces_;  // as GradientPieces has them
 };
 
-template <class R>
-EmitGradient::PieceOf<R> EmitGradient::pieces_at(const R& x) const {
-  const auto at = counted(pieces_, x);
-  PieceOf<R> all{};
-  for (int i = 0; i < kLanes<R>; ++i) {
-    const Piece& p = pieces_[at[i]];
-    set_lane(all.start, i, p.start), set_lane(all.length, i, p.length);
-    for (int k = 0; k < 4; ++k) set_lane(all.colour[k], i, p.colour[k]), set_lane(all.more[k], i, p.more[k]);
-  }
-  return all;
-}
-
 template <std::size_t N>
-void EmitGradient::at_each(const std::array<double, N>& x, RgbaColumns<N>& colour) const {
+void EmitGradient::at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, const ColumnKernel* kernel) const {
   if (pieces_.empty()) {
     for (auto& part : colour) part.fill(255);
     return;
   }
-  using R = WideOf<N>;
-  constexpr auto kWide = static_cast<std::size_t>(kLanes<R>);
-  const bool two_keys = pieces_.size() == 3;
-  const Piece &p = pieces_[1], &last = pieces_.back();
-  for (std::size_t i = 0; i < N; i += kWide) {
-    const R at = wide_at<R>(&x[i]);
-    if (two_keys) {
-      R u = (at - R(p.start)) / R(p.length);
-      u = select(at < R(p.start), R(0.0), select(at < R(last.start), u, R(1.0)));
-      for (int k = 0; k < 4; ++k) put_wide(R(p.colour[k]) + u * R(p.more[k]), &colour[k][i]);
-    } else {
-      const PieceOf<R> each = pieces_at(at);
-      const R u = (at - each.start) / each.length;
-      for (int k = 0; k < 4; ++k) put_wide(each.colour[k] + u * each.more[k], &colour[k][i]);
-    }
-  }
+  if constexpr (N == kColumn)
+    if (kernel != nullptr) return kernel->gradient(pieces(), x.data(), columns_of(colour));
+  put_gradient<WideOf<N>>(pieces(), x.data(), columns_of(colour), N);
 }
 
 /// A colour that is drawn.
@@ -308,19 +219,22 @@ class EmitColour {
 
   [[nodiscard]] bool is_drawn() const { return drawn_; }
   [[nodiscard]] bool is_white() const { return !drawn_ && gradient_.is_white() && colour_.is_white(); }
+  /// Whether it is another one at other places.
+  [[nodiscard]] bool follows() const { return !gradient_.is_white() || !to_gradient_.is_white(); }
   template <class DrawU>
   [[nodiscard]] Rgba at(double x, DrawU&& draw) const {
     RgbaColumns<1> one;
     at_each<1>({x}, one, [&draw] { return std::array<double, 1>{draw()}; });
     return {{one[0][0], one[1][0], one[2][0], one[3][0]}};
   }
-  /// Many colours at a time; `draw` gives all of their u.
+  /// Many colours at a time; `draw` gives all of their u. Gradients of columns go through a kernel.
   template <std::size_t N, class DrawU>
-  void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, DrawU&& draw) const {
-    put(colour_, gradient_, x, colour);
+  void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, DrawU&& draw,
+               const ColumnKernel* kernel = nullptr) const {
+    put(colour_, gradient_, x, colour, kernel);
     if (!drawn_) return;
     RgbaColumns<N> to;
-    put(to_, to_gradient_, x, to);
+    put(to_, to_gradient_, x, to, kernel);
     const auto& u = std::forward<DrawU>(draw)();
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t i = 0; i < N; ++i) {
@@ -333,8 +247,8 @@ class EmitColour {
   /// A colour times a gradient.
   template <std::size_t N>
   static void put(const Rgba& plain, const EmitGradient& gradient, const std::array<double, N>& x,
-                  RgbaColumns<N>& colour) {
-    if (!gradient.is_white()) gradient.at_each(x, colour);
+                  RgbaColumns<N>& colour, const ColumnKernel* kernel) {
+    if (!gradient.is_white()) gradient.at_each(x, colour, kernel);
     if (!gradient.is_white() && plain.is_white()) return;  // a product with white is the other factor
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t i = 0; i < N; ++i)

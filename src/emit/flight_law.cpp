@@ -55,32 +55,30 @@ bool FlightLaw::is_drag_by_age() const {
 }
 
 template <std::size_t N>
-void FlightLaw::accelerate(const FlightPack<N>& p, typename FlightPack<N>::Vectors& sum) const {
+void FlightLaw::accelerate(const FlightPack<N>& p, const ColumnKernel* kernel,
+                           typename FlightPack<N>::Vectors& sum) const {
   typename FlightPack<N>::Column x, speed{}, k;
   typename FlightPack<N>::Vectors a{};  // apart from what is read: compilers see that nothing overlaps
   for (std::size_t i = 0; i < N; ++i) x[i] = part_of_life(p.time[i], p.birth[i], p.span[i]);
   const bool reads_speed = fast_ > 0 || !limit_.is(kInfinity);
   for (std::size_t i = 0; i < N && reads_speed; ++i)
     speed[i] = std::sqrt(p.v[0][i] * p.v[0][i] + p.v[1][i] * p.v[1][i] + p.v[2][i] * p.v[2][i]);
-  PackChance<FlightDraw, EmitStream::flight, N> chance(seed_, p.number);
-  const auto drawn = [&chance](FlightDraw what) {
-    return [&chance, what ]() -> const auto& { return chance(what); };
-  };
+  PackChance<FlightDraw, EmitStream::flight, N> chance(seed_, p.number, kernel);
   if (!drag_.is(0)) {
-    drag_.at_each(x, k, drawn(FlightDraw::drag));
+    draw_each(drag_, x, k, chance, FlightDraw::drag);
     if (fast_ > 0)
       for (std::size_t i = 0; i < N; ++i) k[i] *= drag_by_speed_(std::min(speed[i] / fast_, 1.0));
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < N; ++i) a[axis][i] -= p.v[axis][i] * k[i];
   }
   if (!limit_.is(kInfinity)) {
-    limit_.at_each(x, k, drawn(FlightDraw::limit));
+    draw_each(limit_, x, k, chance, FlightDraw::limit);
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < N; ++i)
         if (speed[i] > k[i]) a[axis][i] -= p.v[axis][i] * (limit_rate_ * (1 - k[i] / speed[i]));
   }
   if (scales_gravity()) {
-    gravity_.at_each(x, k, drawn(FlightDraw::gravity));
+    draw_each(gravity_, x, k, chance, FlightDraw::gravity);
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < N; ++i) a[axis][i] += p.gravity[axis][i] * (k[i] - 1);
   }
@@ -88,12 +86,12 @@ void FlightLaw::accelerate(const FlightPack<N>& p, typename FlightPack<N>::Vecto
     constexpr FlightDraw kDraws[] = {FlightDraw::force_x, FlightDraw::force_y, FlightDraw::force_z};
     const EmitNumber* const forces[] = {&force_.x, &force_.y, &force_.z};
     for (int axis = 0; axis < 3; ++axis) {
-      forces[axis]->at_each(x, k, drawn(kDraws[axis]));
+      draw_each(*forces[axis], x, k, chance, kDraws[axis]);
       for (std::size_t i = 0; i < N; ++i) a[axis][i] += k[i] * (1 / p.mass[i]);
     }
   }
   if (swirls_) {
-    noise_.at_each(x, k, drawn(FlightDraw::noise));
+    draw_each(noise_, x, k, chance, FlightDraw::noise);
     for (std::size_t i = 0; i < N; ++i) {
       const Vec3d swirl = swirls_->at({p.x[0][i], p.x[1][i], p.x[2][i]}, p.time[i]) * k[i];
       a[0][i] += swirl.x, a[1][i] += swirl.y, a[2][i] += swirl.z;
@@ -103,19 +101,19 @@ void FlightLaw::accelerate(const FlightPack<N>& p, typename FlightPack<N>::Vecto
 }
 
 void FlightLaw::accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const {
-  accelerate(pack, a);
+  accelerate(pack, &column_kernel(), a);
 }
 
-void FlightLaw::drag_rates(const std::uint64_t* number, const double* birth, const double* span, double time,
-                           std::array<double, kPack>& rate) const {
+void FlightLaw::drag_rates(const ColumnKernel& kernel, const std::uint64_t* number, const double* birth,
+                           const double* span, double time, std::array<double, kPack>& rate) const {
   PHYSIM_ASSERT(is_drag_by_age());
   std::array<double, kPack> x;
-  for (std::size_t i = 0; i < kPack; ++i) x[i] = part_of_life(time, birth[i], span[i]);
+  kernel.part_of_life(time, birth, span, x.data());
+  if (!drag_.is_drawn()) return kernel.number(drag_.job(x.data(), nullptr, rate.data()));
   std::array<std::uint64_t, kPack> numbers;
   std::copy_n(number, kPack, numbers.begin());
-  PackChance<FlightDraw, EmitStream::flight, kPack> chance(seed_, numbers);
-  drag_.at_each(
-      x, rate, [&chance]() -> const auto& { return chance(FlightDraw::drag); });
+  PackChance<FlightDraw, EmitStream::flight, kPack> chance(seed_, numbers, &kernel);
+  draw_each(drag_, x, rate, chance, FlightDraw::drag);
 }
 
 Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const FlightState& s) const {
@@ -124,7 +122,7 @@ Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const Fligh
   const FlightPack<1> pack{{particle.number}, {particle.birth}, {particle.span},  {time},
                            alone(s.x),        alone(s.v),       alone(s.gravity), {s.mass}};
   FlightPack<1>::Vectors a;
-  accelerate(pack, a);
+  accelerate(pack, nullptr, a);
   return {a[0][0], a[1][0], a[2][0]};
 }
 

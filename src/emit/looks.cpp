@@ -11,7 +11,8 @@ namespace physim {
 template <std::size_t N>
 class Looks::Look {
  public:
-  Look(const Emission::Parts& parts, LookPack<N>& pack) : p_(parts), pack_(pack), chance_(parts.seed, pack.number) {
+  Look(const Emission::Parts& parts, const ColumnKernel& kernel, LookPack<N>& pack)
+      : p_(parts), pack_(pack), chance_(parts.seed, pack.number, N == kColumn ? &kernel : nullptr) {
     const double fast = p_.def.life.fast;
     for (std::size_t i = 0; i < N; ++i) {
       PHYSIM_ASSERT(pack.lifetime[i] > 0 && pack.age[i] >= 0 && pack.speed[i] >= 0);
@@ -24,14 +25,14 @@ class Looks::Look {
   void put_size() {
     Column& size = pack_.size[0];
     Column factor;
-    p_.start.size.at_each(pack_.phase, size, drawn(Draw::size));
-    p_.life.size.at_each(x_, factor, drawn(Draw::life_size));
+    put(p_.start.size, pack_.phase, size, Draw::size);
+    put(p_.life.size, x_, factor, Draw::life_size);
     for (std::size_t i = 0; i < N; ++i) size[i] = size[i] * factor[i];
     if (p_.def.life.fast > 0)
       for (std::size_t i = 0; i < N; ++i) size[i] *= p_.life.size_by_speed(hurry_[i]);
     const auto put_side = [&](const EmitNumber& of, Draw what, Column& to) {
       if (of.is(1)) return void(to = size);
-      of.at_each(pack_.phase, factor, drawn(what));
+      put(of, pack_.phase, factor, what);
       for (std::size_t i = 0; i < N; ++i) to[i] = size[i] * factor[i];
     };
     put_side(p_.start.size_y, Draw::size_y, pack_.size[1]);
@@ -40,14 +41,14 @@ class Looks::Look {
   /// A particle has turned since its birth by what the curve over its span says.
   void put_rotation() {
     auto& [about, y, z] = pack_.rotation;
-    p_.start.rotation.at_each(pack_.phase, about, drawn(Draw::rotation));
+    put(p_.start.rotation, pack_.phase, about, Draw::rotation);
     const EmitNumber& turn = p_.life.turn;
     Column u{};
     if (turn.is_drawn()) u = chance_(Draw::life_turn);
     for (std::size_t i = 0; i < N; ++i)
       about[i] = about[i] + span_[i] * turn.integral(pack_.age[i] / span_[i], [&u, i] { return u[i]; });
-    p_.start.rotation_y.at_each(pack_.phase, y, drawn(Draw::rotation_y));
-    p_.start.rotation_z.at_each(pack_.phase, z, drawn(Draw::rotation_z));
+    put(p_.start.rotation_y, pack_.phase, y, Draw::rotation_y);
+    put(p_.start.rotation_z, pack_.phase, z, Draw::rotation_z);
     const double flipped = p_.def.start.flipped;
     if (!(flipped > 0)) return;
     const Column& flips = chance_(Draw::flipped);
@@ -59,20 +60,24 @@ class Looks::Look {
     const bool by_speed = p_.def.life.fast > 0 && !p_.life.colour_by_speed.is_white();
     if (born.is_white() && life.is_white() && !by_speed) return pack_.colour.fill(0xffffffff);
     RgbaColumns<N> colour, factor;
-    life.at_each(x_, colour, drawn(Draw::life_colour));
+    life.at_each(x_, colour, drawn(Draw::life_colour), chance_.kernel());
     if (!born.is_white()) {
-      born.at_each(pack_.phase, factor, drawn(Draw::colour));
+      born.at_each(pack_.phase, factor, drawn(Draw::colour), chance_.kernel());
       multiply(colour, factor);
     }
     if (by_speed) {
-      p_.life.colour_by_speed.at_each(hurry_, factor);
+      p_.life.colour_by_speed.at_each(hurry_, factor, chance_.kernel());
       multiply(colour, factor);
     }
-    pack_each(colour, pack_.colour);
+    if constexpr (N == kColumn)
+      chance_.kernel()->pack_colours(columns_of(colour), pack_.colour.data());
+    else
+      pack_each(colour, pack_.colour);
   }
 
  private:
   using Column = typename LookPack<N>::Column;
+  void put(const EmitNumber& of, const Column& x, Column& y, Draw what) { draw_each(of, x, y, chance_, what); }
   /// Numbers of the particles' own, drawn only where they are asked for.
   [[nodiscard]] auto drawn(Draw what) {
     return [this, what]() -> const Column& { return chance_(what); };
@@ -84,9 +89,16 @@ class Looks::Look {
   Column span_, x_, hurry_;
 };
 
+bool Looks::read_phase() const {
+  const EmitStart& start = parts_.start;
+  const EmitNumber* const numbers[] = {&start.size,     &start.size_y,     &start.size_z,
+                                       &start.rotation, &start.rotation_y, &start.rotation_z};
+  return start.colour.follows() || std::ranges::any_of(numbers, [](const EmitNumber* of) { return of->follows(); });
+}
+
 template <std::size_t N>
 void Looks::put(LookPack<N>& pack, const LookParts& wanted) const {
-  Look<N> look(parts_, pack);
+  Look<N> look(parts_, kernel_, pack);
   if (wanted.size) look.put_size();
   if (wanted.rotation) look.put_rotation();
   if (wanted.colour) look.put_colour();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "emit/column_job.hpp"
 #include "emit/emission.hpp"
 
 namespace physim {
@@ -25,18 +26,21 @@ struct LookParts {
 
 class Looks {
  public:
-  static constexpr std::size_t kPack = 32;
+  static constexpr std::size_t kPack = kColumn;
 
-  explicit Looks(const Emission& emission) : parts_(*emission.parts_) {}
+  explicit Looks(const Emission& emission) : parts_(*emission.parts_), kernel_(column_kernel()) {}
 
   template <std::size_t N>
   void put(LookPack<N>& pack, const LookParts& wanted) const;  // of 1 or kPack
+  /// Whether they depend on LookPack::phase.
+  [[nodiscard]] bool read_phase() const;
 
  private:
   template <std::size_t N>
   class Look;
 
   const Emission::Parts& parts_;
+  const ColumnKernel& kernel_;
 };
 
 }  // namespace physim

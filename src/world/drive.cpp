@@ -7,7 +7,7 @@
 
 namespace physim {
 
-InFlight in_flight(const Particle& particle, double birth) {
+InFlight in_flight(const ParticleSpan& particle, double birth) {
   const double lifetime = particle.dies - birth;
   PHYSIM_ASSERT(lifetime > 0);
   return {particle.number, birth, lifetime < kInfinity ? lifetime : 1};
@@ -16,7 +16,7 @@ InFlight in_flight(const Particle& particle, double birth) {
 void Drive::find(const Registry& registry, const WorldState& state, std::uint32_t index) {
   law_ = state.emitters.law_of(index);
   if (!law_) return;
-  particle_ = in_flight(*state.emitters.particle(index), state.slots.birth(index));
+  particle_ = in_flight(state.emitters.span(index), state.slots.birth(index));
   const Slot& slot = state.slots[index];
   if (law_->has_force()) mass_ = mass_of(registry, state, slot);
   if (!law_->scales_gravity()) return;

@@ -7,7 +7,7 @@
 namespace physim {
 
 /// A particle, as what acts on its flight asks.
-[[nodiscard]] InFlight in_flight(const Particle& particle, double birth);
+[[nodiscard]] InFlight in_flight(const ParticleSpan& particle, double birth);
 
 class Drive {
  public:

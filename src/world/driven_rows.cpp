@@ -10,6 +10,8 @@ namespace {
 
 using Column = FlightPack<DrivenBlock::kMost>::Column;
 
+constexpr std::size_t kAhead = 16;  // slots that are fetched before they are read
+
 Column gathered(const Column& column, std::span<const std::uint8_t, DrivenBlock::kMost> lanes) {
   Column to;
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = column[lanes[i]];
@@ -39,9 +41,8 @@ void DrivenRows::Columns::look_up(const WorldState& state, std::uint32_t row, st
   slot[row] = index;
   emitter[row] = 0;
   if (!state.emitters.law_of(index)) return;
-  const Particle& of = *state.emitters.particle(index);
-  const InFlight particle = in_flight(of, state.slots.birth(index));
-  emitter[row] = of.emitter;
+  const InFlight particle = in_flight(state.emitters.span(index), state.slots.birth(index));
+  emitter[row] = state.emitters.emitter_of(index);
   number[row] = particle.number, birth[row] = particle.birth, span[row] = particle.span;
 }
 
@@ -54,10 +55,28 @@ void DrivenRows::find(const Registry& registry, WorldState& state) {
     known.resize(rows.size());  // who comes back later into a row that was taken away is looked up again
     if (rows.size() == 0) continue;
     const std::uint32_t *const slots = rows.slots(), *const seen = known.slot.data();
-    for (std::uint32_t row = 0; row < rows.size(); ++row)
-      if (seen[row] != slots[row]) known.look_up(state, row, slots[row]);
+    // What is kept of slots lies all over the memory: it is fetched for some rows, then read.
+    std::array<std::uint32_t, kAhead> stale;
+    std::size_t found = 0;
+    const auto look_up = [&] {
+      for (std::size_t i = 0; i < found; ++i) known.look_up(state, stale[i], slots[stale[i]]);
+      found = 0;
+    };
+    for (std::uint32_t row = 0; row < rows.size(); ++row) {
+      if (seen[row] == slots[row]) continue;
+      state.emitters.prefetch(slots[row]), state.slots.prefetch_birth(slots[row]);
+      stale[found++] = row;
+      if (found == kAhead) look_up();
+    }
+    look_up();
   }
-  for (const std::uint32_t index : state.emitters.take_changed()) {
+  const std::vector<std::uint32_t> changed = state.emitters.take_changed();
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    const std::uint32_t index = changed[i];
+    if (i + kAhead < changed.size()) {
+      state.slots.prefetch(changed[i + kAhead]), state.slots.prefetch_birth(changed[i + kAhead]);
+      state.emitters.prefetch(changed[i + kAhead]);
+    }
     const Slot& slot = state.slots[index];
     if (!slot.is(kAlive) || !registry.cohort(slot.cohort).key.forced) continue;
     cohorts_[slot.cohort].look_up(state, slot.row, index);
@@ -81,8 +100,8 @@ void DrivenRows::each_law(const WorldState& state, const Columns& rows, std::uin
   }
 }
 
-void DrivenRows::rates(const WorldState& state, std::uint16_t cohort, std::uint32_t first, double time,
-                       std::array<double, DrivenBlock::kMost>& rate) const {
+void DrivenRows::rates(const ColumnKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
+                       double time, std::array<double, DrivenBlock::kMost>& rate) const {
   constexpr std::size_t kMost = DrivenBlock::kMost;
   const Columns& rows = cohorts_[cohort];
   PHYSIM_ASSERT(first % kMost == 0 && first + kMost <= rows.slot.size());
@@ -90,7 +109,7 @@ void DrivenRows::rates(const WorldState& state, std::uint16_t cohort, std::uint3
   std::uint32_t others = 0;
   for (std::size_t i = 0; i < kMost; ++i) others |= emitter[i] ^ emitter[0];
   if (others == 0 && emitter[0] != 0)
-    return state.emitters[emitter[0]].emission->flight().drag_rates(&rows.number[first], &rows.birth[first],
+    return state.emitters[emitter[0]].emission->flight().drag_rates(kernel, &rows.number[first], &rows.birth[first],
                                                                     &rows.span[first], time, rate);
   rate.fill(0);
   each_law(state, rows, first, kMost, [&](const FlightLaw& law, const Lanes& lanes, std::size_t count) {
@@ -100,7 +119,7 @@ void DrivenRows::rates(const WorldState& state, std::uint16_t cohort, std::uint3
       const std::size_t row = first + lanes[i];
       number[i] = rows.number[row], birth[i] = rows.birth[row], span[i] = rows.span[row];
     }
-    law.drag_rates(number.data(), birth.data(), span.data(), time, theirs);
+    law.drag_rates(kernel, number.data(), birth.data(), span.data(), time, theirs);
     for (std::size_t i = 0; i < count; ++i) rate[lanes[i]] = theirs[i];
   });
 }

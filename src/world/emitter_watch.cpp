@@ -120,8 +120,13 @@ void EmitterWatch::end_lives() {
   s_.dying.clear(), s_.ends.clear();
   while (const auto due = all_.lives.take(end_, w_.state.slots))
     s_.dying.push_back(due->id), s_.ends.push_back(due->time);
+  constexpr std::size_t kAhead = 8;
   for (std::size_t i = 0; i < s_.dying.size(); ++i) {
     w_.prefetch(s_.dying, i);  // they lie all over the memory
+    if (i + kAhead < s_.dying.size()) {
+      all_.prefetch(s_.dying[i + kAhead].index);
+      w_.state.slots.prefetch_birth(s_.dying[i + kAhead].index);
+    }
     if (w_.find(s_.dying[i])) end_life(s_.dying[i].index, std::nullopt, s_.ends[i]);
   }
 }

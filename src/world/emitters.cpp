@@ -50,12 +50,15 @@ void Emitters::join(ProjectileId id, const Particle& particle, double birth, dou
 void Emitters::resume(ProjectileId id, const Particle& particle) {
   if (particles_.size() <= id.index) {
     particles_.resize(std::max<std::size_t>(id.index + 1, particles_.size() * 2));
+    spans_.resize(particles_.size());
     emitter_of_.resize(particles_.size());
   }
   particles_[id.index] = particle;
+  spans_[id.index] = {particle.number, particle.dies};
   emitter_of_[id.index] = particle.emitter;
   Emitter& emitter = (*this)[particle.emitter];
   if (emitter.drives) note_change(id.index);
+  emitter.bequeaths = emitter.bequeaths || particle.size != 1 || particle.colour != 0xffffffff;
   ++emitter.counts.alive;
   if (emitter.def().when_full != WhenFull::replace_oldest) return;
   emitter.by_age.push_back({id, particle.number});
@@ -99,7 +102,7 @@ ProjectileId Emitters::oldest(std::uint32_t index) {
 }
 
 std::size_t Emitters::bytes() const {
-  std::size_t sum = particles_.capacity() * (sizeof(Particle) + sizeof(std::uint32_t)) +
+  std::size_t sum = particles_.capacity() * (sizeof(Particle) + sizeof(ParticleSpan) + sizeof(std::uint32_t)) +
                     all_.capacity() * sizeof(Emitter) + lives.bytes() + ages.bytes() +
                     (free_.capacity() + changed_.capacity()) * sizeof(std::uint32_t);
   for (const Emitter& emitter : all_)

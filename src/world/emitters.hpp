@@ -31,6 +31,12 @@ struct Particle {
   std::uint32_t depth = 0;            // births at its own moment that led to it
 };
 
+/// What is read of every particle that is shown or driven, apart from all else that is kept of it: few bytes.
+struct ParticleSpan {
+  std::uint64_t number = 0;  // as Particle has it
+  double dies = 0;           // likewise [s]
+};
+
 /// Why a particle went, as EmitterCounts has it.
 using EmitterCount = std::uint64_t EmitterCounts::*;
 
@@ -78,6 +84,7 @@ struct Emitter {
   std::shared_ptr<const Odometer> odometer;   // along the path; null: distances do not count
   std::uint64_t hash = 0;                     // of definition and seed
   bool drives = false;                        // acts on the flight of its particles
+  bool bequeaths = false;                     // some of its particles inherited a size or a colour
   bool plays = false;
   double began = 0;  // to play [s]
   TimelineState timeline;
@@ -145,10 +152,26 @@ class Emitters {
   [[nodiscard]] const Particle* particle(std::uint32_t slot) const {
     return const_cast<Emitters*>(this)->particle(slot);
   }
+  /// Who fired the particle of a slot; 0: nobody.
+  [[nodiscard]] std::uint32_t emitter_of(std::uint32_t slot) const {
+    return slot < emitter_of_.size() ? emitter_of_[slot] : 0;
+  }
+  /// Of a slot with a particle.
+  [[nodiscard]] const ParticleSpan& span(std::uint32_t slot) const {
+    PHYSIM_ASSERT(emitter_of_[slot] != 0 && spans_[slot].number == particles_[slot].number);
+    return spans_[slot];
+  }
+  /// Before what is kept of a slot's particle is read: such slots lie all over the memory.
+  void prefetch(std::uint32_t slot) const {
+    if (slot >= emitter_of_.size()) return;
+    __builtin_prefetch(&emitter_of_[slot]);
+    __builtin_prefetch(&spans_[slot]);
+    __builtin_prefetch(&particles_[slot]);
+  }
   /// What acts on the flight of a slot's particle; null: nothing of its emitter.
   [[nodiscard]] const FlightLaw* law_of(std::uint32_t slot) const {
-    const Particle* its = particle(slot);
-    return its && (*this)[its->emitter].drives ? &(*this)[its->emitter].emission->flight() : nullptr;
+    const std::uint32_t emitter = emitter_of(slot);
+    return emitter != 0 && (*this)[emitter].drives ? &(*this)[emitter].emission->flight() : nullptr;
   }
   /// Whether there is anybody whose flight an emitter acts on.
   [[nodiscard]] bool drive_any() const {
@@ -200,6 +223,7 @@ class Emitters {
   std::uint64_t added_ = 0;
   std::vector<std::uint32_t> free_;
   std::vector<Particle> particles_;        // by slot
+  std::vector<ParticleSpan> spans_;        // likewise
   std::vector<std::uint32_t> emitter_of_;  // likewise, for searches: 0 where nobody fired it
   std::vector<std::uint32_t> changed_;     // slots
 };

@@ -110,6 +110,9 @@ class SlotTable {
   void prefetch(std::uint32_t index) const {
     if (index < slots_.size()) __builtin_prefetch(&slots_[index]);
   }
+  void prefetch_birth(std::uint32_t index) const {
+    if (index < birth_.size()) __builtin_prefetch(&birth_[index]);
+  }
 
   /// Calls f with the index of every slot that is alive, in order.
   template <class F>

@@ -19,13 +19,15 @@ class ParticleReader {
         into_(into),
         wanted_{!into.size.empty(), !into.rotation.empty(), !into.colour.empty()},
         looks_(wanted_.size || wanted_.rotation || wanted_.colour),
-        speeds_(looks_ && emitter_.def().life.fast > 0) {}
+        speeds_(looks_ && emitter_.def().life.fast > 0),
+        ages_(looks_ || !into.age.empty()),
+        show_(*emitter_.emission),
+        phases_(looks_ && show_.read_phase()) {}
 
   std::size_t read() {
-    state_.emitters.each_particle_of(index_, [this](std::uint32_t slot, const Particle& particle) {
+    state_.emitters.each_particle_of(index_, [this](std::uint32_t slot, const Particle&) {
       prefetch(slot + kAhead);
       slot_[noted_] = slot;
-      particle_[noted_] = &particle;
       if (++noted_ == kPack) put();
     });
     if (noted_ > 0) put();
@@ -49,7 +51,7 @@ class ParticleReader {
   /// Rows lie in another order than slots: those of the next particles are fetched while this one is worked on.
   static constexpr std::uint32_t kAhead = kPack;
   void prefetch(std::uint32_t index) const {
-    if (!state_.emitters.particle(index)) return;
+    if (state_.emitters.emitter_of(index) == 0) return;
     const Slot& slot = state_.slots[index];
     state_.rows_of(slot).read_fixed([&](const auto& c) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -66,7 +68,10 @@ class ParticleReader {
     for (std::size_t i = 0; i < noted_; ++i) {
       const Slot& slot = state_.slots[slot_[i]];
       cohort_[i] = slot.cohort, row_[i] = slot.row;
-      pack_.age[i] = std::max(state_.clock.time() - state_.slots.birth(slot_[i]), 0.0);
+    }
+    for (std::size_t i = 0; i < noted_ && ages_; ++i) {
+      birth_[i] = state_.slots.birth(slot_[i]);
+      pack_.age[i] = std::max(state_.clock.time() - birth_[i], 0.0);
     }
     for (std::size_t first = 0; first < noted_;) {
       std::size_t last = first + 1;
@@ -76,7 +81,7 @@ class ParticleReader {
     }
     each_in(into_.id, [this](std::size_t i) { return state_.slots.id_of(slot_[i]); });
     each_in(into_.age, [this](std::size_t i) { return pack_.age[i]; });
-    each_in(into_.number, [this](std::size_t i) { return particle_[i]->number; });
+    each_in(into_.number, [this](std::size_t i) { return state_.emitters.span(slot_[i]).number; });
     if (looks_) put_looks();
     count_ += noted_;
     noted_ = 0;
@@ -97,35 +102,41 @@ class ParticleReader {
   void put_looks() {
     for (std::size_t i = 0; i < kPack; ++i) {  // lanes behind the last one repeat it
       const std::size_t lane = std::min(i, noted_ - 1);
-      const Particle& particle = *particle_[lane];
-      pack_.number[i] = particle.number;
-      pack_.phase[i] = particle.phase;
-      pack_.lifetime[i] = particle.dies - state_.slots.birth(slot_[lane]);
+      const ParticleSpan& span = state_.emitters.span(slot_[lane]);
+      pack_.number[i] = span.number;
+      pack_.lifetime[i] = span.dies - birth_[lane];
       pack_.age[i] = pack_.age[lane];
       pack_.speed[i] = pack_.speed[lane];
     }
-    Looks(*emitter_.emission).put(pack_, wanted_);
+    for (std::size_t i = 0; i < kPack && phases_; ++i) pack_.phase[i] = particle(std::min(i, noted_ - 1)).phase;
+    show_.put(pack_, wanted_);
+    for (std::size_t i = 0; i < noted_ && emitter_.bequeaths; ++i) {
+      const Particle& inherits = particle(i);
+      for (auto& side : pack_.size) side[i] = side[i] * inherits.size;
+      pack_.colour[i] = times(pack_.colour[i], inherits.colour);
+    }
     const auto vector = [](const auto& of, std::size_t i) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
-    each_in(into_.size, [&](std::size_t i) { return vector(pack_.size, i) * particle_[i]->size; });
+    each_in(into_.size, [&](std::size_t i) { return vector(pack_.size, i); });
     each_in(into_.rotation, [&](std::size_t i) { return vector(pack_.rotation, i); });
-    each_in(into_.colour, [&](std::size_t i) {
-      const std::uint32_t inherited = particle_[i]->colour;
-      return inherited == 0xffffffff ? pack_.colour[i] : times(pack_.colour[i], inherited);
-    });
+    each_in(into_.colour, [&](std::size_t i) { return pack_.colour[i]; });
   }
+  [[nodiscard]] const Particle& particle(std::size_t i) const { return *state_.emitters.particle(slot_[i]); }
 
   const WorldState& state_;
   const Emitter& emitter_;
   std::uint32_t index_;
   const ParticleColumns& into_;
   LookParts wanted_;
-  bool looks_;             // some are wanted
-  bool speeds_;            // they ask for them
+  bool looks_;   // some are wanted
+  bool speeds_;  // they ask for them
+  bool ages_;
+  Looks show_;
+  bool phases_;            // they ask for them
   std::size_t count_ = 0;  // read so far
   std::size_t noted_ = 0;  // in the pack
   std::array<std::uint32_t, kPack> slot_{}, row_{};
   std::array<std::uint16_t, kPack> cohort_{};
-  std::array<const Particle*, kPack> particle_{};
+  std::array<double, kPack> birth_{};
   LookPack<kPack> pack_{};
 };
 

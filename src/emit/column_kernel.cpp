@@ -1,0 +1,92 @@
+// Compiled once per instruction set, in a namespace of its name.
+#include "emit/column_job.hpp"
+#include "emit/drawn_lanes.hpp"
+#include "math/philox_lanes.hpp"
+
+PHYSIM_ISA_BEGIN
+
+namespace {
+constexpr std::size_t kWide = kNativeBytes / 8;
+using Numbers = Pack<double, int(kWide)>;
+using Words = Pack<std::uint64_t, int(kWide)>;
+static_assert(kColumn % kWide == 0);
+
+/// Between 0 and 1, as open_unit() has them of words.
+PHYSIM_INLINE Numbers units_of(const std::uint32_t* words) {
+  constexpr double kFirst = 0x1p52;
+  std::uint64_t wide[kWide];
+  for (std::size_t lane = 0; lane < kWide; ++lane) wide[lane] = words[lane];
+  const Numbers number = from_bits<Numbers>(Words::load(wide) | to_bits(Numbers(kFirst))) - Numbers(kFirst);
+  return (number + Numbers(0.5)) * Numbers(0x1p-32);
+}
+
+/// factor curve(x); a curve without pieces is 1.
+PHYSIM_INLINE void put_scaled(double factor, const CurvePieces& curve, const double* x, double* y) {
+  if (curve.count > 0) put_curve<Numbers>(curve, x, y, kColumn);
+  for (std::size_t i = 0; i < kColumn; ++i) y[i] = curve.count > 0 ? factor * y[i] : factor;
+}
+
+template <class S>
+PHYSIM_INLINE void put_drag(const DragJob<S>& job) {
+  for (int axis = 0; axis < 3; ++axis) {
+    S push[kColumn];  // apart from what is read: compilers see that nothing overlaps
+    for (std::size_t i = 0; i < kColumn; ++i)
+      push[i] = static_cast<S>(0 - static_cast<double>(job.velocity[axis][i]) * job.rate[i]);
+    for (std::size_t i = 0; i < kColumn; ++i) job.push[axis][i] = push[i];
+  }
+}
+}  // namespace
+
+void draw_words(const WordsJob& job) {
+  const std::uint32_t key[2] = {static_cast<std::uint32_t>(job.seed), static_cast<std::uint32_t>(job.seed >> 32)};
+  constexpr std::size_t kHere = 2 * kWide;  // two registers side by side hide each other's waiting
+  using Pair = Pack<std::uint64_t, int(kHere)>;
+  for (std::size_t i = 0; i < kColumn; i += kHere) {
+    const Pair number = Pair::load(job.number + i);
+    Pair words[4] = {number & Pair(kPhiloxWord), number >> 32, Pair(0), Pair(job.stream_and_index)};
+    philox_lanes(words, key);
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::uint64_t wide[kHere];
+      words[k].store(wide);
+      for (std::size_t lane = 0; lane < kHere; ++lane) job.words[k][i + lane] = static_cast<std::uint32_t>(wide[lane]);
+    }
+  }
+}
+
+void put_numbers(const NumberJob& job) {
+  double a[kColumn];
+  put_scaled(job.value, job.curve, job.x, a);
+  if (job.words != nullptr) {
+    double b[kColumn];
+    put_scaled(job.to, job.to_curve, job.x, b);
+    for (std::size_t i = 0; i < kColumn; i += kWide) {
+      const Numbers from = Numbers::load(a + i), to = Numbers::load(b + i), u = units_of(job.words + i);
+      select(from == to, from, from + u * (to - from)).store(a + i);
+    }
+  }
+  for (std::size_t i = 0; i < kColumn; ++i) job.y[i] = a[i];
+}
+
+void put_gradients(const GradientPieces& pieces, const double* x, const ColourColumns& colour) {
+  put_gradient<Numbers>(pieces, x, colour, kColumn);
+}
+
+void pack_colours(const ColourColumns& colour, std::uint32_t* packed) {
+  std::uint32_t all[kColumn] = {};
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t i = 0; i < kColumn; ++i)
+      all[i] = all[i] << 8 | static_cast<std::uint32_t>(static_cast<std::int32_t>(colour.part[k][i] + 0.5));
+  for (std::size_t i = 0; i < kColumn; ++i) packed[i] = all[i];
+}
+
+void put_parts_of_life(double time, const double* birth, const double* span, double* part) {
+  for (std::size_t i = 0; i < kColumn; i += kWide) {
+    const Numbers x = (Numbers(time) - Numbers::load(birth + i)) / Numbers::load(span + i);
+    select(x < Numbers(0.0), Numbers(0.0), select(x > Numbers(1.0), Numbers(1.0), x)).store(part + i);
+  }
+}
+
+void put_drag_float(const DragJob<float>& job) { put_drag(job); }
+void put_drag_double(const DragJob<double>& job) { put_drag(job); }
+
+PHYSIM_ISA_END
