@@ -5,98 +5,14 @@
 
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
-#include "collide/content.hpp"
-#include "collide/order.hpp"
-#include "collide/question.hpp"
+#include "collide/cast.hpp"
+#include "collide/cast_batch.hpp"
 #include "collide/scene_parts.hpp"
-#include "collide/sweep.hpp"
 #include "physim/scene.hpp"
 
 namespace physim {
 namespace collide {
 namespace {
-
-/// Calls visit(index) for what moves and may be near between two times: visit_tree(tree) where the tree knows of them.
-template <class VisitTree, class Visit>
-void for_movers(const SceneContent& scene, double from, double to, const VisitTree& visit_tree, const Visit& visit) {
-  if (scene.movers.empty()) return;
-  if (from >= scene.covered_from && to <= scene.covered_to) return visit_tree(scene.moving);
-  for (const std::uint32_t index : scene.movers) visit(index);
-}
-
-/// Which things are asked about.
-enum class Which { all, resting, moving };
-bool is_of(Which which, const SceneContent::InstanceSlot& slot) {
-  return which == Which::all || (which == Which::moving) == (slot.path != nullptr);
-}
-
-/// Calls look_at(index, segment) for what rests and look_at_mover(index, segment) for what moves and may be met between
-/// two times; both may shorten the segment's reach.
-template <class LookAt, class LookAtMover>
-void things_along(const SceneContent& scene, Which which, Segment& segment, double from, double to,
-                  const LookAt& look_at, const LookAtMover& look_at_mover) {
-  for (const std::uint32_t index : scene.unbounded) {
-    if (!is_of(which, scene.instances[index])) continue;
-    if (scene.instances[index].path)
-      look_at_mover(index, segment);
-    else
-      look_at(index, segment);
-  }
-  if (which != Which::moving) scene.resting.along(segment, look_at);
-  if (which == Which::resting) return;
-  for_movers(
-      scene, from, to, [&](const Tree& tree) { tree.along(segment, look_at_mover); },
-      [&](std::uint32_t index) {
-        const SceneContent::InstanceSlot& slot = scene.instances[index];
-        const Bounds box = slot.path->bounds(bounds_of(*slot.shape), from, to);
-        if (BoxTest(segment).enters(box, segment.reach) <= segment.reach) look_at_mover(index, segment);
-      });
-}
-
-SceneHit hit_of(const SceneContent& scene, std::uint32_t index, const Crossing& crossing, const SceneSegment& asked) {
-  const SceneContent::InstanceSlot& slot = scene.instances[index];
-  PHYSIM_ASSERT(slot.alive && crossing.t >= 0 && crossing.t <= 1);
-  SceneHit hit{.part = crossing.t,
-               .position = asked.from + (asked.to - asked.from) * crossing.t,
-               .normal = slot.placement.turned(crossing.normal),
-               .time = asked.time + asked.duration * crossing.t,
-               .instance = {index, slot.generation},
-               .primitive = crossing.primitive,
-               .material = material_of(*slot.shape, crossing).value_or(slot.def.material),
-               .entering = crossing.entering,
-               .starts_inside = crossing.starts_inside};
-  if (!slot.path) return hit;
-  hit.normal = slot.path->placement(hit.time).turned(crossing.normal);
-  const MotionState state = slot.path->at(hit.time);
-  const Vec3d touched = hit.starts_inside ? hit.position : hit.position - hit.normal * asked.radius;
-  hit.velocity = state.velocity + cross(state.angular_velocity, touched - state.position);
-  return hit;
-}
-
-/// Calls take(index, crossing, segment) for whatever a segment meets; take shortens the segment's reach.
-template <bool kExits, class Take>
-void cross_all(const SceneContent& scene, const SceneSegment& asked, double radius, const SceneFilter& filter,
-               const Take& take, Which which = Which::all) {
-  if (!is_sound(asked)) return;
-  Segment segment{asked.from, asked.to - asked.from, radius, 1};
-  const auto look_at = [&](std::uint32_t index, Segment& s) {
-    const SceneContent::InstanceSlot& slot = scene.instances[index];
-    if (!slot.is_asked(filter)) return;
-    Segment inside = slot.placement.inside(s);
-    const auto taken = [&](const Crossing& crossing, Segment& within) {
-      take(index, crossing, s);
-      within.reach = s.reach;
-    };
-    cross<kExits>(*slot.shape, inside, taken);
-  };
-  const auto look_at_mover = [&](std::uint32_t index, Segment& s) {
-    const SceneContent::InstanceSlot& slot = scene.instances[index];
-    if (!slot.is_asked(filter)) return;
-    const auto taken = [&](const Crossing& crossing, Segment& within) { take(index, crossing, within); };
-    Sweep<kExits, decltype(taken)>(*slot.shape, *slot.path, asked.time, asked.duration, s, taken);
-  };
-  things_along(scene, which, segment, asked.time, asked.time + asked.duration, look_at, look_at_mover);
-}
 
 bool any_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter, Which which) {
   bool some = false;
@@ -107,66 +23,6 @@ bool any_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFi
   cross_all<false>(scene, asked, asked.radius, filter, take, which);
   return some;
 }
-
-/// What a segment meets first; where it meets nothing, `into` stays as it is.
-void first_hit(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter, SceneHit& into) {
-  Crossing best;
-  best.t = kInfinity;
-  std::uint32_t who = 0;
-  const auto take = [&](std::uint32_t index, const Crossing& crossing, Segment& s) {
-    // Met at once, the one of the lowest numbers is first, whatever the tree looks like.
-    const auto numbers = std::tie(index, crossing.primitive, crossing.triangle);
-    const bool first =
-        crossing.t < best.t || (crossing.t == best.t && numbers < std::tie(who, best.primitive, best.triangle));
-    if (!first) return;
-    best = crossing;
-    who = index;
-    s.reach = crossing.t;
-  };
-  cross_all<false>(scene, asked, asked.radius, filter, take);
-  if (who != 0) into = hit_of(scene, who, best, asked);
-}
-
-/// Many segments, one after the other as they come or sorted by place.
-struct Batch {
-  static constexpr std::size_t kTask = 256;
-  static constexpr SceneHit kNothing{};
-
-  const SceneContent& scene;
-  std::span<const SceneSegment> segments;
-  std::span<SceneHit> into;
-  const SceneFilter& filter;
-  std::vector<std::uint32_t> order;  // empty: as they come
-
-  void sort() {
-    order = order_by_place(segments);
-    PHYSIM_ASSERT(order.size() == into.size());
-    // One after the other, so that out of order only those are written that meet something.
-    std::ranges::fill(into, kNothing);
-  }
-  static void run(void* self, std::size_t task) {
-    const IeeeMode mode;
-    const Batch& batch = *static_cast<const Batch*>(self);
-    const std::size_t begin = task * kTask, end = std::min(batch.segments.size(), begin + kTask);
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t at = batch.order.empty() ? i : batch.prefetched(i);
-      if (batch.order.empty()) batch.into[i] = kNothing;
-      first_hit(batch.scene, batch.segments[at], batch.filter, batch.into[at]);
-    }
-  }
-
- private:
-  /// The i-th of the order; what is soon needed is on its way from where it lies in memory.
-  [[nodiscard]] std::size_t prefetched(std::size_t i) const {
-    constexpr std::size_t kAhead = 16;
-    if (i + kAhead < order.size()) {
-      const SceneSegment& next = segments[order[i + kAhead]];
-      __builtin_prefetch(&next);
-      __builtin_prefetch(&next.radius);
-    }
-    return order[i];
-  }
-};
 
 }  // namespace
 }  // namespace collide
@@ -224,19 +80,11 @@ std::vector<SceneHit> Scene::all_hits(const SceneSegment& segment, const SceneFi
 
 void Scene::first_hits(std::span<const SceneSegment> segments, std::span<SceneHit> into, const SceneFilter& filter,
                        TaskRunner* runner) const {
-  // From here on it pays to look for neighbours: what they look at is read once, but they lie all over the memory.
-  constexpr std::size_t kMany = 2048, kCached = 1 << 20;
   const std::size_t count = std::min(segments.size(), into.size());
-  collide::Batch batch{*impl_, segments.first(count), into.first(count), filter, {}};
-  if (count >= kMany && count <= std::numeric_limits<std::uint32_t>::max() && bytes() >= kCached) batch.sort();
-  const std::size_t tasks = (count + collide::Batch::kTask - 1) / collide::Batch::kTask;
-  if (runner && tasks > 1)
-    runner->run(tasks, collide::Batch::run, &batch);
-  else
-    for (std::size_t task = 0; task < tasks; ++task) collide::Batch::run(&batch, task);
+  collide::first_hits(*impl_, bytes(), segments.first(count), into.first(count), filter, runner);
   if (!impl_->engine) return;
   const IeeeMode mode;
-  impl_->engine->first_hits(batch.segments, filter.layers, batch.into);
+  impl_->engine->first_hits(segments.first(count), filter.layers, into.first(count));
 }
 
 SceneNearest Scene::nearest(const Vec3d& point, double within, const SceneFilter& filter, double time) const {

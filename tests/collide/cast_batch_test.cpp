@@ -58,6 +58,8 @@ void expect_same(const SceneHit& a, const SceneHit& b, std::size_t i) {
   ASSERT_EQ(a.position, b.position) << i;
   ASSERT_EQ(a.normal, b.normal) << i;
   ASSERT_EQ(a.velocity, b.velocity) << i;
+  ASSERT_EQ(a.time, b.time) << i;
+  ASSERT_EQ(a.material, b.material) << i;
   ASSERT_EQ(a.entering, b.entering) << i;
   ASSERT_EQ(a.starts_inside, b.starts_inside) << i;
 }
@@ -111,6 +113,75 @@ TEST(SceneBatch, batches_far_from_the_origin_are_as_one_by_one) {
   std::vector<SceneHit> hits(segments.size());
   scene.first_hits(segments, hits);
   for (std::size_t i = 0; i < segments.size(); ++i) expect_same(hits[i], scene.first_hit(segments[i]), i);
+}
+
+/// A land of so many triangles that it does not fit into the fast caches, with holes in it, and what stands on it.
+Scene land(Random& r, int things) {
+  constexpr std::uint32_t kPoints = 97;
+  MeshShape mesh;
+  for (std::uint32_t i = 0; i < kPoints * kPoints; ++i) {
+    const double x = i % kPoints * 1.25, z = i / kPoints * 1.25;
+    mesh.vertices.push_back({x, 4 * std::sin(0.2 * x) * std::cos(0.17 * z) + r.in(-0.3, 0.3), z});
+    if (i % kPoints + 1 == kPoints || i + kPoints >= kPoints * kPoints || r.one_in(40)) continue;
+    mesh.triangles.push_back({i, i + kPoints, i + 1});
+    mesh.triangles.push_back({i + 1, i + kPoints, i + kPoints + 1});
+  }
+  Scene scene;
+  const ShapeId ground = scene.add_shape(mesh).value(), small = scene.add_shape(ball(3, 0)).value();
+  const auto add = [&](const InstanceDef& def) { ASSERT_TRUE(scene.add(def)); };
+  add({.shape = ground, .layers = 2});
+  add({.shape = ground, .transform = {.position = {40, 3, 9}, .rotation = {1, 0.2, 0.3, 0.1}, .scale = 0.4}});
+  add({.shape = scene.add_shape(PlaneShape{}).value(), .transform = {.position = {0, -9, 0}}, .layers = 4});
+  for (int i = 0; i < things; ++i) {
+    InstanceDef def{.shape = i % 9 == 8 ? ground : small, .transform = somewhere(r), .layers = 1u << r.below(3)};
+    if (i % 9 == 8) def.transform.scale = 0.05;
+    if (r.one_in(9)) def.motion = SteadyMotion{.velocity = r.vector(3)};
+    add(def);
+  }
+  return scene;
+}
+
+/// Of any length, as they come and sorted, with segments that come twice, into hits that hold something already, alone
+/// and on threads.
+TEST(SceneBatch, batches_of_any_length_are_as_one_by_one) {
+  Random r(33);
+  const auto pool = make_thread_pool(3);
+  for (const int things : {0, 6, 200}) {
+    const Scene scene = land(r, things);
+    ASSERT_GT(scene.bytes(), std::size_t{1} << 20);  // such that long batches are sorted
+    std::vector<SceneSegment> all;
+    std::vector<SceneHit> alone;
+    for (int i = 0; i < 2500; ++i) {
+      const Vec3d from{r.in(-5, kSide), r.in(-4, 9), r.in(-5, kSide)};
+      SceneSegment s{from, from + r.vector(r.one_in(40) ? 150 : 10)};
+      if (r.one_in(4)) s.radius = r.in(0, 0.5);
+      if (r.one_in(4)) s.duration = r.in(0, 2);
+      if (r.one_in(30)) s.to = s.from;
+      if (r.one_in(30)) s.radius = -1;
+      all.push_back(s);
+      alone.push_back(scene.first_hit(s, {.layers = 3}));
+    }
+    for (const std::size_t length : {0, 1, 2, 7, 8, 9, 40, 255, 256, 257, 1030, 2047, 2048, 6000}) {
+      std::vector<SceneSegment> segments;
+      std::vector<std::size_t> numbers;
+      for (std::size_t i = 0; i < length; ++i) {
+        numbers.push_back(i > 0 && r.one_in(5) ? numbers.back() : r.below(all.size()));
+        segments.push_back(all[numbers.back()]);
+      }
+      SceneHit full;
+      full.instance = {7, 7};
+      full.part = 0.5;
+      std::vector<SceneHit> hits(length + 1, full), lent = hits;
+      scene.first_hits(segments, hits, {.layers = 3});
+      scene.first_hits(segments, lent, {.layers = 3}, pool.get());
+      for (std::size_t i = 0; i < length; ++i) {
+        expect_same(hits[i], alone[numbers[i]], i);
+        expect_same(lent[i], alone[numbers[i]], i);
+      }
+      EXPECT_EQ(hits[length].part, 0.5);  // behind the last one
+      EXPECT_EQ(lent[length].part, 0.5);
+    }
+  }
 }
 
 }  // namespace
