@@ -44,7 +44,7 @@ struct LowLayer {
 
 /// `scale` times (T / T_m)^nu: a series of kTerms, drawn together to N.
 template <int kTerms, class R, int N>
-PHYSIM_INLINE void put_power(const LowLayer<R>& layer, const R& nu, const R& scale, R (&out)[N]) {
+PHYSIM_INLINE void put_power_of(const LowLayer<R>& layer, const R& nu, const R& scale, R (&out)[N]) {
   static_assert(kTerms >= N && N > 2);
   constexpr auto kMonic = monic_chebyshev<kTerms>();
   const R rise = layer.a - layer.b, product = layer.a * layer.b, start = nu * (layer.a + layer.b);
@@ -57,6 +57,28 @@ PHYSIM_INLINE void put_power(const LowLayer<R>& layer, const R& nu, const R& sca
     for (int j = k - 2; j >= 0; j -= 2)
       c[j] -= c[k] * R(kMonic[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)]);
   for (int j = 0; j < N; ++j) out[j] = c[j];
+}
+
+template <int kTerms, class R, int N>
+PHYSIM_INLINE void put_power(const LowLayer<R>& layer, const R& nu, const R& scale, R (&out)[N]) {
+  put_power_of<kTerms>(layer, nu, scale, out);
+}
+/// A register at a time: a series of several does not fit the processor.
+template <int kTerms, int kLanes, int N>
+PHYSIM_INLINE void put_power(const LowLayer<Pack<double, kLanes>>& layer, const Pack<double, kLanes>& nu,
+                             const Pack<double, kLanes>& scale, Pack<double, kLanes> (&out)[N]) {
+  using All = Pack<double, kLanes>;
+  using One = Pack<double, All::kPerRegister>;
+  for (int i = 0; i < All::kRegisters; ++i) {
+    const auto part = [i](const All& all) PHYSIM_INLINE_LAMBDA {
+      One one;
+      one.r[0] = all.r[i];
+      return one;
+    };
+    One of[N];
+    put_power_of<kTerms>(LowLayer<One>{part(layer.a), part(layer.b)}, part(nu), part(scale), of);
+    for (int j = 0; j < N; ++j) out[j].r[i] = of[j].r[0];
+  }
 }
 
 PHYSIM_ISA_END

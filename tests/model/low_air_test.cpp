@@ -119,5 +119,22 @@ TEST(LowAir, series_of_a_power) {
   }
 }
 
+/// Packs of several registers go through the series one register at a time.
+TEST(LowAir, each_lane_of_a_pack_gets_its_own_polynomial) {
+  constexpr int kMany = 16;
+  using Many = Pack<double, kMany>;
+  Many a(0.0), b(0.0), nu(0.0), scale(0.0), of[14];
+  for (int lane = 0; lane < kMany; ++lane) {
+    set_lane(a, lane, 0.1 + 0.01 * lane), set_lane(b, lane, 0.001 * lane);
+    set_lane(nu, lane, 4 - 0.3 * lane), set_lane(scale, lane, 1 + 0.02 * lane);
+  }
+  put_power<16>(LowLayer<Many>{a, b}, nu, scale, of);
+  for (int lane = 0; lane < kMany; ++lane) {
+    double alone[14];
+    put_power<16>(LowLayer<double>{a[lane], b[lane]}, nu[lane], scale[lane], alone);
+    for (int k = 0; k < 14; ++k) EXPECT_TRUE(test::same_bits(of[k][lane], alone[k])) << lane << ' ' << k;
+  }
+}
+
 }  // namespace
 }  // namespace physim
