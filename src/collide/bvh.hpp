@@ -34,6 +34,8 @@ class Bvh {
 
   [[nodiscard]] std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
+  class Walk;
+
   /// Calls visit(place, segment) for each item that the segment may meet; visit shortens segment.reach where farther
   /// items do not matter any more.
   template <class Visit>
@@ -46,7 +48,19 @@ class Bvh {
     if (nodes_.empty()) return;
     const double base = whole.enters(root_, segment.reach);
     if (!(base <= segment.reach)) return;
-    walk(QuadTest(segment, whole.per_along(), extent_, base), segment, visit);
+    const QuadTest test(segment, whole.per_along(), extent_, base);
+    float reach = test.reach(segment);
+    Waiting stack[kStack], at{0, 0, 0};
+    int waiting = 0;
+    for (bool on = true; on;) {
+      if (at.count == 0) {
+        on = descend(test, reach, at, stack, waiting);
+        continue;
+      }
+      for (std::uint32_t i = at.first; i < at.first + at.count; ++i) visit(i, segment);
+      reach = test.reach(segment);
+      on = pop(reach, at, stack, waiting);
+    }
   }
 
   /// Calls visit(place) for each item that may meet a box.
@@ -131,43 +145,85 @@ class Bvh {
     }
   };
 
-  template <class Visit>
-  PHYSIM_INLINE void walk(const QuadTest& test, Segment& segment, const Visit& visit) const {
-    Waiting stack[kStack];
-    int waiting = 0;
-    Waiting at{0, 0, 0};
-    float reach = test.reach(segment);
-    while (true) {
-      if (at.count > 0) {
-        for (std::uint32_t i = at.first; i < at.first + at.count; ++i) visit(i, segment);
-        reach = test.reach(segment);
-      } else {
-        const Node& node = nodes_[at.first];
-        Quad in;
-        if (unsigned lanes = test.enters(node, reach, in); lanes != 0) {
-          at = node.child(std::countr_zero(lanes), in);
-          // The nearest one is walked on to; those beyond wait, the farthest at the bottom.
-          for (const int first = waiting; (lanes &= lanes - 1) != 0;) {
-            Waiting other = node.child(std::countr_zero(lanes), in);
-            if (other.in < at.in) std::swap(at, other);
-            PHYSIM_ASSERT(waiting < kStack);
-            int place = waiting++;
-            for (; place > first && stack[place - 1].in < other.in; --place) stack[place] = stack[place - 1];
-            stack[place] = other;
-          }
-          continue;
-        }
-      }
-      do {
-        if (waiting == 0) return;
-        at = stack[--waiting];
-      } while (at.in > reach);
+  /// Compares the children of a node and goes on to the nearest of them; those beyond wait, the farthest at the bottom.
+  /// False where nothing is left.
+  PHYSIM_INLINE bool descend(const QuadTest& test, float reach, Waiting& at, Waiting* stack, int& waiting) const {
+    const Node& node = nodes_[at.first];
+    Quad in;
+    unsigned lanes = test.enters(node, reach, in);
+    if (lanes == 0) return pop(reach, at, stack, waiting);
+    at = node.child(std::countr_zero(lanes), in);
+    for (const int first = waiting; (lanes &= lanes - 1) != 0;) {
+      Waiting other = node.child(std::countr_zero(lanes), in);
+      if (other.in < at.in) std::swap(at, other);
+      PHYSIM_ASSERT(waiting < kStack);
+      int place = waiting++;
+      for (; place > first && stack[place - 1].in < other.in; --place) stack[place] = stack[place - 1];
+      stack[place] = other;
     }
+    return true;
+  }
+  /// Goes on to what waits within reach; false where nothing does.
+  PHYSIM_INLINE static bool pop(float reach, Waiting& at, const Waiting* stack, int& waiting) {
+    do {
+      if (waiting == 0) return false;
+      at = stack[--waiting];
+    } while (at.in > reach);
+    return true;
   }
 
   std::vector<Node> nodes_;
   Bounds root_;
   double extent_ = 0;  // of root_
+};
+
+/// Where a segment is on its way through a tree, which may wait there as long as one likes: at a node, or at items.
+class Bvh::Walk {
+ public:
+  /// Goes to the root; false where the segment passes it.
+  PHYSIM_INLINE bool begin(const Bvh& tree, const Segment& segment, const BoxTest& whole) {
+    if (tree.nodes_.empty()) return false;
+    const double base = whole.enters(tree.root_, segment.reach);
+    if (!(base <= segment.reach)) return false;
+    test_ = QuadTest(segment, whole.per_along(), tree.extent_, base);
+    reach_ = test_.reach(segment);
+    waiting_ = 0;
+    at_ = {0, 0, 0};
+    return true;
+  }
+
+  [[nodiscard]] bool is_at_items() const { return at_.count > 0; }
+  /// The places of its items.
+  [[nodiscard]] std::uint32_t first() const { return at_.first; }
+  [[nodiscard]] std::uint32_t end() const { return at_.first + at_.count; }
+
+  /// Compares the children of the node that it is at and goes on; false where nothing is left.
+  PHYSIM_INLINE bool look(const Bvh& tree) {
+    Waiting at = at_;
+    int waiting = waiting_;
+    const bool on = tree.descend(test_, reach_, at, stack_, waiting);
+    at_ = at;
+    waiting_ = waiting;
+    return on;
+  }
+  /// Goes on from items, which may have shortened the segment's reach, to what waits; false where nothing does.
+  PHYSIM_INLINE bool next(const Segment& segment) {
+    reach_ = test_.reach(segment);
+    return pop(reach_, at_, stack_, waiting_);
+  }
+  /// Has the node that it is at brought from memory.
+  PHYSIM_INLINE void prefetch(const Bvh& tree) const {
+    const char* node = reinterpret_cast<const char*>(&tree.nodes_[at_.first]);
+    __builtin_prefetch(node);
+    __builtin_prefetch(node + 64);
+  }
+
+ private:
+  QuadTest test_;
+  Waiting at_;
+  float reach_;
+  int waiting_;
+  Waiting stack_[kStack];
 };
 
 }  // namespace physim::collide

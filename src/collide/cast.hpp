@@ -62,7 +62,7 @@ struct Look {
   const SceneContent& scene;
   const SceneSegment& asked;
   const SceneFilter& filter;
-  const Take& take;
+  Take take;
 
   void at_rest(std::uint32_t index, Segment& s) const {
     const SceneContent::InstanceSlot& slot = scene.instances[index];
@@ -88,7 +88,7 @@ void cross_all(const SceneContent& scene, const SceneSegment& asked, double radi
                const Take& take, Which which = Which::all) {
   if (!is_sound(asked)) return;
   Segment segment{asked.from, asked.to - asked.from, radius, 1};
-  const Look<kExits, Take> look{scene, asked, filter, take};
+  const Look<kExits, const Take&> look{scene, asked, filter, take};
   things_along(
       scene, which, segment, asked.time, asked.time + asked.duration,
       [&look](std::uint32_t index, Segment& s) { look.at_rest(index, s); },

@@ -55,6 +55,7 @@ struct SceneContent {
   double covered_from = 0, covered_to = 0;  // [s]
   std::size_t alive = 0;
   std::size_t sensors = 0, in_motion = 0;  // of those
+  std::size_t large_meshes = 0;            // of those
   std::uint64_t changes = 0;
   std::shared_ptr<const Engine> engine;  // null: none
 
@@ -74,6 +75,11 @@ struct SceneContent {
   [[nodiscard]] Result<Shape> prepare(const ShapeDef& def, std::vector<std::uint32_t>& parts) const;
   /// Keeps a shape in a slot that is free.
   void put(ShapeSlot& slot, Shape&& shape, std::vector<std::uint32_t>&& parts);
+  /// The mesh that a thing is, if it is a large one.
+  [[nodiscard]] const Mesh* large_mesh(std::uint32_t index) const {
+    const Mesh* mesh = std::get_if<Mesh>(instances[index].shape.get());
+    return mesh && mesh->is_large() ? mesh : nullptr;
+  }
   /// The path of what moves, none of what rests; an error where the definition is none of this scene.
   [[nodiscard]] Result<std::shared_ptr<const Path>> check(const InstanceDef& def) const;
   /// Lets a thing stand in a slot that is free.

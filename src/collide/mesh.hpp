@@ -36,6 +36,9 @@ class Mesh {
     return materials_.empty() ? std::nullopt : std::optional(materials_[triangle]);
   }
 
+  /// Whether its tree leaves the fast caches little room: a walk through it waits for the memory.
+  [[nodiscard]] bool is_large() const { return tree_.bytes() >= kLarge; }
+  class Walk;
   /// Calls take(crossing, segment) for each triangle met.
   template <class Take>
   void crossings(Segment& segment, const Take& take) const {
@@ -62,6 +65,8 @@ class Mesh {
   [[nodiscard]] double clearance(const Vec3d& p) const;
 
  private:
+  static constexpr std::size_t kLarge = 1 << 18;
+
   void put_vertices_in_order();
   [[nodiscard]] bool is_closed() const;
   [[nodiscard]] double volume() const;
@@ -74,6 +79,70 @@ class Mesh {
   Bounds bounds_;
   std::size_t degenerate_ = 0;
   bool closed_ = false;
+};
+
+/// Where a segment is on its way through a mesh: one that waits for the memory gives way to others.
+class Mesh::Walk {
+ public:
+  /// False where the segment passes the mesh.
+  PHYSIM_INLINE bool begin(const Mesh& mesh, const Segment& segment) {
+    mesh_ = &mesh;
+    segment_ = segment;
+    sheared_ = corners_asked_ = false;
+    return boxes_.begin(mesh.tree_, segment_, BoxTest(segment_));
+  }
+  /// Looks at what it has come to, a node or triangles, and asks for what comes next to be brought; calls
+  /// take(crossing, segment) for triangles that are met. False where nothing is left.
+  template <class Take>
+  PHYSIM_INLINE bool step(const Take& take) {
+    bool on;
+    if (!boxes_.is_at_items()) {
+      on = boxes_.look(mesh_->tree_);
+    } else if (!corners_asked_) {
+      ask_for_corners();
+      return true;
+    } else {
+      meet(take);
+      on = boxes_.next(segment_);
+      corners_asked_ = false;
+    }
+    if (!boxes_.is_at_items())
+      boxes_.prefetch(mesh_->tree_);
+    else
+      prefetch_triangles();
+    return on;
+  }
+
+ private:
+  // Inlined, as g++ leaves out calls of what brings something from memory and does nothing else.
+  PHYSIM_INLINE void prefetch_triangles() const {
+    __builtin_prefetch(&mesh_->triangles_[boxes_.first()]);
+    __builtin_prefetch(&mesh_->triangles_[boxes_.end() - 1]);
+    __builtin_prefetch(&mesh_->numbers_[boxes_.first()]);
+  }
+  PHYSIM_INLINE void ask_for_corners() {
+    corners_asked_ = true;
+    for (std::uint32_t i = boxes_.first(); i < boxes_.end(); ++i)
+      for (const std::uint32_t corner : mesh_->triangles_[i]) __builtin_prefetch(&mesh_->vertices_[corner]);
+  }
+  template <class Take>
+  void meet(const Take& take) {
+    if (!sheared_) shear_ = Shear(segment_);
+    sheared_ = true;
+    for (std::uint32_t i = boxes_.first(); i < boxes_.end(); ++i) {
+      auto crossing = meets(segment_, shear_, mesh_->triangle(i));
+      if (!crossing) continue;
+      crossing->primitive = mesh_->number(i);
+      take(*crossing, segment_);
+    }
+  }
+
+  const Mesh* mesh_;
+  Segment segment_;  // in its frame
+  Shear shear_;      // of the segment, once it has come to a triangle
+  bool sheared_;
+  bool corners_asked_;  // of the triangles that it is at
+  Bvh::Walk boxes_;
 };
 
 }  // namespace physim::collide

@@ -70,6 +70,7 @@ struct QuadBoxes {
 /// extent. What it is rounded to is added to its radius.
 class QuadTest {
  public:
+  QuadTest() = default;
   PHYSIM_INLINE QuadTest(const Segment& s, const Vec3d& per_along, double extent, double base) : base_(base) {
     const Vec3d from = s.at(base);
     const double most = std::max(extent, std::max(std::abs(from.x), std::max(std::abs(from.y), std::abs(from.z))));

@@ -28,6 +28,7 @@ struct Triangle {
 /// A segment in the axes in which it runs along z.
 class Shear {
  public:
+  Shear() = default;
   PHYSIM_INLINE explicit Shear(const Segment& s) {
     const Components from = components(s.from), along = components(s.along);
     const double x = std::abs(along[0]), y = std::abs(along[1]), z = std::abs(along[2]);

@@ -141,14 +141,25 @@ Scene land(Random& r, int things) {
   return scene;
 }
 
+/// No large mesh, but too much for the fast caches: long batches are sorted.
+Scene wide_hills(Random& r) {
+  HeightFieldShape field{.columns = 401, .rows = 401, .spacing_x = 0.3, .spacing_z = 0.3, .heights = {}};
+  for (int i = 0; i < 401 * 401; ++i)
+    field.heights.push_back(3 * std::sin(i % 401 * 0.06) + 2 * std::cos(i * 0.0002) + r.in(-0.05, 0.05));
+  Scene scene;
+  const ShapeId hill = scene.add_shape(field).value(), small = scene.add_shape(ball(3, 0)).value();
+  EXPECT_TRUE(scene.add({.shape = hill}));
+  for (int i = 0; i < 50; ++i) EXPECT_TRUE(scene.add({.shape = small, .transform = somewhere(r), .layers = 2}));
+  return scene;
+}
+
 /// Of any length, as they come and sorted, with segments that come twice, into hits that hold something already, alone
 /// and on threads.
 TEST(SceneBatch, batches_of_any_length_are_as_one_by_one) {
   Random r(33);
   const auto pool = make_thread_pool(3);
-  for (const int things : {0, 6, 200}) {
-    const Scene scene = land(r, things);
-    ASSERT_GT(scene.bytes(), std::size_t{1} << 20);  // such that long batches are sorted
+  for (const Scene& scene : {land(r, 0), land(r, 6), land(r, 200), wide_hills(r)}) {
+    ASSERT_GT(scene.bytes(), std::size_t{1} << 20);
     std::vector<SceneSegment> all;
     std::vector<SceneHit> alone;
     for (int i = 0; i < 2500; ++i) {
