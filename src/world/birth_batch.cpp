@@ -127,6 +127,7 @@ void BirthBatches::take_places(const BirthPlan& plan, std::size_t count) {
       const std::uint32_t row = rows.push(index);
       table[index].row = row;
       slots_[count_] = index;
+      w_.state.emitters.prefetch(index);
     }
   } catch (const std::bad_alloc&) {
     if (index != 0) table.release(index, LifeStatus::unknown);

@@ -216,8 +216,8 @@ void EmitterWatch::depart(std::uint32_t slot, std::uint32_t emitter, const BodyS
 }
 void EmitterWatch::trigger(std::uint32_t slot, SubEvent on, double time, const BodyState& at, const Vec3d& normal,
                            std::size_t only) {
+  if (!waits_for(all_[all_.emitter_of(slot)].def(), on)) return;
   Particle& particle = *all_.particle(slot);
-  if (!waits_for(all_[particle.emitter].def(), on)) return;
   s_.triggers.push_back({on, time, w_.state.slots.birth(slot), particle, at, normal, only});
   // What comes once is counted apart: in which order steps look at it does not matter.
   const bool comes_once = on == SubEvent::birth || on == SubEvent::age || on == SubEvent::death;
@@ -264,7 +264,7 @@ void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time)
                  .position = at.position,
                  .velocity = at.velocity});
   end_followed(index, at, time);
-  if (const Particle* particle = all_.particle(index)) depart(index, particle->emitter, at, time);
+  if (const std::uint32_t emitter = all_.emitter_of(index)) depart(index, emitter, at, time);
   all_.leave(index, &EmitterCounts::aged);
   w_.remove(index, LifeStatus::expired);
 }

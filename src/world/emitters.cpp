@@ -69,14 +69,14 @@ void Emitters::resume(ProjectileId id, const Particle& particle) {
 }
 
 void Emitters::leave(std::uint32_t slot, EmitterCount why) {
-  Particle* gone = particle(slot);
-  if (!gone) return;
-  EmitterCounts& counts = (*this)[gone->emitter].counts;
+  const std::uint32_t index = emitter_of(slot);
+  if (index == 0) return;
+  EmitterCounts& counts = (*this)[index].counts;
   PHYSIM_ASSERT(counts.alive > 0);
   --counts.alive;
   ++(counts.*why);
-  if ((*this)[gone->emitter].drives) note_change(slot);
-  *gone = {};
+  if ((*this)[index].drives) note_change(slot);
+  particles_[slot] = {};
   emitter_of_[slot] = 0;
 }
 

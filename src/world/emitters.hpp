@@ -9,6 +9,7 @@
 
 #include "base/assert.hpp"
 #include "base/hash.hpp"
+#include "base/prefetch.hpp"
 #include "collide/path.hpp"
 #include "emit/emission.hpp"
 #include "emit/odometer.hpp"
@@ -164,9 +165,9 @@ class Emitters {
   /// Before what is kept of a slot's particle is read: such slots lie all over the memory.
   void prefetch(std::uint32_t slot) const {
     if (slot >= emitter_of_.size()) return;
-    __builtin_prefetch(&emitter_of_[slot]);
-    __builtin_prefetch(&spans_[slot]);
-    __builtin_prefetch(&particles_[slot]);
+    prefetch_at(&emitter_of_[slot]);
+    prefetch_at(&spans_[slot]);
+    prefetch_at(&particles_[slot]);
   }
   /// What acts on the flight of a slot's particle; null: nothing of its emitter.
   [[nodiscard]] const FlightLaw* law_of(std::uint32_t slot) const {

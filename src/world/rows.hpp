@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/prefetch.hpp"
 #include "model/body.hpp"
 #include "model/rotor.hpp"
 #include "world/clear_tube.hpp"
@@ -135,7 +136,7 @@ class Rows : RowMemory {
   [[nodiscard]] bool is_filled(std::uint32_t row) const;
   /// The row's numbers will be used soon.
   void prefetch(std::uint32_t row) const {
-    for (unsigned k = 0; k < numbers_; ++k) __builtin_prefetch(column(k) + row * number_size());
+    for (unsigned k = 0; k < numbers_; ++k) prefetch_at(column(k) + row * number_size());
   }
 
   [[nodiscard]] std::uint32_t slot(std::uint32_t row) const {

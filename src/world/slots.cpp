@@ -9,9 +9,9 @@ std::uint32_t SlotTable::take() {
     first_free_ = slots_[index].row;
     if (first_free_ == 0) last_free_ = 0;
     // Slots that were freed at random lie all over the memory: the next one is fetched while this one is filled.
-    __builtin_prefetch(&slots_[first_free_]);
-    __builtin_prefetch(&birth_[first_free_]);
-    __builtin_prefetch(&rest_[first_free_]);
+    prefetch_at(&slots_[first_free_]);
+    prefetch_at(&birth_[first_free_]);
+    prefetch_at(&rest_[first_free_]);
   } else {
     index = size();
     slots_.emplace_back();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/assert.hpp"
+#include "base/prefetch.hpp"
 #include "model/turning.hpp"
 #include "physim/world_def.hpp"
 #include "world/live.hpp"
@@ -108,10 +109,10 @@ class SlotTable {
   void reserve(std::size_t more);
   [[nodiscard]] std::size_t bytes() const;
   void prefetch(std::uint32_t index) const {
-    if (index < slots_.size()) __builtin_prefetch(&slots_[index]);
+    if (index < slots_.size()) prefetch_at(&slots_[index]);
   }
   void prefetch_birth(std::uint32_t index) const {
-    if (index < birth_.size()) __builtin_prefetch(&birth_[index]);
+    if (index < birth_.size()) prefetch_at(&birth_[index]);
   }
 
   /// Calls f with the index of every slot that is alive, in order.

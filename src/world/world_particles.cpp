@@ -26,7 +26,6 @@ class ParticleReader {
 
   std::size_t read() {
     state_.emitters.each_particle_of(index_, [this](std::uint32_t slot, const Particle&) {
-      prefetch(slot + kAhead);
       slot_[noted_] = slot;
       if (++noted_ == kPack) put();
     });
@@ -46,20 +45,6 @@ class ParticleReader {
   template <class T, class F>
   void each_in(std::span<T> column, const F& f) const {
     each_in(column, 0, noted_, f);
-  }
-
-  /// Rows lie in another order than slots: those of the next particles are fetched while this one is worked on.
-  static constexpr std::uint32_t kAhead = kPack;
-  void prefetch(std::uint32_t index) const {
-    if (state_.emitters.emitter_of(index) == 0) return;
-    const Slot& slot = state_.slots[index];
-    state_.rows_of(slot).read_fixed([&](const auto& c) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!into_.position.empty()) __builtin_prefetch(c.position[axis] + slot.row);
-        if (!into_.previous.empty()) __builtin_prefetch(c.previous[axis] + slot.row);
-        if (!into_.velocity.empty() || speeds_) __builtin_prefetch(c.velocity[axis] + slot.row);
-      }
-    });
   }
 
   /// Those that were noted.

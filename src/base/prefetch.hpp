@@ -1,0 +1,18 @@
+// Fetching ahead: what lies at an address is brought near while something else is worked on.
+#pragma once
+
+#include "physim/macros.hpp"
+
+namespace physim {
+
+/// g++ takes functions that do nothing else for pure, and drops calls of them: the empty statement keeps them.
+PHYSIM_INLINE void prefetch_at(const void* address) {
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+  __asm__ volatile("" : : "r"(address));
+#else
+  static_cast<void>(address);
+#endif
+}
+
+}  // namespace physim
