@@ -75,10 +75,13 @@ std::size_t run(Part part, const MicroJob<S>& job) {
     case Part::tsit5_step: return repeat_step(job, lanes, Integrator::tsit5);
     case Part::dop853_step: return repeat_step(job, lanes, Integrator::dop853);
     case Part::watch: {
-      const MaskOf<R> all_lanes = x == x;
+      const unsigned all_lanes = lane_bits(x == x);
+      StandingWatch<R> watch;
+      watch.begin(c, course.watch, lanes);
       return repeat(job, y, [&] {
         touch(lanes);
-        y = select(needs_attention(course, lanes, all_lanes).special, x, y);
+        const Detected found = watch.pass(c, course.watch, lanes, last_slope(c.fidelity), all_lanes);
+        y = needs_attention(course, lanes, all_lanes, found).special != 0 ? x : y;
       });
     }
     case Part::accept: {

@@ -79,11 +79,12 @@ class ReadyShots {
   }
 
   /// Puts the next shot into a lane; false where none is left.
-  bool take(Lanes<R>& into, int lane, std::size_t& shot) {
+  bool take(Lanes<R>& into, StandingWatch<R>& watch, int lane, std::size_t& shot) {
     PHYSIM_ASSERT(used_ <= filled_ && filled_ <= kLanes<R>);
     if (used_ == filled_ && !refill()) return false;
     copy_start(*job_.course, ready_, used_, into, lane,
                job_.own);  // what shots have in common is there since take_all()
+    watch.take(watch_, used_, lane);
     shot = next_ - static_cast<std::size_t>(filled_ - used_);
     PHYSIM_ASSERT(shot < job_.count);
     ++used_;
@@ -91,10 +92,11 @@ class ReadyShots {
   }
 
   /// Fills all lanes at the start; bit i of the result: lane i has a shot.
-  unsigned take_all(Lanes<R>& into, std::size_t* shots) {
+  unsigned take_all(Lanes<R>& into, StandingWatch<R>& watch, std::size_t* shots) {
     const std::size_t first = next_;
     if (!refill()) return 0;
     into = ready_;
+    watch = watch_;
     for (int lane = 0; lane < filled_; ++lane) shots[lane] = first + static_cast<std::size_t>(lane);
     used_ = filled_;
     return static_cast<unsigned>((std::size_t(1) << filled_) - 1);
@@ -117,6 +119,7 @@ class ReadyShots {
     if (job_.launches != nullptr && job_.launches->weather != nullptr)
       put_weather(*job_.launches->weather, *job_.course->conditions, next_, filled_, ready_.body);
     march_.launch();
+    watch_.begin(*job_.course->conditions, job_.course->watch, ready_);
     next_ += static_cast<std::size_t>(filled_);
     used_ = 0;
     return true;
@@ -125,7 +128,8 @@ class ReadyShots {
   const BatchJob<S>& job_;
   March<R> march_;
   Lanes<R>& ready_ = march_.lanes;
-  std::size_t next_ = 0;  // first shot not yet prepared
+  StandingWatch<R> watch_;  // at their launch
+  std::size_t next_ = 0;    // first shot not yet prepared
   int filled_ = 0;
   int used_ = 0;
 };
@@ -278,19 +282,24 @@ class LaneSet {
   bool begin(const BatchJob<S>& job, ReadyShots<R, S>& ready) {
     job_ = &job;
     march = March<R>(*job.course);
-    flying_ = ready.take_all(march.lanes, shot_);
+    flying_ = ready.take_all(march.lanes, watch_, shot_);
     return flying_ != 0;
   }
 
   /// Goes on from a step tried: flights that end make room for the next shots. False when all have ended.
   bool go_on(const MaskOf<R>& accepted, ReadyShots<R, S>& ready, JudgedSteps<R, S>& judged) {
-    const Attention<R> attention = needs_attention(*job_->course, march.lanes, accepted);
+    const Conditions<S>& c = *job_->course->conditions;
+    const WatchList& watch = job_->course->watch;
+    const unsigned accepts = lane_bits(accepted);
+    const Detected found = watch_.pass(c, watch, march.lanes, last_slope(c.fidelity), accepts);
+    const Attention attention = needs_attention(*job_->course, march.lanes, accepts, found);
     unsigned ended = 0;
-    if (any(attention.special)) ended = hand_over(attention, lane_bits(accepted), judged);
+    if (attention.special != 0) ended = hand_over(attention, accepts, judged);
     march.accept(accepted);
+    if (has_stops(c)) watch_.begin(c, watch, march.lanes);  // behind a stop a body and its forces are others
     for (; ended != 0; ended &= ended - 1) {
       const int lane = __builtin_ctz(ended);
-      if (!ready.take(march.lanes, lane, shot_[lane])) flying_ &= ~(1u << lane);
+      if (!ready.take(march.lanes, watch_, lane, shot_[lane])) flying_ &= ~(1u << lane);
     }
     return flying_ != 0;
   }
@@ -299,11 +308,11 @@ class LaneSet {
 
  private:
   /// Hands steps over for judgement; returns the lanes whose flight ends. What is not sure before is judged at once.
-  unsigned hand_over(const Attention<R>& attention, unsigned accepted, JudgedSteps<R, S>& judged) {
+  unsigned hand_over(const Attention& attention, unsigned accepted, JudgedSteps<R, S>& judged) {
     PHYSIM_ASSERT(job_ != nullptr && flying_ != 0);
-    unsigned ended = lane_bits(attention.surely_ends) & flying_;
-    const unsigned sure = ended | lane_bits(attention.surely_goes_on);
-    for (unsigned left = lane_bits(attention.special) & flying_; left != 0; left &= left - 1) {
+    unsigned ended = attention.surely_ends & flying_;
+    const unsigned sure = ended | attention.surely_goes_on;
+    for (unsigned left = attention.special & flying_; left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
       judged.add(march.lanes, lane, (accepted >> lane & 1u) != 0, (ended >> lane & 1u) != 0, shot_[lane]);
       if ((sure >> lane & 1u) == 0 && judged.settle()) ended |= 1u << lane;
@@ -312,6 +321,7 @@ class LaneSet {
   }
 
   const BatchJob<S>* job_ = nullptr;
+  StandingWatch<R> watch_;
   std::size_t shot_[kLanes<R>] = {};
   unsigned flying_ = 0;  // bit i: lane i has a shot
 };

@@ -35,6 +35,24 @@ NumberRuns runs_of(PartSet parts, bool low_air_alone) {
   return runs;
 }
 
+/// Which of the numbers that lanes hold differ between launches, as far as their columns say.
+NumberRuns differing(const LaunchSource& from, const NumberRuns& held) {
+  const auto differs = [](const NumberColumn& column) { return column.of_shots != nullptr; };
+  const auto own = [&](unsigned number) {
+    if (number == kBodyNumber.launch.x.x) return differs(from.x);
+    if (number == kBodyNumber.launch.x.y) return differs(from.y);
+    if (number == kBodyNumber.launch.x.z) return differs(from.z);
+    const bool is_axis = (number >= kBodyNumber.plane.x && number <= kBodyNumber.plane.z) ||
+                         (number >= kBodyNumber.sight.x && number <= kBodyNumber.sight.z);
+    return !is_axis || differs(from.azimuth);
+  };
+  NumberRuns runs;
+  held.each([&](unsigned number) {
+    if (own(number)) runs.add(number, 1);
+  });
+  return runs;
+}
+
 State<double> shown(const ShotGroup& group, std::size_t i, const State<double>& flown, double time) {
   if (!drifts(group.cohort.in_use.fidelity)) return flown;
   PHYSIM_ASSERT(i < group.drifts.size());
@@ -199,10 +217,11 @@ void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches, void 
   Body<double> common = group.common;
   for (double& density : common.air.base_density)
     if (low_air_alone) density = std::numeric_limits<double>::quiet_NaN();
-  kernel({&course, launches, group.own_numbers.data(), group.own_stride(), runs_of(own, low_air_alone),
-          runs_of(judged, low_air_alone), &common, group.rotors.data(), launches ? nullptr : group.shots.data(),
-          launches ? part_->shots.size() : gathered, part_->shots.data(),
-          group.turned.empty() ? nullptr : group.turned.data(), emit, &group, left_low_air_});
+  NumberRuns own_runs = runs_of(own, low_air_alone), judged_runs = runs_of(judged, low_air_alone);
+  if (launches != nullptr) own_runs = differing(*launches, own_runs), judged_runs = differing(*launches, judged_runs);
+  kernel({&course, launches, group.own_numbers.data(), group.own_stride(), own_runs, judged_runs, &common,
+          group.rotors.data(), launches ? nullptr : group.shots.data(), launches ? part_->shots.size() : gathered,
+          part_->shots.data(), group.turned.empty() ? nullptr : group.turned.data(), emit, &group, left_low_air_});
 }
 
 /// Whether the lanes may compute the launches of a part themselves. What all have in common is asked of the first; any

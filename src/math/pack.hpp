@@ -295,10 +295,50 @@ PHYSIM_INLINE unsigned lane_bits(const PackMask<T, N>& mask) {
       continue;
     }
 #endif
+#if defined(__AVX__)
+    if constexpr (sizeof mask.r[0] == 32) {
+      part = unsigned(sizeof(T) == 8 ? _mm256_movemask_pd((__m256d)mask.r[i]) : _mm256_movemask_ps((__m256)mask.r[i]));
+      bits |= part << (i * kPer);
+      continue;
+    }
+#endif
+#if defined(__SSE2__)
+    if constexpr (sizeof mask.r[0] == 16) {
+      part = unsigned(sizeof(T) == 8 ? _mm_movemask_pd((__m128d)mask.r[i]) : _mm_movemask_ps((__m128)mask.r[i]));
+      bits |= part << (i * kPer);
+      continue;
+    }
+#endif
     for (int lane = 0; lane < kPer; ++lane) part |= (mask.r[i][lane] != 0 ? 1u : 0u) << lane;
     bits |= part << (i * kPer);
   }
   return bits;
+}
+/// lane_bits() of a >= b and of a <= b: with AVX-512 a comparison makes these bits, and a mask only from them.
+template <class R>
+PHYSIM_INLINE unsigned lanes_at_least(const R& a, const std::type_identity_t<R>& b) {
+  return lane_bits(a >= b);
+}
+template <class R>
+PHYSIM_INLINE unsigned lanes_at_most(const R& a, const std::type_identity_t<R>& b) {
+  return lanes_at_least(b, a);
+}
+template <class T, int N>
+PHYSIM_INLINE unsigned lanes_at_least(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
+#if defined(__AVX512F__)
+  constexpr int kPer = Pack<T, N>::kPerRegister;
+  if constexpr (std::is_floating_point_v<T> && Pack<T, N>::kBytes == 64) {
+    unsigned bits = 0;
+    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) {
+      if constexpr (sizeof(T) == 8)
+        bits |= unsigned(_mm512_cmp_pd_mask((__m512d)a.r[i], (__m512d)b.r[i], _CMP_GE_OQ)) << (i * kPer);
+      else
+        bits |= unsigned(_mm512_cmp_ps_mask((__m512)a.r[i], (__m512)b.r[i], _CMP_GE_OQ)) << (i * kPer);
+    }
+    return bits;
+  }
+#endif
+  return lane_bits(a >= b);
 }
 /// One lane of a pack, of a mask, or of what is but one.
 template <class T>

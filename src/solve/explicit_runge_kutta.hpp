@@ -216,7 +216,7 @@ PHYSIM_INLINE bool is_adaptive(Integrator integrator) {
 /// Calls f with 0, 1, ... N - 1 as compile-time constants.
 template <int N, class F>
 PHYSIM_INLINE void static_for(F&& f) {
-  [&]<int... I>(std::integer_sequence<int, I...>) { (f(std::integral_constant<int, I>{}), ...); }
+  [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA { (f(std::integral_constant<int, I>{}), ...); }
   (std::make_integer_sequence<int, N>{});
 }
 
@@ -232,7 +232,7 @@ constexpr int first_nonzero() {
 template <class Weights, int N, template <class> class Y, class R>
 PHYSIM_INLINE Y<R> weighted_sum(const Y<R>* slope) {
   Y<R> sum{};
-  static_for<N>([&](auto j) {
+  static_for<N>([&](auto j) PHYSIM_INLINE_LAMBDA {
     constexpr double w = Weights::at(j);
     if constexpr (w != 0) {
       const R weight = constant<R>(w);
@@ -267,8 +267,9 @@ PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
   return s.start + weighted_sum<Weights<Tableau::b>, Tableau::kStages>(s.slope) * h;
 }
 
-/// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y)` is step
-/// i's acceleration; where they turn, f(i, t, y, turn, slope) is told the Turn too and gives its slope beside it.
+/// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y, a)` puts
+/// step i's acceleration into `a`; where they turn, f(i, t, y, turn, a, slope) is told the Turn too and gives its slope
+/// beside it. (Where packs are returned, g++ sets their place to zero first, by an instruction that takes 30 cycles.)
 ///
 /// A stage waits for the one before: for a square root, a table look-up, and a chain of sums. The steps do not wait for
 /// each other, so the processor fills one's waiting with the other's work.
@@ -281,10 +282,11 @@ PHYSIM_INLINE void runge_kutta_ends(Step<R>* const* steps, int count, const F& f
       Step<R>& s = *steps[i];
       const State<R> y = stage_state<Tableau, stage>(s, s.h);
       const R t = s.t + s.h * constant<R>(Tableau::c[stage]);
+      s.slope[stage].x = y.v;
       if constexpr (kTurns)
-        s.slope[stage] = {y.v, f(i, t, y, stage_state<Tableau, stage>(*s.turn, s.h), s.turn->slope[stage])};
+        f(i, t, y, stage_state<Tableau, stage>(*s.turn, s.h), s.slope[stage].v, s.turn->slope[stage]);
       else
-        s.slope[stage] = {y.v, f(i, t, y)};
+        f(i, t, y, s.slope[stage].v);
     }
   });
   for (int i = 0; i < count; ++i) {

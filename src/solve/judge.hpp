@@ -34,28 +34,32 @@ PHYSIM_INLINE MaskOf<R> ends_finite(const Fidelity& f, const Step<R>& s) {
   return finite;
 }
 
-/// Lanes that cannot just go on, and what is sure about them before the crossings are found.
-template <class R>
+/// Lanes that cannot just go on, and what is sure about them before the crossings are found; in bits of lanes.
 struct Attention {
-  MaskOf<R> special;
-  MaskOf<R> surely_ends;
-  MaskOf<R> surely_goes_on;
+  unsigned special;
+  unsigned surely_ends;
+  unsigned surely_goes_on;
 };
 
-/// Accepted lanes with an event or a bad number, and lanes out of steps.
+/// Accepted lanes with an event or a bad number, and lanes out of steps; `found` is what detect() says of them.
 template <class R, class S>
-PHYSIM_INLINE Attention<R> needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
-  const Conditions<S>& c = *course.conditions;
-  const Detected<R> found =
-      detect(c, l.body, course.watch, l.step, l.step.slope[0].v, l.step.slope[last_slope(c.fidelity)].v);
-  const MaskOf<R> finite = ends_finite(c.fidelity, l.step);
-  const MaskOf<R> trouble = (l.tries >= R(course.plan.max_tries)) | stands_still(l);
-  const MaskOf<R> sound = accepted & finite;
-  Attention<R> a;
-  a.special = (accepted & (found.some | !finite)) | trouble;
+PHYSIM_INLINE Attention needs_attention(const Course<S>& course, const Lanes<R>& l, unsigned accepted,
+                                        const Detected& found) {
+  const unsigned finite = lane_bits(ends_finite(course.conditions->fidelity, l.step));
+  const unsigned trouble = lanes_at_least(l.tries, R(course.plan.max_tries)) | lane_bits(stands_still(l));
+  const unsigned sound = accepted & finite;
+  Attention a;
+  a.special = (accepted & (found.some | ~finite)) | trouble;
   a.surely_ends = sound & found.surely_terminal;
-  a.surely_goes_on = sound & !found.maybe_terminal & !trouble;
+  a.surely_goes_on = sound & ~found.maybe_terminal & ~trouble;
   return a;
+}
+template <class R, class S>
+PHYSIM_INLINE Attention needs_attention(const Course<S>& course, const Lanes<R>& l, const MaskOf<R>& accepted) {
+  const Conditions<S>& c = *course.conditions;
+  return needs_attention(
+      course, l, lane_bits(accepted),
+      detect(c, l.body, course.watch, l.step, l.step.slope[0].v, l.step.slope[last_slope(c.fidelity)].v));
 }
 
 /// The crossings in the last steps of lanes.

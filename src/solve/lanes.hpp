@@ -64,12 +64,21 @@ PHYSIM_INLINE void copy_step(const Conditions<S>& c, const Lanes<R>& from, int f
   const auto copy = [&](const auto& source, auto& to) { copy_lane(source, from_lane, to, lane); };
   copy_lane(from.body, from_lane, into.body, lane, body);
   for_rotors(c.fidelity, copy, from, into);
-  const auto copy_part = [&](const auto& source, auto& to) {
+  const auto copy_ends = [&](const auto& source, auto& to) {
     copy(source.start, to.start);
     copy(source.end, to.end);
+  };
+  for_parts(c.fidelity, copy_ends, from.step, into.step);
+  const bool by_slopes = dense_coefficient_count(c.fidelity.integrator) > 0 || turns(c.fidelity);
+  const auto copy_slopes = [&](const auto& source, auto& to) {
     for_dense_slopes(c.fidelity.integrator, last_slope(c.fidelity), [&](int i) { copy(source.slope[i], to.slope[i]); });
   };
-  for_parts(c.fidelity, copy_part, from.step, into.step);
+  if (by_slopes) {
+    for_parts(c.fidelity, copy_slopes, from.step, into.step);
+  } else {  // Hermite's interpolation has the velocities from both ends
+    copy(from.step.slope[0].v, into.step.slope[0].v);
+    copy(from.step.slope[last_slope(c.fidelity)].v, into.step.slope[last_slope(c.fidelity)].v);
+  }
   copy(from.step.t, into.step.t);
   copy(from.step.h, into.step.h);
   copy(from.step.t_end, into.step.t_end);

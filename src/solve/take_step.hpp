@@ -148,8 +148,8 @@ PHYSIM_INLINE void set_unit_length(const Fidelity& f, Step<R>& s) {
 template <class R, class S>
 [[gnu::noinline]] void reach_turning_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
   PHYSIM_ASSERT(c.fidelity.motion == Motion::force && w.count > 0);
-  const auto f = [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Turn<R>& slope) {
-    return evaluated(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, slope);
+  const auto f = [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
+    evaluate(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, a, slope);
   };
   with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);
@@ -174,7 +174,7 @@ PHYSIM_INLINE void reach_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
     for (int i = 0; i < w.count; ++i) w.steps[i]->end = closed_form(c, w.flyer[i]->body, w.steps[i]->t_end);
     return;
   }
-  const auto f = [&](int i, const R& t, const State<R>& y) { return evaluated(c, w.flyer[i]->body, t, y); };
+  const auto f = [&](int i, const R& t, const State<R>& y, Vec3<R>& a) { evaluate(c, w.flyer[i]->body, t, y, a); };
   with_method(c.fidelity.integrator, [&](auto method) PHYSIM_INLINE_LAMBDA {
     using Method = decltype(method);
     if constexpr (RungeKutta<Method>) {
@@ -194,11 +194,12 @@ PHYSIM_INLINE void set_slope(const Conditions<S>& c, Flyer<R>& l, int place, con
   PHYSIM_ASSERT(place >= 0 && place < kMaxSlopes);
   Step<R>& s = l.step;
   const State<R>& y = place == 0 ? s.start : s.end;
+  s.slope[place].x = y.v;
   if (turns(c.fidelity)) {
     const Turn<R>& turn = place == 0 ? s.turn->start : s.turn->end;
-    s.slope[place] = {y.v, evaluated(c, l.body, *l.rotor, t, y, turn, s.turn->slope[place])};
+    evaluate(c, l.body, *l.rotor, t, y, turn, s.slope[place].v, s.turn->slope[place]);
   } else {
-    s.slope[place] = {y.v, evaluated(c, l.body, t, y)};
+    evaluate(c, l.body, t, y, s.slope[place].v);
   }
 }
 template <class R, class S>

@@ -11,6 +11,7 @@
 #include "math/vec3.hpp"
 #include "physim/flight.hpp"
 #include "solve/regime.hpp"
+#include "solve/step.hpp"
 
 namespace physim {
 
@@ -73,15 +74,39 @@ PHYSIM_INLINE R watched_value(const Conditions<S>& c, const Body<R>& b, const Ev
   return t - value;
 }
 
+/// On which side of nothing a number lies; of what is no number nothing holds.
 template <class R>
-PHYSIM_INLINE MaskOf<R> crosses(Crossing direction, const R& from, const R& to) {
-  using S = ScalarOf<R>;
-  const R zero(S(0));
-  const auto rising = (from < zero) & (to >= zero);
-  const auto falling = (from > zero) & (to <= zero);
+struct SideOf {
+  const R& x;
+  PHYSIM_INLINE MaskOf<R> below() const { return x < zero(); }
+  PHYSIM_INLINE MaskOf<R> above() const { return x > zero(); }
+  PHYSIM_INLINE MaskOf<R> not_below() const { return x >= zero(); }
+  PHYSIM_INLINE MaskOf<R> not_above() const { return x <= zero(); }
+
+ private:
+  PHYSIM_INLINE static R zero() { return R(ScalarOf<R>(0)); }
+};
+
+/// ... in bits of lanes.
+struct SideBits {
+  unsigned at_least, at_most;
+  PHYSIM_INLINE unsigned below() const { return at_most & ~at_least; }
+  PHYSIM_INLINE unsigned above() const { return at_least & ~at_most; }
+  PHYSIM_INLINE unsigned not_below() const { return at_least; }
+  PHYSIM_INLINE unsigned not_above() const { return at_most; }
+};
+
+template <class Side>
+PHYSIM_INLINE auto side_changes(Crossing direction, const Side& from, const Side& to) {
+  const auto rising = from.below() & to.not_below();
+  const auto falling = from.above() & to.not_above();
   if (direction == Crossing::rising) return rising;
   if (direction == Crossing::falling) return falling;
   return rising | falling;
+}
+template <class R>
+PHYSIM_INLINE MaskOf<R> crosses(Crossing direction, const R& from, const R& to) {
+  return MaskOf<R>(side_changes(direction, SideOf<R>{from}, SideOf<R>{to}));
 }
 
 /// The sign of this is the sign of the rate at which the watched quantity changes; zero for quantities whose turning
@@ -105,46 +130,130 @@ PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const Eve
 }
 
 /// A step in which the quantity turns on the far side of the value: it may cross it twice and end where it began.
-template <class R>
-PHYSIM_INLINE MaskOf<R> may_cross_twice(const R& from, const R& to, const R& rate_from, const R& rate_to) {
-  using S = ScalarOf<R>;
-  const R zero(S(0));
-  const auto peak = (from <= zero) & (to <= zero) & (rate_from > zero) & (rate_to <= zero);
-  const auto dip = (from >= zero) & (to >= zero) & (rate_from < zero) & (rate_to >= zero);
+template <class Side>
+PHYSIM_INLINE auto side_may_change_twice(const Side& from, const Side& to, const Side& rate_from, const Side& rate_to) {
+  const auto peak = from.not_above() & to.not_above() & rate_from.above() & rate_to.not_above();
+  const auto dip = from.not_below() & to.not_below() & rate_from.below() & rate_to.not_below();
   return peak | dip;
 }
-
-/// What detect() says about lanes.
 template <class R>
+PHYSIM_INLINE MaskOf<R> may_cross_twice(const R& from, const R& to, const R& rate_from, const R& rate_to) {
+  using Side = SideOf<R>;
+  return MaskOf<R>(side_may_change_twice(Side{from}, Side{to}, Side{rate_from}, Side{rate_to}));
+}
+
+/// Where lanes stand with one watched quantity at an end of a step: the sides of its value, and of its rate where it
+/// may turn. What stands at the end of a step that is accepted stands at the start of the next.
+class Standing {
+ public:
+  Standing() = default;
+  PHYSIM_INLINE Standing(const SideBits& value, const SideBits& rate) : value_(joined(value)), rate_(joined(rate)) {}
+
+  [[nodiscard]] PHYSIM_INLINE SideBits value() const { return {unsigned(value_), unsigned(value_ >> kField)}; }
+  [[nodiscard]] PHYSIM_INLINE SideBits rate() const { return {unsigned(rate_), unsigned(rate_ >> kField)}; }
+  /// Takes over some lanes of another one.
+  PHYSIM_INLINE void take(const Standing& from, unsigned lanes) {
+    const std::uint64_t taken = kFirstLane * lanes;
+    value_ = (value_ & ~taken) | (from.value_ & taken);
+    rate_ = (rate_ & ~taken) | (from.rate_ & taken);
+  }
+  /// ... or one lane, from another lane.
+  PHYSIM_INLINE void take(const Standing& from, int from_lane, int lane) {
+    PHYSIM_ASSERT(from_lane >= 0 && from_lane < kField && lane >= 0 && lane < kField);
+    const std::uint64_t others = ~(kFirstLane << lane);
+    value_ = (value_ & others) | ((from.value_ >> from_lane & kFirstLane) << lane);
+    rate_ = (rate_ & others) | ((from.rate_ >> from_lane & kFirstLane) << lane);
+  }
+
+ private:
+  static constexpr int kField = 32;                           // bits of lanes
+  static constexpr std::uint64_t kFirstLane = 0x1'0000'0001;  // of both fields
+  PHYSIM_INLINE static std::uint64_t joined(const SideBits& side) {
+    return std::uint64_t(side.at_most) << kField | side.at_least;
+  }
+
+  std::uint64_t value_ = 0;
+  std::uint64_t rate_ = 0;
+};
+
+/// Where lanes stand in a state at the time t, with the acceleration a.
+template <class R, class S>
+PHYSIM_INLINE Standing standing(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const R& t,
+                                const State<R>& s, const Vec3<R>& a) {
+  const R zero(S(0));
+  const auto side = [&](const R& x) PHYSIM_INLINE_LAMBDA {
+    return SideBits{lanes_at_least(x, zero), lanes_at_most(x, zero)};
+  };
+  const SideBits value = side(watched_value(c, b, spec, t, s));
+  if (!may_turn(row_of(spec.kind).watch)) return {value, {0, 0}};
+  return {value, side(watched_rate(c, b, spec, s, a))};
+}
+
+/// What detect() says about lanes, in their bits.
 struct Detected {
-  MaskOf<R> some;             // something watched is crossed, or may be crossed twice
-  MaskOf<R> surely_terminal;  // something that ends the flight is crossed
-  MaskOf<R> maybe_terminal;   // ... or may be crossed twice
+  unsigned some = 0;             // something watched is crossed, or may be crossed twice
+  unsigned surely_terminal = 0;  // something that ends the flight is crossed
+  unsigned maybe_terminal = 0;   // ... or may be crossed twice
+
+  /// Looks at one watched quantity.
+  PHYSIM_INLINE void add(const EventSpec& spec, const Standing& from, const Standing& to) {
+    const unsigned twice = side_may_change_twice(from.value(), to.value(), from.rate(), to.rate());
+    const unsigned once = side_changes(spec.direction, from.value(), to.value());
+    some |= once | twice;
+    if (!spec.terminal) return;
+    surely_terminal |= once & ~twice;
+    maybe_terminal |= once | twice;
+  }
 };
 
 /// Whether a step crosses something watched. `a_start` and `a_end` are the accelerations at its ends.
 template <class R, class S>
-PHYSIM_INLINE Detected<R> detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s,
-                                 const Vec3<R>& a_start, const Vec3<R>& a_end) {
+PHYSIM_INLINE Detected detect(const Conditions<S>& c, const Body<R>& b, const WatchList& watch, const Step<R>& s,
+                              const Vec3<R>& a_start, const Vec3<R>& a_end) {
   PHYSIM_ASSERT(watch.count >= 0 && watch.count <= kMaxWatched);
-  const MaskOf<R> none = R(S(0)) != R(S(0));
-  Detected<R> d{none, none, none};
+  Detected d;
   for (int i = 0; i < watch.count; ++i) {
     const EventSpec& spec = watch.item[i].spec;
-    const R from = watched_value(c, b, spec, s.t, s.start);
-    const R to = watched_value(c, b, spec, s.t_end, s.end);
-    MaskOf<R> twice = none;
-    if (may_turn(row_of(spec.kind).watch))
-      twice =
-          may_cross_twice(from, to, watched_rate(c, b, spec, s.start, a_start), watched_rate(c, b, spec, s.end, a_end));
-    const MaskOf<R> once = crosses(spec.direction, from, to);
-    d.some = d.some | once | twice;
-    if (!spec.terminal) continue;
-    d.surely_terminal = d.surely_terminal | (once & !twice);
-    d.maybe_terminal = d.maybe_terminal | once | twice;
+    d.add(spec, standing(c, b, spec, s.t, s.start, a_start), standing(c, b, spec, s.t_end, s.end, a_end));
   }
   return d;
 }
+
+/// Where lanes stand with all that is watched at the starts of their steps, so that a step is looked at once, at its
+/// end.
+template <class R>
+class StandingWatch {
+ public:
+  /// At steps that have not been taken yet.
+  template <class S>
+  PHYSIM_INLINE void begin(const Conditions<S>& c, const WatchList& watch, const Flyer<R>& l) {
+    count_ = watch.count;
+    for (int i = 0; i < count_; ++i)
+      at_[i] = standing(c, l.body, watch.item[i].spec, l.step.t, l.step.start, l.step.slope[0].v);
+  }
+  /// As detect(), of steps from where begin() or the last call left off; those of `accepted` lanes are over.
+  template <class S>
+  PHYSIM_INLINE Detected pass(const Conditions<S>& c, const WatchList& watch, const Flyer<R>& l, int last_slope,
+                              unsigned accepted) {
+    PHYSIM_ASSERT(count_ == watch.count);
+    Detected d;
+    for (int i = 0; i < count_; ++i) {
+      const EventSpec& spec = watch.item[i].spec;
+      const Standing end = standing(c, l.body, spec, l.step.t_end, l.step.end, l.step.slope[last_slope].v);
+      d.add(spec, at_[i], end);
+      at_[i].take(end, accepted);
+    }
+    return d;
+  }
+  /// Copies one lane.
+  PHYSIM_INLINE void take(const StandingWatch& from, int from_lane, int lane) {
+    for (int i = 0; i < count_; ++i) at_[i].take(from.at_[i], from_lane, lane);
+  }
+
+ private:
+  Standing at_[kMaxWatched];
+  int count_ = 0;
+};
 
 /// The crossings of one lane's step.
 struct CrossingList {

@@ -123,6 +123,21 @@ TYPED_TEST(PackTest, Compares) {
   this->expect_lanes("a >= 1", [](const auto& a, const auto&) { return a >= T(1); });
   this->expect_lanes("is_finite", [](const auto& a, const auto&) { return is_finite(a); });
 }
+TYPED_TEST(PackTest, TellsLanesByBits) {
+  for (const TypeParam& a : this->packs()) {
+    for (const TypeParam& b : this->packs()) {
+      const unsigned below = lane_bits(a < b), at_least = lanes_at_least(a, b), at_most = lanes_at_most(a, b);
+      EXPECT_EQ(std::uint64_t(below | at_least | at_most) >> this->kWidth, 0u);
+      for (int lane = 0; lane < this->kWidth; ++lane) {
+        const auto x = lane_of(a, lane), y = lane_of(b, lane);
+        EXPECT_EQ(below >> lane & 1u, x < y ? 1u : 0u) << x << ' ' << y;
+        EXPECT_EQ(at_least >> lane & 1u, x >= y ? 1u : 0u) << x << ' ' << y;
+        EXPECT_EQ(at_most >> lane & 1u, x <= y ? 1u : 0u) << x << ' ' << y;
+      }
+    }
+  }
+}
+
 TYPED_TEST(PackTest, CombinesMasks) {
   using T = ScalarOf<TypeParam>;
   this->expect_lanes(
