@@ -104,7 +104,7 @@ struct PushedRung {
       store_scratch(job, kSlopes, row, State<R>{m.start.v, a});
       m.end = select(found, State<R>{load_vector<R>(job.rows.columns.previous, row), m.start.v}, m.end);
     }
-    store_vector(m.end.x, job.rows.columns.previous, row);
+    put_positions(job.rows, m.end.x, row);
     store_vector(m.end.v, job.rows.columns.velocity, row);
     return bits;
   }
@@ -138,6 +138,7 @@ struct PushedRung {
       attention = true;
       keep_ends<R>(job, first);
     }
+    if (job.rows.stream) finish_streams();
     return {attention, true};
   }
 };

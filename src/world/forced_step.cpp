@@ -75,6 +75,7 @@ class ForcedStep {
     std::size_t doubles = 0;
     std::size_t words = 0;
     std::size_t count = 0;
+    std::size_t bytes = 0;
     for (const Integrator integrator : all_rungs<Integrator>()) {
       ForcedGroup group{integrator, s_.runs.size(), 0};
       std::uint32_t first = 0;
@@ -86,11 +87,13 @@ class ForcedStep {
         memory += padded(size) * forced_columns(end_slope(integrator), context_.state->rows[c].layout().turning);
         words += padded(size) / kRowsPerWord;
         first += size;
+        bytes += size * context_.state->rows[c].row_bytes();
       }
       group.last_run = s_.runs.size();
       if (first > 0) s_.groups.push_back(group);
       count += first;
     }
+    streams_ = bytes > kCacheBytes;
     if (s_.floats.size() < floats) s_.floats.resize(floats);
     if (s_.doubles.size() < doubles) s_.doubles.resize(doubles);
     if (s_.attention.size() < words) s_.attention.resize(words);
@@ -283,6 +286,7 @@ class ForcedStep {
     j.rows.first = part_of(r).first;
     j.rows.last = j.rows.first + part_of(r).count;
     j.rows.attention = s_.attention.data() + r.words;
+    j.rows.stream = streams_;
     return j;
   }
 
@@ -376,10 +380,11 @@ class ForcedStep {
   WorldKernel kernel_;
   const ColumnKernel& column_kernel_;
   bool has_generators_;
-  bool drives_;        // some emitter acts on the flight of its particles
-  bool drives_packs_;  // all that do can be asked pack by pack
-  bool drag_by_age_;   // all that pushes is such drag
-  Part part_;          // that is under way
+  bool drives_;           // some emitter acts on the flight of its particles
+  bool drives_packs_;     // all that do can be asked pack by pack
+  bool drag_by_age_;      // all that pushes is such drag
+  bool streams_ = false;  // rows do not fit into caches
+  Part part_;             // that is under way
 };
 
 }  // namespace

@@ -23,6 +23,14 @@ template <class R, class S>
 PHYSIM_INLINE void stream_vector(const Vec3<R>& v, S* const (&column)[3], std::uint32_t row) {
   v.x.stream(column[0] + row), v.y.stream(column[1] + row), v.z.stream(column[2] + row);
 }
+/// The new positions of a pack of rows; finish_streams() where they are streamed.
+template <class R, class S>
+PHYSIM_INLINE void put_positions(const WorldJob<S>& job, const Vec3<R>& x, std::uint32_t row) {
+  if (job.stream)
+    stream_vector(x, job.columns.previous, row);
+  else
+    store_vector(x, job.columns.previous, row);
+}
 
 template <class R, class S>
 PHYSIM_INLINE State<R> load_state(const WorldJob<S>& job, std::uint32_t row) {
@@ -289,10 +297,7 @@ PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Frame& frame) {
       if (Frame::kCarries && job.columns.carried[0])
         m.carried = select(left, load_vector<R>(job.columns.carried, row), m.carried);
     }
-    if (job.stream)
-      stream_vector(m.end.x, job.columns.previous, row);
-    else
-      store_vector(m.end.x, job.columns.previous, row);
+    put_positions(job, m.end.x, row);
     store_vector(m.end.v, job.columns.velocity, row);
     if (Frame::kCarries && job.columns.carried[0]) store_vector(m.carried, job.columns.carried, row);
     frame.finish(row, left);

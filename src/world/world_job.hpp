@@ -35,6 +35,10 @@ struct RestlessBoxes {
   Vec3<S> low[kMost], high[kMost];  // corners; the first box holds all others [m]
 };
 
+/// Worlds with more bytes than this do not fit into usual caches. There a line that is about to be overwritten is not
+/// worth fetching from memory first: positions are stored past the caches, which saves a sixth of the traffic.
+inline constexpr std::size_t kCacheBytes = 24u << 20;
+
 /// Rows to step once.
 template <class S>
 struct WorldJob {

@@ -15,9 +15,6 @@ namespace {
 
 /// Rows that one thread takes at a time: some microseconds of work that stay in its cache.
 constexpr std::uint32_t kChunkRows = 4096;
-/// Worlds with more bytes than this do not fit into usual caches. There a line that is about to be overwritten is not
-/// worth fetching from memory first: positions are stored past the caches, which saves a sixth of the traffic.
-constexpr std::size_t kCacheBytes = 24u << 20;
 
 constexpr double kLongestStep = 1e6;  // [s]
 
