@@ -5,10 +5,22 @@
 
 namespace physim {
 
-/// g++ takes functions that do nothing else for pure, and drops calls of them: the empty statement keeps them.
+// g++ takes functions that do nothing else for pure, and drops calls of them: the empty statements keep them.
+
+/// To be read soon.
 PHYSIM_INLINE void prefetch_at(const void* address) {
 #if defined(__GNUC__)
   __builtin_prefetch(address);
+  __asm__ volatile("" : : "r"(address));
+#else
+  static_cast<void>(address);
+#endif
+}
+
+/// To be written soon.
+PHYSIM_INLINE void prefetch_to_write(const void* address) {
+#if defined(__GNUC__)
+  __builtin_prefetch(address, 1);
   __asm__ volatile("" : : "r"(address));
 #else
   static_cast<void>(address);

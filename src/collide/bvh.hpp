@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "base/prefetch.hpp"
 #include "collide/quad_boxes.hpp"
 
 namespace physim::collide {
@@ -214,8 +215,8 @@ class Bvh::Walk {
   /// Has the node that it is at brought from memory.
   PHYSIM_INLINE void prefetch(const Bvh& tree) const {
     const char* node = reinterpret_cast<const char*>(&tree.nodes_[at_.first]);
-    __builtin_prefetch(node);
-    __builtin_prefetch(node + 64);
+    prefetch_at(node);
+    prefetch_at(node + 64);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/ieee_mode.hpp"
+#include "base/prefetch.hpp"
 #include "collide/cast.hpp"
 #include "collide/order.hpp"
 
@@ -38,18 +39,17 @@ struct Batch {
     if (i + kAhead < order.size()) prefetch(order[i + kAhead]);
     return order[i];
   }
-  /// A segment and the place of its hit are on their way from where they lie in memory. Inlined, as g++ leaves out
-  /// calls of what does nothing else.
-  PHYSIM_INLINE void prefetch(std::size_t number) const {
+  /// A segment and the place of its hit are on their way from where they lie in memory.
+  void prefetch(std::size_t number) const {
     const auto* segment = reinterpret_cast<const char*>(&segments[number]);
     const auto* hit = reinterpret_cast<const char*>(&into[number]);
     constexpr std::size_t kLine = 64;
     static_assert(sizeof(SceneSegment) <= 2 * kLine && sizeof(SceneHit) <= 2 * kLine);
-    __builtin_prefetch(segment);
-    __builtin_prefetch(segment + sizeof(SceneSegment) - 1);
-    __builtin_prefetch(hit, 1);
-    __builtin_prefetch(hit + kLine, 1);
-    __builtin_prefetch(hit + sizeof(SceneHit) - 1, 1);
+    prefetch_at(segment);
+    prefetch_at(segment + sizeof(SceneSegment) - 1);
+    prefetch_to_write(hit);
+    prefetch_to_write(hit + kLine);
+    prefetch_to_write(hit + sizeof(SceneHit) - 1);
   }
 };
 

@@ -1,6 +1,7 @@
 // Meshes of triangles, in a tree of boxes.
 #pragma once
 
+#include "base/prefetch.hpp"
 #include "collide/bvh.hpp"
 #include "collide/triangle.hpp"
 #include "physim/scene.hpp"
@@ -114,16 +115,15 @@ class Mesh::Walk {
   }
 
  private:
-  // Inlined, as g++ leaves out calls of what brings something from memory and does nothing else.
-  PHYSIM_INLINE void prefetch_triangles() const {
-    __builtin_prefetch(&mesh_->triangles_[boxes_.first()]);
-    __builtin_prefetch(&mesh_->triangles_[boxes_.end() - 1]);
-    __builtin_prefetch(&mesh_->numbers_[boxes_.first()]);
+  void prefetch_triangles() const {
+    prefetch_at(&mesh_->triangles_[boxes_.first()]);
+    prefetch_at(&mesh_->triangles_[boxes_.end() - 1]);
+    prefetch_at(&mesh_->numbers_[boxes_.first()]);
   }
-  PHYSIM_INLINE void ask_for_corners() {
+  void ask_for_corners() {
     corners_asked_ = true;
     for (std::uint32_t i = boxes_.first(); i < boxes_.end(); ++i)
-      for (const std::uint32_t corner : mesh_->triangles_[i]) __builtin_prefetch(&mesh_->vertices_[corner]);
+      for (const std::uint32_t corner : mesh_->triangles_[i]) prefetch_at(&mesh_->vertices_[corner]);
   }
   template <class Take>
   void meet(const Take& take) {

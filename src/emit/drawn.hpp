@@ -193,7 +193,7 @@ class EmitGradient {
   }
   /// Columns go through a kernel.
   template <std::size_t N>
-  void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, const ColumnKernel* kernel = nullptr) const;
+  void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, const ParticleKernel* kernel = nullptr) const;
 
   [[nodiscard]] GradientPieces pieces() const { return {pieces_.data(), pieces_.size()}; }
 
@@ -202,7 +202,7 @@ class EmitGradient {
 };
 
 template <std::size_t N>
-void EmitGradient::at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, const ColumnKernel* kernel) const {
+void EmitGradient::at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, const ParticleKernel* kernel) const {
   if (pieces_.empty()) {
     for (auto& part : colour) part.fill(255);
     return;
@@ -230,7 +230,7 @@ class EmitColour {
   /// Many colours at a time; `draw` gives all of their u. Gradients of columns go through a kernel.
   template <std::size_t N, class DrawU>
   void at_each(const std::array<double, N>& x, RgbaColumns<N>& colour, DrawU&& draw,
-               const ColumnKernel* kernel = nullptr) const {
+               const ParticleKernel* kernel = nullptr) const {
     put(colour_, gradient_, x, colour, kernel);
     if (!drawn_) return;
     RgbaColumns<N> to;
@@ -247,7 +247,7 @@ class EmitColour {
   /// A colour times a gradient.
   template <std::size_t N>
   static void put(const Rgba& plain, const EmitGradient& gradient, const std::array<double, N>& x,
-                  RgbaColumns<N>& colour, const ColumnKernel* kernel) {
+                  RgbaColumns<N>& colour, const ParticleKernel* kernel) {
     if (!gradient.is_white()) gradient.at_each(x, colour, kernel);
     if (!gradient.is_white() && plain.is_white()) return;  // a product with white is the other factor
     for (std::size_t k = 0; k < 4; ++k)

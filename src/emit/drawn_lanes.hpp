@@ -2,7 +2,7 @@
 // Equation: as emit/drawn.hpp.
 #pragma once
 
-#include "emit/column_job.hpp"
+#include "emit/particle_job.hpp"
 #include "math/pack.hpp"
 
 PHYSIM_ISA_BEGIN

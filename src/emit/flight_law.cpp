@@ -55,7 +55,7 @@ bool FlightLaw::is_drag_by_age() const {
 }
 
 template <std::size_t N>
-void FlightLaw::accelerate(const FlightPack<N>& p, const ColumnKernel* kernel,
+void FlightLaw::accelerate(const FlightPack<N>& p, const ParticleKernel* kernel,
                            typename FlightPack<N>::Vectors& sum) const {
   typename FlightPack<N>::Column x, speed{}, k;
   typename FlightPack<N>::Vectors a{};  // apart from what is read: compilers see that nothing overlaps
@@ -101,10 +101,10 @@ void FlightLaw::accelerate(const FlightPack<N>& p, const ColumnKernel* kernel,
 }
 
 void FlightLaw::accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const {
-  accelerate(pack, &column_kernel(), a);
+  accelerate(pack, &particle_kernel(), a);
 }
 
-void FlightLaw::drag_rates(const ColumnKernel& kernel, const std::uint64_t* number, const double* birth,
+void FlightLaw::drag_rates(const ParticleKernel& kernel, const std::uint64_t* number, const double* birth,
                            const double* span, double time, std::array<double, kPack>& rate) const {
   PHYSIM_ASSERT(is_drag_by_age());
   std::array<double, kPack> x;

@@ -77,7 +77,7 @@ class FlightLaw {
   /// Those of a pack [m/s^2].
   void accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const;
   /// Rates of such drag at a time, of kPack particles whose numbers, births and spans lie in columns [1/s].
-  void drag_rates(const ColumnKernel& kernel, const std::uint64_t* number, const double* birth, const double* span,
+  void drag_rates(const ParticleKernel& kernel, const std::uint64_t* number, const double* birth, const double* span,
                   double time, std::array<double, kPack>& rate) const;
   /// That is in its velocity at a time [m/s], and its derivative [m/s^2].
   [[nodiscard]] Vec3d added_velocity(const InFlight& particle, double time) const;
@@ -90,7 +90,7 @@ class FlightLaw {
     [[nodiscard]] bool are_zero() const { return x.is(0) && y.is(0) && z.is(0); }
   };
   template <std::size_t N>
-  void accelerate(const FlightPack<N>& pack, const ColumnKernel* kernel, typename FlightPack<N>::Vectors& a) const;
+  void accelerate(const FlightPack<N>& pack, const ParticleKernel* kernel, typename FlightPack<N>::Vectors& a) const;
 
   std::uint64_t seed_;
   EmitNumber drag_, gravity_, limit_, noise_;

@@ -11,7 +11,7 @@ namespace physim {
 template <std::size_t N>
 class Looks::Look {
  public:
-  Look(const Emission::Parts& parts, const ColumnKernel& kernel, LookPack<N>& pack)
+  Look(const Emission::Parts& parts, const ParticleKernel& kernel, LookPack<N>& pack)
       : p_(parts), pack_(pack), chance_(parts.seed, pack.number, N == kColumn ? &kernel : nullptr) {
     const double fast = p_.def.life.fast;
     for (std::size_t i = 0; i < N; ++i) {

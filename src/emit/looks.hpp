@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "emit/column_job.hpp"
 #include "emit/emission.hpp"
+#include "emit/particle_job.hpp"
 
 namespace physim {
 
@@ -28,7 +28,7 @@ class Looks {
  public:
   static constexpr std::size_t kPack = kColumn;
 
-  explicit Looks(const Emission& emission) : parts_(*emission.parts_), kernel_(column_kernel()) {}
+  explicit Looks(const Emission& emission) : parts_(*emission.parts_), kernel_(particle_kernel()) {}
 
   template <std::size_t N>
   void put(LookPack<N>& pack, const LookParts& wanted) const;  // of 1 or kPack
@@ -40,7 +40,7 @@ class Looks {
   class Look;
 
   const Emission::Parts& parts_;
-  const ColumnKernel& kernel_;
+  const ParticleKernel& kernel_;
 };
 
 }  // namespace physim

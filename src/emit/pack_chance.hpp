@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "emit/chance.hpp"
-#include "emit/column_job.hpp"
 #include "emit/drawn.hpp"
+#include "emit/particle_job.hpp"
 
 namespace physim {
 
@@ -31,13 +31,13 @@ void emit_words_each(std::uint64_t seed, EmitStream stream, std::uint32_t index,
 template <class What, EmitStream kStream, std::size_t N>
 class PackChance {
  public:
-  PackChance(std::uint64_t seed, const std::array<std::uint64_t, N>& number, const ColumnKernel* kernel = nullptr)
+  PackChance(std::uint64_t seed, const std::array<std::uint64_t, N>& number, const ParticleKernel* kernel = nullptr)
       : seed_(seed), number_(number), kernel_(kernel) {
     PHYSIM_ASSERT((kernel != nullptr) == (N == kColumn));
   }
 
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
-  [[nodiscard]] const ColumnKernel* kernel() const { return kernel_; }
+  [[nodiscard]] const ParticleKernel* kernel() const { return kernel_; }
   [[nodiscard]] const std::array<double, N>& operator()(What what) {
     const std::array<std::uint32_t, N>& of = words(what);
     for (std::size_t i = 0; i < N; ++i) u_[i] = open_unit(of[i]);
@@ -64,7 +64,7 @@ class PackChance {
 
   std::uint64_t seed_;
   const std::array<std::uint64_t, N>& number_;
-  const ColumnKernel* kernel_;
+  const ParticleKernel* kernel_;
   // Numbers that are drawn together most often share a block, or lie in the next one.
   static constexpr std::uint32_t kKept = 2, kNone = ~0u;
   std::array<std::uint32_t, kKept> drawn_{kNone, kNone};  // the blocks whose words are there

@@ -8,7 +8,7 @@
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "study/cell_number.hpp"
-#include "study/column_job.hpp"
+#include "study/shard_job.hpp"
 
 namespace physim {
 namespace {
@@ -40,7 +40,7 @@ void widen(CountedCells& cells, std::int64_t low, std::int64_t high) {
 void count_into(CountedCells& cells, std::span<const double> numbers) {
   if (numbers.empty()) return;
   PHYSIM_ASSERT(cells.scale > 0);
-  const ColumnKernel& kernel = column_kernel();
+  const ShardKernel& kernel = shard_kernel();
   const double per_scale = 1 / cells.scale;
   const auto cell_of = [&](double x) { return static_cast<std::int64_t>(cell_number((x - cells.centre) * per_scale)); };
   const auto [least, most] = kernel.least_and_most(numbers.data(), numbers.size());

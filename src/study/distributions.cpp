@@ -8,8 +8,8 @@
 #include "base/checker.hpp"
 #include "base/ieee_mode.hpp"
 #include "math/normal.hpp"
-#include "study/column_job.hpp"
 #include "study/draw_job.hpp"
+#include "study/shard_job.hpp"
 
 namespace physim {
 namespace {
@@ -234,9 +234,9 @@ double Quantiles::operator()(double p) const {
 void Quantiles::from_units(std::span<double> numbers) const {
   if (const auto* d = std::get_if<NormalDistribution>(&distribution_)) {
     draw_kernel().normal_quantiles(numbers.data(), numbers.size());
-    column_kernel().stretch(d->mean, d->deviation, numbers.data(), numbers.data(), numbers.size());
+    shard_kernel().stretch(d->mean, d->deviation, numbers.data(), numbers.data(), numbers.size());
   } else if (const auto* u = std::get_if<UniformDistribution>(&distribution_)) {
-    column_kernel().stretch(u->low, u->high - u->low, numbers.data(), numbers.data(), numbers.size());
+    shard_kernel().stretch(u->low, u->high - u->low, numbers.data(), numbers.data(), numbers.size());
   } else if (const auto* t = std::get_if<TriangularDistribution>(&distribution_)) {
     for (double& x : numbers) x = triangle_quantile(*t, x);
   } else if (std::holds_alternative<LognormalDistribution>(distribution_)) {
@@ -252,7 +252,7 @@ void Quantiles::from_units(std::span<double> numbers) const {
 
 void Quantiles::from_scores(std::span<double> numbers) const {
   if (const auto* d = std::get_if<NormalDistribution>(&distribution_)) {
-    column_kernel().stretch(d->mean, d->deviation, numbers.data(), numbers.data(), numbers.size());
+    shard_kernel().stretch(d->mean, d->deviation, numbers.data(), numbers.data(), numbers.size());
   } else if (std::holds_alternative<LognormalDistribution>(distribution_)) {
     for (double& x : numbers) x = exp(log_mean_ + log_deviation_ * x);
   } else {

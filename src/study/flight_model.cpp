@@ -20,10 +20,10 @@
 #include "model/sight.hpp"
 #include "physim/scene.hpp"
 #include "prepare/grant.hpp"
-#include "study/column_job.hpp"
 #include "study/impacts.hpp"
 #include "study/model.hpp"
 #include "study/paths.hpp"
+#include "study/shard_job.hpp"
 #include "study/targets.hpp"
 
 namespace physim {
@@ -126,7 +126,7 @@ std::span<const double> FlightModel::column_of(const UncertainNumber& number, In
   PHYSIM_ASSERT(!number.inputs.empty());
   if (number.replaced && number.inputs.size() == 1) return inputs[number.inputs[0]];
   const double offset = number.replaced ? 0 : number.there;
-  column_kernel().stretch(offset, 1, inputs[number.inputs[0]].data(), room.data(), room.size());
+  shard_kernel().stretch(offset, 1, inputs[number.inputs[0]].data(), room.data(), room.size());
   for (const std::size_t input : std::span(number.inputs).subspan(1))
     for (std::size_t i = 0; i < room.size(); ++i) room[i] += inputs[input][i];
   return room;
@@ -256,9 +256,9 @@ void FlightModel::mark_things(const Flight& flight, std::size_t shot, std::size_
 void FlightModel::move_to_plane(const BlockEnds& ends) const {
   constexpr double kLastPart = 0.25;  // parts of the time of flight
   PHYSIM_ASSERT(study_.until.range.has_value());
-  column_kernel().to_plane({sight_.forward, sight_.muzzle, *study_.until.range, acceleration_, kLastPart,
-                            ends.time.data(), ends.x.data(), ends.y.data(), ends.z.data(), ends.vx.data(),
-                            ends.vy.data(), ends.vz.data(), ends.x.size()});
+  shard_kernel().to_plane({sight_.forward, sight_.muzzle, *study_.until.range, acceleration_, kLastPart,
+                           ends.time.data(), ends.x.data(), ends.y.data(), ends.z.data(), ends.vx.data(),
+                           ends.vy.data(), ends.vz.data(), ends.x.size()});
 }
 
 /// Impacts of shots that fly without a scene.
@@ -277,7 +277,7 @@ void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, const ModelScr
                       std::span<double> into) const {
   const auto copy = [&](std::span<const double> from) { std::copy(from.begin(), from.end(), into.begin()); };
   const auto seen = [&](const Vec3d& axis, const Vec3d& start) {
-    column_kernel().along({axis, start, e.x.data(), e.y.data(), e.z.data(), into.data(), into.size()});
+    shard_kernel().along({axis, start, e.x.data(), e.y.data(), e.z.data(), into.data(), into.size()});
   };
   switch (quantity) {
     case StudyQuantity::time: return copy(e.time);
@@ -288,7 +288,7 @@ void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, const ModelScr
     case StudyQuantity::vy: return copy(e.vy);
     case StudyQuantity::vz: return copy(e.vz);
     case StudyQuantity::speed:
-      return column_kernel().lengths(e.vx.data(), e.vy.data(), e.vz.data(), into.data(), into.size());
+      return shard_kernel().lengths(e.vx.data(), e.vy.data(), e.vz.data(), into.data(), into.size());
     case StudyQuantity::right: return seen(sight_.right, sight_.start);
     case StudyQuantity::up: return seen(sight_.up, sight_.start);
     case StudyQuantity::along: return seen(sight_.forward, sight_.muzzle);

@@ -5,10 +5,10 @@
 #include <numeric>
 
 #include "study/cells.hpp"
-#include "study/column_job.hpp"
 #include "study/estimates.hpp"
 #include "study/indices.hpp"
 #include "study/over_inputs.hpp"
+#include "study/shard_job.hpp"
 #include "study/targets.hpp"
 #include "study/zone.hpp"
 
@@ -70,7 +70,7 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
 void ShardFlyer::mark_hits() {
   const auto& columns = quantities_.columns;
   const std::size_t all = columns[0].size();
-  const auto is_whole = [](const auto& column) { return column_kernel().all_finite(column.data(), column.size()); };
+  const auto is_whole = [](const auto& column) { return shard_kernel().all_finite(column.data(), column.size()); };
   if (std::ranges::all_of(columns, is_whole)) {
     shots_.resize(all);
     std::iota(shots_.begin(), shots_.end(), 0u);
@@ -106,7 +106,7 @@ void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
   sums.not_arrived = sums.shots - sums.refused - shots_.size();
   sums.moments = moments_of(arrived_);
   for (std::size_t q = 0; q < arrived_.size() && !shots_.empty(); ++q) {
-    const auto [least, most] = column_kernel().least_and_most(arrived_[q].data(), shots_.size());
+    const auto [least, most] = shard_kernel().least_and_most(arrived_[q].data(), shots_.size());
     sums.least.push_back(least), sums.most.push_back(most);
     count_into(sums.cells[q], arrived_[q]);
   }
@@ -134,7 +134,7 @@ void ShardFlyer::add_plane(std::uint64_t shard, ShardSums& sums) {
   const Study& study = plan_.study;
   const std::span<const double> right = arrived_[0], up = arrived_[1];
   const auto measure = [&](const PlanePoint& from) {
-    column_kernel().distances(right.data(), up.data(), from.right, from.up, distances_.data(), right.size());
+    shard_kernel().distances(right.data(), up.data(), from.right, from.up, distances_.data(), right.size());
   };
   measure(plan_.centre);
   add_distances(sums.from_centre);
@@ -159,7 +159,7 @@ void ShardFlyer::add_spreads(ShardSums& sums) {
     const std::size_t groups = run / size;
     distances_.resize(right.size() / run * groups);
     for (std::size_t start = 0, at = 0; start < right.size(); start += run, at += groups)
-      column_kernel().spreads({right.data() + start, up.data() + start, size, groups, distances_.data() + at});
+      shard_kernel().spreads({right.data() + start, up.data() + start, size, groups, distances_.data() + at});
     std::erase_if(distances_, [](double spread) { return spread != spread; });
     DistanceSums& spread = sums.spreads.emplace_back();
     spread.cells = empty_cells(0, plan_.radius_scale);

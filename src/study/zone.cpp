@@ -5,7 +5,7 @@
 #include "base/assert.hpp"
 #include "math/angles.hpp"
 #include "math/elementary.hpp"
-#include "study/column_job.hpp"
+#include "study/shard_job.hpp"
 
 namespace physim {
 namespace {
@@ -37,7 +37,7 @@ std::vector<double> reach_of(std::span<const double> right, std::span<const doub
     const PlanePoint along = direction_of_edge(k);
     job.to_right[k] = along.right, job.to_up[k] = along.up;
   }
-  column_kernel().reach(job);
+  shard_kernel().reach(job);
   return {std::begin(job.reach), std::end(job.reach)};
 }
 

@@ -100,7 +100,7 @@ void DrivenRows::each_law(const WorldState& state, const Columns& rows, std::uin
   }
 }
 
-void DrivenRows::rates(const ColumnKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
+void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
                        double time, std::array<double, DrivenBlock::kMost>& rate) const {
   constexpr std::size_t kMost = DrivenBlock::kMost;
   const Columns& rows = cohorts_[cohort];

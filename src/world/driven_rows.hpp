@@ -30,7 +30,7 @@ class DrivenRows {
   /// In a stage at a time of the world.
   void push(const Registry& registry, const WorldState& state, double time, DrivenBlock& block) const;
   /// Rates of drag at a time, from a row of a cohort on, where the flights of all are drag_by_age() [1/s].
-  void rates(const ColumnKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
+  void rates(const ParticleKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
              double time, std::array<double, DrivenBlock::kMost>& rate) const;
   /// Whether all of it is done by packs: velocities that are added need to know of the whole step.
   [[nodiscard]] static bool in_packs(const WorldState& state);

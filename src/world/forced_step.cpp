@@ -20,7 +20,7 @@ class ForcedStep {
         rows_(scratch.rows),
         field_(*context.registry, *context.state, scratch.rows, scratch.zones),
         kernel_(world_kernel()),
-        column_kernel_(column_kernel()),
+        particle_kernel_(particle_kernel()),
         has_generators_(!context.state->generators.empty()),
         drives_(context.state->emitters.drive_any()),
         drives_packs_(DrivenRows::in_packs(*context.state)),
@@ -153,16 +153,16 @@ class ForcedStep {
     const Part part = part_of(r);
     std::array<double, DrivenBlock::kMost> rate;
     for (std::uint32_t row = part.first; row < part.first + part.count; row += DrivenBlock::kMost) {
-      s_.driven.rates(column_kernel_, *context_.state, r.cohort, row, context_.time, rate);
+      s_.driven.rates(particle_kernel_, *context_.state, r.cohort, row, context_.time, rate);
       const auto& v = j.rows.columns.velocity;
       const DragJob<S> drag{
           {v[0] + row, v[1] + row, v[2] + row},
           rate.data(),
           {j.column(kFirstPush) + row, j.column(kFirstPush + 1) + row, j.column(kFirstPush + 2) + row}};
       if constexpr (sizeof(S) == sizeof(float))
-        column_kernel_.drag_float(drag);
+        particle_kernel_.drag_float(drag);
       else
-        column_kernel_.drag_double(drag);
+        particle_kernel_.drag_double(drag);
     }
   }
   /// Rows of each cohort that go through the stages together.
@@ -378,7 +378,7 @@ class ForcedStep {
   ForceRows& rows_;
   ForceField field_;
   WorldKernel kernel_;
-  const ColumnKernel& column_kernel_;
+  const ParticleKernel& particle_kernel_;
   bool has_generators_;
   bool drives_;           // some emitter acts on the flight of its particles
   bool drives_packs_;     // all that do can be asked pack by pack

@@ -1,7 +1,7 @@
 #include <string_view>
 
 #include "base/kernel_copies.hpp"
-#include "emit/column_job.hpp"
+#include "emit/particle_job.hpp"
 #include "flight/kernels.hpp"
 
 namespace physim {
@@ -14,31 +14,32 @@ PHYSIM_KERNEL_COPIES(void draw_words(const WordsJob& job); void put_numbers(cons
 
 namespace {
 
-#define PHYSIM_COLUMN_KERNEL(isa)                                                                           \
+#define PHYSIM_PARTICLE_KERNEL(isa)                                                                         \
   {                                                                                                         \
 #isa, isa::draw_words, isa::put_numbers, isa::put_gradients, isa::pack_colours, isa::put_parts_of_life, \
         isa::put_drag_float, isa::put_drag_double                                                           \
   }
 
-constexpr ColumnKernel kColumnKernels[] = {
+constexpr ParticleKernel kParticleKernels[] = {
 #if PHYSIM_HAVE_AVX512
-    PHYSIM_COLUMN_KERNEL(avx512),
+    PHYSIM_PARTICLE_KERNEL(avx512),
 #endif
 #if PHYSIM_HAVE_AVX2
-    PHYSIM_COLUMN_KERNEL(avx2),
+    PHYSIM_PARTICLE_KERNEL(avx2),
 #endif
-    PHYSIM_COLUMN_KERNEL(base),
+    PHYSIM_PARTICLE_KERNEL(base),
 };
 
-#undef PHYSIM_COLUMN_KERNEL
+#undef PHYSIM_PARTICLE_KERNEL
 
 }  // namespace
 
-const ColumnKernel& column_kernel() {
+const ParticleKernel& particle_kernel() {
   const std::string_view wanted = batch_kernel().name;
-  for (const ColumnKernel& kernel : kColumnKernels)
+  for (const ParticleKernel& kernel : kParticleKernels)
     if (kernel.name == wanted) return kernel;
-  return kColumnKernels[std::size(kColumnKernels) - 1];  // "scalar", too: numbers know nothing of how many there are
+  return kParticleKernels[std::size(kParticleKernels) -
+                          1];  // "scalar", too: numbers know nothing of how many there are
 }
 
 }  // namespace physim

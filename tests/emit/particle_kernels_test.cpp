@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "emit/column_job.hpp"
 #include "emit/looks.hpp"
 #include "emit/pack_chance.hpp"
+#include "emit/particle_job.hpp"
 #include "physim/flight.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
@@ -20,11 +20,11 @@ template <class Check>
 void with_each_kernel(const Check& check) {
   for (const std::string& name : kernels()) {
     ASSERT_TRUE(use_kernel(name));
-    const std::string_view found = column_kernel().name;
+    const std::string_view found = particle_kernel().name;
     EXPECT_EQ(found, name == "scalar" ? "base" : name);
     for (int round = 0; round < 200 && !testing::Test::HasFailure(); ++round) {
       test::Random r(static_cast<std::uint64_t>(round));
-      check(column_kernel(), r);
+      check(particle_kernel(), r);
     }
   }
   use_kernel("");
@@ -53,8 +53,8 @@ Gradient random_gradient(test::Random& r, std::vector<double>& keys) {
   return gradient;
 }
 
-TEST(ColumnKernels, words_are_those_of_each_number) {
-  with_each_kernel([](const ColumnKernel& kernel, test::Random& r) {
+TEST(ParticleKernels, words_are_those_of_each_number) {
+  with_each_kernel([](const ParticleKernel& kernel, test::Random& r) {
     std::array<std::uint64_t, kColumn> number;
     for (auto& n : number) n = r.one_in(2) ? r.bits() % 1000 : std::uint64_t{r.bits()} << 32 | r.bits();
     const std::uint64_t seed = std::uint64_t{r.bits()} << 32 | r.bits();
@@ -71,8 +71,8 @@ TEST(ColumnKernels, words_are_those_of_each_number) {
   });
 }
 
-TEST(ColumnKernels, numbers_are_those_of_each_place_and_draw) {
-  with_each_kernel([](const ColumnKernel& kernel, test::Random& r) {
+TEST(ParticleKernels, numbers_are_those_of_each_place_and_draw) {
+  with_each_kernel([](const ParticleKernel& kernel, test::Random& r) {
     std::vector<double> keys;
     DrawnNumber def{r.in(-3, 3), {}, random_curve(r, keys)};
     if (!r.one_in(3)) def.to = r.one_in(4) ? def.value : r.in(-3, 3);
@@ -88,8 +88,8 @@ TEST(ColumnKernels, numbers_are_those_of_each_place_and_draw) {
   });
 }
 
-TEST(ColumnKernels, colours_are_those_of_each_place) {
-  with_each_kernel([](const ColumnKernel& kernel, test::Random& r) {
+TEST(ParticleKernels, colours_are_those_of_each_place) {
+  with_each_kernel([](const ParticleKernel& kernel, test::Random& r) {
     std::vector<double> keys;
     const EmitGradient gradient(random_gradient(r, keys));
     const Column x = places(r, keys);
@@ -105,8 +105,8 @@ TEST(ColumnKernels, colours_are_those_of_each_place) {
   });
 }
 
-TEST(ColumnKernels, a_life_is_lived_from_birth_to_the_end_of_its_span) {
-  with_each_kernel([](const ColumnKernel& kernel, test::Random& r) {
+TEST(ParticleKernels, a_life_is_lived_from_birth_to_the_end_of_its_span) {
+  with_each_kernel([](const ParticleKernel& kernel, test::Random& r) {
     Column birth, span, part;
     const double time = r.in(0, 100);
     for (std::size_t i = 0; i < kColumn; ++i) {
@@ -134,8 +134,8 @@ void expect_drag(test::Random& r, const Put& put) {
       EXPECT_TRUE(same_bits(push[axis][i], static_cast<S>(0 - static_cast<double>(v[axis][i]) * rate[i])));
 }
 
-TEST(ColumnKernels, drag_pushes_against_the_velocity) {
-  with_each_kernel([](const ColumnKernel& kernel, test::Random& r) {
+TEST(ParticleKernels, drag_pushes_against_the_velocity) {
+  with_each_kernel([](const ParticleKernel& kernel, test::Random& r) {
     expect_drag<float>(r, kernel.drag_float);
     expect_drag<double>(r, kernel.drag_double);
   });

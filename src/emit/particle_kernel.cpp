@@ -1,6 +1,6 @@
 // Compiled once per instruction set, in a namespace of its name.
-#include "emit/column_job.hpp"
 #include "emit/drawn_lanes.hpp"
+#include "emit/particle_job.hpp"
 #include "math/philox_lanes.hpp"
 
 PHYSIM_ISA_BEGIN

@@ -1,5 +1,5 @@
 // Work on columns of shots gives the bits that shot by shot gives, whatever kernel does it.
-#include "study/column_job.hpp"
+#include "study/shard_job.hpp"
 
 #include <algorithm>
 
@@ -23,7 +23,7 @@ template <class Check>
 void with_each_kernel(const Check& check) {
   for (const std::string& kernel : kernels()) {
     ASSERT_TRUE(use_kernel(kernel));
-    for (const std::size_t count : kCounts) check(column_kernel(), count, kernel + ' ' + std::to_string(count));
+    for (const std::size_t count : kCounts) check(shard_kernel(), count, kernel + ' ' + std::to_string(count));
   }
   use_kernel("");
 }
@@ -43,9 +43,9 @@ void expect_column(std::vector<double> is, std::size_t count, const Expected& ex
     EXPECT_TRUE(same_bits(is[i], expected(i))) << what << ' ' << i << ": " << is[i] << ", not " << expected(i);
 }
 
-TEST(ColumnKernels, stretch_measure_and_look_along_axes) {
+TEST(ShardKernels, stretch_measure_and_look_along_axes) {
   Random r(3);
-  with_each_kernel([&](const ColumnKernel& kernel, std::size_t count, const std::string& what) {
+  with_each_kernel([&](const ShardKernel& kernel, std::size_t count, const std::string& what) {
     const auto x = column(r, count, -9, 9), y = column(r, count, -9, 9), z = column(r, count, -9, 9);
     std::vector<double> into(count + 1, 7);
     kernel.stretch(0.3, 1.7, x.data(), into.data(), count);
@@ -69,11 +69,11 @@ TEST(ColumnKernels, stretch_measure_and_look_along_axes) {
 }
 
 /// Shots that are far from the plane, or fly away from it, do not come there.
-TEST(ColumnKernels, move_shots_to_the_plane) {
+TEST(ShardKernels, move_shots_to_the_plane) {
   Random r(4);
   const Vec3d forward = normalized(Vec3d{1, 0.01, 0.02}), muzzle{0, 1.5, 0}, a{-80, -9, 0.3};
   int nowhere = 0, there = 0;
-  with_each_kernel([&](const ColumnKernel& kernel, std::size_t count, const std::string& what) {
+  with_each_kernel([&](const ShardKernel& kernel, std::size_t count, const std::string& what) {
     std::vector<double> of[7];
     const double low[] = {1, 980, -9, -9, -300, -40, -5}, high[] = {2, 1020, 9, 9, 500, 40, 5};
     for (int k = 0; k < 7; ++k) of[k] = column(r, count, low[k], high[k]), of[k].push_back(7);
@@ -105,9 +105,9 @@ TEST(ColumnKernels, move_shots_to_the_plane) {
   EXPECT_GT(there, 100);
 }
 
-TEST(ColumnKernels, see_what_is_no_number) {
+TEST(ShardKernels, see_what_is_no_number) {
   Random r(5);
-  with_each_kernel([&](const ColumnKernel& kernel, std::size_t count, const std::string& what) {
+  with_each_kernel([&](const ShardKernel& kernel, std::size_t count, const std::string& what) {
     auto x = column(r, count, -1e300, 1e300);
     EXPECT_TRUE(kernel.all_finite(x.data(), count)) << what;
     EXPECT_TRUE(kernel.all_finite(x.data(), 0));
@@ -121,9 +121,9 @@ TEST(ColumnKernels, see_what_is_no_number) {
 }
 
 /// Of zeros of either sign the first is the least, the last the most, as std::minmax_element() has it.
-TEST(ColumnKernels, find_the_least_and_the_most) {
+TEST(ShardKernels, find_the_least_and_the_most) {
   Random r(6);
-  with_each_kernel([&](const ColumnKernel& kernel, std::size_t count, const std::string& what) {
+  with_each_kernel([&](const ShardKernel& kernel, std::size_t count, const std::string& what) {
     for (int turn = 0; turn < 20; ++turn) {
       auto x = column(r, count, turn % 3 == 0 ? 0 : -5, turn % 3 == 1 ? 0 : 5);
       for (double& number : x)
@@ -135,9 +135,9 @@ TEST(ColumnKernels, find_the_least_and_the_most) {
   });
 }
 
-TEST(ColumnKernels, number_cells) {
+TEST(ShardKernels, number_cells) {
   Random r(7);
-  with_each_kernel([&](const ColumnKernel& kernel, std::size_t count, const std::string& what) {
+  with_each_kernel([&](const ShardKernel& kernel, std::size_t count, const std::string& what) {
     auto x = column(r, count, -30, 30);
     for (double& number : x)
       if (r.one_in(4)) number = r.one_in(2) ? r.in(-1e20, 1e20) : r.one_in(2) ? 0.25 : 0.25 + r.in(-1e-9, 1e-9);
@@ -156,9 +156,9 @@ TEST(ColumnKernels, number_cells) {
   });
 }
 
-TEST(ColumnKernels, measure_extreme_spreads) {
+TEST(ShardKernels, measure_extreme_spreads) {
   Random r(8);
-  with_each_kernel([&](const ColumnKernel& kernel, std::size_t count, const std::string& what) {
+  with_each_kernel([&](const ShardKernel& kernel, std::size_t count, const std::string& what) {
     for (const std::size_t size : {2u, 3u, 10u, 100u}) {
       const std::size_t groups = count / size;
       auto right = column(r, count, -9, 9), up = column(r, count, -9, 9);
@@ -182,9 +182,9 @@ TEST(ColumnKernels, measure_extreme_spreads) {
   });
 }
 
-TEST(ColumnKernels, reach_in_each_direction) {
+TEST(ShardKernels, reach_in_each_direction) {
   Random r(9);
-  with_each_kernel([&](const ColumnKernel& kernel, std::size_t count, const std::string& what) {
+  with_each_kernel([&](const ShardKernel& kernel, std::size_t count, const std::string& what) {
     const auto right = column(r, count, -9, 3), up = column(r, count, -2, 9);
     ReachJob job{.right = right.data(), .up = up.data(), .count = count};
     for (std::size_t k = 0; k < ReachJob::kDirections; ++k) job.to_right[k] = r.in(-1, 1), job.to_up[k] = r.in(-1, 1);
@@ -199,7 +199,7 @@ TEST(ColumnKernels, reach_in_each_direction) {
 }
 
 /// Shots that did not arrive may have a place; those alone that did are marked.
-TEST(ColumnKernels, targets_mark_who_lies_on_them) {
+TEST(ShardKernels, targets_mark_who_lies_on_them) {
   Random r(10);
   const auto right = column(r, 400, -2, 2), up = column(r, 400, -2, 2);
   const std::vector<std::uint32_t> arrived = {0, 3, 5, 6, 7, 100, 101, 102, 103, 104, 105, 106, 107, 108, 398, 399};

@@ -60,7 +60,7 @@ struct ReachJob {
   double reach[kDirections];
 };
 
-struct ColumnKernel {
+struct ShardKernel {
   const char* name;
   /// offset + factor x for each x; `into` may be `from`.
   void (*stretch)(double offset, double factor, const double* from, double* into, std::size_t count);
@@ -80,6 +80,6 @@ struct ColumnKernel {
 };
 
 /// That of the instruction set whose batch kernel is in use.
-[[nodiscard]] const ColumnKernel& column_kernel();
+[[nodiscard]] const ShardKernel& shard_kernel();
 
 }  // namespace physim

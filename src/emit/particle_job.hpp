@@ -65,7 +65,7 @@ struct DragJob {
   S* push[3];
 };
 
-struct ColumnKernel {
+struct ParticleKernel {
   const char* name;
   void (*words)(const WordsJob& job);
   void (*number)(const NumberJob& job);
@@ -79,6 +79,6 @@ struct ColumnKernel {
 };
 
 /// That of the instruction set whose batch kernel is in use.
-[[nodiscard]] const ColumnKernel& column_kernel();
+[[nodiscard]] const ParticleKernel& particle_kernel();
 
 }  // namespace physim

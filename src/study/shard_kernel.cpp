@@ -4,7 +4,7 @@
 
 #include "math/vec3.hpp"
 #include "study/cell_number.hpp"
-#include "study/column_job.hpp"
+#include "study/shard_job.hpp"
 
 PHYSIM_ISA_BEGIN
 

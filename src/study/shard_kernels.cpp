@@ -1,6 +1,6 @@
 #include "base/kernel_copies.hpp"
 #include "flight/kernels.hpp"
-#include "study/column_job.hpp"
+#include "study/shard_job.hpp"
 
 namespace physim {
 
@@ -16,26 +16,26 @@ PHYSIM_KERNEL_COPIES(
 
 namespace {
 
-#define PHYSIM_COLUMN_KERNEL(isa)                                                                        \
+#define PHYSIM_SHARD_KERNEL(isa)                                                                         \
   {                                                                                                      \
 #isa, isa::stretch_column, isa::move_to_plane, isa::put_along, isa::put_lengths, isa::put_distances, \
         isa::all_are_finite, isa::least_and_most_of, isa::put_cells, isa::put_spreads, isa::put_reach    \
   }
 
-constexpr ColumnKernel kColumnKernels[] = {
+constexpr ShardKernel kShardKernels[] = {
 #if PHYSIM_HAVE_AVX512
-    PHYSIM_COLUMN_KERNEL(avx512),
+    PHYSIM_SHARD_KERNEL(avx512),
 #endif
 #if PHYSIM_HAVE_AVX2
-    PHYSIM_COLUMN_KERNEL(avx2),
+    PHYSIM_SHARD_KERNEL(avx2),
 #endif
-    PHYSIM_COLUMN_KERNEL(base),
+    PHYSIM_SHARD_KERNEL(base),
 };
 
-#undef PHYSIM_COLUMN_KERNEL
+#undef PHYSIM_SHARD_KERNEL
 
 }  // namespace
 
-const ColumnKernel& column_kernel() { return copy_in_use(kColumnKernels); }
+const ShardKernel& shard_kernel() { return copy_in_use(kShardKernels); }
 
 }  // namespace physim
