@@ -7,6 +7,7 @@
 
 #include "base/assert.hpp"
 #include "base/event_table.hpp"
+#include "math/lane_bits.hpp"
 #include "math/root.hpp"
 #include "math/vec3.hpp"
 #include "physim/flight.hpp"

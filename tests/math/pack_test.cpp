@@ -1,5 +1,5 @@
 // Every operation of Pack, lane by lane against plain numbers.
-#include "math/pack.hpp"
+#include "math/lane_bits.hpp"
 
 #include <gtest/gtest.h>
 
