@@ -1,5 +1,3 @@
-#include <string_view>
-
 #include "base/kernel_copies.hpp"
 #include "emit/particle_job.hpp"
 #include "flight/kernels.hpp"
@@ -34,12 +32,6 @@ constexpr ParticleKernel kParticleKernels[] = {
 
 }  // namespace
 
-const ParticleKernel& particle_kernel() {
-  const std::string_view wanted = batch_kernel().name;
-  for (const ParticleKernel& kernel : kParticleKernels)
-    if (kernel.name == wanted) return kernel;
-  return kParticleKernels[std::size(kParticleKernels) -
-                          1];  // "scalar", too: numbers know nothing of how many there are
-}
+const ParticleKernel& particle_kernel() { return copy_in_use(kParticleKernels); }
 
 }  // namespace physim

@@ -269,7 +269,7 @@ PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
 
 /// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y, a)` puts
 /// step i's acceleration into `a`; where they turn, f(i, t, y, turn, a, slope) is told the Turn too and gives its slope
-/// beside it. (Where packs are returned, g++ sets their place to zero first, by an instruction that takes 30 cycles.)
+/// beside it. (Where packs are returned, g++ sets their place to zero first, by `rep stos`, and copies them.)
 ///
 /// A stage waits for the one before: for a square root, a table look-up, and a chain of sums. The steps do not wait for
 /// each other, so the processor fills one's waiting with the other's work.
