@@ -214,9 +214,9 @@ class Bvh::Walk {
   }
   /// Has the node that it is at brought from memory.
   PHYSIM_INLINE void prefetch(const Bvh& tree) const {
-    const char* node = reinterpret_cast<const char*>(&tree.nodes_[at_.first]);
+    const auto* node = &tree.nodes_[at_.first];
     prefetch_at(node);
-    prefetch_at(node + 64);
+    prefetch_at(node, 64);
   }
 
  private:

@@ -41,15 +41,15 @@ struct Batch {
   }
   /// A segment and the place of its hit are on their way from where they lie in memory.
   void prefetch(std::size_t number) const {
-    const auto* segment = reinterpret_cast<const char*>(&segments[number]);
-    const auto* hit = reinterpret_cast<const char*>(&into[number]);
+    const SceneSegment* segment = &segments[number];
+    const SceneHit* hit = &into[number];
     constexpr std::size_t kLine = 64;
     static_assert(sizeof(SceneSegment) <= 2 * kLine && sizeof(SceneHit) <= 2 * kLine);
     prefetch_at(segment);
-    prefetch_at(segment + sizeof(SceneSegment) - 1);
+    prefetch_at(segment, sizeof(SceneSegment) - 1);
     prefetch_to_write(hit);
-    prefetch_to_write(hit + kLine);
-    prefetch_to_write(hit + sizeof(SceneHit) - 1);
+    prefetch_to_write(hit, kLine);
+    prefetch_to_write(hit, sizeof(SceneHit) - 1);
   }
 };
 

@@ -17,7 +17,7 @@ struct BatchKernel {
 /// The kernel in use.
 [[nodiscard]] const BatchKernel& batch_kernel();
 
-/// Of copies of other kernels that of the same instruction set; beside "scalar", the last.
+/// The copy of another kernel for the instruction set in use, of `copies` with a name each; beside "scalar", the last.
 template <class Kernel, std::size_t N>
 [[nodiscard]] const Kernel& copy_in_use(const Kernel (&copies)[N]) {
   const std::string_view wanted = batch_kernel().name;

@@ -66,7 +66,7 @@ struct Pack {
     return p;
   }
   PHYSIM_INLINE void store(T* to) const {
-    for (int i = 0; i < kRegisters; ++i) *reinterpret_cast<Stored*>(to + i * kPerRegister) = r[i];
+    for (int i = 0; i < kRegisters; ++i) *place(to, i) = r[i];
   }
   /// Stores past the caches, to an address that is a multiple of the register's size: for more numbers than fit there.
   /// finish_streams() before others read them.
@@ -75,25 +75,29 @@ struct Pack {
     for (int i = 0; i < kRegisters; ++i) {
 #if defined(__AVX512F__)
       if constexpr (kBytes == 64) {
-        _mm512_stream_si512(reinterpret_cast<__m512i*>(to + i * kPerRegister), (__m512i)r[i]);
+        _mm512_stream_si512((__m512i*)place(to, i), (__m512i)r[i]);
         continue;
       }
 #endif
 #if defined(__AVX__)
       if constexpr (kBytes == 32) {
-        _mm256_stream_si256(reinterpret_cast<__m256i*>(to + i * kPerRegister), (__m256i)r[i]);
+        _mm256_stream_si256((__m256i*)place(to, i), (__m256i)r[i]);
         continue;
       }
 #endif
 #if defined(__SSE2__)
       if constexpr (kBytes == 16) {
-        _mm_stream_si128(reinterpret_cast<__m128i*>(to + i * kPerRegister), (__m128i)r[i]);
+        _mm_stream_si128((__m128i*)place(to, i), (__m128i)r[i]);
         continue;
       }
 #endif
-      *reinterpret_cast<Stored*>(to + i * kPerRegister) = r[i];
+      *place(to, i) = r[i];
     }
   }
+
+ private:
+  /// Where register i is stored.
+  PHYSIM_INLINE static Stored* place(T* to, int i) { return reinterpret_cast<Stored*>(to + i * kPerRegister); }
 };
 
 /// What was streamed is in memory.

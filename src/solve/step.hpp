@@ -37,6 +37,8 @@ struct Step {
 /// What the models read of a projectile, and its step under way. R is a number, or a pack: one projectile per lane.
 template <class R>
 struct Flyer {
+  PHYSIM_INLINE Flyer() = default;  // a call would be code that kernels share
+
   Body<R> body;
   Unset<Rotor<R>> rotor;  // of rungs that turn
   Step<R> step;

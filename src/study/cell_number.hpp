@@ -12,7 +12,7 @@ inline constexpr double kFarthestCounted = 0x1p40;
 
 PHYSIM_ISA_BEGIN
 
-/// Of y = (x - centre) / scale, as the bits of a signed integer.
+/// The number of the cell that y = (x - centre) / scale lies in, as the bits of a signed integer.
 template <class R>
 PHYSIM_INLINE BitsOf<R> cell_number(const R& y) {
   using Bits = BitsOf<R>;

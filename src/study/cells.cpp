@@ -46,11 +46,15 @@ void count_into(CountedCells& cells, std::span<const double> numbers) {
   const auto [least, most] = kernel.least_and_most(numbers.data(), numbers.size());
   widen(cells, cell_of(least), cell_of(most));
   constexpr std::size_t kAtOnce = 512;
-  std::int64_t cell[kAtOnce];
+  std::uint64_t cell[kAtOnce];
   for (std::size_t first = 0; first < numbers.size(); first += kAtOnce) {
     const std::size_t count = std::min(kAtOnce, numbers.size() - first);
     kernel.cells({numbers.data() + first, cells.centre, per_scale, cell, count});
-    for (std::size_t i = 0; i < count; ++i) ++cells.counts[static_cast<std::size_t>(cell[i] - cells.first)];
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(cell[i]) - cells.first);
+      PHYSIM_ASSERT(place < cells.counts.size());
+      ++cells.counts[place];
+    }
   }
 }
 

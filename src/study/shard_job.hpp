@@ -47,7 +47,7 @@ struct LeastAndMost {
 struct CellJob {
   const double* numbers;
   double centre, per_scale;
-  std::int64_t* cells;
+  std::uint64_t* cells;  // the bits of signed numbers
   std::size_t count;
 };
 
@@ -72,7 +72,7 @@ struct ShardKernel {
   void (*distances)(const double* right, const double* up, double from_right, double from_up, double* into,
                     std::size_t count);
   bool (*all_finite)(const double* numbers, std::size_t count);
-  /// Of numbers, of which there are some, and none of which is NaN.
+  /// There are some numbers, and none of them is NaN.
   LeastAndMost (*least_and_most)(const double* numbers, std::size_t count);
   void (*cells)(const CellJob& job);
   void (*spreads)(const SpreadJob& job);

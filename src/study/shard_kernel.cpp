@@ -97,7 +97,7 @@ bool all_are_finite(const double* numbers, std::size_t count) {
   return rest && all(finite);
 }
 
-/// Of zeros that differ by their sign the first is the least, the last the most, as if one looked at each in turn.
+/// Where zeros differ by their sign the first is the least, the last the most, as if one looked at each in turn.
 LeastAndMost least_and_most_of(const double* numbers, std::size_t count) {
   PHYSIM_ASSERT(count > 0);
   Eight least(numbers[0]), most = least;
@@ -130,9 +130,9 @@ void put_cells(const CellJob& job) {
   each_place(job.count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
     const BitsOf<R> cell = cell_number((take<R>(job.numbers, i) - R(job.centre)) * R(job.per_scale));
     if constexpr (kLanes<R> == 1)
-      job.cells[i] = static_cast<std::int64_t>(cell);
+      job.cells[i] = cell;
     else
-      cell.store(reinterpret_cast<std::uint64_t*>(job.cells + i));
+      cell.store(job.cells + i);
   });
 }
 

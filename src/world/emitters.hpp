@@ -157,8 +157,9 @@ class Emitters {
   [[nodiscard]] std::uint32_t emitter_of(std::uint32_t slot) const {
     return slot < emitter_of_.size() ? emitter_of_[slot] : 0;
   }
-  /// Of a slot with a particle.
+  /// The number and the end of life of the particle in a slot.
   [[nodiscard]] const ParticleSpan& span(std::uint32_t slot) const {
+    PHYSIM_ASSERT(slot < emitter_of_.size());
     PHYSIM_ASSERT(emitter_of_[slot] != 0 && spans_[slot].number == particles_[slot].number);
     return spans_[slot];
   }

@@ -95,10 +95,22 @@ class SlotTable {
     return static_cast<std::uint32_t>(&slot - slots_.data());
   }
   /// Time of launch [s].
-  [[nodiscard]] double& birth(std::uint32_t index) { return birth_[index]; }
-  [[nodiscard]] double birth(std::uint32_t index) const { return birth_[index]; }
-  [[nodiscard]] Rest& rest(std::uint32_t index) { return rest_[index]; }
-  [[nodiscard]] const Rest& rest(std::uint32_t index) const { return rest_[index]; }
+  [[nodiscard]] double& birth(std::uint32_t index) {
+    PHYSIM_ASSERT(index < birth_.size());
+    return birth_[index];
+  }
+  [[nodiscard]] double birth(std::uint32_t index) const {
+    PHYSIM_ASSERT(index < birth_.size());
+    return birth_[index];
+  }
+  [[nodiscard]] Rest& rest(std::uint32_t index) {
+    PHYSIM_ASSERT(index < rest_.size());
+    return rest_[index];
+  }
+  [[nodiscard]] const Rest& rest(std::uint32_t index) const {
+    PHYSIM_ASSERT(index < rest_.size());
+    return rest_[index];
+  }
 
   /// A slot for a new projectile, of a new generation. It is not alive before come_alive().
   std::uint32_t take();

@@ -142,7 +142,7 @@ TEST(ShardKernels, number_cells) {
     for (double& number : x)
       if (r.one_in(4)) number = r.one_in(2) ? r.in(-1e20, 1e20) : r.one_in(2) ? 0.25 : 0.25 + r.in(-1e-9, 1e-9);
     x[0] = kInfinity;
-    std::vector<std::int64_t> cells(count + 1, 7);
+    std::vector<std::uint64_t> cells(count + 1, 7);
     kernel.cells({x.data(), 0.25, 1 / 0.3, cells.data(), count});
     EXPECT_EQ(cells[count], 7);
     for (std::size_t i = 0; i < count; ++i) {
@@ -151,7 +151,7 @@ TEST(ShardKernels, number_cells) {
       const double fraction = std::frexp(t, &exponent);
       const auto k = static_cast<std::int64_t>(256 * (exponent - 1)) +
                      static_cast<std::int64_t>(std::floor((2 * fraction - 1) * 256));
-      EXPECT_EQ(cells[i], y < 0 ? -1 - k : k) << what << ' ' << x[i];
+      EXPECT_EQ(static_cast<std::int64_t>(cells[i]), y < 0 ? -1 - k : k) << what << ' ' << x[i];
     }
   });
 }
