@@ -25,10 +25,6 @@ inline constexpr double kLongestPart = 1.0 / 30;
 
 /// By so much of the step that follows a contact is judged [s].
 [[nodiscard]] inline double frame_of_contact(double step_length) { return std::min(step_length, kLongestPart); }
-/// Along the normal: a bounce that would be over within that time does not lift it any more.
-[[nodiscard]] inline bool lifts_off(double speed, double acceleration, double frame) {
-  return speed > -acceleration * (0.5 * frame);
-}
 /// What falls from higher than a step's fall strikes the surface, even where nothing of its speed is left.
 [[nodiscard]] inline bool is_strike(double speed, double acceleration, double frame) {
   return speed < acceleration * frame;

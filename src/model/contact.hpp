@@ -19,21 +19,31 @@
 
 namespace physim {
 
-struct Surface {
-  double restitution;         // [-]
-  double friction;            // [-]
-  double rolling_resistance;  // [-]
+/// W is double, or a pack of them: each lane touches a surface of its own.
+template <class W>
+struct SurfaceOf {
+  W restitution;         // [-]
+  W friction;            // [-]
+  W rolling_resistance;  // [-]
 };
+using Surface = SurfaceOf<double>;
 
 /// Velocity after a bounce.
-inline Vec3d bounced(const Vec3d& v, const Vec3d& normal, const Surface& surface) {
-  PHYSIM_ASSERT(!(abs(length_squared(normal) - 1) > 1e-6));
-  const double v_n = dot(v, normal);
-  const Vec3d v_t = v - normal * v_n;
-  const double slide = length(v_t);
-  const double impulse = surface.friction * (1 + surface.restitution) * abs(v_n);
-  const double kept = slide > impulse ? 1 - impulse / slide : 0.0;
+template <class W>
+PHYSIM_INLINE Vec3<W> bounced(const Vec3<W>& v, const Vec3<W>& normal, const SurfaceOf<W>& surface) {
+  PHYSIM_ASSERT(!any(abs(length_squared(normal) - W(1.0)) > W(1e-6)));
+  const W v_n = dot(v, normal);
+  const Vec3<W> v_t = v - normal * v_n;
+  const W slide = length(v_t);
+  const W impulse = surface.friction * (W(1.0) + surface.restitution) * abs(v_n);
+  const W kept = select(slide > impulse, W(1.0) - impulse / slide, W(0.0));
   return v_t * kept - normal * (surface.restitution * v_n);
+}
+
+/// Along the normal: a bounce that would be over within `frame` does not lift it any more.
+template <class W>
+[[nodiscard]] PHYSIM_INLINE MaskOf<W> lifts_off(const W& speed, const W& acceleration, double frame) {
+  return speed > -acceleration * W(0.5 * frame);
 }
 
 /// Where a projectile that lies on the ground is after a time, and how fast.

@@ -143,25 +143,18 @@ struct PushedRung {
   }
 };
 
-/// Advances with the first known rung that matches, or with any.
-template <class R, class First, class... Rest, class S>
-PHYSIM_INLINE Advanced advance_known(const ForcedJob<S>& job) {
-  if (PushedRung<First>::matches(*job.rows.course->conditions)) return PushedRung<First>::template advance<R>(job);
-  if constexpr (sizeof...(Rest) > 0)
-    return advance_known<R, Rest...>(job);
-  else
-    return advance_any<R>(job);
-}
-
 /// Steps of the rungs that games use most have one stage, and are known.
 template <class R, class S>
 Advanced advance_packs(const ForcedJob<S>& job) {
-  using enum DragModel;
-  constexpr WindModel kCalm = WindModel::off, kWind = WindModel::constant;
-  if (!job.at_once || job.own_force || job.rows.watchdog.watched) return advance_any<R>(job);
-  return advance_known<R, KnownRung<off>, KnownRung<damping>, KnownRung<linear_quadratic>,
-                       KnownRung<linear_quadratic, kWind>, KnownRung<equation, kCalm, AirModel::isa>,
-                       KnownRung<equation, kWind, AirModel::isa>>(job);
+  bool known = false;
+  Advanced advanced{};
+  const auto try_rung = [&]<class Rung>(Rung) PHYSIM_INLINE_LAMBDA {
+    if (known || !PushedRung<Rung>::matches(*job.rows.course->conditions)) return;
+    known = true;
+    advanced = PushedRung<Rung>::template advance<R>(job);
+  };
+  if (job.at_once && !job.own_force && !job.rows.watchdog.watched) each_known_rung<KnownRung>(try_rung);
+  return known ? advanced : advance_any<R>(job);
 }
 
 PHYSIM_ISA_END

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "world/forced_job.hpp"
+#include "world/strike_job.hpp"
 
 namespace physim {
 
@@ -14,6 +15,8 @@ struct WorldKernel {
   void (*place_double)(const WorldJob<double>& job);
   bool (*quiet_float)(const WorldJob<float>& job, std::uint32_t steps);
   bool (*quiet_double)(const WorldJob<double>& job, std::uint32_t steps);
+  void (*strike_float)(StrikeJob<float>& job);
+  void (*strike_double)(StrikeJob<double>& job);
 };
 
 [[nodiscard]] WorldKernel world_kernel();
@@ -36,5 +39,8 @@ inline bool are_quiet_with(const WorldKernel& kernel, const WorldJob<float>& job
 inline bool are_quiet_with(const WorldKernel& kernel, const WorldJob<double>& job, std::uint32_t steps) {
   return kernel.quiet_double(job, steps);
 }
+/// Rows that may have struck the ground.
+inline void strike_rows_with(const WorldKernel& kernel, StrikeJob<float>& job) { kernel.strike_float(job); }
+inline void strike_rows_with(const WorldKernel& kernel, StrikeJob<double>& job) { kernel.strike_double(job); }
 
 }  // namespace physim

@@ -186,15 +186,8 @@ void KnownFlights::find(const SettleContext& context, std::uint16_t index, Cohor
     else
       try_one(rung);
   };
-  using enum DragModel;
-  constexpr WindModel kCalm = WindModel::off, kWind = WindModel::constant;
   if (layout.clocked) return try_one(ShortFall{});
-  try_rung(ShortStep<off>{});
-  try_rung(ShortStep<damping>{});
-  try_rung(ShortStep<linear_quadratic>{});
-  try_rung(ShortStep<linear_quadratic, kWind>{});
-  try_rung(ShortStep<equation, kCalm, AirModel::isa>{});
-  try_rung(ShortStep<equation, kWind, AirModel::isa>{});
+  each_known_rung<ShortStep>(try_rung);
 }
 
 KnownFlights::Cohort& KnownFlights::find(const SettleContext& context, std::uint16_t index) {

@@ -3,6 +3,7 @@
 
 #include "base/assert.hpp"
 #include "solve/judge.hpp"
+#include "world/known_rungs.hpp"
 #include "world/world_job.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -359,6 +360,7 @@ bool step_any(const WorldJob<S>& job) {
 /// few instructions and packs stay in registers.
 template <DragModel drag, WindModel wind = WindModel::off, AirModel air = AirModel::vacuum>
 struct KnownRung {
+  static constexpr DragModel kDrag = drag;
   static constexpr bool kCurve = drag == DragModel::equation;  // else the air is not read
 
   template <class S>
@@ -475,26 +477,17 @@ struct KnownFall {
   }
 };
 
-/// Steps with the first known rung that matches, or with any.
-template <class R, class First, class... Rest, class S>
-PHYSIM_INLINE bool step_with(const WorldJob<S>& job) {
-  if (First::matches(*job.course->conditions)) return First::template step<R>(job);
-  if constexpr (sizeof...(Rest) > 0)
-    return step_with<R, Rest...>(job);
-  else
-    return step_any<R>(job);
-}
-
 /// The rungs that games use most are known.
 template <class R, class S>
 bool step_packs_of(const WorldJob<S>& job) {
-  using enum DragModel;
-  constexpr WindModel kCalm = WindModel::off;
-  constexpr WindModel kWind = WindModel::constant;
-  if (!job.watchdog.simple) return step_any<R>(job);
-  return step_with<R, KnownRung<off>, KnownRung<damping>, KnownRung<linear_quadratic>,
-                   KnownRung<linear_quadratic, kWind>, KnownRung<equation, kCalm, AirModel::isa>,
-                   KnownRung<equation, kWind, AirModel::isa>, KnownFall>(job);
+  bool known = false, attention = false;
+  const auto try_rung = [&]<class Rung>(Rung) PHYSIM_INLINE_LAMBDA {
+    if (known || !Rung::matches(*job.course->conditions)) return;
+    known = true;
+    attention = Rung::template step<R>(job);
+  };
+  if (job.watchdog.simple) each_known_rung<KnownRung>(try_rung), try_rung(KnownFall{});
+  return known ? attention : step_any<R>(job);
 }
 
 PHYSIM_ISA_END

@@ -8,6 +8,7 @@
 #include "prepare/check.hpp"
 #include "world/kernels.hpp"
 #include "world/look_around.hpp"
+#include "world/struck_rows.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
@@ -91,14 +92,6 @@ struct StepWork {
   bool asks_engine;  // rows are looked at when all have moved, in the caller's thread
 };
 
-/// Calls f with every row of a chunk that is marked.
-template <class F>
-void each_marked(const Chunk& chunk, const std::uint32_t* words, const F& f) {
-  for (std::uint32_t word = chunk.first / kRowsPerWord; word * kRowsPerWord < chunk.last; ++word)
-    for (std::uint32_t bits = words[word]; bits != 0; bits &= bits - 1)
-      f(word * static_cast<std::uint32_t>(kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
-}
-
 constexpr auto kWordRows = static_cast<std::uint32_t>(kRowsPerWord);
 
 /// Words of a chunk: the first, and the one behind the last.
@@ -173,8 +166,7 @@ void each_near(const StepWork& work, const Chunk& chunk, const F& f) {
 
 void settle_chunk(const StepWork& work, Chunk& chunk) {
   if (chunk.attention)
-    each_marked(chunk, work.attention + work.words_before[chunk.cohort],
-                [&](std::uint32_t row) { settle_row(work.context, chunk, row); });
+    settle_marked(work.context, work.kernel, chunk, work.attention + work.words_before[chunk.cohort]);
   const Rows& rows = work.context.state->rows[chunk.cohort];
   if (!rows.may_wait()) return;
   rows.layout().float32 ? look_ahead<float>(work, chunk) : look_ahead<double>(work, chunk);

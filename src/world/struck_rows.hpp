@@ -1,0 +1,26 @@
+// Struck rows: those that a step left where they were, settled side by side where most of them do the one thing that
+// games ask for by the thousand: they come down to the ground once and bounce, or end there.
+//
+// Settling takes any row through anything, by itself, and most of what that costs is waiting: for the search for the
+// ground, a chain of operations each of which needs the last, and for getting ready. A kernel does it for a pack of
+// rows at once (world/strike_packs.hpp), to the bit, and says for which of them that was all; settling takes the
+// others.
+#pragma once
+
+#include "world/kernels.hpp"
+#include "world/settle.hpp"
+
+namespace physim {
+
+/// Calls f with every row of a chunk that is marked.
+template <class F>
+void each_marked(const Chunk& chunk, const std::uint32_t* words, const F& f) {
+  for (std::uint32_t word = chunk.first / kRowsPerWord; word * kRowsPerWord < chunk.last; ++word)
+    for (std::uint32_t bits = words[word]; bits != 0; bits &= bits - 1)
+      f(word * static_cast<std::uint32_t>(kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+}
+
+/// Settles the rows of a chunk that are marked.
+void settle_marked(const SettleContext& context, const WorldKernel& kernel, Chunk& chunk, const std::uint32_t* words);
+
+}  // namespace physim
