@@ -126,17 +126,23 @@ const SpinDrift& FlightRecord::drift_at(double time) const {
 }
 
 Accelerations FlightRecord::accelerations_at(double time) const {
-  Accelerations a = accelerations_of(cohort.conditions, body_at(time), rotor, clock + time, state(time), turn(time));
+  Body<double> changed;
+  return accelerations_of_body(time, body_at(time, changed), state(time));
+}
+
+Accelerations FlightRecord::accelerations_of_body(double time, const Body<double>& at, const State<double>& s) const {
+  Accelerations a = accelerations_of(cohort.conditions, at, rotor, clock + time, s, turn(time));
   const LegPart part = leg_at(time);
   if (is_classic(cohort.in_use.fidelity) && part.end_node > part.leg.first_node + 1)
     a.total = path.nodes[later_node(path.nodes, part, time) - 1].a;
   return a;
 }
 
-Body<double> FlightRecord::body_at(double time) const {
+const Body<double>& FlightRecord::body_at(double time, Body<double>& changed) const {
   const Conditions<double>& c = cohort.conditions;
   const LegPart part = leg_at(time);
-  Body<double> b = body_of(part);
+  if (!has_stops(c) && path.pushes.size() <= 1) return body_of(part);
+  Body<double>& b = changed = body_of(part);
   if (has_stops(c)) {
     for (const Event& e : events)
       if (e.kind == EventKind::rail_exit && e.time <= time) b.rail_phase = kOffRail;
@@ -172,7 +178,13 @@ State<double> FlightRecord::state(double time) const {
   const Node &n0 = nodes[later - 1], &n1 = nodes[later];
   const double theta = place_between(n0, n1, time);
   if (part.leg.on_surface) return state_on_surface(n0, n1, theta);
-  return dense_state(f.integrator, n0, n1, coefficients_before(path.coefficients, f.integrator, later), theta);
+  if (path.kept.empty())
+    return dense_state(f.integrator, n0, n1, coefficients_before(path.coefficients, f.integrator, later), theta);
+  if (theta == 0) return n0.y;
+  if (theta == 1) return n1.y;
+  State<double> coefficients[kMaxDenseCoefficients];
+  interpolate_kept(path.kept[later - 1], n0, n1, coefficients);
+  return dense_state(f.integrator, n0, n1, coefficients, theta);
 }
 
 Turn<double> FlightRecord::turn(double time) const {
@@ -231,7 +243,8 @@ Result<Departure> Flight::departure(double time) const {
   if (r.error) return *r.error;
   if (!(time >= 0 && time <= r.duration))
     return Error{"is no time of the flight", "time", "it lasts " + short_text(r.duration) + " s"};
-  const Body<double> b = r.body_at(time);
+  Body<double> changed;
+  const Body<double>& b = r.body_at(time, changed);
   if (r.cohort.conditions.has_rail && b.rail_phase < kOffRail)
     return Error{"it is still on its rail", "time", "ask later"};
   const State<double> s = r.shown(time);
@@ -256,17 +269,19 @@ Sample Flight::at(double time) const {
   Sample out;
   if (r.outcome == Outcome::refused) return out;
   time = nearest_time(time, r.duration);
-  const State<double> s = r.shown(time);
+  const State<double> flown = r.state(time);
+  const State<double> s = with_drift(flown, r.drift_at(time), r.sight.right, time);
+  Body<double> changed;
+  const Body<double>& b = r.body_at(time, changed);
   const Conditions<double>& c = r.cohort.conditions;
   out.time = time;
   out.position = s.x;
   out.velocity = s.v;
-  out.acceleration = r.accelerations_at(time).total;
+  out.acceleration = r.accelerations_of_body(time, b, flown).total;
   out.speed = length(s.v);
   const bool has_air = c.fidelity.air != AirModel::vacuum;
   out.mach =
       has_air ? length(air_velocity(c, r.body, r.clock + time, s)) * air_state(c, r.body, s.x).per_sound_speed : 0;
-  const Body<double> b = r.body_at(time);
   out.mass = mass_at(b, r.clock + time);
   out.thrust = thrust_at(b, r.clock + time);
   out.energy = 0.5 * out.mass * out.speed * out.speed;

@@ -1,6 +1,7 @@
 // FlightRecord: a computed trajectory with everything needed to answer questions about it.
 #pragma once
 
+#include "flight/known_step.hpp"
 #include "model/attitude.hpp"
 #include "model/sight.hpp"
 #include "model/spin_drift.hpp"
@@ -16,6 +17,7 @@ struct TurnPath {
 struct FlownPath {
   std::vector<Node> nodes;                  // at both ends of every step; the last may lie beyond the end
   std::vector<State<double>> coefficients;  // of the interpolants, step by step
+  std::vector<KeptStep> kept;               // in their place, where they are made when they are asked for
   std::optional<TurnPath> turn;             // where the rotation is flown
   std::vector<Vec3d> pushes;                // by generators at the nodes; empty: none pushes [m/s^2]
 };
@@ -30,14 +32,16 @@ struct FlightLeg {
 };
 
 struct FlightRecord {
+  /// Its numbers are not set to zero first: they are many, and those that are read are prepared.
+  FlightRecord() { rotor.launch = {}; }  // NOLINT
+
   Outcome outcome = Outcome::refused;
   std::optional<Error> error;
   ProjectileDef projectile;
   Environment environment;  // what keep() takes of it
   Cohort cohort;
   Body<double> body;
-  Body<float> body_float;
-  Rotor<double> rotor{};  // of rungs that turn
+  Rotor<double> rotor;  // of rungs that turn; else its launch alone is set
   SightFrame sight;
   SpinDrift drift;
   double elevation = 0;
@@ -84,8 +88,11 @@ struct FlightRecord {
   [[nodiscard]] Turn<double> turn(double time) const;
   /// By the models. The total of the classic loop is its register: the sum where the frame before began.
   [[nodiscard]] Accelerations accelerations_at(double time) const;
-  /// The body at a time, when its motor and its rail have changed it, and as it is pushed.
-  [[nodiscard]] Body<double> body_at(double time) const;
+  /// ... where body and state of that time are known.
+  [[nodiscard]] Accelerations accelerations_of_body(double time, const Body<double>& at, const State<double>& s) const;
+  /// The body at a time: that of its leg, or, when its motor and its rail have changed it or something pushes it, a
+  /// copy in `changed`.
+  [[nodiscard]] const Body<double>& body_at(double time, Body<double>& changed) const;
   /// With spin drift.
   [[nodiscard]] State<double> shown(double time) const;
 };

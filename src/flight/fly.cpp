@@ -8,7 +8,6 @@
 #include "prepare/conditions.hpp"
 #include "prepare/grant.hpp"
 #include "prepare/launch.hpp"
-#include "prepare/watch_list.hpp"
 
 namespace physim {
 namespace {
@@ -21,10 +20,9 @@ void say_why_it_landed_at_once(FlightRecord& record, double ground) {
                                         "higher by launch.position, or give another ground or none"});
 }
 
-/// A flight that is over before it begins has one node.
-bool is_over_at_once(FlightRecord& record, const State<double>& now, const Turn<double>& turn, const Until& until) {
-  Body<double> body = record.body;
-  body.launch = now;
+/// A flight that is over before it begins has one node; `body` is launched where it begins.
+bool is_over_at_once(FlightRecord& record, const Body<double>& body, const Turn<double>& turn, const Until& until) {
+  const State<double>& now = body.launch;
   const auto outcome = ends_at_once(record.cohort.conditions, body, until);
   if (!outcome) return false;
   record.outcome = *outcome;
@@ -38,40 +36,43 @@ bool is_over_at_once(FlightRecord& record, const State<double>& now, const Turn<
 }
 
 template <class S>
-void fly_lane(FlightRecord& record, const Tolerance& tolerance, const WatchList& watch, const Until& until,
-              const Body<S>& body) {
+void fly_lane(FlightRecord& record, const Tolerance& tolerance, const Until& until, const Body<S>& body) {
   const Obstacles obstacles{until.scene, until.contact};
-  LaneFlight<S>(record, record.cohort.course<S>(tolerance, record.step, watch), body, obstacles)
-      .from_launch(until.time);
+  LaneFlight<S>(record, tolerance, record.step, until, body, obstacles).from_launch(until.time);
 }
 
 /// Steps of one length are flown one by one where they may end at a contact.
 template <class S>
-void fly_steps(FlightRecord& record, const Tolerance& tolerance, const WatchList& watch, const Until& until,
-               const Body<S>& body) {
+void fly_steps(FlightRecord& record, const Tolerance& tolerance, const Until& until, const Body<S>& body) {
   FrameStart start{.now = record.body.launch, .turn = record.rotor.launch, .is_clocked = true, .dt = record.step};
   start.obstacles = {until.scene, until.contact};
   start.run_start = until.contact.scene_time;
   start.from_launch = true;
   Tolerance framed = tolerance;
   framed.max_steps = kMostPartsOfFrame;
-  LaneFlight<S>(record, record.cohort.course<S>(framed, 0, watch), body, start.obstacles)
-      .by_frames(start, until.time, tolerance.max_steps);
+  LaneFlight<S>(record, framed, 0, until, body, start.obstacles).by_frames(start, until.time, tolerance.max_steps);
+}
+
+template <class S>
+void fly_body(FlightRecord& record, const Tolerance& tolerance, const Until& until, const Body<S>& body) {
+  if (until.scene && record.step > 0) return fly_steps(record, tolerance, until, body);
+  fly_lane(record, tolerance, until, body);
+}
+
+[[nodiscard]] Body<float> narrow(const Body<double>& body) {
+  Body<float> to;
+  cast_numbers(body, to);
+  return to;
 }
 
 void fly_record(FlightRecord& record, const Tolerance& tolerance, const Until& until) {
-  const WatchList watch = prepare_watch(until, record.cohort.conditions, Watcher::flight);
-  cast_numbers(record.body, record.body_float);
   PHYSIM_ASSERT(record.path.turn.has_value() == turns(record.cohort.in_use.fidelity));
-  if (is_over_at_once(record, record.body.launch, record.rotor.launch, until)) return;
+  if (is_over_at_once(record, record.body, record.rotor.launch, until)) return;
   if (record.cohort.conditions.has_motor && record.body.ignition == 0)
     keep_event(record, {{EventKind::ignition}, Outcome::event}, true, 0, record.body.launch);
-  const bool narrow = record.cohort.in_use.fidelity.precision == Precision::float32;
-  if (until.scene && record.step > 0)
-    return narrow ? fly_steps<float>(record, tolerance, watch, until, record.body_float)
-                  : fly_steps<double>(record, tolerance, watch, until, record.body);
-  return narrow ? fly_lane<float>(record, tolerance, watch, until, record.body_float)
-                : fly_lane<double>(record, tolerance, watch, until, record.body);
+  if (record.cohort.in_use.fidelity.precision == Precision::float32)
+    return fly_body<float>(record, tolerance, until, narrow(record.body));
+  fly_body<double>(record, tolerance, until, record.body);
 }
 
 /// All but the path; the elevation is found.
@@ -80,8 +81,9 @@ void prepare(FlightRecord& record, const ProjectileDef& projectile, const Launch
   record.cohort.in_use = grant(fidelity, projectile, environment, launch);
   const Fidelity& granted = record.cohort.in_use.fidelity;
   Conditions<double>& conditions = record.cohort.conditions;
-  conditions = prepare_conditions(environment, granted);
-  record.body = prepare_body(projectile, launch, record.elevation, record.cohort.pool, conditions);
+  put_conditions(environment, granted, conditions);
+  put_kind(projectile, record.cohort.pool, conditions, record.body);
+  put_launch(projectile, launch, record.elevation, conditions, record.body);
   jump_in_crosswind(projectile, environment, conditions, record.body);
   if (turns(granted)) {
     record.path.turn.emplace();
@@ -120,19 +122,19 @@ Status choose_step(FlightRecord& record, const ProjectileDef& projectile, const 
 
 void fly_on(FlightRecord& record, const FrameStart& from, const Tolerance& tolerance, const Until& until) {
   PHYSIM_ASSERT(record.path.nodes.empty() && from.dt > 0);
-  cast_numbers(record.body, record.body_float);
-  if (is_over_at_once(record, from.now, from.turn, until)) return;
+  Body<double> body = record.body;
+  body.launch = from.now;
+  if (is_over_at_once(record, body, from.turn, until)) return;
   Until events = until;
   events.time = kInfinity;  // counted in frames
-  const WatchList watch = prepare_watch(events, record.cohort.conditions, Watcher::flight);
   Tolerance framed = tolerance;
   framed.max_step = kInfinity;
   framed.max_steps = kMostPartsOfFrame;
   if (record.cohort.in_use.fidelity.precision == Precision::float32)
-    LaneFlight<float>(record, record.cohort.course<float>(framed, 0, watch), record.body_float, from.obstacles)
+    LaneFlight<float>(record, framed, 0, events, narrow(record.body), from.obstacles)
         .by_frames(from, until.time, tolerance.max_steps);
   else
-    LaneFlight<double>(record, record.cohort.course<double>(framed, 0, watch), record.body, from.obstacles)
+    LaneFlight<double>(record, framed, 0, events, record.body, from.obstacles)
         .by_frames(from, until.time, tolerance.max_steps);
 }
 

@@ -120,11 +120,15 @@ void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double r
 }
 
 template <class Method>
-void interpolate_known_step(const Step<double>& s, State<double>* coefficients) {
+PHYSIM_INLINE void interpolate(const State<double>* slope, double h, State<double>* coefficients) {
   [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA {
-    (copy_state(sum_of_slopes<PolynomialWeights<Method, I>, Method::kStages + 1>(s.slope) * s.h, coefficients[I]), ...);
+    (copy_state(sum_of_slopes<PolynomialWeights<Method, I>, Method::kStages + 1>(slope) * h, coefficients[I]), ...);
   }
   (std::make_integer_sequence<int, dense_coefficients_of<Method>()>());
+}
+template <class Method>
+void interpolate_known_step(const Step<double>& s, State<double>* coefficients) {
+  interpolate<Method>(s.slope, s.h, coefficients);
 }
 
 template <class First, class... Rest>
@@ -137,6 +141,21 @@ KnownStep step_of_rungs(const Conditions<double>& c) {
 }
 
 }  // namespace
+
+static_assert(KeptStep::kInner == Tsit5::kStages - 1);
+
+void keep_slopes(const Step<double>& step, KeptStep& kept) {
+  kept.h = step.h;
+  for (int i = 0; i < KeptStep::kInner; ++i) copy_state(step.slope[i + 1], kept.slope[i]);
+}
+
+void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, State<double>* coefficients) {
+  State<double> slope[KeptStep::kInner + 2];
+  copy_state({n0.y.v, n0.a}, slope[0]);
+  for (int i = 0; i < KeptStep::kInner; ++i) copy_state(kept.slope[i], slope[i + 1]);
+  copy_state({n1.y.v, n1.a}, slope[KeptStep::kInner + 1]);
+  interpolate<Tsit5>(slope, kept.h, coefficients);
+}
 
 KnownStep known_step(const Conditions<double>& c) {
   using enum GravityModel;

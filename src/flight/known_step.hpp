@@ -3,6 +3,7 @@
 // would take as long as computing them.
 #pragma once
 
+#include "solve/dense.hpp"
 #include "solve/lanes.hpp"
 
 namespace physim {
@@ -16,6 +17,17 @@ struct KnownStep {
 
   explicit operator bool() const { return take != nullptr; }
 };
+
+/// What a step of a known rung leaves for its interpolant beside the nodes at its ends, which hold the first slope and
+/// the last.
+struct KeptStep {
+  static constexpr int kInner = 5;
+  double h;                     // [s]
+  State<double> slope[kInner];  // between them
+};
+void keep_slopes(const Step<double>& step, KeptStep& kept);
+/// The coefficients of its interpolant, made when they are asked for: as KnownStep::interpolate() makes them.
+void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, State<double>* coefficients);
 
 /// The step of what flies under some conditions; none where no known rung matches.
 [[nodiscard]] KnownStep known_step(const Conditions<double>& c);

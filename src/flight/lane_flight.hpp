@@ -35,14 +35,14 @@ inline void keep_event(FlightRecord& record, const Watched& watched, bool rising
 template <class S>
 class LaneFlight {
  public:
-  LaneFlight(FlightRecord& record, const Course<S>& course, const Body<S>& body, const Obstacles& obstacles)
+  LaneFlight(FlightRecord& record, const Tolerance& tolerance, double step, const Until& until, const Body<S>& body,
+             const Obstacles& obstacles)
       : record_(record),
-        course_(course),
-        march_(course_),
+        course_(record.cohort.course<S>(tolerance, step, until, Watcher::flight)),
+        march_(course_, body),
         obstacles_(obstacles),
         host_(record, march_, obstacles_),
         path_(record, march_.lanes) {
-    lane().body = body;
     const auto take_rotor = [&](auto& rotor) { cast_numbers(record.rotor, rotor); };
     for_rotors(fidelity(), take_rotor, lane());
   }
@@ -56,9 +56,11 @@ class LaneFlight {
     parts_ = {until, false};
     parts_.make_last();
     march_.launch();
+    begin_contacts({.scene_time = obstacles_.contact.scene_time, .length = until, .ends = until});
+    path_.keeps_slopes = known_ && !*contacts_;
+    if (path_.keeps_slopes) standing_->begin(*course_.conditions, course_.watch, lane());
     path_.reserve();
     path_.keep_start(0);
-    begin_contacts({.scene_time = obstacles_.contact.scene_time, .length = until, .ends = until});
     while (!ended_) {
       step();
       if (!met_) continue;  // it goes on only from a contact
@@ -102,7 +104,7 @@ class LaneFlight {
   /// One step, or a try at it.
   void step() {
     const bool accepted = try_step();
-    const bool special = needs_attention(course_, lane(), accepted).special;
+    const bool special = is_special(accepted);
     const bool sound = accepted && ends_finite(fidelity(), lane().step);
     if constexpr (kMayBeKnown) {
       if (known_ && !special && !*contacts_) {  // most steps: they are kept, and that is all
@@ -118,6 +120,15 @@ class LaneFlight {
     }
     march_.accept(accepted);
     if (sound && has_stops(*course_.conditions)) path_.keep_jump();
+  }
+
+  /// What goes from known step to known step has been looked at where the last one ended.
+  [[nodiscard]] bool is_special(bool accepted) {
+    if (!path_.keeps_slopes) return needs_attention(course_, lane(), accepted).special;
+    Detected found;
+    if (accepted)
+      found = standing_->pass(*course_.conditions, course_.watch, lane(), last_slope(fidelity()), lane_bits(accepted));
+    return needs_attention(course_, lane(), lane_bits(accepted), found).special;
   }
 
   [[nodiscard]] bool try_step() {
@@ -456,8 +467,9 @@ class LaneFlight {
   MeetingLane<S> host_;
   PathKeeper<S> path_;
   std::optional<SceneContacts<MeetingLane<S>>> contacts_;
-  FrameStart frames_;      // dt 0: none, from a launch
-  Unset<Judgement<S>> j_;  // of the last step that was looked at
+  FrameStart frames_;                 // dt 0: none, from a launch
+  Unset<Judgement<S>> j_;             // of the last step that was looked at
+  Unset<StandingWatch<S>> standing_;  // where known steps go on from a launch and meet nothing
   KnownStep known_ = known_step(*course_.conditions_double);
   bool ended_ = false;
   bool met_ = false;            // something, in the step at hand

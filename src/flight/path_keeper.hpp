@@ -24,6 +24,10 @@ class PathKeeper {
  public:
   PathKeeper(FlightRecord& record, const Lanes<S>& lane) : record_(record), lane_(lane) {}
 
+  // What interpolants need is kept in their place, and they are made when somebody asks: few ask for all of them. So
+  // flies what takes known steps and meets nothing.
+  bool keeps_slopes = false;
+
   // What generators give.
   bool is_pushed = false;           // now and then
   Vec3d push{};                     // of late [m/s^2]
@@ -42,6 +46,9 @@ class PathKeeper {
   }
 
   void keep_step(const DenseLanes<S>& at) {
+    if constexpr (std::is_same_v<S, double>) {
+      if (keeps_slopes) return keep_known_slopes();
+    }
     const auto keep = [this, count = coefficient_count(record_)](const auto& dense, auto& path) {
       PHYSIM_ASSERT(!path.nodes.empty() && path.coefficients.size() == (path.nodes.size() - 1) * count);
       // Fixed steps count their time, which may differ from start + step by a rounding.
@@ -56,6 +63,7 @@ class PathKeeper {
 
   /// The step just taken, of a known rung.
   void keep_known_step(const KnownStep& known) {
+    if (keeps_slopes) return keep_known_slopes();
     const Step<S>& s = lane_.step;
     FlownPath& path = record_.path;
     const std::size_t count = path.coefficients.size(), more = coefficient_count(record_);
@@ -71,7 +79,10 @@ class PathKeeper {
   void reserve() {
     constexpr std::size_t kSteps = 16;
     record_.path.nodes.reserve(kSteps + 1);
-    record_.path.coefficients.reserve(kSteps * coefficient_count(record_));
+    if (keeps_slopes)
+      record_.path.kept.reserve(kSteps);
+    else
+      record_.path.coefficients.reserve(kSteps * coefficient_count(record_));
   }
 
   /// Keeps where a step starts; of a state's slope the acceleration alone.
@@ -160,6 +171,14 @@ class PathKeeper {
 
  private:
   [[nodiscard]] const Fidelity& fidelity() const { return record_.cohort.in_use.fidelity; }
+
+  void keep_known_slopes() {
+    const Step<S>& s = lane_.step;
+    FlownPath& path = record_.path;
+    PHYSIM_ASSERT(!path.nodes.empty() && path.kept.size() == path.nodes.size() - 1 && !is_pushed && !path.turn);
+    path.nodes.push_back({s.t_end, s.end, s.slope[last_slope(fidelity())].v});
+    keep_slopes(s, path.kept.emplace_back());
+  }
 
   FlightRecord& record_;
   const Lanes<S>& lane_;

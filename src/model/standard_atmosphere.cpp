@@ -102,33 +102,41 @@ StationPlace station_place(const Environment& environment, AirModel model) {
   return {model, h, standard_profile().temperature_at(h), geopotential(environment.altitude), kAirLayers};
 }
 
-AirNumbers<double> prepare_air_numbers(const Environment& environment, AirModel model) {
+namespace {
+
+/// Into numbers that are all zero.
+void put_air_numbers(const Environment& environment, AirModel model, AirNumbers<double>& air) {
   const Atmosphere& given = environment.atmosphere;
-  AirNumbers<double> air{};
   if (is_standard(given)) {
-    if (model == AirModel::isa) air = standard_layers();
     const StandardProfile& profile = standard_profile();
     const double h = geopotential(environment.altitude);
+    if (model == AirModel::isa) air = standard_layers();
     put_origin(profile, h, air);
-    air.density = profile.density(pressure_at(profile, h), air.temperature);
+    // Air in layers needs no density at the origin.
+    if (model != AirModel::isa) air.density = profile.density(pressure_at(profile, h), air.temperature);
   } else {
     put_air(station_place(environment, model), station_air(environment), air);
   }
   switch (model) {
-    case AirModel::isa: return air;
+    case AirModel::isa: return;
     case AirModel::vacuum: air.density = 0; break;
     case AirModel::constant:
     case AirModel::exponential: air.density = given.density.value_or(air.density); break;
   }
   if (given.sound_speed) air.per_sound_speed = 1 / *given.sound_speed;
+}
+
+}  // namespace
+
+AirNumbers<double> prepare_air_numbers(const Environment& environment, AirModel model) {
+  AirNumbers<double> air{};
+  put_air_numbers(environment, model, air);
   return air;
 }
 
-Air<double> prepare_air(const Environment& environment, AirModel model) {
-  Air<double> air{};
+void put_air(const Environment& environment, AirModel model, Air<double>& air) {
   put_frame(model, environment.atmosphere.scale_height, air);
-  air.common = prepare_air_numbers(environment, model);
-  return air;
+  put_air_numbers(environment, model, air.common);
 }
 
 AirSample air_sample(const Environment& environment, double altitude) {
@@ -136,7 +144,7 @@ AirSample air_sample(const Environment& environment, double altitude) {
   Conditions<double> c{};
   c.fidelity.air = environment.atmosphere.model;
   c.altitude = environment.altitude;
-  c.air = prepare_air(environment, c.fidelity.air);
+  put_air(environment, c.fidelity.air, c.air);
   const AirState<double> state = air_state(c, c.air.common, Vec3d{0, altitude - c.altitude, 0});
   const double kelvin = temperature(c, c.air.common, state);
   const double factor = density_factor(environment);

@@ -14,8 +14,8 @@ namespace physim {
 /// The air at an altitude that the standard defines [m].
 [[nodiscard]] AirSample air_sample(const Environment& environment, double altitude);
 
-/// The air of an environment; `model` is the granted rung.
-[[nodiscard]] Air<double> prepare_air(const Environment& environment, AirModel model);
+/// The air of an environment, into numbers that are all zero; `model` is the granted rung.
+void put_air(const Environment& environment, AirModel model, Air<double>& air);
 /// What the weather changes of an environment's air.
 [[nodiscard]] AirNumbers<double> prepare_air_numbers(const Environment& environment, AirModel model);
 /// For put_air(), in lanes.

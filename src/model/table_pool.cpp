@@ -17,7 +17,30 @@ std::size_t MagnusPool::add(const MagnusDef& magnus) {
   return index;
 }
 
+namespace {
+
+CurvePart<double> place_at(double first_row, const UniformCubic& curve) {
+  PHYSIM_ASSERT(!curve.rows.empty() && curve.cell > 0);
+  return {first_row, curve.start, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
+}
+
+}  // namespace
+
+void TablePool::settle() {
+  if (alone_ == nullptr) return;
+  const UniformCubic& curve = *std::exchange(alone_, nullptr);
+  PHYSIM_ASSERT(rows_.empty() && entries_.empty());
+  entries_.push_back({alone_table_, {}, place_of(curve)});
+}
+
 CurvePart<double> TablePool::add(const DragDef& drag, Interpolation interpolation) {
+  if (alone_ != nullptr && drag.table == alone_table_) return place_at(0, *alone_);
+  if (drag.table != DragTable::custom && rows_.empty() && entries_.empty() && alone_ == nullptr) {
+    alone_ = &standard_drag_cells(drag.table, interpolation);
+    alone_table_ = drag.table;
+    return place_at(0, *alone_);
+  }
+  settle();
   for (const Entry& e : entries_)
     if (e.table == drag.table && (drag.table != DragTable::custom || e.curve == drag.curve)) return e.place;
   const auto own_points = drag.table == DragTable::custom ? drag.curve : std::vector<DragPoint>{};
@@ -34,12 +57,10 @@ CurvePart<double> TablePool::place_of(const DragDef& drag, Interpolation interpo
   return {-static_cast<double>(searched_.size()), 0, 1, 0};
 }
 
-CurvePart<double> TablePool::place_of(const UniformCubic& curve) {
-  PHYSIM_ASSERT(!curve.rows.empty() && curve.cell > 0);
-  return {add_rows(curve.rows), curve.start, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
-}
+CurvePart<double> TablePool::place_of(const UniformCubic& curve) { return place_at(add_rows(curve.rows), curve); }
 
 double TablePool::add_rows(const std::vector<std::array<double, 4>>& rows) {
+  settle();
   PHYSIM_ASSERT(!rows.empty() && rows_.size() % 4 == 0);
   const std::size_t first = rows_.size();
   static_assert(sizeof(rows[0]) == 4 * sizeof(double));  // they lie side by side
@@ -56,22 +77,23 @@ const AeroPlace* TablePool::find(const AeroDef& aero) const {
 }
 
 std::size_t TablePool::size() const {
-  return rows_.size() + searched_.size() + motors.pieces().size() + magnus.grids().size();
+  return rows().size() + searched_.size() + motors.pieces().size() + magnus.grids().size();
 }
 
 template <class S>
-TablePointers<S> TablePool::pointers(const std::vector<S>& rows) const {
-  return {rows.data(), searched_.data(), motors.pieces().data(), magnus.grids().data()};
+TablePointers<S> TablePool::pointers(const S* rows) const {
+  return {rows, searched_.data(), motors.pieces().data(), magnus.grids().data()};
 }
 
-void TablePool::point(Conditions<double>& c) const { static_cast<TablePointers<double>&>(c) = pointers(rows_); }
+void TablePool::point(Conditions<double>& c) const { static_cast<TablePointers<double>&>(c) = pointers(rows().data()); }
 
 void TablePool::point(Conditions<float>& c) {
-  PHYSIM_ASSERT(rows_float_.size() <= rows_.size());
+  const std::span<const double> wide = rows();
+  PHYSIM_ASSERT(rows_float_.size() <= wide.size());
   const std::size_t known = rows_float_.size();
-  rows_float_.resize(rows_.size());
-  for (std::size_t i = known; i < rows_.size(); ++i) rows_float_[i] = static_cast<float>(rows_[i]);
-  static_cast<TablePointers<float>&>(c) = pointers(rows_float_);
+  rows_float_.resize(wide.size());
+  for (std::size_t i = known; i < wide.size(); ++i) rows_float_[i] = static_cast<float>(wide[i]);
+  static_cast<TablePointers<float>&>(c) = pointers(rows_float_.data());
 }
 
 }  // namespace physim

@@ -7,6 +7,8 @@
 //   model/aero_tables.hpp for what is in them.
 #pragma once
 
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "math/interpolation.hpp"
@@ -54,7 +56,10 @@ class TablePool {
     aero_.emplace_back(aero, place);
   }
 
-  [[nodiscard]] const std::vector<double>& rows() const { return rows_; }
+  [[nodiscard]] std::span<const double> rows() const {
+    if (alone_ != nullptr) return {alone_->rows.front().data(), 4 * alone_->rows.size()};
+    return rows_;
+  }
   [[nodiscard]] const std::vector<PiecewiseCubic>& searched() const { return searched_; }
   /// Grows with everything that is added.
   [[nodiscard]] std::size_t size() const;
@@ -71,10 +76,16 @@ class TablePool {
     std::vector<DragPoint> curve;
     CurvePart<double> place;
   };
+  /// Takes the curve that is read where it lies into the rows, before others follow it.
+  void settle();
   CurvePart<double> place_of(const DragDef& drag, Interpolation interpolation);
   CurvePart<double> place_of(const UniformCubic& curve);
   template <class S>
-  [[nodiscard]] TablePointers<S> pointers(const std::vector<S>& rows) const;
+  [[nodiscard]] TablePointers<S> pointers(const S* rows) const;
+
+  // A standard curve that is all there is, as in most flights, is read where all flights find it.
+  const UniformCubic* alone_ = nullptr;
+  DragTable alone_table_ = DragTable::constant;
 
   std::vector<double> rows_;
   std::vector<float> rows_float_;  // of those that conditions in float asked for

@@ -3,6 +3,7 @@
 
 #include "model/table_pool.hpp"
 #include "physim/flight.hpp"
+#include "prepare/watch_list.hpp"
 #include "solve/lanes.hpp"
 
 namespace physim {
@@ -30,12 +31,23 @@ struct Cohort {
   }
   template <class S>
   [[nodiscard]] Course<S> course(const Tolerance& tolerance, double step, const WatchList& watch) const {
+    return course_with<S>(tolerance, step, [&]() -> const WatchList& { return watch; });
+  }
+  template <class S>
+  [[nodiscard]] Course<S> course(const Tolerance& tolerance, double step, const Until& until, Watcher watcher) const {
+    return course_with<S>(tolerance, step, [&] { return prepare_watch(until, conditions, watcher); });
+  }
+
+ private:
+  /// The list of what is watched is large: it is made where it stays.
+  template <class S>
+  [[nodiscard]] Course<S> course_with(const Tolerance& tolerance, double step, const auto& watch) const {
     PHYSIM_ASSERT(conditions.curve_rows == pool.rows().data());  // finish() came after the last addition and move
     return {&conditions_in<S>(),
             &conditions,
             parts_flown(in_use.fidelity, conditions).runs(),
             prepare_plan<S>(tolerance, in_use.fidelity, step),
-            watch,
+            watch(),
             corners_matter(conditions)};
   }
 };

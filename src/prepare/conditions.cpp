@@ -2,6 +2,7 @@
 #include "prepare/conditions.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "base/ieee_mode.hpp"
@@ -14,19 +15,19 @@
 namespace physim {
 namespace {
 
-WindField<double> prepare_wind(const Wind& wind, WindModel model) {
-  WindField<double> field{};
-  if (wind.field && model == WindModel::profile) return field;  // its function is asked
+/// Into a field that is all zero.
+void put_wind(const Wind& wind, WindModel model, WindField<double>& field) {
+  if (wind.field && model == WindModel::profile) return;  // its function is asked
   field.points = 1;
   field.by_range = wind.by == WindAxis::range;
   field.stepped = wind.interpolation == WindInterpolation::step;
   switch (wind.profile.empty() ? lower_of(model, WindModel::constant) : model) {
-    case WindModel::off: return field;
+    case WindModel::off: return;
     case WindModel::constant:
       // A low rung has one wind: the profile's first point stands for it where no other is given.
       field.velocity[0] = wind.velocity;
       if (!wind.profile.empty() && wind.velocity == Vec3d{}) field.velocity[0] = wind.profile.front().velocity;
-      return field;
+      return;
     case WindModel::profile: break;
   }
   PHYSIM_ASSERT(wind.profile.size() <= std::size_t(kMaxWindPoints));
@@ -38,7 +39,6 @@ WindField<double> prepare_wind(const Wind& wind, WindModel model) {
     field.velocity[i] = p.velocity;
     if (i > 0) field.slope[i - 1] = (p.velocity - Vec3d(field.velocity[i - 1])) * (1 / (p.at - field.at[i - 1]));
   }
-  return field;
 }
 
 /// A function that is asked for times so much later [s].
@@ -56,16 +56,21 @@ FieldFunction<Batch> later_by(double delay, const FieldFunction<Batch>& function
 
 }  // namespace
 
-Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted) {
-  Conditions<double> c{};
+void put_conditions(const Environment& environment, const Fidelity& granted, Conditions<double>& c) {
+  std::construct_at(&c);  // where it is: it is large
   c.fidelity = granted;
   prepare_earth(environment, granted, c);
-  c.air = prepare_air(environment, granted.air);
-  c.wind = prepare_wind(environment.wind, granted.wind);
+  put_air(environment, granted.air, c.air);
+  put_wind(environment.wind, granted.wind, c.wind);
   c.wind_function = environment.wind.field.get();
   c.force_function = environment.force.get();
   c.has_wind_function = c.wind_function != nullptr && granted.wind == WindModel::profile;
   c.has_force_function = c.force_function != nullptr && granted.motion == Motion::force;
+}
+
+Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted) {
+  Conditions<double> c;
+  put_conditions(environment, granted, c);
   return c;
 }
 

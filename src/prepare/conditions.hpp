@@ -8,6 +8,8 @@ namespace physim {
 
 /// Pools of curves and flags of what some projectile has come with the projectiles.
 [[nodiscard]] Conditions<double> prepare_conditions(const Environment& environment, const Fidelity& granted);
+/// ... where they are kept; what was there is not read.
+void put_conditions(const Environment& environment, const Fidelity& granted, Conditions<double>& conditions);
 /// Whether functions of one's own are in it.
 [[nodiscard]] inline bool has_functions(const Environment& e) { return e.wind.field || e.force; }
 /// The environment of a world as a flight knows it that is launched at a time of that world [s].

@@ -139,9 +139,9 @@ class Granting {
   static bool is_sized_by_default(const ProjectileDef& p) {
     const DragDef& d = p.drag;
     const bool standard = d.table != DragTable::constant && d.table != DragTable::custom;
+    if (!standard || d.ballistic_coefficient != 0 || !d.bands.empty()) return false;
     const ProjectileDef plain;
-    return standard && d.ballistic_coefficient == 0 && d.bands.empty() && p.mass == plain.mass &&
-           p.diameter == plain.diameter;
+    return p.mass == plain.mass && p.diameter == plain.diameter;
   }
 
   void without_rotation(const char* reason) { set("rotation", f_.rotation, RotationModel::none, reason); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 #include "base/assert.hpp"
 #include "math/angles.hpp"
@@ -125,9 +126,9 @@ void prepare_curve(const ProjectileDef& p, TablePool& pool, Conditions<double>& 
   c.has_searched_curves = c.has_searched_curves || b.curve_row < 0;
 }
 
-Body<double> prepare_kind(const ProjectileDef& p, TablePool& pool, Conditions<double>& c) {
+void put_kind(const ProjectileDef& p, TablePool& pool, Conditions<double>& c, Body<double>& b) {
   PHYSIM_ASSERT(p.mass > 0);
-  Body<double> b{};
+  std::construct_at(&b);
   b.rail_phase = kOffRail;
   b.half_area_per_mass = half_area_per_mass(p);
   prepare_bands(p.drag, b);
@@ -145,6 +146,11 @@ Body<double> prepare_kind(const ProjectileDef& p, TablePool& pool, Conditions<do
   b.free = {1, 1, 1};
   prepare_motor(p, pool, c, b);
   prepare_magnus(p, pool, c, b);
+}
+
+Body<double> prepare_kind(const ProjectileDef& p, TablePool& pool, Conditions<double>& c) {
+  Body<double> b;
+  put_kind(p, pool, c, b);
   return b;
 }
 

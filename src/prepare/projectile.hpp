@@ -13,6 +13,8 @@ namespace physim {
 /// Adds the projectile's tables to the pool and its flags to the conditions.
 [[nodiscard]] Body<double> prepare_kind(const ProjectileDef& projectile, TablePool& pool,
                                         Conditions<double>& conditions);
+/// ... where it is kept; what was there is not read.
+void put_kind(const ProjectileDef& projectile, TablePool& pool, Conditions<double>& conditions, Body<double>& body);
 /// What of it only rungs that fly the attitude read, its tables added to the pool.
 [[nodiscard]] Rotor<double> prepare_rotor_kind(const ProjectileDef& projectile, TablePool& pool,
                                                Conditions<double>& conditions);

@@ -42,6 +42,7 @@ class March {
  public:
   PHYSIM_INLINE March() { lanes.body = {}; }
   PHYSIM_INLINE explicit March(const Course<S>& course) : March() { course_ = &course; }
+  PHYSIM_INLINE March(const Course<S>& course, const Body<R>& body) : course_(&course) { lanes.body = body; }
 
   Lanes<R> lanes;  // but for its body nothing is set before a launch or a restart
 
@@ -126,6 +127,9 @@ class March {
     const Conditions<S>& c = conditions();
     Lanes<R>& l = lanes;
     const int last = last_slope(c.fidelity);
+    if constexpr (std::is_floating_point_v<R>) {
+      if (!accepted) return;
+    }
     PHYSIM_ASSERT(!any(accepted & (l.step.t_end < l.step.t)));  // clocks run forwards
     l.step.t = select(accepted, l.step.t_end, l.step.t);
     const auto move_on = [&](auto& part) {

@@ -88,6 +88,13 @@ TEST(KnownStep, IsTheStepOfAllRungsToTheBit) {
       known.interpolate(flyer.step, coefficients);
       dense_sums(Integrator::tsit5, other.step, other.step.h, others);
       for (int k = 0; k < dense_coefficient_count(Integrator::tsit5); ++k) expect_same(coefficients[k], others[k]);
+
+      const Step<double>& s = flyer.step;
+      KeptStep kept;
+      keep_slopes(s, kept);
+      const Node n0{s.t, s.start, s.slope[0].v}, n1{s.t_end, s.end, s.slope[end_slope(Integrator::tsit5)].v};
+      interpolate_kept(kept, n0, n1, coefficients);
+      for (int k = 0; k < dense_coefficient_count(Integrator::tsit5); ++k) expect_same(coefficients[k], others[k]);
     }
     EXPECT_GT(above, 100);
     EXPECT_LT(above, 400);
@@ -136,6 +143,37 @@ TEST(KnownStep, GivesTheFlightOfABatch) {
       EXPECT_EQ(flight.cost().steps, batch.shots[0].cost.steps);
       EXPECT_EQ(flight.cost().rejected, batch.shots[0].cost.rejected);
       EXPECT_EQ(flight.cost().evaluations, batch.shots[0].cost.evaluations);
+    }
+  }
+}
+
+/// What meets nothing makes its interpolants when it is asked, what may meet things in its steps, by the functions of
+/// all rungs: a scene without things changes nothing anywhere on the path.
+TEST(KnownStep, AnswersInsideItsStepsAsAllRungsDo) {
+  const Scene empty;
+  for (const Rung& rung : kRungs) {
+    SCOPED_TRACE(rung.name);
+    Launch launch;
+    launch.speed = 850;
+    launch.elevation = 0.3;
+    launch.position.y = 2;
+    Until until;
+    until.events.push_back({.kind = EventKind::mach, .value = 1});
+    const Flight flight = fly(bullet(), launch, windy(), fidelity_of(rung), {}, until);
+    until.scene = &empty;
+    const Flight other = fly(bullet(), launch, windy(), fidelity_of(rung), {}, until);
+    ASSERT_EQ(flight.outcome(), Outcome::landed);
+    ASSERT_EQ(flight.step_times(), other.step_times());
+    ASSERT_EQ(flight.events().size(), other.events().size());
+    for (std::size_t i = 0; i < flight.events().size(); ++i)
+      EXPECT_TRUE(same_bits(flight.events()[i].position, other.events()[i].position));
+    std::vector<double> times = flight.step_times();
+    for (int i = 0; i <= 1000; ++i) times.push_back(flight.duration() * i / 1000.0);
+    for (const double time : times) {
+      const Sample a = flight.at(time), b = other.at(time);
+      ASSERT_TRUE(same_bits(a.position, b.position)) << time;
+      ASSERT_TRUE(same_bits(a.velocity, b.velocity)) << time;
+      ASSERT_TRUE(same_bits(a.acceleration, b.acceleration)) << time;
     }
   }
 }

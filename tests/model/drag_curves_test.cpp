@@ -161,5 +161,27 @@ TEST(DragCurves, what_gives_no_curve_has_no_coefficient) {
   EXPECT_TRUE(std::isnan(drag_coefficient(nan, Interpolation::linear, 1)));
 }
 
+/// A standard curve alone is read where all find it; with others it moves into their rows, at the same place.
+TEST(DragCurves, a_standard_curve_alone_reads_as_among_others) {
+  DragDef g7, g1, own;
+  g7.table = DragTable::g7;
+  g1.table = DragTable::g1;
+  own.table = DragTable::custom;
+  own.curve = {{0, 0.2}, {0.5, 0.25}, {1, 0.5}, {1.5, 0.4}, {2, 0.3}};
+  for (const DragDef& next : {g1, own}) {
+    TablePool alone, among;
+    const CurvePart<double> place = alone.add(g7, Interpolation::cubic);
+    EXPECT_EQ(among.add(g7, Interpolation::cubic), place);
+    EXPECT_EQ(alone.rows().data(), among.rows().data());
+    const CurvePart<double> other = among.add(next, Interpolation::cubic);
+    EXPECT_EQ(other.curve_row, static_cast<double>(alone.rows().size() / 4));
+    EXPECT_EQ(among.add(g7, Interpolation::cubic), place);
+    EXPECT_EQ(among.add(next, Interpolation::cubic), other);
+    EXPECT_GT(among.rows().size(), alone.rows().size());
+    EXPECT_EQ(among.size(), among.rows().size());
+    EXPECT_TRUE(std::equal(alone.rows().begin(), alone.rows().end(), among.rows().begin()));
+  }
+}
+
 }  // namespace
 }  // namespace physim
