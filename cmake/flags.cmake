@@ -18,6 +18,14 @@ elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
 endif()
 string(APPEND PHYSIM_IEEE " -ffp-contract=off -fno-math-errno -fno-trapping-math")
 
+# How far clang looks back through memory for what is known: it stops at a hundred uses of a variable and a hundred
+# instructions, and what a step of a known rung reads of its conditions lies farther back. Bits are those of the code.
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  include(CheckCXXCompilerFlag)
+  set(PHYSIM_FAR "-mllvm -capture-tracking-max-uses-to-explore=10000 -mllvm -memdep-block-scan-limit=20000")
+  check_cxx_compiler_flag("${PHYSIM_FAR}" PHYSIM_LOOKS_FAR)
+endif()
+
 # A switch over an enumeration names every enumerator, so that a new one does not compile until each says what it does.
 # Wide vectors in signatures make g++ note an ABI change (psabi); designated initialisers leave fields out on purpose.
 set(PHYSIM_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
@@ -41,6 +49,9 @@ function(physim_flags target)
     endif()
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
       target_compile_options(${target} PRIVATE -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
+    endif()
+    if(PHYSIM_LOOKS_FAR)
+      target_compile_options(${target} PRIVATE "SHELL:${PHYSIM_FAR}")
     endif()
     if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
       # The mask of a single lane is a bool, joined by & as masks of packs are; libstdc++'s stable_sort uses what it

@@ -10,6 +10,11 @@
 #define PHYSIM_ISA base
 #endif
 
+/// A function template behind a call: long, and seldom flown. Each file that calls it has a copy of its own: of one
+/// that other files might share, clang must think that another compiler's does what this one does not, and changes
+/// whatever it is told the place of.
+#define PHYSIM_NOINLINE [[gnu::noinline]] static
+
 #define PHYSIM_ISA_BEGIN \
   namespace physim {     \
   inline namespace PHYSIM_ISA {

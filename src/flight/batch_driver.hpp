@@ -39,7 +39,7 @@ void put_launches(const LaunchSource& from, std::size_t first, int filled, Body<
 
 /// What prepare_air_numbers() (model/standard_atmosphere.hpp) gives, for a pack of shots with air of their own.
 template <class W>
-[[gnu::noinline]] void put_air(const WeatherSource& from, std::size_t first, int filled, AirNumbers<W>& air) {
+PHYSIM_NOINLINE void put_air(const WeatherSource& from, std::size_t first, int filled, AirNumbers<W>& air) {
   const auto take = [&](const NumberColumn& column) { return take_column<W>(column, first, filled); };
   if (!from.has_station || from.place.model != AirModel::isa) {
     const double* no_station = numbers(*from.no_station);

@@ -20,12 +20,12 @@ PHYSIM_INLINE unsigned lanes_at_least(const Pack<T, N>& a, const std::type_ident
   constexpr int kPer = Pack<T, N>::kPerRegister;
   if constexpr (std::is_floating_point_v<T> && Pack<T, N>::kBytes == 64) {
     unsigned bits = 0;
-    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) {
-      if constexpr (sizeof(T) == 8)
-        bits |= unsigned(_mm512_cmp_pd_mask((__m512d)a.r[i], (__m512d)b.r[i], _CMP_GE_OQ)) << (i * kPer);
-      else
-        bits |= unsigned(_mm512_cmp_ps_mask((__m512)a.r[i], (__m512)b.r[i], _CMP_GE_OQ)) << (i * kPer);
-    }
+    using Register = typename Pack<T, N>::Register;
+    const auto ask = [](const Register& x, const Register& y) PHYSIM_INLINE_LAMBDA {
+      if constexpr (sizeof(T) == 8) return unsigned(_mm512_cmp_pd_mask((__m512d)x, (__m512d)y, _CMP_GE_OQ));
+      if constexpr (sizeof(T) == 4) return unsigned(_mm512_cmp_ps_mask((__m512)x, (__m512)y, _CMP_GE_OQ));
+    };
+    PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), bits |= ask(a.r[i], b.r[i]) << (i * kPer));
     return bits;
   }
 #endif

@@ -34,6 +34,32 @@ using SignedOf = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
 template <class T>
 using UnsignedOf = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
 
+/// A statement for each register i of a pack. A loop hides from clang which register is meant until it is unrolled, and
+/// meanwhile packs lie in memory, where little of what is known is found again. More than four at a time are rare.
+#define PHYSIM_EACH_REGISTER(kCount, ...)   \
+  do {                                      \
+    {                                       \
+      [[maybe_unused]] constexpr int i = 0; \
+      __VA_ARGS__;                          \
+    }                                       \
+    if constexpr ((kCount) > 1) {           \
+      constexpr int i = 1;                  \
+      __VA_ARGS__;                          \
+    }                                       \
+    if constexpr ((kCount) > 2) {           \
+      constexpr int i = 2;                  \
+      __VA_ARGS__;                          \
+    }                                       \
+    if constexpr ((kCount) > 3) {           \
+      constexpr int i = 3;                  \
+      __VA_ARGS__;                          \
+    }                                       \
+    if constexpr ((kCount) > 4)             \
+      for (int i = 4; i < (kCount); ++i) {  \
+        __VA_ARGS__;                        \
+      }                                     \
+  } while (false)
+
 template <class T, int N>
 struct Pack {
   static constexpr int kBytes = N * int(sizeof(T)) < kNativeBytes ? N * int(sizeof(T)) : kNativeBytes;
@@ -49,7 +75,7 @@ struct Pack {
   Pack() = default;
   /// Every lane gets the same value.
   PHYSIM_INLINE Pack(T value) {  // NOLINT: a number is a pack of equal numbers
-    for (int i = 0; i < kRegisters; ++i) r[i] = value - Register{};
+    PHYSIM_EACH_REGISTER(kRegisters, r[i] = value - Register{});
   }
   PHYSIM_INLINE T operator[](int lane) const {
     PHYSIM_ASSERT(lane >= 0 && lane < N);
@@ -62,40 +88,30 @@ struct Pack {
 
   PHYSIM_INLINE static Pack load(const T* from) {
     Pack p;
-    for (int i = 0; i < kRegisters; ++i) p.r[i] = *reinterpret_cast<const Stored*>(from + i * kPerRegister);
+    PHYSIM_EACH_REGISTER(kRegisters, p.r[i] = *reinterpret_cast<const Stored*>(from + i * kPerRegister));
     return p;
   }
-  PHYSIM_INLINE void store(T* to) const {
-    for (int i = 0; i < kRegisters; ++i) *place(to, i) = r[i];
-  }
+  PHYSIM_INLINE void store(T* to) const { PHYSIM_EACH_REGISTER(kRegisters, *place(to, i) = r[i]); }
   /// Stores past the caches, to an address that is a multiple of the register's size: for more numbers than fit there.
   /// finish_streams() before others read them.
   PHYSIM_INLINE void stream(T* to) const {
     PHYSIM_ASSERT(std::bit_cast<std::uintptr_t>(to) % kBytes == 0);
-    for (int i = 0; i < kRegisters; ++i) {
-#if defined(__AVX512F__)
-      if constexpr (kBytes == 64) {
-        _mm512_stream_si512((__m512i*)place(to, i), (__m512i)r[i]);
-        continue;
-      }
-#endif
-#if defined(__AVX__)
-      if constexpr (kBytes == 32) {
-        _mm256_stream_si256((__m256i*)place(to, i), (__m256i)r[i]);
-        continue;
-      }
-#endif
-#if defined(__SSE2__)
-      if constexpr (kBytes == 16) {
-        _mm_stream_si128((__m128i*)place(to, i), (__m128i)r[i]);
-        continue;
-      }
-#endif
-      *place(to, i) = r[i];
-    }
+    PHYSIM_EACH_REGISTER(kRegisters, stream_register(place(to, i), r[i]));
   }
 
  private:
+  PHYSIM_INLINE static void stream_register(Stored* to, const Register& from) {
+#if defined(__AVX512F__)
+    if constexpr (kBytes == 64) return _mm512_stream_si512((__m512i*)to, (__m512i)from);
+#endif
+#if defined(__AVX__)
+    if constexpr (kBytes == 32) return _mm256_stream_si256((__m256i*)to, (__m256i)from);
+#endif
+#if defined(__SSE2__)
+    if constexpr (kBytes == 16) return _mm_stream_si128((__m128i*)to, (__m128i)from);
+#endif
+    *to = from;
+  }
   /// Where register i is stored.
   PHYSIM_INLINE static Stored* place(T* to, int i) { return reinterpret_cast<Stored*>(to + i * kPerRegister); }
 };
@@ -125,7 +141,7 @@ struct PackMask {
   template <class T, int N>                                                              \
   PHYSIM_INLINE Pack<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {       \
     Pack<T, N> c;                                                                        \
-    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op b.r[i];          \
+    PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = a.r[i] op b.r[i]);           \
     return c;                                                                            \
   }                                                                                      \
   template <class T, int N>                                                              \
@@ -147,26 +163,26 @@ PHYSIM_PACK_BINARY(/)
 #undef PHYSIM_PACK_BINARY
 
 // Integers only: bits of the lanes.
-#define PHYSIM_PACK_BITS(op)                                                    \
-  template <class T, int N>                                                     \
-  requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>                       \
-  operator op(const Pack<T, N>& a, const Pack<T, N>& b) {                       \
-    Pack<T, N> c;                                                               \
-    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op b.r[i]; \
-    return c;                                                                   \
+#define PHYSIM_PACK_BITS(op)                                                   \
+  template <class T, int N>                                                    \
+  requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>                      \
+  operator op(const Pack<T, N>& a, const Pack<T, N>& b) {                      \
+    Pack<T, N> c;                                                              \
+    PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = a.r[i] op b.r[i]); \
+    return c;                                                                  \
   }
 PHYSIM_PACK_BITS(&)
 PHYSIM_PACK_BITS(|)
 PHYSIM_PACK_BITS(^)
 #undef PHYSIM_PACK_BITS
 
-#define PHYSIM_PACK_SHIFT(op)                                                 \
-  template <class T, int N>                                                   \
-  requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>                     \
-  operator op(const Pack<T, N>& a, int bits) {                                \
-    Pack<T, N> c;                                                             \
-    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = a.r[i] op bits; \
-    return c;                                                                 \
+#define PHYSIM_PACK_SHIFT(op)                                                \
+  template <class T, int N>                                                  \
+  requires std::is_integral_v<T> PHYSIM_INLINE Pack<T, N>                    \
+  operator op(const Pack<T, N>& a, int bits) {                               \
+    Pack<T, N> c;                                                            \
+    PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = a.r[i] op bits); \
+    return c;                                                                \
   }
 PHYSIM_PACK_SHIFT(<<)
 PHYSIM_PACK_SHIFT(>>)
@@ -175,21 +191,21 @@ PHYSIM_PACK_SHIFT(>>)
 template <class T, int N>
 PHYSIM_INLINE Pack<T, N> operator-(const Pack<T, N>& a) {
   Pack<T, N> c;
-  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = -a.r[i];
+  PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = -a.r[i]);
   return c;
 }
 
 // --------------------------------------------------------------------------------------------------- comparisons
-#define PHYSIM_PACK_COMPARE(op)                                                                                      \
-  template <class T, int N>                                                                                          \
-  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {                               \
-    PackMask<T, N> m;                                                                                                \
-    for (int i = 0; i < Pack<T, N>::kRegisters; ++i) m.r[i] = (typename PackMask<T, N>::Register)(a.r[i] op b.r[i]); \
-    return m;                                                                                                        \
-  }                                                                                                                  \
-  template <class T, int N>                                                                                          \
-  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, std::type_identity_t<T> b) {                         \
-    return a op Pack<T, N>(b);                                                                                       \
+#define PHYSIM_PACK_COMPARE(op)                                                                                     \
+  template <class T, int N>                                                                                         \
+  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, const Pack<T, N>& b) {                              \
+    PackMask<T, N> m;                                                                                               \
+    PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), m.r[i] = (typename PackMask<T, N>::Register)(a.r[i] op b.r[i])); \
+    return m;                                                                                                       \
+  }                                                                                                                 \
+  template <class T, int N>                                                                                         \
+  PHYSIM_INLINE PackMask<T, N> operator op(const Pack<T, N>& a, std::type_identity_t<T> b) {                        \
+    return a op Pack<T, N>(b);                                                                                      \
   }
 PHYSIM_PACK_COMPARE(<)
 PHYSIM_PACK_COMPARE(<=)
@@ -203,7 +219,7 @@ PHYSIM_PACK_COMPARE(!=)
   template <class T, int N>                                                                    \
   PHYSIM_INLINE PackMask<T, N> operator op(const PackMask<T, N>& a, const PackMask<T, N>& b) { \
     PackMask<T, N> m;                                                                          \
-    for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) m.r[i] = a.r[i] op b.r[i];            \
+    PHYSIM_EACH_REGISTER((PackMask<T, N>::kRegisters), m.r[i] = a.r[i] op b.r[i]);             \
     return m;                                                                                  \
   }
 PHYSIM_MASK_BINARY(&)
@@ -212,7 +228,7 @@ PHYSIM_MASK_BINARY(|)
 template <class T, int N>
 PHYSIM_INLINE PackMask<T, N> operator!(const PackMask<T, N>& a) {
   PackMask<T, N> m;
-  for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) m.r[i] = ~a.r[i];
+  PHYSIM_EACH_REGISTER((PackMask<T, N>::kRegisters), m.r[i] = ~a.r[i]);
   return m;
 }
 
@@ -255,7 +271,7 @@ requires std::is_arithmetic_v<T> PHYSIM_INLINE T select(bool mask, T a, T b) { r
 template <class T, int N>
 PHYSIM_INLINE Pack<T, N> select(const PackMask<T, N>& mask, const Pack<T, N>& a, const Pack<T, N>& b) {
   Pack<T, N> c;
-  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) c.r[i] = mask.r[i] ? a.r[i] : b.r[i];
+  PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = mask.r[i] ? a.r[i] : b.r[i]);
   return c;
 }
 
@@ -264,7 +280,7 @@ PHYSIM_INLINE bool all(bool mask) { return mask; }
 template <class T, int N>
 PHYSIM_INLINE bool any(const PackMask<T, N>& mask) {
   auto bits = mask.r[0];
-  for (int i = 1; i < PackMask<T, N>::kRegisters; ++i) bits |= mask.r[i];
+  PHYSIM_EACH_REGISTER((PackMask<T, N>::kRegisters), bits |= mask.r[i]);
 #if defined(__AVX512F__)
   if constexpr (sizeof bits == 64) return _mm512_test_epi64_mask((__m512i)bits, (__m512i)bits) != 0;
 #endif
@@ -285,37 +301,30 @@ PHYSIM_INLINE bool all(const PackMask<T, N>& mask) {
 /// Bit i of the result is lane i of the mask.
 PHYSIM_INLINE unsigned lane_bits(bool mask) { return mask ? 1u : 0u; }
 template <class T, int N>
+PHYSIM_INLINE unsigned register_bits(const typename PackMask<T, N>::Register& mask) {
+#if defined(__AVX512DQ__)
+  if constexpr (sizeof mask == 64)
+    return sizeof(T) == 8 ? unsigned(_mm512_movepi64_mask((__m512i)mask))
+                          : unsigned(_mm512_movepi32_mask((__m512i)mask));
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof mask == 32)
+    return unsigned(sizeof(T) == 8 ? _mm256_movemask_pd((__m256d)mask) : _mm256_movemask_ps((__m256)mask));
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof mask == 16)
+    return unsigned(sizeof(T) == 8 ? _mm_movemask_pd((__m128d)mask) : _mm_movemask_ps((__m128)mask));
+#endif
+  unsigned bits = 0;
+  for (int lane = 0; lane < Pack<T, N>::kPerRegister; ++lane) bits |= (mask[lane] != 0 ? 1u : 0u) << lane;
+  return bits;
+}
+template <class T, int N>
 PHYSIM_INLINE unsigned lane_bits(const PackMask<T, N>& mask) {
   static_assert(N <= 32);
   constexpr int kPer = Pack<T, N>::kPerRegister;
   unsigned bits = 0;
-  for (int i = 0; i < PackMask<T, N>::kRegisters; ++i) {
-    unsigned part = 0;
-#if defined(__AVX512DQ__)
-    if constexpr (sizeof mask.r[0] == 64) {
-      part = sizeof(T) == 8 ? unsigned(_mm512_movepi64_mask((__m512i)mask.r[i]))
-                            : unsigned(_mm512_movepi32_mask((__m512i)mask.r[i]));
-      bits |= part << (i * kPer);
-      continue;
-    }
-#endif
-#if defined(__AVX__)
-    if constexpr (sizeof mask.r[0] == 32) {
-      part = unsigned(sizeof(T) == 8 ? _mm256_movemask_pd((__m256d)mask.r[i]) : _mm256_movemask_ps((__m256)mask.r[i]));
-      bits |= part << (i * kPer);
-      continue;
-    }
-#endif
-#if defined(__SSE2__)
-    if constexpr (sizeof mask.r[0] == 16) {
-      part = unsigned(sizeof(T) == 8 ? _mm_movemask_pd((__m128d)mask.r[i]) : _mm_movemask_ps((__m128)mask.r[i]));
-      bits |= part << (i * kPer);
-      continue;
-    }
-#endif
-    for (int lane = 0; lane < kPer; ++lane) part |= (mask.r[i][lane] != 0 ? 1u : 0u) << lane;
-    bits |= part << (i * kPer);
-  }
+  PHYSIM_EACH_REGISTER((PackMask<T, N>::kRegisters), bits |= register_bits<T, N>(mask.r[i]) << (i * kPer));
   return bits;
 }
 /// One lane of a pack, of a mask, or of what is but one.
@@ -392,40 +401,28 @@ PHYSIM_INLINE R from_bits(const BitsOf<R>& bits) {
 // Correctly rounded by IEEE 754 everywhere, so it is taken from the hardware.
 PHYSIM_INLINE double sqrt(double x) { return __builtin_sqrt(x); }
 PHYSIM_INLINE float sqrt(float x) { return __builtin_sqrtf(x); }
-template <class T, int N>
-PHYSIM_INLINE Pack<T, N> sqrt(const Pack<T, N>& a) {
-  using Register = typename Pack<T, N>::Register;
-  Pack<T, N> c;
-  for (int i = 0; i < Pack<T, N>::kRegisters; ++i) {
+template <class T, class Register>
+PHYSIM_INLINE Register register_sqrt(const Register& a) {
 #if defined(__AVX512F__)
-    if constexpr (sizeof(Register) == 64 && sizeof(T) == 8) {
-      c.r[i] = (Register)_mm512_maskz_sqrt_pd(0xff, (__m512d)a.r[i]);
-      continue;
-    } else if constexpr (sizeof(Register) == 64) {
-      c.r[i] = (Register)_mm512_maskz_sqrt_ps(0xffff, (__m512)a.r[i]);
-      continue;
-    }
+  if constexpr (sizeof a == 64 && sizeof(T) == 8) return (Register)_mm512_maskz_sqrt_pd(0xff, (__m512d)a);
+  if constexpr (sizeof a == 64 && sizeof(T) == 4) return (Register)_mm512_maskz_sqrt_ps(0xffff, (__m512)a);
 #endif
 #if defined(__AVX__)
-    if constexpr (sizeof(Register) == 32 && sizeof(T) == 8) {
-      c.r[i] = (Register)_mm256_sqrt_pd((__m256d)a.r[i]);
-      continue;
-    } else if constexpr (sizeof(Register) == 32) {
-      c.r[i] = (Register)_mm256_sqrt_ps((__m256)a.r[i]);
-      continue;
-    }
+  if constexpr (sizeof a == 32 && sizeof(T) == 8) return (Register)_mm256_sqrt_pd((__m256d)a);
+  if constexpr (sizeof a == 32 && sizeof(T) == 4) return (Register)_mm256_sqrt_ps((__m256)a);
 #endif
 #if defined(__SSE2__)
-    if constexpr (sizeof(Register) == 16 && sizeof(T) == 8) {
-      c.r[i] = (Register)_mm_sqrt_pd((__m128d)a.r[i]);
-      continue;
-    } else if constexpr (sizeof(Register) == 16) {
-      c.r[i] = (Register)_mm_sqrt_ps((__m128)a.r[i]);
-      continue;
-    }
+  if constexpr (sizeof a == 16 && sizeof(T) == 8) return (Register)_mm_sqrt_pd((__m128d)a);
+  if constexpr (sizeof a == 16 && sizeof(T) == 4) return (Register)_mm_sqrt_ps((__m128)a);
 #endif
-    for (int lane = 0; lane < Pack<T, N>::kPerRegister; ++lane) c.r[i][lane] = sqrt(a.r[i][lane]);
-  }
+  Register c;
+  for (unsigned lane = 0; lane < sizeof a / sizeof(T); ++lane) c[lane] = sqrt(a[lane]);
+  return c;
+}
+template <class T, int N>
+PHYSIM_INLINE Pack<T, N> sqrt(const Pack<T, N>& a) {
+  Pack<T, N> c;
+  PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = register_sqrt<T>(a.r[i]));
   return c;
 }
 
@@ -449,16 +446,16 @@ template <class T, int N>
 PHYSIM_INLINE Pack<T, N> max(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
 #if defined(__AVX512F__)
   // One instruction that means the same; g++ 12 sees it in min() only.
-  constexpr bool kFull = std::is_floating_point_v<T> && Pack<T, N>::kBytes == 64;
   using Register = typename Pack<T, N>::Register;
-  Pack<T, N> c;
-  for (int i = 0; kFull && i < Pack<T, N>::kRegisters; ++i) {
-    if constexpr (kFull && sizeof(T) == 8)
-      c.r[i] = (Register)_mm512_maskz_max_pd(0xff, (__m512d)a.r[i], (__m512d)b.r[i]);
-    else if constexpr (kFull)
-      c.r[i] = (Register)_mm512_maskz_max_ps(0xffff, (__m512)a.r[i], (__m512)b.r[i]);
+  if constexpr (std::is_floating_point_v<T> && Pack<T, N>::kBytes == 64) {
+    const auto larger = [](const Register& x, const Register& y) PHYSIM_INLINE_LAMBDA {
+      if constexpr (sizeof(T) == 8) return (Register)_mm512_maskz_max_pd(0xff, (__m512d)x, (__m512d)y);
+      if constexpr (sizeof(T) == 4) return (Register)_mm512_maskz_max_ps(0xffff, (__m512)x, (__m512)y);
+    };
+    Pack<T, N> c;
+    PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = larger(a.r[i], b.r[i]));
+    return c;
   }
-  if constexpr (kFull) return c;
 #endif
   return select(a > b, a, b);
 }

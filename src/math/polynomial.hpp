@@ -32,7 +32,8 @@ template <int kTermsGiven = 0, class R, class C, int N>
 PHYSIM_INLINE R polynomial(const R& x, const C (&c)[N]) {
   constexpr int kTerms = kTermsGiven == 0 ? N : kTermsGiven;
   static_assert(kTerms <= 32 && kTerms <= N);
-  R powers[5] = {x};
+  R powers[5];
+  powers[0] = x;
   if constexpr (kTerms > 2) powers[1] = x * x;
   if constexpr (kTerms > 4) powers[2] = powers[1] * powers[1];
   if constexpr (kTerms > 8) powers[3] = powers[2] * powers[2];

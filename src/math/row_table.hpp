@@ -146,11 +146,9 @@ PHYSIM_INLINE void row_columns(const S* rows, const Pack<S, N>& index, Pack<S, N
 #ifdef PHYSIM_HAS_SHUFFLE
   constexpr int kPer = Pack<S, N>::kPerRegister;
   if constexpr (TableRows<S, kPer>::kPossible) {
-    for (int i = 0; i < Pack<S, N>::kRegisters; ++i) {
-      typename Pack<S, N>::Register r[4];
-      TableRows<S, kPer>{rows, offset + i * kPer}.load(r);
-      for (int k = 0; k < 4; ++k) column[k].r[i] = r[k];
-    }
+    PHYSIM_EACH_REGISTER((Pack<S, N>::kRegisters), typename Pack<S, N>::Register r[4];
+                         TableRows<S, kPer>{rows, offset + i * kPer}.load(r);
+                         for (int k = 0; k < 4; ++k) column[k].r[i] = r[k]);
     return;
   }
 #endif
@@ -167,11 +165,9 @@ PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const
   constexpr int kPer = Pack<S, N>::kPerRegister;
   if constexpr (TableRows<S, kPer>::kPossible) {
     Pack<S, N> result;
-    for (int i = 0; i < Pack<S, N>::kRegisters; ++i) {
-      typename Pack<S, N>::Register r[4];
-      TableRows<S, kPer>{rows, offset + i * kPer}.load(r);
-      result.r[i] = (r[0] + t.r[i] * r[1]) + (t.r[i] * t.r[i]) * (r[2] + t.r[i] * r[3]);
-    }
+    PHYSIM_EACH_REGISTER((Pack<S, N>::kRegisters), typename Pack<S, N>::Register r[4];
+                         TableRows<S, kPer>{rows, offset + i * kPer}.load(r);
+                         result.r[i] = (r[0] + t.r[i] * r[1]) + (t.r[i] * t.r[i]) * (r[2] + t.r[i] * r[3]));
     return result;
   }
 #endif

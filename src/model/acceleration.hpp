@@ -237,7 +237,7 @@ PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, con
 
 /// As acceleration(), behind one call, so that twelve stages do not become twelve copies of all models.
 template <class R, class S>
-[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
+PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, Vec3<R>& a) {
   a = acceleration(c, b, t, s);
 }
 template <class R, class S>
@@ -249,8 +249,8 @@ PHYSIM_INLINE Vec3<R> evaluated(const Conditions<S>& c, const Body<R>& b, const 
 
 /// The acceleration of what turns, behind one call.
 template <class R, class S>
-[[gnu::noinline]] void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
+PHYSIM_NOINLINE void evaluate(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                              const State<R>& s, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
   Sum<R> sum;
   sum_effects(c, b, rotor, t, s, turn, slope, sum);
   a = sum.total;

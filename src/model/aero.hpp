@@ -60,8 +60,8 @@ PHYSIM_INLINE void coefficients_by_mach(const Conditions<S>& c, const Rotor<R>& 
 }
 
 template <class R, class S>
-[[gnu::noinline]] AeroCoefficients<R> aero_coefficients(const Conditions<S>& c, const Rotor<R>& b, const R& mach,
-                                                        const R& angle_squared) {
+PHYSIM_NOINLINE AeroCoefficients<R> aero_coefficients(const Conditions<S>& c, const Rotor<R>& b, const R& mach,
+                                                      const R& angle_squared) {
   AeroCoefficients<R> k = b.coefficient;
   if (!c.has_aero_tables) return k;
   PHYSIM_ASSERT(c.curve_rows != nullptr && c.has_aero);
@@ -81,8 +81,8 @@ struct AeroLoad {
 
 /// Everything but damping across the axis. Vectors in W or along body axes, all in the same.
 template <class R, class S>
-[[gnu::noinline]] AeroLoad<R> aero_load(const Conditions<S>& c, const Rotor<R>& b, const AirState<R>& air,
-                                        const Vec3<R>& u, const Vec3<R>& x, const R& spin, AeroCoefficients<R>& k) {
+PHYSIM_NOINLINE AeroLoad<R> aero_load(const Conditions<S>& c, const Rotor<R>& b, const AirState<R>& air,
+                                      const Vec3<R>& u, const Vec3<R>& x, const R& spin, AeroCoefficients<R>& k) {
   const R v_squared = length_squared(u);
   const R speed = sqrt(v_squared);
   const Vec3<R> across = cross(u, x);  // V s

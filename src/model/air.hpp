@@ -35,7 +35,7 @@ struct AirState {
 
 /// Any layer, by its law. Behind a call, as most shots stay below.
 template <class R, class S, class N>
-[[gnu::noinline]] void layered_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z, AirState<R>& out) {
+PHYSIM_NOINLINE void layered_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z, AirState<R>& out) {
   PHYSIM_ASSERT(air.layers >= 1 && air.layers <= kAirLayers);
   const S r0 = static_cast<S>(kGeopotentialRadius);
   const R h = r0 * z / (r0 + z);
@@ -84,7 +84,7 @@ PHYSIM_INLINE AirState<R> air_state(const Conditions<S>& c, const AirNumbers<N>&
 }
 /// Behind a call, as few have it.
 template <class R, class S>
-[[gnu::noinline]] void own_air_state(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& x, AirState<R>& out) {
+PHYSIM_NOINLINE void own_air_state(const Conditions<S>& c, const Body<R>& b, const Vec3<R>& x, AirState<R>& out) {
   out = air_state(c, b.air, x);
 }
 template <class R, class S>

@@ -65,7 +65,7 @@ PHYSIM_INLINE State<R> closed_form_of_free(const Conditions<S>& c, const Body<R>
 
 /// The state at time t after launch. Frozen axes stay as they were: the axes do not mix.
 template <class R, class S>
-[[gnu::noinline]] State<R> closed_form(const Conditions<S>& c, const Body<R>& b, const R& t) {
+PHYSIM_NOINLINE State<R> closed_form(const Conditions<S>& c, const Body<R>& b, const R& t) {
   PHYSIM_ASSERT(c.fidelity.motion == Motion::closed_form);
   State<R> s = closed_form_of_free(c, b, t);
   if (c.has_frozen) {

@@ -24,7 +24,7 @@ PHYSIM_ISA_BEGIN
 
 /// Cd of curves whose points lie on no equal cells, one lane after the other.
 template <class R, class S>
-R searched_cd(const Conditions<S>& c, const Body<R>& b, const R& mach, R cd) {
+PHYSIM_NOINLINE R searched_cd(const Conditions<S>& c, const Body<R>& b, const R& mach, R cd) {
   PHYSIM_ASSERT(c.searched_curves != nullptr);
   for (int lane = 0; lane < kLanes<R>; ++lane) {
     const S row = lane_of(b.curve_row, lane);

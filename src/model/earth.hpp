@@ -30,18 +30,21 @@
 namespace physim {
 
 /// Heights are above a curved surface.
-PHYSIM_INLINE constexpr bool is_round(EarthModel earth) { return row(earth).shape != EarthShape::flat; }
-PHYSIM_INLINE constexpr bool is_sphere(EarthModel earth) { return row(earth).shape == EarthShape::sphere; }
+PHYSIM_INLINE constexpr bool is_round(EarthModel earth) { return column<&EarthRow::shape>(earth) != EarthShape::flat; }
+PHYSIM_INLINE constexpr bool is_sphere(EarthModel earth) {
+  return column<&EarthRow::shape>(earth) == EarthShape::sphere;
+}
 /// W turns with the Earth.
-PHYSIM_INLINE constexpr bool is_turning(EarthModel earth) { return row(earth).turning; }
+PHYSIM_INLINE constexpr bool is_turning(EarthModel earth) { return column<&EarthRow::turning>(earth); }
 /// Gravity falls with height.
 PHYSIM_INLINE constexpr bool falls(GravityModel gravity) {
-  return row(gravity).field == GravityField::central || row(gravity).field == GravityField::flattened;
+  const GravityField field = column<&GravityRow::field>(gravity);
+  return field == GravityField::central || field == GravityField::flattened;
 }
 
 /// W turns, and the centrifugal acceleration is no part of gravity.
 PHYSIM_INLINE constexpr bool throws_out(const Fidelity& f) {
-  return is_turning(f.earth) && is_round(f.earth) && row(f.gravity).field != GravityField::uniform;
+  return is_turning(f.earth) && is_round(f.earth) && column<&GravityRow::field>(f.gravity) != GravityField::uniform;
 }
 
 /// The environment gives a gravity of its own, which only `constant` and `inverse_square` can have.
@@ -82,7 +85,7 @@ PHYSIM_INLINE R sphere_altitude(const Conditions<S>& c, const Vec3<R>& x) {
 /// Altitude above sea level [m].
 template <class R, class S>
 PHYSIM_INLINE R altitude(const Conditions<S>& c, const Vec3<R>& x) {
-  switch (row(c.fidelity.earth).shape) {
+  switch (column<&EarthRow::shape>(c.fidelity.earth)) {
     case EarthShape::flat: return x.y + c.altitude;
     case EarthShape::sphere: return sphere_altitude(c, x);
     case EarthShape::ellipsoid: return ellipsoid_vertical_at(c, x).height + c.altitude;
@@ -93,7 +96,7 @@ PHYSIM_INLINE R altitude(const Conditions<S>& c, const Vec3<R>& x) {
 /// Height above the origin of W [m]; events and the ground use it.
 template <class R, class S>
 PHYSIM_INLINE R height(const Conditions<S>& c, const Vec3<R>& x) {
-  switch (row(c.fidelity.earth).shape) {
+  switch (column<&EarthRow::shape>(c.fidelity.earth)) {
     case EarthShape::flat: return x.y;
     case EarthShape::sphere: return sphere_altitude(c, x) - c.altitude;
     case EarthShape::ellipsoid: return ellipsoid_vertical_at(c, x).height;
@@ -104,7 +107,7 @@ PHYSIM_INLINE R height(const Conditions<S>& c, const Vec3<R>& x) {
 /// The vertical at a place, a unit vector [-].
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> vertical_at(const Conditions<S>& c, const Vec3<R>& x) {
-  switch (row(c.fidelity.earth).shape) {
+  switch (column<&EarthRow::shape>(c.fidelity.earth)) {
     case EarthShape::flat: return {R(S(0)), R(S(1)), R(S(0))};
     case EarthShape::sphere: {
       const Vec3<R> r = from_centre(c, x);
@@ -118,7 +121,7 @@ PHYSIM_INLINE Vec3<R> vertical_at(const Conditions<S>& c, const Vec3<R>& x) {
 /// Rate of climb [m/s].
 template <class R, class S>
 PHYSIM_INLINE R climb_rate(const Conditions<S>& c, const State<R>& s) {
-  switch (row(c.fidelity.earth).shape) {
+  switch (column<&EarthRow::shape>(c.fidelity.earth)) {
     case EarthShape::flat: return s.v.y;
     case EarthShape::sphere: {
       const Vec3<R> r = from_centre(c, s.x);
@@ -131,7 +134,7 @@ PHYSIM_INLINE R climb_rate(const Conditions<S>& c, const State<R>& s) {
 
 /// A vector given at the origin of W, turned by the shortest way with the vertical.
 template <class R, class S>
-[[gnu::noinline]] void turn_with_vertical(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
+PHYSIM_NOINLINE void turn_with_vertical(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
   PHYSIM_ASSERT(is_round(c.fidelity.earth));
   const Vec3<R> u = vertical_at(c, x);
   const Vec3<R> sum{u.x, u.y + S(1), u.z};

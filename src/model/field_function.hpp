@@ -60,8 +60,8 @@ PHYSIM_INLINE Vec3<R> answer_of(const Function& function, const R& time, const S
 
 /// Wind by a function. Behind a call, as it is seldom had.
 template <class R, class S>
-[[gnu::noinline]] void wind_by_function(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& x,
-                                        Vec3<R>& w) {
+PHYSIM_NOINLINE void wind_by_function(const Conditions<S>& c, const Body<R>& b, const R& t, const Vec3<R>& x,
+                                      Vec3<R>& w) {
   PHYSIM_ASSERT(c.has_wind_function && c.wind_function != nullptr);
   const R zero(S(0));
   w = answer_of(*c.wind_function, b.birth + t, State<R>{x, {zero, zero, zero}}, zero);
@@ -69,8 +69,8 @@ template <class R, class S>
 
 /// Acceleration by a force function [m/s^2].
 template <class R, class S>
-[[gnu::noinline]] void push_by_function(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
-                                        Vec3<R>& a) {
+PHYSIM_NOINLINE void push_by_function(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                      Vec3<R>& a) {
   PHYSIM_ASSERT(c.has_force_function && c.force_function != nullptr);
   const R mass = mass_at(b, t);
   const Vec3<R> force = answer_of(*c.force_function, b.birth + t, s, mass);

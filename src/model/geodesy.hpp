@@ -63,8 +63,8 @@ struct Vertical {
 
 /// The vertical of the ellipsoid at a place x in W, whose y axis is the vertical at its origin.
 template <class R, class S>
-[[gnu::noinline]] void ellipsoid_vertical(const Globe<S>& g, const S& origin_height, const Vec3<R>& x, Vertical<R>& out,
-                                          int rounds = kFlightRounds) {
+PHYSIM_NOINLINE void ellipsoid_vertical(const Globe<S>& g, const S& origin_height, const Vec3<R>& x, Vertical<R>& out,
+                                        int rounds = kFlightRounds) {
   const Vec3<R> r{x.x + g.origin.x, x.y + g.origin.y, x.z + g.origin.z};
   const R z = r.x * g.axis.x + r.y * g.axis.y + r.z * g.axis.z;
   const R lift = axis_offset(dot(r, r), z, rounds) - g.axis_offset;

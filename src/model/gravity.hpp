@@ -26,10 +26,10 @@ PHYSIM_ISA_BEGIN
 
 /// Out of line, so that flights over a flat Earth or a sphere do not carry its code.
 template <class R, class S>
-[[gnu::noinline]] void ellipsoid_gravity(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& a) {
+PHYSIM_NOINLINE void ellipsoid_gravity(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& a) {
   PHYSIM_ASSERT(c.fidelity.earth == EarthModel::ellipsoid);
   const Vec3<R> r = from_centre(c, x);
-  switch (row(c.fidelity.gravity).field) {
+  switch (column<&GravityRow::field>(c.fidelity.gravity)) {
     case GravityField::none: break;  // gravity() has answered
     case GravityField::uniform: a = vertical_at(c, x) * R(-c.gravity); return;
     case GravityField::central: {

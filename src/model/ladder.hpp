@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "physim/fidelity.hpp"
@@ -227,6 +229,24 @@ template <class Enum>
 inline constexpr std::size_t kRungCount = count_rungs<Enum>();
 template <class Enum>
 inline constexpr Enum kLastRung = static_cast<Enum>(kRungCount<Enum> - 1);
+
+/// What one column of the table says of each rung, a byte each.
+template <auto kColumn, class Enum>
+consteval std::uint64_t packed_column() {
+  static_assert(kRungCount<Enum> <= 8);
+  std::uint64_t packed = 0;
+  for (std::size_t i = 0; i < kRungCount<Enum>; ++i)
+    packed |= static_cast<std::uint64_t>(row(static_cast<Enum>(i)).*kColumn) << 8 * i;
+  return packed;
+}
+/// What a column says of a rung, for models: row(rung).*kColumn, a small number. Rows are made with all their texts
+/// where they are asked for, among which compilers lose sight of what else they know.
+template <auto kColumn, class Enum>
+PHYSIM_INLINE constexpr auto column(Enum rung) {
+  using Value = std::remove_cvref_t<decltype(row(rung).*kColumn)>;
+  constexpr std::uint64_t kPacked = packed_column<kColumn, Enum>();
+  return static_cast<Value>(kPacked >> 8 * static_cast<unsigned>(rung) & 0xff);
+}
 
 /// Its place from cheap to true, by which rungs are compared.
 template <class Enum>

@@ -36,8 +36,8 @@ struct SpinningAir {
 
 /// One lane after the other: a table in two numbers has no short way.
 template <class R, class S>
-[[gnu::noinline]] void table_coefficients(const Conditions<S>& c, const Body<R>& b, const R& speed, const R& spin,
-                                          const R& parameter, R& drag, R& lift) {
+PHYSIM_NOINLINE void table_coefficients(const Conditions<S>& c, const Body<R>& b, const R& speed, const R& spin,
+                                        const R& parameter, R& drag, R& lift) {
   PHYSIM_ASSERT(c.magnus_grids != nullptr);
   for (int lane = 0; lane < kLanes<R>; ++lane) {
     const S table = lane_of(b.magnus_table, lane);
@@ -56,8 +56,8 @@ PHYSIM_INLINE Vec3<R> spin_at(const Body<R>& b, const R& t) {
 }
 
 template <class R, class S>
-[[gnu::noinline]] void spinning_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
-                                    SpinningAir<R>& out) {
+PHYSIM_NOINLINE void spinning_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                  SpinningAir<R>& out) {
   const R zero(S(0));
   const Vec3<R> u = air_velocity(c, b, t, s);
   const AirState<R> air = air_state(c, b, s.x);

@@ -16,7 +16,7 @@ PHYSIM_ISA_BEGIN
 
 /// Behind a call: it is long, and few kernels come here.
 template <class R>
-[[gnu::noinline]] void sphere_cd(const R& reynolds, R& cd) {
+PHYSIM_NOINLINE void sphere_cd(const R& reynolds, R& cd) {
   using S = ScalarOf<R>;
   const R re = clamp(reynolds, R(S(1e-6)), R(S(1e6)));
   const R ln_re = log(re);

@@ -23,7 +23,7 @@ PHYSIM_ISA_BEGIN
 /// The wind of a profile as it blows at the origin; `w` comes as that of its first point. Behind a call: it is
 /// long.
 template <class R, class S>
-[[gnu::noinline]] void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
+PHYSIM_NOINLINE void profile_wind(const Conditions<S>& c, const Vec3<R>& x, Vec3<R>& w) {
   const WindField<S>& field = c.wind;
   PHYSIM_ASSERT(field.points >= 2 && field.points <= kMaxWindPoints);
   const R u = field.by_range ? x.x : height(c, x);

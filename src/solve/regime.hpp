@@ -68,8 +68,8 @@ PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const
 
 /// Where lanes are. Behind a call: it is long, and flights without corners never come here.
 template <class R, class S>
-[[gnu::noinline]] Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
-                                   const State<R>& s) {
+PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const Rotor<R>& rotor, const R& t,
+                                 const State<R>& s) {
   const R zero(S(0));
   Regime<R> r{zero, zero, zero, zero, zero, zero, zero};
   if (c.has_rail) rail_phase(c, b, t, s, r.rail);

@@ -22,7 +22,7 @@ PHYSIM_INLINE bool has_stops(const Conditions<S>& c) {
 
 /// The phase on the rail at a time and state, for a body that was in another one so far.
 template <class R, class S>
-[[gnu::noinline]] void rail_phase(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& phase) {
+PHYSIM_NOINLINE void rail_phase(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& phase) {
   const R zero(S(0));
   PHYSIM_ASSERT(c.has_rail);
   const R off = constant<R>(kOffRail);

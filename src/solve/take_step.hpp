@@ -20,7 +20,7 @@ PHYSIM_INLINE bool steps_itself(const Fidelity& granted) {
 /// acceleration for the next frame from the forces of this one. slope[].v is the acceleration register: zero at launch.
 /// With `original_one_shot_forces`, forces are felt once, added to the register and never taken out of it again.
 template <class R, class S>
-[[gnu::noinline]] void classic_frame(const Conditions<S>& c, const Body<R>& b, Step<R>& s) {
+PHYSIM_NOINLINE void classic_frame(const Conditions<S>& c, const Body<R>& b, Step<R>& s) {
   s.end.x = s.start.x + s.start.v * s.h;
   s.end.v = s.start.v + s.slope[0].v * s.h;
   if (c.fidelity.drag == DragModel::damping) s.end.v *= exp(-(b.damping_rate * s.h));
@@ -85,7 +85,7 @@ PHYSIM_INLINE R worse(const R& a, const R& b) {
 /// Error over tolerance, squared: the worse of position and velocity, or of direction and rate; `s` is a Step or its
 /// TurnStep.
 template <class Tableau, class AnyStep, class R, class S>
-[[gnu::noinline]] R embedded_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
+PHYSIM_NOINLINE R embedded_error_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   constexpr int kSlopes = Tableau::kStages + 1;
   const auto e =
       squared_errors(weighted_sum<Weights<Tableau::kError>, kSlopes>(s.slope) * h, s.end, relative, absolute);
@@ -101,7 +101,7 @@ PHYSIM_INLINE R combined_error_squared(const R& e5, const R& e3) {
 }
 
 template <class Tableau, class AnyStep, class R, class S>
-[[gnu::noinline]] R two_errors_squared(const AnyStep& s, const R& h, S relative, S absolute) {
+PHYSIM_NOINLINE R two_errors_squared(const AnyStep& s, const R& h, S relative, S absolute) {
   constexpr int kSlopes = Tableau::kStages;
   const auto e5 =
       squared_errors(weighted_sum<Weights<Tableau::kError5>, kSlopes>(s.slope) * h, s.end, relative, absolute);
@@ -146,7 +146,7 @@ PHYSIM_INLINE void set_unit_length(const Fidelity& f, Step<R>& s) {
 
 /// Reaches the ends of steps that turn; see reach_ends().
 template <class R, class S>
-[[gnu::noinline]] void reach_turning_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
+PHYSIM_NOINLINE void reach_turning_ends(const Conditions<S>& c, const FlyerSet<R>& w) {
   PHYSIM_ASSERT(c.fidelity.motion == Motion::force && w.count > 0);
   const auto f = [&](int i, const R& t, const State<R>& y, const Turn<R>& turn, Vec3<R>& a, Turn<R>& slope) {
     evaluate(c, w.flyer[i]->body, *w.flyer[i]->rotor, t, y, turn, a, slope);

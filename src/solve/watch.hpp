@@ -47,7 +47,7 @@ PHYSIM_ISA_BEGIN
 
 /// Behind a call: air and wind are long, and few flights watch it.
 template <class R, class S>
-[[gnu::noinline]] void mach_number(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& mach) {
+PHYSIM_NOINLINE void mach_number(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s, R& mach) {
   mach = length(air_velocity(c, b, t, s)) * air_state(c, b, s.x).per_sound_speed;
 }
 

@@ -83,9 +83,10 @@ struct PushedRung {
     return k;
   }
 
-  /// One pack, whose marks are returned.
+  /// One pack, whose marks are returned. `told` is the job for calls, see look_for_near().
   template <class R, class S>
-  PHYSIM_INLINE static unsigned step(const ForcedJob<S>& job, const Conditions<S>& given, std::uint32_t row) {
+  PHYSIM_INLINE static unsigned step(const ForcedJob<S>& told, const ForcedJob<S>& job, const Conditions<S>& given,
+                                     std::uint32_t row) {
     Body<R> b = Rung::template load_body<R>(job.rows, row);
     load_scratch(job, kFirstPush, row, b.applied);
     const R h(job.rows.h);
@@ -97,7 +98,11 @@ struct PushedRung {
     m.end.x = m.start.x + m.end.v * h;
     MaskOf<R> found = plainly_noteworthy(job.rows.watchdog, c, m) | further_noteworthy(job.rows, c, m, row);
     if (job.rows.columns.clear != nullptr) found = found | comes_near(job.rows, m, row);
-    if (job.rows.restless != nullptr) meets_restless<R>(job.rows, m.start, m.end, found);
+    if (job.rows.restless != nullptr) {
+      MaskOf<R> meets = found;
+      meets_restless<R>(told.rows, State<R>(m.start), State<R>(m.end), meets);
+      found = meets;
+    }
     const unsigned bits = lane_bits(found) & filled_lanes<R>(job.rows.last - row);
     if (bits != 0) {
       store_scratch(job, kStagePosition, row, m.end);
@@ -132,11 +137,11 @@ struct PushedRung {
       const std::uint32_t last = first + kRowsPerWord;
       unsigned marks = 0;
       for (std::uint32_t row = first; row < last && row < job.rows.last; row += unsigned(kLanes<R>))
-        marks |= step<R>(job, *job.rows.course->conditions, row) << row % kRowsPerWord;
+        marks |= step<R>(given, job, *job.rows.course->conditions, row) << row % kRowsPerWord;
       job.rows.attention[first / kRowsPerWord] = marks;
       if (marks == 0) continue;
       attention = true;
-      keep_ends<R>(job, first);
+      keep_ends<R>(given, first);
     }
     if (job.rows.stream) finish_streams();
     return {attention, true};

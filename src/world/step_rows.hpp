@@ -74,8 +74,8 @@ PHYSIM_INLINE MaskOf<R> stop_here(const WorldJob<S>& job, std::uint32_t row) {
 /// Rows in which any other watched number crosses its value from the start of the step to its end. Behind a call: few
 /// worlds watch some.
 template <class R, class S>
-[[gnu::noinline]] void crosses_watched(const WorldJob<S>& job, const Conditions<S>& c, const State<R>& start,
-                                       const State<R>& end, MaskOf<R>& found) {
+PHYSIM_NOINLINE void crosses_watched(const WorldJob<S>& job, const Conditions<S>& c, const State<R>& start,
+                                     const State<R>& end, MaskOf<R>& found) {
   const Body<R> none{};  // numbers of worlds are those of the state
   const R t(S(0));
   const WatchList& watch = job.course->watch;
@@ -103,8 +103,8 @@ PHYSIM_INLINE auto comes_near(const WorldJob<S>& job, const M& m, std::uint32_t 
 /// Rows whose step may come to where something restless is: the box about its ends, larger by their radius, by as much
 /// as the path may be beside its chord, and by what places are rounded to. Behind a call: few worlds have such things.
 template <class R, class S>
-[[gnu::noinline]] void meets_restless(const WorldJob<S>& job, const State<R>& start, const State<R>& end,
-                                      MaskOf<R>& found) {
+PHYSIM_NOINLINE void meets_restless(const WorldJob<S>& job, const State<R>& start, const State<R>& end,
+                                    MaskOf<R>& found) {
   constexpr S kRounding = 16 * std::numeric_limits<S>::epsilon();
   const auto sum_of = [](const Vec3<R>& v) PHYSIM_INLINE_LAMBDA { return abs(v.x) + abs(v.y) + abs(v.z); };
   const R beside = beside_chord(start.x, start.v, end.x, end.v, job.h);
@@ -166,7 +166,7 @@ PHYSIM_INLINE auto noteworthy(const WorldJob<S>& job, const Conditions<S>& c, co
   MaskOf<R> found = plainly_noteworthy(w, c, m);
   if (has_stops(c)) found = found | stop_here<R>(job, row);
   if (w.simple) return found;
-  if (w.watched) crosses_watched(job, c, m.start, m.end, found);
+  if (w.watched) crosses_watched(job, c, State<R>(m.start), State<R>(m.end), found);
   return found | further_noteworthy(job, c, m, row);
 }
 
@@ -236,7 +236,7 @@ PHYSIM_INLINE void load_clock(const WorldJob<S>& job, std::uint32_t row, Step<R>
 /// Lanes behind the last row repeat the pack's first one: what they find in memory may name a place in a table that is
 /// not there, such as a piece of another motor.
 template <class R>
-[[gnu::noinline]] void fill_lanes(std::uint32_t rows, R* numbers, unsigned count) {
+PHYSIM_NOINLINE void fill_lanes(std::uint32_t rows, R* numbers, unsigned count) {
   for (unsigned i = 0; i < count; ++i)
     for (int lane = static_cast<int>(rows); lane < kLanes<R>; ++lane)
       set_lane(numbers[i], lane, lane_of(numbers[i], 0));
@@ -258,18 +258,20 @@ PHYSIM_INLINE void mark(std::uint32_t* words, std::uint32_t row, unsigned bits) 
 /// Rows whose step does not stay inside of the tube about them that is known to be clear. Behind a call: most worlds
 /// have few rows near anything.
 template <class R, class S>
-[[gnu::noinline]] void leaves_tube(const WorldJob<S>& job, const Moved<R>& m, std::uint32_t row, MaskOf<R>& near) {
+PHYSIM_NOINLINE void leaves_tube(const WorldJob<S>& job, const Moved<R>& m, std::uint32_t row, MaskOf<R>& near) {
   ClearTube<R> tube;
   load_numbers(job.columns.tube, row, tube);
   near = near & !stays_inside(tube, m.start.x, m.start.v, m.end.x, m.end.v, job.h);
 }
 
-/// Marks rows that came near, or leaves them where they were, where nobody looks at rows that have moved on.
+/// Marks rows that came near, or leaves them where they were, where nobody looks at rows that have moved on. Calls get
+/// copies of the step, and the job as given: what they are told the place of lies in memory.
 template <class R, class S>
-PHYSIM_INLINE void look_for_near(const WorldJob<S>& job, const Moved<R>& m, std::uint32_t row, MaskOf<R>& left) {
+PHYSIM_INLINE void look_for_near(const WorldJob<S>& given, const WorldJob<S>& job, const Moved<R> m, std::uint32_t row,
+                                 MaskOf<R>& left) {
   MaskOf<R> near = comes_near(job, m, row);
-  if (any(near)) leaves_tube(job, m, row, near);
-  if (job.restless != nullptr) meets_restless<R>(job, m.start, m.end, near);
+  if (any(near)) leaves_tube(given, m, row, near);
+  if (job.restless != nullptr) meets_restless<R>(given, m.start, m.end, near);
   if (job.near == nullptr) {
     left = left | near;
     return;
@@ -282,14 +284,15 @@ PHYSIM_INLINE void look_for_near(const WorldJob<S>& job, const Moved<R>& m, std:
 /// Steps packs of rows. `frame(row)` says where a pack gets to, and `frame.noteworthy(m, row)` which rows of it want a
 /// closer look.
 template <class R, class S, class Frame>
-PHYSIM_INLINE bool step_packs(const WorldJob<S>& job, const Frame& frame) {
+PHYSIM_INLINE bool step_packs(const WorldJob<S>& given, const Frame& frame) {
+  const WorldJob<S> job = given;  // a copy stays in registers: nothing that is stored to a column can change it
   constexpr unsigned kN = unsigned(kLanes<R>);
   PHYSIM_ASSERT(job.first % kRowsPerWord == 0 && kRowsPerWord % kN == 0);  // a pack's marks lie in one word
   bool attention = false;
   for (std::uint32_t row = job.first; row < job.last; row += kN) {
     Moved<R> m = frame(row);
     MaskOf<R> left = m.lost | frame.noteworthy(m, row);
-    if (job.columns.clear != nullptr) look_for_near(job, m, row, left);
+    if (job.columns.clear != nullptr) look_for_near(given, job, m, row, left);
     const unsigned bits = lane_bits(left) & filled_lanes<R>(job.last - row);
     mark(job.attention, row, bits);
     if (bits != 0) {
@@ -401,7 +404,7 @@ struct KnownRung {
   template <class R, class S>
   struct Frame {
     static constexpr bool kCarries = false;
-    const WorldJob<S>& job;
+    const WorldJob<S> job;  // a copy, as in step_packs()
     const Conditions<S>& given;
 
     PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
@@ -423,9 +426,8 @@ struct KnownRung {
   };
   template <class R, class S>
   static bool step(const WorldJob<S>& given) {
-    WorldJob<S> job = given;  // a copy stays in registers: nothing that is stored to a column can change it
-    PHYSIM_ASSERT(job.watchdog.simple);
-    return step_packs<R>(job, Frame<R, S>{job, *job.course->conditions});
+    PHYSIM_ASSERT(given.watchdog.simple);
+    return step_packs<R>(given, Frame<R, S>{given, *given.course->conditions});
   }
 };
 
@@ -451,7 +453,7 @@ struct KnownFall {
   template <class R, class S>
   struct Frame {
     static constexpr bool kCarries = false;
-    const WorldJob<S>& job;
+    const WorldJob<S> job;  // a copy, as in step_packs()
     const Conditions<S>& given;
 
     PHYSIM_INLINE Moved<R> operator()(std::uint32_t row) const {
@@ -471,9 +473,8 @@ struct KnownFall {
   };
   template <class R, class S>
   static bool step(const WorldJob<S>& given) {
-    WorldJob<S> job = given;
-    PHYSIM_ASSERT(job.watchdog.simple);
-    return step_packs<R>(job, Frame<R, S>{job, *job.course->conditions});
+    PHYSIM_ASSERT(given.watchdog.simple);
+    return step_packs<R>(given, Frame<R, S>{given, *given.course->conditions});
   }
 };
 

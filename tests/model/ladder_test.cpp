@@ -41,6 +41,17 @@ TEST(Ladder, every_rung_has_a_name_a_text_and_a_place) {
   });
 }
 
+TEST(Ladder, columns_say_what_the_rows_say) {
+  for (const EarthModel rung : all_rungs<EarthModel>()) {
+    EXPECT_EQ(column<&EarthRow::shape>(rung), row(rung).shape) << row(rung).name;
+    EXPECT_EQ(column<&EarthRow::turning>(rung), row(rung).turning) << row(rung).name;
+  }
+  for (const GravityModel rung : all_rungs<GravityModel>())
+    EXPECT_EQ(column<&GravityRow::field>(rung), row(rung).field) << row(rung).name;
+  static_assert(column<&EarthRow::shape>(EarthModel::ellipsoid) == EarthShape::ellipsoid);
+  static_assert(!column<&EarthRow::turning>(EarthModel::sphere) && column<&EarthRow::turning>(EarthModel::ellipsoid));
+}
+
 TEST(Ladder, all_effects_are_the_fields_of_a_fidelity) {
   std::vector<std::string_view> effects;
   for (const EffectRungs& of : all_effects()) effects.push_back(of.effect);
