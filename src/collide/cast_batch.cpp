@@ -5,14 +5,13 @@
 
 #include "base/ieee_mode.hpp"
 #include "base/prefetch.hpp"
-#include "collide/cast.hpp"
+#include "collide/cast_in_turn.hpp"
 #include "collide/order.hpp"
 
 namespace physim::collide {
 namespace {
 
 constexpr std::size_t kTask = 256;  // segments
-constexpr std::size_t kTurns = 8;   // segments of which each waits for the memory while the others have their turn
 constexpr SceneHit kNothing{};
 
 /// Segments, one after the other as they come or sorted by place.
@@ -53,45 +52,38 @@ struct Batch {
   }
 };
 
-/// A segment on its way through a scene, which stops at each look into a large mesh: what it looks at next is brought
-/// from memory, and others have their turn meanwhile.
-class Cast {
+/// What a segment meets first.
+class FirstHit {
  public:
-  /// False where it is at its end already.
-  bool begin(const Batch& batch, std::size_t number) {
+  static constexpr Which kWhich = Which::all;
+
+  /// False where it makes no sense.
+  bool put(const Batch& batch, std::size_t number) {
     batch_ = &batch;
     asked_ = &batch.segments[number];
     into_ = &batch.into[number];
-    if (!is_sound(*asked_)) return false;
     first_ = {};
     segment_ = {asked_->from, asked_->to - asked_->from, asked_->radius, 1};
-    boundless_along(
-        batch.scene, Which::all, segment_, [this](std::uint32_t index, Segment&) { look().at_rest(index, segment_); },
-        [this](std::uint32_t index, Segment&) { look().at_mover(index, segment_); });
-    const BoxTest test(segment_);
-    recent_ = 0;
-    batch.scene.resting.along_recent(segment_, test, [this](std::uint32_t index, Segment&) {
-      if (recent_ < kRecent && batch_->scene.large_mesh(index))
-        recent_meshes_[recent_++] = index;
-      else
-        look().at_rest(index, segment_);
-    });
-    std::reverse(recent_meshes_, recent_meshes_ + recent_);
-    things_.begin(batch.scene.resting, segment_, test);
-    return go_on();
+    return is_sound(*asked_);
   }
-  /// False where it is at its end.
-  PHYSIM_INLINE bool step() {
-    const bool on = mesh_.step([this](const Crossing& crossing, Segment& within) {
-      first_.take(thing_, crossing, segment_);
+  [[nodiscard]] const SceneContent& scene() const { return batch_->scene; }
+  [[nodiscard]] const SceneFilter& filter() const { return batch_->filter; }
+  [[nodiscard]] const SceneSegment& asked() const { return *asked_; }
+  [[nodiscard]] Segment& segment() { return segment_; }
+  void at_rest(std::uint32_t index) { look().at_rest(index, segment_); }
+  void at_mover(std::uint32_t index) { look().at_mover(index, segment_); }
+  PHYSIM_INLINE bool step(Mesh::Walk& mesh, std::uint32_t index) {
+    return mesh.step([&](const Crossing& crossing, Segment& within) {
+      first_.take(index, crossing, segment_);
       within.reach = segment_.reach;
     });
-    return on || go_on();
+  }
+  void leaves(const Mesh::Walk&, std::uint32_t) {}
+  void end() {
+    if (first_.thing != 0) *into_ = hit_of(batch_->scene, first_.thing, first_.crossing, *asked_);
   }
 
  private:
-  static constexpr std::size_t kRecent = 4;
-
   struct Take {
     FirstCrossing* first;
     void operator()(std::uint32_t index, const Crossing& crossing, Segment& s) const {
@@ -99,55 +91,20 @@ class Cast {
     }
   };
   [[nodiscard]] Look<false, Take> look() { return {batch_->scene, *asked_, batch_->filter, {&first_}}; }
-  /// To the next large mesh, past all else.
-  bool go_on() {
-    const SceneContent& scene = batch_->scene;
-    while (true) {
-      thing_ = recent_ > 0 ? recent_meshes_[--recent_] : things_.next(scene.resting, segment_);
-      if (thing_ == Tree::kNone) break;
-      const SceneContent::InstanceSlot& slot = scene.instances[thing_];
-      const Mesh* mesh = scene.large_mesh(thing_);
-      if (!mesh)
-        look().at_rest(thing_, segment_);
-      else if (slot.is_asked(batch_->filter) && mesh_.begin(*mesh, slot.placement.inside(segment_)))
-        return true;
-    }
-    movers_along(scene, segment_, asked_->time, asked_->time + asked_->duration,
-                 [this](std::uint32_t index, Segment& s) { look().at_mover(index, s); });
-    if (first_.thing != 0) *into_ = hit_of(scene, first_.thing, first_.crossing, *asked_);
-    return false;
-  }
 
   const Batch* batch_;
   const SceneSegment* asked_;
   SceneHit* into_;
   Segment segment_;
   FirstCrossing first_;
-  std::uint32_t thing_;                   // whose mesh it is on its way through
-  std::uint32_t recent_meshes_[kRecent];  // that came lately and are yet to be looked at, the first one last
-  std::size_t recent_;                    // how many of those
-  RestingThings::Walk things_;
-  Mesh::Walk mesh_;
 };
 
-/// Several at a time, which go on in turn.
-void cast_in_turn(const Batch& batch, std::size_t begin, std::size_t end) {
-  Cast casts[kTurns];
-  Cast* active[kTurns];
-  std::size_t count = 0;
-  const auto begin_next = [&](Cast& cast) {
+void cast_batch_in_turn(const Batch& batch, std::size_t begin, std::size_t end) {
+  cast_in_turn<FirstHit>([&](CastInTurn<FirstHit>& cast) {
     while (begin < end)
-      if (cast.begin(batch, batch.taken(begin++))) return true;
+      if (cast.question.put(batch, batch.taken(begin++)) && cast.begin()) return true;
     return false;
-  };
-  for (Cast& cast : casts)
-    if (begin_next(cast)) active[count++] = &cast;
-  while (count > 0)
-    for (std::size_t i = 0; i < count;)
-      if (active[i]->step() || begin_next(*active[i]))
-        ++i;
-      else
-        active[i] = active[--count];
+  });
 }
 
 void cast_one_by_one(const Batch& batch, std::size_t begin, std::size_t end) {
@@ -162,7 +119,7 @@ void run(void* self, std::size_t task) {
   const Batch& batch = *static_cast<const Batch*>(self);
   const std::size_t begin = task * kTask, end = std::min(batch.segments.size(), begin + kTask);
   if (batch.scene.large_meshes > 0 && end - begin > 1)
-    cast_in_turn(batch, begin, end);
+    cast_batch_in_turn(batch, begin, end);
   else
     cast_one_by_one(batch, begin, end);
 }

@@ -48,6 +48,25 @@ class HeightField {
       take(*crossing, s);
     });
   }
+  /// Calls visit(triangle, number) for those that a segment may meet, which shortens its reach: four columns after
+  /// four.
+  template <class Visit>
+  void triangles_along(Segment& s, const Visit& visit) const {
+    const double wide = slack(s), per_x = s.along.x == 0 ? 0 : finite_inverse(s.along.x);
+    const Slab columns = slab(s.from.x, per_x, 0, (columns_ - 1) * spacing_x_, wide, s.reach);
+    if (!columns.some) return;
+    const Range over =
+        cells(s.from.x + s.along.x * columns.in, s.from.x + s.along.x * columns.out, per_spacing_x_, columns_, wide);
+    if (over.count <= 4) return triangles_in(s, over, columns, wide, per_x, visit);
+    const std::uint32_t strips = (over.count + 3) / 4;
+    for (std::uint32_t i = 0; i < strips; ++i) {
+      const std::uint32_t at = 4 * (s.along.x >= 0 ? i : strips - 1 - i);
+      const Range strip{over.first + at, std::min(4u, over.count - at)};
+      const Slab here =
+          slab(s.from.x, per_x, strip.first * spacing_x_, (strip.first + strip.count) * spacing_x_, wide, s.reach);
+      if (here.some) triangles_in(s, strip, here, wide, per_x, visit);
+    }
+  }
   /// A part of a segment up to which spheres about its points touch nothing: its reach, or less.
   [[nodiscard]] double clear_part(Segment s) const {
     triangles_along(s, [&](const Triangle& triangle, std::uint32_t) {
@@ -104,25 +123,6 @@ class HeightField {
     return {first, static_cast<std::uint32_t>(high) - first + 1};
   }
 
-  /// Calls visit(triangle, number) for those that a segment may meet, which shortens its reach: four columns after
-  /// four.
-  template <class Visit>
-  void triangles_along(Segment& s, const Visit& visit) const {
-    const double wide = slack(s), per_x = s.along.x == 0 ? 0 : finite_inverse(s.along.x);
-    const Slab columns = slab(s.from.x, per_x, 0, (columns_ - 1) * spacing_x_, wide, s.reach);
-    if (!columns.some) return;
-    const Range over =
-        cells(s.from.x + s.along.x * columns.in, s.from.x + s.along.x * columns.out, per_spacing_x_, columns_, wide);
-    if (over.count <= 4) return triangles_in(s, over, columns, wide, per_x, visit);
-    const std::uint32_t strips = (over.count + 3) / 4;
-    for (std::uint32_t i = 0; i < strips; ++i) {
-      const std::uint32_t at = 4 * (s.along.x >= 0 ? i : strips - 1 - i);
-      const Range strip{over.first + at, std::min(4u, over.count - at)};
-      const Slab here =
-          slab(s.from.x, per_x, strip.first * spacing_x_, (strip.first + strip.count) * spacing_x_, wide, s.reach);
-      if (here.some) triangles_in(s, strip, here, wide, per_x, visit);
-    }
-  }
   /// Calls visit(triangle, number) for those of four columns of cells, or fewer, which the segment passes `here`.
   template <class Visit>
   void triangles_in(const Segment& s, const Range& columns, const Slab& here, double wide, double per_x,

@@ -53,6 +53,11 @@ class Mesh {
     };
     tree_.along(segment, visit);
   }
+  /// Calls visit(triangle, number) for those that a segment may meet, which shortens its reach.
+  template <class Visit>
+  void triangles_along(Segment& segment, const Visit& visit) const {
+    tree_.along(segment, [&](std::uint32_t i, Segment&) { visit(triangle(i), number(i)); });
+  }
   /// A part of a segment up to which spheres about its points touch nothing: its reach, or less.
   [[nodiscard]] double clear_part(Segment segment) const {
     tree_.along(segment, [&](std::uint32_t i, Segment& s) {
@@ -96,6 +101,22 @@ class Mesh::Walk {
   /// take(crossing, segment) for triangles that are met. False where nothing is left.
   template <class Take>
   PHYSIM_INLINE bool step(const Take& take) {
+    return step_by([&] { meet(take); });
+  }
+  /// Likewise, but shortens its reach to where the spheres about its points may touch a triangle.
+  PHYSIM_INLINE bool step_clear() {
+    return step_by([&] {
+      for (std::uint32_t i = boxes_.first(); i < boxes_.end(); ++i)
+        if (const auto part = collide::clear_part(segment_, mesh_->triangle(i)))
+          segment_.reach = std::min(segment_.reach, *part);
+    });
+  }
+  [[nodiscard]] double reach() const { return segment_.reach; }
+
+ private:
+  /// look_at_triangles() looks at those that it has come to.
+  template <class Look>
+  PHYSIM_INLINE bool step_by(const Look& look_at_triangles) {
     bool on;
     if (!boxes_.is_at_items()) {
       on = boxes_.look(mesh_->tree_);
@@ -103,7 +124,7 @@ class Mesh::Walk {
       ask_for_corners();
       return true;
     } else {
-      meet(take);
+      look_at_triangles();
       on = boxes_.next(segment_);
       corners_asked_ = false;
     }
@@ -113,8 +134,6 @@ class Mesh::Walk {
       prefetch_triangles();
     return on;
   }
-
- private:
   void prefetch_triangles() const {
     prefetch_at(&mesh_->triangles_[boxes_.first()]);
     prefetch_at(&mesh_->triangles_[boxes_.end() - 1]);

@@ -17,6 +17,7 @@
 #include <optional>
 
 #include "base/assert.hpp"
+#include "collide/tube_casts.hpp"
 #include "math/vec3.hpp"
 #include "physim/scene.hpp"
 
@@ -68,28 +69,33 @@ template <class Path>
 }
 
 /// The first meeting of a path with a scene, up to `end`. `path(theta)` gives places in W, off by up to `rounding` [m].
+/// All casts are made among what is near the path; those that follow a meeting may go on with it.
 template <class Path>
-[[nodiscard]] std::optional<PathHit> first_meeting(const Scene& scene, const SceneFilter& filter, double radius,
-                                                   const Path& path, const PathTime& time, double end = 1,
-                                                   double rounding = 0) {
+[[nodiscard]] std::optional<PathHit> first_meeting(TubeCasts& casts, double radius, const Path& path,
+                                                   const PathTime& time, double end = 1, double rounding = 0) {
   PHYSIM_ASSERT(end >= 0 && end <= 1 && radius >= 0 && rounding >= 0);
   constexpr int kMostCasts = 1000;
   const double bend = bend_of(path);
+  const Scene& scene = casts.scene();
   Vec3d from = path(0.0);
+  const Vec3d last = path(end);
   // Places have sixteen digits; a tenth of a nanometre is nothing, and half of a skin.
   const double fine = std::max({1e-10, 4e-16 * length(from), 0.5 * scene.skin(), rounding});
   // Engines need not tell what a sphere touches where it starts: theirs are no larger than what flies.
   const bool asks_engine = scene.skin() > 0;
   const double widest = asks_engine && bend > 0 ? std::max(std::sqrt(8 * fine / bend), 1.0 / kMostCasts) : 1;
+  // The path is within `off` of its chord, and so is each chord that is cast.
+  const double off = 0.125 * bend * end * end + rounding + fine;
+  if (!casts.find(time.chord(from, last, radius + 2 * off, 0, end))) return std::nullopt;
   double at = 0, width = end;
   for (int cast = 0; at < end; ++cast) {
     width = std::min({width, end - at, widest});
     const double to = width == end - at ? end : at + width;
-    const Vec3d there = path(to);
+    const Vec3d there = to == end ? last : path(to);
     const double delta = 0.125 * bend * width * width;
     const bool is_fine = asks_engine || delta <= fine || cast >= kMostCasts;
     const double wide = is_fine ? radius : radius + delta + rounding;
-    const SceneHit hit = scene.first_hit(time.chord(from, there, wide, at, to), filter);
+    const SceneHit hit = casts.first_hit(time.chord(from, there, wide, at, to));
     if (!hit) {
       at = to;
       from = there;

@@ -39,9 +39,11 @@ class SceneContacts {
   using S = typename Host::Scalar;
 
  public:
-  explicit SceneContacts(Host& host) : r_(host), scene_(host.scene()) {
-    if (scene_) solids_ = {.layers = collision().layers, .sensors = false};
-  }
+  explicit SceneContacts(Host& host)
+      : r_(host),
+        scene_(host.scene()),
+        solids_{.layers = scene_ ? collision().layers : 0, .sensors = false},
+        casts_(scene_, solids_) {}
   explicit operator bool() const { return scene_ != nullptr; }
 
   /// What a contact leads to.
@@ -79,7 +81,7 @@ class SceneContacts {
     const collide::PathTime time{r_.scene_time() + start, span};
     std::optional<collide::PathHit> met;
     if (collision().on_hit != OnHit::pass)
-      met = collide::first_meeting(*scene_, solids_, collision().radius, place, time, end, rounding);
+      met = collide::first_meeting(casts_, collision().radius, place, time, end, rounding);
     tell_passages(path, met ? met->theta : end, start, span);
     return met;
   }
@@ -136,7 +138,7 @@ class SceneContacts {
   [[nodiscard]] static Vec3d held(const Vec3d& x) { return vec_cast<double>(vec_cast<S>(x)); }
 
   [[nodiscard]] SceneHit cast(const Vec3d& from, const Vec3d& to, double passed, double duration) const {
-    return facing(scene_->first_hit({from, to, collision().radius, r_.scene_time() + passed, duration}, solids_));
+    return facing(casts_.first_hit({from, to, collision().radius, r_.scene_time() + passed, duration}));
   }
   /// With the normal of a triangle towards who meets its back.
   [[nodiscard]] static SceneHit facing(SceneHit hit) {
@@ -487,6 +489,7 @@ class SceneContacts {
   Host& r_;
   const Scene* scene_;
   SceneFilter solids_;
+  collide::TubeCasts casts_;  // about the way that was looked at last
   int hits_ = 0;
   bool carried_ = false;
   bool came_through_ = false;  // something, in this step

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "collide/clear_batch.hpp"
 #include "collide/content.hpp"
 
 namespace physim {
@@ -13,10 +15,14 @@ class SceneParts {
  public:
   explicit SceneParts(const Scene& scene) : content_(*scene.impl_) {}
 
+  [[nodiscard]] const collide::SceneContent& content() const { return content_; }
+
   /// Scene::clearance() of what rests.
   [[nodiscard]] double clearance(const Vec3d& point, double reach, const SceneFilter& filter) const;
   /// Scene::clear_part() of what rests.
   [[nodiscard]] double clear_part(const SceneSegment& segment, const SceneFilter& filter) const;
+  /// That of several, which may be faster.
+  void clear_parts(std::span<collide::ClearQuery> queries) const;
   /// Whether a segment meets anything that moves.
   [[nodiscard]] bool meets_mover(const SceneSegment& segment, const SceneFilter& filter) const;
 

@@ -7,6 +7,8 @@
 #include "base/ieee_mode.hpp"
 #include "collide/cast.hpp"
 #include "collide/cast_batch.hpp"
+#include "collide/clear_batch.hpp"
+#include "collide/clear_look.hpp"
 #include "collide/scene_parts.hpp"
 #include "physim/scene.hpp"
 
@@ -156,26 +158,11 @@ double clearance_in(const SceneContent& scene, const Vec3d& point, double reach,
 double clear_part_in(const SceneContent& scene, const SceneSegment& asked, const SceneFilter& filter, Which which) {
   if (!is_sound(asked) || scene.engine) return 0;
   Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};
-  const auto look_at = [&](std::uint32_t index, Segment& s) {
-    const SceneContent::InstanceSlot& slot = scene.instances[index];
-    if (!slot.is_asked(filter)) return;
-    const double own = clear_part_of(*slot.shape, slot.placement.inside(s));
-    if (own >= s.reach) return;
-    // What it is rounded to on its way into the frame of the thing.
-    const double lost = 1e-14 * (s.extent() + length(slot.placement.position())) / length(s.along);
-    s.reach = std::max(0.0, own * (1 - 1e-14) - lost);
-  };
-  const double end = asked.time + asked.duration;
-  // What moves may be anywhere in the box of its way.
-  const auto look_at_mover = [&](std::uint32_t index, Segment& s) {
-    const SceneContent::InstanceSlot& slot = scene.instances[index];
-    if (!slot.is_asked(filter)) return;
-    const Bounds own = bounds_of(*slot.shape);
-    if (own.low.x > own.high.x) return void(s.reach = 0);
-    const double in = BoxTest(s).enters(slot.path->bounds(own, asked.time, end), s.reach);
-    if (in <= s.reach) s.reach = in * (1 - 1e-14);
-  };
-  things_along(scene, which, segment, asked.time, end, look_at, look_at_mover);
+  const ClearLook look{scene, asked, filter};
+  things_along(
+      scene, which, segment, asked.time, asked.time + asked.duration,
+      [&](std::uint32_t index, Segment& s) { look.at_rest(index, s); },
+      [&](std::uint32_t index, Segment& s) { look.at_mover(index, s); });
   return std::max(0.0, segment.reach);
 }
 
@@ -198,6 +185,11 @@ double SceneParts::clearance(const Vec3d& point, double reach, const SceneFilter
 
 double SceneParts::clear_part(const SceneSegment& segment, const SceneFilter& filter) const {
   return collide::clear_part_in(content_, segment, filter, collide::Which::resting);
+}
+
+void SceneParts::clear_parts(std::span<collide::ClearQuery> queries) const {
+  if (content_.large_meshes > 0 && !content_.engine) return collide::clear_parts(content_, queries);
+  for (collide::ClearQuery& query : queries) query.part = clear_part(query.segment, {.layers = query.layers});
 }
 
 bool SceneParts::meets_mover(const SceneSegment& segment, const SceneFilter& filter) const {

@@ -43,17 +43,20 @@ ClearTube<S> tube_of(const RowColumns<S>& c, std::uint32_t row) {
 /// What is known of the things at rest on the way of a step.
 enum class Ahead { clear, met, unknown };
 
-/// Finds a tube from the start of a step on, and keeps one that holds the step for those that follow.
+/// Where a row looks for a tube from the start of a step on.
 template <class S>
-Ahead look_ahead(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
-                 const CollisionDef& collision) {
-  if (!knows_rest(context)) return Ahead::unknown;
+TubeAhead ahead_of_step(const SettleContext& context, const Way<S>& way, const CollisionDef& collision) {
   const double dt = context.dt;
   const Vec3d acceleration = (way.ended - way.started) * (1 / dt);
   // With which, at this acceleration, it comes to the end of the step.
   const Vec3d velocity = (way.to - way.from) * (1 / dt) - acceleration * (0.5 * dt);
-  const ClearTube<S> tube = tube_ahead<S>(context, {way.from, velocity}, acceleration, way.beside(dt), collision);
-  if (is_in(tube, way, dt)) {
+  return way_ahead<S>(context, {way.from, velocity}, acceleration, way.beside(dt), collision);
+}
+/// Keeps a tube that holds the step for those that follow.
+template <class S>
+Ahead judged(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
+             const ClearTube<S>& tube) {
+  if (is_in(tube, way, context.dt)) {
     Rows::put(c.tube, row, tube);
     return Ahead::clear;
   }
@@ -61,10 +64,10 @@ Ahead look_ahead(const SettleContext& context, const RowColumns<S>& c, std::uint
   return part > 1 ? Ahead::met : Ahead::unknown;
 }
 
-/// What a row knows of the things at rest on its way, or finds out now.
+/// What a row knows of the things at rest on its way.
 template <class S>
-Ahead look_at_rest(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
-                   double beside, const CollisionDef& collision) {
+Ahead known_of_rest(const SettleContext& context, const RowColumns<S>& c, std::uint32_t row, const Way<S>& way,
+                    double beside, const CollisionDef& collision) {
   S& clear = c.clear[row];
   if (context.restless && (clear > 0 || is_in(tube_of(c, row), way, context.dt))) return Ahead::clear;
   const double gone = length(way.to - way.from);
@@ -75,7 +78,7 @@ Ahead look_at_rest(const SettleContext& context, const RowColumns<S>& c, std::ui
   } else {
     clear = waited(clear, row, gone);
   }
-  return look_ahead(context, c, row, way, collision);
+  return Ahead::unknown;
 }
 
 /// Whether a way meets something, by what is known of the things at rest on it.
@@ -91,11 +94,10 @@ bool meets(const SettleContext& context, const SceneSegment& way, Ahead rest, co
   return SceneParts(*context.scene).meets_mover(way, filter);
 }
 
-/// It may meet something: it is put back and settled.
+/// As it was when the step began.
 template <class S>
-void put_back(const SettleContext& context, Chunk& chunk, const RowColumns<S>& c, std::uint32_t row) {
+void put_back(const RowColumns<S>& c, std::uint32_t row) {
   for (int axis = 0; axis < 3; ++axis) c.velocity[axis][row] = c.started[axis][row];
-  settle_row(context, chunk, row);
 }
 
 /// Calls f with the columns of a row and how it collides.
@@ -108,15 +110,61 @@ auto with_row(const SettleContext& context, const Chunk& chunk, std::uint32_t ro
 
 }  // namespace
 
-void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
-  with_row(context, chunk, row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
+namespace {
+
+/// Whether a row that came near meets something, by what is known of the things at rest on its way: what stands close
+/// ahead it mostly meets, and settling finds out.
+template <class S>
+bool may_meet(const SettleContext& context, const Way<S>& way, Ahead rest, const CollisionDef& collision) {
+  const double beside = way.beside(context.dt) + 1e-9;
+  const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
+  return rest == Ahead::met || meets<S>(context, segment, rest, collision);
+}
+
+}  // namespace
+
+void LookAround::add(std::uint32_t row) {
+  if (waiting_.is_full()) look_at_waiting();
+  with_row(context_, chunk_, row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
     const Way way(c, row);
-    const double beside = way.beside(context.dt) + 1e-9;
-    if (!context.scene) return put_back(context, chunk, c, row);
-    const Ahead rest = look_at_rest(context, c, row, way, beside, collision);
-    const SceneSegment segment{way.from, way.to, collision.radius + beside, context.time, context.dt};
-    // What stands close to its way ahead it mostly meets, and settling finds out.
-    if (rest == Ahead::met || meets<S>(context, segment, rest, collision)) put_back(context, chunk, c, row);
+    if (context_.scene) {
+      const Ahead rest = known_of_rest(context_, c, row, way, way.beside(context_.dt) + 1e-9, collision);
+      if (rest == Ahead::unknown && knows_rest(context_)) {
+        const TubeAhead ahead = ahead_of_step(context_, way, collision);
+        if (ahead.room > 0) return waiting_.add(row, ahead);
+      }
+      if (!may_meet(context_, way, rest, collision)) return;
+    }
+    look_at_waiting();  // those before it come first
+    put_back(c, row);
+    settle_row(context_, chunk_, row, settled_);
+  });
+}
+
+void LookAround::finish() {
+  look_at_waiting();
+  put_tubes(context_, chunk_, settled_);
+}
+
+void LookAround::look_at_waiting() {
+  if (waiting_.is_empty()) return;
+  waiting_.look(*context_.scene, [&](std::uint32_t row, const TubeAhead& ahead) {
+    with_row(context_, chunk_, row, [&]<class S>(const RowColumns<S>& c, const CollisionDef& collision) {
+      const Way way(c, row);
+      const Ahead rest = judged(context_, c, row, way, tube_along<S>(ahead));
+      if (!may_meet(context_, way, rest, collision)) return;
+      put_back(c, row);
+      settle_row(context_, chunk_, row, settled_);
+    });
+  });
+}
+
+void put_tubes(const SettleContext& context, const Chunk& chunk, RowsAhead& waiting) {
+  if (waiting.is_empty()) return;
+  waiting.look(*context.scene, [&](std::uint32_t row, const TubeAhead& ahead) {
+    with_row(context, chunk, row, [&]<class S>(const RowColumns<S>& c, const CollisionDef&) {
+      Rows::put(c.tube, row, tube_along<S>(ahead));
+    });
   });
 }
 
@@ -190,7 +238,10 @@ void look_around(const SettleContext& context, const std::vector<NearRow>& rows)
     const bool is_clear = !own.empty() && std::ranges::none_of(own, [](const SceneHit& hit) { return bool(hit); });
     const NearRow& near = question.row;
     with_row(context, *near.chunk, near.row, [&](const auto& c, const CollisionDef&) {
-      if (!is_clear) return put_back(context, *near.chunk, c, near.row);
+      if (!is_clear) {
+        put_back(c, near.row);
+        return settle_row(context, *near.chunk, near.row);
+      }
       c.clear[near.row] = 0;  // nobody knows how far its things are
     });
   }

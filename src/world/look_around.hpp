@@ -3,6 +3,7 @@
 
 #include "collide/scene_contact.hpp"
 #include "collide/scene_parts.hpp"
+#include "world/rows_ahead.hpp"
 #include "world/settle.hpp"
 
 namespace physim {
@@ -44,11 +45,11 @@ template <class S>
   return is_new ? static_cast<S>(-gone * (kNearSteps - 1 - row % kSpread)) : clear;
 }
 
-/// A tube about the way of something that goes on at a steady acceleration, as far as that is clear; none where it is
-/// near something, or comes about. `beside`: how far the path of one step may be from its chord [m].
+/// About the way of something that goes on at a steady acceleration. `beside`: how far the path of one step may be from
+/// its chord [m].
 template <class S>
-[[nodiscard]] ClearTube<S> tube_ahead(const SettleContext& context, const State<double>& s, const Vec3d& acceleration,
-                                      double beside, const CollisionDef& collision) {
+[[nodiscard]] TubeAhead way_ahead(const SettleContext& context, const State<double>& s, const Vec3d& acceleration,
+                                  double beside, const CollisionDef& collision) {
   PHYSIM_ASSERT(knows_rest(context) && context.dt > 0 && beside >= 0);
   constexpr double kSteps = 9;             // one of them is at hand, mostly
   constexpr double kSlack = 1.25;          // of the sag: accelerations change
@@ -64,12 +65,17 @@ template <class S>
   // Places and sums of the row's own numbers are rounded.
   const double places = spacing_at<S>(s.x) + spacing_at<S>(s.x + along);
   const double lost = 8 * places + 32 * static_cast<double>(std::numeric_limits<S>::epsilon()) * far + 1e-9;
-  const SceneSegment way{s.x, s.x + along, collision.radius + room + lost};
-  const double part = SceneParts(*context.scene).clear_part(way, {.layers = collision.layers}) * (1 - 1e-6);
-  const Vec3<S> from = vec_cast<S>(s.x), clear = vec_cast<S>(along * part);
+  return {{{s.x, s.x + along, collision.radius + room + lost}, collision.layers}, room};
+}
+/// As far as its way is clear; none where it is near something, or comes about.
+template <class S>
+[[nodiscard]] ClearTube<S> tube_along(const TubeAhead& ahead) {
+  const SceneSegment& way = ahead.query.segment;
+  const Vec3<S> from = vec_cast<S>(way.from);
+  const Vec3<S> clear = vec_cast<S>((way.to - way.from) * (ahead.query.part * (1 - 1e-6)));
   const S per_square = S(1) / dot(clear, clear);
   if (!(per_square > 0 && per_square < std::numeric_limits<S>::max())) return {};
-  return {from, clear, per_square, static_cast<S>(room)};
+  return {from, clear, per_square, static_cast<S>(ahead.room)};
 }
 
 /// A row that moved on and may have come near a thing of an engine, in the chunk that it belongs to.
@@ -80,7 +86,29 @@ struct NearRow {
 /// Looks at such rows; the engine is asked about all of those of the same layers in one call.
 void look_around(const SettleContext& context, const std::vector<NearRow>& rows);
 
-/// Looks at a row that moved on and may have come near a thing of the scene: where it did, it is put back and settled.
-void look_around(const SettleContext& context, Chunk& chunk, std::uint32_t row);
+/// Looks at rows of a chunk that moved on and may have come near a thing of the scene: where one did, it is put back
+/// and settled. Many of them look ahead together, before and after that.
+class LookAround {
+ public:
+  LookAround(const SettleContext& context, Chunk& chunk) : context_(context), chunk_(chunk) {}
+  LookAround(const LookAround&) = delete;
+  LookAround& operator=(const LookAround&) = delete;
+
+  /// Rows come in order; what is said of one may come later.
+  void add(std::uint32_t row);
+  /// Of all that were added.
+  void finish();
+
+ private:
+  void look_at_waiting();
+
+  const SettleContext& context_;
+  Chunk& chunk_;
+  RowsAhead waiting_;
+  RowsAhead settled_;
+};
+
+/// Finds the tubes of rows that were settled and wait for them.
+void put_tubes(const SettleContext& context, const Chunk& chunk, RowsAhead& waiting);
 
 }  // namespace physim

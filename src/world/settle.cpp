@@ -17,9 +17,10 @@ namespace {
 template <class S>
 class Settling {
  public:
-  Settling(const SettleContext& context, SettledRow<S>& row)
+  Settling(const SettleContext& context, SettledRow<S>& row, RowsAhead* waiting = nullptr)
       : context_(context),
         r_(row),
+        waiting_(waiting),
         course_(row.march.course()),
         parts_(row.step_length(), flies_in_parts(*context.def, context.dt)),
         ground_(row, context.def->ground, parts_),
@@ -90,13 +91,25 @@ class Settling {
   void look_around() {
     const double gone = context_.dt * length(r_.here().v);
     S& clear = r_.clear();
-    clear =
-        is_look_due(clear, gone) ? clear_way<S>(context_, r_.here(), r_.collision()) : waited(clear, r_.row(), gone);
+    if (touched_)
+      clear = waited(S(0), r_.row(), gone);  // it is near what it touched
+    else
+      clear =
+          is_look_due(clear, gone) ? clear_way<S>(context_, r_.here(), r_.collision()) : waited(clear, r_.row(), gone);
     // It is far from everything, or nobody can tell.
     if (!(clear < 0) || !knows_rest(context_)) return;
     const Vec3d acceleration = r_.acceleration_at(r_.here(), r_.step_length());
     const double beside = beside_chord(context_.dt, acceleration);
-    r_.put_tube(tube_ahead<S>(context_, r_.here(), acceleration, beside, r_.collision()));
+    const TubeAhead ahead = way_ahead<S>(context_, r_.here(), acceleration, beside, r_.collision());
+    if (ahead.room > 0) return look_ahead(ahead);
+    r_.put_tube({});
+  }
+  /// With others, or now.
+  void look_ahead(const TubeAhead& ahead) {
+    if (waiting_) return waiting_->add(r_.row(), ahead);
+    TubeAhead looked = ahead;
+    looked.query.part = SceneParts(*context_.scene).clear_part(ahead.query.segment, {.layers = ahead.query.layers});
+    r_.put_tube(tube_along<S>(looked));
   }
 
   // ------------------------------------------------------------------------------------------- flying
@@ -209,6 +222,7 @@ class Settling {
   }
 
   void touch_thing(const State<double>& s, const SceneHit& hit, double passed) {
+    touched_ = true;
     parts_.come_near(passed);
     const auto after = scene_.struck(s, hit, passed);
     using Then = typename SceneContacts<SettledRow<S>>::Then;
@@ -246,6 +260,8 @@ class Settling {
 
   const SettleContext& context_;
   SettledRow<S>& r_;
+  RowsAhead* waiting_;    // who look ahead together; null: it looks at once
+  bool touched_ = false;  // a thing, in this step
   const Course<S>& course_;
   StepParts parts_;
   GroundContacts<SettledRow<S>> ground_;
@@ -280,6 +296,11 @@ bool answers_open(const SettleContext& context, Chunk& chunk) {
 
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row) {
   with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r).run(); });
+}
+
+void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row, RowsAhead& waiting) {
+  if (waiting.is_full()) put_tubes(context, chunk, waiting);
+  with_settled(context, chunk, row, [&]<class S>(SettledRow<S>& r) { Settling<S>(context, r, &waiting).run(); });
 }
 
 void settle_after(const SettleContext& context, Chunk& chunk, std::uint32_t row, const Parting& parting) {

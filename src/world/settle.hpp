@@ -12,6 +12,8 @@
 
 namespace physim {
 
+class RowsAhead;
+
 /// What settling decided that concerns more than the row itself; done after the step, in order of slots.
 struct Change {
   enum class Kind : std::uint8_t { remove, spin, stick, sleep };
@@ -113,6 +115,8 @@ inline constexpr double kLongestBouncingStep = 0.1;  // [s]
 /// Steps one row that was left where it was, and writes where it is after the step, unless a hit of it is left open.
 /// The other calls below ask about hits at once.
 void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row);
+/// Likewise, but a look ahead that it wants waits for others.
+void settle_row(const SettleContext& context, Chunk& chunk, std::uint32_t row, RowsAhead& waiting);
 
 /// Steps a row that is as it was when the step began from a meeting inside of it, and writes where it is after the
 /// step.

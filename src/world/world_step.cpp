@@ -189,7 +189,9 @@ void run_chunk(void* shared, std::size_t i) {
   else
     move_chunk<double>(work, chunk);
   if (work.asks_engine) return;
-  each_near(work, chunk, [&](std::uint32_t row) { look_around(work.context, chunk, row); });
+  LookAround look(work.context, chunk);
+  each_near(work, chunk, [&](std::uint32_t row) { look.add(row); });
+  look.finish();
   settle_chunk(work, chunk);
 }
 

@@ -15,7 +15,7 @@ namespace physim::test_clear {
 using test::Random;
 using test_scene::put;
 
-inline constexpr std::uint32_t kPoints = 41;
+inline constexpr std::uint32_t kPoints = 81;
 inline constexpr double kSide = 100;  // of the land [m]
 
 inline double height(double x, double z) {

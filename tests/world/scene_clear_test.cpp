@@ -12,7 +12,7 @@ TEST(SceneClear, what_is_known_to_be_clear_changes_no_answer) {
     SCOPED_TRACE(seed);
     Trial trial(seed);
     auto& [r, shapes, scene, pair] = trial;
-    launch_some(pair, r, 60);
+    launch_some(pair, r, 100);  // more than look ahead together
     const double dt = std::array{1.0 / 30, 1.0 / 60, 1.0 / 240}[std::size_t(r.below(3))];
     const bool edits = r.one_in(2);
     for (int step = 0; step < 90; ++step) {

@@ -1,0 +1,57 @@
+#include "collide/clear_batch.hpp"
+
+#include "collide/cast_in_turn.hpp"
+#include "collide/clear_look.hpp"
+
+namespace physim::collide {
+namespace {
+
+/// How far along a segment nothing that rests can be touched.
+class ClearPart {
+ public:
+  static constexpr Which kWhich = Which::resting;
+
+  /// False where it makes no sense.
+  bool put(const SceneContent& scene, ClearQuery& query) {
+    const SceneSegment& asked = query.segment;
+    scene_ = &scene;
+    query_ = &query;
+    filter_ = {.layers = query.layers};
+    segment_ = {asked.from, asked.to - asked.from, asked.radius, 1};
+    query.part = 0;
+    return is_sound(asked);
+  }
+  [[nodiscard]] const SceneContent& scene() const { return *scene_; }
+  [[nodiscard]] const SceneFilter& filter() const { return filter_; }
+  [[nodiscard]] const SceneSegment& asked() const { return query_->segment; }
+  [[nodiscard]] Segment& segment() { return segment_; }
+  void at_rest(std::uint32_t index) { look().at_rest(index, segment_); }
+  void at_mover(std::uint32_t) {}
+  PHYSIM_INLINE bool step(Mesh::Walk& mesh, std::uint32_t) { return mesh.step_clear(); }
+  void leaves(const Mesh::Walk& mesh, std::uint32_t index) {
+    ClearLook::shorten(scene_->instances[index], mesh.reach(), segment_);
+  }
+  void end() { query_->part = std::max(0.0, segment_.reach); }
+
+ private:
+  [[nodiscard]] ClearLook look() const { return {*scene_, query_->segment, filter_}; }
+
+  const SceneContent* scene_;
+  ClearQuery* query_;
+  SceneFilter filter_;
+  Segment segment_;
+};
+
+}  // namespace
+
+void clear_parts(const SceneContent& scene, std::span<ClearQuery> queries) {
+  std::size_t next = 0;
+  PHYSIM_ASSERT(!scene.engine);  // nobody knows how far its things are
+  cast_in_turn<ClearPart>([&](CastInTurn<ClearPart>& cast) {
+    while (next < queries.size())
+      if (cast.question.put(scene, queries[next++]) && cast.begin()) return true;
+    return false;
+  });
+}
+
+}  // namespace physim::collide
