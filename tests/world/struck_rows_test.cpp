@@ -177,6 +177,23 @@ TEST(StruckRows, AreThoseThatStrikeOnce) {
   EXPECT_EQ(plain_of<double>(start, false), 0b10011110001u);
 }
 
+/// The lower end of the standard atmosphere lies a little above the ground: what comes to both in a step has left.
+TEST(StruckRows, AreNoneWhereTheAirEndsFirst) {
+  Crowd crowd{{}, Fidelity::game(), 1.0 / 100, false};
+  crowd.rung.drag = DragModel::equation;
+  crowd.rung.air = AirModel::isa;
+  crowd.def.environment.altitude = -4999;
+  crowd.def.ground.height = -1.02;
+  for (const GroundMode mode : {GroundMode::bounce, GroundMode::land}) {
+    crowd.def.ground.mode = mode;
+    World world = filled(crowd, false);
+    std::size_t left = 0;
+    for (const Event& e : run_for(world, 1.5, crowd.dt)) left += e.reason == Reason::left_domain;
+    EXPECT_GT(left, 100u);
+    EXPECT_GT(compare(crowd, 150), 0u);  // of those that start below that end
+  }
+}
+
 TEST(StruckRows, DoSoInPacksOfAllWidths) {
   Crowd crowd{{}, Fidelity::game(), 1.0 / 100, true};
   crowd.def.ground.mode = GroundMode::bounce;
