@@ -216,7 +216,26 @@ Status check(const ProjectileDef& p) {
   return c.status();
 }
 
+namespace {
+
+/// Whether all that a launch says is right, by one look at its numbers: a sum is finite only where each of them is.
+bool is_surely_right(const Launch& l) {
+  const auto sum = [](const Vec3d& v) { return v.x + v.y + v.z; };
+  const LaunchAttitude& a = l.attitude;
+  const Sight& s = l.sight;
+  const double numbers = sum(l.position) + (l.velocity ? sum(*l.velocity) : 0.0) + (l.speed + l.rail_length) +
+                         (l.elevation + l.azimuth) + (l.spin.backspin + l.spin.sidespin + l.spin.gyrospin) +
+                         (a.yaw + a.pitch + a.roll + sum(a.rates)) + (s.height + s.cant);
+  if (!std::isfinite(numbers) || s.zero_range != 0 || (l.velocity && l.speed != 0)) return false;
+  return l.speed >= 0 && l.rail_length >= 0 && std::abs(l.elevation) <= 2 * kRightAngleUp &&
+         std::abs(s.look_angle) <= kRightAngleUp && static_cast<unsigned>(a.frame) <= unsigned(AttitudeFrame::world) &&
+         static_cast<unsigned>(a.rate_frame) <= unsigned(RateFrame::inertial);
+}
+
+}  // namespace
+
 Status check(const Launch& l) {
+  if (is_surely_right(l)) return {};
   Checker c;
   c.is_vector(l.position, "launch.position").not_negative(l.speed, "launch.speed", "in m/s");
   c.is_number(l.spin.backspin, "launch.spin.backspin").is_number(l.spin.sidespin, "launch.spin.sidespin");

@@ -2,6 +2,7 @@
 // where they were; here each is stepped by itself, with the same numbers, its events are located and acted on.
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <vector>
 
@@ -61,7 +62,13 @@ struct EventKey {
   double time = 0;
   std::uint32_t slot = 0, order = 0, at = 0;
 
-  auto operator<=>(const EventKey&) const = default;
+  bool operator==(const EventKey&) const = default;
+  /// No time is none, and two are seldom equal.
+  std::weak_ordering operator<=>(const EventKey& other) const {
+    if (time != other.time) return time < other.time ? std::weak_ordering::less : std::weak_ordering::greater;
+    if (slot != other.slot) return slot <=> other.slot;
+    return order != other.order ? order <=> other.order : at <=> other.at;
+  }
 };
 
 /// Memory that steps use again and again.

@@ -33,6 +33,14 @@ template <class W>
   theta = find_roots(above, W(0.0), from, W(1.0), to, kThetaTolerance, noise, asked);
 }
 
+/// The acceleration on a known rung. Behind a call: a step asks four times.
+template <class Rung, class R, class S>
+[[gnu::noinline]] void find_slope(const Conditions<S>& given, const Body<R>& b, const R& t, const State<R>& s,
+                                  Vec3<R>& a) {
+  const Conditions<S> c = Rung::known(given);
+  a = acceleration(c, b, t, s);
+}
+
 /// A pack of rows on its way through a step. R are numbers of rows, W as many in double.
 template <class Rung, class R, class S>
 class Strike {
@@ -84,13 +92,14 @@ class Strike {
   static constexpr NumberRuns kBody = parts_read(rung(), Features{}).runs();
 
   PHYSIM_INLINE Vec3<R> slope(const R& t, const State<R>& s) const {
-    // Made anew wherever it is read, or compilers forget what is known.
-    const Conditions<S> c = Rung::known(*course_.conditions);
-    return acceleration(c, body_, t, s);
+    Vec3<R> a;
+    find_slope<Rung>(*course_.conditions, body_, t, s, a);
+    return a;
   }
   PHYSIM_INLINE Vec3<W> wide_slope(const W& t, const State<W>& s) const {
-    const Conditions<double> c = Rung::known(*course_.conditions_double);
-    return acceleration(c, wide_body_, t, s);
+    Vec3<W> a;
+    find_slope<Rung>(*course_.conditions_double, wide_body_, t, s, a);
+    return a;
   }
   PHYSIM_INLINE void take(Part& p) const {
     p.slope = slope(p.t, p.start);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "physim/names.hpp"
+#include "prepare/check.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -348,6 +349,34 @@ TEST(Check, odd_but_sound_input_flies) {
         << number << ' ' << name(flight.outcome());
     ++number;
   }
+}
+
+TEST(Check, every_number_of_a_launch_is_looked_at) {
+  double Launch::*const own[] = {&Launch::speed, &Launch::elevation, &Launch::azimuth, &Launch::rail_length};
+  double Sight::*const sight[] = {&Sight::height, &Sight::look_angle, &Sight::cant, &Sight::zero_range};
+  double LaunchAttitude::*const attitude[] = {&LaunchAttitude::yaw, &LaunchAttitude::pitch, &LaunchAttitude::roll};
+  double LaunchSpin::*const spin[] = {&LaunchSpin::backspin, &LaunchSpin::sidespin, &LaunchSpin::gyrospin};
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    const auto refuses = [bad](const auto& number_of) {
+      Launch launch;
+      EXPECT_TRUE(check(launch));
+      number_of(launch) = bad;
+      EXPECT_FALSE(check(launch)) << bad;
+    };
+    for (const auto member : own) refuses([=](Launch& l) -> double& { return l.*member; });
+    for (const auto member : sight) refuses([=](Launch& l) -> double& { return l.sight.*member; });
+    for (const auto member : attitude) refuses([=](Launch& l) -> double& { return l.attitude.*member; });
+    for (const auto member : spin) refuses([=](Launch& l) -> double& { return l.spin.*member; });
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      refuses([=](Launch& l) -> double& { return l.position[axis]; });
+      refuses([=](Launch& l) -> double& { return l.attitude.rates[axis]; });
+      refuses([=](Launch& l) -> double& { return l.velocity.emplace()[axis]; });
+    }
+  }
+  // A sum that overflows says nothing.
+  Launch far;
+  far.position = {1.5e308, 1.5e308, 0};
+  EXPECT_TRUE(check(far));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // Rows that strike the ground side by side do what rows that are settled one by one do: the same bits, the same events.
 // A world that tells apexes settles each row by itself; what it tells beside them is what others tell.
+#include <cmath>
 #include <random>
 
 #include "physim/names.hpp"
+#include "world/kernels.hpp"
 #include "world/world_support.hpp"
 
 namespace physim::test {
@@ -119,6 +121,77 @@ TEST(StruckRows, DoWhatRowsDoOneByOne) {
         crowd.def.environment.wind.velocity = {5, 0, 2};
         EXPECT_GT(compare(crowd, static_cast<int>(1.5 / dt)), mode == GroundMode::bounce ? 300u : 100u);
       }
+}
+
+struct Start {
+  double height, climb, along = 3;
+};
+
+/// Which rows without drag over the ground at 0 strike it, and do nothing else.
+template <class S>
+unsigned plain_of(const std::vector<Start>& start, bool bounces) {
+  Fidelity f = Fidelity::game();
+  f.drag = DragModel::off;
+  f.precision = sizeof(S) == 4 ? Precision::float32 : Precision::float64;
+  const Prepared p(bullet(), {}, constant_gravity(), f);
+  WatchList watch{};
+  watch.count = 1;
+  watch.item[0] = {{EventKind::ground, 0, Crossing::falling, true}, Outcome::landed};
+  const Course<S> course = p.cohort.course<S>(Tolerance{}, 0.01, watch);
+  StrikeJob<S> job{};
+  S x[3][StrikeJob<S>::kRows]{}, v[3][StrikeJob<S>::kRows]{};
+  for (const Start& lane : start) {
+    x[1][job.count] = static_cast<S>(lane.height);
+    v[0][job.count] = static_cast<S>(lane.along);
+    v[1][job.count++] = static_cast<S>(lane.climb);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    job.rows.columns.position[axis] = x[axis], job.rows.columns.velocity[axis] = v[axis];
+  job.rows.course = &course;
+  job.rows.h = S(0.01);
+  job.dt = job.frame = 0.01;
+  job.bounces = bounces;
+  job.below = -1, job.slowest = 0.5;
+  job.restitution.fill(0.5), job.friction.fill(0);
+  strike_rows_with(world_kernel(), job);
+  return job.plain;
+}
+
+TEST(StruckRows, AreThoseThatStrikeOnce) {
+  const std::vector<Start> start = {
+      {0.05, -9},          // bounces
+      {0.5, -9},           // stays above
+      {0, -9},             // starts on the ground
+      {0.05, 9},           // rises
+      {0.0009, -5},        // bounces early
+      {0.0003, -0.01},     // too slowly: it rolls
+      {0.005, -0.9, 0},    // is slower than its rule after it
+      {0.08, -8.01},       // bounces at the end
+      {-0.01, 3},          // comes up from below
+      {std::nan(""), -9},  // is nowhere
+      {0.09, -9.3},        // bounces
+  };
+  EXPECT_EQ(plain_of<float>(start, true), 0b10010010001u);
+  EXPECT_EQ(plain_of<double>(start, true), 0b10010010001u);
+  EXPECT_EQ(plain_of<float>(start, false), 0b10011110001u);
+  EXPECT_EQ(plain_of<double>(start, false), 0b10011110001u);
+}
+
+/// The lower end of the standard atmosphere lies a little above the ground: what comes to both in a step has left.
+TEST(StruckRows, AreNoneWhereTheAirEndsFirst) {
+  Crowd crowd{{}, Fidelity::game(), 1.0 / 100, false};
+  crowd.rung.drag = DragModel::equation;
+  crowd.rung.air = AirModel::isa;
+  crowd.def.environment.altitude = -4999;
+  crowd.def.ground.height = -1.02;
+  for (const GroundMode mode : {GroundMode::bounce, GroundMode::land}) {
+    crowd.def.ground.mode = mode;
+    World world = filled(crowd, false);
+    std::size_t left = 0;
+    for (const Event& e : run_for(world, 1.5, crowd.dt)) left += e.reason == Reason::left_domain;
+    EXPECT_GT(left, 100u);
+    EXPECT_GT(compare(crowd, 150), 0u);  // of those that start below that end
+  }
 }
 
 TEST(StruckRows, DoSoInPacksOfAllWidths) {
