@@ -243,9 +243,9 @@ consteval std::uint64_t packed_column() {
 /// where they are asked for, among which compilers lose sight of what else they know.
 template <auto kColumn, class Enum>
 PHYSIM_INLINE constexpr auto column(Enum rung) {
-  using Value = std::remove_cvref_t<decltype(row(rung).*kColumn)>;
   constexpr std::uint64_t kPacked = packed_column<kColumn, Enum>();
-  return static_cast<Value>(kPacked >> 8 * static_cast<unsigned>(rung) & 0xff);
+  const std::uint64_t said = kPacked >> 8 * static_cast<unsigned>(rung) & 0xff;
+  return static_cast<std::remove_cvref_t<decltype(row(rung).*kColumn)>>(said);
 }
 
 /// Its place from cheap to true, by which rungs are compared.
