@@ -6,14 +6,14 @@
 
 #include "physim/macros.hpp"
 
-#ifndef PHYSIM_ISA
-#define PHYSIM_ISA base
-#endif
-
-/// A function template behind a call: long, and seldom flown. Each file that calls it has a copy of its own: of one
-/// that other files might share, clang must think that another compiler's does what this one does not, and changes
-/// whatever it is told the place of.
+/// A function template behind a call. Each kernel file has a copy of its own: of one that files may share clang thinks
+/// that another compiler's may take its place, and changes whatever it is told the place of.
+#ifdef PHYSIM_ISA
 #define PHYSIM_NOINLINE [[gnu::noinline]] static
+#else
+#define PHYSIM_ISA base
+#define PHYSIM_NOINLINE [[gnu::noinline]]
+#endif
 
 #define PHYSIM_ISA_BEGIN \
   namespace physim {     \
