@@ -60,6 +60,7 @@ bool TubeCasts::add(std::uint32_t index, const Segment& inside) {
 }
 
 bool TubeCasts::find(const SceneSegment& tube) {
+  PHYSIM_ASSERT(scene_ != nullptr);
   const SceneContent& content = SceneParts(*scene_).content();
   found_ = false;
   if (content.engine || !is_sound(tube)) return true;
@@ -103,6 +104,7 @@ bool TubeCasts::holds(const SceneSegment& asked) const {
 
 SceneHit TubeCasts::first_hit(const SceneSegment& asked) const {
   if (!found_ || !is_sound(asked) || !holds(asked)) return scene_->first_hit(asked, filter_);
+  PHYSIM_ASSERT(things_ <= kMostThings && triangles_ <= kMostTriangles);
   const SceneContent& content = SceneParts(*scene_).content();
   Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};
   FirstCrossing first;

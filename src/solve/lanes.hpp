@@ -34,6 +34,8 @@ struct Course {
 
 template <class R>
 struct Lanes : Flyer<R> {
+  PHYSIM_INLINE Lanes() = default;
+
   StepControl<R> control;
   Regime<R> regime;  // at the start of the step
   R count;           // steps accepted; of fixed steps, whole ones

@@ -96,7 +96,7 @@ class LookAround {
 
   /// Rows come in order; what is said of one may come later.
   void add(std::uint32_t row);
-  /// Of all that were added.
+  /// Looks for all that were added.
   void finish();
 
  private:

@@ -30,6 +30,7 @@ class RowsAhead {
   /// Calls take(row, ahead) for each of them, in the order in which they were added, and forgets them.
   template <class Take>
   void look(const Scene& scene, const Take& take) {
+    PHYSIM_ASSERT(count_ <= kMost);
     SceneParts(scene).clear_parts(std::span(*queries_).first(count_));
     for (std::size_t i = 0; i < count_; ++i) take(rows_[i], TubeAhead{(*queries_)[i], room_[i]});
     count_ = 0;

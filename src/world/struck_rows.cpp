@@ -57,6 +57,7 @@ class StruckRows {
     RowColumns<S>& c = job_.rows.columns;
     for (std::size_t axis = 0; axis < 3; ++axis) c.position[axis] = x_[axis], c.velocity[axis] = v_[axis];
     const RowMasks& masks = rows_.field_masks();
+    PHYSIM_ASSERT(rows_.layout().fields.size() <= kMostFields);
     for (const std::uint8_t field : rows_.layout().fields) {
       if (masks[field] == 0) continue;  // one for all
       gathered_[fields_] = columns_.field[field];
@@ -122,6 +123,7 @@ class StruckRows {
 
   /// Tells the strike of a plain one, and puts it where it is after the step.
   void put(unsigned i) {
+    PHYSIM_ASSERT(i < job_.count && job_.passed[i] >= 0 && job_.passed[i] <= job_.dt);
     const auto vector = [i](const auto& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
     const EventKind kind = job_.bounces ? EventKind::bounced : EventKind::landed;
     Event& event =

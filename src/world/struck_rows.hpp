@@ -7,6 +7,7 @@
 // others.
 #pragma once
 
+#include "base/assert.hpp"
 #include "world/kernels.hpp"
 #include "world/settle.hpp"
 
@@ -15,6 +16,7 @@ namespace physim {
 /// Calls f with every row of a chunk that is marked.
 template <class F>
 void each_marked(const Chunk& chunk, const std::uint32_t* words, const F& f) {
+  PHYSIM_ASSERT(words != nullptr && chunk.first % kRowsPerWord == 0);
   for (std::uint32_t word = chunk.first / kRowsPerWord; word * kRowsPerWord < chunk.last; ++word)
     for (std::uint32_t bits = words[word]; bits != 0; bits &= bits - 1)
       f(word * static_cast<std::uint32_t>(kRowsPerWord) + static_cast<std::uint32_t>(__builtin_ctz(bits)));
