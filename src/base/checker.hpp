@@ -42,35 +42,34 @@ class InputPlace {
   Text member_{};
 };
 
-/// Runs its checks in order and keeps the first that fails. Texts are put together only then, out of line: checks run
-/// for every shot of a batch.
+/// Runs its checks in order and keeps the first that fails. Places and texts are put together only then, out of line:
+/// checks run for every flight and every shot of a batch.
 class Checker {
  public:
   using Text = std::string_view;
-  using Place = const InputPlace&;
 
-  PHYSIM_INLINE Checker& require(bool good, Place place, Text message, Text hint = "") {
+  PHYSIM_INLINE Checker& require(bool good, const auto& place, Text message, Text hint = "") {
     if (!good) fail(place, std::string(message), hint);
     return *this;
   }
-  PHYSIM_INLINE Checker& positive(double x, Place place, Text hint = "") {
+  PHYSIM_INLINE Checker& positive(double x, const auto& place, Text hint = "") {
     if (!(x > 0 && x < kInfinity)) fail(place, "must be a positive number, not " + short_text(x), hint);
     return *this;
   }
-  PHYSIM_INLINE Checker& not_negative(double x, Place place, Text hint = "") {
+  PHYSIM_INLINE Checker& not_negative(double x, const auto& place, Text hint = "") {
     if (!(x >= 0 && x < kInfinity)) fail(place, "must be zero or positive, not " + short_text(x), hint);
     return *this;
   }
-  PHYSIM_INLINE Checker& is_number(double x, Place place) {
+  PHYSIM_INLINE Checker& is_number(double x, const auto& place) {
     if (!std::isfinite(x)) fail(place, "must be a finite number, not " + short_text(x), "");
     return *this;
   }
-  PHYSIM_INLINE Checker& is_vector(const Vec3d& v, Place place) {
+  PHYSIM_INLINE Checker& is_vector(const Vec3d& v, const auto& place) {
     return require(finite(v), place, "must have three finite components");
   }
   /// An enumerator: a cast can make other values, which tables must not be read by. `last` is the last one.
   template <class Enum>
-  PHYSIM_INLINE Checker& named(Enum value, Enum last, Place place) {
+  PHYSIM_INLINE Checker& named(Enum value, Enum last, const auto& place) {
     return require(static_cast<unsigned>(value) <= static_cast<unsigned>(last), place, "is none of the named values");
   }
   /// What another check said.
@@ -82,7 +81,7 @@ class Checker {
   [[nodiscard]] Status status() { return std::move(status_); }
 
  private:
-  [[gnu::noinline]] void fail(Place place, const std::string& message, Text hint) {
+  [[gnu::noinline]] void fail(const InputPlace& place, const std::string& message, Text hint) {
     PHYSIM_ASSERT(!place.empty());
     if (status_) status_ = Error{message, place.text(), std::string(hint)};
   }

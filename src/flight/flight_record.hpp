@@ -33,7 +33,8 @@ struct FlightLeg {
 
 struct FlightRecord {
   /// Its numbers are not set to zero first: they are many, and those that are read are prepared.
-  FlightRecord() { rotor.launch = {}; }  // NOLINT
+  FlightRecord() { rotor.launch = {}; }                                                         // NOLINT
+  explicit FlightRecord(const ProjectileDef& flies) : projectile(flies) { rotor.launch = {}; }  // NOLINT
 
   Outcome outcome = Outcome::refused;
   std::optional<Error> error;

@@ -93,7 +93,6 @@ void prepare(FlightRecord& record, const ProjectileDef& projectile, const Launch
   record.sight = sight_frame(launch);
   record.drift = prepare_spin_drift(projectile, length(record.body.launch.v), environment, granted);
   record.keep(environment);
-  record.projectile = projectile;
   record.projectile.fidelity = granted;
 }
 
@@ -141,24 +140,25 @@ void fly_on(FlightRecord& record, const FrameStart& from, const Tolerance& toler
 std::shared_ptr<FlightRecord> record_flight(const ProjectileDef& projectile, const Launch& launch,
                                             const Environment& environment, const Fidelity& fidelity,
                                             const Tolerance& tolerance, const Until& until) {
-  auto record = std::make_shared<FlightRecord>();
-  const auto refuse = [&](const Error& error) {
+  const auto refuse = [](const Error& error, std::shared_ptr<FlightRecord> record) {
     record->error = error;
     return record;
   };
+  const auto refuse_at_once = [&](const Error& error) { return refuse(error, std::make_shared<FlightRecord>()); };
   for (const Status& status :
        {check(projectile), check(launch), check(environment), check(tolerance, fidelity), check(until)})
-    if (!status) return refuse(status.error());
-  if (const Status status = check(projectile, launch); !status) return refuse(status.error());
+    if (!status) return refuse_at_once(status.error());
+  if (const Status status = check(projectile, launch); !status) return refuse_at_once(status.error());
   const auto elevation = elevation_of(projectile, launch, environment, fidelity);
-  if (!elevation) return refuse(elevation.error());
+  if (!elevation) return refuse_at_once(elevation.error());
+  auto record = std::make_shared<FlightRecord>(projectile);
   record->elevation = *elevation;
   prepare(*record, projectile, launch, environment, fidelity);
   const State<double>& start = record->body.launch;
   if (const Status status = check_fits(start.x, start.v, record->cohort.in_use.fidelity.precision); !status)
-    return refuse(status.error());
+    return refuse(status.error(), record);
   if (const Status status = choose_step(*record, projectile, launch, environment, tolerance, until); !status)
-    return refuse(status.error());
+    return refuse(status.error(), record);
   fly_record(*record, tolerance, until);
   return record;
 }

@@ -77,24 +77,55 @@ PHYSIM_INLINE State<double> sum_of_slopes(const State<double>* slope) {
   return sum;
 }
 
-template <class Rung>
+/// The cells of the drag curve that the stages of a step read, guessed before their Mach numbers are known: the last
+/// stage's, or after a wide gap between stages where the last two come to lie on one line. The first stage guesses
+/// wrong and waits: whether a guess holds is known to the processor before, stage by stage.
+template <class Method>
+class StageCells {
+ public:
+  explicit StageCells(const Body<double>& b, const double* rows) : b_(b), rows_(rows) {}
+
+  template <int kStage>
+  PHYSIM_INLINE GuessedCell<double>& guess() {
+    if constexpr (kStage >= 3 && kStage < Method::kStages) {
+      constexpr double kGap = Method::c[kStage] - Method::c[kStage - 1];
+      if constexpr (kGap > 0.3)
+        guess_cell(b_, rows_, last_ + (last_ - before_) * (kGap / (Method::c[kStage - 1] - Method::c[kStage - 2])),
+                   guess_);
+    }
+    return guess_;
+  }
+  PHYSIM_INLINE void note() { before_ = last_, last_ = guess_.place; }
+
+ private:
+  const Body<double>& b_;
+  const double* rows_;
+  GuessedCell<double> guess_{-1, nullptr, 0};
+  double last_ = 0, before_ = 0;  // places of the stages taken [cells]
+};
+
+template <class Rung, class Method>
 struct KnownSlope {
   const Conditions<double>& c;
   const Body<double>& b;
+  StageCells<Method> cells{b, c.curve_rows};
 
   /// Returns whether the rung is what holds there.
-  PHYSIM_INLINE bool put(double t, const State<double>& y, State<double>& slope) const {
-    const Conditions<double> k = Rung::known(c);  // made anew each time, or the compiler forgets what is known
+  template <int kStage>
+  PHYSIM_INLINE bool put(double t, const State<double>& y, State<double>& slope) {
+    Conditions<double> k = Rung::known(c);  // made anew each time, or the compiler forgets what is known
+    k.guess = &cells.template guess<kStage>();
     const Vec3d a = acceleration(k, b, t, y);
     copy_state({y.v, a}, slope);
+    cells.note();
     return Rung::is_below_top(c, y);
   }
 };
 
 template <class Method, int kStage, class Slope>
-PHYSIM_INLINE bool take_stage(Step<double>& s, const State<double>& start, const Slope& slope) {
+PHYSIM_INLINE bool take_stage(Step<double>& s, const State<double>& start, Slope& slope) {
   const State<double> y = start + sum_of_slopes<RowWeights<Method::a, kStage>, kStage>(s.slope) * s.h;
-  return slope.put(s.t + s.h * Method::c[kStage], y, s.slope[kStage]);
+  return slope.template put<kStage>(s.t + s.h * Method::c[kStage], y, s.slope[kStage]);
 }
 
 template <class Method, class Rung>
@@ -102,7 +133,7 @@ void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double r
   PHYSIM_ASSERT(Rung::matches(c));
   Step<double>& s = flyer.step;
   constexpr int kSlopes = Method::kStages + 1;
-  const KnownSlope<Rung> slope{c, flyer.body};
+  KnownSlope<Rung, Method> slope{c, flyer.body};
   State<double> start;
   copy_state(s.start, start);
   bool holds = true;
@@ -111,7 +142,7 @@ void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double r
   }
   (std::make_integer_sequence<int, Method::kStages - 1>());
   const State<double> end = start + sum_of_slopes<Weights<Method::b>, Method::kStages>(s.slope) * s.h;
-  holds &= slope.put(s.t_end, end, s.slope[Method::kStages]);
+  holds &= slope.template put<Method::kStages>(s.t_end, end, s.slope[Method::kStages]);
   if (!holds) return take_step(c, flyer, relative, absolute);
   const auto e =
       squared_errors(sum_of_slopes<Weights<Method::kError>, kSlopes>(s.slope) * s.h, end, relative, absolute);
@@ -146,15 +177,25 @@ static_assert(KeptStep::kInner == Tsit5::kStages - 1);
 
 void keep_slopes(const Step<double>& step, KeptStep& kept) {
   kept.h = step.h;
-  for (int i = 0; i < KeptStep::kInner; ++i) copy_state(step.slope[i + 1], kept.slope[i]);
+  const State<double>* from = step.slope + 1;
+  for (State<double>& to : *kept.slopes) copy_state(*from++, to);
+}
+
+void keep_end(const Step<double>& step, Node& node) {
+  node.t = step.t_end;
+  State<double> slope;
+  copy_state(step.slope[Tsit5::kStages], slope);
+  copy_state(step.end, node.y);
+  node.a = slope.v;
 }
 
 void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, State<double>* coefficients) {
-  State<double> slope[KeptStep::kInner + 2];
-  copy_state({n0.y.v, n0.a}, slope[0]);
-  for (int i = 0; i < KeptStep::kInner; ++i) copy_state(kept.slope[i], slope[i + 1]);
-  copy_state({n1.y.v, n1.a}, slope[KeptStep::kInner + 1]);
-  interpolate<Tsit5>(slope, kept.h, coefficients);
+  Unset<std::array<State<double>, KeptStep::kInner + 2>> slopes;
+  State<double>* slope = slopes->data();
+  copy_state({n0.y.v, n0.a}, *slope++);
+  for (const State<double>& inner : *kept.slopes) copy_state(inner, *slope++);
+  copy_state({n1.y.v, n1.a}, *slope);
+  interpolate<Tsit5>(slopes->data(), kept.h, coefficients);
 }
 
 KnownStep known_step(const Conditions<double>& c) {

@@ -3,6 +3,8 @@
 // would take as long as computing them.
 #pragma once
 
+#include <array>
+
 #include "solve/dense.hpp"
 #include "solve/lanes.hpp"
 
@@ -22,10 +24,13 @@ struct KnownStep {
 /// the last.
 struct KeptStep {
   static constexpr int kInner = 5;
-  double h;                     // [s]
-  State<double> slope[kInner];  // between them
+  KeptStep() {}  // NOLINT: not set to zero first
+
+  double h;                                           // [s]
+  Unset<std::array<State<double>, kInner>> slopes{};  // between them
 };
 void keep_slopes(const Step<double>& step, KeptStep& kept);
+void keep_end(const Step<double>& step, Node& node);
 /// The coefficients of its interpolant, made when they are asked for: as KnownStep::interpolate() makes them.
 void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, State<double>* coefficients);
 

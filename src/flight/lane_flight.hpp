@@ -58,7 +58,6 @@ class LaneFlight {
     march_.launch();
     begin_contacts({.scene_time = obstacles_.contact.scene_time, .length = until, .ends = until});
     path_.keeps_slopes = known_ && !*contacts_;
-    if (path_.keeps_slopes) standing_->begin(*course_.conditions, course_.watch, lane());
     path_.reserve();
     path_.keep_start(0);
     while (!ended_) {
@@ -112,7 +111,7 @@ class LaneFlight {
         return march_.accept(accepted);
       }
     }
-    if (sound) dense_lanes(course_, lane(), j_->at);
+    if (sound) make_dense();
     judge(accepted, special, sound);
     if (ended_ || met_) {
       if (sound) lane().count += S(1);
@@ -122,13 +121,16 @@ class LaneFlight {
     if (sound && has_stops(*course_.conditions)) path_.keep_jump();
   }
 
-  /// What goes from known step to known step has been looked at where the last one ended.
+  /// Of most steps from a launch it shows at once that nothing watched is crossed.
   [[nodiscard]] bool is_special(bool accepted) {
     if (!path_.keeps_slopes) return needs_attention(course_, lane(), accepted).special;
-    Detected found;
-    if (accepted)
-      found = standing_->pass(*course_.conditions, course_.watch, lane(), last_slope(fidelity()), lane_bits(accepted));
-    return needs_attention(course_, lane(), lane_bits(accepted), found).special;
+    if (accepted) {
+      const Conditions<S>& c = *course_.conditions;
+      if (!is_watched_) quiet_->begin(c, course_.watch, lane());
+      is_watched_ = quiet_->passes(c, course_.watch, lane(), last_slope(c.fidelity));
+      if (!is_watched_) return needs_attention(course_, lane(), accepted).special;
+    }
+    return needs_attention(course_, lane(), lane_bits(accepted), {}).special;
   }
 
   [[nodiscard]] bool try_step() {
@@ -136,6 +138,14 @@ class LaneFlight {
       if (known_) return march_.try_step_by(true, known_.take);
     }
     return march_.try_step();
+  }
+
+  void make_dense() {
+    if constexpr (kMayBeKnown) {
+      if (path_.keeps_slopes)
+        return dense_ends(course_, lane(), j_->at), known_.interpolate(lane().step, j_->at.coefficient);
+    }
+    dense_lanes(course_, lane(), j_->at);
   }
 
   /// What the step tried means; its dense output is there where it is sound.
@@ -467,9 +477,10 @@ class LaneFlight {
   MeetingLane<S> host_;
   PathKeeper<S> path_;
   std::optional<SceneContacts<MeetingLane<S>>> contacts_;
-  FrameStart frames_;                 // dt 0: none, from a launch
-  Unset<Judgement<S>> j_;             // of the last step that was looked at
-  Unset<StandingWatch<S>> standing_;  // where known steps go on from a launch and meet nothing
+  FrameStart frames_;           // dt 0: none, from a launch
+  Unset<Judgement<S>> j_;       // of the last step that was looked at
+  Unset<QuietWatch<S>> quiet_;  // where known steps go on from a launch and meet nothing
+  bool is_watched_ = false;     // the step at hand, by that
   KnownStep known_ = known_step(*course_.conditions_double);
   bool ended_ = false;
   bool met_ = false;            // something, in the step at hand

@@ -176,7 +176,7 @@ class PathKeeper {
     const Step<S>& s = lane_.step;
     FlownPath& path = record_.path;
     PHYSIM_ASSERT(!path.nodes.empty() && path.kept.size() == path.nodes.size() - 1 && !is_pushed && !path.turn);
-    path.nodes.push_back({s.t_end, s.end, s.slope[last_slope(fidelity())].v});
+    keep_end(s, path.nodes.emplace_back());
     keep_slopes(s, path.kept.emplace_back());
   }
 

@@ -12,13 +12,21 @@
 
 PHYSIM_ISA_BEGIN
 
-/// r0 + r1 t + r2 t^2 + r3 t^3, as (r0 + t r1) + t^2 (r2 + t r3), with r = rows[4 * index ..]; index is a whole number,
-/// 0 <= index < 2^22.
+/// Row `index` of a table of rows of four; index is a whole number, 0 <= index < 2^22.
+template <class S>
+requires std::is_floating_point_v<S> PHYSIM_INLINE const S* row_at(const S* rows, S index) {
+  PHYSIM_ASSERT(rows != nullptr && index >= S(0) && index < S(1 << 22));
+  return rows + 4 * static_cast<std::int64_t>(index);
+}
+/// r0 + r1 t + r2 t^2 + r3 t^3, as (r0 + t r1) + t^2 (r2 + t r3).
+template <class S>
+requires std::is_floating_point_v<S> PHYSIM_INLINE S row_cubic(const S* r, S t) {
+  return (r[0] + t * r[1]) + (t * t) * (r[2] + t * r[3]);
+}
+/// ... with r = rows[4 * index ..].
 template <class S>
 requires std::is_floating_point_v<S> PHYSIM_INLINE S row_cubic(const S* rows, S index, S t) {
-  PHYSIM_ASSERT(rows != nullptr && index >= S(0) && index < S(1 << 22));
-  const S* r = rows + 4 * static_cast<std::int64_t>(index);
-  return (r[0] + t * r[1]) + (t * t) * (r[2] + t * r[3]);
+  return row_cubic(row_at(rows, index), t);
 }
 
 #if defined(__has_builtin)

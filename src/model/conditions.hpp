@@ -130,6 +130,16 @@ struct FunctionPointers {
   const ForceFunction::Function* force_function;
 };
 
+/// Where on its drag curve a projectile that flies alone is thought to be before its Mach number is known. The
+/// processor goes on with the row that is guessed and looks back later, where it would wait for the number of the row
+/// and then for the row. A guess that is wrong is put right: it changes no bit.
+template <class S>
+struct GuessedCell {
+  S cell;        // from the start of the curve
+  const S* row;  // its coefficients
+  S place;       // where the last look-up was, in cells
+};
+
 /// What they look up.
 template <class S>
 struct TablePointers {
@@ -137,6 +147,7 @@ struct TablePointers {
   const PiecewiseCubic* searched_curves;  // curves whose points fit no equal cells
   const MotorPiece* motor_pieces;         // pool of the tables of all motors in use
   const MagnusGrid* magnus_grids;         // tables of balls that spin
+  GuessedCell<S>* guess = nullptr;        // null: nothing is guessed
 };
 
 template <class S>

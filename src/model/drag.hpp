@@ -41,13 +41,36 @@ PHYSIM_INLINE R curve_position(const Body<R>& b, const R& mach) {
   return clamp((mach - b.curve_start) * b.curve_cells, R(S(0)), b.curve_last + S(1));
 }
 
+/// The cell that a place on a curve lies in. Rounding u - 1/2 is one operation less than the floor of u; on a border
+/// either cell gives the same value.
+template <class R>
+PHYSIM_INLINE R curve_cell(const Body<R>& b, const R& place) {
+  return min(round_to_int(place - constant<R>(0.5)), b.curve_last);
+}
+
+/// Cd by the cell that is guessed; the guess is right afterwards.
+PHYSIM_INLINE double guessed_cd(const double* rows, double first_row, double cell, double place,
+                                GuessedCell<double>& guess) {
+  if (cell != guess.cell) [[unlikely]]
+    guess.cell = cell, guess.row = row_at(rows, first_row + cell);
+  guess.place = place;
+  return row_cubic(guess.row, place - guess.cell);
+}
+/// Guesses the cell of the next look-up by a place near it.
+PHYSIM_INLINE void guess_cell(const Body<double>& b, const double* rows, double near, GuessedCell<double>& guess) {
+  guess.cell = curve_cell(b, near > 0 ? min(near, b.curve_last) : 0.0);
+  guess.row = row_at(rows, b.curve_row + guess.cell);
+}
+
 /// Cd by Mach number.
 template <class R, class S>
 PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& mach) {
   PHYSIM_ASSERT(c.curve_rows != nullptr);
   const R inside = curve_position(b, mach);
-  // Rounding u - 1/2 is one operation less than the floor of u; on a border either cell gives the same value.
-  const R cell = min(round_to_int(inside - constant<R>(0.5)), b.curve_last);
+  const R cell = curve_cell(b, inside);
+  if constexpr (std::is_same_v<R, double>) {
+    if (c.guess != nullptr) return guessed_cd(c.curve_rows, b.curve_row, cell, inside, *c.guess);
+  }
   const R row = c.has_searched_curves ? max(b.curve_row, R(S(0))) : b.curve_row;
   const R cd = row_cubic(c.curve_rows, row + cell, inside - cell);
   return c.has_searched_curves ? searched_cd(c, b, mach, cd) : cd;

@@ -124,9 +124,9 @@ void drop_higher_terms(DenseLanes<R>& at) {
   for_parts(f, drop, at);
 }
 
-/// The dense output of steps just taken.
+/// The dense output of steps just taken but for its coefficients.
 template <class R, class S>
-void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) {
+void dense_ends(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) {
   const Conditions<S>& c = *course.conditions;
   out.conditions = course.conditions;
   out.conditions_double = course.conditions_double;
@@ -146,6 +146,13 @@ void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out)
   cast_numbers(l.step.end, out.n1.y);
   cast_numbers(l.step.slope[0].v, out.n0.a);
   cast_numbers(l.step.slope[last_slope(c.fidelity)].v, out.n1.a);
+}
+
+/// The dense output of steps just taken.
+template <class R, class S>
+void dense_lanes(const Course<S>& course, const Lanes<R>& l, DenseLanes<R>& out) {
+  const Conditions<S>& c = *course.conditions;
+  dense_ends(course, l, out);
   if (c.fidelity.motion == Motion::closed_form) return;
   if (turns(c.fidelity) || dense_coefficient_count(c.fidelity.integrator) > 0) add_coefficients(course, l, out);
 }
