@@ -101,6 +101,10 @@ function(physim_add_kernels target)
       # Their vectors are written out; `./dev determinism` sees to it that nothing in them is fused.
       target_compile_options(${kernels} PRIVATE ${physim_isa_flags_${isa}} $<$<CONFIG:Release,RelWithDebInfo>:-O3>
                                                 $<$<CONFIG:Debug>:-O2> -ftree-slp-vectorize)
+      if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND isa STREQUAL avx512)
+        # Of itself clang copies vectors of packs by halves of registers, or calls memcpy(), which keeps none of them.
+        target_compile_options(${kernels} PRIVATE -mprefer-vector-width=512)
+      endif()
       if(PHYSIM_SMALL_KERNELS)
         set(no_guards $<IF:$<CXX_COMPILER_ID:GNU>,--param=asan-stack=0,SHELL:-mllvm -asan-stack=0>)
         # At -O1 g++ 12 does not survive the selects of packs (gimple-isel.cc).
