@@ -121,7 +121,7 @@ class LaneFlight {
     if (sound && has_stops(*course_.conditions)) path_.keep_jump();
   }
 
-  /// Of most steps from a launch it shows at once that nothing watched is crossed.
+  /// Most steps from a launch show at once that nothing watched is crossed.
   [[nodiscard]] bool is_special(bool accepted) {
     if (!path_.keeps_slopes) return needs_attention(course_, lane(), accepted).special;
     if (accepted) {
