@@ -38,12 +38,15 @@ std::optional<double> cut_at_corner(const Course<S>& course, const Lanes<R>& l, 
     return edge_rates(c, whole_body, at.time(theta), s, at.acceleration(theta, s));
   };
   const double h = at.n1.t - at.n0.t;
-  // A corner in the first millionth of a step is the one that the last step was cut at. A rail is never left late.
-  const double before = by_rail ? 0 : 1e-6;
-  double cut_h = h * first_corner(c, whole_body, at.turn->rotor, at.n0.t, h, before, at, rates);
-  // A corner within some roundings of the clock is as good as passed: a cut to it would stand still.
+  // A corner in the first millionth of a step is the one that the last step was cut at, and one within some roundings
+  // of the clock is as good as passed: a cut to it would stand still. Others may lie behind it. A rail is never left
+  // late.
   const double shortest = 64.0 * std::numeric_limits<S>::epsilon() * at.n0.t;
-  if (by_rail) cut_h = max(cut_h, 2 * shortest);
+  if (shortest >= h) return std::nullopt;
+  const double before = by_rail ? 0 : max(1e-6, shortest / h);
+  double cut_h = h * first_corner(c, whole_body, at.turn->rotor, at.n0.t, h, before, at, rates);
+  // Some roundings farther the state is surely behind the corner in its own precision, too, where the next step starts.
+  cut_h = by_rail ? max(cut_h, 2 * shortest) : cut_h + shortest;
   if (cut_h >= h || cut_h <= shortest) return std::nullopt;
   return cut_h;
 }

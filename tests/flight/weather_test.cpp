@@ -304,7 +304,7 @@ TEST(Weather, in_float32_moves_corners_by_its_rounding_alone) {
   Fidelity wide = linear;
   wide.precision = Precision::float64;
   expect_equal(bullet_308(), wide, of_days, "float64");
-  int differ = 0;
+  int differ = 0, far = 0;
   for (const ProjectileDef& projectile : {bullet_308(), banded}) {
     const BatchResult batch = fly_all(projectile, linear, of_days);
     for (std::size_t i = 0; i < count; ++i) {
@@ -312,9 +312,12 @@ TEST(Weather, in_float32_moves_corners_by_its_rounding_alone) {
       EXPECT_TRUE(near(batch.shots[i].position, end.position, 1e-4)) << i;
       EXPECT_TRUE(near(batch.shots[i].velocity, end.velocity, 1e-4)) << i;
       differ += same_bits(batch.shots[i].position, end.position) ? 0 : 1;
+      far += near(batch.shots[i].position, end.position, 3e-5) ? 0 : 1;
     }
   }
   EXPECT_GT(differ, 0) << "then weather.hpp may promise more";
+  // Steps that begin some roundings before a corner, and had part of their slopes from before it, went 50 mm astray.
+  EXPECT_LE(far, 2);
 }
 
 /// Drag is proportional to density: in constant air without gravity a projectile of Cd constant slows down as
