@@ -78,7 +78,7 @@ bool Emission::leaves_gravity() const { return parts_->start.gravity.is(1); }
 void Emission::newborns(NewbornPack& pack) const {
   PHYSIM_ASSERT(leaves_gravity());
   const Parts& p = *parts_;
-  PackChance<Draw, EmitStream::particle, NewbornPack::kLanes> chance(p.seed, pack.number);
+  PackChance<Draw, EmitStream::particle, NewbornPack::kLanes> chance(p.seed, pack.number, &particle_kernel());
   const auto drawn = [&chance](Draw what) {
     return [&chance, what ]() -> const auto& { return chance(what); };
   };

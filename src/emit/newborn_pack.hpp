@@ -6,13 +6,14 @@
 #include <cstdint>
 
 #include "emit/emission.hpp"
+#include "emit/particle_job.hpp"
 
 namespace physim {
 
 /// Births, which come in, and newborns, in the frame of their emitter, which come out; none of them rounds of a gun.
 /// Lanes that nobody needs hold a birth, too.
 struct NewbornPack {
-  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kLanes = kShortColumn;
   using Column = std::array<double, kLanes>;
 
   std::array<std::uint64_t, kLanes> number;  // as Birth has it

@@ -27,13 +27,14 @@ void emit_words_each(std::uint64_t seed, EmitStream stream, std::uint32_t index,
   philox_each(words, {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
 }
 
-/// The numbers between 0 and 1 of a pack of particles, drawn when they are asked for; those of a column by a kernel.
+/// The numbers between 0 and 1 of a pack of particles, drawn when they are asked for; those of a column, or of a short
+/// one, by a kernel.
 template <class What, EmitStream kStream, std::size_t N>
 class PackChance {
  public:
   PackChance(std::uint64_t seed, const std::array<std::uint64_t, N>& number, const ParticleKernel* kernel = nullptr)
       : seed_(seed), number_(number), kernel_(kernel) {
-    PHYSIM_ASSERT((kernel != nullptr) == (N == kColumn));
+    PHYSIM_ASSERT((kernel != nullptr) == kByKernel);
   }
 
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
@@ -52,12 +53,15 @@ class PackChance {
   }
 
  private:
+  static constexpr bool kByKernel = N == kColumn || N == kShortColumn;
+
   void put_words(std::uint32_t block, WordColumns<N>& words) const {
-    if constexpr (N == kColumn)
-      kernel_->words({seed_,
-                      static_cast<std::uint32_t>(kStream) | block << 8,
-                      number_.data(),
-                      {words[0].data(), words[1].data(), words[2].data(), words[3].data()}});
+    if constexpr (kByKernel)
+      (N == kColumn ? kernel_->words
+                    : kernel_->few_words)({seed_,
+                                           static_cast<std::uint32_t>(kStream) | block << 8,
+                                           number_.data(),
+                                           {words[0].data(), words[1].data(), words[2].data(), words[3].data()}});
     else
       emit_words_each(seed_, kStream, block, number_, words);
   }

@@ -8,8 +8,8 @@
 
 namespace physim {
 
-/// Particles in a column.
-inline constexpr std::size_t kColumn = 32;
+/// Particles in a column, and in a short one: few are born at a time.
+inline constexpr std::size_t kColumn = 32, kShortColumn = 8;
 
 /// A piece of a curve: c0 + c1 s + c2 s^2 + c3 s^3 with s = x - start.
 struct CurvePiece {
@@ -68,6 +68,7 @@ struct DragJob {
 struct ParticleKernel {
   const char* name;
   void (*words)(const WordsJob& job);
+  void (*few_words)(const WordsJob& job);  // of a short column
   void (*number)(const NumberJob& job);
   void (*gradient)(const GradientPieces& pieces, const double* x, const ColourColumns& colour);
   /// Each rounded to the nearest.

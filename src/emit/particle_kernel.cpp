@@ -20,6 +20,25 @@ PHYSIM_INLINE Numbers units_of(const std::uint32_t* words) {
   return (number + Numbers(0.5)) * Numbers(0x1p-32);
 }
 
+/// The words of so many particles.
+template <std::size_t kCount>
+PHYSIM_INLINE void put_words(const WordsJob& job) {
+  const std::uint32_t key[2] = {static_cast<std::uint32_t>(job.seed), static_cast<std::uint32_t>(job.seed >> 32)};
+  constexpr std::size_t kHere = 2 * kWide < kCount ? 2 * kWide : kCount;  // two registers hide each other's waiting
+  static_assert(kCount % kHere == 0);
+  using Pair = Pack<std::uint64_t, int(kHere)>;
+  for (std::size_t i = 0; i < kCount; i += kHere) {
+    const Pair number = Pair::load(job.number + i);
+    Pair words[4] = {number & Pair(kPhiloxWord), number >> 32, Pair(0), Pair(job.stream_and_index)};
+    philox_lanes(words, key);
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::uint64_t wide[kHere];
+      words[k].store(wide);
+      for (std::size_t lane = 0; lane < kHere; ++lane) job.words[k][i + lane] = static_cast<std::uint32_t>(wide[lane]);
+    }
+  }
+}
+
 /// factor curve(x); a curve without pieces is 1.
 PHYSIM_INLINE void put_scaled(double factor, const CurvePieces& curve, const double* x, double* y) {
   if (curve.count > 0) put_curve<Numbers>(curve, x, y, kColumn);
@@ -37,21 +56,8 @@ PHYSIM_INLINE void put_drag(const DragJob<S>& job) {
 }
 }  // namespace
 
-void draw_words(const WordsJob& job) {
-  const std::uint32_t key[2] = {static_cast<std::uint32_t>(job.seed), static_cast<std::uint32_t>(job.seed >> 32)};
-  constexpr std::size_t kHere = 2 * kWide;  // two registers side by side hide each other's waiting
-  using Pair = Pack<std::uint64_t, int(kHere)>;
-  for (std::size_t i = 0; i < kColumn; i += kHere) {
-    const Pair number = Pair::load(job.number + i);
-    Pair words[4] = {number & Pair(kPhiloxWord), number >> 32, Pair(0), Pair(job.stream_and_index)};
-    philox_lanes(words, key);
-    for (std::size_t k = 0; k < 4; ++k) {
-      std::uint64_t wide[kHere];
-      words[k].store(wide);
-      for (std::size_t lane = 0; lane < kHere; ++lane) job.words[k][i + lane] = static_cast<std::uint32_t>(wide[lane]);
-    }
-  }
-}
+void draw_words(const WordsJob& job) { put_words<kColumn>(job); }
+void draw_few_words(const WordsJob& job) { put_words<kShortColumn>(job); }
 
 void put_numbers(const NumberJob& job) {
   double a[kColumn];
