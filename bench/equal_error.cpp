@@ -26,7 +26,8 @@ std::vector<Contender> contenders(const PeerModel& model, double target) {
                               peer("SUNDIALS ARKODE dopri5", "native, FMA", fly_arkode_dopri5, model),
                               peer("SUNDIALS CVODE Adams", "native, FMA", fly_cvode_adams, model),
                               peer("SUNDIALS CVODE BDF", "native, FMA", fly_cvode_bdf, model)};
-  list.push_back(single_flights("PhySim fly(), with dense output", bench_fidelity(Integrator::tsit5)));
+  list.push_back(single_flights("PhySim fly(), Tsit5, with dense output", bench_fidelity(Integrator::tsit5)));
+  list.push_back(single_flights("PhySim fly(), RK4(3), with dense output", bench_fidelity(Integrator::rk43)));
   const auto add = [&](const char* name, const std::string& kernel, Integrator integrator,
                        Precision precision = Precision::float64, BatchOf what = BatchOf::launches) {
     list.push_back(batch(name, kernel, bench_fidelity(integrator, precision), what));

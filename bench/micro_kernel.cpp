@@ -56,7 +56,7 @@ std::size_t run(Part part, const MicroJob<S>& job) {
   switch (part) {
     case Part::exp: return repeat(job, y, [&] { touch(x), y = exp(x); });
     case Part::log: return repeat(job, y, [&] { touch(x), y = log(x); });
-    case Part::cd_lookup: return repeat(job, y, [&] { touch(x), y = curve_cd(c, lanes.body, x); });
+    case Part::cd_lookup: return repeat(job, y, [&] { touch(x), y = curve_cd(c, lanes.body, R(S(1)), x); });
     case Part::air:
       return repeat(job, y, [&] {
         touch(x);

@@ -57,12 +57,12 @@ template <AirBy kAir = AirBy::polynomials>
 [[gnu::always_inline]] inline void peer_rhs(const PeerModel& m, const double* y, double* slope) {
   const PeerAir air = peer_air<kAir>(m, m.altitude + y[1]);
   const double speed = std::sqrt(y[3] * y[3] + y[4] * y[4] + y[5] * y[5]);
-  const double place = std::max((speed * air.per_sound_speed - m.curve_start) * m.cells_per_mach, 0.0);
+  const double place = std::max(speed * (air.per_sound_speed * m.cells_per_mach) - m.curve_first, 0.0);
   const int cell = std::min(static_cast<int>(place), m.last_cell);
   const double t = std::min(place - cell, 1.0);
   const double* r = m.rows + 4 * cell;
-  const double cd = r[0] + t * (r[1] + t * (r[2] + t * r[3]));
-  const double k = -(air.density * speed * (cd * m.half_area_per_mass));
+  const double cd = (r[0] + t * r[1]) + (t * t) * (r[2] + t * r[3]);
+  const double k = speed * -(air.density * m.half_area_per_mass) * cd;
 
   slope[0] = y[3];
   slope[1] = y[4];

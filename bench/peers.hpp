@@ -32,7 +32,7 @@ struct PeerModel {
   double base_density[kPeerLayers];          // [kg/m^3]
   double base_per_sound_speed[kPeerLayers];  // [s/m]
   const double* rows;                        // four coefficients a cell
-  double curve_start;                        // Mach number of the first cell [-]
+  double curve_first;                        // Mach number of the first cell, in cells [-]
   double cells_per_mach;                     // [-]
   int last_cell;
   double half_area_per_mass;  // [m^2/kg]

@@ -24,9 +24,9 @@ template <GravityModel kGravity, EarthModel kEarth, WindModel kWind>
 struct PlainRung {
   static bool matches(const Conditions<double>& c) {
     const Fidelity& f = c.fidelity;
-    return f.motion == Motion::force && f.integrator == Integrator::tsit5 && f.gravity == kGravity &&
-           f.earth == kEarth && f.drag == DragModel::equation && f.air == AirModel::isa && f.wind == kWind &&
-           !f.planar && !turns(f) && !spins(f) && static_cast<const Features&>(c) == Features{};
+    return f.motion == Motion::force && f.gravity == kGravity && f.earth == kEarth && f.drag == DragModel::equation &&
+           f.air == AirModel::isa && f.wind == kWind && !f.planar && !turns(f) && !spins(f) &&
+           static_cast<const Features&>(c) == Features{};
   }
   PHYSIM_INLINE static bool is_below_top(const Conditions<double>& c, const State<double>& y) {
     return !(y.x.y + c.altitude > c.air.low_top);
@@ -58,21 +58,24 @@ struct PlainRung {
   }
 };
 
-// Sums of slopes as weighted_sum() makes them, in its order; written out wherever they are asked for.
-template <class Weights, int kTerm>
-PHYSIM_INLINE void add_term(State<double>& sum, const State<double>& slope) {
+// Sums of slopes as step_sum() and weighted_sum() make them, in their order; written out wherever they are asked for.
+template <class Weights, int kTerm, bool kBegins>
+PHYSIM_INLINE void add_term(State<double>& sum, const State<double>& slope, double h) {
   constexpr double weight = Weights::at(kTerm);
   if constexpr (weight == 0)
     return;
-  else if constexpr (kTerm == first_nonzero<Weights>())
-    sum = slope * weight;
+  else if constexpr (kBegins && kTerm == first_nonzero<Weights>())
+    sum = slope * (h * weight);
   else
-    add_scaled(sum, slope, weight);
+    add_scaled(sum, slope, h * weight);
 }
-template <class Weights, int kCount>
-PHYSIM_INLINE State<double> sum_of_slopes(const State<double>* slope) {
-  State<double> sum{};
-  [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA { (add_term<Weights, I>(sum, slope[I]), ...); }
+/// Over a step of length h; `first` is what the sum begins with, if anything.
+template <class Weights, int kCount, class... First>
+PHYSIM_INLINE State<double> sum_of_slopes(const State<double>* slope, double h, const First&... first) {
+  State<double> sum{first...};
+  [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA {
+    (add_term<Weights, I, sizeof...(First) == 0>(sum, slope[I], h), ...);
+  }
   (std::make_integer_sequence<int, kCount>());
   return sum;
 }
@@ -124,7 +127,7 @@ struct KnownSlope {
 
 template <class Method, int kStage, class Slope>
 PHYSIM_INLINE bool take_stage(Step<double>& s, const State<double>& start, Slope& slope) {
-  const State<double> y = start + sum_of_slopes<RowWeights<Method::a, kStage>, kStage>(s.slope) * s.h;
+  const State<double> y = sum_of_slopes<RowWeights<Method::a, kStage>, kStage>(s.slope, s.h, start);
   return slope.template put<kStage>(s.t + s.h * Method::c[kStage], y, s.slope[kStage]);
 }
 
@@ -147,11 +150,10 @@ void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double r
     ((holds &= take_stage<Method, I + 1>(s, start, slope)), ...);
   }
   (std::make_integer_sequence<int, Method::kStages - 1>());
-  const State<double> end = start + sum_of_slopes<Weights<Method::b>, Method::kStages>(s.slope) * s.h;
+  const State<double> end = start + sum_of_slopes<Weights<Method::b>, Method::kStages>(s.slope, s.h);
   holds &= slope.template put<Method::kStages>(s.t_end, end, s.slope[Method::kStages]);
   if (!holds) return take_any_step(c, flyer, relative, absolute);
-  const auto e =
-      squared_errors(sum_of_slopes<Weights<Method::kError>, kSlopes>(s.slope) * s.h, end, relative, absolute);
+  const auto e = squared_errors(sum_of_slopes<Weights<Method::kError>, kSlopes>(s.slope, s.h), end, relative, absolute);
   s.error = worse(e.first, e.second);
   copy_state(end, s.end);
 }
@@ -159,7 +161,7 @@ void take_known_step(const Conditions<double>& c, Flyer<double>& flyer, double r
 template <class Method>
 PHYSIM_INLINE void interpolate(const State<double>* slope, double h, State<double>* coefficients) {
   [&]<int... I>(std::integer_sequence<int, I...>) PHYSIM_INLINE_LAMBDA {
-    (copy_state(sum_of_slopes<PolynomialWeights<Method, I>, Method::kStages + 1>(slope) * h, coefficients[I]), ...);
+    (copy_state(sum_of_slopes<PolynomialWeights<Method, I>, Method::kStages + 1>(slope, 1) * h, coefficients[I]), ...);
   }
   (std::make_integer_sequence<int, dense_coefficients_of<Method>()>());
 }
@@ -168,13 +170,28 @@ void interpolate_known_step(const Step<double>& s, State<double>* coefficients) 
   interpolate<Method>(s.slope, s.h, coefficients);
 }
 
-template <class First, class... Rest>
+template <class Method>
+constexpr auto interpolation_of() {
+  return dense_coefficients_of<Method>() > 0 ? interpolate_known_step<Method> : nullptr;
+}
+
+template <class Method, class First, class... Rest>
 KnownStep step_of_rungs(const Conditions<double>& c) {
-  if (First::matches(c)) return {take_known_step<Tsit5, First>, interpolate_known_step<Tsit5>};
+  if (First::matches(c)) return {take_known_step<Method, First>, interpolation_of<Method>()};
   if constexpr (sizeof...(Rest) > 0)
-    return step_of_rungs<Rest...>(c);
+    return step_of_rungs<Method, Rest...>(c);
   else
     return {};
+}
+template <class Method>
+KnownStep step_of(const Conditions<double>& c) {
+  using enum GravityModel;
+  using enum EarthModel;
+  constexpr WindModel kCalm = WindModel::off;
+  constexpr WindModel kWind = WindModel::constant;
+  return step_of_rungs<Method, PlainRung<constant, flat, kCalm>, PlainRung<constant, flat, kWind>,
+                       PlainRung<inverse_square, flat_coriolis, kCalm>,
+                       PlainRung<inverse_square, flat_coriolis, kWind>>(c);
 }
 
 }  // namespace
@@ -205,13 +222,9 @@ void interpolate_kept(const KeptStep& kept, const Node& n0, const Node& n1, Stat
 }
 
 KnownStep known_step(const Conditions<double>& c) {
-  using enum GravityModel;
-  using enum EarthModel;
-  constexpr WindModel kCalm = WindModel::off;
-  constexpr WindModel kWind = WindModel::constant;
-  return step_of_rungs<PlainRung<constant, flat, kCalm>, PlainRung<constant, flat, kWind>,
-                       PlainRung<inverse_square, flat_coriolis, kCalm>,
-                       PlainRung<inverse_square, flat_coriolis, kWind>>(c);
+  if (c.fidelity.integrator == Integrator::tsit5) return step_of<Tsit5>(c);
+  if (c.fidelity.integrator == Integrator::rk43) return step_of<Rk43>(c);
+  return {};
 }
 
 }  // namespace physim

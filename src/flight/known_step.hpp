@@ -14,14 +14,14 @@ namespace physim {
 struct KnownStep {
   /// Takes one, as take_step() does, to the bit: a flyer's slopes, its end and its error.
   void (*take)(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) = nullptr;
-  /// The coefficients of its interpolant, as dense_sums() makes them, to the bit.
+  /// The coefficients of its interpolant, as dense_sums() makes them, to the bit; none where it is made of both ends.
   void (*interpolate)(const Step<double>& step, State<double>* coefficients) = nullptr;
 
   explicit operator bool() const { return take != nullptr; }
 };
 
-/// What a step of a known rung leaves for its interpolant beside the nodes at its ends, which hold the first slope and
-/// the last.
+/// What a step of Tsit5 leaves for its interpolant beside the nodes at its ends, which hold the first slope and the
+/// last.
 struct KeptStep {
   static constexpr int kInner = 5;
   KeptStep() {}  // NOLINT: not set to zero first

@@ -57,7 +57,8 @@ class LaneFlight {
     parts_.make_last();
     march_.launch();
     begin_contacts({.scene_time = obstacles_.contact.scene_time, .length = until, .ends = until});
-    path_.keeps_slopes = known_ && !*contacts_;
+    is_plain_ = kMayBeKnown && known_ && !*contacts_;
+    path_.keeps_slopes = is_plain_ && known_.interpolate;
     path_.reserve();
     path_.keep_start(0);
     while (!ended_) {
@@ -123,7 +124,7 @@ class LaneFlight {
 
   /// Most steps from a launch show at once that nothing watched is crossed.
   [[nodiscard]] bool is_special(bool accepted) {
-    if (!path_.keeps_slopes) return needs_attention(course_, lane(), accepted).special;
+    if (!is_plain_) return needs_attention(course_, lane(), accepted).special;
     if (accepted) {
       const Conditions<S>& c = *course_.conditions;
       if (!is_watched_) quiet_->begin(c, course_.watch, lane());
@@ -141,11 +142,11 @@ class LaneFlight {
   }
 
   void make_dense() {
+    if (!is_plain_) return dense_lanes(course_, lane(), j_->at);
+    dense_ends(course_, lane(), j_->at);
     if constexpr (kMayBeKnown) {
-      if (path_.keeps_slopes)
-        return dense_ends(course_, lane(), j_->at), known_.interpolate(lane().step, j_->at.coefficient);
+      if (known_.interpolate) known_.interpolate(lane().step, j_->at.coefficient);
     }
-    dense_lanes(course_, lane(), j_->at);
   }
 
   /// What the step tried means; its dense output is there where it is sound.
@@ -479,19 +480,19 @@ class LaneFlight {
   std::optional<SceneContacts<MeetingLane<S>>> contacts_;
   FrameStart frames_;           // dt 0: none, from a launch
   Unset<Judgement<S>> j_;       // of the last step that was looked at
-  Unset<QuietWatch<S>> quiet_;  // where known steps go on from a launch and meet nothing
+  bool is_plain_ = false;       // known steps go on from a launch and meet nothing
+  Unset<QuietWatch<S>> quiet_;  // of such
   bool is_watched_ = false;     // the step at hand, by that
   KnownStep known_ = known_step(*course_.conditions_double);
   bool ended_ = false;
   bool met_ = false;            // something, in the step at hand
   bool is_relaunched_ = false;  // a closed form, in this frame
   bool ends_at_rest_ = false;
-  StepParts parts_{0, false};  // of the frame, or the flight
-  S t_start_{}, t_end_{};      // of the frame, on the march's clock
-  double into_step_ = 0;       // from the march's clock to the time into the contacts' step [s]
-  double passed_range_ = 0;    // where closed forms were launched anew [m]
-  double counts_from_ = 0;     // hits, where no frame does [s]
-  double passed_time_ = 0;     // likewise [s]
+  StepParts parts_{0, false};                  // of the frame, or the flight
+  S t_start_{}, t_end_{};                      // of the frame, on the march's clock
+  double into_step_ = 0;                       // from the march's clock to the time into the contacts' step [s]
+  double passed_range_ = 0, passed_time_ = 0;  // where closed forms were launched anew [m], [s]
+  double counts_from_ = 0;                     // hits, where no frame does [s]
   Vec3d push_at_start_{}, push_at_end_{};
   double begins_ = 0;  // the frame at hand, since the flight began [s]
 };

@@ -71,7 +71,7 @@ class PathKeeper {
     path.nodes.back().t = since_start(s.t);
     path.nodes.push_back({since_start(s.t_end), s.end, s.slope[last_slope(fidelity())].v});
     path.coefficients.resize(count + more);
-    known.interpolate(s, path.coefficients.data() + count);
+    if (known.interpolate) known.interpolate(s, path.coefficients.data() + count);
     keep_push();
   }
 

@@ -74,7 +74,7 @@ struct AreaPart {
 template <class R>
 struct CurvePart {
   R curve_row;    // first row of the Cd curve in Conditions::curve_rows; below 0: searched curve -1 - row
-  R curve_start;  // Mach number of the curve's first point [-]
+  R curve_first;  // Mach number of the curve's first point, in cells [-]
   R curve_cells;  // cells per Mach number [-]
   R curve_last;   // index of the last cell [-]
 

@@ -34,11 +34,12 @@ PHYSIM_NOINLINE R searched_cd(const Conditions<S>& c, const Body<R>& b, const R&
   return cd;
 }
 
-/// Place of a Mach number on the lane's curve: whole cells from its start, held at both ends.
+/// Place of a speed through the air on the lane's curve: whole cells from its start, held at both ends. The speed comes
+/// last in this chain and in that of drag_equation(): its root takes long, and what can be done meanwhile is done.
 template <class R>
-PHYSIM_INLINE R curve_position(const Body<R>& b, const R& mach) {
+PHYSIM_INLINE R curve_position(const Body<R>& b, const R& per_sound_speed, const R& speed) {
   using S = ScalarOf<R>;
-  return clamp((mach - b.curve_start) * b.curve_cells, R(S(0)), b.curve_last + S(1));
+  return clamp(speed * (per_sound_speed * b.curve_cells) - b.curve_first, R(S(0)), b.curve_last + S(1));
 }
 
 /// The cell that a place on a curve lies in. Rounding u - 1/2 is one operation less than the floor of u; on a border
@@ -62,18 +63,18 @@ PHYSIM_INLINE void guess_cell(const Body<double>& b, const double* rows, double 
   guess.row = row_at(rows, b.curve_row + guess.cell);
 }
 
-/// Cd by Mach number.
+/// Cd by Mach number, speed over sound speed.
 template <class R, class S>
-PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& mach) {
+PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& per_sound_speed, const R& speed) {
   PHYSIM_ASSERT(c.curve_rows != nullptr);
-  const R inside = curve_position(b, mach);
+  const R inside = curve_position(b, per_sound_speed, speed);
   const R cell = curve_cell(b, inside);
   if constexpr (std::is_same_v<R, double>) {
     if (c.guess != nullptr) return guessed_cd(c.curve_rows, b.curve_row, cell, inside, *c.guess);
   }
   const R row = c.has_searched_curves ? max(b.curve_row, R(S(0))) : b.curve_row;
   const R cd = row_cubic(c.curve_rows, row + cell, inside - cell);
-  return c.has_searched_curves ? searched_cd(c, b, mach, cd) : cd;
+  return c.has_searched_curves ? searched_cd(c, b, speed * per_sound_speed, cd) : cd;
 }
 
 /// The drag equation for a velocity through the air u in air of a given state.
@@ -81,7 +82,7 @@ template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air,
                                     const Vec3<R>& u) {
   const R speed = length(u);
-  R cd = curve_cd(c, b, speed * air.per_sound_speed);
+  R cd = curve_cd(c, b, air.per_sound_speed, speed);
   if (c.has_spheres) {
     const R reynolds = air.density * speed * b.reynolds_length / viscosity(temperature(c, b, air));
     R of_sphere;
@@ -92,7 +93,7 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
   if (c.has_bands)
     for (int i = 0; i < kMaxBands; ++i)
       half_area_per_mass = select(speed >= b.band_above[i], b.band_half_area_per_mass[i], half_area_per_mass);
-  return u * -(air.density * speed * (cd * half_area_per_mass));
+  return u * (speed * -(air.density * half_area_per_mass) * cd);
 }
 
 /// Drag that reads nothing of the air but its velocity.

@@ -21,7 +21,7 @@ namespace {
 
 CurvePart<double> place_at(double first_row, const UniformCubic& curve) {
   PHYSIM_ASSERT(!curve.rows.empty() && curve.cell > 0);
-  return {first_row, curve.start, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
+  return {first_row, curve.start / curve.cell, 1 / curve.cell, static_cast<double>(curve.rows.size() - 1)};
 }
 
 }  // namespace

@@ -246,6 +246,25 @@ PHYSIM_INLINE Y<R> weighted_sum(const Y<R>* slope) {
   return sum;
 }
 
+/// h times that, with h in the weights: who waits for the last slope waits for a product and a sum less. `first` is
+/// what the sum begins with, if anything.
+template <class Weights, int N, template <class> class Y, class R, class... First>
+PHYSIM_INLINE Y<R> step_sum(const Y<R>* slope, const R& h, const First&... first) {
+  Y<R> sum{};
+  static_for<N>([&](auto j) PHYSIM_INLINE_LAMBDA {
+    constexpr double w = Weights::at(j);
+    if constexpr (w != 0) {
+      const R weight = h * constant<R>(w);
+      if constexpr (j == first_nonzero<Weights>()) {
+        sum = (first + ... + (slope[j] * weight));
+      } else {
+        add_scaled(sum, slope[j], weight);
+      }
+    }
+  });
+  return sum;
+}
+
 /// The weights in an array of a tableau, or in a row of one.
 template <const auto& kWeights>
 struct Weights {
@@ -256,15 +275,16 @@ struct RowWeights {
   static constexpr double at(int j) { return kRows[Row][j]; }
 };
 
-/// The state of stage `Stage` from the slopes of those before it; `s` is a Step or its TurnStep.
+/// The state of stage `Stage` from the slopes of those before it; `s` is a Step or its TurnStep. A rounding for each
+/// slope, of which the step's end, summed up before it is added, feels only what the slopes do.
 template <class Tableau, int Stage, class AnyStep, class R>
 PHYSIM_INLINE auto stage_state(const AnyStep& s, const R& h) {
-  return s.start + weighted_sum<RowWeights<Tableau::a, Stage>, Stage>(s.slope) * h;
+  return step_sum<RowWeights<Tableau::a, Stage>, Stage>(s.slope, h, s.start);
 }
 /// The state at the end from the slopes of all stages.
 template <class Tableau, class AnyStep, class R>
 PHYSIM_INLINE auto end_state(const AnyStep& s, const R& h) {
-  return s.start + weighted_sum<Weights<Tableau::b>, Tableau::kStages>(s.slope) * h;
+  return s.start + step_sum<Weights<Tableau::b>, Tableau::kStages>(s.slope, h);
 }
 
 /// Runs the stages of some steps side by side and goes to their ends; slope[0] of each is given. `f(i, t, y, a)` puts

@@ -47,18 +47,17 @@ PHYSIM_INLINE bool has_layers(const Conditions<S>& c) {
 }
 
 template <class R, class S>
-PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const R& mach) {
-  R cell = floor_small(curve_position(b, mach));
+PHYSIM_INLINE R curve_cell_index(const Conditions<S>& c, const Body<R>& b, const R& per_sound_speed, const R& speed) {
+  R cell = floor_small(curve_position(b, per_sound_speed, speed));
   if (c.has_searched_curves) {
     for (int lane = 0; lane < kLanes<R>; ++lane) {
       const S row = lane_of(b.curve_row, lane);
       if (row < S(0)) {
         PHYSIM_ASSERT(c.searched_curves != nullptr);
         const auto& knots = c.searched_curves[static_cast<int>(S(-1) - row)].knots;
+        const double mach = static_cast<double>(lane_of(speed, lane) * lane_of(per_sound_speed, lane));
         int index = 0;
-        while (index < static_cast<int>(knots.size()) &&
-               static_cast<double>(lane_of(mach, lane)) >= knots[static_cast<unsigned>(index)])
-          ++index;
+        while (index < static_cast<int>(knots.size()) && mach >= knots[static_cast<unsigned>(index)]) ++index;
         set_lane(cell, lane, static_cast<S>(index));
       }
     }
@@ -77,7 +76,7 @@ PHYSIM_NOINLINE Regime<R> regime(const Conditions<S>& c, const Body<R>& b, const
   if (drag_has_corners(c)) {
     const R speed = length(air_velocity(c, b, t, s));
     if (c.fidelity.interpolation == Interpolation::linear)
-      r.curve_cell = curve_cell_index(c, b, speed * air_state(c, b, s.x).per_sound_speed);
+      r.curve_cell = curve_cell_index(c, b, air_state(c, b, s.x).per_sound_speed, speed);
     if (c.has_bands)
       for (int i = 0; i < kMaxBands; ++i) r.band += select(speed >= b.band_above[i], R(S(1)), zero);
   }

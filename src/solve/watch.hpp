@@ -130,6 +130,17 @@ PHYSIM_INLINE R watched_rate(const Conditions<S>& c, const Body<R>& b, const Eve
   return R(S(0));
 }
 
+/// The rate at which the watched quantity changes at an end of a step, or nearly; zero where it is not known, and in
+/// the original loop, whose steps are straight.
+template <class R, class S>
+PHYSIM_INLINE R rough_rate(const Conditions<S>& c, const Body<R>& b, const EventSpec& spec, const State<R>& s,
+                           const Vec3<R>& a) {
+  const Watch watch = row_of(spec.kind).watch;
+  if (c.fidelity.integrator == Integrator::classic) return R(S(0));
+  if (watch == Watch::climb_rate) return climb_rate(c, State<R>{s.x, a});
+  return watch == Watch::height || watch == Watch::range ? watched_rate(c, b, spec, s, a) : R(S(0));
+}
+
 /// A step in which the quantity turns on the far side of the value: it may cross it twice and end where it began.
 template <class Side>
 PHYSIM_INLINE auto side_may_change_twice(const Side& from, const Side& to, const Side& rate_from, const Side& rate_to) {
@@ -315,6 +326,13 @@ struct CrossingList {
   }
 };
 
+/// How far a watched quantity near its value is from nothing but for rounding: interpolants add what happens in the
+/// step to where it starts.
+template <class W>
+PHYSIM_INLINE W crossing_noise(double value, const W& from, const W& to) {
+  return 2 * 2.220446049250313e-16 * (W(abs(value)) + abs(from) + abs(to));
+}
+
 /// Finds the crossings of one watched quantity in the steps of lanes.
 template <class W, class Dense>
 struct CrossingFinder {
@@ -330,7 +348,10 @@ struct CrossingFinder {
     const W rate_start = watched_rate(c, at.body, spec, at.n0.y, at.n0.a);
     const W rate_end = watched_rate(c, at.body, spec, at.n1.y, at.n1.a);
     const MaskOf<W> twice = asked & may_cross_twice(at_start, at_end, rate_start, rate_end);
-    look_between(W(0.0), at_start, W(1.0), at_end, asked & !twice);
+    const W h = at.n1.t - at.n0.t;
+    const EndRates<W> rates{rough_rate(c, at.body, spec, at.n0.y, at.n0.a) * h,
+                            rough_rate(c, at.body, spec, at.n1.y, at.n1.a) * h};
+    look_between(W(0.0), at_start, W(1.0), at_end, asked & !twice, &rates);
     if (any(twice)) look_around_turn(at_start, rate_start, at_end, rate_end, twice);
   }
 
@@ -346,13 +367,12 @@ struct CrossingFinder {
   }
 
   [[gnu::noinline]] void look_between(const W& from, const W& at_from, const W& to, const W& at_to,
-                                      const MaskOf<W>& asked) const {
+                                      const MaskOf<W>& asked, const EndRates<W>* rates = nullptr) const {
     const MaskOf<W> crossing = asked & crosses(spec.direction, at_from, at_to);
     if (!any(crossing)) return;
-    // Near the root the quantity is as large as the value waited for; what it was elsewhere in the step says nothing.
-    const W noise = 2.220446049250313e-16 * (abs(spec.value) + min(abs(at_from), abs(at_to)));
+    const W noise = crossing_noise(spec.value, at_from, at_to);
     const auto f = [&](const W& theta) { return value(theta); };
-    add(crossing, find_roots(f, from, at_from, to, at_to, kThetaTolerance, noise, crossing), at_from < W(0.0));
+    add(crossing, find_roots(f, from, at_from, to, at_to, kThetaTolerance, noise, crossing, rates), at_from < W(0.0));
   }
 
   [[gnu::noinline]] void look_around_turn(const W& at_start, const W& rate_start, const W& at_end, const W& rate_end,

@@ -28,9 +28,11 @@ struct StrikePath {
 template <class W>
 [[gnu::noinline]] void find_strikes(const StrikePath<W>& path, double value, const W& from, const W& to,
                                     const MaskOf<W>& asked, W& theta) {
-  const W noise = 2.220446049250313e-16 * (abs(W(value)) + min(abs(from), abs(to)));
+  const W noise = crossing_noise(value, from, to);
   const auto above = [&](const W& at) PHYSIM_INLINE_LAMBDA { return path(at).x.y - W(value); };
-  theta = find_roots(above, W(0.0), from, W(1.0), to, kThetaTolerance, noise, asked);
+  const W h = path.n1.t - path.n0.t;
+  const EndRates<W> rates{path.n0.y.v.y * h, path.n1.y.v.y * h};
+  theta = find_roots(above, W(0.0), from, W(1.0), to, kThetaTolerance, noise, asked, &rates);
 }
 
 /// The acceleration on a known rung. Behind a call: a step asks four times.

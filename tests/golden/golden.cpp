@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x93a045eec0a3ac01, 0x38b1b3021d2176ea, 0xd792bd51daadbb14, 0xa15dcd026d499fa6,
-                                0xd3d573cc33a0109d};
+constexpr Sums kExpectedSums = {0x45fe3bf1d661a484, 0x1e25d6b55896d38b, 0x39776cdae9730871, 0x42612f0a94fa1b74,
+                                0x4bc8e00675f2a8ac};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)

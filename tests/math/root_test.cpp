@@ -7,6 +7,8 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace physim {
 namespace {
@@ -16,13 +18,14 @@ struct Counted {
   int calls;
 };
 
-Counted root(const std::function<double(double)>& f, double a, double b, double tolerance = 0) {
+Counted root(const std::function<double(double)>& f, double a, double b, double tolerance = 0,
+             const EndRates<double>* rates = nullptr) {
   int calls = 0;
   const auto counted = [&](double x) {
     ++calls;
     return f(x);
   };
-  const double x = find_root(counted, a, f(a), b, f(b), tolerance);
+  const double x = find_roots<double>(counted, a, f(a), b, f(b), tolerance, 0, true, rates);
   return {x, calls};
 }
 
@@ -33,8 +36,8 @@ struct Case {
   int most_calls;
 };
 
-TEST(FindRoot, finds_the_roots_of_nasty_functions) {
-  const Case cases[] = {
+const std::vector<Case>& nasty_cases() {
+  static const std::vector<Case> cases = {
       {"line", [](double x) { return 3 * x - 1; }, 0, 1, 1.0 / 3, 1e-15, 10},
       {"cosine", [](double x) { return std::cos(x) - x; }, 0, 1, 0.7390851332151607, 1e-15, 15},
       {"flat cubic", [](double x) { return (x - 0.3) * (x - 0.3) * (x - 0.3); }, 0, 1, 0.3, 1e-5, 150},
@@ -47,7 +50,11 @@ TEST(FindRoot, finds_the_roots_of_nasty_functions) {
       {"root next to an end", [](double x) { return x - 1e-13; }, 0, 1, 1e-13, 1e-27, 60},
       {"wide bracket", [](double x) { return std::atan(x - 1e-3); }, -1e9, 1e9, 1e-3, 1e-15, 120},
   };
-  for (const Case& c : cases) {
+  return cases;
+}
+
+TEST(FindRoot, finds_the_roots_of_nasty_functions) {
+  for (const Case& c : nasty_cases()) {
     const Counted found = root(c.f, c.a, c.b);
     EXPECT_NEAR(found.root, c.expected, c.within) << c.name;
     EXPECT_LE(found.calls, c.most_calls) << c.name;
@@ -56,6 +63,34 @@ TEST(FindRoot, finds_the_roots_of_nasty_functions) {
 
 TEST(FindRoot, needs_few_calls_on_smooth_functions) {
   EXPECT_LE(root([](double x) { return x * x * x - 2 * x - 5; }, 2, 3).calls, 12);
+}
+
+TEST(FindRoot, needs_fewer_calls_where_rates_are_known) {
+  const auto f = [](double x) { return 800 * x - 40 * x * x + 2 * x * x * x - 500; };  // a bullet's way in a step
+  const EndRates<double> rates{800, 800 - 80 + 6};
+  const Counted found = root(f, 0, 1, 1e-15, &rates);
+  EXPECT_NEAR(f(found.root), 0, 1e-12);
+  EXPECT_LE(found.calls, 3);
+  EXPECT_GE(root(f, 0, 1, 1e-15).calls, found.calls + 2);
+  // ... the other way round, and down
+  const EndRates<double> back{rates.at_b, rates.at_a};
+  EXPECT_NEAR(root(f, 1, 0, 1e-15, &back).root, found.root, 1e-15);
+  EXPECT_LE(root(f, 1, 0, 1e-15, &back).calls, 3);
+  const EndRates<double> down{-rates.at_a, -rates.at_b};
+  EXPECT_LE(root([&](double x) { return -f(x); }, 0, 1, 1e-15, &down).calls, 3);
+}
+
+TEST(FindRoot, is_not_led_astray_by_wrong_rates) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+  const EndRates<double> wrong[] = {{0, 0},       {1, 1},    {-1, -1},       {1e300, 1e300}, {1e-300, -1e-300},
+                                    {kNan, kNan}, {1, kNan}, {kInfinity, 1}, {-3, 1e-9},     {1e-9, 1e9}};
+  for (const Case& c : nasty_cases())
+    for (const EndRates<double>& rates : wrong) {
+      SCOPED_TRACE(std::to_string(rates.at_a) + " " + std::to_string(rates.at_b));
+      const Counted found = root(c.f, c.a, c.b, 0, &rates);
+      EXPECT_NEAR(found.root, c.expected, c.within) << c.name;
+      EXPECT_LE(found.calls, c.most_calls + 2) << c.name;
+    }
 }
 
 TEST(FindRoot, stops_at_the_tolerance) {
