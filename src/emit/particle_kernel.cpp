@@ -23,6 +23,7 @@ PHYSIM_INLINE Numbers units_of(const std::uint32_t* words) {
 /// The words of so many particles.
 template <std::size_t kCount>
 PHYSIM_INLINE void put_words(const WordsJob& job) {
+  PHYSIM_ASSERT(job.number != nullptr && job.words[0] != nullptr && job.words[3] != nullptr);
   const std::uint32_t key[2] = {static_cast<std::uint32_t>(job.seed), static_cast<std::uint32_t>(job.seed >> 32)};
   constexpr std::size_t kHere = 2 * kWide < kCount ? 2 * kWide : kCount;  // two registers hide each other's waiting
   static_assert(kCount % kHere == 0);

@@ -205,6 +205,7 @@ void keep_slopes(const Step<double>& step, KeptStep& kept) {
 }
 
 void keep_end(const Step<double>& step, Node& node) {
+  PHYSIM_ASSERT(step.t_end > step.t);
   node.t = step.t_end;
   State<double> slope;
   copy_state(step.slope[Tsit5::kStages], slope);
