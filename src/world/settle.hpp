@@ -9,6 +9,7 @@
 #include "world/hit_asking.hpp"
 #include "world/restless.hpp"
 #include "world/state.hpp"
+#include "world/step_list.hpp"
 #include "world/world_job.hpp"
 
 namespace physim {
@@ -51,9 +52,9 @@ struct Chunk {
   std::uint32_t last = 0;
   bool looks = false;      // rows that came near are looked at where they have moved on to
   bool attention = false;  // some rows were left where they were
-  std::vector<Event> events;
-  std::vector<Change> changes;
-  std::vector<Trace> traces;  // of those that meet others, each in order of time
+  StepList<Event> events;
+  StepList<Change> changes;
+  StepList<Trace> traces;     // of those that meet others, each in order of time
   std::vector<OpenHit> open;  // of rows that are left as they were until it is known what their hits do
 };
 
@@ -78,9 +79,9 @@ struct StepScratch {
   std::vector<std::size_t> words_before;  // of each cohort's rows in it
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;
-  std::vector<Change> changes;
-  std::vector<EventKey> event_order, event_merge;
-  std::vector<Event> events;  // in order
+  StepList<Change> changes;
+  StepList<EventKey> event_order, event_merge;
+  StepList<Event> events;  // in order
 };
 
 /// What settling reads beside the row.

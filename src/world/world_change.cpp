@@ -53,7 +53,7 @@ void WorldImpl::make_room_for_events(std::size_t count) {
 }
 
 void WorldImpl::forget_events() {
-  state.events.clear();
+  events_use.empty(state.events);
   state.events_of_step = 0;
   outgrown.clear();
   state.joints.events.clear();

@@ -42,6 +42,7 @@ struct WorldImpl : Gate {
   mutable std::uint64_t moments = 0;  // snapshots taken
   mutable Living living;
   std::uint64_t def_hash = 0;
+  ListUse events_use;                        // of state.events
   std::vector<std::vector<Event>> outgrown;  // events that were given out, until the next step
   ForcedScratch forced_scratch;
   PairScratch pairs;

@@ -340,8 +340,9 @@ void WorldImpl::put_events_in_order() {
     return EventKey{e.time, e.id.index, static_cast<std::uint32_t>(row_of(e.kind).order), at};
   };
   if (std::ranges::is_sorted(state.events, {}, [&](const Event& e) { return key_of(e); })) return;
-  std::vector<EventKey>& keys = scratch.event_order;
+  StepList<EventKey>& keys = scratch.event_order;
   keys.clear();
+  scratch.event_merge.clear();
   for (std::uint32_t at = 0; const Event& e : state.events) keys.push_back(key_of(e, at++));
   sort_by_runs(keys, scratch.event_merge);
   // Events are large: each is moved once, and the list stays where it is.
