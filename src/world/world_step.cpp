@@ -339,14 +339,12 @@ void WorldImpl::put_events_in_order() {
   const auto key_of = [](const Event& e, std::uint32_t at = 0) {
     return EventKey{e.time, e.id.index, static_cast<std::uint32_t>(row_of(e.kind).order), at};
   };
-  if (std::ranges::is_sorted(state.events, {}, [&](const Event& e) { return key_of(e); })) return;
   StepList<EventKey>& keys = scratch.event_order;
-  keys.clear();
-  scratch.event_merge.clear();
+  keys.clear(), scratch.event_merge.clear(), scratch.events.clear();
+  if (std::ranges::is_sorted(state.events, {}, [&](const Event& e) { return key_of(e); })) return;
   for (std::uint32_t at = 0; const Event& e : state.events) keys.push_back(key_of(e, at++));
   sort_by_runs(keys, scratch.event_merge);
   // Events are large: each is moved once, and the list stays where it is.
-  scratch.events.clear();
   for (const EventKey& key : keys) scratch.events.push_back(state.events[key.at]);
   std::ranges::copy(scratch.events, state.events.begin());
 }
