@@ -3,6 +3,7 @@
 
 #include "base/assert.hpp"
 #include "flight/batch_job.hpp"
+#include "flight/known_pack_steps.hpp"
 #include "model/sight.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -468,6 +469,7 @@ void fly_lanes(const BatchJob<S>& job) {
   static_assert(kSets <= kMostSets);
   PHYSIM_ASSERT(job.course != nullptr && job.results != nullptr);
   Flights<R, S> all(job);
+  const TakeSteps<R, S> take = steps_of<R>(*job.course->conditions);
   LaneSet<R, S> sets[kSets];
   LaneSet<R, S>* flying[kSets];
   int count = 0;
@@ -477,7 +479,7 @@ void fly_lanes(const BatchJob<S>& job) {
     March<R>* marches[kSets];
     MaskOf<R> accepted[kSets];
     for (int i = 0; i < count; ++i) marches[i] = &flying[i]->march;
-    March<R>::try_steps(marches, count, accepted);
+    March<R>::try_steps(marches, count, accepted, take);
     for (int i = 0; i < count && job.left_low_air != nullptr; ++i)
       if (some_left_low_air(*job.course->conditions, marches[i]->lanes)) return void(*job.left_low_air = true);
     int left = 0;
