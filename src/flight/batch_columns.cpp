@@ -48,28 +48,33 @@ class EndWriter {
  public:
   EndWriter(const BatchTask& task, const EndColumns& into) : task_(task), into_(into) {}
 
-  void write(std::size_t first, std::span<const ShotResult> shots) const {
-    for (std::size_t i = 0; i < shots.size(); ++i)
-      if (!into_.outcome.empty()) into_.outcome[first + i] = shots[i].outcome;
-    put(into_.time, first, shots, [](const ShotResult& s) { return s.time; });
-    put(into_.x, first, shots, [](const ShotResult& s) { return s.position.x; });
-    put(into_.y, first, shots, [](const ShotResult& s) { return s.position.y; });
-    put(into_.z, first, shots, [](const ShotResult& s) { return s.position.z; });
-    put(into_.vx, first, shots, [](const ShotResult& s) { return s.velocity.x; });
-    put(into_.vy, first, shots, [](const ShotResult& s) { return s.velocity.y; });
-    put(into_.vz, first, shots, [](const ShotResult& s) { return s.velocity.z; });
-    put(into_.speed, first, shots, [](const ShotResult& s) { return length(s.velocity); });
-    write_sighted(first, shots);
+  /// Block by block, as a block of shots stays in the fastest cache until all of its columns are written.
+  void write(std::size_t first, const PartResult& part) const {
+    constexpr std::size_t kBlock = 128;
+    const std::span<const ShotResult> all = part.shots;
+    for (std::size_t i = 0; i < all.size(); i += kBlock)
+      write_block(first + i, all.subspan(i, std::min(kBlock, all.size() - i)), part.refused > 0);
+    write_sighted(first, all);
   }
 
  private:
-  template <class Number>
-  static void put(std::span<double> column, std::size_t first, std::span<const ShotResult> shots,
-                  const Number& number) {
-    if (column.empty()) return;
-    PHYSIM_ASSERT(first + shots.size() <= column.size());
-    for (std::size_t i = 0; i < shots.size(); ++i)
-      column[first + i] = shots[i].outcome == Outcome::refused ? kNone : number(shots[i]);
+  void write_block(std::size_t first, std::span<const ShotResult> shots, bool some_refused) const {
+    const auto put = [&](auto column, const auto& none, const auto& number) {
+      if (column.empty()) return;
+      PHYSIM_ASSERT(first + shots.size() <= column.size());
+      auto* to = column.data() + first;
+      for (const ShotResult& shot : shots)
+        *to++ = some_refused && shot.outcome == Outcome::refused ? none : number(shot);
+    };
+    put(into_.outcome, Outcome::refused, [](const ShotResult& s) { return s.outcome; });
+    put(into_.time, kNone, [](const ShotResult& s) { return s.time; });
+    put(into_.x, kNone, [](const ShotResult& s) { return s.position.x; });
+    put(into_.y, kNone, [](const ShotResult& s) { return s.position.y; });
+    put(into_.z, kNone, [](const ShotResult& s) { return s.position.z; });
+    put(into_.vx, kNone, [](const ShotResult& s) { return s.velocity.x; });
+    put(into_.vy, kNone, [](const ShotResult& s) { return s.velocity.y; });
+    put(into_.vz, kNone, [](const ShotResult& s) { return s.velocity.z; });
+    put(into_.speed, kNone, [](const ShotResult& s) { return length(s.velocity); });
   }
 
   /// What is seen from the sight: it is the same for all shots of one place and azimuth.
@@ -140,7 +145,7 @@ ColumnsResult fly_columns(const ProjectileDef& projectile, const LaunchColumns& 
     std::vector<ShotResult>& shots = part.own_shots(std::min(kPart, count - first));
     PartResult given{.shots = shots, .wants_events = false};
     part.fly(first, given);
-    ends.write(first, shots);
+    ends.write(first, given);
     summary.take(first, given);
   };
   BatchSteps steps(task);

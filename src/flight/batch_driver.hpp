@@ -3,6 +3,7 @@
 
 #include "base/assert.hpp"
 #include "flight/batch_job.hpp"
+#include "flight/known_pack_steps.hpp"
 #include "model/sight.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -69,140 +70,128 @@ void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t 
   }
 }
 
-/// Shots waiting to enter a lane, prepared a pack at a time: the first slopes of a whole pack cost little more than
-/// one.
+/// The shots of a job as they enter lanes, in their order.
+template <class R, class S>
+class ShotsToFly {
+ public:
+  explicit ShotsToFly(const BatchJob<S>& job) : job_(job) {}
+
+  [[nodiscard]] bool are_left() const { return next_ < job_.count; }
+  /// What shots have in common, in lanes that will launch some.
+  void put_common(Body<R>& body) const {
+    const double* common = numbers(*job_.common);
+    R* to = numbers(body);
+    job_.course->body.each([common, to](unsigned i) { to[i] = R(static_cast<S>(common[i])); });
+  }
+  /// Launches the next shots, as many as there are lanes, and tells the first of them; returns how many there were.
+  int launch(March<R>& march, StandingWatch<R>& watch, std::size_t& first) {
+    PHYSIM_ASSERT(next_ <= job_.count);
+    const std::size_t left = job_.count - next_;
+    if (left == 0) return 0;
+    Lanes<R>& lanes = march.lanes;
+    const Conditions<S>& c = *job_.course->conditions;
+    const int filled = left < std::size_t(kLanes<R>) ? static_cast<int>(left) : kLanes<R>;
+    // Unused lanes repeat the last shot, so that they hold sound numbers.
+    for (int lane = 0; lane < kLanes<R>; ++lane) {
+      const std::size_t shot = next_ + static_cast<std::size_t>(lane < filled ? lane : filled - 1);
+      if (job_.launches == nullptr) put_lane(job_.own_numbers + shot * job_.own_stride, lanes.body, lane, job_.own);
+      const auto take_rotor = [&](auto& rotor) { put_lane(job_.rotors[shot], rotor, lane); };
+      for_rotors(c.fidelity, take_rotor, lanes);
+    }
+    if (job_.launches != nullptr) put_launches(*job_.launches, next_, filled, lanes.body);
+    if (job_.launches != nullptr && job_.launches->weather != nullptr)
+      put_weather(*job_.launches->weather, c, next_, filled, lanes.body);
+    march.launch();
+    watch.begin(c, job_.course->watch, lanes);
+    first = next_;
+    next_ += static_cast<std::size_t>(filled);
+    return filled;
+  }
+
+ private:
+  const BatchJob<S>& job_;
+  std::size_t next_ = 0;  // not yet launched
+};
+
+/// Shots waiting to enter a lane each, launched a pack at a time: the first slopes of a whole pack cost little more
+/// than one.
 template <class R, class S>
 class ReadyShots {
  public:
-  explicit ReadyShots(const BatchJob<S>& job) : job_(job), march_(*job.course) {
-    for (int lane = 0; lane < kLanes<R>; ++lane) put_lane(numbers(*job.common), ready_.body, lane, job.course->body);
+  ReadyShots(const BatchJob<S>& job, ShotsToFly<R, S>& shots) : job_(job), shots_(shots), march_(*job.course) {
+    shots.put_common(march_.lanes.body);
   }
 
   /// Puts the next shot into a lane; false where none is left.
   bool take(Lanes<R>& into, StandingWatch<R>& watch, int lane, std::size_t& shot) {
     PHYSIM_ASSERT(used_ <= filled_ && filled_ <= kLanes<R>);
-    if (used_ == filled_ && !refill()) return false;
-    copy_start(*job_.course, ready_, used_, into, lane,
-               job_.own);  // what shots have in common is there since take_all()
+    if (used_ == filled_) filled_ = shots_.launch(march_, watch_, first_), used_ = 0;
+    if (filled_ == 0) return false;
+    copy_start(*job_.course, march_.lanes, used_, into, lane, job_.own);  // what all have in common is there
     watch.take(watch_, used_, lane);
-    shot = next_ - static_cast<std::size_t>(filled_ - used_);
+    shot = first_ + static_cast<std::size_t>(used_++);
     PHYSIM_ASSERT(shot < job_.count);
-    ++used_;
     return true;
-  }
-
-  /// Fills all lanes at the start; bit i of the result: lane i has a shot.
-  unsigned take_all(Lanes<R>& into, StandingWatch<R>& watch, std::size_t* shots) {
-    const std::size_t first = next_;
-    if (!refill()) return 0;
-    into = ready_;
-    watch = watch_;
-    for (int lane = 0; lane < filled_; ++lane) shots[lane] = first + static_cast<std::size_t>(lane);
-    used_ = filled_;
-    return static_cast<unsigned>((std::size_t(1) << filled_) - 1);
   }
 
  private:
-  bool refill() {
-    PHYSIM_ASSERT(next_ <= job_.count && used_ == filled_);
-    const std::size_t left = job_.count - next_;
-    if (left == 0) return false;
-    filled_ = left < std::size_t(kLanes<R>) ? static_cast<int>(left) : kLanes<R>;
-    // Unused lanes repeat the last shot, so that they hold sound numbers.
-    for (int lane = 0; lane < kLanes<R>; ++lane) {
-      const std::size_t shot = next_ + static_cast<std::size_t>(lane < filled_ ? lane : filled_ - 1);
-      if (job_.launches == nullptr) put_lane(job_.own_numbers + shot * job_.own_stride, ready_.body, lane, job_.own);
-      const auto take_rotor = [&](auto& rotor) { put_lane(job_.rotors[shot], rotor, lane); };
-      for_rotors(job_.course->conditions->fidelity, take_rotor, ready_);
-    }
-    if (job_.launches != nullptr) put_launches(*job_.launches, next_, filled_, ready_.body);
-    if (job_.launches != nullptr && job_.launches->weather != nullptr)
-      put_weather(*job_.launches->weather, *job_.course->conditions, next_, filled_, ready_.body);
-    march_.launch();
-    watch_.begin(*job_.course->conditions, job_.course->watch, ready_);
-    next_ += static_cast<std::size_t>(filled_);
-    used_ = 0;
-    return true;
-  }
-
   const BatchJob<S>& job_;
+  ShotsToFly<R, S>& shots_;
   March<R> march_;
-  Lanes<R>& ready_ = march_.lanes;
   StandingWatch<R> watch_;  // at their launch
-  std::size_t next_ = 0;    // first shot not yet prepared
+  std::size_t first_ = 0;   // in the first lane
   int filled_ = 0;
   int used_ = 0;
 };
 
-/// Steps that need judging, copied from the lanes that took them. Finding a crossing costs a pack of lanes little more
-/// than one, so lanes whose fate is known before wait here until a pack has gathered.
+/// Says what the last steps of lanes mean for their flights, and tells it. Finding a crossing costs a pack of lanes
+/// little more than one.
 template <class R, class S>
-class JudgedSteps {
+class StepJudge {
  public:
-  explicit JudgedSteps(const BatchJob<S>& job) : job_(job) {}
+  explicit StepJudge(const BatchJob<S>& job) : job_(job) {}
 
-  /// Takes in a lane's last step; one at a time of each flight, so that its crossings are reported in order.
-  void add(const Lanes<R>& from, int lane, bool accepted, bool ends, std::size_t shot) {
-    PHYSIM_ASSERT(lane >= 0 && lane < kLanes<R> && shot < job_.count);
-    if (filled_ == kLanes<R> || (some_go_on_ && waits(shot))) settle();
-    some_go_on_ = some_go_on_ || !ends;
-    copy_step(conditions(), from, lane, steps_, filled_, filled_ < touched_ ? job_.judged : job_.course->body);
-    accepted_[filled_] = accepted;
-    shot_[filled_] = shot;
-    ++filled_;
-  }
-
-  /// Reports crossings and ends of all steps taken in; true when the flight of the latest has ended.
-  bool settle() {
-    if (filled_ == 0) return false;
-    fill_untouched();
-    const R zero(S(0)), one(S(1));
-    R sound = zero;
-    for (int i = 0; i < filled_; ++i) set_lane(sound, i, accepted_[i] ? S(1) : S(0));
-    const StepMarks<R> marks = step_marks(*job_.course, steps_);
-    dense_lanes(*job_.course, steps_, judgement_.at);
-    find_crossings<R>(*job_.course, (sound == one) & marks.finite, judgement_);
-    bool ended = false;
-    for (int i = 0; i < filled_; ++i) {
-      verdict_[i] = verdict_on(*job_.course, steps_, marks, i, accepted_[i], judgement_.crossings[i]);
-      ended = verdict_[i].ended;
-      if (ended) begin_end(i);
-    }
+  /// Reports crossings and ends of the steps of some lanes, whose numbers are sound; returns those whose flight ends.
+  unsigned judge(const Lanes<R>& steps, unsigned lanes, unsigned accepted, const std::size_t* shots) {
+    PHYSIM_ASSERT(lanes != 0 && (lanes & ~kAllLanes<R>) == 0 && (accepted & ~lanes) == 0);
+    steps_ = &steps, lanes_ = lanes, accepted_ = accepted, shots_ = shots;
+    const StepMarks<R> marks = step_marks(*job_.course, steps);
+    dense_lanes(*job_.course, steps, judgement_.at);
+    find_crossings<R>(*job_.course, mask_of_lanes<R>(lanes & accepted) & marks.finite, judgement_);
+    const R taken = steps.count + steps.parts;
+    unsigned ended = 0;
+    each([&](int i) {
+      verdict_[i] = verdict_on(*job_.course, steps, marks, i, is_accepted(i), judgement_.crossings[i]);
+      if (!verdict_[i].ended) return;
+      ended |= 1u << i;
+      begin_end(i, static_cast<std::int64_t>(lane_of(taken, i)));
+    });
     report_crossings();
     report_ends();
-    filled_ = 0;
-    some_go_on_ = false;
     return ended;
   }
 
  private:
   using W = Cast<double, R>;
 
+  /// Calls f with each lane.
+  PHYSIM_INLINE void each(const auto& f) const {
+    for (unsigned left = lanes_; left != 0; left &= left - 1) f(__builtin_ctz(left));
+  }
   [[nodiscard]] const Conditions<S>& conditions() const { return *job_.course->conditions; }
-
-  [[nodiscard]] bool waits(std::size_t shot) const {
-    for (int i = 0; i < filled_; ++i)
-      if (shot_[i] == shot) return true;
-    return false;
-  }
-
-  /// Lanes that never held a step repeat one, so that they hold sound numbers: what of them tables are read by.
-  void fill_untouched() {
-    for (; touched_ < kLanes<R>; ++touched_)
-      if (touched_ >= filled_) copy_step(conditions(), steps_, 0, steps_, touched_, job_.course->body);
-  }
+  [[nodiscard]] bool is_accepted(int i) const { return (accepted_ >> i & 1u) != 0; }
 
   /// A flight stays where a step began that was refused or went bad; else it goes on to the verdict's place.
-  [[nodiscard]] bool stays(int i) const { return !accepted_[i] || verdict_[i].outcome == Outcome::non_finite; }
+  [[nodiscard]] bool stays(int i) const { return !is_accepted(i) || verdict_[i].outcome == Outcome::non_finite; }
 
   [[nodiscard]] ShotResult& result_of(int i) const {
-    return job_.results[job_.places == nullptr ? shot_[i] : job_.places[shot_[i]]];
+    return job_.results[job_.places == nullptr ? shots_[i] : job_.places[shots_[i]]];
   }
 
-  void begin_end(int i) {
+  void begin_end(int i, std::int64_t steps) {
     ShotResult& result = result_of(i);
-    const auto steps = static_cast<std::int64_t>(lane_of(steps_.count + steps_.parts, i)) + (stays(i) ? 0 : 1);
-    const auto tries = static_cast<std::int64_t>(lane_of(steps_.tries, i));
+    steps += stays(i) ? 0 : 1;
+    const auto tries = static_cast<std::int64_t>(lane_of(steps_->tries, i));
     result.outcome = verdict_[i].outcome;
     PHYSIM_ASSERT(steps >= 0 && steps <= tries);
     result.cost = {steps, tries - steps, evaluations(conditions().fidelity, tries)};
@@ -220,11 +209,11 @@ class JudgedSteps {
     for (int rank = 0;; ++rank) {
       W theta(0.0);
       bool some = false;
-      for (int i = 0; i < filled_; ++i) {
-        if (rank >= judgement_.crossings[i].count) continue;
+      each([&](int i) {
+        if (rank >= judgement_.crossings[i].count) return;
         set_lane(theta, i, judgement_.crossings[i].found[rank].theta);
         some = true;
-      }
+      });
       if (!some) return;
       const W time = judgement_.at.time(theta);
       const State<W> state = judgement_.at.at_time(time);
@@ -232,46 +221,135 @@ class JudgedSteps {
       const bool turning = job_.turns != nullptr;
       Turn<W> turned{};
       if (turning) turned = judgement_.at.turn_at_time(time);
-      for (int i = 0; i < filled_; ++i) {
-        if (rank >= judgement_.crossings[i].count) continue;
+      each([&](int i) {
+        if (rank >= judgement_.crossings[i].count) return;
         const Found& found = judgement_.crossings[i].found[rank];
-        RawEvent event{std::uint32_t(shot_[i]), std::int16_t(found.index), found.rising, lane_of(time, i), {}};
+        RawEvent event{std::uint32_t(shots_[i]), std::int16_t(found.index), found.rising, lane_of(time, i), {}};
         copy_lane(state, i, event.state, 0);
         if (job_.emit != nullptr) job_.emit(job_.sink, event);
-        if (!verdict_[i].ended) continue;
+        if (!verdict_[i].ended) return;
         put_end(i, event.time, event.state);  // of the last crossing, where the flight ends with one
-        if (turning) copy_lane(turned, i, job_.turns[shot_[i]], 0);
-      }
+        if (turning) copy_lane(turned, i, job_.turns[shots_[i]], 0);
+      });
     }
   }
 
   void report_ends() {
-    for (int i = 0; i < filled_; ++i) {
-      if (!verdict_[i].ended) continue;
+    each([&](int i) {
+      if (!verdict_[i].ended) return;
       const CrossingList& crossings = judgement_.crossings[i];
       const bool at_crossing = crossings.count > 0 && crossings.found[crossings.count - 1].theta == verdict_[i].theta;
-      if (at_crossing && !stays(i)) continue;
+      if (at_crossing && !stays(i)) return;
       const bool at_start = stays(i);  // else the verdict lets it take the whole step
-      const double time = static_cast<double>(lane_of(at_start ? steps_.step.t : steps_.step.t_end, i));
+      const Step<R>& step = steps_->step;
       State<S> state;
-      copy_lane(at_start ? steps_.step.start : steps_.step.end, i, state, 0);
-      put_end(i, time, {vec_cast<double>(state.x), vec_cast<double>(state.v)});
-      if (job_.turns == nullptr) continue;
+      copy_lane(at_start ? step.start : step.end, i, state, 0);
+      put_end(i, static_cast<double>(lane_of(at_start ? step.t : step.t_end, i)),
+              {vec_cast<double>(state.x), vec_cast<double>(state.v)});
+      if (job_.turns == nullptr) return;
       Turn<S> turn;
-      copy_lane(at_start ? steps_.step.turn->start : steps_.step.turn->end, i, turn, 0);
-      cast_numbers(turn, job_.turns[shot_[i]]);
-    }
+      copy_lane(at_start ? step.turn->start : step.turn->end, i, turn, 0);
+      cast_numbers(turn, job_.turns[shots_[i]]);
+    });
   }
 
   const BatchJob<S>& job_;
-  Lanes<R> steps_{};
   Judgement<R> judgement_;
-  bool accepted_[kLanes<R>];
-  std::size_t shot_[kLanes<R>];
   Verdict verdict_[kLanes<R>];
+  const Lanes<R>* steps_ = nullptr;
+  unsigned lanes_ = 0, accepted_ = 0;
+  const std::size_t* shots_ = nullptr;
+};
+
+/// Steps that need judging, copied from the lanes that took them: lanes whose fate is known before wait here until a
+/// pack has gathered.
+template <class R, class S>
+class JudgedSteps {
+ public:
+  JudgedSteps(const BatchJob<S>& job, StepJudge<R, S>& judge) : job_(job), judge_(judge) {}
+
+  /// Takes in a lane's last step; one at a time of each flight, so that its crossings are reported in order.
+  void add(const Lanes<R>& from, int lane, bool accepted, bool ends, std::size_t shot) {
+    PHYSIM_ASSERT(lane >= 0 && lane < kLanes<R> && shot < job_.count);
+    if (filled_ == kLanes<R> || (some_go_on_ && waits(shot))) settle();
+    some_go_on_ = some_go_on_ || !ends;
+    copy_step(*job_.course->conditions, from, lane, steps_, filled_,
+              filled_ < touched_ ? job_.judged : job_.course->body);
+    accepted_ |= (accepted ? 1u : 0u) << filled_;
+    shot_[filled_] = shot;
+    ++filled_;
+  }
+
+  /// Reports crossings and ends of all steps taken in; true when the flight of the latest has ended.
+  bool settle() {
+    if (filled_ == 0) return false;
+    fill_untouched();
+    const auto lanes = static_cast<unsigned>((std::uint64_t(1) << filled_) - 1);
+    const unsigned ended = judge_.judge(steps_, lanes, accepted_, shot_);
+    const bool latest = (ended >> (filled_ - 1) & 1u) != 0;
+    filled_ = 0;
+    accepted_ = 0;
+    some_go_on_ = false;
+    return latest;
+  }
+  /// Reports what flights that go on have crossed so far.
+  void settle_those_that_go_on() {
+    if (some_go_on_) settle();
+  }
+
+ private:
+  [[nodiscard]] bool waits(std::size_t shot) const {
+    for (int i = 0; i < filled_; ++i)
+      if (shot_[i] == shot) return true;
+    return false;
+  }
+
+  /// Lanes that never held a step repeat one, so that they hold sound numbers: what of them tables are read by.
+  void fill_untouched() {
+    for (; touched_ < kLanes<R>; ++touched_)
+      if (touched_ >= filled_) copy_step(*job_.course->conditions, steps_, 0, steps_, touched_, job_.course->body);
+  }
+
+  const BatchJob<S>& job_;
+  StepJudge<R, S>& judge_;
+  Lanes<R> steps_{};
+  std::size_t shot_[kLanes<R>];
+  unsigned accepted_ = 0;  // bit i: lane i's step was
   int filled_ = 0;
   bool some_go_on_ = false;  // some step here is of a flight that goes on: its shot may come again
   int touched_ = 0;          // lanes before it have held a step
+};
+
+/// How long lanes whose flights have ended wait for the others of their set. Flights that take about as many steps are
+/// launched and judged as whole packs; where too much waiting comes of it, each lane takes the next shot at once.
+class Patience {
+ public:
+  explicit Patience(bool lasts) : left_(lasts ? kAtFirst : -1) {}
+  [[nodiscard]] PHYSIM_INLINE bool lasts() const { return left_ >= 0; }
+  /// So many lanes flew a step, and so many waited.
+  PHYSIM_INLINE void pass(int flying, int waiting) {
+    if (lasts()) left_ += flying - kFlyingForEach * waiting;
+  }
+
+ private:
+  // Moving a flight in and out of a lane by itself takes as long as one or two of its steps.
+  static constexpr int kFlyingForEach = 12;  // lanes for one that waits
+  static constexpr int kAtFirst = 32 * kFlyingForEach;
+  int left_;
+};
+
+/// What the sets of lanes of a job share.
+template <class R, class S>
+struct Flights {
+  explicit Flights(const BatchJob<S>& job)
+      // Behind a stop a lane does not take the step again that it has taken.
+      : shots(job), ready(job, shots), judge(job), judged(job, judge), patience(!has_stops(*job.course->conditions)) {}
+
+  ShotsToFly<R, S> shots;
+  ReadyShots<R, S> ready;
+  StepJudge<R, S> judge;
+  JudgedSteps<R, S> judged;
+  Patience patience;
 };
 
 /// Flights in a set of lanes.
@@ -279,51 +357,99 @@ template <class R, class S>
 class LaneSet {
  public:
   /// False where no shot is left.
-  bool begin(const BatchJob<S>& job, ReadyShots<R, S>& ready) {
+  bool begin(const BatchJob<S>& job, Flights<R, S>& all) {
     job_ = &job;
     march = March<R>(*job.course);
-    flying_ = ready.take_all(march.lanes, watch_, shot_);
-    return flying_ != 0;
+    all.shots.put_common(march.lanes.body);
+    return launch(all);
   }
 
   /// Goes on from a step tried: flights that end make room for the next shots. False when all have ended.
-  bool go_on(const MaskOf<R>& accepted, ReadyShots<R, S>& ready, JudgedSteps<R, S>& judged) {
+  bool go_on(const MaskOf<R>& accepted, Flights<R, S>& all) {
     const Conditions<S>& c = *job_->course->conditions;
     const WatchList& watch = job_->course->watch;
     const unsigned accepts = lane_bits(accepted);
     const Detected found = watch_.pass(c, watch, march.lanes, last_slope(c.fidelity), accepts);
     const Attention attention = needs_attention(*job_->course, march.lanes, accepts, found);
-    unsigned ended = 0;
-    if (attention.special != 0) ended = hand_over(attention, accepts, judged);
-    march.accept(accepted);
-    if (has_stops(c)) watch_.begin(c, watch, march.lanes);  // behind a stop a body and its forces are others
-    for (; ended != 0; ended &= ended - 1) {
-      const int lane = __builtin_ctz(ended);
-      if (!ready.take(march.lanes, watch_, lane, shot_[lane])) flying_ &= ~(1u << lane);
+    if ((attention.special & flying_) != 0) hand_over(attention, accepts, all);
+    if (flying_ == 0 && all.patience.lasts()) {
+      judge_waiting(all);
+      return launch(all);
     }
+    march.accept(flying_ == kAllLanes<R> ? accepted : accepted & mask_of_lanes<R>(flying_));
+    if (has_stops(c)) watch_.begin(c, watch, march.lanes);  // behind a stop a body and its forces are others
+    if (all.shots.are_left()) all.patience.pass(__builtin_popcount(flying_), __builtin_popcount(idle_));
+    if (idle_ != 0 && !all.patience.lasts()) take_each(all);
+    if (flying_ != kAllLanes<R>) hold_still();
     return flying_ != 0;
   }
 
   March<R> march;
 
  private:
-  /// Hands steps over for judgement; returns the lanes whose flight ends. What is not sure before is judged at once.
-  unsigned hand_over(const Attention& attention, unsigned accepted, JudgedSteps<R, S>& judged) {
+  /// Begins with the next shots in all lanes; false where none is left.
+  bool launch(Flights<R, S>& all) {
+    PHYSIM_ASSERT(flying_ == 0 && waiting_ == 0);
+    std::size_t first = 0;
+    const int filled = all.shots.launch(march, watch_, first);
+    for (int lane = 0; lane < filled; ++lane) shot_[lane] = first + static_cast<std::size_t>(lane);
+    flying_ = static_cast<unsigned>((std::uint64_t(1) << filled) - 1);
+    idle_ = 0;
+    return filled > 0;
+  }
+
+  /// Idle lanes take the next shots, each by itself.
+  void take_each(Flights<R, S>& all) {
+    PHYSIM_ASSERT((idle_ & flying_) == 0 && (waiting_ & ~idle_) == 0);
+    judge_waiting(all);
+    for (; idle_ != 0; idle_ &= idle_ - 1) {
+      const int lane = __builtin_ctz(idle_);
+      if (all.ready.take(march.lanes, watch_, lane, shot_[lane])) flying_ |= 1u << lane;
+    }
+  }
+
+  /// Hands steps over for judgement. Of lanes whose flight surely ends they may stay where they are; what is not sure
+  /// before is judged at once.
+  void hand_over(const Attention& attention, unsigned accepted, Flights<R, S>& all) {
     PHYSIM_ASSERT(job_ != nullptr && flying_ != 0);
     unsigned ended = attention.surely_ends & flying_;
     const unsigned sure = ended | attention.surely_goes_on;
-    for (unsigned left = attention.special & flying_; left != 0; left &= left - 1) {
+    unsigned left = attention.special & flying_;
+    if (all.patience.lasts()) waiting_ |= ended, left &= ~ended;
+    for (; left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
-      judged.add(march.lanes, lane, (accepted >> lane & 1u) != 0, (ended >> lane & 1u) != 0, shot_[lane]);
-      if ((sure >> lane & 1u) == 0 && judged.settle()) ended |= 1u << lane;
+      all.judged.add(march.lanes, lane, (accepted >> lane & 1u) != 0, (ended >> lane & 1u) != 0, shot_[lane]);
+      if ((sure >> lane & 1u) == 0 && all.judged.settle()) ended |= 1u << lane;
     }
-    return ended;
+    flying_ &= ~ended;
+    idle_ |= ended;
+  }
+
+  /// Judges the last steps of the lanes that wait.
+  void judge_waiting(Flights<R, S>& all) {
+    if (waiting_ == 0) return;
+    all.judged.settle_those_that_go_on();
+    const unsigned ended = all.judge.judge(march.lanes, waiting_, waiting_, shot_);
+    PHYSIM_ASSERT(ended == waiting_);
+    static_cast<void>(ended);
+    waiting_ = 0;
+  }
+
+  /// Lanes that do not fly take their last step once more when the others take the next one: it stays as it is.
+  void hold_still() {
+    PHYSIM_ASSERT(flying_ != kAllLanes<R>);
+    Lanes<R>& l = march.lanes;
+    const MaskOf<R> still = mask_of_lanes<R>(~flying_);
+    l.control.h = select(still, l.step.h, l.control.h);
+    l.tries = select(still, l.tries - R(S(1)), l.tries);
   }
 
   const BatchJob<S>* job_ = nullptr;
   StandingWatch<R> watch_;
   std::size_t shot_[kLanes<R>] = {};
-  unsigned flying_ = 0;  // bit i: lane i has a shot
+  unsigned flying_ = 0;   // bit i: lane i has a shot
+  unsigned idle_ = 0;     // its flight is over, and it may take the next one
+  unsigned waiting_ = 0;  // ... and its last step is to be judged
 };
 
 /// Whether some lane's step may have asked for air above the lowest layer, whose density is no number then: so are the
@@ -342,26 +468,26 @@ template <class R, int kSets, class S>
 void fly_lanes(const BatchJob<S>& job) {
   static_assert(kSets <= kMostSets);
   PHYSIM_ASSERT(job.course != nullptr && job.results != nullptr);
-  ReadyShots<R, S> ready(job);
-  JudgedSteps<R, S> judged(job);
+  Flights<R, S> all(job);
+  const TakeSteps<R, S> take = steps_of<R>(*job.course->conditions);
   LaneSet<R, S> sets[kSets];
   LaneSet<R, S>* flying[kSets];
   int count = 0;
   for (LaneSet<R, S>& set : sets)
-    if (set.begin(job, ready)) flying[count++] = &set;
+    if (set.begin(job, all)) flying[count++] = &set;
   while (count > 0) {
     March<R>* marches[kSets];
     MaskOf<R> accepted[kSets];
     for (int i = 0; i < count; ++i) marches[i] = &flying[i]->march;
-    March<R>::try_steps(marches, count, accepted);
+    March<R>::try_steps(marches, count, accepted, take);
     for (int i = 0; i < count && job.left_low_air != nullptr; ++i)
       if (some_left_low_air(*job.course->conditions, marches[i]->lanes)) return void(*job.left_low_air = true);
     int left = 0;
     for (int i = 0; i < count; ++i)
-      if (flying[i]->go_on(accepted[i], ready, judged)) flying[left++] = flying[i];
+      if (flying[i]->go_on(accepted[i], all)) flying[left++] = flying[i];
     count = left;
   }
-  judged.settle();
+  all.judged.settle();
 }
 
 PHYSIM_ISA_END

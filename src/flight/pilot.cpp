@@ -30,7 +30,10 @@ class Reference {
     const std::size_t stride = 1 + nodes.size() / kMostPieces;
     for (std::size_t i = 0; i + 1 < nodes.size(); i += stride) {
       const double start = nodes[i].t, end = nodes[std::min(i + stride, nodes.size() - 1)].t;
-      for (int part = 1; part <= kParts; ++part) times_.push_back(start + (end - start) * part / kParts);
+      for (int part = 1; part <= kParts; ++part) {
+        const double time = start + (end - start) * part / kParts;
+        if (time < duration()) times_.push_back(time), places_.push_back(record_->state(time).x);
+      }
     }
   }
 
@@ -41,13 +44,12 @@ class Reference {
     if (other.outcome != record_->outcome) return kSurelyTooMuch;
     const double common = std::min(duration(), other.duration);
     double largest = std::abs(duration() - other.duration) * fastest_;
-    const auto compare_at = [&](double time) {
-      const double apart = length(record_->state(time).x - other.state(time).x);
+    const auto compare_at = [&](double time, const Vec3d& place) {
+      const double apart = length(place - other.state(time).x);
       largest = std::isfinite(apart) ? std::max(largest, apart) : kSurelyTooMuch;
     };
-    compare_at(common);
-    for (const double time : times_)
-      if (time < common) compare_at(time);
+    compare_at(common, record_->state(common).x);
+    for (std::size_t i = 0; i < times_.size() && times_[i] < common; ++i) compare_at(times_[i], places_[i]);
     return largest;
   }
 
@@ -57,6 +59,7 @@ class Reference {
 
   std::shared_ptr<const FlightRecord> record_;
   std::vector<double> times_;  // closest together where the flight changes fastest
+  std::vector<Vec3d> places_;  // then [m]
   double fastest_ = 0;         // [m/s]
 };
 

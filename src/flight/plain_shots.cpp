@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "math/pack.hpp"
 #include "model/standard_atmosphere.hpp"
 #include "prepare/projectile.hpp"
 
@@ -63,10 +64,18 @@ NumberColumn PlainShots::column(std::span<const double> numbers, double common) 
 }
 
 bool PlainShots::within(std::span<const double> numbers, double low, double high) const {
-  bool all = true;
-  if (!numbers.empty())
-    for (const double x : numbers.subspan(first_, count_)) all &= x >= low && x <= high;
-  return all;
+  if (numbers.empty()) return true;
+  using Some = Pack<double, 8>;
+  const double* from = numbers.data() + first_;
+  MaskOf<Some> inside = Some(low) == Some(low);
+  std::size_t i = 0;
+  for (; i + kLanes<Some> <= count_; i += kLanes<Some>) {
+    const Some x = Some::load(from + i);
+    inside = inside & (x >= low) & (x <= high);
+  }
+  bool rest = true;
+  for (; i < count_; ++i) rest &= from[i] >= low && from[i] <= high;
+  return rest && all(inside);
 }
 
 bool PlainShots::are_all() const { return plain_launches() && plain_weather() && plain_drag(); }

@@ -32,4 +32,27 @@ PHYSIM_INLINE unsigned lanes_at_least(const Pack<T, N>& a, const std::type_ident
   return lane_bits(a >= b);
 }
 
+/// Bits of all lanes.
+template <class R>
+inline constexpr unsigned kAllLanes = static_cast<unsigned>((std::uint64_t(1) << kLanes<R>)-1);
+
+/// The mask that has these bits.
+template <class R>
+PHYSIM_INLINE MaskOf<R> mask_of_lanes(unsigned bits) {
+  if constexpr (kLanes<R> == 1) {
+    return (bits & 1u) != 0;
+  } else {
+    using Mask = MaskOf<R>;
+    using Register = typename Mask::Register;
+    constexpr int kPer = R::kPerRegister;
+    static_assert(kPer <= 8 * int(sizeof(typename Mask::I)) - 1);
+    Register own{};  // the bit of each lane of a register
+    for (int lane = 0; lane < kPer; ++lane) own[lane] = typename Mask::I(1) << lane;
+    Mask mask;
+    PHYSIM_EACH_REGISTER(Mask::kRegisters,
+                         mask.r[i] = ((typename Mask::I(bits >> (i * kPer)) - Register{}) & own) != Register{});
+    return mask;
+  }
+}
+
 PHYSIM_ISA_END

@@ -164,11 +164,9 @@ PHYSIM_INLINE void row_columns(const S* rows, const Pack<S, N>& index, Pack<S, N
     for (int k = 0; k < 4; ++k) set_lane(column[k], lane, rows[offset[lane] + static_cast<unsigned>(k)]);
 }
 
+/// row_cubic() of rows that begin at offsets of row_offsets().
 template <class S, int N>
-PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const Pack<S, N>& t) {
-  UnsignedOf<S> stored[N];
-  const UnsignedOf<S>* offset = row_offsets(index, stored);
-
+PHYSIM_INLINE Pack<S, N> row_cubic_at(const S* rows, const UnsignedOf<S>* offset, const Pack<S, N>& t) {
 #ifdef PHYSIM_HAS_SHUFFLE
   constexpr int kPer = Pack<S, N>::kPerRegister;
   if constexpr (TableRows<S, kPer>::kPossible) {
@@ -184,6 +182,11 @@ PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const
     for (int k = 0; k < 4; ++k) column[k][lane] = rows[offset[lane] + static_cast<unsigned>(k)];
   using P = Pack<S, N>;
   return (P::load(column[0]) + t * P::load(column[1])) + (t * t) * (P::load(column[2]) + t * P::load(column[3]));
+}
+template <class S, int N>
+PHYSIM_INLINE Pack<S, N> row_cubic(const S* rows, const Pack<S, N>& index, const Pack<S, N>& t) {
+  UnsignedOf<S> stored[N];
+  return row_cubic_at(rows, row_offsets(index, stored), t);
 }
 
 PHYSIM_ISA_END

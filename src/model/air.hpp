@@ -56,14 +56,20 @@ PHYSIM_NOINLINE void layered_air(const Air<S>& air, const AirNumbers<N>& numbers
   out = {density * exp_bounded(power * log1p_near_zero(excess) + decay * rise), per_sound / sqrt(S(1) + excess)};
 }
 
-/// Standard atmosphere at a geometric altitude [m].
+/// The lowest layer at a geometric altitude [m].
 template <class R, class S, class N>
-PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z) {
+PHYSIM_INLINE AirState<R> low_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z) {
   constexpr bool kDouble = sizeof(S) == 8;
   PHYSIM_ASSERT(air.low_scale > S(0));
   const R u = (z - air.low_middle) * air.low_scale;
-  const AirState<R> low{polynomial < kDouble ? kDensityTerms : 8 > (u, numbers.low_density),
-                        polynomial < kDouble ? kPerSoundTerms : 10 > (u, numbers.low_per_sound)};
+  return {polynomial < kDouble ? kDensityTerms : 8 > (u, numbers.low_density),
+          polynomial < kDouble ? kPerSoundTerms : 10 > (u, numbers.low_per_sound)};
+}
+
+/// Standard atmosphere at a geometric altitude [m].
+template <class R, class S, class N>
+PHYSIM_INLINE AirState<R> standard_air(const Air<S>& air, const AirNumbers<N>& numbers, const R& z) {
+  const AirState<R> low = low_air(air, numbers, z);
   const auto high = z > R(air.low_top);
   if (!any(high)) return low;
   AirState<R> layered;

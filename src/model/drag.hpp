@@ -77,6 +77,12 @@ PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& per_
   return c.has_searched_curves ? searched_cd(c, b, speed * per_sound_speed, cd) : cd;
 }
 
+/// The drag equation but for Cd and u: -rho |u| A / (2 m).
+template <class R>
+PHYSIM_INLINE R drag_per_cd(const AirState<R>& air, const R& speed, const R& half_area_per_mass) {
+  return speed * -(air.density * half_area_per_mass);
+}
+
 /// The drag equation for a velocity through the air u in air of a given state.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air,
@@ -93,7 +99,7 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
   if (c.has_bands)
     for (int i = 0; i < kMaxBands; ++i)
       half_area_per_mass = select(speed >= b.band_above[i], b.band_half_area_per_mass[i], half_area_per_mass);
-  return u * (speed * -(air.density * half_area_per_mass) * cd);
+  return u * (drag_per_cd(air, speed, half_area_per_mass) * cd);
 }
 
 /// Drag that reads nothing of the air but its velocity.

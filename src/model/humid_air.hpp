@@ -33,6 +33,7 @@ PHYSIM_ISA_BEGIN
 template <class R>
 PHYSIM_INLINE R vapour_fraction(const R& temperature, const std::type_identity_t<R>& pressure,
                                 const std::type_identity_t<R>& humidity) {
+  if (!any(humidity != R(0.0))) return R(0.0);  // what follows would give as much
   const R t = temperature - R(273.15);
   const R saturation = exp(R(1.2378847e-5) * temperature * temperature - R(1.9121316e-2) * temperature +
                            R(33.93711047) - R(6.3431645e3) / temperature);

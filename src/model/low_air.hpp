@@ -18,7 +18,10 @@
 //   power series).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 
 #include "math/pack.hpp"
 
@@ -42,42 +45,87 @@ struct LowLayer {
   R a, b;
 };
 
-/// `scale` times (T / T_m)^nu: a series of kTerms, drawn together to N.
-template <int kTerms, class R, int N>
-PHYSIM_INLINE void put_power_of(const LowLayer<R>& layer, const R& nu, const R& scale, R (&out)[N]) {
+/// `scale` times (T / T_m)^nu, as it is asked for: a series of so many terms, drawn together to N coefficients.
+template <int kSeries, class R, int N>
+struct Power {
+  static constexpr int kTerms = kSeries;
   static_assert(kTerms >= N && N > 2);
-  constexpr auto kMonic = monic_chebyshev<kTerms>();
-  const R rise = layer.a - layer.b, product = layer.a * layer.b, start = nu * (layer.a + layer.b);
-  R c[kTerms];
-  c[0] = scale;
-  c[1] = -start * scale;
-  for (int k = 1; k + 1 < kTerms; ++k)
-    c[k + 1] = ((rise * R(double(k)) - start) * c[k] + product * R(double(k - 1)) * c[k - 1]) * R(1.0 / (k + 1));
-  for (int k = kTerms - 1; k >= N; --k)
-    for (int j = k - 2; j >= 0; j -= 2)
-      c[j] -= c[k] * R(kMonic[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)]);
-  for (int j = 0; j < N; ++j) out[j] = c[j];
+  const R& nu;
+  const R& scale;
+  R (&out)[N];
+};
+template <int kTerms, class R, int N>
+PHYSIM_INLINE Power<kTerms, R, N> power(const R& nu, const R& scale, R (&out)[N]) {
+  return {nu, scale, out};
 }
 
-template <int kTerms, class R, int N>
-PHYSIM_INLINE void put_power(const LowLayer<R>& layer, const R& nu, const R& scale, R (&out)[N]) {
-  put_power_of<kTerms>(layer, nu, scale, out);
-}
-/// A register at a time: a series of several does not fit the processor.
-template <int kTerms, int kLanes, int N>
-PHYSIM_INLINE void put_power(const LowLayer<Pack<double, kLanes>>& layer, const Pack<double, kLanes>& nu,
-                             const Pack<double, kLanes>& scale, Pack<double, kLanes> (&out)[N]) {
-  using All = Pack<double, kLanes>;
+template <int kTerms, class R>
+struct PowerSeries {
+  R start;  // nu (a + b)
+  R c[kTerms];
+
+  PHYSIM_INLINE PowerSeries(const LowLayer<R>& layer, const R& nu, const R& scale) : start(nu * (layer.a + layer.b)) {
+    c[0] = scale;
+    c[1] = -start * scale;
+  }
+  /// The coefficient of u^(k+1), if there is one; `rise` is a - b, `product` a b.
+  template <int k>
+  PHYSIM_INLINE void go_on(const R& rise, const R& product) {
+    if constexpr (k + 1 < kTerms)
+      c[k + 1] = ((rise * R(double(k)) - start) * c[k] + product * R(double(k - 1)) * c[k - 1]) * R(1.0 / (k + 1));
+  }
+  PHYSIM_INLINE void draw_together(int n) {
+    constexpr auto kMonic = monic_chebyshev<kTerms>();
+    for (int k = kTerms - 1; k >= n; --k)
+      for (int j = k - 2; j >= 0; j -= 2)
+        c[j] -= c[k] * R(kMonic[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)]);
+  }
+};
+
+/// Numbers by their registers: series of several registers do not fit the processor.
+template <class R>
+struct RegisterOf {
+  using One = R;
+  static constexpr int kCount = 1;
+  PHYSIM_INLINE static const R& get(const R& x, int) { return x; }
+  PHYSIM_INLINE static void put(const R& one, int, R& x) { x = one; }
+};
+template <int kMany>
+struct RegisterOf<Pack<double, kMany>> {
+  using All = Pack<double, kMany>;
   using One = Pack<double, All::kPerRegister>;
-  for (int i = 0; i < All::kRegisters; ++i) {
-    const auto part = [i](const All& all) PHYSIM_INLINE_LAMBDA {
-      One one;
-      one.r[0] = all.r[i];
-      return one;
+  static constexpr int kCount = All::kRegisters;
+  PHYSIM_INLINE static One get(const All& x, int i) {
+    One one;
+    one.r[0] = x.r[i];
+    return one;
+  }
+  PHYSIM_INLINE static void put(const One& one, int i, All& x) { x.r[i] = one.r[0]; }
+};
+
+/// Powers in one layer, side by side, since each coefficient waits for the one before.
+template <class R, class... Asked>
+PHYSIM_INLINE void put_powers(const LowLayer<R>& layer, const Asked&... asked) {
+  using Register = RegisterOf<R>;
+  using One = typename Register::One;
+  constexpr int kLongest = std::max({Asked::kTerms...});
+  for (int i = 0; i < Register::kCount; ++i) {
+    const LowLayer<One> one{Register::get(layer.a, i), Register::get(layer.b, i)};
+    const One rise = one.a - one.b, product = one.a * one.b;
+    const auto put = [&](const auto& series, auto& out) PHYSIM_INLINE_LAMBDA {
+      for (std::size_t j = 0; j < std::size(out); ++j) Register::put(series.c[j], i, out[j]);
     };
-    One of[N];
-    put_power_of<kTerms>(LowLayer<One>{part(layer.a), part(layer.b)}, part(nu), part(scale), of);
-    for (int j = 0; j < N; ++j) out[j].r[i] = of[j].r[0];
+    const auto fill = [&](auto... series) PHYSIM_INLINE_LAMBDA {
+      [&]<int... before>(std::integer_sequence<int, before...>) PHYSIM_INLINE_LAMBDA {
+        const auto next = [&]<int k>(std::integral_constant<int, k>)
+                              PHYSIM_INLINE_LAMBDA { (series.template go_on<k>(rise, product), ...); };
+        (next(std::integral_constant<int, before + 1>{}), ...);
+      }
+      (std::make_integer_sequence<int, kLongest - 2>{});
+      (series.draw_together(static_cast<int>(std::size(asked.out))), ...);
+      (put(series, asked.out), ...);
+    };
+    fill(PowerSeries<Asked::kTerms, One>(one, Register::get(asked.nu, i), Register::get(asked.scale, i))...);
   }
 }
 

@@ -90,6 +90,7 @@ struct AirProfile : StandardAir {
   }
   /// p(to) / p(from) along layer i, to some 1e-15. Behind a call: it is long.
   [[nodiscard, gnu::noinline]] R pressure_ratio(int i, double from, double to) const {
+    if (from == to) return R(1.0);  // what follows would give as much
     const R t_from = temperature[i] + R(kLapse[i] * (from - kBase[i]));
     const R hydrostatic = -density_factor * R(kHydrostatic);
     if (kLapse[i] == 0) return exp_bounded(hydrostatic * R(to - from) / t_from);
@@ -163,8 +164,9 @@ void put_low(const AirProfile<R>& profile, AirNumbers<R>& air) {
   const R t = sea_level + R(A::kLapse[0] * middle);
   const R density = profile.density(profile.pressure[0] * profile.pressure_ratio(0, 0, middle), t);
   const LowLayer<R> layer{R(-kHalf) * (sea_level + R(A::kLapse[0] * kGeopotentialRadius)) / t, R(kHalf)};
-  put_power<kDensityTerms + 2>(layer, air.power[0], density, air.low_density);
-  put_power<kPerSoundTerms + 4>(layer, R(-0.5), profile.per_sound(t), air.low_per_sound);
+  const R root(-0.5), per_sound = profile.per_sound(t);
+  put_powers(layer, power<kDensityTerms + 2>(air.power[0], density, air.low_density),
+             power<kPerSoundTerms + 4>(root, per_sound, air.low_per_sound));
 }
 
 /// The air at the origin, at geopotential height h [m], but for its density.

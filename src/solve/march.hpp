@@ -98,8 +98,9 @@ class March {
     framed_ = false;
   }
 
-  /// Tries one step in each of some marches side by side; says in which lanes of each it was accepted.
-  PHYSIM_INLINE static void try_steps(March* const* marches, int count, Mask* accepted) {
+  /// Tries one step in each of some marches side by side, by what takes steps as take_steps() does; says in which lanes
+  /// of each it was accepted.
+  PHYSIM_INLINE static void try_steps(March* const* marches, int count, Mask* accepted, const auto& take) {
     PHYSIM_ASSERT(count > 0 && count <= kMostSets && marches[0]->course_ != nullptr);
     const Course<S>& course = *marches[0]->course_;
     FlyerSet<R> flyers;
@@ -107,7 +108,7 @@ class March {
       marches[i]->set_step();
       flyers.add(marches[i]->lanes);
     }
-    take_steps(*course.conditions, flyers, course.plan.relative, course.plan.absolute);
+    take(*course.conditions, flyers, course.plan.relative, course.plan.absolute);
     for (int i = 0; i < count; ++i) accepted[i] = marches[i]->control_step(all());
   }
   /// Tries one in the lanes that are asked for; what others do means nothing.

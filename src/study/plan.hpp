@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "study/distributions.hpp"
-#include "study/model.hpp"
 #include "study/sampling.hpp"
+#include "study/shard_memory.hpp"
 
 namespace physim {
 
@@ -36,6 +36,7 @@ struct StudyPlanRecord {
   std::vector<std::vector<double>> edges;  // of each input, between the parts of Study::over_inputs
   std::vector<std::string> notes;
   std::uint64_t shards = 0;
+  std::shared_ptr<SpareMemory> spare = std::make_shared<SpareMemory>();
 
   [[nodiscard]] bool has_plane() const { return study.quantities.size() >= 2; }
   /// Random shots that know nothing of each other.

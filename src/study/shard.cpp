@@ -24,15 +24,15 @@ CountedCells empty_cells(double centre, double scale) { return {.centre = centre
 
 }  // namespace
 
-void ShardFlyer::Block::set_size(std::size_t columns_wanted, std::size_t rows) {
+void ShotBlock::set_size(std::size_t columns_wanted, std::size_t rows) {
   numbers.resize(columns_wanted * rows);
   columns.clear();
   for (std::size_t i = 0; i < columns_wanted; ++i) columns.push_back(std::span(numbers).subspan(i * rows, rows));
 }
 
-ModelTold ShardFlyer::evaluate(const Block& inputs, Block& quantities) {
+ModelTold ShardFlyer::evaluate(const ShotBlock& inputs, ShotBlock& quantities) {
   quantities.set_size(plan_.study.quantities.size(), inputs.columns[0].size());
-  return plan_.model->evaluate(read_only(inputs.columns), quantities.columns, scratch_);
+  return plan_.model->evaluate(read_only(inputs.columns), quantities.columns, m_.scratch);
 }
 
 ShardSums ShardFlyer::fly(std::uint64_t shard) {
@@ -45,21 +45,21 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
   sums.from_aim.cells = sums.from_centre.cells = empty_cells(0, plan_.radius_scale);
   sums.in_space.cells = empty_cells(0, plan_.space_scale);
 
-  inputs_.set_size(study.inputs.size(), study.shard_shots);
-  draw(plan_, sampler, shard, 0, inputs_.columns);
-  const ModelTold told = evaluate(inputs_, quantities_);
+  m_.inputs.set_size(study.inputs.size(), study.shard_shots);
+  draw(plan_, sampler, shard, 0, m_.inputs.columns);
+  const ModelTold told = evaluate(m_.inputs, m_.quantities);
   sums.refused = told.refused;
   if (told.error && told.first)
     sums.refusal =
         FirstRefusal{shard * study.shard_shots + *told.first, told.error->message, told.error->place, told.error->hint};
   add_arrived(shard, sums);
   if (plan_.has_plane() && study.sampling == Sampling::random) add_spreads(sums);
-  const std::span<const double> first[] = {arrived_[0]};
+  const std::span<const double> first[] = {m_.arrived[0]};
   sums.stages = {{sums.shots, sums.hits, plan_.has_plane() ? sums.from_aim.moments : moments_of(first)}};
   Replicate& own = sums.replicates[shard % kReplicates];
   if (study.over_inputs) {
     sums.over_inputs.resize(kReplicates);
-    sums.over_inputs[shard % kReplicates] = part_sums_of(plan_, inputs_.columns, hits_);
+    sums.over_inputs[shard % kReplicates] = part_sums_of(plan_, m_.inputs.columns, m_.hits);
   }
   own.shots = sums.shots, own.moments = sums.moments, own.hits = sums.hits;
   if (study.indices) add_indices(shard, own.indices);
@@ -68,99 +68,99 @@ ShardSums ShardFlyer::fly(std::uint64_t shard) {
 
 /// Who arrived, and which targets each shot hit. Things may be hit on the way by shots that do not arrive.
 void ShardFlyer::mark_hits() {
-  const auto& columns = quantities_.columns;
+  const auto& columns = m_.quantities.columns;
   const std::size_t all = columns[0].size();
   const auto is_whole = [](const auto& column) { return shard_kernel().all_finite(column.data(), column.size()); };
   if (std::ranges::all_of(columns, is_whole)) {
-    shots_.resize(all);
-    std::iota(shots_.begin(), shots_.end(), 0u);
+    m_.shots.resize(all);
+    std::iota(m_.shots.begin(), m_.shots.end(), 0u);
   } else {
-    shots_.clear();
+    m_.shots.clear();
     for (std::uint32_t i = 0; i < all; ++i)
-      if (std::ranges::all_of(columns, [i](const auto& column) { return is_finite(column[i]); })) shots_.push_back(i);
+      if (std::ranges::all_of(columns, [i](const auto& column) { return is_finite(column[i]); })) m_.shots.push_back(i);
   }
   const std::vector<StudyTarget>& targets = plan_.study.targets;
-  hits_ = scratch_.thing_hits;
-  if (hits_.empty()) hits_.assign(targets.size() * all, 0);
-  PHYSIM_ASSERT(hits_.size() == targets.size() * all);
+  m_.hits = m_.scratch.thing_hits;
+  if (m_.hits.empty()) m_.hits.assign(targets.size() * all, 0);
+  PHYSIM_ASSERT(m_.hits.size() == targets.size() * all);
   for (std::size_t target = 0; target < targets.size(); ++target)
     if (!std::holds_alternative<ThingTarget>(targets[target].shape))
-      mark_covered(targets[target], shots_, columns[0], columns[1], std::span(hits_).subspan(target * all, all));
+      mark_covered(targets[target], m_.shots, columns[0], columns[1], std::span(m_.hits).subspan(target * all, all));
 }
 
 /// Quantities of those that arrived: columns as they are where all did.
 void ShardFlyer::gather_arrived() {
-  const auto& columns = quantities_.columns;
-  if (shots_.size() == columns[0].size()) return void(arrived_ = read_only(columns));
-  gathered_.set_size(columns.size(), shots_.size());
+  const auto& columns = m_.quantities.columns;
+  if (m_.shots.size() == columns[0].size()) return void(m_.arrived = read_only(columns));
+  m_.gathered.set_size(columns.size(), m_.shots.size());
   for (std::size_t q = 0; q < columns.size(); ++q)
-    for (std::size_t i = 0; i < shots_.size(); ++i) gathered_.columns[q][i] = columns[q][shots_[i]];
-  arrived_ = read_only(gathered_.columns);
+    for (std::size_t i = 0; i < m_.shots.size(); ++i) m_.gathered.columns[q][i] = columns[q][m_.shots[i]];
+  m_.arrived = read_only(m_.gathered.columns);
 }
 
 /// Adds up those that arrived.
 void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
   mark_hits();
   gather_arrived();
-  PHYSIM_ASSERT(shots_.size() + sums.refused <= sums.shots);
-  sums.not_arrived = sums.shots - sums.refused - shots_.size();
-  sums.moments = moments_of(arrived_);
-  for (std::size_t q = 0; q < arrived_.size() && !shots_.empty(); ++q) {
-    const auto [least, most] = shard_kernel().least_and_most(arrived_[q].data(), shots_.size());
+  PHYSIM_ASSERT(m_.shots.size() + sums.refused <= sums.shots);
+  sums.not_arrived = sums.shots - sums.refused - m_.shots.size();
+  sums.moments = moments_of(m_.arrived);
+  for (std::size_t q = 0; q < m_.arrived.size() && !m_.shots.empty(); ++q) {
+    const auto [least, most] = shard_kernel().least_and_most(m_.arrived[q].data(), m_.shots.size());
     sums.least.push_back(least), sums.most.push_back(most);
-    count_into(sums.cells[q], arrived_[q]);
+    count_into(sums.cells[q], m_.arrived[q]);
   }
-  distances_.resize(shots_.size());
+  m_.distances.resize(m_.shots.size());
   if (plan_.has_plane()) add_plane(shard, sums);
   if (plan_.in_space.empty()) return;
-  for (std::size_t i = 0; i < shots_.size(); ++i) {
+  for (std::size_t i = 0; i < m_.shots.size(); ++i) {
     double squares = 0;
     for (const std::size_t q : plan_.in_space) {
-      const double from = arrived_[q][i] - plan_.grids[q].centre;
+      const double from = m_.arrived[q][i] - plan_.grids[q].centre;
       squares += from * from;
     }
-    distances_[i] = std::sqrt(squares);
+    m_.distances[i] = std::sqrt(squares);
   }
   add_distances(sums.in_space);
 }
 
 void ShardFlyer::add_distances(DistanceSums& sums) const {
-  const std::span<const double> column[] = {distances_};
+  const std::span<const double> column[] = {m_.distances};
   sums.moments = moments_of(column);
-  count_into(sums.cells, distances_);
+  count_into(sums.cells, m_.distances);
 }
 
 void ShardFlyer::add_plane(std::uint64_t shard, ShardSums& sums) {
   const Study& study = plan_.study;
-  const std::span<const double> right = arrived_[0], up = arrived_[1];
+  const std::span<const double> right = m_.arrived[0], up = m_.arrived[1];
   const auto measure = [&](const PlanePoint& from) {
-    shard_kernel().distances(right.data(), up.data(), from.right, from.up, distances_.data(), right.size());
+    shard_kernel().distances(right.data(), up.data(), from.right, from.up, m_.distances.data(), right.size());
   };
   measure(plan_.centre);
   add_distances(sums.from_centre);
   measure(study.aim);
   add_distances(sums.from_aim);
-  for (std::size_t i = 0; i < distances_.size(); ++i)
-    if (sums.worst.size() < kWorstShots || distances_[i] > sums.worst.back().distance)
-      put_worst(sums.worst, {shard * study.shard_shots + shots_[i], distances_[i]});
+  for (std::size_t i = 0; i < m_.distances.size(); ++i)
+    if (sums.worst.size() < kWorstShots || m_.distances[i] > sums.worst.back().distance)
+      put_worst(sums.worst, {shard * study.shard_shots + m_.shots[i], m_.distances[i]});
   sums.reach = reach_of(right, up);
   const auto all = static_cast<std::ptrdiff_t>(sums.shots);
-  for (auto hit = hits_.begin(); hit != hits_.end(); hit += all)
+  for (auto hit = m_.hits.begin(); hit != m_.hits.end(); hit += all)
     sums.hits.push_back(static_cast<std::uint64_t>(std::count(hit, hit + all, std::uint8_t{1})));
 }
 
 /// Groups of shots that follow each other within an occasion; those of which a shot did not arrive are left out.
 void ShardFlyer::add_spreads(ShardSums& sums) {
   const Study& study = plan_.study;
-  const std::span<const double> right = quantities_.columns[0], up = quantities_.columns[1];
+  const std::span<const double> right = m_.quantities.columns[0], up = m_.quantities.columns[1];
   PHYSIM_ASSERT(right.size() % study.rounds == 0);
   const std::size_t run = study.rounds > 1 ? study.rounds : right.size();
   for (const std::size_t size : study.group_sizes) {
     const std::size_t groups = run / size;
-    distances_.resize(right.size() / run * groups);
+    m_.distances.resize(right.size() / run * groups);
     for (std::size_t start = 0, at = 0; start < right.size(); start += run, at += groups)
-      shard_kernel().spreads({right.data() + start, up.data() + start, size, groups, distances_.data() + at});
-    std::erase_if(distances_, [](double spread) { return spread != spread; });
+      shard_kernel().spreads({right.data() + start, up.data() + start, size, groups, m_.distances.data() + at});
+    std::erase_if(m_.distances, [](double spread) { return spread != spread; });
     DistanceSums& spread = sums.spreads.emplace_back();
     spread.cells = empty_cells(0, plan_.radius_scale);
     add_distances(spread);
@@ -170,30 +170,31 @@ void ShardFlyer::add_spreads(ShardSums& sums) {
 void ShardFlyer::add_indices(std::uint64_t shard, IndexSums& sums) {
   const Study& study = plan_.study;
   const std::size_t inputs = study.inputs.size();
-  other_inputs_.set_size(inputs, study.shard_shots);
-  draw(plan_, {study.sampling, study.seed}, shard, static_cast<unsigned>(inputs), other_inputs_.columns);
-  evaluate(other_inputs_, other_quantities_);
+  m_.other_inputs.set_size(inputs, study.shard_shots);
+  draw(plan_, {study.sampling, study.seed}, shard, static_cast<unsigned>(inputs), m_.other_inputs.columns);
+  evaluate(m_.other_inputs, m_.other_quantities);
   for (std::size_t group = 0; group < plan_.groups.size(); ++group) {
-    mixed_inputs_.set_size(inputs, study.shard_shots);
-    for (std::size_t i = 0; i < inputs; ++i) std::ranges::copy(inputs_.columns[i], mixed_inputs_.columns[i].begin());
+    m_.mixed_inputs.set_size(inputs, study.shard_shots);
+    for (std::size_t i = 0; i < inputs; ++i)
+      std::ranges::copy(m_.inputs.columns[i], m_.mixed_inputs.columns[i].begin());
     for (const std::size_t i : plan_.groups[group].inputs)
-      std::ranges::copy(other_inputs_.columns[i], mixed_inputs_.columns[i].begin());
-    evaluate(mixed_inputs_, mixed_quantities_);
-    add_index_sums(plan_, group, quantities_.columns, other_quantities_.columns, mixed_quantities_.columns, sums);
+      std::ranges::copy(m_.other_inputs.columns[i], m_.mixed_inputs.columns[i].begin());
+    evaluate(m_.mixed_inputs, m_.mixed_quantities);
+    add_index_sums(plan_, group, m_.quantities.columns, m_.other_quantities.columns, m_.mixed_quantities.columns, sums);
   }
 }
 
 StudyShots ShardFlyer::shots_of(std::uint64_t shard) {
   const Study& study = plan_.study;
-  inputs_.set_size(study.inputs.size(), study.shard_shots);
-  draw(plan_, {study.sampling, study.seed}, shard, 0, inputs_.columns);
-  evaluate(inputs_, quantities_);
+  m_.inputs.set_size(study.inputs.size(), study.shard_shots);
+  draw(plan_, {study.sampling, study.seed}, shard, 0, m_.inputs.columns);
+  evaluate(m_.inputs, m_.quantities);
   mark_hits();
   StudyShots shots;
-  for (const auto& column : inputs_.columns) shots.inputs.emplace_back(column.begin(), column.end());
-  for (const auto& column : quantities_.columns) shots.quantities.emplace_back(column.begin(), column.end());
+  for (const auto& column : m_.inputs.columns) shots.inputs.emplace_back(column.begin(), column.end());
+  for (const auto& column : m_.quantities.columns) shots.quantities.emplace_back(column.begin(), column.end());
   const auto all = static_cast<std::ptrdiff_t>(study.shard_shots);
-  for (auto hit = hits_.begin(); hit != hits_.end(); hit += all) shots.hits.emplace_back(hit, hit + all);
+  for (auto hit = m_.hits.begin(); hit != m_.hits.end(); hit += all) shots.hits.emplace_back(hit, hit + all);
   return shots;
 }
 

@@ -133,6 +133,39 @@ TEST(Columns, plain_launches_are_those_of_a_batch) {
   use_kernel("");
 }
 
+/// Flights that take about as many steps are launched and judged together; behind them come some that take very
+/// different ones, so that lanes stop waiting for each other.
+TEST(Columns, flights_that_wait_for_each_other_are_those_flown_alone) {
+  Random r(21);
+  std::vector<Launch> launches;
+  for (int i = 0; i < 700; ++i) {
+    const bool alike = i < 200 || i >= 600;
+    launches.push_back({.position = {0, 1, 0},
+                        .speed = alike ? r.in(800, 840) : r.in(20, 900),
+                        .elevation = alike ? r.in(0.01, 0.012) : r.in(-0.3, 1.2)});
+  }
+  Until until{.ground = -50, .time = 30, .range = 900};
+  until.events = {{.kind = EventKind::apex}, {.kind = EventKind::mach, .value = 1}};
+  for (const Integrator integrator : {Integrator::rk4, Integrator::rk43, Integrator::tsit5, Integrator::heun})
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      Fidelity f = Fidelity::small_arms();
+      f.integrator = integrator, f.precision = precision;
+      const Tolerance tolerance{.relative = 1e-5, .absolute = 1e-5, .step = 0.05, .max_steps = 400};
+      const BatchResult batch = fly_batch(bullet_308(), launches, {}, f, tolerance, until);
+      for (std::size_t i = 0; i < launches.size() && !HasFailure(); ++i) {
+        SCOPED_TRACE(test::text(integrator) + ' ' + std::to_string(i));
+        const Flight alone = fly(bullet_308(), launches[i], {}, f, tolerance, until);
+        const ShotResult& shot = batch.shots[i];
+        EXPECT_EQ(shot.outcome, alone.outcome());
+        EXPECT_TRUE(same_bits(shot.time, alone.duration()));
+        EXPECT_TRUE(same_bits(shot.position, alone.end().position) && same_bits(shot.velocity, alone.end().velocity));
+        EXPECT_EQ(shot.cost.steps, alone.cost().steps);
+        EXPECT_EQ(shot.cost.rejected, alone.cost().rejected);
+        EXPECT_EQ(shot.cost.evaluations, alone.cost().evaluations);
+      }
+    }
+}
+
 TEST(Columns, bodies_that_turn_fly_as_in_a_batch) {
   const std::vector<double> speed(300, 200), elevation(300, 0.1);
   ProjectileDef shell = bullet_308();

@@ -138,6 +138,16 @@ TYPED_TEST(PackTest, TellsLanesByBits) {
   }
 }
 
+TYPED_TEST(PackTest, MakesMasksOfBits) {
+  EXPECT_EQ(kAllLanes<TypeParam>, lane_bits(TypeParam(0) == TypeParam(0)));
+  std::mt19937 random(5);
+  for (int i = 0; i < 100; ++i) {
+    const unsigned bits = static_cast<unsigned>(random()) & kAllLanes<TypeParam>;
+    EXPECT_EQ(lane_bits(mask_of_lanes<TypeParam>(bits)), bits);
+    EXPECT_EQ(lane_bits(mask_of_lanes<TypeParam>(bits | ~kAllLanes<TypeParam>)), bits) << "others do not count";
+  }
+}
+
 TYPED_TEST(PackTest, CombinesMasks) {
   using T = ScalarOf<TypeParam>;
   this->expect_lanes(

@@ -105,13 +105,13 @@ TEST(LowAir, series_of_a_power) {
   // ((1 - u / 4) / (1 + u / 8))^2 = 1 - 3/4 u + 15/64 u^2 - 3/64 u^3 + 33/4096 u^4 - ...
   double c[5];
   const LowLayer<double> layer{0.25, 0.125};
-  put_power<5>(layer, 2.0, 1.0, c);
+  const double square = 2, inverse_root = -0.5, one = 1, three = 3;
+  put_powers(layer, power<5>(square, one, c));
   const double exact[] = {1, -3.0 / 4, 15.0 / 64, -3.0 / 64, 33.0 / 4096};
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(c[i], exact[i], 1e-15) << i;
   // Drawn together it stays closer than what is cut off.
   double short_one[8], long_one[24];
-  put_power<16>(layer, -0.5, 3.0, short_one);
-  put_power<24>(layer, -0.5, 3.0, long_one);
+  put_powers(layer, power<16>(inverse_root, three, short_one), power<24>(inverse_root, three, long_one));
   for (double u = -1; u <= 1; u += 0.125) {
     const double law = 3 / std::sqrt((1 - 0.25 * u) / (1 + 0.125 * u));
     EXPECT_NEAR(polynomial(u, long_one), law, 1e-14) << u;
@@ -123,16 +123,20 @@ TEST(LowAir, series_of_a_power) {
 TEST(LowAir, each_lane_of_a_pack_gets_its_own_polynomial) {
   constexpr int kMany = 16;
   using Many = Pack<double, kMany>;
-  Many a(0.0), b(0.0), nu(0.0), scale(0.0), of[14];
+  Many a(0.0), b(0.0), nu(0.0), scale(0.0), of[14], other[16];
   for (int lane = 0; lane < kMany; ++lane) {
     set_lane(a, lane, 0.1 + 0.01 * lane), set_lane(b, lane, 0.001 * lane);
     set_lane(nu, lane, 4 - 0.3 * lane), set_lane(scale, lane, 1 + 0.02 * lane);
   }
-  put_power<16>(LowLayer<Many>{a, b}, nu, scale, of);
+  put_powers(LowLayer<Many>{a, b}, power<16>(nu, scale, of), power<20>(scale, nu, other));
   for (int lane = 0; lane < kMany; ++lane) {
-    double alone[14];
-    put_power<16>(LowLayer<double>{a[lane], b[lane]}, nu[lane], scale[lane], alone);
+    double alone[14], other_alone[16];
+    const double its_nu = nu[lane], its_scale = scale[lane];
+    const LowLayer<double> layer{a[lane], b[lane]};
+    put_powers(layer, power<16>(its_nu, its_scale, alone));
+    put_powers(layer, power<20>(its_scale, its_nu, other_alone));
     for (int k = 0; k < 14; ++k) EXPECT_TRUE(test::same_bits(of[k][lane], alone[k])) << lane << ' ' << k;
+    for (int k = 0; k < 16; ++k) EXPECT_TRUE(test::same_bits(other[k][lane], other_alone[k])) << lane << ' ' << k;
   }
 }
 
