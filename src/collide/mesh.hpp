@@ -66,7 +66,7 @@ class Mesh {
     return segment.reach;
   }
   /// The point of the surface nearest to p, where one is nearer than `within`, which is shortened to its distance.
-  [[nodiscard]] std::optional<Vec3d> nearest(const Vec3d& p, double& within) const;
+  [[nodiscard]] std::optional<NearPlace> nearest(const Vec3d& p, double& within) const;
   /// Between the distance of p and half of it.
   [[nodiscard]] double clearance(const Vec3d& p) const;
 
