@@ -41,7 +41,7 @@ Result<Mesh> Mesh::make(const MeshShape& shape, std::size_t materials) {
   for (std::uint32_t i = 0; i < shape.triangles.size(); ++i) {
     const auto& corners = shape.triangles[i];
     const Triangle triangle{mesh.vertices_[corners[0]], mesh.vertices_[corners[1]], mesh.vertices_[corners[2]]};
-    if (!(length(triangle.normal()) > 0.5)) {
+    if (!has_area(triangle)) {
       ++mesh.degenerate_;
       continue;
     }

@@ -31,6 +31,8 @@ class Mesh {
   }
   /// The number of a triangle as it was given.
   [[nodiscard]] std::uint32_t number(std::uint32_t i) const { return numbers_[i]; }
+  /// Those without are left out.
+  [[nodiscard]] static bool has_area(const Triangle& triangle) { return length(triangle.normal()) > 0.5; }
   /// The material of a triangle, by its number as it was given.
   [[nodiscard]] std::optional<MaterialId> material(std::uint32_t triangle) const {
     PHYSIM_ASSERT(materials_.empty() || triangle < materials_.size());
