@@ -1,12 +1,17 @@
-// For a renderer: the particles of an emitter as columns, into memory of one's own, sorted from far to near.
+// For a renderer: the particles of an emitter into vertices of one's own, from far to near.
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 #include <physim/physim.hpp>
 #include <vector>
 
 using namespace physim;
 using namespace physim::units;
+
+// Vertices as a renderer has them.
+struct Sprite {
+  Vec3d position, size, rotation;
+  std::uint32_t colour;
+};
 
 int main() {
   World world;
@@ -24,23 +29,24 @@ int main() {
   for (int frame = 0; frame < 240; ++frame) world.single_step();
 
   const std::size_t count = world.particles(chimney, {});  // how many there are
-  std::vector<Vec3d> position(count), size(count), rotation(count);
-  std::vector<std::uint32_t> colour(count), order(count);
+  std::vector<Sprite> sprites(count);
   std::vector<double> age(count);
-  world.particles(chimney, {.position = position, .size = size, .rotation = rotation, .colour = colour, .age = age});
-
   const Vec3d eye{10, 2, 0};
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](auto a, auto b) { return length(position[a] - eye) > length(position[b] - eye); });
+  world.particles(chimney, {.position = {sprites, &Sprite::position},
+                            .size = {sprites, &Sprite::size},
+                            .rotation = {sprites, &Sprite::rotation},
+                            .colour = {sprites, &Sprite::colour},
+                            .age = age,
+                            .eye = eye});
+
   std::printf("%zu puffs, the farthest first\n  away [m]  age [s]  size [m]  turned [deg]  RGBA\n", count);
   for (std::size_t i = 0; i < count; i += count / 5) {
-    const std::uint32_t k = order[i];
-    std::printf("  %8.2f  %7.2f  %8.3f  %12.0f  %08x\n", length(position[k] - eye), age[k], size[k].x,
-                rotation[k].x / 1_deg, colour[k]);
+    const Sprite& each = sprites[i];
+    std::printf("  %8.2f  %7.2f  %8.3f  %12.0f  %08x\n", length(each.position - eye), age[i], each.size.x,
+                each.rotation.x / 1_deg, each.colour);
   }
-  const bool in_order = std::is_sorted(order.begin(), order.end(), [&](auto a, auto b) {
-    return length(position[a] - eye) > length(position[b] - eye);
+  const bool in_order = std::is_sorted(sprites.begin(), sprites.end(), [&](const Sprite& a, const Sprite& b) {
+    return length(a.position - eye) > length(b.position - eye);
   });
   return in_order && count == world.emitter_counts(chimney).alive ? 0 : 1;
 }

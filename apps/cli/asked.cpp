@@ -36,10 +36,16 @@ Result<AskedShot> ask(const Question& question) {
   return AskedShot{*std::move(scenario), *index};
 }
 
+void warn_of_things(const Scenario& scenario, const std::string& answer) {
+  if (!scenario.things.empty())
+    print_warning("the things of the scenario are left aside: " + answer + " is of shots that meet nothing");
+}
+
 Result<AskedShot> ask_without_things(const Question& question, const std::string& answer) {
   Result<AskedShot> asked = ask(question);
-  if (!asked || asked->scenario.world.given || asked->scenario.things.empty()) return asked;
-  print_warning("the things of the scenario are left aside: " + answer + " is of shots that meet nothing");
+  if (!asked) return asked;
+  warn_of_things(asked->scenario, answer);
+  if (asked->scenario.world.given) return asked;  // they stand in the world alone, and emitters may name their shapes
   asked->scenario.materials.clear();
   asked->scenario.shapes.clear();
   asked->scenario.things.clear();

@@ -24,10 +24,11 @@ struct Question {
 /// FILE, --set and --shot; with `json` also --json.
 void add_question_options(Command& command, Question& question, bool json = true);
 
+/// Says that an answer about shots that meet nothing leaves the things of a scenario aside. `answer`: "a range card".
+void warn_of_things(const Scenario& scenario, const std::string& answer);
 /// The scenario, and the shot that was asked for.
 [[nodiscard]] Result<AskedShot> ask(const Question& question);
 /// ... for an answer about shots that meet nothing: of flights the things are taken out, and a warning says so.
-/// `answer`: "a range card".
 [[nodiscard]] Result<AskedShot> ask_without_things(const Question& question, const std::string& answer);
 /// The value of an option, "800 m" or a number in SI; nothing where the option was not given.
 [[nodiscard]] Result<std::optional<double>> option_value(const char* option, const std::string& text,

@@ -161,7 +161,7 @@ void warn_of_refusals(const std::vector<WorldGroup>& groups) {
   for (const WorldGroup& group : groups)
     if (group.counts.cut > 0)
       print_warning(std::to_string(group.counts.cut) + " particles of \"" + one_line(group.name) +
-                    "\" were not born: sub-emitters would have fired without end");
+                    "\" were not born: more than a million in a step, or sub-emitters without end");
 }
 
 /// When a run is to be saved.
@@ -225,6 +225,14 @@ Result<int> run_world(const RunOptions& options, Scenario scenario, std::optiona
   return code;
 }
 
+void warn_of_triangles(const Scenario& scenario) {
+  for (const ScenarioShape& shape : scenario.shapes)
+    if (const std::size_t left_out = degenerate_triangles(shape); left_out > 0)
+      print_warning(std::to_string(left_out) + " of " +
+                    std::to_string(std::get<MeshShape>(shape.shape).triangles.size()) + " triangles of the shape \"" +
+                    one_line(shape.name) + "\" have no area and are left out");
+}
+
 constexpr const char* kNoWorld = "the scenario has no [world]";
 constexpr const char* kForWorlds = "it is for worlds only";
 
@@ -236,6 +244,7 @@ Result<int> run(const RunOptions& options) {
   if (!interval) return interval.error();
   Result<Scenario> scenario = load_scenario(options.input.file, options.input.overrides);
   if (!scenario) return scenario.error();
+  warn_of_triangles(*scenario);
   const bool is_world = scenario->world.given;
   const Status fitting = is_world ? check_subject(options.outputs, Subject::world, "it is of single flights",
                                                   "take [world] out of the scenario")

@@ -402,6 +402,7 @@ Result<int> run(const StudyCommand& command) {
   const auto all = ask_study(command);
   if (!all) return all.error();
   const auto& [asked, study] = *all;
+  if (asked.scenario.world.given) warn_of_things(asked.scenario, "a study of a scenario with a [world]");
   const auto threads = make_thread_pool(command.threads.value_or(0));
   if (!command.shards.empty()) return run_part(command, study, *threads);
   if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "physim/column.hpp"
 #include "physim/ids.hpp"
 #include "physim/infinity.hpp"
 #include "physim/projectile.hpp"
@@ -351,28 +351,31 @@ struct EmitterCounts {
   bool operator==(const EmitterCounts&) const = default;
 };
 
-/// Columns for a renderer, in the caller's memory, each as long as there are particles to be shown; those left empty
-/// are not wanted.
+/// Columns for a renderer, in the caller's memory and with the caller's stride, each as long as there are particles to
+/// be shown; those left empty are not wanted.
 struct ParticleColumns {
-  std::span<ProjectileId> id{};       ///< [-]
-  std::span<Vec3d> position{};        ///< [m]
-  std::span<Vec3d> previous{};        ///< before the last step, or where it was born in it [m]
-  std::span<Vec3d> velocity{};        ///< [m/s]
-  std::span<Vec3d> size{};            ///< by its own axes [m]
-  std::span<Vec3d> rotation{};        ///< about x (towards the viewer), y and z [rad]
-  std::span<std::uint32_t> colour{};  ///< RGBA [-]
-  std::span<double> age{};            ///< [s]
-  std::span<std::uint64_t> number{};  ///< of the particle among those of its emitter, from 0 [-]
+  Column<ProjectileId> id{};       ///< [-]
+  Column<Vec3d> position{};        ///< [m]
+  Column<Vec3d> previous{};        ///< before the last step, or where it was born in it [m]
+  Column<Vec3d> velocity{};        ///< [m/s]
+  Column<Vec3d> size{};            ///< by its own axes [m]
+  Column<Vec3d> rotation{};        ///< about x (towards the viewer), y and z [rad]
+  Column<std::uint32_t> colour{};  ///< RGBA [-]
+  Column<double> age{};            ///< [s]
+  Column<std::uint64_t> number{};  ///< of the particle among those of its emitter, from 0 [-]
+  /// They come from the farthest to the nearest of this place, those equally far by the index of their ids, as all do
+  /// without one [m].
+  std::optional<Vec3d> eye{};
 };
 
 /// Columns for whoever draws trails, in the caller's memory; those left empty are not wanted, and shorter ones get what
 /// comes first.
 struct TrailColumns {
-  std::span<ProjectileId> id{};      ///< of each particle [-]
-  std::span<std::uint32_t> first{};  ///< of each particle: which of all places is its first one [-]
-  std::span<std::uint32_t> count{};  ///< of each particle: how many places it has [-]
-  std::span<Vec3d> position{};       ///< of one particle after the other, from the oldest place to where it is now [m]
-  std::span<double> time{};          ///< at which it was there [s]
+  Column<ProjectileId> id{};      ///< of each particle [-]
+  Column<std::uint32_t> first{};  ///< of each particle: which of all places is its first one [-]
+  Column<std::uint32_t> count{};  ///< of each particle: how many places it has [-]
+  Column<Vec3d> position{};       ///< of one particle after the other, from the oldest place to where it is now [m]
+  Column<double> time{};          ///< at which it was there [s]
 };
 /// How many there are.
 struct TrailCounts {

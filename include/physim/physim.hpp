@@ -6,6 +6,7 @@
 #include "physim/air.hpp"
 #include "physim/auto_fidelity.hpp"
 #include "physim/collision.hpp"
+#include "physim/column.hpp"
 #include "physim/compare.hpp"
 #include "physim/distribution.hpp"
 #include "physim/drag_curve.hpp"

@@ -57,6 +57,9 @@ struct ScenarioThing {
   MotionCurve curve = MotionCurve::straight;  ///< from key to key [-]
 };
 
+/// Triangles of its mesh that are left out, as they have no area [-].
+[[nodiscard]] std::size_t degenerate_triangles(const ScenarioShape& shape);
+
 /// The scene of a scenario, its things in their order, each with its index as InstanceDef::user_data. An error names
 /// the shape, material or thing that is wrong.
 [[nodiscard]] Result<Scene> scene_of(const Scenario& scenario);

@@ -142,6 +142,8 @@ struct SceneNearest {
   double distance = kInfinity;  ///< 0 inside of a solid [m]
   Vec3d position{};             ///< on the surface, or the point itself inside of a solid [m]
   InstanceId instance{};        ///< none: nothing is that near [-]
+  std::uint32_t primitive = 0;  ///< triangle of a mesh or height field as they were given, part of a compound [-]
+  MaterialId material{};        ///< [-]
 
   explicit operator bool() const { return static_cast<bool>(instance); }
 };

@@ -269,7 +269,8 @@ class World {
   [[nodiscard]] const EmitterDef* emitter(EmitterId emitter) const;     ///< null: it is gone
   [[nodiscard]] bool is_playing(EmitterId emitter) const;               ///< it may fire by itself
   [[nodiscard]] EmitterCounts emitter_counts(EmitterId emitter) const;  ///< zeros: it is gone
-  /// Its particles, by the index of their ids; returns how many there are. Columns that are shorter get the first ones.
+  /// Its particles, by the index of their ids or from far to near; returns how many there are. Columns that are shorter
+  /// get the first ones.
   std::size_t particles(EmitterId emitter, const ParticleColumns& into) const;
   /// Where its particles have been (TrailDef), in their order; returns how many there are.
   TrailCounts trails(EmitterId emitter, const TrailColumns& into) const;

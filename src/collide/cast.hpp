@@ -123,7 +123,7 @@ struct FirstCrossing {
                .time = asked.time + asked.duration * crossing.t,
                .instance = {index, slot.generation},
                .primitive = crossing.primitive,
-               .material = material_of(*slot.shape, crossing).value_or(slot.def.material),
+               .material = material_of(*slot.shape, crossing.primitive, crossing.triangle).value_or(slot.def.material),
                .entering = crossing.entering,
                .starts_inside = crossing.starts_inside};
   if (!slot.path) return hit;

@@ -113,18 +113,17 @@ ShapeInfo ConvexHull::info() const {
 /// By the triangles of those planes that it lies above.
 Nearest ConvexHull::nearest(const Vec3d& p) const {
   double least = kInfinity;
-  Vec3d difference;
+  Nearest nearest;
   for (const Face& face : faces_) {
     const double above = dot(face.normal, p) - face.offset;
     if (!(above > 0) || above >= least) continue;
     for (std::uint32_t i = face.first; i < face.first + face.count; ++i) {
       const auto& corners = triangles_[i];
-      const Vec3d d = p - nearest_point({corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]}, p);
-      const double distance = length(d);
-      if (distance < least) least = distance, difference = d;
+      const Nearest one = nearest_to({corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]}, p);
+      if (one.distance < least) least = one.distance, nearest = one;
     }
   }
-  return least == kInfinity ? Nearest{} : nearest_by(difference);
+  return nearest;
 }
 
 }  // namespace physim::collide

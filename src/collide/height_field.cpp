@@ -135,8 +135,8 @@ void HeightField::clear_of_cell(const Vec3d& p, std::uint32_t column, std::uint3
 }
 
 /// Rings of cells about the point, until none can be nearer.
-std::optional<Vec3d> HeightField::nearest(const Vec3d& p, double& within) const {
-  std::optional<Vec3d> found;
+std::optional<NearPlace> HeightField::nearest(const Vec3d& p, double& within) const {
+  std::optional<NearPlace> found;
   const auto cell_of = [](double place, double spacing, std::uint32_t points) {
     return static_cast<std::int64_t>(std::clamp(std::floor(place / spacing), 0.0, points - 2.0));
   };
@@ -144,11 +144,11 @@ std::optional<Vec3d> HeightField::nearest(const Vec3d& p, double& within) const 
   const std::int64_t last_column = columns_ - 2, last_row = rows_ - 2;
   const auto look_at = [&](std::int64_t i, std::int64_t j) {
     if (i < 0 || i > last_column || j < 0 || j > last_row) return;
+    const auto of_column = static_cast<std::uint32_t>(i), of_row = static_cast<std::uint32_t>(j);
     for (std::uint32_t half = 0; half < 2; ++half) {
-      const Vec3d point =
-          nearest_point(triangle(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), half), p);
+      const Vec3d point = nearest_point(triangle(of_column, of_row, half), p);
       const double distance = length(p - point);
-      if (distance <= within) within = distance, found = point;
+      if (distance <= within) within = distance, found = {point, number(of_column, of_row, half)};
     }
   };
   const std::int64_t most = std::max({column, last_column - column, row, last_row - row});

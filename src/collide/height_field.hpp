@@ -32,11 +32,16 @@ class HeightField {
     const Vec3d right = point(column + 1, row), far = point(column, row + 1);
     return half == 0 ? Triangle{point(column, row), far, right} : Triangle{right, far, point(column + 1, row + 1)};
   }
+  /// The primitive that a hit on a half of a cell tells.
+  [[nodiscard]] std::uint32_t number(std::uint32_t column, std::uint32_t row, std::uint32_t half) const {
+    PHYSIM_ASSERT(column + 1 < columns_ && row + 1 < rows_ && half < 2);
+    return 2 * (row * (columns_ - 1) + column) + half;
+  }
   [[nodiscard]] HeightFieldShape definition() const {
     return {columns_, rows_, spacing_x_, spacing_z_, {heights_.begin(), heights_.end() - kMore}};
   }
 
-  /// Calls take(crossing, segment) for each triangle met. Triangle 2 (row (columns - 1) + column) + i is of that cell.
+  /// Calls take(crossing, segment) for each triangle met.
   template <class Take>
   void crossings(Segment& s, const Take& take) const {
     std::optional<Shear> shear;  // many segments come to no triangle
@@ -74,7 +79,7 @@ class HeightField {
     });
     return s.reach;
   }
-  [[nodiscard]] std::optional<Vec3d> nearest(const Vec3d& p, double& within) const;
+  [[nodiscard]] std::optional<NearPlace> nearest(const Vec3d& p, double& within) const;
   /// Between the distance of p and half of it.
   [[nodiscard]] double clearance(const Vec3d& p) const;
 
@@ -141,8 +146,7 @@ class HeightField {
         const int lane = s.along.x >= 0 ? std::countr_zero(lanes) : 31 - std::countl_zero(lanes);
         lanes &= ~(1u << lane);
         const std::uint32_t column = columns.first + static_cast<std::uint32_t>(lane);
-        for (std::uint32_t half = 0; half < 2; ++half)
-          visit(triangle(column, row, half), 2 * (row * (columns_ - 1) + column) + half);
+        for (std::uint32_t half = 0; half < 2; ++half) visit(triangle(column, row, half), number(column, row, half));
       }
     }
   }

@@ -41,7 +41,7 @@ Result<Mesh> Mesh::make(const MeshShape& shape, std::size_t materials) {
   for (std::uint32_t i = 0; i < shape.triangles.size(); ++i) {
     const auto& corners = shape.triangles[i];
     const Triangle triangle{mesh.vertices_[corners[0]], mesh.vertices_[corners[1]], mesh.vertices_[corners[2]]};
-    if (!(length(triangle.normal()) > 0.5)) {
+    if (!has_area(triangle)) {
       ++mesh.degenerate_;
       continue;
     }
@@ -135,12 +135,12 @@ ShapeInfo Mesh::info() const {
                    tree_.bytes()};
 }
 
-std::optional<Vec3d> Mesh::nearest(const Vec3d& p, double& within) const {
-  std::optional<Vec3d> found;
+std::optional<NearPlace> Mesh::nearest(const Vec3d& p, double& within) const {
+  std::optional<NearPlace> found;
   tree_.around(p, within, [&](std::uint32_t i, double& least) {
     const Vec3d point = nearest_point(triangle(i), p);
     const double distance = length(p - point);
-    if (distance <= least) least = distance, found = point;
+    if (distance <= least) least = distance, found = {point, number(i)};
   });
   return found;
 }

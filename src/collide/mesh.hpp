@@ -31,6 +31,8 @@ class Mesh {
   }
   /// The number of a triangle as it was given.
   [[nodiscard]] std::uint32_t number(std::uint32_t i) const { return numbers_[i]; }
+  /// Those without are left out.
+  [[nodiscard]] static bool has_area(const Triangle& triangle) { return length(triangle.normal()) > 0.5; }
   /// The material of a triangle, by its number as it was given.
   [[nodiscard]] std::optional<MaterialId> material(std::uint32_t triangle) const {
     PHYSIM_ASSERT(materials_.empty() || triangle < materials_.size());
@@ -66,7 +68,7 @@ class Mesh {
     return segment.reach;
   }
   /// The point of the surface nearest to p, where one is nearer than `within`, which is shortened to its distance.
-  [[nodiscard]] std::optional<Vec3d> nearest(const Vec3d& p, double& within) const;
+  [[nodiscard]] std::optional<NearPlace> nearest(const Vec3d& p, double& within) const;
   /// Between the distance of p and half of it.
   [[nodiscard]] double clearance(const Vec3d& p) const;
 

@@ -228,10 +228,8 @@ class SceneContacts {
     const SceneHit there = scene_->first_hit({s.x, s.x - away * (2 * radius), 0, time, 0}, solids_);
     const bool found = there.instance == near.instance;
     const auto moves = scene_->state(near.instance, time);
-    const bool is_known = found || hit.instance == near.instance;
-    const SceneHit& touched = found ? there : hit;
-    hit.material = is_known ? touched.material : scene_->instance(near.instance)->material;
-    hit.primitive = is_known ? touched.primitive : 0;
+    hit.material = found ? there.material : near.material;
+    hit.primitive = found ? there.primitive : near.primitive;
     hit.velocity = moves->velocity + cross(moves->angular_velocity, near.position - moves->position);
     hit.normal = away;
     hit.instance = near.instance;

@@ -98,12 +98,15 @@ SceneNearest Scene::nearest(const Vec3d& point, double within, const SceneFilter
     if (!slot.is_asked(filter)) return;
     const collide::Placement placement = slot.placement_at(time);
     double own = least / placement.scale();
-    const auto place = nearest_of(*slot.shape, placement.inside(point), own);
+    const auto near = nearest_of(*slot.shape, placement.inside(point), own);
     const double distance = own * placement.scale();
-    if (!place ||
-        (found && (distance > found.distance || (distance == found.distance && index > found.instance.index))))
+    if (!near || (found && (distance > found.distance || (distance == found.distance && index > found.instance.index))))
       return;
-    found = {distance, distance == 0 ? point : placement.outside(*place), {index, slot.generation}};
+    found = {distance,
+             distance == 0 ? point : placement.outside(near->position),
+             {index, slot.generation},
+             near->primitive,
+             material_of(*slot.shape, near->primitive, near->triangle).value_or(slot.def.material)};
     least = distance;
   };
   for (const std::uint32_t index : impl_->unbounded) look_at(index, within);

@@ -41,6 +41,13 @@ struct Crossing {
   std::uint32_t triangle = 0;   // of a child that is a mesh
 };
 
+/// What of a surface is nearest to a point.
+struct NearPlace {
+  Vec3d position;               // the point itself inside of a solid
+  std::uint32_t primitive = 0;  // as of a Crossing
+  std::uint32_t triangle = 0;
+};
+
 /// Where a segment is inside of a convex shape: from `in` to `out`.
 struct Passage {
   Crossing in, out;

@@ -44,7 +44,7 @@ Bounds bounds(const Compound& c) {
 }
 
 template <class Surface>
-std::optional<Vec3d> nearest(const Surface& surface, const Vec3d& p, double& within) {
+std::optional<NearPlace> nearest(const Surface& surface, const Vec3d& p, double& within) {
   if constexpr (requires { surface.nearest(p, within); }) {
     return surface.nearest(p, within);
   } else {
@@ -52,16 +52,17 @@ std::optional<Vec3d> nearest(const Surface& surface, const Vec3d& p, double& wit
     const double distance = std::max(core.distance - surface.margin(), 0.0);
     if (distance > within) return std::nullopt;
     within = distance;
-    return p - core.away * distance;
+    return NearPlace{p - core.away * distance};
   }
 }
-std::optional<Vec3d> nearest(const Compound& compound, const Vec3d& p, double& within) {
-  std::optional<Vec3d> found;
-  for (const Compound::Part& part : compound.parts) {
+std::optional<NearPlace> nearest(const Compound& compound, const Vec3d& p, double& within) {
+  std::optional<NearPlace> found;
+  for (std::uint32_t i = 0; i < compound.parts.size(); ++i) {
+    const Compound::Part& part = compound.parts[i];
     double least = within / part.placement.scale();
-    const auto point = nearest_of(*part.shape, part.placement.inside(p), least);
-    if (!point || (found && least * part.placement.scale() >= within)) continue;
-    found = part.placement.outside(*point);
+    const auto near = nearest_of(*part.shape, part.placement.inside(p), least);
+    if (!near || (found && least * part.placement.scale() >= within)) continue;
+    found = {part.placement.outside(near->position), i, near->primitive};
     within = least * part.placement.scale();
   }
   return found;
@@ -113,14 +114,14 @@ ShapeDef definition_of(const Shape& shape) {
   return std::visit([](const auto& one) { return definition(one); }, shape);
 }
 
-std::optional<MaterialId> material_of(const Shape& shape, const Crossing& crossing) {
-  if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->material(crossing.primitive);
+std::optional<MaterialId> material_of(const Shape& shape, std::uint32_t primitive, std::uint32_t triangle) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->material(primitive);
   const auto* compound = std::get_if<Compound>(&shape);
   if (!compound) return std::nullopt;
-  PHYSIM_ASSERT(crossing.primitive < compound->parts.size());
-  const Compound::Part& part = compound->parts[crossing.primitive];
+  PHYSIM_ASSERT(primitive < compound->parts.size());
+  const Compound::Part& part = compound->parts[primitive];
   const auto* mesh = std::get_if<Mesh>(part.shape.get());
-  const auto of_triangle = mesh ? mesh->material(crossing.triangle) : std::nullopt;
+  const auto of_triangle = mesh ? mesh->material(triangle) : std::nullopt;
   return of_triangle ? of_triangle : part.definition.material;
 }
 
@@ -150,7 +151,7 @@ double clear_part_of(const Shape& shape, const Segment& s) {
       shape);
 }
 
-std::optional<Vec3d> nearest_of(const Shape& shape, const Vec3d& p, double& within) {
+std::optional<NearPlace> nearest_of(const Shape& shape, const Vec3d& p, double& within) {
   return std::visit([&](const auto& one) { return nearest(one, p, within); }, shape);
 }
 

@@ -51,8 +51,10 @@ struct Compound {
 
 /// What a shape was made of.
 [[nodiscard]] ShapeDef definition_of(const Shape& shape);
-/// The material that it has of its own where it is crossed; none: that of whatever has the shape.
-[[nodiscard]] std::optional<MaterialId> material_of(const Shape& shape, const Crossing& crossing);
+/// The material that it has of its own at a place that a Crossing or a NearPlace tells; none: that of whatever has the
+/// shape.
+[[nodiscard]] std::optional<MaterialId> material_of(const Shape& shape, std::uint32_t primitive,
+                                                    std::uint32_t triangle);
 /// Empty of half-spaces, which have none.
 [[nodiscard]] Bounds bounds_of(const Shape& shape);
 
@@ -101,7 +103,7 @@ void cross(const Shape& shape, Segment& s, const Take& take) {
 
 /// The point of a surface that is nearest to p, where one is not farther than `within`, which is shortened to its
 /// distance; p itself inside of a solid.
-[[nodiscard]] std::optional<Vec3d> nearest_of(const Shape& shape, const Vec3d& p, double& within);
+[[nodiscard]] std::optional<NearPlace> nearest_of(const Shape& shape, const Vec3d& p, double& within);
 
 /// Between the distance of p from a shape and half of it, but for rounding; cheap.
 [[nodiscard]] double clearance_of(const Shape& shape, const Vec3d& p);

@@ -74,8 +74,9 @@ class Shear {
   double along_x_ = 0, along_y_ = 0, per_z_ = 0;
 };
 
-/// The point of a triangle nearest to p.
-[[nodiscard]] inline Vec3d nearest_point(const Triangle& t, const Vec3d& p) {
+/// The point of a triangle nearest to p, and whether it lies within its edges.
+[[nodiscard]] inline Vec3d nearest_point(const Triangle& t, const Vec3d& p, bool& over_face) {
+  over_face = false;
   const Vec3d ab = t.b - t.a, ac = t.c - t.a, ap = p - t.a;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return t.a;
@@ -92,7 +93,28 @@ class Shear {
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return t.b + (t.c - t.b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
   const double per_sum = 1 / (va + vb + vc);
+  over_face = true;
   return t.a + ab * (vb * per_sum) + ac * (vc * per_sum);
+}
+[[nodiscard]] inline Vec3d nearest_point(const Triangle& t, const Vec3d& p) {
+  bool over_face = false;
+  return nearest_point(t, p, over_face);
+}
+
+/// How far p is from a triangle. Over its face the way there is along the normal: the difference of two places has the
+/// rounding of both in it, which turns it by a part of a hundred where p is a tenth of a nanometre off and a kilometre
+/// from the origin, and who slides along the face would seem to leave it.
+[[nodiscard]] inline Nearest nearest_to(const Triangle& t, const Vec3d& p) {
+  constexpr double kNarrow = 1e-5;  // what is narrower has a normal that rounding turns, too
+  bool over_face = false;
+  Nearest near = nearest_by(p - nearest_point(t, p, over_face));
+  if (!over_face || !(near.distance > 0)) return near;
+  const Vec3d ab = t.b - t.a, ac = t.c - t.a, across = cross(ab, ac);
+  const double size = dot(across, across);
+  if (!(size > kNarrow * kNarrow * dot(ab, ab) * dot(ac, ac))) return near;
+  const double per_length = 1 / std::sqrt(size);
+  near.away = across * (dot(across, near.away) < 0 ? -per_length : per_length);
+  return near;
 }
 
 /// Whether p is not below a plane through a, but for what the difference of their coordinates is rounded to.
@@ -109,8 +131,7 @@ class Shear {
 /// against the normal; a sphere always does. What begins at the surface and leaves along the normal does not meet it.
 [[nodiscard]] PHYSIM_INLINE std::optional<Crossing> meets(const Segment& s, const Shear& shear,
                                                           const Triangle& triangle) {
-  if (s.radius > 0)
-    return first_touch(s, 0, [&](const Vec3d& p) { return nearest_by(p - nearest_point(triangle, p)); });
+  if (s.radius > 0) return first_touch(s, 0, [&](const Vec3d& p) { return nearest_to(triangle, p); });
   const auto t = shear.passes(triangle);
   if (!t || *t < 0 || *t > s.reach) return std::nullopt;
   const Vec3d normal = triangle.normal();

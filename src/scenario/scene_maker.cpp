@@ -4,6 +4,7 @@
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
+#include "collide/mesh.hpp"
 #include "physim/scene_parts.hpp"
 #include "scenario/published_materials.hpp"
 #include "scenario/suggest.hpp"
@@ -156,6 +157,18 @@ Status SceneMaker::make_all() {
   if (status) status = add_each(scenario_.shapes, "shape", [this](std::size_t i) { return add_compound(i); });
   if (status) status = add_each(scenario_.things, "thing", [this](std::size_t i) { return add_thing(i); });
   return status;
+}
+
+std::size_t degenerate_triangles(const ScenarioShape& shape) {
+  const IeeeMode mode;
+  const auto* mesh = std::get_if<MeshShape>(&shape.shape);
+  if (!mesh) return 0;
+  const std::size_t vertices = mesh->vertices.size();
+  return static_cast<std::size_t>(std::ranges::count_if(mesh->triangles, [&](const auto& corners) {
+    if (std::ranges::any_of(corners, [vertices](std::uint32_t corner) { return corner >= vertices; })) return false;
+    return !collide::Mesh::has_area(
+        {mesh->vertices[corners[0]], mesh->vertices[corners[1]], mesh->vertices[corners[2]]});
+  }));
 }
 
 Result<Scene> scene_of(const Scenario& scenario) {

@@ -271,7 +271,7 @@ EmitterCounts World::emitter_counts(EmitterId id) const {
 namespace {
 
 template <class T>
-void put(std::span<T> column, std::size_t i, const T& value) {
+void put(const Column<T>& column, std::size_t i, const T& value) {
   if (i < column.size()) column[i] = value;
 }
 

@@ -1,5 +1,8 @@
 // Reading the particles of an emitter into columns.
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
 
 #include "base/ieee_mode.hpp"
 #include "emit/looks.hpp"
@@ -25,10 +28,10 @@ class ParticleReader {
         phases_(looks_ && show_.read_phase()) {}
 
   std::size_t read() {
-    state_.emitters.each_particle_of(index_, [this](std::uint32_t slot, const Particle&) {
-      slot_[noted_] = slot;
-      if (++noted_ == kPack) put();
-    });
+    if (into_.eye)
+      for (const Seen& each : from_far_to_near(*into_.eye)) note(each.slot);
+    else
+      state_.emitters.each_particle_of(index_, [this](std::uint32_t slot, const Particle&) { note(slot); });
     if (noted_ > 0) put();
     return count_;
   }
@@ -36,14 +39,43 @@ class ParticleReader {
  private:
   static constexpr std::size_t kPack = Looks::kPack;
 
-  /// Calls f with each one's place in a column and in the pack, as far as the column goes.
+  /// Somebody as an eye has it.
+  struct Seen {
+    double away;  // the square of the distance [m^2]
+    std::uint32_t slot;
+  };
+  [[nodiscard]] std::vector<Seen> from_far_to_near(const Vec3d& eye) const {
+    std::vector<Seen> seen;
+    state_.emitters.each_particle_of(index_, [&](std::uint32_t slot, const Particle&) {
+      const Vec3d way = state_.state_of(state_.slots[slot]).position - eye;
+      seen.push_back({dot(way, way), slot});
+    });
+    // What is no number is farther than all: comparing it with others would be no order.
+    for (Seen& each : seen)
+      if (std::isnan(each.away)) each.away = kInfinity;
+    std::ranges::stable_sort(seen, std::ranges::greater{}, &Seen::away);
+    return seen;
+  }
+  void note(std::uint32_t slot) {
+    PHYSIM_ASSERT(noted_ < kPack && slot > 0);
+    slot_[noted_] = slot;
+    if (++noted_ == kPack) put();
+  }
+
+  /// Puts what f says of each in the pack into a column, as far as it goes.
   template <class T, class F>
-  void each_in(std::span<T> column, std::size_t first, std::size_t last, const F& f) const {
-    const std::size_t end = std::min(count_ + last, column.size());
-    for (std::size_t to = count_ + first; to < end; ++to) column[to] = f(to - count_);
+  void each_in(const Column<T>& column, std::size_t first, std::size_t last, const F& f) const {
+    const std::size_t end = std::min(last, column.size() - std::min(count_, column.size()));
+    if (first >= end) return;
+    if (column.stride() != sizeof(T)) {
+      for (std::size_t i = first; i < end; ++i) column[count_ + i] = f(i);
+      return;
+    }
+    T* const to = &column[count_];  // side by side: several are written at once
+    for (std::size_t i = first; i < end; ++i) to[i] = f(i);
   }
   template <class T, class F>
-  void each_in(std::span<T> column, const F& f) const {
+  void each_in(const Column<T>& column, const F& f) const {
     each_in(column, 0, noted_, f);
   }
 
@@ -77,7 +109,7 @@ class ParticleReader {
     const Rows& rows = state_.rows[cohort_[first]];
     for (std::size_t i = first; i < last && rows.may_wait(); ++i) rows.bring_up(row_[i]);
     rows.read_fixed([&](const auto& c) {
-      const auto put = [&](std::span<Vec3d> column, const auto& of) {
+      const auto put = [&](const Column<Vec3d>& column, const auto& of) {
         each_in(column, first, last, [&](std::size_t i) { return Rows::at(of, row_[i]); });
       };
       put(into_.position, c.position), put(into_.previous, c.previous), put(into_.velocity, c.velocity);

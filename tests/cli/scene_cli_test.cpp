@@ -29,6 +29,27 @@ TEST(CliScene, RunTellsWhatFlightsHit) {
   EXPECT_TRUE(has(ran.out, "12 of 12 met")) << ran.out;
 }
 
+TEST(CliScene, RunSaysWhichTrianglesAreLeftOut) {
+  const Folder folder;
+  const std::string path = folder.write("sliver.toml", R"(physim = 1
+[[shape]]
+name = "sheet"
+mesh = { vertices = [[0, -9, -9], [0, 9, -9], [0, 0, 9], [0, 9, -9]], triangles = [[0, 1, 2], [0, 1, 3], [1, 1, 2]] }
+[[thing]]
+name = "target"
+shape = "sheet"
+position = ["5 m", 0, 0]
+[[shot]]
+speed = "100 m/s"
+position = [0, "1 m", 0]
+mass = "1 g"
+diameter = "5 mm"
+)");
+  const Ran ran = physim({"run", path});
+  EXPECT_EQ(ran.err, "warning: 2 of 3 triangles of the shape \"sheet\" have no area and are left out\n");
+  EXPECT_TRUE(has(ran.out, "target")) << ran.out;
+}
+
 TEST(CliScene, RunWritesHits) {
   const Folder folder;
   const auto json = json_of(physim({"run", kMortar, "--json", "-", "--hits", folder / "hits.csv"}));
@@ -53,7 +74,12 @@ TEST(CliScene, OthersSayThatTheyLeaveThingsAside) {
   const Ran far = physim({"max-range", kMortar});
   EXPECT_EQ(far.code, 0);
   EXPECT_TRUE(has(far.err, "left aside")) << far.err;
-  EXPECT_EQ(physim({"table", PHYSIM_SOURCE_DIR "/scenarios/bullet_through_plank.toml"}).err, "") << "of worlds, all is";
+  const std::string plank = PHYSIM_SOURCE_DIR "/scenarios/bullet_through_plank.toml";  // in a world
+  const Ran in_world = physim({"table", plank}), compared = physim({"compare", plank}),
+            study = physim({"study", plank, "--vary", "shot.speed = +- 1 m/s", "--shots", "64"});
+  EXPECT_TRUE(has(in_world.err, "things of the scenario are left aside: a range card is of")) << in_world.err;
+  EXPECT_TRUE(has(compared.err, "left aside: a comparison is of")) << compared.err;
+  EXPECT_TRUE(has(study.err, "left aside: a study of a scenario with a [world] is of")) << study.err;
 }
 
 /// The low shot strikes the hill; from some elevation on it goes over the top. Elevations lie evenly within 18 and 40

@@ -388,5 +388,72 @@ TEST(Scene, materials_are_those_of_triangles_or_of_the_thing) {
   EXPECT_EQ(name_at(1), "wood");
 }
 
+/// A point that slides along a slope far from the origin is looked for by spheres of a tenth of a nanometre, which sink
+/// by less than a thousandth of their way.
+TEST(Scene, tiny_spheres_that_sink_slowly_into_large_triangles_meet_them) {
+  Random r(31);
+  int casts = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Vec3d a{r.in(-3000, 3000), r.in(-300, 300), r.in(-3000, 3000)};
+    const Vec3d b = a + Vec3d{r.in(-20, 20), r.in(-90, 90), r.in(150, 300)},
+                c = a + Vec3d{r.in(150, 300), r.in(-90, 90), r.in(-20, 20)};
+    const Vec3d normal = normalized(cross(b - a, c - a)), middle = (a + b + c) * (1.0 / 3);
+    Scene scene;
+    const bool is_hull = i % 4 == 0;
+    const auto shape = is_hull ? scene.add_shape(ConvexHullShape{{a, b, c, middle - normal * 50}})
+                               : scene.add_shape(MeshShape{{a, b, c}, {{0, 1, 2}}, {}});
+    ASSERT_TRUE(shape);
+    ASSERT_TRUE(scene.add({.shape = *shape}));
+    for (int k = 0; k < 20; ++k, ++casts) {
+      const Vec3d along = normalized(cross(normal, random_vector(r, 1)));
+      const double radius = 1e-10, sinks = r.in(3e-10, 3e-9), way = r.in(1e-6, 1e-4);
+      // Places are off by some 1e-12 m.
+      const Vec3d from = middle + along * r.in(-20, 20) + normal * (radius + r.in(5e-12, 5e-11));
+      const SceneHit hit = scene.first_hit({from, from + along * way - normal * sinks, radius});
+      ASSERT_TRUE(hit) << i << ", " << k;
+      EXPECT_GT(std::abs(dot(hit.normal, normal)), hit.starts_inside ? 0 : 1 - 1e-12);
+    }
+  }
+  EXPECT_EQ(casts, 8000);
+}
+
+TEST(Scene, nearest_tells_the_primitive_and_the_material_that_a_hit_there_has) {
+  Random r(29);
+  Scene scene;
+  const MaterialId steel = *scene.add_material({.name = "steel"}), wood = *scene.add_material({.name = "wood"}),
+                   glass = *scene.add_material({.name = "glass"});
+  MeshShape roof{{{-1, 1, -1}, {-1, 1, 1}, {0, 2, -1}, {0, 2, 1}, {1, 1, -1}, {1, 1, 1}},
+                 {{0, 1, 2}, {2, 1, 1}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}},  // the second has no area
+                 {steel, steel, wood, glass, MaterialId{}}};
+  const auto tiles = scene.add_shape(roof), wall = scene.add_shape(BoxShape{{1, 0.5, 0.1}});
+  const auto house = scene.add_shape(CompoundShape{{{*wall, {.position = {0, 0.5, -1}}, glass},
+                                                    {*wall, {.position = {0, 0.5, 1}}},
+                                                    {*tiles, {.position = {0, 0.1, 0}, .scale = 1.2}, wood}}});
+  ASSERT_TRUE(house);
+  ASSERT_TRUE(scene.add({.shape = *house, .transform = {.rotation = {1, 0, 0.3, 0}}, .material = steel}));
+  ASSERT_TRUE(scene.add({.shape = *tiles, .transform = {.position = {4, 0, 0}, .scale = 0.7}, .material = glass}));
+  ASSERT_TRUE(
+      scene.add({.shape = *scene.add_shape(HeightFieldShape{4, 3, 1, 1.5, {0, 1, 0, 1, 1, 0, 2, 0, 0, 1, 0, 1}}),
+                 .transform = {.position = {7, 0, -2}},
+                 .material = wood}));
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> seen;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3d p{r.in(-2, 11), r.in(-1, 4), r.in(-3, 3)};
+    const SceneNearest near = scene.nearest(p, 3);
+    if (!near || near.distance < 1e-3) continue;
+    const Vec3d way = near.position - p;
+    const SceneHit hit = scene.first_hit({p, p + way * 1.001});
+    if (!hit || std::abs(std::abs(dot(hit.normal, way)) - near.distance) > 1e-9)
+      continue;  // at edges another may be met
+    ASSERT_EQ(near.instance, hit.instance) << i;
+    EXPECT_EQ(near.primitive, hit.primitive) << i;
+    EXPECT_EQ(near.material, hit.material) << i;
+    seen.insert({near.instance.index, near.primitive, near.material.index});
+  }
+  EXPECT_GE(seen.size(), 22u) << "6 of the house, 4 of the tiles, 12 of the field";
+  EXPECT_EQ(scene.nearest(rotate(normalized(Quatd{1, 0, 0.3, 0}), Vec3d{0, 0.5, 1})).primitive, 1u)
+      << "inside of a part";
+}
+
 }  // namespace
 }  // namespace physim

@@ -1,6 +1,8 @@
 // Looks of particles in columns: those of each particle by what can be known of it from outside, for emitters whose
 // looks depend on draws, on the cycle, on age and on what was inherited, and through saves and snapshots.
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "emit/emission.hpp"
 #include "world/emitter_support.hpp"
@@ -123,6 +125,75 @@ TEST(EmitterLooks, go_through_saves_and_snapshots) {
   EXPECT_EQ(f.all(), before);
   step_to(f.world, 1, 60);
   EXPECT_EQ(f.all(), after);
+}
+
+/// A vertex as a renderer might have it.
+struct Sprite {
+  float fade = 1;
+  Vec3d position{};
+  std::uint32_t colour = 0;
+  std::uint64_t number = 0;
+};
+
+TEST(EmitterLooks, go_into_members_of_structs) {
+  Fireworks f;
+  step_to(f.world, 0.7, 60);
+  const std::size_t count = f.world.particles(f.first_id, {});
+  ASSERT_GT(count, 40u);
+  std::vector<Vec3d> position(count);
+  std::vector<std::uint32_t> colour(count);
+  std::vector<std::uint64_t> number(count);
+  f.world.particles(f.first_id, {.position = position, .colour = colour, .number = number});
+  for (const std::size_t room : {count + 7, count, count - 5, std::size_t{1}, std::size_t{0}}) {
+    std::vector<Sprite> sprites(room);
+    const Column<Vec3d> places{sprites, &Sprite::position};
+    EXPECT_EQ(f.world.particles(
+                  f.first_id,
+                  {.position = places, .colour = {sprites, &Sprite::colour}, .number = {sprites, &Sprite::number}}),
+              count);
+    for (std::size_t i = 0; i < room; ++i) {
+      EXPECT_EQ(sprites[i].fade, 1) << i;
+      EXPECT_EQ(sprites[i].position, i < count ? position[i] : Vec3d{}) << i;
+      EXPECT_EQ(sprites[i].colour, i < count ? colour[i] : 0) << i;
+      EXPECT_EQ(sprites[i].number, i < count ? number[i] : 0) << i;
+    }
+  }
+  std::vector<double> mixed(3 * count, -1);  // every third number
+  std::vector<double> age(count);
+  f.world.particles(f.first_id, {.age = age});
+  f.world.particles(f.first_id, {.age = {mixed.data() + 1, count, 3 * sizeof(double)}});
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(mixed[3 * i + 1], age[i]);
+    EXPECT_EQ(mixed[3 * i + 2], -1);
+  }
+}
+
+TEST(EmitterLooks, come_from_far_to_near_of_an_eye) {
+  Fireworks f;
+  step_to(f.world, 0.7, 60);
+  const std::size_t count = f.world.particles(f.first_id, {});
+  std::vector<ProjectileId> by_index(count), id(count);
+  std::vector<Vec3d> position(count), of_index(count);
+  std::vector<std::uint32_t> colour(count), colour_of_index(count);
+  f.world.particles(f.first_id, {.id = by_index, .position = of_index, .colour = colour_of_index});
+  const Vec3d eye{3, 1, -2};
+  EXPECT_EQ(f.world.particles(f.first_id, {.id = id, .position = position, .colour = colour, .eye = eye}), count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) {
+      const double before = length(position[i - 1] - eye), now = length(position[i] - eye);
+      EXPECT_TRUE(before > now || (before == now && id[i - 1].index < id[i].index)) << i;
+    }
+    const auto at = std::ranges::find(by_index, id[i]);
+    ASSERT_NE(at, by_index.end());
+    EXPECT_EQ(position[i], of_index[static_cast<std::size_t>(at - by_index.begin())]);
+    EXPECT_EQ(colour[i], colour_of_index[static_cast<std::size_t>(at - by_index.begin())]);
+  }
+  EXPECT_NE(id, by_index);
+  std::vector<ProjectileId> farthest(3);
+  f.world.particles(f.first_id, {.id = farthest, .eye = eye});
+  EXPECT_TRUE(std::ranges::equal(farthest, std::span(id).first(3)));
+  f.world.particles(f.first_id, {.id = id, .eye = Vec3d{test::kNan, 0, 0}});
+  EXPECT_EQ(id, by_index) << "all are equally far from nowhere";
 }
 
 TEST(EmitterLooks, slots_of_an_emitter_that_is_gone_are_used_again) {

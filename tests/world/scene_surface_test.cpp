@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physim/impact.hpp"
+#include "random_shots.hpp"
 #include "support.hpp"
 #include "world/thing_support.hpp"
 
@@ -372,6 +373,32 @@ TEST(SceneSurface, what_is_held_in_a_plane_stays_in_it) {
         EXPECT_LT(length(world[id].velocity() - Vec3d{-50, 0, 0}), 1e-9);
         EXPECT_NEAR(world[id].position().z, 0, 1e-12);
       }
+}
+
+/// Adaptive steps look for contacts by spheres as small as a path bends, which the next ones follow.
+TEST(SceneSurface, points_that_slide_far_from_the_origin_stay_on_large_triangles) {
+  test::Random r(5);
+  MeshShape slope;
+  slope.vertices = {{-3000, 900, -3000}, {-3000, 700, 3000}, {3000, 100, -3000}, {3000, -100, 3000}};
+  slope.triangles = {{0, 1, 2}, {2, 1, 3}};
+  Scene scene;
+  put(scene, slope, {}, {.restitution = 0.5, .friction = 0.05});
+  World world = world_with(scene, {.ground = {.mode = GroundMode::none}});  // through air
+  ProjectileDef p = stone();
+  p.fidelity = Fidelity::small_arms();
+  BodyDef body;
+  body.collision.on_hit = OnHit::bounce;
+  body.restitution = 0.5;
+  std::vector<ProjectileId> points;
+  const Vec3d normal = normalized(Vec3d{0.8 / 6, 1, 0.2 / 6});
+  const auto height = [&](const Vec3d& x) { return dot(normal, x - slope.vertices[0]); };
+  for (int i = 0; i < 100; ++i) {
+    Vec3d at{r.in(-2500, 2500), 0, r.in(-2500, 2500)};
+    at.y = -height(at) / normal.y + 0.01;
+    points.push_back(*world.spawn(*world.add_kind(p, body), launched(at, {r.in(-1, 3), 0, r.in(-2, 2)})));
+  }
+  for (int step = 0; step < 400; ++step) ASSERT_TRUE(world.step(kStep));
+  for (const ProjectileId id : points) EXPECT_GT(height(world[id].position()), -1e-9) << id.index;
 }
 
 }  // namespace
