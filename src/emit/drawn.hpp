@@ -23,6 +23,13 @@ namespace physim {
 template <std::size_t N>
 using WideOf = std::conditional_t<N % 4 != 0, double, Pack<double, 4>>;
 
+/// Which part of its life is over.
+[[nodiscard]] inline double part_of_life(double time, double birth, double span) {
+  PHYSIM_ASSERT(span > 0);
+  const double part = (time - birth) / span;
+  return part < 0 ? 0 : part > 1 ? 1 : part;
+}
+
 /// A curve over 0..1; 1 where it has no keys.
 class EmitCurve {
  public:

@@ -96,7 +96,8 @@ PHYSIM_INLINE void put_gradient(const GradientPieces& pieces, const double* x, c
     const GradientPiece &p = pieces.at[1], &last = pieces.at[2];
     for (std::size_t i = 0; i < count; i += kWide) {
       const R at = wide_at<R>(x + i);
-      R u = (at - R(p.start)) / R(p.length);
+      R u = at - R(p.start);
+      if (p.length != 1) u = u / R(p.length);
       u = select(at < R(p.start), R(0.0), select(at < R(last.start), u, R(1.0)));
       for (std::size_t k = 0; k < 4; ++k) put_wide(R(p.colour[k]) + u * R(p.more[k]), colour.part[k] + i);
     }

@@ -10,14 +10,6 @@
 namespace physim {
 namespace {
 
-/// Which part of its life is over.
-double part_of_life(double time, double birth, double span) {
-  PHYSIM_ASSERT(span > 0);
-  const double part = (time - birth) / span;
-  return part < 0 ? 0 : part > 1 ? 1 : part;
-}
-double part_of_life(const InFlight& particle, double time) { return part_of_life(time, particle.birth, particle.span); }
-
 auto drawn_as(FlightChance& chance, FlightDraw what) {
   return [&chance, what] { return chance(what); };
 }
@@ -105,15 +97,15 @@ void FlightLaw::accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::
 }
 
 void FlightLaw::drag_rates(const ParticleKernel& kernel, const std::uint64_t* number, const double* birth,
-                           const double* span, double time, std::array<double, kPack>& rate) const {
+                           const double* span, double time, double* rate) const {
   PHYSIM_ASSERT(is_drag_by_age());
   std::array<double, kPack> x;
   kernel.part_of_life(time, birth, span, x.data());
-  if (!drag_.is_drawn()) return kernel.number(drag_.job(x.data(), nullptr, rate.data()));
+  if (!drag_.is_drawn()) return kernel.number(drag_.job(x.data(), nullptr, rate));
   std::array<std::uint64_t, kPack> numbers;
   std::copy_n(number, kPack, numbers.begin());
   PackChance<FlightDraw, EmitStream::flight, kPack> chance(seed_, numbers, &kernel);
-  draw_each(drag_, x, rate, chance, FlightDraw::drag);
+  kernel.number(drag_.job(x.data(), chance.words(FlightDraw::drag).data(), rate));
 }
 
 Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const FlightState& s) const {
@@ -127,7 +119,7 @@ Vec3d FlightLaw::acceleration(const InFlight& particle, double time, const Fligh
 }
 
 Vec3d FlightLaw::added_velocity(const InFlight& particle, double time) const {
-  const double x = part_of_life(particle, time);
+  const double x = part_of_life(time, particle.birth, particle.span);
   FlightChance chance(seed_, particle.number);
   return {velocity_.x.at(x, drawn_as(chance, FlightDraw::velocity_x)),
           velocity_.y.at(x, drawn_as(chance, FlightDraw::velocity_y)),
@@ -135,7 +127,7 @@ Vec3d FlightLaw::added_velocity(const InFlight& particle, double time) const {
 }
 
 Vec3d FlightLaw::velocity_rate(const InFlight& particle, double time) const {
-  const double x = part_of_life(particle, time);
+  const double x = part_of_life(time, particle.birth, particle.span);
   FlightChance chance(seed_, particle.number);
   const Vec3d slope{velocity_.x.slope(x, drawn_as(chance, FlightDraw::velocity_x)),
                     velocity_.y.slope(x, drawn_as(chance, FlightDraw::velocity_y)),

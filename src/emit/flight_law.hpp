@@ -78,7 +78,7 @@ class FlightLaw {
   void accelerations(const FlightPack<kPack>& pack, FlightPack<kPack>::Vectors& a) const;
   /// Rates of such drag at a time, of kPack particles whose numbers, births and spans lie in columns [1/s].
   void drag_rates(const ParticleKernel& kernel, const std::uint64_t* number, const double* birth, const double* span,
-                  double time, std::array<double, kPack>& rate) const;
+                  double time, double* rate) const;
   /// That is in its velocity at a time [m/s], and its derivative [m/s^2].
   [[nodiscard]] Vec3d added_velocity(const InFlight& particle, double time) const;
   [[nodiscard]] Vec3d velocity_rate(const InFlight& particle, double time) const;

@@ -15,10 +15,16 @@ class Looks::Look {
       : p_(parts), pack_(pack), chance_(parts.seed, pack.number, N == kColumn ? &kernel : nullptr) {
     const double fast = p_.def.life.fast;
     for (std::size_t i = 0; i < N; ++i) {
-      PHYSIM_ASSERT(pack.lifetime[i] > 0 && pack.age[i] >= 0 && pack.speed[i] >= 0);
+      PHYSIM_ASSERT(pack.lifetime[i] > 0);
       span_[i] = pack.lifetime[i] < kInfinity ? pack.lifetime[i] : 1;  // [s]
-      x_[i] = std::min(pack.age[i] / span_[i], 1.0);
-      hurry_[i] = fast > 0 ? std::min(pack.speed[i] / fast, 1.0) : 0;
+    }
+    if constexpr (N == kColumn)
+      kernel.part_of_life(pack.time, pack.birth.data(), span_.data(), x_.data());
+    else
+      for (std::size_t i = 0; i < N; ++i) x_[i] = part_of_life(pack.time, pack.birth[i], span_[i]);
+    for (std::size_t i = 0; i < N && fast > 0; ++i) {
+      PHYSIM_ASSERT(pack.speed[i] >= 0);
+      hurry_[i] = std::min(pack.speed[i] / fast, 1.0);
     }
   }
 
@@ -45,8 +51,10 @@ class Looks::Look {
     const EmitNumber& turn = p_.life.turn;
     Column u{};
     if (turn.is_drawn()) u = chance_(Draw::life_turn);
-    for (std::size_t i = 0; i < N; ++i)
-      about[i] = about[i] + span_[i] * turn.integral(pack_.age[i] / span_[i], [&u, i] { return u[i]; });
+    for (std::size_t i = 0; i < N; ++i) {
+      const double age = std::max(pack_.time - pack_.birth[i], 0.0);
+      about[i] = about[i] + span_[i] * turn.integral(age / span_[i], [&u, i] { return u[i]; });
+    }
     put(p_.start.rotation_y, pack_.phase, y, Draw::rotation_y);
     put(p_.start.rotation_z, pack_.phase, z, Draw::rotation_z);
     const double flipped = p_.def.start.flipped;
@@ -86,7 +94,8 @@ class Looks::Look {
   const Emission::Parts& p_;
   LookPack<N>& pack_;
   PackChance<Draw, EmitStream::particle, N> chance_;
-  Column span_, x_, hurry_;
+  Column span_, x_;
+  Column hurry_;  // where looks follow the speed
 };
 
 bool Looks::read_phase() const {
@@ -106,7 +115,7 @@ void Looks::put(LookPack<N>& pack, const LookParts& wanted) const {
 template void Looks::put(LookPack<Looks::kPack>& pack, const LookParts& wanted) const;
 
 Look Emission::look(std::uint64_t number, double phase, double lifetime, double age, double speed) const {
-  LookPack<1> pack{{number}, {phase}, {lifetime}, {age}, {speed}, {}, {}, {}};
+  LookPack<1> pack{age, {number}, {phase}, {0}, {lifetime}, {speed}, {}, {}, {}};
   Looks(*this).put(pack, {});
   const auto vector = [](const std::array<LookPack<1>::Column, 3>& of) { return Vec3d{of[0][0], of[1][0], of[2][0]}; };
   return {vector(pack.size), vector(pack.rotation), pack.colour[0]};

@@ -13,8 +13,9 @@ namespace physim {
 template <std::size_t N>
 struct LookPack {
   using Column = std::array<double, N>;
+  double time;  // at which they are seen [s]
   std::array<std::uint64_t, N> number;
-  Column phase, lifetime, age, speed;  // as Emission::look() is given them
+  Column phase, birth, lifetime, speed;  // as Emission::look() is given them, with births for ages
   std::array<Column, 3> size, rotation;
   std::array<std::uint32_t, N> colour;
 };

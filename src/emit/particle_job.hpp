@@ -57,14 +57,6 @@ struct WordsJob {
   std::uint32_t* words[4];
 };
 
-/// Linear drag at rates k, as pushes of rows from `row` on: -k v.
-template <class S>
-struct DragJob {
-  const S* velocity[3];
-  const double* rate;
-  S* push[3];
-};
-
 struct ParticleKernel {
   const char* name;
   void (*words)(const WordsJob& job);
@@ -75,8 +67,6 @@ struct ParticleKernel {
   void (*pack_colours)(const ColourColumns& colour, std::uint32_t* packed);
   /// Which part of its span each has lived through, 0 to 1.
   void (*part_of_life)(double time, const double* birth, const double* span, double* part);
-  void (*drag_float)(const DragJob<float>& job);
-  void (*drag_double)(const DragJob<double>& job);
 };
 
 /// That of the instruction set whose batch kernel is in use.

@@ -45,16 +45,6 @@ PHYSIM_INLINE void put_scaled(double factor, const CurvePieces& curve, const dou
   if (curve.count > 0) put_curve<Numbers>(curve, x, y, kColumn);
   for (std::size_t i = 0; i < kColumn; ++i) y[i] = curve.count > 0 ? factor * y[i] : factor;
 }
-
-template <class S>
-PHYSIM_INLINE void put_drag(const DragJob<S>& job) {
-  for (int axis = 0; axis < 3; ++axis) {
-    S push[kColumn];  // apart from what is read: compilers see that nothing overlaps
-    for (std::size_t i = 0; i < kColumn; ++i)
-      push[i] = static_cast<S>(0 - static_cast<double>(job.velocity[axis][i]) * job.rate[i]);
-    for (std::size_t i = 0; i < kColumn; ++i) job.push[axis][i] = push[i];
-  }
-}
 }  // namespace
 
 void draw_words(const WordsJob& job) { put_words<kColumn>(job); }
@@ -92,8 +82,5 @@ void put_parts_of_life(double time, const double* birth, const double* span, dou
     select(x < Numbers(0.0), Numbers(0.0), select(x > Numbers(1.0), Numbers(1.0), x)).store(part + i);
   }
 }
-
-void put_drag_float(const DragJob<float>& job) { put_drag(job); }
-void put_drag_double(const DragJob<double>& job) { put_drag(job); }
 
 PHYSIM_ISA_END

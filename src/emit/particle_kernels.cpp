@@ -8,15 +8,14 @@ PHYSIM_KERNEL_COPIES(void draw_words(const WordsJob& job); void draw_few_words(c
                      void put_numbers(const NumberJob& job);
                      void put_gradients(const GradientPieces& pieces, const double* x, const ColourColumns& colour);
                      void pack_colours(const ColourColumns& colour, std::uint32_t* packed);
-                     void put_parts_of_life(double time, const double* birth, const double* span, double* part);
-                     void put_drag_float(const DragJob<float>& job); void put_drag_double(const DragJob<double>& job);)
+                     void put_parts_of_life(double time, const double* birth, const double* span, double* part);)
 
 namespace {
 
 #define PHYSIM_PARTICLE_KERNEL(isa)                                                                      \
   {                                                                                                      \
 #isa, isa::draw_words, isa::draw_few_words, isa::put_numbers, isa::put_gradients, isa::pack_colours, \
-        isa::put_parts_of_life, isa::put_drag_float, isa::put_drag_double                                \
+        isa::put_parts_of_life                                                                           \
   }
 
 constexpr ParticleKernel kParticleKernels[] = {

@@ -35,21 +35,21 @@ PHYSIM_INLINE Pack<std::uint64_t, N> product_of_words(const Pack<std::uint64_t, 
 #endif
 }
 
-/// Ten rounds, in place.
+/// Ten rounds, in place. Products read the lower 32 bits alone, so that what stands above them is cleared once.
 template <int N>
 PHYSIM_INLINE void philox_lanes(Pack<std::uint64_t, N> (&word)[4], const std::uint32_t (&key)[2]) {
   using U = Pack<std::uint64_t, N>;
-  const U lower(kPhiloxWord);
   std::uint32_t first = key[0], second = key[1];
   for (int round = 0; round < 10; ++round) {
     const U a = product_of_words(word[0], 0xD2511F53u), b = product_of_words(word[2], 0xCD9E8D57u);
     word[0] = (b >> 32) ^ word[1] ^ U(first);
     word[2] = (a >> 32) ^ word[3] ^ U(second);
-    word[1] = b & lower;
-    word[3] = a & lower;
+    word[1] = b;
+    word[3] = a;
     first += 0x9E3779B9u;
     second += 0xBB67AE85u;
   }
+  for (U& w : word) w = w & U(kPhiloxWord);
 }
 
 PHYSIM_ISA_END

@@ -36,6 +36,13 @@ void DrivenRows::Columns::resize(std::size_t rows) {
   for (std::size_t row = rows; row < size; ++row) slot[row] = emitter[row] = 0;
 }
 
+bool DrivenRows::Columns::is_of(const WorldState& state, const Rows& rows, std::uint64_t of) const {
+  const auto row = static_cast<std::uint32_t>(of);
+  const std::uint32_t driver = state.emitters.law_of(rows.slot(row)) ? state.emitters.emitter_of(rows.slot(row)) : 0;
+  return slot[row] == rows.slot(row) && emitter[row] == driver &&
+         (driver == 0 || number[row] == state.emitters.span(slot[row]).number);
+}
+
 void DrivenRows::Columns::look_up(const WorldState& state, std::uint32_t row, std::uint32_t index) {
   PHYSIM_ASSERT(row < slot.size());
   slot[row] = index;
@@ -49,37 +56,29 @@ void DrivenRows::Columns::look_up(const WorldState& state, std::uint32_t row, st
 void DrivenRows::find(const Registry& registry, WorldState& state) {
   cohorts_.resize(state.rows.size());
   for (std::uint16_t c = 0; c < state.rows.size(); ++c) {
-    const Rows& rows = state.rows[c];
+    Rows& rows = state.rows[c];
     if (!registry.cohort(c).key.forced) continue;
     Columns& known = cohorts_[c];
-    known.resize(rows.size());  // who comes back later into a row that was taken away is looked up again
-    if (rows.size() == 0) continue;
-    const std::uint32_t *const slots = rows.slots(), *const seen = known.slot.data();
+    known.resize(rows.size());
+    if (!known.is_known) rows.begin_changes();
     // What is kept of slots lies all over the memory: it is fetched for some rows, then read.
     std::array<std::uint32_t, kAhead> stale;
     std::size_t found = 0;
     const auto look_up = [&] {
-      for (std::size_t i = 0; i < found; ++i) known.look_up(state, stale[i], slots[stale[i]]);
+      for (std::size_t i = 0; i < found; ++i) known.look_up(state, stale[i], rows.slot(stale[i]));
       found = 0;
     };
-    for (std::uint32_t row = 0; row < rows.size(); ++row) {
-      if (seen[row] == slots[row]) continue;
-      state.emitters.prefetch(slots[row]), state.slots.prefetch_birth(slots[row]);
+    const auto note = [&](std::uint32_t row) {
+      state.emitters.prefetch_span(rows.slot(row)), state.slots.prefetch_birth(rows.slot(row));
       stale[found++] = row;
       if (found == kAhead) look_up();
-    }
+    };
+    for (std::uint32_t row = 0; row < rows.size() && !known.is_known; ++row) note(row);
+    rows.take_changes(note);
     look_up();
-  }
-  const std::vector<std::uint32_t> changed = state.emitters.take_changed();
-  for (std::size_t i = 0; i < changed.size(); ++i) {
-    const std::uint32_t index = changed[i];
-    if (i + kAhead < changed.size()) {
-      state.slots.prefetch(changed[i + kAhead]), state.slots.prefetch_birth(changed[i + kAhead]);
-      state.emitters.prefetch(changed[i + kAhead]);
-    }
-    const Slot& slot = state.slots[index];
-    if (!slot.is(kAlive) || !registry.cohort(slot.cohort).key.forced) continue;
-    cohorts_[slot.cohort].look_up(state, slot.row, index);
+    known.is_known = true;
+    // One row, another one in each step.
+    PHYSIM_ASSERT(rows.size() == 0 || known.is_of(state, rows, state.clock.steps % rows.size()));
   }
 }
 
@@ -101,7 +100,7 @@ void DrivenRows::each_law(const WorldState& state, const Columns& rows, std::uin
 }
 
 void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
-                       double time, std::array<double, DrivenBlock::kMost>& rate) const {
+                       double time, double* rate) const {
   constexpr std::size_t kMost = DrivenBlock::kMost;
   const Columns& rows = cohorts_[cohort];
   PHYSIM_ASSERT(first % kMost == 0 && first + kMost <= rows.slot.size());
@@ -111,7 +110,7 @@ void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, st
   if (others == 0 && emitter[0] != 0)
     return state.emitters[emitter[0]].emission->flight().drag_rates(kernel, &rows.number[first], &rows.birth[first],
                                                                     &rows.span[first], time, rate);
-  rate.fill(0);
+  std::fill_n(rate, kMost, 0);
   each_law(state, rows, first, kMost, [&](const FlightLaw& law, const Lanes& lanes, std::size_t count) {
     std::array<std::uint64_t, kMost> number;
     Column birth, span, theirs;
@@ -119,7 +118,7 @@ void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, st
       const std::size_t row = first + lanes[i];
       number[i] = rows.number[row], birth[i] = rows.birth[row], span[i] = rows.span[row];
     }
-    law.drag_rates(kernel, number.data(), birth.data(), span.data(), time, theirs);
+    law.drag_rates(kernel, number.data(), birth.data(), span.data(), time, theirs.data());
     for (std::size_t i = 0; i < count; ++i) rate[lanes[i]] = theirs[i];
   });
 }

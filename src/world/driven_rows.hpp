@@ -1,7 +1,7 @@
 // Driven rows: what emitters do to the flights of many of their particles, asked for pack by pack.
 //
 // What a law reads of a particle lies by slots, all over the memory, and stays as it is while the particle lives. So it
-// is kept here in order of rows from step to step, and looked up anew only where a row or a slot has changed hands.
+// is kept here in order of rows from step to step, and looked up anew only where a row has changed.
 #pragma once
 
 #include <span>
@@ -29,9 +29,9 @@ class DrivenRows {
   void forget() { cohorts_.clear(); }
   /// In a stage at a time of the world.
   void push(const Registry& registry, const WorldState& state, double time, DrivenBlock& block) const;
-  /// Rates of drag at a time, from a row of a cohort on, where the flights of all are drag_by_age() [1/s].
+  /// Rates of drag at a time, of DrivenBlock::kMost rows of a cohort, where the flights of all are drag_by_age() [1/s].
   void rates(const ParticleKernel& kernel, const WorldState& state, std::uint16_t cohort, std::uint32_t first,
-             double time, std::array<double, DrivenBlock::kMost>& rate) const;
+             double time, double* rate) const;
   /// Whether all of it is done by packs: velocities that are added need to know of the whole step.
   [[nodiscard]] static bool in_packs(const WorldState& state);
   /// Whether emitters do nothing to flights but drag whose rate follows age.
@@ -40,12 +40,15 @@ class DrivenRows {
  private:
   /// What is known of rows, in columns as long as whole packs.
   struct Columns {
+    bool is_known = false;
     std::vector<std::uint32_t> slot;
     std::vector<std::uint32_t> emitter;  // that drives it; 0: none
     std::vector<std::uint64_t> number;   // of the particle, as InFlight has it; likewise
     std::vector<double> birth, span;
     void resize(std::size_t rows);  // those behind the last one are nobody's
     void look_up(const WorldState& state, std::uint32_t row, std::uint32_t slot);
+    /// Whether what is known of a row is so.
+    [[nodiscard]] bool is_of(const WorldState& state, const Rows& rows, std::uint64_t row) const;
   };
   using Lanes = std::array<std::uint8_t, DrivenBlock::kMost>;
   /// Calls f for each emitter among `count` rows from `first` on, with its law, the lanes of its rows, the last ones

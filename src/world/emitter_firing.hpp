@@ -1,10 +1,11 @@
 // Firing: what an emitter lets out at one moment inside of a step, and the order in which that happens.
 #pragma once
 
+#include <algorithm>
 #include <optional>
-#include <queue>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "world/emitter_step.hpp"
 
@@ -33,35 +34,65 @@ struct Firing {
 };
 
 /// What fires next. The first one waits apart: mostly an emitter's next moment comes before anybody else's, and is not
-/// sorted in.
+/// sorted in. Of the others a heap orders what tells most of them apart, and each stays where it was put.
 class FiringQueue {
+  struct Waiting {
+    double time;
+    std::uint32_t emitter;
+    std::uint32_t at;  // in waiting_
+  };
+  [[nodiscard]] auto is_later() const {
+    return [this](const Waiting& a, const Waiting& b) {
+      if (a.time != b.time) return a.time > b.time;
+      if (a.emitter != b.emitter) return a.emitter > b.emitter;
+      return waiting_[a.at] < waiting_[b.at];
+    };
+  }
+
  public:
-  [[nodiscard]] bool empty() const { return !first_ && others_.empty(); }
+  [[nodiscard]] bool empty() const { return !first_ && heap_.empty(); }
   void push(const Firing& firing) {
     PHYSIM_ASSERT(firing.time == firing.time);
-    if (!comes_before_all(firing)) return others_.push(firing);
-    if (first_) others_.push(*first_);
+    if (!comes_before_all(firing)) return wait(firing);
+    if (first_) wait(*first_);
     first_ = firing;
   }
   /// When the first one is; infinite: there is none [s].
   [[nodiscard]] double next_time() const {
-    return first_ ? first_->time : others_.empty() ? kInfinity : others_.top().time;
+    return first_ ? first_->time : heap_.empty() ? kInfinity : heap_.front().time;
   }
   /// Whether one that is not in it would be the next.
   [[nodiscard]] bool comes_before_all(const Firing& firing) const {
-    return first_ ? *first_ < firing : others_.empty() || others_.top() < firing;
+    return first_ ? *first_ < firing : heap_.empty() || waiting_[heap_.front().at] < firing;
   }
   Firing pop() {
     PHYSIM_ASSERT(!empty());
     if (first_) return *std::exchange(first_, std::nullopt);
-    const Firing next = others_.top();
-    others_.pop();
-    return next;
+    std::pop_heap(heap_.begin(), heap_.end(), is_later());
+    const std::uint32_t at = heap_.back().at;
+    heap_.pop_back();
+    free_.push_back(at);
+    return waiting_[at];
   }
 
  private:
+  void wait(const Firing& firing) {
+    auto at = static_cast<std::uint32_t>(waiting_.size());
+    if (free_.empty()) {
+      waiting_.push_back(firing);
+    } else {
+      at = free_.back();
+      free_.pop_back();
+      waiting_[at] = firing;
+    }
+    heap_.push_back({firing.time, firing.emitter, at});
+    std::push_heap(heap_.begin(), heap_.end(), is_later());
+  }
+
   std::optional<Firing> first_;  // before all others
-  std::priority_queue<Firing> others_;
+  std::vector<Waiting> heap_;    // the first one is next
+  std::vector<Firing> waiting_;
+  std::vector<std::uint32_t> free_;  // places in waiting_
 };
 
 }  // namespace physim

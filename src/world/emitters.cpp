@@ -26,15 +26,11 @@ std::uint32_t Emitters::add() {
 void Emitters::erase(std::uint32_t index) {
   const std::uint32_t generation = (*this)[index].generation;
   PHYSIM_ASSERT(all_[index].active);
-  const bool drove = all_[index].drives;
   all_[index] = {};
   all_[index].generation = generation;
   free_.push_back(index);
   for (std::size_t slot = 0; slot < particles_.size(); ++slot)
-    if (emitter_of_[slot] == index) {
-      particles_[slot] = {}, emitter_of_[slot] = 0;
-      if (drove) note_change(static_cast<std::uint32_t>(slot));
-    }
+    if (emitter_of_[slot] == index) particles_[slot] = {}, emitter_of_[slot] = 0;
 }
 
 void Emitters::join(ProjectileId id, const Particle& particle, double birth, double seen) {
@@ -57,7 +53,6 @@ void Emitters::resume(ProjectileId id, const Particle& particle) {
   spans_[id.index] = {particle.number, particle.dies};
   emitter_of_[id.index] = particle.emitter;
   Emitter& emitter = (*this)[particle.emitter];
-  if (emitter.drives) note_change(id.index);
   emitter.bequeaths = emitter.bequeaths || particle.size != 1 || particle.colour != 0xffffffff;
   ++emitter.counts.alive;
   if (emitter.def().when_full != WhenFull::replace_oldest) return;
@@ -75,17 +70,8 @@ void Emitters::leave(std::uint32_t slot, EmitterCount why) {
   PHYSIM_ASSERT(counts.alive > 0);
   --counts.alive;
   ++(counts.*why);
-  if ((*this)[index].drives) note_change(slot);
   particles_[slot] = {};
   emitter_of_[slot] = 0;
-}
-
-void Emitters::note_change(std::uint32_t slot) {
-  changed_.push_back(slot);
-  constexpr std::size_t kFew = 1024;
-  if (changed_.size() <= 4 * particles_.size() + kFew) return;
-  std::ranges::sort(changed_);  // many came and went between two steps
-  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
 }
 
 bool Emitters::is_gone(const Aged& aged, std::uint32_t emitter) const {
@@ -104,7 +90,7 @@ ProjectileId Emitters::oldest(std::uint32_t index) {
 std::size_t Emitters::bytes() const {
   std::size_t sum = particles_.capacity() * (sizeof(Particle) + sizeof(ParticleSpan) + sizeof(std::uint32_t)) +
                     all_.capacity() * sizeof(Emitter) + lives.bytes() + ages.bytes() +
-                    (free_.capacity() + changed_.capacity()) * sizeof(std::uint32_t);
+                    free_.capacity() * sizeof(std::uint32_t);
   for (const Emitter& emitter : all_)
     sum += emitter.by_age.capacity() * sizeof(Aged) + emitter.trails.bytes() + emitter.lead.bytes();
   return sum;

@@ -165,10 +165,14 @@ class Emitters {
   }
   /// Before what is kept of a slot's particle is read: such slots lie all over the memory.
   void prefetch(std::uint32_t slot) const {
+    prefetch_span(slot);
+    if (slot < emitter_of_.size()) prefetch_at(&particles_[slot]);
+  }
+  /// Likewise, where its number, its emitter and the end of its life are all that is read.
+  void prefetch_span(std::uint32_t slot) const {
     if (slot >= emitter_of_.size()) return;
     prefetch_at(&emitter_of_[slot]);
     prefetch_at(&spans_[slot]);
-    prefetch_at(&particles_[slot]);
   }
   /// What acts on the flight of a slot's particle; null: nothing of its emitter.
   [[nodiscard]] const FlightLaw* law_of(std::uint32_t slot) const {
@@ -198,10 +202,6 @@ class Emitters {
       if (emitter_of_[slot] == index) f(slot, particles_[slot]);
   }
 
-  /// Slots whose particle is another one, or none any more, since somebody took this list; of particles on whose flight
-  /// their emitter acts.
-  [[nodiscard]] std::vector<std::uint32_t> take_changed() { return std::exchange(changed_, {}); }
-
   Schedule lives;  // when they end
   Schedule ages;   // when sub-emitters fire at them
 
@@ -218,8 +218,6 @@ class Emitters {
 
  private:
   [[nodiscard]] bool is_gone(const Aged& aged, std::uint32_t emitter) const;
-  /// The particle of a slot is another one, or none any more.
-  void note_change(std::uint32_t slot);
 
   std::vector<Emitter> all_{1};  // 0 is none
   std::uint64_t added_ = 0;
@@ -227,7 +225,6 @@ class Emitters {
   std::vector<Particle> particles_;        // by slot
   std::vector<ParticleSpan> spans_;        // likewise
   std::vector<std::uint32_t> emitter_of_;  // likewise, for searches: 0 where nobody fired it
-  std::vector<std::uint32_t> changed_;     // slots
 };
 
 }  // namespace physim

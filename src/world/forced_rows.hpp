@@ -16,6 +16,21 @@ PHYSIM_INLINE void store_scratch(const ForcedJob<S>& job, unsigned first, std::u
   for (unsigned i = 0; i < kNumbers<Y>; ++i) numbers(y)[i].store(job.column(first + i) + row);
 }
 
+/// What pushes rows in the first stage.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> first_push(const ForcedJob<S>& job, std::uint32_t row) {
+  Vec3<R> push;
+  if (job.drag_rate == nullptr) {
+    load_scratch(job, kFirstPush, row, push);
+    return push;
+  }
+  using W = Cast<double, R>;
+  const W rate = W::load(job.drag_rate + (row - job.rows.first));
+  for (int axis = 0; axis < 3; ++axis)
+    push[axis] = cast<S>(W(0.0) - cast<double>(load<R>(job.rows.columns.velocity[axis], row)) * rate);
+  return push;
+}
+
 /// The slope of the stage at hand, then the state of the next one, or the end of the step.
 template <class R, class S>
 PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c, std::uint32_t row, Flyer<R>& l) {
@@ -23,7 +38,12 @@ PHYSIM_INLINE void advance_rows(const ForcedJob<S>& job, const Conditions<S>& c,
   const int stage = job.stage, stages = end_slope(f.integrator);
   Step<R>& s = l.step;
   Vec3<R> push;
-  load_scratch(job, stage == 0 ? kFirstPush : kPush, row, push);
+  if (stage == 0) {
+    push = first_push<R>(job, row);
+    if (job.drag_rate != nullptr) store_scratch(job, kFirstPush, row, push);
+  } else {
+    load_scratch(job, kPush, row, push);
+  }
   add_push(c, stage_time(f.integrator, stage, s), push, job.own_force, l.body);
   const auto load_part = [&](auto& part) {
     const PartColumns at = columns_of(part, stages);
@@ -88,7 +108,7 @@ struct PushedRung {
   PHYSIM_INLINE static unsigned step(const ForcedJob<S>& told, const ForcedJob<S>& job, const Conditions<S>& given,
                                      std::uint32_t row) {
     Body<R> b = Rung::template load_body<R>(job.rows, row);
-    load_scratch(job, kFirstPush, row, b.applied);
+    b.applied = first_push<R>(job, row);
     const R h(job.rows.h);
     Moved<R> m;
     m.start = load_state<R>(job.rows, row);
@@ -105,6 +125,7 @@ struct PushedRung {
     }
     const unsigned bits = lane_bits(found) & filled_lanes<R>(job.rows.last - row);
     if (bits != 0) {
+      store_scratch(job, kFirstPush, row, b.applied);
       store_scratch(job, kStagePosition, row, m.end);
       store_scratch(job, kSlopes, row, State<R>{m.start.v, a});
       m.end = select(found, State<R>{load_vector<R>(job.rows.columns.previous, row), m.start.v}, m.end);

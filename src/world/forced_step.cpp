@@ -125,8 +125,8 @@ class ForcedStep {
         if (!is_drag(group.integrator)) push(group, stage, stage_place(group.integrator, stage));
         for (ForcedRun& r : runs(group)) {
           if (part_of(r).count == 0) continue;
-          if (is_drag(group.integrator)) in_precision(r, [&]<class S>(S) { put_drag<S>(r); });
-          in_precision(r, [&]<class S>(S) { advance<S>(r, stage); });
+          if (is_drag(group.integrator)) find_rates(r);
+          in_precision(r, [&]<class S>(S) { advance<S>(r, stage, is_drag(group.integrator)); });
           attention = attention || r.attention;
         }
       }
@@ -137,8 +137,10 @@ class ForcedStep {
     if (attention && group.integrator != Integrator::classic) push(group, end_slope(group.integrator), 1);
   }
   template <class S>
-  void advance(ForcedRun& r, int stage) {
-    const Advanced done = advance_with(kernel_, job<S>(r, stage));
+  void advance(ForcedRun& r, int stage, bool is_drag) {
+    ForcedJob<S> j = job<S>(r, stage);
+    if (is_drag) j.drag_rate = s_.drag_rates.data();
+    const Advanced done = advance_with(kernel_, j);
     r.attention = r.attention || done.attention;
     r.moved = done.moved;
   }
@@ -146,24 +148,12 @@ class ForcedStep {
   [[nodiscard]] bool is_drag(Integrator integrator) const {
     return drag_by_age_ && end_slope(integrator) == 1 && integrator != Integrator::classic;
   }
-  /// What emitters do to the rows then; columns are as long as whole blocks.
-  template <class S>
-  void put_drag(const ForcedRun& r) {
-    const ForcedJob<S> j = job<S>(r, 0);
+  void find_rates(const ForcedRun& r) {
     const Part part = part_of(r);
-    std::array<double, DrivenBlock::kMost> rate;
-    for (std::uint32_t row = part.first; row < part.first + part.count; row += DrivenBlock::kMost) {
-      s_.driven.rates(particle_kernel_, *context_.state, r.cohort, row, context_.time, rate);
-      const auto& v = j.rows.columns.velocity;
-      const DragJob<S> drag{
-          {v[0] + row, v[1] + row, v[2] + row},
-          rate.data(),
-          {j.column(kFirstPush) + row, j.column(kFirstPush + 1) + row, j.column(kFirstPush + 2) + row}};
-      if constexpr (sizeof(S) == sizeof(float))
-        particle_kernel_.drag_float(drag);
-      else
-        particle_kernel_.drag_double(drag);
-    }
+    s_.drag_rates.resize(padded(part.count));
+    for (std::uint32_t row = 0; row < part.count; row += DrivenBlock::kMost)
+      s_.driven.rates(particle_kernel_, *context_.state, r.cohort, part.first + row, context_.time,
+                      &s_.drag_rates[row]);
   }
   /// Rows of each cohort that go through the stages together.
   struct Part {
@@ -282,7 +272,7 @@ class ForcedStep {
   ForcedJob<S> job(const ForcedRun& r, int stage) {
     ForcedJob<S> j{
         rows_job<S>(context_, r.cohort),    s_.template memory<S>().data() + r.memory, padded(r.count), stage,
-        key(r.cohort).features.has_applied, !has_generators_ && !context_.pairs};
+        key(r.cohort).features.has_applied, !has_generators_ && !context_.pairs,       nullptr};
     j.rows.first = part_of(r).first;
     j.rows.last = j.rows.first + part_of(r).count;
     j.rows.attention = s_.attention.data() + r.words;

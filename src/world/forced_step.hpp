@@ -35,6 +35,7 @@ struct ForcedScratch {
   ForceRows rows;  // of the group at hand
   std::vector<float> floats;
   std::vector<double> doubles;
+  std::vector<double> drag_rates;  // of the rows of a run that are under way
   std::vector<std::uint32_t> attention;
   ZoneDrag zones;
   DrivenRows driven;

@@ -59,6 +59,7 @@ std::uint32_t Rows::push(std::uint32_t slot) {
   else
     touch(size_);
   column_of<std::uint32_t>(numbers_)[size_] = slot;
+  note_change(size_);
 #if PHYSIM_ASSERTS
   for (unsigned k = 0; k < numbers_; ++k) std::memset(column(k) + size_ * number_size(), kUnset, number_size());
 #endif
@@ -129,6 +130,7 @@ std::uint32_t Rows::swap_remove(std::uint32_t row) {
   if (row == last) return 0;
   const std::size_t bytes = number_size();
   for (unsigned k = 0; k < numbers_; ++k) std::memcpy(column(k) + row * bytes, column(k) + last * bytes, bytes);
+  note_change(row);
   auto* all = column_of<std::uint32_t>(numbers_);
   return all[row] = all[last];
 }

@@ -69,6 +69,8 @@ struct RowMemory {
   bool swapped_ = false;
   RowMasks field_masks_{};
   mutable WaitingRows waiting_;
+  bool notes_changes_ = false;
+  std::vector<std::uint64_t> changed_;  // bit i of word w: row 64 w + i
 };
 
 class Rows : RowMemory {
@@ -87,7 +89,9 @@ class Rows : RowMemory {
 
   [[nodiscard]] const RowLayout& layout() const { return layout_; }
   [[nodiscard]] std::uint32_t size() const { return size_; }
-  [[nodiscard]] std::size_t bytes() const { return lines_.size() * sizeof(Line) + waiting_.bytes(); }
+  [[nodiscard]] std::size_t bytes() const {
+    return lines_.size() * sizeof(Line) + waiting_.bytes() + changed_.capacity() * sizeof(std::uint64_t);
+  }
   [[nodiscard]] std::size_t row_bytes() const { return numbers_ * number_size() + sizeof(std::uint32_t); }
   void reserve(std::size_t rows);
   /// One more row, to be filled in: all of its columns.
@@ -99,6 +103,29 @@ class Rows : RowMemory {
   /// Makes a row what it was in a copy that these rows were.
   void put_back(std::uint32_t row, const Rows& copy);
   void clear() { size_ = 0; }
+
+  // ------------------------------------------------------------------------------------------- changes of hands
+  /// From now on rows are noted that are another projectile's than before, or whose projectile is another's.
+  void begin_changes() {
+    notes_changes_ = true;
+    changed_.clear();
+  }
+  void note_change(std::uint32_t row) {
+    if (!notes_changes_) return;
+    if (changed_.size() <= row / 64) changed_.resize(row / 64 + 1);
+    changed_[row / 64] |= std::uint64_t{1} << row % 64;
+  }
+  /// Calls f with each of them once, in order.
+  template <class F>
+  void take_changes(const F& f) {
+    PHYSIM_ASSERT(notes_changes_);
+    for (std::uint32_t word = 0; word < changed_.size(); ++word) {
+      for (std::uint64_t left = std::exchange(changed_[word], 0); left != 0; left &= left - 1) {
+        const std::uint32_t row = 64 * word + static_cast<std::uint32_t>(__builtin_ctzll(left));
+        if (row < size_) f(row);
+      }
+    }
+  }
 
   // ------------------------------------------------------------------------------------------- rows that wait
   // Places, previous places and velocities of rows that wait are not written step by step but when somebody asks.

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
-#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "world/slots.hpp"
@@ -19,24 +20,26 @@ struct Due {
   ProjectileId id;
 };
 
-/// What is due soon is a heap, what is due later lies in parts of time, unordered: who adds a million does not search
-/// all of them for each that is taken. The order in which they are taken follows from times and ids alone.
+/// What is due soon is a sorted run, and a heap of those that came since it was sorted, which join it when they are
+/// many. What is due later lies in parts of time, unordered: who adds a million does not search all of them for each
+/// that is taken. The order in which they are taken follows from times and ids alone.
 class Schedule {
  public:
   void add(double time, ProjectileId id) {
     PHYSIM_ASSERT(time == time && id);
     const std::int64_t part = part_of(time);
-    if (part > reached_) return later_[part].push_back({time, id});
-    soon_.push_back({time, id});
-    std::push_heap(soon_.begin(), soon_.end(), Later{});
+    if (part > reached_) return later(part).push_back({time, id});
+    fresh_.push_back({time, id});
+    std::push_heap(fresh_.begin(), fresh_.end(), Later{});
   }
   /// Takes out the next one alive that is due by now, if there is one.
   std::optional<Due> take(double now, const SlotTable& slots) {
     reach(part_of(now));
-    while (!soon_.empty() && soon_.front().time <= now) {
-      const Due due = soon_.front();
-      std::pop_heap(soon_.begin(), soon_.end(), Later{});
-      soon_.pop_back();
+    if (fresh_.size() > kFew + left() / 8) sort_soon();
+    while (const Due* next = next_soon()) {
+      if (next->time > now) break;
+      const Due due = *next;
+      drop(next);
       if (slots.find(due.id)) return due;
     }
     return std::nullopt;
@@ -48,41 +51,78 @@ class Schedule {
   }
   /// In no order.
   [[nodiscard]] std::vector<Due> all() const {
-    std::vector<Due> list = soon_;
-    for (const auto& [part, due] : later_) list.insert(list.end(), due.begin(), due.end());
+    std::vector<Due> list(run_.begin() + static_cast<std::ptrdiff_t>(taken_), run_.end());
+    list.insert(list.end(), fresh_.begin(), fresh_.end());
+    for (const Part& part : later_) list.insert(list.end(), part.due.begin(), part.due.end());
     return list;
   }
   [[nodiscard]] std::size_t bytes() const {
-    constexpr std::size_t kNode = 72;  // of a part
-    std::size_t sum = soon_.capacity() * sizeof(Due);
-    for (const auto& [part, due] : later_) sum += kNode + due.capacity() * sizeof(Due);
+    std::size_t sum = (run_.capacity() + fresh_.capacity()) * sizeof(Due) + later_.capacity() * sizeof(Part);
+    for (const Part& part : later_) sum += part.due.capacity() * sizeof(Due);
     return sum;
   }
 
  private:
+  static constexpr std::size_t kFew = 32;
   struct Later {
     bool operator()(const Due& a, const Due& b) const {
       return a.time != b.time ? a.time > b.time : a.id.index > b.id.index;
     }
   };
+  struct Part {
+    std::int64_t number;
+    std::vector<Due> due;
+  };
+  static bool is_before(const Due& a, const Due& b) { return Later{}(b, a); }
   /// The number of the part of time that a moment lies in.
   static std::int64_t part_of(double time) {
     constexpr double kPartsPerSecond = 64, kMost = 1e15;
     return static_cast<std::int64_t>(std::floor(std::clamp(time, -kMost, kMost) * kPartsPerSecond));
   }
+  /// What is due in a part.
+  std::vector<Due>& later(std::int64_t number) {
+    if (last_ < later_.size() && later_[last_].number == number) return later_[last_].due;
+    const auto at = std::ranges::lower_bound(later_, number, std::ranges::greater{}, &Part::number);
+    last_ = static_cast<std::size_t>(at - later_.begin());
+    if (at == later_.end() || at->number != number) later_.insert(at, Part{number, {}});
+    return later_[last_].due;
+  }
   void reach(std::int64_t part) {
     if (part <= reached_) return;
     reached_ = part;
-    while (!later_.empty() && later_.begin()->first <= part) {
-      const std::vector<Due>& due = later_.begin()->second;
-      soon_.insert(soon_.end(), due.begin(), due.end());
-      later_.erase(later_.begin());
-    }
-    std::make_heap(soon_.begin(), soon_.end(), Later{});
+    if (later_.empty() || later_.back().number > part) return;
+    for (; !later_.empty() && later_.back().number <= part; later_.pop_back())
+      fresh_.insert(fresh_.end(), later_.back().due.begin(), later_.back().due.end());
+    sort_soon();
   }
 
-  std::vector<Due> soon_;                           // the first one is due next
-  std::map<std::int64_t, std::vector<Due>> later_;  // by parts of time that are not reached yet
+  // ------------------------------------------------------------------------------------------- what is due soon
+  [[nodiscard]] std::size_t left() const { return run_.size() - taken_; }
+  void sort_soon() {
+    if (!std::ranges::is_sorted(fresh_, is_before)) std::ranges::sort(fresh_, is_before);
+    run_.erase(run_.begin(), run_.begin() + static_cast<std::ptrdiff_t>(std::exchange(taken_, 0)));
+    const auto middle = static_cast<std::ptrdiff_t>(run_.size());
+    run_.insert(run_.end(), fresh_.begin(), fresh_.end());
+    fresh_.clear();
+    if (middle > 0) std::inplace_merge(run_.begin(), run_.begin() + middle, run_.end(), is_before);
+  }
+  /// The first of them; null: there is none.
+  [[nodiscard]] const Due* next_soon() const {
+    const Due* const sorted = left() > 0 ? &run_[taken_] : nullptr;
+    if (fresh_.empty()) return sorted;
+    return sorted != nullptr && !is_before(fresh_.front(), *sorted) ? sorted : fresh_.data();
+  }
+  void drop(const Due* next) {
+    if (next != fresh_.data()) return void(++taken_);
+    std::pop_heap(fresh_.begin(), fresh_.end(), Later{});
+    fresh_.pop_back();
+  }
+
+  std::vector<Due> run_;     // in order
+  std::size_t taken_ = 0;    // of these, from the first on
+  std::vector<Due> fresh_;   // the first one is due next
+  std::vector<Part> later_;  // parts of time that are not reached yet, the last one comes next
+  std::size_t last_ = 0;     // of these, to which somebody was added last
   std::int64_t reached_ = std::numeric_limits<std::int64_t>::min();
 };
 

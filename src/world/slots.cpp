@@ -1,19 +1,20 @@
 #include "world/slots.hpp"
 
+#include <algorithm>
+#include <bit>
+
 namespace physim {
 
 std::uint32_t SlotTable::take() {
-  std::uint32_t index = first_free_;
-  if (index != 0) {
+  constexpr std::uint32_t kAhead = 8;
+  std::uint32_t index = 0;
+  if (free_.size() > 0) {
+    index = free_.take();
     PHYSIM_ASSERT(!slots_[index].is(kAlive));
-    first_free_ = slots_[index].row;
-    if (first_free_ == 0) last_free_ = 0;
-    // Slots that were freed at random lie all over the memory: the next one is fetched while this one is filled.
-    prefetch_at(&slots_[first_free_]);
-    prefetch_at(&birth_[first_free_]);
-    prefetch_at(&rest_[first_free_]);
+    if (free_.size() > kAhead) prefetch_free(free_.ahead(kAhead));  // they lie all over the memory
   } else {
     index = size();
+    free_.reserve(index + std::size_t{1});  // so that whoever leaves asks for no memory
     slots_.emplace_back();
     birth_.push_back(0);
     rest_.emplace_back();
@@ -39,11 +40,15 @@ void SlotTable::release(std::uint32_t index, LifeStatus status) {
   slot.flags = 0;
   slot.set_status(status);
   slot.row = 0;
-  if (last_free_ != 0)
-    slots_[last_free_].row = index;
-  else
-    first_free_ = index;
-  last_free_ = index;
+  free_.add(index);
+}
+
+void FreeSlots::reserve(std::size_t slots) {
+  if (slots <= ring_.size()) return;
+  std::vector<std::uint32_t> larger(std::bit_ceil(std::max<std::size_t>(16, slots)));
+  for (std::uint32_t i = 0; i < count_; ++i) larger[i] = ahead(i);
+  ring_ = std::move(larger);
+  first_ = 0;
 }
 
 void SlotTable::restore(std::vector<Slot> slots, const std::vector<std::uint32_t>& free) {
@@ -52,19 +57,21 @@ void SlotTable::restore(std::vector<Slot> slots, const std::vector<std::uint32_t
   birth_.assign(slots_.size(), 0);
   rest_.assign(slots_.size(), {});
   alive_ = size() - 1 - static_cast<std::uint32_t>(free.size());
-  first_free_ = free.empty() ? 0 : free.front();
-  last_free_ = free.empty() ? 0 : free.back();
-  for (std::size_t i = 0; i + 1 < free.size(); ++i) slots_[free[i]].row = free[i + 1];
+  free_ = {};
+  free_.reserve(slots_.size());
+  for (const std::uint32_t index : free) free_.add(index);
 }
 
 void SlotTable::reserve(std::size_t more) {
+  free_.reserve(slots_.size() + more);
   slots_.reserve(slots_.size() + more);
   birth_.reserve(slots_.size() + more);
   rest_.reserve(slots_.size() + more);
 }
 
 std::size_t SlotTable::bytes() const {
-  return slots_.capacity() * sizeof(Slot) + birth_.capacity() * sizeof(double) + rest_.capacity() * sizeof(Rest);
+  return slots_.capacity() * sizeof(Slot) + birth_.capacity() * sizeof(double) + rest_.capacity() * sizeof(Rest) +
+         free_.bytes();
 }
 
 }  // namespace physim

@@ -40,7 +40,7 @@ inline constexpr std::uint32_t kAllFlags =
 
 struct Slot {
   std::uint32_t generation = 0;
-  std::uint32_t row = 0;  // in its cohort; of a free slot: the next free one
+  std::uint32_t row = 0;  // in its cohort
   std::uint32_t kind = 0;
   std::uint32_t flags = 0;
   std::uint16_t cohort = 0;
@@ -68,6 +68,36 @@ struct Slot {
 struct Rest {
   std::uint32_t step = 0;  // the last one in which it rested (low bits)
   float time = 0;          // [s]
+};
+
+/// Slots that are free, in the order in which they became so. A ring: those that are used soon can be seen ahead.
+class FreeSlots {
+ public:
+  [[nodiscard]] std::uint32_t size() const { return count_; }
+  /// The one that is used when so many others have been.
+  [[nodiscard]] std::uint32_t ahead(std::uint32_t others) const {
+    PHYSIM_ASSERT(others < count_);
+    return ring_[(first_ + others) & (ring_.size() - 1)];
+  }
+  std::uint32_t take() {
+    const std::uint32_t slot = ahead(0);
+    first_ = (first_ + 1) & (ring_.size() - 1);
+    --count_;
+    return slot;
+  }
+  /// There is room, see reserve().
+  void add(std::uint32_t slot) {
+    PHYSIM_ASSERT(count_ < ring_.size());
+    ring_[(first_ + count_++) & (ring_.size() - 1)] = slot;
+  }
+  /// Room for so many in all.
+  void reserve(std::size_t slots);
+  [[nodiscard]] std::size_t bytes() const { return ring_.capacity() * sizeof(std::uint32_t); }
+
+ private:
+  std::vector<std::uint32_t> ring_;  // as long as a power of two, or empty
+  std::size_t first_ = 0;
+  std::uint32_t count_ = 0;
 };
 
 /// The slots of a world: who is there, who was, and which are free. Index 0 is nobody's.
@@ -123,6 +153,12 @@ class SlotTable {
   void prefetch(std::uint32_t index) const {
     if (index < slots_.size()) prefetch_at(&slots_[index]);
   }
+  /// What is written where a projectile comes.
+  void prefetch_free(std::uint32_t index) const {
+    prefetch_at(&slots_[index]);
+    prefetch_at(&birth_[index]);
+    prefetch_at(&rest_[index]);
+  }
   void prefetch_birth(std::uint32_t index) const {
     if (index < birth_.size()) prefetch_at(&birth_[index]);
   }
@@ -138,15 +174,14 @@ class SlotTable {
   /// Calls f with the index of every free slot, in the order in which they are used again.
   template <class F>
   void each_free(const F& f) const {
-    for (std::uint32_t index = first_free_; index != 0; index = slots_[index].row) f(index);
+    for (std::uint32_t i = 0; i < free_.size(); ++i) f(free_.ahead(i));
   }
 
  private:
   std::vector<Slot> slots_{1};
   std::vector<double> birth_{0.0};
   std::vector<Rest> rest_{1};
-  std::uint32_t first_free_ = 0;
-  std::uint32_t last_free_ = 0;
+  FreeSlots free_;
   std::uint32_t alive_ = 0;
 };
 

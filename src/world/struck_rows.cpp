@@ -67,6 +67,8 @@ class StruckRows {
 
   void add(std::uint32_t row) {
     PHYSIM_ASSERT(is_in_place(*context_.registry, *context_.state, chunk_.cohort, row));
+    slot_[job_.count] = rows_.slot(row);
+    context_.state->slots.prefetch(slot_[job_.count]);
     row_[job_.count++] = row;
     if (job_.count == kRows) settle();
   }
@@ -101,7 +103,6 @@ class StruckRows {
       gather(columns_.velocity[axis], v_[axis]);
     }
     for (unsigned i = 0; i < fields_; ++i) gather(gathered_[i], field_[i]);
-    for (unsigned i = 0; i < job_.count; ++i) slot_[i] = rows_.slot(row_[i]);
     if (job_.bounces) gather_surfaces();
   }
   void gather_surfaces() {

@@ -136,8 +136,11 @@ Status World::remove_emitter(EmitterId id) {
   w.state.emitters.each_particle_of(id.index, [&its](std::uint32_t slot, const Particle&) { its.push_back(slot); });
   const bool drove = w.state.emitters[id.index].drives;
   w.state.emitters.erase(id.index);
-  if (drove)
-    for (const std::uint32_t slot : its) w.update_forced(slot);
+  for (const std::uint32_t index : its) {
+    const Slot& slot = w.state.slots[index];
+    w.state.rows_of(slot).note_change(slot.row);
+    if (drove) w.update_forced(index);
+  }
   return {};
 }
 

@@ -58,10 +58,16 @@ struct WorldImpl : Gate {
   [[nodiscard]] Slot* find(ProjectileId id) { return const_cast<Slot*>(std::as_const(*this).find(id)); }
   /// In a loop over many projectiles: fetches what the next ones need while this one is worked on.
   void prefetch(std::span<const ProjectileId> ids, std::size_t at) const {
+    prefetch(ids.size(), at, [ids](std::size_t i) { return ids[i].index; });
+  }
+  template <class SlotOf>
+  void prefetch(std::size_t count, std::size_t at, const SlotOf& slot_of) const {
     constexpr std::size_t kSlots = 16, kRows = 4;  // so far ahead
-    if (at + kSlots < ids.size()) state.slots.prefetch(ids[at + kSlots].index);
-    if (at + kRows >= ids.size()) return;
-    if (const Slot* slot = find(ids[at + kRows])) state.rows_of(*slot).prefetch(slot->row);
+    if (at + kSlots < count) state.slots.prefetch(slot_of(at + kSlots));
+    if (at + kRows >= count) return;
+    const std::uint32_t index = slot_of(at + kRows);
+    if (index == 0 || index >= state.slots.size() || !state.slots[index].is(kAlive)) return;
+    state.rows_of(state.slots[index]).prefetch(state.slots[index].row);
   }
   Own& own(std::uint32_t slot);
   Tags& tags(std::uint32_t slot);

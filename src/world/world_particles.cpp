@@ -12,7 +12,8 @@
 namespace physim {
 namespace {
 
-/// What somebody asks for of the particles of one emitter, read pack by pack and column by column.
+/// What somebody asks for of the particles of one emitter, read pack by pack and column by column. Rows lie in another
+/// order than slots: while one pack is worked on, what lies in the rows of the next one is fetched.
 class ParticleReader {
  public:
   ParticleReader(const WorldState& state, std::uint32_t emitter, const ParticleColumns& into)
@@ -23,21 +24,30 @@ class ParticleReader {
         wanted_{!into.size.empty(), !into.rotation.empty(), !into.colour.empty()},
         looks_(wanted_.size || wanted_.rotation || wanted_.colour),
         speeds_(looks_ && emitter_.def().life.fast > 0),
-        ages_(looks_ || !into.age.empty()),
+        births_(looks_ || !into.age.empty()),
         show_(*emitter_.emission),
-        phases_(looks_ && show_.read_phase()) {}
+        phases_(looks_ && show_.read_phase()) {
+    look_.time = state.clock.time();
+  }
 
   std::size_t read() {
     if (into_.eye)
       for (const Seen& each : from_far_to_near(*into_.eye)) note(each.slot);
     else
       state_.emitters.each_particle_of(index_, [this](std::uint32_t slot, const Particle&) { note(slot); });
-    if (noted_ > 0) put();
+    turn_over();
+    turn_over();
     return count_;
   }
 
  private:
   static constexpr std::size_t kPack = Looks::kPack;
+  /// Particles, and where they lie.
+  struct Noted {
+    std::size_t count = 0;
+    std::array<std::uint32_t, kPack> slot, row;
+    std::array<std::uint16_t, kPack> cohort;
+  };
 
   /// Somebody as an eye has it.
   struct Seen {
@@ -57,9 +67,9 @@ class ParticleReader {
     return seen;
   }
   void note(std::uint32_t slot) {
-    PHYSIM_ASSERT(noted_ < kPack && slot > 0);
-    slot_[noted_] = slot;
-    if (++noted_ == kPack) put();
+    PHYSIM_ASSERT(next_->count < kPack && slot > 0);
+    next_->slot[next_->count] = slot;
+    if (++next_->count == kPack) turn_over();
   }
 
   /// Puts what f says of each in the pack into a column, as far as it goes.
@@ -76,68 +86,109 @@ class ParticleReader {
   }
   template <class T, class F>
   void each_in(const Column<T>& column, const F& f) const {
-    each_in(column, 0, noted_, f);
+    each_in(column, 0, now_->count, f);
+  }
+  /// Calls f with the rows of each cohort, and the first and the last of the particles there, of those from first to
+  /// last.
+  template <class F>
+  void each_run(const Noted& noted, std::size_t first, std::size_t last, const F& f) const {
+    while (first < last) {
+      std::size_t end = first + 1;
+      while (end < last && noted.cohort[end] == noted.cohort[first]) ++end;
+      f(state_.rows[noted.cohort[first]], first, end);
+      first = end;
+    }
   }
 
-  /// Those that were noted.
-  void put() {
-    PHYSIM_ASSERT(noted_ > 0 && noted_ <= kPack);
-    for (std::size_t i = 0; i < noted_; ++i) {
-      const Slot& slot = state_.slots[slot_[i]];
-      cohort_[i] = slot.cohort, row_[i] = slot.row;
+  /// Puts the pack at hand; the next one follows it.
+  void turn_over() {
+    for (std::size_t i = 0; i < next_->count; ++i) {
+      const Slot& slot = state_.slots[next_->slot[i]];
+      next_->cohort[i] = slot.cohort, next_->row[i] = slot.row;
     }
-    for (std::size_t i = 0; i < noted_ && ages_; ++i) {
-      birth_[i] = state_.slots.birth(slot_[i]);
-      pack_.age[i] = std::max(state_.clock.time() - birth_[i], 0.0);
-    }
-    for (std::size_t first = 0; first < noted_;) {
-      std::size_t last = first + 1;
-      while (last < noted_ && cohort_[last] == cohort_[first]) ++last;
-      put_rows(first, last);
-      first = last;
-    }
-    each_in(into_.id, [this](std::size_t i) { return state_.slots.id_of(slot_[i]); });
-    each_in(into_.age, [this](std::size_t i) { return pack_.age[i]; });
-    each_in(into_.number, [this](std::size_t i) { return state_.emitters.span(slot_[i]).number; });
-    if (looks_) put_looks();
-    count_ += noted_;
-    noted_ = 0;
+    if (next_->count == kPack) fetch_slots(next_->slot.back() + 1 + kPack);
+    if (now_->count > 0) put();
+    std::swap(now_, next_);
+    next_->count = 0;
   }
-  /// Puts the states of noted rows that are of one cohort.
-  void put_rows(std::size_t first, std::size_t last) {
-    PHYSIM_ASSERT(first < last && last <= noted_ && cohort_[first] == cohort_[last - 1]);
-    const Rows& rows = state_.rows[cohort_[first]];
-    for (std::size_t i = first; i < last && rows.may_wait(); ++i) rows.bring_up(row_[i]);
+  /// What is kept of slots: most often those that follow each other are of one emitter.
+  void fetch_slots(std::uint32_t first) const {
+    for (std::uint32_t i = 0; i < kPack; i += 3) state_.slots.prefetch(first + i);
+    for (std::uint32_t i = 0; i < kPack && births_; i += 8) state_.slots.prefetch_birth(first + i);
+    for (std::uint32_t i = 0; i < kPack && looks_; i += 4) state_.emitters.prefetch_span(first + i);
+  }
+  /// Where a pack soon to come is written.
+  template <class T>
+  void fetch_column(const Column<T>& column) const {
+    const std::size_t first = count_ + 2 * kPack;
+    if (column.size() < first + kPack) return;
+    for (std::size_t i = 0; i < kPack * column.stride(); i += 64) prefetch_to_write(&column[first], i);
+  }
+  /// What is read in rows of the next pack.
+  void fetch_rows(std::size_t first, std::size_t last) const {
+    if (!looks_) return;  // reading them is all there is to do
+    each_run(*next_, std::min(first, next_->count), std::min(last, next_->count),
+             [&](const Rows& rows, auto from, auto to) {
+               rows.read_fixed([&](const auto& c) {
+                 const auto fetch = [&](const auto& column) {
+                   for (std::size_t i = from; i < to; ++i)
+                     for (const auto* axis : column) prefetch_at(axis + next_->row[i]);
+                 };
+                 if (!into_.position.empty()) fetch(c.position);
+                 if (!into_.previous.empty()) fetch(c.previous);
+                 if (!into_.velocity.empty() || speeds_) fetch(c.velocity);
+               });
+             });
+  }
+
+  void put() {
+    PHYSIM_ASSERT(now_->count > 0 && now_->count <= kPack);
+    fetch_rows(0, kPack / 3);
+    each_run(*now_, 0, now_->count, [this](const Rows& rows, auto first, auto last) { put_rows(rows, first, last); });
+    fetch_column(into_.position), fetch_column(into_.size), fetch_column(into_.colour);
+    fetch_rows(kPack / 3, 2 * kPack / 3);
+    for (std::size_t i = 0; i < now_->count && births_; ++i) look_.birth[i] = state_.slots.birth(now_->slot[i]);
+    each_in(into_.id, [this](std::size_t i) { return state_.slots.id_of(now_->slot[i]); });
+    each_in(into_.age, [this](std::size_t i) { return std::max(look_.time - look_.birth[i], 0.0); });
+    each_in(into_.number, [this](std::size_t i) { return state_.emitters.span(now_->slot[i]).number; });
+    if (looks_) put_looks();
+    count_ += now_->count;
+  }
+  /// Puts the states of particles whose rows are of one cohort.
+  void put_rows(const Rows& rows, std::size_t first, std::size_t last) {
+    PHYSIM_ASSERT(first < last && last <= now_->count);
+    for (std::size_t i = first; i < last && rows.may_wait(); ++i) rows.bring_up(now_->row[i]);
     rows.read_fixed([&](const auto& c) {
       const auto put = [&](const Column<Vec3d>& column, const auto& of) {
-        each_in(column, first, last, [&](std::size_t i) { return Rows::at(of, row_[i]); });
+        each_in(column, first, last, [&](std::size_t i) { return Rows::at(of, now_->row[i]); });
       };
       put(into_.position, c.position), put(into_.previous, c.previous), put(into_.velocity, c.velocity);
-      for (std::size_t i = first; i < last && speeds_; ++i) pack_.speed[i] = length(Rows::at(c.velocity, row_[i]));
+      for (std::size_t i = first; i < last && speeds_; ++i) look_.speed[i] = length(Rows::at(c.velocity, now_->row[i]));
     });
   }
   void put_looks() {
     for (std::size_t i = 0; i < kPack; ++i) {  // lanes behind the last one repeat it
-      const std::size_t lane = std::min(i, noted_ - 1);
-      const ParticleSpan& span = state_.emitters.span(slot_[lane]);
-      pack_.number[i] = span.number;
-      pack_.lifetime[i] = span.dies - birth_[lane];
-      pack_.age[i] = pack_.age[lane];
-      pack_.speed[i] = pack_.speed[lane];
+      const std::size_t lane = std::min(i, now_->count - 1);
+      const ParticleSpan& span = state_.emitters.span(now_->slot[lane]);
+      look_.number[i] = span.number;
+      look_.birth[i] = look_.birth[lane];
+      look_.lifetime[i] = span.dies - look_.birth[lane];
+      look_.speed[i] = look_.speed[lane];
     }
-    for (std::size_t i = 0; i < kPack && phases_; ++i) pack_.phase[i] = particle(std::min(i, noted_ - 1)).phase;
-    show_.put(pack_, wanted_);
-    for (std::size_t i = 0; i < noted_ && emitter_.bequeaths; ++i) {
+    for (std::size_t i = 0; i < kPack && phases_; ++i) look_.phase[i] = particle(std::min(i, now_->count - 1)).phase;
+    show_.put(look_, wanted_);
+    fetch_rows(2 * kPack / 3, kPack);
+    for (std::size_t i = 0; i < now_->count && emitter_.bequeaths; ++i) {
       const Particle& inherits = particle(i);
-      for (auto& side : pack_.size) side[i] = side[i] * inherits.size;
-      pack_.colour[i] = times(pack_.colour[i], inherits.colour);
+      for (auto& side : look_.size) side[i] = side[i] * inherits.size;
+      look_.colour[i] = times(look_.colour[i], inherits.colour);
     }
     const auto vector = [](const auto& of, std::size_t i) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
-    each_in(into_.size, [&](std::size_t i) { return vector(pack_.size, i); });
-    each_in(into_.rotation, [&](std::size_t i) { return vector(pack_.rotation, i); });
-    each_in(into_.colour, [&](std::size_t i) { return pack_.colour[i]; });
+    each_in(into_.size, [&](std::size_t i) { return vector(look_.size, i); });
+    each_in(into_.rotation, [&](std::size_t i) { return vector(look_.rotation, i); });
+    each_in(into_.colour, [&](std::size_t i) { return look_.colour[i]; });
   }
-  [[nodiscard]] const Particle& particle(std::size_t i) const { return *state_.emitters.particle(slot_[i]); }
+  [[nodiscard]] const Particle& particle(std::size_t i) const { return *state_.emitters.particle(now_->slot[i]); }
 
   const WorldState& state_;
   const Emitter& emitter_;
@@ -146,15 +197,13 @@ class ParticleReader {
   LookParts wanted_;
   bool looks_;   // some are wanted
   bool speeds_;  // they ask for them
-  bool ages_;
+  bool births_;  // ages are wanted, or looks ask for them
   Looks show_;
-  bool phases_;            // they ask for them
+  bool phases_;            // looks ask for them
   std::size_t count_ = 0;  // read so far
-  std::size_t noted_ = 0;  // in the pack
-  std::array<std::uint32_t, kPack> slot_{}, row_{};
-  std::array<std::uint16_t, kPack> cohort_{};
-  std::array<double, kPack> birth_{};
-  LookPack<kPack> pack_{};
+  std::array<Noted, 2> packs_;
+  Noted *now_ = &packs_[0], *next_ = &packs_[1];
+  LookPack<kPack> look_{};
 };
 
 }  // namespace

@@ -1,9 +1,11 @@
 // A step of the world: free rows by kernels in chunks, forced rows stage by stage, then what follows from both.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "base/ieee_mode.hpp"
+#include "base/spread_sort.hpp"
 #include "base/text.hpp"
 #include "prepare/check.hpp"
 #include "world/kernels.hpp"
@@ -311,9 +313,16 @@ void WorldImpl::finish_step() {
     wake(put.slot);
     placement.set_row_state(put.slot, put.state);
   }
-  std::sort(scratch.changes.begin(), scratch.changes.end(),
-            [](const Change& a, const Change& b) { return a.slot != b.slot ? a.slot < b.slot : a.kind < b.kind; });
-  for (const Change& change : scratch.changes) carry_out(change);
+  StepList<EventKey>& keys = scratch.event_order;
+  keys.clear(), scratch.event_merge.clear();
+  for (std::uint32_t at = 0; const Change& c : scratch.changes)
+    keys.push_back({0, c.slot, static_cast<std::uint32_t>(c.kind), at++});
+  spread_sort(
+      keys, scratch.event_merge, [](const EventKey& key) { return key.slot; }, std::less{});
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    prefetch(keys.size(), i, [&](std::size_t k) { return keys[k].slot; });
+    carry_out(scratch.changes[keys[i].at]);
+  }
 }
 
 namespace {
@@ -323,7 +332,7 @@ void sort_by_runs(std::vector<EventKey>& keys, std::vector<EventKey>& spare) {
   constexpr int kMostMerges = 4;
   auto sorted = std::ranges::is_sorted_until(keys);
   for (int merges = 0; sorted != keys.end(); ++merges) {
-    if (merges == kMostMerges) return void(std::ranges::sort(keys));
+    if (merges == kMostMerges) return spread_sort(keys, spare, std::mem_fn(&EventKey::time), std::less{});
     const auto end = std::is_sorted_until(sorted, keys.end());
     spare.clear();
     std::merge(keys.begin(), sorted, sorted, end, std::back_inserter(spare));

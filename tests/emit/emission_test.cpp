@@ -345,14 +345,16 @@ TEST(Emission, looks_of_a_pack_are_those_of_each) {
   for (int round = 0; round < 50; ++round) {
     const Emission emission(test::random_emitter(r, {}, {}), 9);
     LookPack<kPack> pack{};
+    pack.time = r.in(0, 100);
     for (std::size_t i = 0; i < kPack; ++i) {
       pack.number[i] = 1000 * static_cast<std::uint64_t>(r.below(5)) + i;
       pack.phase[i] = r.in(0, 1), pack.lifetime[i] = r.one_in(9) ? kInfinity : r.in(1, 4);
-      pack.age[i] = r.in(0, 1), pack.speed[i] = r.in(0, 60);
+      pack.birth[i] = pack.time - r.in(-0.1, 1), pack.speed[i] = r.in(0, 60);
     }
     Looks(emission).put(pack, {});
     for (std::size_t i = 0; i < kPack; ++i) {
-      const Look alone = emission.look(pack.number[i], pack.phase[i], pack.lifetime[i], pack.age[i], pack.speed[i]);
+      const double age = std::max(pack.time - pack.birth[i], 0.0);
+      const Look alone = emission.look(pack.number[i], pack.phase[i], pack.lifetime[i], age, pack.speed[i]);
       EXPECT_EQ((Vec3d{pack.size[0][i], pack.size[1][i], pack.size[2][i]}), alone.size);
       EXPECT_EQ((Vec3d{pack.rotation[0][i], pack.rotation[1][i], pack.rotation[2][i]}), alone.rotation);
       EXPECT_EQ(pack.colour[i], alone.colour);

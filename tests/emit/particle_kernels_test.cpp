@@ -127,26 +127,5 @@ TEST(ParticleKernels, a_life_is_lived_from_birth_to_the_end_of_its_span) {
   });
 }
 
-template <class S, class Put>
-void expect_drag(test::Random& r, const Put& put) {
-  std::array<std::array<S, kColumn>, 3> v, push;
-  Column rate;
-  for (auto& axis : v)
-    for (S& x : axis) x = static_cast<S>(r.in(-50, 50));
-  for (double& k : rate) k = r.one_in(4) ? 0 : r.in(0, 5);
-  put(DragJob<S>{
-      {v[0].data(), v[1].data(), v[2].data()}, rate.data(), {push[0].data(), push[1].data(), push[2].data()}});
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (std::size_t i = 0; i < kColumn; ++i)
-      EXPECT_TRUE(same_bits(push[axis][i], static_cast<S>(0 - static_cast<double>(v[axis][i]) * rate[i])));
-}
-
-TEST(ParticleKernels, drag_pushes_against_the_velocity) {
-  with_each_kernel([](const ParticleKernel& kernel, test::Random& r) {
-    expect_drag<float>(r, kernel.drag_float);
-    expect_drag<double>(r, kernel.drag_double);
-  });
-}
-
 }  // namespace
 }  // namespace physim

@@ -305,6 +305,21 @@ TEST(EmitterFlight, ends_with_its_emitter) {
   EXPECT_EQ(world[particle].velocity(), before);
 }
 
+TEST(EmitterFlight, ends_with_its_emitter_beside_others_and_generators) {
+  World world = make_world({.ground = {.mode = GroundMode::none}});
+  const EmitterId id = added(world, single(kind_of(world, driven(), weightless()), {.drag = {2}}));
+  const EmitterId other = added(world, single(kind_of(world, driven(), weightless()), {.drag = {2}}));
+  ASSERT_TRUE(world.add_force({.law = ConstantForce{{0, 0, 0}}, .target = ForceTarget::everything()}));
+  step_to(world, 0.5, 60);
+  std::vector<ProjectileId> its(1), others(1);
+  world.particles(id, {.id = its}), world.particles(other, {.id = others});
+  ASSERT_TRUE(world.remove_emitter(id));
+  const Vec3d before = world[its[0]].velocity();
+  step_to(world, 1, 60);
+  EXPECT_EQ(world[its[0]].velocity(), before);
+  EXPECT_LT(length(world[others[0]].velocity()), 0.5 * length(before));
+}
+
 TEST(EmitterFlight, of_a_closed_form_is_refused) {
   World world;
   const KindId kind = kind_of(world, spark());

@@ -1,8 +1,10 @@
 // The parts of a world's state, each by itself: slots, pools, schedules, generators, the clock.
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <vector>
 
+#include "random_shots.hpp"
 #include "world/clock.hpp"
 #include "world/generators.hpp"
 #include "world/pools.hpp"
@@ -30,6 +32,29 @@ TEST(SlotTable, slots_are_used_again_in_the_order_they_became_free) {
   EXPECT_EQ(spawn(slots), 2u);
   EXPECT_EQ(spawn(slots), 1u);
   EXPECT_EQ(spawn(slots), 4u);
+}
+
+TEST(SlotTable, the_order_of_free_slots_holds_while_many_come_and_go) {
+  SlotTable slots;
+  std::deque<std::uint32_t> alive, free;
+  test::Random r(5);
+  for (int i = 0; i < 20000; ++i) {
+    if (alive.empty() || r.one_in(2) || (i < 1000 && r.one_in(2))) {
+      const std::uint32_t expected = free.empty() ? slots.size() : free.front();
+      if (!free.empty()) free.pop_front();
+      ASSERT_EQ(spawn(slots), expected);
+      alive.push_back(expected);
+    } else {
+      const auto at = static_cast<std::size_t>(r.below(static_cast<int>(alive.size())));
+      slots.release(alive[at], LifeStatus::expired);
+      free.push_back(alive[at]);
+      alive.erase(alive.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    if (i % 500 != 0) continue;
+    std::deque<std::uint32_t> told;
+    slots.each_free([&](std::uint32_t index) { told.push_back(index); });
+    ASSERT_EQ(told, free);
+  }
 }
 
 TEST(SlotTable, an_id_names_one_use_of_a_slot) {

@@ -94,5 +94,30 @@ TEST(Rows, that_change_their_numbers_while_they_step_share_none) {
   EXPECT_EQ(rows.field_masks()[closed.fields[0]], kOwn);
 }
 
+std::vector<std::uint32_t> changes_of(Rows& rows) {
+  std::vector<std::uint32_t> changed;
+  rows.take_changes([&](std::uint32_t row) { changed.push_back(row); });
+  return changed;
+}
+
+TEST_F(SharedNumbers, rows_that_change_hands_are_noted_once) {
+  for (int i = 0; i < 3; ++i) add(1, 2);
+  rows.begin_changes();
+  EXPECT_TRUE(changes_of(rows).empty());
+  for (int i = 0; i < 97; ++i) add(1, 2);
+  EXPECT_EQ(changes_of(rows).size(), 97u);
+  EXPECT_TRUE(changes_of(rows).empty());
+  rows.swap_remove(70);
+  rows.swap_remove(5);
+  rows.swap_remove(rows.size() - 1);  // nobody takes its place
+  rows.note_change(2);
+  EXPECT_EQ(changes_of(rows), (std::vector<std::uint32_t>{2, 5, 70}));
+  rows.note_change(rows.size() - 1);
+  rows.swap_remove(rows.size() - 1);  // there is no such row any more
+  EXPECT_TRUE(changes_of(rows).empty());
+  EXPECT_EQ(rows.push(7), 96u);
+  EXPECT_EQ(changes_of(rows), (std::vector<std::uint32_t>{96}));
+}
+
 }  // namespace
 }  // namespace physim

@@ -53,6 +53,25 @@ TEST(Schedule, TakesInOrderOfTimeAndIndex) {
   }
 }
 
+TEST(Schedule, TakesManyThatCameForSoonInOrder) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> part(0, 1);
+  SlotTable slots;
+  Schedule schedule;
+  std::vector<Due> waiting;
+  for (const int count : {20, 500, 3, 2000, 40}) {
+    take_all(schedule, slots, 1e-3, waiting);  // what comes next is due in a part that is reached
+    for (int i = 0; i < count; ++i) {
+      waiting.push_back({0.015 * part(random), come_alive(slots)});
+      schedule.add(waiting.back().time, waiting.back().id);
+    }
+    take_all(schedule, slots, 0.01 * part(random), waiting);
+    ASSERT_EQ(schedule.all().size(), waiting.size());
+  }
+  take_all(schedule, slots, 1, waiting);
+  EXPECT_TRUE(waiting.empty());
+}
+
 TEST(Schedule, HoldsTimesBeyondAllParts) {
   SlotTable slots;
   Schedule schedule;
