@@ -5,14 +5,15 @@
 namespace physim::collide {
 inline namespace bvh_building {
 
-constexpr std::uint32_t kLeaf = 4;  // so many items are never parted for their own sake
-constexpr std::uint32_t kFew = 4;   // so many are parted at the best place between any two
+constexpr std::uint32_t kLeaf = BvhChild::kMostItems;  // so many items are never parted for their own sake
+constexpr std::uint32_t kFew = 4;                      // so many are parted at the best place between any two
 constexpr int kMostBins = 16;
 constexpr std::uint32_t kSample = 512;  // items, or up to twice as many, that tell where to part more of them
 constexpr float kPassing = 1;           // what a node costs, in items
 constexpr float kPassingFar = 2;        // where nodes lie beyond the fast caches, as from kMany items on
 constexpr std::uint32_t kMany = 1 << 15;
 constexpr int kDeepest = 40;  // from where on items are halved: they are in a geometric series
+static_assert(kDeepest + std::bit_width(BvhChild::kMostPlaces) < Bvh::kMostLevels);
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
@@ -47,11 +48,11 @@ PHYSIM_INLINE QuadBox box_of(const BvhItem& item) {
 /// Parts items until they are few.
 class Bvh::Builder {
  public:
-  Builder(std::span<BvhItem> items, std::vector<Node>& nodes)
+  Builder(std::span<BvhItem> items, std::vector<BvhNode>& nodes)
       : items_(items), nodes_(nodes), aside_(items.begin(), items.end()) {}
 
   Bounds build() {
-    nodes_.reserve(items_.size() / 5 + 1);
+    nodes_.reserve(items_.size() / 8 + 1);
     Range all{0, static_cast<std::uint32_t>(items_.size()), {}, {}, {}, false, false};
     measure(all);
     nodes_.emplace_back();
@@ -217,10 +218,11 @@ class Bvh::Builder {
   }
 
   void part(std::uint32_t node, const Range& whole, int depth) {
-    Range ranges[4] = {whole, whole, whole, whole};
+    Range ranges[8];
+    ranges[0] = whole;
     int count = 1;
     if (!ranges[0].decided) decide(ranges[0]);
-    while (count < 4) {
+    while (count < 8) {
       int largest = -1;
       for (int i = 0; i < count; ++i)
         if (!ranges[i].leaf && (largest < 0 || ranges[i].box.area() > ranges[largest].box.area())) largest = i;
@@ -229,15 +231,17 @@ class Bvh::Builder {
       decide(ranges[largest]);
       decide(ranges[count++]);
     }
-    Node& n = nodes_[node];
+    const BvhChild none = BvhChild::of_items(whole.first, 1);  // of an empty box, which nothing meets
+    BvhNode& n = nodes_[node];
     std::uint32_t next = static_cast<std::uint32_t>(nodes_.size());
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 8; ++i) {
       const QuadBox box = i < count ? ranges[i].box : QuadBox{};
-      for (int axis = 0; axis < 3; ++axis)
-        n.plane[4 * axis + i] = box.low[axis], n.plane[Node::kSides + 4 * axis + i] = box.high[axis];
-      const bool leaf = i >= count || ranges[i].leaf;
-      n.first[i] = i >= count ? 0 : leaf ? ranges[i].first : next++;
-      n.count[i] = static_cast<std::uint8_t>(i < count && leaf ? ranges[i].count : 0);
+      for (int axis = 0; axis < 3; ++axis) n.side[axis][i] = box.low[axis], n.side[3 + axis][i] = box.high[axis];
+      const bool inner = i < count && !ranges[i].leaf;
+      const BvhChild child = inner       ? BvhChild::of_node(next++)
+                             : i < count ? BvhChild::of_items(ranges[i].first, ranges[i].count)
+                                         : none;
+      n.child[i] = child.bits();
     }
     std::uint32_t child = static_cast<std::uint32_t>(nodes_.size());
     nodes_.resize(next);
@@ -246,14 +250,14 @@ class Bvh::Builder {
   }
 
   std::span<BvhItem> items_;
-  std::vector<Node>& nodes_;
+  std::vector<BvhNode>& nodes_;
   const float passing_ = items_.size() < kMany ? kPassing : kPassingFar;
   std::vector<BvhItem> aside_;  // items on their way to the right
 };
 
 Bvh::Bvh(std::span<BvhItem> items) {
   if (!items.empty()) root_ = Builder(items, nodes_).build();
-  extent_ = root_.extent();
+  extent_ = float_above(root_.extent());
 }
 
 }  // namespace physim::collide

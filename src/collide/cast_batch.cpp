@@ -5,13 +5,14 @@
 
 #include "base/ieee_mode.hpp"
 #include "base/prefetch.hpp"
-#include "collide/cast_in_turn.hpp"
+#include "collide/cast_crowd.hpp"
 #include "collide/order.hpp"
 
 namespace physim::collide {
 namespace {
 
 constexpr std::size_t kTask = 256;  // segments
+constexpr std::size_t kFew = 4;     // so many are worth more work than each alone
 constexpr SceneHit kNothing{};
 
 /// Segments, one after the other as they come or sorted by place.
@@ -56,12 +57,16 @@ struct Batch {
 class FirstHit {
  public:
   static constexpr Which kWhich = Which::all;
+  static constexpr bool kPoints = true;
 
   /// False where it makes no sense.
   bool put(const Batch& batch, std::size_t number) {
     batch_ = &batch;
     asked_ = &batch.segments[number];
     into_ = &batch.into[number];
+    prefetch_to_write(into_);
+    prefetch_to_write(into_, 64);
+    prefetch_to_write(into_, sizeof(SceneHit) - 1);
     first_ = {};
     segment_ = {asked_->from, asked_->to - asked_->from, asked_->radius, 1};
     return is_sound(*asked_);
@@ -72,16 +77,17 @@ class FirstHit {
   [[nodiscard]] Segment& segment() { return segment_; }
   void at_rest(std::uint32_t index) { look().at_rest(index, segment_); }
   void at_mover(std::uint32_t index) { look().at_mover(index, segment_); }
-  PHYSIM_INLINE bool step(Mesh::Walk& mesh, std::uint32_t index) {
-    return mesh.step([&](const Crossing& crossing, Segment& within) {
-      first_.take(index, crossing, segment_);
-      within.reach = segment_.reach;
-    });
+  void look(const Mesh& mesh, std::uint32_t index, std::uint32_t first, std::uint32_t end, Segment& inside) {
+    inside.reach = segment_.reach;
+    const Shear unused{};  // by spheres
+    for (std::uint32_t i = first; i < end; ++i) take(mesh, index, i, meets(inside, unused, mesh.triangle(i)), inside);
   }
-  void leaves(const Mesh::Walk&, std::uint32_t) {}
-  void end() {
-    if (first_.thing != 0) *into_ = hit_of(batch_->scene, first_.thing, first_.crossing, *asked_);
+  void pass(const Mesh& mesh, std::uint32_t index, std::uint32_t triangle, double t, Segment& inside) {
+    inside.reach = segment_.reach;
+    take(mesh, index, triangle, crossing_at(t, inside, mesh.triangle(triangle)), inside);
   }
+  void leaves(std::uint32_t, const Segment&) {}
+  void end() { *into_ = first_.thing != 0 ? hit_of(batch_->scene, first_.thing, first_.crossing, *asked_) : kNothing; }
 
  private:
   struct Take {
@@ -90,6 +96,13 @@ class FirstHit {
       first->take(index, crossing, s);
     }
   };
+  void take(const Mesh& mesh, std::uint32_t index, std::uint32_t triangle, std::optional<Crossing> crossing,
+            Segment& inside) {
+    if (!crossing) return;
+    crossing->primitive = mesh.number(triangle);
+    first_.take(index, *crossing, segment_);
+    inside.reach = segment_.reach;
+  }
   [[nodiscard]] Look<false, Take> look() { return {batch_->scene, *asked_, batch_->filter, {&first_}}; }
 
   const Batch* batch_;
@@ -99,10 +112,13 @@ class FirstHit {
   FirstCrossing first_;
 };
 
-void cast_batch_in_turn(const Batch& batch, std::size_t begin, std::size_t end) {
-  cast_in_turn<FirstHit>([&](CastInTurn<FirstHit>& cast) {
-    while (begin < end)
-      if (cast.question.put(batch, batch.taken(begin++)) && cast.begin()) return true;
+void cast_together(const Batch& batch, std::size_t begin, std::size_t end) {
+  CastCrowd<FirstHit> crowd;
+  crowd.cast([&](FirstHit& question) {
+    for (; begin < end; ++begin) {
+      if (question.put(batch, begin)) return ++begin, true;
+      batch.into[begin] = kNothing;
+    }
     return false;
   });
 }
@@ -118,8 +134,8 @@ void run(void* self, std::size_t task) {
   const IeeeMode mode;
   const Batch& batch = *static_cast<const Batch*>(self);
   const std::size_t begin = task * kTask, end = std::min(batch.segments.size(), begin + kTask);
-  if (batch.scene.large_meshes > 0 && end - begin > 1)
-    cast_batch_in_turn(batch, begin, end);
+  if (batch.scene.meshes > 0 && end - begin >= kFew)
+    cast_together(batch, begin, end);
   else
     cast_one_by_one(batch, begin, end);
 }
@@ -135,14 +151,14 @@ void first_hit(const SceneContent& scene, const SceneSegment& asked, const Scene
 
 void first_hits(const SceneContent& scene, std::size_t bytes, std::span<const SceneSegment> segments,
                 std::span<SceneHit> into, const SceneFilter& filter, TaskRunner* runner) {
-  // From here on it pays to look for neighbours: what they look at is read once, but they lie all over the memory. On
-  // the way through large meshes several in turn wait less than neighbours do, which wait for the same memory.
+  // From here on it pays to look for neighbours: what they look at is read once, but they lie all over the memory.
+  // Those that go through meshes together need not wait for it.
   constexpr std::size_t kMany = 2048, kCached = 1 << 20;
   const std::size_t count = segments.size();
   PHYSIM_ASSERT(count == into.size());
   Batch batch{scene, segments, into, filter, {}};
   const bool sortable = count >= kMany && count <= std::numeric_limits<std::uint32_t>::max();
-  if (sortable && bytes >= kCached && scene.large_meshes == 0) batch.sort();
+  if (sortable && bytes >= kCached && scene.meshes == 0) batch.sort();
   const std::size_t tasks = (count + kTask - 1) / kTask;
   if (runner && tasks > 1)
     runner->run(tasks, run, &batch);

@@ -1,6 +1,6 @@
 #include "collide/clear_batch.hpp"
 
-#include "collide/cast_in_turn.hpp"
+#include "collide/cast_crowd.hpp"
 #include "collide/clear_look.hpp"
 
 namespace physim::collide {
@@ -10,6 +10,7 @@ namespace {
 class ClearPart {
  public:
   static constexpr Which kWhich = Which::resting;
+  static constexpr bool kPoints = false;
 
   /// False where it makes no sense.
   bool put(const SceneContent& scene, ClearQuery& query) {
@@ -27,9 +28,12 @@ class ClearPart {
   [[nodiscard]] Segment& segment() { return segment_; }
   void at_rest(std::uint32_t index) { look().at_rest(index, segment_); }
   void at_mover(std::uint32_t) {}
-  PHYSIM_INLINE bool step(Mesh::Walk& mesh, std::uint32_t) { return mesh.step_clear(); }
-  void leaves(const Mesh::Walk& mesh, std::uint32_t index) {
-    ClearLook::shorten(scene_->instances[index], mesh.reach(), segment_);
+  void look(const Mesh& mesh, std::uint32_t, std::uint32_t first, std::uint32_t end, Segment& inside) {
+    for (std::uint32_t i = first; i < end; ++i)
+      if (const auto part = collide::clear_part(inside, mesh.triangle(i))) inside.reach = std::min(inside.reach, *part);
+  }
+  void leaves(std::uint32_t index, const Segment& inside) {
+    ClearLook::shorten(scene_->instances[index], inside.reach, segment_);
   }
   void end() { query_->part = std::max(0.0, segment_.reach); }
 
@@ -47,9 +51,10 @@ class ClearPart {
 void clear_parts(const SceneContent& scene, std::span<ClearQuery> queries) {
   std::size_t next = 0;
   PHYSIM_ASSERT(!scene.engine);  // nobody knows how far its things are
-  cast_in_turn<ClearPart>([&](CastInTurn<ClearPart>& cast) {
+  CastCrowd<ClearPart> crowd;
+  crowd.cast([&](ClearPart& question) {
     while (next < queries.size())
-      if (cast.question.put(scene, queries[next++]) && cast.begin()) return true;
+      if (question.put(scene, queries[next++])) return true;
     return false;
   });
 }

@@ -165,7 +165,7 @@ void SceneContent::enter_tree(std::uint32_t index) {
   PHYSIM_ASSERT(slot.alive && slot.shape && slot.leaf == Tree::kNone);
   sensors += slot.def.sensor ? 1 : 0;
   in_motion += slot.path ? 1 : 0;
-  large_meshes += large_mesh(index) ? 1 : 0;
+  meshes += std::holds_alternative<Mesh>(*instances[index].shape) ? 1 : 0;
   const auto list = [index](std::vector<std::uint32_t>& in) { in.insert(std::ranges::lower_bound(in, index), index); };
   const Bounds own = bounds_of(*slot.shape);
   if (own.low.x > own.high.x) return list(unbounded);
@@ -178,7 +178,7 @@ void SceneContent::leave_tree(std::uint32_t index) {
   InstanceSlot& slot = instances[index];
   sensors -= slot.def.sensor ? 1 : 0;
   in_motion -= slot.path ? 1 : 0;
-  large_meshes -= large_mesh(index) ? 1 : 0;
+  meshes -= std::holds_alternative<Mesh>(*instances[index].shape) ? 1 : 0;
   const auto unlist = [index](std::vector<std::uint32_t>& from) {
     const auto place = std::ranges::lower_bound(from, index);
     PHYSIM_ASSERT(place != from.end() && *place == index);

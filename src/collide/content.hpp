@@ -35,6 +35,12 @@ struct SceneContent {
     std::shared_ptr<const Path> path;  // none: it rests
     InstanceDef def;
 
+    /// Has what questions look at brought from memory.
+    void prefetch() const {
+      prefetch_at(this);
+      prefetch_at(this, 64);
+      prefetch_at(this, 128);
+    }
     [[nodiscard]] bool is_asked(const SceneFilter& filter) const {
       return (layers & filter.layers) != 0 && (filter.sensors || !sensor);
     }
@@ -55,7 +61,7 @@ struct SceneContent {
   double covered_from = 0, covered_to = 0;  // [s]
   std::size_t alive = 0;
   std::size_t sensors = 0, in_motion = 0;  // of those
-  std::size_t large_meshes = 0;            // of those
+  std::size_t meshes = 0;                  // of those
   std::uint64_t changes = 0;
   std::shared_ptr<const Engine> engine;  // null: none
 
@@ -75,11 +81,6 @@ struct SceneContent {
   [[nodiscard]] Result<Shape> prepare(const ShapeDef& def, std::vector<std::uint32_t>& parts) const;
   /// Keeps a shape in a slot that is free.
   void put(ShapeSlot& slot, Shape&& shape, std::vector<std::uint32_t>&& parts);
-  /// The mesh that a thing is, if it is a large one.
-  [[nodiscard]] const Mesh* large_mesh(std::uint32_t index) const {
-    const Mesh* mesh = std::get_if<Mesh>(instances[index].shape.get());
-    return mesh && mesh->is_large() ? mesh : nullptr;
-  }
   /// The path of what moves, none of what rests; an error where the definition is none of this scene.
   [[nodiscard]] Result<std::shared_ptr<const Path>> check(const InstanceDef& def) const;
   /// Lets a thing stand in a slot that is free.

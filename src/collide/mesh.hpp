@@ -24,6 +24,7 @@ class Mesh {
     const auto& corners = triangles_[i];
     return {vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]};
   }
+  [[nodiscard]] const Vec3d* vertices() const { return vertices_.data(); }
   /// Its vertices; triangles name the first ones, all of them.
   [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t i) const {
     PHYSIM_ASSERT(i < triangles_.size());
@@ -39,9 +40,17 @@ class Mesh {
     return materials_.empty() ? std::nullopt : std::optional(materials_[triangle]);
   }
 
-  /// Whether its tree leaves the fast caches little room: a walk through it waits for the memory.
-  [[nodiscard]] bool is_large() const { return tree_.bytes() >= kLarge; }
-  class Walk;
+  /// Its triangles lie in the order of the places of its tree.
+  [[nodiscard]] const Bvh& tree() const { return tree_; }
+  /// Have what belongs to triangles from `first` on brought from memory; then their corners.
+  void prefetch_triangles(std::uint32_t first, std::uint32_t end) const {
+    prefetch_at(&triangles_[first]);
+    prefetch_at(&triangles_[end - 1]);
+  }
+  void prefetch_corners(std::uint32_t first, std::uint32_t end) const {
+    for (std::uint32_t i = first; i < end; ++i)
+      for (const std::uint32_t corner : triangles_[i]) prefetch_at(&vertices_[corner]);
+  }
   /// Calls take(crossing, segment) for each triangle met.
   template <class Take>
   void crossings(Segment& segment, const Take& take) const {
@@ -73,8 +82,6 @@ class Mesh {
   [[nodiscard]] double clearance(const Vec3d& p) const;
 
  private:
-  static constexpr std::size_t kLarge = 1 << 18;
-
   void put_vertices_in_order();
   [[nodiscard]] bool is_closed() const;
   [[nodiscard]] double volume() const;
@@ -87,83 +94,6 @@ class Mesh {
   Bounds bounds_;
   std::size_t degenerate_ = 0;
   bool closed_ = false;
-};
-
-/// Where a segment is on its way through a mesh: one that waits for the memory gives way to others.
-class Mesh::Walk {
- public:
-  /// False where the segment passes the mesh.
-  PHYSIM_INLINE bool begin(const Mesh& mesh, const Segment& segment) {
-    mesh_ = &mesh;
-    segment_ = segment;
-    sheared_ = corners_asked_ = false;
-    return boxes_.begin(mesh.tree_, segment_, BoxTest(segment_));
-  }
-  /// Looks at what it has come to, a node or triangles, and asks for what comes next to be brought; calls
-  /// take(crossing, segment) for triangles that are met. False where nothing is left.
-  template <class Take>
-  PHYSIM_INLINE bool step(const Take& take) {
-    return step_by([&] { meet(take); });
-  }
-  /// Likewise, but shortens its reach to where the spheres about its points may touch a triangle.
-  PHYSIM_INLINE bool step_clear() {
-    return step_by([&] {
-      for (std::uint32_t i = boxes_.first(); i < boxes_.end(); ++i)
-        if (const auto part = collide::clear_part(segment_, mesh_->triangle(i)))
-          segment_.reach = std::min(segment_.reach, *part);
-    });
-  }
-  [[nodiscard]] double reach() const { return segment_.reach; }
-
- private:
-  /// look_at_triangles() looks at those that it has come to.
-  template <class Look>
-  PHYSIM_INLINE bool step_by(const Look& look_at_triangles) {
-    bool on;
-    if (!boxes_.is_at_items()) {
-      on = boxes_.look(mesh_->tree_);
-    } else if (!corners_asked_) {
-      ask_for_corners();
-      return true;
-    } else {
-      look_at_triangles();
-      on = boxes_.next(segment_);
-      corners_asked_ = false;
-    }
-    if (!boxes_.is_at_items())
-      boxes_.prefetch(mesh_->tree_);
-    else
-      prefetch_triangles();
-    return on;
-  }
-  void prefetch_triangles() const {
-    prefetch_at(&mesh_->triangles_[boxes_.first()]);
-    prefetch_at(&mesh_->triangles_[boxes_.end() - 1]);
-    prefetch_at(&mesh_->numbers_[boxes_.first()]);
-  }
-  void ask_for_corners() {
-    corners_asked_ = true;
-    for (std::uint32_t i = boxes_.first(); i < boxes_.end(); ++i)
-      for (const std::uint32_t corner : mesh_->triangles_[i]) prefetch_at(&mesh_->vertices_[corner]);
-  }
-  template <class Take>
-  void meet(const Take& take) {
-    if (!sheared_) shear_ = Shear(segment_);
-    sheared_ = true;
-    for (std::uint32_t i = boxes_.first(); i < boxes_.end(); ++i) {
-      auto crossing = meets(segment_, shear_, mesh_->triangle(i));
-      if (!crossing) continue;
-      crossing->primitive = mesh_->number(i);
-      take(*crossing, segment_);
-    }
-  }
-
-  const Mesh* mesh_;
-  Segment segment_;  // in its frame
-  Shear shear_;      // of the segment, once it has come to a triangle
-  bool sheared_;
-  bool corners_asked_;  // of the triangles that it is at
-  Bvh::Walk boxes_;
 };
 
 }  // namespace physim::collide

@@ -25,21 +25,23 @@ class RestingThings {
            recent_.bytes();
   }
 
-  class Walk;
+  /// The tree of those that have stood for long.
+  [[nodiscard]] const Bvh& tree() const { return old_; }
+  /// What is at a place of it; Tree::kNone: it is gone.
+  [[nodiscard]] std::uint32_t thing(std::uint32_t place) const { return order_[place]; }
   /// Calls visit(thing, segment) for what a segment may meet, as Bvh::along() does.
   template <class Visit>
   void along(Segment& segment, const Visit& visit) const {
-    const BoxTest test(segment);
     const auto visit_old = [&](std::uint32_t place, Segment& s) {
       if (order_[place] != Tree::kNone) visit(order_[place], s);
     };
-    old_.along(segment, test, visit_old);
-    along_recent(segment, test, visit);
+    old_.along(segment, visit_old);
+    along_recent(segment, visit);
   }
   /// Calls visit(thing, segment) for those of them that came lately.
   template <class Visit>
-  void along_recent(Segment& segment, const BoxTest& test, const Visit& visit) const {
-    recent_.along(segment, test, visit);
+  void along_recent(Segment& segment, const Visit& visit) const {
+    if (new_ > 0) recent_.along(segment, visit);
   }
   /// Calls visit(thing, within) for what is not farther from p than `within`, which visit shortens.
   template <class Visit>
@@ -78,33 +80,6 @@ class RestingThings {
   std::vector<std::uint32_t> order_;  // things leaf by leaf of old_; Tree::kNone: it is gone
   std::size_t gone_ = 0, new_ = 0;    // of those in old_, and how many are in recent_
   Tree recent_;
-};
-
-/// Where a segment is on its way through the things that have stood for long.
-class RestingThings::Walk {
- public:
-  void begin(const RestingThings& things, const Segment& segment, const BoxTest& test) {
-    place_ = end_ = 0;
-    some_ = boxes_.begin(things.old_, segment, test);
-  }
-  /// The next thing that the segment may meet, whose reach may be shorter than it was; Tree::kNone: there is no other.
-  std::uint32_t next(const RestingThings& things, const Segment& segment) {
-    while (true) {
-      for (; place_ < end_;)
-        if (const std::uint32_t thing = things.order_[place_++]; thing != Tree::kNone) return thing;
-      if (end_ > 0) some_ = boxes_.next(segment);
-      end_ = 0;
-      while (some_ && !boxes_.is_at_items()) some_ = boxes_.look(things.old_);
-      if (!some_) return Tree::kNone;
-      place_ = boxes_.first();
-      end_ = boxes_.end();
-    }
-  }
-
- private:
-  Bvh::Walk boxes_;
-  bool some_;                  // boxes are left
-  std::uint32_t place_, end_;  // of the items that it is at; end_ 0: at none
 };
 
 }  // namespace physim::collide

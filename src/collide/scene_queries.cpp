@@ -191,7 +191,7 @@ double SceneParts::clear_part(const SceneSegment& segment, const SceneFilter& fi
 }
 
 void SceneParts::clear_parts(std::span<collide::ClearQuery> queries) const {
-  if (content_.large_meshes > 0 && !content_.engine) return collide::clear_parts(content_, queries);
+  if (content_.meshes > 0 && !content_.engine) return collide::clear_parts(content_, queries);
   for (collide::ClearQuery& query : queries) query.part = clear_part(query.segment, {.layers = query.layers});
 }
 

@@ -30,12 +30,9 @@ class Tree {
   /// Calls visit(item, segment) for each item whose box a segment may meet, as Bvh::along() does.
   template <class Visit>
   void along(Segment& segment, const Visit& visit) const {
-    if (root_ != kNone) along(segment, BoxTest(segment), visit);
-  }
-  /// Calls them with the test that was made of the segment.
-  template <class Visit>
-  void along(Segment& segment, const BoxTest& test, const Visit& visit) const {
-    if (root_ == kNone || !(test.enters(nodes_[root_].box, segment.reach) <= segment.reach)) return;
+    if (root_ == kNone || !about(segment).meets(nodes_[root_].box)) return;
+    const BoxTest test(segment);
+    if (!(test.enters(nodes_[root_].box, segment.reach) <= segment.reach)) return;
     const auto enters = [&](std::uint32_t node) { return test.enters(nodes_[node].box, segment.reach); };
     std::uint32_t stack[kDeepest];
     double in[kDeepest];
@@ -112,6 +109,14 @@ class Tree {
   }
 
  private:
+  /// A box that holds a segment: most are away from all items, and are told by that.
+  [[nodiscard]] PHYSIM_INLINE static Bounds about(const Segment& s) {
+    Bounds box{s.from, s.from};
+    box.take(s.from + s.along);
+    box.widen(s.radius + 8 * std::numeric_limits<double>::epsilon() * s.extent());
+    return box;
+  }
+
   struct Node {
     Bounds box;
     std::uint32_t parent;

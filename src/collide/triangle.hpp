@@ -15,7 +15,9 @@
 #include <optional>
 #include <utility>
 
+#include "collide/box.hpp"
 #include "collide/convex.hpp"
+#include "math/pack.hpp"
 
 namespace physim::collide {
 
@@ -33,7 +35,8 @@ class Shear {
     const Components from = components(s.from), along = components(s.along);
     const double x = std::abs(along[0]), y = std::abs(along[1]), z = std::abs(along[2]);
     z_ = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-    const bool backwards = along[z_] < 0;  // x and y change places, so that triangles keep their winding
+    constexpr std::size_t kNext[] = {1, 2, 0, 1};  // axes behind each axis
+    const bool backwards = along[z_] < 0;          // x and y change places, so that triangles keep their winding
     x_ = kNext[z_ + (backwards ? 1 : 0)];
     y_ = kNext[z_ + (backwards ? 0 : 1)];
     from_ = {from[x_], from[y_], from[z_]};
@@ -43,30 +46,46 @@ class Shear {
     per_z_ = 1 / along[z_];
   }
 
+  /// Whether it goes anywhere; else it passes nothing.
+  [[nodiscard]] PHYSIM_INLINE bool is_some() const { return per_z_ != 0; }
+  /// Which of three numbers are those along its own axes.
+  template <class R>
+  [[nodiscard]] PHYSIM_INLINE Vec3<R> turned(const std::array<R, 3>& p) const {
+    return {p[x_], p[y_], p[z_]};  // in memory, where an axis is an address: no selections
+  }
+  /// Whether the line through the segment passes triangles, one or a pack of them, with corners along its axes, and
+  /// where.
+  template <class R>
+  PHYSIM_INLINE MaskOf<R> passes(const Vec3<R>& corner_a, const Vec3<R>& corner_b, const Vec3<R>& corner_c,
+                                 R& t) const {
+    PHYSIM_ASSERT(x_ != y_ && y_ != z_ && z_ != x_ && std::abs(along_x_) <= 1 && std::abs(along_y_) <= 1);
+    const Vec3<R> a = sheared(corner_a), b = sheared(corner_b), c = sheared(corner_c);
+    const R u = c.x * b.y - c.y * b.x;
+    const R v = a.x * c.y - a.y * c.x;
+    const R w = b.x * a.y - b.y * a.x;
+    const R least = select(u < v, u, v), most = select(u > v, u, v), sum = u + v + w, zero(0.0);
+    t = (u * a.z + v * b.z + w * c.z) / sum;
+    // Where the sum is 0 it is seen from its edge.
+    return (((least >= zero) & (w >= zero)) | ((most <= zero) & (w <= zero))) & (sum != zero);
+  }
   /// Where the line through the segment passes a triangle.
   [[nodiscard]] PHYSIM_INLINE std::optional<double> passes(const Triangle& triangle) const {
-    if (per_z_ == 0) return std::nullopt;
-    PHYSIM_ASSERT(x_ != y_ && y_ != z_ && z_ != x_ && std::abs(along_x_) <= 1 && std::abs(along_y_) <= 1);
-    const Vec3d a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
-    const double u = c.x * b.y - c.y * b.x;
-    const double v = a.x * c.y - a.y * c.x;
-    const double w = b.x * a.y - b.y * a.x;
-    if (std::min(u, std::min(v, w)) < 0 && std::max(u, std::max(v, w)) > 0) return std::nullopt;
-    const double sum = u + v + w;
-    if (sum == 0) return std::nullopt;  // seen from its edge
-    return (u * a.z + v * b.z + w * c.z) / sum;
+    const auto turned_one = [this](const Vec3d& p) { return turned(Components{p.x, p.y, p.z}); };
+    double t;
+    if (!is_some() || !passes(turned_one(triangle.a), turned_one(triangle.b), turned_one(triangle.c), t))
+      return std::nullopt;
+    return t;
   }
 
  private:
   using Components = std::array<double, 3>;
-  static constexpr std::size_t kNext[] = {1, 2, 0, 1};  // axes behind each axis
 
-  [[nodiscard]] static Components components(const Vec3d& v) { return {v.x, v.y, v.z}; }
+  [[nodiscard]] PHYSIM_INLINE static Components components(const Vec3d& v) { return {v.x, v.y, v.z}; }
   /// With z counted along the segment.
-  [[nodiscard]] Vec3d sheared(const Vec3d& p) const {
-    const Components at = components(p);  // in memory, where an axis is an address: no selections
-    const double z = at[z_] - from_.z;
-    return {at[x_] - from_.x - along_x_ * z, at[y_] - from_.y - along_y_ * z, z * per_z_};
+  template <class R>
+  [[nodiscard]] PHYSIM_INLINE Vec3<R> sheared(const Vec3<R>& p) const {
+    const R z = p.z - from_.z;
+    return {p.x - from_.x - along_x_ * z, p.y - from_.y - along_y_ * z, z * per_z_};
   }
 
   Vec3d from_;  // its axes permuted
@@ -127,22 +146,27 @@ class Shear {
   return above >= -std::numeric_limits<double>::epsilon() * size;
 }
 
-/// Where a segment, or a sphere about its points, meets a triangle from either side. Points enter where they come
-/// against the normal; a sphere always does. What begins at the surface and leaves along the normal does not meet it.
+/// What a segment that passes a triangle at t crosses. Points enter where they come against the normal; what begins at
+/// the surface and leaves along the normal does not meet it.
+[[nodiscard]] PHYSIM_INLINE std::optional<Crossing> crossing_at(double t, const Segment& s, const Triangle& triangle) {
+  if (t < 0 || t > s.reach) return std::nullopt;
+  const Vec3d normal = triangle.normal();
+  const bool enters = dot(normal, s.along) < 0;
+  if (!enters && leaves_from(triangle.a, normal, s.from)) return std::nullopt;
+  return Crossing{t, normal, 0, enters};
+}
+
+/// Where a segment, or a sphere about its points, meets a triangle from either side. A sphere always enters.
 [[nodiscard]] PHYSIM_INLINE std::optional<Crossing> meets(const Segment& s, const Shear& shear,
                                                           const Triangle& triangle) {
   if (s.radius > 0) return first_touch(s, 0, [&](const Vec3d& p) { return nearest_to(triangle, p); });
   const auto t = shear.passes(triangle);
-  if (!t || *t < 0 || *t > s.reach) return std::nullopt;
-  const Vec3d normal = triangle.normal();
-  const bool enters = dot(normal, s.along) < 0;
-  if (!enters && leaves_from(triangle.a, normal, s.from)) return std::nullopt;
-  return Crossing{*t, normal, 0, enters};
+  return t ? crossing_at(*t, s, triangle) : std::nullopt;
 }
 
 /// A part of a segment up to which no sphere about its points touches a triangle, below the true one by little where it
 /// touches its face; none where it passes it. The sphere is taken for all that is as near to the plane as its radius
-/// and not farther beyond any edge, which costs no iteration.
+/// and not farther beyond any edge, nor beyond the box of the triangle, which costs no iteration.
 [[nodiscard]] inline std::optional<double> clear_part(const Segment& s, const Triangle& t) {
   const Vec3d ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c, normal = cross(ab, -ca);
   const auto size = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
@@ -170,7 +194,11 @@ class Shear {
     const Vec3d outwards = cross(along, normal);
     if (!below(outwards, p, length(outwards) * wide + beyond)) return std::nullopt;
   }
-  return in * (1 - kRounding);
+  Bounds box;
+  for (const Vec3d& corner : {t.a, t.b, t.c}) box.take(corner);
+  const double enters = BoxTest(s).enters(box, s.reach);
+  if (!(enters <= s.reach)) return std::nullopt;
+  return std::max(in, enters) * (1 - kRounding);
 }
 
 }  // namespace physim::collide

@@ -1,0 +1,96 @@
+// Compiled once per instruction set, in a namespace of its name.
+#include "collide/box_job.hpp"
+#include "collide/triangle.hpp"
+
+PHYSIM_ISA_BEGIN
+
+namespace {
+
+using Words = Pack<std::uint32_t, 8>;
+
+/// Writes eight words, those of some lanes first, in order. Returns how many these are.
+PHYSIM_INLINE std::size_t put_first(const std::uint32_t* from, unsigned lanes, std::uint32_t* to) {
+#if defined(__AVX512VL__)
+  _mm256_storeu_si256((__m256i*)to,
+                      _mm256_maskz_compress_epi32((__mmask8)lanes, _mm256_load_si256((const __m256i*)from)));
+  return static_cast<std::size_t>(std::popcount(lanes));
+#elif defined(__AVX2__) && defined(__BMI2__)
+  const std::uint64_t bytes = _pdep_u64(lanes, 0x0101010101010101u) * 0xffu;  // of the lanes
+  const __m128i places = _mm_cvtsi64_si128((long long)_pext_u64(0x0706050403020100u, bytes));
+  _mm256_storeu_si256(
+      (__m256i*)to, _mm256_permutevar8x32_epi32(_mm256_load_si256((const __m256i*)from), _mm256_cvtepu8_epi32(places)));
+  return static_cast<std::size_t>(std::popcount(lanes));
+#else
+  std::size_t count = 0;
+  for (unsigned lane = 0; lane < 8; ++lane) {
+    to[count] = from[lane];
+    count += lanes >> lane & 1u;
+  }
+  return count;
+#endif
+}
+/// Adds pairs of a ray and some of the children of a node.
+PHYSIM_INLINE void add(collide::BoxPairs& pairs, std::uint32_t ray, const std::uint32_t* children, unsigned lanes) {
+  Words(ray).store(pairs.ray + pairs.count);
+  pairs.count += put_first(children, lanes, pairs.child + pairs.count);
+}
+
+using Four = Pack<double, 4>;
+
+/// A corner of four triangles.
+PHYSIM_INLINE std::array<Four, 3> corners_of(const collide::MeshRay& ray, const std::uint32_t (&place)[4],
+                                             std::size_t corner) {
+  alignas(32) double at[3][4];
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const Vec3d& p = ray.vertices[ray.corners[place[lane]][corner]];
+    at[0][lane] = p.x, at[1][lane] = p.y, at[2][lane] = p.z;
+  }
+  return {Four::load(at[0]), Four::load(at[1]), Four::load(at[2])};
+}
+
+}  // namespace
+
+void enter_boxes(collide::BoxJob& job) {
+  constexpr std::size_t kAhead = 8;
+  const collide::BoxPairs from = job.from;
+  collide::BoxPairs nodes = job.nodes, items = job.items;
+  for (std::size_t i = 0; i < from.count; ++i) {
+    const std::size_t ahead = i + kAhead < from.count ? i + kAhead : i;
+    job.rays[from.ray[ahead]].nodes[from.child[ahead]].prefetch();
+    const std::uint32_t number = from.ray[i];
+    const collide::TreeRay& ray = job.rays[number];
+    const collide::BvhNode& node = ray.nodes[from.child[i]];
+    collide::Octet in;
+    const unsigned lanes = ray.enters(node, in);
+    const unsigned with_items = lane_bits((Words::load(node.child) & Words(collide::BvhChild::kItems)) != Words(0));
+    add(nodes, number, node.child, lanes & ~with_items);
+    add(items, number, node.child, lanes & with_items);
+  }
+  job.nodes.count = nodes.count;
+  job.items.count = items.count;
+}
+
+void pass_triangles(collide::TriangleJob& job) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < job.items.count; ++i) {
+    const collide::BvhChild child(job.items.child[i]);
+    const collide::MeshRay& ray = job.rays[job.items.ray[i]];
+    const std::uint32_t first = child.first(), last = child.end() - 1;
+    const std::uint32_t place[4] = {first, std::min(first + 1, last), std::min(first + 2, last), last};
+    const collide::Shear shear(ray.segment);
+    Four t;
+    const auto passed = shear.passes(shear.turned(corners_of(ray, place, 0)), shear.turned(corners_of(ray, place, 1)),
+                                     shear.turned(corners_of(ray, place, 2)), t);
+    unsigned lanes = lane_bits(passed & (t >= Four(0.0)) & (t <= Four(1.0)));
+    lanes &= shear.is_some() ? (2u << (last - first)) - 1 : 0;
+    double at[4];
+    t.store(at);
+    for (std::uint32_t lane = 0; lane < 4; ++lane) {
+      job.passed[count] = {at[lane], job.items.ray[i], first + lane};
+      count += lanes >> lane & 1u;
+    }
+  }
+  job.count = count;
+}
+
+PHYSIM_ISA_END
