@@ -4,16 +4,21 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
-#include "solve/dense.hpp"
-#include "solve/lanes.hpp"
+#include "solve/march.hpp"
 
 namespace physim {
 
-/// How a step is taken whose rung and integrator are known.
+struct KnownFlight;
+
+/// How steps are taken whose rung and integrator are known.
 struct KnownStep {
   /// Takes one, as take_step() does, to the bit: a flyer's slopes, its end and its error.
   void (*take)(const Conditions<double>& c, Flyer<double>& flyer, double relative, double absolute) = nullptr;
+  /// Takes steps and keeps them, one after the other, as March does, to the bit; the last one tried, which somebody has
+  /// to look at, is neither accepted yet nor kept. Returns whether it is to be accepted.
+  bool (*go_on)(KnownFlight& flight) = nullptr;
   /// The coefficients of its interpolant, as dense_sums() makes them, to the bit; none where it is made of both ends.
   void (*interpolate)(const Step<double>& step, State<double>* coefficients) = nullptr;
 
@@ -29,6 +34,16 @@ struct KeptStep {
   double h;                                           // [s]
   Unset<std::array<State<double>, kInner>> slopes{};  // between them
 };
+
+/// What a flight from a launch that meets nothing needs, step by step.
+struct KnownFlight {
+  March<double>& march;
+  std::vector<Node>& nodes;
+  std::vector<KeptStep>& kept;  // where interpolants are made of them
+  bool is_watched = false;      // the step at hand, by that which follows
+  Unset<QuietWatch<double>> quiet{};
+};
+
 void keep_slopes(const Step<double>& step, KeptStep& kept);
 void keep_end(const Step<double>& step, Node& node);
 /// The coefficients of its interpolant, made when they are asked for: as KnownStep::interpolate() makes them.

@@ -57,10 +57,11 @@ class LaneFlight {
     parts_.make_last();
     march_.launch();
     begin_contacts({.scene_time = obstacles_.contact.scene_time, .length = until, .ends = until});
-    is_plain_ = kMayBeKnown && known_ && !*contacts_;
+    is_plain_ = kMayBeKnown && known_ && !contacts_;
     path_.keeps_slopes = is_plain_ && known_.interpolate;
     path_.reserve();
     path_.keep_start(0);
+    if (is_plain_) fly_known();
     while (!ended_) {
       step();
       if (!met_) continue;  // it goes on only from a contact
@@ -101,13 +102,21 @@ class LaneFlight {
   [[nodiscard]] Lanes<S>& lane() { return march_.lanes; }
   [[nodiscard]] const Fidelity& fidelity() const { return course_.conditions->fidelity; }
 
+  /// Most steps of known rungs are taken and kept without a look at them.
+  void fly_known() {
+    if constexpr (kMayBeKnown) {
+      KnownFlight flight{march_, record_.path.nodes, record_.path.kept};
+      while (!ended_) look_at_step(known_.go_on(flight));
+    }
+  }
+
   /// One step, or a try at it.
-  void step() {
-    const bool accepted = try_step();
-    const bool special = is_special(accepted);
+  void step() { look_at_step(try_step()); }
+  void look_at_step(bool accepted) {
+    const bool special = needs_attention(course_, lane(), accepted).special;
     const bool sound = accepted && ends_finite(fidelity(), lane().step);
     if constexpr (kMayBeKnown) {
-      if (known_ && !special && !*contacts_) {  // most steps: they are kept, and that is all
+      if (known_ && !special && !contacts_) {  // most steps: they are kept, and that is all
         if (sound) path_.keep_known_step(known_);
         return march_.accept(accepted);
       }
@@ -120,18 +129,6 @@ class LaneFlight {
     }
     march_.accept(accepted);
     if (sound && has_stops(*course_.conditions)) path_.keep_jump();
-  }
-
-  /// Most steps from a launch show at once that nothing watched is crossed.
-  [[nodiscard]] bool is_special(bool accepted) {
-    if (!is_plain_) return needs_attention(course_, lane(), accepted).special;
-    if (accepted) {
-      const Conditions<S>& c = *course_.conditions;
-      if (!is_watched_) quiet_->begin(c, course_.watch, lane());
-      is_watched_ = quiet_->passes(c, course_.watch, lane(), last_slope(c.fidelity));
-      if (!is_watched_) return needs_attention(course_, lane(), accepted).special;
-    }
-    return needs_attention(course_, lane(), lane_bits(accepted), {}).special;
   }
 
   [[nodiscard]] bool try_step() {
@@ -158,7 +155,7 @@ class LaneFlight {
       verdict = verdict_on(course_, lane(), step_marks(course_, lane()), 0, accepted, j_->crossings[0]);
     }
     if (sound) path_.keep_step(j_->at);
-    const auto met = sound && *contacts_ ? meeting() : std::nullopt;
+    const auto met = sound && contacts_ ? meeting() : std::nullopt;
     bool ends = false;  // where something is crossed, before it meets anything
     for (int i = 0; i < j_->crossings[0].count; ++i) {
       const Found& found = j_->crossings[0].found[i];
@@ -327,7 +324,10 @@ class LaneFlight {
   void begin_contacts(MeetingStep step) {
     if (!is_framed()) step.draw = record_.legs.size();
     host_.begin(step);
-    contacts_.emplace(host_);
+    if (host_.scene() != nullptr)
+      contacts_.emplace(host_);
+    else
+      contacts_.reset();
   }
 
   [[nodiscard]] std::optional<collide::PathHit> meeting() {
@@ -477,12 +477,10 @@ class LaneFlight {
   Obstacles obstacles_;
   MeetingLane<S> host_;
   PathKeeper<S> path_;
-  std::optional<SceneContacts<MeetingLane<S>>> contacts_;
-  FrameStart frames_;           // dt 0: none, from a launch
-  Unset<Judgement<S>> j_;       // of the last step that was looked at
-  bool is_plain_ = false;       // known steps go on from a launch and meet nothing
-  Unset<QuietWatch<S>> quiet_;  // of such
-  bool is_watched_ = false;     // the step at hand, by that
+  std::optional<SceneContacts<MeetingLane<S>>> contacts_;  // none: it meets nothing
+  FrameStart frames_;                                      // dt 0: none, from a launch
+  Unset<Judgement<S>> j_;                                  // of the last step that was looked at
+  bool is_plain_ = false;                                  // known steps go on from a launch and meet nothing
   KnownStep known_ = known_step(*course_.conditions_double);
   bool ended_ = false;
   bool met_ = false;            // something, in the step at hand

@@ -116,6 +116,20 @@ struct PointInAir {
   }
 };
 
+/// A point mass under the drag equation, whose air and way through it are known already.
+template <class R>
+struct PointInKnownAir : PointInAir {
+  AirState<R> air;
+  Vec3<R> u;  // through the air [m/s]
+  R speed;    // [m/s]
+
+  template <class S, class AnySum>
+  PHYSIM_INLINE void add_air(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>&, AnySum& sum) const {
+    PHYSIM_ASSERT(c.fidelity.drag == DragModel::equation && !spins(c.fidelity));
+    sum.add(&Accelerations::drag, drag_now(c, b, t, drag_equation(c, b, air, u, speed)));
+  }
+};
+
 /// A point mass that the air does nothing to.
 struct PointInVacuum : PointInAir {
   template <class... Given>
@@ -232,6 +246,15 @@ template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s) {
   Sum<R> sum;
   sum_effects(c, b, t, s, PointInAir{}, sum);
+  return sum.total;
+}
+
+/// ... whose air is known.
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
+                                   const PointInKnownAir<R>& in_air) {
+  Sum<R> sum;
+  sum_effects(c, b, t, s, in_air, sum);
   return sum.total;
 }
 

@@ -34,12 +34,22 @@ PHYSIM_NOINLINE R searched_cd(const Conditions<S>& c, const Body<R>& b, const R&
   return cd;
 }
 
-/// Place of a speed through the air on the lane's curve: whole cells from its start, held at both ends. The speed comes
-/// last in this chain and in that of drag_equation(): its root takes long, and what can be done meanwhile is done.
+/// Place of a speed through the air on the lane's curve, in cells from its start, on both sides beyond its ends. The
+/// speed comes last in this chain and in that of drag_equation(): its root takes long, and what can be done meanwhile
+/// is done.
+template <class R>
+PHYSIM_INLINE R endless_position(const Body<R>& b, const R& per_sound_speed, const R& speed) {
+  return speed * (per_sound_speed * b.curve_cells) - b.curve_first;
+}
+/// ... held at both ends.
+template <class R>
+PHYSIM_INLINE R on_curve(const Body<R>& b, const R& place) {
+  using S = ScalarOf<R>;
+  return clamp(place, R(S(0)), b.curve_last + S(1));
+}
 template <class R>
 PHYSIM_INLINE R curve_position(const Body<R>& b, const R& per_sound_speed, const R& speed) {
-  using S = ScalarOf<R>;
-  return clamp(speed * (per_sound_speed * b.curve_cells) - b.curve_first, R(S(0)), b.curve_last + S(1));
+  return on_curve(b, endless_position(b, per_sound_speed, speed));
 }
 
 /// The cell that a place on a curve lies in. Rounding u - 1/2 is one operation less than the floor of u; on a border
@@ -49,17 +59,21 @@ PHYSIM_INLINE R curve_cell(const Body<R>& b, const R& place) {
   return min(round_to_int(place - constant<R>(0.5)), b.curve_last);
 }
 
-/// Cd by the cell that is guessed; the guess is right afterwards.
-PHYSIM_INLINE double guessed_cd(const double* rows, double first_row, double cell, double place,
-                                GuessedCell<double>& guess) {
-  if (cell != guess.cell) [[unlikely]]
-    guess.cell = cell, guess.row = row_at(rows, first_row + cell);
+/// Cd at a place that may lie beyond the curve, by the cell that is guessed, which is right afterwards. Where the guess
+/// holds the place lies on the curve: who waits for Cd does not wait for a look at both ends.
+PHYSIM_INLINE double guessed_cd(const Body<double>& b, const double* rows, double place, GuessedCell<double>& guess) {
+  if (round_to_int(place - 0.5) != guess.cell || place < 0) [[unlikely]] {
+    place = on_curve(b, place);
+    guess.cell = curve_cell(b, place);
+    guess.row = row_at(rows, b.curve_row + guess.cell);
+  }
   guess.place = place;
   return row_cubic(guess.row, place - guess.cell);
 }
 /// Guesses the cell of the next look-up by a place near it.
 PHYSIM_INLINE void guess_cell(const Body<double>& b, const double* rows, double near, GuessedCell<double>& guess) {
-  guess.cell = curve_cell(b, near > 0 ? min(near, b.curve_last) : 0.0);
+  guess.cell = near > 0 ? curve_cell(b, near) : 0.0;
+  PHYSIM_ASSERT(guess.cell >= 0 && guess.cell <= b.curve_last);
   guess.row = row_at(rows, b.curve_row + guess.cell);
 }
 
@@ -67,11 +81,11 @@ PHYSIM_INLINE void guess_cell(const Body<double>& b, const double* rows, double 
 template <class R, class S>
 PHYSIM_INLINE R curve_cd(const Conditions<S>& c, const Body<R>& b, const R& per_sound_speed, const R& speed) {
   PHYSIM_ASSERT(c.curve_rows != nullptr);
+  if constexpr (std::is_same_v<R, double>) {
+    if (c.guess != nullptr) return guessed_cd(b, c.curve_rows, endless_position(b, per_sound_speed, speed), *c.guess);
+  }
   const R inside = curve_position(b, per_sound_speed, speed);
   const R cell = curve_cell(b, inside);
-  if constexpr (std::is_same_v<R, double>) {
-    if (c.guess != nullptr) return guessed_cd(c.curve_rows, b.curve_row, cell, inside, *c.guess);
-  }
   const R row = c.has_searched_curves ? max(b.curve_row, R(S(0))) : b.curve_row;
   const R cd = row_cubic(c.curve_rows, row + cell, inside - cell);
   return c.has_searched_curves ? searched_cd(c, b, speed * per_sound_speed, cd) : cd;
@@ -83,11 +97,10 @@ PHYSIM_INLINE R drag_per_cd(const AirState<R>& air, const R& speed, const R& hal
   return speed * -(air.density * half_area_per_mass);
 }
 
-/// The drag equation for a velocity through the air u in air of a given state.
+/// The drag equation for a velocity through the air u, of length `speed`, in air of a given state.
 template <class R, class S>
-PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air,
-                                    const Vec3<R>& u) {
-  const R speed = length(u);
+PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air, const Vec3<R>& u,
+                                    const R& speed) {
   R cd = curve_cd(c, b, air.per_sound_speed, speed);
   if (c.has_spheres) {
     const R reynolds = air.density * speed * b.reynolds_length / viscosity(temperature(c, b, air));
@@ -100,6 +113,12 @@ PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, co
     for (int i = 0; i < kMaxBands; ++i)
       half_area_per_mass = select(speed >= b.band_above[i], b.band_half_area_per_mass[i], half_area_per_mass);
   return u * (drag_per_cd(air, speed, half_area_per_mass) * cd);
+}
+
+template <class R, class S>
+PHYSIM_INLINE Vec3<R> drag_equation(const Conditions<S>& c, const Body<R>& b, const AirState<R>& air,
+                                    const Vec3<R>& u) {
+  return drag_equation(c, b, air, u, length(u));
 }
 
 /// Drag that reads nothing of the air but its velocity.

@@ -105,11 +105,11 @@ class March {
     const Course<S>& course = *marches[0]->course_;
     FlyerSet<R> flyers;
     for (int i = 0; i < count; ++i) {
-      marches[i]->set_step();
+      marches[i]->set_step(*course.conditions);
       flyers.add(marches[i]->lanes);
     }
     take(*course.conditions, flyers, course.plan.relative, course.plan.absolute);
-    for (int i = 0; i < count; ++i) accepted[i] = marches[i]->control_step(all());
+    for (int i = 0; i < count; ++i) accepted[i] = marches[i]->control_step(*course.conditions, all());
   }
   /// Tries one in the lanes that are asked for; what others do means nothing.
   PHYSIM_INLINE Mask try_step(const Mask& asked = all()) {
@@ -117,15 +117,17 @@ class March {
                                   PHYSIM_INLINE_LAMBDA { take_step(c, flyer, relative, absolute); });
   }
   /// By what takes steps as take_step() does.
-  PHYSIM_INLINE Mask try_step_by(const Mask& asked, const auto& take) {
-    set_step();
+  PHYSIM_INLINE Mask try_step_by(const Mask& asked, const auto& take) { return try_step_by(conditions(), asked, take); }
+  /// ... under the march's conditions, of which the compiler may know more.
+  PHYSIM_INLINE Mask try_step_by(const Conditions<S>& c, const Mask& asked, const auto& take) {
+    set_step(c);
     take(conditions(), lanes, course_->plan.relative, course_->plan.absolute);
-    return control_step(asked);
+    return control_step(c, asked);
   }
 
   /// Moves accepted lanes to the end of their step.
-  PHYSIM_INLINE void accept(const Mask& accepted) {
-    const Conditions<S>& c = conditions();
+  PHYSIM_INLINE void accept(const Mask& accepted) { accept(conditions(), accepted); }
+  PHYSIM_INLINE void accept(const Conditions<S>& c, const Mask& accepted) {
     Lanes<R>& l = lanes;
     const int last = last_slope(c.fidelity);
     if constexpr (std::is_floating_point_v<R>) {
@@ -216,8 +218,7 @@ class March {
 
   /// The coming step: as long as its control wants it, or what is left of a whole one, or up to a stop. Fixed steps
   /// count, so that time does not gather rounding errors.
-  PHYSIM_INLINE void set_step() {
-    const Conditions<S>& c = conditions();
+  PHYSIM_INLINE void set_step(const Conditions<S>& c) {
     Lanes<R>& l = lanes;
     const bool counted = !steps_itself(c.fidelity);
     if (!framed_ && !has_stops(c)) {
@@ -240,8 +241,7 @@ class March {
   }
 
   /// Judges a step taken: returns the lanes in which it is accepted, and sets control.h to the next step to try.
-  PHYSIM_INLINE Mask control_step(const Mask& asked) {
-    const Conditions<S>& c = conditions();
+  PHYSIM_INLINE Mask control_step(const Conditions<S>& c, const Mask& asked) {
     Lanes<R>& l = lanes;
     l.tries += R(S(1));
     Mask accepted = asked;
@@ -254,7 +254,11 @@ class March {
       if (framed_ || has_stops(c))
         l.control.h = select(accepted & (l.step.h < proposed), max(l.control.h, proposed), l.control.h);
     }
-    return course_->corners ? respect_corners(*course_, l, accepted) : accepted;
+    if (!course_->corners) return accepted;
+    if constexpr (std::is_floating_point_v<R>) {
+      if (only_below_first_layer(c, l)) return accepted;  // as c says, of which the compiler may know more
+    }
+    return respect_corners(*course_, l, accepted);
   }
 
   /// Counts what was accepted, and passes on behind its end: the first slope there is another one where something

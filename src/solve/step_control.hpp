@@ -23,6 +23,17 @@ struct StepControl {
   R h;             // next step to try [s]
 };
 
+/// As clamp(), of what mostly lies between: a number by itself passes without waiting for comparisons, which the
+/// processor foresees.
+template <class R>
+PHYSIM_INLINE R seldom_clamped(const R& x, const R& low, const R& high) {
+  if constexpr (std::is_floating_point_v<R>) {
+    if (x > low && x < high) [[likely]]
+      return x;
+  }
+  return clamp(x, low, high);
+}
+
 /// The step to try after one of length h with error squared `error`; `accepted` lanes use the integral part too.
 template <class R>
 PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, const MaskOf<R>& accepted,
@@ -32,12 +43,12 @@ PHYSIM_INLINE R next_step(Integrator integrator, const R& h, const R& error, con
   const double q = order_of(integrator);
   // Errors are squared, hence the factor 1/2. An error that is not a number counts as huge.
   const R huge = constant<R>(1e16);
-  const R e = log2_roughly(clamp(select(error < huge, error, huge), constant<R>(1e-16), huge));
+  const R e = log2_roughly(seldom_clamped(select(error < huge, error, huge), constant<R>(1e-16), huge));
   const R with_memory = constant<R>(-0.35 / q) * e + constant<R>(0.2 / q) * control.log_previous;
   const R after_rejection = constant<R>(-0.5 / q) * e;
   const R factor = constant<R>(0.9) * exp2_roughly(select(accepted, with_memory, after_rejection));
   control.log_previous = select(accepted, e, control.log_previous);
-  return h * clamp(factor, R(S(0.1)), R(S(5)));
+  return h * seldom_clamped(factor, R(S(0.1)), R(S(5)));
 }
 
 /// First step: the time in which the velocity would change by a few times the root of the tolerance, of the estimate's

@@ -55,7 +55,7 @@ double drawn(int number, int place, double low, double high) {
 }
 
 /// A step from a drawn state; heights reach far above the first layer of the air.
-Flyer<double> start_of(const Prepared& p, int number, double top) {
+Flyer<double> start_of(const Prepared& p, int number, double top, double slower = 1) {
   Flyer<double> flyer;
   flyer.body = p.body;
   Step<double>& s = flyer.step;
@@ -64,14 +64,15 @@ Flyer<double> start_of(const Prepared& p, int number, double top) {
   s.t_end = s.t + s.h;
   s.start.x = {drawn(number, 2, -50, 5000), drawn(number, 3, -1000, top), drawn(number, 4, -300, 300)};
   s.start.v = {drawn(number, 5, -100, 1200), drawn(number, 6, -500, 500), drawn(number, 7, -50, 50)};
+  s.start.v *= slower;
   set_slope(p.cohort.conditions, flyer, 0);
   return flyer;
 }
 
 /// Takes a step by the known rung, and as all rungs take it; returns it.
-Flyer<double> same_step(const Prepared& p, const KnownStep& known, int number) {
+Flyer<double> same_step(const Prepared& p, const KnownStep& known, int number, double slower = 1) {
   const Conditions<double>& c = p.cohort.conditions;
-  Flyer<double> flyer = start_of(p, number, 20000), other = flyer;
+  Flyer<double> flyer = start_of(p, number, 20000, slower), other = flyer;
   known.take(c, flyer, 1e-9, 1e-9);
   take_step(c, other, 1e-9, 1e-9);
   for (int k = 0; k <= end_slope(c.fidelity.integrator); ++k) expect_same(flyer.step.slope[k], other.step.slope[k]);
@@ -118,6 +119,81 @@ TEST(KnownStep, IsTheStepOfAllRungsToTheBit) {
     EXPECT_GT(above, 100);
     EXPECT_LT(above, 400);
   }
+}
+
+/// A curve that begins above Mach 0 and ends below the speeds that are drawn.
+ProjectileDef with_short_curve() {
+  ProjectileDef p = bullet();
+  p.drag.table = DragTable::custom;
+  p.drag.curve = {{0.5, 0.2}, {0.75, 0.3}, {1, 0.5}, {1.25, 0.4}, {1.5, 0.35}};
+  return p;
+}
+
+TEST(KnownStep, IsTheStepOfAllRungsBeyondBothEndsOfADragCurve) {
+  for (const Integrator integrator : {Integrator::tsit5, Integrator::rk43}) {
+    const Prepared p(with_short_curve(), {}, windy(), fidelity_of(kRungs[1], integrator));
+    ASSERT_FALSE(p.cohort.conditions.has_searched_curves);
+    const KnownStep known = known_step(p.cohort.conditions);
+    ASSERT_TRUE(known);
+    int slow = 0, fast = 0;
+    for (int i = 0; i < 500; ++i) {
+      const Flyer<double> flyer = same_step(p, known, i, i % 2 == 0 ? 1 : 0.2);
+      slow += length(flyer.step.start.v) < 100;
+      fast += length(flyer.step.start.v) > 600;
+    }
+    EXPECT_GT(slow, 10);
+    EXPECT_GT(fast, 100);
+  }
+}
+
+/// As fly() keeps it: a flight that may meet things looks at each of its steps by itself.
+void expect_same_flight(const Flight& a, const Flight& b) {
+  EXPECT_EQ(a.outcome(), b.outcome());
+  EXPECT_TRUE(same_bits(a.duration(), b.duration()));
+  EXPECT_EQ(a.cost().steps, b.cost().steps);
+  EXPECT_EQ(a.cost().rejected, b.cost().rejected);
+  ASSERT_EQ(a.step_times(), b.step_times());
+  for (int i = 0; i <= 200; ++i) {
+    const double t = a.duration() * i / 200;
+    EXPECT_TRUE(same_bits(a.at(t).position, b.at(t).position));
+    EXPECT_TRUE(same_bits(a.at(t).velocity, b.at(t).velocity));
+  }
+  ASSERT_EQ(a.events().size(), b.events().size());
+  for (std::size_t i = 0; i < a.events().size(); ++i) {
+    EXPECT_EQ(a.events()[i].kind, b.events()[i].kind);
+    EXPECT_TRUE(same_bits(a.events()[i].time, b.events()[i].time));
+    EXPECT_TRUE(same_bits(a.events()[i].position, b.events()[i].position));
+  }
+}
+
+TEST(KnownStep, FliesAsWhatLooksAtEachStep) {
+  Scene far;
+  ASSERT_TRUE(far.add({.shape = *far.add_shape(SphereShape{1}), .transform = {.position = {0, -4000, 1e5}}}));
+  struct Case {
+    const char* name;
+    double speed, elevation;
+    Until until;
+    Tolerance tolerance;
+  };
+  std::vector<Case> cases{{"flat", 820, 0.01, {.ground = std::nullopt, .range = 1000}, {}},
+                          {"up and down", 820, 0.7, {.ground = -1}, {}},
+                          {"above the first layer", 1500, 1.4, {.ground = -1}, {}},
+                          {"out of steps", 820, 0.7, {.ground = -1}, {.max_steps = 23}},
+                          {"out of time", 820, 0.7, {.ground = -1, .time = 3.3}, {}},
+                          {"short steps", 820, 0.7, {.ground = -1}, {.max_step = 0.05}},
+                          {"watched", 820, 0.5, {.ground = -1}, {}}};
+  cases.back().until.events = {{EventKind::mach, 1}, {EventKind::speed, 200}, {EventKind::height, 500}};
+  for (const Rung& rung : kRungs)
+    for (const Integrator integrator : {Integrator::tsit5, Integrator::rk43})
+      for (const Case& each : cases) {
+        SCOPED_TRACE(std::string(rung.name) + ", " + each.name);
+        const Launch launch{.speed = each.speed, .elevation = each.elevation};
+        Until beside = each.until;
+        beside.scene = &far;
+        const Fidelity fidelity = fidelity_of(rung, integrator);
+        expect_same_flight(fly(bullet(), launch, windy(), fidelity, each.tolerance, each.until),
+                           fly(bullet(), launch, windy(), fidelity, each.tolerance, beside));
+      }
 }
 
 TEST(KnownStep, IsNotForWhatIsSpecial) {
