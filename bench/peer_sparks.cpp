@@ -57,7 +57,11 @@ class PlainLoop final : public PeerSparks {
     float *x = state_[kX].data(), *y = state_[kY].data(), *z = state_[kZ].data(), *u = state_[kU].data(),
           *v = state_[kV].data(), *w = state_[kW].data(), *age = state_[kAge].data();
     const float k1 = physics_.k1 / physics_.mass, k2 = physics_.k2 / physics_.mass;
+#if defined(__clang__)
+#pragma clang loop vectorize(assume_safety)
+#else
 #pragma GCC ivdep
+#endif
     for (std::size_t i = 0; i < count_; ++i) {
       const float drag = k1 + k2 * std::sqrt(u[i] * u[i] + v[i] * v[i] + w[i] * w[i]);
       u[i] -= drag * u[i] * dt;

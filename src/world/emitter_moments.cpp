@@ -60,7 +60,7 @@ void EmitterMoments::queue_moment(std::uint32_t index) {
   if (!e.active || !e.plays) return;
   if (has_ahead(index)) return queue_.push(firing_of(index, *s_.ahead[index], s_.ahead[index]->next));
   if (const auto next = next_moment(e))
-    queue_.push({.time = next->time, .emitter = index, .rank = kOwn, .moment = next->moment});
+    queue_.push({.time = next->time, .emitter = index, .rank = kOwnMoment, .moment = next->moment});
 }
 
 std::optional<EmitterMoments::OwnMoment> EmitterMoments::next_moment(const Emitter& e) const {
@@ -161,7 +161,7 @@ Firing EmitterMoments::firing_of(std::uint32_t index, const BirthColumns& births
   PHYSIM_ASSERT(lane < births.count);
   return {.time = births.time[lane],
           .emitter = index,
-          .rank = kOwn,
+          .rank = kOwnMoment,
           .moment = {.time = births.own_time[lane], .phase = births.phase[lane]}};
 }
 

@@ -23,7 +23,7 @@ class EmitterMoments {
   void close_ways();
 
  protected:
-  enum Rank : std::uint32_t { kOwn, kMetre, kFill, kRain, kSub };
+  enum Rank : std::uint32_t { kOwnMoment, kMetre, kFill, kRain, kSub };
 
   /// Where one is and which way it points; none: what it follows is gone.
   [[nodiscard]] std::optional<Pose> pose_at(std::uint32_t emitter, double time) const;

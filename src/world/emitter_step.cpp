@@ -62,7 +62,7 @@ class EmitterBirths : EmitterMoments {
     while (!queue_.empty()) {
       const Firing firing = queue_.pop();
       if (firing.rank != kSub && !all_[firing.emitter].plays) continue;
-      if (firing.rank == kOwn) {
+      if (firing.rank == kOwnMoment) {
         fire_own(firing);
         queue_triggers();
         continue;

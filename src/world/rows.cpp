@@ -14,6 +14,15 @@ namespace {
 constexpr unsigned char kUnset = 0xff;
 #endif
 
+/// One float or double. (clang would call for a copy of so many bytes.)
+void copy_number(std::byte* to, const std::byte* from, std::size_t bytes) {
+  PHYSIM_ASSERT(bytes == sizeof(float) || bytes == sizeof(double));
+  if (bytes == sizeof(float))
+    std::memcpy(to, from, sizeof(float));
+  else
+    std::memcpy(to, from, sizeof(double));
+}
+
 unsigned count_columns(const RowLayout& l) {
   return 9 + (l.carried ? 3u : 0) + (l.launched ? 3u : 0) + (l.clocked ? 2u : 0) +
          (l.meeting ? 4u + kNumbers<ClearTube> : 0) + (l.turning ? kNumbers<Turn> + kNumbers<RotorConstants> : 0) +
@@ -85,7 +94,7 @@ std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
   const bool turned = from.swapped_ != swapped_;  // positions and previous ones lie the other way round
   for (unsigned k = 0; k < numbers_; ++k) {
     const unsigned source = turned && k < 6 ? (k + 3) % 6 : k;
-    std::memcpy(column(k) + at * bytes, from.column(source) + row * bytes, bytes);
+    copy_number(column(k) + at * bytes, from.column(source) + row * bytes, bytes);
   }
   compare_fields(at);
   return at;
@@ -94,7 +103,7 @@ std::uint32_t Rows::push_copy(const Rows& from, std::uint32_t row) {
 void Rows::put_back(std::uint32_t row, const Rows& copy) {
   PHYSIM_ASSERT(row < copy.size_ && copy.size_ == size_ && copy.swapped_ == swapped_ && copy.slot(row) == slot(row));
   const std::size_t bytes = number_size();
-  for (unsigned k = 0; k < numbers_; ++k) std::memcpy(column(k) + row * bytes, copy.column(k) + row * bytes, bytes);
+  for (unsigned k = 0; k < numbers_; ++k) copy_number(column(k) + row * bytes, copy.column(k) + row * bytes, bytes);
 }
 
 void Rows::write_fields(std::uint32_t row, const Body<double>& body) {
@@ -129,7 +138,7 @@ std::uint32_t Rows::swap_remove(std::uint32_t row) {
   size_ = last;
   if (row == last) return 0;
   const std::size_t bytes = number_size();
-  for (unsigned k = 0; k < numbers_; ++k) std::memcpy(column(k) + row * bytes, column(k) + last * bytes, bytes);
+  for (unsigned k = 0; k < numbers_; ++k) copy_number(column(k) + row * bytes, column(k) + last * bytes, bytes);
   note_change(row);
   auto* all = column_of<std::uint32_t>(numbers_);
   return all[row] = all[last];
