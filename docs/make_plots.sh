@@ -54,6 +54,7 @@ draw_emitters volcano --set world.duration="16 s"
 draw_emitters spiral
 
 "$physim" study scenarios/study_308.toml --plot "$pictures/study_308.png" >/dev/null
+"$physim" study scenarios/study_model_rocket.toml --plot "$pictures/study_model_rocket.png" >/dev/null
 "$physim" study scenarios/study_308.toml --over-inputs 12 --target "head: circle 10 cm" \
   --plot "$pictures/study_308_inputs.png" >/dev/null
 "$physim" study scenarios/study_308.toml --ranges "100 m .. 1000 m step 100 m" --shots 20000 --target "head: circle 10 cm" \

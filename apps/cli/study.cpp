@@ -19,8 +19,10 @@
 #include "report/number.hpp"
 #include "report/study_map.hpp"
 #include "report/study_pictures.hpp"
+#include "report/study_shot.hpp"
 #include "report/table.hpp"
 #include "study_columns.hpp"
+#include "study_progress.hpp"
 #include "study_ranks.hpp"
 #include "terminal.hpp"
 
@@ -29,10 +31,11 @@ namespace {
 
 struct StudyCommand {
   Question question;
-  std::optional<std::uint64_t> shots, over_inputs;
+  std::optional<std::uint64_t> shots, over_inputs, fly;
   std::optional<std::uint32_t> threads;
   std::vector<std::string> vary, targets, merge;
-  std::string range, ranges, width, time, csv, plot, kml, hdf5, resume, shards;
+  std::string range, ranges, width, time, csv, plot, kml, hdf5, resume, shards, log_every;
+  double log_seconds = 60;
 };
 
 // ------------------------------------------------------------------------------------------------------- part files
@@ -54,13 +57,16 @@ Status write_part(const std::string& file, const StudyPart& part) {
 }
 
 /// What was flown before: in the file that is gone on with, where there is one, and in those to be joined.
-Result<StudyPart> flown_before(const StudyCommand& command) {
+Result<StudyPart> flown_before(const StudyCommand& command, const StudyPlan& plan) {
   std::vector<std::string> files = command.merge;
   if (!command.resume.empty() && std::filesystem::exists(command.resume)) files.push_back(command.resume);
   StudyPart all;
   for (const std::string& file : files) {
     const auto part = read_part(file);
     if (!part) return part.error();
+    if (part->shards() > 0 && part->record().hash != plan.record().hash)
+      return Error{"the part is of another study, or of another version", file,
+                   "join parts of this study alone, with all of its options"};
     auto merged = merge(all, *part);
     if (!merged) return Error{merged.error().message, file, merged.error().hint};
     all = *std::move(merged);
@@ -153,14 +159,6 @@ Status add_width(const StudyCommand& command, Study& study) {
   return {};
 }
 
-/// "3 hours": two digits of the unit that suits it.
-std::string duration_text(double seconds) {
-  const std::pair<double, const char*> units[] = {{365.25 * 86400, "years"}, {86400, "days"}, {3600, "hours"}};
-  for (const auto& [length, name] : units)
-    if (seconds >= 2 * length) return readable(seconds / length, 2) + " " + name;
-  return readable(seconds / 60, 2) + " minutes";
-}
-
 /// What a large study takes, as its first shard tells.
 void tell_length(const StudyPlan& plan, std::uint64_t missing, unsigned threads, const char* flyers) {
   constexpr std::uint64_t kMany = 20'000;
@@ -180,15 +178,6 @@ class TimeToFly {
 
   [[nodiscard]] bool is_limited() const { return seconds_.has_value(); }
   [[nodiscard]] bool is_up() const { return seconds_ && passed() >= *seconds_; }
-  /// By the time that is limited, else by shards.
-  void show(const Progress& progress, std::uint64_t flown, std::uint64_t shards) const {
-    constexpr double kParts = 1000;
-    if (!progress) return;
-    if (!seconds_ || flown >= shards)
-      return progress(static_cast<std::size_t>(flown), static_cast<std::size_t>(shards));
-    const double parts = std::min(kParts * passed() / *seconds_, kParts - 1);
-    progress(static_cast<std::size_t>(parts), static_cast<std::size_t>(kParts));
-  }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -198,10 +187,9 @@ class TimeToFly {
   Clock::time_point start_ = Clock::now();
 };
 
-StudyOptions options_of(const StudyPlan& plan, const Progress& progress, PartKeeper& keeper, const StudyPart& so_far,
-                        const TimeToFly& time) {
+StudyOptions options_of(StudyProgress& progress, PartKeeper& keeper, const StudyPart& so_far, const TimeToFly& time) {
   StudyOptions options{.so_far = so_far, .after_shard = [&](const StudyPart& part) {
-                         time.show(progress, part.shards(), plan.shards());
+                         progress.show(part);
                          return keeper.take(part);
                        }};
   if (time.is_limited()) options.time_is_up = [&time] { return time.is_up(); };
@@ -245,11 +233,11 @@ Result<StudyResult> fly_on(Ranks& ranks, TaskRunner& threads, const StudyPlan& p
 }
 
 Result<FlownStudy> fly_study(const Study& study, std::optional<double> until_time, TaskRunner& threads, Ranks& ranks,
-                             const StudyCommand& command = {}) {
+                             const StudyCommand& command) {
   const auto plan = plan_study(study);
   if (!plan) return plan.error();
   for (const std::string& note : plan->notes()) print_warning(note);
-  const auto before = flown_before(command);
+  const auto before = flown_before(command, *plan);
   if (!before) return before.error();
   const bool joins_only = !command.merge.empty() && command.resume.empty() && !study.until_width && !until_time;
   if (joins_only)
@@ -260,9 +248,9 @@ Result<FlownStudy> fly_study(const Study& study, std::optional<double> until_tim
     tell_length(*plan, plan->shards() - std::min(plan->shards(), before->shards()),
                 alone ? threads.threads() : ranks.count(), alone ? "threads" : "ranks");
   PartKeeper keeper(command.resume);
-  const Progress progress = progress_bar("study");
+  StudyProgress progress(*plan, *before, command.log_seconds, until_time);
   const TimeToFly time(until_time);
-  StudyOptions options = options_of(*plan, progress, keeper, *before, time);
+  StudyOptions options = options_of(progress, keeper, *before, time);
   StudyPart last = *before;
   options.after_shard = [&, take = options.after_shard](const StudyPart& part) { return last = part, take(part); };
   auto result = fly_on(ranks, threads, *plan, options, command.resume, keeper);
@@ -309,13 +297,13 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
   if (!plan) return plan.error();
   const auto range = shards_of(command.shards, plan->shards());
   if (!range) return range.error();
-  const auto before = flown_before(command);
+  const auto before = flown_before(command, *plan);
   if (!before) return before.error();
   PartKeeper keeper(command.resume);
-  const Progress progress = progress_bar("study");
+  StudyProgress progress(*plan, *before, command.log_seconds, {});
   const TimeToFly as_long_as_it_takes({});
   const auto part = run_shards(*plan, range->first, range->count, &threads,
-                               options_of(*plan, progress, keeper, *before, as_long_as_it_takes));
+                               options_of(progress, keeper, *before, as_long_as_it_takes));
   if (!part) return part.error();
   if (!keeper.write(*part)) return keeper.status().error();
   return done(print(std::to_string(part->shards()) + " of " + std::to_string(plan->shards()) + " shards are in " +
@@ -326,10 +314,12 @@ Result<int> run_part(const StudyCommand& command, const Study& study, TaskRunner
 Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked, Study study, TaskRunner& threads,
                             Ranks& ranks) {
   std::vector<StudyAtRange> list;
+  StudyCommand alone;
+  alone.log_seconds = command.log_seconds;
   for (const double range : asked.scenario.ranges) {
     study.until.range = range;
     if (study.launch.sight.zero_range > 0) study.launch.sight.zero_range = range;
-    auto flown = fly_study(study, asked.scenario.study.until_time, threads, ranks);
+    auto flown = fly_study(study, asked.scenario.study.until_time, threads, ranks, alone);
     if (!flown) return about(asked, flown.error());
     list.push_back({range, std::move(flown->result)});
   }
@@ -394,16 +384,39 @@ Status check_job(const StudyCommand& command, const Ranks& ranks) {
   return {};
 }
 
-Result<int> run(const StudyCommand& command) {
+/// One shot again, such as the worst.
+Result<int> fly_again(const StudyCommand& command, const AskedShot& asked, const Study& study) {
+  const auto plan = plan_study(study);
+  if (!plan) return about(asked, plan.error());
+  const std::uint64_t shots = plan->shards() * study.shard_shots;
+  if (*command.fly >= shots)
+    return Error{"the study has shots 0 to " + std::to_string(shots - 1), "--fly",
+                 "give one of these, or more --shots"};
+  return done(give(command.question, study_shot_answer(asked, *plan, *command.fly, style_of(stdout))));
+}
+
+/// How often a log is told how far it has come.
+Status read_log_seconds(StudyCommand& command) {
+  const auto every = option_value("--log-every", command.log_every, Quantity::time);
+  if (!every) return every.error();
+  if (!*every) return {};
+  if (!(**every > 0)) return Error{"must be above 0", "--log-every", "as in \"1 min\" or \"10 s\""};
+  command.log_seconds = **every;
+  return {};
+}
+
+Result<int> run(StudyCommand command) {
   Ranks ranks;
   if (ranks.number() > 0) return serve(command, ranks);
   if (Status status = check_job(command, ranks); !status) return status.error();
   if (Status status = check_command(command); !status) return status.error();
+  if (Status status = read_log_seconds(command); !status) return status.error();
   const auto all = ask_study(command);
   if (!all) return all.error();
   const auto& [asked, study] = *all;
   if (asked.scenario.world.given) warn_of_things(asked.scenario, "a study of a scenario with a [world]");
   const auto threads = make_thread_pool(command.threads.value_or(0));
+  if (command.fly) return fly_again(command, asked, study);
   if (!command.shards.empty()) return run_part(command, study, *threads);
   if (!command.ranges.empty()) return run_over_ranges(command, asked, study, *threads, ranks);
   const auto flown = fly_study(study, asked.scenario.study.until_time, *threads, ranks, command);
@@ -453,7 +466,12 @@ void add_study_command(Command& program) {
   command.add_option("--until-time", options->time, "TIME",
                      "Stop when so much time is up, as \"30 s\" (with --ranges at each), after as many shots as fit; "
                      "how many is printed, and --shots of so many gives the same bits");
+  command.add_option("--fly", options->fly,
+                     "Fly one shot again by its number, such as the worst: what it drew, where it ended, what it hit");
   command.add_option("--threads", options->threads, "That fly; without it all that the machine has");
+  command.add_option("--log-every", options->log_every, "TIME",
+                     "How often a log gets a line with rate, time left and the figure so far, instead of 1 min; on a "
+                     "terminal they stand below and change");
   command.add_option("--csv", options->csv, "FILE", "Write all figures as CSV; - is the standard output");
   command.add_option("--plot", options->plot, "FILE.png|svg",
                      "Draw it: impacts with ellipses and targets, what each input does, how the figure settles; with "

@@ -37,7 +37,7 @@ struct ScenarioStudy {
 ///   -2 m/s .. 2 m/s                      uniform
 ///   -2 m/s .. 2 m/s peak 1 m/s           triangular
 ///   lognormal 2 m/s +- 0.5 m/s
-///   one of 1 m/s, 2 m/s, 5 m/s
+///   one of 1 m/s, 2 m/s, 5 m/s, or of measurements in a CSV file: column speed of speeds.csv
 /// "added" before it adds it to what the scenario has, "per occasion" behind it draws it once for each occasion.
 [[nodiscard]] Result<StudyInput> parse_study_input(std::string_view text);
 /// A target from a text, with a name and a place or without: "NAME: circle 10 cm at 0 m, 1 m" (its radius),

@@ -6,6 +6,7 @@
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "scenario/checks.hpp"
+#include "scenario/in_place.hpp"
 #include "scenario/overrides.hpp"
 #include "scenario/reader.hpp"
 #include "scenario/text_file.hpp"
@@ -50,6 +51,7 @@ Result<Scenario> parse_scenario(const std::string& text, const std::string& file
   for (const std::string& override_text : overrides)
     if (Status status = apply_override(*document, override_text); !status) return status.error();
   if (Status status = check_format(*document, file); !status) return status.error();
+  if (Status status = take_distributions(*document, file); !status) return status.error();
   const Value* shots = document->find("shot");
   const Array* array = shots ? shots->get<Array>() : nullptr;
   if (shots == nullptr || (array != nullptr && array->empty()))

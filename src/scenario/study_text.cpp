@@ -1,10 +1,13 @@
 // Studies of scenarios: distributions, correlations and targets written as people write them.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "base/assert.hpp"
 #include "physim/scenario.hpp"
+#include "scenario/measured_column.hpp"
 #include "scenario/schema.hpp"
+#include "scenario/study_text.hpp"
 #include "scenario/suggest.hpp"
 #include "scenario/units.hpp"
 
@@ -12,9 +15,8 @@ namespace physim {
 namespace {
 
 constexpr const char* kInputHint =
-    "write it as \"shot.speed = 800 m/s +- 3 m/s\", \"shot.speed = +- 3 m/s\", \"PATH = -2 m/s .. 2 m/s\" or \"PATH = "
-    "one "
-    "of 1 m/s, 2 m/s\"";
+    "write it as \"shot.speed = 800 m/s +- 3 m/s\", \"shot.speed = +- 3 m/s\", \"PATH = -2 m/s .. 2 m/s\" \"PATH = "
+    "one of 1 m/s, 2 m/s\" or \"PATH = column NAME of FILE.csv\"";
 constexpr const char* kTargetHint =
     "write it as \"circle 10 cm at 0 m, 1 m\", \"NAME: rectangle 30 cm x 50 cm\" or \"polygon 0 m, 0 m; 1 m, 0 m; 0 m, "
     "1 m\", or \"thing NAME\" of a scenario's things";
@@ -54,6 +56,8 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
 
 /// What the number of a path measures: that of its setting, of which it may be a component.
 Quantity quantity_of_path(std::string_view path) {
+  if (path == "environment.wind.speed") return Quantity::speed;
+  if (path == "environment.wind.from") return Quantity::angle;
   const SchemaNode* node = find_node(path);
   if (!node && path.size() > 2 && path[path.size() - 2] == '.') node = find_node(path.substr(0, path.size() - 2));
   return node && node->entry ? node->entry->quantity : Quantity::number;
@@ -105,7 +109,8 @@ class NumberReader {
 /// Reads a distribution; `added`: all of its numbers are differences.
 class DistributionReader {
  public:
-  DistributionReader(Quantity quantity, bool added) : read_(quantity), added_(added) {}
+  DistributionReader(Quantity quantity, bool added, std::string folder)
+      : read_(quantity), quantity_(quantity), added_(added), folder_(std::move(folder)) {}
 
   std::optional<Distribution> read(std::string_view text) {
     if (take_front(text, "lognormal ")) {
@@ -118,6 +123,7 @@ class DistributionReader {
       for (const std::string_view part : parts_of(text, ',')) list.values.push_back(number(part));
       return list;
     }
+    if (take_front(text, "column ")) return column(text);
     if (split(text, "+-")) return bell(text);
     if (const auto ends = split(text, "..")) {
       if (const auto peak = split(ends->right, "peak "))
@@ -126,9 +132,20 @@ class DistributionReader {
     }
     return std::nullopt;
   }
-  [[nodiscard]] const std::optional<Error>& error() const { return read_.error(); }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_ ? error_ : read_.error(); }
 
  private:
+  /// Measurements, each as likely.
+  std::optional<Distribution> column(std::string_view text) {
+    const auto halves = split(text, " of ");
+    if (!halves || halves->left.empty() || halves->right.empty()) return std::nullopt;
+    const std::string file = (std::filesystem::path(folder_) / std::string(halves->right)).string();
+    auto numbers = read_measured_column(file, halves->left, quantity_);
+    if (numbers) return DiscreteDistribution{.values = *std::move(numbers)};
+    error_ = numbers.error();
+    error_->message = error_->place + ": " + error_->message;  // the place becomes that of the text
+    return std::nullopt;
+  }
   double number(std::string_view text) { return added_ ? read_.difference(text) : read_.value(text); }
 
   std::optional<Distribution> bell(std::string_view text) {
@@ -146,7 +163,10 @@ class DistributionReader {
   }
 
   NumberReader read_;
+  Quantity quantity_;
   bool added_;
+  std::string folder_;
+  std::optional<Error> error_;
 };
 
 Error placed(Error error, const std::string& place) {
@@ -212,15 +232,38 @@ Result<PairOfInputs> pair_of(const Study& study, std::string_view text) {
   return PairOfInputs{*a, *b, *correlation};
 }
 
+/// "shot.NAME.speed" of this shot as "shot.speed"; nothing where it is of another shot of the scenario.
+std::optional<std::string> text_for(const std::string& text, const Scenario& scenario, const ScenarioShot& shot) {
+  constexpr std::string_view kShot = "shot.";
+  if (!text.starts_with(kShot)) return text;
+  for (const ScenarioShot& each : scenario.shots) {
+    const std::string head = std::string(kShot) + each.projectile.name + ".";
+    const std::string path(trimmed(std::string_view(text).substr(0, text.find('='))));
+    if (!path.starts_with(head) || check_path(path)) continue;
+    const std::string own = std::string(kShot) + text.substr(head.size());
+    if (!check_path(trimmed(std::string_view(own).substr(0, own.find('='))))) continue;
+    if (each.projectile.name != shot.projectile.name) return std::nullopt;
+    return own;
+  }
+  return text;
+}
+
+Status add_inputs(const Scenario& scenario, const ScenarioShot& shot, Study& study) {
+  const std::string folder = std::filesystem::path(scenario.file).parent_path().string();
+  for (std::size_t i = 0; i < scenario.study.inputs.size(); ++i) {
+    const auto text = text_for(scenario.study.inputs[i], scenario, shot);
+    if (!text) continue;
+    auto input = parse_study_input_in(folder, *text);
+    if (!input) return placed(input.error(), "study.inputs[" + std::to_string(i) + ']');
+    study.inputs.push_back(*std::move(input));
+  }
+  return {};
+}
+
 Status add_texts(const ScenarioStudy& texts, Study& study) {
   const auto numbered = [](const char* list, std::size_t i) {
     return std::string(list) + '[' + std::to_string(i) + ']';
   };
-  for (std::size_t i = 0; i < texts.inputs.size(); ++i) {
-    auto input = parse_study_input(texts.inputs[i]);
-    if (!input) return placed(input.error(), numbered("study.inputs", i));
-    study.inputs.push_back(*std::move(input));
-  }
   std::vector<PairOfInputs> pairs;
   for (std::size_t i = 0; i < texts.correlated.size(); ++i) {
     const auto pair = pair_of(study, texts.correlated[i]);
@@ -267,7 +310,7 @@ Status add_scene(const Scenario& scenario, const ScenarioShot& shot, Study& stud
 
 }  // namespace
 
-Result<StudyInput> parse_study_input(std::string_view text) {
+Result<StudyInput> parse_study_input_in(const std::string& folder, std::string_view text) {
   const auto halves = split(text, "=");
   if (!halves) return Error{"\"" + std::string(text) + "\" names no number and its distribution", "", kInputHint};
   if (Status status = check_path(halves->left); !status) return status.error();
@@ -275,13 +318,15 @@ Result<StudyInput> parse_study_input(std::string_view text) {
   std::string_view rest = halves->right;
   if (take_back(rest, "per occasion")) input.drawn_for = DrawnFor::occasion;
   input.added = take_front(rest, "added ") || rest.starts_with("+-");
-  DistributionReader reader(quantity_of_path(input.path), input.added);
+  DistributionReader reader(quantity_of_path(input.path), input.added, folder);
   const auto distribution = reader.read(rest);
   if (reader.error()) return *reader.error();
   if (!distribution) return Error{"\"" + std::string(rest) + "\" is no distribution", "", kInputHint};
   input.distribution = *distribution;
   return input;
 }
+
+Result<StudyInput> parse_study_input(std::string_view text) { return parse_study_input_in("", text); }
 
 Result<StudyTarget> parse_study_target(std::string_view text) {
   StudyTarget target;
@@ -335,6 +380,7 @@ Result<Study> study_of(const Scenario& scenario, const ScenarioShot& shot) {
               .indices = texts.indices};
   std::erase_if(study.until.events, [](const EventSpec& event) { return !event.terminal; });
   if (texts.over_inputs > 0) study.over_inputs = static_cast<std::uint32_t>(texts.over_inputs);
+  if (Status status = add_inputs(scenario, shot, study); !status) return status.error();
   if (Status status = add_texts(texts, study); !status) return status.error();
   if (Status status = add_scene(scenario, shot, study); !status) return status.error();
   for (std::size_t i = 0; i < texts.quantities.size(); ++i) {

@@ -25,6 +25,28 @@ std::string list_of_paths() {
   return text;
 }
 
+/// A wind by compass has a speed and a side that it comes from, and nothing else beside it.
+Status check_compass(const Study& study, const PathRow& row, const std::string& place) {
+  if (row.compass == CompassWind::none) return {};
+  const auto is_drawn = [&](std::string_view path) {
+    return std::ranges::any_of(study.inputs, [&](const StudyInput& input) { return input.path == path; });
+  };
+  if (is_drawn("environment.wind.velocity.x") || is_drawn("environment.wind.velocity.z"))
+    return Error{"the wind is drawn by compass and by components", place, "draw it in one of the two ways"};
+  const Wind& wind = study.environment.wind;
+  if (!wind.profile.empty())
+    return Error{"a wind by compass is the same everywhere, and the environment has a profile", place,
+                 "leave the profile out, or let components be `added` to it"};
+  if (wind.velocity.x != 0 || wind.velocity.z != 0) return {};
+  if (row.compass == CompassWind::speed && !is_drawn("environment.wind.from"))
+    return Error{"is the speed of a wind that comes from nowhere", place,
+                 "draw environment.wind.from, too, or give environment.wind.velocity"};
+  if (row.compass == CompassWind::from && !is_drawn("environment.wind.speed"))
+    return Error{"is where no wind comes from", place,
+                 "draw environment.wind.speed, too, or give environment.wind.velocity"};
+  return {};
+}
+
 Status check_path(const Study& study, std::size_t i) {
   const StudyInput& input = study.inputs[i];
   const std::string place = numbered("inputs", i) + ".path";
@@ -35,6 +57,7 @@ Status check_path(const Study& study, std::size_t i) {
   if (is_wind && (wind.field || (!wind.profile.empty() && !input.added)))
     return Error{"an uncertain wind is the same everywhere, and the environment has a profile", place,
                  "leave the profile out, or let what is drawn be `added` to it"};
+  if (const Status status = check_compass(study, *row, place); !status) return status;
   const AirModel asked = study.fidelity.air, there = study.environment.atmosphere.model;  // the simpler one is flown
   const bool has_own_density = asked == AirModel::isa && there == AirModel::isa;
   if (input.path == "environment.atmosphere.density" && has_own_density)

@@ -16,6 +16,7 @@
 #include "base/checker.hpp"
 #include "base/hash.hpp"
 #include "flight/pilot.hpp"
+#include "math/elementary.hpp"
 #include "math/vec3.hpp"
 #include "model/sight.hpp"
 #include "physim/scene.hpp"
@@ -60,6 +61,9 @@ class FlightModel : public ShotModel {
 
  private:
   void take(const StudyInput& input, std::size_t index);
+  void blow_by_compass(const std::vector<std::span<const double>>& columns, std::span<double> x,
+                       std::span<double> z) const;
+  [[nodiscard]] Weather weather_of(const std::vector<std::span<const double>>& columns) const;
   [[nodiscard]] std::span<const double> column_of(const UncertainNumber& number, InputColumns inputs,
                                                   std::span<double> room) const;
   [[nodiscard]] ModelTold fly_columns_of(const std::vector<std::span<const double>>& columns, std::size_t count,
@@ -68,8 +72,8 @@ class FlightModel : public ShotModel {
                                        InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const;
   [[nodiscard]] Environment environment_of(std::size_t shot, const std::vector<std::span<const double>>& columns,
                                            const Weather& weather) const;
-  void fly_in_own_winds(const std::vector<std::span<const double>>& columns, const Weather& weather,
-                        std::span<const Shot> shots, ModelScratch& scratch) const;
+  void fly_in_own_places(const std::vector<std::span<const double>>& columns, const Weather& weather,
+                         std::span<const Shot> shots, ModelScratch& scratch) const;
   void fly_among_things(const std::vector<std::span<const double>>& columns, const Weather& weather,
                         std::span<const Shot> shots, InputColumns inputs, ModelScratch& scratch) const;
   void mark_things(const Flight& flight, std::size_t shot, std::size_t shots, ModelScratch& scratch) const;
@@ -87,13 +91,19 @@ class FlightModel : public ShotModel {
   std::optional<Impacts> impacts_;  // where they are asked for
   bool as_columns_ = true;
   bool moves_profile_ = false;  // an uncertain wind is added to a profile
+  bool has_own_place_ = false;  // numbers of the place are uncertain, which all shots of a batch have in common
+  bool by_compass_ = false;     // the wind; two more columns have its components
 };
 
 void FlightModel::take(const StudyInput& input, std::size_t index) {
   const PathRow* row = find_path(input.path);
   PHYSIM_ASSERT(row != nullptr);
   if (input.path.starts_with(kWindPath) && study_.environment.wind.profile.size() > 0) moves_profile_ = true;
-  if ((!row->launches && !row->weather) || moves_profile_) as_columns_ = false;
+  if (row->compass != CompassWind::none)
+    by_compass_ = true;
+  else if ((!row->launches && !row->weather) || moves_profile_)
+    as_columns_ = false;
+  if (row->place) has_own_place_ = true;
   auto at = std::ranges::find(numbers_, row, &UncertainNumber::row);
   if (at == numbers_.end()) {
     const double there = row->there ? row->there(study_.environment) : row->number ? row->number(plain_) : 1;
@@ -132,14 +142,48 @@ std::span<const double> FlightModel::column_of(const UncertainNumber& number, In
   return room;
 }
 
+/// Where it comes from is where it does not blow to.
+void FlightModel::blow_by_compass(const std::vector<std::span<const double>>& columns, std::span<double> x,
+                                  std::span<double> z) const {
+  PHYSIM_ASSERT(by_compass_ && x.size() == z.size());
+  const Vec3d& there = study_.environment.wind.velocity;
+  const double azimuth = study_.environment.earth.azimuth;
+  std::span<const double> speed, from;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    if (numbers_[i].row->compass == CompassWind::speed) speed = columns[i];
+    if (numbers_[i].row->compass == CompassWind::from) from = columns[i];
+  }
+  const double plain_speed = std::sqrt(there.x * there.x + there.z * there.z);
+  const Vec3d plain_way = plain_speed > 0 ? there * (1 / plain_speed) : Vec3d{};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double strength = speed.empty() ? plain_speed : speed[i];
+    if (from.empty()) {
+      x[i] = strength * plain_way.x, z[i] = strength * plain_way.z;
+      continue;
+    }
+    const auto side = sincos(from[i] - azimuth);
+    x[i] = -strength * side.cos, z[i] = -strength * side.sin;
+  }
+}
+
+/// Behind the columns of the numbers stand those of a wind by compass.
+Weather FlightModel::weather_of(const std::vector<std::span<const double>>& columns) const {
+  PHYSIM_ASSERT(columns.size() == numbers_.size() + (by_compass_ ? 2 : 0));
+  Weather weather;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const PathRow& row = *numbers_[i].row;
+    const bool moves_profile = moves_profile_ && row.path.starts_with(kWindPath);
+    if (row.weather && !moves_profile) weather.*row.weather = columns[i];
+  }
+  if (by_compass_) weather.wind_x = columns[numbers_.size()], weather.wind_z = columns[numbers_.size() + 1];
+  return weather;
+}
+
 ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>& columns, std::size_t count,
                                       std::span<double> speeds, ModelScratch& scratch, const BlockEnds& ends) const {
   LaunchColumns launches{.common = plain_.launch};
-  Weather weather;
-  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+  for (std::size_t i = 0; i < numbers_.size(); ++i)
     if (const auto column = numbers_[i].row->launches) launches.*column = columns[i];
-    if (const auto column = numbers_[i].row->weather) weather.*column = columns[i];
-  }
   if (launches.speed.empty()) {
     std::fill(speeds.begin(), speeds.end(), plain_.launch.speed);
     launches.speed = speeds;
@@ -153,18 +197,16 @@ ModelTold FlightModel::fly_columns_of(const std::vector<std::span<const double>>
                         .vy = ends.vy,
                         .vz = ends.vz};
   const ColumnsResult result = fly_columns(plain_.projectile, launches, study_.environment, study_.fidelity,
-                                           study_.tolerance, study_.until, into, nullptr, weather);
+                                           study_.tolerance, study_.until, into, nullptr, weather_of(columns));
   return {result.refused, result.error, {}};
 }
 
 ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& columns, std::size_t count,
                                     InputColumns inputs, ModelScratch& scratch, const BlockEnds& ends) const {
   if (scratch.shots.size() < count) scratch.shots.resize(count, plain_);
-  Weather weather;
+  const Weather weather = weather_of(columns);
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const PathRow& row = *numbers_[i].row;
-    const bool moves_profile = moves_profile_ && row.path.starts_with(kWindPath);
-    if (row.weather && !moves_profile) weather.*row.weather = columns[i];
     for (std::size_t shot = 0; shot < count && row.number; ++shot) row.number(scratch.shots[shot]) = columns[i][shot];
     for (std::size_t shot = 0; shot < count && row.scale; ++shot)
       row.scale(scratch.shots[shot], plain_, columns[i][shot]);
@@ -173,8 +215,8 @@ ModelTold FlightModel::fly_shots_of(const std::vector<std::span<const double>>& 
   const auto shots = std::span(scratch.shots).first(count);
   if (study_.scene)
     fly_among_things(columns, weather, shots, inputs, scratch);
-  else if (moves_profile_)
-    fly_in_own_winds(columns, weather, shots, scratch);
+  else if (moves_profile_ || has_own_place_)
+    fly_in_own_places(columns, weather, shots, scratch);
   else
     fly_batch(shots, study_.environment, study_.fidelity, study_.tolerance, study_.until, batch, nullptr, weather);
   ModelTold told{0, batch.error, {}};
@@ -194,6 +236,8 @@ Environment FlightModel::environment_of(std::size_t shot, const std::vector<std:
                                         const Weather& weather) const {
   const Vec3d& there = study_.environment.wind.velocity;
   Environment own = weather.empty() ? study_.environment : weather.at(shot, study_.environment);
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    if (numbers_[k].row->place) numbers_[k].row->place(own) = columns[k][shot];
   if (!moves_profile_) return own;
   Vec3d moved{};
   for (std::size_t k = 0; k < numbers_.size(); ++k) {
@@ -206,9 +250,9 @@ Environment FlightModel::environment_of(std::size_t shot, const std::vector<std:
   return own;
 }
 
-/// Each shot alone, in a profile of wind of its own.
-void FlightModel::fly_in_own_winds(const std::vector<std::span<const double>>& columns, const Weather& weather,
-                                   std::span<const Shot> shots, ModelScratch& scratch) const {
+/// Each shot alone, at a place or in a profile of wind of its own.
+void FlightModel::fly_in_own_places(const std::vector<std::span<const double>>& columns, const Weather& weather,
+                                    std::span<const Shot> shots, ModelScratch& scratch) const {
   BatchResult all, one;
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const Environment own = environment_of(i, columns, weather);
@@ -304,7 +348,7 @@ void FlightModel::put(StudyQuantity quantity, const BlockEnds& e, const ModelScr
 ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities, ModelScratch& scratch) const {
   PHYSIM_ASSERT(quantities.size() == study_.quantities.size());
   const std::size_t count = quantities[0].size();
-  scratch.numbers.resize(count * (8 + numbers_.size()));
+  scratch.numbers.resize(count * (10 + numbers_.size()));
   scratch.outcomes.resize(std::max(scratch.outcomes.size(), count));
   scratch.thing_hits.assign(things_.size() * count, 0);
   if (impacts_) scratch.impacts.assign(count, kNoImpact);
@@ -315,6 +359,11 @@ ModelTold FlightModel::evaluate(InputColumns inputs, QuantityColumns quantities,
   const std::span<double> speeds = room();
   std::vector<std::span<const double>> columns;
   for (const UncertainNumber& number : numbers_) columns.push_back(column_of(number, inputs, room()));
+  if (by_compass_) {
+    const std::span<double> x = room(), z = room();
+    blow_by_compass(columns, x, z);
+    columns.insert(columns.end(), {x, z});
+  }
   ModelTold told = as_columns_ ? fly_columns_of(columns, count, speeds, scratch, ends)
                                : fly_shots_of(columns, count, inputs, scratch, ends);
   if (impacts_ && !study_.scene) put_ground_impacts(ends, scratch);

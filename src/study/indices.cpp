@@ -37,12 +37,18 @@ std::vector<IndexResult> indices_of(const StudyPlanRecord& plan, const ShardSums
         result.first.push_back({kNone, kNone}), result.total.push_back({kNone, kNone});
         continue;
       }
+      const double variance = sums.moments.covariance(q, q);
       const auto index = [&](std::vector<double> IndexSums::*sum, double factor) {
-        return over_replicates(sums, [&](const Replicate& part) {
-          const IndexSums& s = part.indices;
-          const double variance = sums.moments.covariance(q, q);
-          return factor * (s.*sum)[group * quantities + q] / static_cast<double>(s.counts[group]) / variance;
-        });
+        const auto share = [&](const Replicate& part) {
+          return factor * (part.indices.*sum)[group * quantities + q] /
+                 static_cast<double>(part.indices.counts[group]) / variance;
+        };
+        const double whole = over_replicates(sums, share).value;
+        // The variance is of the same shots, and goes up and down with the sums over them.
+        const auto off = [&](const Replicate& part) {
+          return share(part) - whole * part.moments.covariance(q, q) / variance;
+        };
+        return Estimate{whole, over_replicates(sums, off).error};
       };
       result.first.push_back(index(&IndexSums::first, 1));
       result.total.push_back(index(&IndexSums::total, 0.5));

@@ -34,7 +34,8 @@ struct SavedPart {
 constexpr const char* kWhat = "physim study part";
 
 Error not_a_part(const char* why) {
-  return {std::string("these bytes are no part of a study: ") + why, "part", "take what save_part() gave"};
+  return {std::string("these bytes are no part of a study: ") + why, "part",
+          "take another copy of it, or fly it again"};
 }
 
 // Joining relies on the shapes that shards of one study have. A part is read from a file, which anyone may have
@@ -122,14 +123,31 @@ void StudyPartRecord::add(std::uint64_t first, Node node) {
   nodes.emplace(first, std::move(node));
 }
 
+Error StudyPartRecord::missing_of(std::uint64_t n) const {
+  constexpr int kMostRuns = 20;
+  std::string text;
+  std::uint64_t at = missing_from(0);
+  for (int run = 0; at < n; ++run) {
+    const auto next = nodes.upper_bound(at);
+    const std::uint64_t end = next == nodes.end() ? n : std::min(next->first, n);
+    if (run == kMostRuns) {
+      text += " and more";
+      break;
+    }
+    text += (text.empty() ? "" : ", ") + shards_text(at, end - at);
+    at = missing_from(end);
+  }
+  return {text + " of " + std::to_string(n) + " are missing", "part", "fly them, or join the part that has them"};
+}
+
 Result<std::shared_ptr<const ShardSums>> StudyPartRecord::first_shards(std::uint64_t n) const {
+  if (n == 0) return Error{"no shards are asked for", "part", "fly them, or join the part that has them"};
+  if (missing_from(0) < n) return missing_of(n);
   std::uint64_t at = 0;
   std::shared_ptr<ShardSums> sums;
   for (const auto& [first, node] : nodes) {
     if (at == n) break;
-    if (first != at)
-      return Error{shards_text(at, std::min(first, n) - at) + " of " + std::to_string(n) + " are missing", "part",
-                   "fly them, or join the part that has them"};
+    PHYSIM_ASSERT(first == at);
     if (at + node.count > n)
       return Error{shards_text(first, node.count) + " are joined already, and " + std::to_string(n) + " are asked for",
                    "part", "ask for more, or fly them anew"};
@@ -139,10 +157,6 @@ Result<std::shared_ptr<const ShardSums>> StudyPartRecord::first_shards(std::uint
       sums = std::make_shared<ShardSums>(*node.sums);
     at += node.count;
   }
-  if (at < n || n == 0)
-    return Error{
-        n == 0 ? "no shards are asked for" : shards_text(at, n - at) + " of " + std::to_string(n) + " are missing",
-        "part", "fly them, or join the part that has them"};
   return std::shared_ptr<const ShardSums>(std::move(sums));
 }
 

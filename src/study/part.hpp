@@ -27,6 +27,8 @@ struct StudyPartRecord {
   [[nodiscard]] std::uint64_t missing_from(std::uint64_t shard) const;
   /// Takes in a node that overlaps none.
   void add(std::uint64_t first, Node node);
+  /// Says which of the first n shards it does not have.
+  [[nodiscard]] Error missing_of(std::uint64_t n) const;
   /// What the first n shards come to.
   [[nodiscard]] Result<std::shared_ptr<const ShardSums>> first_shards(std::uint64_t n) const;
 };

@@ -8,6 +8,9 @@
 
 namespace physim {
 
+/// Wind by compass: along the ground, instead of its components.
+enum class CompassWind { none, speed, from };
+
 struct PathRow {
   std::string_view path, unit, about;
   double& (*number)(Shot&) = nullptr;                                // of a shot
@@ -16,6 +19,8 @@ struct PathRow {
   double (*there)(const Environment&) = nullptr;                     // ... and what there is without a column
   void (*scale)(Shot&, const Shot& plain, double factor) = nullptr;  // or a factor of several numbers of a shot
   bool above_zero = false;                                           // anything else cannot be
+  CompassWind compass = CompassWind::none;                           // ... of a wind by compass
+  double& (*place)(Environment&) = nullptr;                          // or of the place, which each shot then has alone
 };
 
 [[nodiscard]] std::span<const PathRow> all_paths();

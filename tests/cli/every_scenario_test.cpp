@@ -43,6 +43,7 @@ constexpr Exception kExceptions[] = {
     {"nesc_case08", "table", "no range to show"},
     {"use_firework", "table", "no range to show"},
     {"use_hail", "table", "no range to show"},
+    {"study_hail", "table", "no range to show"},
     {"world_bouncing_balls", "table", "no range to show"},
     // Where and how fast they start is said by their emitters alone.
     {"emit_embers", "table", "no range to show"},

@@ -86,18 +86,25 @@ TEST(StudyCli, parts_are_joined_and_gone_on_with) {
   }
   ASSERT_EQ(physim(join).code, 0);
   EXPECT_EQ(read(joined), read(whole));
+  EXPECT_FALSE(folder.write("2p", read(folder / "2")).empty());
   ASSERT_EQ(physim({"study", file, "--resume", folder / "2", "--csv", joined}).code, 0);
   EXPECT_EQ(read(joined), read(whole));
 
   const Ran missing = physim({"study", file, "--merge", folder / "1", "--merge", folder / "3"});
   EXPECT_EQ(missing.code, 2);
   EXPECT_TRUE(has(missing.err, "shards 2 to 4 of 8 are missing")) << missing.err;
+  const Ran two_gaps = physim({"study", file, "--merge", folder / "2p"});
+  EXPECT_TRUE(has(two_gaps.err, "shards 0 to 1, shards 5 to 7 of 8 are missing")) << two_gaps.err;
   const Ran twice = physim({"study", file, "--merge", folder / "1", "--merge", folder / "1"});
   EXPECT_EQ(twice.code, 2);
   EXPECT_TRUE(has(twice.err, "both parts have shard")) << twice.err;
   const Ran other = physim({"study", file, "--merge", folder / "1", "--vary", "shot.azimuth = +- 1 deg"});
   EXPECT_EQ(other.code, 2);
-  EXPECT_TRUE(has(other.err, "another study")) << other.err;
+  EXPECT_TRUE(has(other.err, "another study") && has(other.err, folder / "1")) << other.err;
+  const std::string odd = folder / "odd";
+  ASSERT_EQ(physim({"study", file, "--set", "study.seed=2", "--shards", "2/3", "--resume", odd}).code, 0);
+  const Ran odd_first = physim({"study", file, "--merge", odd, "--merge", folder / "1", "--merge", folder / "3"});
+  EXPECT_TRUE(has(odd_first.err, odd + ": error: the part is of another study")) << odd_first.err;
   EXPECT_FALSE(folder.write("damaged", read(folder / "1").substr(0, 1000)).empty());
   const Ran damaged = physim({"study", file, "--merge", folder / "damaged"});
   EXPECT_EQ(damaged.code, 2);
@@ -114,6 +121,41 @@ TEST(StudyCli, over_range_and_until_a_width) {
   const Ran width = physim({"study", file, "--until-width", "5 %", "--shots", "10000000"});
   ASSERT_EQ(width.code, 0) << width.err;
   EXPECT_TRUE(has(width.out, "65536 shots in 16 shards")) << width.out;
+}
+
+/// The worst shot of a study, by its number alone.
+TEST(StudyCli, flies_a_shot_again) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(8192));
+  const auto json = nlohmann::json::parse(physim({"study", file, "--json", "-"}).out);
+  const auto& worst = json["worst"][0];
+  const std::string number = std::to_string(worst["shot"].get<std::uint64_t>());
+  const Ran ran = physim({"study", file, "--fly", number, "--json", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto again = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(again["inputs"][0]["drawn"], worst["draws"][0]);
+  EXPECT_EQ(again["quantities"][1]["name"], "along [m]");
+  EXPECT_NEAR(std::abs(again["quantities"][1]["value"].get<double>() - 90), worst["distance [m]"].get<double>(), 1e-12);
+  EXPECT_EQ(again["hits"][0]["hit"], false);
+  EXPECT_TRUE(has(physim({"study", file, "--fly", number}).out, "shot number " + number));
+  const Ran beyond = physim({"study", file, "--fly", "8192"});
+  EXPECT_EQ(beyond.code, 2);
+  EXPECT_TRUE(has(beyond.err, "--fly") && has(beyond.err, "0 to 8191")) << beyond.err;
+}
+
+/// Where no terminal is, rate, time left and the figure so far are told line by line.
+TEST(StudyCli, logs_how_far_it_has_come) {
+  const Folder folder;
+  const std::string file = folder.write("throw.toml", throw_study(400'000));
+  const Ran ran = physim({"study", file, "--log-every", "1 ms", "--threads", "1"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::string line = ran.err.substr(0, ran.err.find('\n'));
+  for (const char* part : {"study: ", "/98 shards, ", "shots/s, ", " left; near ", " %, 95 % interval "})
+    EXPECT_TRUE(has(line, part)) << part << " in " << line;
+  const Ran quiet = physim({"study", file, "--shots", "5000"});
+  EXPECT_EQ(quiet.err, "") << "nothing is told of what is done at once";
+  const Ran bad = physim({"study", file, "--log-every", "0 s"});
+  EXPECT_TRUE(has(bad.err, "--log-every") && has(bad.err, "above 0")) << bad.err;
 }
 
 /// The ball lands within 1.8 m of 90 m where its speed is within 0.3 m/s of 30 m/s: a deviation.

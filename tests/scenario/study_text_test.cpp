@@ -1,6 +1,9 @@
 // Studies as scenarios write them.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "physim/scenario.hpp"
 
 namespace physim {
@@ -137,14 +140,126 @@ TEST(StudyText, of_a_scenario) {
   EXPECT_NE(study_of(bad, bad.shots[0]).error().text().find("study.aim"), std::string::npos);
 }
 
-/// Every path of a study is a setting, or a component or a factor of one.
+/// Every path of a study is a setting, or a component or a factor of one; but a wind by compass is none of a place.
 TEST(StudyText, paths_are_settings) {
   for (const StudyPath& path : study_paths()) {
+    if (path.path == "environment.wind.speed" || path.path == "environment.wind.from") continue;
     const std::string whole = path.path.substr(0, path.path.size() - 2);
     const bool is_setting = std::ranges::any_of(
         settings(), [&](const Setting& setting) { return setting.path == path.path || setting.path == whole; });
     EXPECT_TRUE(is_setting) << path.path;
   }
+}
+
+// --------------------------------------------------------------------------------- distributions in the place of
+// numbers
+constexpr const char* kHead = "physim = 1\n[[shot]]\nname = \"a\"\n";
+
+Result<Study> study_of_text(const std::string& text, std::size_t shot = 0,
+                            std::span<const std::string> overrides = {}) {
+  const auto scenario = parse_scenario(text, "test.toml", overrides);
+  if (!scenario) return scenario.error();
+  return study_of(*scenario, scenario->shots[shot]);
+}
+
+TEST(StudyInPlace, a_number_is_a_distribution_and_its_mean_is_flown) {
+  const std::string text = std::string(kHead) +
+                           "speed = \"800 m/s +- 3 m/s\"\nposition = [0, \"1 m .. 3 m\", 0]\n"
+                           "[environment]\nwind = { velocity = [0, 0, \"lognormal 2 m/s +- 1 m/s per occasion\"] }\n"
+                           "[study]\nrounds = 16\ninputs = [\"shot.azimuth = +- 1 deg\"]\n";
+  const auto scenario = parse_scenario(text, "test.toml");
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  EXPECT_EQ(scenario->shots[0].launch.speed, 800);
+  EXPECT_EQ(scenario->shots[0].launch.position.y, 2);
+  EXPECT_EQ(scenario->environment.wind.velocity.z, 2);
+  const auto study = study_of(*scenario, scenario->shots[0]);
+  ASSERT_TRUE(study) << study.error().text();
+  ASSERT_EQ(study->inputs.size(), 4U);
+  EXPECT_EQ(study->inputs[0], (StudyInput{"shot.speed", NormalDistribution{800, 3}}));
+  EXPECT_EQ(study->inputs[1], (StudyInput{"shot.position.y", UniformDistribution{1, 3}}));
+  EXPECT_EQ(study->inputs[2],
+            (StudyInput{"environment.wind.velocity.z", LognormalDistribution{2, 1}, DrawnFor::occasion}));
+  EXPECT_EQ(study->inputs[3].path, "shot.azimuth") << "those of [study] stand behind";
+  const auto again = parse_scenario(scenario_text(*scenario), "again.toml");
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(again->study.inputs, scenario->study.inputs);
+  EXPECT_EQ(again->shots[0].launch.speed, 800);
+}
+
+TEST(StudyInPlace, tables_and_overrides_say_it_too) {
+  const auto distribution = [](const std::string& value) {
+    const std::string override = "shot.speed=" + value;
+    const auto study = study_of_text(kHead, 0, {&override, 1});
+    EXPECT_TRUE(study) << value << ": " << study.error().text();
+    return study && study->inputs.size() == 1 ? study->inputs[0].distribution : Distribution{};
+  };
+  EXPECT_EQ(distribution("800 m/s +- 3 m/s"), Distribution(NormalDistribution{800, 3}));
+  EXPECT_EQ(distribution("{ mean = \"800 m/s\", deviation = \"3 m/s\" }"), Distribution(NormalDistribution{800, 3}));
+  EXPECT_EQ(distribution("{ mean = 800, deviation = 3, low = 790.0 }"),
+            Distribution(TruncatedNormalDistribution{800, 3, 790, kInfinity}));
+  EXPECT_EQ(distribution("{ low = 790, high = 810, peak = 805 }"), Distribution(TriangularDistribution{790, 805, 810}));
+  EXPECT_EQ(distribution("{ low = \"1 m/s\", high = \"2 m/s\" }"), Distribution(UniformDistribution{1, 2}));
+  EXPECT_EQ(distribution("{ lognormal = true, mean = 800, deviation = 3 }"),
+            Distribution(LognormalDistribution{800, 3}));
+  EXPECT_EQ(distribution("{ values = [\"799 m/s\", \"801 m/s\"] }"),
+            Distribution(DiscreteDistribution{{799, 801}, {}}));
+}
+
+TEST(StudyInPlace, each_of_several_shots_has_its_own) {
+  const std::string text =
+      std::string(kHead) + "speed = \"800 m/s +- 3 m/s\"\n[[shot]]\nname = \"b.c\"\nspeed = \"700 m/s .. 710 m/s\"\n";
+  const auto a = study_of_text(text, 0), b = study_of_text(text, 1);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->inputs, (std::vector<StudyInput>{{"shot.speed", NormalDistribution{800, 3}}}));
+  EXPECT_EQ(b->inputs, (std::vector<StudyInput>{{"shot.speed", UniformDistribution{700, 710}}}));
+}
+
+TEST(StudyInPlace, what_is_wrong_is_told_where_it_stands) {
+  const auto refusal_of = [](const std::string& speed) {
+    const auto study = study_of_text(std::string(kHead) + "speed = " + speed + "\n");
+    return study ? std::string("none") : study.error().text();
+  };
+  const auto tells = [&](const char* speed, const char* what) {
+    const std::string said = refusal_of(speed);
+    EXPECT_NE(said.find("test.toml:4:9: error: shot.speed: "), std::string::npos) << said;
+    EXPECT_NE(said.find(what), std::string::npos) << said;
+  };
+  tells("\"+- 3 m/s\"", "has no number of its own to be about");
+  tells("\"800 m/s +- 3\"", "give all of them a unit");
+  tells("\"800 m/s +- -3 m/s\"", "must be a positive number");
+  tells("\"800 m/s +- 3 kg\"", "kg");
+  tells("{ mean = 800 }", "the table is no distribution");
+  EXPECT_NE(refusal_of("{ mean = 800, deviaton = 3 }").find("did you mean \"deviation\""), std::string::npos);
+}
+
+// ---------------------------------------------------------------------------------------------------------- CSV
+// columns
+TEST(StudyColumn, is_read_from_the_folder_of_the_scenario) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "physim-study-column";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "speeds.csv") << "# a chronograph\nshot, speed [ft/s]\n1, 2640\n2, 2650\n\n3,\n4, 2655\n";
+  const std::string file = (folder / "rifle.toml").string();
+  const auto study_with = [&](const std::string& input) -> Result<Study> {
+    const auto scenario = parse_scenario(std::string(kHead) + "[study]\ninputs = [\"" + input + "\"]\n", file);
+    return scenario ? study_of(*scenario, scenario->shots[0]) : scenario.error();
+  };
+  const auto study = study_with("shot.speed = column speed of speeds.csv");
+  ASSERT_TRUE(study) << study.error().text();
+  EXPECT_EQ(study->inputs[0].distribution,
+            Distribution(DiscreteDistribution{{2640 * 0.3048, 2650 * 0.3048, 2655 * 0.3048}, {}}));
+  const auto in_place =
+      parse_scenario(std::string(kHead) + "speed = { column = \"speed\", file = \"speeds.csv\" }\n", file);
+  ASSERT_TRUE(in_place) << in_place.error().text();
+  EXPECT_NEAR(in_place->shots[0].launch.speed, 0.3048 * 7945 / 3, 1e-9);
+  const auto refused = [&](const std::string& input) {
+    const auto with = study_with(input);
+    return with ? std::string("none") : with.error().text();
+  };
+  EXPECT_NE(refused("shot.speed = column sped of speeds.csv").find("did you mean \"speed\""), std::string::npos);
+  EXPECT_NE(refused("shot.mass = column speed of speeds.csv").find("speeds.csv:3: "), std::string::npos);
+  EXPECT_NE(refused("shot.speed = column speed of none.csv").find("none.csv"), std::string::npos);
+  EXPECT_NE(refused("shot.speed = column speed").find("no distribution"), std::string::npos);
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -1,0 +1,183 @@
+#include "scenario/in_place.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/assert.hpp"
+#include "scenario/overrides.hpp"
+#include "scenario/study_text.hpp"
+#include "scenario/suggest.hpp"
+#include "scenario/units.hpp"
+
+namespace physim {
+namespace {
+
+constexpr std::string_view kShot = "shot.";
+
+bool looks_uncertain(const Value& value) {
+  if (value.get<Table>() != nullptr) return true;
+  const auto* text = value.get<std::string>();
+  if (text == nullptr) return false;
+  const std::string_view begin = trimmed(*text);
+  for (const std::string_view word : {"lognormal ", "one of ", "column ", "added "})
+    if (begin.starts_with(word)) return true;
+  return text->find("+-") != text->npos || text->find("..") != text->npos;
+}
+
+// -------------------------------------------------------------------------------------------------------------- tables
+constexpr std::string_view kKeys[] = {"mean",   "deviation", "low",  "high",         "peak",
+                                      "values", "column",    "file", "per_occasion", "lognormal"};
+
+/// A table of a distribution as its text.
+class TableText {
+ public:
+  TableText(std::string path, const Value& table) : path_(std::move(path)), table_(table) {}
+
+  [[nodiscard]] Result<std::string> text() const {
+    for (const Member& member : *table_.get<Table>())
+      if (std::ranges::find(kKeys, member.key) == std::end(kKeys))
+        return Error{path_ + ": unknown key " + in_quotes(member.key) + " of a distribution", member.key_place.text(),
+                     suggestion(member.key, kKeys, "known keys")};
+    const std::string core = shape();
+    if (core.empty())
+      return Error{path_ + ": the table is no distribution", table_.place.text(),
+                   "write { mean, deviation }, with low or high where it is cut off, { low, high }, { low, high, peak "
+                   "}, { lognormal = true, mean, deviation }, { values = [...] } or { column, file }"};
+    return core + (is_set("per_occasion") ? " per occasion" : "");
+  }
+
+ private:
+  [[nodiscard]] bool has(std::string_view key) const { return table_.find(key) != nullptr; }
+  [[nodiscard]] bool is_set(std::string_view key) const {
+    const Value* value = table_.find(key);
+    return value != nullptr && value->get<bool>() != nullptr && *value->get<bool>();
+  }
+  static std::string text_of(const Value& value) {
+    if (const auto* text = value.get<std::string>()) return *text;
+    if (const auto* integer = value.get<std::int64_t>()) return std::to_string(*integer);
+    if (const auto* real = value.get<double>()) return number_text(*real);
+    return shown(value);  // no number: the text is refused where it is read
+  }
+  [[nodiscard]] std::string at(std::string_view key) const { return has(key) ? text_of(*table_.find(key)) : ""; }
+
+  [[nodiscard]] std::string shape() const {
+    if (has("values")) {
+      std::string list;
+      if (const Array* values = table_.find("values")->get<Array>())
+        for (const Value& value : *values) list += (list.empty() ? "" : ", ") + text_of(value);
+      return "one of " + list;
+    }
+    if (has("column") && has("file")) return "column " + at("column") + " of " + at("file");
+    if (has("mean") && has("deviation")) {
+      const std::string bell = (is_set("lognormal") ? "lognormal " : "") + at("mean") + " +- " + at("deviation");
+      return has("low") || has("high") ? bell + " within " + at("low") + " .. " + at("high") : bell;
+    }
+    if (has("low") && has("high")) return at("low") + " .. " + at("high") + (has("peak") ? " peak " + at("peak") : "");
+    return "";
+  }
+
+  std::string path_;
+  const Value& table_;
+};
+
+// ---------------------------------------------------------------------------------------------------------------
+// places
+/// The value of a path below a table, also of a component of a vector; null where there is none.
+Value* value_at(Value& table, std::string_view path) {
+  PHYSIM_ASSERT(!path.empty());
+  Value* here = &table;
+  for (bool more = true; more && here != nullptr;) {
+    const std::size_t dot = path.find('.');
+    const std::string_view key = path.substr(0, dot);
+    Array* components = here->get<Array>();
+    if (components != nullptr)
+      here = components->size() == 3 && key.size() == 1 && key[0] >= 'x' && key[0] <= 'z'
+                 ? &(*components)[static_cast<std::size_t>(key[0] - 'x')]
+                 : nullptr;
+    else
+      here = here->find(key);
+    more = dot != path.npos;
+    if (more) path.remove_prefix(dot + 1);
+  }
+  return here;
+}
+
+struct Spot {
+  std::string path;   // "shot.speed"
+  std::string named;  // as study.inputs has it: "shot.NAME.speed"
+};
+
+/// The text of a distribution that stands at a place, which is left with its mean; empty where it is a number.
+Result<std::string> take(const Spot& spot, Value& value, const std::string& folder) {
+  PHYSIM_ASSERT(looks_uncertain(value));
+  std::string text;
+  if (value.get<Table>() != nullptr) {
+    const auto table = TableText(spot.path, value).text();
+    if (!table) return table.error();
+    text = *table;
+  } else {
+    text = *value.get<std::string>();
+  }
+  const auto input = parse_study_input_in(folder, spot.path + " = " + text);
+  const auto refused = [&](const std::string& message, const std::string& hint) {
+    return Error{spot.path + ": " + message, value.place.text(), hint};
+  };
+  if (!input) return refused(input.error().message, input.error().hint);
+  if (input->added)
+    return refused(in_quotes(text) + " has no number of its own to be about", "write it as \"800 m/s +- 3 m/s\"");
+  if (Status status = check(input->distribution); !status)
+    return refused(status.error().place + " " + status.error().message, status.error().hint);
+  value.content = mean_of(input->distribution);
+  return spot.named + " = " + text;
+}
+
+Value& member_of(Value& table, const char* key, Value otherwise) {
+  if (Value* found = table.find(key)) return *found;
+  table.get<Table>()->push_back({key, otherwise.place, std::move(otherwise)});
+  return table.get<Table>()->back().value;
+}
+
+/// Before the inputs that are there.
+void put_first(Value& document, const Array& taken) {
+  PHYSIM_ASSERT(!taken.empty() && document.get<Table>() != nullptr);
+  const auto& place = document.place;
+  Value& study = member_of(document, "study", Value{Table{}, place, {}, {}});
+  if (study.get<Table>() == nullptr) return;  // refused where it is read
+  Value& inputs = member_of(study, "inputs", Value{Array{}, place, {}, {}});
+  if (inputs.get<std::string>() != nullptr) inputs.content = Array{inputs};  // one text alone
+  if (Array* list = inputs.get<Array>()) list->insert(list->begin(), taken.begin(), taken.end());
+}
+
+}  // namespace
+
+Status take_distributions(Value& document, const std::string& file) {
+  static const std::vector<StudyPath> kPaths = study_paths();
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  Value* shots = document.find("shot");
+  Array* list = shots ? shots->get<Array>() : nullptr;
+  Array taken;
+  const auto look = [&](Value& table, std::string_view below, const Spot& spot) -> Status {
+    Value* value = table.get<Table>() ? value_at(table, below) : nullptr;
+    if (value == nullptr || !looks_uncertain(*value)) return {};
+    const auto text = take(spot, *value, folder);
+    if (!text) return text.error();
+    taken.push_back(Value{*text, value->place, {}, {}});
+    return {};
+  };
+  for (const StudyPath& known : kPaths) {
+    if (!known.path.starts_with(kShot)) {
+      if (Status status = look(document, known.path, {known.path, known.path}); !status) return status;
+      continue;
+    }
+    const std::string below = known.path.substr(kShot.size());
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+      const std::string name = list->size() > 1 ? shot_name((*list)[i], i) + "." : "";
+      if (Status status = look((*list)[i], below, {known.path, std::string(kShot) + name + below}); !status)
+        return status;
+    }
+  }
+  if (!taken.empty()) put_first(document, taken);
+  return {};
+}
+
+}  // namespace physim

@@ -1,0 +1,12 @@
+// Distributions that stand in the place of numbers, speed = "800 m/s +- 3 m/s", taken into the inputs of the study.
+#pragma once
+
+#include "scenario/document.hpp"
+
+namespace physim {
+
+/// Puts each of them into study.inputs, before those that are there, and leaves its mean in its place: so `physim run`
+/// flies the mean, and all else need not know of it. One of several shots is named: "shot.NAME.speed".
+[[nodiscard]] Status take_distributions(Value& document, const std::string& file);
+
+}  // namespace physim

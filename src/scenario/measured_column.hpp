@@ -1,0 +1,20 @@
+// A column of measurements out of a CSV file, as a distribution: each of them as likely.
+//
+// The first line that is no comment names the columns, with their units or without: "speed [ft/s], shot". Lines that
+// begin with # are comments; empty fields are left out.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physim/quantity.hpp"
+#include "physim/result.hpp"
+
+namespace physim {
+
+/// The numbers of a column [SI unit of the quantity].
+[[nodiscard]] Result<std::vector<double>> read_measured_column(const std::string& file, std::string_view column,
+                                                               Quantity quantity);
+
+}  // namespace physim
