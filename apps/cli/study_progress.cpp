@@ -11,8 +11,8 @@
 namespace physim::cli {
 namespace {
 
-constexpr double kRedraw = 0.5;        // s
-constexpr std::size_t kBarWidth = 30;  // columns
+constexpr double kTerminalSeconds = 0.5;  // s
+constexpr std::size_t kBarWidth = 30;     // columns
 
 /// "626 k": three digits of how many.
 std::string count_text(double number) {
@@ -43,7 +43,7 @@ StudyProgress::StudyProgress(StudyPlan plan, const StudyPart& so_far, double log
       before_(so_far.shards()),
       seconds_(seconds),
       is_terminal_(is_terminal(stderr)),
-      every_(is_terminal_ ? kRedraw : log_every),
+      every_(is_terminal_ ? kTerminalSeconds : log_every),
       next_(start_ + std::chrono::duration_cast<Clock::duration>(is_terminal_ ? 2 * every_ : every_)) {}
 
 StudyProgress::~StudyProgress() {

@@ -12,7 +12,7 @@
 namespace physim {
 namespace {
 
-constexpr std::string_view kShot = "shot.";
+constexpr std::string_view kOfShots = "shot.";
 
 bool looks_uncertain(const Value& value) {
   if (value.get<Table>() != nullptr) return true;
@@ -29,9 +29,9 @@ constexpr std::string_view kKeys[] = {"mean",   "deviation", "low",  "high",    
                                       "values", "column",    "file", "per_occasion", "lognormal"};
 
 /// A table of a distribution as its text.
-class TableText {
+class DistributionTable {
  public:
-  TableText(std::string path, const Value& table) : path_(std::move(path)), table_(table) {}
+  DistributionTable(std::string path, const Value& table) : path_(std::move(path)), table_(table) {}
 
   [[nodiscard]] Result<std::string> text() const {
     for (const Member& member : *table_.get<Table>())
@@ -112,7 +112,7 @@ Result<std::string> take(const Spot& spot, Value& value, const std::string& fold
   PHYSIM_ASSERT(looks_uncertain(value));
   std::string text;
   if (value.get<Table>() != nullptr) {
-    const auto table = TableText(spot.path, value).text();
+    const auto table = DistributionTable(spot.path, value).text();
     if (!table) return table.error();
     text = *table;
   } else {
@@ -131,7 +131,7 @@ Result<std::string> take(const Spot& spot, Value& value, const std::string& fold
   return spot.named + " = " + text;
 }
 
-Value& member_of(Value& table, const char* key, Value otherwise) {
+Value& made_member(Value& table, const char* key, Value otherwise) {
   if (Value* found = table.find(key)) return *found;
   table.get<Table>()->push_back({key, otherwise.place, std::move(otherwise)});
   return table.get<Table>()->back().value;
@@ -141,9 +141,9 @@ Value& member_of(Value& table, const char* key, Value otherwise) {
 void put_first(Value& document, const Array& taken) {
   PHYSIM_ASSERT(!taken.empty() && document.get<Table>() != nullptr);
   const auto& place = document.place;
-  Value& study = member_of(document, "study", Value{Table{}, place, {}, {}});
+  Value& study = made_member(document, "study", Value{Table{}, place, {}, {}});
   if (study.get<Table>() == nullptr) return;  // refused where it is read
-  Value& inputs = member_of(study, "inputs", Value{Array{}, place, {}, {}});
+  Value& inputs = made_member(study, "inputs", Value{Array{}, place, {}, {}});
   if (inputs.get<std::string>() != nullptr) inputs.content = Array{inputs};  // one text alone
   if (Array* list = inputs.get<Array>()) list->insert(list->begin(), taken.begin(), taken.end());
 }
@@ -165,14 +165,14 @@ Status take_distributions(Value& document, const std::string& file) {
     return {};
   };
   for (const StudyPath& known : kPaths) {
-    if (!known.path.starts_with(kShot)) {
+    if (!known.path.starts_with(kOfShots)) {
       if (Status status = look(document, known.path, {known.path, known.path}); !status) return status;
       continue;
     }
-    const std::string below = known.path.substr(kShot.size());
+    const std::string below = known.path.substr(kOfShots.size());
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
       const std::string name = list->size() > 1 ? shot_name((*list)[i], i) + "." : "";
-      if (Status status = look((*list)[i], below, {known.path, std::string(kShot) + name + below}); !status)
+      if (Status status = look((*list)[i], below, {known.path, std::string(kOfShots) + name + below}); !status)
         return status;
     }
   }
