@@ -13,7 +13,7 @@ set(PHYSIM_ISAS all CACHE STRING
     "Instruction sets that kernels are compiled for: all; native: base and the best that runs here; or a list of base \
 avx2 avx512")
 
-# base, and the best that this machine runs, by the questions that src/flight/kernels.cpp asks at run time.
+# base, and the best that this machine runs, by the questions that src/base/kernel_choice.cpp asks at run time.
 function(physim_native_isas out)
   if(CMAKE_CROSSCOMPILING)
     message(FATAL_ERROR "PHYSIM_ISAS=native: the machine that will run this is another one; give all, or a list")

@@ -1,6 +1,6 @@
+#include "base/kernel_choice.hpp"
 #include "base/kernel_copies.hpp"
 #include "emit/particle_job.hpp"
-#include "flight/kernels.hpp"
 
 namespace physim {
 

@@ -1,9 +1,7 @@
-// The batch kernels of this build and machine, and the choice among them.
+// The batch kernels of this build and machine, and the one of them that is in use.
 #pragma once
 
-#include <cstddef>
-#include <string_view>
-
+#include "base/kernel_choice.hpp"
 #include "flight/batch_job.hpp"
 
 namespace physim {
@@ -16,14 +14,5 @@ struct BatchKernel {
 
 /// The kernel in use.
 [[nodiscard]] const BatchKernel& batch_kernel();
-
-/// The copy of another kernel for the instruction set in use, of `copies` with a name each; beside "scalar", the last.
-template <class Kernel, std::size_t N>
-[[nodiscard]] const Kernel& copy_in_use(const Kernel (&copies)[N]) {
-  const std::string_view wanted = batch_kernel().name;
-  for (const Kernel& copy : copies)
-    if (copy.name == wanted) return copy;
-  return copies[N - 1];
-}
 
 }  // namespace physim

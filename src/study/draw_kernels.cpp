@@ -1,5 +1,5 @@
+#include "base/kernel_choice.hpp"
 #include "base/kernel_copies.hpp"
-#include "flight/kernels.hpp"
 #include "study/draw_job.hpp"
 
 namespace physim {

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
+#include "base/kernel_choice.hpp"
 #include "base/kernel_copies.hpp"
-#include "flight/kernels.hpp"
 
 namespace physim {
 
@@ -23,7 +23,7 @@ PHYSIM_KERNEL_COPIES(bool step_rows(const WorldJob<float>& job); bool step_rows(
 
 WorldKernel world_kernel() {
   // "scalar" is for single flights: rows are always stepped in packs, of the narrowest kind then.
-  const std::string_view name = batch_kernel().name;
+  const std::string_view name = kernel_in_use();
 #if PHYSIM_HAVE_AVX512
   if (name == "avx512") return PHYSIM_WORLD_KERNEL(avx512);
 #endif
