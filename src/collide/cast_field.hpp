@@ -25,6 +25,7 @@ void cast_into_field(const SceneContent& scene, std::uint32_t index, std::span<c
     job.count += is_sound(segments[i]) ? 1 : 0;
   }
   field_kernel().find_cells(job);
+  PHYSIM_ASSERT(job.found <= job.count);
   for (std::size_t i = 0; i < job.found; ++i) {
     constexpr std::size_t kAhead = 6;
     if (i + kAhead < job.found) field.prefetch(near[i + kAhead].cells);

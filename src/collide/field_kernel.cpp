@@ -56,6 +56,7 @@ PHYSIM_INLINE void put_looks(const collide::FieldJob& job, const Columns& column
   const BlockWay<Numbers> block = way_in_block(grid, way, over_x.first, over_z.first);
   const Numbers* number = &block.x;
   static_assert(sizeof block == kBlockWayNumbers * sizeof(Numbers));
+  PHYSIM_ASSERT(i % kWide == 0 && i < job.count && all(radius >= Numbers(0.0)));
   for (int k = 0; k < kBlockWayNumbers; ++k) cast<float>(number[k]).store(looks.numbers[k]);
   over_x.first.store(looks.first_column);
   over_x.last.store(looks.last_column);
@@ -70,7 +71,7 @@ PHYSIM_INLINE void put_looks(const collide::FieldJob& job, const Columns& column
 }  // namespace
 
 void find_cells(collide::FieldJob& job) {
-  PHYSIM_ASSERT(job.count <= collide::kFieldSegments);
+  PHYSIM_ASSERT(job.count <= collide::kFieldSegments && job.near != nullptr && job.numbers != nullptr);
   Columns columns;
   put_columns(job, columns);
   job.found = 0;

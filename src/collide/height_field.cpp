@@ -39,6 +39,7 @@ Result<HeightField> HeightField::make(const HeightFieldShape& shape) {
   field.rounded_.reserve(points + more);
   for (const double height : shape.heights) field.rounded_.push_back(static_cast<float>(height - field.middle_));
   field.rounded_.resize(points + more);
+  PHYSIM_ASSERT(field.heights_.size() == points && least <= field.middle_ && field.middle_ <= most);
   field.build_levels();
   return field;
 }

@@ -59,6 +59,7 @@ class HeightField {
   }
   /// What it is compared with segments by.
   [[nodiscard]] FieldGrid grid() const {
+    PHYSIM_ASSERT(rounded_.size() == heights_.size() + kBlockSide * (std::size_t{columns_} + 1));
     return {rounded_.data(), columns_,       rows_,   per_spacing_x_, per_spacing_z_,
             bounds_.low.y,   bounds_.high.y, middle_, extent_};
   }
@@ -77,6 +78,7 @@ class HeightField {
   /// Has the first of some cells brought from memory.
   void prefetch(const FieldCells& cells) const {
     if (cells.some == FieldCells::kFar) return;
+    PHYSIM_ASSERT(cells.some != 0);
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(cells.some));
     const double* corner = &heights_[std::size_t{cells.row + lane / kBlockSide} * columns_ + cells.column];
     prefetch_at(corner, lane % kBlockSide * sizeof(double));
@@ -128,7 +130,9 @@ class HeightField {
 
     Range(std::uint32_t from, std::uint32_t many) : first(from), count(many) {}
     explicit Range(const CellRange<double>& cells)
-        : first(static_cast<std::uint32_t>(cells.first)), count(static_cast<std::uint32_t>(cells.last) - first + 1) {}
+        : first(static_cast<std::uint32_t>(cells.first)), count(static_cast<std::uint32_t>(cells.last) - first + 1) {
+      PHYSIM_ASSERT(cells.first >= 0 && cells.first <= cells.last);
+    }
   };
 
   /// What of a part of a segment is between two places along an axis; out < in where nothing is. `per_along`: 0 where
@@ -168,6 +172,7 @@ class HeightField {
     for (std::uint32_t i = 0; i < strips; ++i) {
       const std::uint32_t at = kWide * (forwards ? i : strips - 1 - i);
       const Range strip{all.first + at, std::min(kWide, all.count - at)};
+      PHYSIM_ASSERT(strip.count >= 1 && strip.first + strip.count <= all.first + all.count);
       const double low = strip.first * spacing, high = (strip.first + strip.count) * spacing;
       const Part part{over.in, std::min(over.out, s.reach)};
       const Part here = by_columns ? part_between(s.from.x, per_x, low, high, wide, part)
