@@ -6,6 +6,7 @@
 #include "base/ieee_mode.hpp"
 #include "base/prefetch.hpp"
 #include "collide/cast_crowd.hpp"
+#include "collide/cast_field.hpp"
 #include "collide/order.hpp"
 
 namespace physim::collide {
@@ -130,11 +131,31 @@ void cast_one_by_one(const Batch& batch, std::size_t begin, std::size_t end) {
   }
 }
 
+/// Whether all that is asked about is a height field at rest.
+bool is_field_alone(const SceneContent& scene, const SceneFilter& filter) {
+  return scene.alive == 1 && scene.fields.size() == 1 && scene.instances[scene.fields[0]].is_asked(filter);
+}
+
+void cast_into_field_alone(const Batch& batch, std::size_t begin, std::size_t end) {
+  const std::uint32_t field = batch.scene.fields[0];
+  for (; begin < end; begin += kFieldSegments) {
+    const std::size_t here = std::min(kFieldSegments, end - begin);
+    const auto segments = batch.segments.subspan(begin, here);
+    const auto into = batch.into.subspan(begin, here);
+    std::ranges::fill(into, kNothing);
+    cast_into_field(batch.scene, field, segments, [&](std::uint32_t number, const FirstCrossing& first) {
+      into[number] = hit_of(batch.scene, field, first.crossing, segments[number]);
+    });
+  }
+}
+
 void run(void* self, std::size_t task) {
   const IeeeMode mode;
   const Batch& batch = *static_cast<const Batch*>(self);
   const std::size_t begin = task * kTask, end = std::min(batch.segments.size(), begin + kTask);
-  if (batch.scene.meshes > 0 && end - begin >= kFew)
+  if (is_field_alone(batch.scene, batch.filter))
+    cast_into_field_alone(batch, begin, end);
+  else if (batch.scene.meshes > 0 && end - begin >= kFew)
     cast_together(batch, begin, end);
   else
     cast_one_by_one(batch, begin, end);
@@ -158,7 +179,7 @@ void first_hits(const SceneContent& scene, std::size_t bytes, std::span<const Sc
   PHYSIM_ASSERT(count == into.size());
   Batch batch{scene, segments, into, filter, {}};
   const bool sortable = count >= kMany && count <= std::numeric_limits<std::uint32_t>::max();
-  if (sortable && bytes >= kCached && scene.meshes == 0) batch.sort();
+  if (sortable && bytes >= kCached && scene.meshes == 0 && !is_field_alone(scene, filter)) batch.sort();
   const std::size_t tasks = (count + kTask - 1) / kTask;
   if (runner && tasks > 1)
     runner->run(tasks, run, &batch);

@@ -169,6 +169,7 @@ void SceneContent::enter_tree(std::uint32_t index) {
   const auto list = [index](std::vector<std::uint32_t>& in) { in.insert(std::ranges::lower_bound(in, index), index); };
   const Bounds own = bounds_of(*slot.shape);
   if (own.low.x > own.high.x) return list(unbounded);
+  if (!slot.path && std::holds_alternative<HeightField>(*slot.shape)) list(fields);
   if (!slot.path) return resting.insert(slot.placement.outside(own), index);
   list(movers);
   slot.leaf = moving.insert(slot.path->bounds(own, covered_from, covered_to), index);
@@ -184,6 +185,7 @@ void SceneContent::leave_tree(std::uint32_t index) {
     PHYSIM_ASSERT(place != from.end() && *place == index);
     from.erase(place);
   };
+  if (!slot.path && std::holds_alternative<HeightField>(*slot.shape)) unlist(fields);
   if (resting.remove(index)) return;
   if (slot.leaf == Tree::kNone) return unlist(unbounded);
   moving.remove(slot.leaf);

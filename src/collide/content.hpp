@@ -55,6 +55,7 @@ struct SceneContent {
   std::vector<std::uint32_t> free_shapes, free_instances;
   std::vector<std::uint32_t> unbounded;  // instances that no box holds, in order
   std::vector<std::uint32_t> movers;     // the others that move, in order
+  std::vector<std::uint32_t> fields;     // height fields that rest, in order
   std::vector<Material> materials{Material{}};
   RestingThings resting;
   Tree moving;                              // its boxes hold the way of what moves over the time that is covered

@@ -29,19 +29,23 @@ Result<HeightField> HeightField::make(const HeightFieldShape& shape) {
   field.spacing_z_ = shape.spacing_z;
   field.per_spacing_x_ = 1 / shape.spacing_x;
   field.per_spacing_z_ = 1 / shape.spacing_z;
-  field.heights_.reserve(points + kMore);
   field.heights_ = shape.heights;
-  field.heights_.resize(points + kMore);
   const auto [least, most] = std::ranges::minmax(shape.heights);
   field.bounds_.take(Vec3d{0, least, 0});
   field.bounds_.take(Vec3d{(shape.columns - 1) * shape.spacing_x, most, (shape.rows - 1) * shape.spacing_z});
   field.extent_ = std::max({field.bounds_.high.x, field.bounds_.high.z, std::abs(least), std::abs(most)});
+  field.middle_ = 0.5 * (least + most);
+  const std::size_t more = kBlockSide * std::size_t{shape.columns} + kBlockSide;
+  field.rounded_.reserve(points + more);
+  for (const double height : shape.heights) field.rounded_.push_back(static_cast<float>(height - field.middle_));
+  field.rounded_.resize(points + more);
+  PHYSIM_ASSERT(field.heights_.size() == points && least <= field.middle_ && field.middle_ <= most);
   field.build_levels();
   return field;
 }
 
 std::size_t HeightField::bytes() const {
-  std::size_t sum = heights_.capacity() * sizeof(double);
+  std::size_t sum = heights_.capacity() * sizeof(double) + rounded_.capacity() * sizeof(float);
   for (const Level& level : levels_) sum += level.blocks.capacity() * sizeof(Heights);
   return sum;
 }

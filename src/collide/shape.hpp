@@ -28,6 +28,11 @@ class Placement {
   /// A box about what a box becomes, with what is rounded on the way.
   [[nodiscard]] Bounds outside(const Bounds& box) const;
   [[nodiscard]] double scale() const { return scale_; }
+  /// Writes down what inside() computes with.
+  template <class Job>
+  void put_axes(Job& job) const {
+    job.x = x_, job.y = y_, job.z = z_, job.position = position_, job.per_scale = per_scale_;
+  }
   [[nodiscard]] const Vec3d& position() const { return position_; }
 
  private:

@@ -1,7 +1,9 @@
 // Height fields, held to meshes of the same triangles: a point meets both at the same place, bit for bit.
 #include <gtest/gtest.h>
 
+#include "collide/height_field.hpp"
 #include "collide/scene_support.hpp"
+#include "physim/flight.hpp"
 
 namespace physim {
 namespace {
@@ -67,6 +69,108 @@ TEST(HeightField, points_meet_it_where_they_meet_a_mesh_of_its_triangles) {
     }
   }
   EXPECT_GT(some, 6000);
+}
+
+HeightFieldShape rough_field(Random& r, std::uint32_t most) {
+  HeightFieldShape field{.columns = 2 + static_cast<std::uint32_t>(r.below(static_cast<int>(most))),
+                         .rows = 2 + static_cast<std::uint32_t>(r.below(static_cast<int>(most))),
+                         .spacing_x = r.in(0.5, 2),
+                         .spacing_z = r.in(0.5, 2),
+                         .heights = {}};
+  for (std::uint32_t k = 0; k < field.columns * field.rows; ++k) field.heights.push_back(r.in(-3, 3));
+  return field;
+}
+
+TEST(HeightField, no_triangle_that_is_met_is_left_out_and_none_comes_twice) {
+  Random r(6);
+  long met = 0;
+  for (int i = 0; i < 40; ++i) {
+    const HeightFieldShape shape = rough_field(r, 30);
+    const collide::HeightField field = std::move(collide::HeightField::make(shape).value());
+    for (int k = 0; k < 60; ++k) {
+      collide::Segment s{{r.in(-3, 40), r.in(-6, 6), r.in(-3, 40)}, {r.in(-3, 3), r.in(-3, 3), r.in(-3, 3)}, 0, 1};
+      if (r.one_in(3)) s.along = s.along * 6;
+      if (r.one_in(4)) s.along.x = 0;
+      if (r.one_in(4)) s.along.z = 0;
+      if (r.one_in(2)) s.radius = r.in(0, r.one_in(2) ? 10 : 1);
+      if (r.one_in(4)) s.reach = 0;  // what begins inside of something is met there by all that it is near
+      std::vector<int> seen(field.info().triangles);
+      collide::Segment asked = s;
+      field.triangles_along(asked, [&](const collide::Triangle&, std::uint32_t number) { ++seen[number]; });
+      const collide::Shear shear(s);
+      for (std::uint32_t number = 0; number < seen.size(); ++number) {
+        ASSERT_LE(seen[number], 1) << i << ", cast " << k << ", triangle " << number;
+        const std::uint32_t cell = number / 2, columns = field.columns() - 1;
+        if (!collide::meets(s, shear, field.triangle(cell % columns, cell / columns, number % 2))) continue;
+        ++met;
+        ASSERT_EQ(seen[number], 1) << i << ", cast " << k << ", triangle " << number;
+      }
+    }
+  }
+  EXPECT_GT(met, 10000);
+}
+
+/// Near a field that stands somewhere; a few make no sense.
+std::vector<SceneSegment> casts_near(Random& r, const HeightFieldShape& field, const Vec3d& at, double scale) {
+  std::vector<SceneSegment> segments;
+  for (int k = 0; k < 700; ++k) {
+    SceneSegment s = across(r, field, 4);
+    s.from = at + s.from * scale, s.to = at + s.to * scale;
+    if (r.one_in(4)) s.radius = r.in(0, 2) * scale;
+    if (r.one_in(50)) s.to.y = std::numeric_limits<double>::quiet_NaN();
+    if (r.one_in(50)) s.radius = -1;
+    segments.push_back(s);
+  }
+  return segments;
+}
+
+TEST(HeightField, many_segments_meet_it_where_each_does_alone_whatever_the_kernel) {
+  Random r(7);
+  int some = 0;
+  for (int i = 0; i < 12; ++i) {
+    const HeightFieldShape field = rough_field(r, 50);
+    const double far = i % 3 == 0 ? 0 : 1e5, scale = i % 2 == 0 ? 1 : 3;
+    InstanceDef def{.transform = {.position = {r.in(-far, far), r.in(-far, far), r.in(-far, far)}, .scale = scale}};
+    Scene scene;
+    def.shape = scene.add_shape(field).value();
+    def.layers = 2;
+    const InstanceId id = scene.add(def).value();
+    const std::vector<SceneSegment> segments = casts_near(r, field, def.transform.position, scale);
+    std::vector<SceneHit> alone;
+    for (const SceneSegment& s : segments) alone.push_back(scene.first_hit(s));
+    std::vector<SceneHit> hits(segments.size());
+    const auto expect_alone = [&](const std::string& what) {
+      for (std::size_t k = 0; k < segments.size(); ++k) {
+        ASSERT_EQ(hits[k].instance, alone[k].instance) << what << ", cast " << k;
+        ASSERT_EQ(hits[k].part, alone[k].part) << what << ", cast " << k;
+        ASSERT_EQ(hits[k].position, alone[k].position) << what << ", cast " << k;
+        ASSERT_EQ(hits[k].normal, alone[k].normal) << what << ", cast " << k;
+        ASSERT_EQ(hits[k].primitive, alone[k].primitive) << what << ", cast " << k;
+        ASSERT_EQ(hits[k].starts_inside, alone[k].starts_inside) << what << ", cast " << k;
+      }
+    };
+    for (const std::string& kernel : kernels()) {
+      ASSERT_TRUE(use_kernel(kernel));
+      scene.first_hits(segments, hits);
+      expect_alone(kernel);
+    }
+    ASSERT_TRUE(use_kernel(""));
+    for (const SceneHit& hit : hits) some += hit ? 1 : 0;
+    scene.first_hits(segments, hits, {.layers = 1});
+    for (const SceneHit& hit : hits) ASSERT_FALSE(hit);
+    // Beside something else, and where it went.
+    const InstanceId ball = scene
+                                .add({.shape = scene.add_shape(SphereShape{0.01}).value(),
+                                      .transform = {.position = def.transform.position + Vec3d{0, 1e6, 0}}})
+                                .value();
+    scene.first_hits(segments, hits);
+    expect_alone("beside a ball");
+    ASSERT_TRUE(scene.remove(ball));
+    ASSERT_TRUE(scene.remove(id));
+    scene.first_hits(segments, hits);
+    for (const SceneHit& hit : hits) ASSERT_FALSE(hit);
+  }
+  EXPECT_GT(some, 2000);
 }
 
 }  // namespace

@@ -1,0 +1,97 @@
+// Compiled once per instruction set, in a namespace of its name.
+#include "collide/field_job.hpp"
+
+PHYSIM_ISA_BEGIN
+
+namespace {
+
+constexpr std::size_t kWide = kNativeBytes / 8;
+using Numbers = Pack<double, int(kWide)>;
+static_assert(collide::kFieldSegments % kWide == 0);
+
+/// Numbers of the segments, each in a column of its own.
+struct Columns {
+  double from[3][collide::kFieldSegments], along[3][collide::kFieldSegments], radius[collide::kFieldSegments];
+
+  PHYSIM_INLINE static Vec3<Numbers> load(const double (&columns)[3][collide::kFieldSegments], std::size_t i) {
+    return {Numbers::load(columns[0] + i), Numbers::load(columns[1] + i), Numbers::load(columns[2] + i)};
+  }
+};
+
+/// The last one is there once more where a pack wants so many.
+PHYSIM_INLINE void put_columns(const collide::FieldJob& job, Columns& columns) {
+  for (std::size_t i = 0; i < (job.count + kWide - 1) / kWide * kWide; ++i) {
+    const SceneSegment& s = job.segments[job.numbers[i < job.count ? i : job.count - 1]];
+    columns.from[0][i] = s.from.x, columns.from[1][i] = s.from.y, columns.from[2][i] = s.from.z;
+    columns.along[0][i] = s.to.x - s.from.x, columns.along[1][i] = s.to.y - s.from.y;
+    columns.along[2][i] = s.to.z - s.from.z;
+    columns.radius[i] = s.radius;
+  }
+}
+
+/// As seen from the field.
+PHYSIM_INLINE Vec3<Numbers> turned_back(const collide::FieldJob& job, const Vec3<Numbers>& v) {
+  const auto along = [&](const Vec3d& axis) PHYSIM_INLINE_LAMBDA {
+    return (v.x * Numbers(axis.x) + v.y * Numbers(axis.y) + v.z * Numbers(axis.z)) * Numbers(job.per_scale);
+  };
+  return {along(job.x), along(job.y), along(job.z)};
+}
+
+/// What is known of a pack of segments.
+struct Looks {
+  float numbers[kBlockWayNumbers][kWide];
+  double first_column[kWide], last_column[kWide], first_row[kWide], last_row[kWide];
+  unsigned pass, far;  // a bit for each
+};
+
+PHYSIM_INLINE void put_looks(const collide::FieldJob& job, const Columns& columns, std::size_t i, Looks& looks) {
+  const collide::FieldGrid& grid = job.grid;
+  const Vec3<Numbers> position{Numbers(job.position.x), Numbers(job.position.y), Numbers(job.position.z)};
+  const Vec3<Numbers> from = turned_back(job, Columns::load(columns.from, i) - position);
+  const Vec3<Numbers> along = turned_back(job, Columns::load(columns.along, i));
+  const Numbers radius = Numbers::load(columns.radius + i) * Numbers(job.per_scale);
+  const FieldWay<Numbers> way = way_over(grid, from, along, slack_over(grid, from, along, radius));
+  const CellRange<Numbers> over_x = cells_between(way.from.x, way.from.x + way.along.x, way.wide_x, grid.columns);
+  const CellRange<Numbers> over_z = cells_between(way.from.z, way.from.z + way.along.z, way.wide_z, grid.rows);
+  const BlockWay<Numbers> block = way_in_block(grid, way, over_x.first, over_z.first);
+  const Numbers* number = &block.x;
+  static_assert(sizeof block == kBlockWayNumbers * sizeof(Numbers));
+  PHYSIM_ASSERT(i % kWide == 0 && i < job.count && all(radius >= Numbers(0.0)));
+  for (int k = 0; k < kBlockWayNumbers; ++k) cast<float>(number[k]).store(looks.numbers[k]);
+  over_x.first.store(looks.first_column);
+  over_x.last.store(looks.last_column);
+  over_z.first.store(looks.first_row);
+  over_z.last.store(looks.last_row);
+  const Numbers most(collide::kBlockSide - 1.0);
+  looks.pass = lane_bits(passes(grid, way));
+  looks.far = lane_bits((over_x.last - over_x.first > most) | (over_z.last - over_z.first > most) |
+                        (way.size(over_x.first, over_z.first) > Numbers(collide::kManyCells)));
+}
+
+}  // namespace
+
+void find_cells(collide::FieldJob& job) {
+  PHYSIM_ASSERT(job.count <= collide::kFieldSegments && job.near != nullptr && job.numbers != nullptr);
+  Columns columns;
+  put_columns(job, columns);
+  job.found = 0;
+  for (std::size_t i = 0; i < job.count; i += kWide) {
+    Looks looks;
+    put_looks(job, columns, i, looks);
+    const std::size_t here = job.count - i < kWide ? job.count - i : kWide;
+    for (std::size_t lane = 0; lane < here; ++lane) {
+      const auto column = static_cast<std::uint32_t>(looks.first_column[lane]);
+      const auto row = static_cast<std::uint32_t>(looks.first_row[lane]);
+      std::uint32_t some = collide::FieldCells::kFar;
+      if ((looks.far >> lane & 1u) == 0)
+        some = cells_met(job.grid, &looks.numbers[0][lane], kWide, column, row,
+                         static_cast<std::uint32_t>(looks.last_column[lane]) - column + 1,
+                         static_cast<std::uint32_t>(looks.last_row[lane]) - row + 1);
+      some &= (looks.pass >> lane & 1u) - 1u;
+      job.near[job.found] = {job.numbers[i + lane], {column, row, some}};
+      job.found += some != 0 ? 1 : 0;
+    }
+  }
+}
+
+PHYSIM_ISA_END

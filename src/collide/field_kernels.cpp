@@ -1,0 +1,27 @@
+#include "base/kernel_choice.hpp"
+#include "base/kernel_copies.hpp"
+#include "collide/field_job.hpp"
+
+namespace physim {
+
+PHYSIM_KERNEL_COPIES(void find_cells(collide::FieldJob& job);)
+
+namespace collide {
+namespace {
+
+constexpr FieldKernel kFieldKernels[] = {
+#if PHYSIM_HAVE_AVX512
+    {"avx512", avx512::find_cells},
+#endif
+#if PHYSIM_HAVE_AVX2
+    {"avx2", avx2::find_cells},
+#endif
+    {"base", base::find_cells},
+};
+
+}  // namespace
+
+const FieldKernel& field_kernel() { return copy_in_use(kFieldKernels); }
+
+}  // namespace collide
+}  // namespace physim
