@@ -173,7 +173,7 @@ std::string hits_text(const StudyResult& r) {
   return table.text(2) + "\n";
 }
 
-/// What each input does: its effect by slopes, and its share of the variance of the plane's axes.
+/// What each input does: its effect by slopes, and its share of the variance of the plane's axes and of the misses.
 std::string inputs_text(const FlownStudy& flown) {
   if (!flown.linear) return "";
   const Study& study = flown.plan.study();
@@ -183,6 +183,9 @@ std::string inputs_text(const FlownStudy& flown) {
     headers.push_back("on " + with_unit(flown.result.quantities[q].quantity));
     headers.push_back("share [%]");
   }
+  const bool tells_misses = !flown.linear->rows.empty() && !flown.linear->rows.front().misses.empty();
+  for (std::size_t i = 0; i < study.targets.size() && tells_misses; ++i)
+    headers.push_back("misses of " + study.targets[i].name + " [%]");
   Table table(headers, "l");
   for (const LinearRow& row : flown.linear->rows) {
     std::vector<std::string> cells = {study.inputs[row.input].path, significant(row.deviation, 3)};
@@ -190,6 +193,7 @@ std::string inputs_text(const FlownStudy& flown) {
       cells.push_back(significant(row.effect[q], 3));
       cells.push_back(percent(row.share[q]));
     }
+    for (const double share : row.misses) cells.push_back(std::isfinite(share) ? fixed(100 * share, 1) : "");
     table.add_row(std::move(cells));
   }
   return table.text(2) + "\n";
@@ -289,6 +293,8 @@ Json json_of(const FlownStudy& flown) {
       row["slope"] = linear.slope;
       row["effect"] = linear.effect;
       row["share"] = linear.share;
+      row["misses"] = Json::array();
+      for (const double share : linear.misses) row["misses"].push_back(number(share));
     }
     inputs.push_back(std::move(row));
   }

@@ -9,6 +9,7 @@
 #include "base/ieee_mode.hpp"
 #include "study/correlation.hpp"
 #include "study/estimates.hpp"
+#include "study/misses.hpp"
 
 namespace physim {
 namespace {
@@ -61,6 +62,27 @@ void add_group(const InputGroup& group, LinearResult& result) {
     }
 }
 
+/// The part of the plane's covariance that a group makes.
+PlaneCovariance on_plane(const InputGroup& group, const LinearResult& result) {
+  PlaneCovariance sum;
+  for (const std::vector<double>& effect : independent_effects(group, result)) {
+    sum.right_right += effect[0] * effect[0];
+    sum.right_up += effect[0] * effect[1];
+    sum.up_up += effect[1] * effect[1];
+  }
+  return sum;
+}
+
+void put_misses(const StudyPlanRecord& plan, LinearResult& result) {
+  const std::size_t n = result.mean.size();
+  PHYSIM_ASSERT(n >= 2 && result.covariance.size() == n * n);
+  const PlaneCovariance all{result.covariance[0], result.covariance[1], result.covariance[n + 1]};
+  for (LinearRow& row : result.rows) row.misses.assign(plan.study.targets.size(), 0);
+  for (const InputGroup& group : plan.groups)
+    result.rows[group.inputs[0]].misses =
+        shares_of_misses(plan.study, {result.mean[0], result.mean[1]}, all, on_plane(group, result));
+}
+
 }  // namespace
 
 Result<LinearResult> propagate_linearly(const StudyPlan& plan) {
@@ -91,6 +113,7 @@ Result<LinearResult> propagate_linearly(const StudyPlan& plan) {
   for (LinearRow& row : result.rows)
     for (std::size_t q = 0; q < quantities; ++q)
       if (const double all = result.covariance[q * quantities + q]; all > 0) row.share[q] /= all;
+  if (record.has_plane() && !record.study.targets.empty()) put_misses(record, result);
   return result;
 }
 
