@@ -149,14 +149,14 @@ class BlockTest {
     flat_ = Look(number(10));
     steep_ = Look(number(11));
   }
-  /// Bit 4 row + column is set for each cell that may be met. `heights`: of the first corner, then along x; `columns`:
-  /// from there to the same corner of the next row.
-  [[nodiscard]] PHYSIM_INLINE std::uint32_t meets(const float* heights, std::size_t columns) const {
+  /// Which of some cells may be met, by bits 4 row + column. `heights` points to that of the block's first corner;
+  /// rows are `columns` heights apart.
+  [[nodiscard]] PHYSIM_INLINE std::uint32_t meets(const float* heights, std::size_t columns, std::uint32_t some) const {
     std::uint32_t cells = 0;
     Look w = w_;
-    for (int row = 0; row < 4; row += kRows, heights += kRows * columns, w = w - Look(float(kRows)))
+    for (int row = 0; some >> (4 * row) != 0; row += kRows, heights += kRows * columns, w = w - Look(float(kRows)))
       cells |= meets_rows(w, heights, columns) << (4 * row);
-    return cells;
+    return some & cells;
   }
 
  private:
@@ -244,13 +244,12 @@ PHYSIM_INLINE std::uint32_t block_of(std::uint32_t columns, std::uint32_t rows) 
   PHYSIM_ASSERT(columns >= 1 && columns <= collide::kBlockSide && rows >= 1 && rows <= collide::kBlockSide);
   return (0x1111u * ((1u << columns) - 1)) & ((1u << (4 * rows)) - 1);
 }
-/// Those cells of a block, of so many columns and rows from its first cell on, that a way may meet.
+/// Those cells of a block that a way may meet.
 PHYSIM_INLINE std::uint32_t cells_met(const collide::FieldGrid& grid, const float* numbers, std::size_t stride,
-                                      std::uint32_t column, std::uint32_t row, std::uint32_t columns,
-                                      std::uint32_t rows) {
-  PHYSIM_ASSERT(column + columns < grid.columns && row + rows < grid.rows);
-  return block_of(columns, rows) &
-         BlockTest(numbers, stride).meets(grid.heights + std::size_t{row} * grid.columns + column, grid.columns);
+                                      const collide::FieldCells& block) {
+  PHYSIM_ASSERT(block.column + 1 < grid.columns && block.row + 1 < grid.rows);
+  return BlockTest(numbers, stride)
+      .meets(grid.heights + std::size_t{block.row} * grid.columns + block.column, grid.columns, block.some);
 }
 
 PHYSIM_ISA_END

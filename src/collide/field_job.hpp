@@ -31,6 +31,8 @@ struct FieldJob {
 
 struct FieldKernel {
   const char* name;
+  /// Those cells of a block that a way may meet: the numbers of its BlockWay, in float.
+  std::uint32_t (*cells_in_block)(const FieldGrid& grid, const float* way, const FieldCells& block);
   void (*find_cells)(FieldJob& job);
 };
 /// That of the instruction set in use.

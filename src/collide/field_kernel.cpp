@@ -70,6 +70,10 @@ PHYSIM_INLINE void put_looks(const collide::FieldJob& job, const Columns& column
 
 }  // namespace
 
+std::uint32_t cells_in_block(const collide::FieldGrid& grid, const float* way, const collide::FieldCells& block) {
+  return cells_met(grid, way, 1, block);
+}
+
 void find_cells(collide::FieldJob& job) {
   PHYSIM_ASSERT(job.count <= collide::kFieldSegments && job.near != nullptr && job.numbers != nullptr);
   Columns columns;
@@ -84,9 +88,10 @@ void find_cells(collide::FieldJob& job) {
       const auto row = static_cast<std::uint32_t>(looks.first_row[lane]);
       std::uint32_t some = collide::FieldCells::kFar;
       if ((looks.far >> lane & 1u) == 0)
-        some = cells_met(job.grid, &looks.numbers[0][lane], kWide, column, row,
-                         static_cast<std::uint32_t>(looks.last_column[lane]) - column + 1,
-                         static_cast<std::uint32_t>(looks.last_row[lane]) - row + 1);
+        some = cells_met(job.grid, &looks.numbers[0][lane], kWide,
+                         {column, row,
+                          block_of(static_cast<std::uint32_t>(looks.last_column[lane]) - column + 1,
+                                   static_cast<std::uint32_t>(looks.last_row[lane]) - row + 1)});
       some &= (looks.pass >> lane & 1u) - 1u;
       job.near[job.found] = {job.numbers[i + lane], {column, row, some}};
       job.found += some != 0 ? 1 : 0;

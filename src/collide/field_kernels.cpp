@@ -4,19 +4,21 @@
 
 namespace physim {
 
-PHYSIM_KERNEL_COPIES(void find_cells(collide::FieldJob& job);)
+PHYSIM_KERNEL_COPIES(std::uint32_t cells_in_block(const collide::FieldGrid& grid, const float* way,
+                                                  const collide::FieldCells& block);
+                     void find_cells(collide::FieldJob& job);)
 
 namespace collide {
 namespace {
 
 constexpr FieldKernel kFieldKernels[] = {
 #if PHYSIM_HAVE_AVX512
-    {"avx512", avx512::find_cells},
+    {"avx512", avx512::cells_in_block, avx512::find_cells},
 #endif
 #if PHYSIM_HAVE_AVX2
-    {"avx2", avx2::find_cells},
+    {"avx2", avx2::cells_in_block, avx2::find_cells},
 #endif
-    {"base", base::find_cells},
+    {"base", base::cells_in_block, base::find_cells},
 };
 
 }  // namespace

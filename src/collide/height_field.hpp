@@ -1,12 +1,12 @@
-// Heights over a grid: a segment walks over the cells below it, in blocks of four times four.
+// Heights over a grid: a segment is compared with a block of the cells below it, or walks over four columns at a time.
 #pragma once
 
 #include <bit>
 #include <vector>
 
 #include "base/prefetch.hpp"
-#include "collide/box.hpp"
-#include "collide/field_block.hpp"
+#include "collide/field_job.hpp"
+#include "collide/quad_boxes.hpp"
 #include "collide/triangle.hpp"
 #include "physim/scene.hpp"
 
@@ -124,9 +124,10 @@ class HeightField {
     std::vector<Heights> blocks;
   };
 
-  /// Parts of a segment, from one to another.
-  struct Part {
+  /// Where a segment is between two places along an axis, and not farther than its reach.
+  struct Slab {
     double in, out;
+    bool some;
   };
   /// Cells from the first one on.
   struct Range {
@@ -139,15 +140,6 @@ class HeightField {
     }
   };
 
-  /// What of a part of a segment is between two places along an axis; out < in where nothing is. `per_along`: 0 where
-  /// it does not go along the axis.
-  [[nodiscard]] static Part part_between(double from, double per_along, double low, double high, double wide,
-                                         const Part& part) {
-    const double below = low - wide - from, above = high + wide - from;
-    if (per_along == 0) return below <= 0 && above >= 0 ? part : Part{1, 0};
-    const double one = below * per_along, other = above * per_along;
-    return {std::max(part.in, std::min(one, other)), std::min(part.out, std::max(one, other))};
-  }
   [[nodiscard]] CellRange<double> columns_of(const FieldWay<double>& way) const {
     return cells_between(way.from.x, way.from.x + way.along.x, way.wide_x, columns_);
   }
@@ -155,50 +147,125 @@ class HeightField {
     return cells_between(way.from.z, way.from.z + way.along.z, way.wide_z, rows_);
   }
 
-  /// Those of a segment that passes many cells, in strips of three across its way: it leaves a strip four cells later
-  /// at most.
+  /// Calls visit(triangle, number) for those of a segment that passes many cells, four columns after four: by the least
+  /// and the largest height of each cell, which are soon compared.
   template <class Visit>
   [[gnu::noinline]] void triangles_far_along(Segment& s, const Visit& visit) const {
-    const FieldGrid over_grid = grid();
-    const double wide = slack_over(over_grid, s.from, s.along, s.radius);
-    const double per_x = s.along.x == 0 ? 0 : finite_inverse(s.along.x);
-    const double per_z = s.along.z == 0 ? 0 : finite_inverse(s.along.z);
-    const Part over = part_between(s.from.z, per_z, 0, (rows_ - 1) * spacing_z_, wide,
-                                   part_between(s.from.x, per_x, 0, (columns_ - 1) * spacing_x_, wide, {0, s.reach}));
-    if (!(over.in <= over.out)) return;
-    const FieldWay<double> way = way_over(over_grid, s.at(over.in), s.along * (over.out - over.in), wide);
-    const bool by_columns = std::abs(way.along.x) >= std::abs(way.along.z);
-    const Range all(by_columns ? columns_of(way) : rows_of(way));
-    const double spacing = by_columns ? spacing_x_ : spacing_z_;
-    const bool forwards = (by_columns ? s.along.x : s.along.z) >= 0;
-    constexpr std::uint32_t kWide = kBlockSide - 1;
-    const std::uint32_t strips = (all.count + kWide - 1) / kWide;
+    const double wide = slack(s), per_x = s.along.x == 0 ? 0 : finite_inverse(s.along.x);
+    const Slab columns = slab(s.from.x, per_x, 0, (columns_ - 1) * spacing_x_, wide, s.reach);
+    if (!columns.some) return;
+    const Range over =
+        cells(s.from.x + s.along.x * columns.in, s.from.x + s.along.x * columns.out, per_spacing_x_, columns_, wide);
+    if (over.count <= 4) return triangles_in_strip(s, over, columns, wide, per_x, visit);
+    const std::uint32_t strips = (over.count + 3) / 4;
     for (std::uint32_t i = 0; i < strips; ++i) {
-      const std::uint32_t at = kWide * (forwards ? i : strips - 1 - i);
-      const Range strip{all.first + at, std::min(kWide, all.count - at)};
-      PHYSIM_ASSERT(strip.count >= 1 && strip.first + strip.count <= all.first + all.count);
-      const double low = strip.first * spacing, high = (strip.first + strip.count) * spacing;
-      const Part part{over.in, std::min(over.out, s.reach)};
-      const Part here = by_columns ? part_between(s.from.x, per_x, low, high, wide, part)
-                                   : part_between(s.from.z, per_z, low, high, wide, part);
-      if (here.in <= here.out) triangles_in_strip(s, strip, by_columns, here, wide, visit);
+      const std::uint32_t at = 4 * (s.along.x >= 0 ? i : strips - 1 - i);
+      const Range strip{over.first + at, std::min(4u, over.count - at)};
+      const Slab here =
+          slab(s.from.x, per_x, strip.first * spacing_x_, (strip.first + strip.count) * spacing_x_, wide, s.reach);
+      if (here.some) triangles_in_strip(s, strip, here, wide, per_x, visit);
     }
   }
+  /// What coordinates are rounded to, with the radius.
+  [[nodiscard]] double slack(const Segment& s) const {
+    return s.radius + 8 * std::numeric_limits<double>::epsilon() * (s.extent() + extent_);
+  }
+  /// `per_along`: 0 where it does not go along the axis.
+  [[nodiscard]] static Slab slab(double from, double per_along, double low, double high, double wide, double reach) {
+    const double below = low - wide - from, above = high + wide - from;
+    if (per_along == 0) return {0, reach, below <= 0 && above >= 0 && reach >= 0};
+    const double one = below * per_along, other = above * per_along;
+    const double in = std::max(0.0, std::min(one, other)), out = std::min(reach, std::max(one, other));
+    return {in, out, in <= out};
+  }
+  /// The cells between two places, with those that rounding or the radius may reach.
+  [[nodiscard]] static Range cells(double one, double other, double per_spacing, std::uint32_t points, double wide) {
+    const double last = points - 2.0;
+    const double low = std::clamp((std::min(one, other) - wide) * per_spacing, 0.0, last);
+    const double high = std::clamp((std::max(one, other) + wide) * per_spacing, 0.0, last);
+    PHYSIM_ASSERT(low <= high && high <= points - 2);
+    const auto first = static_cast<std::uint32_t>(low);
+    return {first, static_cast<std::uint32_t>(high) - first + 1};
+  }
+
+  /// Calls visit(triangle, number) for those of four columns of cells, or fewer, which the segment passes `here`.
   template <class Visit>
-  void triangles_in_strip(Segment& s, const Range& strip, bool by_columns, const Part& here, double wide,
+  void triangles_in_strip(const Segment& s, const Range& columns, const Slab& here, double wide, double per_x,
                           const Visit& visit) const {
-    const FieldWay<double> way = way_over(grid(), s.at(here.in), s.along * (here.out - here.in), wide);
-    const Range across(by_columns ? rows_of(way) : columns_of(way));
-    const bool forwards = (by_columns ? s.along.z : s.along.x) >= 0;
-    const std::uint32_t blocks = (across.count + kBlockSide - 1) / kBlockSide;
-    for (std::uint32_t i = 0; i < blocks; ++i) {
-      const std::uint32_t at = kBlockSide * (forwards ? i : blocks - 1 - i);
-      const Range block{across.first + at, std::min(kBlockSide, across.count - at)};
-      const Range &columns = by_columns ? strip : block, &rows = by_columns ? block : strip;
-      triangles_in(s, cells_in(way, columns, rows), visit);
-      if (s.reach < here.in) return;
+    const Range over =
+        cells(s.from.z + s.along.z * here.in, s.from.z + s.along.z * here.out, per_spacing_z_, rows_, wide);
+    const StripTest test(*this, s, columns.first, here, wide, per_x);
+    PHYSIM_ASSERT(columns.count >= 1 && columns.count <= 4 && columns.first + columns.count < columns_);
+    PHYSIM_ASSERT(over.first + over.count < rows_);
+    const unsigned there = (1u << columns.count) - 1;
+    const bool forwards = s.along.z >= 0;
+    for (std::uint32_t i = 0; i < over.count; ++i) {
+      const std::uint32_t row = forwards ? over.first + i : over.first + over.count - 1 - i;
+      const float* heights = &rounded_[std::size_t{row} * columns_ + columns.first];
+      for (unsigned lanes = there & test.meets(row * spacing_z_, heights, heights + columns_, s.reach); lanes != 0;) {
+        const int lane = s.along.x >= 0 ? std::countr_zero(lanes) : 31 - std::countl_zero(lanes);
+        lanes &= ~(1u << lane);
+        const std::uint32_t column = columns.first + static_cast<std::uint32_t>(lane);
+        for (std::uint32_t half = 0; half < 2; ++half)
+          visit(triangle(column, row, half), 2 * (row * (columns_ - 1) + column) + half);
+      }
     }
   }
+  /// A segment on its way through four columns of cells, ready to be compared with four cells of a row at once: in
+  /// float, from where it enters the columns on, and wider by what it is rounded to.
+  class StripTest {
+   public:
+    StripTest(const HeightField& field, const Segment& s, std::uint32_t column, const Slab& here, double wide,
+              double per_x)
+        : base_(here.in), out_(here.out) {
+      const Vec3d from = s.at(here.in);
+      const auto slack = [wide](double size) { return wide + kFloatSlack * (wide + size); };
+      const auto quad = [](double x) { return Quad(static_cast<float>(x)); };
+      enters_ = Quad(0.0f), leaves_ = Quad(2.0f);
+      if (per_x != 0) {
+        const double aside = slack(16 * field.spacing_x_), left = column * field.spacing_x_ - from.x;
+        const Quad steps = quad(field.spacing_x_) * lanes(), per = quad(std::clamp(per_x, -1e30, 1e30));
+        const Quad one = (quad(left - aside) + steps) * per;
+        const Quad other = (quad(left + field.spacing_x_ + aside) + steps) * per;
+        enters_ = larger(min(one, other), enters_);
+        leaves_ = larger(one, other);
+      }
+      const double aside = slack(0);
+      const bool forwards = s.along.z >= 0;
+      near_z_ = (forwards ? -aside : field.spacing_z_ + aside) - from.z;
+      far_z_ = (forwards ? field.spacing_z_ + aside : -aside) - from.z;
+      if (s.along.z != 0) per_z_ = finite_inverse(s.along.z);
+      y_ = quad(from.y - field.middle_);
+      along_y_ = quad(s.along.y);
+      const double highest = std::max(std::abs(field.bounds_.low.y), std::abs(field.bounds_.high.y));
+      above_ = quad(slack(2 * std::abs(from.y) + highest + 4 * std::abs(s.along.y) * (out_ - base_)));
+    }
+    /// A bit for each of four cells that the segment may meet up to its reach; z: where their row begins, with the
+    /// heights there and behind it.
+    [[nodiscard]] PHYSIM_INLINE unsigned meets(double z, const float* near, const float* far, double reach) const {
+      double in_z = 0, out_z = std::min(reach, out_) - base_;
+      if (per_z_ != 0) {
+        in_z = std::clamp((z + near_z_) * per_z_, 0.0, 2.0);
+        out_z = std::min(out_z, (z + far_z_) * per_z_);
+      }
+      const Quad in = larger(enters_, Quad(static_cast<float>(in_z)));
+      const Quad out = min(leaves_, Quad(static_cast<float>(std::max(out_z, -2.0)))) * (1 + 0x1p-20f);
+      const Quad one = y_ + along_y_ * in, other = y_ + along_y_ * out;
+      const Quad a = Quad::load(near), b = Quad::load(near + 1), c = Quad::load(far), d = Quad::load(far + 1);
+      return lanes_up_to(in, out) & lanes_up_to(min(one, other) - above_, larger(larger(a, b), larger(c, d))) &
+             lanes_up_to(min(min(a, b), min(c, d)), larger(one, other) + above_);
+    }
+
+   private:
+    [[nodiscard]] static Quad lanes() {
+      constexpr float kLanes[] = {0, 1, 2, 3};
+      return Quad::load(kLanes);
+    }
+
+    double base_, out_, near_z_, far_z_, per_z_ = 0;  // per_z_: 0 where it does not go along the axis
+    Quad enters_, leaves_, y_, along_y_, above_;      // enters_, leaves_: columns, from base_ on
+  };
+
   /// Those of a block that a way may meet.
   [[nodiscard]] FieldCells cells_in(const FieldWay<double>& way, const Range& columns, const Range& rows) const {
     const FieldGrid over = grid();
@@ -208,7 +275,7 @@ class HeightField {
       const BlockWay<double> block = way_in_block(over, way, column, row);
       float numbers[kBlockWayNumbers];
       for (int i = 0; i < kBlockWayNumbers; ++i) numbers[i] = static_cast<float>((&block.x)[i]);
-      some = cells_met(over, numbers, 1, columns.first, rows.first, columns.count, rows.count);
+      some = field_kernel().cells_in_block(over, numbers, {columns.first, rows.first, some});
     }
     return {columns.first, rows.first, some};
   }
