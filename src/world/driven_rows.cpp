@@ -8,12 +8,12 @@
 namespace physim {
 namespace {
 
-using Column = FlightPack<DrivenBlock::kMost>::Column;
+using BlockColumn = FlightPack<DrivenBlock::kMost>::Column;
 
 constexpr std::size_t kAhead = 16;  // slots that are fetched before they are read
 
-Column gathered(const Column& column, std::span<const std::uint8_t, DrivenBlock::kMost> lanes) {
-  Column to;
+BlockColumn gathered(const BlockColumn& column, std::span<const std::uint8_t, DrivenBlock::kMost> lanes) {
+  BlockColumn to;
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = column[lanes[i]];
   return to;
 }
@@ -113,7 +113,7 @@ void DrivenRows::rates(const ParticleKernel& kernel, const WorldState& state, st
   std::fill_n(rate, kMost, 0);
   each_law(state, rows, first, kMost, [&](const FlightLaw& law, const Lanes& lanes, std::size_t count) {
     std::array<std::uint64_t, kMost> number;
-    Column birth, span, theirs;
+    BlockColumn birth, span, theirs;
     for (std::size_t i = 0; i < kMost; ++i) {
       const std::size_t row = first + lanes[i];
       number[i] = rows.number[row], birth[i] = rows.birth[row], span[i] = rows.span[row];
