@@ -41,12 +41,12 @@ Head head_of(std::string_view field) {
   return {trimmed(field.substr(0, open)), trimmed(field.substr(open + 1, field.size() - open - 2))};
 }
 
-struct Column {
+struct CsvColumn {
   std::size_t index;
   std::string unit;
 };
-Result<Column> column_of(const std::vector<std::string_view>& heads, std::string_view column,
-                         const std::string& place) {
+Result<CsvColumn> column_of(const std::vector<std::string_view>& heads, std::string_view column,
+                            const std::string& place) {
   std::vector<std::string_view> names;
   for (const std::string_view head : heads) names.push_back(head_of(head).name);
   const auto at = std::ranges::find(names, column);
@@ -54,7 +54,7 @@ Result<Column> column_of(const std::vector<std::string_view>& heads, std::string
     return Error{"no column is called " + in_quotes(column), place, suggestion(column, names, "its columns are")};
   const auto index = static_cast<std::size_t>(at - names.begin());
   PHYSIM_ASSERT(index < heads.size());
-  return Column{index, std::string(head_of(heads[index]).unit)};
+  return CsvColumn{index, std::string(head_of(heads[index]).unit)};
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Result<std::vector<double>> read_measured_column(const std::string& file, std::s
   const auto text = read_text_file(file, kLargestFile, "table of measurements");
   if (!text) return text.error();
   std::vector<double> numbers;
-  std::optional<Column> wanted;
+  std::optional<CsvColumn> wanted;
   int line_number = 0;
   for (std::size_t from = 0; from < text->size();) {
     const std::size_t at = std::min(text->find('\n', from), text->size());
