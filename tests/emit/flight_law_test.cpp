@@ -117,7 +117,7 @@ TEST(FlightLaw, rates_of_drag_by_age_are_those_that_slow_down) {
     std::array<double, kPack> birth, span, rate;
     for (std::size_t i = 0; i < kPack; ++i)
       number[i] = 7 * i, birth[i] = r.in(9, 13), span[i] = r.in(0.1, 4);  // some are not born, some are dead
-    law.drag_rates(particle_kernel(), number.data(), birth.data(), span.data(), 12, rate);
+    law.drag_rates(particle_kernel(), number.data(), birth.data(), span.data(), 12, rate.data());
     for (std::size_t i = 0; i < kPack; ++i) {
       const Vec3d a = law.acceleration({number[i], birth[i], span[i]}, 12, {.v = {1, -2, 4}});
       EXPECT_EQ(a, (Vec3d{-rate[i], 2 * rate[i], -4 * rate[i]})) << i;
