@@ -328,13 +328,14 @@ class Patience {
   [[nodiscard]] PHYSIM_INLINE bool lasts() const { return left_ >= 0; }
   /// So many lanes flew a step, and so many waited.
   PHYSIM_INLINE void pass(int flying, int waiting) {
-    if (lasts()) left_ += flying - kFlyingForEach * waiting;
+    if (lasts()) left_ = std::min(left_ + flying - kFlyingForEach * waiting, kMost);
   }
 
  private:
   // Moving a flight in and out of a lane by itself takes as long as one or two of its steps.
   static constexpr int kFlyingForEach = 12;  // lanes for one that waits
   static constexpr int kAtFirst = 32 * kFlyingForEach;
+  static constexpr int kMost = 1 << 20;  // what flew without waiting counts so far: it is spent within a part
   int left_;
 };
 

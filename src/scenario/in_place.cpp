@@ -33,16 +33,23 @@ class DistributionTable {
  public:
   DistributionTable(std::string path, const Value& table) : path_(std::move(path)), table_(table) {}
 
-  [[nodiscard]] Result<std::string> text() const {
+  [[nodiscard]] Result<std::string> text() {
     for (const Member& member : *table_.get<Table>())
       if (std::ranges::find(kKeys, member.key) == std::end(kKeys))
         return Error{path_ + ": unknown key " + in_quotes(member.key) + " of a distribution", member.key_place.text(),
                      suggestion(member.key, kKeys, "known keys")};
+    for (const std::string_view key : {"lognormal", "per_occasion"})
+      if (has(key) && table_.find(key)->get<bool>() == nullptr)
+        return Error{path_ + "." + std::string(key) + ": must be true or false", table_.find(key)->place.text(), ""};
     const std::string core = shape();
     if (core.empty())
       return Error{path_ + ": the table is no distribution", table_.place.text(),
                    "write { mean, deviation }, with low or high where it is cut off, { low, high }, { low, high, peak "
                    "}, { lognormal = true, mean, deviation }, { values = [...] } or { column, file }"};
+    for (const Member& member : *table_.get<Table>())
+      if (std::ranges::find(used_, member.key) == used_.end())
+        return Error{path_ + ": " + in_quotes(member.key) + " says nothing beside " + in_quotes(used_.front()),
+                     member.key_place.text(), "leave it out"};
     return core + (is_set("per_occasion") ? " per occasion" : "");
   }
 
@@ -60,24 +67,32 @@ class DistributionTable {
   }
   [[nodiscard]] std::string at(std::string_view key) const { return has(key) ? text_of(*table_.find(key)) : ""; }
 
-  [[nodiscard]] std::string shape() const {
+  /// The text of the shape whose keys are there, which it notes.
+  [[nodiscard]] std::string shape() {
     if (has("values")) {
+      used_ = {"values", "per_occasion"};
       std::string list;
       if (const Array* values = table_.find("values")->get<Array>())
         for (const Value& value : *values) list += (list.empty() ? "" : ", ") + text_of(value);
       return "one of " + list;
     }
-    if (has("column") && has("file")) return "column " + at("column") + " of " + at("file");
+    if (has("column") && has("file")) {
+      used_ = {"column", "file", "per_occasion"};
+      return "column " + at("column") + " of " + at("file");
+    }
     if (has("mean") && has("deviation")) {
+      used_ = {"mean", "deviation", "low", "high", "lognormal", "per_occasion"};
       const std::string bell = (is_set("lognormal") ? "lognormal " : "") + at("mean") + " +- " + at("deviation");
       return has("low") || has("high") ? bell + " within " + at("low") + " .. " + at("high") : bell;
     }
-    if (has("low") && has("high")) return at("low") + " .. " + at("high") + (has("peak") ? " peak " + at("peak") : "");
-    return "";
+    if (!has("low") || !has("high")) return "";
+    used_ = {"low", "high", "peak", "per_occasion"};
+    return at("low") + " .. " + at("high") + (has("peak") ? " peak " + at("peak") : "");
   }
 
   std::string path_;
   const Value& table_;
+  std::vector<std::string_view> used_;  // keys that its shape knows
 };
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -21,10 +21,16 @@ std::string_view without_quotes(std::string_view field) {
   return field;
 }
 
+/// Commas within quotes part nothing.
+std::size_t end_of_field(std::string_view line, std::size_t from) {
+  bool quoted = false;
+  for (; from < line.size() && (quoted || line[from] != ','); ++from) quoted = quoted != (line[from] == '"');
+  return from;
+}
 std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
   for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t at = std::min(line.find(',', from), line.size());
+    const std::size_t at = end_of_field(line, from);
     fields.push_back(without_quotes(line.substr(from, at - from)));
     from = at + 1;
   }
@@ -57,15 +63,28 @@ Result<CsvColumn> column_of(const std::vector<std::string_view>& heads, std::str
   return CsvColumn{index, std::string(head_of(heads[index]).unit)};
 }
 
+/// A number with its unit, which stands behind it or in the head of its column.
+Result<double> number_of(const std::string& field, const std::string& unit, Quantity quantity, Measured measured) {
+  const std::string text = unit.empty() ? field : field + " " + unit;
+  const auto number = parse_quantity(text, quantity);
+  if (!number || measured == Measured::values || quantity != Quantity::temperature) return number;
+  const std::size_t own = text.find_first_not_of("0123456789.+-eE \t");
+  if (own == text.npos) return number;
+  const auto zero = parse_quantity("0 " + text.substr(own), quantity);
+  return zero ? Result<double>(*number - *zero) : zero;
+}
+
 }  // namespace
 
-Result<std::vector<double>> read_measured_column(const std::string& file, std::string_view column, Quantity quantity) {
+Result<std::vector<double>> read_measured_column(const std::string& file, std::string_view column, Quantity quantity,
+                                                 Measured measured) {
   const auto text = read_text_file(file, kLargestFile, "table of measurements");
   if (!text) return text.error();
   std::vector<double> numbers;
   std::optional<CsvColumn> wanted;
   int line_number = 0;
-  for (std::size_t from = 0; from < text->size();) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // as spreadsheets write it
+  for (std::size_t from = text->starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; from < text->size();) {
     const std::size_t at = std::min(text->find('\n', from), text->size());
     const std::string_view line = trimmed(std::string_view(*text).substr(from, at - from));
     from = at + 1;
@@ -80,7 +99,7 @@ Result<std::vector<double>> read_measured_column(const std::string& file, std::s
     }
     if (wanted->index >= fields.size() || fields[wanted->index].empty()) continue;
     const std::string field(fields[wanted->index]);
-    const auto number = parse_quantity(wanted->unit.empty() ? field : field + " " + wanted->unit, quantity);
+    const auto number = number_of(field, wanted->unit, quantity, measured);
     if (!number) return Error{number.error().message, place, number.error().hint};
     if (!std::isfinite(*number)) return Error{in_quotes(field) + " is not a finite number", place, ""};
     numbers.push_back(*number);

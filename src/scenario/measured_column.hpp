@@ -13,8 +13,13 @@
 
 namespace physim {
 
+/// What a column is read by.
+enum class Measured {
+  values,
+  differences,  // 2 degC are 2 K
+};
 /// The numbers of a column [SI unit of the quantity].
 [[nodiscard]] Result<std::vector<double>> read_measured_column(const std::string& file, std::string_view column,
-                                                               Quantity quantity);
+                                                               Quantity quantity, Measured measured);
 
 }  // namespace physim

@@ -140,7 +140,8 @@ class DistributionReader {
     const auto halves = split(text, " of ");
     if (!halves || halves->left.empty() || halves->right.empty()) return std::nullopt;
     const std::string file = (std::filesystem::path(folder_) / std::string(halves->right)).string();
-    auto numbers = read_measured_column(file, halves->left, quantity_);
+    auto numbers =
+        read_measured_column(file, halves->left, quantity_, added_ ? Measured::differences : Measured::values);
     if (numbers) return DiscreteDistribution{.values = *std::move(numbers)};
     error_ = numbers.error();
     error_->message = error_->place + ": " + error_->message;  // the place becomes that of the text

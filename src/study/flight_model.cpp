@@ -147,11 +147,11 @@ void FlightModel::blow_by_compass(const std::vector<std::span<const double>>& co
                                   std::span<double> z) const {
   PHYSIM_ASSERT(by_compass_ && x.size() == z.size());
   const Vec3d& there = study_.environment.wind.velocity;
-  const double azimuth = study_.environment.earth.azimuth;
-  std::span<const double> speed, from;
+  std::span<const double> speed, from, azimuth;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     if (numbers_[i].row->compass == CompassWind::speed) speed = columns[i];
     if (numbers_[i].row->compass == CompassWind::from) from = columns[i];
+    if (numbers_[i].row->path == "environment.earth.azimuth") azimuth = columns[i];
   }
   const double plain_speed = std::sqrt(there.x * there.x + there.z * there.z);
   const Vec3d plain_way = plain_speed > 0 ? there * (1 / plain_speed) : Vec3d{};
@@ -161,7 +161,7 @@ void FlightModel::blow_by_compass(const std::vector<std::span<const double>>& co
       x[i] = strength * plain_way.x, z[i] = strength * plain_way.z;
       continue;
     }
-    const auto side = sincos(from[i] - azimuth);
+    const auto side = sincos(from[i] - (azimuth.empty() ? study_.environment.earth.azimuth : azimuth[i]));
     x[i] = -strength * side.cos, z[i] = -strength * side.sin;
   }
 }

@@ -77,10 +77,10 @@ void put_misses(const StudyPlanRecord& plan, LinearResult& result) {
   const std::size_t n = result.mean.size();
   PHYSIM_ASSERT(n >= 2 && result.covariance.size() == n * n);
   const PlaneCovariance all{result.covariance[0], result.covariance[1], result.covariance[n + 1]};
+  Misses misses(plan.study, {result.mean[0], result.mean[1]}, all);
   for (LinearRow& row : result.rows) row.misses.assign(plan.study.targets.size(), 0);
   for (const InputGroup& group : plan.groups)
-    result.rows[group.inputs[0]].misses =
-        shares_of_misses(plan.study, {result.mean[0], result.mean[1]}, all, on_plane(group, result));
+    result.rows[group.inputs[0]].misses = misses.shares_of(on_plane(group, result));
 }
 
 }  // namespace

@@ -26,12 +26,28 @@ struct PlaneCovariance {
   }
 };
 
-/// The part of impacts about a mean that lies beside each target of a study.
-[[nodiscard]] std::vector<double> parts_beside(const Study& study, const PlanePoint& mean, const PlaneCovariance& all);
+/// Misses of the targets of a study, whose mean shot hits the plane at a point.
+class Misses {
+ public:
+  Misses(const Study& study, const PlanePoint& mean, const PlaneCovariance& all);
 
-/// The share of each target's misses that a group makes, whose part of the covariance of all is `of_group`; NaN where
-/// hardly any miss, and of things, which are no part of the plane.
-[[nodiscard]] std::vector<double> shares_of_misses(const Study& study, const PlanePoint& mean,
-                                                   const PlaneCovariance& all, const PlaneCovariance& of_group);
+  /// The share of each target's misses that a group makes, by its part of the covariance; NaN where hardly any miss,
+  /// and of things, which are no part of the plane.
+  [[nodiscard]] std::vector<double> shares_of(const PlaneCovariance& group);
+  /// The part of all impacts that lies beside each target.
+  [[nodiscard]] const std::vector<double>& parts_beside() const { return beside_; }
+
+ private:
+  [[nodiscard]] std::vector<double> parts_beside(const PlaneCovariance& covariance);
+
+  const Study& study_;
+  PlanePoint mean_;
+  PlaneCovariance all_;
+  std::vector<std::uint32_t> numbers_;  // of the lattice's points
+  std::vector<double> first_, second_;  // normal numbers of each
+  std::vector<double> right_, up_;      // where they lie on the plane [m]
+  std::vector<std::uint8_t> marks_;
+  std::vector<double> beside_;
+};
 
 }  // namespace physim

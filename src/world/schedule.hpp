@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -53,12 +54,13 @@ class Schedule {
   [[nodiscard]] std::vector<Due> all() const {
     std::vector<Due> list(run_.begin() + static_cast<std::ptrdiff_t>(taken_), run_.end());
     list.insert(list.end(), fresh_.begin(), fresh_.end());
-    for (const Part& part : later_) list.insert(list.end(), part.due.begin(), part.due.end());
+    for (const auto& [part, due] : later_) list.insert(list.end(), due.begin(), due.end());
     return list;
   }
   [[nodiscard]] std::size_t bytes() const {
-    std::size_t sum = (run_.capacity() + fresh_.capacity()) * sizeof(Due) + later_.capacity() * sizeof(Part);
-    for (const Part& part : later_) sum += part.due.capacity() * sizeof(Due);
+    constexpr std::size_t kLinks = 4 * sizeof(void*);  // of each part in the tree of them
+    std::size_t sum = (run_.capacity() + fresh_.capacity()) * sizeof(Due);
+    for (const auto& part : later_) sum += sizeof part + kLinks + part.second.capacity() * sizeof(Due);
     return sum;
   }
 
@@ -69,9 +71,18 @@ class Schedule {
       return a.time != b.time ? a.time > b.time : a.id.index > b.id.index;
     }
   };
-  struct Part {
-    std::int64_t number;
-    std::vector<Due> due;
+  /// The part that somebody was added to last: the next one mostly belongs there, too. A copy of a schedule has parts
+  /// of its own.
+  struct Recent {
+    std::int64_t number = 0;
+    std::vector<Due>* due = nullptr;
+
+    Recent() = default;
+    Recent(const Recent&) {}
+    Recent& operator=(const Recent&) {
+      due = nullptr;
+      return *this;
+    }
   };
   static bool is_before(const Due& a, const Due& b) { return Later{}(b, a); }
   /// The number of the part of time that a moment lies in.
@@ -81,18 +92,19 @@ class Schedule {
   }
   /// What is due in a part.
   std::vector<Due>& later(std::int64_t number) {
-    if (last_ < later_.size() && later_[last_].number == number) return later_[last_].due;
-    const auto at = std::ranges::lower_bound(later_, number, std::ranges::greater{}, &Part::number);
-    last_ = static_cast<std::size_t>(at - later_.begin());
-    if (at == later_.end() || at->number != number) later_.insert(at, Part{number, {}});
-    return later_[last_].due;
+    if (recent_.due == nullptr || recent_.number != number) {
+      recent_.number = number;
+      recent_.due = &later_[number];
+    }
+    return *recent_.due;
   }
   void reach(std::int64_t part) {
     if (part <= reached_) return;
     reached_ = part;
-    if (later_.empty() || later_.back().number > part) return;
-    for (; !later_.empty() && later_.back().number <= part; later_.pop_back())
-      fresh_.insert(fresh_.end(), later_.back().due.begin(), later_.back().due.end());
+    if (later_.empty() || later_.begin()->first > part) return;
+    for (auto at = later_.begin(); at != later_.end() && at->first <= part; at = later_.erase(at))
+      fresh_.insert(fresh_.end(), at->second.begin(), at->second.end());
+    recent_.due = nullptr;
     sort_soon();
   }
 
@@ -118,11 +130,11 @@ class Schedule {
     fresh_.pop_back();
   }
 
-  std::vector<Due> run_;     // in order
-  std::size_t taken_ = 0;    // of these, from the first on
-  std::vector<Due> fresh_;   // the first one is due next
-  std::vector<Part> later_;  // parts of time that are not reached yet, the last one comes next
-  std::size_t last_ = 0;     // of these, to which somebody was added last
+  std::vector<Due> run_;                            // in order
+  std::size_t taken_ = 0;                           // of these, from the first on
+  std::vector<Due> fresh_;                          // the first one is due next
+  std::map<std::int64_t, std::vector<Due>> later_;  // by the number of parts of time that are not reached yet
+  Recent recent_;                                   // of these
   std::int64_t reached_ = std::numeric_limits<std::int64_t>::min();
 };
 

@@ -138,6 +138,7 @@ TEST(StudyCli, flies_a_shot_again) {
   EXPECT_NEAR(std::abs(again["quantities"][1]["value"].get<double>() - 90), worst["distance [m]"].get<double>(), 1e-12);
   EXPECT_EQ(again["hits"][0]["hit"], false);
   EXPECT_TRUE(has(physim({"study", file, "--fly", number}).out, "shot number " + number));
+  EXPECT_TRUE(has(physim({"study", file, "--fly", number, "--csv", "-"}).err, "told alone"));
   const Ran beyond = physim({"study", file, "--fly", "8192"});
   EXPECT_EQ(beyond.code, 2);
   EXPECT_TRUE(has(beyond.err, "--fly") && has(beyond.err, "0 to 8191")) << beyond.err;

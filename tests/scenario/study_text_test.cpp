@@ -230,6 +230,14 @@ TEST(StudyInPlace, what_is_wrong_is_told_where_it_stands) {
   tells("\"800 m/s +- 3 kg\"", "kg");
   tells("{ mean = 800 }", "the table is no distribution");
   EXPECT_NE(refusal_of("{ mean = 800, deviaton = 3 }").find("did you mean \"deviation\""), std::string::npos);
+  const auto says = [&](const char* speed, const char* what) {
+    EXPECT_NE(refusal_of(speed).find(what), std::string::npos) << refusal_of(speed);
+  };
+  says("{ mean = 800, deviation = 3, lognormal = 1 }", "shot.speed.lognormal: must be true or false");
+  says("{ mean = 800, deviation = 3, per_occasion = \"yes\" }", "must be true or false");
+  says("{ mean = 800, deviation = 3, peak = 1 }", "\"peak\" says nothing beside \"mean\"");
+  says("{ values = [1, 2], low = 0 }", "\"low\" says nothing beside \"values\"");
+  says("{ low = 1, high = 2, lognormal = true }", "\"lognormal\" says nothing beside \"low\"");
 }
 
 // ---------------------------------------------------------------------------------------------------------- CSV
@@ -247,6 +255,13 @@ TEST(StudyColumn, is_read_from_the_folder_of_the_scenario) {
   ASSERT_TRUE(study) << study.error().text();
   EXPECT_EQ(study->inputs[0].distribution,
             Distribution(DiscreteDistribution{{2640 * 0.3048, 2650 * 0.3048, 2655 * 0.3048}, {}}));
+  // As spreadsheets write it: a byte order mark, quotes around what has commas; and differences of temperatures.
+  std::ofstream(folder / "days.csv") << "\xef\xbb\xbfremark,dT [degC]\r\n\"cold, wet\",-2\r\n\"\",0\r\nwarm,3\r\n";
+  const auto days = study_with("environment.atmosphere.temperature = added column dT of days.csv");
+  ASSERT_TRUE(days) << days.error().text();
+  const auto& changes = std::get<DiscreteDistribution>(days->inputs[0].distribution).values;
+  ASSERT_EQ(changes.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(changes[i], std::vector<double>({-2, 0, 3})[i], 1e-12);
   const auto in_place =
       parse_scenario(std::string(kHead) + "speed = { column = \"speed\", file = \"speeds.csv\" }\n", file);
   ASSERT_TRUE(in_place) << in_place.error().text();

@@ -61,6 +61,19 @@ TEST(StudyCompass, is_that_of_its_components) {
   });
 }
 
+TEST(StudyCompass, is_seen_from_the_azimuth_that_a_shot_drew) {
+  Study study = in_wind();
+  study.inputs = {input("environment.earth.azimuth", UniformDistribution{0, 1.5}),
+                  input("environment.wind.speed", NormalDistribution{5, 0.1}),
+                  input("environment.wind.from", NormalDistribution{4.7, 0.02})};
+  expect_flights(study, [&](const std::vector<double>& drawn) {
+    Environment own = study.environment;
+    own.earth.azimuth = drawn[0];
+    own.wind.velocity = blowing(drawn[1], drawn[2], drawn[0]);
+    return own;
+  });
+}
+
 TEST(StudyCompass, what_is_not_drawn_is_that_of_the_environment) {
   Study study = in_wind();
   study.environment.wind.velocity = blowing(5, 2.5, 0.7);

@@ -46,7 +46,7 @@ TEST(StudyMisses, of_a_strip_are_those_of_the_error_function) {
 TEST(StudyMisses, parts_beside_circles_are_rayleighs) {
   Study study;
   for (const double radius : {0.5, 1.0, 2.0, 3.0}) study.targets.push_back({"circle", CircleTarget{{}, radius}});
-  const std::vector<double> parts = parts_beside(study, {}, {1, 0, 1});
+  const std::vector<double> parts = Misses(study, {}, {1, 0, 1}).parts_beside();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double radius = std::get<CircleTarget>(study.targets[i].shape).radius;
     EXPECT_NEAR(parts[i], std::exp(-0.5 * radius * radius), 3e-4) << radius;
