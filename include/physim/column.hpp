@@ -2,20 +2,26 @@
 #pragma once
 
 #include <cstddef>
+#include <ranges>
 #include <span>
 #include <type_traits>
 
 namespace physim {
 
 /// Where values are to be written, one after the other: a span, vector or array of them, or a member of each struct in
-/// one, as vertices of a renderer are. It owns nothing.
+/// one, as vertices of a renderer are. It owns nothing: what is gone before the column is used, as a vector without a
+/// name, is refused.
 template <class T>
 class Column {
+  static_assert(!std::is_const_v<T>, "columns are written");
+  template <class R>
+  static constexpr bool kStays = std::is_lvalue_reference_v<R> || std::ranges::borrowed_range<R>;
+
  public:
   constexpr Column() = default;
   /// Values side by side.
   template <class R>
-  requires(!std::is_same_v<std::remove_cvref_t<R>, Column> &&
+  requires(!std::is_same_v<std::remove_cvref_t<R>, Column> && kStays<R> &&
            std::is_constructible_v<std::span<T>, R&>) constexpr Column(R&& values) {
     const std::span<T> all(values);
     first_ = all.data();
@@ -23,13 +29,13 @@ class Column {
   }
   /// A member of each struct: Column<Vec3d>{sprites, &Sprite::position}.
   template <class R, class S>
-  requires std::is_constructible_v<std::span<S>, R&> constexpr Column(R&& structs, T S::*member) {
+  requires(kStays<R>&& std::is_constructible_v<std::span<S>, R&>) constexpr Column(R&& structs, T S::*member) {
     const std::span<S> all(structs);
     if (!all.empty()) first_ = &(all.front().*member);
     size_ = all.size();
     stride_ = sizeof(S);
   }
-  /// So many values, each so many bytes behind the one before.
+  /// So many values, each so many bytes behind the one before: a multiple of alignof(T), and at least sizeof(T).
   constexpr Column(T* first, std::size_t size, std::size_t stride = sizeof(T))
       : first_(first), size_(size), stride_(stride) {}
 

@@ -221,7 +221,8 @@ struct LinearRow {
   /// Of the shots that miss each of Study::targets on the plane, the part that would hit if this input stood at its
   /// mean: by slopes, as if impacts were normal. Shares need not add up to 1, and are negative where the spread brings
   /// hits. A correlated group's stand in its first row, 0 in the others; NaN of things, and where fewer than one shot
-  /// in 460 misses; empty without a plane [-].
+  /// in 460 misses; empty without a plane. A NaN equals
+  /// nothing, itself neither [-].
   std::vector<double> misses{};
 
   bool operator==(const LinearRow&) const = default;

@@ -184,8 +184,10 @@ std::string inputs_text(const FlownStudy& flown) {
     headers.push_back("share [%]");
   }
   const bool tells_misses = !flown.linear->rows.empty() && !flown.linear->rows.front().misses.empty();
+  std::vector<std::size_t> told;  // targets on the plane
   for (std::size_t i = 0; i < study.targets.size() && tells_misses; ++i)
-    headers.push_back("misses of " + study.targets[i].name + " [%]");
+    if (!std::holds_alternative<ThingTarget>(study.targets[i].shape)) told.push_back(i);
+  for (const std::size_t i : told) headers.push_back("misses of " + study.targets[i].name + " [%]");
   Table table(headers, "l");
   for (const LinearRow& row : flown.linear->rows) {
     std::vector<std::string> cells = {study.inputs[row.input].path, significant(row.deviation, 3)};
@@ -193,7 +195,7 @@ std::string inputs_text(const FlownStudy& flown) {
       cells.push_back(significant(row.effect[q], 3));
       cells.push_back(percent(row.share[q]));
     }
-    for (const double share : row.misses) cells.push_back(std::isfinite(share) ? fixed(100 * share, 1) : "");
+    for (const std::size_t i : told) cells.push_back(std::isfinite(row.misses[i]) ? fixed(100 * row.misses[i], 1) : "");
     table.add_row(std::move(cells));
   }
   return table.text(2) + "\n";
