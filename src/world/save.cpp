@@ -406,8 +406,8 @@ SavedEmitters saved_emitters(const Emitters& emitters) {
   saved.free = emitters.free();
   saved.added = emitters.added();
   emitters.each_particle([&](std::uint32_t slot, const Particle& p) { saved.particles.push_back({slot, p}); });
-  saved.lives = emitters.lives.all();
-  saved.ages = emitters.ages.all();
+  saved.lives = emitters.lives.in_order();
+  saved.ages = emitters.ages.in_order();
   return saved;
 }
 
@@ -430,8 +430,8 @@ SavedWorld saved_world(const WorldImpl& world) {
   for (const auto& [slot, turning] : state.extras.turning) saved.turning.push_back({slot, turning});
   std::ranges::sort(saved.own, {}, &SavedOwn::slot);  // equal worlds have equal saves
   std::ranges::sort(saved.tags, {}, &SavedTags::slot);
-  saved.launches = state.launches.all();
-  saved.old_age = state.old_age.all();
+  saved.launches = state.launches.in_order();
+  saved.old_age = state.old_age.in_order();
   saved.generators = state.generators.all();
   saved.free_generators = state.generators.free();
   saved.order_of_generators = state.generators.order();

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,12 @@ class Schedule {
     std::vector<Due> list(run_.begin() + static_cast<std::ptrdiff_t>(taken_), run_.end());
     list.insert(list.end(), fresh_.begin(), fresh_.end());
     for (const auto& [part, due] : later_) list.insert(list.end(), due.begin(), due.end());
+    return list;
+  }
+  /// As they are saved: the same whatever became of them so far.
+  [[nodiscard]] std::vector<Due> in_order() const {
+    std::vector<Due> list = all();
+    std::ranges::sort(list, {}, [](const Due& due) { return std::tuple(due.time, due.id.index, due.id.generation); });
     return list;
   }
   [[nodiscard]] std::size_t bytes() const {

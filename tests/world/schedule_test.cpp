@@ -53,6 +53,28 @@ TEST(Schedule, TakesInOrderOfTimeAndIndex) {
   }
 }
 
+/// What is saved says nothing of how it came there, and a copy goes its own way.
+TEST(Schedule, IsSavedInOrderWhateverBecameOfIt) {
+  SlotTable slots;
+  Schedule lived;
+  for (int i = 0; i < 500; ++i) lived.add(0.01 * ((7 * i) % 500), come_alive(slots));
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(lived.take(1.5, slots));
+  for (int i = 0; i < 20; ++i) lived.add(i % 2 == 0 ? 1.2 : 3.0, come_alive(slots));
+  const auto keys_of = [](const Schedule& schedule) {
+    std::vector<std::tuple<double, std::uint32_t>> keys;
+    for (const Due& due : schedule.in_order()) keys.push_back(key(due));
+    return keys;
+  };
+  Schedule loaded;
+  for (const Due& due : lived.in_order()) loaded.add(due.time, due.id);
+  EXPECT_EQ(keys_of(loaded), keys_of(lived));
+  const auto before = keys_of(loaded);
+  Schedule copy = loaded;
+  copy.add(9, come_alive(slots)), copy.add(9, come_alive(slots));
+  EXPECT_EQ(keys_of(loaded), before);
+  EXPECT_EQ(copy.all().size(), before.size() + 2);
+}
+
 TEST(Schedule, TakesManyThatCameForSoonInOrder) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> part(0, 1);
