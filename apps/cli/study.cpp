@@ -334,10 +334,8 @@ Result<int> run_over_ranges(const StudyCommand& command, const AskedShot& asked,
 
 Status check_command(const StudyCommand& command) {
   const bool in_parts = !command.resume.empty() || !command.merge.empty() || !command.shards.empty();
-  const bool writes = !(command.csv.empty() && command.kml.empty() && command.plot.empty() && command.hdf5.empty());
-  if (command.fly && (in_parts || writes || !command.ranges.empty()))
-    return Error{"one shot is flown again and told alone", "--fly",
-                 "leave out --csv, --kml, --plot, --hdf5, --ranges and what joins parts"};
+  if (command.fly && (in_parts || !(command.csv + command.kml + command.plot + command.hdf5 + command.ranges).empty()))
+    return Error{"one shot is flown again and told alone", "--fly", "leave out files, --ranges and what joins parts"};
   if (!command.ranges.empty() && in_parts)
     return Error{"a study over ranges is not flown in parts", "--ranges", "give --range, and fly one after the other"};
   if (!command.ranges.empty() && !command.question.json.empty())

@@ -218,11 +218,10 @@ struct LinearRow {
   std::vector<double> slope{};   ///< of each quantity [unit of the quantity / unit of the input]
   std::vector<double> effect{};  ///< of one deviation: slope times deviation [unit of the quantity]
   std::vector<double> share{};   ///< of the variance of each quantity; a correlated group's stands in its first row [-]
-  /// Of the shots that miss each of Study::targets on the plane, the part that would hit if this input stood at its
-  /// mean: by slopes, as if impacts were normal. Shares need not add up to 1, and are negative where the spread brings
-  /// hits. A correlated group's stand in its first row, 0 in the others; NaN of things, and where fewer than one shot
-  /// in 460 misses; empty without a plane. A NaN equals
-  /// nothing, itself neither [-].
+  /// Which part of the shots that miss a target of Study::targets would hit if this input stood at its mean: by slopes,
+  /// as if impacts were normal. Parts need not add up to 1, and are negative where the spread brings hits. A correlated
+  /// group has its parts in its first row and 0 in the others; NaN of things, and where fewer than one shot in 460
+  /// misses; empty without a plane. Rows that hold a NaN compare unequal, also with themselves [-].
   std::vector<double> misses{};
 
   bool operator==(const LinearRow&) const = default;
