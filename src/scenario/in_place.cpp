@@ -25,8 +25,8 @@ bool looks_uncertain(const Value& value) {
 }
 
 // -------------------------------------------------------------------------------------------------------------- tables
-constexpr std::string_view kKeys[] = {"mean",   "deviation", "low",  "high",         "peak",
-                                      "values", "column",    "file", "per_occasion", "lognormal"};
+constexpr std::string_view kDistributionKeys[] = {"mean",   "deviation", "low",  "high",         "peak",
+                                                  "values", "column",    "file", "per_occasion", "lognormal"};
 
 /// A table of a distribution as its text.
 class DistributionTable {
@@ -35,9 +35,9 @@ class DistributionTable {
 
   [[nodiscard]] Result<std::string> text() {
     for (const Member& member : *table_.get<Table>())
-      if (std::ranges::find(kKeys, member.key) == std::end(kKeys))
+      if (std::ranges::find(kDistributionKeys, member.key) == std::end(kDistributionKeys))
         return Error{path_ + ": unknown key " + in_quotes(member.key) + " of a distribution", member.key_place.text(),
-                     suggestion(member.key, kKeys, "known keys")};
+                     suggestion(member.key, kDistributionKeys, "known keys")};
     for (const std::string_view key : {"lognormal", "per_occasion"})
       if (has(key) && table_.find(key)->get<bool>() == nullptr)
         return Error{path_ + "." + std::string(key) + ": must be true or false", table_.find(key)->place.text(), ""};
