@@ -16,7 +16,7 @@ struct ClearQuery {
   double part = 0;  // as SceneParts::clear_part() says
 };
 
-/// Finds the part of each, in a scene without an engine: several go on in turn, and wait less for large meshes.
+/// Finds the part of each, in a scene without an engine: many go through its trees together.
 void clear_parts(const SceneContent& scene, std::span<ClearQuery> queries);
 
 }  // namespace physim::collide

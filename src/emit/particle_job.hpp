@@ -69,7 +69,7 @@ struct ParticleKernel {
   void (*part_of_life)(double time, const double* birth, const double* span, double* part);
 };
 
-/// That of the instruction set whose batch kernel is in use.
+/// That of the instruction set which is in use.
 [[nodiscard]] const ParticleKernel& particle_kernel();
 
 }  // namespace physim
