@@ -23,11 +23,11 @@ struct QuadBox {
 
   PHYSIM_INLINE void take(const QuadBox& other) {
     low = min(other.low, low);
-    high = larger(other.high, high);
+    high = max(other.high, high);
   }
   PHYSIM_INLINE void take(const Quad& p) {
     low = min(p, low);
-    high = larger(p, high);
+    high = max(p, high);
   }
   [[nodiscard]] PHYSIM_INLINE float area() const {
     const Quad d = high - low;

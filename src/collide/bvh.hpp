@@ -121,9 +121,9 @@ class Bvh {
       }
       const BvhNode& node = nodes_[at.child.node()];
       const Octet distance = point.least_distance(node);
-      unsigned lanes = lanes_up_to(distance, Octet(float_above(std::min(within, kFarthest))));
+      unsigned lanes = lanes_at_most(distance, Octet(float_above(std::min(within, kFarthest))));
       if (kRoughly) {
-        for (unsigned far = lanes & ~lanes_up_to(distance, node.sizes()); far != 0; far &= far - 1) {
+        for (unsigned far = lanes & ~lanes_at_most(distance, node.sizes()); far != 0; far &= far - 1) {
           const int lane = std::countr_zero(far);
           within = std::min(within, static_cast<double>(distance[lane]));
           lanes &= ~(1u << lane);

@@ -50,7 +50,7 @@ struct BoxRay {
     const Quad aside = with_sign_of(along, Quad(slack));
     (from + aside).store(near);
     (from - aside).store(far);
-    (Quad(1.0f) / with_sign_of(along, larger(abs(along), Quad(1e-30f)))).store(per_along);
+    (Quad(1.0f) / with_sign_of(along, max(abs(along), Quad(1e-30f)))).store(per_along);
     for (std::uint8_t axis = 0; axis < 3; ++axis) near_at[axis] = std::signbit(along[axis]) ? 3 + axis : axis;
     set_reach(s.reach, base);
   }
@@ -66,9 +66,9 @@ struct BoxRay {
     const auto exit = [&](std::size_t axis) PHYSIM_INLINE_LAMBDA {
       return (Octet::load(boxes.side[2 * axis + 3 - near_at[axis]]) - Octet(far[axis])) * Octet(per_along[axis]);
     };
-    in = larger(entry(2), larger(entry(1), larger(entry(0), Octet(0.0f))));
+    in = max(entry(2), max(entry(1), max(entry(0), Octet(0.0f))));
     const Octet out = min(exit(2), min(exit(1), min(exit(0), Octet(reach))));
-    return lanes_up_to(in, out * (1 + 0x1p-20f));
+    return lanes_at_most(in, out * (1 + 0x1p-20f));
   }
 
  private:
@@ -94,7 +94,7 @@ class BoxPoint {
     Octet sum(0.0f);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Octet below = boxes.low(axis) - high_[axis];
-      const Octet beyond = larger(larger(low_[axis] - boxes.high(axis), below), Octet(0.0f));
+      const Octet beyond = max(max(low_[axis] - boxes.high(axis), below), Octet(0.0f));
       sum = sum + beyond * beyond;
     }
     return sqrt(sum) * (1 - 0x1p-20f);
@@ -117,7 +117,7 @@ class BoxOverlap {
   [[nodiscard]] unsigned meets(const EightBoxes& boxes) const {
     unsigned lanes = 0xff;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      lanes &= lanes_up_to(boxes.low(axis), high_[axis]) & lanes_up_to(low_[axis], boxes.high(axis));
+      lanes &= lanes_at_most(boxes.low(axis), high_[axis]) & lanes_at_most(low_[axis], boxes.high(axis));
     return lanes;
   }
 

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "math/pack.hpp"
+#include "math/lane_bits.hpp"
 #include "math/vec3.hpp"
 
 namespace physim::collide {
@@ -140,8 +140,8 @@ class BlockTest {
     along_xz_ = Look(along_x + along_z);
     const Look per_x(number(6));
     const Look one = (Look(-beyond_x) - u_) * per_x, other = (Look(1 + beyond_x) - u_) * per_x;
-    enters_ = larger(smaller(one, other), Look(0.0f));
-    leaves_ = smaller(larger(one, other), Look(1.0f));
+    enters_ = max(min(one, other), Look(0.0f));
+    leaves_ = min(max(one, other), Look(1.0f));
     const float per_z = number(7);  // less than 0 where the way is -0, too
     per_z_ = Look(per_z);
     near_z_ = Look(per_z < 0 ? 1 + beyond_z : -beyond_z);
@@ -164,21 +164,21 @@ class BlockTest {
   using Look = Pack<float, 4 * kRows>;
 
   [[nodiscard]] PHYSIM_INLINE std::uint32_t meets_rows(const Look& w, const float* heights, std::size_t columns) const {
-    const Look in = larger(enters_, (near_z_ - w) * per_z_);
-    const Look out = smaller(leaves_, (far_z_ - w) * per_z_) * Look(1 + 0x1p-20f);
+    const Look in = max(enters_, (near_z_ - w) * per_z_);
+    const Look out = min(leaves_, (far_z_ - w) * per_z_) * Look(1 + 0x1p-20f);
     const Look h00 = rows_of(heights, columns), h10 = rows_of(heights + 1, columns);
     const Look h01 = rows_of(heights + columns, columns), h11 = rows_of(heights + columns + 1, columns);
     const Look a = h10 - h00, b = h01 - h00, c = (h11 - h01) - a;
     const Look f0 = (y_ - h00) - a * u_ - b * w, f1 = f0 + c * ((Look(1.0f) - w) - u_);
     const Look rate0 = along_y_ - a * along_x_ - b * along_z_, rate1 = rate0 - c * along_xz_;
     const Look in0 = f0 + rate0 * in, out0 = f0 + rate0 * out, in1 = f1 + rate1 * in, out1 = f1 + rate1 * out;
-    const Look least0 = smaller(in0, out0), least1 = smaller(in1, out1);
-    const Look most0 = larger(in0, out0), most1 = larger(in1, out1);
+    const Look least0 = min(in0, out0), least1 = min(in1, out1);
+    const Look most0 = max(in0, out0), most1 = max(in1, out1);
     const auto rises = c >= Look(0.0f);
-    const Look least = select(rises, smaller(least0, least1), larger(least0, least1));
-    const Look most = select(rises, smaller(most0, most1), larger(most0, most1));
+    const Look least = select(rises, min(least0, least1), max(least0, least1));
+    const Look most = select(rises, min(most0, most1), max(most0, most1));
     const Look slack = flat_ + (abs(a) + abs(b) + Look(2.0f) * abs(c)) * steep_;
-    return lanes_up_to(in, out) & lanes_up_to(least, slack) & lanes_up_to(Look(0.0f) - slack, most);
+    return lanes_at_most(in, out) & lanes_at_most(least, slack) & lanes_at_most(Look(0.0f) - slack, most);
   }
   /// Four heights of each of some rows.
   [[nodiscard]] PHYSIM_INLINE static Look rows_of(const float* heights, [[maybe_unused]] std::size_t columns) {
@@ -196,43 +196,6 @@ class BlockTest {
     return rows;
 #else
     return Look::load(heights);
-#endif
-  }
-  // g++ 12 does not see in every width that a selection is one instruction.
-  [[nodiscard]] PHYSIM_INLINE static Look larger(const Look& a, const Look& b) {
-    Look c;
-#if defined(__AVX512F__)
-    c.r[0] = (Look::Register)_mm512_maskz_max_ps(0xffff, (__m512)a.r[0], (__m512)b.r[0]);
-#elif defined(__AVX__)
-    c.r[0] = (Look::Register)_mm256_max_ps((__m256)a.r[0], (__m256)b.r[0]);
-#elif defined(__SSE2__)
-    c.r[0] = (Look::Register)_mm_max_ps((__m128)a.r[0], (__m128)b.r[0]);
-#else
-    c = max(a, b);
-#endif
-    return c;
-  }
-  [[nodiscard]] PHYSIM_INLINE static Look smaller(const Look& a, const Look& b) {
-    Look c;
-#if defined(__AVX512F__)
-    c.r[0] = (Look::Register)_mm512_maskz_min_ps(0xffff, (__m512)a.r[0], (__m512)b.r[0]);
-#elif defined(__AVX__)
-    c.r[0] = (Look::Register)_mm256_min_ps((__m256)a.r[0], (__m256)b.r[0]);
-#elif defined(__SSE2__)
-    c.r[0] = (Look::Register)_mm_min_ps((__m128)a.r[0], (__m128)b.r[0]);
-#else
-    c = min(a, b);
-#endif
-    return c;
-  }
-  /// A bit for each lane in which a <= b.
-  [[nodiscard]] PHYSIM_INLINE static std::uint32_t lanes_up_to(const Look& a, const Look& b) {
-#if defined(__AVX512F__)
-    return _mm512_cmp_ps_mask((__m512)a.r[0], (__m512)b.r[0], _CMP_LE_OQ);
-#elif defined(__AVX__)
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)a.r[0], (__m256)b.r[0], _CMP_LE_OQ)));
-#else
-    return lane_bits(a <= b);
 #endif
   }
 

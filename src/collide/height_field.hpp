@@ -227,8 +227,8 @@ class HeightField {
         const Quad steps = quad(field.spacing_x_) * lanes(), per = quad(std::clamp(per_x, -1e30, 1e30));
         const Quad one = (quad(left - aside) + steps) * per;
         const Quad other = (quad(left + field.spacing_x_ + aside) + steps) * per;
-        enters_ = larger(min(one, other), enters_);
-        leaves_ = larger(one, other);
+        enters_ = max(min(one, other), enters_);
+        leaves_ = max(one, other);
       }
       const double aside = slack(0);
       const bool forwards = s.along.z >= 0;
@@ -248,12 +248,12 @@ class HeightField {
         in_z = std::clamp((z + near_z_) * per_z_, 0.0, 2.0);
         out_z = std::min(out_z, (z + far_z_) * per_z_);
       }
-      const Quad in = larger(enters_, Quad(static_cast<float>(in_z)));
+      const Quad in = max(enters_, Quad(static_cast<float>(in_z)));
       const Quad out = min(leaves_, Quad(static_cast<float>(std::max(out_z, -2.0)))) * (1 + 0x1p-20f);
       const Quad one = y_ + along_y_ * in, other = y_ + along_y_ * out;
       const Quad a = Quad::load(near), b = Quad::load(near + 1), c = Quad::load(far), d = Quad::load(far + 1);
-      return lanes_up_to(in, out) & lanes_up_to(min(one, other) - above_, larger(larger(a, b), larger(c, d))) &
-             lanes_up_to(min(min(a, b), min(c, d)), larger(one, other) + above_);
+      return lanes_at_most(in, out) & lanes_at_most(min(one, other) - above_, max(max(a, b), max(c, d))) &
+             lanes_at_most(min(min(a, b), min(c, d)), max(one, other) + above_);
     }
 
    private:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collide/box.hpp"
-#include "math/pack.hpp"
+#include "math/lane_bits.hpp"
 
 namespace physim::collide {
 
@@ -11,32 +11,6 @@ inline constexpr double kFloatSlack = 0x1p-22;  // what coordinates lose in floa
 /// So many floats at a time: the same operations on every machine.
 using Quad = Pack<float, 4>;
 using Octet = Pack<float, 8>;
-
-/// g++ 12 does not see that a selection is one instruction.
-template <int N>
-[[nodiscard]] PHYSIM_INLINE Pack<float, N> larger(const Pack<float, N>& a, const Pack<float, N>& b) {
-#if defined(__SSE2__)
-  using Register = typename Pack<float, N>::Register;
-  Pack<float, N> c;
-#if defined(__AVX__)
-  if constexpr (sizeof(Register) == 32) {
-    PHYSIM_EACH_REGISTER((Pack<float, N>::kRegisters),
-                         c.r[i] = (Register)_mm256_max_ps((__m256)a.r[i], (__m256)b.r[i]));
-    return c;
-  }
-#endif
-  if constexpr (sizeof(Register) == 16) {
-    PHYSIM_EACH_REGISTER((Pack<float, N>::kRegisters), c.r[i] = (Register)_mm_max_ps((__m128)a.r[i], (__m128)b.r[i]));
-    return c;
-  }
-#endif
-  return max(a, b);
-}
-/// A bit for each lane in which a <= b.
-template <int N>
-[[nodiscard]] PHYSIM_INLINE unsigned lanes_up_to(const Pack<float, N>& a, const Pack<float, N>& b) {
-  return lane_bits(a <= b);
-}
 
 /// Four doubles, to the nearest floats.
 [[nodiscard]] PHYSIM_INLINE Quad rounded(const double* from) {

@@ -442,22 +442,54 @@ template <class R>
 PHYSIM_INLINE R max(const R& a, const std::type_identity_t<R>& b) {
   return select(a > b, a, b);
 }
+// One instruction of each processor means that: g++ 12 makes a comparison and a selection of packs in most widths.
+template <class T, class Register>
+PHYSIM_INLINE Register register_min(const Register& a, const Register& b) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof a == 64 && std::is_same_v<T, double>)
+    return (Register)_mm512_maskz_min_pd(0xff, (__m512d)a, (__m512d)b);
+  if constexpr (sizeof a == 64 && std::is_same_v<T, float>)
+    return (Register)_mm512_maskz_min_ps(0xffff, (__m512)a, (__m512)b);
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof a == 32 && std::is_same_v<T, double>) return (Register)_mm256_min_pd((__m256d)a, (__m256d)b);
+  if constexpr (sizeof a == 32 && std::is_same_v<T, float>) return (Register)_mm256_min_ps((__m256)a, (__m256)b);
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof a == 16 && std::is_same_v<T, double>) return (Register)_mm_min_pd((__m128d)a, (__m128d)b);
+  if constexpr (sizeof a == 16 && std::is_same_v<T, float>) return (Register)_mm_min_ps((__m128)a, (__m128)b);
+#endif
+  return a < b ? a : b;
+}
+template <class T, class Register>
+PHYSIM_INLINE Register register_max(const Register& a, const Register& b) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof a == 64 && std::is_same_v<T, double>)
+    return (Register)_mm512_maskz_max_pd(0xff, (__m512d)a, (__m512d)b);
+  if constexpr (sizeof a == 64 && std::is_same_v<T, float>)
+    return (Register)_mm512_maskz_max_ps(0xffff, (__m512)a, (__m512)b);
+#endif
+#if defined(__AVX__)
+  if constexpr (sizeof a == 32 && std::is_same_v<T, double>) return (Register)_mm256_max_pd((__m256d)a, (__m256d)b);
+  if constexpr (sizeof a == 32 && std::is_same_v<T, float>) return (Register)_mm256_max_ps((__m256)a, (__m256)b);
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof a == 16 && std::is_same_v<T, double>) return (Register)_mm_max_pd((__m128d)a, (__m128d)b);
+  if constexpr (sizeof a == 16 && std::is_same_v<T, float>) return (Register)_mm_max_ps((__m128)a, (__m128)b);
+#endif
+  return a > b ? a : b;
+}
+template <class T, int N>
+PHYSIM_INLINE Pack<T, N> min(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
+  Pack<T, N> c;
+  PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = register_min<T>(a.r[i], b.r[i]));
+  return c;
+}
 template <class T, int N>
 PHYSIM_INLINE Pack<T, N> max(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
-#if defined(__AVX512F__)
-  // One instruction that means the same; g++ 12 sees it in min() only.
-  using Register = typename Pack<T, N>::Register;
-  if constexpr (std::is_floating_point_v<T> && Pack<T, N>::kBytes == 64) {
-    const auto larger = [](const Register& x, const Register& y) PHYSIM_INLINE_LAMBDA {
-      if constexpr (sizeof(T) == 8) return (Register)_mm512_maskz_max_pd(0xff, (__m512d)x, (__m512d)y);
-      if constexpr (sizeof(T) == 4) return (Register)_mm512_maskz_max_ps(0xffff, (__m512)x, (__m512)y);
-    };
-    Pack<T, N> c;
-    PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = larger(a.r[i], b.r[i]));
-    return c;
-  }
-#endif
-  return select(a > b, a, b);
+  Pack<T, N> c;
+  PHYSIM_EACH_REGISTER((Pack<T, N>::kRegisters), c.r[i] = register_max<T>(a.r[i], b.r[i]));
+  return c;
 }
 template <class R>
 PHYSIM_INLINE R clamp(const R& x, const std::type_identity_t<R>& low, const std::type_identity_t<R>& high) {
