@@ -206,8 +206,7 @@ class HeightField {
         const int lane = s.along.x >= 0 ? std::countr_zero(lanes) : 31 - std::countl_zero(lanes);
         lanes &= ~(1u << lane);
         const std::uint32_t column = columns.first + static_cast<std::uint32_t>(lane);
-        for (std::uint32_t half = 0; half < 2; ++half)
-          visit(triangle(column, row, half), 2 * (row * (columns_ - 1) + column) + half);
+        for (std::uint32_t half = 0; half < 2; ++half) visit(triangle(column, row, half), number(column, row, half));
       }
     }
   }

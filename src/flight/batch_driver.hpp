@@ -284,8 +284,7 @@ class JudgedSteps {
   bool settle() {
     if (filled_ == 0) return false;
     fill_untouched();
-    const auto lanes = static_cast<unsigned>((std::uint64_t(1) << filled_) - 1);
-    const unsigned ended = judge_.judge(steps_, lanes, accepted_, shot_);
+    const unsigned ended = judge_.judge(steps_, first_lanes(filled_), accepted_, shot_);
     const bool latest = (ended >> (filled_ - 1) & 1u) != 0;
     filled_ = 0;
     accepted_ = 0;
@@ -394,7 +393,7 @@ class LaneSet {
     std::size_t first = 0;
     const int filled = all.shots.launch(march, watch_, first);
     for (int lane = 0; lane < filled; ++lane) shot_[lane] = first + static_cast<std::size_t>(lane);
-    flying_ = static_cast<unsigned>((std::uint64_t(1) << filled) - 1);
+    flying_ = first_lanes(filled);
     idle_ = 0;
     return filled > 0;
   }
@@ -449,8 +448,8 @@ class LaneSet {
   StandingWatch<R> watch_;
   std::size_t shot_[kLanes<R>] = {};
   unsigned flying_ = 0;   // bit i: lane i has a shot
-  unsigned idle_ = 0;     // its flight is over, and it may take the next one
-  unsigned waiting_ = 0;  // ... and its last step is to be judged
+  unsigned idle_ = 0;     // lane i's flight is over, and it may take the next one
+  unsigned waiting_ = 0;  // lane i's flight is over, and its last step is to be judged
 };
 
 /// Whether some lane's step may have asked for air above the lowest layer, whose density is no number then: so are the

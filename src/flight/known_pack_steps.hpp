@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/assert.hpp"
+#include "flight/plain_rung.hpp"
 #include "solve/take_step.hpp"
 
 PHYSIM_ISA_BEGIN
@@ -21,11 +22,7 @@ template <WindModel kWind, bool kOwnWeather>
 struct PlainRung {
   template <class S>
   PHYSIM_INLINE static bool matches(const Conditions<S>& c) {
-    constexpr Features kFeatures{.has_own_air = kOwnWeather, .has_own_wind = kOwnWeather};
-    const Fidelity& f = c.fidelity;
-    return f.motion == Motion::force && f.gravity == GravityModel::constant && f.earth == EarthModel::flat &&
-           f.drag == DragModel::equation && f.air == AirModel::isa && f.wind == kWind && !f.planar && !turns(f) &&
-           !spins(f) && static_cast<const Features&>(c) == kFeatures;
+    return is_plain(c, {.wind = kWind, .features = {.has_own_air = kOwnWeather, .has_own_wind = kOwnWeather}});
   }
   /// Said right before conditions are read, or the compiler forgets it.
   template <class S>

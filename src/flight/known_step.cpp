@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "flight/plain_rung.hpp"
 #include "solve/judge.hpp"
 
 namespace physim {
@@ -23,10 +24,7 @@ PHYSIM_INLINE void copy_state(const State<double>& from, State<double>& to) {
 template <GravityModel kGravity, EarthModel kEarth, WindModel kWind>
 struct PlainRung {
   static bool matches(const Conditions<double>& c) {
-    const Fidelity& f = c.fidelity;
-    return f.motion == Motion::force && f.gravity == kGravity && f.earth == kEarth && f.drag == DragModel::equation &&
-           f.air == AirModel::isa && f.wind == kWind && !f.planar && !turns(f) && !spins(f) &&
-           static_cast<const Features&>(c) == Features{};
+    return is_plain(c, {.gravity = kGravity, .earth = kEarth, .wind = kWind});
   }
   PHYSIM_INLINE static bool is_below_top(const Conditions<double>& c, const Vec3d& place) {
     return !(place.y + c.altitude > c.air.low_top);

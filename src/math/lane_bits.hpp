@@ -32,9 +32,13 @@ PHYSIM_INLINE unsigned lanes_at_least(const Pack<T, N>& a, const std::type_ident
   return lane_bits(a >= b);
 }
 
+/// Bits of so many lanes, from the first on.
+PHYSIM_INLINE constexpr unsigned first_lanes(int count) {
+  return static_cast<unsigned>((std::uint64_t(1) << count) - 1);
+}
 /// Bits of all lanes.
 template <class R>
-inline constexpr unsigned kAllLanes = static_cast<unsigned>((std::uint64_t(1) << kLanes<R>)-1);
+inline constexpr unsigned kAllLanes = first_lanes(kLanes<R>);
 
 /// The mask that has these bits.
 template <class R>

@@ -249,7 +249,7 @@ PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, con
   return sum.total;
 }
 
-/// ... whose air is known.
+/// The acceleration at a point whose air is known.
 template <class R, class S>
 PHYSIM_INLINE Vec3<R> acceleration(const Conditions<S>& c, const Body<R>& b, const R& t, const State<R>& s,
                                    const PointInKnownAir<R>& in_air) {

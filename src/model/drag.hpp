@@ -41,7 +41,7 @@ template <class R>
 PHYSIM_INLINE R endless_position(const Body<R>& b, const R& per_sound_speed, const R& speed) {
   return speed * (per_sound_speed * b.curve_cells) - b.curve_first;
 }
-/// ... held at both ends.
+/// A place on the curve: one beyond an end is that end.
 template <class R>
 PHYSIM_INLINE R on_curve(const Body<R>& b, const R& place) {
   using S = ScalarOf<R>;

@@ -312,7 +312,7 @@ class StudyPicture {
                       panel_title("a deviation of each input: effect, share");
     for (std::size_t q = 0; q < shown; ++q)
       out += text_at((kTornadoBox.right + 11) / kStudyWidth,
-                     (kTornadoBox.top + 2 - 18.0 * static_cast<double>(q)) / kStudyHeight,
+                     (kTornadoBox.top + 20 - 18.0 * static_cast<double>(q)) / kStudyHeight,
                      "■ " + std::string(name(quantity(q).quantity)), 12, kTornadoInks[q]);
     for (std::size_t i = 0; i < count; ++i) out += tornado_row(*rows[i], static_cast<double>(slots - i), shown, most);
     if (rows.size() > count)

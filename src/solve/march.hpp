@@ -118,7 +118,7 @@ class March {
   }
   /// By what takes steps as take_step() does.
   PHYSIM_INLINE Mask try_step_by(const Mask& asked, const auto& take) { return try_step_by(conditions(), asked, take); }
-  /// ... under the march's conditions, of which the compiler may know more.
+  /// Tries a step under the march's conditions, of which the compiler may know more where it is handed them.
   PHYSIM_INLINE Mask try_step_by(const Conditions<S>& c, const Mask& asked, const auto& take) {
     set_step(c);
     take(conditions(), lanes, course_->plan.relative, course_->plan.absolute);

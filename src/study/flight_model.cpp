@@ -18,6 +18,8 @@
 #include "flight/pilot.hpp"
 #include "math/elementary.hpp"
 #include "math/vec3.hpp"
+#include "model/earth.hpp"
+#include "model/ladder.hpp"
 #include "model/sight.hpp"
 #include "physim/scene.hpp"
 #include "prepare/grant.hpp"
@@ -57,6 +59,7 @@ class FlightModel : public ShotModel {
     for (std::size_t i = 0; i < study.inputs.size(); ++i) take(study.inputs[i], i);
   }
   [[nodiscard]] Status prepare();
+  [[nodiscard]] Status check_gravity() const;
   ModelTold evaluate(InputColumns inputs, QuantityColumns quantities, ModelScratch& scratch) const override;
 
  private:
@@ -114,6 +117,17 @@ void FlightModel::take(const StudyInput& input, std::size_t index) {
   at->replaced = at->replaced || !input.added;
 }
 
+/// An acceleration of one's own goes with no flattened field, nor with the GM of a round Earth: shots that drew one
+/// would stand on another rung than a shot with the mean.
+Status FlightModel::check_gravity() const {
+  const bool drawn = std::ranges::any_of(
+      numbers_, [](const UncertainNumber& n) { return n.row->path == "environment.gravity.acceleration"; });
+  const bool of_the_earth = row(granted_.gravity).field != GravityField::uniform && is_round(granted_.earth);
+  if (!drawn || !of_the_earth) return {};
+  return Error{"an acceleration of each shot's own has no field of the Earth", "inputs",
+               "let gravity be 'constant', or the earth 'flat' or 'flat_coriolis'"};
+}
+
 /// An automatic step is chosen once for all shards, with the margin that batches have.
 Status FlightModel::prepare() {
   const Flight flight =
@@ -121,6 +135,7 @@ Status FlightModel::prepare() {
   if (flight.error()) return *flight.error();
   acceleration_ = flight.accelerations(flight.duration()).total;
   granted_ = flight.fidelity_in_use().fidelity;
+  if (Status status = check_gravity(); !status) return status;
   if (std::ranges::any_of(study_.quantities, is_of_impact)) impacts_.emplace(study_, granted_);
   if (step_given(granted_, study_.tolerance) || steps_by_frames(granted_)) return {};
   Tolerance finer = study_.tolerance;

@@ -19,8 +19,8 @@ struct PathRow {
   double (*there)(const Environment&) = nullptr;                     // ... and what there is without a column
   void (*scale)(Shot&, const Shot& plain, double factor) = nullptr;  // or a factor of several numbers of a shot
   bool above_zero = false;                                           // anything else cannot be
-  CompassWind compass = CompassWind::none;                           // ... of a wind by compass
-  double& (*place)(Environment&) = nullptr;                          // or of the place, which each shot then has alone
+  CompassWind compass = CompassWind::none;                           // which part of a wind by compass it is
+  double& (*place)(Environment&) = nullptr;                          // a number of the place, which each shot has then
 };
 
 [[nodiscard]] std::span<const PathRow> all_paths();

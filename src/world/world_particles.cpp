@@ -196,10 +196,10 @@ class ParticleReader {
   const ParticleColumns& into_;
   LookParts wanted_;
   bool looks_;   // some are wanted
-  bool speeds_;  // they ask for them
+  bool speeds_;  // looks go by speeds
   bool births_;  // ages are wanted, or looks ask for them
   Looks show_;
-  bool phases_;            // looks ask for them
+  bool phases_;            // looks go by phases of the cycle
   std::size_t count_ = 0;  // read so far
   std::array<Noted, 2> packs_;
   Noted *now_ = &packs_[0], *next_ = &packs_[1];

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "plain_bullet.hpp"
 #include "random_shots.hpp"
 #include "support.hpp"
 
@@ -23,7 +24,7 @@ constexpr Integrator kKnown[] = {Integrator::rk4, Integrator::rk43, Integrator::
 class Cohorts {
  public:
   Cohorts(const Rung& rung, Integrator integrator, Precision precision)
-      : prepared_(bullet(), {}, windy(), fidelity_of(rung, integrator, precision)) {
+      : prepared_(plain_bullet(), {}, windy(), fidelity_of(rung, integrator, precision)) {
     Cohort& cohort = prepared_.cohort;
     cohort.conditions.has_own_air = cohort.conditions.has_own_wind = rung.own_weather;
     cohort.finish();
@@ -56,14 +57,6 @@ class Cohorts {
   }
 
  private:
-  static ProjectileDef bullet() {
-    ProjectileDef p;
-    p.mass = 0.0109;
-    p.diameter = 7.82e-3;
-    p.drag.table = DragTable::g7;
-    p.drag.ballistic_coefficient = 153;
-    return p;
-  }
   static Environment windy() {
     Environment e;
     e.gravity.model = GravityModel::constant;

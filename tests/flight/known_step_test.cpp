@@ -1,6 +1,7 @@
 // Steps of known rungs are those of all rungs, to the bit.
 #include "flight/known_step.hpp"
 
+#include "plain_bullet.hpp"
 #include "support.hpp"
 
 namespace physim::test {
@@ -16,15 +17,6 @@ constexpr Rung kRungs[] = {{"small arms, calm", GravityModel::constant, EarthMod
                            {"small arms", GravityModel::constant, EarthModel::flat, true},
                            {"artillery, calm", GravityModel::inverse_square, EarthModel::flat_coriolis, false},
                            {"artillery", GravityModel::inverse_square, EarthModel::flat_coriolis, true}};
-
-ProjectileDef bullet() {
-  ProjectileDef p;
-  p.mass = 0.0109;
-  p.diameter = 7.82e-3;
-  p.drag.table = DragTable::g7;
-  p.drag.ballistic_coefficient = 153;
-  return p;
-}
 
 Fidelity fidelity_of(const Rung& rung, Integrator integrator = Integrator::tsit5) {
   Fidelity f;
@@ -84,7 +76,7 @@ Flyer<double> same_step(const Prepared& p, const KnownStep& known, int number, d
 TEST(KnownStep, OfRk43IsTheStepOfAllRungsToTheBit) {
   for (const Rung& rung : kRungs) {
     SCOPED_TRACE(rung.name);
-    const Prepared p(bullet(), {}, windy(), fidelity_of(rung, Integrator::rk43));
+    const Prepared p(plain_bullet(), {}, windy(), fidelity_of(rung, Integrator::rk43));
     const KnownStep known = known_step(p.cohort.conditions);
     ASSERT_TRUE(known);
     EXPECT_EQ(known.interpolate, nullptr) << "both ends are enough";
@@ -95,7 +87,7 @@ TEST(KnownStep, OfRk43IsTheStepOfAllRungsToTheBit) {
 TEST(KnownStep, IsTheStepOfAllRungsToTheBit) {
   for (const Rung& rung : kRungs) {
     SCOPED_TRACE(rung.name);
-    const Prepared p(bullet(), {}, windy(), fidelity_of(rung));
+    const Prepared p(plain_bullet(), {}, windy(), fidelity_of(rung));
     const Conditions<double>& c = p.cohort.conditions;
     const KnownStep known = known_step(c);
     ASSERT_TRUE(known);
@@ -123,7 +115,7 @@ TEST(KnownStep, IsTheStepOfAllRungsToTheBit) {
 
 /// A curve that begins above Mach 0 and ends below the speeds that are drawn.
 ProjectileDef with_short_curve() {
-  ProjectileDef p = bullet();
+  ProjectileDef p = plain_bullet();
   p.drag.table = DragTable::custom;
   p.drag.curve = {{0.5, 0.2}, {0.75, 0.3}, {1, 0.5}, {1.25, 0.4}, {1.5, 0.35}};
   return p;
@@ -191,15 +183,15 @@ TEST(KnownStep, FliesAsWhatLooksAtEachStep) {
         Until beside = each.until;
         beside.scene = &far;
         const Fidelity fidelity = fidelity_of(rung, integrator);
-        expect_same_flight(fly(bullet(), launch, windy(), fidelity, each.tolerance, each.until),
-                           fly(bullet(), launch, windy(), fidelity, each.tolerance, beside));
+        expect_same_flight(fly(plain_bullet(), launch, windy(), fidelity, each.tolerance, each.until),
+                           fly(plain_bullet(), launch, windy(), fidelity, each.tolerance, beside));
       }
 }
 
 TEST(KnownStep, IsNotForWhatIsSpecial) {
   const Rung& rung = kRungs[1];
   const auto knows = [&](const auto& change) {
-    Prepared p(bullet(), {}, windy(), fidelity_of(rung));
+    Prepared p(plain_bullet(), {}, windy(), fidelity_of(rung));
     change(p.cohort.conditions);
     return static_cast<bool>(known_step(p.cohort.conditions));
   };
@@ -229,7 +221,7 @@ TEST(KnownStep, GivesTheFlightOfABatch) {
   for (const auto& [rung, integrator] : known_flights()) {
     SCOPED_TRACE(rung.name);
     for (const double elevation : {0.01, 0.4, 1.2}) {
-      ProjectileDef p = bullet();
+      ProjectileDef p = plain_bullet();
       p.drag.ballistic_coefficient = 6000;  // far and high
       Launch launch;
       launch.speed = 900;
@@ -262,9 +254,9 @@ TEST(KnownStep, AnswersInsideItsStepsAsAllRungsDo) {
     launch.position.y = 2;
     Until until;
     until.events.push_back({.kind = EventKind::mach, .value = 1});
-    const Flight flight = fly(bullet(), launch, windy(), fidelity_of(rung, integrator), {}, until);
+    const Flight flight = fly(plain_bullet(), launch, windy(), fidelity_of(rung, integrator), {}, until);
     until.scene = &empty;
-    const Flight other = fly(bullet(), launch, windy(), fidelity_of(rung, integrator), {}, until);
+    const Flight other = fly(plain_bullet(), launch, windy(), fidelity_of(rung, integrator), {}, until);
     ASSERT_EQ(flight.outcome(), Outcome::landed);
     ASSERT_EQ(flight.step_times(), other.step_times());
     ASSERT_EQ(flight.events().size(), other.events().size());

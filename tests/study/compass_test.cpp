@@ -122,6 +122,23 @@ TEST(StudyPlaces, are_uncertain_too) {
   });
 }
 
+/// A g of one's own goes with no flattened field: the mean shot would stand on another rung than the others.
+TEST(StudyPlaces, gravity_is_drawn_where_it_is_no_field_of_the_earth) {
+  Study study = in_wind();
+  study.inputs = {input("environment.gravity.acceleration", NormalDistribution{9.80665, 0.02})};
+  expect_flights(study, [&](const std::vector<double>& drawn) {
+    Environment own = study.environment;
+    own.gravity.acceleration = drawn[0];
+    return own;
+  });
+  study.fidelity = Fidelity::simulation();
+  const auto plan = plan_study(study);
+  ASSERT_FALSE(plan);
+  EXPECT_NE(plan.error().text().find("no field of the Earth"), std::string::npos) << plan.error().text();
+  study.fidelity.earth = EarthModel::flat;
+  EXPECT_TRUE(plan_study(study));
+}
+
 TEST(StudyPlaces, that_cannot_be_are_refused_shot_by_shot) {
   Study study = in_wind();
   study.fidelity = Fidelity::simulation();

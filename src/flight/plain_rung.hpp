@@ -1,0 +1,27 @@
+// Which conditions are those of a plain point mass: what single flights and batches know at compile time.
+#pragma once
+
+#include "math/pack.hpp"
+#include "model/acceleration.hpp"
+
+PHYSIM_ISA_BEGIN
+
+/// The rungs and features that tell plain point masses apart.
+struct PlainRungs {
+  GravityModel gravity = GravityModel::constant;
+  EarthModel earth = EarthModel::flat;
+  WindModel wind = WindModel::off;
+  Features features{};
+};
+
+/// Whether somebody flies as a point mass with a drag curve in the standard's air, and has nothing special about it but
+/// these features.
+template <class S>
+PHYSIM_INLINE bool is_plain(const Conditions<S>& c, const PlainRungs& rungs) {
+  const Fidelity& f = c.fidelity;
+  return f.motion == Motion::force && f.gravity == rungs.gravity && f.earth == rungs.earth &&
+         f.drag == DragModel::equation && f.air == AirModel::isa && f.wind == rungs.wind && !f.planar && !turns(f) &&
+         !spins(f) && static_cast<const Features&>(c) == rungs.features;
+}
+
+PHYSIM_ISA_END
