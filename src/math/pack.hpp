@@ -17,16 +17,9 @@
 
 #include "base/assert.hpp"
 #include "base/isa.hpp"
+#include "math/registers.hpp"
 
 PHYSIM_ISA_BEGIN
-
-#if defined(__AVX512F__)
-inline constexpr int kNativeBytes = 64;
-#elif defined(__AVX__)
-inline constexpr int kNativeBytes = 32;
-#else
-inline constexpr int kNativeBytes = 16;
-#endif
 
 /// The signed and unsigned integers as wide as T.
 template <class T>
@@ -398,27 +391,6 @@ PHYSIM_INLINE R from_bits(const BitsOf<R>& bits) {
 }
 
 // --------------------------------------------------------------------------------------------------- square root
-// Correctly rounded by IEEE 754 everywhere, so it is taken from the hardware.
-PHYSIM_INLINE double sqrt(double x) { return __builtin_sqrt(x); }
-PHYSIM_INLINE float sqrt(float x) { return __builtin_sqrtf(x); }
-template <class T, class Register>
-PHYSIM_INLINE Register register_sqrt(const Register& a) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof a == 64 && sizeof(T) == 8) return (Register)_mm512_maskz_sqrt_pd(0xff, (__m512d)a);
-  if constexpr (sizeof a == 64 && sizeof(T) == 4) return (Register)_mm512_maskz_sqrt_ps(0xffff, (__m512)a);
-#endif
-#if defined(__AVX__)
-  if constexpr (sizeof a == 32 && sizeof(T) == 8) return (Register)_mm256_sqrt_pd((__m256d)a);
-  if constexpr (sizeof a == 32 && sizeof(T) == 4) return (Register)_mm256_sqrt_ps((__m256)a);
-#endif
-#if defined(__SSE2__)
-  if constexpr (sizeof a == 16 && sizeof(T) == 8) return (Register)_mm_sqrt_pd((__m128d)a);
-  if constexpr (sizeof a == 16 && sizeof(T) == 4) return (Register)_mm_sqrt_ps((__m128)a);
-#endif
-  Register c;
-  for (unsigned lane = 0; lane < sizeof a / sizeof(T); ++lane) c[lane] = sqrt(a[lane]);
-  return c;
-}
 template <class T, int N>
 PHYSIM_INLINE Pack<T, N> sqrt(const Pack<T, N>& a) {
   Pack<T, N> c;
@@ -441,43 +413,6 @@ PHYSIM_INLINE R min(const R& a, const std::type_identity_t<R>& b) {
 template <class R>
 PHYSIM_INLINE R max(const R& a, const std::type_identity_t<R>& b) {
   return select(a > b, a, b);
-}
-// One instruction of each processor means that: g++ 12 makes a comparison and a selection of packs in most widths.
-template <class T, class Register>
-PHYSIM_INLINE Register register_min(const Register& a, const Register& b) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof a == 64 && std::is_same_v<T, double>)
-    return (Register)_mm512_maskz_min_pd(0xff, (__m512d)a, (__m512d)b);
-  if constexpr (sizeof a == 64 && std::is_same_v<T, float>)
-    return (Register)_mm512_maskz_min_ps(0xffff, (__m512)a, (__m512)b);
-#endif
-#if defined(__AVX__)
-  if constexpr (sizeof a == 32 && std::is_same_v<T, double>) return (Register)_mm256_min_pd((__m256d)a, (__m256d)b);
-  if constexpr (sizeof a == 32 && std::is_same_v<T, float>) return (Register)_mm256_min_ps((__m256)a, (__m256)b);
-#endif
-#if defined(__SSE2__)
-  if constexpr (sizeof a == 16 && std::is_same_v<T, double>) return (Register)_mm_min_pd((__m128d)a, (__m128d)b);
-  if constexpr (sizeof a == 16 && std::is_same_v<T, float>) return (Register)_mm_min_ps((__m128)a, (__m128)b);
-#endif
-  return a < b ? a : b;
-}
-template <class T, class Register>
-PHYSIM_INLINE Register register_max(const Register& a, const Register& b) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof a == 64 && std::is_same_v<T, double>)
-    return (Register)_mm512_maskz_max_pd(0xff, (__m512d)a, (__m512d)b);
-  if constexpr (sizeof a == 64 && std::is_same_v<T, float>)
-    return (Register)_mm512_maskz_max_ps(0xffff, (__m512)a, (__m512)b);
-#endif
-#if defined(__AVX__)
-  if constexpr (sizeof a == 32 && std::is_same_v<T, double>) return (Register)_mm256_max_pd((__m256d)a, (__m256d)b);
-  if constexpr (sizeof a == 32 && std::is_same_v<T, float>) return (Register)_mm256_max_ps((__m256)a, (__m256)b);
-#endif
-#if defined(__SSE2__)
-  if constexpr (sizeof a == 16 && std::is_same_v<T, double>) return (Register)_mm_max_pd((__m128d)a, (__m128d)b);
-  if constexpr (sizeof a == 16 && std::is_same_v<T, float>) return (Register)_mm_max_ps((__m128)a, (__m128)b);
-#endif
-  return a > b ? a : b;
 }
 template <class T, int N>
 PHYSIM_INLINE Pack<T, N> min(const Pack<T, N>& a, const std::type_identity_t<Pack<T, N>>& b) {
