@@ -19,6 +19,9 @@ namespace {
 /// gathering.
 constexpr std::size_t kChunk = 2048;
 
+/// How many shots ahead structures are asked for.
+constexpr std::size_t kAhead = 2;
+
 bool is_by_shot(const std::vector<ShotEvent>& events) {
   return std::is_sorted(events.begin(), events.end(),
                         [](const ShotEvent& a, const ShotEvent& b) { return a.shot < b.shot; });
@@ -66,7 +69,10 @@ void BatchPart::fly(std::size_t first, PartResult& into) {
   part_ = &into;
   first_ = first;
   if (!fly_as_columns()) {
-    for (std::uint32_t i = 0; i < into.shots.size(); ++i) fly_or_gather(i);
+    for (std::uint32_t i = 0; i < into.shots.size(); ++i) {
+      task_.shots.prefetch(first_ + i + kAhead);
+      fly_or_gather(i);
+    }
   }
   for (ShotGroup& group : groups_.all()) fly(group);
   if (into.wants_events) order_events();

@@ -64,7 +64,7 @@ void ShotGroup::clear() {
 bool ShotGroups::overshoots(const DragDef& drag) {
   if (drag.table != DragTable::custom) return false;
   for (const auto& [curve, verdict] : judged_curves_)
-    if (curve == drag.curve) return verdict;
+    if (same_points(curve, drag.curve)) return verdict;
   if (judged_curves_.size() == kMostJudgedCurves) judged_curves_.clear();
   return judged_curves_.emplace_back(drag.curve, spline_overshoots(drag)).second;
 }
@@ -113,7 +113,7 @@ ShotKind& ShotGroups::kind_of(std::size_t shot) {
   ShotGroup& group = group_of(projectile);
   kind_.group = &group;
   Cohort& cohort = group.cohort;
-  kind_.body = prepare_kind(projectile, cohort.pool, cohort.conditions);
+  put_kind(projectile, cohort.pool, cohort.conditions, kind_.body);
   if (turns(cohort.in_use.fidelity)) kind_.rotor = prepare_rotor_kind(projectile, cohort.pool, cohort.conditions);
   if (steps_by_frames(cohort.in_use.fidelity)) cohort.finish();  // frame_step() looks at its drag
   if (!task_.shots.one_projectile || !group.shots.empty()) return kind_;

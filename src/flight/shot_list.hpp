@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/assert.hpp"
+#include "base/prefetch.hpp"
 #include "model/sight.hpp"
 #include "physim/flight.hpp"
 #include "physim/flight_columns.hpp"
@@ -32,6 +33,11 @@ struct ShotList {
     PHYSIM_ASSERT(i < size());
     if (columns) return scratch = columns->at(i);
     return one_projectile ? launches[i] : shots[i].launch;
+  }
+  /// Asks for a shot's structures: one with a projectile of its own is a kilobyte, read here and there.
+  void prefetch(std::size_t i) const {
+    if (i >= shots.size()) return;
+    for (std::size_t at = 0; at < sizeof(Shot); at += 64) prefetch_at(&shots[i], at);
   }
   /// launch_speed() of each (model/sight.hpp).
   [[nodiscard]] double speed(std::size_t i) const {

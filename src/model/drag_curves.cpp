@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <mutex>
+#include <type_traits>
 
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
@@ -86,6 +88,11 @@ double drag_coefficient(const DragDef& drag, Interpolation interpolation, double
   const IeeeMode mode;
   if (!has_curve(drag, interpolation)) return std::numeric_limits<double>::quiet_NaN();
   return drag.table == DragTable::constant ? drag.coefficient : drag_curve(drag, interpolation)(mach);
+}
+
+bool same_points(const std::vector<DragPoint>& a, const std::vector<DragPoint>& b) {
+  static_assert(std::is_trivially_copyable_v<DragPoint> && sizeof(DragPoint) == 2 * sizeof(double));
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(DragPoint)) == 0);
 }
 
 bool spline_overshoots(const DragDef& drag) {

@@ -4,6 +4,8 @@
 // Source: math/interpolation.hpp for the interpolation; model/standard_drag_functions.cpp for the figures.
 #pragma once
 
+#include <vector>
+
 #include "math/interpolation.hpp"
 #include "physim/projectile.hpp"
 
@@ -16,6 +18,8 @@ inline constexpr int kMaxCurveCells = 16384;  // half a megabyte of rows at most
 /// The curve of a table that is not custom, on equal cells. Each is fitted once: it takes as long as a short flight.
 [[nodiscard]] const UniformCubic& standard_drag_cells(DragTable table, Interpolation interpolation);
 
+/// Whether two curves have the same points, to the bit: quicker than ==, for batches in which many have a curve.
+[[nodiscard]] bool same_points(const std::vector<DragPoint>& a, const std::vector<DragPoint>& b);
 /// Whether a cubic spline through a custom curve would swing out between its points: sparse points around Mach 1 do it.
 [[nodiscard]] bool spline_overshoots(const DragDef& drag);
 

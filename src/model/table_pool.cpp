@@ -42,7 +42,7 @@ CurvePart<double> TablePool::add(const DragDef& drag, Interpolation interpolatio
   }
   settle();
   for (const Entry& e : entries_)
-    if (e.table == drag.table && (drag.table != DragTable::custom || e.curve == drag.curve)) return e.place;
+    if (e.table == drag.table && (drag.table != DragTable::custom || same_points(e.curve, drag.curve))) return e.place;
   const auto own_points = drag.table == DragTable::custom ? drag.curve : std::vector<DragPoint>{};
   entries_.push_back({drag.table, own_points, place_of(drag, interpolation)});
   return entries_.back().place;

@@ -35,7 +35,19 @@ void check_fidelity(Checker& c, const Fidelity& f) {
       [&]<class Enum>(const char* place, Enum Fidelity::*rung) { c.named(f.*rung, kLastRung<Enum>, place); });
 }
 
-void check_curve(Checker& c, const std::vector<DragPoint>& curve, const std::string& name) {
+/// Whether all points of a curve are right, by one look without a branch: batches look at one for each shot.
+bool is_surely_right(const std::vector<DragPoint>& curve) {
+  bool right = !curve.empty();
+  double before = -1;
+  for (const DragPoint& p : curve) {
+    right &= (p.mach >= 0) & (p.mach - before >= kSmallest) & (p.coefficient >= 0) & (p.coefficient < kInfinity);
+    before = p.mach;
+  }
+  return right && before < kInfinity;
+}
+
+void check_curve(Checker& c, const std::vector<DragPoint>& curve, Checker::Text name) {
+  if (is_surely_right(curve)) return;
   c.require(!curve.empty(), name, "is empty", "give at least one point (Mach, Cd)");
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const InputPlace place(name, i);

@@ -183,5 +183,15 @@ TEST(DragCurves, a_standard_curve_alone_reads_as_among_others) {
   }
 }
 
+TEST(DragCurves, curves_are_the_same_where_all_bits_of_their_points_are) {
+  const std::vector<DragPoint> one = {{0, 0.2}, {1, 0.4}};
+  EXPECT_TRUE(same_points({}, {}));
+  EXPECT_TRUE(same_points(one, {{0, 0.2}, {1, 0.4}}));
+  EXPECT_FALSE(same_points(one, {}));
+  EXPECT_FALSE(same_points(one, {{0, 0.2}}));
+  EXPECT_FALSE(same_points(one, {{0, 0.2}, {1, std::nextafter(0.4, 1)}}));
+  EXPECT_FALSE(same_points(one, {{-0.0, 0.2}, {1, 0.4}}));
+}
+
 }  // namespace
 }  // namespace physim
