@@ -1,5 +1,6 @@
 // Refuses bad input before a flight starts.
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "base/checker.hpp"
@@ -358,6 +359,8 @@ Status check(const Tolerance& t, const Fidelity& f) {
 
 Status check_fits(const Vec3d& position, const Vec3d& velocity, Precision precision) {
   if (precision == Precision::float64) return {};
+  const auto sum = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  if (sum(position) + sum(velocity) <= std::numeric_limits<float>::max()) return {};
   const bool near = finite(vec_cast<double>(vec_cast<float>(position)));
   if (near && finite(vec_cast<double>(vec_cast<float>(velocity)))) return {};
   return Error{"is too large for float32", near ? "velocity" : "position", "ask for float64"};

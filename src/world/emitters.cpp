@@ -63,10 +63,8 @@ void Emitters::resume(ProjectileId id, const Particle& particle) {
   emitter.oldest = 0;
 }
 
-void Emitters::leave(std::uint32_t slot, EmitterCount why) {
-  const std::uint32_t index = emitter_of(slot);
-  if (index == 0) return;
-  EmitterCounts& counts = (*this)[index].counts;
+void Emitters::leave_emitter(std::uint32_t slot, EmitterCount why) {
+  EmitterCounts& counts = (*this)[emitter_of(slot)].counts;
   PHYSIM_ASSERT(counts.alive > 0);
   --counts.alive;
   ++(counts.*why);

@@ -186,7 +186,9 @@ class Emitters {
   /// One was born. What it will come to by `seen` somebody has looked at already [s].
   void join(ProjectileId id, const Particle& particle, double birth, double seen);
   /// It is gone, for that reason; nothing where no emitter fired it.
-  void leave(std::uint32_t slot, EmitterCount why);
+  void leave(std::uint32_t slot, EmitterCount why) {
+    if (emitter_of(slot) != 0) leave_emitter(slot, why);
+  }
   /// The oldest particle of an emitter that lets it make room.
   [[nodiscard]] ProjectileId oldest(std::uint32_t index);
   /// Calls f with the slot and the particle of each one alive, in order of slots.
@@ -218,6 +220,7 @@ class Emitters {
 
  private:
   [[nodiscard]] bool is_gone(const Aged& aged, std::uint32_t emitter) const;
+  void leave_emitter(std::uint32_t slot, EmitterCount why);
 
   std::vector<Emitter> all_{1};  // 0 is none
   std::uint64_t added_ = 0;

@@ -69,22 +69,6 @@ void Kinds::keep(std::uint32_t index) {
   become_busy(kind);
 }
 
-void Kinds::join(std::uint32_t index) {
-  Kind& kind = (*this)[index];
-  PHYSIM_ASSERT(!kind.forgotten);
-  ++kind.alive;
-  become_busy(kind);
-}
-
-void Kinds::leave(std::uint32_t index, std::uint64_t moment, const Living& living) {
-  Kind& kind = (*this)[index];
-  PHYSIM_ASSERT(kind.alive > 0);
-  kind.last_needed = moment;
-  if (--kind.alive > 0 || kind.stays) return;
-  become_idle(index);
-  forget_idle(living);
-}
-
 void Kinds::forget_idle(const Living& living) {
   while (idle_count_ > kMostIdleKinds) {
     const Idle first = idle_.front();

@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/assert.hpp"
 #include "physim/world_def.hpp"
 #include "prepare/cohort.hpp"
 #include "prepare/equivalent_drag.hpp"
@@ -45,6 +46,12 @@ struct Kind {
   std::uint32_t flags = 0;     // SlotFlags that its body sets
   std::deque<Prepared> rungs;  // the first is its own
 
+  /// Most are on the first, which is found without dividing.
+  [[nodiscard]] const Prepared& on(std::uint16_t rung) const {
+    PHYSIM_ASSERT(rung < rungs.size());
+    return rung == 0 ? rungs.front() : rungs[rung];
+  }
+
   std::uint32_t number = 0;       // as KindId tells it
   std::uint64_t hash = 0;         // of projectile and body
   std::uint32_t alive = 0;        // projectiles of it
@@ -64,6 +71,11 @@ class Kinds {
   [[nodiscard]] Kind& operator[](std::uint32_t index) { return const_cast<Kind&>(std::as_const(*this)[index]); }
   /// The index of a kind that is known by its number; 0 where there is none.
   [[nodiscard]] std::uint32_t find(KindId id) const {
+    // Indices are numbers until a kind was let go.
+    if (id.index > 0 && id.index <= all_.size()) {
+      const Kind* const kind = all_[id.index - 1].get();
+      if (kind && kind->number == id.index && !kind->forgotten) return id.index;
+    }
     const auto at = by_number_.find(id.index);
     return at == by_number_.end() ? 0 : at->second;
   }
@@ -82,8 +94,20 @@ class Kinds {
   /// It stays, whether somebody uses it or not.
   void keep(std::uint32_t index);
   /// A projectile of it came, or left; `moment`: snapshots taken so far.
-  void join(std::uint32_t index);
-  void leave(std::uint32_t index, std::uint64_t moment, const Living& living);
+  void join(std::uint32_t index) {
+    Kind& kind = (*this)[index];
+    PHYSIM_ASSERT(!kind.forgotten);
+    ++kind.alive;
+    if (kind.idle_since != 0) become_busy(kind);
+  }
+  void leave(std::uint32_t index, std::uint64_t moment, const Living& living) {
+    Kind& kind = (*this)[index];
+    PHYSIM_ASSERT(kind.alive > 0);
+    kind.last_needed = moment;
+    if (--kind.alive > 0 || kind.stays) return;
+    become_idle(index);
+    forget_idle(living);
+  }
   /// Lets idle kinds go where there are too many.
   void forget_idle(const Living& living);
   /// After a restore: who is there now. `count` calls its argument with the index of the kind of every projectile.

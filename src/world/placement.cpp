@@ -44,7 +44,7 @@ void put_row(Rows& rows, std::uint32_t row, const BodyState& at, const Body<doub
 }  // namespace
 
 std::uint16_t Placement::cohort_for(const Slot& slot) {
-  const std::uint16_t known = registry_.kind(slot.kind).rungs[slot.rung].cohort[slot.variant().index()];
+  const std::uint16_t known = registry_.kind(slot.kind).on(slot.rung).cohort[slot.variant().index()];
   if (known < state_.rows.size()) return known;
   const std::uint16_t index = registry_.cohort(slot.kind, slot.rung, slot.variant());
   if (index == kNoCohort) return index;
@@ -98,7 +98,7 @@ void Placement::set_attitude(std::uint32_t index, const Attitude& attitude) {
   const Slot& slot = state_.slots[index];
   const Rows& rows = state_.rows_of(slot);
   rows.put_turn(slot.row, turn_of(registry_.cohort(slot.cohort).key.fidelity,
-                                  *registry_.kind(slot.kind).rungs[slot.rung].rotor, attitude));
+                                  *registry_.kind(slot.kind).on(slot.rung).rotor, attitude));
 }
 
 void Placement::stop_turning(std::uint32_t index) {
@@ -114,7 +114,7 @@ void Placement::write_row(std::uint32_t index, const BodyState& given, const Row
   const Slot& slot = state_.slots[index];
   PHYSIM_ASSERT(slot.rung < registry_.kind(slot.kind).rungs.size());
   PHYSIM_ASSERT(finite(given.position) && finite(given.velocity));
-  const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
+  const Prepared& rung = registry_.kind(slot.kind).on(slot.rung);
   PHYSIM_ASSERT(state_.rows_of(slot).slot(slot.row) == index);
   const RowNumbers numbers{state_.clock.now(), start.age, start.previous, rung.rotor.get()};
   const bool special =
@@ -129,7 +129,7 @@ void Placement::write_row(std::uint32_t index, const BodyState& given, const Row
 /// its velocity its rung does not have is taken away. A rung that knows no spin or no rail forgets it.
 Body<double> Placement::special_body(std::uint32_t index, BodyState& at, const RowStart& start) {
   const Slot& slot = state_.slots[index];
-  const Prepared& rung = registry_.kind(slot.kind).rungs[slot.rung];
+  const Prepared& rung = registry_.kind(slot.kind).on(slot.rung);
   const Conditions<double>& c = registry_.cohort(slot.cohort).conditions;
   const Own& mine = state_.extras.own_of(index);
   Body<double> body = rung.body;
@@ -229,7 +229,7 @@ void Placement::relaunch(std::uint32_t index) {
   const BodyState at = state_.state_of(slot);
   Body<double> body = body_of(slot);
   body.launch = {at.position, at.velocity};
-  body.damping_rate = registry_.kind(slot.kind).rungs[slot.rung].body.damping_rate;
+  body.damping_rate = registry_.kind(slot.kind).on(slot.rung).body.damping_rate;
   rows.change(slot.row, [&]<class S>(const RowColumns<S>& c) {
     c.offset[slot.row] = S(0);
     c.born[slot.row] = static_cast<S>(state_.clock.now());
@@ -260,7 +260,7 @@ void Placement::rewrite_row(std::uint32_t index) {
 }
 
 Body<double> Placement::body_of(const Slot& slot) const {
-  Body<double> body = registry_.kind(slot.kind).rungs[slot.rung].body;
+  Body<double> body = registry_.kind(slot.kind).on(slot.rung).body;
   state_.rows_of(slot).read_fields(slot.row, body);
   return body;
 }
@@ -298,7 +298,7 @@ void Placement::rebase(double new_dt) {
 
 bool is_in_place(const Registry& registry, const WorldState& state, std::uint16_t cohort, std::uint32_t row) {
   const Slot& slot = state.slots[state.rows[cohort].slot(row)];
-  const Prepared& rung = registry.kind(slot.kind).rungs[slot.rung];
+  const Prepared& rung = registry.kind(slot.kind).on(slot.rung);
   const std::uint16_t known = rung.cohort[slot.variant().index()];  // none where its environment was set anew
   return slot.is(kAlive) && !slot.is(kStill) && slot.cohort == cohort && slot.row == row &&
          (known == cohort || known == kNoCohort);

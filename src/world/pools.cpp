@@ -2,12 +2,7 @@
 
 namespace physim {
 
-void Pools::join(std::uint32_t index, std::uint32_t slot) {
-  PHYSIM_ASSERT(index < pools_.size());
-  Pool& pool = pools_[index];
-  PHYSIM_ASSERT(pool.count < pool.maximum);
-  ++pool.count;
-  if (!pool.replaces) return;
+void Pools::link(Pool& pool, std::uint32_t slot) {
   if (links_.size() <= slot) links_.resize(slot + std::size_t{1});
   links_[slot] = {pool.newest, 0};
   if (pool.newest != 0) links_[pool.newest].newer = slot;
@@ -15,11 +10,7 @@ void Pools::join(std::uint32_t index, std::uint32_t slot) {
   if (pool.oldest == 0) pool.oldest = slot;
 }
 
-void Pools::leave(std::uint32_t index, std::uint32_t slot) {
-  Pool& pool = pools_[index];
-  PHYSIM_ASSERT(pool.count > 0);
-  --pool.count;
-  if (!pool.replaces) return;
+void Pools::unlink(Pool& pool, std::uint32_t slot) {
   PHYSIM_ASSERT(slot < links_.size());
   const Link link = links_[slot];
   (link.older != 0 ? links_[link.older].newer : pool.oldest) = link.newer;

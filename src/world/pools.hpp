@@ -27,8 +27,19 @@ class Pools {
     PHYSIM_ASSERT(pools_[pool].replaces);
     return pools_[pool].oldest;
   }
-  void join(std::uint32_t pool, std::uint32_t slot);
-  void leave(std::uint32_t pool, std::uint32_t slot);
+  void join(std::uint32_t index, std::uint32_t slot) {
+    PHYSIM_ASSERT(index < pools_.size());
+    Pool& pool = pools_[index];
+    PHYSIM_ASSERT(pool.count < pool.maximum);
+    ++pool.count;
+    if (pool.replaces) link(pool, slot);
+  }
+  void leave(std::uint32_t index, std::uint32_t slot) {
+    Pool& pool = pools_[index];
+    PHYSIM_ASSERT(pool.count > 0);
+    --pool.count;
+    if (pool.replaces) unlink(pool, slot);
+  }
   /// Calls f with the slots of each pool that replaces its oldest, from the oldest on.
   template <class F>
   void each_by_age(const F& f) const {
@@ -51,6 +62,9 @@ class Pools {
     std::uint32_t older = 0;
     std::uint32_t newer = 0;
   };
+  void link(Pool& pool, std::uint32_t slot);
+  void unlink(Pool& pool, std::uint32_t slot);
+
   std::vector<Pool> pools_;
   std::vector<Link> links_;  // by slot, as far as one of a pool that replaces was spawned
 };

@@ -60,20 +60,20 @@ void Rows::reserve(std::size_t rows) {
   find_columns();
 }
 
-std::uint32_t Rows::push(std::uint32_t slot) {
-  if (size_ == capacity_) reserve(std::max<std::size_t>(64, std::size_t(capacity_) * 3 / 2));
-  PHYSIM_ASSERT(size_ < capacity_);
-  if (may_wait() && size_ % kRowsPerWord == 0)
+void Rows::grow() { reserve(std::max<std::size_t>(64, std::size_t(capacity_) * 3 / 2)); }
+
+void Rows::come_to_wait() {
+  if (size_ % kRowsPerWord == 0)
     waiting_.add(size_ / static_cast<std::uint32_t>(kRowsPerWord));
   else
     touch(size_);
-  column_of<std::uint32_t>(numbers_)[size_] = slot;
-  note_change(size_);
-#if PHYSIM_ASSERTS
-  for (unsigned k = 0; k < numbers_; ++k) std::memset(column(k) + size_ * number_size(), kUnset, number_size());
-#endif
-  return size_++;
 }
+
+#if PHYSIM_ASSERTS
+void Rows::mark_unset(std::uint32_t row) {
+  for (unsigned k = 0; k < numbers_; ++k) std::memset(column(k) + row * number_size(), kUnset, number_size());
+}
+#endif
 
 bool Rows::is_filled(std::uint32_t row) const {
   PHYSIM_ASSERT(row < size_);
@@ -128,6 +128,13 @@ void Rows::compare_fields(std::uint32_t row) {
   });
 }
 
+template <class S>
+void Rows::copy_numbers(std::uint32_t from, std::uint32_t to) {
+  const std::size_t stride = stride_ / sizeof(S);
+  S* number = column_of<S>(0);
+  for (unsigned left = numbers_; left > 0; --left, number += stride) number[to] = number[from];
+}
+
 std::uint32_t Rows::swap_remove(std::uint32_t row) {
   PHYSIM_ASSERT(row < size_);
   const std::uint32_t last = size_ - 1;
@@ -137,8 +144,10 @@ std::uint32_t Rows::swap_remove(std::uint32_t row) {
   }
   size_ = last;
   if (row == last) return 0;
-  const std::size_t bytes = number_size();
-  for (unsigned k = 0; k < numbers_; ++k) copy_number(column(k) + row * bytes, column(k) + last * bytes, bytes);
+  if (layout_.float32)
+    copy_numbers<float>(last, row);
+  else
+    copy_numbers<double>(last, row);
   note_change(row);
   auto* all = column_of<std::uint32_t>(numbers_);
   return all[row] = all[last];

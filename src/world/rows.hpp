@@ -1,6 +1,7 @@
 // Rows: the projectiles of one cohort, a column for each of their numbers, so that packs load them side by side.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -95,7 +96,17 @@ class Rows : RowMemory {
   [[nodiscard]] std::size_t row_bytes() const { return numbers_ * number_size() + sizeof(std::uint32_t); }
   void reserve(std::size_t rows);
   /// One more row, to be filled in: all of its columns.
-  std::uint32_t push(std::uint32_t slot);
+  std::uint32_t push(std::uint32_t slot) {
+    if (size_ == capacity_) grow();
+    PHYSIM_ASSERT(size_ < capacity_);
+    if (may_wait()) come_to_wait();
+    column_of<std::uint32_t>(numbers_)[size_] = slot;
+    note_change(size_);
+#if PHYSIM_ASSERTS
+    mark_unset(size_);
+#endif
+    return size_++;
+  }
   /// Takes a row out; the last one takes its place. Returns the slot of the row that moved, or of none: 0.
   std::uint32_t swap_remove(std::uint32_t row);
   /// Copies a row of equal layout here, as a new last row.
@@ -163,7 +174,8 @@ class Rows : RowMemory {
   [[nodiscard]] bool is_filled(std::uint32_t row) const;
   /// The row's numbers will be used soon.
   void prefetch(std::uint32_t row) const {
-    for (unsigned k = 0; k < numbers_; ++k) prefetch_at(column(k) + row * number_size());
+    const std::byte* number = column(0) + row * number_size();
+    for (unsigned k = numbers_; k > 0; --k, number += stride_) prefetch_at(number);
   }
 
   [[nodiscard]] std::uint32_t slot(std::uint32_t row) const {
@@ -290,7 +302,7 @@ class Rows : RowMemory {
   template <class S>
   [[nodiscard]] static S rounded(double x) {
     constexpr double kMost = std::numeric_limits<S>::max();
-    return static_cast<S>(x > kMost ? kMost : x < -kMost ? -kMost : x);
+    return static_cast<S>(std::min(std::max(x, -kMost), kMost));
   }
 
  private:
@@ -308,6 +320,14 @@ class Rows : RowMemory {
     return static_cast<T*>(static_cast<void*>(column(k)));
   }
   [[nodiscard]] std::size_t number_size() const { return layout_.float32 ? sizeof(float) : sizeof(double); }
+  void grow();
+  /// One row more, of those that may wait.
+  void come_to_wait();
+  /// So that builds with asserts find numbers that nobody wrote.
+  void mark_unset(std::uint32_t row);
+  /// Copies the numbers of a row over those of another one.
+  template <class S>
+  void copy_numbers(std::uint32_t from, std::uint32_t to);
   /// Looks which numbers of a row just filled in differ from those of the others.
   void compare_fields(std::uint32_t row);
   template <class S>

@@ -19,11 +19,11 @@ class RowsAhead;
 /// What settling decided that concerns more than the row itself; done after the step, in order of slots.
 struct Change {
   enum class Kind : std::uint8_t { remove, spin, stick, sleep };
-  std::uint32_t slot;
-  Kind kind;
-  LifeStatus status;
-  Reason reason;
-  Vec3d spin;  // [rad/s]
+  std::uint32_t slot = 0;
+  Kind kind = Kind::remove;
+  LifeStatus status = LifeStatus::unknown;
+  Reason reason = Reason::none;
+  Vec3d spin{};  // [rad/s]
 };
 
 /// Where a row of a projectile that meets others was, at a moment of the step that was settled.
@@ -79,7 +79,8 @@ struct StepScratch {
   std::vector<std::size_t> words_before;  // of each cohort's rows in it
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;
-  StepList<Change> changes;
+  StepList<const Change*> changes;
+  StepList<std::uint64_t> change_order, change_spare;
   StepList<EventKey> event_order, event_merge;
   StepList<Event> events;  // in order
 };

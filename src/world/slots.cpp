@@ -5,42 +5,14 @@
 
 namespace physim {
 
-std::uint32_t SlotTable::take() {
-  constexpr std::uint32_t kAhead = 8;
-  std::uint32_t index = 0;
-  if (free_.size() > 0) {
-    index = free_.take();
-    PHYSIM_ASSERT(!slots_[index].is(kAlive));
-    if (free_.size() > kAhead) prefetch_free(free_.ahead(kAhead));  // they lie all over the memory
-  } else {
-    index = size();
-    free_.reserve(index + std::size_t{1});  // so that whoever leaves asks for no memory
-    slots_.emplace_back();
-    birth_.push_back(0);
-    rest_.emplace_back();
-  }
-  ++slots_[index].generation;
+std::uint32_t SlotTable::take_new() {
+  const std::uint32_t index = size();
+  free_.reserve(index + std::size_t{1});  // so that whoever leaves asks for no memory
+  slots_.emplace_back();
+  birth_.push_back(0);
+  rest_.emplace_back();
+  slots_[index].generation = 1;
   return index;
-}
-
-void SlotTable::come_alive(std::uint32_t index, std::uint32_t flags) {
-  Slot& slot = (*this)[index];
-  PHYSIM_ASSERT(!slot.is(kAlive) && (flags & kAlive) == 0);
-  slot.flags = kAlive | flags;
-  ++alive_;
-}
-
-/// Slots are used again in the order they became free, so that what became of a projectile is known for long.
-void SlotTable::release(std::uint32_t index, LifeStatus status) {
-  Slot& slot = (*this)[index];
-  if (slot.is(kAlive)) {
-    PHYSIM_ASSERT(alive_ > 0);
-    --alive_;
-  }
-  slot.flags = 0;
-  slot.set_status(status);
-  slot.row = 0;
-  free_.add(index);
 }
 
 void FreeSlots::reserve(std::size_t slots) {

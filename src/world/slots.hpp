@@ -143,11 +143,35 @@ class SlotTable {
   }
 
   /// A slot for a new projectile, of a new generation. It is not alive before come_alive().
-  std::uint32_t take();
+  std::uint32_t take() {
+    constexpr std::uint32_t kAhead = 8;
+    if (free_.size() == 0) return take_new();
+    const std::uint32_t index = free_.take();
+    PHYSIM_ASSERT(!slots_[index].is(kAlive));
+    if (free_.size() > kAhead) prefetch_free(free_.ahead(kAhead));  // they lie all over the memory
+    ++slots_[index].generation;
+    return index;
+  }
   /// `flags` of a projectile that is there from now on.
-  void come_alive(std::uint32_t index, std::uint32_t flags);
-  /// Its projectile is gone, or never came alive.
-  void release(std::uint32_t index, LifeStatus status);
+  void come_alive(std::uint32_t index, std::uint32_t flags) {
+    Slot& slot = (*this)[index];
+    PHYSIM_ASSERT(!slot.is(kAlive) && (flags & kAlive) == 0);
+    slot.flags = kAlive | flags;
+    ++alive_;
+  }
+  /// Its projectile is gone, or never came alive. Slots are used again in the order they became free, so that what
+  /// became of a projectile is known for long.
+  void release(std::uint32_t index, LifeStatus status) {
+    Slot& slot = (*this)[index];
+    if (slot.is(kAlive)) {
+      PHYSIM_ASSERT(alive_ > 0);
+      --alive_;
+    }
+    slot.flags = 0;
+    slot.set_status(status);
+    slot.row = 0;
+    free_.add(index);
+  }
   void reserve(std::size_t more);
   [[nodiscard]] std::size_t bytes() const;
   void prefetch(std::uint32_t index) const {
@@ -178,6 +202,8 @@ class SlotTable {
   }
 
  private:
+  std::uint32_t take_new();
+
   std::vector<Slot> slots_{1};
   std::vector<double> birth_{0.0};
   std::vector<Rest> rest_{1};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collide/contact_rules.hpp"
+#include "world/blank_event.hpp"
 #include "world/placement.hpp"
 #include "world/step_rows.hpp"
 
@@ -127,12 +128,17 @@ class StruckRows {
     PHYSIM_ASSERT(i < job_.count && job_.passed[i] >= 0 && job_.passed[i] <= job_.dt);
     const auto vector = [i](const auto& of) { return Vec3d{of[0][i], of[1][i], of[2][i]}; };
     const EventKind kind = job_.bounces ? EventKind::bounced : EventKind::landed;
-    Event& event =
-        chunk_.events.emplace_back(event_of(kind, Reason::none, {vector(job_.at), vector(job_.go)}, {}, 0, 0));
+    Event& event = add_event(chunk_.events);
+    event.kind = kind;
     event.id = {slot_[i], context_.state->slots[slot_[i]].generation};
     event.time = context_.time + job_.passed[i];
+    event.position = vector(job_.at);
+    event.velocity = vector(job_.go);
     if (!job_.bounces) {
-      chunk_.changes.push_back({slot_[i], Change::Kind::remove, LifeStatus::landed, Reason::none, {}});
+      Change& change = chunk_.changes.emplace_back();
+      change.slot = slot_[i];
+      change.kind = Change::Kind::remove;
+      change.status = LifeStatus::landed;
       return;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {

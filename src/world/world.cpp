@@ -100,6 +100,26 @@ Tags& WorldImpl::tags(std::uint32_t slot) {
 std::uint32_t WorldImpl::layers_of(std::uint32_t slot) const { return physim::layers_of(registry, state, slot); }
 
 // ------------------------------------------------------------------------------------------- coming
+namespace {
+
+Error no_kind() { return {"there is no such kind", "kind", "add_kind() makes one"}; }
+Error no_environment() {
+  return {"its environment is no longer there", "kind", "restore() took it back: add it again"};
+}
+
+/// An id in one register. Where its halves are written one by one, whoever takes it on waits until both are in the
+/// cache.
+[[gnu::noinline]] ProjectileId whole_id(const SlotTable& slots, std::uint32_t index) { return slots.id_of(index); }
+
+/// Where a launch starts, and how fast, number by number: a wider copy would wait for what the caller has just written.
+BodyState start_of(const Launch& launch, double elevation) {
+  const Vec3d& x = launch.position;
+  const Vec3d v = launch.velocity ? *launch.velocity : launch_velocity(launch, sight_frame(launch), elevation);
+  return {{x.x, x.y, x.z}, {v.x, v.y, v.z}};
+}
+
+}  // namespace
+
 Status WorldImpl::make_room(std::uint32_t index) {
   const PoolDef& pool = def.pools[index];
   if (state.pools.is_full(index)) {
@@ -117,11 +137,11 @@ Environment WorldImpl::surroundings_of(const Kind& kind, double time) const {
   return as_launched_at(time, registry.environments()[kind.body.environment]);
 }
 
-/// The cheapest rung for a launch, where the kind asks for it; its own otherwise.
+/// The cheapest rung for a launch, of a kind that asks for it.
 Result<std::uint16_t> WorldImpl::rung_for(std::uint32_t kind_index, const Launch& launch, double time,
                                           const Coming& coming) {
   const Kind& kind = registry.kind(kind_index);
-  if (kind.body.cheapest_within == 0) return std::uint16_t{0};
+  PHYSIM_ASSERT(kind.body.cheapest_within != 0);
   Environment environment = surroundings_of(kind, time);
   environment.gravity.acceleration *= own_of(kind.body).gravity_scale * coming.gravity;
   Purpose purpose;
@@ -158,21 +178,23 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
   const double launched = coming.moment.value_or(state.clock.time() + coming.delay);
   const Result<double> elevation = bore_of(kind, launch, launched);
   if (!elevation) return elevation.error();
-  const BodyState at{launch.position,
-                     launch.velocity ? *launch.velocity : launch_velocity(launch, sight_frame(launch), *elevation)};
+  const BodyState at = start_of(launch, *elevation);
   if (!(coming.delay >= 0 && coming.delay < 1e15)) return Error{"must be zero or positive", "delay", "in s"};
-  const auto rung = rung_for(kind_index, launch, launched, coming);
-  if (!rung) return rung.error();
-  Slot wanted;
-  wanted.kind = kind_index;
-  wanted.rung = *rung;
-  if (const Status status = fits(wanted, at); !status) return status.error();
-  if (const Status status = make_room(body.pool); !status) return status.error();
+  std::uint16_t rung = 0;
+  if (body.cheapest_within != 0) {
+    const auto cheapest = rung_for(kind_index, launch, launched, coming);
+    if (!cheapest) return cheapest.error();
+    rung = *cheapest;
+  }
+  const Precision precision = kind.on(rung).in_use.fidelity.precision;
+  if (const Status status = check_fits(at.position, at.velocity, precision); !status) return status.error();
+  if (state.pools.is_full(body.pool) || state.slots.alive() >= def.max_projectiles)
+    if (const Status status = make_room(body.pool); !status) return status.error();
 
   const std::uint32_t index = state.slots.take();
   Slot& slot = state.slots[index];
   slot.kind = kind_index;
-  slot.rung = *rung;
+  slot.rung = rung;
   state.slots.come_alive(index, kind.flags);
   slot.set(kPending, coming.delay > 0);
   slot.set(kRailed, launch.rail_length > 0);
@@ -183,7 +205,8 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
     for (const OwnPart& part : kOwnParts) slot.set(part.flag, part.differs(mine));
   }
   const bool is_driven = coming.emitter != 0 && state.emitters[coming.emitter].drives;
-  slot.set(kForced, is_driven ? is_moved_by_forces(index) : feels_forces(index));
+  const bool may_be_forced = !state.generators.empty() || !state.emitters.empty();
+  slot.set(kForced, may_be_forced && (is_driven ? is_moved_by_forces(index) : feels_forces(index)));
   slot.cohort = placement.cohort_for(slot);
   if (slot.cohort == kNoCohort) {
     state.extras.forget(index);
@@ -194,7 +217,7 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
   state.slots.rest(index) = {};
   state.pools.join(body.pool, index);
   placement.place(index, at, launch, *elevation, coming.moment);
-  const ProjectileId id = state.slots.id_of(index);
+  const ProjectileId id = whole_id(state.slots, index);
   if (body.angular_velocity != Vec3d{}) {
     slot.set(kTurning, true);
     state.extras.turning[index] = {Quatd{}, body.angular_velocity};
@@ -209,24 +232,24 @@ Result<ProjectileId> WorldImpl::spawn_of(std::uint32_t kind_index, const Launch&
 
 /// Spawns after a look at the kind, and counts what is refused.
 Result<ProjectileId> WorldImpl::spawn(KindId kind, const Launch& launch, const Coming& coming) {
-  Result<ProjectileId> id = [&]() -> Result<ProjectileId> {
-    const std::uint32_t index = registry.kinds.find(kind);
-    if (index == 0) return Error{"there is no such kind", "kind", "add_kind() makes one"};
-    if (!registry.has_environment_of(registry.kind(index)))
-      return Error{"its environment is no longer there", "kind", "restore() took it back: add it again"};
+  const std::uint32_t index = registry.kinds.find(kind);
+  const bool has_place = index != 0 && registry.has_environment_of(registry.kind(index));
+  if (has_place)
     registry.kinds.join(index);  // first: who makes room may be the last of another kind, which lets idle ones go
-    Result<ProjectileId> made = [&]() -> Result<ProjectileId> {
-      try {
-        return spawn_of(index, launch, coming);
-      } catch (const std::bad_alloc&) {
-        return Error{"no memory for another projectile", "world", "lower max_projectiles"};
-      }
-    }();
-    if (!made) registry.kinds.leave(index, moments, living);
-    return made;
-  }();
-  if (!id) ++state.counters.refused;
+  Result<ProjectileId> id = has_place ? spawn_in_memory(index, launch, coming)
+                                      : Result<ProjectileId>(index == 0 ? no_kind() : no_environment());
+  if (id) return id;
+  ++state.counters.refused;
+  if (has_place) registry.kinds.leave(index, moments, living);
   return id;
+}
+
+Result<ProjectileId> WorldImpl::spawn_in_memory(std::uint32_t kind, const Launch& launch, const Coming& coming) {
+  try {
+    return spawn_of(kind, launch, coming);
+  } catch (const std::bad_alloc&) {
+    return Error{"no memory for another projectile", "world", "lower max_projectiles"};
+  }
 }
 
 Result<ProjectileId> WorldImpl::spawn(const ProjectileDef& projectile, const Launch& launch, const BodyDef& body,
@@ -280,8 +303,7 @@ Status World::reserve(KindId kind, std::size_t count) {
   WorldImpl& w = impl();
   if (w.is_closed()) return from_inside();
   const std::uint32_t index = w.registry.kinds.find(kind);
-  if (index == 0 || !w.registry.has_environment_of(w.registry.kind(index)))
-    return Error{"there is no such kind", "kind", "add_kind() makes one"};
+  if (index == 0 || !w.registry.has_environment_of(w.registry.kind(index))) return no_kind();
   if (count > w.def.max_projectiles - std::min(w.state.slots.alive(), w.def.max_projectiles))
     return Error{"are more projectiles than the world holds", "count", "raise WorldDef::max_projectiles"};
   try {
@@ -311,7 +333,7 @@ void WorldImpl::remove(std::uint32_t index, LifeStatus status) {
   state.pools.leave(registry.kind(slot.kind).body.pool, index);
   state.extras.forget(index);
   state.generators.forget(index);
-  end_joints_of(*this, index);
+  if (!state.joints.empty()) end_joints_of(*this, index);
   state.emitters.leave(index, status == LifeStatus::landed    ? &EmitterCounts::landed
                               : status == LifeStatus::expired ? &EmitterCounts::expired
                                                               : &EmitterCounts::taken);

@@ -13,6 +13,9 @@
 #include "world/world_impl.hpp"
 
 namespace physim {
+
+const Event kBlankEvent{};
+
 namespace {
 
 Error gone() { return {"it is gone", "id", "is_alive() tells"}; }
@@ -21,23 +24,34 @@ Error not_finite(const char* place) { return {"must have three finite components
 }  // namespace
 
 void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::optional<double> moment, double value) {
-  const BodyState at = state.state_of(state.slots[slot]);
-  keep_event({.kind = kind,
-              .reason = reason,
-              .id = state.slots.id_of(slot),
-              .value = value,
-              .time = moment.value_or(state.clock.time()),
-              .position = at.position,
-              .velocity = at.velocity});
+  if (!has_room_for_event()) return;
+  const Slot& who = state.slots[slot];
+  const Rows& rows = state.rows_of(who);
+  Event& event = add_event(state.events);
+  event.kind = kind;
+  event.reason = reason;
+  event.id = {slot, who.generation};
+  event.value = value;
+  event.time = moment ? *moment : state.clock.time();
+  rows.bring_up(who.row);
+  rows.read_fixed([&, row = who.row](const auto& c) {
+    event.position = Rows::at(c.position, row);
+    event.velocity = Rows::at(c.velocity, row);
+  });
 }
 
 void WorldImpl::keep_event(const Event& event) {
-  if (room_for_events() == 0) return void(++state.counters.dropped_events);
-  make_room_for_events(state.events.size() + 1);
+  if (!has_room_for_event()) return;
   // Told that there is room, compilers write the event in place. A copy, for which clang calls memcpy(), would read in
   // wide pieces what was just written in narrow ones, and wait until it is in the cache.
   if (state.events.size() == state.events.capacity()) __builtin_unreachable();
   state.events.push_back(event);
+}
+
+bool WorldImpl::has_room_for_event() {
+  if (room_for_events() == 0) return ++state.counters.dropped_events, false;
+  make_room_for_events(state.events.size() + 1);
+  return true;
 }
 
 std::size_t WorldImpl::room_for_events() const {
@@ -47,8 +61,7 @@ std::size_t WorldImpl::room_for_events() const {
   return most - std::min(most, state.events.size());
 }
 
-void WorldImpl::make_room_for_events(std::size_t count) {
-  if (count <= state.events.capacity()) return;
+void WorldImpl::outgrow_events(std::size_t count) {
   std::vector<Event> larger;
   larger.reserve(std::max({count, 2 * state.events.capacity(), std::size_t{16}}));
   larger.assign(state.events.begin(), state.events.end());
@@ -115,7 +128,7 @@ bool ProjectileView::is_asleep() const {
 
 // ------------------------------------------------------------------------------------------- state
 Status WorldImpl::fits(const Slot& slot, const BodyState& at) const {
-  return check_fits(at.position, at.velocity, registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.precision);
+  return check_fits(at.position, at.velocity, registry.kind(slot.kind).on(slot.rung).in_use.fidelity.precision);
 }
 
 Status WorldImpl::change_state(ProjectileId id, const BodyState& to) {

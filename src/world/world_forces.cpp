@@ -43,7 +43,7 @@ bool WorldImpl::is_target(std::uint32_t slot) const {
 
 bool WorldImpl::is_moved_by_forces(std::uint32_t index) const {
   const Slot& slot = state.slots[index];
-  return registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.motion == Motion::force;
+  return registry.kind(slot.kind).on(slot.rung).in_use.fidelity.motion == Motion::force;
 }
 
 bool WorldImpl::feels_forces(std::uint32_t index) const {
@@ -206,7 +206,7 @@ std::size_t WorldImpl::felt_by(const Generator& g) const {
   std::vector<std::uint32_t> felt;
   each_target(g, registry, state, [&](std::uint32_t index) {
     const Slot& slot = state.slots[index];
-    const bool feels = registry.kind(slot.kind).rungs[slot.rung].in_use.fidelity.motion == Motion::force;
+    const bool feels = registry.kind(slot.kind).on(slot.rung).in_use.fidelity.motion == Motion::force;
     if (feels && !slot.is(kKinematic | kInfiniteMass)) felt.push_back(index);
   });
   std::ranges::sort(felt);

@@ -5,6 +5,7 @@
 
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
+#include "world/blank_event.hpp"
 #include "world/emitter_step.hpp"
 #include "world/forced_step.hpp"
 #include "world/hit_asking.hpp"
@@ -83,6 +84,7 @@ struct WorldImpl : Gate {
                              const Coming& coming);
   Result<ProjectileId> spawn(KindId kind, const Launch& launch, const Coming& coming);
   Result<ProjectileId> spawn_of(std::uint32_t kind, const Launch& launch, const Coming& coming);
+  Result<ProjectileId> spawn_in_memory(std::uint32_t kind, const Launch& launch, const Coming& coming);
   /// The elevation of a launch's bore above the horizon, for a launch that makes sense [rad].
   [[nodiscard]] Result<double> bore_of(const Kind& kind, const Launch& launch, double time) const;
   /// Refuses a state whose numbers the rung's precision cannot hold.
@@ -102,7 +104,12 @@ struct WorldImpl : Gate {
             double value = 0);
   /// Keeps an event; those that were given out stay where they are.
   void keep_event(const Event& event);
-  void make_room_for_events(std::size_t count);
+  void make_room_for_events(std::size_t count) {
+    if (count > state.events.capacity()) outgrow_events(count);
+  }
+  void outgrow_events(std::size_t count);
+  /// Makes room for one more; where there is none it counts one that is dropped.
+  bool has_room_for_event();
   /// How many more are kept now.
   [[nodiscard]] std::size_t room_for_events() const;
   void forget_events();

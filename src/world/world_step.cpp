@@ -8,6 +8,7 @@
 #include "base/spread_sort.hpp"
 #include "base/text.hpp"
 #include "prepare/check.hpp"
+#include "world/change_key.hpp"
 #include "world/kernels.hpp"
 #include "world/look_around.hpp"
 #include "world/struck_rows.hpp"
@@ -298,11 +299,15 @@ namespace {
 
 /// Does what settling decided, in order of slots, so that neither threads nor the order of rows matter.
 void WorldImpl::finish_step() {
-  scratch.changes.clear();
-  const auto collect = [this](const Chunk& chunk) {
+  StepList<std::uint64_t>& keys = scratch.change_order;
+  keys.clear(), scratch.change_spare.clear(), scratch.changes.clear();
+  const auto collect = [&](const Chunk& chunk) {
     PHYSIM_ASSERT(
         std::ranges::all_of(chunk.events, [this](const Event& e) { return happened_in_step(state.clock, e); }));
-    scratch.changes.insert(scratch.changes.end(), chunk.changes.begin(), chunk.changes.end());
+    for (const Change& c : chunk.changes) {
+      keys.push_back(ChangeKey::of(c, scratch.changes.size()));
+      scratch.changes.push_back(&c);
+    }
     state.events.insert(state.events.end(), chunk.events.begin(), chunk.events.end());
   };
   for (std::size_t i = 0; i < scratch.chunk_count; ++i) collect(scratch.chunks[i]);
@@ -313,15 +318,10 @@ void WorldImpl::finish_step() {
     wake(put.slot);
     placement.set_row_state(put.slot, put.state);
   }
-  StepList<EventKey>& keys = scratch.event_order;
-  keys.clear(), scratch.event_merge.clear();
-  for (std::uint32_t at = 0; const Change& c : scratch.changes)
-    keys.push_back({0, c.slot, static_cast<std::uint32_t>(c.kind), at++});
-  spread_sort(
-      keys, scratch.event_merge, [](const EventKey& key) { return key.slot; }, std::less{});
+  if (!std::ranges::is_sorted(keys)) spread_sort(keys, scratch.change_spare, ChangeKey::slot, std::less{});
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    prefetch(keys.size(), i, [&](std::size_t k) { return keys[k].slot; });
-    carry_out(scratch.changes[keys[i].at]);
+    prefetch(keys.size(), i, [&](std::size_t k) { return ChangeKey::slot(keys[k]); });
+    carry_out(*scratch.changes[ChangeKey::at(keys[i])]);
   }
 }
 

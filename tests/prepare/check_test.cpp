@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 
 #include "physim/names.hpp"
 #include "prepare/check.hpp"
@@ -377,6 +378,23 @@ TEST(Check, every_number_of_a_launch_is_looked_at) {
   Launch far;
   far.position = {1.5e308, 1.5e308, 0};
   EXPECT_TRUE(check(far));
+}
+
+TEST(Check, numbers_that_float32_cannot_hold_are_found_wherever_they_stand) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  const Vec3d large{kMost, -kMost, kMost};  // each of them fits, whatever their sum is
+  EXPECT_TRUE(check_fits(large, large, Precision::float32));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double bad : {2 * kMost, -2 * kMost, kInfinity, kNan}) {
+      Vec3d v{1, 2, 3};
+      v[axis] = bad;
+      const Status position = check_fits(v, {}, Precision::float32), velocity = check_fits({}, v, Precision::float32);
+      ASSERT_FALSE(position || velocity) << bad;
+      EXPECT_EQ(position.error().place, "position");
+      EXPECT_EQ(velocity.error().place, "velocity");
+    }
+  }
+  EXPECT_TRUE(check_fits({2 * kMost, 0, 0}, {}, Precision::float64));
 }
 
 }  // namespace
