@@ -109,7 +109,6 @@ class CastCrowd {
     boundless_along(
         scene, Question::kWhich, question.segment(), [&](std::uint32_t index, Segment&) { question.at_rest(index); },
         [&](std::uint32_t index, Segment&) { question.at_mover(index); });
-    scene.resting.along_recent(question.segment(), [&](std::uint32_t index, Segment&) { come_to(number, index); });
     if (scene.resting.tree().is_empty()) return;
     things_.next() = number;
     things_.add(scene.resting.tree(), question.segment());
@@ -136,7 +135,8 @@ class CastCrowd {
       for (std::size_t i = 0; i < items.count; ++i) {
         const BvhChild child(items.child[i]);
         for (std::uint32_t place = child.first(); place < child.end(); ++place)
-          if (const std::uint32_t thing = scene.resting.thing(place); thing != Tree::kNone) call(items.ray[i], thing);
+          if (const std::uint32_t thing = scene.resting.thing(place); thing != RestingThings::kNone)
+            call(items.ray[i], thing);
       }
     };
     for_things([&](std::uint32_t, std::uint32_t thing) { scene.instances[thing].prefetch(); });
