@@ -58,7 +58,7 @@ struct Batch {
 class FirstHit {
  public:
   static constexpr Which kWhich = Which::all;
-  static constexpr bool kPoints = true;
+  static constexpr Asks kAsks = Asks::first_hit;
 
   /// False where it makes no sense.
   bool put(const Batch& batch, std::size_t number) {

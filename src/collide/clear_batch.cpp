@@ -10,7 +10,7 @@ namespace {
 class ClearPart {
  public:
   static constexpr Which kWhich = Which::resting;
-  static constexpr bool kPoints = false;
+  static constexpr Asks kAsks = Asks::clear_part;
 
   /// False where it makes no sense.
   bool put(const SceneContent& scene, ClearQuery& query) {
@@ -28,10 +28,6 @@ class ClearPart {
   [[nodiscard]] Segment& segment() { return segment_; }
   void at_rest(std::uint32_t index) { look().at_rest(index, segment_); }
   void at_mover(std::uint32_t) {}
-  void look(const Mesh& mesh, std::uint32_t, std::uint32_t first, std::uint32_t end, Segment& inside) {
-    for (std::uint32_t i = first; i < end; ++i)
-      if (const auto part = collide::clear_part(inside, mesh.triangle(i))) inside.reach = std::min(inside.reach, *part);
-  }
   void leaves(std::uint32_t index, const Segment& inside) {
     ClearLook::shorten(scene_->instances[index], inside.reach, segment_);
   }
