@@ -1,6 +1,7 @@
 #include "collide/clear_batch.hpp"
 
 #include "collide/cast_crowd.hpp"
+#include "collide/cast_field.hpp"
 #include "collide/clear_look.hpp"
 
 namespace physim::collide {
@@ -42,11 +43,23 @@ class ClearPart {
   Segment segment_;
 };
 
+void clear_of_field_alone(const SceneContent& scene, std::span<ClearQuery> queries) {
+  for (ClearQuery& query : queries) {
+    const SceneSegment& asked = query.segment;
+    Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};
+    query.part = 0;
+    if (!is_sound(asked)) continue;
+    ClearLook{scene, asked, {.layers = query.layers}}.at_rest(scene.fields[0], segment);
+    query.part = std::max(0.0, segment.reach);
+  }
+}
+
 }  // namespace
 
 void clear_parts(const SceneContent& scene, std::span<ClearQuery> queries) {
   std::size_t next = 0;
   PHYSIM_ASSERT(!scene.engine);  // nobody knows how far its things are
+  if (is_field_alone(scene)) return clear_of_field_alone(scene, queries);
   CastCrowd<ClearPart> crowd;
   crowd.cast([&](ClearPart& question) {
     while (next < queries.size())
