@@ -40,12 +40,12 @@ using Four = Pack<double, 4>;
 /// A corner of four triangles.
 PHYSIM_INLINE std::array<Four, 3> corners_of(const collide::MeshRay& ray, const std::uint32_t (&place)[4],
                                              std::size_t corner) {
-  alignas(32) double at[3][4];
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    const Vec3d& p = ray.vertices[ray.corners[place[lane]][corner]];
-    at[0][lane] = p.x, at[1][lane] = p.y, at[2][lane] = p.z;
-  }
-  return {Four::load(at[0]), Four::load(at[1]), Four::load(at[2])};
+  const Vec3d* at[4];
+  for (std::size_t lane = 0; lane < 4; ++lane) at[lane] = &ray.vertices[ray.corners[place[lane]][corner]];
+  const auto along = [&](double Vec3d::*axis) PHYSIM_INLINE_LAMBDA {
+    return collide::four<Four>(at[0]->*axis, at[1]->*axis, at[2]->*axis, at[3]->*axis);
+  };
+  return {along(&Vec3d::x), along(&Vec3d::y), along(&Vec3d::z)};
 }
 
 /// The triangles of a child; where they are fewer than four the last one comes again.

@@ -109,31 +109,34 @@ PHYSIM_INLINE collide::FieldCells block_at_hand(const collide::FieldWalk& walk) 
 
 using Four = Pack<double, 4>;
 
-/// Corners of four triangles, by corner, coordinate and triangle.
-struct Corners {
-  alignas(32) double at[3][3][4];
+/// A corner of each half of two cells, as HeightField::triangle() has them: by its coordinates in the one cell and in
+/// the other.
+struct TwoCells {
+  double x[2][2], z[2][2];       // of the near and the far side of each cell
+  double near[2][2], far[2][2];  // heights at its near row, left and right, and at its far row
 
-  /// Sets the two halves of a cell, as HeightField::triangle() has them.
   PHYSIM_INLINE void put(const collide::FieldPoints& points, std::uint32_t column, std::uint32_t row,
-                         std::size_t first) {
-    const double x[] = {column * points.spacing_x, (column + 1) * points.spacing_x};
-    const double z[] = {row * points.spacing_z, (row + 1) * points.spacing_z};
-    const double* near = points.heights + std::size_t{row} * points.columns + column;
-    const double* far = near + points.columns;
-    put_corner(0, first, x[0], near[0], z[0]);
-    put_corner(1, first, x[0], far[0], z[1]);
-    put_corner(2, first, x[1], near[1], z[0]);
-    put_corner(0, first + 1, x[1], near[1], z[0]);
-    put_corner(1, first + 1, x[0], far[0], z[1]);
-    put_corner(2, first + 1, x[1], far[1], z[1]);
+                         std::size_t cell) {
+    const double* from = points.heights + std::size_t{row} * points.columns + column;
+    x[cell][0] = column * points.spacing_x, x[cell][1] = (column + 1) * points.spacing_x;
+    z[cell][0] = row * points.spacing_z, z[cell][1] = (row + 1) * points.spacing_z;
+    near[cell][0] = from[0], near[cell][1] = from[1];
+    far[cell][0] = from[points.columns], far[cell][1] = from[points.columns + 1];
   }
-  PHYSIM_INLINE Vec3<Four> load(std::size_t corner) const {
-    return {Four::load(at[corner][0]), Four::load(at[corner][1]), Four::load(at[corner][2])};
+  PHYSIM_INLINE Vec3<Four> first() const {
+    return {collide::four<Four>(x[0][0], x[0][1], x[1][0], x[1][1]),
+            collide::four<Four>(near[0][0], near[0][1], near[1][0], near[1][1]),
+            collide::four<Four>(z[0][0], z[0][0], z[1][0], z[1][0])};
   }
-
- private:
-  PHYSIM_INLINE void put_corner(std::size_t corner, std::size_t triangle, double x, double y, double z) {
-    at[corner][0][triangle] = x, at[corner][1][triangle] = y, at[corner][2][triangle] = z;
+  PHYSIM_INLINE Vec3<Four> second() const {
+    return {collide::four<Four>(x[0][0], x[0][0], x[1][0], x[1][0]),
+            collide::four<Four>(far[0][0], far[0][0], far[1][0], far[1][0]),
+            collide::four<Four>(z[0][1], z[0][1], z[1][1], z[1][1])};
+  }
+  PHYSIM_INLINE Vec3<Four> third() const {
+    return {collide::four<Four>(x[0][1], x[0][1], x[1][1], x[1][1]),
+            collide::four<Four>(near[0][1], far[0][1], near[1][1], far[1][1]),
+            collide::four<Four>(z[0][0], z[0][1], z[1][0], z[1][1])};
   }
 };
 
@@ -147,13 +150,10 @@ collide::FieldCells next_cells(const collide::FieldGrid& grid, collide::FieldWal
     }
     collide::FieldCells block = block_at_hand(walk);
     walk.next = min(walk.next + collide::kBlockSide, walk.end);
-    float numbers[kBlockWayNumbers];
-    for (int i = 0; i < kBlockWayNumbers; ++i) numbers[i] = walk.rounded[i];
-    numbers[0] -= static_cast<float>(block.column);
-    numbers[2] -= static_cast<float>(block.row);
+    const auto columns = static_cast<float>(block.column), rows = static_cast<float>(block.row);
     block.column += walk.first[0];
     block.row += walk.first[1];
-    block.some = cells_met(grid, numbers, 1, block);
+    block.some = cells_met(grid, walk.rounded, 1, block, columns, rows);
     if (block.some != 0) return block;
   }
 }
@@ -165,15 +165,15 @@ std::uint32_t cells_in_block(const collide::FieldGrid& grid, const float* way, c
 void clear_cells(const collide::FieldPoints& points, const collide::FieldCells& cells, collide::Segment& segment) {
   for (std::uint32_t some = cells.some; some != 0;) {
     // The halves of two cells; the last one comes twice where it is alone.
-    Corners corners;
+    TwoCells two;
     std::uint32_t cell = 0;
     for (std::size_t i = 0; i < 2; ++i) {
       if (some != 0) cell = static_cast<std::uint32_t>(std::countr_zero(some));
       some &= some - 1;
-      corners.put(points, cells.column + cell % collide::kBlockSide, cells.row + cell / collide::kBlockSide, 2 * i);
+      two.put(points, cells.column + cell % collide::kBlockSide, cells.row + cell / collide::kBlockSide, i);
     }
     Four part(0.0);
-    const auto touched = collide::may_touch(segment, corners.load(0), corners.load(1), corners.load(2), part);
+    const auto touched = collide::may_touch(segment, two.first(), two.second(), two.third(), part);
     if (!any(touched)) continue;
     double reach[4];
     select(touched, part, Four(segment.reach)).store(reach);

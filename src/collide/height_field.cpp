@@ -111,10 +111,10 @@ bool HeightField::begin_walk(const Segment& s, double& in, double& out, FieldWal
   if (passes(over, way)) return false;
   const CellRange<double> columns = columns_of(way), rows = rows_of(way);
   const BlockWay<double> block = way_in_block(over, way, columns.first, rows.first);
-  for (int i = 0; i < kBlockWayNumbers; ++i) {
-    walk.numbers[i] = (&block.x)[i];
-    walk.rounded[i] = static_cast<float>(walk.numbers[i]);
-  }
+  each_number(block, [&](int i, double number) {
+    walk.numbers[i] = number;
+    walk.rounded[i] = static_cast<float>(number);
+  });
   walk.first[0] = static_cast<std::uint32_t>(columns.first), walk.count[0] = count_of(columns);
   walk.first[1] = static_cast<std::uint32_t>(rows.first), walk.count[1] = count_of(rows);
   walk.axis = std::abs(block.along_x) >= std::abs(block.along_z) ? 0 : 1;

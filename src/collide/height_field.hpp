@@ -149,7 +149,7 @@ class HeightField {
     const FieldGrid over = grid();
     const BlockWay<double> block = way_in_block(over, way, columns.first, rows.first);
     float numbers[kBlockWayNumbers];
-    for (int i = 0; i < kBlockWayNumbers; ++i) numbers[i] = static_cast<float>((&block.x)[i]);
+    each_number(block, [&](int i, double number) { numbers[i] = static_cast<float>(number); });
     FieldCells cells{static_cast<std::uint32_t>(columns.first), static_cast<std::uint32_t>(rows.first),
                      block_of(count_of(columns), count_of(rows))};
     cells.some = field_kernel().cells_in_block(over, numbers, cells);

@@ -21,6 +21,19 @@
 
 namespace physim::collide {
 
+/// A pack of four numbers, in registers from the first on: a wide load would wait for stores of single ones.
+template <class R>
+[[nodiscard]] PHYSIM_INLINE R four(double a, double b, double c, double d) {
+  R pack;
+  if constexpr (R::kRegisters == 1)
+    pack.r[0] = typename R::Register{a, b, c, d};
+  else if constexpr (R::kRegisters == 2)
+    pack.r[0] = typename R::Register{a, b}, pack.r[1] = typename R::Register{c, d};
+  else
+    pack.set(0, a), pack.set(1, b), pack.set(2, c), pack.set(3, d);
+  return pack;
+}
+
 struct Triangle {
   Vec3d a, b, c;  // counterclockwise as seen from outside
 
