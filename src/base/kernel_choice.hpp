@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/assert.hpp"
+
 namespace physim {
 
 /// The copies that this build has and this machine runs, the best first; "scalar", a loop over plain numbers, is last.
@@ -15,13 +17,16 @@ namespace physim {
 /// Takes another one from now on, "" the best; false where there is none of that name.
 bool choose_kernel(std::string_view name);
 
-/// The copy in use of `copies` with a name each; the last one where none has that name, as of those without "scalar".
+/// How many copies of this build come before the one in use, the best of them first, whatever this machine runs.
+[[nodiscard]] std::size_t number_in_use();
+
+/// The copy in use of all that this build has, with a name each, the best first; the last one where there is none of
+/// that name, as of those without "scalar".
 template <class Kernel, std::size_t N>
 [[nodiscard]] const Kernel& copy_in_use(const Kernel (&copies)[N]) {
-  const std::string_view wanted = kernel_in_use();
-  for (const Kernel& copy : copies)
-    if (copy.name == wanted) return copy;
-  return copies[N - 1];
+  const std::size_t number = number_in_use();
+  PHYSIM_ASSERT(number >= N || copies[number].name == kernel_in_use());
+  return copies[number < N ? number : N - 1];
 }
 
 }  // namespace physim

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "collide/segment.hpp"
+#include "math/pack.hpp"
 #include "physim/infinity.hpp"
 
 namespace physim::collide {
@@ -70,20 +71,24 @@ class BoxTest {
   /// One over its way along each axis, finite along axes without any.
   [[nodiscard]] const Vec3d& per_along() const { return per_along_; }
   /// Where the segment enters a box; infinite where it passes it, or beyond `reach`.
-  PHYSIM_INLINE double enters(const Bounds& box, double reach) const {
-    double in = 0, out = reach;
-    cut(box.low.x, box.high.x, from_.x, per_along_.x, in, out);
-    cut(box.low.y, box.high.y, from_.y, per_along_.y, in, out);
-    cut(box.low.z, box.high.z, from_.z, per_along_.z, in, out);
-    return in <= out ? in : kInfinity;
+  PHYSIM_INLINE double enters(const Bounds& box, double reach) const { return enters(box.low, box.high, reach); }
+  /// That of one box or a pack of them, from corner to corner.
+  template <class R>
+  PHYSIM_INLINE R enters(const Vec3<R>& low, const Vec3<R>& high, double reach) const {
+    R in(0.0), out(reach);
+    cut(low.x, high.x, from_.x, per_along_.x, in, out);
+    cut(low.y, high.y, from_.y, per_along_.y, in, out);
+    cut(low.z, high.z, from_.z, per_along_.z, in, out);
+    return select(in <= out, in, R(kInfinity));
   }
 
  private:
   /// Three roundings on each side: the far one is moved out by more than they are.
-  PHYSIM_INLINE void cut(double low, double high, double from, double per_along, double& in, double& out) const {
-    const double one = (low - from - radius_) * per_along, other = (high - from + radius_) * per_along;
-    in = std::max(in, std::min(one, other));
-    out = std::min(out, std::max(one, other) * (1 + 8 * std::numeric_limits<double>::epsilon()));
+  template <class R>
+  PHYSIM_INLINE void cut(const R& low, const R& high, double from, double per_along, R& in, R& out) const {
+    const R one = (low - R(from) - R(radius_)) * R(per_along), other = (high - R(from) + R(radius_)) * R(per_along);
+    in = max(min(other, one), in);
+    out = min(max(other, one) * R(1 + 8 * std::numeric_limits<double>::epsilon()), out);
   }
 
   Vec3d from_, per_along_;

@@ -56,10 +56,18 @@ struct TriangleJob {
   std::size_t count;
 };
 
+/// The triangles at `items` are compared with the spheres about their segments: their reach becomes as short as nothing
+/// is touched.
+struct ClearJob {
+  MeshRay* rays;
+  BoxPairs items;
+};
+
 struct BoxKernel {
   const char* name;
   void (*enter)(BoxJob& job);
   void (*pass)(TriangleJob& job);
+  void (*clear)(const ClearJob& job);
 };
 
 /// That of the instruction set in use. The same in the same order, whatever the kernel.

@@ -40,13 +40,25 @@ using Four = Pack<double, 4>;
 /// A corner of four triangles.
 PHYSIM_INLINE std::array<Four, 3> corners_of(const collide::MeshRay& ray, const std::uint32_t (&place)[4],
                                              std::size_t corner) {
-  alignas(32) double at[3][4];
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    const Vec3d& p = ray.vertices[ray.corners[place[lane]][corner]];
-    at[0][lane] = p.x, at[1][lane] = p.y, at[2][lane] = p.z;
-  }
-  return {Four::load(at[0]), Four::load(at[1]), Four::load(at[2])};
+  const Vec3d* at[4];
+  for (std::size_t lane = 0; lane < 4; ++lane) at[lane] = &ray.vertices[ray.corners[place[lane]][corner]];
+  const auto along = [&](double Vec3d::*axis) PHYSIM_INLINE_LAMBDA {
+    return collide::four<Four>(at[0]->*axis, at[1]->*axis, at[2]->*axis, at[3]->*axis);
+  };
+  return {along(&Vec3d::x), along(&Vec3d::y), along(&Vec3d::z)};
 }
+
+/// The triangles of a child; where they are fewer than four the last one comes again.
+struct FourPlaces {
+  std::uint32_t place[4];
+  unsigned lanes;  // a bit for each of them
+
+  PHYSIM_INLINE explicit FourPlaces(const collide::BvhChild& child) {
+    const std::uint32_t first = child.first(), last = child.end() - 1;
+    for (std::uint32_t lane = 0; lane < 4; ++lane) place[lane] = min(first + lane, last);
+    lanes = (2u << (last - first)) - 1;
+  }
+};
 
 }  // namespace
 
@@ -75,22 +87,39 @@ void pass_triangles(collide::TriangleJob& job) {
   for (std::size_t i = 0; i < job.items.count; ++i) {
     const collide::BvhChild child(job.items.child[i]);
     const collide::MeshRay& ray = job.rays[job.items.ray[i]];
-    const std::uint32_t first = child.first(), last = child.end() - 1;
-    const std::uint32_t place[4] = {first, std::min(first + 1, last), std::min(first + 2, last), last};
+    const FourPlaces of(child);
     const collide::Shear shear(ray.segment);
     Four t;
-    const auto passed = shear.passes(shear.turned(corners_of(ray, place, 0)), shear.turned(corners_of(ray, place, 1)),
-                                     shear.turned(corners_of(ray, place, 2)), t);
+    const auto passed =
+        shear.passes(shear.turned(corners_of(ray, of.place, 0)), shear.turned(corners_of(ray, of.place, 1)),
+                     shear.turned(corners_of(ray, of.place, 2)), t);
     unsigned lanes = lane_bits(passed & (t >= Four(0.0)) & (t <= Four(1.0)));
-    lanes &= shear.is_some() ? (2u << (last - first)) - 1 : 0;
+    lanes &= shear.is_some() ? of.lanes : 0;
     double at[4];
     t.store(at);
     for (std::uint32_t lane = 0; lane < 4; ++lane) {
-      job.passed[count] = {at[lane], job.items.ray[i], first + lane};
+      job.passed[count] = {at[lane], job.items.ray[i], child.first() + lane};
       count += lanes >> lane & 1u;
     }
   }
   job.count = count;
+}
+
+void clear_triangles(const collide::ClearJob& job) {
+  for (std::size_t i = 0; i < job.items.count; ++i) {
+    collide::MeshRay& ray = job.rays[job.items.ray[i]];
+    const FourPlaces of(collide::BvhChild(job.items.child[i]));
+    const auto corner = [&](std::size_t which) PHYSIM_INLINE_LAMBDA {
+      const std::array<Four, 3> at = corners_of(ray, of.place, which);
+      return Vec3<Four>{at[0], at[1], at[2]};
+    };
+    Four part(0.0);
+    const auto touched = collide::may_touch(ray.segment, corner(0), corner(1), corner(2), part);
+    if (!any(touched)) continue;
+    double reach[4];
+    select(touched, part, Four(ray.segment.reach)).store(reach);
+    for (const double each : reach) ray.segment.reach = min(ray.segment.reach, each);
+  }
 }
 
 PHYSIM_ISA_END

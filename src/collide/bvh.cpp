@@ -231,17 +231,14 @@ class Bvh::Builder {
       decide(ranges[largest]);
       decide(ranges[count++]);
     }
-    const BvhChild none = BvhChild::of_items(whole.first, 1);  // of an empty box, which nothing meets
     BvhNode& n = nodes_[node];
+    n = BvhNode::of_none();
     std::uint32_t next = static_cast<std::uint32_t>(nodes_.size());
-    for (int i = 0; i < 8; ++i) {
-      const QuadBox box = i < count ? ranges[i].box : QuadBox{};
-      for (int axis = 0; axis < 3; ++axis) n.side[axis][i] = box.low[axis], n.side[3 + axis][i] = box.high[axis];
-      const bool inner = i < count && !ranges[i].leaf;
-      const BvhChild child = inner       ? BvhChild::of_node(next++)
-                             : i < count ? BvhChild::of_items(ranges[i].first, ranges[i].count)
-                                         : none;
-      n.child[i] = child.bits();
+    for (int i = 0; i < count; ++i) {
+      const Range& range = ranges[i];
+      n.put(i, Vec3<float>{range.box.low[0], range.box.low[1], range.box.low[2]},
+            Vec3<float>{range.box.high[0], range.box.high[1], range.box.high[2]},
+            range.leaf ? BvhChild::of_items(range.first, range.count) : BvhChild::of_node(next++));
     }
     std::uint32_t child = static_cast<std::uint32_t>(nodes_.size());
     nodes_.resize(next);

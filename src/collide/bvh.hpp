@@ -32,6 +32,11 @@ class Bvh {
   /// Puts items, at most BvhChild::kMostPlaces, into the order of its leaves, in which they are visited by their
   /// places.
   explicit Bvh(std::span<BvhItem> items);
+  /// Puts one more item into it, at a place where none is; false, and the tree has to be built anew, where it would
+  /// become too deep.
+  [[nodiscard]] bool insert(const Bounds& box, std::uint32_t place);
+  /// Takes one out again. False where its place is beside that of others, who may still be asked about it.
+  bool remove(const Bounds& box, std::uint32_t place);
 
   [[nodiscard]] std::size_t bytes() const { return nodes_.capacity() * sizeof(BvhNode); }
   [[nodiscard]] bool is_empty() const { return nodes_.empty(); }
@@ -179,6 +184,11 @@ class Bvh {
     } while (at.in > reach);
     return true;
   }
+
+  /// How an item was taken out of what is below a node.
+  enum class Taken { none, from_others, alone };
+  Taken remove_below(std::uint32_t node, const Bounds& box, std::uint32_t place);
+  void measure_root();
 
   std::vector<BvhNode> nodes_;
   Bounds root_;

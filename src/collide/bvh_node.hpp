@@ -45,6 +45,33 @@ class BvhChild {
 struct alignas(32) BvhNode : EightBoxes {
   std::uint32_t child[8];  // bits of BvhChild
 
+  /// Empty boxes, which nothing meets.
+  [[nodiscard]] static BvhNode of_none() {
+    BvhNode node;
+    for (int lane = 0; lane < 8; ++lane) node.clear(lane);
+    return node;
+  }
+  void clear(int lane) {
+    const Bounds none;
+    put(lane, none.low, none.high, BvhChild::of_items(0, 1));
+  }
+  /// Corners are of floats.
+  template <class Corner>
+  void put(int lane, const Corner& low, const Corner& high, BvhChild what) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      side[axis][lane] = static_cast<float>(low[axis]);
+      side[3 + axis][lane] = static_cast<float>(high[axis]);
+    }
+    child[lane] = what.bits();
+  }
+  [[nodiscard]] bool is_empty(int lane) const { return side[0][lane] > side[3][lane]; }
+  /// About all of its boxes.
+  [[nodiscard]] Bounds about() const {
+    Bounds all;
+    for (int lane = 0; lane < 8; ++lane) all.take(box(lane));
+    return all;
+  }
+
   /// Has it brought from memory.
   PHYSIM_INLINE void prefetch() const {
     for (std::size_t line = 0; line < 256; line += 64) prefetch_at(this, line);

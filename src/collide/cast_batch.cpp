@@ -58,7 +58,7 @@ struct Batch {
 class FirstHit {
  public:
   static constexpr Which kWhich = Which::all;
-  static constexpr bool kPoints = true;
+  static constexpr Asks kAsks = Asks::first_hit;
 
   /// False where it makes no sense.
   bool put(const Batch& batch, std::size_t number) {
@@ -131,9 +131,8 @@ void cast_one_by_one(const Batch& batch, std::size_t begin, std::size_t end) {
   }
 }
 
-/// Whether all that is asked about is a height field at rest.
 bool is_field_alone(const SceneContent& scene, const SceneFilter& filter) {
-  return scene.alive == 1 && scene.fields.size() == 1 && scene.instances[scene.fields[0]].is_asked(filter);
+  return is_field_alone(scene) && scene.instances[scene.fields[0]].is_asked(filter);
 }
 
 void cast_into_field_alone(const Batch& batch, std::size_t begin, std::size_t end) {

@@ -1,15 +1,18 @@
 // Questions about many segments at once: first all of them go through the tree of things, then through the trees of the
 // meshes that they come to, node by node in no order (box_job.hpp). Whatever else they meet is asked one by one.
 //
+// A crowd is some 75 kB, half of which are pairs that wait. It lies on the stack, which threads have a hundred times as
+// much of, and is set to nothing: so whoever asks needs no memory, and may do so from any number of threads.
+//
 // A Question has
 //   kWhich                       which things it asks about
 //   scene(), filter()            what is asked, and by what
 //   asked()                      the segment; in the frame of the scene with a reach that answers shorten:
 //   segment()
 //   at_rest(index), at_mover(index)   looks at a thing, whole
-//   look(mesh, index, first, end, inside)   looks at triangles of a mesh, which may shorten the reach of the segment in
-//                                its frame
-//   kPoints                      whether it may be about points, and then
+//   kAsks                        what it wants to know of the triangles of meshes; where that is what it meets first,
+//   look(mesh, index, first, end, inside)   looks at some of them, which may shorten the reach of the segment in their
+//                                frame
 //   pass(mesh, index, triangle, t, inside)   likewise, of a point, the line of which passes a triangle at t
 //   leaves(index, inside)        it is through the mesh
 //   end()                        it is at its end
@@ -34,7 +37,7 @@ class RayCrowd {
   [[nodiscard]] std::uint32_t count() const { return count_; }
   /// What a ray is cast for.
   [[nodiscard]] Cast& cast(std::uint32_t ray) { return (*casts_)[ray]; }
-  [[nodiscard]] const Cast* casts() const { return &(*casts_)[0]; }
+  [[nodiscard]] Cast* casts() { return &(*casts_)[0]; }
   /// What the next one will be cast for.
   [[nodiscard]] Cast& next() {
     PHYSIM_ASSERT(!is_full());
@@ -84,6 +87,8 @@ class RayCrowd {
   std::uint32_t ray_[kRoom], child_[kRoom];
 };
 
+enum class Asks { first_hit, clear_part };
+
 template <class Question>
 class CastCrowd {
  public:
@@ -109,7 +114,6 @@ class CastCrowd {
     boundless_along(
         scene, Question::kWhich, question.segment(), [&](std::uint32_t index, Segment&) { question.at_rest(index); },
         [&](std::uint32_t index, Segment&) { question.at_mover(index); });
-    scene.resting.along_recent(question.segment(), [&](std::uint32_t index, Segment&) { come_to(number, index); });
     if (scene.resting.tree().is_empty()) return;
     things_.next() = number;
     things_.add(scene.resting.tree(), question.segment());
@@ -136,7 +140,8 @@ class CastCrowd {
       for (std::size_t i = 0; i < items.count; ++i) {
         const BvhChild child(items.child[i]);
         for (std::uint32_t place = child.first(); place < child.end(); ++place)
-          if (const std::uint32_t thing = scene.resting.thing(place); thing != Tree::kNone) call(items.ray[i], thing);
+          if (const std::uint32_t thing = scene.resting.thing(place); thing != RestingThings::kNone)
+            call(items.ray[i], thing);
       }
     };
     for_things([&](std::uint32_t, std::uint32_t thing) { scene.instances[thing].prefetch(); });
@@ -154,10 +159,14 @@ class CastCrowd {
       for_items([&](std::uint32_t ray, BvhChild child) {
         meshes_.cast(ray).mesh->prefetch_corners(child.first(), child.end());
       });
-      if constexpr (Question::kPoints) pass(items);
+      if constexpr (Question::kAsks == Asks::clear_part)
+        kernel_.clear({meshes_.casts(), items});
+      else
+        pass(items);
       for_items([&](std::uint32_t ray, BvhChild child) {
         MeshRay& in = meshes_.cast(ray);
-        (*questions_)[in.question].look(*in.mesh, in.thing, child.first(), child.end(), in.segment);
+        if constexpr (Question::kAsks == Asks::first_hit)
+          (*questions_)[in.question].look(*in.mesh, in.thing, child.first(), child.end(), in.segment);
         meshes_.set_reach(ray, in.segment.reach);
       });
     });

@@ -9,6 +9,11 @@
 
 namespace physim::collide {
 
+/// Whether all that a scene holds is a height field at rest.
+[[nodiscard]] inline bool is_field_alone(const SceneContent& scene) {
+  return scene.alive == 1 && scene.fields.size() == 1;
+}
+
 /// Calls take(number, first) for each of some segments that meets a height field at rest, with what it meets first.
 template <class Take>
 void cast_into_field(const SceneContent& scene, std::uint32_t index, std::span<const SceneSegment> segments,

@@ -1,6 +1,7 @@
 #include "collide/clear_batch.hpp"
 
 #include "collide/cast_crowd.hpp"
+#include "collide/cast_field.hpp"
 #include "collide/clear_look.hpp"
 
 namespace physim::collide {
@@ -10,7 +11,7 @@ namespace {
 class ClearPart {
  public:
   static constexpr Which kWhich = Which::resting;
-  static constexpr bool kPoints = false;
+  static constexpr Asks kAsks = Asks::clear_part;
 
   /// False where it makes no sense.
   bool put(const SceneContent& scene, ClearQuery& query) {
@@ -28,10 +29,6 @@ class ClearPart {
   [[nodiscard]] Segment& segment() { return segment_; }
   void at_rest(std::uint32_t index) { look().at_rest(index, segment_); }
   void at_mover(std::uint32_t) {}
-  void look(const Mesh& mesh, std::uint32_t, std::uint32_t first, std::uint32_t end, Segment& inside) {
-    for (std::uint32_t i = first; i < end; ++i)
-      if (const auto part = collide::clear_part(inside, mesh.triangle(i))) inside.reach = std::min(inside.reach, *part);
-  }
   void leaves(std::uint32_t index, const Segment& inside) {
     ClearLook::shorten(scene_->instances[index], inside.reach, segment_);
   }
@@ -46,11 +43,23 @@ class ClearPart {
   Segment segment_;
 };
 
+void clear_of_field_alone(const SceneContent& scene, std::span<ClearQuery> queries) {
+  for (ClearQuery& query : queries) {
+    const SceneSegment& asked = query.segment;
+    Segment segment{asked.from, asked.to - asked.from, asked.radius, 1};
+    query.part = 0;
+    if (!is_sound(asked)) continue;
+    ClearLook{scene, asked, {.layers = query.layers}}.at_rest(scene.fields[0], segment);
+    query.part = std::max(0.0, segment.reach);
+  }
+}
+
 }  // namespace
 
 void clear_parts(const SceneContent& scene, std::span<ClearQuery> queries) {
   std::size_t next = 0;
   PHYSIM_ASSERT(!scene.engine);  // nobody knows how far its things are
+  if (is_field_alone(scene)) return clear_of_field_alone(scene, queries);
   CastCrowd<ClearPart> crowd;
   crowd.cast([&](ClearPart& question) {
     while (next < queries.size())

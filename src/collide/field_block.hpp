@@ -100,6 +100,15 @@ struct BlockWay {
   R flat, steep;         // how far above it: at least, and for each m that corners of a cell differ by
 };
 inline constexpr int kBlockWayNumbers = 12;
+/// Calls put(i, number) for each of them, as they lie. One by one: what is put so can be read at once, where a loop
+/// that is made of wider moves waits until its numbers are in the cache.
+template <class Put>
+PHYSIM_INLINE void each_number(const BlockWay<double>& way, const Put& put) {
+  put(0, way.x), put(1, way.y), put(2, way.z);
+  put(3, way.along_x), put(4, way.along_y), put(5, way.along_z);
+  put(6, way.per_x), put(7, way.per_z), put(8, way.beyond_x), put(9, way.beyond_z);
+  put(10, way.flat), put(11, way.steep);
+}
 
 template <class R>
 PHYSIM_INLINE BlockWay<R> way_in_block(const collide::FieldGrid& grid, const FieldWay<R>& way, const R& column,
@@ -125,14 +134,14 @@ PHYSIM_INLINE BlockWay<R> way_in_block(const collide::FieldGrid& grid, const Fie
 /// A way, ready to be compared with the cells of a block: as many rows at once as fit into a register.
 class BlockTest {
  public:
-  /// `numbers`: those of a BlockWay, `stride` apart.
-  PHYSIM_INLINE BlockTest(const float* numbers, std::size_t stride) {
+  /// `numbers`: those of a BlockWay, `stride` apart; the block is so many cells beyond the one that it was made for.
+  PHYSIM_INLINE BlockTest(const float* numbers, std::size_t stride, float columns = 0, float rows = 0) {
     const auto number = [&](std::size_t i) PHYSIM_INLINE_LAMBDA { return numbers[i * stride]; };
     const float along_x = number(3), along_z = number(5), beyond_x = number(8), beyond_z = number(9);
     constexpr float kColumnOf[] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     constexpr float kRowOf[] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-    u_ = Look(number(0)) - Look::load(kColumnOf);
-    w_ = Look(number(2)) - Look::load(kRowOf);
+    u_ = Look(number(0) - columns) - Look::load(kColumnOf);
+    w_ = Look(number(2) - rows) - Look::load(kRowOf);
     y_ = Look(number(1));
     along_x_ = Look(along_x);
     along_y_ = Look(number(4));
@@ -207,11 +216,11 @@ PHYSIM_INLINE std::uint32_t block_of(std::uint32_t columns, std::uint32_t rows) 
   PHYSIM_ASSERT(columns >= 1 && columns <= collide::kBlockSide && rows >= 1 && rows <= collide::kBlockSide);
   return (0x1111u * ((1u << columns) - 1)) & ((1u << (4 * rows)) - 1);
 }
-/// Those cells of a block that a way may meet.
+/// Those cells of a block that a way may meet; its numbers may be those of a block so many columns and rows before.
 PHYSIM_INLINE std::uint32_t cells_met(const collide::FieldGrid& grid, const float* numbers, std::size_t stride,
-                                      const collide::FieldCells& block) {
+                                      const collide::FieldCells& block, float columns = 0, float rows = 0) {
   PHYSIM_ASSERT(block.column + 1 < grid.columns && block.row + 1 < grid.rows);
-  return BlockTest(numbers, stride)
+  return BlockTest(numbers, stride, columns, rows)
       .meets(grid.heights + std::size_t{block.row} * grid.columns + block.column, grid.columns, block.some);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "collide/field_block.hpp"
+#include "collide/segment.hpp"
 #include "physim/scene.hpp"
 
 namespace physim::collide {
@@ -29,10 +30,33 @@ struct FieldJob {
   std::size_t found;             // so many of them, in order
 };
 
+/// A way over many cells, which is looked at by blocks of them: rows of blocks across the axis that it goes along most,
+/// one after the other.
+struct FieldWalk {
+  double numbers[kBlockWayNumbers];  // of its BlockWay, as seen from the first one of the cells that it may meet
+  float rounded[kBlockWayNumbers];
+  std::uint32_t first[2], count[2];  // those cells, along x and z
+  int axis;                          // along which it goes most: 0 or 1
+  std::uint32_t strips, begun;       // of so many rows of blocks these are looked at, or at hand
+  std::uint32_t next, end;           // cells across it of that which is at hand
+  double reach;                      // farther along it nothing is wanted any more
+};
+
+/// Where the points of a field are.
+struct FieldPoints {
+  const double* heights;        // row by row [m]
+  std::uint32_t columns;        // of points
+  double spacing_x, spacing_z;  // [m]
+};
+
 struct FieldKernel {
   const char* name;
   /// Those cells of a block that a way may meet: the numbers of its BlockWay, in float.
   std::uint32_t (*cells_in_block)(const FieldGrid& grid, const float* way, const FieldCells& block);
+  /// Cells of the next block with some that a walk may meet; none: it is over.
+  FieldCells (*next_cells)(const FieldGrid& grid, FieldWalk& walk);
+  /// Shortens the reach of a segment to where spheres about it touch nothing in some cells.
+  void (*clear_cells)(const FieldPoints& points, const FieldCells& cells, Segment& segment);
   void (*find_cells)(FieldJob& job);
 };
 /// That of the instruction set in use.

@@ -1,5 +1,6 @@
 // Compiled once per instruction set, in a namespace of its name.
 #include "collide/field_job.hpp"
+#include "collide/triangle.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -68,10 +69,116 @@ PHYSIM_INLINE void put_looks(const collide::FieldJob& job, const Columns& column
                         (way.size(over_x.first, over_z.first) > Numbers(collide::kManyCells)));
 }
 
+/// Where a number of a BlockWay is that counts along an axis, and the one along the other axis that belongs to it.
+enum Along : int { kFrom = 0, kWay = 3, kPer = 6, kBeyond = 8 };
+PHYSIM_INLINE double number_of(const collide::FieldWalk& walk, Along which, int axis) {
+  return walk.numbers[which + axis * (which < kPer ? 2 : 1)];
+}
+
+/// Begins with the next row of blocks, if the walk comes there.
+PHYSIM_INLINE void begin_strip(collide::FieldWalk& walk) {
+  const int axis = walk.axis;
+  const double from = number_of(walk, kFrom, axis), per = number_of(walk, kPer, axis);
+  const double beyond = number_of(walk, kBeyond, axis);
+  const bool backwards = per < 0;
+  const std::uint32_t strip = backwards ? walk.strips - 1 - walk.begun : walk.begun;
+  ++walk.begun;
+  const double low = double(strip * collide::kBlockSide) - beyond;
+  const double high = double(min(walk.count[axis], (strip + 1) * collide::kBlockSide)) + beyond;
+  const double in = max(((backwards ? high : low) - from) * per, 0.0);
+  const double out = min(((backwards ? low : high) - from) * per, walk.reach);
+  if (in > walk.reach) walk.begun = walk.strips;  // the others are farther
+  if (!(in <= out)) return;
+  const int across = 1 - axis;
+  const double start = number_of(walk, kFrom, across), along = number_of(walk, kWay, across);
+  const CellRange<double> cells =
+      cells_between(start + along * in, start + along * out, number_of(walk, kBeyond, across), walk.count[across] + 1);
+  walk.next = static_cast<std::uint32_t>(cells.first);
+  walk.end = static_cast<std::uint32_t>(cells.last) + 1;
+}
+
+/// The block that is at hand, whose cells are told from the first one of the walk on.
+PHYSIM_INLINE collide::FieldCells block_at_hand(const collide::FieldWalk& walk) {
+  const std::uint32_t strip = walk.numbers[kPer + walk.axis] < 0 ? walk.strips - walk.begun : walk.begun - 1;
+  std::uint32_t first[2], count[2];
+  first[walk.axis] = strip * collide::kBlockSide, first[1 - walk.axis] = walk.next;
+  count[walk.axis] = min(walk.count[walk.axis] - first[walk.axis], collide::kBlockSide);
+  count[1 - walk.axis] = min(walk.end - walk.next, collide::kBlockSide);
+  return {first[0], first[1], block_of(count[0], count[1])};
+}
+
+using Four = Pack<double, 4>;
+
+/// A corner of each half of two cells, as HeightField::triangle() has them: by its coordinates in the one cell and in
+/// the other.
+struct TwoCells {
+  double x[2][2], z[2][2];       // of the near and the far side of each cell
+  double near[2][2], far[2][2];  // heights at its near row, left and right, and at its far row
+
+  PHYSIM_INLINE void put(const collide::FieldPoints& points, std::uint32_t column, std::uint32_t row,
+                         std::size_t cell) {
+    const double* from = points.heights + std::size_t{row} * points.columns + column;
+    x[cell][0] = column * points.spacing_x, x[cell][1] = (column + 1) * points.spacing_x;
+    z[cell][0] = row * points.spacing_z, z[cell][1] = (row + 1) * points.spacing_z;
+    near[cell][0] = from[0], near[cell][1] = from[1];
+    far[cell][0] = from[points.columns], far[cell][1] = from[points.columns + 1];
+  }
+  PHYSIM_INLINE Vec3<Four> first() const {
+    return {collide::four<Four>(x[0][0], x[0][1], x[1][0], x[1][1]),
+            collide::four<Four>(near[0][0], near[0][1], near[1][0], near[1][1]),
+            collide::four<Four>(z[0][0], z[0][0], z[1][0], z[1][0])};
+  }
+  PHYSIM_INLINE Vec3<Four> second() const {
+    return {collide::four<Four>(x[0][0], x[0][0], x[1][0], x[1][0]),
+            collide::four<Four>(far[0][0], far[0][0], far[1][0], far[1][0]),
+            collide::four<Four>(z[0][1], z[0][1], z[1][1], z[1][1])};
+  }
+  PHYSIM_INLINE Vec3<Four> third() const {
+    return {collide::four<Four>(x[0][1], x[0][1], x[1][1], x[1][1]),
+            collide::four<Four>(near[0][1], far[0][1], near[1][1], far[1][1]),
+            collide::four<Four>(z[0][0], z[0][1], z[1][0], z[1][1])};
+  }
+};
+
 }  // namespace
+
+collide::FieldCells next_cells(const collide::FieldGrid& grid, collide::FieldWalk& walk) {
+  for (;;) {
+    while (walk.next == walk.end) {
+      if (walk.begun == walk.strips) return {0, 0, 0};
+      begin_strip(walk);
+    }
+    collide::FieldCells block = block_at_hand(walk);
+    walk.next = min(walk.next + collide::kBlockSide, walk.end);
+    const auto columns = static_cast<float>(block.column), rows = static_cast<float>(block.row);
+    block.column += walk.first[0];
+    block.row += walk.first[1];
+    block.some = cells_met(grid, walk.rounded, 1, block, columns, rows);
+    if (block.some != 0) return block;
+  }
+}
 
 std::uint32_t cells_in_block(const collide::FieldGrid& grid, const float* way, const collide::FieldCells& block) {
   return cells_met(grid, way, 1, block);
+}
+
+void clear_cells(const collide::FieldPoints& points, const collide::FieldCells& cells, collide::Segment& segment) {
+  for (std::uint32_t some = cells.some; some != 0;) {
+    // The halves of two cells; the last one comes twice where it is alone.
+    TwoCells two;
+    std::uint32_t cell = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (some != 0) cell = static_cast<std::uint32_t>(std::countr_zero(some));
+      some &= some - 1;
+      two.put(points, cells.column + cell % collide::kBlockSide, cells.row + cell / collide::kBlockSide, i);
+    }
+    Four part(0.0);
+    const auto touched = collide::may_touch(segment, two.first(), two.second(), two.third(), part);
+    if (!any(touched)) continue;
+    double reach[4];
+    select(touched, part, Four(segment.reach)).store(reach);
+    for (const double each : reach) segment.reach = min(segment.reach, each);
+  }
 }
 
 void find_cells(collide::FieldJob& job) {

@@ -79,6 +79,51 @@ void HeightField::build_levels() {
   }
 }
 
+double HeightField::clear_part(Segment s) const {
+  double in = 0, out = s.reach;
+  FieldWalk walk;
+  if (s.reach < 0 || !begin_walk(s, in, out, walk)) return s.reach;
+  const FieldKernel& kernel = field_kernel();
+  const FieldGrid over = grid();
+  const FieldPoints points{heights_.data(), columns_, spacing_x_, spacing_z_};
+  const double per_part = out > in ? 1 / (out - in) : 0;
+  for (FieldCells cells = kernel.next_cells(over, walk); cells.some != 0; cells = kernel.next_cells(over, walk)) {
+    kernel.clear_cells(points, cells, s);
+    walk.reach = std::min(walk.reach, (s.reach - in) * per_part);
+  }
+  return s.reach;
+}
+
+bool HeightField::begin_walk(const Segment& s, double& in, double& out, FieldWalk& walk) const {
+  const FieldGrid over = grid();
+  const double wide = slack_over(over, s.from, s.along * s.reach, s.radius);
+  const Vec3d to = s.at(s.reach);
+  const auto cut = [&](double from, double end, double along, double high) {
+    if (std::min(from, end) >= 0 && std::max(from, end) <= high) return;
+    const double per = finite_inverse(along), one = (-wide - from) * per, other = (high + wide - from) * per;
+    in = std::max(in, std::min(one, other));
+    out = std::min(out, std::max(one, other));
+  };
+  cut(s.from.x, to.x, s.along.x, bounds_.high.x);
+  cut(s.from.z, to.z, s.along.z, bounds_.high.z);
+  if (!(in <= out)) return false;
+  const auto way = way_over(over, s.at(in), s.along * (out - in), wide);
+  if (passes(over, way)) return false;
+  const CellRange<double> columns = columns_of(way), rows = rows_of(way);
+  const BlockWay<double> block = way_in_block(over, way, columns.first, rows.first);
+  each_number(block, [&](int i, double number) {
+    walk.numbers[i] = number;
+    walk.rounded[i] = static_cast<float>(number);
+  });
+  walk.first[0] = static_cast<std::uint32_t>(columns.first), walk.count[0] = count_of(columns);
+  walk.first[1] = static_cast<std::uint32_t>(rows.first), walk.count[1] = count_of(rows);
+  walk.axis = std::abs(block.along_x) >= std::abs(block.along_z) ? 0 : 1;
+  walk.strips = (walk.count[walk.axis] + kBlockSide - 1) / kBlockSide;
+  walk.begun = walk.next = walk.end = 0;
+  walk.reach = 1;
+  return true;
+}
+
 /// About a block; empty where it lies beyond the field.
 Bounds HeightField::box(std::size_t level, std::uint32_t column, std::uint32_t row) const {
   PHYSIM_ASSERT(level < levels_.size());

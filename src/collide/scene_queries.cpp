@@ -191,8 +191,8 @@ double SceneParts::clear_part(const SceneSegment& segment, const SceneFilter& fi
 }
 
 void SceneParts::clear_parts(std::span<collide::ClearQuery> queries) const {
-  if (content_.meshes > 0 && !content_.engine) return collide::clear_parts(content_, queries);
-  for (collide::ClearQuery& query : queries) query.part = clear_part(query.segment, {.layers = query.layers});
+  if (!content_.engine) return collide::clear_parts(content_, queries);
+  for (collide::ClearQuery& query : queries) query.part = 0;  // nobody knows how far its things are
 }
 
 bool SceneParts::meets_mover(const SceneSegment& segment, const SceneFilter& filter) const {

@@ -21,6 +21,19 @@
 
 namespace physim::collide {
 
+/// A pack of four numbers, in registers from the first on: a wide load would wait for stores of single ones.
+template <class R>
+[[nodiscard]] PHYSIM_INLINE R four(double a, double b, double c, double d) {
+  R pack;
+  if constexpr (R::kRegisters == 1)
+    pack.r[0] = typename R::Register{a, b, c, d};
+  else if constexpr (R::kRegisters == 2)
+    pack.r[0] = typename R::Register{a, b}, pack.r[1] = typename R::Register{c, d};
+  else
+    pack.set(0, a), pack.set(1, b), pack.set(2, c), pack.set(3, d);
+  return pack;
+}
+
 struct Triangle {
   Vec3d a, b, c;  // counterclockwise as seen from outside
 
@@ -164,41 +177,54 @@ class Shear {
   return t ? crossing_at(*t, s, triangle) : std::nullopt;
 }
 
-/// A part of a segment up to which no sphere about its points touches a triangle, below the true one by little where it
-/// touches its face; none where it passes it. The sphere is taken for all that is as near to the plane as its radius
-/// and not farther beyond any edge, nor beyond the box of the triangle, which costs no iteration.
-[[nodiscard]] inline std::optional<double> clear_part(const Segment& s, const Triangle& t) {
-  const Vec3d ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c, normal = cross(ab, -ca);
-  const auto size = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
-  const double edge = std::max({size(ab), size(bc), size(ca)});
-  const double far = size(s.from - t.a) + size(s.along) + edge;  // from the triangle
-  const double wide = s.radius + kRounding * (s.extent() + edge);
-  double in = 0, out = s.reach;
+/// Whether spheres about a segment may touch triangles, one or a pack of them, and up to which part of the segment none
+/// does: below the true one by little where one touches a face. The sphere is taken for all that is as near to the
+/// plane as its radius and not farther beyond any edge, nor beyond the box of the triangle, which costs no iteration.
+template <class R>
+[[nodiscard]] PHYSIM_INLINE MaskOf<R> may_touch(const Segment& s, const Vec3<R>& a, const Vec3<R>& b, const Vec3<R>& c,
+                                                R& part) {
+  const auto pack = [](const Vec3d& v) PHYSIM_INLINE_LAMBDA { return Vec3<R>{R(v.x), R(v.y), R(v.z)}; };
+  const auto size = [](const Vec3<R>& v) PHYSIM_INLINE_LAMBDA { return abs(v.x) + abs(v.y) + abs(v.z); };
+  const Vec3<R> from = pack(s.from), way = pack(s.along);
+  const Vec3<R> ab = b - a, bc = c - b, ca = a - c, normal = cross(ab, -ca);
+  const R rounding(32 * std::numeric_limits<double>::epsilon()), zero(0.0);
+  const R edge = max(size(ab), max(size(bc), size(ca)));
+  const R far = size(from - a) + size(way) + edge;  // from the triangle
+  const R wide = R(s.radius) + rounding * (R(s.extent()) + edge);
+  R in = zero, out(s.reach);
   // Leaves what is below a plane through p, as far as `most`; direction and most may be of any size.
-  const auto below = [&](const Vec3d& direction, const Vec3d& p, double most) {
-    const double above = dot(direction, s.from - p) - most, rate = dot(direction, s.along);
-    if (rate == 0) {
-      if (above > 0) out = -1;
-    } else if (rate < 0) {
-      in = std::max(in, -above / rate);
-    } else {
-      out = std::min(out, -above / rate);
-    }
-    return in <= out;
+  const auto below = [&](const Vec3<R>& direction, const Vec3<R>& p, const R& most) PHYSIM_INLINE_LAMBDA {
+    const R above = dot(direction, from - p) - most, rate = dot(direction, way), at = (zero - above) / rate;
+    in = select(rate < zero, max(at, in), in);
+    out = select(rate > zero, min(at, out), out);
+    out = select((rate == zero) & (above > zero), R(-1.0), out);
   };
-  const double face = length(normal) * wide + kRounding * edge * edge * far;
-  if (!below(normal, t.a, face) || !below(-normal, t.a, face)) return std::nullopt;
-  const double beyond = kRounding * edge * edge * edge * far;
-  for (const auto& [along, p] : {std::pair{ab, t.a}, {bc, t.b}, {ca, t.c}}) {
-    const Vec3d outwards = cross(along, normal);
-    if (!below(outwards, p, length(outwards) * wide + beyond)) return std::nullopt;
-  }
-  Bounds box;
-  for (const Vec3d& corner : {t.a, t.b, t.c}) box.take(corner);
-  const double enters = BoxTest(s).enters(box, s.reach);
-  if (!(enters <= s.reach)) return std::nullopt;
-  return std::max(in, enters) * (1 - kRounding);
+  const R face = length(normal) * wide + rounding * edge * edge * far;
+  below(normal, a, face);
+  below(-normal, a, face);
+  if (!any(in <= out)) return in <= out;
+  const R beyond = rounding * edge * edge * edge * far;
+  const auto beside = [&](const Vec3<R>& along, const Vec3<R>& p) PHYSIM_INLINE_LAMBDA {
+    const Vec3<R> outwards = cross(along, normal);
+    below(outwards, p, length(outwards) * wide + beyond);
+  };
+  beside(ab, a);
+  beside(bc, b);
+  beside(ca, c);
+  if (!any(in <= out)) return in <= out;
+  const auto least = [](const R& x, const R& y, const R& z) PHYSIM_INLINE_LAMBDA { return min(x, min(y, z)); };
+  const auto most = [](const R& x, const R& y, const R& z) PHYSIM_INLINE_LAMBDA { return max(x, max(y, z)); };
+  const R enters = BoxTest(s).enters(Vec3<R>{least(a.x, b.x, c.x), least(a.y, b.y, c.y), least(a.z, b.z, c.z)},
+                                     Vec3<R>{most(a.x, b.x, c.x), most(a.y, b.y, c.y), most(a.z, b.z, c.z)}, s.reach);
+  part = max(in, enters) * (R(1.0) - rounding);
+  return (in <= out) & (enters <= R(s.reach));
+}
+
+/// That part, where a triangle is in the way.
+[[nodiscard]] inline std::optional<double> clear_part(const Segment& s, const Triangle& t) {
+  double part = 0;
+  if (!may_touch(s, t.a, t.b, t.c, part)) return std::nullopt;
+  return part;
 }
 
 }  // namespace physim::collide

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "collide/height_field.hpp"
+#include "collide/scene_parts.hpp"
 #include "collide/scene_support.hpp"
 #include "physim/flight.hpp"
 
@@ -108,6 +109,47 @@ TEST(HeightField, no_triangle_that_is_met_is_left_out_and_none_comes_twice) {
     }
   }
   EXPECT_GT(met, 10000);
+}
+
+TEST(HeightField, a_way_is_clear_up_to_what_it_may_touch_whatever_the_kernel) {
+  Random r(8);
+  int clear = 0, touched = 0;
+  for (int i = 0; i < 15; ++i) {
+    const HeightFieldShape shape = rough_field(r, i % 2 == 0 ? 60 : 8);
+    const collide::HeightField field = std::move(collide::HeightField::make(shape).value());
+    Scene scene;
+    ASSERT_TRUE(scene.add({.shape = scene.add_shape(shape).value(), .layers = 2}));
+    std::vector<collide::ClearQuery> queries;
+    for (int k = 0; k < 60; ++k) {
+      queries.push_back({across(r, shape, 4), r.one_in(9) ? 1u : 3u});
+      queries.back().segment.radius = r.one_in(3) ? 0 : r.in(0, r.one_in(8) ? 9 : 0.5);
+      if (r.one_in(2)) queries.back().segment.from.y = r.in(3, 5);
+    }
+    for (const std::string& kernel : kernels()) {
+      ASSERT_TRUE(use_kernel(kernel));
+      std::vector<collide::ClearQuery> asked = queries;
+      SceneParts(scene).clear_parts(asked);
+      for (std::size_t k = 0; k < asked.size(); ++k) {
+        const SceneSegment& s = asked[k].segment;
+        const collide::Segment whole{s.from, s.to - s.from, s.radius, 1};
+        double least = 1;  // what any of its triangles allows
+        for (std::uint32_t number = 0; number < field.info().triangles && asked[k].layers != 1; ++number) {
+          const std::uint32_t cell = number / 2, columns = field.columns() - 1;
+          const auto part = collide::clear_part(whole, field.triangle(cell % columns, cell / columns, number % 2));
+          least = std::min(least, part.value_or(1));
+        }
+        ASSERT_GE(asked[k].part, std::max(0.0, least - 1e-9)) << kernel << ' ' << i << ", cast " << k;
+        const SceneHit hit = scene.first_hit(s, {.layers = asked[k].layers});
+        ASSERT_LE(asked[k].part, hit ? hit.part : 1) << kernel << ' ' << i << ", cast " << k;
+        if (queries[k].part == 0) queries[k].part = asked[k].part;
+        ASSERT_EQ(asked[k].part, queries[k].part) << kernel << ' ' << i << ", cast " << k;
+        (asked[k].part == 1 ? clear : touched) += 1;
+      }
+    }
+    ASSERT_TRUE(use_kernel(""));
+  }
+  EXPECT_GT(clear, 100);
+  EXPECT_GT(touched, 100);
 }
 
 /// Near a field that stands somewhere; a few make no sense.
