@@ -69,10 +69,10 @@ void Kinds::keep(std::uint32_t index) {
   become_busy(kind);
 }
 
-void Kinds::join(std::uint32_t index) {
+void Kinds::join(std::uint32_t index, std::uint32_t count) {
   Kind& kind = (*this)[index];
-  PHYSIM_ASSERT(!kind.forgotten);
-  ++kind.alive;
+  PHYSIM_ASSERT(!kind.forgotten && count > 0);
+  kind.alive += count;
   become_busy(kind);
 }
 

@@ -81,8 +81,8 @@ class Kinds {
   std::uint32_t add(Kind kind);
   /// It stays, whether somebody uses it or not.
   void keep(std::uint32_t index);
-  /// A projectile of it came, or left; `moment`: snapshots taken so far.
-  void join(std::uint32_t index);
+  /// So many projectiles of it came, or one left; `moment`: snapshots taken so far.
+  void join(std::uint32_t index, std::uint32_t count = 1);
   void leave(std::uint32_t index, std::uint64_t moment, const Living& living);
   /// Lets idle kinds go where there are too many.
   void forget_idle(const Living& living);

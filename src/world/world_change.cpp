@@ -20,24 +20,16 @@ Error not_finite(const char* place) { return {"must have three finite components
 
 }  // namespace
 
-void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::optional<double> moment, double value) {
+void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::optional<double> moment,
+                     std::uint32_t value) {
   const BodyState at = state.state_of(state.slots[slot]);
-  keep_event({.kind = kind,
-              .reason = reason,
-              .id = state.slots.id_of(slot),
-              .value = value,
-              .time = moment.value_or(state.clock.time()),
-              .position = at.position,
-              .velocity = at.velocity});
+  keep_event({kind, reason, state.slots.id_of(slot), value, moment.value_or(state.clock.time())}, at);
 }
 
-void WorldImpl::keep_event(const Event& event) {
-  if (room_for_events() == 0) return void(++state.counters.dropped_events);
-  make_room_for_events(state.events.size() + 1);
-  // Told that there is room, compilers write the event in place. A copy, for which clang calls memcpy(), would read in
-  // wide pieces what was just written in narrow ones, and wait until it is in the cache.
-  if (state.events.size() == state.events.capacity()) __builtin_unreachable();
-  state.events.push_back(event);
+bool WorldImpl::may_keep_event() {
+  if (room_for_events() > 0) return true;
+  ++state.counters.dropped_events;
+  return false;
 }
 
 std::size_t WorldImpl::room_for_events() const {
@@ -47,18 +39,10 @@ std::size_t WorldImpl::room_for_events() const {
   return most - std::min(most, state.events.size());
 }
 
-void WorldImpl::make_room_for_events(std::size_t count) {
-  if (count <= state.events.capacity()) return;
-  std::vector<Event> larger;
-  larger.reserve(std::max({count, 2 * state.events.capacity(), std::size_t{16}}));
-  larger.assign(state.events.begin(), state.events.end());
-  outgrown.push_back(std::exchange(state.events, std::move(larger)));
-}
-
 void WorldImpl::forget_events() {
-  events_use.empty(state.events);
+  state.events.clear();
   state.events_of_step = 0;
-  outgrown.clear();
+  given_events.clear();
   state.joints.events.clear();
 }
 
