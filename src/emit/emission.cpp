@@ -78,14 +78,13 @@ bool Emission::leaves_gravity() const { return parts_->start.gravity.is(1); }
 void Emission::newborns(NewbornPack& pack) const {
   PHYSIM_ASSERT(leaves_gravity());
   const Parts& p = *parts_;
-  PackChance<Draw, EmitStream::particle, NewbornPack::kLanes> chance(p.seed, pack.number, &particle_kernel());
-  const auto drawn = [&chance](Draw what) {
-    return [&chance, what ]() -> const auto& { return chance(what); };
-  };
+  PackChance<Draw, EmitStream::particle, NewbornPack::kLanes> chance(p.seed, pack.number, &particle_kernel(),
+                                                                     pack.count);
   p.outlets.at_each(pack, chance);
-  p.start.speed.at_each(pack.phase, pack.speed, drawn(Draw::speed));
-  p.start.lifetime.at_each(pack.phase, pack.lifetime, drawn(Draw::lifetime));
-  PHYSIM_ASSERT(std::ranges::all_of(pack.lifetime, [](double lifetime) { return lifetime > 0; }));
+  draw_each(p.start.speed, pack.phase, pack.speed, chance, Draw::speed);
+  draw_each(p.start.lifetime, pack.phase, pack.lifetime, chance, Draw::lifetime);
+  PHYSIM_ASSERT(std::all_of(pack.lifetime.begin(), pack.lifetime.begin() + static_cast<std::ptrdiff_t>(pack.count),
+                            [](double lifetime) { return lifetime > 0; }));
 }
 
 std::uint32_t Emission::fired_by(std::size_t sub, std::uint64_t number, std::uint64_t nth) const {

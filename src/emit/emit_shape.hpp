@@ -18,6 +18,7 @@
 #include "emit/emission.hpp"
 #include "emit/newborn_pack.hpp"
 #include "emit/pack_chance.hpp"
+#include "emit/shape_lanes.hpp"
 
 namespace physim {
 
@@ -38,16 +39,9 @@ class ShapeOutlets {
   void at_each(NewbornPack& pack, PackChance<Draw, EmitStream::particle, NewbornPack::kLanes>& chance) const;
 
  private:
-  template <class R, class Chance>
-  class Way;
+  void by_kernel(NewbornPack& pack, PackChance<Draw, EmitStream::particle, NewbornPack::kLanes>& chance) const;
 
-  EmitFrom from_;
-  double inner_;         // 1 - t
-  double slope_;         // tan A
-  double first_;         // of those spread over the arc: how far into its part the first one is
-  double shell_ = 0;     // of a box: how thick it is, from its surface inwards [m]
-  double slab_[3]{};     // the volume of its slabs across x, y and z, each with those before
-  Vec3d half_, within_;  // half sizes of the box and of the part inside of the shell
+  ShapeNumbers shape_;
   std::shared_ptr<const SurfaceOutlets> surface_;  // null: no shape of triangles
 };
 

@@ -40,12 +40,6 @@ double BirthRate::time_of(std::uint64_t k, std::uint64_t play, RateReached& reac
   return rate_.is_drawn() ? drawn(births, play, reached) : by_curve(births);
 }
 
-double BirthRate::steady(double births) const {
-  PHYSIM_ASSERT(constant_ > 0);
-  const double time = births / constant_;
-  return looping_ || time <= duration_ ? time : kInfinity;
-}
-
 double BirthRate::by_curve(double births) const {
   if (!(of_cycle_ > 0)) return kInfinity;
   const double cycle = std::max(0.0, std::ceil(births / of_cycle_ * (1 - kBirthRounding)) - 1);

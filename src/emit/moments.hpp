@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "emit/chance.hpp"
@@ -32,9 +33,15 @@ class BirthRate {
   /// When birth k is; infinite where there is none. Births are asked for in order where the rate is drawn: `reached`
   /// is what the one before left, and as new for the first one.
   [[nodiscard]] double time_of(std::uint64_t k, std::uint64_t play, RateReached& reached) const;
+  /// Whether it is one number: steady() says when so many are through.
+  [[nodiscard]] bool is_steady() const { return !silent_ && constant_ > 0; }
+  [[nodiscard]] double steady(double births) const {
+    PHYSIM_ASSERT(constant_ > 0);
+    const double time = births / constant_;
+    return looping_ || time <= duration_ ? time : std::numeric_limits<double>::infinity();
+  }
 
  private:
-  [[nodiscard]] double steady(double births) const;
   [[nodiscard]] double by_curve(double births) const;
   [[nodiscard]] double drawn(double births, std::uint64_t play, RateReached& reached) const;
   [[nodiscard]] double in_cycle(double x, double u) const;  // births from its start

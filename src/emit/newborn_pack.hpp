@@ -13,9 +13,10 @@ namespace physim {
 /// Births, which come in, and newborns, in the frame of their emitter, which come out; none of them rounds of a gun.
 /// Lanes that nobody needs hold a birth, too.
 struct NewbornPack {
-  static constexpr std::size_t kLanes = kShortColumn;
+  static constexpr std::size_t kLanes = kColumn;
   using Column = std::array<double, kLanes>;
 
+  std::size_t count = kLanes;                // lanes that somebody needs, the first ones
   std::array<std::uint64_t, kLanes> number;  // as Birth has it
   Column time, phase;                        // likewise
   std::array<std::uint32_t, kLanes> of_moment, moment;

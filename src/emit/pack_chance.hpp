@@ -27,13 +27,15 @@ void emit_words_each(std::uint64_t seed, EmitStream stream, std::uint32_t index,
   philox_each(words, {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
 }
 
-/// The numbers between 0 and 1 of a pack of particles, drawn when they are asked for; those of a column, or of a short
-/// one, by a kernel.
+/// The numbers between 0 and 1 of a pack of particles, drawn when they are asked for; those of a column
+/// by a kernel.
 template <class What, EmitStream kStream, std::size_t N>
 class PackChance {
  public:
-  PackChance(std::uint64_t seed, const std::array<std::uint64_t, N>& number, const ParticleKernel* kernel = nullptr)
-      : seed_(seed), number_(number), kernel_(kernel) {
+  /// A kernel draws those of the first `count` alone.
+  PackChance(std::uint64_t seed, const std::array<std::uint64_t, N>& number, const ParticleKernel* kernel = nullptr,
+             std::size_t count = N)
+      : seed_(seed), number_(number), kernel_(kernel), count_(count) {
     PHYSIM_ASSERT((kernel != nullptr) == kByKernel);
   }
 
@@ -53,15 +55,15 @@ class PackChance {
   }
 
  private:
-  static constexpr bool kByKernel = N == kColumn || N == kShortColumn;
+  static constexpr bool kByKernel = N == kColumn;
 
   void put_words(std::uint32_t block, WordColumns<N>& words) const {
     if constexpr (kByKernel)
-      (N == kColumn ? kernel_->words
-                    : kernel_->few_words)({seed_,
-                                           static_cast<std::uint32_t>(kStream) | block << 8,
-                                           number_.data(),
-                                           {words[0].data(), words[1].data(), words[2].data(), words[3].data()}});
+      kernel_->words({seed_,
+                      static_cast<std::uint32_t>(kStream) | block << 8,
+                      count_,
+                      number_.data(),
+                      {words[0].data(), words[1].data(), words[2].data(), words[3].data()}});
     else
       emit_words_each(seed_, kStream, block, number_, words);
   }
@@ -69,6 +71,7 @@ class PackChance {
   std::uint64_t seed_;
   const std::array<std::uint64_t, N>& number_;
   const ParticleKernel* kernel_;
+  std::size_t count_;
   // Numbers that are drawn together most often share a block, or lie in the next one.
   static constexpr std::uint32_t kKept = 2, kNone = ~0u;
   std::array<std::uint32_t, kKept> drawn_{kNone, kNone};  // the blocks whose words are there

@@ -6,10 +6,15 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "physim/quat.hpp"
+#include "physim/vec3.hpp"
+
 namespace physim {
 
-/// Particles in a column, and in a short one: few are born at a time.
-inline constexpr std::size_t kColumn = 32, kShortColumn = 8;
+struct ShapeNumbers;
+
+/// Particles in a column.
+inline constexpr std::size_t kColumn = 32;
 
 /// A piece of a curve: c0 + c1 s + c2 s^2 + c3 s^3 with s = x - start.
 struct CurvePiece {
@@ -53,20 +58,42 @@ struct NumberJob {
 struct WordsJob {
   std::uint64_t seed;
   std::uint32_t stream_and_index;  // the last word of all counters
+  std::size_t count;               // of words that somebody needs, the first ones; there is room for a column
   const std::uint64_t* number;     // of the particles
   std::uint32_t* words[4];
+};
+
+/// Where particles come out of a shape, and in which direction; as many as somebody needs, the first ones.
+struct OutletJob {
+  const ShapeNumbers* shape;
+  std::size_t count;
+  const double *time, *of_moment, *moment;  // as Birth has them
+  const std::uint32_t* words[8]{};          // of the first draws, as many as the shape asks for
+  double *place[3]{}, *direction[3]{};      // what comes out [m], [-]
+};
+
+/// Where they start in the frame of the world, from the pose of their emitter and what they were drawn with.
+struct StartJob {
+  std::size_t count;
+  Vec3d position;                         // of the emitter [m]
+  Quatd rotation;                         // likewise
+  Vec3d velocity;                         // as far as it is inherited [m/s]
+  const double *place[3], *direction[3];  // in the emitter's frame [m], [-]
+  const double* speed;                    // [m/s]
+  double *x[3], *v[3];                    // what comes out [m], [m/s]
 };
 
 struct ParticleKernel {
   const char* name;
   void (*words)(const WordsJob& job);
-  void (*few_words)(const WordsJob& job);  // of a short column
   void (*number)(const NumberJob& job);
   void (*gradient)(const GradientPieces& pieces, const double* x, const ColourColumns& colour);
   /// Each rounded to the nearest.
   void (*pack_colours)(const ColourColumns& colour, std::uint32_t* packed);
   /// Which part of its span each has lived through, 0 to 1.
   void (*part_of_life)(double time, const double* birth, const double* span, double* part);
+  void (*outlets)(const OutletJob& job);
+  void (*starts)(const StartJob& job);
 };
 
 /// That of the instruction set which is in use.

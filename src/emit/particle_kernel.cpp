@@ -1,7 +1,9 @@
 // Compiled once per instruction set, in a namespace of its name.
 #include "emit/drawn_lanes.hpp"
 #include "emit/particle_job.hpp"
+#include "emit/shape_lanes.hpp"
 #include "math/philox_lanes.hpp"
+#include "math/quat.hpp"
 
 PHYSIM_ISA_BEGIN
 
@@ -20,15 +22,34 @@ PHYSIM_INLINE Numbers units_of(const std::uint32_t* words) {
   return (number + Numbers(0.5)) * Numbers(0x1p-32);
 }
 
-/// The words of so many particles.
-template <std::size_t kCount>
-PHYSIM_INLINE void put_words(const WordsJob& job) {
+/// The draws of a pack of particles.
+struct DrawnWords {
+  const std::uint32_t* const* words;
+  std::size_t first;
+  PHYSIM_INLINE Numbers operator()(Draw what) const { return units_of(words[static_cast<unsigned>(what)] + first); }
+};
+
+PHYSIM_INLINE Vec3<Numbers> vector_at(const double* const (&column)[3], std::size_t i) {
+  return {Numbers::load(column[0] + i), Numbers::load(column[1] + i), Numbers::load(column[2] + i)};
+}
+PHYSIM_INLINE void put_vector(const Vec3<Numbers>& v, double* const (&column)[3], std::size_t i) {
+  v.x.store(column[0] + i), v.y.store(column[1] + i), v.z.store(column[2] + i);
+}
+
+/// factor curve(x); a curve without pieces is 1.
+PHYSIM_INLINE void put_scaled(double factor, const CurvePieces& curve, const double* x, double* y) {
+  if (curve.count > 0) put_curve<Numbers>(curve, x, y, kColumn);
+  for (std::size_t i = 0; i < kColumn; ++i) y[i] = curve.count > 0 ? factor * y[i] : factor;
+}
+}  // namespace
+
+void draw_words(const WordsJob& job) {
   PHYSIM_ASSERT(job.number != nullptr && job.words[0] != nullptr && job.words[3] != nullptr);
   const std::uint32_t key[2] = {static_cast<std::uint32_t>(job.seed), static_cast<std::uint32_t>(job.seed >> 32)};
-  constexpr std::size_t kHere = 2 * kWide < kCount ? 2 * kWide : kCount;  // two registers hide each other's waiting
-  static_assert(kCount % kHere == 0);
+  constexpr std::size_t kHere = 2 * kWide;  // two registers hide each other's waiting
+  static_assert(kColumn % kHere == 0);
   using Pair = Pack<std::uint64_t, int(kHere)>;
-  for (std::size_t i = 0; i < kCount; i += kHere) {
+  for (std::size_t i = 0; i < job.count; i += kHere) {
     const Pair number = Pair::load(job.number + i);
     Pair words[4] = {number & Pair(kPhiloxWord), number >> 32, Pair(0), Pair(job.stream_and_index)};
     philox_lanes(words, key);
@@ -40,15 +61,29 @@ PHYSIM_INLINE void put_words(const WordsJob& job) {
   }
 }
 
-/// factor curve(x); a curve without pieces is 1.
-PHYSIM_INLINE void put_scaled(double factor, const CurvePieces& curve, const double* x, double* y) {
-  if (curve.count > 0) put_curve<Numbers>(curve, x, y, kColumn);
-  for (std::size_t i = 0; i < kColumn; ++i) y[i] = curve.count > 0 ? factor * y[i] : factor;
+void put_outlets(const OutletJob& job) {
+  for (std::size_t i = 0; i < job.count; i += kWide) {
+    DrawnWords chance{job.words, i};
+    const WayOutOf<Numbers, DrawnWords> way(*job.shape, Numbers::load(job.time + i), Numbers::load(job.of_moment + i),
+                                            Numbers::load(job.moment + i), chance);
+    const WayOut<Numbers> out = way.out();
+    put_vector(out.place, job.place, i);
+    put_vector(out.direction, job.direction, i);
+  }
 }
-}  // namespace
 
-void draw_words(const WordsJob& job) { put_words<kColumn>(job); }
-void draw_few_words(const WordsJob& job) { put_words<kShortColumn>(job); }
+void put_starts(const StartJob& job) {
+  const auto wide = [](const Vec3d& v) PHYSIM_INLINE_LAMBDA {
+    return Vec3<Numbers>{Numbers(v.x), Numbers(v.y), Numbers(v.z)};
+  };
+  const Quatd& q = job.rotation;
+  const Quat<Numbers> rotation{Numbers(q.w), Numbers(q.x), Numbers(q.y), Numbers(q.z)};
+  const Vec3<Numbers> position = wide(job.position), velocity = wide(job.velocity);
+  for (std::size_t i = 0; i < job.count; i += kWide) {
+    put_vector(position + rotate(rotation, vector_at(job.place, i)), job.x, i);
+    put_vector(rotate(rotation, vector_at(job.direction, i)) * Numbers::load(job.speed + i) + velocity, job.v, i);
+  }
+}
 
 void put_numbers(const NumberJob& job) {
   double a[kColumn];

@@ -4,18 +4,18 @@
 
 namespace physim {
 
-PHYSIM_KERNEL_COPIES(void draw_words(const WordsJob& job); void draw_few_words(const WordsJob& job);
-                     void put_numbers(const NumberJob& job);
+PHYSIM_KERNEL_COPIES(void draw_words(const WordsJob& job); void put_outlets(const OutletJob& job);
+                     void put_starts(const StartJob& job); void put_numbers(const NumberJob& job);
                      void put_gradients(const GradientPieces& pieces, const double* x, const ColourColumns& colour);
                      void pack_colours(const ColourColumns& colour, std::uint32_t* packed);
                      void put_parts_of_life(double time, const double* birth, const double* span, double* part);)
 
 namespace {
 
-#define PHYSIM_PARTICLE_KERNEL(isa)                                                                      \
-  {                                                                                                      \
-#isa, isa::draw_words, isa::draw_few_words, isa::put_numbers, isa::put_gradients, isa::pack_colours, \
-        isa::put_parts_of_life                                                                           \
+#define PHYSIM_PARTICLE_KERNEL(isa)                                                                         \
+  {                                                                                                         \
+#isa, isa::draw_words, isa::put_numbers, isa::put_gradients, isa::pack_colours, isa::put_parts_of_life, \
+        isa::put_outlets, isa::put_starts                                                                   \
   }
 
 constexpr ParticleKernel kParticleKernels[] = {

@@ -31,12 +31,15 @@ double next_round(const Gun& gun, const EmitterCycle& cycle, std::uint64_t round
   return cycle.looping || time < cycle.duration ? time : kInfinity;
 }
 
+/// What stands before the point of a number that is not below 0: for any number the oldest processors call a function.
+double whole_part(double x) { return x < 0x1p62 ? static_cast<double>(static_cast<std::int64_t>(x)) : x; }
+
 /// How far through its cycle an emitter is, so long after the first one began.
 double phase_of(const EmitterCycle& cycle, double since) {
   // A time that should be a cycle's start may lie before it by rounding.
   constexpr double kPhaseRounding = 4.5e-16;
   PHYSIM_ASSERT(since >= 0);
-  const double cycles = cycle.looping ? std::floor(since / cycle.duration * (1 + kPhaseRounding)) : 0;
+  const double cycles = cycle.looping ? whole_part(since / cycle.duration * (1 + kPhaseRounding)) : 0;
   return std::clamp((since - cycles * cycle.duration) / cycle.duration, 0.0, 1.0);
 }
 
@@ -107,6 +110,25 @@ void Timeline::take(TimelineState& state) const {
   PHYSIM_ASSERT(state.at[source] < kInfinity);
   ++state.taken[source];
   find(state, source);
+}
+
+std::size_t Timeline::steady(const TimelineState& state, std::span<double> time, std::span<double> phase) const {
+  PHYSIM_ASSERT(time.size() == phase.size());
+  const Emission::Parts& p = *emission_.parts_;
+  if (!p.when.rate.is_steady()) return 0;
+  const double delay = delay_of(p.when, p.seed, state.play);
+  const double other = *std::min_element(state.at.begin() + kRate + 1, state.at.end());
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double since = p.when.rate.steady(static_cast<double>(state.taken[kRate] + i) + 1);
+    if (!(since < kInfinity) || since > other) return i;
+    time[i] = delay + since, phase[i] = phase_of(p.def.cycle, since);
+  }
+  return time.size();
+}
+
+void Timeline::take_steady(TimelineState& state, std::size_t count) const {
+  state.taken[kRate] += count;
+  find(state, kRate);
 }
 
 std::pair<double, double> Timeline::span(std::uint64_t play) const {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,11 @@ class Timeline {
   [[nodiscard]] std::optional<EmitMoment> next(const TimelineState& state) const;
   /// Takes that moment.
   void take(TimelineState& state) const;
+  /// The next moments where a rate that is one number has them, each of one particle, up to that of another source; how
+  /// many of the places are filled. `phase` has as many as `time`.
+  std::size_t steady(const TimelineState& state, std::span<double> time, std::span<double> phase) const;
+  /// Takes so many of these.
+  void take_steady(TimelineState& state, std::size_t count) const;
   /// When its first cycle begins and its last one ends, by the emitter's clock; infinite where it loops [s].
   [[nodiscard]] std::pair<double, double> span(std::uint64_t play) const;
   /// How far through its cycle an emitter is at a time of its clock, 0..1.

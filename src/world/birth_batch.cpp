@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "prepare/grant.hpp"
 #include "world/world_impl.hpp"
@@ -79,80 +80,97 @@ void BirthBatches::prepare(const BirthPlan& plan, BirthColumns& births) const {
 std::size_t BirthBatches::room(const BirthPlan& plan, std::size_t departed) const {
   const auto left = [](std::uint64_t most, std::uint64_t there) { return most - std::min(most, there); };
   const Emitter& e = w_.state.emitters[plan.emitter];
-  const std::uint64_t at_emitter = left(e.def().maximum, e.counts.alive + departed);
-  const std::uint64_t in_world = left(w_.def.max_projectiles, w_.state.slots.alive());
-  return static_cast<std::size_t>(std::min(
-      {at_emitter, in_world, std::uint64_t{w_.state.pools.left(plan.pool)}, std::uint64_t{w_.room_for_events()}}));
+  return std::min(static_cast<std::size_t>(left(e.def().maximum, e.counts.alive + departed)), shared_room(plan));
 }
 
-std::size_t BirthBatches::bear(const BirthPlan& plan, BirthColumns& b, std::size_t most, const Particle& like) {
+std::size_t BirthBatches::shared_room(const BirthPlan& plan) const {
+  const std::size_t alive = w_.state.slots.alive(), most = w_.def.max_projectiles;
+  return std::min({most - std::min(most, alive), std::size_t{w_.state.pools.left(plan.pool)}, w_.room_for_events()});
+}
+
+std::size_t BirthBatches::plain(const BirthPlan& plan, const BirthColumns& b) const {
   PHYSIM_ASSERT(plan.kind != 0 && b.next < b.count);
-  Emitter& e = w_.state.emitters[plan.emitter];
-  if (b.number[b.next] != e.born) return 0;  // others were born between
+  if (b.number[b.next] != w_.state.emitters[plan.emitter].born) return 0;  // others were born between
   const std::uint32_t others = ~(b.plain >> b.next);
   const std::size_t plain = others == 0 ? BirthColumns::kLanes : static_cast<std::size_t>(__builtin_ctz(others));
   // The first of all rows says by itself what those of later ones are compared with.
   const std::size_t at_once = w_.state.rows[plan.cohort].size() == 0 ? 1 : BirthColumns::kLanes;
-  take_places(plan, std::min({most, plain, b.count - b.next, at_once}));
-  if (count_ == 0) return 0;
-  come_alive(plan, b);
-  if (plan.float32)
-    put_rows(plan, b, std::get<0>(b.flights)), tell(plan, b, std::get<0>(b.flights));
-  else
-    put_rows(plan, b, std::get<1>(b.flights)), tell(plan, b, std::get<1>(b.flights));
-  Particle particle = like;
-  particle.emitter = plan.emitter;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const std::size_t lane = b.next + i;
-    particle.number = b.number[lane], particle.phase = b.phase[lane], particle.dies = b.dies[lane];
-    w_.state.emitters.join(w_.state.slots.id_of(slots_[i]), particle, b.time[lane], end_);
+  return std::min({plain, b.count - b.next, at_once});
+}
+
+std::size_t BirthBatches::bear(const BirthPlan& plan, BirthColumns& b, std::size_t most, const Particle& like) {
+  static constexpr std::array<std::uint8_t, BirthColumns::kLanes> kOneLine{};
+  alone_.plan = &plan, alone_.births = &b, alone_.like = like;
+  return bear(std::span(&alone_, 1), std::span(kOneLine).first(std::min(most, plain(plan, b))));
+}
+
+std::size_t BirthBatches::bear(std::span<BirthLine> lines, std::span<const std::uint8_t> order) {
+  for (BirthLine& line : lines) line.count = 0;
+  if (order.empty()) return 0;
+  order = order.first(take_places(lines, order));
+  for (const BirthLine& line : lines) {
+    if (line.count == 0) continue;
+    come_alive(line);
+    if (line.plan->float32)
+      put_rows(line, std::get<0>(line.births->flights));
+    else
+      put_rows(line, std::get<1>(line.births->flights));
+    join(line);
   }
-  e.born += count_;
-  e.counts.born += count_;
-  b.next += count_;
-  return count_;
+  tell(lines, order);
+  for (const BirthLine& line : lines) {
+    Emitter& e = w_.state.emitters[line.plan->emitter];
+    e.born += line.count;
+    e.counts.born += line.count;
+    line.births->next += line.count;
+  }
+  return order.size();
 }
 
 /// Slots and rows for so many, or for fewer where memory ends: the others are tried, and refused, one by one.
-void BirthBatches::take_places(const BirthPlan& plan, std::size_t count) {
+std::size_t BirthBatches::take_places(std::span<BirthLine> lines, std::span<const std::uint8_t> order) {
   SlotTable& table = w_.state.slots;
-  Rows& rows = w_.state.rows[plan.cohort];
-  count_ = 0;
+  std::size_t count = 0;
   std::uint32_t index = 0;
   try {
-    w_.make_room_for_events(w_.state.events.size() + count);
-    for (; count_ < count; ++count_) {
+    for (const std::uint8_t at : order) ++lines[at].count;
+    for (BirthLine& line : lines) w_.state.events.reserve(std::exchange(line.count, 0), line.plan->float32);
+    for (; count < order.size(); ++count) {
+      BirthLine& line = lines[order[count]];
       index = 0;
       index = table.take();
-      const std::uint32_t row = rows.push(index);
+      const std::uint32_t row = w_.state.rows[line.plan->cohort].push(index);
       table[index].row = row;
-      slots_[count_] = index;
+      line.slot[line.count] = index, line.row[line.count] = row;
+      ++line.count;
       w_.state.emitters.prefetch(index);
     }
   } catch (const std::bad_alloc&) {
     if (index != 0) table.release(index, LifeStatus::unknown);
   }
+  return count;
 }
 
-void BirthBatches::come_alive(const BirthPlan& plan, const BirthColumns& b) {
+void BirthBatches::come_alive(const BirthLine& line) {
   SlotTable& table = w_.state.slots;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const std::uint32_t index = slots_[i];
+  const BirthPlan& plan = *line.plan;
+  for (std::size_t i = 0; i < line.count; ++i) {
+    const std::uint32_t index = line.slot[i];
     table.come_alive(index, plan.flags & ~std::uint32_t{kAlive});
     Slot& slot = table[index];
     slot.kind = plan.kind;
     slot.rung = 0;
     slot.cohort = plan.cohort;
-    table.birth(index) = b.time[b.next + i];
+    table.birth(index) = line.births->time[line.births->next + i];
     table.rest(index) = {};
-    w_.state.pools.join(plan.pool, index);
-    w_.registry.kinds.join(plan.kind);
   }
+  w_.registry.kinds.join(plan.kind, static_cast<std::uint32_t>(line.count));
 }
 
 template <class S>
-void BirthBatches::put_rows(const BirthPlan& plan, const BirthColumns& b, const NewbornFlights<S>& flights) {
-  Rows& rows = w_.state.rows[plan.cohort];
+void BirthBatches::put_rows(const BirthLine& line, const NewbornFlights<S>& flights) {
+  Rows& rows = w_.state.rows[line.plan->cohort];
+  const BirthColumns& b = *line.births;
   const auto fill = [&](std::uint32_t row, std::size_t lane) {
     const RowColumns<S>& c = rows.columns<S>();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -168,11 +186,11 @@ void BirthBatches::put_rows(const BirthPlan& plan, const BirthColumns& b, const 
       c.field[kBodyNumber.launch.v[axis]][row] = flights.v[axis][lane];
     }
   };
-  const std::uint32_t first = rows.size() - static_cast<std::uint32_t>(count_);
-  rows.write_fields(first, *plan.body);  // looks whether they are those of the others
-  for (std::size_t i = 0; i < count_; ++i) {
-    const std::uint32_t row = first + static_cast<std::uint32_t>(i);
-    PHYSIM_ASSERT(rows.slot(row) == slots_[i]);
+  const std::uint32_t first = line.row[0];
+  rows.write_fields(first, *line.plan->body);  // looks whether they are those of the others
+  for (std::size_t i = 0; i < line.count; ++i) {
+    const std::uint32_t row = line.row[i];
+    PHYSIM_ASSERT(rows.slot(row) == line.slot[i]);
     for (const std::uint8_t number : rows.layout().fields) {
       S* const column = rows.columns<S>().field[number];
       column[row] = column[first];
@@ -182,20 +200,47 @@ void BirthBatches::put_rows(const BirthPlan& plan, const BirthColumns& b, const 
   }
 }
 
-template <class S>
-void BirthBatches::tell(const BirthPlan& plan, const BirthColumns& b, const NewbornFlights<S>& flights) {
-  const auto vector = [](const auto& of, std::size_t lane) {
-    return Vec3d{double(of[0][lane]), double(of[1][lane]), double(of[2][lane])};
-  };
-  for (std::size_t i = 0; i < count_; ++i) {
+void BirthBatches::join(const BirthLine& line) {
+  const BirthColumns& b = *line.births;
+  Particle like = line.like;
+  like.emitter = line.plan->emitter;
+  w_.state.emitters.join_each(like, line.count, end_, [&](std::size_t i) {
     const std::size_t lane = b.next + i;
-    Event& event = w_.state.events.emplace_back();
-    event.kind = EventKind::spawned;
-    event.id = w_.state.slots.id_of(slots_[i]);
-    event.value = plan.emitter;
-    event.time = b.time[lane];
-    event.position = vector(flights.x, lane);
-    event.velocity = vector(flights.v, lane);
+    return Joining{w_.state.slots.id_of(line.slot[i]), b.number[lane], b.phase[lane], b.dies[lane], b.time[lane]};
+  });
+}
+
+/// In order of time, which pools that replace their oldest keep, too.
+void BirthBatches::tell(std::span<BirthLine> lines, std::span<const std::uint8_t> order) {
+  bool in_float = true;
+  for (BirthLine& line : lines) {
+    in_float = in_float && line.plan->float32;
+    line.count = 0;
+  }
+  const auto join_pool = [&](const BirthLine& line) {
+    w_.state.pools.join(line.plan->pool, line.slot[line.count]);
+    return PlainEvent{EventKind::spawned, Reason::none, w_.state.slots.id_of(line.slot[line.count]), line.plan->emitter,
+                      line.births->time[line.births->next + line.count]};
+  };
+  const auto vector = [](const BirthLine& line, const auto& of) {
+    const std::size_t lane = line.births->next + line.count;
+    return Vec3{of[0][lane], of[1][lane], of[2][lane]};
+  };
+  if (in_float)
+    return w_.state.events.add_each(order.size(), [&](std::size_t i) {
+      BirthLine& line = lines[order[i]];
+      const auto& flights = std::get<0>(line.births->flights);
+      const ToldInFloat told{join_pool(line), vector(line, flights.x), vector(line, flights.v)};
+      ++line.count;
+      return told;
+    });
+  for (const std::uint8_t at : order) {
+    BirthLine& line = lines[at];
+    const auto add = [&](const auto& flights) {
+      w_.state.events.add(join_pool(line), vector(line, flights.x), vector(line, flights.v));
+    };
+    line.plan->float32 ? add(std::get<0>(line.births->flights)) : add(std::get<1>(line.births->flights));
+    ++line.count;
   }
 }
 

@@ -19,6 +19,7 @@ constexpr std::size_t kWide = kLanes<Wide>;
 NewbornPack drawn(const Emission& emission, const BirthColumns& b, std::size_t first) {
   PHYSIM_ASSERT(b.count > 0 && first < b.count);
   NewbornPack pack;
+  pack.count = std::min(NewbornPack::kLanes, b.count - first);
   for (std::size_t i = 0; i < NewbornPack::kLanes; ++i) {
     const std::size_t lane = std::min(first + i, b.count - 1);
     pack.number[i] = b.number[lane], pack.time[i] = b.own_time[lane], pack.phase[i] = b.phase[lane];
@@ -34,10 +35,9 @@ struct WidePose {
   Quat<Wide> rotation;
   Vec3<Wide> velocity;  // as far as it is inherited
 };
-/// Poses from a lane on, or one that holds for all.
-WidePose poses(const BirthColumns& b, std::size_t first, bool one) {
+/// Poses from a lane on.
+WidePose poses(const BirthColumns& b, std::size_t first) {
   const auto each = [&](const auto& number_of) {
-    if (one) return Wide(number_of(b.pose[0]));
     Wide wide;
     for (std::size_t i = 0; i < kWide; ++i)
       wide.set(static_cast<int>(i), number_of(b.pose[std::min(first + i, b.count - 1)]));
@@ -57,13 +57,29 @@ WidePose poses(const BirthColumns& b, std::size_t first, bool one) {
 struct Starts {
   std::array<NewbornPack::Column, 3> x, v;
 };
-Starts placed(const BirthColumns& b, const NewbornPack& pack, std::size_t first, const WidePose& one) {
+Starts placed_by_one(const Pose& pose, double inherited, const NewbornPack& pack) {
+  Starts starts;
+  if (pack.count < NewbornPack::kLanes) starts = {};  // lanes that nobody needs
+  StartJob job{.count = pack.count,
+               .position = pose.position,
+               .rotation = pose.rotation,
+               .velocity = pose.velocity * inherited,
+               .speed = pack.speed.data()};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    job.place[axis] = pack.place[axis].data(), job.direction[axis] = pack.direction[axis].data();
+    job.x[axis] = starts.x[axis].data(), job.v[axis] = starts.v[axis].data();
+  }
+  particle_kernel().starts(job);
+  return starts;
+}
+Starts placed(const BirthColumns& b, const NewbornPack& pack, std::size_t first) {
+  if (b.one_pose) return placed_by_one(b.pose[0], b.inherited, pack);
   Starts starts;
   for (std::size_t i = 0; i < NewbornPack::kLanes; i += kWide) {
     const auto load = [i](const std::array<NewbornPack::Column, 3>& of) {
       return Vec3<Wide>{Wide::load(of[0].data() + i), Wide::load(of[1].data() + i), Wide::load(of[2].data() + i)};
     };
-    const WidePose pose = b.one_pose ? one : poses(b, first + i, false);
+    const WidePose pose = poses(b, first + i);
     const Vec3<Wide> x = pose.position + rotate(pose.rotation, load(pack.place));
     const Vec3<Wide> v =
         rotate(pose.rotation, load(pack.direction)) * Wide::load(pack.speed.data() + i) + pose.velocity;
@@ -121,10 +137,9 @@ void prepare(const BirthPlan& plan, const SettleContext& context, double end, Kn
              NewbornFlights<S>& flights) {
   std::uint32_t plain = 0, flying = 0;
   flights.count = b.count;
-  const WidePose one = poses(b, 0, true);
   for (std::size_t first = 0; first < b.count; first += NewbornPack::kLanes) {
     const NewbornPack pack = drawn(*plan.emission, b, first);
-    plain |= put(placed(b, pack, first, one), first, flights) << first;
+    plain |= put(placed(b, pack, first), first, flights) << first;
     for (std::size_t i = first; i < std::min(first + NewbornPack::kLanes, b.count); ++i) {
       const double dies = b.time[i] + pack.lifetime[i - first];
       b.dies[i] = dies > b.time[i] ? dies : std::nextafter(b.time[i], kInfinity);

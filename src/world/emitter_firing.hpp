@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -34,7 +35,8 @@ struct Firing {
 };
 
 /// What fires next. The first one waits apart: mostly an emitter's next moment comes before anybody else's, and is not
-/// sorted in. Of the others a heap orders what tells most of them apart, and each stays where it was put.
+/// sorted in. Those that came in order are a run, as are next moments of emitters that fire in turn; of the others a
+/// heap orders what tells most of them apart. Each stays where it was put.
 class FiringQueue {
   struct Waiting {
     double time;
@@ -50,7 +52,7 @@ class FiringQueue {
   }
 
  public:
-  [[nodiscard]] bool empty() const { return !first_ && heap_.empty(); }
+  [[nodiscard]] bool empty() const { return !first_ && !has_others(); }
   void push(const Firing& firing) {
     PHYSIM_ASSERT(firing.time == firing.time);
     if (!comes_before_all(firing)) return wait(firing);
@@ -59,23 +61,44 @@ class FiringQueue {
   }
   /// When the first one is; infinite: there is none [s].
   [[nodiscard]] double next_time() const {
-    return first_ ? first_->time : heap_.empty() ? kInfinity : heap_.front().time;
+    return first_ ? first_->time : has_others() ? next_other().time : kInfinity;
   }
   /// Whether one that is not in it would be the next.
   [[nodiscard]] bool comes_before_all(const Firing& firing) const {
-    return first_ ? *first_ < firing : heap_.empty() || waiting_[heap_.front().at] < firing;
+    return first_ ? *first_ < firing : !has_others() || waiting_[next_other().at] < firing;
+  }
+  [[nodiscard]] const Firing& next() const {
+    PHYSIM_ASSERT(!empty());
+    return first_ ? *first_ : waiting_[next_other().at];
   }
   Firing pop() {
     PHYSIM_ASSERT(!empty());
     if (first_) return *std::exchange(first_, std::nullopt);
-    std::pop_heap(heap_.begin(), heap_.end(), is_later());
-    const std::uint32_t at = heap_.back().at;
-    heap_.pop_back();
+    const std::uint32_t at = next_other().at;
+    if (is_run_next()) {
+      drop_of_run();
+    } else {
+      std::pop_heap(heap_.begin(), heap_.end(), is_later());
+      heap_.pop_back();
+    }
     free_.push_back(at);
     return waiting_[at];
   }
 
  private:
+  [[nodiscard]] bool has_others() const { return !run_.empty() || !heap_.empty(); }
+  [[nodiscard]] bool is_run_next() const {
+    return heap_.empty() || (!run_.empty() && is_later()(heap_.front(), run_[taken_]));
+  }
+  [[nodiscard]] const Waiting& next_other() const {
+    PHYSIM_ASSERT(has_others());
+    return is_run_next() ? run_[taken_] : heap_.front();
+  }
+  void drop_of_run() {
+    constexpr std::size_t kFew = 64;
+    if (++taken_ < kFew + run_.size() / 2 && taken_ < run_.size()) return;
+    run_.erase(run_.begin(), run_.begin() + static_cast<std::ptrdiff_t>(std::exchange(taken_, 0)));
+  }
   void wait(const Firing& firing) {
     auto at = static_cast<std::uint32_t>(waiting_.size());
     if (free_.empty()) {
@@ -85,12 +108,16 @@ class FiringQueue {
       free_.pop_back();
       waiting_[at] = firing;
     }
-    heap_.push_back({firing.time, firing.emitter, at});
+    const Waiting waits{firing.time, firing.emitter, at};
+    if (run_.empty() || !is_later()(run_.back(), waits)) return run_.push_back(waits);
+    heap_.push_back(waits);
     std::push_heap(heap_.begin(), heap_.end(), is_later());
   }
 
   std::optional<Firing> first_;  // before all others
-  std::vector<Waiting> heap_;    // the first one is next
+  std::vector<Waiting> run_;     // in order, those before taken_ are gone
+  std::size_t taken_ = 0;
+  std::vector<Waiting> heap_;  // the first one is next
   std::vector<Firing> waiting_;
   std::vector<std::uint32_t> free_;  // places in waiting_
 };

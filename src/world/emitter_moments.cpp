@@ -142,19 +142,36 @@ BirthColumns& EmitterMoments::look_ahead(const Firing& first, std::size_t most) 
   births.begin();
   births.one_pose = !e.path && !s_.led[first.emitter];
   births.inherited = e.def().inherit_velocity;
+  const std::size_t room = std::clamp<std::size_t>(most, 1, BirthColumns::kLanes);
   const Timeline timeline(*e.emission);
-  for (std::optional<OwnMoment> next{{first.time, first.moment}}; next && lets_out_one(next->moment);
-       next = next_moment(e)) {
+  take_steady(e, room, births);
+  const auto begin = births.count == 0 ? std::optional<OwnMoment>({first.time, first.moment}) : next_moment(e);
+  for (auto next = begin; births.count < room && next && lets_out_one(next->moment); next = next_moment(e)) {
     const std::size_t lane = births.count++;
-    births.number[lane] = e.born + lane;
     births.time[lane] = next->time;
     births.own_time[lane] = next->moment.time, births.phase[lane] = next->moment.phase;
-    births.of_moment[lane] = 0, births.moment[lane] = 1;
-    if (lane == 0 || !births.one_pose) births.pose[lane] = *pose_at(first.emitter, next->time);
     timeline.take(e.timeline);
-    if (births.count >= std::min(most, BirthColumns::kLanes)) break;
+  }
+  for (std::size_t lane = 0; lane < births.count; ++lane) {
+    births.number[lane] = e.born + lane;
+    births.of_moment[lane] = 0, births.moment[lane] = 1;
+    if (lane == 0 || !births.one_pose) births.pose[lane] = *pose_at(first.emitter, births.time[lane]);
   }
   return births;
+}
+
+/// Those of a steady rate, which are known at once.
+void EmitterMoments::take_steady(Emitter& e, std::size_t room, BirthColumns& births) const {
+  const Timeline timeline(*e.emission);
+  const std::span own(births.own_time.data(), room), phase(births.phase.data(), room);
+  const std::size_t steady = timeline.steady(e.timeline, own, phase);
+  const double rate = e.def().cycle.rate;
+  while (births.count < steady) {
+    const double time = e.began + own[births.count] / rate;
+    if (time > end_) break;
+    births.time[births.count++] = std::max(time, context_.time);
+  }
+  if (births.count > 0) timeline.take_steady(e.timeline, births.count);
 }
 
 Firing EmitterMoments::firing_of(std::uint32_t index, const BirthColumns& births, std::size_t lane) const {

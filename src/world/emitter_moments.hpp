@@ -30,6 +30,13 @@ class EmitterMoments {
   /// So far it is led in this step; what lies before the first cycle does not count [m].
   [[nodiscard]] double led_way(std::uint32_t emitter) const;
 
+  /// An emitter's own moment, and when that is in the world [s].
+  struct OwnMoment {
+    double time;
+    EmitMoment moment;
+  };
+  /// The next one in the step that is not taken.
+  [[nodiscard]] std::optional<OwnMoment> next_moment(const Emitter& emitter) const;
   void queue_moment(std::uint32_t emitter);
   void queue_metre(std::uint32_t emitter);
   /// The box of its rain goes through the step, along a straight way.
@@ -58,12 +65,7 @@ class EmitterMoments {
   RainStep rain_;
 
  private:
-  /// An emitter's own moment, and when that is in the world [s].
-  struct OwnMoment {
-    double time;
-    EmitMoment moment;
-  };
-  [[nodiscard]] std::optional<OwnMoment> next_moment(const Emitter& emitter) const;
+  void take_steady(Emitter& emitter, std::size_t room, BirthColumns& births) const;
   [[nodiscard]] std::optional<double> when_led(std::uint32_t emitter, double distance) const;
   [[nodiscard]] EmitMoment rain_moment(std::uint32_t emitter, double time, std::uint32_t count) const;
 };

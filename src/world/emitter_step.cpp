@@ -8,30 +8,22 @@
 #include "base/restored.hpp"
 #include "emit/flight_law.hpp"
 #include "math/elementary.hpp"
-#include "world/birth_batch.hpp"
-#include "world/emitter_moments.hpp"
+#include "world/emitter_ahead.hpp"
 #include "world/emitter_watch.hpp"
 #include "world/world_impl.hpp"
 
 namespace physim {
 namespace {
 
-/// Births that lead to one another at one moment, and those of all sub-emitters, or of one emitter by itself, in one
-/// step: more are cut.
-constexpr std::uint32_t kDeepest = 32;
-constexpr std::uint32_t kMostBirths = 1u << 20;
 /// Births of a past, most of which nobody has to fly.
 constexpr std::uint32_t kMostOfPast = 1u << 26;
-/// So many at least are worth being drawn side by side.
-constexpr std::uint32_t kFew = 4;
-
-class EmitterBirths : EmitterMoments {
+class EmitterBirths : EmitterAhead {
  public:
   EmitterBirths(WorldImpl& world, const SettleContext& context, double end)
-      : EmitterMoments(world, context, end), w_(world), watch_(world, context, end), batches_(world, context, end) {
+      : EmitterAhead(world, context, end), w_(world), watch_(world, context, end) {
     s_.causes.clear();
   }
-  using EmitterMoments::close_ways;
+  using EmitterAhead::close_ways;
 
   [[nodiscard]] EmitterWatch& watch() { return watch_; }
 
@@ -131,51 +123,22 @@ class EmitterBirths : EmitterMoments {
   }
 
   // ------------------------------------------------------------------------------------------- being born
-  /// What set off a sub-emitter, until others are queued; null: it fires by itself.
-  [[nodiscard]] const EmitterTrigger* cause_of(const Firing& firing) const {
-    return firing.by == Firing::kNothing ? nullptr : &s_.causes[firing.by];
-  }
-  // ------------------------------------------------------------------------------------------- side by side
-  /// How a moment's births go side by side; null: one by one.
-  [[nodiscard]] const BirthPlan* plan_of(const Firing& firing) {
-    const bool is_many = firing.moment.count >= kFew && !firing.moment.is_round;
-    return is_many && !is_past_ && firing.rank != kRain && firing.rank != kFill ? batches_.plan(firing.emitter)
-                                                                                : nullptr;
-  }
   /// The next moment of an emitter by itself, and those that come after it before anything else does.
   void fire_own(const Firing& firing) {
     const std::uint32_t index = firing.emitter;
-    const bool is_ahead = has_ahead(index);
-    const BirthPlan* const plan = is_ahead || sees_ahead(firing) ? batches_.plan(index) : nullptr;
+    const BirthPlan* const plan = plan_ahead(firing);
     if (!plan) {
       Timeline(*all_[index].emission).take(all_[index].timeline);
       queue_moment(index);
       return fire(firing);
     }
-    BirthColumns& births = is_ahead ? *s_.ahead[index] : look_ahead(firing, may_be_born(firing));
-    if (!is_ahead && births.count >= kFew && room(*plan) > 0) batches_.prepare(*plan, births);
+    if (fire_in_turns(firing, *plan)) return;
+    BirthColumns& births = *s_.ahead[index];
     for (std::size_t left = first_ahead(index, births); left > 0 && s_.triggers.empty();) {
       const Pose& pose = births.pose[births.one_pose ? 0 : births.next];
       left -= bear_next(*plan, births, firing_of(index, births, births.next), pose, left);
     }
     queue_moment(index);
-  }
-  /// Those of a moment, from that one on.
-  void look_at_moment(const BirthPlan& plan, const Firing& firing, const Pose& pose, std::uint32_t from) {
-    BirthColumns& b = s_.together;
-    b.begin();
-    if (room(plan) == 0) return;
-    const EmitMoment& m = firing.moment;
-    b.count = std::min<std::size_t>(BirthColumns::kLanes, m.count - from);
-    b.pose[0] = pose, b.one_pose = true;
-    b.inherited = cause_of(firing) ? sub_of(firing).inherit_velocity : all_[firing.emitter].def().inherit_velocity;
-    for (std::uint32_t lane = 0; lane < b.count; ++lane) {
-      b.number[lane] = all_[firing.emitter].born + lane;
-      b.own_time[lane] = m.time, b.phase[lane] = m.phase;
-      b.of_moment[lane] = from + lane, b.moment[lane] = m.count;
-      b.time[lane] = firing.time;
-    }
-    batches_.prepare(plan, b);
   }
   /// The next of them: some at once where that may be, at most so many; how many.
   std::uint32_t bear_next(const BirthPlan& plan, BirthColumns& births, const Firing& firing, const Pose& pose,
@@ -189,21 +152,6 @@ class EmitterBirths : EmitterMoments {
     bear(firing, pose, births.of_moment[births.next]);
     ++births.next;
     return 1;
-  }
-  /// How many more one lets out by its maximum, at least.
-  [[nodiscard]] std::size_t room(const BirthPlan& plan) const {
-    const bool refuses = all_[plan.emitter].def().when_full == WhenFull::refuse;
-    return batches_.room(plan, refuses ? departed_ + s_.departures.size() : 0);
-  }
-  /// How many more are not cut.
-  [[nodiscard]] std::size_t may_be_born(const Firing& firing) const {
-    const std::uint32_t born = cause_of(firing) ? s_.births : s_.own_births[firing.emitter];
-    if (cause_of(firing) && depth_of(firing) > kDeepest) return 0;
-    return kMostBirths - std::min(kMostBirths, born);
-  }
-
-  [[nodiscard]] const SubEmitter& sub_of(const Firing& firing) const {
-    return all_[firing.parent_emitter].def().subs[firing.sub];
   }
   [[nodiscard]] Pose pose_of(const Firing& firing) const {
     const EmitterTrigger& by = *cause_of(firing);
@@ -281,10 +229,6 @@ class EmitterBirths : EmitterMoments {
     if (!e.def().subs.empty())
       watch_.trigger(id->index, SubEvent::birth, firing.time, w_.state.state_of(*w_.find(*id)), {});
     live_on(*id, firing.time, particle.dies);
-  }
-  [[nodiscard]] std::uint32_t depth_of(const Firing& firing) const {
-    const EmitterTrigger* by = cause_of(firing);
-    return by && by->time == by->birth ? by->particle.depth + 1 : 0;
   }
   void inherit(const Firing& firing, Particle& particle) const {
     const SubEmitter& sub = sub_of(firing);
@@ -375,11 +319,9 @@ class EmitterBirths : EmitterMoments {
 
   WorldImpl& w_;
   EmitterWatch watch_;
-  BirthBatches batches_;
   std::uint64_t found_ = 0;
-  // When particles of each emitter left in this step, where somebody had to ask; and how many those are.
+  // When particles of each emitter left in this step, where somebody had to ask.
   std::unordered_map<std::uint32_t, std::priority_queue<double, std::vector<double>, std::greater<>>> later_;
-  std::uint64_t departed_ = 0;
 };
 
 /// What settling would need between two steps.

@@ -73,11 +73,13 @@ EmitterWatch::EmitterWatch(WorldImpl& world, const SettleContext& context, doubl
     : w_(world), context_(context), all_(world.state.emitters), s_(world.emitting), end_(end) {
   PHYSIM_ASSERT(!context.pairs && !context.taken);
   s_.known.forget();
+  is_any_led_ = std::ranges::any_of(s_.led, [](const auto& led) { return led.has_value(); });
 }
 
 // ------------------------------------------------------------------------------------------- before the step
 void EmitterWatch::note_followed() {
   s_.led.assign(all_.size(), std::nullopt);
+  is_any_led_ = false;
   s_.own_births.assign(all_.size(), 0);
   for (std::uint32_t i = 1; i < all_.size(); ++i) {
     if (!all_[i].active || !all_[i].def().follows) continue;
@@ -85,6 +87,7 @@ void EmitterWatch::note_followed() {
     if (!slot) continue;
     const BodyState now = w_.state.state_of(*slot);
     s_.led[i].emplace(MotionKey{.time = context_.time, .position = now.position, .velocity = now.velocity});
+    is_any_led_ = true;
     s_.led[i]->by_launch = launch_of_followed(all_[i], *slot);
   }
 }
@@ -203,6 +206,7 @@ void EmitterWatch::leaves(std::uint32_t slot, const Event* last) {
 }
 /// Who follows it comes no farther.
 void EmitterWatch::end_followed(std::uint32_t slot, const BodyState& at, double time) {
+  if (!is_any_led_) return;
   for (std::uint32_t i = 1; i < all_.size(); ++i)
     if (s_.led[i] && !s_.led[i]->is_left && follows(all_[i], slot)) {
       s_.led[i]->is_left = true;
@@ -257,12 +261,7 @@ void EmitterWatch::end_life(std::uint32_t index, std::optional<double> born, dou
   if (at) expire(index, *at, time);
 }
 void EmitterWatch::expire(std::uint32_t index, const BodyState& at, double time) {
-  w_.keep_event({.kind = EventKind::expired,
-                 .reason = Reason::older,
-                 .id = w_.state.slots.id_of(index),
-                 .time = time,
-                 .position = at.position,
-                 .velocity = at.velocity});
+  w_.keep_event({EventKind::expired, Reason::older, w_.state.slots.id_of(index), 0, time}, at);
   end_followed(index, at, time);
   if (const std::uint32_t emitter = all_.emitter_of(index)) depart(index, emitter, at, time);
   all_.leave(index, &EmitterCounts::aged);

@@ -62,7 +62,8 @@ class EmitterWatch {
   const SettleContext& context_;
   Emitters& all_;
   EmitterScratch& s_;
-  double end_;  // of the step [s]
+  double end_;               // of the step [s]
+  bool is_any_led_ = false;  // somebody may follow who dies
 };
 
 }  // namespace physim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -36,6 +37,15 @@ struct Particle {
 struct ParticleSpan {
   std::uint64_t number = 0;  // as Particle has it
   double dies = 0;           // likewise [s]
+};
+
+/// One that is born among others.
+struct Joining {
+  ProjectileId id;
+  std::uint64_t number = 0;  // as Particle has it
+  double phase = 0;          // likewise
+  double dies = 0;           // likewise [s]
+  double birth = 0;          // [s]
 };
 
 /// Why a particle went, as EmitterCounts has it.
@@ -185,6 +195,29 @@ class Emitters {
   }
   /// One was born. What it will come to by `seen` somebody has looked at already [s].
   void join(ProjectileId id, const Particle& particle, double birth, double seen);
+  /// Likewise, so many of one emitter no age of whose particles is waited for: one(i) says which, all else is as `like`
+  /// has it.
+  template <class F>
+  void join_each(const Particle& like, std::size_t count, double seen, const F& one) {
+    if (count == 0) return;
+    Emitter& emitter = (*this)[like.emitter];
+    const bool is_plain = emitter.def().when_full != WhenFull::replace_oldest;
+    Particle particle = like;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Joining joining = one(i);
+      particle.number = joining.number, particle.phase = joining.phase, particle.dies = joining.dies;
+      if (!is_plain || joining.id.index >= particles_.size()) {
+        join(joining.id, particle, joining.birth, seen);
+        continue;
+      }
+      particles_[joining.id.index] = particle;
+      spans_[joining.id.index] = {joining.number, joining.dies};
+      emitter_of_[joining.id.index] = like.emitter;
+      ++emitter.counts.alive;
+      if (std::isfinite(joining.dies) && joining.dies > seen) lives.add(joining.dies, joining.id);
+    }
+    emitter.bequeaths = emitter.bequeaths || like.size != 1 || like.colour != 0xffffffff;
+  }
   /// It is gone, for that reason; nothing where no emitter fired it.
   void leave(std::uint32_t slot, EmitterCount why) {
     if (emitter_of(slot) != 0) leave_emitter(slot, why);

@@ -93,11 +93,11 @@ class Kinds {
   std::uint32_t add(Kind kind);
   /// It stays, whether somebody uses it or not.
   void keep(std::uint32_t index);
-  /// A projectile of it came, or left; `moment`: snapshots taken so far.
-  void join(std::uint32_t index) {
+  /// So many projectiles of it came, or one left; `moment`: snapshots taken so far.
+  void join(std::uint32_t index, std::uint32_t count = 1) {
     Kind& kind = (*this)[index];
-    PHYSIM_ASSERT(!kind.forgotten);
-    ++kind.alive;
+    PHYSIM_ASSERT(!kind.forgotten && count > 0);
+    kind.alive += count;
     if (kind.idle_since != 0) become_busy(kind);
   }
   void leave(std::uint32_t index, std::uint64_t moment, const Living& living) {

@@ -18,8 +18,8 @@ void read_part(Body<R>& body, const Read& read) {
 template <DragModel drag, WindModel wind = WindModel::off, AirModel air = AirModel::vacuum>
 struct ShortStep : KnownRung<drag, wind, air> {
   static constexpr bool kPushed = false;
-  template <class R, class Read>
-  static Body<R> body_of(const State<R>&, const Read& read) {
+  template <class R, class S, class Read>
+  static Body<R> body_of(const Conditions<S>&, const State<R>&, const Read& read) {
     Body<R> b;
     if constexpr (drag == DragModel::damping) read_part<DampingPart>(b, read);
     if constexpr (drag == DragModel::linear_quadratic) read_part<QuadraticPart>(b, read);
@@ -28,10 +28,53 @@ struct ShortStep : KnownRung<drag, wind, air> {
   }
   /// After `h`; the launch is forgotten.
   template <class R, class S>
-  static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h) {
+  PHYSIM_INLINE static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h) {
     State<R> end;
     end.v = start.v + acceleration(c, b, R(S(0)), start) * h;
     end.x = start.x + end.v * h;
+    return end;
+  }
+  template <class S>
+  static S length_of(const RowColumns<S>&, const SettleContext&, std::uint32_t, double length) {
+    return static_cast<S>(length);
+  }
+};
+
+/// A step of one stage of other rungs: what they are is asked as it is flown.
+struct AnyShortStep {
+  static constexpr bool kPushed = false;
+  template <class S>
+  static bool matches(const Conditions<S>& c) {
+    const Fidelity& f = c.fidelity;
+    const bool one_stage =
+        f.integrator == Integrator::explicit_euler || f.integrator == Integrator::semi_implicit_euler;
+    const bool plain_pull = f.gravity == GravityModel::constant || f.gravity == GravityModel::inverse_square;
+    const bool plain_air = f.drag != DragModel::equation || f.air == AirModel::isa;
+    const bool plain_wind = f.wind == WindModel::off || f.wind == WindModel::constant;
+    return f.motion != Motion::closed_form && one_stage && plain_pull && plain_air && plain_wind &&
+           f.earth == EarthModel::flat && !f.planar && f.rotation == RotationModel::none &&
+           static_cast<const Features&>(c) == Features{};
+  }
+  template <class S>
+  static const Conditions<S>& known(const Conditions<S>& c) {
+    return c;
+  }
+  template <class R, class S, class Read>
+  static Body<R> body_of(const Conditions<S>& c, const State<R>&, const Read& read) {
+    Body<R> b{};
+    const DragModel drag = c.fidelity.drag;
+    if (drag == DragModel::damping) read_part<DampingPart>(b, read);
+    if (drag == DragModel::linear_quadratic) read_part<QuadraticPart>(b, read);
+    if (drag == DragModel::equation) read_part<AreaPart>(b, read), read_part<CurvePart>(b, read);
+    return b;
+  }
+  template <class R, class S>
+  static State<R> end(const Conditions<S>& c, const Body<R>& b, const State<R>& start, const R& h) {
+    Vec3<R> a;
+    evaluate(c, b, R(S(0)), start, a);
+    State<R> end;
+    end.v = start.v + a * h;
+    end.x = start.x + (c.fidelity.integrator == Integrator::explicit_euler ? start.v : end.v) * h;
     return end;
   }
   template <class S>
@@ -50,8 +93,8 @@ struct ShortFall : KnownFall {
     b.launch = start;
     return b;
   }
-  template <class R, class Read>
-  static Body<R> body_of(const State<R>& start, const Read& read) {
+  template <class R, class S, class Read>
+  static Body<R> body_of(const Conditions<S>&, const State<R>& start, const Read& read) {
     Body<R> b = body_of(start);
     read_part<LaunchPart>(b, read);
     return b;
@@ -110,9 +153,9 @@ std::optional<State<double>> KnownFlights::fly_alone(const Cohort& cohort, const
   context.state->rows[part.cohort].bring_up(row);
   const RowColumns<S>& columns = context.state->rows[part.cohort].columns<S>();
   const auto vector = [row](S* const(&of)[3]) { return Vec3<S>{of[0][row], of[1][row], of[2][row]}; };
-  const Conditions<S> c = Rung::known(*context.registry->cohort(part.cohort).course<S>().conditions);
+  const Conditions<S>& c = Rung::known(*context.registry->cohort(part.cohort).course<S>().conditions);
   const State<S> start{vector(columns.position), vector(columns.velocity)};
-  Body<S> b = Rung::body_of(start, [&](unsigned field) { return columns.field[field][row]; });
+  Body<S> b = Rung::body_of(c, start, [&](unsigned field) { return columns.field[field][row]; });
   const S length =
       part.born ? static_cast<S>(part.until - *part.born) : Rung::length_of(columns, context, row, part.until);
   if constexpr (Rung::kPushed) {
@@ -142,13 +185,13 @@ void KnownFlights::fly_together(const Cohort& cohort, const SettleContext& conte
     const auto load = [i](const std::array<typename NewbornFlights<S>::Column, 3>& of) {
       return Vec3<R>{R::load(of[0].data() + i), R::load(of[1].data() + i), R::load(of[2].data() + i)};
     };
-    const Conditions<S> c = Rung::known(given);
+    const Conditions<S>& c = Rung::known(given);
     const State<R> start{load(n.x), load(n.v)};
     Body<R> b;
     if constexpr (std::is_same_v<Rung, ShortFall>)
       b = Rung::body_of(start);
     else
-      b = Rung::body_of(start, [number](unsigned field) { return static_cast<S>(number[field]); });
+      b = Rung::body_of(c, start, [number](unsigned field) { return static_cast<S>(number[field]); });
     if constexpr (Rung::kPushed) b.applied = load(n.push);
     const State<R> end = Rung::end(c, b, start, R::load(n.length.data() + i));
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -188,6 +231,7 @@ void KnownFlights::find(const SettleContext& context, std::uint16_t index, Cohor
   };
   if (layout.clocked) return try_one(ShortFall{});
   each_known_rung<ShortStep>(try_rung);
+  if (!forced) try_one(AnyShortStep{});
 }
 
 KnownFlights::Cohort& KnownFlights::find(const SettleContext& context, std::uint16_t index) {

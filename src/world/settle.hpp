@@ -2,14 +2,12 @@
 // where they were; here each is stepped by itself, with the same numbers, its events are located and acted on.
 #pragma once
 
-#include <compare>
 #include <optional>
 #include <vector>
 
 #include "world/hit_asking.hpp"
 #include "world/restless.hpp"
 #include "world/state.hpp"
-#include "world/step_list.hpp"
 #include "world/world_job.hpp"
 
 namespace physim {
@@ -58,20 +56,6 @@ struct Chunk {
   std::vector<OpenHit> open;  // of rows that are left as they were until it is known what their hits do
 };
 
-/// What decides the order of events, and where one stands.
-struct EventKey {
-  double time = 0;
-  std::uint32_t slot = 0, order = 0, at = 0;
-
-  bool operator==(const EventKey&) const = default;
-  /// No time is none, and two are seldom equal.
-  std::weak_ordering operator<=>(const EventKey& other) const {
-    if (time != other.time) return time < other.time ? std::weak_ordering::less : std::weak_ordering::greater;
-    if (slot != other.slot) return slot <=> other.slot;
-    return order != other.order ? order <=> other.order : at <=> other.at;
-  }
-};
-
 /// Memory that steps use again and again.
 struct StepScratch {
   std::vector<std::uint32_t> attention;   // a bit for each row
@@ -80,9 +64,8 @@ struct StepScratch {
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;
   StepList<const Change*> changes;
-  StepList<std::uint64_t> change_order, change_spare;
-  StepList<EventKey> event_order, event_merge;
-  StepList<Event> events;  // in order
+  StepList<std::uint64_t> change_order, change_spare;  // see ChangeKey
+  StepList<EventKey> merge;                            // of events
 };
 
 /// What settling reads beside the row.

@@ -9,6 +9,7 @@
 #include "physim/world.hpp"
 #include "world/clock.hpp"
 #include "world/emitters.hpp"
+#include "world/event_list.hpp"
 #include "world/generators.hpp"
 #include "world/joints.hpp"
 #include "world/newcomers.hpp"
@@ -32,7 +33,7 @@ class WorldState {
   Generators generators;
   Emitters emitters;
   Joints joints;
-  std::vector<Event> events;
+  EventList events;
   std::size_t events_of_step = 0;  // the first of them
   WorldCounters counters;
   std::shared_ptr<Scene> scene;  // null: none; whoever changes it makes it his own first

@@ -308,12 +308,13 @@ Status World::reserve(KindId kind, std::size_t count) {
     return Error{"are more projectiles than the world holds", "count", "raise WorldDef::max_projectiles"};
   try {
     w.state.slots.reserve(count);
-    w.make_room_for_events(w.state.events.size() + count);
     Slot slot;
     slot.kind = index;
     slot.flags = w.registry.kind(index).flags;
     const std::uint16_t cohort = w.placement.cohort_for(slot);
-    if (cohort != kNoCohort) w.state.rows[cohort].reserve(w.state.rows[cohort].size() + count);
+    if (cohort == kNoCohort) return {};
+    w.state.events.reserve(count, w.state.rows[cohort].layout().float32);
+    w.state.rows[cohort].reserve(w.state.rows[cohort].size() + count);
   } catch (const std::exception&) {  // no memory, or more than a list can ever have
     return Error{"no memory for so many projectiles", "world.reserve", "reserve fewer"};
   }

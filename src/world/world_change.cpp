@@ -14,8 +14,6 @@
 
 namespace physim {
 
-const Event kBlankEvent{};
-
 namespace {
 
 Error gone() { return {"it is gone", "id", "is_alive() tells"}; }
@@ -23,35 +21,22 @@ Error not_finite(const char* place) { return {"must have three finite components
 
 }  // namespace
 
-void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::optional<double> moment, double value) {
-  if (!has_room_for_event()) return;
+void WorldImpl::tell(EventKind kind, std::uint32_t slot, Reason reason, std::optional<double> moment,
+                     std::uint32_t value) {
+  if (!may_keep_event()) return;
   const Slot& who = state.slots[slot];
   const Rows& rows = state.rows_of(who);
-  Event& event = add_event(state.events);
-  event.kind = kind;
-  event.reason = reason;
-  event.id = {slot, who.generation};
-  event.value = value;
-  event.time = moment ? *moment : state.clock.time();
+  const PlainEvent event{kind, reason, {slot, who.generation}, value, moment ? *moment : state.clock.time()};
   rows.bring_up(who.row);
   rows.read_fixed([&, row = who.row](const auto& c) {
-    event.position = Rows::at(c.position, row);
-    event.velocity = Rows::at(c.velocity, row);
+    state.events.add(event, Rows::at(c.position, row), Rows::at(c.velocity, row));
   });
 }
 
-void WorldImpl::keep_event(const Event& event) {
-  if (!has_room_for_event()) return;
-  // Told that there is room, compilers write the event in place. A copy, for which clang calls memcpy(), would read in
-  // wide pieces what was just written in narrow ones, and wait until it is in the cache.
-  if (state.events.size() == state.events.capacity()) __builtin_unreachable();
-  state.events.push_back(event);
-}
-
-bool WorldImpl::has_room_for_event() {
-  if (room_for_events() == 0) return ++state.counters.dropped_events, false;
-  make_room_for_events(state.events.size() + 1);
-  return true;
+bool WorldImpl::may_keep_event() {
+  if (room_for_events() > 0) return true;
+  ++state.counters.dropped_events;
+  return false;
 }
 
 std::size_t WorldImpl::room_for_events() const {
@@ -61,17 +46,10 @@ std::size_t WorldImpl::room_for_events() const {
   return most - std::min(most, state.events.size());
 }
 
-void WorldImpl::outgrow_events(std::size_t count) {
-  std::vector<Event> larger;
-  larger.reserve(std::max({count, 2 * state.events.capacity(), std::size_t{16}}));
-  larger.assign(state.events.begin(), state.events.end());
-  outgrown.push_back(std::exchange(state.events, std::move(larger)));
-}
-
 void WorldImpl::forget_events() {
-  events_use.empty(state.events);
+  state.events.clear();
   state.events_of_step = 0;
-  outgrown.clear();
+  given_events.clear();
   state.joints.events.clear();
 }
 

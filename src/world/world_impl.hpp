@@ -5,7 +5,6 @@
 
 #include "physim/auto_fidelity.hpp"
 #include "physim/world.hpp"
-#include "world/blank_event.hpp"
 #include "world/emitter_step.hpp"
 #include "world/forced_step.hpp"
 #include "world/hit_asking.hpp"
@@ -43,8 +42,8 @@ struct WorldImpl : Gate {
   mutable std::uint64_t moments = 0;  // snapshots taken
   mutable Living living;
   std::uint64_t def_hash = 0;
-  ListUse events_use;                        // of state.events
-  std::vector<std::vector<Event>> outgrown;  // events that were given out, until the next step
+  mutable std::mutex showing;        // of events, which several threads may read
+  mutable GivenEvents given_events;  // that are kept until the next step
   ForcedScratch forced_scratch;
   PairScratch pairs;
   EmitterScratch emitting;
@@ -101,15 +100,16 @@ struct WorldImpl : Gate {
   // ------------------------------------------------------------------------------------------- changes
   /// Now, or at a time inside of the step just taken [s].
   void tell(EventKind kind, std::uint32_t slot, Reason reason = Reason::none, std::optional<double> moment = {},
-            double value = 0);
+            std::uint32_t value = 0);
   /// Keeps an event; those that were given out stay where they are.
-  void keep_event(const Event& event);
-  void make_room_for_events(std::size_t count) {
-    if (count > state.events.capacity()) outgrow_events(count);
+  void keep_event(const Event& event) {
+    if (may_keep_event()) state.events.add(event);
   }
-  void outgrow_events(std::size_t count);
-  /// Makes room for one more; where there is none it counts one that is dropped.
-  bool has_room_for_event();
+  void keep_event(const PlainEvent& event, const BodyState& at) {
+    if (may_keep_event()) state.events.add(event, at.position, at.velocity);
+  }
+  /// Whether there is room for one more; counts it where there is none.
+  bool may_keep_event();
   /// How many more are kept now.
   [[nodiscard]] std::size_t room_for_events() const;
   void forget_events();
@@ -200,7 +200,6 @@ struct WorldImpl : Gate {
   void step_forced(double dt);
   void turn(double dt);
   void finish_step();
-  void put_events_in_order();
   /// What settling decided of one projectile.
   void carry_out(const Change& change);
   [[nodiscard]] TaskRunner& runner(std::size_t rows);

@@ -18,7 +18,10 @@ Snapshot World::snapshot() const {
   const std::lock_guard lock(w.taking);
   // What is written is no part of the world: its recording, and which snapshots there are.
   const Recorded<Call::snapshot> call(const_cast<WorldImpl&>(w), w.next_moment());
-  auto copy = std::make_shared<WorldState>(w.state);
+  auto copy = [&w] {
+    const std::lock_guard reading(w.showing);
+    return std::make_shared<WorldState>(w.state);
+  }();
   copy->environments = w.registry.environments();
   copy->moment = ++w.moments;
   w.living.add(copy->moment, copy);
@@ -32,7 +35,7 @@ Status World::restore(const Snapshot& snapshot) {
   if (then.owner != w.state.owner) return Error{"the snapshot is of another world", "snapshot", ""};
   const Recorded<Call::restore> call(w, w.recorded_moment(then.moment));
   if (call.is_refused()) return call.refusal();
-  w.outgrown.push_back(std::move(w.state.events));  // somebody may be reading them
+  w.state.events.leave(w.given_events);  // somebody may be reading them
   w.state = then;
   w.forced_scratch.driven.forget();
   w.is_stirred = false;

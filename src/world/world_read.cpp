@@ -231,7 +231,12 @@ std::string ProjectileView::label() const {
   return tags ? tags->label : world_->registry.kind(slot->kind).body.label;
 }
 
-std::span<const Event> World::events() const { return impl().state.events; }
+std::span<const Event> World::events() const {
+  const WorldImpl& w = impl();
+  const IeeeMode mode;
+  const std::lock_guard lock(w.showing);
+  return w.state.events.all(w.given_events);
+}
 void World::forget_events() {
   if (!impl().is_closed()) impl().forget_events();
 }
@@ -248,14 +253,24 @@ std::vector<CohortInfo> World::cohorts() const {
   return list;
 }
 
+namespace {
+
+std::size_t events_bytes(const WorldImpl& w) {
+  const std::lock_guard lock(w.showing);
+  std::size_t bytes = w.state.events.bytes();
+  for (const auto& events : w.given_events) bytes += events.capacity() * sizeof(Event);
+  return bytes;
+}
+
+}  // namespace
+
 std::size_t World::memory() const {
   const WorldImpl& w = impl();
   const WorldState& s = w.state;
   std::size_t bytes = s.slots.bytes() + s.pools.bytes() + s.launches.bytes() + s.old_age.bytes() + s.extras.bytes() +
                       s.generators.bytes() + s.emitters.bytes() + s.joints.bytes() + w.registry.bytes() +
-                      s.events.capacity() * sizeof(Event);
+                      events_bytes(w);
   for (const Rows& rows : s.rows) bytes += sizeof(Rows) + rows.bytes();
-  for (const auto& events : w.outgrown) bytes += events.capacity() * sizeof(Event);
   return bytes;
 }
 

@@ -308,7 +308,7 @@ void WorldImpl::finish_step() {
       keys.push_back(ChangeKey::of(c, scratch.changes.size()));
       scratch.changes.push_back(&c);
     }
-    state.events.insert(state.events.end(), chunk.events.begin(), chunk.events.end());
+    for (const Event& event : chunk.events) state.events.add(event);
   };
   for (std::size_t i = 0; i < scratch.chunk_count; ++i) collect(scratch.chunks[i]);
   collect(forced_scratch.chunk);
@@ -323,39 +323,6 @@ void WorldImpl::finish_step() {
     prefetch(keys.size(), i, [&](std::size_t k) { return ChangeKey::slot(keys[k]); });
     carry_out(*scratch.changes[ChangeKey::at(keys[i])]);
   }
-}
-
-namespace {
-
-/// Events of births, and of ends of lives, come in order already: a few such runs are merged, anything else is sorted.
-void sort_by_runs(std::vector<EventKey>& keys, std::vector<EventKey>& spare) {
-  constexpr int kMostMerges = 4;
-  auto sorted = std::ranges::is_sorted_until(keys);
-  for (int merges = 0; sorted != keys.end(); ++merges) {
-    if (merges == kMostMerges) return spread_sort(keys, spare, std::mem_fn(&EventKey::time), std::less{});
-    const auto end = std::is_sorted_until(sorted, keys.end());
-    spare.clear();
-    std::merge(keys.begin(), sorted, sorted, end, std::back_inserter(spare));
-    std::ranges::copy(spare, keys.begin());
-    sorted = end;
-  }
-}
-
-}  // namespace
-
-/// By time, projectile and kind. What one tells at one time stays in the order in which it was told.
-void WorldImpl::put_events_in_order() {
-  const auto key_of = [](const Event& e, std::uint32_t at = 0) {
-    return EventKey{e.time, e.id.index, static_cast<std::uint32_t>(row_of(e.kind).order), at};
-  };
-  StepList<EventKey>& keys = scratch.event_order;
-  keys.clear(), scratch.event_merge.clear(), scratch.events.clear();
-  if (std::ranges::is_sorted(state.events, {}, [&](const Event& e) { return key_of(e); })) return;
-  for (std::uint32_t at = 0; const Event& e : state.events) keys.push_back(key_of(e, at++));
-  sort_by_runs(keys, scratch.event_merge);
-  // Events are large: each is moved once, and the list stays where it is.
-  for (const EventKey& key : keys) scratch.events.push_back(state.events[key.at]);
-  std::ranges::copy(scratch.events, state.events.begin());
 }
 
 void WorldImpl::carry_out(const Change& change) {
@@ -423,7 +390,8 @@ void WorldImpl::step(double dt) {
   expire_old();
   fire_emitters(*this, context);
   end_generators();
-  put_events_in_order();
+  scratch.merge.clear();
+  state.events.put_in_order(scratch.merge, given_events);
   state.events_of_step = state.events.size();
   PHYSIM_ASSERT(rows_of_all(state) == state.slots.alive());
   if (recorder) recorder->stepped([this] { return hash(); });

@@ -366,7 +366,9 @@ TEST(Emission, newborns_of_a_pack_are_those_of_each) {
   constexpr std::size_t kPack = NewbornPack::kLanes;
   test::Random r(11);
   std::size_t compared = 0;
+  const std::vector<std::string> names = kernels();
   for (int round = 0; round < 400; ++round) {
+    ASSERT_TRUE(use_kernel(names[static_cast<std::size_t>(round) % names.size()]));
     EmitterDef def = test::random_emitter(r, {}, {});
     def.start.gravity = {1};
     if (r.one_in(3)) def.from.size = r.vector(3), def.from.size = {std::abs(def.from.size.x), 0, 2};
@@ -380,8 +382,9 @@ TEST(Emission, newborns_of_a_pack_are_those_of_each) {
       pack.moment[i] = static_cast<std::uint32_t>(1 + r.below(9));
       pack.of_moment[i] = static_cast<std::uint32_t>(r.below(static_cast<int>(pack.moment[i])));
     }
+    if (r.one_in(2)) pack.count = static_cast<std::size_t>(1 + r.below(kPack));
     emission.newborns(pack);
-    for (std::size_t i = 0; i < kPack; ++i) {
+    for (std::size_t i = 0; i < pack.count; ++i) {
       const Newborn alone = emission.newborn(pack.birth(i));
       ASSERT_TRUE(test::same_bits(Vec3d{pack.place[0][i], pack.place[1][i], pack.place[2][i]}, alone.place));
       ASSERT_TRUE(
@@ -391,7 +394,8 @@ TEST(Emission, newborns_of_a_pack_are_those_of_each) {
       ++compared;
     }
   }
-  EXPECT_EQ(compared, 400 * kPack);
+  use_kernel("");
+  EXPECT_GT(compared, 250 * kPack);
 }
 
 }  // namespace

@@ -59,18 +59,20 @@ TEST(ParticleKernels, words_are_those_of_each_number) {
     for (auto& n : number) n = r.one_in(2) ? r.bits() % 1000 : std::uint64_t{r.bits()} << 32 | r.bits();
     const std::uint64_t seed = std::uint64_t{r.bits()} << 32 | r.bits();
     const std::uint32_t index = r.bits() >> 8;
-    const auto job = [&](auto& words) {
+    const auto job = [&](auto& words, std::size_t count) {
       return WordsJob{seed,
                       static_cast<std::uint32_t>(EmitStream::flight) | index << 8,
+                      count,
                       number.data(),
                       {words[0].data(), words[1].data(), words[2].data(), words[3].data()}};
     };
     WordColumns<kColumn> words;
-    kernel.words(job(words));
-    WordColumns<kShortColumn> few;
-    kernel.few_words(job(few));
+    kernel.words(job(words, kColumn));
+    WordColumns<kColumn> few;
+    const std::size_t count = 1 + r.below(kColumn);
+    kernel.words(job(few, count));
     for (std::size_t k = 0; k < 4; ++k)
-      EXPECT_TRUE(std::ranges::equal(few[k], std::span(words[k]).first(kShortColumn)));
+      EXPECT_TRUE(std::ranges::equal(std::span(few[k]).first(count), std::span(words[k]).first(count)));
     for (std::size_t i = 0; i < kColumn; ++i) {
       const PhiloxCounter alone = emit_words(seed, EmitStream::flight, index, number[i], 0);
       for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(words[k][i], alone[k]) << kernel.name << ' ' << i;

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <span>
+
 #include "emit/statistics.hpp"
+#include "random_shots.hpp"
 #include "support.hpp"
 
 namespace physim {
@@ -293,6 +297,36 @@ TEST(Timeline, a_state_goes_on_where_it_was_copied) {
     timeline.take(state), twin.take(copy);
   }
   EXPECT_EQ(state, copy);
+}
+
+TEST(Timeline, steady_moments_taken_together_are_those_taken_one_by_one) {
+  test::Random r(4);
+  for (int round = 0; round < 300; ++round) {
+    EmitterDef def;
+    def.per_second = {r.one_in(9) ? 0 : r.in(1, 500)};
+    if (r.one_in(6)) def.per_second.curve = {{0, 1}, {1, 2}};
+    def.cycle.duration = r.in(0.1, 2), def.cycle.looping = r.one_in(2), def.cycle.delay = {r.one_in(2) ? 0.3 : 0};
+    if (r.one_in(2)) def.bursts = {{.time = 0.05, .count = {3}, .cycles = 4, .interval = 0.01}};
+    const Emission emission(def, 5);
+    const Timeline timeline(emission);
+    TimelineState one = timeline.begin(0), many = one;
+    for (int part = 0; part < 20; ++part) {
+      std::array<double, 32> time, phase;
+      const std::size_t most = 1 + r.below(32);
+      const std::size_t found = timeline.steady(many, std::span(time).first(most), std::span(phase).first(most));
+      const std::size_t taken = found > 0 ? r.below(static_cast<int>(found) + 1) : 0;
+      timeline.take_steady(many, taken);
+      for (std::size_t i = 0; i < taken; ++i) {
+        const auto next = timeline.next(one);
+        ASSERT_TRUE(next && next->count == 1 && !next->is_round);
+        ASSERT_EQ(next->time, time[i]);
+        ASSERT_EQ(next->phase, phase[i]);
+        timeline.take(one);
+      }
+      ASSERT_EQ(one, many);
+      if (found == 0 && timeline.next(one)) timeline.take(one), timeline.take(many);
+    }
+  }
 }
 
 }  // namespace

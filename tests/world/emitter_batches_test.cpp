@@ -65,6 +65,8 @@ Fidelity random_rung(test::Random& r) {
   if (f.motion == Motion::force) f.drag = static_cast<DragModel>(r.below(4)), f.air = AirModel::isa;
   f.precision = r.one_in(2) ? Precision::float32 : Precision::float64;
   if (r.one_in(8)) f.integrator = Integrator::rk4;  // that no kernel knows
+  if (r.one_in(4) && f.motion == Motion::force) f.integrator = Integrator::explicit_euler;
+  if (r.one_in(4) && f.motion == Motion::force) f.gravity = GravityModel::inverse_square;
   return f;
 }
 WorldDef random_world(test::Random& r) {
@@ -182,6 +184,44 @@ TEST(EmitterBatches, too_many_of_a_step_are_cut_at_the_same_place) {
   const EmitterCounts counts = run(false);
   EXPECT_EQ(counts, run(true));
   EXPECT_EQ(counts.cut, 1u);
+}
+
+/// Emitters of many rungs, most of which fire at the same moments.
+Told turns(std::uint64_t seed, bool one_by_one) {
+  test::Random r(seed);
+  World world = make_world(random_world(r));
+  EmitterDef idle = spray(kind_of(world, spark()), 0, 1);
+  idle.cycle.plays = false;
+  const EmitterId nobody = added(world, idle);
+  const double rate = r.in(500, 8000);
+  std::vector<EmitterId> ids;
+  for (std::size_t i = 0, count = 2 + r.below(40); i < count; ++i) {
+    ProjectileDef p = spark();
+    p.drag = {.damping = 0.7, .k1 = 1e-4, .k2 = 2e-5};
+    p.fidelity = random_rung(r);
+    EmitterDef def = spray(kind_of(world, p), r.one_in(5) ? r.in(10, 20000) : rate, 0);
+    def.seed = seed + i;
+    def.from = {.shape = static_cast<EmitShape>(r.below(8))};
+    def.start.lifetime = {r.one_in(4) ? 0.001 : 0.03, 0.2};
+    def.start.speed = {1, 30};
+    def.maximum = r.one_in(4) ? 60 : 3000;
+    def.when_full = r.one_in(2) ? WhenFull::refuse : WhenFull::replace_oldest;
+    if (one_by_one) def.subs = {never(nobody)};
+    ids.push_back(added(world, def));
+  }
+  Told told;
+  for (int i = 0; i < 10; ++i) told.step(world, i % 3 == 0 ? 0.5 * kFrame : kFrame, ids);
+  return told;
+}
+
+TEST(EmitterBatches, emitters_that_fire_in_turn_are_born_as_one_by_one) {
+  std::size_t size = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Told together = turns(seed, false);
+    ASSERT_TRUE(together == turns(seed, true)) << "seed " << seed;
+    size += together.size();
+  }
+  EXPECT_GT(size, 1'000'000u);
 }
 
 }  // namespace

@@ -33,9 +33,23 @@ TEST(FiringQueue, gives_firings_in_order_while_others_come) {
     }
     std::ranges::sort(waiting, later);  // the last one is next
     ASSERT_EQ(queue.next_time(), waiting.back().time);
+    ASSERT_TRUE(is_same(queue.next(), waiting.back()));
     ASSERT_TRUE(is_same(queue.pop(), waiting.back()));
     waiting.pop_back();
     ASSERT_EQ(queue.empty(), waiting.empty());
+  }
+}
+
+TEST(FiringQueue, takes_turns_of_many_that_fire_at_equal_times) {
+  constexpr std::uint32_t kEmitters = 40;
+  test::Random r(8);
+  FiringQueue queue;
+  for (std::uint32_t emitter = 1; emitter <= kEmitters; ++emitter) queue.push({.time = 0, .emitter = emitter});
+  for (std::uint32_t i = 0; i < 20000; ++i) {
+    const Firing firing = queue.pop();
+    ASSERT_EQ(firing.emitter, 1 + i % kEmitters);
+    ASSERT_EQ(firing.time, i / kEmitters);
+    queue.push({.time = firing.time + 1, .emitter = firing.emitter});
   }
 }
 

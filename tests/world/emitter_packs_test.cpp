@@ -79,6 +79,21 @@ TEST(EmitterPacks, births_and_deaths_on_known_rungs_are_as_settled) {
       }
 }
 
+TEST(EmitterPacks, births_and_deaths_on_other_rungs_of_one_stage_are_as_settled) {
+  for (const DragModel drag : {DragModel::off, DragModel::damping, DragModel::linear_quadratic, DragModel::equation})
+    for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::explicit_euler})
+      for (const GravityModel gravity : {GravityModel::constant, GravityModel::inverse_square})
+        for (const Precision precision : kPrecisions) {
+          Fidelity f = rung(drag, precision);
+          f.integrator = integrator, f.gravity = gravity;
+          const Told known = second_of(f, false, 7);
+          EXPECT_GT(known.alive.size(), 60u);
+          EXPECT_GT(known.ends.size(), 400u);
+          EXPECT_GT(known.by_subs, 400u);
+          EXPECT_EQ(known, second_of(f, true, 7)) << static_cast<int>(drag) << ' ' << static_cast<int>(integrator);
+        }
+}
+
 TEST(EmitterPacks, births_and_deaths_of_what_emitters_push_are_as_settled) {
   test::Random r(5);
   for (int round = 0; round < 12; ++round) {
