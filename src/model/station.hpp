@@ -50,7 +50,7 @@ struct StandardAir {
   static constexpr double kGravity = 9.80665;                                   // g0 [m/s^2]
   static constexpr double kGasConstant = 8314.32;                               // R* [J/(kmol K)]
   static constexpr double kMolarMass = 28.9644;                                 // M [kg/kmol]
-  static constexpr double kHeatRatio = 1.4;                                     // gamma [-]
+  static constexpr double kHeatRatio = kStandardHeatRatio;                      // gamma [-]
   static constexpr double kSeaLevelPressure = 101325;                           // [Pa]
   static constexpr double kSeaLevelTemperature = 288.15;                        // [K]
   static constexpr double kHydrostatic = kGravity * kMolarMass / kGasConstant;  // g0 M / R* [K/m]
@@ -136,9 +136,9 @@ template <class R>
 void profile_of_station(double h, double standard, const Readings<R>& station, AirProfile<R>& profile,
                         int layers = kAirLayers) {
   const auto& [t, p, humidity] = station;
-  profile.density_factor =
-      moist_density(t, p, humidity) * R(StandardAir::kGasConstant) * t / (p * R(StandardAir::kMolarMass));
-  profile.sound_factor = moist_sound_speed(t, p, humidity) / AirProfile<R>::dry_sound_speed(t);
+  const R x_v = vapour_fraction(t, p, humidity);
+  profile.density_factor = density_over_ideal(t, p, x_v);
+  profile.sound_factor = sound_over_dry(x_v);
   profile_through(h, p, t - R(standard), profile, layers);
 }
 
