@@ -63,8 +63,13 @@ class EndWriter {
       if (column.empty()) return;
       PHYSIM_ASSERT(first + shots.size() <= column.size());
       auto* to = column.data() + first;
-      for (const ShotResult& shot : shots)
-        *to++ = some_refused && shot.outcome == Outcome::refused ? none : number(shot);
+      for (const ShotResult& shot : shots) *to++ = number(shot);
+      if (!some_refused) return;
+      to -= shots.size();
+      for (const ShotResult& shot : shots) {
+        if (shot.outcome == Outcome::refused) *to = none;
+        ++to;
+      }
     };
     put(into_.outcome, Outcome::refused, [](const ShotResult& s) { return s.outcome; });
     put(into_.time, kNone, [](const ShotResult& s) { return s.time; });

@@ -63,9 +63,10 @@ void put_weather(const WeatherSource& from, const Conditions<S>& c, std::size_t 
   } else {
     AirNumbers<W> air;
     put_air(from, first, filled, air);
-    constexpr unsigned kLow = kBodyNumber.air.lapse[0] - kBodyNumber.air.density;
-    NumberRuns wanted;  // layers that are not stay what the batch has in their place: no numbers
-    wanted.add(0, from.place.layers == kAirLayers ? kNumbers<AirNumbers> : kLow);
+    constexpr unsigned kLow = kBodyNumber.air.low_density[0] - kBodyNumber.air.density;
+    constexpr unsigned kLayers = kBodyNumber.air.lapse[0] - kBodyNumber.air.density;
+    NumberRuns wanted;  // what is not stays what the batch has in its place: no numbers
+    from.place.low_alone ? wanted.add(kLow, kLayers - kLow) : wanted.add(0, kNumbers<AirNumbers>);
     cast_numbers(air, into.air, wanted);
   }
 }
@@ -479,8 +480,11 @@ void fly_lanes(const BatchJob<S>& job) {
     March<R>* marches[kSets];
     MaskOf<R> accepted[kSets];
     for (int i = 0; i < count; ++i) marches[i] = &flying[i]->march;
-    March<R>::try_steps(marches, count, accepted, take);
-    for (int i = 0; i < count && job.left_low_air != nullptr; ++i)
+    bool stayed_low = false;
+    const auto take_here = [&](const Conditions<S>& c, const FlyerSet<R>& w, S relative, S absolute)
+                               PHYSIM_INLINE_LAMBDA { stayed_low = take(c, w, relative, absolute); };
+    March<R>::try_steps(marches, count, accepted, take_here);
+    for (int i = 0; i < count && job.left_low_air != nullptr && !stayed_low; ++i)
       if (some_left_low_air(*job.course->conditions, marches[i]->lanes)) return void(*job.left_low_air = true);
     int left = 0;
     for (int i = 0; i < count; ++i)

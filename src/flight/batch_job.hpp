@@ -63,8 +63,8 @@ struct BatchJob {
   Turn<double>* turns;                              // how each turned at its end; null where the rotation is not flown
   void (*emit)(void* sink, const RawEvent& event);  // null: nobody wants events
   void* sink;
-  /// Null: lanes hold all layers of the air of their shots. Else they hold the lowest one, and the density of others is
-  /// no number; where a lane asks for them, true is put here, and the job ends without results.
+  /// Null: lanes hold all of the air of their shots. Else they hold the polynomials of its lowest layer, and all else
+  /// of it is no number; where a lane asks for that, true is put here, and the job ends without results.
   bool* left_low_air;
 };
 

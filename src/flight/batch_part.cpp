@@ -27,12 +27,12 @@ bool is_by_shot(const std::vector<ShotEvent>& events) {
                         [](const ShotEvent& a, const ShotEvent& b) { return a.shot < b.shot; });
 }
 
-/// Numbers that lanes hold: of air all layers, or the lowest alone.
+/// Numbers that lanes hold: of air all, or the polynomials of the lowest layer alone.
 NumberRuns runs_of(PartSet parts, bool low_air_alone) {
   const PartSet air = PartSet::of<AirPart>();
   if (!low_air_alone || (parts & air) != air) return parts.runs();
-  constexpr unsigned kFirst = kBodyNumber.air.density, kEnd = kBodyNumber.air.lapse[0];
-  static_assert(kFirst == BodyParts::first(BodyParts::index<AirPart>()) && kFirst < kEnd);
+  constexpr unsigned kFirst = kBodyNumber.air.low_density[0], kEnd = kBodyNumber.air.lapse[0];
+  static_assert(kFirst + kDensityTerms + kPerSoundTerms == kEnd);
   NumberRuns runs = (parts - air).runs();
   runs.add(kFirst, kEnd - kFirst);  // the air comes last
   return runs;
@@ -188,9 +188,9 @@ bool BatchPart::run_kernel_in_low_air(ShotGroup& group, PlainShots& plain) {
   if (!takes_steps || !judged_without_air || !only_air_has_corners(c) || !plain.seem_to_stay_low(c)) return false;
   bool left = false;
   left_low_air_ = &left;
-  plain.prepare_layers(1);
+  plain.prepare_low_air_alone(true);
   run_kernel(group, &plain.launches());
-  plain.prepare_layers(kAirLayers);
+  plain.prepare_low_air_alone(false);
   left_low_air_ = nullptr;
   return !left;
 }
@@ -221,8 +221,8 @@ void BatchPart::run_kernel(ShotGroup& group, const LaunchSource* launches, void 
   const PartSet judged = watch_.without_air ? own - kWeatherParts : own;
   const bool low_air_alone = left_low_air_ != nullptr;
   Body<double> common = group.common;
-  for (double& density : common.air.base_density)
-    if (low_air_alone) density = std::numeric_limits<double>::quiet_NaN();
+  for (unsigned i = 0; low_air_alone && i < kNumbers<AirNumbers>; ++i)
+    numbers(common.air)[i] = std::numeric_limits<double>::quiet_NaN();
   NumberRuns own_runs = runs_of(own, low_air_alone), judged_runs = runs_of(judged, low_air_alone);
   if (launches != nullptr) own_runs = differing(*launches, own_runs), judged_runs = differing(*launches, judged_runs);
   kernel({&course, launches, group.own_numbers.data(), group.own_stride(), own_runs, judged_runs, &common,

@@ -12,14 +12,16 @@
 
 PHYSIM_ISA_BEGIN
 
-/// Takes steps as take_steps() does, to the bit.
+/// Takes steps as take_steps() does, to the bit; tells whether it is known that none asked for air above the first
+/// border of layers.
 template <class R, class S>
-using TakeSteps = void (*)(const Conditions<S>& c, const FlyerSet<R>& flyers, S relative, S absolute);
+using TakeSteps = bool (*)(const Conditions<S>& c, const FlyerSet<R>& flyers, S relative, S absolute);
 
 /// A point mass with a drag curve in the standard's air over a flat Earth, and nothing special about it but perhaps
 /// weather of its own.
 template <WindModel kWind, bool kOwnWeather>
 struct PlainRung {
+  static constexpr bool kHasWind = kWind != WindModel::off;
   template <class S>
   PHYSIM_INLINE static bool matches(const Conditions<S>& c) {
     return is_plain(c, {.wind = kWind, .features = {.has_own_air = kOwnWeather, .has_own_wind = kOwnWeather}});
@@ -43,6 +45,7 @@ template <class R>
 struct Evaluation {
   R per_cd;                                // of the drag
   R part;                                  // of the cell on the drag curve
+  Components<R> through_air;               // velocity, where there is wind
   UnsignedOf<ScalarOf<R>> row[kLanes<R>];  // where it begins
 };
 
@@ -51,7 +54,7 @@ class KnownSteps {
  public:
   KnownSteps(const Conditions<S>& c, const FlyerSet<R>& w) : c_(c), w_(w) {}
 
-  /// All slopes and the end; false where some lane asks for air above the lowest layer, and then nothing holds.
+  /// All slopes and the end; false where some lane asks for air above the first border, and then nothing holds.
   PHYSIM_INLINE bool take() {
     bool all = true;
     static_for<Method::kStages>([&](auto before) PHYSIM_INLINE_LAMBDA {
@@ -76,13 +79,15 @@ class KnownSteps {
     s.slope[stage].x = y.v;
     Rung::assume(c_);
     const R z = altitude(c_, y.x);
-    if (lanes_at_least(z, R(c_.air.low_top)) != 0) return false;
+    if (lanes_at_least(z, R(c_.air.base[1])) != 0) return false;  // below the top of the lowest layer
     const AirState<R> air = Rung::air(c_, b, z);
-    const R speed = length(air_velocity(c_, b, s.t, y));
+    const Vec3<R> through_air = air_velocity(c_, b, s.t, y);
+    const R speed = length(through_air);
     const R place = curve_position(b, air.per_sound_speed, speed), cell = curve_cell(b, place);
     Evaluation<R>& e = under_way_[i];
     e.per_cd = drag_per_cd(air, speed, b.half_area_per_mass);
     e.part = place - cell;
+    if constexpr (Rung::kHasWind) e.through_air = through_air;
     row_offsets(b.curve_row + cell, e.row);
     return true;
   }
@@ -92,10 +97,10 @@ class KnownSteps {
     const Body<R>& b = w_.flyer[i]->body;
     Rung::assume(c_);
     const R cd = row_cubic_at(c_.curve_rows, e.row, e.part);
-    const State<R> s{{}, slope.x};
+    const Vec3<R> through_air = Rung::kHasWind ? Vec3<R>(e.through_air) : slope.x;
     Sum<R> sum;
-    sum.begin(&Accelerations::gravity, weight_per_mass(c_, b, s.x));
-    sum.add(&Accelerations::drag, air_velocity(c_, b, R(S(0)), s) * (e.per_cd * cd));
+    sum.begin(&Accelerations::gravity, weight_per_mass(c_, b, slope.x));  // constant: it asks for no place
+    sum.add(&Accelerations::drag, through_air * (e.per_cd * cd));
     slope.v = sum.total;
   }
 
@@ -105,18 +110,20 @@ class KnownSteps {
 };
 
 template <class R, class S>
-PHYSIM_NOINLINE void take_any_steps(const Conditions<S>& c, const FlyerSet<R>& w, S relative, S absolute) {
+PHYSIM_NOINLINE bool take_any_steps(const Conditions<S>& c, const FlyerSet<R>& w, S relative, S absolute) {
   take_steps(c, w, relative, absolute);
+  return false;
 }
 
 template <class Method, class Rung, class R, class S>
-PHYSIM_NOINLINE void take_known_steps(const Conditions<S>& c, const FlyerSet<R>& w, S relative, S absolute) {
+PHYSIM_NOINLINE bool take_known_steps(const Conditions<S>& c, const FlyerSet<R>& w, S relative, S absolute) {
   PHYSIM_ASSERT(Rung::matches(c));
   KnownSteps<Method, Rung, R, S> steps(c, w);
   if (!steps.take()) return take_any_steps(c, w, relative, absolute);
   if constexpr (HasErrorWeights<Method>)
     for (int i = 0; i < w.count; ++i)
       w.steps[i]->error = embedded_error_squared<Method>(*w.steps[i], w.steps[i]->h, relative, absolute);
+  return true;
 }
 
 template <class Method, class R, class S>

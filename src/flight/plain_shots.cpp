@@ -9,6 +9,31 @@
 #include "prepare/projectile.hpp"
 
 namespace physim {
+namespace {
+
+using Some = Pack<double, 8>;
+
+/// Whether `holds` is true of all shots: it is asked for packs of them, and for each of the last ones.
+template <class F>
+bool holds_of_all(std::size_t count, const F& holds) {
+  bool holds_so_far = true;
+  std::size_t i = 0;
+  for (; holds_so_far && i + kLanes<Some> <= count; i += kLanes<Some>)
+    holds_so_far = all(holds(i, std::type_identity<Some>()));
+  for (; holds_so_far && i < count; ++i) holds_so_far = holds(i, std::type_identity<double>());
+  return holds_so_far;
+}
+
+template <class R>
+R take(const NumberColumn& column, std::size_t i) {
+  if (column.of_shots == nullptr) return R(column.common);
+  if constexpr (kLanes<R> == 1)
+    return column.of_shots[i];
+  else
+    return R::load(column.of_shots + i);
+}
+
+}  // namespace
 
 PlainShots::PlainShots(const BatchTask& task, const Fidelity& granted, std::size_t first, std::size_t count)
     : task_(task), first_(first), count_(count) {
@@ -31,8 +56,12 @@ PlainShots::PlainShots(const BatchTask& task, const Fidelity& granted, std::size
 
 void PlainShots::put_drag() {
   PHYSIM_ASSERT(task_.shots.has_own_drag() && half_areas_.empty());
-  ShotProjectiles projectiles(task_.shots);
-  for (std::size_t i = 0; i < count_; ++i) half_areas_.push_back(half_area_per_mass(projectiles.of(first_ + i)));
+  const LaunchColumns& from = *task_.shots.columns;
+  const auto part = [&](std::span<const double> of_all) {
+    return of_all.empty() ? of_all : of_all.subspan(first_, count_);
+  };
+  half_areas_.resize(count_);
+  put_half_areas(*task_.shots.one_projectile, part(from.ballistic_coefficient), part(from.form_factor), half_areas_);
   launches_.half_areas = half_areas_.data();
 }
 
@@ -65,17 +94,10 @@ NumberColumn PlainShots::column(std::span<const double> numbers, double common) 
 
 bool PlainShots::within(std::span<const double> numbers, double low, double high) const {
   if (numbers.empty()) return true;
-  using Some = Pack<double, 8>;
-  const double* from = numbers.data() + first_;
-  MaskOf<Some> inside = Some(low) == Some(low);
-  std::size_t i = 0;
-  for (; i + kLanes<Some> <= count_; i += kLanes<Some>) {
-    const Some x = Some::load(from + i);
-    inside = inside & (x >= low) & (x <= high);
-  }
-  bool rest = true;
-  for (; i < count_; ++i) rest &= from[i] >= low && from[i] <= high;
-  return rest && all(inside);
+  return holds_of_all(count_, [&]<class R>(std::size_t i, std::type_identity<R>) {
+    const R x = take<R>({numbers.data() + first_, 0}, i);
+    return (x >= R(low)) & (x <= R(high));
+  });
 }
 
 bool PlainShots::are_all() const { return plain_launches() && plain_weather() && plain_drag(); }
@@ -93,24 +115,20 @@ bool PlainShots::plain_launches() const {
 
 bool PlainShots::seem_to_stay_low(const Conditions<double>& c) const {
   if (launches_.weather == nullptr || !weather_.has_station || weather_.place.model != AirModel::isa) return false;
-  const double room = c.air.low_top - c.altitude;
-  const LaunchColumns& from = *task_.shots.columns;
-  const auto of = [&](const NumberColumn& column, std::size_t i) {
-    return column.of_shots != nullptr ? column.of_shots[i] : column.common;
-  };
-  bool all = from.common.position.y < room;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const double upwards = of(launches_.speed, i) * std::min(std::abs(of(launches_.elevation, i)), 1.0);  // or more
-    all &= of(launches_.y, i) + upwards * upwards / (2 * c.gravity) < room;
-  }
-  return all;
+  const double room = c.air.base[1] - c.altitude, per_square = 1 / (2 * c.gravity);
+  return holds_of_all(count_, [&]<class R>(std::size_t i, std::type_identity<R>) {
+    const R upwards = take<R>(launches_.speed, i) * min(abs(take<R>(launches_.elevation, i)), R(1.0));  // or more
+    return take<R>(launches_.y, i) + upwards * upwards * R(per_square) < R(room);
+  });
 }
 
 bool PlainShots::plain_drag() const {
   constexpr double kLight = 1e-6, kHeavy = 1e12, kThin = 1e-6, kThick = 1e6, kLargest = 1e30;
   const LaunchColumns& from = *task_.shots.columns;
   return within(from.ballistic_coefficient, kLight, kHeavy) && within(from.form_factor, kThin, kThick) &&
-         std::ranges::all_of(half_areas_, [](double area) { return area <= kLargest; });
+         holds_of_all(half_areas_.size(), [&]<class R>(std::size_t i, std::type_identity<R>) {
+           return take<R>({half_areas_.data(), 0}, i) <= R(kLargest);
+         });
 }
 
 /// Days on Earth. Among them no vapour is more than the air can hold.

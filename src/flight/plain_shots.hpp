@@ -22,8 +22,8 @@ class PlainShots {
   /// Whether their air is that of stations, in layers, and without air about them all would stay in the lowest one:
   /// lanes may then do without the others (BatchJob::left_low_air).
   [[nodiscard]] bool seem_to_stay_low(const Conditions<double>& conditions) const;
-  /// How many layers of such air lanes prepare, from the lowest on.
-  void prepare_layers(int layers) { weather_.place.layers = layers; }
+  /// Whether lanes prepare no more of such air than that.
+  void prepare_low_air_alone(bool alone) { weather_.place.low_alone = alone; }
 
  private:
   [[nodiscard]] NumberColumn column(std::span<const double> numbers, double common) const;

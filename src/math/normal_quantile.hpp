@@ -51,10 +51,11 @@ PHYSIM_INLINE R horner(const R& x, const double (&c)[N]) {
   for (int i = N - 2; i >= 0; --i) sum = sum * x + R(c[i]);
   return sum;
 }
+inline constexpr double kTailFromMiddle = 0.425;
 /// Whether p lies where the middle's approximation does not hold.
 template <class R>
 PHYSIM_INLINE MaskOf<R> is_in_tail(const R& p) {
-  return abs(p - R(0.5)) > R(0.425);
+  return abs(p - R(0.5)) > R(kTailFromMiddle);
 }
 /// z in the middle; elsewhere a number that means nothing.
 template <class R>

@@ -24,6 +24,7 @@ inline constexpr double kDryMolarMass = 28.96546e-3;      // M_a with 400 ppm CO
 inline constexpr double kWaterMolarMass = 18.01528e-3;    // M_v [kg/mol]
 inline constexpr double kStandardGasConstant = 8.31432;   // of US Standard Atmosphere 1976 [J/(mol K)]
 inline constexpr double kStandardMolarMass = 28.9644e-3;  // [kg/mol]
+inline constexpr double kStandardHeatRatio = 1.4;         // gamma of dry air [-]
 
 }  // namespace physim
 
@@ -51,22 +52,36 @@ PHYSIM_INLINE R compressibility(const R& temperature, const R& pressure, const R
   return R(1.0) - ratio * first + ratio * ratio * (R(1.83e-11) - R(0.765e-8) * x_v * x_v);
 }
 
+/// Density over that of the standard's dry ideal gas of the same temperature and pressure [-].
+template <class R>
+PHYSIM_INLINE R density_over_ideal(const R& temperature, const R& pressure, const R& x_v) {
+  constexpr double kDry = kDryMolarMass * kStandardGasConstant / (kMolarGasConstant * kStandardMolarMass);
+  return R(kDry) * (R(1.0) - x_v * R(1 - kWaterMolarMass / kDryMolarMass)) /
+         compressibility(temperature, pressure, x_v);
+}
+
+/// Sound speed over that of the standard's dry air of the same temperature [-].
+template <class R>
+PHYSIM_INLINE R sound_over_dry(const R& x_v) {
+  if (!any(x_v != R(0.0))) return R(1.0);                  // what follows would give as much
+  const R heat = R(3.5) * (R(1.0) - x_v) + R(4.04) * x_v;  // c_p / R
+  const R mass = (R(1.0) - x_v) + R(kWaterMolarMass / kStandardMolarMass) * x_v;
+  return sqrt(heat / (heat - R(1.0)) / R(kStandardHeatRatio) / mass);
+}
+
 /// [kg/m^3]
 template <class R>
 PHYSIM_INLINE R moist_density(const R& temperature, const R& pressure, const R& humidity) {
   const R x_v = vapour_fraction(temperature, pressure, humidity);
-  const R z = compressibility(temperature, pressure, x_v);
-  return pressure * R(kDryMolarMass) / (z * R(kMolarGasConstant) * temperature) *
-         (R(1.0) - x_v * R(1 - kWaterMolarMass / kDryMolarMass));
+  return density_over_ideal(temperature, pressure, x_v) * pressure * R(kStandardMolarMass) /
+         (R(kStandardGasConstant) * temperature);
 }
 
 /// [m/s]
 template <class R>
 PHYSIM_INLINE R moist_sound_speed(const R& temperature, const R& pressure, const R& humidity) {
-  const R x_v = vapour_fraction(temperature, pressure, humidity);
-  const R heat = R(3.5) * (R(1.0) - x_v) + R(4.04) * x_v;  // c_p / R
-  const R molar_mass = R(kStandardMolarMass) * (R(1.0) - x_v) + R(kWaterMolarMass) * x_v;
-  return sqrt(heat / (heat - R(1.0)) * R(kStandardGasConstant) * temperature / molar_mass);
+  const R dry = sqrt(R(kStandardHeatRatio * kStandardGasConstant) * temperature / R(kStandardMolarMass));
+  return sound_over_dry(vapour_fraction(temperature, pressure, humidity)) * dry;
 }
 
 PHYSIM_ISA_END

@@ -99,7 +99,7 @@ Readings<double> station_air(const Environment& environment) {
 
 StationPlace station_place(const Environment& environment, AirModel model) {
   const double h = station_height(environment);
-  return {model, h, standard_profile().temperature_at(h), geopotential(environment.altitude), kAirLayers};
+  return {model, h, standard_profile().temperature_at(h), geopotential(environment.altitude), false};
 }
 
 namespace {

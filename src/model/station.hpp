@@ -38,7 +38,7 @@ struct StationPlace {
   double height;    // geopotential [m]
   double standard;  // the standard's temperature there [K]
   double origin;    // geopotential height of the origin [m]
-  int layers;       // wanted, from the lowest on
+  bool low_alone;   // nothing but the polynomials of the lowest layer
 };
 
 }  // namespace physim
@@ -50,7 +50,7 @@ struct StandardAir {
   static constexpr double kGravity = 9.80665;                                   // g0 [m/s^2]
   static constexpr double kGasConstant = 8314.32;                               // R* [J/(kmol K)]
   static constexpr double kMolarMass = 28.9644;                                 // M [kg/kmol]
-  static constexpr double kHeatRatio = 1.4;                                     // gamma [-]
+  static constexpr double kHeatRatio = kStandardHeatRatio;                      // gamma [-]
   static constexpr double kSeaLevelPressure = 101325;                           // [Pa]
   static constexpr double kSeaLevelTemperature = 288.15;                        // [K]
   static constexpr double kHydrostatic = kGravity * kMolarMass / kGasConstant;  // g0 M / R* [K/m]
@@ -97,6 +97,10 @@ struct AirProfile : StandardAir {
     const R t_to = temperature[i] + R(kLapse[i] * (to - kBase[i]));
     return exp_bounded(hydrostatic * R(1 / kLapse[i]) * log(t_to / t_from));
   }
+  /// The power in density ~ (T / T_b)^power of layer i; 0 where the layer is isothermal.
+  PHYSIM_INLINE R power(int i) const {
+    return kLapse[i] == 0 ? R(0.0) : -(density_factor * R(kHydrostatic)) / R(kLapse[i]) - R(1.0);
+  }
   PHYSIM_INLINE R density(const R& p, const R& t) const {
     return density_factor * p * R(kMolarMass) / (R(kGasConstant) * t);
   }
@@ -111,7 +115,7 @@ PHYSIM_INLINE R pressure_at(const Profile& profile, double h) {
 }
 
 /// The profile with the standard's temperatures plus `shift`, through pressure p at height h: temperatures of all
-/// layers, pressures of so many from the lowest on.
+/// layers, pressures of so many from the lowest on, and of those down from the height.
 template <class Profile, class R = typename Profile::Number>
 void profile_through(double h, const R& p, const std::type_identity_t<R>& shift, Profile& profile,
                      int layers = kAirLayers) {
@@ -132,29 +136,28 @@ template <class R>
 void profile_of_station(double h, double standard, const Readings<R>& station, AirProfile<R>& profile,
                         int layers = kAirLayers) {
   const auto& [t, p, humidity] = station;
-  profile.density_factor =
-      moist_density(t, p, humidity) * R(StandardAir::kGasConstant) * t / (p * R(StandardAir::kMolarMass));
-  profile.sound_factor = moist_sound_speed(t, p, humidity) / AirProfile<R>::dry_sound_speed(t);
+  const R x_v = vapour_fraction(t, p, humidity);
+  profile.density_factor = density_over_ideal(t, p, x_v);
+  profile.sound_factor = sound_over_dry(x_v);
   profile_through(h, p, t - R(standard), profile, layers);
 }
 
-/// So many layers, from the lowest on, by their laws.
+/// All layers by their laws.
 template <class R>
-void put_layers(const AirProfile<R>& profile, AirNumbers<R>& air, int layers = kAirLayers) {
+void put_layers(const AirProfile<R>& profile, AirNumbers<R>& air) {
   using A = StandardAir;
   const R hydrostatic = profile.density_factor * R(A::kHydrostatic);
-  for (int i = 0; i < layers; ++i) {
+  for (int i = 0; i < kAirLayers; ++i) {
     const R t = profile.temperature[i];
-    const R lapse(A::kLapse[i]);
-    air.lapse[i] = lapse / t;
-    air.power[i] = A::kLapse[i] == 0 ? R(0.0) : -hydrostatic / lapse - R(1.0);
+    air.lapse[i] = R(A::kLapse[i]) / t;
+    air.power[i] = profile.power(i);
     air.decay[i] = A::kLapse[i] == 0 ? -hydrostatic / t : R(0.0);
     air.base_density[i] = profile.density(profile.pressure[i], t);
     air.base_per_sound[i] = profile.per_sound(t);
   }
 }
 
-/// The polynomials of the lowest layer, whose law stands in the layers already.
+/// The polynomials of the lowest layer.
 template <class R>
 void put_low(const AirProfile<R>& profile, AirNumbers<R>& air) {
   using A = StandardAir;
@@ -164,8 +167,8 @@ void put_low(const AirProfile<R>& profile, AirNumbers<R>& air) {
   const R t = sea_level + R(A::kLapse[0] * middle);
   const R density = profile.density(profile.pressure[0] * profile.pressure_ratio(0, 0, middle), t);
   const LowLayer<R> layer{R(-kHalf) * (sea_level + R(A::kLapse[0] * kGeopotentialRadius)) / t, R(kHalf)};
-  const R root(-0.5), per_sound = profile.per_sound(t);
-  put_powers(layer, power<kDensityTerms + 2>(air.power[0], density, air.low_density),
+  const R nu = profile.power(0), root(-0.5), per_sound = profile.per_sound(t);
+  put_powers(layer, power<kDensityTerms + 2>(nu, density, air.low_density),
              power<kPerSoundTerms + 4>(root, per_sound, air.low_per_sound));
 }
 
@@ -178,14 +181,16 @@ PHYSIM_INLINE void put_origin(const AirProfile<R>& profile, double h, AirNumbers
 }
 
 /// The air through stations of one place. Air in layers needs no density at the origin, and other air no layers.
+/// Nothing beside the polynomials of the lowest layer is set where they are wanted alone.
 template <class R>
 void put_air(const StationPlace& place, const Readings<R>& station, AirNumbers<R>& air) {
   AirProfile<R> profile;
-  profile_of_station(place.height, place.standard, station, profile, place.layers);
+  profile_of_station(place.height, place.standard, station, profile, place.low_alone ? 1 : kAirLayers);
+  if (place.low_alone) return put_low(profile, air);
   put_origin(profile, place.origin, air);
   air.density = R(0.0);
   if (place.model == AirModel::isa) {
-    put_layers(profile, air, place.layers);
+    put_layers(profile, air);
     put_low(profile, air);
   } else if (place.model != AirModel::vacuum) {
     air.density = profile.density(pressure_at(profile, place.origin), air.temperature);

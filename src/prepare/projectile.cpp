@@ -21,11 +21,32 @@ namespace {
 /// A constant Cd goes into the area, so that all such projectiles share one curve, Cd = 1.
 double constant_cd(const DragDef& drag) { return drag.table == DragTable::constant ? drag.coefficient : 1; }
 
+double half_area_of_coefficient(const ProjectileDef& p, double ballistic_coefficient) {
+  return constant_cd(p.drag) * kPi / (8 * ballistic_coefficient);
+}
+double half_area_of_form(const ProjectileDef& p, double form_factor) {
+  return constant_cd(p.drag) * form_factor * kPi * p.diameter * p.diameter / (8 * p.mass);
+}
+
 }  // namespace
 
 double half_area_per_mass(const ProjectileDef& p) {
-  if (p.drag.ballistic_coefficient > 0) return constant_cd(p.drag) * kPi / (8 * p.drag.ballistic_coefficient);
-  return constant_cd(p.drag) * p.drag.form_factor * kPi * p.diameter * p.diameter / (8 * p.mass);
+  return p.drag.ballistic_coefficient > 0 ? half_area_of_coefficient(p, p.drag.ballistic_coefficient)
+                                          : half_area_of_form(p, p.drag.form_factor);
+}
+
+void put_half_areas(const ProjectileDef& p, std::span<const double> ballistic_coefficients,
+                    std::span<const double> form_factors, std::span<double> into) {
+  const std::size_t count = into.size();
+  if (!ballistic_coefficients.empty()) {
+    PHYSIM_ASSERT(ballistic_coefficients.size() == count);
+    for (std::size_t i = 0; i < count; ++i) into[i] = half_area_of_coefficient(p, ballistic_coefficients[i]);
+  } else if (!form_factors.empty() && !(p.drag.ballistic_coefficient > 0)) {
+    PHYSIM_ASSERT(form_factors.size() == count);
+    for (std::size_t i = 0; i < count; ++i) into[i] = half_area_of_form(p, form_factors[i]);
+  } else {
+    std::ranges::fill(into, half_area_per_mass(p));
+  }
 }
 
 namespace {

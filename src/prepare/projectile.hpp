@@ -1,6 +1,8 @@
 // Body and Rotor of a projectile, ready to compute but for its launch.
 #pragma once
 
+#include <span>
+
 #include "model/body.hpp"
 #include "model/conditions.hpp"
 #include "model/table_pool.hpp"
@@ -9,6 +11,10 @@ namespace physim {
 
 /// i A / (2 m): from the ballistic coefficient, or from mass, diameter and form factor [m^2/kg].
 [[nodiscard]] double half_area_per_mass(const ProjectileDef& projectile);
+/// That of shots of one projectile that have ballistic coefficients > 0 of their own, or form factors; none: all have
+/// the projectile's.
+void put_half_areas(const ProjectileDef& projectile, std::span<const double> ballistic_coefficients,
+                    std::span<const double> form_factors, std::span<double> into);
 
 /// Adds the projectile's tables to the pool and its flags to the conditions.
 [[nodiscard]] Body<double> prepare_kind(const ProjectileDef& projectile, TablePool& pool,

@@ -8,7 +8,6 @@
 #include "base/assert.hpp"
 #include "base/ieee_mode.hpp"
 #include "study/cell_number.hpp"
-#include "study/shard_job.hpp"
 
 namespace physim {
 namespace {
@@ -38,22 +37,26 @@ void widen(CountedCells& cells, std::int64_t low, std::int64_t high) {
 }  // namespace
 
 void count_into(CountedCells& cells, std::span<const double> numbers) {
-  if (numbers.empty()) return;
-  PHYSIM_ASSERT(cells.scale > 0);
+  if (!numbers.empty()) count_into(cells, numbers, shard_kernel().least_and_most(numbers.data(), numbers.size()));
+}
+
+void count_into(CountedCells& cells, std::span<const double> numbers, const LeastAndMost& ends) {
+  PHYSIM_ASSERT(cells.scale > 0 && !numbers.empty());
   const ShardKernel& kernel = shard_kernel();
   const double per_scale = 1 / cells.scale;
   const auto cell_of = [&](double x) { return static_cast<std::int64_t>(cell_number((x - cells.centre) * per_scale)); };
-  const auto [least, most] = kernel.least_and_most(numbers.data(), numbers.size());
-  widen(cells, cell_of(least), cell_of(most));
+  widen(cells, cell_of(ends.least), cell_of(ends.most));
   constexpr std::size_t kAtOnce = 512;
   std::uint64_t cell[kAtOnce];
+  std::uint64_t* const counts = cells.counts.data();
+  const std::int64_t lowest = cells.first;
   for (std::size_t first = 0; first < numbers.size(); first += kAtOnce) {
     const std::size_t count = std::min(kAtOnce, numbers.size() - first);
     kernel.cells({numbers.data() + first, cells.centre, per_scale, cell, count});
     for (std::size_t i = 0; i < count; ++i) {
-      const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(cell[i]) - cells.first);
+      const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(cell[i]) - lowest);
       PHYSIM_ASSERT(place < cells.counts.size());
-      ++cells.counts[place];
+      ++counts[place];
     }
   }
 }

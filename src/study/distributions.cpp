@@ -233,14 +233,13 @@ double Quantiles::operator()(double p) const {
 
 void Quantiles::from_units(std::span<double> numbers) const {
   if (const auto* d = std::get_if<NormalDistribution>(&distribution_)) {
-    draw_kernel().normal_quantiles(numbers.data(), numbers.size());
-    shard_kernel().stretch(d->mean, d->deviation, numbers.data(), numbers.data(), numbers.size());
+    draw_kernel().normals(numbers.data(), numbers.size(), {d->mean, d->deviation});
   } else if (const auto* u = std::get_if<UniformDistribution>(&distribution_)) {
     shard_kernel().stretch(u->low, u->high - u->low, numbers.data(), numbers.data(), numbers.size());
   } else if (const auto* t = std::get_if<TriangularDistribution>(&distribution_)) {
     for (double& x : numbers) x = triangle_quantile(*t, x);
   } else if (std::holds_alternative<LognormalDistribution>(distribution_)) {
-    draw_kernel().normal_quantiles(numbers.data(), numbers.size());
+    draw_kernel().normals(numbers.data(), numbers.size(), {});
     for (double& x : numbers) x = exp(log_mean_ + log_deviation_ * x);
   } else if (std::holds_alternative<TruncatedNormalDistribution>(distribution_)) {
     for (double& x : numbers) x = within_tails(x);

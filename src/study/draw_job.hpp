@@ -15,11 +15,15 @@ struct UnitsJob {
   double* numbers;  // twice as many
 };
 
+struct NormalScale {
+  double mean = 0, deviation = 1;
+};
+
 struct DrawKernel {
   const char* name;
   void (*units)(const UnitsJob& job);
-  /// z with Phi(z) = p in the place of each p.
-  void (*normal_quantiles)(double* numbers, std::size_t count);
+  /// mean + deviation z with Phi(z) = p in the place of each p.
+  void (*normals)(double* numbers, std::size_t count, const NormalScale& scale);
 };
 
 /// That of the instruction set whose batch kernel is in use.

@@ -5,18 +5,18 @@
 namespace physim {
 
 PHYSIM_KERNEL_COPIES(void draw_units(const UnitsJob& job);
-                     void normal_quantiles_of(double* numbers, std::size_t count);)
+                     void draw_normals(double* numbers, std::size_t count, const NormalScale& scale);)
 
 namespace {
 
 constexpr DrawKernel kDrawKernels[] = {
 #if PHYSIM_HAVE_AVX512
-    {"avx512", avx512::draw_units, avx512::normal_quantiles_of},
+    {"avx512", avx512::draw_units, avx512::draw_normals},
 #endif
 #if PHYSIM_HAVE_AVX2
-    {"avx2", avx2::draw_units, avx2::normal_quantiles_of},
+    {"avx2", avx2::draw_units, avx2::draw_normals},
 #endif
-    {"base", base::draw_units, base::normal_quantiles_of},
+    {"base", base::draw_units, base::draw_normals},
 };
 
 }  // namespace

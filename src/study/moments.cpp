@@ -5,23 +5,9 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "study/shard_job.hpp"
 
 namespace physim {
-namespace {
-
-/// Sums up in four lanes, which are added in the end: one addition does not wait for the one before.
-template <class Term>
-double sum_of(std::size_t count, const Term& term) {
-  constexpr std::size_t kLanes = 4;
-  double lanes[kLanes] = {};
-  std::size_t i = 0;
-  for (; i + kLanes <= count; i += kLanes)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) lanes[lane] += term(i + lane);
-  for (; i < count; ++i) lanes[0] += term(i);
-  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
-
-}  // namespace
 
 double SampleMoments::product(std::size_t i, std::size_t j) const {
   if (i > j) std::swap(i, j);
@@ -40,19 +26,16 @@ double SampleMoments::standard_error(std::size_t i) const {
 
 SampleMoments moments_of(std::span<const std::span<const double>> columns) {
   SampleMoments m;
-  const std::size_t n = columns.empty() ? 0 : columns[0].size();
+  const std::size_t size = columns.size(), n = columns.empty() ? 0 : columns[0].size();
   m.count = n;
-  const auto divisor = static_cast<double>(n == 0 ? 1 : n);
+  m.mean.resize(size), m.products.resize(size * (size + 1) / 2);
+  if (n == 0) return m;
+  std::vector<const double*> from;
   for (const auto& column : columns) {
     PHYSIM_ASSERT(column.size() == n);
-    m.mean.push_back(sum_of(n, [&](std::size_t i) { return column[i]; }) / divisor);
+    from.push_back(column.data());
   }
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    for (std::size_t j = i; j < columns.size(); ++j) {
-      const auto &x = columns[i], &y = columns[j];
-      const double mean_x = m.mean[i], mean_y = m.mean[j];
-      m.products.push_back(sum_of(n, [&](std::size_t shot) { return (x[shot] - mean_x) * (y[shot] - mean_y); }));
-    }
+  shard_kernel().moments({from.data(), size, n, m.mean.data(), m.products.data()});
   return m;
 }
 

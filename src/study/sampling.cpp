@@ -10,18 +10,6 @@
 namespace physim {
 namespace {
 
-/// Pairs of them in lanes; a pair may have a half before the first number, or behind the last.
-void fill_random(std::uint64_t seed, unsigned dimension, std::uint64_t first, std::span<double> numbers) {
-  const auto bits_of = [&](std::uint64_t pair) { return philox_pair(seed, DrawStream::draw, dimension, 0, pair); };
-  const std::size_t before = first % 2;
-  if (before == 1) numbers[0] = unit_of_digits(bits_of(first / 2).odd >> 12);
-  const std::size_t pairs = (numbers.size() - before) / 2, drawn = before + 2 * pairs;
-  PHYSIM_ASSERT(drawn <= numbers.size() && drawn + 1 >= numbers.size());
-  const std::uint32_t stream = dimension_and_stream(dimension, DrawStream::draw);
-  draw_kernel().units({seed, stream, 0, (first + before) / 2, pairs, numbers.data() + before});
-  if (drawn < numbers.size()) numbers[drawn] = unit_of_digits(bits_of((first + drawn) / 2).even >> 12);
-}
-
 void fill_latin(std::uint64_t seed, unsigned dimension, std::uint64_t first, std::span<double> numbers) {
   const std::size_t n = numbers.size();
   std::vector<std::uint32_t> part(n);
@@ -52,11 +40,24 @@ void fill_sobol(std::uint64_t seed, unsigned dimension, const ShardOfPoints& of,
 
 }  // namespace
 
+/// Pairs of them in lanes; a pair may have a half before the first number, or behind the last.
+void Sampler::fill_random(unsigned dimension, std::uint64_t first, std::span<double> numbers) const {
+  PHYSIM_ASSERT(sampling == Sampling::random && !numbers.empty());
+  const auto bits_of = [&](std::uint64_t pair) { return philox_pair(seed, DrawStream::draw, dimension, 0, pair); };
+  const std::size_t before = first % 2;
+  if (before == 1) numbers[0] = unit_of_digits(bits_of(first / 2).odd >> 12);
+  const std::size_t pairs = (numbers.size() - before) / 2, drawn = before + 2 * pairs;
+  PHYSIM_ASSERT(drawn <= numbers.size() && drawn + 1 >= numbers.size());
+  const std::uint32_t stream = dimension_and_stream(dimension, DrawStream::draw);
+  draw_kernel().units({seed, stream, 0, (first + before) / 2, pairs, numbers.data() + before});
+  if (drawn < numbers.size()) numbers[drawn] = unit_of_digits(bits_of((first + drawn) / 2).even >> 12);
+}
+
 void Sampler::fill(unsigned dimension, std::uint64_t shard, std::span<double> numbers) const {
   PHYSIM_ASSERT(!numbers.empty());
   const std::uint64_t first = shard * numbers.size();
   switch (sampling) {
-    case Sampling::random: return fill_random(seed, dimension, first, numbers);
+    case Sampling::random: return fill_random(dimension, first, numbers);
     case Sampling::latin_hypercube: return fill_latin(seed, dimension, first, numbers);
     case Sampling::sobol: return fill_sobol(seed, dimension, {shard, numbers.size()}, 0, numbers);
   }

@@ -60,6 +60,8 @@ struct Sampler {
 
   /// One dimension of a shard: `numbers` for its shots, or for the occasions that its shots fall into.
   void fill(unsigned dimension, std::uint64_t shard, std::span<double> numbers) const;
+  /// Random numbers of a dimension from an index on, counted through all shards.
+  void fill_random(unsigned dimension, std::uint64_t first, std::span<double> numbers) const;
   /// The number that fill() gives one place of a shard of `size` numbers.
   [[nodiscard]] double number(unsigned dimension, std::uint64_t shard, std::size_t size, std::size_t place) const;
 };

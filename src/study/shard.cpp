@@ -106,9 +106,9 @@ void ShardFlyer::add_arrived(std::uint64_t shard, ShardSums& sums) {
   sums.not_arrived = sums.shots - sums.refused - m_.shots.size();
   sums.moments = moments_of(m_.arrived);
   for (std::size_t q = 0; q < m_.arrived.size() && !m_.shots.empty(); ++q) {
-    const auto [least, most] = shard_kernel().least_and_most(m_.arrived[q].data(), m_.shots.size());
-    sums.least.push_back(least), sums.most.push_back(most);
-    count_into(sums.cells[q], m_.arrived[q]);
+    const LeastAndMost ends = shard_kernel().least_and_most(m_.arrived[q].data(), m_.shots.size());
+    sums.least.push_back(ends.least), sums.most.push_back(ends.most);
+    count_into(sums.cells[q], m_.arrived[q], ends);
   }
   m_.distances.resize(m_.shots.size());
   if (plan_.has_plane()) add_plane(shard, sums);
@@ -140,13 +140,26 @@ void ShardFlyer::add_plane(std::uint64_t shard, ShardSums& sums) {
   add_distances(sums.from_centre);
   measure(study.aim);
   add_distances(sums.from_aim);
-  for (std::size_t i = 0; i < m_.distances.size(); ++i)
-    if (sums.worst.size() < kWorstShots || m_.distances[i] > sums.worst.back().distance)
-      put_worst(sums.worst, {shard * study.shard_shots + m_.shots[i], m_.distances[i]});
+  add_worst(shard, sums);
   sums.reach = reach_of(right, up);
   const auto all = static_cast<std::ptrdiff_t>(sums.shots);
   for (auto hit = m_.hits.begin(); hit != m_.hits.end(); hit += all)
     sums.hits.push_back(static_cast<std::uint64_t>(std::count(hit, hit + all, std::uint8_t{1})));
+}
+
+/// Blocks of which no shot is as bad as those that are kept are passed by.
+void ShardFlyer::add_worst(std::uint64_t shard, ShardSums& sums) const {
+  constexpr std::size_t kBlock = 64;
+  const std::span<const double> distances = m_.distances;
+  for (std::size_t first = 0; first < distances.size(); first += kBlock) {
+    const auto block = distances.subspan(first, std::min(kBlock, distances.size() - first));
+    const auto is_worse = [&](double distance) {
+      return sums.worst.size() < kWorstShots || distance > sums.worst.back().distance;
+    };
+    if (!is_worse(shard_kernel().least_and_most(block.data(), block.size()).most)) continue;
+    for (std::size_t i = 0; i < block.size(); ++i)
+      if (is_worse(block[i])) put_worst(sums.worst, {shard * plan_.study.shard_shots + m_.shots[first + i], block[i]});
+  }
 }
 
 /// Groups of shots that follow each other within an occasion; those of which a shot did not arrive are left out.

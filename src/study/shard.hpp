@@ -24,6 +24,7 @@ class ShardFlyer {
   ModelTold evaluate(const ShotBlock& inputs, ShotBlock& quantities);
   void add_arrived(std::uint64_t shard, ShardSums& sums);
   void add_plane(std::uint64_t shard, ShardSums& sums);
+  void add_worst(std::uint64_t shard, ShardSums& sums) const;
   void mark_hits();
   void gather_arrived();
   void add_spreads(ShardSums& sums);

@@ -1,7 +1,7 @@
 // Work on whole columns of a study's shots: what the kernels of each instruction set offer, and the choice among them.
 //
-// Each gives the bits that shot by shot gives. What is gathered over shots is gathered in eight lanes, whatever the
-// instruction set.
+// Each gives the bits that shot by shot gives. What is gathered over shots is gathered in eight lanes, sums in four,
+// whatever the instruction set.
 #pragma once
 
 #include <cstddef>
@@ -60,6 +60,13 @@ struct ReachJob {
   double reach[kDirections];
 };
 
+/// Means of columns, and sums of products of what is left of two of them: (0, 0), (0, 1) ... (1, 1) ...
+struct MomentsJob {
+  const double* const* columns;
+  std::size_t columns_count, count;  // count > 0
+  double *means, *products;
+};
+
 struct ShardKernel {
   const char* name;
   /// offset + factor x for each x; `into` may be `from`.
@@ -74,6 +81,7 @@ struct ShardKernel {
   bool (*all_finite)(const double* numbers, std::size_t count);
   /// There are some numbers, and none of them is NaN.
   LeastAndMost (*least_and_most)(const double* numbers, std::size_t count);
+  void (*moments)(const MomentsJob& job);
   void (*cells)(const CellJob& job);
   void (*spreads)(const SpreadJob& job);
   void (*reach)(ReachJob& job);

@@ -126,6 +126,68 @@ LeastAndMost least_and_most_of(const double* numbers, std::size_t count) {
   return of;
 }
 
+namespace {
+/// Sums of so many terms over all shots, side by side: each addition waits for the one before.
+template <int kSums, class Term>
+PHYSIM_INLINE void put_sums(std::size_t count, double* sums, const Term& term) {
+  using Four = Pack<double, 4>;
+  Four packs[kSums];
+  for (Four& sum : packs) sum = Four(0.0);
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4)
+    for (int k = 0; k < kSums; ++k) packs[k] += term(k, i, std::type_identity<Four>());
+  for (int k = 0; k < kSums; ++k) {
+    double lanes[4];
+    packs[k].store(lanes);
+    for (std::size_t rest = i; rest < count; ++rest) lanes[0] += term(k, rest, std::type_identity<double>());
+    sums[k] = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+  }
+}
+/// put_sums() of three terms at most.
+template <class Term>
+PHYSIM_INLINE void put_some_sums(std::size_t terms, std::size_t count, double* sums, const Term& term) {
+  PHYSIM_ASSERT(terms <= 3);
+  if (terms == 3) put_sums<3>(count, sums, term);
+  if (terms == 2) put_sums<2>(count, sums, term);
+  if (terms == 1) put_sums<1>(count, sums, term);
+}
+
+/// A column, and where it is counted from.
+struct Deviations {
+  const double* numbers;
+  double mean;
+
+  template <class R>
+  PHYSIM_INLINE R at(std::size_t i) const {
+    return take<R>(numbers, i) - R(mean);
+  }
+};
+}  // namespace
+
+void put_moments(const MomentsJob& job) {
+  PHYSIM_ASSERT(job.count > 0);
+  const std::size_t columns = job.columns_count;
+  for (std::size_t first = 0; first < columns; first += 3)
+    put_some_sums(columns - first < 3 ? columns - first : 3, job.count, job.means + first,
+                  [&]<class R>(int k, std::size_t i, std::type_identity<R>)
+                      PHYSIM_INLINE_LAMBDA { return take<R>(job.columns[first + unsigned(k)], i); });
+  for (std::size_t i = 0; i < columns; ++i) job.means[i] /= static_cast<double>(job.count);
+  Deviations one[3], other[3];
+  std::size_t terms = 0, done = 0;
+  const auto put = [&] {
+    put_some_sums(terms, job.count, job.products + done,
+                  [&]<class R>(int k, std::size_t i, std::type_identity<R>)
+                      PHYSIM_INLINE_LAMBDA { return one[k].template at<R>(i) * other[k].template at<R>(i); });
+    done += terms, terms = 0;
+  };
+  for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t j = i; j < columns; ++j) {
+      one[terms] = {job.columns[i], job.means[i]}, other[terms] = {job.columns[j], job.means[j]};
+      if (++terms == 3) put();
+    }
+  put();
+}
+
 void put_cells(const CellJob& job) {
   each_place(job.count, [&]<class R>(std::size_t i, std::type_identity<R>) PHYSIM_INLINE_LAMBDA {
     const BitsOf<R> cell = cell_number((take<R>(job.numbers, i) - R(job.centre)) * R(job.per_scale));
@@ -139,18 +201,12 @@ void put_cells(const CellJob& job) {
 namespace {
 constexpr std::size_t kMostShots = 100;  // of a group
 
-/// Groups side by side: row i holds shot i of each.
+/// Spreads of groups side by side: row i holds shot i of each.
 template <class R>
-PHYSIM_INLINE void put_spreads(const SpreadJob& job, std::size_t first) {
+PHYSIM_INLINE R spread_of(std::size_t size, const double* right, const double* up) {
   constexpr auto kGroups = static_cast<std::size_t>(kLanes<R>);
-  double right[kMostShots * kGroups], up[kMostShots * kGroups];
-  for (std::size_t group = 0; group < kGroups; ++group)
-    for (std::size_t i = 0; i < job.size; ++i) {
-      right[i * kGroups + group] = job.right[(first + group) * job.size + i];
-      up[i * kGroups + group] = job.up[(first + group) * job.size + i];
-    }
   R most(0.0), sum(0.0);
-  for (std::size_t i = 0; i < job.size; ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     const R x = take<R>(right, i * kGroups), y = take<R>(up, i * kGroups);
     sum += x + y;
     for (std::size_t j = 0; j < i; ++j) {
@@ -158,15 +214,36 @@ PHYSIM_INLINE void put_spreads(const SpreadJob& job, std::size_t first) {
       most = max(dx * dx + dy * dy, most);
     }
   }
-  put(select(is_finite(sum), sqrt(most), R(kNoNumber)), job.spreads, first);
+  return select(is_finite(sum), sqrt(most), R(kNoNumber));
+}
+
+/// The shots of eight groups, side by side.
+PHYSIM_INLINE void turn_groups(const double* from, std::size_t size, double* rows) {
+  for (std::size_t group = 0; group < 8; ++group)
+    for (std::size_t i = 0; i < size; ++i) rows[i * 8 + group] = from[group * size + i];
 }
 }  // namespace
 
+/// Many groups are turned before any of them is looked at: reading rows right after their numbers were written one by
+/// one would wait for these.
 void put_spreads(const SpreadJob& job) {
   PHYSIM_ASSERT(job.size >= 2 && job.size <= kMostShots);
+  constexpr std::size_t kRoom = 16 * kMostShots;
+  double right[kRoom], up[kRoom];
+  const std::size_t size = job.size, eight = 8 * size, at_once = kRoom / eight * 8;
   std::size_t group = 0;
-  for (; group + 8 <= job.groups; group += 8) put_spreads<Eight>(job, group);
-  for (; group < job.groups; ++group) put_spreads<double>(job, group);
+  while (group + 8 <= job.groups) {
+    const std::size_t left = (job.groups - group) / 8 * 8, some = left < at_once ? left : at_once;
+    for (std::size_t k = 0; k < some; k += 8) {
+      turn_groups(job.right + (group + k) * size, size, right + k * size);
+      turn_groups(job.up + (group + k) * size, size, up + k * size);
+    }
+    for (std::size_t k = 0; k < some; k += 8)
+      put(spread_of<Eight>(size, right + k * size, up + k * size), job.spreads, group + k);
+    group += some;
+  }
+  for (; group < job.groups; ++group)
+    put(spread_of<double>(size, job.right + group * size, job.up + group * size), job.spreads, group);
 }
 
 /// In eight lanes: none waits for the largest of the others. Several directions at a time, as registers allow.

@@ -11,15 +11,16 @@ PHYSIM_KERNEL_COPIES(
     void put_distances(const double* right, const double* up, double from_right, double from_up, double* into,
                        std::size_t count);
     bool all_are_finite(const double* numbers, std::size_t count);
-    LeastAndMost least_and_most_of(const double* numbers, std::size_t count); void put_cells(const CellJob& job);
-    void put_spreads(const SpreadJob& job); void put_reach(ReachJob& job);)
+    LeastAndMost least_and_most_of(const double* numbers, std::size_t count); void put_moments(const MomentsJob& job);
+    void put_cells(const CellJob& job); void put_spreads(const SpreadJob& job); void put_reach(ReachJob& job);)
 
 namespace {
 
 #define PHYSIM_SHARD_KERNEL(isa)                                                                         \
   {                                                                                                      \
 #isa, isa::stretch_column, isa::move_to_plane, isa::put_along, isa::put_lengths, isa::put_distances, \
-        isa::all_are_finite, isa::least_and_most_of, isa::put_cells, isa::put_spreads, isa::put_reach    \
+        isa::all_are_finite, isa::least_and_most_of, isa::put_moments, isa::put_cells, isa::put_spreads, \
+        isa::put_reach                                                                                   \
   }
 
 constexpr ShardKernel kShardKernels[] = {

@@ -82,7 +82,7 @@ Status check(const StudyTarget& target, const std::string& place) {
 
 void mark_covered(const StudyTarget& target, std::span<const std::uint32_t> shots, std::span<const double> right,
                   std::span<const double> up, std::span<std::uint8_t> marks) {
-  const auto mark = [&](const auto& shape) {
+  const auto mark = [&](const auto shape) {  // a copy, which marks cannot lie in
     for (const std::uint32_t i : shots) marks[i] = covers(shape, right[i], up[i]) ? 1 : 0;
   };
   std::visit(mark, target.shape);

@@ -48,6 +48,20 @@ TEST(HumidAir, moist_air_is_lighter_and_faster) {
   EXPECT_GT(moist_air_sound_speed(celsius(30), 101325, 1), moist_air_sound_speed(celsius(30), 101325, 0));
 }
 
+/// Packs of dry air alone take a short way, which lanes of dry air beside others do not.
+TEST(HumidAir, is_that_of_one_number_in_each_lane) {
+  using Four = Pack<double, 4>;
+  const double humidity[] = {0, 0.3, 0, 1};
+  const Four t(celsius(25)), p(98765.0), dry(0.0), moist = Four::load(humidity);
+  for (int lane = 0; lane < 4; ++lane) {
+    EXPECT_EQ(moist_density(t, p, moist)[lane], moist_air_density(celsius(25), 98765, humidity[lane]));
+    EXPECT_EQ(moist_sound_speed(t, p, moist)[lane], moist_air_sound_speed(celsius(25), 98765, humidity[lane]));
+    EXPECT_EQ(moist_density(t, p, dry)[lane], moist_air_density(celsius(25), 98765, 0));
+    EXPECT_EQ(moist_sound_speed(t, p, dry)[lane], moist_air_sound_speed(celsius(25), 98765, 0));
+  }
+  EXPECT_EQ(sound_over_dry(dry)[0], 1);
+}
+
 TEST(HumidAir, sound_speed_of_dry_air_is_the_standards) {
   // sqrt(1.4 * 8.31432 * 288.15 / 0.0289644), U.S. Standard Atmosphere 1976 at sea level.
   EXPECT_TRUE(near(moist_air_sound_speed(288.15, 101325, 0), 340.29410778693532873, 1e-13));

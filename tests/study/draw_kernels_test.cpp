@@ -38,7 +38,7 @@ TEST(DrawKernels, random_numbers) {
   });
 }
 
-TEST(DrawKernels, normal_quantiles) {
+TEST(DrawKernels, normal_numbers) {
   with_each_kernel([](const std::string& kernel) {
     test::Random r(3);
     for (const std::size_t count : {0u, 1u, 3u, 16u, 17u, 1000u}) {
@@ -49,10 +49,15 @@ TEST(DrawKernels, normal_quantiles) {
                                   : r.in(1e-9, 1 - 1e-9));
       std::vector<double> z = p;
       z.push_back(7);
-      draw_kernel().normal_quantiles(z.data(), count);
+      std::vector<double> x = z;
+      draw_kernel().normals(z.data(), count, {});
+      draw_kernel().normals(x.data(), count, {820, 3});
       EXPECT_EQ(z[count], 7);
-      for (std::size_t i = 0; i < count && !testing::Test::HasFailure(); ++i)
+      EXPECT_EQ(x[count], 7);
+      for (std::size_t i = 0; i < count && !testing::Test::HasFailure(); ++i) {
         EXPECT_TRUE(same_bits(z[i], normal_quantile(p[i]))) << kernel << ' ' << p[i];
+        EXPECT_TRUE(same_bits(x[i], 820 + 3 * normal_quantile(p[i]))) << kernel << ' ' << p[i];
+      }
     }
   });
 }

@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-constexpr std::size_t kCounts[] = {1, 2, 7, 8, 9, 16, 17, 31, 33, 1000};
+constexpr std::size_t kCounts[] = {1, 2, 7, 8, 9, 16, 17, 31, 33, 1000, 4001};
 
 /// For each kernel and count.
 template <class Check>
@@ -131,6 +131,40 @@ TEST(ShardKernels, find_the_least_and_the_most) {
       const auto [least, most] = std::minmax_element(x.begin(), x.end());
       const LeastAndMost of = kernel.least_and_most(x.data(), count);
       EXPECT_TRUE(same_bits(of.least, *least) && same_bits(of.most, *most)) << what << ' ' << turn;
+    }
+  });
+}
+
+/// In four lanes, which are added in the end.
+double sum_in_lanes(std::size_t count, const auto& term) {
+  double lanes[4] = {};
+  const std::size_t whole = count / 4 * 4;
+  for (std::size_t i = 0; i < count; ++i) lanes[i < whole ? i % 4 : 0] += term(i);
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+TEST(ShardKernels, add_up_moments) {
+  Random r(12);
+  with_each_kernel([&](const ShardKernel& kernel, std::size_t count, const std::string& what) {
+    std::vector<std::vector<double>> numbers;
+    std::vector<const double*> columns;
+    for (std::size_t size = 1; size <= 5; ++size) {
+      numbers.push_back(column(r, count, -2, 9));
+      columns.clear();
+      for (const auto& each : numbers) columns.push_back(each.data());
+      std::vector<double> means(size + 1, 7), products(size * (size + 1) / 2 + 1, 7);
+      kernel.moments({columns.data(), size, count, means.data(), products.data()});
+      const auto mean = [&](std::size_t k) {
+        return sum_in_lanes(count, [&](std::size_t i) { return columns[k][i]; }) / static_cast<double>(count);
+      };
+      expect_column(means, size, mean, what);
+      std::vector<double> expected;
+      for (std::size_t k = 0; k < size; ++k)
+        for (std::size_t l = k; l < size; ++l)
+          expected.push_back(sum_in_lanes(
+              count, [&](std::size_t i) { return (columns[k][i] - means[k]) * (columns[l][i] - means[l]); }));
+      expect_column(
+          products, expected.size(), [&](std::size_t i) { return expected[i]; }, what);
     }
   });
 }
