@@ -22,8 +22,8 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x45fe3bf1d661a484, 0xc6c383b571118f49, 0x39776cdae9730871, 0x42612f0a94fa1b74,
-                                0x4bc8e00675f2a8ac};
+constexpr Sums kExpectedSums = {0xc14181abb2b464d3, 0xb8b7574825c0146a, 0x6e4967634b32a904, 0x87e62d691afa4900,
+                                0xba3d0d279ae9dcdf};
 
 void print(std::FILE* file, const Sums& sums) {
   for (std::size_t i = 0; i < sums.size(); ++i)
