@@ -222,6 +222,7 @@ struct StudyResult {
   std::vector<StudyStage> stages{};           ///< from the first shard on, each a tenth more than the one before [-]
   bool width_reached = false;                 ///< Study::until_width ended it [-]
   bool time_was_up = false;                   ///< StudyOptions::time_is_up ended it [-]
+  std::vector<StudyResult> at{};              ///< all of this at each of Study::at [-]
 };
 
 /// What one input does to the result, by its slope.

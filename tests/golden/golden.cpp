@@ -22,7 +22,7 @@ namespace {
 /// What this version of the library must print. A change of the physics or the numerics changes it: say so in the
 /// commit.
 using Sums = std::array<std::uint64_t, 5>;
-constexpr Sums kExpectedSums = {0x45fe3bf1d661a484, 0xc6c383b571118f49, 0x39776cdae9730871, 0x42612f0a94fa1b74,
+constexpr Sums kExpectedSums = {0x45fe3bf1d661a484, 0xc6c383b571118f49, 0x40262fb1fabe8b2e, 0x42612f0a94fa1b74,
                                 0x4bc8e00675f2a8ac};
 
 void print(std::FILE* file, const Sums& sums) {
